@@ -1,0 +1,21 @@
+# spricka_room(NAME SOURCES a.cpp .. [USES rooms ..] [LINKS targets ..] [HIDES targets ..])
+# A room of the house: a static library spricka_NAME (spricka::NAME) whose headers are found from
+# src/ or from the top. USES names the rooms it may include, LINKS libraries that its headers show,
+# HIDES libraries that only its sources see.
+function(spricka_room name)
+  cmake_parse_arguments(room "" "" "SOURCES;USES;LINKS;HIDES" ${ARGN})
+  add_library(spricka_${name} STATIC ${room_SOURCES})
+  add_library(spricka::${name} ALIAS spricka_${name})
+  target_include_directories(spricka_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR})
+  foreach(used IN LISTS room_USES)
+    target_link_libraries(spricka_${name} PUBLIC spricka::${used})
+  endforeach()
+  target_link_libraries(spricka_${name} PUBLIC ${room_LINKS} PRIVATE ${room_HIDES})
+  spricka_warnings(spricka_${name})
+endfunction()
+
+# Our own targets compile without a warning; what others ship is included as SYSTEM.
+function(spricka_warnings target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+                                           -Wnon-virtual-dtor -Woverloaded-virtual -Werror)
+endfunction()

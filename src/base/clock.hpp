@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <chrono>
+#include <cstddef>
+
+namespace spricka::base {
+
+/// CPU time of the whole process, all threads [s].
+double cpu_seconds();
+
+/// Largest resident set of the process so far [bytes].
+std::size_t peak_memory();
+
+/// Measures a stretch of the run; both times start at construction.
+class Stopwatch {
+public:
+  [[nodiscard]] double cpu() const { return cpu_seconds() - cpu_; }
+  [[nodiscard]] double wall() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_).count();
+  }
+
+private:
+  double cpu_ = cpu_seconds();
+  std::chrono::steady_clock::time_point wall_ = std::chrono::steady_clock::now();
+};
+
+} // namespace spricka::base

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/diagnostics.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::base {
+
+namespace {
+
+std::string upper(std::string_view word) {
+  std::string result(word);
+  for (char& c : result) {
+    c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  }
+  return result;
+}
+
+// Edit distance with transposition of neighbours (Damerau 1964, restricted form).
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) {
+    d[i][0] = i;
+  }
+  for (std::size_t j = 0; j <= b.size(); ++j) {
+    d[0][j] = j;
+  }
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t cost = a[i - 1] == b[j - 1] ? 0 : 1;
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + cost});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+      }
+    }
+  }
+  return d[a.size()][b.size()];
+}
+
+std::string_view word_of(Severity severity) {
+  switch (severity) {
+  case Severity::note:
+    return "note";
+  case Severity::warning:
+    return "warning";
+  case Severity::error:
+    break;
+  }
+  return "error";
+}
+
+// Blanks up to the token (tabs copied as tabs), then carets under the whole of it.
+std::string caret_line(const Sources& sources, Span span) {
+  const std::string_view line = sources.line_at(span.file, span.begin);
+  const std::size_t first = sources.locate(span.file, span.begin).column - 1;
+  std::string result;
+  std::size_t column = 0;
+  std::size_t byte = 0;
+  for (; byte < line.size() && column < first; ++byte) {
+    if ((static_cast<unsigned char>(line[byte]) & 0xC0U) == 0x80U) {
+      continue;
+    }
+    result += line[byte] == '\t' ? '\t' : ' ';
+    ++column;
+  }
+  result.append(first - column, ' ');
+  std::size_t carets = 0;
+  const std::string_view token =
+      sources.text(span.file).substr(span.begin, span.end > span.begin ? span.end - span.begin : 0);
+  for (const char c : token) {
+    if (c == '\n' || c == '\r') {
+      break;
+    }
+    carets += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U ? 1U : 0U;
+  }
+  return result + std::string(std::max<std::size_t>(carets, 1), '^');
+}
+
+std::string format_one(const Sources& sources, const Diagnostic& d) {
+  std::string out;
+  if (d.span.valid()) {
+    const Location at = sources.locate(d.span.file, d.span.begin);
+    out += fmt::format("{}:{}:{}: {} {}: {}\n", sources.name(d.span.file), at.line, at.column,
+                       word_of(d.severity), d.code, d.text);
+    const std::string number = fmt::format("{:>6}", at.line);
+    out += fmt::format("{} | {}\n", number, sources.line_at(d.span.file, d.span.begin));
+    out += fmt::format("{} | {}\n", std::string(number.size(), ' '), caret_line(sources, d.span));
+  } else {
+    out += fmt::format("{} {}: {}\n", word_of(d.severity), d.code, d.text);
+  }
+  if (!d.hint.empty()) {
+    out += fmt::format("       = {}\n", d.hint);
+  }
+  return out;
+}
+
+} // namespace
+
+void Diagnostics::error(Span span, std::string code, std::string text, std::string hint) {
+  all_.push_back({Severity::error, std::move(code), span, std::move(text), std::move(hint)});
+  ++errors_;
+}
+
+void Diagnostics::warning(Span span, std::string code, std::string text, std::string hint) {
+  all_.push_back({Severity::warning, std::move(code), span, std::move(text), std::move(hint)});
+}
+
+void Diagnostics::note(Span span, std::string code, std::string text, std::string hint) {
+  all_.push_back({Severity::note, std::move(code), span, std::move(text), std::move(hint)});
+}
+
+std::string format(const Sources& sources, const Diagnostics& diagnostics, std::size_t limit) {
+  std::vector<const Diagnostic*> order;
+  for (const Diagnostic& d : diagnostics.all()) {
+    order.push_back(&d);
+  }
+  std::stable_sort(order.begin(), order.end(), [](const Diagnostic* a, const Diagnostic* b) {
+    return std::pair(a->span.file, a->span.begin) < std::pair(b->span.file, b->span.begin);
+  });
+  std::string out;
+  std::size_t errors = 0;
+  for (const Diagnostic* d : order) {
+    if (d->severity == Severity::error && ++errors > limit) {
+      continue;
+    }
+    out += format_one(sources, *d);
+  }
+  if (errors > limit) {
+    out += fmt::format("... and {} more errors\n", errors - limit);
+  }
+  return out;
+}
+
+std::string suggest(std::string_view word, const std::vector<std::string>& valid) {
+  const std::string wanted = upper(word);
+  std::size_t best = wanted.size() / 3 + 1;
+  const std::string* nearest = nullptr;
+  for (const std::string& candidate : valid) {
+    const std::size_t distance = edit_distance(wanted, upper(candidate));
+    if (distance < best) {
+      best = distance;
+      nearest = &candidate;
+    }
+  }
+  if (nearest != nullptr) {
+    return fmt::format("did you mean '{}'?", *nearest);
+  }
+  if (valid.empty() || valid.size() > 30) {
+    return {};
+  }
+  return fmt::format("one of: {}", fmt::join(valid, ", "));
+}
+
+} // namespace spricka::base

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/source.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace spricka::base {
+
+enum class Severity { note, warning, error };
+
+/// One message about the deck, with the place it speaks of and, where there is one, a remedy.
+struct Diagnostic {
+  Severity severity = Severity::error;
+  std::string code; ///< "E108"; stable, documented in the manual
+  Span span;
+  std::string text;
+  std::string hint; ///< printed after "= "; may be empty
+};
+
+/// Collects messages; nothing is thrown, so that one run shows every mistake of a deck.
+class Diagnostics {
+public:
+  void error(Span span, std::string code, std::string text, std::string hint = {});
+  void warning(Span span, std::string code, std::string text, std::string hint = {});
+  void note(Span span, std::string code, std::string text, std::string hint = {});
+
+  [[nodiscard]] bool has_errors() const { return errors_ > 0; }
+  [[nodiscard]] std::size_t error_count() const { return errors_; }
+  [[nodiscard]] const std::vector<Diagnostic>& all() const { return all_; }
+
+private:
+  std::vector<Diagnostic> all_;
+  std::size_t errors_ = 0;
+};
+
+/// The messages as text: `file:line:col: error E108: text`, source line, carets under the whole
+/// token, hint. In order of file and place; at most `limit` errors, then a count of the rest.
+std::string format(const Sources& sources, const Diagnostics& diagnostics, std::size_t limit = 20);
+
+/// "did you mean 'STRESS'?" for the nearest word within a third of the length
+/// (Damerau-Levenshtein), else "one of: A, B, C" while the list is short, else empty.
+std::string suggest(std::string_view word, const std::vector<std::string>& valid);
+
+} // namespace spricka::base

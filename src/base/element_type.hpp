@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace spricka::base {
+
+/// The element library, by ASKA's names. M = membrane, C = curved (isoparametric), the number =
+/// nodes. Corners first, then mid-edge nodes, then face and volume nodes, as gmsh and Abaqus.
+enum class ElementType : std::uint8_t {
+  trim3,
+  trimc6,
+  quam4,
+  quamc8,
+  quamc9,
+  tet4,
+  tet10,
+  penta6,
+  pentac15,
+  hexe8,
+  hexec20,
+  hexec27
+};
+
+struct ElementInfo {
+  std::string_view name; ///< the deck's word
+  int nodes;
+  int corners;
+  int dim; ///< of the element's own space
+  int sides;
+  bool quadratic;
+};
+
+inline constexpr std::array<ElementInfo, 12> element_infos{{
+    {"TRIM3", 3, 3, 2, 3, false},
+    {"TRIMC6", 6, 3, 2, 3, true},
+    {"QUAM4", 4, 4, 2, 4, false},
+    {"QUAMC8", 8, 4, 2, 4, true},
+    {"QUAMC9", 9, 4, 2, 4, true},
+    {"TET4", 4, 4, 3, 4, false},
+    {"TET10", 10, 4, 3, 4, true},
+    {"PENTA6", 6, 6, 3, 5, false},
+    {"PENTAC15", 15, 6, 3, 5, true},
+    {"HEXE8", 8, 8, 3, 6, false},
+    {"HEXEC20", 20, 8, 3, 6, true},
+    {"HEXEC27", 27, 8, 3, 6, true},
+}};
+
+constexpr const ElementInfo& info(ElementType type) {
+  return element_infos[static_cast<std::size_t>(type)];
+}
+
+} // namespace spricka::base

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/parallel.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <thread>
+#include <vector>
+
+namespace spricka::base {
+
+void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& task) {
+  std::vector<std::exception_ptr> failure(count);
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < count; i = next++) {
+      try {
+        task(i);
+      } catch (...) {
+        failure[i] = std::current_exception();
+      }
+    }
+  };
+  const std::size_t helpers = std::min(static_cast<std::size_t>(std::max(threads, 1)), count);
+  std::vector<std::jthread> pool;
+  for (std::size_t t = 1; t < helpers; ++t) {
+    pool.emplace_back(work);
+  }
+  work();
+  pool.clear(); // joins
+  for (const std::exception_ptr& e : failure) {
+    if (e) {
+      std::rethrow_exception(e);
+    }
+  }
+}
+
+} // namespace spricka::base

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace spricka::base {
+
+/// Exponents of a quantity in length, force and angle; K is {-1.5, 1, 0}.
+struct Dimension {
+  double length = 0.0;
+  double force = 0.0;
+  double angle = 0.0;
+  bool operator==(const Dimension&) const = default;
+};
+
+/// The deck's units: names as the deck writes them and their size in m and N.
+struct UnitSystem {
+  std::string length_name = "mm";
+  std::string force_name = "N";
+  double metre_per_length = 1e-3;
+  double newton_per_force = 1.0;
+
+  [[nodiscard]] std::string stress_name() const;           ///< "MPa", "Pa", "psi" where there is one
+  [[nodiscard]] std::string stress_intensity_name() const; ///< "MPa*mm^0.5"
+};
+
+/// A parsed unit: value in SI (m, N, rad) of one such unit, and its dimension.
+struct Unit {
+  double si = 1.0;
+  Dimension dimension;
+};
+
+/// Reads the text between [ and ]: m mm um in, N kN MN lbf, Pa kPa MPa GPa psi ksi, deg rad cycle
+/// with * / and ^. Empty when a word or the form is unknown.
+std::optional<Unit> parse_unit(std::string_view text);
+
+/// Factor that turns a number in `unit` into deck units.
+double to_deck(const Unit& unit, const UnitSystem& system);
+
+/// $DECK's LENGTH (M, MM, IN) and FORCE (N, KN, LBF), any case; empty when unknown.
+std::optional<UnitSystem> make_unit_system(std::string_view length, std::string_view force);
+
+} // namespace spricka::base

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/diagnostics.hpp"
+#include "base/source.hpp"
+#include "model/model.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace spricka::deck {
+
+/// What the command line adds to a deck.
+struct ReadOptions {
+  std::vector<std::pair<std::string, std::string>> defines; ///< -D NAME=expression
+};
+
+/// Reads a deck with its includes and imports, checks it in four passes and builds the model. All
+/// mistakes of all passes go to `diagnostics`; with errors the result is empty. File trouble with
+/// the deck itself throws std::system_error.
+std::optional<model::Model> read_deck(const std::filesystem::path& deck, const ReadOptions& options,
+                                      base::Sources& sources, base::Diagnostics& diagnostics);
+
+} // namespace spricka::deck

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/sparse.hpp"
+#include "fe/dof_map.hpp"
+#include "model/model.hpp"
+
+#include <span>
+#include <vector>
+
+namespace spricka::fe {
+
+/// A condensed net that enters another net's assembly like one big element.
+struct Superelement {
+  std::vector<std::int32_t> freedom; ///< [m] freedoms dim * node + c
+  base::Matrix stiffness;            ///< [m, m]
+};
+
+/// Stiffness of some elements and superelements on the unknowns of `dofs` (lower triangle).
+/// Suppressed and prescribed freedoms have no row and drop out. Every diagonal is stored.
+base::SymmetricCsc assemble_stiffness(const model::Model& model, const model::Mesh& mesh,
+                                      std::span<const base::ElementId> elements,
+                                      std::span<const Superelement> supers, const DofMap& dofs);
+
+/// Nodal vector [dim * node] of the consistent loads of one load case, displacement loads left
+/// out. Sum over components equals the resultant of the case exactly.
+base::Vector nodal_load(const model::Model& model, const model::Mesh& mesh,
+                        const model::LoadCase& load_case);
+
+/// Nodal vector [dim * node] of the prescribed displacements of one load case (zero elsewhere).
+base::Vector prescribed_displacement(const model::Model& model, const model::Mesh& mesh,
+                                     const model::LoadCase& load_case);
+
+/// Internal forces K u of some elements as a nodal vector [dim * node], added to `r`.
+void add_internal_force(const model::Model& model, const model::Mesh& mesh,
+                        std::span<const base::ElementId> elements, const base::Vector& u,
+                        base::Vector& r);
+
+/// 1/2 u^T K u over some elements [force * length].
+double strain_energy(const model::Model& model, const model::Mesh& mesh,
+                     std::span<const base::ElementId> elements, const base::Vector& u);
+
+} // namespace spricka::fe

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/vec.hpp"
+#include "model/model.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace spricka::fe {
+
+/// Stresses as six components xx yy zz xy yz zx, whatever the dimension (plane strain has zz).
+using Stress = Eigen::Matrix<double, 6, 1>;
+
+/// Stress at the nodes of every element, evaluated there from the element's own displacements
+/// [connectivity index, as Mesh::nodes]; infinite values at quarter-point tips are replaced by the
+/// element's centroid value.
+std::vector<Stress> element_node_stress(const model::Model& model, const model::Mesh& mesh,
+                                        const base::Vector& u);
+
+/// Mean over the elements that meet at a node and share its body and property; a node between two
+/// properties gets the mean of the first property there. [node]
+std::vector<Stress> nodal_stress(const model::Model& model, const model::Mesh& mesh,
+                                 const std::vector<Stress>& element_stress);
+
+/// Stress at a point inside the body (the element is searched); empty outside.
+std::optional<Stress> stress_at(const model::Model& model, const model::Mesh& mesh,
+                                const base::Vector& u, const base::Vec3& point);
+
+double von_mises(const Stress& s);
+
+} // namespace spricka::fe

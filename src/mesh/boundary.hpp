@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "model/mesh.hpp"
+
+#include <vector>
+
+namespace spricka::mesh {
+
+/// Sides that belong to one element only, element by element, side by side.
+std::vector<model::Face> boundary_faces(const model::Mesh& mesh);
+
+/// Boundary sides all of whose nodes lie in `nodes`, in the order of boundary_faces.
+std::vector<model::Face> faces_within(const model::Mesh& mesh,
+                                      const std::vector<base::NodeId>& nodes);
+
+/// Nodes of some faces, ascending, each once.
+std::vector<base::NodeId> nodes_of_faces(const model::Mesh& mesh,
+                                         const std::vector<model::Face>& faces);
+
+/// Edges of a face set strung into chains (2D). Each chain runs with the body on its left, as the
+/// faces do; a closed chain (a bore) ends where it starts.
+struct Chain {
+  std::vector<model::Face> faces;
+  bool closed = false;
+};
+std::vector<Chain> chains(const model::Mesh& mesh, const std::vector<model::Face>& faces);
+
+} // namespace spricka::mesh

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "model/mesh.hpp"
+
+#include <numbers>
+#include <string>
+
+/// Mesh generators of $MESH. Each appends nodes, elements (labels from 1 on within the net) and
+/// sets, named `prefix` + BODY and so on, to the mesh. Boundary sets are face sets.
+namespace spricka::mesh {
+
+struct BlockSpec {
+  base::ElementType type = base::ElementType::quamc8;
+  base::Vec3 origin = base::Vec3::Zero();
+  base::Vec3 size = base::Vec3::Ones(); ///< LX LY LZ [length]
+  int nx = 1, ny = 1, nz = 1;
+  double bias = 1.0; ///< last over first element size along x
+};
+/// Sets BODY, XMIN XMAX YMIN YMAX (ZMIN ZMAX in 3D).
+void generate_block(model::Mesh& mesh, base::NetId net, const std::string& prefix,
+                    const BlockSpec& spec);
+
+struct RingSpec {
+  base::ElementType type = base::ElementType::quamc8;
+  double x0 = 0.0, y0 = 0.0;
+  double ri = 0.0, ro = 1.0;  ///< ri = 0: disc, with triangles (or collapsed-free quads) inside
+  double t0 = 0.0, t1 = 2.0 * std::numbers::pi; ///< [rad]; a full turn closes the ring
+  int nr = 1, nt = 16;
+  double bias = 1.0; ///< last over first element size from ri to ro
+};
+/// Sets BODY, INNER (not for a disc), OUTER. Nodes on the circles lie on them exactly.
+void generate_ring(model::Mesh& mesh, base::NetId net, const std::string& prefix,
+                   const RingSpec& spec);
+
+struct LugSpec {
+  base::ElementType type = base::ElementType::quamc8;
+  double x0 = 0.0, y0 = 0.0;
+  double ri = 1.0;    ///< bore radius
+  double width = 4.0; ///< W
+  double length = 8.0;///< L, bore centre to END at x = x0 - L; round head of radius W/2 at +x
+  int nr = 4, nt = 32;///< elements from the bore to the edge, and round the bore
+};
+/// Sets BODY, BORE, HEAD, END.
+void generate_lug(model::Mesh& mesh, base::NetId net, const std::string& prefix,
+                  const LugSpec& spec);
+
+} // namespace spricka::mesh

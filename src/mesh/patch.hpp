@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/diagnostics.hpp"
+#include "model/mesh.hpp"
+#include "model/model.hpp"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+/// Cracks in meshes: a patch is cut out of the host and refilled round the crack (design section
+/// 2, "Cracks in meshes"), or nodes of the deck's own mesh are doubled (PATCH=NO).
+namespace spricka::mesh {
+
+/// A crack of one length, as a polyline in the plane, mouth first, tip last. A crack along a
+/// symmetry line is a half: the body lies on one side of it and only that side is meshed.
+struct CrackLine {
+  base::CrackId crack;
+  std::vector<base::Vec3> points;      ///< [>= 2]; its length is a
+  base::NetId net;
+  bool symmetric_half = false;         ///< the line lies on the boundary, held by symmetry
+  std::vector<base::NodeId> path;      ///< kind path: the ordered host nodes it runs along
+};
+
+/// How to mesh round one tip; all sizes in deck length, already chosen.
+struct TipMesh {
+  double radius = 0.0; ///< of the rosette
+  double size = 0.0;   ///< radial length of the tip elements
+  int rings = 4;       ///< rings of elements in the rosette, tip ring included
+  int sectors = 16;    ///< of a full circle
+  bool quarter_point = true;
+  bool patch = true;   ///< false: double nodes of the deck's own mesh along the path
+};
+
+/// Where a tip ended up in the mesh.
+struct Tip {
+  base::CrackId crack;
+  int number = 1;            ///< 1, or 1 and 2 of an embedded crack
+  base::NodeId node;
+  base::Vec3 x = base::Vec3::Zero();
+  base::Vec3 direction = base::Vec3::Zero(); ///< unit, the way the crack grows
+  double a = 0.0;            ///< crack length
+  double size = 0.0;         ///< radial length of the tip elements
+  double radius = 0.0;       ///< of the rosette
+  bool symmetric_half = false;
+};
+
+/// A mesh with cracks in it. Host nodes keep their numbers (some may be left without an element);
+/// new nodes follow. Kept host elements come first, in host order; new ones follow and inherit
+/// net, property and sets of what they replace. Faces, nodes and element sets are those of the
+/// host with the cavity's members replaced, under the same set numbers.
+struct CrackedMesh {
+  model::Mesh mesh;
+  std::vector<Tip> tips;
+  std::vector<base::ElementId> host; ///< [element] the host element it is, or invalid if new
+  /// [crack line] the two lips, ordered from the mouth to the tip (tip included in both); one lip
+  /// for a symmetric half (the other is empty). Left lip first, seen along the crack.
+  struct Lips {
+    std::vector<base::NodeId> left;
+    std::vector<base::NodeId> right;
+  };
+  std::vector<Lips> lips;
+  std::vector<std::string> notes; ///< what was chosen, for the listing
+};
+
+/// Sizes where the deck is silent: from the crack's length, the ligament ahead of the tip and the
+/// size of the nearest contact surface. What the deck gives is taken as it is.
+TipMesh choose_tip_mesh(const model::Mesh& host, const CrackLine& line,
+                        const model::TipNet* wishes);
+
+/// Cuts the cracks into the host. Cracks that cannot be placed (touch no element, leave the body,
+/// cross a material boundary) are reported at the crack's card (`span[i]`) and give an empty
+/// result. Patches are meshed in the crack's frame with coordinates divided by a and rounded to
+/// 2^-40, so that units and position do not change the mesh. Always cuts from the host.
+std::optional<CrackedMesh> insert_cracks(const model::Mesh& host, std::span<const CrackLine> lines,
+                                         std::span<const TipMesh> tips,
+                                         std::span<const base::Span> spans,
+                                         base::Diagnostics& diagnostics);
+
+/// Host elements that the cavity of any of these lines may touch, with a margin of one layer of
+/// elements: the region that is condensed anew at each length. Ascending.
+std::vector<base::ElementId> crack_region(const model::Mesh& host,
+                                          std::span<const CrackLine> lines,
+                                          std::span<const TipMesh> tips);
+
+} // namespace spricka::mesh

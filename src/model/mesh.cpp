@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/mesh.hpp"
+
+#include <cassert>
+
+namespace spricka::model {
+
+base::NodeId add_node(Mesh& mesh, const base::Vec3& x, base::Label label, base::NetId net) {
+  mesh.x.push_back(x);
+  mesh.node_label.push_back(label);
+  mesh.node_net.push_back(net);
+  return base::NodeId(mesh.x.size() - 1);
+}
+
+base::ElementId add_element(Mesh& mesh, base::ElementType type,
+                            std::span<const base::NodeId> nodes, base::Label label,
+                            base::NetId net) {
+  assert(static_cast<int>(nodes.size()) == base::info(type).nodes);
+  if (mesh.first.empty()) {
+    mesh.first.push_back(0);
+  }
+  mesh.type.push_back(type);
+  mesh.nodes.insert(mesh.nodes.end(), nodes.begin(), nodes.end());
+  mesh.first.push_back(static_cast<std::int32_t>(mesh.nodes.size()));
+  mesh.element_label.push_back(label);
+  mesh.element_net.push_back(net);
+  mesh.property.emplace_back();
+  return base::ElementId(mesh.type.size() - 1);
+}
+
+} // namespace spricka::model

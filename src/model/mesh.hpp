@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/element_type.hpp"
+#include "base/id.hpp"
+#include "base/source.hpp"
+#include "base/vec.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace spricka::model {
+
+/// A side of an element: an edge in 2D, a face in 3D. Side s of an element is described by
+/// shape::side(type, s).
+struct Face {
+  base::ElementId element;
+  int side = 0;
+  auto operator<=>(const Face&) const = default;
+};
+
+/// Sets keep their order (crack paths are ordered). Names are upper case and qualified, "LUG.BORE";
+/// sets outside every net have no prefix; nameless sets stand behind item lists of single cards.
+struct NodeSet {
+  std::string name;
+  std::vector<base::NodeId> nodes;
+  base::Span span;
+};
+struct ElementSet {
+  std::string name;
+  std::vector<base::ElementId> elements;
+  base::Span span;
+};
+struct FaceSet {
+  std::string name;
+  std::vector<Face> faces;
+  base::Span span;
+};
+
+/// Nodes and elements of all nets together. A net is a label on nodes and elements; bodies that
+/// share no node are independent whatever net they stand in. 2D meshes have z = 0 everywhere.
+struct Mesh {
+  int dim = 2;
+
+  std::vector<base::Vec3> x;             ///< [node] coordinates, deck length
+  std::vector<base::Label> node_label;   ///< [node]
+  std::vector<base::NetId> node_net;     ///< [node]
+
+  std::vector<base::ElementType> type;        ///< [element]
+  std::vector<std::int32_t> first;            ///< [element + 1] into `nodes`
+  std::vector<base::NodeId> nodes;            ///< connectivity of all elements, one after another
+  std::vector<base::Label> element_label;     ///< [element]
+  std::vector<base::NetId> element_net;       ///< [element]
+  std::vector<base::PropertyId> property;     ///< [element]; invalid until $PROPERTY is bound
+
+  std::vector<NodeSet> node_sets;
+  std::vector<ElementSet> element_sets;
+  std::vector<FaceSet> face_sets;
+
+  [[nodiscard]] std::size_t node_count() const { return x.size(); }
+  [[nodiscard]] std::size_t element_count() const { return type.size(); }
+  [[nodiscard]] std::span<const base::NodeId> nodes_of(base::ElementId e) const {
+    const auto begin = static_cast<std::size_t>(first[e.index()]);
+    return {nodes.data() + begin, static_cast<std::size_t>(first[e.index() + 1]) - begin};
+  }
+  [[nodiscard]] const NodeSet& set(base::NodeSetId id) const { return node_sets[id.index()]; }
+  [[nodiscard]] const ElementSet& set(base::ElementSetId id) const {
+    return element_sets[id.index()];
+  }
+  [[nodiscard]] const FaceSet& set(base::FaceSetId id) const { return face_sets[id.index()]; }
+};
+
+/// Appends a node and returns its index.
+base::NodeId add_node(Mesh& mesh, const base::Vec3& x, base::Label label, base::NetId net);
+
+/// Appends an element and returns its index; its property stays open.
+base::ElementId add_element(Mesh& mesh, base::ElementType type,
+                            std::span<const base::NodeId> nodes, base::Label label,
+                            base::NetId net);
+
+} // namespace spricka::model

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/expression.hpp"
+#include "base/id.hpp"
+#include "base/source.hpp"
+#include "base/units.hpp"
+#include "model/mesh.hpp"
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+/// The model: plain data, as the deck describes it, after all references are resolved. Lengths,
+/// forces and stresses are in deck units (stress = force / length^2), angles in radians. Every
+/// entity keeps the place in the deck that made it. Nothing here knows a card.
+namespace spricka::model {
+
+struct Net {
+  std::string name; ///< empty: what stands outside every $NET
+  base::Span span;
+};
+
+/// Isotropic, linear elastic.
+struct Material {
+  std::string name;
+  double E = 0.0;     ///< Young's modulus [stress]
+  double nu = 0.0;    ///< Poisson's ratio
+  double rho = 0.0;   ///< density
+  double alpha = 0.0; ///< thermal expansion [1/K]
+  base::Span span;
+};
+
+enum class State { plane_stress, plane_strain, axisymmetric, solid };
+
+struct Property {
+  base::ElementSetId elements;
+  base::MaterialId material;
+  State state = State::plane_stress;
+  double thickness = 1.0; ///< [length]
+  base::Span span;
+};
+
+enum class FreedomClass { local, external, suppressed, prescribed };
+
+struct Freedom {
+  FreedomClass cls = FreedomClass::suppressed;
+  std::array<bool, 3> dof{}; ///< x y z
+  base::NodeSetId nodes;
+  base::Span span;
+};
+
+enum class LoadType {
+  force,       ///< per node of a node set [force]
+  resultant,   ///< total over a face or element set [force]
+  traction,    ///< per area of a face set [stress]
+  pressure,    ///< against the outer normal of a face set [stress]
+  body,        ///< per volume of an element set [force/length^3]
+  bearing,     ///< pin on a bore given by its resultant [force]
+  displacement,///< values of prescribed freedoms [length]
+  temperature, ///< [K]
+  crack_faces  ///< pressure on crack faces [stress]
+};
+enum class BearingShape { uniform, cosine };
+
+struct Load {
+  LoadType type = LoadType::force;
+  BearingShape shape = BearingShape::uniform;
+  base::NodeSetId nodes;       ///< exactly one of the three sets is valid
+  base::ElementSetId elements;
+  base::FaceSetId faces;
+  std::vector<base::Expression> value; ///< 1 to 3 components, fields of x y z
+  base::Span span;
+};
+struct LoadCase {
+  std::string name;
+  std::vector<Load> loads;
+};
+
+enum class ContactType { unilateral, bonded };
+enum class Pairing { node, segment };
+enum class Recovery { lumped, consistent };
+
+struct Contact {
+  std::string name;
+  base::FaceSetId slave;
+  base::FaceSetId master;
+  ContactType type = ContactType::unilateral;
+  /// Declared normal gap, used exactly instead of the faceted geometry [length]: GAP = +g,
+  /// INTERFERENCE = -d, DIAMETRAL = -d/2. Empty: measured from the geometry.
+  std::optional<double> gap;
+  double mu = 0.0;
+  Pairing pairing = Pairing::segment;
+  Recovery recovery = Recovery::lumped;
+  base::Span span;
+};
+
+enum class CrackKind { path, free, front };
+enum class CrackState { stress, strain, automatic };
+
+struct Crack {
+  std::string name;
+  CrackKind kind = CrackKind::path;
+  base::NodeSetId path;           ///< ordered nodes from the mouth (kind path)
+  base::NetId net;                ///< the net a free crack cuts
+  std::vector<base::Vec3> points; ///< free crack: from the mouth (or first tip) on
+  std::optional<double> angle;    ///< free crack with one point [rad], from +x
+  std::optional<double> a0;       ///< first length [length]
+  CrackState state = CrackState::automatic;
+  bool faces_in_contact = true;
+  double mu = 0.0;
+  base::Span span;
+};
+
+enum class Join { conforming, transition };
+
+/// How the patch round a tip is made; what is empty follows the crack (see mesh/patch.hpp).
+struct TipNet {
+  base::CrackId crack;
+  std::optional<double> radius; ///< of the rosette [length]
+  std::optional<double> size;   ///< of the tip elements [length]
+  int rings = 4;
+  int sectors = 16; ///< of a full circle
+  bool quarter_point = true;
+  Join join = Join::conforming;
+  bool patch = true;
+  std::optional<double> tolerance;
+  base::Span span;
+};
+
+struct Vce {
+  base::CrackId crack;
+  std::optional<double> shift; ///< finite shift in tip element sizes; empty: analytic derivative
+  std::vector<int> domains;    ///< rings that move rigidly, one value of K each; empty: default
+  base::Span span;
+};
+
+struct ApplyLoad {
+  base::CaseId load_case;
+  double factor = 1.0;
+};
+struct ApplyFit {
+  base::ContactId contact;
+  double factor = 1.0;
+};
+struct Mount {
+  base::ContactId contact;
+};
+struct Dismount {
+  base::ContactId contact;
+};
+using Action = std::variant<ApplyLoad, ApplyFit, Mount, Dismount>;
+
+struct Step {
+  std::string name;
+  int substeps = 1;
+  std::vector<Action> actions;
+  base::Span span;
+};
+
+enum class GrowthLaw { increment, paris, walker, forman, nasgro, table };
+enum class GrowthDirection { path, hoop, k2_zero };
+enum class History { restart, carry_on };
+enum class Mounted { each, first };
+
+struct Growth {
+  GrowthLaw law = GrowthLaw::increment;
+  GrowthDirection direction = GrowthDirection::path;
+  std::vector<base::CrackId> cracks; ///< empty: all
+  base::StepId kmax;
+  base::StepId kmin;
+  History history = History::restart;
+  Mounted mounted = Mounted::each;
+  std::vector<double> lengths; ///< law increment [length]
+  base::Span span;
+};
+
+enum class OutputFormat { vtu, csv, json };
+enum class OutputEvery { step, increment, end };
+
+struct OutputRequest {
+  std::string quantity; ///< U, S, CPRESS, K, REACTION
+  std::string name;     ///< set, contact or crack
+  base::Span span;
+};
+struct Output {
+  std::string file;
+  OutputFormat format = OutputFormat::csv;
+  OutputEvery every = OutputEvery::step;
+  std::vector<OutputRequest> requests;
+  base::Span span;
+};
+
+/// One line of $CHECK: `quantity(arguments) = value REL|ABS tolerance SOURCE 'text'`.
+struct Check {
+  std::string quantity; ///< upper case, "S.XX.MIN"
+  std::vector<std::variant<std::string, double>> arguments; ///< names upper case, or numbers
+  double value = 0.0;
+  double tolerance = 0.0;
+  bool relative = true;
+  std::string source;
+  base::Span span;
+};
+
+struct Control {
+  int max_iterations = 100;
+  double tolerance = 1e-8;
+  int threads = 0; ///< 0: as many as there are cores
+};
+
+/// A card that is understood but whose analysis this version does not have.
+struct Unavailable {
+  std::string what;
+  base::Span span;
+};
+
+struct Model {
+  std::string title;
+  base::UnitSystem units;
+  std::vector<std::pair<std::string, double>> parameters;
+
+  Mesh mesh; ///< the host: without cracks
+  std::vector<Net> nets;
+  std::vector<Material> materials;
+  std::vector<Property> properties;
+  std::vector<Freedom> freedoms;
+  std::vector<LoadCase> cases;
+  std::vector<Contact> contacts;
+  std::vector<Crack> cracks;
+  std::vector<TipNet> tip_nets; ///< at most one for each crack
+  std::vector<Vce> vces;        ///< at most one for each crack
+  std::vector<Step> steps;
+  std::optional<Growth> growth;
+  std::vector<Output> outputs;
+  std::vector<Check> checks;
+  Control control;
+  std::vector<std::string> tasks; ///< empty: the default chain
+  std::vector<Unavailable> unavailable;
+
+  [[nodiscard]] const Property& property_of(const Mesh& m, base::ElementId e) const {
+    return properties[m.property[e.index()].index()];
+  }
+  [[nodiscard]] const Material& material_of(const Mesh& m, base::ElementId e) const {
+    return materials[property_of(m, e).material.index()];
+  }
+};
+
+} // namespace spricka::model

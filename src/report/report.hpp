@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/source.hpp"
+#include "model/model.hpp"
+#include "results/results.hpp"
+
+#include <filesystem>
+#include <string>
+
+/// Writers: each makes one file of the run folder from the results. All throw std::system_error
+/// when a file cannot be written; each file is written under a temporary name and renamed.
+namespace spricka::report {
+
+/// k.csv: `# units` line, then increment,step,crack,a,K1,K2,G,spread; one row per step end and tip.
+void write_k_csv(const std::filesystem::path& file, const model::Model& model,
+                 const results::Run& run);
+
+/// pressure.csv: increment,step,contact,x,y,theta,p_lumped,p_consistent; theta in degrees; both
+/// lips of a crack mouth are rows of their own.
+void write_pressure_csv(const std::filesystem::path& file, const model::Model& model,
+                        const results::Run& run);
+
+/// One .vtu for an increment and step: cells of all types, displacement, stress (6 components,
+/// nodal), von Mises, net number. Appended binary, zlib.
+void write_vtu(const std::filesystem::path& file, const model::Model& model,
+               const results::Increment& increment, const results::StepResult& step);
+
+/// The collection that ParaView opens: (time, file) pairs.
+void write_pvd(const std::filesystem::path& file,
+               const std::vector<std::pair<double, std::string>>& entries);
+
+/// The listing: deck echo with line numbers, model summary, processor log with times, tables.
+std::string listing(const base::Sources& sources, const model::Model& model,
+                    const results::Run& run);
+
+/// report.html: one page, inline SVG, no script, no network.
+std::string html_report(const base::Sources& sources, const model::Model& model,
+                        const results::Run& run);
+
+} // namespace spricka::report

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/vec.hpp"
+#include "model/mesh.hpp"
+
+#include <string>
+#include <vector>
+
+/// What a run has found, as plain records: the report and the checks read nothing else.
+namespace spricka::results {
+
+/// K of one tip at the end of one step; stresses and K in deck units.
+struct TipResult {
+  std::string name;  ///< crack name, "C1" or "C1.2" for a second tip
+  double a = 0.0;
+  double K1 = 0.0;
+  double K2 = 0.0;
+  double G = 0.0;              ///< energy release rate [force/length]
+  double G_from_K = 0.0;       ///< (K1^2 + K2^2) / E'
+  double spread = 0.0;         ///< (max - min of K1 over domains) / hypot(K1, K2)
+  std::vector<double> K1_domain;
+};
+
+/// One node of a contact surface at the end of a step.
+struct ContactPoint {
+  base::NodeId node;
+  base::Vec3 x = base::Vec3::Zero();
+  double theta = 0.0; ///< from +x about the arc's centre [rad]; straight surfaces: 0
+  double arc = 0.0;   ///< along the surface, chain by chain [length]
+  double p_lumped = 0.0;
+  double p_consistent = 0.0;
+  double gap = 0.0;   ///< normal gap in the end, pressed: 0 [length]
+  bool closed = false;
+  int lip = 0;        ///< +1, -1 on the two lips of a crack mouth, else 0
+};
+
+struct ContactResult {
+  std::string name;
+  bool mounted = true;
+  std::vector<ContactPoint> points; ///< chain by chain, in order along the surface
+  base::Vec3 force_on_slave = base::Vec3::Zero(); ///< deck's slave
+  double min_pressure = 0.0;    ///< of the lumped pressures
+  double max_pressure = 0.0;
+  double mean_pressure = 0.0;   ///< force magnitude integral / area in contact surface
+  double max_penetration = 0.0; ///< largest negative weighted gap [length]
+  double arc_from = 0.0;        ///< contact arc on a bore [rad]; full circle: -pi .. pi
+  double arc_to = 0.0;
+  int closed = 0;
+  int rows = 0;
+};
+
+/// Force balance of one body.
+struct Balance {
+  std::string body; ///< net name, "LUG" or "LUG/2" for a second piece
+  base::Vec3 applied = base::Vec3::Zero();
+  base::Vec3 reaction = base::Vec3::Zero();
+  base::Vec3 contact = base::Vec3::Zero();
+};
+
+struct StepResult {
+  std::string step;
+  base::Vector u; ///< nodal vector [dim * node] of the increment's mesh
+  base::Vector reaction; ///< nodal vector of support forces [dim * node]
+  std::vector<TipResult> tips;
+  std::vector<ContactResult> contacts;
+  std::vector<Balance> balance;
+  double energy = 0.0; ///< strain energy
+  int iterations = 0;  ///< block iterations of the contact solution
+  int pivots = 0;
+  std::vector<std::string> notes;
+};
+
+/// One crack length: the mesh with the crack in it, and its steps.
+struct Increment {
+  int number = 0;
+  double a = 0.0; ///< of the first growing crack; 0 without cracks
+  model::Mesh mesh;
+  std::vector<StepResult> steps;
+  std::vector<std::string> notes;
+};
+
+/// One line of the processor log.
+struct LogLine {
+  std::string processor; ///< TOPOLOGY, STIFFNESS, CONDENSE, ...
+  std::string text;
+  double cpu = 0.0;  ///< [s]
+  double wall = 0.0; ///< [s]
+};
+
+struct CheckResult {
+  std::string text; ///< as written in the deck
+  double wanted = 0.0;
+  double found = 0.0;
+  double error = 0.0;     ///< relative or absolute, as the check says
+  double tolerance = 0.0;
+  bool relative = true;
+  bool passed = false;
+  std::string source;
+  std::string trouble; ///< why no value could be found; empty normally
+};
+
+struct Run {
+  std::vector<Increment> increments;
+  std::vector<LogLine> log;
+  std::vector<CheckResult> checks;
+  std::vector<std::string> warnings;
+  double cpu = 0.0;
+  double wall = 0.0;
+  std::size_t peak_memory = 0; ///< [bytes]
+};
+
+} // namespace spricka::results

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/sparse.hpp"
+#include "base/vec.hpp"
+
+#include <cstdint>
+#include <memory>
+
+namespace spricka::solve {
+
+enum class FactorStatus { ok, not_positive_definite, out_of_memory };
+
+struct FactorReport {
+  FactorStatus status = FactorStatus::ok;
+  std::int64_t failed_row = -1; ///< row of the matrix as given where a pivot was not positive
+  double flops = 0.0;           ///< of the numeric phase, exact
+  double factor_entries = 0.0;  ///< nonzeros of L
+  double analysis_cpu = 0.0;    ///< [s]
+  double numeric_cpu = 0.0;     ///< [s]
+};
+
+/// One Cholesky factorisation of K with the external rows last, and everything that is read off
+/// it: the Schur complement S = K_ee - K_el K_ll^-1 K_le, condensed loads, recovered locals.
+/// Externals carry a shift s on their diagonal, taken off again (condensation rule 3), so that a
+/// floating body needs no support. With no externals it is a plain solver.
+class Condensation {
+public:
+  /// K [n, n] lower triangle, the last `externals` rows external.
+  Condensation(const base::SymmetricCsc& K, std::int64_t externals);
+  ~Condensation();
+  Condensation(Condensation&&) noexcept;
+  Condensation& operator=(Condensation&&) noexcept;
+
+  [[nodiscard]] const FactorReport& report() const;
+  /// S [externals, externals], symmetric to the last bit.
+  [[nodiscard]] const base::Matrix& schur() const;
+  /// Loads f [n, k] -> condensed loads f_e - K_el K_ll^-1 f_l [externals, k].
+  [[nodiscard]] base::Matrix condense_load(const base::Matrix& f) const;
+  /// All unknowns [n, k] from external displacements [externals, k] and the loads f [n, k].
+  [[nodiscard]] base::Matrix recover(const base::Matrix& u_external, const base::Matrix& f) const;
+
+private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+} // namespace spricka::solve
