@@ -23,7 +23,7 @@ void generate_block(model::Mesh& mesh, base::NetId net, const std::string& prefi
 struct RingSpec {
   base::ElementType type = base::ElementType::quamc8;
   double x0 = 0.0, y0 = 0.0;
-  double ri = 0.0, ro = 1.0;  ///< ri = 0: disc, with triangles (or collapsed-free quads) inside
+  double ri = 0.0, ro = 1.0; ///< ri = 0: disc, with triangles (or collapsed-free quads) inside
   double t0 = 0.0, t1 = 2.0 * std::numbers::pi; ///< [rad]; a full turn closes the ring
   int nr = 1, nt = 16;
   double bias = 1.0; ///< last over first element size from ri to ro
@@ -35,10 +35,10 @@ void generate_ring(model::Mesh& mesh, base::NetId net, const std::string& prefix
 struct LugSpec {
   base::ElementType type = base::ElementType::quamc8;
   double x0 = 0.0, y0 = 0.0;
-  double ri = 1.0;    ///< bore radius
-  double width = 4.0; ///< W
-  double length = 8.0;///< L, bore centre to END at x = x0 - L; round head of radius W/2 at +x
-  int nr = 4, nt = 32;///< elements from the bore to the edge, and round the bore
+  double ri = 1.0;     ///< bore radius
+  double width = 4.0;  ///< W
+  double length = 8.0; ///< L, bore centre to END at x = x0 - L; round head of radius W/2 at +x
+  int nr = 4, nt = 32; ///< elements from the bore to the edge, and round the bore (8 or more)
 };
 /// Sets BODY, BORE, HEAD, END.
 void generate_lug(model::Mesh& mesh, base::NetId net, const std::string& prefix,

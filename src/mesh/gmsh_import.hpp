@@ -15,13 +15,13 @@ enum class ImportFormat { geo, msh };
 struct ImportRequest {
   std::filesystem::path file;
   ImportFormat format = ImportFormat::geo;
-  double scale = 1.0;      ///< every coordinate times this
-  bool quadratic = false;  ///< raise linear elements to quadratic ones
-  std::string prefix;      ///< "LUG." or empty
+  double scale = 1.0;     ///< every coordinate times this
+  bool quadratic = false; ///< raise linear elements to quadratic ones
+  std::string prefix;     ///< "LUG." or empty
   base::NetId net;
   std::vector<std::pair<std::string, std::string>> renames; ///< physical group -> set name
   std::vector<std::pair<std::string, double>> parameters;   ///< for DefineConstant of a .geo
-  base::Span span;         ///< the $IMPORT card
+  base::Span span;                                          ///< the $IMPORT card
 };
 
 /// Meshes a gmsh geometry script (.geo) or reads a .msh (2.2, 4.1) through the gmsh library and

@@ -17,10 +17,10 @@ namespace spricka::mesh {
 /// symmetry line is a half: the body lies on one side of it and only that side is meshed.
 struct CrackLine {
   base::CrackId crack;
-  std::vector<base::Vec3> points;      ///< [>= 2]; its length is a
+  std::vector<base::Vec3> points; ///< [>= 2]; its length is a
   base::NetId net;
-  bool symmetric_half = false;         ///< the line lies on the boundary, held by symmetry
-  std::vector<base::NodeId> path;      ///< kind path: the ordered host nodes it runs along
+  bool symmetric_half = false;    ///< the line lies on the boundary, held by symmetry
+  std::vector<base::NodeId> path; ///< kind path: the ordered host nodes it runs along
 };
 
 /// How to mesh round one tip; all sizes in deck length, already chosen.
@@ -30,19 +30,19 @@ struct TipMesh {
   int rings = 4;       ///< rings of elements in the rosette, tip ring included
   int sectors = 16;    ///< of a full circle
   bool quarter_point = true;
-  bool patch = true;   ///< false: double nodes of the deck's own mesh along the path
+  bool patch = true; ///< false: double nodes of the deck's own mesh along the path
 };
 
 /// Where a tip ended up in the mesh.
 struct Tip {
   base::CrackId crack;
-  int number = 1;            ///< 1, or 1 and 2 of an embedded crack
+  int number = 1; ///< 1, or 1 and 2 of an embedded crack
   base::NodeId node;
   base::Vec3 x = base::Vec3::Zero();
   base::Vec3 direction = base::Vec3::Zero(); ///< unit, the way the crack grows
-  double a = 0.0;            ///< crack length
-  double size = 0.0;         ///< radial length of the tip elements
-  double radius = 0.0;       ///< of the rosette
+  double a = 0.0;                            ///< crack length
+  double size = 0.0;                         ///< radial length of the tip elements
+  double radius = 0.0;                       ///< of the rosette
   bool symmetric_half = false;
 };
 
@@ -80,8 +80,7 @@ std::optional<CrackedMesh> insert_cracks(const model::Mesh& host, std::span<cons
 
 /// Host elements that the cavity of any of these lines may touch, with a margin of one layer of
 /// elements: the region that is condensed anew at each length. Ascending.
-std::vector<base::ElementId> crack_region(const model::Mesh& host,
-                                          std::span<const CrackLine> lines,
+std::vector<base::ElementId> crack_region(const model::Mesh& host, std::span<const CrackLine> lines,
                                           std::span<const TipMesh> tips);
 
 } // namespace spricka::mesh

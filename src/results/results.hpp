@@ -3,7 +3,9 @@
 #include "base/vec.hpp"
 #include "model/mesh.hpp"
 
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// What a run has found, as plain records: the report and the checks read nothing else.
@@ -11,14 +13,16 @@ namespace spricka::results {
 
 /// K of one tip at the end of one step; stresses and K in deck units.
 struct TipResult {
-  std::string name;  ///< crack name, "C1" or "C1.2" for a second tip
+  std::string name; ///< crack name, "C1" or "C1.2" for a second tip
   double a = 0.0;
   double K1 = 0.0;
   double K2 = 0.0;
-  double G = 0.0;              ///< energy release rate [force/length]
-  double G_from_K = 0.0;       ///< (K1^2 + K2^2) / E'
-  double spread = 0.0;         ///< (max - min of K1 over domains) / hypot(K1, K2)
+  double G = 0.0;        ///< energy release rate [force/length]
+  double G_from_K = 0.0; ///< (K1^2 + K2^2) / E'
+  double spread = 0.0;   ///< (max - min of K1 over domains) / hypot(K1, K2)
   std::vector<double> K1_domain;
+  base::Vec3 x = base::Vec3::Zero();         ///< the tip, undeformed
+  base::Vec3 direction = base::Vec3::Zero(); ///< unit, the way the crack grows; zero: unknown
 };
 
 /// One node of a contact surface at the end of a step.
@@ -29,17 +33,17 @@ struct ContactPoint {
   double arc = 0.0;   ///< along the surface, chain by chain [length]
   double p_lumped = 0.0;
   double p_consistent = 0.0;
-  double gap = 0.0;   ///< normal gap in the end, pressed: 0 [length]
+  double gap = 0.0; ///< normal gap in the end, pressed: 0 [length]
   bool closed = false;
-  int lip = 0;        ///< +1, -1 on the two lips of a crack mouth, else 0
+  int lip = 0; ///< +1, -1 on the two lips of a crack mouth, else 0
 };
 
 struct ContactResult {
   std::string name;
   bool mounted = true;
-  std::vector<ContactPoint> points; ///< chain by chain, in order along the surface
+  std::vector<ContactPoint> points;               ///< chain by chain, in order along the surface
   base::Vec3 force_on_slave = base::Vec3::Zero(); ///< deck's slave
-  double min_pressure = 0.0;    ///< of the lumped pressures
+  double min_pressure = 0.0;                      ///< of the lumped pressures
   double max_pressure = 0.0;
   double mean_pressure = 0.0;   ///< force magnitude integral / area in contact surface
   double max_penetration = 0.0; ///< largest negative weighted gap [length]
@@ -59,8 +63,9 @@ struct Balance {
 
 struct StepResult {
   std::string step;
-  base::Vector u; ///< nodal vector [dim * node] of the increment's mesh
-  base::Vector reaction; ///< nodal vector of support forces [dim * node]
+  base::Vector u;                            ///< nodal vector [dim * node] of the increment's mesh
+  base::Vector reaction;                     ///< nodal vector of support forces [dim * node]
+  std::vector<std::array<double, 6>> stress; ///< [node] xx yy zz xy yz zx; empty: not recovered
   std::vector<TipResult> tips;
   std::vector<ContactResult> contacts;
   std::vector<Balance> balance;
@@ -91,7 +96,7 @@ struct CheckResult {
   std::string text; ///< as written in the deck
   double wanted = 0.0;
   double found = 0.0;
-  double error = 0.0;     ///< relative or absolute, as the check says
+  double error = 0.0; ///< relative or absolute, as the check says
   double tolerance = 0.0;
   bool relative = true;
   bool passed = false;
@@ -108,5 +113,14 @@ struct Run {
   double wall = 0.0;
   std::size_t peak_memory = 0; ///< [bytes]
 };
+
+/// The entry of that name, or null; names as the deck's, upper case.
+const StepResult* find_step(const Increment& increment, std::string_view step);
+const TipResult* find_tip(const StepResult& step, std::string_view tip);
+const ContactResult* find_contact(const StepResult& step, std::string_view contact);
+
+/// The tip of that name at the end of that step where its crack has the length nearest to `a`
+/// [length]; null if no increment has both.
+const TipResult* find_tip_at(const Run& run, std::string_view step, std::string_view tip, double a);
 
 } // namespace spricka::results

@@ -2,6 +2,7 @@
 #pragma once
 #include "base/sparse.hpp"
 #include "base/vec.hpp"
+#include "solve/ordering.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -14,6 +15,8 @@ struct FactorReport {
   FactorStatus status = FactorStatus::ok;
   std::int64_t failed_row = -1; ///< row of the matrix as given where a pivot was not positive
   double flops = 0.0;           ///< of the numeric phase, exact
+  double memory = 0.0;          ///< [bytes] forecast of the largest need, from the symbolic phase
+  double smallest_pivot = 1.0;  ///< of the locals, over the diagonal entry of the matrix
   double factor_entries = 0.0;  ///< nonzeros of L
   double analysis_cpu = 0.0;    ///< [s]
   double numeric_cpu = 0.0;     ///< [s]
@@ -25,8 +28,10 @@ struct FactorReport {
 /// floating body needs no support. With no externals it is a plain solver.
 class Condensation {
 public:
-  /// K [n, n] lower triangle, the last `externals` rows external.
-  Condensation(const base::SymmetricCsc& K, std::int64_t externals);
+  /// K [n, n] lower triangle, the last `externals` rows external. Check the report: when its status
+  /// is not ok, nothing else may be asked for.
+  Condensation(const base::SymmetricCsc& K, std::int64_t externals,
+               Ordering ordering = Ordering::automatic);
   ~Condensation();
   Condensation(Condensation&&) noexcept;
   Condensation& operator=(Condensation&&) noexcept;

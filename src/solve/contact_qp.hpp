@@ -20,12 +20,14 @@ struct ContactProblem {
   base::Vector h;
   std::vector<bool> equality; ///< [n]
   double load_scale = 0.0;    ///< a typical force of the model, to judge h; 0: from the data
+  double opening_scale =
+      0.0; ///< a typical opening by a unit of a mode, to judge B; 0: largest of B
 };
 
 enum class ContactStatus {
   solved,
-  unheld_mode,    ///< a loaded rigid mode that the contact cannot hold
-  inconsistent,   ///< equality rows contradict each other
+  unheld_mode,  ///< a loaded rigid mode that the contact cannot hold
+  inconsistent, ///< equality rows contradict each other
   max_iterations
 };
 
@@ -34,13 +36,13 @@ struct ContactSolution {
   base::Vector lambda;      ///< [n] >= 0 on inequality rows
   base::Vector alpha;       ///< [m] rigid modes; unloaded untouched modes rest (minimum norm)
   base::Vector gap;         ///< [n]
-  std::vector<bool> closed; ///< [n]
+  std::vector<bool> closed; ///< [n] rows that hold; redundant ones are not among them
   base::Vector unheld;      ///< [m] direction of the mode that is not held, else empty
   int resting_modes = 0;    ///< modes that no row touches and nothing loads
   int redundant = 0;        ///< rows left out because others say the same
   int block_iterations = 0;
-  int pivots = 0;           ///< of the finite fallback
-  double residual = 0.0;    ///< largest violation of the conditions above, scaled
+  int pivots = 0;        ///< of the finite fallback
+  double residual = 0.0; ///< largest violation of the conditions above, scaled
 };
 
 struct ContactSettings {

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "grammar/card_table.hpp"
+
+#include <array>
+
+namespace spricka::grammar {
+
+namespace {
+
+using namespace table;
+using enum Kind;
+using enum Quantity;
+
+constexpr std::array load_keys{
+    required(defines("CASE", load_case, "the case this adds to")),
+    required(later(word("TYPE",
+                        "FORCE|RESULTANT|TRACTION|PRESSURE|BODY|BEARING|DISP|TEMPERATURE|FACES",
+                        "of the load"),
+                   "TEMPERATURE|FACES")),
+    preset(word("SHAPE", "UNIFORM|COSINE", "of the pressure of a BEARING"), "COSINE"),
+};
+
+constexpr std::array load_when{
+    When{"TYPE", "FORCE", "", "SHAPE"},     When{"TYPE", "RESULTANT", "", "SHAPE"},
+    When{"TYPE", "TRACTION", "", "SHAPE"},  When{"TYPE", "PRESSURE", "", "SHAPE"},
+    When{"TYPE", "BODY", "", "SHAPE"},      When{"TYPE", "DISP", "", "SHAPE"},
+    When{"TYPE", "TEMPERATURE", "", "SHAPE"}, When{"TYPE", "FACES", "", "SHAPE"},
+};
+
+constexpr std::array contact_keys{
+    required(defines("NAME", contact, "of the pair")),
+    required(refers("SLAVE", set, "one surface")),
+    required(refers("MASTER", surface, "the other surface, or a rigid target")),
+    preset(word("TYPE", "UNILATERAL|BONDED", "BONDED: no opening, no slip"), "UNILATERAL"),
+    real("INTERFERENCE", length, at_least(0), "normal interference, used exactly"),
+    real("DIAMETRAL", length, at_least(0), "twice the normal interference"),
+    real("GAP", length, at_least(0), "normal gap, used exactly; 0: a net fit"),
+    preset(later(real("MU", number, at_least(0), "Coulomb friction"), ">0"), "0"),
+    preset(word("PAIRING", "NODE|SEGMENT", "node pairs, or mortar segments"), "SEGMENT"),
+    preset(word("RECOVERY", "LUMPED|CONSISTENT", "surface mass behind the pressure"), "LUMPED"),
+};
+
+constexpr std::array rigid_keys{
+    required(defines("NAME", rigid, "of the target")),
+    required(word("SHAPE", "LINE|ARC", "of the target")),
+    real("X0", length, anything, "first point of a LINE, centre of an ARC"),
+    real("Y0", length, anything, "see X0"),
+    real("X1", length, anything, "second point of a LINE; the body is on the left"),
+    real("Y1", length, anything, "see X1"),
+    real("R", length, anything, "radius of an ARC, negative for a bore"),
+};
+
+constexpr std::array rigid_when{
+    When{"SHAPE", "LINE", "X0 Y0 X1 Y1", "R"},
+    When{"SHAPE", "ARC", "X0 Y0 R", "X1 Y1"},
+};
+
+constexpr std::array crack_keys{
+    required(defines("NAME", crack, "of the crack")),
+    refers("PATH", set, "ordered nodes from the mouth on, along element edges"),
+    refers("NET", net, "the net a free crack cuts"),
+    real("A0", length, above(0), "first length"),
+    real("ANGLE", angle, anything, "direction of a free crack of one point, from +x"),
+    later(refers("FRONT", set, "ordered nodes of a 3D front"), "*"),
+    preset(word("NORMAL", "X|Y|Z", "of the plane of a 3D crack"), "Y"),
+    preset(word("STATE", "STRESS|STRAIN|AUTO", "of K from G; AUTO takes the property's"), "AUTO"),
+    preset(word("FACES", "CONTACT|FREE", "whether the faces may touch"), "CONTACT"),
+    preset(later(real("MU", number, at_least(0), "friction of the faces"), ">0"), "0"),
+};
+
+constexpr std::array crack_when{
+    When{"PATH", "", "A0", "ANGLE FRONT NORMAL"},
+    When{"FRONT", "", "", "PATH ANGLE A0"},
+    When{"ANGLE", "", "A0", "PATH FRONT"},
+    When{"NET", "", "", "PATH FRONT"},
+};
+
+constexpr std::array tipnet_keys{
+    required(refers("CRACK", crack, "the crack")),
+    real("RADIUS", length, above(0), "of the rosette"),
+    real("SIZE", length, above(0), "of the tip elements"),
+    preset(integer("RINGS", at_least(2), "of elements in the rosette"), "4"),
+    preset(integer("SECTORS", at_least(6), "of a full circle"), "16"),
+    preset(word("QUARTER", "YES|NO", "quarter-point tip elements"), "YES"),
+    preset(later(word("JOIN", "CONFORMING|TRANSITION", "how the patch meets the host"),
+                 "TRANSITION"),
+           "CONFORMING"),
+    preset(word("PATCH", "YES|NO", "NO: the deck's own elements stay"), "YES"),
+    later(real("TOL", number, above(0), "refine until the error bar of K is below TOL*K"), "*"),
+};
+
+constexpr std::array vce_keys{
+    required(refers("CRACK", crack, "the crack")),
+    real("SHIFT", number, between(1e-12, 1e-1), "finite shift in tip element sizes"),
+    of_type(KeyType::integers, "DOMAINS", none, "how many rings move rigidly, a K for each"),
+};
+
+constexpr std::array step_keys{
+    required(defines("NAME", step, "of the step")),
+    preset(integer("SUBSTEPS", at_least(1), "equal parts"), "1"),
+};
+
+constexpr std::array grow_keys{
+    required(later(word("LAW", "INCREMENT|PARIS|WALKER|FORMAN|NASGRO|TABLE",
+                        "INCREMENT: the crack lengths are given"),
+                   "PARIS|WALKER|FORMAN|NASGRO|TABLE")),
+    preset(word("DIRECTION", "PATH|HOOP|K2ZERO", "in which it grows"), "PATH"),
+    of_type(KeyType::references, "CRACKS", crack, "that grow; all when left out"),
+    required(refers("KMAX", step, "the step of the largest K")),
+    refers("KMIN", step, "the step of the smallest K"),
+    preset(later(word("HISTORY", "RESTART|CONTINUE", "CONTINUE carries slip over"), "CONTINUE"),
+           "RESTART"),
+    preset(later(word("MOUNTED", "EACH|FIRST", "FIRST keeps the offsets of the first length"),
+                 "FIRST"),
+           "EACH"),
+    real("DA", length, above(0), "largest advance of an increment"),
+    real("AMAX", length, above(0), "stops the growth"),
+    real("CYCLES", number, above(0), "stops the growth"),
+    real("C", number, above(0), "factor of the law, in KUNIT and AUNIT"),
+    real("M", number, above(0), "exponent of the law"),
+    preset(real("P", number, anything, "exponent of NASGRO"), "0"),
+    preset(real("Q", number, anything, "exponent of NASGRO"), "0"),
+    real("KC", stress_intensity, above(0), "fracture toughness; stops the growth"),
+    preset(real("DKTH", stress_intensity, at_least(0), "threshold"), "0"),
+    preset(real("ALPHA", number, between(1, 3), "constraint factor of NASGRO"), "2"),
+    preset(real("SMAX", number, between(0, 1), "stress over flow stress of NASGRO"), "0.3"),
+    text("KUNIT", "unit of K in the law"),
+    text("AUNIT", "unit of a in the law"),
+};
+
+// Every law but INCREMENT works on a range of K and so needs KMIN.
+constexpr std::array grow_when{
+    When{"LAW", "INCREMENT", "", "C M P Q DKTH ALPHA SMAX KUNIT AUNIT"},
+    When{"LAW", "PARIS", "C M KMIN", "P Q"},
+    When{"LAW", "WALKER", "C M KMIN", "Q"},
+    When{"LAW", "FORMAN", "C M KC KMIN", "P Q"},
+    When{"LAW", "NASGRO", "C M KC KMIN", ""},
+    When{"LAW", "TABLE", "KMIN", "C M P Q"},
+};
+
+constexpr std::array sweep_keys{
+    required(refers("PARAMETER", parameter, "the one that varies")),
+    refers("WITH", parameter, "another that varies with it, in pairs"),
+};
+
+constexpr std::array control_keys{
+    preset(integer("MAXITER", at_least(1), "pivots or iterations of contact"), "100"),
+    preset(real("TOL", number, above(0), "of contact, relative"), "1e-8"),
+    preset(integer("THREADS", at_least(0), "0: one for each core"), "0"),
+};
+
+constexpr std::array restart_keys{
+    text("READ", "continue from this file"),
+    integer("AT", at_least(0), "increment to continue from"),
+    text("WRITE", "state after increments"),
+    preset(integer("EVERY", at_least(1), "increments between states"), "1"),
+};
+
+constexpr std::array output_keys{
+    required(text("FILE", "in the folder of the run")),
+    required(word("FORMAT", "VTU|CSV|JSON", "of the file")),
+    preset(word("EVERY", "STEP|INCREMENT|END", "when it is written"), "STEP"),
+};
+
+constexpr std::array cards{
+    CardSpec{.name = "LOAD",
+         .group = "loads",
+         .keys = load_keys,
+         .data = Data::rows,
+         .data_required = true,
+         .data_form = "SET v1 [v2 [v3]]; values may be (expr in x y z)",
+         .when = load_when,
+         .doc = "Adds to a load case; RESULTANT spreads a total over a face or element set."},
+    CardSpec{.name = "CONTACT",
+         .group = "contact",
+         .keys = contact_keys,
+         .exclusive = "INTERFERENCE DIAMETRAL GAP",
+         .doc = "A contact pair; without a given gap it is measured from the geometry."},
+    CardSpec{.name = "RIGID",
+         .group = "contact",
+         .keys = rigid_keys,
+         .available = false,
+         .when = rigid_when,
+         .doc = "A rigid target in 2D, usable as MASTER."},
+    CardSpec{.name = "CRACK",
+         .group = "crack",
+         .keys = crack_keys,
+         .data = Data::rows,
+         .data_form = "free crack: x y, from the mouth (or first tip) on",
+         .when = crack_when,
+         .doc = "A crack along PATH, a free one by its points, or a 3D one by its FRONT."},
+    CardSpec{.name = "TIPNET",
+         .group = "crack",
+         .keys = tipnet_keys,
+         .doc = "How the patch round the tip is made; what is left out is chosen and printed."},
+    CardSpec{.name = "VCE",
+         .group = "crack",
+         .keys = vce_keys,
+         .doc = "Virtual crack extension: analytic without SHIFT, a finite shift with it."},
+    CardSpec{.name = "STEP",
+         .group = "loads",
+         .keys = step_keys,
+         .data = Data::rows,
+         .data_form = "LOAD case factor, FIT contact factor, MOUNT contact, DISMOUNT contact",
+         .doc = "Factors at the end of the step; others keep theirs; steps run in deck order."},
+    CardSpec{.name = "GROW",
+         .group = "crack",
+         .keys = grow_keys,
+         .data = Data::rows,
+         .once = true,
+         .data_form = "INCREMENT: crack lengths",
+         .when = grow_when,
+         .doc = "The growth loop over the steps."},
+    CardSpec{.name = "SWEEP",
+         .group = "requests",
+         .keys = sweep_keys,
+         .data = Data::rows,
+         .data_required = true,
+         .available = false,
+         .data_form = "values (pairs when WITH is given)",
+         .doc = "Runs the deck again for each value; several cards multiply."},
+    CardSpec{.name = "CONTROL",
+         .group = "requests",
+         .keys = control_keys,
+         .once = true,
+         .doc = "Numerics."},
+    CardSpec{.name = "RESTART",
+         .group = "requests",
+         .keys = restart_keys,
+         .once = true,
+         .available = false,
+         .doc = "State per growth increment or step."},
+    CardSpec{.name = "TASK",
+         .group = "requests",
+         .data = Data::rows,
+         .data_required = true,
+         .once = true,
+         .data_form = "TOPOLOGY STIFFNESS CONDENSE CONTACT VCE GROW RECOVER OUTPUT",
+         .doc = "The chain of processors; left out, it follows from the cards."},
+    CardSpec{.name = "OUTPUT",
+         .group = "requests",
+         .keys = output_keys,
+         .data = Data::rows,
+         .data_required = true,
+         .data_form = "U set, S set, CPRESS contact, K crack, REACTION set",
+         .doc = "Results in a file."},
+    CardSpec{.name = "CHECK",
+         .group = "requests",
+         .data = Data::rows,
+         .data_required = true,
+         .data_form = "QUANTITY(arguments) = value REL|ABS tolerance [SOURCE 'text']",
+         .doc = "A value the run is compared with; a failure sets the exit code."},
+    CardSpec{.name = "END", .group = "deck", .doc = "Last card; a truncated deck is an error."},
+};
+
+} // namespace
+
+std::span<const CardSpec> analysis_cards() { return cards; }
+
+} // namespace spricka::grammar

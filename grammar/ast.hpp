@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/expression.hpp"
+#include "base/id.hpp"
+#include "base/source.hpp"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// The deck as it is written: syntax only, nothing is looked up yet. Names and keys are upper case
+/// already; every piece keeps its place.
+namespace spricka::grammar {
+
+/// One step of an expression in reverse Polish order.
+struct Term {
+  enum class Kind : std::uint8_t {
+    number, ///< push `value`, in `unit` if there is one
+    name,   ///< push what the name stands for
+    call,   ///< apply the function to `count` values
+    op,     ///< apply `op`
+    scale   ///< the value so far is in `unit`
+  };
+  Kind kind = Kind::number;
+  base::Op op = base::Op::number;
+  int count = 0;
+  double value = 0.0;
+  base::Span span;
+  base::Span unit; ///< the text between [ and ]; invalid where there is none
+};
+
+struct Expression {
+  std::vector<Term> terms;
+  base::Span span;
+};
+
+/// A value in a header or a field of a data line.
+struct Field {
+  enum class Kind : std::uint8_t {
+    number,     ///< a literal, in `expression` as its only term
+    expression, ///< in parentheses
+    name,       ///< NAME or NET.NAME, in `text`
+    minus_name, ///< -NAME, the name in `text`
+    text,       ///< 'verbatim', in `text`
+    range,      ///< first : last [: step]
+    quantity    ///< NAME(arguments)
+  };
+  Kind kind = Kind::number;
+  char separator = ' '; ///< what follows it in a row: ' ', ',' or '='
+  base::Span span;
+  std::string text;
+  Expression expression;
+  std::vector<Expression> arguments;
+  std::array<base::Label, 3> range{0, 0, 1};
+};
+
+struct Parameter {
+  std::string key;
+  base::Span key_span;
+  std::vector<Field> values;
+  base::Span span; ///< of the values
+};
+
+/// A header and the place of its data lines, which are read once the header is understood.
+struct Card {
+  std::string name; ///< without the $
+  base::Span name_span;
+  std::vector<Parameter> parameters;
+  base::Span header;
+  base::Span data;
+  bool bad = false; ///< the header has a syntax error; `parameters` holds what came before it
+};
+
+struct Row {
+  std::vector<Field> fields;
+  base::Span span;
+};
+
+struct Assignment {
+  std::string name;    ///< upper case
+  std::string written; ///< as in the deck
+  base::Span name_span;
+  Expression value;
+};
+
+} // namespace spricka::grammar

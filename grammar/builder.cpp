@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "grammar/builder.hpp"
+
+#include "grammar/lexeme.hpp"
+
+#include <charconv>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::grammar {
+
+namespace {
+constexpr int k_deepest = 100; ///< nested brackets; keeps the recursive rules off the stack's end
+} // namespace
+
+base::Span Builder::span(const char* begin, const char* end) const {
+  return {file_, static_cast<std::uint32_t>(begin - origin_),
+          static_cast<std::uint32_t>(end - origin_)};
+}
+
+bool Builder::fail(base::Span place, std::string code, std::string text, std::string hint) {
+  if (!failure) {
+    failure = Failure{place, std::move(code), std::move(text), std::move(hint)};
+  }
+  return false;
+}
+
+void Builder::expected(const char* at, const char* last, std::string_view what) {
+  at = skip_ws(at, last);
+  if (at >= last || *at == '\n') {
+    while (at > origin_ && is_blank(at[-1])) {
+      --at; // the carets stand right after the last token
+    }
+    fail(span(at, at), "E101", fmt::format("expected {}, the line ends early", what));
+    return;
+  }
+  const char* end = scan_token(at, last);
+  if (end == at) {
+    ++end;
+  }
+  fail(span(at, end), "E101", fmt::format("expected {}, not '{}'", what, std::string_view(at, end)));
+}
+
+void Builder::report(base::Diagnostics& diagnostics) const {
+  if (failure) {
+    diagnostics.error(failure->span, failure->code, failure->text, failure->hint);
+  }
+}
+
+bool Builder::bad_number(const char* begin, const char* end, int error) {
+  const std::string_view token(begin, end);
+  switch (static_cast<NumberError>(error)) {
+  case NumberError::fortran_exponent:
+    return fail(span(begin, end), "E103", fmt::format("'{}': a Fortran exponent", token),
+                "write 1.0e-3, not 1.0d-3 or 1.0-3");
+  case NumberError::too_large:
+    return fail(span(begin, end), "E103",
+                fmt::format("'{}' lies outside the range of double precision", token));
+  default:
+    return fail(span(begin, end), "E103", fmt::format("'{}' is not a number", token),
+                "a number is digits with a point and an exponent; a name starts with a letter");
+  }
+}
+
+bool Builder::read_unit(const char*& p, const char* last, base::Span& found) {
+  if (p >= last || *p != '[') {
+    return true;
+  }
+  const char* q = p + 1;
+  while (q < last && *q != ']' && *q != '\n') {
+    ++q;
+  }
+  if (q >= last || *q != ']') {
+    return fail(span(p, q), "E101", "expected ']' after the unit, the line ends early");
+  }
+  found = span(p + 1, q);
+  p = q + 1;
+  return true;
+}
+
+bool Builder::number(const char*& p, const char* last) {
+  const Number n = scan_number(p, last);
+  if (n.error == NumberError::absent) {
+    return false;
+  }
+  if (n.error != NumberError::none) {
+    return bad_number(p, n.end, static_cast<int>(n.error));
+  }
+  Term term;
+  term.value = n.value;
+  term.span = span(p, n.end);
+  p = n.end;
+  if (!read_unit(p, last, term.unit)) {
+    return false;
+  }
+  terms_.push_back(term);
+  return true;
+}
+
+bool Builder::unit(const char*& p, const char* last) {
+  Term term;
+  term.kind = Term::Kind::scale;
+  if (!read_unit(p, last, term.unit)) {
+    return false;
+  }
+  if (term.unit.valid()) {
+    term.span = term.unit;
+    terms_.push_back(term);
+  }
+  return true;
+}
+
+bool Builder::enter(const char* p) {
+  if (++depth_ > k_deepest) {
+    return fail(span(p, p + 1), "E102", "the expression is nested too deeply");
+  }
+  return true;
+}
+
+void Builder::name(const char* begin, const char* end) {
+  Term term;
+  term.kind = Term::Kind::name;
+  term.span = span(begin, end);
+  terms_.push_back(term);
+}
+
+bool Builder::call() {
+  Term term = terms_.back();
+  terms_.pop_back();
+  term.kind = Term::Kind::call;
+  calls_.push_back(term);
+  return true;
+}
+
+void Builder::end_call() {
+  terms_.push_back(calls_.back());
+  calls_.pop_back();
+}
+
+void Builder::op(base::Op op) {
+  Term term;
+  term.kind = Term::Kind::op;
+  term.op = op;
+  terms_.push_back(term);
+}
+
+Expression Builder::take_expression(const char* begin, const char* end) {
+  while (end > begin && (is_blank(end[-1]) || end[-1] == '\r')) {
+    --end;
+  }
+  return {std::exchange(terms_, {}), span(begin, end)};
+}
+
+Field& Builder::add(Field::Kind kind, const char* begin, const char* end) {
+  Field& field = fields_.emplace_back();
+  field.kind = kind;
+  field.span = span(begin, end);
+  return field;
+}
+
+bool Builder::field_end(const char* p, const char* last) {
+  if (p >= last || is_blank(*p) || ends_line(*p) || *p == ',' || *p == '=') {
+    return true;
+  }
+  const char* end = scan_token(p, last);
+  const std::string_view rest(p, end == p ? p + 1 : end);
+  const bool arithmetic = *p == '*' || *p == '/' || *p == '+' || *p == '-' || *p == '^';
+  const bool fortran = (*p == '-' || *p == '+') && end - p > 1 && is_digit(p[1]) &&
+                       fields_.back().kind == Field::Kind::number;
+  if (fortran) {
+    const char* begin = origin_ + fields_.back().span.begin;
+    return fail(span(begin, end), "E103",
+                fmt::format("'{}': a Fortran exponent, or two numbers without a blank",
+                            std::string_view(begin, end)),
+                "write 1.5e-3, or 1.5 -3, or (1.5-3)");
+  }
+  return fail(span(p, p + rest.size()), "E102", fmt::format("unexpected '{}'", rest),
+              arithmetic ? "an expression stands in parentheses" : "");
+}
+
+bool Builder::signed_number(const char*& p, const char* last, Term& term) {
+  const char* begin = p;
+  const bool negative = *p == '-';
+  const char* digits = *p == '-' || *p == '+' ? p + 1 : p;
+  const Number n = scan_number(digits, last);
+  if (n.error == NumberError::absent) {
+    return false;
+  }
+  if (n.error != NumberError::none) {
+    return bad_number(begin, n.end, static_cast<int>(n.error));
+  }
+  p = n.end;
+  term.value = negative ? -n.value : n.value;
+  term.span = span(begin, p);
+  return read_unit(p, last, term.unit);
+}
+
+bool Builder::field_number(const char*& p, const char* last, bool in_row) {
+  const char* begin = p;
+  Term term;
+  if (p >= last || !signed_number(p, last, term)) {
+    return false;
+  }
+  Field& field = add(Field::Kind::number, begin, p);
+  field.expression = {{term}, field.span};
+  const char* colon = skip_ws(p, last);
+  if (in_row && colon < last && *colon == ':') {
+    p = begin;
+    return field_range(p, last);
+  }
+  return field_end(p, last);
+}
+
+bool Builder::whole_number(const char*& p, const char* last, base::Label& value) {
+  p = skip_ws(p, last);
+  const auto [end, failed] = std::from_chars(p, last, value);
+  if (failed != std::errc{} || (end < last && (is_name_char(*end) || *end == '.'))) {
+    const char* stop = scan_token(p, last);
+    return fail(span(p, stop), "E103", "a range needs whole numbers",
+                "first : last, or first : last : step");
+  }
+  p = end;
+  return true;
+}
+
+bool Builder::field_range(const char*& p, const char* last) {
+  Field& field = fields_.back();
+  field.kind = Field::Kind::range;
+  const char* begin = p;
+  int count = 0;
+  while (true) {
+    if (!whole_number(p, last, field.range[static_cast<std::size_t>(count)])) {
+      return false;
+    }
+    field.span = span(begin, p);
+    const char* next = skip_ws(p, last);
+    if (++count == 3 || next >= last || *next != ':') {
+      break;
+    }
+    p = next + 1;
+  }
+  if (field.range[2] < 1 || field.range[1] < field.range[0]) {
+    return fail(field.span, "E103", "an empty range", "first : last : step, with step >= 1");
+  }
+  return field_end(p, last);
+}
+
+bool Builder::quantity(const char*& p, const char* last, const char* begin) {
+  Field field;
+  field.kind = Field::Kind::quantity;
+  field.text = to_upper(std::string_view(begin, p));
+  ++p; // (
+  const char* first = skip_ws(p, last);
+  while (first < last && *first != ')') {
+    p = first;
+    if (!read_expression(p, last, *this)) {
+      return false;
+    }
+    field.arguments.push_back(take_expression(first, p));
+    p = skip_ws(p, last);
+    if (p >= last || *p != ',') {
+      break;
+    }
+    first = skip_ws(p + 1, last);
+    if (first >= last || *first == ')') {
+      expected(first, last, "an argument");
+      return false;
+    }
+  }
+  p = skip_ws(p, last);
+  if (p >= last || *p != ')') {
+    expected(p, last, "')' or ','");
+    return false;
+  }
+  ++p;
+  field.span = span(begin, p);
+  fields_.push_back(std::move(field));
+  return field_end(p, last);
+}
+
+bool Builder::field_name(const char*& p, const char* last, bool in_row) {
+  const char* begin = p;
+  const bool minus = in_row && p < last && *p == '-';
+  const char* first = minus ? p + 1 : p;
+  const char* end = scan_qualified_name(first, last);
+  if (end == first) {
+    return false;
+  }
+  p = end;
+  if (in_row && !minus && p < last && *p == '(') {
+    return quantity(p, last, begin);
+  }
+  Field& field = add(minus ? Field::Kind::minus_name : Field::Kind::name, begin, p);
+  field.text = to_upper(std::string_view(first, end));
+  if (p < last && static_cast<unsigned char>(*p) > 127) {
+    const char* stop = scan_token(begin, last);
+    return fail(span(begin, stop), "E117",
+                fmt::format("'{}': a name has letters a-z, digits and _ only",
+                            std::string_view(begin, stop)));
+  }
+  return field_end(p, last);
+}
+
+bool Builder::field_text(const char*& p, const char* last) {
+  if (p >= last || *p != '\'') {
+    return false;
+  }
+  const char* end = scan_token(p, last);
+  if (end - p < 2 || end[-1] != '\'') {
+    return fail(span(p, end), "E101", "expected the closing ' of the text, the line ends early");
+  }
+  add(Field::Kind::text, p, end).text.assign(p + 1, end - 1);
+  p = end;
+  return field_end(p, last);
+}
+
+bool Builder::field_expression(const char*& p, const char* last) {
+  if (p >= last || *p != '(') {
+    return false;
+  }
+  const char* begin = p;
+  ++p;
+  if (!read_expression(p, last, *this)) {
+    return false;
+  }
+  p = skip_ws(p, last);
+  if (p >= last || *p != ')') {
+    expected(p, last, "')'");
+    return false;
+  }
+  ++p;
+  if (!unit(p, last)) {
+    return false;
+  }
+  Field& field = add(Field::Kind::expression, begin, p);
+  field.expression = take_expression(begin, p);
+  return field_end(p, last);
+}
+
+void Builder::separator(char c) { fields_.back().separator = c; }
+
+std::vector<Field> Builder::take_fields() { return std::exchange(fields_, {}); }
+
+} // namespace spricka::grammar

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/diagnostics.hpp"
+#include "grammar/ast.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace spricka::grammar {
+
+/// Receives what the X3 rules recognise and keeps the first failure. The rules are attribute-less
+/// and never go back behind an emitted piece, so nothing here has to be undone. Its methods return
+/// false when the piece is refused; the reason is then in `failure`.
+class Builder {
+public:
+  Builder(std::int32_t file, const char* origin) : file_(file), origin_(origin) {}
+
+  struct Failure {
+    base::Span span;
+    std::string code;
+    std::string text;
+    std::string hint;
+  };
+  std::optional<Failure> failure;
+
+  /// Keeps the first failure only; false, so that a terminal can return it.
+  bool fail(base::Span span, std::string code, std::string text, std::string hint = {});
+  /// "expected ..." at `at`, with the carets under the token there.
+  void expected(const char* at, const char* last, std::string_view what);
+  void report(base::Diagnostics& diagnostics) const;
+
+  Card card;             ///< the header being read
+  Assignment assignment; ///< the assignment being read
+
+  [[nodiscard]] base::Span span(const char* begin, const char* end) const;
+  [[nodiscard]] const char* origin() const { return origin_; }
+
+  // Expressions.
+  bool number(const char*& p, const char* last); ///< unsigned, with its unit
+  bool unit(const char*& p, const char* last);   ///< [unit] after ) ; absent is fine
+  bool enter(const char* p);                     ///< one level deeper
+  void leave() { --depth_; }
+  void name(const char* begin, const char* end);
+  bool call(); ///< the last name is a function; its arguments follow
+  void argument() { ++calls_.back().count; }
+  void end_call();
+  void op(base::Op op);
+  Expression take_expression(const char* begin, const char* end);
+
+  // Fields of headers and rows.
+  bool field_number(const char*& p, const char* last, bool in_row);
+  bool field_name(const char*& p, const char* last, bool in_row);
+  bool field_text(const char*& p, const char* last);
+  bool field_expression(const char*& p, const char* last);
+  void separator(char c);
+  std::vector<Field> take_fields();
+
+private:
+  bool signed_number(const char*& p, const char* last, Term& term);
+  bool field_range(const char*& p, const char* last);
+  bool whole_number(const char*& p, const char* last, base::Label& value);
+  bool read_unit(const char*& p, const char* last, base::Span& found);
+  bool bad_number(const char* begin, const char* end, int error);
+  bool field_end(const char* p, const char* last);
+  bool quantity(const char*& p, const char* last, const char* begin);
+  Field& add(Field::Kind kind, const char* begin, const char* end);
+
+  std::int32_t file_;
+  const char* origin_;
+  int depth_ = 0;
+  std::vector<Term> terms_;
+  std::vector<Term> calls_;
+  std::vector<Field> fields_;
+};
+
+/// Reads one expression from `p` on (X3, expression.cpp). False: a syntax error, kept in
+/// `builder.failure`. Stops before what cannot belong to it.
+bool read_expression(const char*& p, const char* last, Builder& builder);
+
+} // namespace spricka::grammar

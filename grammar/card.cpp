@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "grammar/builder.hpp"
+#include "grammar/parse.hpp"
+#include "grammar/terminals.hpp"
+
+#include <cstring>
+#include <utility>
+
+namespace spricka::grammar {
+
+namespace {
+
+bool take_card_name(const char*& p, const char* last, Builder& builder) {
+  const char* end = scan_name(p, last);
+  if (end == p) {
+    return false;
+  }
+  builder.card.name = to_upper(std::string_view(p, end));
+  builder.card.name_span = builder.span(p - 1, end);
+  p = skip_ws(end, last);
+  return true;
+}
+
+bool take_key(const char*& p, const char* last, Builder& builder) {
+  const char* end = scan_name(p, last);
+  if (end == p) {
+    return false;
+  }
+  Parameter& parameter = builder.card.parameters.emplace_back();
+  parameter.key = to_upper(std::string_view(p, end));
+  parameter.key_span = builder.span(p, end);
+  p = skip_ws(end, last);
+  return true;
+}
+
+bool end_key(const char*& /*p*/, const char* /*last*/, Builder& builder) {
+  Parameter& parameter = builder.card.parameters.back();
+  parameter.values = builder.take_fields();
+  parameter.span = parameter.values.front().span;
+  parameter.span.end = parameter.values.back().span.end;
+  return true;
+}
+
+bool take_assigned(const char*& p, const char* last, Builder& builder) {
+  const char* end = scan_name(p, last);
+  if (end == p) {
+    return false;
+  }
+  builder.assignment.written = std::string(p, end);
+  builder.assignment.name = to_upper(builder.assignment.written);
+  builder.assignment.name_span = builder.span(p, end);
+  p = skip_ws(end, last);
+  return true;
+}
+
+bool take_assigned_value(const char*& p, const char* last, Builder& builder) {
+  const char* begin = p;
+  if (!read_expression(p, last, builder)) {
+    return false;
+  }
+  builder.assignment.value = builder.take_expression(begin, p);
+  return true;
+}
+
+template <bool InRow> bool take_number(const char*& p, const char* last, Builder& builder) {
+  const bool ok = builder.field_number(p, last, InRow);
+  p = skip_ws(p, last);
+  return ok;
+}
+
+template <bool InRow> bool take_name(const char*& p, const char* last, Builder& builder) {
+  const bool ok = builder.field_name(p, last, InRow);
+  p = skip_ws(p, last);
+  return ok;
+}
+
+bool take_text(const char*& p, const char* last, Builder& builder) {
+  const bool ok = builder.field_text(p, last);
+  p = skip_ws(p, last);
+  return ok;
+}
+
+bool take_paren(const char*& p, const char* last, Builder& builder) {
+  const bool ok = builder.field_expression(p, last);
+  p = skip_ws(p, last);
+  return ok;
+}
+
+bool take_separator(const char*& p, const char* last, Builder& builder) {
+  if (p >= last || (*p != ',' && *p != '=')) {
+    return false;
+  }
+  builder.separator(*p);
+  p = skip_ws(p + 1, last);
+  return true;
+}
+
+bool at_end(const char*& p, const char* last, Builder& /*builder*/) {
+  p = skip_ws(p, last);
+  return p >= last;
+}
+
+const Terminal dollar{"'$'", [](const char*& p, const char* last, Builder&) {
+                        return p < last && *p == '$' && ++p != nullptr;
+                      }};
+const Terminal card_name{"the name of a card", take_card_name};
+const Terminal key{"a key", take_key};
+const Terminal key_end{"a value", end_key};
+const Terminal equals{"'='", take<'='>};
+const Terminal comma{"','", take<','>};
+const Terminal header_number{"a number", take_number<false>};
+const Terminal header_name{"a name", take_name<false>};
+const Terminal row_number{"a number", take_number<true>};
+const Terminal row_name{"a name", take_name<true>};
+const Terminal text{"a text", take_text};
+const Terminal paren{"an expression in parentheses", take_paren};
+const Terminal separator{"','", take_separator};
+const Terminal assigned{"the name of a parameter", take_assigned};
+const Terminal assigned_value{"an expression", take_assigned_value};
+const Terminal header_end{"KEY=value or the end of the line", at_end};
+const Terminal row_end{"a number, a name, a text or '('", at_end};
+const Terminal line_done{"the end of the line", at_end};
+
+const x3::rule<class header_id> header = "a card";
+const x3::rule<class value_id> value = "a value";
+const x3::rule<class field_id> field = "a field";
+const x3::rule<class row_id> row = "a data line";
+const x3::rule<class assignment_id> assigning = "NAME = expression";
+
+const auto value_def = paren | header_number | header_name | text;
+const auto header_def =
+    dollar > card_name > *(key > equals > value > *(comma > value) > key_end) > header_end;
+const auto field_def = paren | row_number | row_name | text;
+const auto row_def = *(field >> -separator) > row_end;
+const auto assigning_def = assigned > equals > assigned_value > line_done;
+
+BOOST_SPIRIT_DEFINE(header, value, field, row, assigning)
+
+// Calls `read(begin, end)` for every logical line of `data` that holds more than blanks.
+template <class Read>
+void for_each_line(const base::Sources& sources, base::Span data, const Read& read) {
+  const std::string_view all = sources.text(data.file);
+  const char* p = all.data() + data.begin;
+  const char* const last = all.data() + data.end;
+  while (p < last) {
+    const char* const first = skip_ws(p, last);
+    if (first < last && *first == '\n') {
+      p = first + 1;
+      continue;
+    }
+    const char* const end = logical_line_end(first, last);
+    if (first < end) {
+      read(first, end);
+    }
+    p = end < last ? end + 1 : last;
+  }
+}
+
+// The next line that starts with $, or `last`.
+const char* next_card(const char* p, const char* origin, const char* last) {
+  while (p < last) {
+    const void* found = std::memchr(p, '$', static_cast<std::size_t>(last - p));
+    if (found == nullptr) {
+      return last;
+    }
+    const char* dollar_at = static_cast<const char*>(found);
+    const char* before = dollar_at;
+    while (before > origin && is_blank(before[-1])) {
+      --before;
+    }
+    if (before == origin || before[-1] == '\n') {
+      return dollar_at;
+    }
+    p = dollar_at + 1;
+  }
+  return last;
+}
+
+const char* after_byte_order_mark(std::string_view all) {
+  return all.data() + (all.starts_with("\xEF\xBB\xBF") ? 3 : 0);
+}
+
+} // namespace
+
+std::vector<Card> parse_cards(const base::Sources& sources, std::int32_t file,
+                              base::Diagnostics& diagnostics) {
+  std::vector<Card> cards;
+  const std::string_view all = sources.text(file);
+  const char* const origin = all.data();
+  const char* const last = origin + all.size();
+  const char* const start = after_byte_order_mark(all);
+  const char* p = next_card(start, start, last);
+  const char* const stray = skip_ws(start, p);
+  const Builder place(file, origin);
+  for (const char* q = stray; q < p; q = skip_ws(q + 1, p)) {
+    if (*q != '\n') {
+      diagnostics.error(place.span(q, scan_token(q, p)), "E102", "text before the first card",
+                        "a comment starts with !");
+      break;
+    }
+  }
+  while (p < last) {
+    Builder builder(file, origin);
+    const char* const begin = p;
+    const char* const end = logical_line_end(p, last);
+    builder.card.bad = !run_rule(header, p, end, builder);
+    builder.report(diagnostics);
+    Card card = std::move(builder.card);
+    card.header = builder.span(begin, end);
+    const char* const data = end < last ? end + 1 : last;
+    p = next_card(data, origin, last);
+    card.data = builder.span(data, p);
+    std::erase_if(card.parameters, [](const Parameter& q) { return q.values.empty(); });
+    cards.push_back(std::move(card));
+  }
+  return cards;
+}
+
+std::vector<Row> parse_rows(const base::Sources& sources, base::Span data,
+                            base::Diagnostics& diagnostics) {
+  std::vector<Row> rows;
+  const char* const origin = sources.text(data.file).data();
+  for_each_line(sources, data, [&](const char* begin, const char* end) {
+    Builder builder(data.file, origin);
+    const char* p = begin;
+    if (run_rule(row, p, end, builder)) {
+      rows.push_back({builder.take_fields(), builder.span(begin, end)});
+      rows.back().span.end = rows.back().fields.back().span.end;
+    }
+    builder.report(diagnostics);
+  });
+  return rows;
+}
+
+std::vector<Assignment> parse_assignments(const base::Sources& sources, base::Span data,
+                                          base::Diagnostics& diagnostics) {
+  std::vector<Assignment> assignments;
+  const char* const origin = sources.text(data.file).data();
+  for_each_line(sources, data, [&](const char* begin, const char* end) {
+    Builder builder(data.file, origin);
+    const char* p = begin;
+    if (run_rule(assigning, p, end, builder)) {
+      assignments.push_back(std::move(builder.assignment));
+    } else {
+      builder.expected(begin, end, "NAME = expression");
+      builder.assignment.value = {};
+      if (!builder.assignment.name.empty()) {
+        assignments.push_back(std::move(builder.assignment)); // without a value
+      }
+    }
+    builder.report(diagnostics);
+  });
+  return assignments;
+}
+
+std::optional<Expression> parse_expression(const base::Sources& sources, base::Span text_span,
+                                           base::Diagnostics& diagnostics) {
+  const char* const origin = sources.text(text_span.file).data();
+  Builder builder(text_span.file, origin);
+  const char* p = origin + text_span.begin;
+  const char* const last = origin + text_span.end;
+  const char* const begin = skip_ws(p, last);
+  if (read_expression(p, last, builder)) {
+    if (skip_ws(p, last) == last) {
+      return builder.take_expression(begin, p);
+    }
+    builder.expected(p, last, "the end of the expression");
+  }
+  builder.report(diagnostics);
+  return std::nullopt;
+}
+
+} // namespace spricka::grammar

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "grammar/compile.hpp"
+
+#include "grammar/lexeme.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::grammar {
+
+namespace {
+
+using base::Op;
+
+struct Function {
+  std::string_view name;
+  Op op;
+  int arguments; ///< min and max take more, too
+};
+
+constexpr std::array<Function, 10> functions{{{"SQRT", Op::sqrt, 1},
+                                              {"ABS", Op::abs, 1},
+                                              {"SIN", Op::sin, 1},
+                                              {"COS", Op::cos, 1},
+                                              {"TAN", Op::tan, 1},
+                                              {"ATAN2", Op::atan2, 2},
+                                              {"EXP", Op::exp, 1},
+                                              {"LOG", Op::log, 1},
+                                              {"MIN", Op::min, 2},
+                                              {"MAX", Op::max, 2}}};
+
+constexpr std::array<std::pair<std::string_view, Op>, 5> variables{
+    {{"X", Op::x}, {"Y", Op::y}, {"Z", Op::z}, {"RHO", Op::rho}, {"THETA", Op::theta}}};
+
+const Function* find_function(std::string_view name) {
+  const auto* const it =
+      std::find_if(functions.begin(), functions.end(), [&](const auto& f) { return f.name == name; });
+  return it == functions.end() ? nullptr : it;
+}
+
+std::optional<Op> find_variable(std::string_view name) {
+  const auto* const it =
+      std::find_if(variables.begin(), variables.end(), [&](const auto& v) { return v.first == name; });
+  return it == variables.end() ? std::nullopt : std::optional(it->second);
+}
+
+int operands(Op op) {
+  switch (op) {
+  case Op::negate:
+  case Op::sqrt:
+  case Op::abs:
+  case Op::sin:
+  case Op::cos:
+  case Op::tan:
+  case Op::exp:
+  case Op::log:
+    return 1;
+  default:
+    return 2;
+  }
+}
+
+class Compiler {
+public:
+  Compiler(const Scope& scope, Fields fields, base::Diagnostics& diagnostics)
+      : scope_(scope), fields_(fields), diagnostics_(diagnostics) {}
+
+  std::optional<base::Expression> run(const Expression& expression) {
+    for (const Term& term : expression.terms) {
+      add(term);
+    }
+    if (failed_) {
+      return std::nullopt;
+    }
+    if (result_.code.size() == 1 && result_.is_constant() &&
+        !std::isfinite(result_.code.front().value)) {
+      diagnostics_.error(expression.span, "E206", "the value is not a finite number");
+      return std::nullopt;
+    }
+    return std::move(result_);
+  }
+
+private:
+  void add(const Term& term) {
+    switch (term.kind) {
+    case Term::Kind::number:
+      push(term.value * (term.unit.valid() ? factor(term.unit) : 1.0));
+      break;
+    case Term::Kind::name:
+      name(term);
+      break;
+    case Term::Kind::call:
+      call(term);
+      break;
+    case Term::Kind::op:
+      apply(term.op);
+      break;
+    case Term::Kind::scale:
+      push(factor(term.unit));
+      apply(Op::multiply);
+      break;
+    }
+  }
+
+  void push(double value) { result_.code.push_back({Op::number, value}); }
+
+  // Appends the operation, or works it out at once where all operands are numbers. After a failure
+  // the stack is kept in step, so that every mistake of the expression is found.
+  void apply(Op op) {
+    const auto n = static_cast<std::size_t>(operands(op));
+    std::vector<base::Instruction>& code = result_.code;
+    const bool known = code.size() >= n && std::all_of(code.end() - static_cast<std::ptrdiff_t>(n),
+                                                       code.end(), [](const base::Instruction& i) {
+                                                         return i.op == Op::number;
+                                                       });
+    code.push_back({op, 0.0});
+    if (known) {
+      base::Expression part;
+      part.code.assign(code.end() - static_cast<std::ptrdiff_t>(n + 1), code.end());
+      code.resize(code.size() - n - 1);
+      push(part(base::Vec3::Zero()));
+    }
+  }
+
+  void name(const Term& term) {
+    const std::string_view written = scope_.sources->text(term.span);
+    const std::string upper = to_upper(written);
+    if (const auto variable = find_variable(upper)) {
+      if (fields_ == Fields::none) {
+        fail(term.span, "E209", fmt::format("'{}' has no value here", written),
+             "x y z rho theta stand in WHERE, ORDER and the values of $LOAD");
+      }
+      result_.code.push_back({*variable, 0.0});
+    } else if (upper == "PI") {
+      push(std::numbers::pi);
+    } else if (const auto it = scope_.values.find(upper); it != scope_.values.end()) {
+      push(it->second);
+    } else {
+      failed_ = true;
+      push(1.0);
+      if (!scope_.incomplete && !scope_.poisoned.contains(upper)) {
+        unknown(term.span, written, upper);
+      }
+    }
+  }
+
+  void unknown(base::Span span, std::string_view written, const std::string& upper) {
+    if (find_function(upper) != nullptr) {
+      fail(span, "E203", fmt::format("'{}' is a function", written),
+           fmt::format("write {}(...)", written));
+      return;
+    }
+    std::vector<std::string> valid;
+    for (const auto& [known, value] : scope_.values) {
+      valid.push_back(known);
+    }
+    if (fields_ == Fields::position) {
+      for (const auto& [variable, op] : variables) {
+        valid.emplace_back(variable);
+      }
+    }
+    fail(span, "E201", fmt::format("'{}' is not a parameter defined above", written),
+         base::suggest(upper, valid));
+  }
+
+  void call(const Term& term) {
+    const std::string_view written = scope_.sources->text(term.span);
+    const Function* function = find_function(to_upper(written));
+    const bool variadic =
+        function != nullptr && (function->op == Op::min || function->op == Op::max);
+    if (function != nullptr &&
+        (variadic ? term.count >= 2 : term.count == function->arguments)) {
+      for (int i = 0; i < (variadic ? term.count - 1 : 1); ++i) {
+        apply(function->op);
+      }
+      return;
+    }
+    if (function == nullptr) {
+      std::vector<std::string> valid;
+      for (const Function& f : functions) {
+        valid.emplace_back(f.name);
+      }
+      fail(term.span, "E202", fmt::format("'{}' is not a function", written),
+           base::suggest(written, valid));
+    } else {
+      fail(term.span, "E203",
+           fmt::format("{} takes {}{} argument{}, not {}", written, function->arguments,
+                       variadic ? " or more" : "", function->arguments == 1 ? "" : "s",
+                       term.count));
+    }
+    push(1.0);
+  }
+
+  double factor(base::Span unit) {
+    const std::string_view text = scope_.sources->text(unit);
+    if (const auto known = base::parse_unit(text)) {
+      return base::to_deck(*known, scope_.units);
+    }
+    fail(unit, "E204", fmt::format("'{}' is not a unit", text),
+         "m mm um in, N kN MN lbf, Pa kPa MPa GPa psi ksi, deg rad, with * / ^");
+    return 1.0;
+  }
+
+  void fail(base::Span span, std::string code, std::string text, std::string hint = {}) {
+    failed_ = true;
+    diagnostics_.error(span, std::move(code), std::move(text), std::move(hint));
+  }
+
+  const Scope& scope_;
+  Fields fields_;
+  base::Diagnostics& diagnostics_;
+  base::Expression result_;
+  bool failed_ = false;
+};
+
+} // namespace
+
+bool is_reserved(std::string_view upper_name) {
+  return upper_name == "PI" || upper_name == "AND" || upper_name == "OR" ||
+         find_function(upper_name) != nullptr || find_variable(upper_name).has_value();
+}
+
+std::optional<base::Expression> compile(const Expression& expression, const Scope& scope,
+                                        Fields fields, base::Diagnostics& diagnostics) {
+  return Compiler(scope, fields, diagnostics).run(expression);
+}
+
+std::optional<double> evaluate(const Expression& expression, const Scope& scope,
+                               base::Diagnostics& diagnostics) {
+  const auto compiled = compile(expression, scope, Fields::none, diagnostics);
+  if (!compiled) {
+    return std::nullopt;
+  }
+  return (*compiled)(base::Vec3::Zero());
+}
+
+base::Span outer_unit(const Expression& expression) {
+  if (expression.terms.empty()) {
+    return {};
+  }
+  const Term& last = expression.terms.back();
+  const bool whole = last.kind == Term::Kind::scale ||
+                     (last.kind == Term::Kind::number && expression.terms.size() == 1);
+  // a scale inside the brackets, `(2*(E)[GPa])`, ends before the closing bracket
+  const bool outside = last.unit.valid() && last.unit.end + 1 == expression.span.end;
+  return whole && outside ? last.unit : base::Span{};
+}
+
+} // namespace spricka::grammar

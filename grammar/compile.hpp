@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/diagnostics.hpp"
+#include "base/units.hpp"
+#include "grammar/ast.hpp"
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+/// Expressions and units, the third pass: names are looked up, parameters folded to numbers.
+namespace spricka::grammar {
+
+/// What the names of an expression stand for. Keys are upper case.
+struct Scope {
+  const base::Sources* sources = nullptr;
+  base::UnitSystem units;
+  std::map<std::string, double, std::less<>> values;
+  std::set<std::string, std::less<>> poisoned; ///< defined by a bad line: their use is not reported
+  bool incomplete = false; ///< an include is missing: unknown names are not reported
+};
+
+/// Whether an expression may use x y z rho theta.
+enum class Fields { none, position };
+
+/// Names that no parameter may have: functions, pi, x y z rho theta, and, or.
+bool is_reserved(std::string_view upper_name);
+
+/// The expression with everything known folded away; literals with a unit become deck units. Empty
+/// after an error (reported, unless a poisoned name is the cause). Constants are finite.
+std::optional<base::Expression> compile(const Expression& expression, const Scope& scope,
+                                        Fields fields, base::Diagnostics& diagnostics);
+
+/// compile() of an expression without fields, as its value.
+std::optional<double> evaluate(const Expression& expression, const Scope& scope,
+                               base::Diagnostics& diagnostics);
+
+/// The unit that the whole value is given in: `0.084[mm]`, `(E/2)[GPa]`; invalid for a bare one.
+base::Span outer_unit(const Expression& expression);
+
+} // namespace spricka::grammar

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "grammar/builder.hpp"
+#include "grammar/terminals.hpp"
+
+namespace spricka::grammar {
+
+namespace {
+
+template <char C1, char C2> bool take_two(const char*& p, const char* last, Builder& /*builder*/) {
+  if (last - p < 2 || p[0] != C1 || p[1] != C2) {
+    return false;
+  }
+  p = skip_ws(p + 2, last);
+  return true;
+}
+
+bool is_word(const char* p, const char* last, std::string_view upper_word) {
+  const char* end = scan_name(p, last);
+  return to_upper(std::string_view(p, end)) == upper_word;
+}
+
+bool take_and(const char*& p, const char* last, Builder& /*builder*/) {
+  if (!is_word(p, last, "AND")) {
+    return false;
+  }
+  p = skip_ws(p + 3, last);
+  return true;
+}
+
+bool take_or(const char*& p, const char* last, Builder& /*builder*/) {
+  if (!is_word(p, last, "OR")) {
+    return false;
+  }
+  p = skip_ws(p + 2, last);
+  return true;
+}
+
+bool take_number(const char*& p, const char* last, Builder& builder) {
+  if (!builder.number(p, last)) {
+    return false;
+  }
+  p = skip_ws(p, last);
+  return true;
+}
+
+bool take_name(const char*& p, const char* last, Builder& builder) {
+  const char* end = scan_qualified_name(p, last);
+  if (end == p || is_word(p, last, "AND") || is_word(p, last, "OR")) {
+    return false;
+  }
+  builder.name(p, end);
+  p = skip_ws(end, last);
+  return true;
+}
+
+bool open_call(const char*& p, const char* last, Builder& builder) {
+  return take<'('>(p, last, builder) && builder.call();
+}
+
+bool count_argument(const char*& /*p*/, const char* /*last*/, Builder& builder) {
+  builder.argument();
+  return true;
+}
+
+bool close_call(const char*& p, const char* last, Builder& builder) {
+  if (!take<')'>(p, last, builder)) {
+    return false;
+  }
+  builder.end_call();
+  return true;
+}
+
+bool close_unit(const char*& p, const char* last, Builder& builder) {
+  if (p >= last || *p != ')') {
+    return false;
+  }
+  ++p;
+  if (!builder.unit(p, last)) {
+    return false;
+  }
+  p = skip_ws(p, last);
+  return true;
+}
+
+bool go_deeper(const char*& p, const char* /*last*/, Builder& builder) { return builder.enter(p); }
+
+bool come_back(const char*& /*p*/, const char* /*last*/, Builder& builder) {
+  builder.leave();
+  return true;
+}
+
+template <base::Op O> bool emit(const char*& /*p*/, const char* /*last*/, Builder& builder) {
+  builder.op(O);
+  return true;
+}
+
+template <base::Op O> constexpr Terminal put{"an operator", emit<O>};
+
+const Terminal number{"a number", take_number};
+const Terminal name{"a name", take_name};
+const Terminal plus{"'+'", take<'+'>};
+const Terminal minus{"'-'", take<'-'>};
+const Terminal times{"'*'", take<'*'>};
+const Terminal over{"'/'", take<'/'>};
+const Terminal caret{"'^'", take<'^'>};
+const Terminal comma{"','", take<','>};
+const Terminal open{"'('", take<'('>};
+const Terminal close{"')'", close_unit};
+const Terminal less{"'<'", take<'<'>};
+const Terminal greater{"'>'", take<'>'>};
+const Terminal less_equal{"'<='", take_two<'<', '='>};
+const Terminal greater_equal{"'>='", take_two<'>', '='>};
+const Terminal equal{"'=='", take_two<'=', '='>};
+const Terminal word_and{"and", take_and};
+const Terminal word_or{"or", take_or};
+const Terminal call_open{"'('", open_call};
+const Terminal call_close{"')' or ','", close_call};
+const Terminal argument_end{"an argument", count_argument};
+const Terminal deeper{"an expression", go_deeper};
+const Terminal back{"an expression", come_back};
+
+// The names stand in messages; every right side of > is one of these or a terminal.
+const x3::rule<class expression_id> expression = "an expression";
+const x3::rule<class comparison_id> comparison = "an expression";
+const x3::rule<class sum_id> sum = "an expression";
+const x3::rule<class product_id> product = "a number, a name or '('";
+const x3::rule<class factor_id> factor = "a number, a name or '('";
+const x3::rule<class primary_id> primary = "a number, a name or '('";
+const x3::rule<class argument_id> argument = "an argument";
+
+using base::Op;
+
+const auto expression_def = comparison >> (+(word_and > comparison > put<Op::logical_and>) |
+                                           *(word_or > comparison > put<Op::logical_or>));
+const auto comparison_def = sum >> -((less_equal > sum > put<Op::less_equal>) |
+                                     (greater_equal > sum > put<Op::greater_equal>) |
+                                     (equal > sum > put<Op::equal>) |
+                                     (less > sum > put<Op::less>) |
+                                     (greater > sum > put<Op::greater>));
+const auto sum_def = product >> *((plus > product > put<Op::add>) |
+                                  (minus > product > put<Op::subtract>));
+const auto product_def = factor >> *((times > factor > put<Op::multiply>) |
+                                     (over > factor > put<Op::divide>));
+const auto factor_def = deeper >> ((minus > factor > put<Op::negate>) | (plus > factor) |
+                                   (primary >> -(caret > factor > put<Op::power>))) >> back;
+const auto argument_def = expression >> argument_end;
+const auto primary_def = number | (name >> -(call_open > argument > *(comma > argument) >
+                                             call_close)) |
+                         (open > expression > close);
+
+BOOST_SPIRIT_DEFINE(expression, comparison, sum, product, factor, primary, argument)
+
+} // namespace
+
+bool read_expression(const char*& p, const char* last, Builder& builder) {
+  const char* begin = p = skip_ws(p, last);
+  if (!run_rule(expression, p, last, builder)) {
+    builder.expected(begin, last, "an expression");
+    return false;
+  }
+  if (is_word(p, last, "AND") || is_word(p, last, "OR")) {
+    const char* end = scan_name(p, last);
+    return builder.fail(builder.span(p, end), "E102",
+                        "'and' and 'or' stand on one level: set parentheses");
+  }
+  return true;
+}
+
+} // namespace spricka::grammar

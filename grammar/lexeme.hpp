@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <string>
+#include <string_view>
+
+/// The smallest pieces of the language, as plain functions on bytes. Bytes above 127 are ordinary
+/// (in comments and texts) and belong to no class.
+namespace spricka::grammar {
+
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+constexpr bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+constexpr bool is_name_char(char c) { return is_letter(c) || is_digit(c); }
+constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+/// Blanks, carriage return, comment: what may stand between the last field and the line feed.
+constexpr bool ends_line(char c) { return c == '\n' || c == '\r' || c == '!'; }
+
+/// End of a line: at its line feed, or `last`.
+const char* line_end(const char* p, const char* last);
+
+/// Start of the continued text if the lines after the line feed at `p` continue this one (first
+/// character &, after any comment lines), else null.
+const char* continuation(const char* p, const char* last);
+
+/// Skips blanks, comments and continued line ends; stops at a token, a line feed or `last`.
+const char* skip_ws(const char* p, const char* last);
+
+/// End of the logical line (with its continuations) that holds `p`: at its line feed, or `last`.
+const char* logical_line_end(const char* p, const char* last);
+
+/// End of the name that starts at `p`, or `p`.
+const char* scan_name(const char* p, const char* last);
+
+/// End of NAME { "." ( NAME | digits ) } at `p`, or `p`.
+const char* scan_qualified_name(const char* p, const char* last);
+
+enum class NumberError { none, absent, too_large, fortran_exponent, trailing };
+
+struct Number {
+  double value = 0.0;
+  const char* end = nullptr;
+  NumberError error = NumberError::none;
+};
+
+/// An unsigned number, exactly rounded. Demands that neither a letter nor a second point follows
+/// (`1.0d0`, `2x`, `1.2.3` are errors whose `end` is that of the whole token).
+Number scan_number(const char* p, const char* last);
+
+/// End of whatever token stands at `p`, for carets: to the next blank, separator or bracket.
+const char* scan_token(const char* p, const char* last);
+
+std::string to_upper(std::string_view text);
+
+} // namespace spricka::grammar

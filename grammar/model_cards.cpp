@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "grammar/card_table.hpp"
+
+#include <array>
+
+namespace spricka::grammar {
+
+namespace {
+
+using namespace table;
+using enum Kind;
+using enum Quantity;
+
+constexpr std::string_view solid_elements = "TET4|TET10|PENTA6|PENTAC15|HEXE8|HEXEC20|HEXEC27";
+
+constexpr std::array deck_keys{
+    required(integer("VERSION", between(1, 1), "of the language; this is 1")),
+    required(word("LENGTH", "M|MM|IN", "unit of every length of the deck")),
+    required(word("FORCE", "N|KN|LBF", "unit of every force; stresses are FORCE/LENGTH^2")),
+    text("TITLE", "heads the listing"),
+};
+
+constexpr std::array include_keys{
+    required(text("FILE", "a file of whole cards; its path counts from the including file")),
+};
+
+constexpr std::array net_keys{
+    required(defines("NAME", net, "sets of the net are seen outside as NAME.SET")),
+};
+
+constexpr std::array import_keys{
+    required(text("FILE", "path from this deck")),
+    required(later(word("FORMAT", "GEO|MSH|INP", "gmsh script, gmsh mesh, or input of Abaqus"),
+                   "INP")),
+    preset(real("SCALE", number, above(0), "factor on every coordinate"), "1"),
+    preset(word("TYPE", "ASIS|QUADRATIC", "QUADRATIC raises linear elements"), "ASIS"),
+};
+
+constexpr std::array mesh_keys{
+    required(word("SHAPE", "BLOCK|RING|LUG", "what is meshed")),
+    required(later(word("TYPE", "TRIM3|TRIMC6|QUAM4|QUAMC8|QUAMC9|TET10|HEXE8|HEXEC20|HEXEC27",
+                        "of the elements"),
+                   solid_elements)),
+    preset(real("X0", length, anything, "corner of a BLOCK, centre of a RING or bore"), "0"),
+    preset(real("Y0", length, anything, "see X0"), "0"),
+    preset(real("Z0", length, anything, "see X0"), "0"),
+    real("LX", length, above(0), "side of a BLOCK along x"),
+    real("LY", length, above(0), "side of a BLOCK along y"),
+    real("LZ", length, above(0), "side of a BLOCK along z"),
+    real("RI", length, at_least(0), "inner radius of a RING (0: a disc), bore radius of a LUG"),
+    real("RO", length, above(0), "outer radius of a RING"),
+    real("W", length, above(0), "width of a LUG; its head is round"),
+    real("L", length, above(0), "of a LUG, from the centre of the bore to END"),
+    preset(real("T0", angle, anything, "first angle of a RING"), "0"),
+    preset(real("T1", angle, anything, "last angle of a RING"), "2*pi"),
+    preset(integer("NX", at_least(1), "elements along x"), "1"),
+    preset(integer("NY", at_least(1), "elements along y"), "1"),
+    preset(integer("NZ", at_least(1), "elements along z"), "1"),
+    preset(integer("NR", at_least(1), "elements from RI outwards"), "1"),
+    preset(integer("NT", at_least(3), "elements round"), "16"),
+    preset(real("BIAS", number, above(0), "last over first element size along x, or from RI to RO"),
+           "1"),
+};
+
+constexpr std::array mesh_when{
+    When{"SHAPE", "BLOCK", "LX LY", "RI RO W L T0 T1 NR NT"},
+    When{"SHAPE", "RING", "RI RO", "LX LY LZ Z0 W L NX NY NZ"},
+    When{"SHAPE", "LUG", "RI W L", "LX LY LZ Z0 RO T0 T1 NX NY NZ BIAS"},
+    When{"TYPE", "TET10", "LZ", ""},
+    When{"TYPE", "HEXE8", "LZ", ""},
+    When{"TYPE", "HEXEC20", "LZ", ""},
+    When{"TYPE", "HEXEC27", "LZ", ""},
+    When{"TYPE", "TRIM3", "", "Z0 LZ NZ"},
+    When{"TYPE", "TRIMC6", "", "Z0 LZ NZ"},
+    When{"TYPE", "QUAM4", "", "Z0 LZ NZ"},
+    When{"TYPE", "QUAMC8", "", "Z0 LZ NZ"},
+    When{"TYPE", "QUAMC9", "", "Z0 LZ NZ"},
+};
+
+constexpr std::array coor_keys{
+    defines("NSET", node_set, "a node set of these nodes"),
+    preset(word("SYSTEM", "CART|CYL", "CYL: the columns are r, theta, z"), "CART"),
+    preset(integer("DIM", between(2, 3), "2: no z column"), "3"),
+};
+
+constexpr std::array element_keys{
+    required(later(word("TYPE",
+                        "TRIM3|TRIMC6|QUAM4|QUAMC8|QUAMC9|"
+                        "TET4|TET10|PENTA6|PENTAC15|HEXE8|HEXEC20|HEXEC27",
+                        "of the elements"),
+                   solid_elements)),
+    defines("ESET", element_set, "an element set of these elements"),
+};
+
+constexpr std::array nset_keys{
+    required(defines("NAME", node_set, "of the set")),
+    refers("FROM", set, "start from the nodes of this set"),
+    field("WHERE", "keep the nodes where this holds"),
+    field("ORDER", "sort by this, ascending: crack paths and fronts"),
+};
+
+constexpr std::array eset_keys{
+    required(defines("NAME", element_set, "of the set")),
+    refers("FROM", element_set, "start from the elements of this set"),
+    field("WHERE", "keep the elements at whose centroid this holds"),
+};
+
+constexpr std::array fset_keys{
+    required(defines("NAME", face_set, "of the set")),
+    refers("FROM", set, "start from the boundary faces of this set"),
+    field("WHERE", "keep the faces all of whose nodes fulfil this"),
+};
+
+constexpr std::array material_keys{
+    required(defines("NAME", material, "of the material")),
+    required(real("E", stress, above(0), "Young's modulus")),
+    required(real("NU", number, Range{-1.0, 0.5, true, true}, "Poisson's ratio")),
+    preset(real("RHO", number, at_least(0), "density"), "0"),
+    preset(real("ALPHA", number, anything, "thermal expansion"), "0"),
+};
+
+constexpr std::array property_keys{
+    required(refers("ESET", element_set, "the elements")),
+    required(refers("MATERIAL", material, "what they are made of")),
+    required(later(word("STATE", "STRESS|STRAIN|AXI|SOLID", "the theory"), "AXI|SOLID")),
+    preset(real("THICK", length, above(0), "thickness"), "1"),
+};
+
+constexpr std::array freedom_keys{
+    required(word("CLASS", "SUPPRESSED|PRESCRIBED|EXTERNAL",
+                  "PRESCRIBED ones get values from $LOAD TYPE=DISP, EXTERNAL ones survive "
+                  "condensation")),
+    required(word("DOF", "X|Y|Z|XY|XZ|YZ|XYZ", "directions")),
+};
+
+constexpr std::array mpc_keys{
+    required(word("TYPE", "EQUATION|TRANSITION|RIGID", "of the tie")),
+    refers("SLAVE", set, "the tied nodes"),
+    refers("MASTER", set, "the faces they are tied to"),
+    preset(real("RHS", number, anything, "right-hand side of the equation"), "0"),
+};
+
+constexpr std::array mpc_when{
+    When{"TYPE", "TRANSITION", "SLAVE MASTER", "RHS"},
+    When{"TYPE", "RIGID", "SLAVE", "RHS"},
+    When{"TYPE", "EQUATION", "", "SLAVE MASTER"},
+};
+
+constexpr std::string_view items = "id, first : last [: step], SET, -SET";
+
+constexpr std::array cards{
+    CardSpec{.name = "DECK",
+         .group = "deck",
+         .keys = deck_keys,
+         .once = true,
+         .doc = "First card: version of the language, units, title."},
+    CardSpec{.name = "PARAMETER",
+         .group = "deck",
+         .data = Data::assignments,
+         .data_required = true,
+         .data_form = "NAME = expression",
+         .doc = "Constants for the expressions below; -D NAME=expr on the command line overrides."},
+    CardSpec{.name = "INCLUDE",
+         .group = "deck",
+         .keys = include_keys,
+         .doc = "Reads the cards of another file in place of this one."},
+    CardSpec{.name = "NET",
+         .group = "subnets",
+         .keys = net_keys,
+         .doc = "Opens a subnet with its own node and element numbers and sets."},
+    CardSpec{.name = "ENDNET", .group = "subnets", .doc = "Closes the subnet; nets do not nest."},
+    CardSpec{.name = "IMPORT",
+         .group = "topology",
+         .keys = import_keys,
+         .data = Data::rows,
+         .data_form = "physical-or-set-name = new-name",
+         .doc = "A mesh and its sets from a file into the open net."},
+    CardSpec{.name = "MESH",
+         .group = "topology",
+         .keys = mesh_keys,
+         .when = mesh_when,
+         .doc = "Meshes a block, ring or lug and names its sides."},
+    CardSpec{.name = "COOR",
+         .group = "topology",
+         .keys = coor_keys,
+         .data = Data::table,
+         .data_required = true,
+         .data_form = "id x y [z]",
+         .doc = "Node coordinates."},
+    CardSpec{.name = "ELEMENT",
+         .group = "topology",
+         .keys = element_keys,
+         .data = Data::table,
+         .data_required = true,
+         .data_form = "id n1 n2 ..",
+         .doc = "Topology; corners first, then mid-edge nodes."},
+    CardSpec{.name = "NSET",
+         .group = "topology",
+         .keys = nset_keys,
+         .data = Data::rows,
+         .data_form = items,
+         .doc = "A node set from items, from another set or by place."},
+    CardSpec{.name = "ESET",
+         .group = "topology",
+         .keys = eset_keys,
+         .data = Data::rows,
+         .data_form = items,
+         .doc = "An element set from items, from another set or by place."},
+    CardSpec{.name = "FSET",
+         .group = "topology",
+         .keys = fset_keys,
+         .data = Data::rows,
+         .data_form = "SET, -SET; a node set gives the faces all of whose nodes lie in it",
+         .doc = "A set of boundary faces (edges in 2D); stands wherever a node set is wanted."},
+    CardSpec{.name = "MATERIAL",
+         .group = "material and geometry",
+         .keys = material_keys,
+         .doc = "Isotropic, linear elastic material."},
+    CardSpec{.name = "PROPERTY",
+         .group = "material and geometry",
+         .keys = property_keys,
+         .doc = "Theory, thickness and material of an element set."},
+    CardSpec{.name = "FREEDOM",
+         .group = "freedoms",
+         .keys = freedom_keys,
+         .data = Data::rows,
+         .data_required = true,
+         .data_form = items,
+         .doc = "Class of freedoms; all others are LOCAL."},
+    CardSpec{.name = "MPC",
+         .group = "freedoms",
+         .keys = mpc_keys,
+         .data = Data::rows,
+         .available = false,
+         .data_form = "EQUATION: coef node dof triples",
+         .when = mpc_when,
+         .doc = "Ties between freedoms."},
+};
+
+} // namespace
+
+std::span<const CardSpec> model_cards() { return cards; }
+
+} // namespace spricka::grammar

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/units.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::base {
+
+namespace {
+
+constexpr double newton_per_lbf = 4.4482216152605;
+constexpr double metre_per_inch = 0.0254;
+
+struct Word {
+  std::string_view name;
+  Unit unit;
+};
+
+constexpr Dimension length_dimension{1.0, 0.0, 0.0};
+constexpr Dimension force_dimension{0.0, 1.0, 0.0};
+constexpr Dimension stress_dimension{-2.0, 1.0, 0.0};
+constexpr Dimension angle_dimension{0.0, 0.0, 1.0};
+
+constexpr std::array<Word, 17> words{{
+    {"m", {1.0, length_dimension}},
+    {"mm", {1e-3, length_dimension}},
+    {"um", {1e-6, length_dimension}},
+    {"in", {metre_per_inch, length_dimension}},
+    {"N", {1.0, force_dimension}},
+    {"kN", {1e3, force_dimension}},
+    {"MN", {1e6, force_dimension}},
+    {"lbf", {newton_per_lbf, force_dimension}},
+    {"Pa", {1.0, stress_dimension}},
+    {"kPa", {1e3, stress_dimension}},
+    {"MPa", {1e6, stress_dimension}},
+    {"GPa", {1e9, stress_dimension}},
+    {"psi", {newton_per_lbf / (metre_per_inch * metre_per_inch), stress_dimension}},
+    {"ksi", {1e3 * newton_per_lbf / (metre_per_inch * metre_per_inch), stress_dimension}},
+    {"deg", {std::numbers::pi / 180.0, angle_dimension}},
+    {"rad", {1.0, angle_dimension}},
+    {"cycle", {1.0, {}}}, // a count
+}};
+
+const Unit* find_word(std::string_view name) {
+  const auto* const it =
+      std::find_if(words.begin(), words.end(), [&](const Word& w) { return w.name == name; });
+  return it == words.end() ? nullptr : &it->unit;
+}
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+// value * base^exponent. Small bases go through their reciprocal, which is a whole number for the
+// metric prefixes, so that the usual factors come out exact.
+double scaled(double value, double base, double exponent) {
+  if (base < 1.0) {
+    base = 1.0 / base;
+    exponent = -exponent;
+  }
+  return exponent < 0.0 ? value / std::pow(base, -exponent) : value * std::pow(base, exponent);
+}
+
+// Unit factors are short decimal numbers; this takes away what the powers left of rounding.
+double tidy(double factor) {
+  const std::string text = fmt::format("{:.12g}", factor);
+  double shorter = 0.0;
+  std::from_chars(text.data(), text.data() + text.size(), shorter);
+  const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * std::abs(factor);
+  return std::abs(shorter - factor) <= rounding ? shorter : factor;
+}
+
+// One `word [^exponent]`, taken off the front of `text`; multiplied onto `unit` with the sign of
+// `direction`.
+bool take_term(std::string_view& text, double direction, Unit& unit) {
+  const auto stop = std::find_if_not(text.begin(), text.end(), is_letter);
+  const auto length = static_cast<std::size_t>(stop - text.begin());
+  const Unit* word = find_word(text.substr(0, length));
+  if (word == nullptr) {
+    return false;
+  }
+  text.remove_prefix(length);
+  double exponent = 1.0;
+  if (text.starts_with('^')) {
+    text.remove_prefix(text.starts_with("^+") ? 2 : 1);
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), exponent,
+                                                std::chars_format::fixed);
+    if (failure != std::errc{} || !std::isfinite(exponent) || std::abs(exponent) > 12.0) {
+      return false;
+    }
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  }
+  exponent *= direction;
+  unit.si = scaled(unit.si, word->si, exponent);
+  unit.dimension.length += exponent * word->dimension.length;
+  unit.dimension.force += exponent * word->dimension.force;
+  unit.dimension.angle += exponent * word->dimension.angle;
+  return true;
+}
+
+bool same_word(std::string_view a, std::string_view upper_case) {
+  return std::equal(a.begin(), a.end(), upper_case.begin(), upper_case.end(), [](char x, char y) {
+    return (x >= 'a' && x <= 'z' ? static_cast<char>(x - 'a' + 'A') : x) == y;
+  });
+}
+
+} // namespace
+
+std::string UnitSystem::stress_name() const {
+  if (force_name == "N" && length_name == "mm") {
+    return "MPa";
+  }
+  if (force_name == "N" && length_name == "m") {
+    return "Pa";
+  }
+  if (force_name == "kN" && length_name == "mm") {
+    return "GPa";
+  }
+  if (force_name == "kN" && length_name == "m") {
+    return "kPa";
+  }
+  if (force_name == "lbf" && length_name == "in") {
+    return "psi";
+  }
+  return fmt::format("{}/{}^2", force_name, length_name);
+}
+
+std::string UnitSystem::stress_intensity_name() const {
+  return fmt::format("{}*{}^0.5", stress_name(), length_name);
+}
+
+std::optional<Unit> parse_unit(std::string_view text) {
+  Unit unit;
+  if (!take_term(text, 1.0, unit)) {
+    return std::nullopt;
+  }
+  while (!text.empty()) {
+    const char op = text.front();
+    text.remove_prefix(1);
+    if ((op != '*' && op != '/') || !take_term(text, op == '*' ? 1.0 : -1.0, unit)) {
+      return std::nullopt;
+    }
+  }
+  return unit;
+}
+
+double to_deck(const Unit& unit, const UnitSystem& system) {
+  const double lengths = scaled(unit.si, system.metre_per_length, -unit.dimension.length);
+  return tidy(scaled(lengths, system.newton_per_force, -unit.dimension.force));
+}
+
+std::optional<UnitSystem> make_unit_system(std::string_view length, std::string_view force) {
+  UnitSystem system;
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 3> lengths{
+      {{"M", "m"}, {"MM", "mm"}, {"IN", "in"}}};
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 3> forces{
+      {{"N", "N"}, {"KN", "kN"}, {"LBF", "lbf"}}};
+  const auto* const l = std::find_if(lengths.begin(), lengths.end(),
+                                     [&](const auto& w) { return same_word(length, w.first); });
+  const auto* const f = std::find_if(forces.begin(), forces.end(),
+                                     [&](const auto& w) { return same_word(force, w.first); });
+  if (l == lengths.end() || f == forces.end()) {
+    return std::nullopt;
+  }
+  system.length_name = l->second;
+  system.force_name = f->second;
+  system.metre_per_length = find_word(l->second)->si;
+  system.newton_per_force = find_word(f->second)->si;
+  return system;
+}
+
+} // namespace spricka::base

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/constraint.hpp"
+
+#include "contact/node_pairing.hpp"
+#include "contact/segment_pairing.hpp"
+#include "mesh/boundary.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::contact {
+
+namespace {
+
+// Sizes alike: within a factor 1.5. There the softer side carries the multipliers, because a finer
+// and stiffer one makes the compliance of the rows lose rank; else the coarser side does.
+constexpr double alike = 1.5;
+
+struct Choice {
+  bool swap = false;
+  std::string why;
+};
+
+Choice choose_side(const Surface& slave, const Surface& master) {
+  const double ratio = slave.mean_length / master.mean_length;
+  if (ratio > alike) {
+    return {false, "slave side: coarser"};
+  }
+  if (ratio < 1.0 / alike) {
+    return {true, "master side: coarser"};
+  }
+  if (slave.stiffness > master.stiffness) {
+    return {true, "master side: softer, sizes alike"};
+  }
+  return {false, slave.stiffness < master.stiffness ? "slave side: softer, sizes alike"
+                                                    : "slave side: alike in size and stiffness"};
+}
+
+} // namespace
+
+PairRows pair_rows(const model::Model& model, const model::Mesh& mesh,
+                   const model::Contact& contact) {
+  PairRows pair;
+  Surface slave = make_surface(model, mesh, contact.slave);
+  Surface master = make_surface(model, mesh, contact.master);
+  if (slave.chains.empty() || master.chains.empty()) {
+    pair.trouble = "a surface has no edges";
+    return pair;
+  }
+  Choice choice = choose_side(slave, master);
+  if (contact.pairing == model::Pairing::node) {
+    choice = {false, "slave side: node pairs"};
+  }
+  pair.swapped = choice.swap;
+  pair.choice = std::move(choice.why);
+  pair.contact = choice.swap ? std::move(master) : std::move(slave);
+  pair.target = choice.swap ? std::move(slave) : std::move(master);
+  const bool bonded = contact.type == model::ContactType::bonded;
+  if (contact.pairing == model::Pairing::node) {
+    node_rows(pair, contact.gap, bonded);
+  } else {
+    segment_rows(pair, contact.gap, bonded);
+  }
+  return pair;
+}
+
+std::vector<base::NodeId> surface_nodes(const model::Mesh& mesh, const model::Contact& contact) {
+  std::vector<model::Face> faces = mesh.set(contact.slave).faces;
+  const std::vector<model::Face>& other = mesh.set(contact.master).faces;
+  faces.insert(faces.end(), other.begin(), other.end());
+  return mesh::nodes_of_faces(mesh, faces);
+}
+
+} // namespace spricka::contact

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/id.hpp"
+#include "base/vec.hpp"
+#include "contact/surface.hpp"
+#include "model/model.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+/// Constraint rows: what contact pairs demand of the displacements. A row is scaled by the area it
+/// stands for, so that its multiplier is a pressure [stress] in every pairing.
+namespace spricka::contact {
+
+struct RowEntry {
+  base::NodeId node;
+  base::Vec3 weight = base::Vec3::Zero(); ///< [area]
+};
+
+/// g = gap + sum weight . u >= 0 (normal row) or = 0 (bonded rows).
+struct ConstraintRow {
+  std::vector<RowEntry> entries; ///< ascending by node, each node once
+  double gap = 0.0;              ///< weighted initial gap [length * area]
+  double area = 0.0;             ///< integral of the row's function over the paired part
+  base::NodeId node;             ///< contact node that the function belongs to
+  bool tangential = false;
+};
+
+/// The rows of one contact pair.
+struct PairRows {
+  std::vector<ConstraintRow> normal;
+  std::vector<ConstraintRow> tangent; ///< bonded pairs only
+  Surface contact;                    ///< side that carries the multipliers
+  Surface target;
+  bool swapped = false; ///< the deck's master carries the multipliers
+  bool found = false;   ///< the surfaces face each other somewhere
+  std::string trouble;  ///< why there are no rows (node pairing that does not match)
+  std::string choice;   ///< which side carries the multipliers and why, for the listing
+  int merged = 0;       ///< rows covered by less than 20 % that went to a neighbour
+};
+
+/// Builds the rows of a pair on a mesh. SEGMENT: mortar with hat functions on half edges, weighted
+/// by exact segment integration (Puso and Laursen 2004 in the plane); the multipliers are
+/// non-negative functions that contain constants. NODE: nodes that lie opposite each other.
+/// Declared gaps replace the measured ones; normals are radial on circles.
+PairRows pair_rows(const model::Model& model, const model::Mesh& mesh,
+                   const model::Contact& contact);
+
+/// Nodes of both surfaces of a pair: their freedoms must be external.
+std::vector<base::NodeId> surface_nodes(const model::Mesh& mesh, const model::Contact& contact);
+
+} // namespace spricka::contact

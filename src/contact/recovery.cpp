@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/recovery.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <unordered_map>
+
+#include <Eigen/SparseCholesky>
+
+namespace spricka::contact {
+
+namespace {
+
+constexpr std::array<double, 4> gauss_r{-0.8611363115940526, -0.3399810435848563,
+                                        0.3399810435848563, 0.8611363115940526};
+constexpr std::array<double, 4> gauss_w{0.3478548451374538, 0.6521451548625461, 0.6521451548625461,
+                                        0.3478548451374538};
+
+using Numbering = std::map<base::NodeId, Eigen::Index>;
+
+// Surface mass matrix C = sum over edges of integral N N^T, times thickness.
+Eigen::SparseMatrix<double> surface_mass(const Surface& surface, double thickness,
+                                         const Numbering& number) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const EdgeChain& chain : surface.chains) {
+    for (const Edge& edge : chain.edges) {
+      for (std::size_t g = 0; g < gauss_r.size(); ++g) {
+        const std::array<double, 3> N = edge_N(edge, gauss_r[g]);
+        const double w = gauss_w[g] * tangent_on(edge, gauss_r[g]).norm() * thickness;
+        for (int i = 0; i < edge.count; ++i) {
+          for (int j = 0; j < edge.count; ++j) {
+            entries.emplace_back(number.at(edge.nodes[static_cast<std::size_t>(i)]),
+                                 number.at(edge.nodes[static_cast<std::size_t>(j)]),
+                                 w * N[static_cast<std::size_t>(i)] * N[static_cast<std::size_t>(j)]);
+          }
+        }
+      }
+    }
+  }
+  const auto n = static_cast<Eigen::Index>(number.size());
+  Eigen::SparseMatrix<double> C(n, n);
+  C.setFromTriplets(entries.begin(), entries.end());
+  return C;
+}
+
+// Nodes of the surface chain by chain in running order, with their place and mean normal.
+struct Place {
+  NodePressure at;
+  Vec2 normal = Vec2::Zero();
+};
+
+void append_chain(const Surface& surface, const EdgeChain& chain, std::vector<Place>& places) {
+  const std::size_t first = places.size();
+  double arc = 0.0;
+  const auto add = [&](const Edge& edge, std::size_t i, double xi, double s) {
+    Place p;
+    p.at.node = edge.nodes[i];
+    p.at.x = edge.x[i];
+    p.at.arc = s;
+    p.normal = surface_normal(surface, edge, xi);
+    places.push_back(p);
+  };
+  for (std::size_t e = 0; e < chain.edges.size(); ++e) {
+    const Edge& edge = chain.edges[e];
+    add(edge, 0, -1.0, arc);
+    if (e > 0) {
+      places.back().normal += surface_normal(surface, chain.edges[e - 1], 1.0);
+    }
+    if (edge.count == 3) {
+      add(edge, 2, 0.0, arc + 0.5 * edge.length);
+    }
+    arc += edge.length;
+  }
+  const Edge& last = chain.edges.back();
+  if (chain.closed) {
+    places[first].normal += surface_normal(surface, last, 1.0);
+  } else {
+    add(last, 1, 1.0, arc);
+  }
+}
+
+std::vector<Place> ordered_places(const Surface& surface) {
+  std::vector<Place> places;
+  for (const EdgeChain& chain : surface.chains) {
+    append_chain(surface, chain, places);
+  }
+  for (Place& p : places) {
+    p.normal.normalize();
+    if (surface.circle) {
+      const Vec2 d = p.at.x - surface.circle->centre;
+      p.at.theta = std::atan2(d.y(), d.x());
+    }
+  }
+  return places;
+}
+
+// A crack mouth cuts the surface: two nodes of different numbers stand in one point.
+void mark_lips(const Surface& surface, std::vector<Place>& places) {
+  std::vector<std::size_t> ends;
+  std::size_t at = 0;
+  for (const EdgeChain& chain : surface.chains) {
+    std::size_t count = chain.closed ? 0 : 1;
+    for (const Edge& edge : chain.edges) {
+      count += static_cast<std::size_t>(edge.count) - 1;
+    }
+    if (!chain.closed) {
+      ends.push_back(at);
+      ends.push_back(at + count - 1);
+    }
+    at += count;
+  }
+  for (const std::size_t a : ends) {
+    for (const std::size_t b : ends) {
+      if (a != b && (places[a].at.x - places[b].at.x).norm() < 1e-9 * surface.extent) {
+        // A chain that starts here lies ahead of the mouth, one that ends here behind it.
+        places[a].at.lip = places[a].at.arc == 0.0 ? 1 : -1;
+      }
+    }
+  }
+}
+
+// End of contact between a closed and an open neighbour: p^2 falls linearly (square-root law).
+double contact_end(double s_inner, double p_inner, double s_last, double p_last, double s_open) {
+  const double fall = p_inner * p_inner - p_last * p_last;
+  if (fall <= 0.0) {
+    return 0.5 * (s_last + s_open);
+  }
+  const double end = s_last + (s_last - s_inner) * p_last * p_last / fall;
+  return std::clamp(end, std::min(s_last, s_open), std::max(s_last, s_open));
+}
+
+struct Arc {
+  double from = 0.0, to = 0.0;
+};
+
+// Longest run of closed nodes along s; `turn` > 0 closes the circle.
+Arc longest_arc(const std::vector<NodePressure>& nodes, bool round) {
+  std::vector<const NodePressure*> p;
+  for (const NodePressure& n : nodes) {
+    p.push_back(&n);
+  }
+  const auto s = [&](const NodePressure& n) { return round ? n.theta : n.arc; };
+  std::stable_sort(p.begin(), p.end(),
+                   [&](const NodePressure* a, const NodePressure* b) { return s(*a) < s(*b); });
+  const std::size_t n = p.size();
+  const auto closed = static_cast<std::size_t>(
+      std::count_if(p.begin(), p.end(), [](const NodePressure* q) { return q->closed; }));
+  constexpr double pi = std::numbers::pi;
+  if (closed == n && n > 0) {
+    return round && n > 2 && s(*p[n - 1]) - s(*p[0]) > 1.5 * pi ? Arc{-pi, pi}
+                                                                 : Arc{s(*p[0]), s(*p[n - 1])};
+  }
+  const auto coordinate = [&](std::size_t i) {
+    return s(*p[i % n]) + 2.0 * pi * static_cast<double>(round ? i / n : 0);
+  };
+  Arc best;
+  std::size_t longest = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool begins = p[i]->closed && (i > 0 ? !p[i - 1]->closed : !(round && p[n - 1]->closed));
+    if (!begins) {
+      continue;
+    }
+    std::size_t j = i;
+    while ((round || j + 1 < n) && p[(j + 1) % n]->closed) {
+      ++j;
+    }
+    if (j - i + 1 <= longest) {
+      continue;
+    }
+    longest = j - i + 1;
+    best = {coordinate(i), coordinate(j)};
+    if (j > i && (round || i > 0)) {
+      const double open = i > 0 ? coordinate(i - 1) : s(*p[n - 1]) - 2.0 * pi;
+      best.from = contact_end(coordinate(i + 1), p[(i + 1) % n]->p_lumped, coordinate(i),
+                              p[i]->p_lumped, open);
+    }
+    if (j > i && (round || j + 1 < n)) {
+      best.to = contact_end(coordinate(j - 1), p[(j - 1) % n]->p_lumped, coordinate(j),
+                            p[j % n]->p_lumped, coordinate(j + 1));
+    }
+  }
+  if (round && best.to > pi && best.from > 0.0 && best.from >= pi) {
+    best = {best.from - 2.0 * pi, best.to - 2.0 * pi};
+  }
+  return best;
+}
+
+// Nodal force vectors of the contact side, and the total on it.
+struct SideForce {
+  std::unordered_map<std::int32_t, base::Vec3> node;
+  base::Vec3 total = base::Vec3::Zero();
+};
+
+SideForce side_force(const PairRows& pair, const base::Vector& lambda, const Numbering& number) {
+  SideForce force;
+  const auto add = [&](const ConstraintRow& row, double value) {
+    for (const RowEntry& entry : row.entries) {
+      if (number.contains(entry.node)) {
+        force.node.try_emplace(entry.node.value, base::Vec3::Zero()).first->second +=
+            value * entry.weight;
+        force.total += value * entry.weight;
+      }
+    }
+  };
+  for (std::size_t i = 0; i < pair.normal.size(); ++i) {
+    add(pair.normal[i], lambda[static_cast<Eigen::Index>(i)]);
+  }
+  for (std::size_t i = 0; i < pair.tangent.size(); ++i) {
+    add(pair.tangent[i], lambda[static_cast<Eigen::Index>(pair.normal.size() + i)]);
+  }
+  return force;
+}
+
+} // namespace
+
+PairPressure recover_pressure(const PairRows& pair, const base::Vector& lambda,
+                              const base::Vector& gap, const std::vector<bool>& closed) {
+  std::vector<Place> places = ordered_places(pair.contact);
+  mark_lips(pair.contact, places);
+  Numbering number;
+  for (const Place& p : places) {
+    number.try_emplace(p.at.node, static_cast<Eigen::Index>(number.size()));
+  }
+  const SideForce force = side_force(pair, lambda, number);
+  const double thickness = std::min(pair.contact.thickness, pair.target.thickness);
+  const Eigen::SparseMatrix<double> C = surface_mass(pair.contact, thickness, number);
+  base::Vector R = base::Vector::Zero(C.rows());
+  for (const Place& p : places) {
+    const auto at = force.node.find(p.at.node.value);
+    if (at != force.node.end()) {
+      R[number.at(p.at.node)] = -at->second.head<2>().dot(p.normal);
+    }
+  }
+  const base::Vector lump = C * base::Vector::Ones(C.cols());
+  const base::Vector consistent = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>(C).solve(R);
+
+  PairPressure result;
+  result.force_on_slave = pair.swapped ? base::Vec3(-force.total) : force.total;
+  double area = 0.0;
+  double thrust = 0.0;
+  std::map<base::NodeId, std::size_t> row_of;
+  for (std::size_t i = 0; i < pair.normal.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    row_of[pair.normal[i].node] = i;
+    area += pair.normal[i].area;
+    thrust += lambda[at] * pair.normal[i].area;
+    result.closed += closed[i] ? 1 : 0;
+    result.max_penetration = std::max(result.max_penetration, -gap[at] / pair.normal[i].area);
+  }
+  result.mean_pressure = area > 0.0 ? thrust / area : 0.0;
+  for (Place& p : places) {
+    const Eigen::Index k = number.at(p.at.node);
+    p.at.p_lumped = R[k] / lump[k];
+    p.at.p_consistent = consistent[k];
+    const auto row = row_of.find(p.at.node);
+    if (row != row_of.end()) {
+      p.at.closed = closed[row->second];
+      p.at.gap = gap[static_cast<Eigen::Index>(row->second)] / pair.normal[row->second].area;
+    }
+    result.nodes.push_back(p.at);
+  }
+  const Arc arc = longest_arc(result.nodes, pair.contact.circle.has_value());
+  result.arc_from = arc.from;
+  result.arc_to = arc.to;
+  return result;
+}
+
+} // namespace spricka::contact

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "contact/constraint.hpp"
+
+#include <map>
+
+namespace spricka::contact {
+
+/// Collects the weights of one row; a map keeps the nodes in order whatever the order of adding.
+struct RowBuilder {
+  std::map<base::NodeId, base::Vec3> weight;
+  double gap = 0.0;
+  double area = 0.0;
+  double whole = 0.0; ///< area of the function over its whole support, paired or not
+
+  void add(base::NodeId node, const Vec2& w) {
+    const auto [at, fresh] = weight.try_emplace(node, base::Vec3::Zero());
+    at->second.head<2>() += w;
+  }
+  void add(const RowBuilder& other) {
+    for (const auto& [node, w] : other.weight) {
+      weight.try_emplace(node, base::Vec3::Zero()).first->second += w;
+    }
+    gap += other.gap;
+    area += other.area;
+  }
+  [[nodiscard]] ConstraintRow finish(base::NodeId node, bool tangential) const {
+    ConstraintRow row;
+    for (const auto& [n, w] : weight) {
+      row.entries.push_back({n, w});
+    }
+    row.gap = gap;
+    row.area = area;
+    row.node = node;
+    row.tangential = tangential;
+    return row;
+  }
+};
+
+} // namespace spricka::contact

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/segment.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spricka::contact {
+
+namespace {
+
+constexpr double far_share = 0.2;  // of the contact surface's extent
+constexpr double smallest = 1e-10; // segments shorter than this in xi carry nothing
+
+struct Ball {
+  Vec2 centre;
+  double radius;
+};
+
+Ball ball_of(const Edge& edge) {
+  const Vec2 centre = point_on(edge, 0.0);
+  return {centre, std::max((edge.x[0] - centre).norm(), (edge.x[1] - centre).norm())};
+}
+
+double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+// The part of the contact edge that the target edge covers, cut at xi = 0 of quadratic edges.
+void add_segments(const Surface& contact, const Edge& edge, const Edge& target,
+                  const Segment& proto, std::vector<Segment>& out) {
+  const std::optional<double> a = foot_on(contact, edge, target.x[0]);
+  const std::optional<double> b = foot_on(contact, edge, target.x[1]);
+  if (!a || !b) {
+    return;
+  }
+  const double from = std::max(std::min(*a, *b), -1.0);
+  const double to = std::min(std::max(*a, *b), 1.0);
+  if (to - from < smallest) {
+    return;
+  }
+  const double middle = 0.5 * (from + to);
+  const Vec2 n = surface_normal(contact, edge, middle);
+  const Vec2 x = point_on(edge, middle);
+  const std::optional<double> eta = hit_on(target, x, n);
+  if (!eta || outer_normal(target, std::clamp(*eta, -1.0, 1.0)).dot(n) >= 0.0 ||
+      std::abs((point_on(target, *eta) - x).dot(n)) > far_share * contact.extent) {
+    return;
+  }
+  Segment s = proto;
+  if (edge.count == 3 && from < -smallest && to > smallest) {
+    s.from = from;
+    s.to = 0.0;
+    out.push_back(s);
+    s.from = 0.0;
+    s.to = to;
+    out.push_back(s);
+  } else {
+    s.from = from;
+    s.to = to;
+    out.push_back(s);
+  }
+}
+
+} // namespace
+
+std::optional<double> foot_on(const Surface& surface, const Edge& edge, const Vec2& point) {
+  // Newton on r(xi) = cross(point - x, n) with the normal frozen in the slope; xi = +-1 exact ends
+  // are met to round-off, which matters where meshes match.
+  const Vec2 chord = edge.x[1] - edge.x[0];
+  double xi = 2.0 * (point - edge.x[0]).dot(chord) / chord.squaredNorm() - 1.0;
+  xi = std::clamp(xi, -3.0, 3.0);
+  for (int i = 0; i < 30; ++i) {
+    const Vec2 n = surface_normal(surface, edge, xi);
+    const double r = cross(point - point_on(edge, xi), n);
+    const double slope = -cross(tangent_on(edge, xi), n);
+    if (std::abs(slope) < 1e-3 * edge.length) {
+      return std::nullopt;
+    }
+    // On a circle the normal turns with xi: the slope of the foot scales with distance to centre.
+    double scale = 1.0;
+    if (surface.circle) {
+      scale = (point - surface.circle->centre).norm() / surface.circle->radius;
+    }
+    const double step = std::clamp(r / (slope * scale), -1.0, 1.0);
+    xi -= step;
+    if (std::abs(step) < 1e-14) {
+      break;
+    }
+    if (std::abs(xi) > 6.0) {
+      return xi > 0.0 ? 6.0 : -6.0;
+    }
+  }
+  if (std::abs(std::abs(xi) - 1.0) < 1e-9) {
+    xi = xi > 0.0 ? 1.0 : -1.0;
+  }
+  return xi;
+}
+
+std::optional<double> hit_on(const Edge& target, const Vec2& x, const Vec2& normal) {
+  const Vec2 chord = target.x[1] - target.x[0];
+  const double slope0 = cross(chord, normal);
+  if (std::abs(slope0) < 1e-6 * chord.norm()) {
+    return std::nullopt;
+  }
+  double eta = 2.0 * cross(x - target.x[0], normal) / slope0 - 1.0;
+  for (int i = 0; i < 30; ++i) {
+    const double r = cross(point_on(target, eta) - x, normal);
+    const double slope = cross(tangent_on(target, eta), normal);
+    if (std::abs(slope) < 1e-6 * target.length || std::abs(eta) > 10.0) {
+      return std::nullopt;
+    }
+    const double step = r / slope;
+    eta -= step;
+    if (std::abs(step) < 1e-14) {
+      break;
+    }
+  }
+  return eta;
+}
+
+std::vector<Segment> find_segments(const Surface& contact, const Surface& target) {
+  std::vector<const Edge*> targets;
+  std::vector<Ball> balls;
+  for (const EdgeChain& chain : target.chains) {
+    for (const Edge& edge : chain.edges) {
+      targets.push_back(&edge);
+      balls.push_back(ball_of(edge));
+    }
+  }
+  std::vector<Segment> all;
+  std::size_t number = 0;
+  for (const EdgeChain& chain : contact.chains) {
+    for (const Edge& edge : chain.edges) {
+      const Ball own = ball_of(edge);
+      const auto begin = static_cast<std::ptrdiff_t>(all.size());
+      for (std::size_t t = 0; t < targets.size(); ++t) {
+        const double reach = own.radius + balls[t].radius + far_share * contact.extent;
+        if ((own.centre - balls[t].centre).norm() <= reach) {
+          add_segments(contact, edge, *targets[t], {number, t, -1.0, 1.0}, all);
+        }
+      }
+      std::sort(all.begin() + begin, all.end(), [](const Segment& a, const Segment& b) {
+        return std::pair(a.from, a.target_edge) < std::pair(b.from, b.target_edge);
+      });
+      ++number;
+    }
+  }
+  return all;
+}
+
+} // namespace spricka::contact

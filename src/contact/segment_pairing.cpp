@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/segment_pairing.hpp"
+
+#include "contact/row_builder.hpp"
+#include "contact/segment.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace spricka::contact {
+
+namespace {
+
+constexpr std::array<double, 5> gauss_r{-0.906179845938664, -0.5384693101056831, 0.0,
+                                        0.5384693101056831, 0.906179845938664};
+constexpr std::array<double, 5> gauss_w{0.2369268850561891, 0.4786286704993665, 0.5688888888888889,
+                                        0.4786286704993665, 0.2369268850561891};
+constexpr double least_cover = 0.2; // rows covered by less go to a neighbour
+
+// Hats on half edges: piecewise linear, non-negative, sum 1. Pressure is a sum of these.
+std::array<double, 3> hats(const Edge& edge, double xi) {
+  if (edge.count == 2) {
+    return {0.5 * (1.0 - xi), 0.5 * (1.0 + xi), 0.0};
+  }
+  return {std::max(0.0, -xi), std::max(0.0, xi), 1.0 - std::abs(xi)};
+}
+
+struct Builders {
+  std::map<base::NodeId, RowBuilder> normal;
+  std::map<base::NodeId, RowBuilder> tangent;
+};
+
+// Adds one integration point: weight w includes the line element and the thickness.
+struct Point {
+  const Edge& edge;
+  const Edge& target;
+  double xi, eta, w;
+  Vec2 n;
+  double gap;
+};
+
+void add_point(const Point& p, bool bonded, Builders& rows) {
+  const std::array<double, 3> phi = hats(p.edge, p.xi);
+  const std::array<double, 3> N = edge_N(p.edge, p.xi);
+  const std::array<double, 3> M = edge_N(p.target, p.eta);
+  const Vec2 t(-p.n.y(), p.n.x());
+  for (int i = 0; i < p.edge.count; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const double c = p.w * phi[at];
+    if (c == 0.0) {
+      continue;
+    }
+    RowBuilder& row = rows.normal[p.edge.nodes[at]];
+    row.gap += c * p.gap;
+    row.area += c;
+    RowBuilder* slip = bonded ? &rows.tangent[p.edge.nodes[at]] : nullptr;
+    if (slip != nullptr) {
+      slip->area += c;
+    }
+    for (int j = 0; j < p.edge.count; ++j) {
+      const auto k = static_cast<std::size_t>(j);
+      row.add(p.edge.nodes[k], -c * N[k] * p.n);
+      if (slip != nullptr) {
+        slip->add(p.edge.nodes[k], -c * N[k] * t);
+      }
+    }
+    for (int j = 0; j < p.target.count; ++j) {
+      const auto k = static_cast<std::size_t>(j);
+      row.add(p.target.nodes[k], c * M[k] * p.n);
+      if (slip != nullptr) {
+        slip->add(p.target.nodes[k], c * M[k] * t);
+      }
+    }
+  }
+}
+
+void add_segment(const PairRows& pair, const Edge& edge, const Edge& target, const Segment& s,
+                 const std::optional<double>& declared, bool bonded, Builders& rows) {
+  const double thickness = std::min(pair.contact.thickness, pair.target.thickness);
+  for (std::size_t g = 0; g < gauss_r.size(); ++g) {
+    const double xi = 0.5 * ((s.to + s.from) + (s.to - s.from) * gauss_r[g]);
+    const Vec2 n = surface_normal(pair.contact, edge, xi);
+    const Vec2 x = point_on(edge, xi);
+    const std::optional<double> eta = hit_on(target, x, n);
+    if (!eta) {
+      continue;
+    }
+    const double w =
+        0.5 * (s.to - s.from) * gauss_w[g] * tangent_on(edge, xi).norm() * thickness;
+    const double gap = declared ? *declared : (point_on(target, *eta) - x).dot(n);
+    add_point({edge, target, xi, *eta, w, n, gap}, bonded, rows);
+  }
+}
+
+// What each function would weigh if its whole support were paired.
+void add_support(const Edge& edge, double thickness, Builders& rows) {
+  for (const double half : {-0.5, 0.5}) {
+    for (std::size_t g = 0; g < gauss_r.size(); ++g) {
+      const double xi = half + 0.5 * gauss_r[g];
+      const std::array<double, 3> phi = hats(edge, xi);
+      const double w = 0.5 * gauss_w[g] * tangent_on(edge, xi).norm() * thickness;
+      for (int i = 0; i < edge.count; ++i) {
+        rows.normal[edge.nodes[static_cast<std::size_t>(i)]].whole +=
+            w * phi[static_cast<std::size_t>(i)];
+      }
+    }
+  }
+}
+
+// Nodes of a chain in order, mid nodes between their ends.
+std::vector<base::NodeId> ordered_nodes(const EdgeChain& chain) {
+  std::vector<base::NodeId> nodes;
+  for (const Edge& edge : chain.edges) {
+    nodes.push_back(edge.nodes[0]);
+    if (edge.count == 3) {
+      nodes.push_back(edge.nodes[2]);
+    }
+  }
+  if (!chain.closed) {
+    nodes.push_back(chain.edges.back().nodes[1]);
+  }
+  return nodes;
+}
+
+// A sliver of cover makes a row that weighs next to nothing: its function joins the neighbour's.
+void merge_slivers(const EdgeChain& chain, bool bonded, Builders& rows, int& merged) {
+  const std::vector<base::NodeId> nodes = ordered_nodes(chain);
+  const std::size_t n = nodes.size();
+  const auto covered = [&](std::size_t i) {
+    const RowBuilder& row = rows.normal[nodes[i]];
+    return row.area >= least_cover * row.whole;
+  };
+  std::vector<bool> whole(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    whole[i] = covered(i);
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    if (whole[i] || rows.normal[nodes[i]].area <= 0.0) {
+      continue;
+    }
+    const bool has_next = chain.closed || i + 1 < n;
+    const bool has_last = chain.closed || i > 0;
+    const std::size_t next = (i + 1) % n;
+    const std::size_t last = (i + n - 1) % n;
+    std::size_t to = n;
+    if (has_next && whole[next]) {
+      to = next;
+    } else if (has_last && whole[last]) {
+      to = last;
+    }
+    if (to < n) {
+      rows.normal[nodes[to]].add(rows.normal[nodes[i]]);
+      if (bonded) {
+        rows.tangent[nodes[to]].add(rows.tangent[nodes[i]]);
+      }
+      ++merged;
+    }
+    rows.normal[nodes[i]] = RowBuilder{};
+    rows.tangent.erase(nodes[i]);
+  }
+}
+
+bool covered_twice(const std::vector<Segment>& segments) {
+  for (std::size_t i = 1; i < segments.size(); ++i) {
+    if (segments[i].contact_edge == segments[i - 1].contact_edge &&
+        segments[i].from < segments[i - 1].to - 1e-6) {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::vector<const Edge*> all_edges(const Surface& surface) {
+  std::vector<const Edge*> edges;
+  for (const EdgeChain& chain : surface.chains) {
+    for (const Edge& edge : chain.edges) {
+      edges.push_back(&edge);
+    }
+  }
+  return edges;
+}
+
+} // namespace
+
+void segment_rows(PairRows& pair, std::optional<double> declared_gap, bool bonded) {
+  const std::vector<Segment> segments = find_segments(pair.contact, pair.target);
+  if (covered_twice(segments)) {
+    pair.trouble = "the surfaces face each other twice at one place (folded or cornered surfaces "
+                   "are not available in this version)";
+    return;
+  }
+  pair.found = !segments.empty();
+  const std::vector<const Edge*> edges = all_edges(pair.contact);
+  const std::vector<const Edge*> targets = all_edges(pair.target);
+  Builders rows;
+  for (const Edge* edge : edges) {
+    add_support(*edge, std::min(pair.contact.thickness, pair.target.thickness), rows);
+  }
+  for (const Segment& s : segments) {
+    add_segment(pair, *edges[s.contact_edge], *targets[s.target_edge], s, declared_gap, bonded,
+                rows);
+  }
+  for (const EdgeChain& chain : pair.contact.chains) {
+    merge_slivers(chain, bonded, rows, pair.merged);
+    for (const base::NodeId node : ordered_nodes(chain)) {
+      if (rows.normal[node].area > 0.0) {
+        pair.normal.push_back(rows.normal[node].finish(node, false));
+        if (bonded) {
+          pair.tangent.push_back(rows.tangent[node].finish(node, true));
+        }
+      }
+    }
+  }
+}
+
+} // namespace spricka::contact

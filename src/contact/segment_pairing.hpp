@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "contact/constraint.hpp"
+
+#include <optional>
+
+namespace spricka::contact {
+
+/// Fills the rows of a SEGMENT pair whose two surfaces stand in `pair`.
+void segment_rows(PairRows& pair, std::optional<double> declared_gap, bool bonded);
+
+} // namespace spricka::contact

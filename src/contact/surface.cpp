@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/surface.hpp"
+
+#include "mesh/boundary.hpp"
+#include "shape/topology.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/LU>
+
+namespace spricka::contact {
+
+namespace {
+
+// Gauss points of degree 5; exact for the length of a straight edge, 1e-8 for arcs of 30 degrees.
+constexpr std::array<double, 3> gauss_r{-0.7745966692414834, 0.0, 0.7745966692414834};
+constexpr std::array<double, 3> gauss_w{5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
+
+Edge make_edge(const model::Mesh& mesh, model::Face face) {
+  const std::span<const base::NodeId> nodes = mesh.nodes_of(face.element);
+  const std::span<const int> side = shape::side_nodes(mesh.type[face.element.index()], face.side);
+  Edge edge;
+  edge.count = static_cast<int>(side.size());
+  for (std::size_t i = 0; i < side.size(); ++i) {
+    edge.nodes[i] = nodes[static_cast<std::size_t>(side[i])];
+    edge.x[i] = mesh.x[edge.nodes[i].index()].head<2>();
+  }
+  for (std::size_t g = 0; g < gauss_r.size(); ++g) {
+    edge.length += gauss_w[g] * tangent_on(edge, gauss_r[g]).norm();
+  }
+  return edge;
+}
+
+// Kasa's fit: |x|^2 = 2 c.x + (r^2 - |c|^2) in the least-squares sense, about the mean for accuracy.
+std::optional<Circle> fit_circle(const std::vector<Vec2>& points, double extent) {
+  if (points.size() < 3) {
+    return std::nullopt;
+  }
+  Vec2 mean = Vec2::Zero();
+  for (const Vec2& p : points) {
+    mean += p;
+  }
+  mean /= static_cast<double>(points.size());
+  Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d rhs = Eigen::Vector3d::Zero();
+  for (const Vec2& p : points) {
+    const Vec2 d = (p - mean) / extent;
+    const Eigen::Vector3d row(2.0 * d.x(), 2.0 * d.y(), 1.0);
+    A += row * row.transpose();
+    rhs += row * d.squaredNorm();
+  }
+  const Eigen::FullPivLU<Eigen::Matrix3d> lu(A);
+  if (lu.rcond() < 1e-12) {
+    return std::nullopt;
+  }
+  const Eigen::Vector3d s = lu.solve(rhs);
+  const double radius = extent * std::sqrt(std::max(0.0, s[2] + s.head<2>().squaredNorm()));
+  const Circle circle{mean + extent * s.head<2>(), radius};
+  for (const Vec2& p : points) {
+    if (std::abs((p - circle.centre).norm() - radius) > 1e-4 * radius) {
+      return std::nullopt;
+    }
+  }
+  return radius < 1e3 * extent ? std::optional(circle) : std::nullopt;
+}
+
+} // namespace
+
+std::array<double, 3> edge_N(const Edge& edge, double xi) {
+  if (edge.count == 2) {
+    return {0.5 * (1.0 - xi), 0.5 * (1.0 + xi), 0.0};
+  }
+  return {0.5 * xi * (xi - 1.0), 0.5 * xi * (xi + 1.0), 1.0 - xi * xi};
+}
+
+std::array<double, 3> edge_dN(const Edge& edge, double xi) {
+  if (edge.count == 2) {
+    return {-0.5, 0.5, 0.0};
+  }
+  return {xi - 0.5, xi + 0.5, -2.0 * xi};
+}
+
+Vec2 point_on(const Edge& edge, double xi) {
+  const std::array<double, 3> N = edge_N(edge, xi);
+  Vec2 x = N[0] * edge.x[0] + N[1] * edge.x[1];
+  if (edge.count == 3) {
+    x += N[2] * edge.x[2];
+  }
+  return x;
+}
+
+Vec2 tangent_on(const Edge& edge, double xi) {
+  const std::array<double, 3> dN = edge_dN(edge, xi);
+  Vec2 t = dN[0] * edge.x[0] + dN[1] * edge.x[1];
+  if (edge.count == 3) {
+    t += dN[2] * edge.x[2];
+  }
+  return t;
+}
+
+Vec2 outer_normal(const Edge& edge, double xi) {
+  const Vec2 t = tangent_on(edge, xi).normalized();
+  return {t.y(), -t.x()};
+}
+
+Surface make_surface(const model::Model& model, const model::Mesh& mesh, base::FaceSetId set) {
+  Surface surface;
+  std::vector<Vec2> points;
+  Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
+  Vec2 high = -low;
+  std::size_t count = 0;
+  for (const mesh::Chain& chain : mesh::chains(mesh, mesh.set(set).faces)) {
+    EdgeChain edges;
+    edges.closed = chain.closed;
+    for (const model::Face face : chain.faces) {
+      const Edge edge = make_edge(mesh, face);
+      for (int i = 0; i < edge.count; ++i) {
+        const Vec2& p = edge.x[static_cast<std::size_t>(i)];
+        points.push_back(p);
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+      }
+      surface.mean_length += edge.length;
+      const double E = model.material_of(mesh, face.element).E;
+      surface.stiffness = count == 0 ? E : std::min(surface.stiffness, E);
+      const double t = model.property_of(mesh, face.element).thickness;
+      surface.thickness = count == 0 ? t : std::min(surface.thickness, t);
+      ++count;
+      edges.edges.push_back(edge);
+    }
+    surface.chains.push_back(std::move(edges));
+  }
+  if (count > 0) {
+    surface.mean_length /= static_cast<double>(count);
+    surface.extent = (high - low).norm();
+    surface.circle = fit_circle(points, surface.extent);
+  }
+  return surface;
+}
+
+Vec2 surface_normal(const Surface& surface, const Edge& edge, double xi) {
+  const Vec2 n = outer_normal(edge, xi);
+  if (!surface.circle) {
+    return n;
+  }
+  const Vec2 radial = (point_on(edge, xi) - surface.circle->centre).normalized();
+  return radial.dot(n) > 0.0 ? radial : Vec2(-radial);
+}
+
+} // namespace spricka::contact

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/id.hpp"
+#include "base/vec.hpp"
+#include "model/mesh.hpp"
+#include "model/model.hpp"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+/// Contact surfaces in the plane: chains of straight or quadratic edges. 3D surfaces will stand
+/// beside these; the constraint rows (constraint.hpp) know no dimension.
+namespace spricka::contact {
+
+using base::Vec2;
+
+/// One edge, run with the body on its left; xi = -1 at nodes[0], +1 at nodes[1], mid node last.
+struct Edge {
+  std::array<base::NodeId, 3> nodes;
+  int count = 2; ///< 2 straight, 3 quadratic
+  std::array<Vec2, 3> x;
+  double length = 0.0;
+};
+
+/// Shape functions of an edge and their derivatives at xi; entry 2 is zero for straight edges.
+std::array<double, 3> edge_N(const Edge& edge, double xi);
+std::array<double, 3> edge_dN(const Edge& edge, double xi);
+Vec2 point_on(const Edge& edge, double xi);
+Vec2 tangent_on(const Edge& edge, double xi); ///< dx/dxi
+/// Unit normal that leaves the body.
+Vec2 outer_normal(const Edge& edge, double xi);
+
+/// A circle that all nodes of a surface lie on.
+struct Circle {
+  Vec2 centre = Vec2::Zero();
+  double radius = 0.0;
+};
+
+struct EdgeChain {
+  std::vector<Edge> edges;
+  bool closed = false;
+};
+
+struct Surface {
+  std::vector<EdgeChain> chains;
+  std::optional<Circle> circle;
+  double extent = 0.0;      ///< diagonal of the bounding box
+  double mean_length = 0.0; ///< of the edges
+  double stiffness = 0.0;   ///< Young's modulus behind the surface
+  double thickness = 0.0;
+};
+
+/// Strings the faces of a set into chains and looks whether they lie on one circle (deviation
+/// below 1e-4 of the radius, radius below 1e3 extents).
+Surface make_surface(const model::Model& model, const model::Mesh& mesh, base::FaceSetId set);
+
+/// Unit normal of the surface at a point of an edge: radial where the surface is a circle.
+Vec2 surface_normal(const Surface& surface, const Edge& edge, double xi);
+
+} // namespace spricka::contact

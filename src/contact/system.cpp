@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/system.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <Eigen/QR>
+
+namespace spricka::contact {
+
+namespace {
+
+base::Matrix orthonormal(const base::Matrix& modes) {
+  if (modes.cols() == 0) {
+    return modes;
+  }
+  const Eigen::HouseholderQR<base::Matrix> qr(modes);
+  return qr.householderQ() * base::Matrix::Identity(modes.rows(), modes.cols());
+}
+
+base::Matrix held(const base::Matrix& S, const base::Matrix& Q) {
+  base::Matrix A = S;
+  if (Q.cols() > 0) {
+    const double k = S.trace() / static_cast<double>(S.rows());
+    A += k * Q * Q.transpose();
+  }
+  return A;
+}
+
+} // namespace
+
+CondensedBody::CondensedBody(std::vector<std::int32_t> freedom, const base::Matrix& S,
+                             const base::Matrix& modes)
+    : freedom_(std::move(freedom)), Q_(orthonormal(modes)), factor_(held(S, Q_)) {}
+
+base::Matrix CondensedBody::project(base::Matrix F) const {
+  if (Q_.cols() > 0) {
+    F -= Q_ * (Q_.transpose() * F);
+  }
+  return F;
+}
+
+base::Matrix CondensedBody::half_compliance(const base::Matrix& F) const {
+  return factor_.half_solve(project(F));
+}
+
+base::Matrix CondensedBody::displacement(const base::Matrix& F) const {
+  return project(factor_.solve(project(F)));
+}
+
+ContactSystem::ContactSystem(std::vector<const CondensedBody*> bodies,
+                             std::vector<const ConstraintRow*> rows, int dim, std::size_t freedoms)
+    : bodies_(std::move(bodies)), rows_(rows.size()) {
+  std::vector<std::pair<std::int32_t, std::int32_t>> place(freedoms, {-1, -1});
+  mode_start_.push_back(0);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const std::vector<std::int32_t>& freedom = bodies_[b]->freedom();
+    for (std::size_t i = 0; i < freedom.size(); ++i) {
+      place[static_cast<std::size_t>(freedom[i])] = {static_cast<std::int32_t>(b),
+                                                     static_cast<std::int32_t>(i)};
+    }
+    mode_start_.push_back(mode_start_.back() + bodies_[b]->modes().cols());
+  }
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    for (const RowEntry& entry : rows[r]->entries) {
+      for (int c = 0; c < dim; ++c) {
+        const std::size_t freedom =
+            static_cast<std::size_t>(dim) * entry.node.index() + static_cast<std::size_t>(c);
+        const auto [body, at] = place[freedom];
+        if (body >= 0 && entry.weight[c] != 0.0) {
+          rows_[r].push_back({static_cast<std::size_t>(body), at, entry.weight[c]});
+        }
+      }
+    }
+  }
+  const auto n = static_cast<Eigen::Index>(rows.size());
+  W_ = base::Matrix::Zero(n, n);
+  B_ = base::Matrix::Zero(n, mode_start_.back());
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    std::vector<Eigen::Index> touched;
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+      if (std::any_of(rows_[r].begin(), rows_[r].end(),
+                      [&](const Entry& e) { return e.body == b; })) {
+        touched.push_back(static_cast<Eigen::Index>(r));
+      }
+    }
+    base::Matrix GT = base::Matrix::Zero(static_cast<Eigen::Index>(bodies_[b]->freedom().size()),
+                                         static_cast<Eigen::Index>(touched.size()));
+    for (std::size_t k = 0; k < touched.size(); ++k) {
+      for (const Entry& e : rows_[static_cast<std::size_t>(touched[k])]) {
+        if (e.body == b) {
+          GT(e.at, static_cast<Eigen::Index>(k)) += e.weight;
+        }
+      }
+    }
+    const base::Matrix Wb = solve::gram(bodies_[b]->half_compliance(GT));
+    const base::Matrix Bb = GT.transpose() * bodies_[b]->modes();
+    for (std::size_t i = 0; i < touched.size(); ++i) {
+      for (std::size_t k = 0; k < touched.size(); ++k) {
+        W_(touched[i], touched[k]) +=
+            Wb(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k));
+      }
+      B_.block(touched[i], mode_start_[b], 1, Bb.cols()) += Bb.row(static_cast<Eigen::Index>(i));
+    }
+  }
+}
+
+double ContactSystem::opening(std::size_t row, const std::vector<base::Vector>& u) const {
+  double sum = 0.0;
+  for (const Entry& e : rows_[row]) {
+    sum += e.weight * u[e.body][e.at];
+  }
+  return sum;
+}
+
+std::size_t ContactSystem::body_of_mode(Eigen::Index mode) const {
+  std::size_t b = 0;
+  while (mode >= mode_start_[b + 1]) {
+    ++b;
+  }
+  return b;
+}
+
+ContactSystem::Answer ContactSystem::solve(const Demand& demand,
+                                           const solve::ContactSettings& settings) const {
+  const auto n = static_cast<Eigen::Index>(demand.rows.size());
+  std::vector<base::Vector> u(bodies_.size());
+  solve::ContactProblem problem;
+  problem.h = base::Vector::Zero(mode_start_.back());
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    u[b] = bodies_[b]->displacement(demand.load[b]);
+    problem.h.segment(mode_start_[b], bodies_[b]->modes().cols()) =
+        bodies_[b]->modes().transpose() * demand.load[b];
+  }
+  problem.W.resize(n, n);
+  problem.B.resize(n, B_.cols());
+  problem.b.resize(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const std::size_t row = demand.rows[static_cast<std::size_t>(i)];
+    for (Eigen::Index k = 0; k < n; ++k) {
+      problem.W(k, i) = W_(static_cast<Eigen::Index>(demand.rows[static_cast<std::size_t>(k)]),
+                           static_cast<Eigen::Index>(row));
+    }
+    problem.B.row(i) = B_.row(static_cast<Eigen::Index>(row));
+    problem.b[i] = demand.gap[i] + opening(row, u);
+  }
+  problem.equality = demand.equality;
+  problem.load_scale = demand.load_scale;
+
+  Answer answer{solve::solve_contact(problem, settings, demand.start), {}};
+  const solve::ContactSolution& s = answer.solution;
+  if (s.status != solve::ContactStatus::solved) {
+    return answer;
+  }
+  std::vector<base::Vector> force = demand.load;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (const Entry& e : rows_[demand.rows[static_cast<std::size_t>(i)]]) {
+      force[e.body][e.at] += s.lambda[i] * e.weight;
+    }
+  }
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    answer.u.push_back(bodies_[b]->displacement(force[b]) +
+                       bodies_[b]->modes() *
+                           s.alpha.segment(mode_start_[b], bodies_[b]->modes().cols()));
+  }
+  return answer;
+}
+
+} // namespace spricka::contact

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/vec.hpp"
+#include "contact/constraint.hpp"
+#include "solve/contact_qp.hpp"
+#include "solve/dense_cholesky.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace spricka::contact {
+
+/// A condensed body as contact sees it: stiffness between its external freedoms, and the rigid
+/// modes that its supports leave free. The pseudo-inverse S+ (zero on the modes) comes from one
+/// dense Cholesky of S + k Q Q^T with k = trace(S)/m, Q the orthonormal modes.
+class CondensedBody {
+public:
+  /// freedom [m] (dim * node + c), S [m, m], modes [m, r] any basis of the null space, r may be 0.
+  CondensedBody(std::vector<std::int32_t> freedom, const base::Matrix& S, const base::Matrix& modes);
+
+  [[nodiscard]] const std::vector<std::int32_t>& freedom() const { return freedom_; }
+  [[nodiscard]] const base::Matrix& modes() const { return Q_; } ///< [m, r] orthonormal
+  [[nodiscard]] bool ok() const { return factor_.ok(); }
+  /// Y [m, k] with Y^T Y = F^T S+ F.
+  [[nodiscard]] base::Matrix half_compliance(const base::Matrix& F) const;
+  /// S+ F [m, k].
+  [[nodiscard]] base::Matrix displacement(const base::Matrix& F) const;
+
+private:
+  [[nodiscard]] base::Matrix project(base::Matrix F) const;
+
+  std::vector<std::int32_t> freedom_;
+  base::Matrix Q_;
+  solve::DenseCholesky factor_;
+};
+
+/// All constraint rows of an increment on all bodies, condensed to compliances once; then any
+/// subset of rows, loads and gaps is one small quadratic problem.
+class ContactSystem {
+public:
+  /// `bodies` and `rows` must outlive the system; freedoms = dim * node_count.
+  ContactSystem(std::vector<const CondensedBody*> bodies, std::vector<const ConstraintRow*> rows,
+                int dim, std::size_t freedoms);
+
+  struct Demand {
+    std::vector<std::size_t> rows;  ///< the rows in force
+    std::vector<bool> equality;     ///< [rows in force]
+    base::Vector gap;               ///< [rows in force] g at zero displacement, weighted
+    std::vector<base::Vector> load; ///< [body][m] condensed loads
+    double load_scale = 0.0;
+    std::vector<bool> start;        ///< [rows in force] closed; empty: all
+  };
+  struct Answer {
+    solve::ContactSolution solution; ///< lambda, gap, closed by rows in force
+    std::vector<base::Vector> u;     ///< [body][m] external displacements
+  };
+  [[nodiscard]] Answer solve(const Demand& demand, const solve::ContactSettings& settings) const;
+
+  /// sum weight . u for a row, from external displacements; other freedoms count as zero.
+  [[nodiscard]] double opening(std::size_t row, const std::vector<base::Vector>& u) const;
+  [[nodiscard]] std::size_t row_count() const { return rows_.size(); }
+  /// Which body and which combination of its modes an entry of alpha belongs to.
+  [[nodiscard]] std::size_t body_of_mode(Eigen::Index mode) const;
+  [[nodiscard]] Eigen::Index first_mode(std::size_t body) const { return mode_start_[body]; }
+
+private:
+  struct Entry {
+    std::size_t body = 0;
+    Eigen::Index at = 0;
+    double weight = 0.0;
+  };
+  std::vector<const CondensedBody*> bodies_;
+  std::vector<std::vector<Entry>> rows_;
+  std::vector<Eigen::Index> mode_start_; ///< [body + 1]
+  base::Matrix W_;                       ///< [row, row]
+  base::Matrix B_;                       ///< [row, mode]
+};
+
+} // namespace spricka::contact

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "crack/extension.hpp"
+
+#include "mesh/boundary.hpp"
+#include "shape/topology.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace spricka::crack {
+
+namespace {
+
+// Nodes that q may move although they lie on the boundary: the lips without the mouth, and in a
+// half model the symmetry line ahead of the tip.
+std::vector<bool> movable(const mesh::CrackedMesh& cracked, const mesh::Tip& tip,
+                          std::vector<bool> boundary) {
+  for (const mesh::CrackedMesh::Lips& lips : cracked.lips) {
+    for (const std::vector<base::NodeId>* lip : {&lips.left, &lips.right}) {
+      for (std::size_t i = 1; i < lip->size(); ++i) {
+        boundary[(*lip)[i].index()] = false;
+      }
+    }
+  }
+  if (tip.symmetric_half) {
+    const base::Vec3 e2(-tip.direction.y(), tip.direction.x(), 0.0);
+    for (std::size_t n = 0; n < boundary.size(); ++n) {
+      const base::Vec3 d = cracked.mesh.x[n] - tip.x;
+      if (std::abs(d.dot(e2)) < 1e-9 * tip.a && d.dot(tip.direction) > 0.0) {
+        boundary[n] = false;
+      }
+    }
+    boundary[tip.node.index()] = false;
+  }
+  return boundary;
+}
+
+} // namespace
+
+Neighbourhood::Neighbourhood(const model::Mesh& mesh)
+    : mesh_(mesh), elements_(mesh.node_count()), boundary_(mesh.node_count(), false) {
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    for (const base::NodeId n : mesh.nodes_of(base::ElementId(e))) {
+      elements_[n.index()].emplace_back(e);
+    }
+  }
+  for (const base::NodeId n : mesh::nodes_of_faces(mesh, mesh::boundary_faces(mesh))) {
+    boundary_[n.index()] = true;
+  }
+}
+
+ExtensionField Neighbourhood::field(base::NodeId tip, int rings) const {
+  std::set<base::NodeId> rigid{tip};
+  std::set<base::ElementId> inside;
+  std::set<base::ElementId> rim;
+  for (int ring = 0; ring <= rings; ++ring) {
+    rim.clear();
+    for (const base::NodeId n : rigid) {
+      for (const base::ElementId e : elements_[n.index()]) {
+        if (!inside.contains(e)) {
+          rim.insert(e);
+        }
+      }
+    }
+    if (ring == rings) {
+      break;
+    }
+    for (const base::ElementId e : rim) {
+      inside.insert(e);
+      const std::span<const base::NodeId> nodes = mesh_.nodes_of(e);
+      rigid.insert(nodes.begin(), nodes.end());
+    }
+  }
+  ExtensionField result;
+  result.rings = rings;
+  result.elements.assign(rim.begin(), rim.end());
+  std::map<base::NodeId, double> q;
+  for (const base::NodeId n : rigid) {
+    q[n] = 1.0;
+  }
+  for (const base::ElementId e : rim) {
+    const base::ElementType type = mesh_.type[e.index()];
+    const std::span<const base::NodeId> nodes = mesh_.nodes_of(e);
+    for (int s = 0; s < base::info(type).sides; ++s) {
+      const std::span<const int> side = shape::side_nodes(type, s);
+      if (side.size() == 3) {
+        const base::NodeId a = nodes[static_cast<std::size_t>(side[0])];
+        const base::NodeId b = nodes[static_cast<std::size_t>(side[1])];
+        const base::NodeId mid = nodes[static_cast<std::size_t>(side[2])];
+        const double mean = 0.5 * ((rigid.contains(a) ? 1.0 : 0.0) + (rigid.contains(b) ? 1.0 : 0.0));
+        if (!rigid.contains(mid) && mean > 0.0) {
+          q[mid] = mean;
+        }
+      }
+    }
+  }
+  result.q.assign(q.begin(), q.end());
+  return result;
+}
+
+std::vector<ExtensionField> Neighbourhood::fields(const mesh::CrackedMesh& cracked,
+                                                  const mesh::Tip& tip,
+                                                  const std::vector<int>& rings,
+                                                  std::vector<int>& left_out) const {
+  std::vector<bool> fixed = movable(cracked, tip, boundary_);
+  for (const mesh::Tip& other : cracked.tips) {
+    if (other.node != tip.node) {
+      fixed[other.node.index()] = true;
+    }
+  }
+  const base::PropertyId property = mesh_.property[elements_[tip.node.index()].front().index()];
+  std::vector<ExtensionField> result;
+  for (const int count : rings) {
+    ExtensionField f = field(tip.node, count);
+    const bool moves_fixed = std::any_of(f.q.begin(), f.q.end(), [&](const auto& nq) {
+      return fixed[nq.first.index()];
+    });
+    const bool leaves = std::any_of(f.q.begin(), f.q.end(), [&](const auto& nq) {
+      const std::vector<base::ElementId>& around = elements_[nq.first.index()];
+      return std::any_of(around.begin(), around.end(), [&](base::ElementId e) {
+        return mesh_.property[e.index()] != property;
+      });
+    });
+    if (moves_fixed || leaves || f.elements.empty()) {
+      left_out.push_back(count);
+    } else {
+      result.push_back(std::move(f));
+    }
+  }
+  return result;
+}
+
+} // namespace spricka::crack

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/id.hpp"
+#include "mesh/patch.hpp"
+#include "model/mesh.hpp"
+
+#include <utility>
+#include <vector>
+
+/// Virtual extension fields: how far each node moves along with the tip.
+namespace spricka::crack {
+
+/// q of one domain: 1 at the tip and on every node of `rings` rings of elements round it, 0 beyond
+/// the ring after; mid nodes in between take the mean of their corners.
+struct ExtensionField {
+  int rings = 1;
+  std::vector<std::pair<base::NodeId, double>> q; ///< nodes with q > 0, ascending
+  std::vector<base::ElementId> elements;          ///< where q is not constant, ascending
+};
+
+/// Nodes and elements round the tips, found once for each mesh.
+class Neighbourhood {
+public:
+  explicit Neighbourhood(const model::Mesh& mesh);
+
+  /// Fields for the ring counts asked for. A domain that would move a node of the outer boundary
+  /// (the crack's own lips behind the tip and, for a half model, the symmetry line excepted), reach
+  /// another tip or leave the tip's property is left out and named in `left_out`.
+  [[nodiscard]] std::vector<ExtensionField> fields(const mesh::CrackedMesh& cracked,
+                                                   const mesh::Tip& tip,
+                                                   const std::vector<int>& rings,
+                                                   std::vector<int>& left_out) const;
+
+private:
+  [[nodiscard]] ExtensionField field(base::NodeId tip, int rings) const;
+
+  const model::Mesh& mesh_;
+  std::vector<std::vector<base::ElementId>> elements_; ///< [node]
+  std::vector<bool> boundary_;                         ///< [node]
+};
+
+} // namespace spricka::crack

@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/bind.hpp"
+
+#include "grammar/parse.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::deck {
+
+namespace {
+
+using grammar::Field;
+using grammar::KeySpec;
+using grammar::KeyType;
+
+/// Checks one value against its key.
+class ValueBinder {
+public:
+  ValueBinder(const KeySpec& key, const grammar::Scope& scope, base::Diagnostics& diagnostics)
+      : key_(key), scope_(scope), diagnostics_(diagnostics) {}
+
+  bool bind(const grammar::Parameter& parameter, BoundValue& value) {
+    const bool list = key_.type == KeyType::references || key_.type == KeyType::integers;
+    if (!list && parameter.values.size() > 1) {
+      const Field& second = parameter.values[1];
+      const bool digits = parameter.values[0].kind == Field::Kind::number &&
+                          second.kind == Field::Kind::number;
+      return fail(second.span, "E108", fmt::format("{}: one value is expected", key_.name),
+                  digits ? "the decimal sign is a point" : "");
+    }
+    bool ok = true;
+    for (const Field& field : parameter.values) {
+      ok = one(field, value) && ok;
+    }
+    return ok;
+  }
+
+private:
+  bool one(const Field& field, BoundValue& value) {
+    switch (key_.type) {
+    case KeyType::integer:
+    case KeyType::real:
+    case KeyType::integers:
+      return number(field, value);
+    case KeyType::word:
+      return word(field, value);
+    case KeyType::name:
+    case KeyType::reference:
+    case KeyType::references:
+      return name(field, value);
+    case KeyType::text:
+      if (field.kind != Field::Kind::text) {
+        return fail(field.span, "E108", fmt::format("{}: a text is expected", key_.name),
+                    fmt::format("write {}='...'", key_.name));
+      }
+      value.text = field.text;
+      return true;
+    case KeyType::expression:
+      return expression(field, value);
+    }
+    return false;
+  }
+
+  bool number(const Field& field, BoundValue& value) {
+    const bool whole = key_.type != KeyType::real;
+    const auto found = number_of(field, key_.quantity,
+                                 fmt::format("{}: a {}number", key_.name, whole ? "whole " : ""),
+                                 scope_, diagnostics_);
+    if (!found) {
+      return false;
+    }
+    if (whole && (*found != std::floor(*found) ||
+                  std::abs(*found) > std::numeric_limits<std::int32_t>::max())) {
+      return fail(field.span, "E108",
+                  fmt::format("{}: a whole number is expected, not {}", key_.name, *found));
+    }
+    if (!key_.range.holds(*found)) {
+      return fail(field.span, "E109",
+                  fmt::format("{}: {} is out of range", key_.name, *found),
+                  fmt::format("{} is {}", key_.name, key_.range.text()));
+    }
+    value.number = *found;
+    value.numbers.push_back(*found);
+    return true;
+  }
+
+  bool word(const Field& field, BoundValue& value) {
+    const std::vector<std::string> valid = grammar::split_words(key_.words);
+    const std::string given = field.kind == Field::Kind::name
+                                  ? field.text
+                                  : std::string(scope_.sources->text(field.span));
+    if (field.kind != Field::Kind::name ||
+        std::find(valid.begin(), valid.end(), given) == valid.end()) {
+      const std::string near = base::suggest(given, valid);
+      return fail(field.span, "E108",
+                  fmt::format("{}: '{}' is not one of {}", key_.name,
+                              scope_.sources->text(field.span), key_.words),
+                  near.starts_with("one of") ? "" : near);
+    }
+    value.text = given;
+    return true;
+  }
+
+  bool name(const Field& field, BoundValue& value) {
+    if (field.kind != Field::Kind::name) {
+      return fail(field.span, "E108", fmt::format("{}: a name is expected", key_.name));
+    }
+    if (key_.type == KeyType::name && field.text.find('.') != std::string::npos) {
+      return fail(field.span, "E108",
+                  fmt::format("{}: a new name has no point", key_.name),
+                  "the net's name is put in front of it by itself");
+    }
+    value.text = field.text;
+    value.names.push_back({field.text, field.span, {}});
+    return true;
+  }
+
+  bool expression(const Field& field, BoundValue& value) {
+    if (field.kind != Field::Kind::expression && field.kind != Field::Kind::number) {
+      return fail(field.span, "E108",
+                  fmt::format("{}: an expression in parentheses is expected", key_.name),
+                  fmt::format("write {}=(...) with x y z rho theta", key_.name));
+    }
+    auto compiled =
+        grammar::compile(field.expression, scope_, grammar::Fields::position, diagnostics_);
+    if (!compiled) {
+      return false;
+    }
+    value.expression = std::move(*compiled);
+    return true;
+  }
+
+  bool fail(base::Span span, std::string code, std::string text, std::string hint = {}) {
+    diagnostics_.error(span, std::move(code), std::move(text), std::move(hint));
+    return false;
+  }
+
+  const KeySpec& key_;
+  const grammar::Scope& scope_;
+  base::Diagnostics& diagnostics_;
+};
+
+/// Binds the keys of one card; what was seen and what failed is known to the later checks.
+class CardBinder {
+public:
+  CardBinder(const grammar::Card& card, const grammar::CardSpec& spec, const grammar::Scope& scope,
+             base::Diagnostics& diagnostics)
+      : card_(card), spec_(spec), scope_(scope), diagnostics_(diagnostics) {
+    bound_.spec = &spec;
+    bound_.bad = card.bad;
+    bound_.span = card.name_span;
+    bound_.data = card.data;
+  }
+
+  BoundCard run() {
+    for (const grammar::Parameter& p : card_.parameters) {
+      parameter(p);
+    }
+    if (!card_.bad) { // what the bad part of a header would have said is not known
+      missing();
+      exclusive();
+      when();
+    }
+    defaults();
+    return std::move(bound_);
+  }
+
+private:
+  void parameter(const grammar::Parameter& p) {
+    const KeySpec* key = spec_.find(p.key);
+    if (key == nullptr) {
+      std::vector<std::string> valid;
+      for (const KeySpec& k : spec_.keys) {
+        valid.emplace_back(k.name);
+      }
+      fail(p.key_span, "E105",
+           valid.empty() ? fmt::format("${} takes no keys", spec_.name)
+                         : fmt::format("${} has no key '{}'", spec_.name, p.key),
+           base::suggest(p.key, valid));
+      return;
+    }
+    if (const BoundValue* before = bound_.find(p.key); before != nullptr) {
+      fail(p.key_span, "E107", fmt::format("{} is given twice", p.key));
+      return;
+    }
+    BoundValue value;
+    value.key = key;
+    value.given = true;
+    value.span = p.span;
+    if (!ValueBinder(*key, scope_, diagnostics_).bind(p, value)) {
+      bound_.bad = true;
+    }
+    bound_.values.push_back(std::move(value));
+  }
+
+  void missing() {
+    for (const KeySpec& key : spec_.keys) {
+      if (key.required && !bound_.has(key.name)) {
+        fail(card_.name_span, "E106", fmt::format("${} needs {}", spec_.name, key.name),
+             example(key));
+      }
+    }
+  }
+
+  static std::string example(const KeySpec& key) {
+    return key.words.empty() ? fmt::format("{}: {}", key.name, key.doc)
+                             : fmt::format("{}={}: {}", key.name, key.words, key.doc);
+  }
+
+  void exclusive() {
+    const BoundValue* first = nullptr;
+    for (const std::string& name : grammar::split_words(spec_.exclusive)) {
+      if (!bound_.has(name)) {
+        continue;
+      }
+      const BoundValue* value = bound_.find(name);
+      if (first != nullptr) {
+        fail(value->span, "E110", fmt::format("{} excludes {}", first->key->name, name),
+             fmt::format("at most one of {}", fmt::join(grammar::split_words(spec_.exclusive), ", ")));
+      }
+      first = first == nullptr ? value : first;
+    }
+  }
+
+  void when() {
+    for (const grammar::When& clause : spec_.when) {
+      const bool holds = clause.word.empty() ? bound_.has(clause.key)
+                                             : bound_.is(clause.key, clause.word);
+      if (!holds) {
+        continue;
+      }
+      const std::string where = clause.word.empty()
+                                    ? std::string(clause.key)
+                                    : fmt::format("{}={}", clause.key, clause.word);
+      for (const std::string& name : grammar::split_words(clause.needs)) {
+        if (!bound_.has(name)) {
+          fail(card_.name_span, "E106", fmt::format("${} {} needs {}", spec_.name, where, name),
+               example(*spec_.find(name)));
+        }
+      }
+      for (const std::string& name : grammar::split_words(clause.forbids)) {
+        if (bound_.has(name)) {
+          fail(bound_.find(name)->span, "E110",
+               fmt::format("{} means nothing with {}", name, where));
+        }
+      }
+    }
+  }
+
+  void defaults() {
+    for (const KeySpec& key : spec_.keys) {
+      if (key.default_value.empty() || bound_.find(key.name) != nullptr) {
+        continue;
+      }
+      BoundValue value;
+      value.key = &key;
+      value.span = card_.name_span;
+      if (key.type == KeyType::word) {
+        value.text = key.default_value;
+      } else {
+        base::Sources own; // the catalogue's text, read as the deck would be
+        const std::int32_t file = own.add("catalogue", std::string(key.default_value));
+        const base::Span all{file, 0, static_cast<std::uint32_t>(key.default_value.size())};
+        base::Diagnostics none;
+        grammar::Scope constants;
+        constants.sources = &own;
+        const auto parsed = grammar::parse_expression(own, all, none);
+        value.number = grammar::evaluate(parsed.value(), constants, none).value();
+      }
+      bound_.values.push_back(std::move(value));
+    }
+  }
+
+  void fail(base::Span span, std::string code, std::string text, std::string hint = {}) {
+    bound_.bad = true;
+    diagnostics_.error(span, std::move(code), std::move(text), std::move(hint));
+  }
+
+  const grammar::Card& card_;
+  const grammar::CardSpec& spec_;
+  const grammar::Scope& scope_;
+  base::Diagnostics& diagnostics_;
+  BoundCard bound_;
+};
+
+} // namespace
+
+const BoundValue* BoundCard::find(std::string_view key) const {
+  const auto it = std::find_if(values.begin(), values.end(),
+                               [&](const BoundValue& v) { return v.key->name == key; });
+  return it == values.end() ? nullptr : &*it;
+}
+
+bool BoundCard::has(std::string_view key) const {
+  const BoundValue* value = find(key);
+  return value != nullptr && value->given;
+}
+
+double BoundCard::number(std::string_view key) const {
+  const BoundValue* value = find(key);
+  return value == nullptr ? 0.0 : value->number;
+}
+
+std::optional<double> BoundCard::optional(std::string_view key) const {
+  const BoundValue* value = find(key);
+  return value == nullptr ? std::nullopt : std::optional(value->number);
+}
+
+std::string_view BoundCard::word(std::string_view key) const {
+  const BoundValue* value = find(key);
+  return value == nullptr ? std::string_view() : std::string_view(value->text);
+}
+
+Reference BoundCard::reference(std::string_view key) const {
+  const BoundValue* value = find(key);
+  return value == nullptr ? Reference{{}, span, net} : Reference{value->text, value->span, net};
+}
+
+BoundCard bind_card(const grammar::Card& card, const grammar::CardSpec& spec,
+                    const grammar::Scope& scope, base::Diagnostics& diagnostics) {
+  return CardBinder(card, spec, scope, diagnostics).run();
+}
+
+std::optional<double> number_of(const grammar::Field& field, grammar::Quantity quantity,
+                                std::string_view what, const grammar::Scope& scope,
+                                base::Diagnostics& diagnostics) {
+  if (field.kind != Field::Kind::number && field.kind != Field::Kind::expression) {
+    const bool parameter = field.kind == Field::Kind::name && scope.values.contains(field.text);
+    diagnostics.error(field.span, "E108", fmt::format("{} is expected", what),
+                      parameter ? fmt::format("write ({}) for the value of the parameter",
+                                              scope.sources->text(field.span))
+                                : "");
+    return std::nullopt;
+  }
+  const auto value = grammar::evaluate(field.expression, scope, diagnostics);
+  const base::Span unit = grammar::outer_unit(field.expression);
+  if (!value || !unit.valid()) {
+    return value;
+  }
+  const auto known = base::parse_unit(scope.sources->text(unit));
+  if (known && known->dimension != grammar::dimension_of(quantity)) {
+    diagnostics.error(unit, "E205",
+                      fmt::format("'{}' is not the unit of {}", scope.sources->text(unit),
+                                  grammar::word_of(quantity)));
+    return std::nullopt;
+  }
+  return value;
+}
+
+} // namespace spricka::deck

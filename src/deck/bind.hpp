@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/diagnostics.hpp"
+#include "base/expression.hpp"
+#include "base/id.hpp"
+#include "grammar/ast.hpp"
+#include "grammar/catalogue.hpp"
+#include "grammar/compile.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace spricka::deck {
+
+/// A name used in a deck: where, and in which net's scope.
+struct Reference {
+  std::string name;
+  base::Span span;
+  std::string net;
+};
+
+/// The value of one key after checking against the catalogue.
+struct BoundValue {
+  const grammar::KeySpec* key = nullptr;
+  base::Span span; ///< of the value; of the card for a default
+  bool given = false;
+  double number = 0.0;
+  std::string text;                ///< word, name or text
+  std::vector<Reference> names;    ///< lists of names
+  std::vector<double> numbers;     ///< lists of numbers
+  base::Expression expression;
+};
+
+/// A card whose header agrees with the catalogue, but for what is missing in a bad one.
+struct BoundCard {
+  const grammar::CardSpec* spec = nullptr;
+  bool bad = false; ///< an error in its header or rows: what it defines is poisoned
+  std::string net;  ///< the open net's name, or empty
+  base::NetId net_id;
+  base::Span span;  ///< of $NAME
+  base::Span data;
+  std::vector<BoundValue> values;
+  std::vector<grammar::Row> rows;
+
+  [[nodiscard]] const BoundValue* find(std::string_view key) const;
+  /// Given in the deck (not by default).
+  [[nodiscard]] bool has(std::string_view key) const;
+  /// Number of a key that is given or has a default.
+  [[nodiscard]] double number(std::string_view key) const;
+  [[nodiscard]] int integer(std::string_view key) const { return static_cast<int>(number(key)); }
+  [[nodiscard]] std::optional<double> optional(std::string_view key) const;
+  /// Word, name or text of a key; empty without one.
+  [[nodiscard]] std::string_view word(std::string_view key) const;
+  [[nodiscard]] bool is(std::string_view key, std::string_view word_) const {
+    return word(key) == word_;
+  }
+  /// The name a key refers to, with the net whose sets come first.
+  [[nodiscard]] Reference reference(std::string_view key) const;
+};
+
+/// Checks a header against its catalogue entry: unknown, missing, double and clashing keys, kinds
+/// of values, words, ranges, units. Defaults are filled in. Errors leave the card `bad`.
+BoundCard bind_card(const grammar::Card& card, const grammar::CardSpec& spec,
+                    const grammar::Scope& scope, base::Diagnostics& diagnostics);
+
+/// Number of a field in a data line: literal or (expr). Empty after an error; `what` is what the
+/// message asks for, "a factor".
+std::optional<double> number_of(const grammar::Field& field, grammar::Quantity quantity,
+                                std::string_view what, const grammar::Scope& scope,
+                                base::Diagnostics& diagnostics);
+
+} // namespace spricka::deck

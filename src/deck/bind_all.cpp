@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/context.hpp"
+#include "grammar/lexeme.hpp"
+#include "grammar/parse.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::deck {
+
+namespace {
+
+using grammar::Data;
+using grammar::KeyType;
+
+/// Walks the cards in deck order: parameters come before their use, nets open and close.
+class DeckBinder {
+public:
+  explicit DeckBinder(Context& context) : c_(context) {}
+
+  void defines(const ReadOptions& options) {
+    for (const auto& [name, text] : options.defines) {
+      define(name, text);
+    }
+  }
+
+  void card(const grammar::Card& card) {
+    const grammar::CardSpec* spec = grammar::find_card(card.name);
+    if (spec == nullptr) {
+      unknown(card);
+      return;
+    }
+    const std::size_t before = c_.diagnostics.error_count();
+    BoundCard bound = bind_card(card, *spec, c_.scope, c_.diagnostics);
+    if (spec->once && !seen_.insert(spec->name).second) {
+      c_.error(card.name_span, "E119", fmt::format("${} is given twice", spec->name));
+    }
+    frame(card, bound);
+    bound.net = net_;
+    bound.net_id = net_id_;
+    for (BoundValue& value : bound.values) {
+      for (Reference& name : value.names) {
+        name.net = net_;
+      }
+    }
+    data(card, bound);
+    bound.bad = bound.bad || c_.diagnostics.error_count() > before;
+    if (!bound.bad) {
+      note_unavailable(bound);
+    }
+    c_.cards.push_back(std::move(bound));
+  }
+
+  void finish() {
+    if (net_open_) {
+      c_.error(c_.model.nets.back().span, "E114", "the net is not closed with $ENDNET");
+    }
+  }
+
+private:
+  // -D NAME=expression; what the deck says of NAME is then passed over.
+  void define(const std::string& name, const std::string& text) {
+    const std::int32_t file = c_.sources.add(fmt::format("-D {}", name), text);
+    const base::Span all{file, 0, static_cast<std::uint32_t>(text.size())};
+    const std::string upper = grammar::to_upper(name);
+    const bool is_name =
+        !name.empty() &&
+        grammar::scan_name(name.data(), name.data() + name.size()) == name.data() + name.size();
+    if (!is_name || grammar::is_reserved(upper)) {
+      c_.error(all, "E210", fmt::format("-D: '{}' cannot be the name of a parameter", name));
+      return;
+    }
+    overridden_.insert(upper);
+    const auto parsed = grammar::parse_expression(c_.sources, all, c_.diagnostics);
+    const auto value =
+        parsed ? grammar::evaluate(*parsed, c_.scope, c_.diagnostics) : std::nullopt;
+    set(upper, name, value);
+  }
+
+  void set(const std::string& upper, const std::string& written, std::optional<double> value) {
+    if (value) {
+      c_.scope.values[upper] = *value;
+      c_.parameters.emplace_back(written, *value);
+    } else {
+      c_.scope.poisoned.insert(upper);
+    }
+  }
+
+  void unknown(const grammar::Card& card) {
+    std::vector<std::string> valid;
+    for (const grammar::CardSpec& spec : grammar::catalogue()) {
+      valid.push_back(fmt::format("${}", spec.name));
+    }
+    if (!card.name.empty()) {
+      c_.error(card.name_span, "E104", fmt::format("there is no card ${}", card.name),
+               base::suggest(fmt::format("${}", card.name), valid));
+    }
+    for (const grammar::Parameter& p : card.parameters) {
+      for (const grammar::Field& field : p.values) {
+        if (!field.text.empty()) {
+          c_.names.poison_word(field.text);
+        }
+      }
+    }
+  }
+
+  // $DECK sets the units, $NET and $ENDNET the scope.
+  void frame(const grammar::Card& card, const BoundCard& bound) {
+    if (card.name == "DECK") {
+      if (const auto units = base::make_unit_system(bound.word("LENGTH"), bound.word("FORCE"))) {
+        c_.model.units = *units;
+        c_.scope.units = *units;
+      }
+      c_.model.title = bound.word("TITLE");
+    } else if (card.name == "NET") {
+      open_net(bound);
+    } else if (card.name == "ENDNET") {
+      if (!net_open_) {
+        c_.error(card.name_span, "E114", "$ENDNET without an open $NET");
+      }
+      net_open_ = false;
+      net_.clear();
+      net_id_ = base::NetId(0);
+    }
+  }
+
+  void open_net(const BoundCard& bound) {
+    if (net_open_) {
+      c_.error(bound.span, "E114", fmt::format("net {} is still open; nets do not nest", net_),
+               "close it with $ENDNET");
+    }
+    net_open_ = true;
+    net_ = bound.word("NAME");
+    const bool again = std::any_of(c_.model.nets.begin(), c_.model.nets.end(),
+                                   [&](const model::Net& n) { return n.name == net_; });
+    if (again && !bound.bad) {
+      c_.error(bound.find("NAME")->span, "E302", fmt::format("net {} is defined twice", net_));
+    }
+    net_id_ = base::NetId(c_.model.nets.size());
+    c_.model.nets.push_back({net_, bound.span});
+  }
+
+  void data(const grammar::Card& card, BoundCard& bound) {
+    switch (bound.spec->data) {
+    case Data::assignments:
+      parameters(card);
+      break;
+    case Data::rows:
+      bound.rows = grammar::parse_rows(c_.sources, card.data, c_.diagnostics);
+      break;
+    case Data::none:
+      no_data(card);
+      break;
+    case Data::table: // read when the mesh is built
+      break;
+    }
+    const bool empty = first_token(card).valid() == false;
+    if (bound.spec->data_required && empty) {
+      c_.error(card.name_span, "E115", fmt::format("${} needs data lines", bound.spec->name),
+               std::string(bound.spec->data_form));
+    }
+  }
+
+  // The first token behind the header; invalid if there is none.
+  [[nodiscard]] base::Span first_token(const grammar::Card& card) const {
+    const std::string_view text = c_.sources.text(card.data);
+    const char* p = text.data();
+    const char* const last = p + text.size();
+    for (p = grammar::skip_ws(p, last); p < last && *p == '\n';) {
+      p = grammar::skip_ws(p + 1, last);
+    }
+    if (p >= last) {
+      return {};
+    }
+    const auto begin = card.data.begin + static_cast<std::uint32_t>(p - text.data());
+    const char* const end = std::max(grammar::scan_token(p, last), p + 1);
+    return {card.data.file, begin, begin + static_cast<std::uint32_t>(end - p)};
+  }
+
+  void no_data(const grammar::Card& card) {
+    if (const base::Span token = first_token(card); token.valid()) {
+      const bool continues = c_.sources.text(token).starts_with('&');
+      c_.error(token, "E115", fmt::format("${} takes no data lines", card.name),
+               continues ? "a continued line follows at once" : "");
+    }
+  }
+
+  void parameters(const grammar::Card& card) {
+    for (const grammar::Assignment& a :
+         grammar::parse_assignments(c_.sources, card.data, c_.diagnostics)) {
+      if (grammar::is_reserved(a.name)) {
+        c_.error(a.name_span, "E208", fmt::format("'{}' is a word of the language", a.written),
+                 "choose another name");
+      } else if (!defined_.insert(a.name).second) {
+        c_.error(a.name_span, "E207", fmt::format("parameter '{}' is defined twice", a.written));
+      } else {
+        const auto value = a.value.terms.empty()
+                               ? std::nullopt
+                               : grammar::evaluate(a.value, c_.scope, c_.diagnostics);
+        if (!overridden_.contains(a.name)) {
+          set(a.name, a.written, value);
+        }
+      }
+    }
+  }
+
+  // What is understood, but has no analysis in this version.
+  void note_unavailable(const BoundCard& bound) {
+    if (!bound.spec->available) {
+      c_.unavailable(fmt::format("${}", bound.spec->name), bound.span);
+      return;
+    }
+    for (const BoundValue& value : bound.values) {
+      const std::string_view later = value.key->later;
+      if (later.empty() || !value.given) {
+        continue;
+      }
+      const std::vector<std::string> words = grammar::split_words(later);
+      const bool hit = later == "*" || (later == ">0" && value.number > 0.0) ||
+                       std::find(words.begin(), words.end(), value.text) != words.end();
+      if (hit) {
+        c_.unavailable(fmt::format("${} {}{}{}", bound.spec->name, value.key->name,
+                                   value.text.empty() || later == "*" ? "" : "=",
+                                   later == "*" ? "" : value.text),
+                       value.span);
+      }
+    }
+  }
+
+  Context& c_;
+  std::string net_;
+  base::NetId net_id_{std::size_t{0}};
+  bool net_open_ = false;
+  std::set<std::string_view> seen_;
+  std::set<std::string> defined_;
+  std::set<std::string> overridden_;
+};
+
+// Parameters whose lines could not be read, and names that bad cards would have defined.
+void poison_names(Context& c, const BoundCard& card) {
+  for (const BoundValue& value : card.values) {
+    if (value.key->type != KeyType::name || value.text.empty()) {
+      continue;
+    }
+    const Kind kind = value.key->kind;
+    const bool is_set =
+        kind == Kind::node_set || kind == Kind::element_set || kind == Kind::face_set;
+    c.names.poison(kind, is_set ? qualify(card.net, value.text) : value.text);
+  }
+  if (card.spec->name == "MESH" || card.spec->name == "IMPORT") {
+    c.names.poison_net(card.net);
+    c.mesh_sound = false;
+  } else if (card.spec->name == "COOR" || card.spec->name == "ELEMENT") {
+    c.mesh_sound = false;
+  } else if (card.spec->name == "PROPERTY") {
+    c.property_sound = false;
+  } else if (card.spec->name == "INCLUDE" || card.spec->name == "NET") {
+    c.names.poison_everything();
+    c.scope.incomplete = true;
+    c.mesh_sound = false;
+    c.property_sound = false;
+  }
+}
+
+// Entities are numbered in deck order, one for each card of their kind.
+void declare_names(Context& c) {
+  std::map<Kind, std::size_t> count;
+  for (std::size_t i = 0; i < c.cards.size(); ++i) {
+    BoundCard& card = c.cards[i];
+    const BoundValue* name = card.find("NAME");
+    if (name == nullptr || name->key->type != KeyType::name || card.bad) {
+      if (card.bad) {
+        poison_names(c, card);
+      }
+      continue;
+    }
+    Definition definition;
+    definition.kind = name->key->kind;
+    definition.span = name->span;
+    const bool is_set = definition.kind == Kind::node_set || definition.kind == Kind::element_set ||
+                        definition.kind == Kind::face_set;
+    if (is_set) {
+      definition.card = i;
+    } else {
+      definition.index = count[definition.kind]++;
+    }
+    const std::string full = is_set ? qualify(card.net, name->text) : name->text;
+    const Definition* before = c.names.define(full, definition);
+    if (before != nullptr && !before->poisoned && definition.kind != Kind::net) {
+      card.bad = true;
+      const std::size_t line = c.sources.locate(before->span.file, before->span.begin).line;
+      c.error(name->span, "E302",
+              fmt::format("{} {} is defined twice", grammar::word_of(definition.kind), name->text),
+              fmt::format("first in line {}", line));
+    }
+  }
+}
+
+} // namespace
+
+const Definition* look_up(Context& context, Kind kind, const Reference& reference) {
+  const std::vector<Kind> kinds = meanings(kind);
+  const Definition* found = context.names.find(kinds, reference.name, reference.net);
+  if (found != nullptr) {
+    return found->poisoned ? nullptr : found;
+  }
+  if (!reference.name.empty() && !context.names.is_poisoned(reference.name, reference.net)) {
+    context.error(reference.span, "E301",
+                  fmt::format("there is no {} '{}'", grammar::word_of(kind), reference.name),
+                  context.names.hint(kinds, reference.name));
+  }
+  return nullptr;
+}
+
+void bind_all(Context& context, const std::vector<grammar::Card>& cards,
+              const ReadOptions& options) {
+  context.scope.sources = &context.sources;
+  context.model.nets.push_back({}); // what stands outside every $NET
+  DeckBinder binder(context);
+  // $DECK comes first, so that units of definitions on the command line are known
+  bool defined = false;
+  for (const grammar::Card& card : cards) {
+    binder.card(card);
+    if (!defined) {
+      binder.defines(options);
+      defined = true;
+    }
+  }
+  binder.finish();
+  context.model.parameters = context.parameters;
+  declare_names(context);
+}
+
+} // namespace spricka::deck

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/sets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+
+namespace spricka::deck {
+
+namespace {
+
+// Rows `x y` of a free crack.
+bool crack_points(Context& c, const BoundCard& card, model::Crack& crack) {
+  bool ok = true;
+  for (const grammar::Row& row : card.rows) {
+    if (row.fields.size() != 2) {
+      c.error(row.span, "E115", "a point of a free crack is x y");
+      ok = false;
+      continue;
+    }
+    const auto x = number_of(row.fields[0], grammar::Quantity::length, "a coordinate", c.scope,
+                             c.diagnostics);
+    const auto y = number_of(row.fields[1], grammar::Quantity::length, "a coordinate", c.scope,
+                             c.diagnostics);
+    ok = ok && x && y;
+    if (!x || !y) {
+      continue;
+    }
+    const base::Vec3 point(*x, *y, 0.0);
+    if (!crack.points.empty() && (crack.points.back() - point).norm() == 0.0) {
+      c.error(row.span, "E115", "the same point twice in a row");
+      ok = false;
+    }
+    crack.points.push_back(point);
+  }
+  return ok;
+}
+
+// The path as ordered nodes; a face set has no order of its own.
+void crack_path(Context& c, const BoundCard& card, model::Crack& crack) {
+  const Reference reference = card.reference("PATH");
+  const auto path = use_node_set(c, reference);
+  if (!path) {
+    return;
+  }
+  crack.path = *path;
+  const std::vector<base::NodeId>& nodes = c.model.mesh.set(*path).nodes;
+  if (nodes.size() < 2) {
+    c.error(reference.span, "E317", "a crack path has at least two nodes");
+    return;
+  }
+  double length = 0.0;
+  for (std::size_t i = 1; i < nodes.size(); ++i) {
+    length += (c.model.mesh.x[nodes[i].index()] - c.model.mesh.x[nodes[i - 1].index()]).norm();
+  }
+  if (kind_of_set(c, Kind::set, reference) == Kind::face_set) {
+    c.error(reference.span, "E317", "a crack path needs nodes in order, not faces",
+            "make an $NSET with FROM and ORDER");
+  } else if (crack.a0 && *crack.a0 >= length) {
+    c.error(card.find("A0")->span, "E317",
+            fmt::format("A0: the path is only {} long", length));
+  }
+}
+
+void free_crack(Context& c, const BoundCard& card, model::Crack& crack) {
+  crack.kind = model::CrackKind::free;
+  const bool sound = crack_points(c, card, crack);
+  if (sound && crack.points.empty()) {
+    c.error(card.span, "E106", "$CRACK needs PATH, FRONT, or points as data lines",
+            "PATH with A0; points x y; or one point with ANGLE and A0");
+  } else if (sound && crack.points.size() == 1 && !(crack.angle && crack.a0)) {
+    c.error(card.span, "E106", "a free crack of one point needs ANGLE and A0");
+  } else if (sound && crack.points.size() > 1 && (crack.angle || crack.a0)) {
+    c.error(card.find(crack.angle ? "ANGLE" : "A0")->span, "E110",
+            "ANGLE and A0 belong to a free crack of one point");
+  }
+  if (card.has("NET")) {
+    const Reference reference = card.reference("NET");
+    if (look_up(c, Kind::net, reference) != nullptr) {
+      const auto it = std::find_if(c.model.nets.begin(), c.model.nets.end(),
+                                   [&](const model::Net& n) { return n.name == reference.name; });
+      crack.net = base::NetId(static_cast<std::size_t>(it - c.model.nets.begin()));
+    }
+  } else if (c.model.nets.size() == 1) {
+    crack.net = base::NetId(std::size_t{0});
+  } else {
+    c.error(card.span, "E106", "$CRACK needs NET: the net a free crack cuts");
+  }
+}
+
+void crack(Context& c, const BoundCard& card) {
+  model::Crack crack;
+  crack.name = card.word("NAME");
+  crack.a0 = card.optional("A0");
+  crack.angle = card.optional("ANGLE");
+  crack.state = card.is("STATE", "STRESS")   ? model::CrackState::stress
+                : card.is("STATE", "STRAIN") ? model::CrackState::strain
+                                             : model::CrackState::automatic;
+  crack.faces_in_contact = card.is("FACES", "CONTACT");
+  crack.mu = card.number("MU");
+  crack.span = card.span;
+  if (card.has("PATH")) {
+    crack_path(c, card, crack);
+  } else if (card.has("FRONT")) {
+    crack.kind = model::CrackKind::front;
+    crack.path = use_node_set(c, card.reference("FRONT")).value_or(base::NodeSetId());
+  } else {
+    free_crack(c, card, crack);
+  }
+  if ((card.has("PATH") || card.has("FRONT")) && !card.rows.empty()) {
+    c.error(card.rows.front().span, "E110", "points mean nothing with PATH or FRONT");
+  }
+  c.model.cracks.push_back(std::move(crack));
+}
+
+// The crack a $TIPNET or $VCE belongs to; each crack has at most one of each.
+base::CrackId crack_of(Context& c, const BoundCard& card, std::set<std::size_t>& seen) {
+  const Definition* found = look_up(c, Kind::crack, card.reference("CRACK"));
+  if (found == nullptr) {
+    return {};
+  }
+  if (!seen.insert(found->index).second) {
+    c.error(card.find("CRACK")->span, "E302",
+            fmt::format("a second ${} for crack {}", card.spec->name, card.word("CRACK")));
+  }
+  return base::CrackId(found->index);
+}
+
+void tip_net(Context& c, const BoundCard& card, std::set<std::size_t>& seen) {
+  model::TipNet tip;
+  tip.crack = crack_of(c, card, seen);
+  tip.radius = card.optional("RADIUS");
+  tip.size = card.optional("SIZE");
+  tip.rings = card.integer("RINGS");
+  tip.sectors = card.integer("SECTORS");
+  tip.quarter_point = card.is("QUARTER", "YES");
+  tip.join = card.is("JOIN", "TRANSITION") ? model::Join::transition : model::Join::conforming;
+  tip.patch = card.is("PATCH", "YES");
+  tip.tolerance = card.optional("TOL");
+  tip.span = card.span;
+  if (tip.radius && tip.size && *tip.size >= *tip.radius) {
+    c.error(card.find("SIZE")->span, "E109", "SIZE: the tip elements are smaller than RADIUS");
+  }
+  c.model.tip_nets.push_back(tip);
+}
+
+void vce(Context& c, const BoundCard& card, std::set<std::size_t>& seen) {
+  model::Vce vce;
+  vce.crack = crack_of(c, card, seen);
+  vce.shift = card.optional("SHIFT");
+  vce.span = card.span;
+  if (card.has("DOMAINS")) {
+    for (const double rings : card.find("DOMAINS")->numbers) {
+      if (rings < 1.0) {
+        c.error(card.find("DOMAINS")->span, "E109", "DOMAINS: a domain has at least one ring");
+        break;
+      }
+      vce.domains.push_back(static_cast<int>(rings));
+    }
+  }
+  c.model.vces.push_back(std::move(vce));
+}
+
+} // namespace
+
+void build_cracks(Context& context) {
+  std::set<std::size_t> with_tip_net;
+  std::set<std::size_t> with_vce;
+  for (const BoundCard& card : context.cards) {
+    if (card.bad) {
+      continue;
+    }
+    if (card.spec->name == "CRACK") {
+      crack(context, card);
+    } else if (card.spec->name == "TIPNET") {
+      tip_net(context, card, with_tip_net);
+    } else if (card.spec->name == "VCE") {
+      vce(context, card, with_vce);
+    }
+  }
+}
+
+} // namespace spricka::deck

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/sets.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::deck {
+
+namespace {
+
+using model::LoadType;
+
+/// What a load type acts on and how many values a line of it has.
+struct LoadForm {
+  std::string_view word;
+  LoadType type;
+  bool per_direction; ///< one value for each direction, else a single one
+  std::string_view values;
+};
+
+constexpr std::array<LoadForm, 9> forms{{
+    {"FORCE", LoadType::force, true, "a force for each direction"},
+    {"RESULTANT", LoadType::resultant, true, "the total force for each direction"},
+    {"TRACTION", LoadType::traction, true, "a stress for each direction"},
+    {"PRESSURE", LoadType::pressure, false, "a pressure against the outer normal"},
+    {"BODY", LoadType::body, true, "a force per volume for each direction"},
+    {"BEARING", LoadType::bearing, true, "the resultant for each direction"},
+    {"DISP", LoadType::displacement, true, "a displacement for each direction"},
+    {"TEMPERATURE", LoadType::temperature, false, "a temperature"},
+    {"FACES", LoadType::crack_faces, false, "a pressure"},
+}};
+
+const LoadForm& form_of(std::string_view word) {
+  return *std::find_if(forms.begin(), forms.end(), [&](const LoadForm& f) { return f.word == word; });
+}
+
+// What the values of a type have as their unit, where one is written; BODY's has no short name.
+std::optional<base::Dimension> dimension_of(LoadType type) {
+  switch (type) {
+  case LoadType::force:
+  case LoadType::resultant:
+  case LoadType::bearing:
+    return base::Dimension{0.0, 1.0, 0.0};
+  case LoadType::traction:
+  case LoadType::pressure:
+  case LoadType::crack_faces:
+    return base::Dimension{-2.0, 1.0, 0.0};
+  case LoadType::body:
+    return base::Dimension{-3.0, 1.0, 0.0};
+  case LoadType::displacement:
+    return base::Dimension{1.0, 0.0, 0.0};
+  case LoadType::temperature:
+    break;
+  }
+  return base::Dimension{};
+}
+
+bool load_set(Context& c, const Reference& reference, model::Load& load) {
+  switch (load.type) {
+  case LoadType::force:
+  case LoadType::displacement:
+    if (const auto id = use_node_set(c, reference)) {
+      load.nodes = *id;
+      return true;
+    }
+    return false;
+  case LoadType::body:
+    if (const auto id = use_element_set(c, reference)) {
+      load.elements = *id;
+      return true;
+    }
+    return false;
+  case LoadType::temperature: // a set of any kind; no analysis reads it yet
+    return kind_of_set(c, Kind::any_set, reference).has_value();
+  case LoadType::crack_faces:
+    return look_up(c, Kind::crack, reference) != nullptr;
+  case LoadType::resultant: {
+    const auto known = c.names.find({Kind::face_set, Kind::node_set, Kind::element_set},
+                                    reference.name, reference.net);
+    if (known != nullptr && known->kind == Kind::element_set) {
+      const auto id = use_element_set(c, reference);
+      load.elements = id.value_or(base::ElementSetId());
+      return id.has_value();
+    }
+    break;
+  }
+  default:
+    break;
+  }
+  const auto id = use_face_set(c, reference);
+  load.faces = id.value_or(base::FaceSetId());
+  return id.has_value();
+}
+
+bool load_value(Context& c, const LoadForm& form, const grammar::Field& field,
+                model::Load& load) {
+  using FieldKind = grammar::Field::Kind;
+  if (field.kind != FieldKind::number && field.kind != FieldKind::expression) {
+    number_of(field, grammar::Quantity::number, "a number or (expression)", c.scope,
+              c.diagnostics); // says what is wrong
+    return false;
+  }
+  auto value =
+      grammar::compile(field.expression, c.scope, grammar::Fields::position, c.diagnostics);
+  const base::Span unit = grammar::outer_unit(field.expression);
+  if (value && unit.valid()) {
+    const auto known = base::parse_unit(c.sources.text(unit));
+    if (known && known->dimension != dimension_of(form.type)) {
+      c.error(unit, "E205",
+              fmt::format("'{}' does not fit: {} is expected", c.sources.text(unit), form.values));
+      return false;
+    }
+  }
+  if (!value) {
+    return false;
+  }
+  load.value.push_back(std::move(*value));
+  return true;
+}
+
+void load_row(Context& c, const BoundCard& card, const grammar::Row& row,
+              model::LoadCase& load_case) {
+  const LoadForm& form = form_of(card.word("TYPE"));
+  model::Load load;
+  load.type = form.type;
+  load.shape = card.is("SHAPE", "UNIFORM") ? model::BearingShape::uniform
+                                           : model::BearingShape::cosine;
+  load.span = row.span;
+  const auto reference = set_field(c, card, row.fields.front());
+  bool ok = reference && load_set(c, *reference, load);
+  const std::size_t given = row.fields.size() - 1;
+  const auto most = static_cast<std::size_t>(form.per_direction ? c.model.mesh.dim : 1);
+  const std::size_t least = form.per_direction ? std::min<std::size_t>(2, most) : 1;
+  if (given < least || (given > most && c.mesh_sound)) {
+    const base::Span at = given < least ? row.span : row.fields[most + 1].span;
+    c.error(at, "E312",
+            fmt::format("TYPE={} takes {}{} value{}, not {}", form.word,
+                        form.per_direction && most == 3 ? "2 or " : "", most, most == 1 ? "" : "s",
+                        given),
+            std::string(form.values));
+    ok = false;
+  }
+  for (std::size_t i = 1; i < row.fields.size(); ++i) {
+    ok = load_value(c, form, row.fields[i], load) && ok;
+  }
+  if (ok) {
+    load_case.loads.push_back(std::move(load));
+  }
+}
+
+} // namespace
+
+void build_loads(Context& context) {
+  std::vector<model::LoadCase>& cases = context.model.cases;
+  for (const BoundCard& card : context.cards) {
+    if (card.spec->name != "LOAD" || card.bad) {
+      continue;
+    }
+    Definition definition;
+    definition.kind = Kind::load_case;
+    definition.index = cases.size();
+    definition.span = card.find("CASE")->span;
+    const std::string name(card.word("CASE"));
+    const Definition* before = context.names.define(name, definition);
+    if (before == nullptr || before->poisoned) {
+      cases.push_back({name, {}});
+    }
+    const std::size_t index =
+        before == nullptr || before->poisoned ? cases.size() - 1 : before->index;
+    for (const grammar::Row& row : card.rows) {
+      load_row(context, card, row, cases[index]);
+    }
+  }
+}
+
+} // namespace spricka::deck

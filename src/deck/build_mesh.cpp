@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/context.hpp"
+#include "grammar/table.hpp"
+#include "mesh/generate.hpp"
+#include "mesh/gmsh_import.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::deck {
+
+namespace {
+
+base::ElementType element_type(std::string_view name) {
+  const auto* const it = std::find_if(base::element_infos.begin(), base::element_infos.end(),
+                                      [&](const base::ElementInfo& i) { return i.name == name; });
+  return static_cast<base::ElementType>(it - base::element_infos.begin());
+}
+
+/// The set of a kind that a table adds to, made at its first use. Null after an error.
+template <class Set>
+Set* table_set(Context& c, const BoundCard& card, std::string_view key, std::vector<Set>& sets) {
+  if (!card.has(key)) {
+    return nullptr;
+  }
+  const BoundValue& value = *card.find(key);
+  Definition definition;
+  definition.kind = value.key->kind;
+  definition.index = sets.size();
+  definition.span = value.span;
+  const std::string full = qualify(card.net, value.text);
+  const Definition* before = c.names.define(full, definition);
+  if (before == nullptr) {
+    return &sets.emplace_back(Set{full, {}, value.span});
+  }
+  if (before->card) {
+    const std::size_t line = c.sources.locate(before->span.file, before->span.begin).line;
+    c.error(value.span, "E302",
+            fmt::format("{} {} is defined twice", grammar::word_of(definition.kind), value.text),
+            fmt::format("first in line {}", line));
+    return nullptr;
+  }
+  return before->poisoned ? nullptr : &sets[before->index];
+}
+
+void coordinates(Context& c, const BoundCard& card) {
+  const bool polar = card.is("SYSTEM", "CYL");
+  const auto dim = static_cast<std::size_t>(card.integer("DIM"));
+  grammar::TableForm form;
+  form.columns = dim;
+  const std::string columns = polar ? "r theta" : "x y";
+  form.missing = dim == 3 ? fmt::format("a line is id {} z; DIM=2 has no z", columns)
+                          : fmt::format("a line is id {}", columns);
+  form.surplus = dim == 2 ? fmt::format("with DIM=2 a line is id {}", columns)
+                          : fmt::format("a line is id {} z", columns);
+  const std::size_t errors = c.diagnostics.error_count();
+  const auto table = grammar::parse_coordinates(form, card.data, c.scope, c.diagnostics);
+  Labels& labels = c.node_labels[card.net_id.index()];
+  labels.complete = labels.complete && c.diagnostics.error_count() == errors;
+  model::NodeSet* set = table_set(c, card, "NSET", c.model.mesh.node_sets);
+  for (std::size_t i = 0; i < table.label.size(); ++i) {
+    const double* v = &table.value[i * dim];
+    const base::Vec3 x(polar ? v[0] * std::cos(v[1]) : v[0], polar ? v[0] * std::sin(v[1]) : v[1],
+                       dim == 3 ? v[2] : 0.0);
+    if (!labels.insert(table.label[i], c.model.mesh.node_count())) {
+      c.error(grammar::table_field(c.sources, card.data, table.offset[i], 0), "E304",
+              fmt::format("node {} is defined twice", table.label[i]));
+      continue;
+    }
+    const base::NodeId node = model::add_node(c.model.mesh, x, table.label[i], card.net_id);
+    if (set != nullptr) {
+      set->nodes.push_back(node);
+    }
+  }
+}
+
+// The nodes of one row; false if one of them is unknown or given twice.
+bool connect(Context& c, const BoundCard& card, const grammar::Table<base::Label>& table,
+             std::size_t row, std::vector<base::NodeId>& nodes) {
+  const Labels& labels = c.node_labels[card.net_id.index()];
+  const base::Label* of_row = &table.value[row * table.columns];
+  bool ok = true;
+  for (std::size_t k = 0; k < table.columns; ++k) {
+    const auto found = labels.find(of_row[k]);
+    nodes[k] = found ? base::NodeId(*found) : base::NodeId();
+    const bool twice = std::find(of_row, of_row + k, of_row[k]) != of_row + k;
+    if ((!found && labels.complete) || twice) {
+      c.error(grammar::table_field(c.sources, card.data, table.offset[row], k + 1), "E303",
+              twice ? fmt::format("node {} stands twice in element {}", of_row[k], table.label[row])
+                    : fmt::format("there is no node {}{}", of_row[k],
+                                  card.net.empty() ? "" : " in net " + card.net));
+    }
+    ok = ok && found && !twice;
+  }
+  return ok;
+}
+
+void elements(Context& c, const BoundCard& card) {
+  const base::ElementType type = element_type(card.word("TYPE"));
+  const base::ElementInfo& info = base::info(type);
+  grammar::TableForm form;
+  form.columns = static_cast<std::size_t>(info.nodes);
+  form.row = "element number";
+  form.missing = fmt::format("{} takes {} nodes; continue a line with a leading &", info.name,
+                             info.nodes);
+  form.surplus = fmt::format("{} takes {} nodes", info.name, info.nodes);
+  const auto table = grammar::parse_connectivity(form, card.data, c.scope, c.diagnostics);
+  model::ElementSet* set = table_set(c, card, "ESET", c.model.mesh.element_sets);
+  Labels& labels = c.element_labels[card.net_id.index()];
+  model::Mesh& mesh = c.model.mesh;
+  ElementOrigin origin{mesh.element_count(), 0, card.span, card.data, {}};
+  std::vector<base::NodeId> nodes(form.columns);
+  for (std::size_t i = 0; i < table.label.size(); ++i) {
+    if (!connect(c, card, table, i, nodes)) {
+      labels.complete = false;
+      continue;
+    }
+    if (!labels.insert(table.label[i], mesh.element_count())) {
+      c.error(grammar::table_field(c.sources, card.data, table.offset[i], 0), "E304",
+              fmt::format("element {} is defined twice", table.label[i]));
+      continue;
+    }
+    const base::ElementId e = model::add_element(mesh, type, nodes, table.label[i], card.net_id);
+    origin.offset.push_back(table.offset[i]);
+    if (set != nullptr) {
+      set->elements.push_back(e);
+    }
+  }
+  origin.count = mesh.element_count() - origin.first;
+  c.origins.push_back(std::move(origin));
+}
+
+void generate(Context& c, const BoundCard& card) {
+  const base::ElementType type = element_type(card.word("TYPE"));
+  const std::string prefix = card.net.empty() ? "" : card.net + ".";
+  model::Mesh& mesh = c.model.mesh;
+  if (card.is("SHAPE", "BLOCK")) {
+    mesh::BlockSpec spec;
+    spec.type = type;
+    spec.origin = {card.number("X0"), card.number("Y0"), card.number("Z0")};
+    spec.size = {card.number("LX"), card.number("LY"), card.number("LZ")};
+    spec.nx = card.integer("NX");
+    spec.ny = card.integer("NY");
+    spec.nz = card.integer("NZ");
+    spec.bias = card.number("BIAS");
+    mesh::generate_block(mesh, card.net_id, prefix, spec);
+  } else if (card.is("SHAPE", "RING")) {
+    mesh::RingSpec spec;
+    spec.type = type;
+    spec.x0 = card.number("X0");
+    spec.y0 = card.number("Y0");
+    spec.ri = card.number("RI");
+    spec.ro = card.number("RO");
+    spec.t0 = card.number("T0");
+    spec.t1 = card.number("T1");
+    spec.nr = card.integer("NR");
+    spec.nt = card.integer("NT");
+    spec.bias = card.number("BIAS");
+    mesh::generate_ring(mesh, card.net_id, prefix, spec);
+  } else {
+    mesh::LugSpec spec;
+    spec.type = type;
+    spec.x0 = card.number("X0");
+    spec.y0 = card.number("Y0");
+    spec.ri = card.number("RI");
+    spec.width = card.number("W");
+    spec.length = card.number("L");
+    spec.nr = card.integer("NR");
+    spec.nt = card.integer("NT");
+    mesh::generate_lug(mesh, card.net_id, prefix, spec);
+  }
+}
+
+// Sizes that only together make a shape.
+bool sizes_fit(Context& c, const BoundCard& card) {
+  if (base::info(element_type(card.word("TYPE"))).dim == 3) {
+    return false; // noted as unavailable; the sets count as known
+  }
+  const std::size_t errors = c.diagnostics.error_count();
+  const auto wrong = [&](std::string_view key, std::string text) {
+    c.error(card.find(key)->span, "E109", std::move(text));
+  };
+  if (card.is("SHAPE", "RING")) {
+    const double turn = card.number("T1") - card.number("T0");
+    if (card.number("RO") <= card.number("RI")) {
+      wrong("RO", "RO: the outer radius is larger than RI");
+    }
+    if (turn <= 0.0 || turn > 2.0 * std::acos(-1.0) * (1.0 + 1e-12)) {
+      wrong("T1", "T1: the ring goes from T0 to a larger T1, at most once round");
+    }
+  } else if (card.is("SHAPE", "LUG")) {
+    const double radius = card.number("RI");
+    if (radius <= 0.0) {
+      wrong("RI", "RI: a lug has a bore");
+    } else if (card.number("W") <= 2.0 * radius) {
+      wrong("W", "W: the lug is wider than its bore");
+    } else if (card.number("L") <= radius) {
+      wrong("L", "L: END lies outside the bore");
+    }
+  }
+  return c.diagnostics.error_count() == errors;
+}
+
+void import(Context& c, const BoundCard& card) {
+  mesh::ImportRequest request;
+  request.file = c.folder / std::string(card.word("FILE"));
+  request.format = card.is("FORMAT", "GEO") ? mesh::ImportFormat::geo : mesh::ImportFormat::msh;
+  request.scale = card.number("SCALE");
+  request.quadratic = card.is("TYPE", "QUADRATIC");
+  request.prefix = card.net.empty() ? "" : card.net + ".";
+  request.net = card.net_id;
+  request.parameters = c.parameters;
+  request.span = card.span;
+  for (const grammar::Row& row : card.rows) {
+    using FieldKind = grammar::Field::Kind;
+    const auto named = [](const grammar::Field& f) {
+      return f.kind == FieldKind::text || f.kind == FieldKind::name;
+    };
+    if (row.fields.size() != 2 || !named(row.fields[0]) || row.fields[0].separator != '=' ||
+        row.fields[1].kind != FieldKind::name) {
+      c.error(row.span, "E115", "a line is 'name in the file' = NEW_NAME");
+      continue;
+    }
+    request.renames.emplace_back(row.fields[0].kind == FieldKind::text
+                                     ? row.fields[0].text
+                                     : std::string(c.sources.text(row.fields[0].span)),
+                                 row.fields[1].text);
+  }
+  if (!std::filesystem::is_regular_file(request.file)) {
+    c.error(card.find("FILE")->span, "E308",
+            fmt::format("there is no file '{}'", request.file.string()));
+  } else if (!card.is("FORMAT", "INP")) {
+    mesh::import_mesh(c.model.mesh, request, c.diagnostics);
+  }
+}
+
+// Names of the sets that came with a generated or imported mesh.
+template <class Set>
+void adopt_sets(Context& c, const BoundCard& card, Kind kind, std::vector<Set>& sets,
+                std::size_t first) {
+  for (std::size_t i = first; i < sets.size(); ++i) {
+    if (!sets[i].span.valid()) {
+      sets[i].span = card.span;
+    }
+    Definition definition;
+    definition.kind = kind;
+    definition.index = i;
+    definition.span = card.span;
+    const Definition* before = c.names.define(sets[i].name, definition);
+    if (before != nullptr && !before->poisoned) {
+      c.error(card.span, "E302", fmt::format("there is a set {} already", sets[i].name),
+              "put each mesh into a $NET of its own");
+    }
+  }
+}
+
+void adopt_labels(Context& c, const BoundCard& card, std::size_t node, std::size_t element) {
+  const model::Mesh& mesh = c.model.mesh;
+  for (; node < mesh.node_count(); ++node) {
+    c.node_labels[card.net_id.index()].insert(mesh.node_label[node], node);
+  }
+  c.origins.push_back({element, mesh.element_count() - element, card.span, card.data, {}});
+  bool solid = false;
+  for (; element < mesh.element_count(); ++element) {
+    c.element_labels[card.net_id.index()].insert(mesh.element_label[element], element);
+    solid = solid || base::info(mesh.type[element]).dim == 3;
+  }
+  if (solid && card.spec->name == "IMPORT") {
+    c.unavailable("elements in 3D", card.span);
+  }
+}
+
+// A whole mesh from one card.
+void mesh_card(Context& c, const BoundCard& card) {
+  model::Mesh& mesh = c.model.mesh;
+  const std::array<std::size_t, 5> before{mesh.node_count(), mesh.element_count(),
+                                          mesh.node_sets.size(), mesh.element_sets.size(),
+                                          mesh.face_sets.size()};
+  const std::size_t errors = c.diagnostics.error_count();
+  if (card.spec->name == "IMPORT") {
+    import(c, card);
+  } else if (sizes_fit(c, card)) {
+    generate(c, card);
+  }
+  adopt_labels(c, card, before[0], before[1]);
+  adopt_sets(c, card, Kind::node_set, mesh.node_sets, before[2]);
+  adopt_sets(c, card, Kind::element_set, mesh.element_sets, before[3]);
+  adopt_sets(c, card, Kind::face_set, mesh.face_sets, before[4]);
+  if (c.diagnostics.error_count() != errors || mesh.element_count() == before[1]) {
+    c.names.poison_net(card.net);
+    c.node_labels[card.net_id.index()].complete = false;
+    c.element_labels[card.net_id.index()].complete = false;
+  }
+}
+
+} // namespace
+
+void build_mesh(Context& context) {
+  const std::size_t nets = context.model.nets.size();
+  context.node_labels.resize(nets);
+  context.element_labels.resize(nets);
+  const std::size_t errors = context.diagnostics.error_count();
+  for (const BoundCard& card : context.cards) {
+    if (card.bad && (card.spec->name == "COOR" || card.spec->name == "MESH" ||
+                     card.spec->name == "IMPORT")) {
+      context.node_labels[card.net_id.index()].complete = false;
+    }
+    if (card.bad && (card.spec->name == "ELEMENT" || card.spec->name == "MESH" ||
+                     card.spec->name == "IMPORT")) {
+      context.element_labels[card.net_id.index()].complete = false;
+    }
+  }
+  // Nodes before the elements that use them, wherever they stand; tables before meshes, which
+  // number on from the highest label of their net.
+  for (const std::string_view name : {"COOR", "ELEMENT", "MESH"}) {
+    for (const BoundCard& card : context.cards) {
+      if (card.bad) {
+        continue;
+      }
+      if (name == "COOR" && card.spec->name == "COOR") {
+        coordinates(context, card);
+      } else if (name == "ELEMENT" && card.spec->name == "ELEMENT") {
+        elements(context, card);
+      } else if (name == "MESH" && (card.spec->name == "MESH" || card.spec->name == "IMPORT")) {
+        mesh_card(context, card);
+      }
+    }
+  }
+  model::Mesh& mesh = context.model.mesh;
+  mesh.dim = std::any_of(mesh.type.begin(), mesh.type.end(),
+                         [](base::ElementType t) { return base::info(t).dim == 3; })
+                 ? 3
+                 : 2;
+  context.mesh_sound = context.mesh_sound && context.diagnostics.error_count() == errors;
+}
+
+} // namespace spricka::deck

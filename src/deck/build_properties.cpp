@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/sets.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace spricka::deck {
+
+namespace {
+
+void material(Context& c, const BoundCard& card) {
+  model::Material material;
+  material.name = card.word("NAME");
+  material.E = card.number("E");
+  material.nu = card.number("NU");
+  material.rho = card.number("RHO");
+  material.alpha = card.number("ALPHA");
+  material.span = card.span;
+  c.model.materials.push_back(material);
+}
+
+model::State state_of(std::string_view word) {
+  if (word == "STRESS") {
+    return model::State::plane_stress;
+  }
+  if (word == "STRAIN") {
+    return model::State::plane_strain;
+  }
+  return word == "AXI" ? model::State::axisymmetric : model::State::solid;
+}
+
+void property(Context& c, const BoundCard& card) {
+  model::Mesh& mesh = c.model.mesh;
+  const auto elements = use_element_set(c, card.reference("ESET"));
+  const Definition* material_name = look_up(c, Kind::material, card.reference("MATERIAL"));
+  if (!elements || material_name == nullptr) {
+    c.property_sound = false;
+    return;
+  }
+  model::Property property;
+  property.elements = *elements;
+  property.material = base::MaterialId(material_name->index);
+  property.state = state_of(card.word("STATE"));
+  property.thickness = card.number("THICK");
+  property.span = card.span;
+  const base::PropertyId id(c.model.properties.size());
+  const bool solid = property.state == model::State::solid;
+  for (const base::ElementId e : mesh.set(*elements).elements) {
+    if (mesh.property[e.index()].valid()) {
+      c.error(card.find("ESET")->span, "E306",
+              fmt::format("element {} has a property already", mesh.element_label[e.index()]),
+              "one $PROPERTY for each element");
+      break;
+    }
+    if (solid != (base::info(mesh.type[e.index()]).dim == 3)) {
+      c.error(card.find("STATE")->span, "E313",
+              fmt::format("STATE={} does not fit element {}, a {}", card.word("STATE"),
+                          mesh.element_label[e.index()], base::info(mesh.type[e.index()]).name),
+              "SOLID is for elements in space, the others for those in the plane");
+      break;
+    }
+    mesh.property[e.index()] = id;
+  }
+  c.model.properties.push_back(property);
+}
+
+void freedom(Context& c, const BoundCard& card) {
+  auto nodes = node_items(c, card);
+  if (!nodes) {
+    return;
+  }
+  const std::string_view dof = card.word("DOF");
+  model::Freedom freedom;
+  freedom.cls = card.is("CLASS", "SUPPRESSED")   ? model::FreedomClass::suppressed
+                : card.is("CLASS", "PRESCRIBED") ? model::FreedomClass::prescribed
+                                                 : model::FreedomClass::external;
+  freedom.dof = {dof.find('X') != std::string_view::npos, dof.find('Y') != std::string_view::npos,
+                 dof.find('Z') != std::string_view::npos};
+  freedom.nodes = base::NodeSetId(c.model.mesh.node_sets.size());
+  freedom.span = card.span;
+  if (freedom.dof[2] && c.model.mesh.dim == 2 && c.mesh_sound && c.model.mesh.element_count() > 0) {
+    c.error(card.find("DOF")->span, "E313", "DOF: a plane model has no freedoms along Z");
+  }
+  c.model.mesh.node_sets.push_back({{}, std::move(*nodes), card.span});
+  c.model.freedoms.push_back(freedom);
+}
+
+} // namespace
+
+void build_properties(Context& context) {
+  for (const BoundCard& card : context.cards) {
+    if (card.spec->name == "MATERIAL" && !card.bad) {
+      material(context, card);
+    }
+  }
+  for (const BoundCard& card : context.cards) {
+    if (card.spec->name == "PROPERTY" && !card.bad) {
+      property(context, card);
+    } else if (card.spec->name == "FREEDOM" && !card.bad) {
+      freedom(context, card);
+    }
+  }
+}
+
+} // namespace spricka::deck

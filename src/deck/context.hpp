@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "deck/bind.hpp"
+#include "deck/labels.hpp"
+#include "deck/names.hpp"
+#include "deck/read_deck.hpp"
+#include "grammar/compile.hpp"
+#include "model/model.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace spricka::deck {
+
+/// Elements that one card made, for messages about them.
+struct ElementOrigin {
+  std::size_t first = 0; ///< element index
+  std::size_t count = 0;
+  base::Span card;
+  base::Span data;
+  std::vector<std::uint32_t> offset; ///< of the rows of an $ELEMENT table; empty for a mesh
+};
+
+/// Everything the stages of reading share: what is being built and what is known about names.
+struct Context {
+  base::Sources& sources;
+  base::Diagnostics& diagnostics;
+  std::filesystem::path folder; ///< of the deck: where its files are
+  grammar::Scope scope{};
+  std::vector<std::pair<std::string, double>> parameters{}; ///< as written
+  Names names{};
+  std::vector<BoundCard> cards{};
+  model::Model model{};
+
+  std::vector<Labels> node_labels{};    ///< [net]
+  std::vector<Labels> element_labels{}; ///< [net]
+  std::vector<ElementOrigin> origins{}; ///< ascending
+  bool mesh_sound = true;               ///< no mistake while nodes and elements were made
+  bool property_sound = true;           ///< no mistake in $PROPERTY and what it names
+  std::optional<std::vector<model::Face>> boundary{}; ///< of the finished mesh, found once
+  std::vector<std::size_t> building{};               ///< cards of sets being built, outermost first
+  std::map<std::size_t, base::NodeSetId> nodes_of_faces{}; ///< face sets that stood for node sets
+  std::map<std::size_t, base::FaceSetId> faces_of_nodes{}; ///< and the reverse
+
+  void error(base::Span span, std::string code, std::string text, std::string hint = {}) {
+    diagnostics.error(span, std::move(code), std::move(text), std::move(hint));
+  }
+  void unavailable(std::string what, base::Span span) {
+    model.unavailable.push_back({std::move(what), span});
+  }
+};
+
+/// The definition a reference means. Empty after an error, which is reported unless the name is
+/// poisoned.
+const Definition* look_up(Context& context, Kind kind, const Reference& reference);
+
+// The stages, in their order. Each takes its cards from the context and leaves its part of the
+// model there; mistakes go to the diagnostics.
+
+/// Passes 2 and 3: parameters, headers and rows of all cards; nets; names defined.
+void bind_all(Context& context, const std::vector<grammar::Card>& cards,
+              const ReadOptions& options);
+/// $COOR, $ELEMENT, $MESH, $IMPORT.
+void build_mesh(Context& context);
+/// $NSET, $ESET, $FSET.
+void build_sets(Context& context);
+/// $MATERIAL, $PROPERTY, $FREEDOM.
+void build_properties(Context& context);
+/// $LOAD and the cases.
+void build_loads(Context& context);
+/// $CONTACT, $CRACK, $TIPNET, $VCE.
+void build_contacts(Context& context);
+void build_cracks(Context& context);
+/// $STEP, $GROW.
+void build_steps(Context& context);
+/// $OUTPUT, $CHECK, $CONTROL, $TASK.
+void build_requests(Context& context);
+/// Elements without a property, bad elements, mixed dimensions.
+void check_mesh(Context& context);
+
+} // namespace spricka::deck

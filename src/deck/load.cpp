@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/load.hpp"
+
+#include "grammar/parse.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::deck {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t k_deepest_include = 16;
+
+std::string read_file(const fs::path& path) {
+  if (fs::is_directory(path)) {
+    throw std::system_error(EISDIR, std::generic_category(), path.string());
+  }
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
+                                                             &std::fclose);
+  if (!file) {
+    throw std::system_error(errno, std::generic_category(), path.string());
+  }
+  std::string text;
+  std::error_code unknown;
+  if (const auto size = fs::file_size(path, unknown); !unknown) {
+    text.reserve(static_cast<std::size_t>(size) + 1);
+  }
+  std::size_t filled = 0;
+  while (true) {
+    constexpr std::size_t chunk = std::size_t{1} << 20U;
+    text.resize(filled + chunk);
+    const std::size_t got = std::fread(text.data() + filled, 1, chunk, file.get());
+    filled += got;
+    if (got < chunk) {
+      break;
+    }
+  }
+  text.resize(filled);
+  if (std::ferror(file.get()) != 0) {
+    throw std::system_error(EIO, std::generic_category(), path.string());
+  }
+  if (filled > std::numeric_limits<std::uint32_t>::max()) {
+    throw std::system_error(EFBIG, std::generic_category(), path.string());
+  }
+  return text;
+}
+
+const grammar::Field* value_of(const grammar::Card& card, std::string_view key) {
+  for (const grammar::Parameter& p : card.parameters) {
+    if (p.key == key) {
+      return &p.values.front();
+    }
+  }
+  return nullptr;
+}
+
+class Loader {
+public:
+  Loader(base::Sources& sources, base::Diagnostics& diagnostics)
+      : sources_(sources), diagnostics_(diagnostics) {}
+
+  void file(const fs::path& path, std::string shown) {
+    const std::int32_t number = sources_.add(std::move(shown), read_file(path));
+    open_.push_back(fs::weakly_canonical(path));
+    for (grammar::Card& card : grammar::parse_cards(sources_, number, diagnostics_)) {
+      if (card.name == "INCLUDE") {
+        include(path, card);
+      }
+      deck.cards.push_back(std::move(card)); // an include stays, so that its keys are checked
+    }
+    open_.pop_back();
+  }
+
+  LoadedDeck deck;
+
+private:
+  void include(const fs::path& from, const grammar::Card& card) {
+    const grammar::Field* name = value_of(card, "FILE");
+    if (name == nullptr || name->kind != grammar::Field::Kind::text) {
+      deck.incomplete = true; // the missing key is reported with the card's others
+      return;
+    }
+    const fs::path path = from.parent_path() / name->text;
+    if (std::find(open_.begin(), open_.end(), fs::weakly_canonical(path)) != open_.end()) {
+      refuse(*name, fmt::format("'{}' includes itself", name->text));
+    } else if (open_.size() >= k_deepest_include) {
+      refuse(*name, fmt::format("includes are nested more than {} deep", k_deepest_include));
+    } else {
+      try {
+        file(path, path.string());
+      } catch (const std::system_error& trouble) {
+        refuse(*name, fmt::format("cannot read '{}': {}", path.string(), trouble.code().message()));
+      }
+    }
+  }
+
+  void refuse(const grammar::Field& name, std::string text) {
+    diagnostics_.error(name.span, "E113", std::move(text));
+    deck.incomplete = true;
+  }
+
+  base::Sources& sources_;
+  base::Diagnostics& diagnostics_;
+  std::vector<fs::path> open_;
+};
+
+base::Span end_of_text(const base::Sources& sources, std::int32_t file) {
+  const std::string_view text = sources.text(file);
+  std::size_t end = text.size();
+  while (end > 0 && (text[end - 1] == '\n' || text[end - 1] == '\r' || text[end - 1] == ' ')) {
+    --end;
+  }
+  const auto at = static_cast<std::uint32_t>(end);
+  return {file, at, at};
+}
+
+// $DECK is the first card and $END the last one of the deck's own file.
+void check_frame(std::vector<grammar::Card>& cards, std::int32_t file, const base::Sources& sources,
+                 base::Diagnostics& diagnostics) {
+  if (cards.empty() || cards.front().name != "DECK") {
+    const base::Span at = cards.empty() ? base::Span{file, 0, 0} : cards.front().name_span;
+    diagnostics.error(at, "E111", "the first card is $DECK",
+                      "$DECK VERSION=1 LENGTH=mm FORCE=N");
+  }
+  const auto end = std::find_if(cards.begin(), cards.end(),
+                                [](const grammar::Card& c) { return c.name == "END"; });
+  if (end == cards.end() || end->name_span.file != file) {
+    diagnostics.error(end == cards.end() ? end_of_text(sources, file) : end->name_span, "E112",
+                      end == cards.end() ? "the deck does not end with $END: is it truncated?"
+                                         : "$END stands in an included file");
+  } else if (end + 1 != cards.end()) {
+    diagnostics.error((end + 1)->name_span, "E118", "a card behind $END");
+    cards.erase(end + 1, cards.end());
+  }
+}
+
+} // namespace
+
+LoadedDeck load_deck(const std::filesystem::path& deck, base::Sources& sources,
+                     base::Diagnostics& diagnostics) {
+  Loader loader(sources, diagnostics);
+  const auto file = static_cast<std::int32_t>(sources.count());
+  loader.file(deck, deck.string());
+  check_frame(loader.deck.cards, file, sources, diagnostics);
+  return std::move(loader.deck);
+}
+
+} // namespace spricka::deck

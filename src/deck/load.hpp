@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/diagnostics.hpp"
+#include "base/source.hpp"
+#include "grammar/ast.hpp"
+
+#include <filesystem>
+#include <vector>
+
+namespace spricka::deck {
+
+/// The cards of a deck with those of its includes in their places. The $INCLUDE cards follow
+/// what they bring.
+struct LoadedDeck {
+  std::vector<grammar::Card> cards;
+  bool incomplete = false; ///< an include could not be read
+};
+
+/// Reads the deck and its includes and checks the frame: $DECK first, $END last. Trouble with the
+/// deck's own file throws std::system_error; with an include it is a deck error.
+LoadedDeck load_deck(const std::filesystem::path& deck, base::Sources& sources,
+                     base::Diagnostics& diagnostics);
+
+} // namespace spricka::deck

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/source.hpp"
+#include "grammar/catalogue.hpp"
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace spricka::deck {
+
+using grammar::Kind;
+
+/// What a name was defined as. `index` counts the entities of its kind in the model; a set that
+/// its card has not built yet has `card`, the card's number, instead.
+struct Definition {
+  Kind kind = Kind::none;
+  std::size_t index = 0;
+  std::optional<std::size_t> card;
+  base::Span span;
+  bool poisoned = false;
+};
+
+/// The names of a deck, by kind. Names are upper case; those of sets are qualified by their net.
+/// What a bad card would have defined is poisoned: it can be used without a further error.
+class Names {
+public:
+  /// The older definition if the name is taken already; then nothing changes.
+  const Definition* define(const std::string& name, const Definition& definition);
+  void poison(Kind kind, const std::string& name);
+  /// Any name of any kind that ends in `name` (a card of unknown meaning named it).
+  void poison_word(const std::string& name) { words_.insert(name); }
+  /// Every set of a net: its mesh could not be made.
+  void poison_net(const std::string& net) { nets_.insert(net); }
+  /// Every name: an include is missing.
+  void poison_everything() { everything_ = true; }
+
+  /// The definition of `name` as one of `kinds`, the first kind first; within a net its own sets
+  /// come before those outside. Null when unknown.
+  [[nodiscard]] const Definition* find(const std::vector<Kind>& kinds, const std::string& name,
+                                       const std::string& net) const;
+  [[nodiscard]] bool is_poisoned(const std::string& name, const std::string& net) const;
+  /// "did you mean ..": the nearest name, or one of another net with the same last part.
+  [[nodiscard]] std::string hint(const std::vector<Kind>& kinds, const std::string& name) const;
+
+  /// For a set that has been built.
+  void built(Kind kind, const std::string& name, std::size_t index);
+
+private:
+  std::map<std::pair<Kind, std::string>, Definition> table_;
+  std::set<std::string> words_;
+  std::set<std::string> nets_;
+  bool everything_ = false;
+};
+
+/// "SETS" that a reference of this kind may mean, in the order of preference.
+std::vector<Kind> meanings(Kind kind);
+
+/// NAME within a net: "NET.NAME".
+std::string qualify(const std::string& net, const std::string& name);
+
+} // namespace spricka::deck

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fe/bearing.hpp"
+
+#include "fe/face.hpp"
+
+#include <Eigen/LU>
+
+#include <cmath>
+
+namespace spricka::fe {
+
+namespace {
+
+using base::Vec2;
+using base::Vec3;
+using base::Vector;
+
+constexpr int pressure_degree = 15;
+
+// Places on [-1, 1], both ends included, where an edge crosses the diameter across the load.
+struct Cuts {
+  std::array<double, 4> at{-1.0};
+  std::size_t count = 1;
+
+  void add(double r) {
+    if (r > at[count - 1] && r < 1.0) {
+      at[count++] = r;
+    }
+  }
+};
+
+// Roots of the distance q(r) = (x(r) - centre) . d, a polynomial of degree <= 2 given by its values
+// at -1, 0, 1.
+Cuts cut_edge(double left, double middle, double right) {
+  const double a = 0.5 * (left + right) - middle;
+  const double b = 0.5 * (right - left);
+  const double c = middle;
+  Cuts cuts;
+  const double discriminant = b * b - 4.0 * a * c;
+  if (discriminant >= 0.0) {
+    // The form without cancellation; a vanishing denominator means no root within reach.
+    const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
+    const double r1 = a != 0.0 ? q / a : 2.0;
+    const double r2 = q != 0.0 ? c / q : 0.0;
+    cuts.add(std::min(r1, r2));
+    cuts.add(std::max(r1, r2));
+  }
+  cuts.at[cuts.count++] = 1.0;
+  return cuts;
+}
+
+// What every edge needs to know.
+struct Pin {
+  Bore bore;
+  Vec2 d = Vec2::Zero(); ///< unit vector along the load
+  model::BearingShape shape = model::BearingShape::cosine;
+};
+
+// Nodal vectors of the two unit pressures: p = cos(theta) or 1, and p = sin(theta).
+struct UnitLoads {
+  Vector main;
+  Vector across;
+  Eigen::Matrix2d total = Eigen::Matrix2d::Zero(); ///< column 0: sum of main, 1: of across
+};
+
+template <shape::Shape Side>
+void add_piece(const Pin& pin, const SideNodes<Side>& X,
+               const std::array<base::NodeId, Side::nodes>& nodes, double from, double to,
+               double thickness, UnitLoads& loads) {
+  const Vec2 across(-pin.d.y(), pin.d.x());
+  for (const auto& point : shape::quadrature<Side>(pressure_degree)) {
+    const shape::Point<1> r(0.5 * (from + to) + 0.5 * (to - from) * point.r[0]);
+    const Eigen::Matrix<double, Side::nodes, 1> N = Side::N(r);
+    const Vec2 arm = (X * N).template head<2>() - pin.bore.centre;
+    const Vec2 tangent = (X * Side::dN(r)).template head<2>();
+    const double distance = arm.norm();
+    const Vec2 m = (pin.bore.side / distance) * arm; // the way the pressure pushes
+    // Length of the exact arc: R dtheta.
+    const double turn = std::abs(arm.x() * tangent.y() - arm.y() * tangent.x());
+    const double ds = pin.bore.radius * turn / (distance * distance) * 0.5 * (to - from);
+    const double cosine = m.dot(pin.d);
+    if (cosine <= 0.0) {
+      continue;
+    }
+    const double p = pin.shape == model::BearingShape::cosine ? cosine : 1.0;
+    const Vec2 force = point.weight * thickness * ds * m;
+    loads.total.col(0) += p * force;
+    loads.total.col(1) += m.dot(across) * force;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const auto row = 2 * static_cast<Eigen::Index>(nodes[i].index());
+      const Vec2 share = N[static_cast<Eigen::Index>(i)] * force;
+      loads.main.segment<2>(row) += p * share;
+      loads.across.segment<2>(row) += m.dot(across) * share;
+    }
+  }
+}
+
+template <shape::Shape Side>
+void add_edge(const Pin& pin, const SideNodes<Side>& X,
+              const std::array<base::NodeId, Side::nodes>& nodes, double thickness,
+              UnitLoads& loads) {
+  const auto distance = [&](double r) {
+    const Vec2 x = (X * Side::N(shape::Point<1>(r))).template head<2>();
+    return (x - pin.bore.centre).dot(pin.d);
+  };
+  const Cuts cuts = cut_edge(distance(-1.0), distance(0.0), distance(1.0));
+  for (std::size_t k = 0; k + 1 < cuts.count; ++k) {
+    if (pin.bore.side * distance(0.5 * (cuts.at[k] + cuts.at[k + 1])) > 0.0) {
+      add_piece<Side>(pin, X, nodes, cuts.at[k], cuts.at[k + 1], thickness, loads);
+    }
+  }
+}
+
+} // namespace
+
+Bore fit_bore(const model::Mesh& mesh, const std::vector<model::Face>& faces) {
+  // Nodes shared by two edges count twice, which does no harm to nodes on a circle.
+  Vec2 mean = Vec2::Zero();
+  double count = 0.0;
+  for_faces(mesh, faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
+    mean += side_coordinates<Side>(mesh, face).template topRows<2>().rowwise().sum();
+    count += Side::nodes;
+  });
+  mean /= count;
+  // |y|^2 = 2 a . y + b with y = x - mean: normal equations for (2 a, b).
+  Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
+  Vec3 rhs = Vec3::Zero();
+  for_faces(mesh, faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
+    const SideNodes<Side> X = side_coordinates<Side>(mesh, face);
+    for (int i = 0; i < Side::nodes; ++i) {
+      const Vec2 y = X.col(i).template head<2>() - mean;
+      const Vec3 row(y.x(), y.y(), 1.0);
+      A += row * row.transpose();
+      rhs += y.squaredNorm() * row;
+    }
+  });
+  const Vec3 solution = A.fullPivLu().solve(rhs);
+  const Vec2 a = 0.5 * solution.head<2>();
+  Bore bore;
+  bore.centre = mean + a;
+  bore.radius = std::sqrt(solution[2] + a.squaredNorm());
+
+  double inward = 0.0; // outer normals of a bore point to its centre
+  for_faces(mesh, faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
+    if constexpr (Side::dim == 1) {
+      const SideNodes<Side> X = side_coordinates<Side>(mesh, face);
+      const shape::Point<1> middle(0.0);
+      const Vec2 x = (X * Side::N(middle)).template head<2>();
+      inward += area_vector<Side>(X, middle).template head<2>().dot(bore.centre - x);
+    }
+  });
+  bore.side = inward > 0.0 ? 1.0 : -1.0;
+  return bore;
+}
+
+bool add_bearing(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
+                 Vector& f) {
+  assert(mesh.dim == 2);
+  assert(load.value.size() >= 2);
+  const std::vector<model::Face>& faces = mesh.set(load.faces).faces;
+  const Vec2 F(load.value[0](Vec3::Zero()), load.value[1](Vec3::Zero()));
+  if (F.isZero(0.0)) {
+    return true;
+  }
+  const Pin pin{fit_bore(mesh, faces), F.normalized(), load.shape};
+  UnitLoads loads{Vector::Zero(f.size()), Vector::Zero(f.size())};
+  for_faces(mesh, faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
+    if constexpr (Side::dim == 1) {
+      add_edge<Side>(pin, side_coordinates<Side>(mesh, face), nodes_of_face<Side>(mesh, face),
+                     model.property_of(mesh, face.element).thickness, loads);
+    }
+  });
+  const Eigen::FullPivLU<Eigen::Matrix2d> lu(loads.total);
+  if (!lu.isInvertible()) {
+    return false;
+  }
+  const Vec2 p = lu.solve(F);
+  f += p[0] * loads.main + p[1] * loads.across;
+  return true;
+}
+
+} // namespace spricka::fe

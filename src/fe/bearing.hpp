@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/vec.hpp"
+#include "model/model.hpp"
+
+namespace spricka::fe {
+
+/// The circle through the nodes of some edges and the side on which the body lies.
+struct Bore {
+  base::Vec2 centre = base::Vec2::Zero();
+  double radius = 0.0;
+  double side = 1.0; ///< 1: the body is outside (a bore), -1: inside (a shaft)
+};
+
+/// Fits a circle to the nodes of edges by least squares of |x - c|^2 - R^2 (Kasa 1976); exact where
+/// they lie on one.
+Bore fit_bore(const model::Mesh& mesh, const std::vector<model::Face>& faces);
+
+/// Adds the pressure of a pin on a bore, given by its resultant (Fx, Fy) [force], to the nodal
+/// vector f. With theta measured from the load on the circle fitted to the faces, the pressure is
+/// p0 cos(theta) (COSINE) or p0 (UNIFORM) for |theta| < 90 deg, radial, and scaled so that the
+/// nodal forces sum to the resultant to round-off; a term p1 sin(theta), zero but for round-off
+/// where the faces cover the half circle, takes up what an incomplete one would leave across the
+/// load. Edges are divided where |theta| = 90 deg. Returns false, with f unchanged, when the faces
+/// have no part in the loaded half.
+bool add_bearing(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
+                 base::Vector& f);
+
+} // namespace spricka::fe

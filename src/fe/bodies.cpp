@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fe/dof_map.hpp"
+
+#include <numeric>
+
+namespace spricka::fe {
+
+namespace {
+
+// Disjoint sets of nodes with path halving; the root is the smallest node.
+class NodeGroups {
+public:
+  explicit NodeGroups(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+  }
+  std::size_t root(std::size_t n) {
+    while (parent_[n] != n) {
+      parent_[n] = parent_[parent_[n]];
+      n = parent_[n];
+    }
+    return n;
+  }
+  void join(std::size_t a, std::size_t b) {
+    a = root(a);
+    b = root(b);
+    (a < b ? parent_[b] : parent_[a]) = a < b ? a : b;
+  }
+
+private:
+  std::vector<std::size_t> parent_;
+};
+
+} // namespace
+
+std::vector<Body> find_bodies(const model::Mesh& mesh) {
+  NodeGroups groups(mesh.node_count());
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const std::span<const base::NodeId> nodes = mesh.nodes_of(base::ElementId(e));
+    for (const base::NodeId n : nodes) {
+      groups.join(nodes.front().index(), n.index());
+    }
+  }
+
+  std::vector<Body> bodies;
+  std::vector<std::int32_t> body_of_root(mesh.node_count(), -1);
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const base::ElementId id(e);
+    std::int32_t& body = body_of_root[groups.root(mesh.nodes_of(id).front().index())];
+    if (body < 0) {
+      body = static_cast<std::int32_t>(bodies.size());
+      bodies.push_back({mesh.element_net[e], {}, {}});
+    }
+    bodies[static_cast<std::size_t>(body)].elements.push_back(id);
+  }
+  // Nodes without an element have a root of their own, which no body knows.
+  for (std::size_t n = 0; n < mesh.node_count(); ++n) {
+    const std::int32_t body = body_of_root[groups.root(n)];
+    if (body >= 0) {
+      bodies[static_cast<std::size_t>(body)].nodes.emplace_back(n);
+    }
+  }
+  return bodies;
+}
+
+} // namespace spricka::fe

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fe/dof_map.hpp"
+
+namespace spricka::fe {
+
+namespace {
+
+using model::FreedomClass;
+
+int rank(FreedomClass cls) {
+  switch (cls) {
+  case FreedomClass::local:
+    return 0;
+  case FreedomClass::external:
+    return 1;
+  case FreedomClass::prescribed:
+    return 2;
+  case FreedomClass::suppressed:
+    return 3;
+  }
+  return 0;
+}
+
+} // namespace
+
+std::vector<FreedomClass> classify_freedoms(const model::Model& model, const model::Mesh& mesh) {
+  const auto dim = static_cast<std::size_t>(mesh.dim);
+  std::vector<FreedomClass> cls(dim * mesh.node_count(), FreedomClass::local);
+  for (const model::Freedom& freedom : model.freedoms) {
+    for (const base::NodeId n : mesh.set(freedom.nodes).nodes) {
+      for (std::size_t c = 0; c < dim; ++c) {
+        FreedomClass& now = cls[dim * n.index() + c];
+        if (freedom.dof[c] && rank(freedom.cls) > rank(now)) {
+          now = freedom.cls;
+        }
+      }
+    }
+  }
+  return cls;
+}
+
+DofMap number_freedoms(const model::Mesh& mesh, const std::vector<base::NodeId>& nodes,
+                       const std::vector<FreedomClass>& cls) {
+  const auto dim = static_cast<std::size_t>(mesh.dim);
+  DofMap dofs;
+  dofs.row.assign(dim * mesh.node_count(), -1);
+  for (const FreedomClass wanted : {FreedomClass::local, FreedomClass::external}) {
+    for (const base::NodeId n : nodes) {
+      for (std::size_t c = 0; c < dim; ++c) {
+        const std::size_t freedom = dim * n.index() + c;
+        if (cls[freedom] == wanted) {
+          dofs.row[freedom] = static_cast<std::int32_t>(dofs.freedom.size());
+          dofs.freedom.push_back(static_cast<std::int32_t>(freedom));
+        }
+      }
+    }
+    if (wanted == FreedomClass::local) {
+      dofs.locals = dofs.size();
+    }
+  }
+  return dofs;
+}
+
+} // namespace spricka::fe

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/vec.hpp"
+#include "model/model.hpp"
+
+namespace spricka::fe {
+
+/// Components of a strain or stress vector: xx yy xy in the plane, xx yy zz xy yz zx in space;
+/// shear strains are the engineering ones (gamma = 2 eps).
+constexpr int components(int dim) {
+  return dim * (dim + 1) / 2;
+}
+
+template <int dim> using Strain = Eigen::Matrix<double, components(dim), 1>;
+template <int dim> using Elasticity = Eigen::Matrix<double, components(dim), components(dim)>;
+
+/// Lame's constants [stress] of a state: sigma = lambda tr(eps) I + 2 mu eps over the components
+/// kept. In plane stress lambda is E nu / (1 - nu^2), which holds sigma_zz at zero.
+struct Lame {
+  double lambda = 0.0;
+  double mu = 0.0;
+};
+Lame lame(const model::Material& material, model::State state);
+
+/// D of sigma = D eps [stress]; dim 2 for plane stress and plane strain, 3 for a solid.
+template <int dim> Elasticity<dim> elasticity(const model::Material& material, model::State state) {
+  const Lame k = lame(material, state);
+  Elasticity<dim> D = Elasticity<dim>::Zero();
+  D.template topLeftCorner<dim, dim>().setConstant(k.lambda);
+  D.diagonal().array() += k.mu;
+  D.diagonal().template head<dim>().array() += k.mu;
+  return D;
+}
+
+/// E' of Irwin's G = K^2 / E' [stress]: E in plane stress, E / (1 - nu^2) else.
+double effective_modulus(const model::Material& material, model::State state);
+
+} // namespace spricka::fe

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fe/assemble.hpp"
+#include "fe/element.hpp"
+
+namespace spricka::fe {
+
+namespace {
+
+// Calls use(e, U, F) with the displacements U and internal forces F of each element.
+template <class Use>
+void for_element_forces(const model::Model& model, const model::Mesh& mesh,
+                        std::span<const base::ElementId> elements, const base::Vector& u,
+                        Use&& use) {
+  for_blocks(mesh, elements, [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
+    for (const base::ElementId e : block) {
+      const model::Property& property = model.property_of(mesh, e);
+      const Elasticity<S::dim> D = elasticity<S::dim>(model.material_of(mesh, e), property.state);
+      const NodeVectors<S> U = gather<S>(mesh, e, u);
+      const NodeVectors<S> F = element_force<S>(coordinates<S>(mesh, e), D, property.thickness, U);
+      use(e, U, F);
+    }
+  });
+}
+
+} // namespace
+
+void add_internal_force(const model::Model& model, const model::Mesh& mesh,
+                        std::span<const base::ElementId> elements, const base::Vector& u,
+                        base::Vector& r) {
+  for_element_forces(
+      model, mesh, elements, u, [&](base::ElementId e, const auto& /*U*/, const auto& F) {
+        Eigen::Index i = 0;
+        for (const base::NodeId n : mesh.nodes_of(e)) {
+          r.segment(mesh.dim * static_cast<Eigen::Index>(n.index()), mesh.dim) += F.col(i++);
+        }
+      });
+}
+
+double strain_energy(const model::Model& model, const model::Mesh& mesh,
+                     std::span<const base::ElementId> elements, const base::Vector& u) {
+  double energy = 0.0;
+  for_element_forces(model, mesh, elements, u,
+                     [&](base::ElementId /*e*/, const auto& U, const auto& F) {
+                       energy += 0.5 * U.cwiseProduct(F).sum();
+                     });
+  return energy;
+}
+
+} // namespace spricka::fe

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "growth/crack_lines.hpp"
+
+#include "fe/dof_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace spricka::growth {
+
+namespace {
+
+constexpr double same_place = 1e-9; // of the crack length
+
+bool grows(const model::Model& model, std::size_t crack) {
+  if (!model.growth) {
+    return false;
+  }
+  const std::vector<base::CrackId>& list = model.growth->cracks;
+  return list.empty() || std::find(list.begin(), list.end(), base::CrackId(crack)) != list.end();
+}
+
+double polyline_length(const std::vector<base::Vec3>& points) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    length += (points[i] - points[i - 1]).norm();
+  }
+  return length;
+}
+
+// The first `a` of a polyline; a point within round-off of the cut is the cut.
+std::vector<base::Vec3> truncate(const std::vector<base::Vec3>& points, double a) {
+  std::vector<base::Vec3> cut{points.front()};
+  double left = a;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const base::Vec3 d = points[i] - points[i - 1];
+    const double length = d.norm();
+    if (left <= length * (1.0 + same_place)) {
+      cut.push_back(std::abs(left - length) <= same_place * a ? points[i]
+                                                              : points[i - 1] + left / length * d);
+      return cut;
+    }
+    cut.push_back(points[i]);
+    left -= length;
+  }
+  return cut;
+}
+
+// Corner and mid nodes of a straight path collapse to its two ends, so that a patch sees one
+// segment.
+std::vector<base::Vec3> without_middles(const std::vector<base::Vec3>& points) {
+  std::vector<base::Vec3> kept{points.front()};
+  const double scale = polyline_length(points);
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    const base::Vec3 d = (points[i + 1] - kept.back()).normalized();
+    const base::Vec3 off = points[i] - kept.back();
+    if ((off - off.dot(d) * d).norm() > 1e-7 * scale) {
+      kept.push_back(points[i]);
+    }
+  }
+  kept.push_back(points.back());
+  return kept;
+}
+
+// Symmetry: every node of the path is suppressed across the path.
+bool on_symmetry_line(const model::Model& model, const std::vector<base::NodeId>& path,
+                      const std::vector<model::FreedomClass>& cls) {
+  const model::Mesh& mesh = model.mesh;
+  const base::Vec3 along =
+      (mesh.x[path.back().index()] - mesh.x[path.front().index()]).normalized();
+  const int across = std::abs(along.x()) > std::abs(along.y()) ? 1 : 0;
+  if (std::abs(along[across]) > 1e-9) {
+    return false;
+  }
+  const auto dim = static_cast<std::size_t>(mesh.dim);
+  return std::all_of(path.begin(), path.end(), [&](base::NodeId n) {
+    return cls[dim * n.index() + static_cast<std::size_t>(across)] ==
+           model::FreedomClass::suppressed;
+  });
+}
+
+struct Builder {
+  const model::Model& model;
+  base::Diagnostics& diagnostics;
+  std::vector<model::FreedomClass> cls;
+
+  std::optional<mesh::CrackLine> path_line(const model::Crack& crack, mesh::CrackLine line) {
+    line.path = model.mesh.set(crack.path).nodes;
+    if (line.path.size() < 2) {
+      diagnostics.error(crack.span, "E401",
+                        fmt::format("crack {}: PATH needs at least two nodes", crack.name));
+      return std::nullopt;
+    }
+    for (const base::NodeId n : line.path) {
+      line.points.push_back(model.mesh.x[n.index()]);
+    }
+    line.net = model.mesh.node_net[line.path.front().index()];
+    line.symmetric_half = on_symmetry_line(model, line.path, cls);
+    return line;
+  }
+
+  std::optional<mesh::CrackLine> free_line(const model::Crack& crack, mesh::CrackLine line,
+                                           double a) {
+    line.net = crack.net;
+    line.points = crack.points;
+    if (crack.angle && line.points.size() == 1) {
+      line.points.push_back(line.points.front() +
+                            a * base::Vec3(std::cos(*crack.angle), std::sin(*crack.angle), 0.0));
+    }
+    if (line.points.size() < 2) {
+      diagnostics.error(crack.span, "E401",
+                        fmt::format("crack {}: one point needs ANGLE and A0", crack.name));
+      return std::nullopt;
+    }
+    // Beyond its last point a free crack goes straight on.
+    const double given = polyline_length(line.points);
+    if (a > given * (1.0 + same_place)) {
+      const base::Vec3 last = line.points.back();
+      const base::Vec3 d = (last - line.points[line.points.size() - 2]).normalized();
+      line.points.back() = last + (a - given) * d;
+    }
+    return line;
+  }
+
+  std::optional<mesh::CrackLine> line(std::size_t number, double a) {
+    const model::Crack& crack = model.cracks[number];
+    if (!grows(model, number) || a <= 0.0) {
+      a = crack.a0.value_or(crack.kind == model::CrackKind::free && crack.points.size() > 1
+                                ? polyline_length(crack.points)
+                                : 0.0);
+    }
+    if (a <= 0.0) {
+      diagnostics.error(crack.span, "E402",
+                        fmt::format("crack {} has no length: give A0, points or $GROW lengths",
+                                    crack.name));
+      return std::nullopt;
+    }
+    mesh::CrackLine start;
+    start.crack = base::CrackId(number);
+    std::optional<mesh::CrackLine> line = crack.kind == model::CrackKind::path
+                                              ? path_line(crack, start)
+                                              : free_line(crack, start, a);
+    if (!line) {
+      return line;
+    }
+    if (polyline_length(line->points) < a * (1.0 - same_place)) {
+      diagnostics.error(crack.span, "E403",
+                        fmt::format("crack {}: length {:.6g} is longer than its path, {:.6g}",
+                                    crack.name, a, polyline_length(line->points)));
+      return std::nullopt;
+    }
+    line->points = without_middles(truncate(line->points, a));
+    return line;
+  }
+};
+
+} // namespace
+
+std::vector<double> crack_lengths(const model::Model& model) {
+  if (model.growth && !model.growth->lengths.empty() && !model.cracks.empty()) {
+    return model.growth->lengths;
+  }
+  return {0.0};
+}
+
+std::optional<std::vector<mesh::CrackLine>> crack_lines(const model::Model& model, double a,
+                                                        base::Diagnostics& diagnostics) {
+  Builder builder{model, diagnostics, fe::classify_freedoms(model, model.mesh)};
+  std::vector<mesh::CrackLine> lines;
+  bool complete = true;
+  for (std::size_t c = 0; c < model.cracks.size(); ++c) {
+    std::optional<mesh::CrackLine> line = builder.line(c, a);
+    complete = complete && line.has_value();
+    if (line) {
+      lines.push_back(std::move(*line));
+    }
+  }
+  return complete ? std::optional(std::move(lines)) : std::nullopt;
+}
+
+} // namespace spricka::growth

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/diagnostics.hpp"
+#include "mesh/patch.hpp"
+#include "model/model.hpp"
+
+#include <optional>
+#include <vector>
+
+/// From the deck's cracks to lines of a given length on the host.
+namespace spricka::growth {
+
+/// Lengths of the growth loop: those of $GROW, or each crack's first length once, or a single 0
+/// without cracks.
+std::vector<double> crack_lengths(const model::Model& model);
+
+/// All cracks at one increment: those that grow have length `a`, the others (and all when a = 0)
+/// their first length. Directions follow the deck: along the path, along the polyline (its last
+/// segment goes on), or along ANGLE. Cracks that do not fit (path shorter than a, no length given,
+/// tip not on a node with PATCH=NO) are reported at their card and give an empty result.
+std::optional<std::vector<mesh::CrackLine>> crack_lines(const model::Model& model, double a,
+                                                        base::Diagnostics& diagnostics);
+
+} // namespace spricka::growth

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/boundary.hpp"
+
+#include "shape/topology.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace spricka::mesh {
+namespace {
+
+using SideKey = std::array<base::NodeId, 4>;
+
+/// The corner nodes of a side, sorted, so that the two elements that share it agree.
+SideKey key_of(const model::Mesh& mesh, const model::Face& face) {
+  const base::ElementType type = mesh.type[face.element.index()];
+  const std::span<const int> local = shape::side_nodes(type, face.side);
+  const std::span<const base::NodeId> nodes = mesh.nodes_of(face.element);
+  const bool three_d = base::info(type).dim == 3;
+  const std::size_t corners = !three_d ? 2 : (local.size() == 3 || local.size() == 6 ? 3 : 4);
+  SideKey key{};
+  for (std::size_t c = 0; c < corners; ++c) {
+    key[c] = nodes[static_cast<std::size_t>(local[c])];
+  }
+  std::sort(key.begin(), key.end());
+  return key;
+}
+
+std::pair<base::NodeId, base::NodeId> ends(const model::Mesh& mesh, const model::Face& face) {
+  const std::span<const int> local = shape::side_nodes(mesh.type[face.element.index()], face.side);
+  const std::span<const base::NodeId> nodes = mesh.nodes_of(face.element);
+  return {nodes[static_cast<std::size_t>(local[0])], nodes[static_cast<std::size_t>(local[1])]};
+}
+
+} // namespace
+
+std::vector<model::Face> boundary_faces(const model::Mesh& mesh) {
+  std::vector<std::pair<SideKey, model::Face>> sides;
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    for (int s = 0; s < base::info(mesh.type[e]).sides; ++s) {
+      const model::Face face{base::ElementId(e), s};
+      sides.emplace_back(key_of(mesh, face), face);
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  std::vector<model::Face> result;
+  for (std::size_t i = 0; i < sides.size();) {
+    std::size_t j = i + 1;
+    while (j < sides.size() && sides[j].first == sides[i].first) {
+      ++j;
+    }
+    if (j == i + 1) {
+      result.push_back(sides[i].second);
+    }
+    i = j;
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+std::vector<model::Face> faces_within(const model::Mesh& mesh,
+                                      const std::vector<base::NodeId>& nodes) {
+  std::vector<bool> inside(mesh.node_count(), false);
+  for (const base::NodeId n : nodes) {
+    inside[n.index()] = true;
+  }
+  std::vector<model::Face> result = boundary_faces(mesh);
+  std::erase_if(result, [&](const model::Face& face) {
+    const std::span<const base::NodeId> all = mesh.nodes_of(face.element);
+    const std::span<const int> local =
+        shape::side_nodes(mesh.type[face.element.index()], face.side);
+    return !std::all_of(local.begin(), local.end(),
+                        [&](int i) { return inside[all[static_cast<std::size_t>(i)].index()]; });
+  });
+  return result;
+}
+
+std::vector<base::NodeId> nodes_of_faces(const model::Mesh& mesh,
+                                         const std::vector<model::Face>& faces) {
+  std::vector<base::NodeId> result;
+  for (const model::Face& face : faces) {
+    const std::span<const base::NodeId> all = mesh.nodes_of(face.element);
+    for (const int i : shape::side_nodes(mesh.type[face.element.index()], face.side)) {
+      result.push_back(all[static_cast<std::size_t>(i)]);
+    }
+  }
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+std::vector<Chain> chains(const model::Mesh& mesh, const std::vector<model::Face>& faces) {
+  std::multimap<base::NodeId, std::size_t> leaving; // equal keys keep the order of insertion
+  std::map<base::NodeId, int> surplus;              // edges that leave minus edges that arrive
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const auto [a, b] = ends(mesh, faces[i]);
+    leaving.emplace(a, i);
+    ++surplus[a];
+    --surplus[b];
+  }
+  std::vector<bool> used(faces.size(), false);
+  std::vector<Chain> result;
+  const auto walk = [&](std::size_t start) {
+    Chain chain;
+    const base::NodeId first = ends(mesh, faces[start]).first;
+    std::size_t at = start;
+    for (bool more = true; more;) {
+      used[at] = true;
+      chain.faces.push_back(faces[at]);
+      const base::NodeId end = ends(mesh, faces[at]).second;
+      chain.closed = end == first;
+      more = false;
+      const auto [begin, stop] = leaving.equal_range(end);
+      for (auto it = begin; it != stop && !chain.closed && !more; ++it) {
+        if (!used[it->second]) {
+          at = it->second;
+          more = true;
+        }
+      }
+    }
+    result.push_back(std::move(chain));
+  };
+  for (std::size_t i = 0; i < faces.size(); ++i) { // open chains from their ends
+    int& left = surplus[ends(mesh, faces[i]).first];
+    if (!used[i] && left > 0) {
+      --left;
+      walk(i);
+    }
+  }
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    if (!used[i]) {
+      walk(i);
+    }
+  }
+  return result;
+}
+
+} // namespace spricka::mesh

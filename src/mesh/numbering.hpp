@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "model/mesh.hpp"
+
+namespace spricka::mesh {
+
+/// One above the highest node label of a net; 1 for an empty net.
+base::Label next_node_label(const model::Mesh& mesh, base::NetId net);
+
+/// One above the highest element label of a net; 1 for an empty net.
+base::Label next_element_label(const model::Mesh& mesh, base::NetId net);
+
+} // namespace spricka::mesh

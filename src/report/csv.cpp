@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/file.hpp"
+#include "report/report.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <numbers>
+
+// fmt writes the shortest decimal number that reads back to the same bits, whatever the locale.
+
+namespace spricka::report {
+
+void write_k_csv(const std::filesystem::path& file, const model::Model& model,
+                 const results::Run& run) {
+  const base::UnitSystem& units = model.units;
+  std::string text =
+      fmt::format("# units: a [{0}], K1 K2 [{1}], G [{2}/{0}], increment and spread [1]\n"
+                  "increment,step,crack,a,K1,K2,G,spread\n",
+                  units.length_name, units.stress_intensity_name(), units.force_name);
+  auto out = std::back_inserter(text);
+  for (const results::Increment& increment : run.increments) {
+    for (const results::StepResult& step : increment.steps) {
+      for (const results::TipResult& tip : step.tips) {
+        fmt::format_to(out, "{},{},{},{},{},{},{},{}\n", increment.number, step.step, tip.name,
+                       tip.a, tip.K1, tip.K2, tip.G, tip.spread);
+      }
+    }
+  }
+  write_file(file, text);
+}
+
+void write_pressure_csv(const std::filesystem::path& file, const model::Model& model,
+                        const results::Run& run) {
+  std::string text =
+      fmt::format("# units: x y [{}], theta [deg], p_lumped p_consistent [{}], increment [1]\n"
+                  "increment,step,contact,x,y,theta,p_lumped,p_consistent\n",
+                  model.units.length_name, model.units.stress_name());
+  auto out = std::back_inserter(text);
+  constexpr double degree = 180.0 / std::numbers::pi;
+  for (const results::Increment& increment : run.increments) {
+    for (const results::StepResult& step : increment.steps) {
+      for (const results::ContactResult& contact : step.contacts) {
+        if (!contact.mounted) {
+          continue; // absent, not open: it has no pressure
+        }
+        for (const results::ContactPoint& point : contact.points) {
+          fmt::format_to(out, "{},{},{},{},{},{},{},{}\n", increment.number, step.step,
+                         contact.name, point.x[0], point.x[1], point.theta * degree, point.p_lumped,
+                         point.p_consistent);
+        }
+      }
+    }
+  }
+  write_file(file, text);
+}
+
+} // namespace spricka::report

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/figures.hpp"
+#include "report/model_tables.hpp"
+#include "report/report.hpp"
+#include "report/result_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace spricka::report {
+namespace {
+
+constexpr const char* style_sheet = R"(
+body { font: 15px/1.45 Helvetica, Arial, 'Liberation Sans', sans-serif; color: #000;
+  background: #fff; max-width: 1010px; margin: 2em auto; padding: 0 1em; }
+h1 { font-size: 1.6em; margin: 0 0 .2em; }
+h2 { font-size: 1.2em; margin: 2em 0 .6em; border-bottom: 1px solid #000; }
+p.about { color: #333; margin: .2em 0; }
+p.failed { font-weight: bold; color: #b00000; }
+table { border-collapse: collapse; margin: 1em 0; font-size: .87em;
+  font-variant-numeric: tabular-nums; border-bottom: 1.5px solid #000; }
+caption { text-align: left; font-weight: bold; padding: .2em 0; }
+thead { border-top: 1.5px solid #000; border-bottom: 1px solid #000; }
+th { font-weight: bold; text-align: right; vertical-align: top; padding: .15em 1em .15em 0; }
+th span { font-weight: normal; color: #333; }
+td { text-align: right; padding: .1em 1em .1em 0; white-space: nowrap; }
+th.w, td.w { text-align: left; }
+td.w { white-space: normal; }
+figure { margin: 1.2em 0 1.8em; break-inside: avoid; }
+figure div { display: flex; flex-wrap: wrap; gap: 8px 14px; align-items: flex-start; }
+figure svg { max-width: 100%; height: auto; }
+figcaption { font-size: .9em; color: #222; max-width: 60em; margin-top: .4em; }
+pre { font-size: .8em; line-height: 1.3; overflow-x: auto; }
+@media print { body { max-width: none; margin: 0; font-size: 11px; } details { display: none; } }
+)";
+
+/// Collects the page and numbers its figures.
+class Page {
+public:
+  void add(std::string_view html) { body_ += html; }
+  void heading(std::string_view words) { body_ += fmt::format("<h2>{}</h2>\n", escape(words)); }
+  void table(const Table& table) {
+    if (!table.rows.empty()) {
+      body_ += to_html(table);
+    }
+  }
+  void figure(const Figure& figure) {
+    body_ += "<figure><div>\n";
+    for (const std::string& drawing : figure.drawings) {
+      body_ += drawing;
+    }
+    body_ += "</div>" + figure.legend;
+    body_ += fmt::format("<figcaption><b>Figure {}.</b> {}</figcaption></figure>\n", ++figures_,
+                         escape(figure.caption));
+  }
+  [[nodiscard]] std::string finish(const std::string& title) const {
+    return fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width\">\n"
+        "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n{}</body>\n</html>\n",
+        escape(title), style_sheet, body_);
+  }
+
+private:
+  std::string body_;
+  int figures_ = 0;
+};
+
+/// A table whose heading says enough.
+Table untitled(Table table) {
+  table.title.clear();
+  return table;
+}
+
+void add_head(Page& page, const std::string& title, const base::Sources& sources,
+              const model::Model& model) {
+  const base::UnitSystem& units = model.units;
+  page.add(fmt::format("<h1>{}</h1>\n", escape(title)));
+  page.add(fmt::format("<p class=\"about\">Deck {}, computed by spricka {}. Units: {}, {}, {}; "
+                       "stress intensity in {}.</p>\n",
+                       escape(sources.count() > 0 ? sources.name(0) : ""), SPRICKA_VERSION,
+                       units.length_name, units.force_name, units.stress_name(),
+                       print_unit(units.stress_intensity_name())));
+}
+
+void add_verdict(Page& page, const results::Run& run) {
+  const auto passed = static_cast<std::size_t>(std::count_if(
+      run.checks.begin(), run.checks.end(), [](const auto& check) { return check.passed; }));
+  if (!run.checks.empty()) {
+    page.add(fmt::format("<p class=\"{}\">{} of the deck's {} checks passed.</p>\n",
+                         passed == run.checks.size() ? "about" : "failed", passed,
+                         run.checks.size()));
+  }
+}
+
+void add_cracks(Page& page, const model::Model& model, const results::Run& run) {
+  const Table history = k_history_table(model, run, leading_step(model));
+  if (history.rows.empty()) {
+    return;
+  }
+  page.heading("Stress intensity factors");
+  page.table(history);
+  if (const std::optional<Figure> figure = k_figure(model, run)) {
+    page.figure(*figure);
+  }
+  if (const std::optional<Figure> figure = normalised_figure(model, run)) {
+    page.figure(*figure);
+  }
+  page.table(reference_table(model, run));
+}
+
+void add_contacts(Page& page, const model::Model& model, const results::Run& run) {
+  if (model.contacts.empty() || run.increments.empty()) {
+    return;
+  }
+  page.heading("Contact");
+  for (const Figure& figure : pressure_figures(model, run)) {
+    page.figure(figure);
+  }
+  for (const results::Increment& increment : run.increments) {
+    Table table = contact_table(model, increment);
+    if (!model.cracks.empty()) {
+      table.title = fmt::format("Contact at a = {:.4g} {}", increment.a, model.units.length_name);
+    }
+    page.table(table);
+  }
+}
+
+void add_notes(Page& page, const results::Run& run) {
+  std::string items;
+  for (const std::string& warning : run.warnings) {
+    items += "<li><b>Warning:</b> " + escape(warning) + "</li>\n";
+  }
+  for (const results::Increment& increment : run.increments) {
+    for (const std::string& note : increment.notes) {
+      items += fmt::format("<li>Increment {}: {}</li>\n", increment.number, escape(note));
+    }
+    for (const results::StepResult& step : increment.steps) {
+      for (const std::string& note : step.notes) {
+        items += fmt::format("<li>Increment {}, step {}: {}</li>\n", increment.number,
+                             escape(step.step), escape(note));
+      }
+    }
+  }
+  if (!items.empty()) {
+    page.heading("Notes");
+    page.add("<ul>\n" + items + "</ul>\n");
+  }
+}
+
+void add_deck(Page& page, const base::Sources& sources) {
+  page.heading("Deck");
+  for (std::int32_t f = 0; f < static_cast<std::int32_t>(sources.count()); ++f) {
+    page.add(fmt::format("<details><summary>{}</summary><pre>{}</pre></details>\n",
+                         escape(sources.name(f)), escape(sources.text(f))));
+  }
+}
+
+} // namespace
+
+std::string html_report(const base::Sources& sources, const model::Model& model,
+                        const results::Run& run) {
+  Page page;
+  const std::string title = model.title.empty() ? "spricka report" : model.title;
+  add_head(page, title, sources, model);
+  add_verdict(page, run);
+  add_cracks(page, model, run);
+  page.heading("Model");
+  page.table(net_table(model));
+  page.table(property_table(model));
+  page.table(contact_pair_table(model));
+  for (const Figure& figure : mesh_figures(model, run)) {
+    page.figure(figure);
+  }
+  add_contacts(page, model, run);
+  if (!run.increments.empty()) {
+    page.heading("Force balance");
+    page.table(untitled(balance_table(model, run.increments.back())));
+  }
+  if (!run.checks.empty()) {
+    page.heading("Checks");
+    page.table(untitled(check_table(run)));
+  }
+  add_notes(page, run);
+  add_deck(page, sources);
+  return page.finish(title);
+}
+
+} // namespace spricka::report

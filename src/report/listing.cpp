@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/model_tables.hpp"
+#include "report/report.hpp"
+#include "report/result_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace spricka::report {
+namespace {
+
+std::string heading(std::string_view text) {
+  return fmt::format("\n{}\n{}\n\n", text, std::string(text.size(), '='));
+}
+
+/// The deck and what it includes, each line with its number, as ASKA printed them.
+std::string echo(const base::Sources& sources) {
+  std::string out;
+  for (std::int32_t f = 0; f < static_cast<std::int32_t>(sources.count()); ++f) {
+    out += heading("Deck " + sources.name(f));
+    std::string_view text = sources.text(f);
+    for (std::size_t line = 1; !text.empty(); ++line) {
+      const std::size_t end = std::min(text.find('\n'), text.size());
+      std::string_view shown = text.substr(0, end);
+      if (shown.ends_with('\r')) {
+        shown.remove_suffix(1);
+      }
+      out += fmt::format("{:>6} |{}{}\n", line, shown.empty() ? "" : " ", shown);
+      text.remove_prefix(std::min(end + 1, text.size()));
+    }
+  }
+  return out;
+}
+
+std::string model_summary(const model::Model& model) {
+  const base::UnitSystem& units = model.units;
+  std::string out = heading("Model");
+  if (!model.title.empty()) {
+    out += model.title + "\n\n";
+  }
+  out += fmt::format("Units: length {}, force {}, stress {}, K {}\n\n", units.length_name,
+                     units.force_name, units.stress_name(), units.stress_intensity_name());
+  out += to_text(net_table(model)) + "\n" + to_text(property_table(model));
+  const Table contacts = contact_pair_table(model);
+  if (!contacts.rows.empty()) {
+    out += "\n" + to_text(contacts);
+  }
+  if (!model.steps.empty()) {
+    out += "\nSteps:";
+    for (const model::Step& step : model.steps) {
+      out += fmt::format(" {}{}", step.name,
+                         step.substeps > 1 ? fmt::format(" ({} substeps)", step.substeps) : "");
+    }
+    out += "\n";
+  }
+  return out;
+}
+
+std::string log_text(const results::Run& run) {
+  return heading("Processor log") + to_text(log_table(run)) +
+         fmt::format("\n  total {:.3f} s cpu, {:.3f} s wall, at most {:.0f} MB of memory\n",
+                     run.cpu, run.wall, static_cast<double>(run.peak_memory) / 1e6);
+}
+
+std::string increment_text(const model::Model& model, const results::Increment& increment) {
+  std::string out = model.cracks.empty()
+                        ? heading("Results")
+                        : heading(fmt::format("Increment {}: a = {:.6g} {}", increment.number,
+                                              increment.a, model.units.length_name));
+  out += fmt::format("Mesh: {} nodes, {} elements\n", increment.mesh.node_count(),
+                     increment.mesh.element_count());
+  for (const std::string& note : increment.notes) {
+    out += "note: " + note + "\n";
+  }
+  for (const results::StepResult& step : increment.steps) {
+    for (const std::string& note : step.notes) {
+      out += fmt::format("note: step {}: {}\n", step.step, note);
+    }
+  }
+  for (const Table& table : {balance_table(model, increment), contact_table(model, increment),
+                             k_table(model, increment)}) {
+    if (!table.rows.empty()) {
+      out += "\n" + to_text(table);
+    }
+  }
+  return out;
+}
+
+std::string check_text(const results::Run& run) {
+  if (run.checks.empty()) {
+    return {};
+  }
+  std::size_t failed = 0;
+  std::size_t recorded = 0;
+  for (const results::CheckResult& check : run.checks) {
+    failed += check.passed ? 0 : 1;
+    recorded += check.source == "RECORDED" ? 1 : 0;
+  }
+  return heading("Checks of the deck") + to_text(check_table(run)) +
+         fmt::format("\n  {} of {} passed, {} of them against a recorded value\n",
+                     run.checks.size() - failed, run.checks.size(), recorded);
+}
+
+} // namespace
+
+std::string listing(const base::Sources& sources, const model::Model& model,
+                    const results::Run& run) {
+  std::string out = "spricka " SPRICKA_VERSION "\n";
+  out += echo(sources) + model_summary(model) + log_text(run);
+  for (const results::Increment& increment : run.increments) {
+    out += increment_text(model, increment);
+  }
+  if (run.increments.size() > 1) {
+    const Table table = k_history_table(model, run, leading_step(model));
+    if (!table.rows.empty()) {
+      out += heading("Crack growth") + to_text(table);
+    }
+  }
+  out += check_text(run);
+  if (!run.warnings.empty()) {
+    out += heading("Warnings");
+    for (const std::string& warning : run.warnings) {
+      out += "  " + warning + "\n";
+    }
+  }
+  return out;
+}
+
+} // namespace spricka::report

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/figures.hpp"
+#include "report/mesh_picture.hpp"
+#include "report/result_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace spricka::report {
+namespace {
+
+const results::StepResult* leading(const model::Model& model, const results::Increment& increment) {
+  const results::StepResult* const step = results::find_step(increment, leading_step(model));
+  return step != nullptr || increment.steps.empty() ? step : &increment.steps.back();
+}
+
+/// The node of an element nearest to a place, and its distance.
+base::NodeId nearest_node(const model::Mesh& mesh, const base::Vec3& x) {
+  base::NodeId nearest = mesh.nodes.front();
+  for (const base::NodeId n : mesh.nodes) {
+    if ((mesh.x[n.index()] - x).squaredNorm() < (mesh.x[nearest.index()] - x).squaredNorm()) {
+      nearest = n;
+    }
+  }
+  return nearest;
+}
+
+struct TipPlace {
+  base::NodeId node;
+  base::NetId net;
+  double element = 0.0; ///< largest extent of the elements that meet at the tip
+};
+
+TipPlace find_tip_place(const model::Mesh& mesh, const base::Vec3& x) {
+  TipPlace place;
+  place.node = nearest_node(mesh, x);
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const std::span<const base::NodeId> nodes = mesh.nodes_of(base::ElementId(e));
+    if (std::find(nodes.begin(), nodes.end(), place.node) == nodes.end()) {
+      continue;
+    }
+    place.net = mesh.element_net[e];
+    for (const base::NodeId n : nodes) {
+      place.element = std::max(place.element, (mesh.x[n.index()] - x).norm());
+    }
+  }
+  return place;
+}
+
+/// Shows the mesh as it is deformed, the tip held, so that the largest motion in the window takes
+/// a twelfth of it.
+void deform(MeshView& view, const results::StepResult& step, base::NodeId tip) {
+  const model::Mesh& mesh = *view.mesh;
+  if (step.u.size() != static_cast<Eigen::Index>(2 * mesh.node_count())) {
+    return;
+  }
+  view.rest = step.u.segment<2>(static_cast<Eigen::Index>(2 * tip.index()));
+  double largest = 0.0;
+  for (const base::NodeId n : mesh.nodes) {
+    const base::Vec3& x = mesh.x[n.index()];
+    const bool inside =
+        x[0] > view.low.x && x[0] < view.high.x && x[1] > view.low.y && x[1] < view.high.y;
+    if (inside && (!view.net.valid() || mesh.node_net[n.index()] == view.net)) {
+      const base::Vec2 u = step.u.segment<2>(static_cast<Eigen::Index>(2 * n.index()));
+      largest = std::max(largest, (u - view.rest).norm());
+    }
+  }
+  if (largest > 0.0) {
+    view.u = &step.u;
+    view.magnify = round_down((view.high.x - view.low.x) / 12.0 / largest);
+  }
+}
+
+void set_window(MeshView& view, const base::Vec3& centre, double half) {
+  view.low = {centre[0] - half, centre[1] - half};
+  view.high = {centre[0] + half, centre[1] + half};
+}
+
+std::string tip_drawing(const model::Model& model, const results::Increment& increment,
+                        const results::TipResult& tip, bool close) {
+  const TipPlace place = find_tip_place(increment.mesh, tip.x);
+  MeshView view;
+  view.mesh = &increment.mesh;
+  view.id = fmt::format("mesh-{}-{}-{}", tip.name, increment.number, close ? "tip" : "crack");
+  view.net = place.net;
+  view.length_name = model.units.length_name;
+  view.title = fmt::format("{}{}, a = {:.4g} {}", tip.name, close ? ", the tip" : "", tip.a,
+                           model.units.length_name);
+  const base::Vec3 middle = tip.x - 0.45 * tip.a * tip.direction;
+  set_window(view, close ? tip.x : middle, close ? 5.0 * place.element : 0.85 * tip.a);
+  if (const results::StepResult* const step = leading(model, increment)) {
+    deform(view, *step, place.node);
+  }
+  return draw(view);
+}
+
+Figure whole_mesh(const model::Model& model, const results::Increment& increment) {
+  const model::Mesh& mesh = increment.mesh;
+  MeshView view;
+  view.mesh = &mesh;
+  view.id = "mesh-whole";
+  view.title = "Mesh";
+  view.length_name = model.units.length_name;
+  view.width = 660.0;
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  view.low = {infinite, infinite};
+  view.high = {-infinite, -infinite};
+  for (const base::NodeId n : mesh.nodes) {
+    const base::Vec3& x = mesh.x[n.index()];
+    view.low = {std::min(view.low.x, x[0]), std::min(view.low.y, x[1])};
+    view.high = {std::max(view.high.x, x[0]), std::max(view.high.y, x[1])};
+  }
+  const double margin = 0.02 * std::max(view.high.x - view.low.x, view.high.y - view.low.y);
+  view.low = {view.low.x - margin, view.low.y - margin};
+  view.high = {view.high.x + margin, view.high.y + margin};
+  const double slender = (view.high.y - view.low.y) / (view.high.x - view.low.x);
+  view.width = std::min(view.width, 480.0 / slender);
+  std::string cracks;
+  if (const results::StepResult* const step = leading(model, increment)) {
+    for (const results::TipResult& tip : step->tips) {
+      if (!tip.direction.isZero()) {
+        view.labels.push_back({{tip.x[0], tip.x[1]}, tip.name});
+        cracks += fmt::format("{}{}: a = {:.4g} {}", cracks.empty() ? "; cracks " : ", ", tip.name,
+                              tip.a, model.units.length_name);
+      }
+    }
+  }
+  return {{draw(view)},
+          "",
+          fmt::format("The mesh, {} elements, one tint for each net{}. Heavy lines are edges of "
+                      "one element only: outlines and crack lips.",
+                      mesh.element_count(), cracks)};
+}
+
+/// First and last length, then the last tip from near by.
+std::optional<Figure> crack_figure(const model::Model& model, const results::Run& run,
+                                   const std::string& name) {
+  Figure figure;
+  const results::Increment* last = nullptr;
+  const results::TipResult* last_tip = nullptr;
+  for (const results::Increment* const increment : chosen_increments(run, 2)) {
+    const results::StepResult* const step = leading(model, *increment);
+    const results::TipResult* const tip =
+        step == nullptr ? nullptr : results::find_tip(*step, name);
+    if (tip != nullptr && !tip->direction.isZero() && tip->a > 0.0) {
+      figure.drawings.push_back(tip_drawing(model, *increment, *tip, false));
+      last = increment;
+      last_tip = tip;
+    }
+  }
+  if (last == nullptr) {
+    return std::nullopt;
+  }
+  figure.drawings.push_back(tip_drawing(model, *last, *last_tip, true));
+  figure.caption = fmt::format("The mesh round crack {} at the end of step {}, deformed, the tip "
+                               "held in its place; other bodies are left out.",
+                               name, leading(model, *last)->step);
+  return figure;
+}
+
+} // namespace
+
+std::vector<Figure> mesh_figures(const model::Model& model, const results::Run& run) {
+  std::vector<Figure> figures;
+  if (run.increments.empty() || run.increments.back().mesh.dim != 2 ||
+      run.increments.back().mesh.nodes.empty()) {
+    return figures;
+  }
+  const results::Increment& last = run.increments.back();
+  figures.push_back(whole_mesh(model, last));
+  if (const results::StepResult* const step = leading(model, last)) {
+    for (const results::TipResult& tip : step->tips) {
+      if (std::optional<Figure> figure = crack_figure(model, run, tip.name)) {
+        figures.push_back(std::move(*figure));
+      }
+    }
+  }
+  return figures;
+}
+
+} // namespace spricka::report

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/plot.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spricka::report {
+namespace {
+
+constexpr double box_left = 66.0;
+constexpr double box_top = 12.0;
+constexpr double box_width = 400.0;
+constexpr double box_height = 290.0;
+constexpr double legend_left = box_left + box_width + 18.0;
+constexpr double line_height = 15.0;
+constexpr std::size_t legend_letters = 30;
+
+struct Range {
+  double low = 0.0;
+  double high = 0.0;
+};
+
+/// Both axes show 0: crack lengths and stress intensities are compared with it.
+Range range_of(const Plot& plot, double Point::*member) {
+  Range range;
+  for (const Series& series : plot.series) {
+    for (const Point& p : series.points) {
+      if (std::isfinite(p.*member)) {
+        range.low = std::min(range.low, p.*member);
+        range.high = std::max(range.high, p.*member);
+      }
+    }
+  }
+  if (range.high == range.low) {
+    range.high = range.low + 1.0;
+  }
+  const double margin = 0.05 * (range.high - range.low);
+  range.high += margin;
+  range.low -= range.low < 0.0 ? margin : 0.0;
+  return range;
+}
+
+Point place(Point p, const Range& x, const Range& y) {
+  return {box_left + box_width * (p.x - x.low) / (x.high - x.low),
+          box_top + box_height * (y.high - p.y) / (y.high - y.low)};
+}
+
+double distance(const std::vector<double>& ticks) {
+  return ticks.size() > 1 ? ticks[1] - ticks[0] : 1.0;
+}
+
+void draw_axes(Svg& svg, const Plot& plot, const Range& x, const Range& y) {
+  const Style grid{"#ddd", 0.7, "none", ""};
+  const Style axis{"#000", 0.9, "none", ""};
+  const double bottom = box_top + box_height;
+  const std::vector<double> x_ticks = round_ticks(x.low, x.high, 7);
+  for (const double t : x_ticks) {
+    const double at = place({t, 0.0}, x, y).x;
+    svg.line({at, box_top}, {at, bottom}, grid);
+    svg.line({at, bottom}, {at, bottom - 5.0}, axis);
+    svg.text({at, bottom + 16.0}, tick_text(t, distance(x_ticks)), {Anchor::middle});
+  }
+  const std::vector<double> y_ticks = round_ticks(y.low, y.high, 6);
+  for (const double t : y_ticks) {
+    const double at = place({0.0, t}, x, y).y;
+    svg.line({box_left, at}, {box_left + box_width, at}, grid);
+    svg.line({box_left, at}, {box_left + 5.0, at}, axis);
+    svg.text({box_left - 7.0, at + 4.0}, tick_text(t, distance(y_ticks)), {Anchor::end});
+  }
+  svg.rectangle({box_left, box_top}, box_width, box_height, axis);
+  svg.text({box_left + 0.5 * box_width, bottom + 36.0}, plot.x_name, {Anchor::middle, 13.0});
+  svg.text({18.0, box_top + 0.5 * box_height}, plot.y_name, {Anchor::middle, 13.0, "#000", 90.0});
+}
+
+Style line_style(const Series& series) {
+  return {series.colour, 1.6, "none", series.dash};
+}
+
+void draw_marker(Svg& svg, const Series& series, Point at) {
+  const bool open = *series.marker == Marker::plus || *series.marker == Marker::cross;
+  svg.marker(*series.marker, at, {series.colour, open ? 1.6 : 1.3, open ? "none" : "#fff", ""});
+}
+
+void draw_series(Svg& svg, const Series& series, const Range& x, const Range& y) {
+  std::vector<Point> points;
+  for (const Point& p : series.points) {
+    if (std::isfinite(p.x) && std::isfinite(p.y)) {
+      points.push_back(place(p, x, y));
+    }
+  }
+  if (series.joined) {
+    svg.polyline(points, line_style(series));
+  }
+  if (series.marker) {
+    for (const Point& p : points) {
+      draw_marker(svg, series, p);
+    }
+  }
+}
+
+/// Words in lines of at most `letters` bytes; a longer word stands alone.
+std::vector<std::string> wrap(std::string_view words, std::size_t letters) {
+  std::vector<std::string> lines{""};
+  while (!words.empty()) {
+    const std::size_t end = std::min(words.find(' '), words.size());
+    const std::string_view word = words.substr(0, end);
+    words.remove_prefix(std::min(end + 1, words.size()));
+    if (!lines.back().empty() && lines.back().size() + 1 + word.size() > letters) {
+      lines.emplace_back();
+    }
+    lines.back() += (lines.back().empty() ? "" : " ") + std::string(word);
+  }
+  return lines;
+}
+
+/// Legend lines of all series: what stands there and how many lines each entry takes.
+struct Entry {
+  const Series* series = nullptr;
+  std::vector<std::string> lines;
+};
+
+std::vector<Entry> legend_entries(const Plot& plot) {
+  std::vector<Entry> entries;
+  for (const Series& series : plot.series) {
+    if (!series.name.empty()) {
+      entries.push_back(
+          {&series, wrap(series.name, plot.legend_below ? 2 * legend_letters : legend_letters)});
+    }
+  }
+  return entries;
+}
+
+double legend_height(const std::vector<Entry>& entries) {
+  double height = 0.0;
+  for (const Entry& entry : entries) {
+    height += line_height * static_cast<double>(entry.lines.size()) + 4.0;
+  }
+  return height;
+}
+
+void draw_legend(Svg& svg, const std::vector<Entry>& entries, Point corner) {
+  double y = corner.y + 10.0;
+  for (const Entry& entry : entries) {
+    const Series& series = *entry.series;
+    if (series.joined) {
+      svg.line({corner.x, y - 4.0}, {corner.x + 30.0, y - 4.0}, line_style(series));
+    }
+    if (series.marker) {
+      draw_marker(svg, series, {corner.x + 15.0, y - 4.0});
+    }
+    for (const std::string& line : entry.lines) {
+      svg.text({corner.x + 38.0, y}, line, {});
+      y += line_height;
+    }
+    y += 4.0;
+  }
+}
+
+} // namespace
+
+std::string draw(const Plot& plot) {
+  const Range x = range_of(plot, &Point::x);
+  const Range y = range_of(plot, &Point::y);
+  const std::vector<Entry> entries = legend_entries(plot);
+  const double foot = box_top + box_height + 46.0;
+  const double beside = legend_left + 225.0;
+  Svg svg(plot.legend_below ? legend_left : beside,
+          plot.legend_below ? foot + 6.0 + legend_height(entries)
+                            : std::max(foot, box_top + legend_height(entries)),
+          plot.label);
+  draw_axes(svg, plot, x, y);
+  for (const Series& series : plot.series) {
+    draw_series(svg, series, x, y);
+  }
+  draw_legend(svg, entries,
+              plot.legend_below ? Point{box_left, foot + 6.0} : Point{legend_left, box_top});
+  return svg.finish();
+}
+
+} // namespace spricka::report

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/result_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <numbers>
+
+namespace spricka::report {
+namespace {
+
+using Row = std::vector<std::string>;
+
+constexpr std::array<const char*, 3> axis{"x", "y", "z"};
+
+std::string number(double value) {
+  return fmt::format("{:.6g}", value);
+}
+std::string small(double value) {
+  return fmt::format("{:.2e}", value);
+}
+std::string degrees(double radians) {
+  return fmt::format("{:.1f}", radians * 180.0 / std::numbers::pi);
+}
+
+std::size_t dimension(const results::Increment& increment) {
+  return static_cast<std::size_t>(increment.mesh.dim);
+}
+
+void add_columns(Table& table, const char* what, std::size_t dim, const std::string& unit) {
+  for (std::size_t i = 0; i < dim; ++i) {
+    table.columns.push_back({fmt::format("{} {}", what, axis[i]), unit, false});
+  }
+}
+
+/// Components of a force; what is round-off beside `scale` is shown as 0.
+void add_cells(Row& row, const base::Vec3& force, std::size_t dim, double scale) {
+  for (std::size_t i = 0; i < dim; ++i) {
+    const double f = force[static_cast<Eigen::Index>(i)];
+    row.push_back(std::abs(f) < 1e-9 * scale ? "0" : number(f));
+  }
+}
+
+void add_k_columns(Table& table, const base::UnitSystem& units) {
+  const std::string g_unit = units.force_name + "/" + units.length_name;
+  table.columns.push_back({"tip", "", true});
+  table.columns.push_back({"a", units.length_name, false});
+  table.columns.push_back({"K1", units.stress_intensity_name(), false});
+  table.columns.push_back({"K2", units.stress_intensity_name(), false});
+  table.columns.push_back({"G", g_unit, false});
+  table.columns.push_back({"(K1^2+K2^2)/E'", g_unit, false});
+  table.columns.push_back({"spread", "", false});
+}
+
+void add_k_cells(Row& row, const results::TipResult& tip) {
+  row.insert(row.end(), {tip.name, number(tip.a), number(tip.K1), number(tip.K2), number(tip.G),
+                         number(tip.G_from_K), small(tip.spread)});
+}
+
+Row contact_row(const results::StepResult& step, const results::ContactResult& contact,
+                std::size_t dim) {
+  Row row{step.step, contact.name};
+  if (!contact.mounted) {
+    row.push_back("absent");
+    row.resize(row.size() + 7 + dim);
+    return row;
+  }
+  row.push_back(fmt::format("{}/{}", contact.closed, contact.rows));
+  row.push_back(small(contact.max_penetration));
+  row.push_back(number(contact.min_pressure));
+  row.push_back(number(contact.mean_pressure));
+  row.push_back(number(contact.max_pressure));
+  add_cells(row, contact.force_on_slave, dim, contact.force_on_slave.norm());
+  row.push_back(degrees(contact.arc_from));
+  row.push_back(degrees(contact.arc_to));
+  row.push_back(fmt::format("{}", step.iterations));
+  return row;
+}
+
+} // namespace
+
+Table k_table(const model::Model& model, const results::Increment& increment) {
+  Table table{"Stress intensity factors", {{"step", "", true}}, {}};
+  add_k_columns(table, model.units);
+  for (const results::StepResult& step : increment.steps) {
+    for (const results::TipResult& tip : step.tips) {
+      Row row{step.step};
+      add_k_cells(row, tip);
+      table.rows.push_back(std::move(row));
+    }
+  }
+  return table;
+}
+
+Table k_history_table(const model::Model& model, const results::Run& run, std::string_view step) {
+  Table table{fmt::format("Stress intensity factors at the end of step {}", step),
+              {{"increment", "", false}},
+              {}};
+  add_k_columns(table, model.units);
+  for (const results::Increment& increment : run.increments) {
+    const results::StepResult* const at = results::find_step(increment, step);
+    if (at == nullptr) {
+      continue;
+    }
+    for (const results::TipResult& tip : at->tips) {
+      Row row{fmt::format("{}", increment.number)};
+      add_k_cells(row, tip);
+      table.rows.push_back(std::move(row));
+    }
+  }
+  return table;
+}
+
+Table contact_table(const model::Model& model, const results::Increment& increment) {
+  const base::UnitSystem& units = model.units;
+  const std::string stress = units.stress_name();
+  Table table{"Contact",
+              {{"step", "", true},
+               {"contact", "", true},
+               {"closed", "", true},
+               {"penetration", units.length_name, false},
+               {"p min", stress, false},
+               {"p mean", stress, false},
+               {"p max", stress, false}},
+              {}};
+  add_columns(table, "force", dimension(increment), units.force_name);
+  table.columns.push_back({"arc from", "deg", false});
+  table.columns.push_back({"to", "deg", false});
+  table.columns.push_back({"iterations", "", false});
+  for (const results::StepResult& step : increment.steps) {
+    for (const results::ContactResult& contact : step.contacts) {
+      table.rows.push_back(contact_row(step, contact, dimension(increment)));
+    }
+  }
+  return table;
+}
+
+Table balance_table(const model::Model& model, const results::Increment& increment) {
+  const std::size_t dim = dimension(increment);
+  const std::string unit = model.units.force_name;
+  Table table{"Force balance", {{"step", "", true}, {"body", "", true}}, {}};
+  add_columns(table, "applied", dim, unit);
+  add_columns(table, "reaction", dim, unit);
+  add_columns(table, "contact", dim, unit);
+  table.columns.push_back({"left over", unit, false});
+  for (const results::StepResult& step : increment.steps) {
+    double scale = 0.0;
+    for (const results::Balance& b : step.balance) {
+      scale = std::max({scale, b.applied.norm(), b.reaction.norm(), b.contact.norm()});
+    }
+    for (const results::Balance& b : step.balance) {
+      Row row{step.step, b.body};
+      add_cells(row, b.applied, dim, scale);
+      add_cells(row, b.reaction, dim, scale);
+      add_cells(row, b.contact, dim, scale);
+      row.push_back(small((b.applied + b.reaction + b.contact).norm()));
+      table.rows.push_back(std::move(row));
+    }
+  }
+  return table;
+}
+
+Table check_table(const results::Run& run) {
+  Table table{"Checks",
+              {{"check", "", true},
+               {"found", "", false},
+               {"wanted", "", false},
+               {"error", "", false},
+               {"tolerance", "", false},
+               {"", "", true},
+               {"source", "", true}},
+              {}};
+  for (const results::CheckResult& check : run.checks) {
+    const bool found = check.trouble.empty();
+    const std::string error =
+        check.relative ? fmt::format("{:+.3f} %", 100.0 * check.error) : small(check.error);
+    const std::string tolerance = check.relative ? fmt::format("{:.4g} %", 100.0 * check.tolerance)
+                                                 : fmt::format("{:.4g}", check.tolerance);
+    table.rows.push_back({check.text, found ? number(check.found) : "-", number(check.wanted),
+                          found ? error : "-", tolerance, check.passed ? "passed" : "FAILED",
+                          found ? check.source : check.trouble});
+  }
+  return table;
+}
+
+Table log_table(const results::Run& run) {
+  Table table{"Processors",
+              {{"processor", "", true}, {"cpu", "s", false}, {"wall", "s", false}, {"", "", true}},
+              {}};
+  for (const results::LogLine& line : run.log) {
+    table.rows.push_back({line.processor, fmt::format("{:.3f}", line.cpu),
+                          fmt::format("{:.3f}", line.wall), line.text});
+  }
+  return table;
+}
+
+std::string leading_step(const model::Model& model) {
+  if (model.growth && model.growth->kmax.valid()) {
+    return model.steps[model.growth->kmax.index()].name;
+  }
+  return model.steps.empty() ? std::string() : model.steps.back().name;
+}
+
+} // namespace spricka::report

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "model/model.hpp"
+#include "report/table.hpp"
+#include "results/results.hpp"
+
+#include <vector>
+
+/// The tables of listing and page, made from the results.
+namespace spricka::report {
+
+/// K1, K2, G and (K1^2 + K2^2)/E' beside each other, for each step and tip of one increment.
+Table k_table(const model::Model& model, const results::Increment& increment);
+
+/// The same at the end of one step, one row for each increment and tip.
+Table k_history_table(const model::Model& model, const results::Run& run, std::string_view step);
+
+/// Penetration, pressures, closed rows, force, arc and iterations for each step and contact.
+Table contact_table(const model::Model& model, const results::Increment& increment);
+
+/// Applied loads, reactions and contact forces of each body and what is left of their sum.
+Table balance_table(const model::Model& model, const results::Increment& increment);
+
+/// Every check of the deck: found, wanted, error, tolerance, source.
+Table check_table(const results::Run& run);
+
+/// The processors that ran, with times.
+Table log_table(const results::Run& run);
+
+/// The step whose K the report shows first: KMAX of the growth, else the deck's last step; empty
+/// without steps.
+std::string leading_step(const model::Model& model);
+
+} // namespace spricka::report

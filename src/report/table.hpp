@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace spricka::report {
+
+/// A table of words and numbers already formatted; the listing and the HTML page show the same
+/// ones. Columns of words stand to the left, of numbers to the right.
+struct Table {
+  struct Column {
+    std::string name;
+    std::string unit; ///< as base::UnitSystem writes it; empty: none
+    bool words = false;
+  };
+  std::string title;
+  std::vector<Column> columns;
+  std::vector<std::vector<std::string>> rows; ///< each as long as `columns`
+};
+
+/// The table with blanks between its columns, names and units above them, ended by a newline.
+std::string to_text(const Table& table);
+
+/// The table as an HTML element, with units in print style.
+std::string to_html(const Table& table);
+
+/// A unit in print: "MPa*mm^0.5" becomes "MPa √mm", "N/mm^2" "N/mm²".
+std::string print_unit(std::string_view unit);
+
+/// Text with the characters that XML reserves replaced by entities.
+std::string escape(std::string_view text);
+
+} // namespace spricka::report

@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/condense_bodies.hpp"
+
+#include "base/clock.hpp"
+#include "base/parallel.hpp"
+#include "run/content_hash.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include <fmt/format.h>
+
+namespace spricka::run {
+
+namespace {
+
+// A share of rest elements below which splitting a body does not pay.
+constexpr double least_rest = 0.3;
+
+std::vector<base::NodeId> nodes_of(const model::Mesh& mesh,
+                                   const std::vector<base::ElementId>& elements) {
+  std::vector<base::NodeId> nodes;
+  for (const base::ElementId e : elements) {
+    const std::span<const base::NodeId> own = mesh.nodes_of(e);
+    nodes.insert(nodes.end(), own.begin(), own.end());
+  }
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+void make_external(const model::Mesh& mesh, base::NodeId node,
+                   std::vector<model::FreedomClass>& cls) {
+  for (std::size_t c = 0; c < static_cast<std::size_t>(mesh.dim); ++c) {
+    model::FreedomClass& k = cls[static_cast<std::size_t>(mesh.dim) * node.index() + c];
+    k = k == model::FreedomClass::local ? model::FreedomClass::external : k;
+  }
+}
+
+// A floating body needs external freedoms on which its rigid modes differ: the first node, the one
+// farthest from it, and in space the one farthest from their line.
+void add_carriers(const model::Mesh& mesh, const fe::Body& body,
+                  std::vector<model::FreedomClass>& cls) {
+  const base::Vec3& a = mesh.x[body.nodes.front().index()];
+  const auto farthest = [&](const auto& distance) {
+    return *std::max_element(body.nodes.begin(), body.nodes.end(),
+                             [&](base::NodeId p, base::NodeId q) {
+                               return distance(mesh.x[p.index()]) < distance(mesh.x[q.index()]);
+                             });
+  };
+  const base::NodeId far = farthest([&](const base::Vec3& x) { return (x - a).norm(); });
+  make_external(mesh, body.nodes.front(), cls);
+  make_external(mesh, far, cls);
+  if (mesh.dim == 3) {
+    const base::Vec3 d = (mesh.x[far.index()] - a).normalized();
+    make_external(mesh, farthest([&](const base::Vec3& x) { return (x - a).cross(d).norm(); }), cls);
+  }
+}
+
+std::size_t external_nodes(const model::Mesh& mesh, const fe::Body& body,
+                           const std::vector<model::FreedomClass>& cls) {
+  const auto dim = static_cast<std::size_t>(mesh.dim);
+  return static_cast<std::size_t>(
+      std::count_if(body.nodes.begin(), body.nodes.end(), [&](base::NodeId n) {
+        for (std::size_t c = 0; c < dim; ++c) {
+          if (cls[dim * n.index() + c] != model::FreedomClass::external) {
+            return false;
+          }
+        }
+        return true;
+      }));
+}
+
+base::Matrix rows_of(const base::Matrix& nodal, const std::vector<std::int32_t>& freedom,
+                     std::size_t from = 0) {
+  base::Matrix out(static_cast<Eigen::Index>(freedom.size() - from), nodal.cols());
+  for (std::size_t i = from; i < freedom.size(); ++i) {
+    out.row(static_cast<Eigen::Index>(i - from)) = nodal.row(freedom[i]);
+  }
+  return out;
+}
+
+struct Task {
+  Net* net = nullptr;
+  std::vector<fe::Superelement> supers;
+  HashKey key;
+  double stiffness_cpu = 0.0;
+};
+
+// Factorises the nets that the cache does not have; tasks write to their own slots only.
+void factorise(const CondenseRequest& request, std::vector<Task>& tasks, CondensationCache& cache,
+               CondenseLog& log) {
+  std::vector<Task*> missing;
+  for (Task& task : tasks) {
+    const auto known = cache.nets.find(task.key);
+    if (known != cache.nets.end()) {
+      task.net->factor = known->second;
+      task.net->from_cache = true;
+      ++log.reused;
+    } else {
+      missing.push_back(&task);
+    }
+  }
+  base::parallel_for(missing.size(), request.threads, [&](std::size_t i) {
+    Task& task = *missing[i];
+    const base::Stopwatch watch;
+    const base::SymmetricCsc K = fe::assemble_stiffness(
+        request.model, request.mesh, task.net->elements, task.supers, task.net->map);
+    task.stiffness_cpu = watch.wall();
+    task.net->factor = std::make_shared<solve::Condensation>(K, task.net->map.externals());
+  });
+  for (const Task* task : missing) {
+    const solve::FactorReport& report = task->net->factor->report();
+    log.stiffness_cpu += task->stiffness_cpu;
+    log.analysis_cpu += report.analysis_cpu;
+    log.numeric_cpu += report.numeric_cpu;
+    log.flops += report.flops;
+    ++log.condensed;
+    if (report.status == solve::FactorStatus::ok) {
+      cache.nets.emplace(task->key, task->net->factor);
+    }
+  }
+}
+
+std::string trouble_of(const model::Mesh& mesh, const std::string& body, const Net& net) {
+  const solve::FactorReport& report = net.factor->report();
+  switch (report.status) {
+  case solve::FactorStatus::ok:
+    return {};
+  case solve::FactorStatus::out_of_memory:
+    return fmt::format("{}: not enough memory for the factor", body);
+  case solve::FactorStatus::not_positive_definite:
+    break;
+  }
+  if (report.failed_row < 0) {
+    return fmt::format("{}: the stiffness is singular (a mechanism?)", body);
+  }
+  const auto freedom =
+      static_cast<std::size_t>(net.map.freedom[static_cast<std::size_t>(report.failed_row)]);
+  const auto dim = static_cast<std::size_t>(mesh.dim);
+  return fmt::format("{}: the stiffness is singular at node {}, direction {} (a mechanism or a "
+                     "part that hangs on one node)",
+                     body, mesh.node_label[freedom / dim], "XYZ"[freedom % dim]);
+}
+
+// "LUG", or "LUG/2" for a second piece of the same net.
+std::vector<std::string> body_names(const model::Model& model,
+                                    const std::vector<fe::Body>& bodies) {
+  std::vector<std::string> names;
+  std::map<base::NetId, int> seen;
+  for (const fe::Body& body : bodies) {
+    const std::string& net = model.nets[body.net.index()].name;
+    const int piece = ++seen[body.net];
+    const std::string name = net.empty() ? "MODEL" : net;
+    names.push_back(piece == 1 ? name : fmt::format("{}/{}", name, piece));
+  }
+  return names;
+}
+
+void split(const CondenseRequest& request, BodyNet& body,
+           const std::vector<model::FreedomClass>& cls) {
+  const model::Mesh& mesh = request.mesh;
+  std::vector<base::ElementId> rest;
+  for (const base::ElementId e : body.body.elements) {
+    (request.rest_element[e.index()] ? rest : body.region.elements).push_back(e);
+  }
+  const auto count = static_cast<double>(body.body.elements.size());
+  if (body.region.elements.empty() || static_cast<double>(rest.size()) < least_rest * count) {
+    body.region.elements = body.body.elements;
+    body.region.map = fe::number_freedoms(mesh, body.body.nodes, cls);
+    return;
+  }
+  body.rest = std::make_unique<Net>();
+  body.rest->elements = std::move(rest);
+  const std::vector<base::NodeId> rest_nodes = nodes_of(mesh, body.rest->elements);
+  std::vector<base::NodeId> region_nodes = nodes_of(mesh, body.region.elements);
+  std::vector<model::FreedomClass> with_rim = cls;
+  for (const base::NodeId n : rest_nodes) {
+    if (std::binary_search(region_nodes.begin(), region_nodes.end(), n)) {
+      make_external(mesh, n, with_rim);
+    }
+  }
+  body.rest->map = fe::number_freedoms(mesh, rest_nodes, with_rim);
+  // The region's system also holds the external freedoms of the rest.
+  for (std::size_t i = static_cast<std::size_t>(body.rest->map.locals);
+       i < body.rest->map.freedom.size(); ++i) {
+    region_nodes.emplace_back(static_cast<std::size_t>(body.rest->map.freedom[i] / mesh.dim));
+  }
+  std::sort(region_nodes.begin(), region_nodes.end());
+  region_nodes.erase(std::unique(region_nodes.begin(), region_nodes.end()), region_nodes.end());
+  body.region.map = fe::number_freedoms(mesh, region_nodes, cls);
+}
+
+// Externals of the rest that are free in the region: all, by construction of split().
+fe::Superelement super_of(const Net& rest) {
+  fe::Superelement super;
+  super.freedom.assign(rest.map.freedom.begin() + rest.map.locals, rest.map.freedom.end());
+  super.stiffness = rest.factor->schur();
+  return super;
+}
+
+std::vector<BodyNet> prepare(const CondenseRequest& request,
+                             std::vector<model::FreedomClass>& cls) {
+  const model::Mesh& mesh = request.mesh;
+  const std::vector<fe::Body> found = fe::find_bodies(mesh);
+  const std::vector<std::string> names = body_names(request.model, found);
+  std::vector<BodyNet> bodies(found.size());
+  for (std::size_t b = 0; b < found.size(); ++b) {
+    BodyNet& body = bodies[b];
+    body.name = names[b];
+    body.body = found[b];
+    const base::Matrix modes = fe::rigid_modes(mesh, body.body.nodes);
+    const base::Matrix free = fe::free_modes(mesh, modes, body.body.nodes, cls);
+    body.free_modes = modes * free;
+    const std::size_t wanted = mesh.dim == 2 ? 2 : 3;
+    if (free.cols() > 0 && external_nodes(mesh, body.body, cls) < wanted) {
+      add_carriers(mesh, body.body, cls);
+    }
+    split(request, body, cls);
+  }
+  return bodies;
+}
+
+void condense_loads(const CondenseRequest& request, BodyNet& body) {
+  body.region_load = rows_of(request.case_load, body.region.map.freedom);
+  if (body.rest) {
+    // What the rest's locals hand over to its externals; their own loads are in already.
+    body.rest_load = rows_of(request.case_load, body.rest->map.freedom);
+    const base::Matrix condensed = body.rest->factor->condense_load(body.rest_load);
+    const std::vector<std::int32_t>& freedom = body.rest->map.freedom;
+    const auto locals = static_cast<std::size_t>(body.rest->map.locals);
+    for (std::size_t i = locals; i < freedom.size(); ++i) {
+      const Eigen::Index row = body.region.map.row[static_cast<std::size_t>(freedom[i])];
+      body.region_load.row(row) += condensed.row(static_cast<Eigen::Index>(i - locals)) -
+                                   body.rest_load.row(static_cast<Eigen::Index>(i));
+    }
+  }
+  body.external_load = body.region.factor->condense_load(body.region_load);
+}
+
+} // namespace
+
+std::vector<BodyNet> condense_bodies(const CondenseRequest& request, CondensationCache& cache,
+                                     CondenseLog& log) {
+  std::vector<model::FreedomClass> cls = request.cls;
+  std::vector<BodyNet> bodies = prepare(request, cls);
+
+  std::vector<Task> rests;
+  for (BodyNet& body : bodies) {
+    if (body.rest) {
+      rests.push_back({body.rest.get(), {}, hash_net(request.model, request.mesh, *body.rest, {})});
+    }
+  }
+  factorise(request, rests, cache, log);
+
+  std::vector<Task> regions;
+  std::size_t next_rest = 0;
+  for (BodyNet& body : bodies) {
+    Task task{&body.region, {}, {}};
+    std::vector<HashKey> parts;
+    if (body.rest) {
+      log.trouble = log.trouble.empty() ? trouble_of(request.mesh, body.name, *body.rest)
+                                        : log.trouble;
+      parts.push_back(rests[next_rest++].key);
+      if (log.trouble.empty()) {
+        task.supers.push_back(super_of(*body.rest));
+      }
+    }
+    task.key = hash_net(request.model, request.mesh, body.region, parts);
+    regions.push_back(std::move(task));
+  }
+  if (!log.trouble.empty()) {
+    return bodies;
+  }
+  factorise(request, regions, cache, log);
+  for (const BodyNet& body : bodies) {
+    log.trouble =
+        log.trouble.empty() ? trouble_of(request.mesh, body.name, body.region) : log.trouble;
+  }
+  if (!log.trouble.empty()) {
+    return bodies;
+  }
+
+  base::parallel_for(bodies.size(), request.threads, [&](std::size_t b) {
+    BodyNet& body = bodies[b];
+    condense_loads(request, body);
+    if (body.region.map.externals() > 0) {
+      const auto known = cache.bodies.find(regions[b].key);
+      if (known != cache.bodies.end()) {
+        body.condensed = known->second;
+        return;
+      }
+      const std::vector<std::int32_t>& freedom = body.region.map.freedom;
+      const auto locals = static_cast<std::size_t>(body.region.map.locals);
+      body.condensed = std::make_shared<contact::CondensedBody>(
+          std::vector<std::int32_t>(freedom.begin() + body.region.map.locals, freedom.end()),
+          body.region.factor->schur(), rows_of(body.free_modes, freedom, locals));
+    }
+  });
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (bodies[b].condensed) {
+      if (!bodies[b].condensed->ok() && log.trouble.empty()) {
+        log.trouble = fmt::format("{}: the condensed stiffness is singular (a mechanism?)",
+                                  bodies[b].name);
+      }
+      cache.bodies.emplace(regions[b].key, bodies[b].condensed);
+    }
+  }
+  return bodies;
+}
+
+void recover_body(const BodyNet& body, const base::Vector& u_external,
+                  const base::Vector& case_factors, base::Vector& u) {
+  const base::Matrix f = body.region_load * case_factors;
+  const base::Matrix own = body.region.factor->recover(u_external, f);
+  for (std::size_t i = 0; i < body.region.map.freedom.size(); ++i) {
+    u[body.region.map.freedom[i]] = own(static_cast<Eigen::Index>(i), 0);
+  }
+  if (body.rest) {
+    const std::vector<std::int32_t>& freedom = body.rest->map.freedom;
+    const auto locals = static_cast<std::size_t>(body.rest->map.locals);
+    base::Matrix rim(static_cast<Eigen::Index>(freedom.size() - locals), 1);
+    for (std::size_t i = locals; i < freedom.size(); ++i) {
+      rim(static_cast<Eigen::Index>(i - locals), 0) = u[freedom[i]];
+    }
+    const base::Matrix all = body.rest->factor->recover(rim, body.rest_load * case_factors);
+    for (std::size_t i = 0; i < locals; ++i) {
+      u[freedom[i]] = all(static_cast<Eigen::Index>(i), 0);
+    }
+  }
+}
+
+} // namespace spricka::run

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "contact/system.hpp"
+#include "fe/assemble.hpp"
+#include "fe/dof_map.hpp"
+#include "model/model.hpp"
+#include "solve/condense.hpp"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// Processors STIFFNESS and CONDENSE: every body becomes a small dense system on its external
+/// freedoms. What did not change since the last increment is taken from the cache.
+namespace spricka::run {
+
+/// A factorised piece of a body: some elements, possibly with a condensed neighbour in it.
+struct Net {
+  std::vector<base::ElementId> elements;
+  fe::DofMap map;
+  std::shared_ptr<const solve::Condensation> factor;
+  bool from_cache = false;
+};
+
+/// A body ready for contact. Where a crack grows the body is two nets: `rest`, condensed once to
+/// its rim and contact nodes, and `region`, condensed anew for each length; else all is region.
+struct BodyNet {
+  std::string name; ///< "LUG", "LUG/2"
+  fe::Body body;
+  std::unique_ptr<Net> rest;
+  Net region;
+  base::Matrix free_modes;  ///< [dim * node, r] rigid modes that supports leave free
+  std::shared_ptr<const contact::CondensedBody> condensed; ///< null when there are no externals
+  base::Matrix rest_load;      ///< [unknowns of rest, case]
+  base::Matrix region_load;    ///< [unknowns of region, case], rest_load added in
+  base::Matrix external_load;  ///< [externals, case] condensed
+};
+
+/// Keyed by a 128-bit hash of geometry, connectivity, materials, classes and externals.
+using HashKey = std::pair<std::uint64_t, std::uint64_t>;
+struct CondensationCache {
+  std::map<HashKey, std::shared_ptr<const solve::Condensation>> nets;
+  std::map<HashKey, std::shared_ptr<const contact::CondensedBody>> bodies;
+};
+
+/// Figures for the listing.
+struct CondenseLog {
+  double analysis_cpu = 0.0, numeric_cpu = 0.0; ///< [s], summed over nets condensed now
+  double stiffness_cpu = 0.0;
+  double flops = 0.0;
+  int condensed = 0, reused = 0;
+  std::string trouble; ///< a singular local block, named; empty normally
+};
+
+struct CondenseRequest {
+  const model::Model& model;
+  const model::Mesh& mesh;
+  std::vector<model::FreedomClass> cls;   ///< [dim * node], contact nodes external
+  std::vector<bool> rest_element;         ///< [element] belongs to what no crack will touch
+  base::Matrix case_load;                 ///< [dim * node, case] consistent loads, supports' pull in
+  int threads = 1;
+};
+
+/// Builds all bodies of the mesh, nets in parallel, results in body order whatever the threads.
+std::vector<BodyNet> condense_bodies(const CondenseRequest& request, CondensationCache& cache,
+                                     CondenseLog& log);
+
+/// Adds the displacements of one body to a nodal vector: from its external displacements and the
+/// case factors.
+void recover_body(const BodyNet& body, const base::Vector& u_external,
+                  const base::Vector& case_factors, base::Vector& u);
+
+} // namespace spricka::run

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/gather.hpp"
+
+#include "crack/stress_intensity.hpp"
+#include "run/body_force.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace spricka::run {
+
+namespace {
+
+const model::Vce* vce_of(const model::Model& model, base::CrackId crack) {
+  for (const model::Vce& vce : model.vces) {
+    if (vce.crack == crack) {
+      return &vce;
+    }
+  }
+  return nullptr;
+}
+
+void gather_tips(const model::Model& model, const Scene& scene, const StepState& state,
+                 results::StepResult& out) {
+  for (std::size_t t = 0; t < scene.cracked.tips.size(); ++t) {
+    const mesh::Tip& tip = scene.cracked.tips[t];
+    const model::Crack& crack = model.cracks[tip.crack.index()];
+    crack::VceRequest request;
+    request.state = crack.state;
+    if (const model::Vce* vce = vce_of(model, tip.crack)) {
+      request.shift = vce->shift;
+    }
+    const crack::StressIntensity K =
+        crack::stress_intensity(model, scene.cracked, tip, scene.tips[t].fields, request, state.u,
+                                body_force(model, scene, scene.tips[t].fields, state.case_factor));
+    results::TipResult result;
+    result.name = tip.number > 1 ? fmt::format("{}.{}", crack.name, tip.number) : crack.name;
+    result.a = tip.a;
+    result.K1 = K.K1;
+    result.K2 = K.K2;
+    result.G = K.G;
+    result.G_from_K = K.G_from_K;
+    result.spread = K.spread;
+    for (const crack::DomainValue& d : K.domains) {
+      result.K1_domain.push_back(d.K1);
+    }
+    if (K.shift_error && std::abs(*K.shift_error) > 1e-4) {
+      out.notes.push_back(fmt::format(
+          "warning: {}: G by the finite shift is {:+.2g} of the analytic one off; the shift is too "
+          "large or lost in round-off",
+          result.name, *K.shift_error));
+    }
+    if (K.K1 < 0.0 && std::abs(K.K1) > 1e-9 * std::abs(K.K2)) {
+      out.notes.push_back(fmt::format(
+          "warning: {}: K1 is negative: the crack faces overlap; contact between crack faces is "
+          "not available in this version, so this K is not an answer",
+          result.name));
+    }
+    out.tips.push_back(std::move(result));
+  }
+}
+
+void gather_contacts(const model::Model& model, const Scene& scene, const StepState& state,
+                     results::StepResult& out) {
+  for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
+    const contact::PairRows& pair = scene.pairs[c];
+    const contact::PairPressure p = contact::recover_pressure(pair, state.pair_lambda[c],
+                                                              state.pair_gap[c],
+                                                              state.pair_closed[c]);
+    results::ContactResult result;
+    result.name = model.contacts[c].name;
+    result.mounted = state.mounted[c];
+    result.force_on_slave = p.force_on_slave;
+    result.mean_pressure = p.mean_pressure;
+    result.max_penetration = p.max_penetration;
+    result.arc_from = p.arc_from;
+    result.arc_to = p.arc_to;
+    result.closed = p.closed;
+    result.rows = static_cast<int>(pair.normal.size());
+    bool first = true;
+    for (const contact::NodePressure& n : p.nodes) {
+      results::ContactPoint point;
+      point.node = n.node;
+      point.x.head<2>() = n.x;
+      point.theta = n.theta;
+      point.arc = n.arc;
+      point.p_lumped = n.p_lumped;
+      point.p_consistent = n.p_consistent;
+      point.gap = n.gap;
+      point.closed = n.closed;
+      point.lip = n.lip;
+      const double value = model.contacts[c].recovery == model::Recovery::lumped ? n.p_lumped
+                                                                                 : n.p_consistent;
+      result.min_pressure = first ? value : std::min(result.min_pressure, value);
+      result.max_pressure = first ? value : std::max(result.max_pressure, value);
+      first = false;
+      result.points.push_back(point);
+    }
+    out.contacts.push_back(std::move(result));
+  }
+}
+
+void gather_balance(const Scene& scene, const std::vector<BodyNet>& bodies, const StepState& state,
+                    results::StepResult& out) {
+  const int dim = scene.cracked.mesh.dim;
+  for (const BodyNet& body : bodies) {
+    results::Balance balance;
+    balance.body = body.name;
+    for (const base::NodeId n : body.body.nodes) {
+      const auto at = static_cast<Eigen::Index>(n.index()) * dim;
+      balance.applied.head(dim) += state.force.segment(at, dim);
+      balance.contact.head(dim) += state.contact.segment(at, dim);
+      balance.reaction.head(dim) += state.reaction.segment(at, dim);
+    }
+    out.balance.push_back(balance);
+  }
+}
+
+} // namespace
+
+results::StepResult gather_step(const model::Model& model, const Scene& scene,
+                                const std::vector<BodyNet>& bodies, const model::Step& step,
+                                const StepState& state) {
+  results::StepResult out;
+  out.step = step.name;
+  out.u = state.u;
+  out.reaction = state.reaction;
+  out.energy = state.energy;
+  out.iterations = state.iterations;
+  out.pivots = state.pivots;
+  out.notes = state.notes;
+  gather_tips(model, scene, state, out);
+  gather_contacts(model, scene, state, out);
+  gather_balance(scene, bodies, state, out);
+  return out;
+}
+
+} // namespace spricka::run

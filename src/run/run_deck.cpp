@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/run_deck.hpp"
+
+#include "base/clock.hpp"
+#include "base/diagnostics.hpp"
+#include "deck/read_deck.hpp"
+#include "run/check_quantities.hpp"
+#include "run/run_folder.hpp"
+#include "run/solve_run.hpp"
+
+#include <cstdio>
+#include <system_error>
+#include <thread>
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+namespace spricka::run {
+
+namespace {
+
+void print_diagnostics(const base::Sources& sources, const base::Diagnostics& diagnostics) {
+  fmt::print(stderr, "{}", base::format(sources, diagnostics));
+}
+
+// Cards that are understood but not available: each with its place.
+void print_unavailable(const base::Sources& sources, const model::Model& model) {
+  base::Diagnostics list;
+  for (const model::Unavailable& u : model.unavailable) {
+    list.error(u.span, "E500", fmt::format("{} is not available in this version", u.what));
+  }
+  print_diagnostics(sources, list);
+}
+
+void print_refusal(const base::Sources& sources, const Refusal& refusal) {
+  base::Diagnostics list;
+  list.error(refusal.span, refusal.exit_code == exit_code::not_converged ? "E520" : "E510",
+             refusal.why);
+  print_diagnostics(sources, list);
+}
+
+int thread_count(const RunOptions& options, const model::Model& model) {
+  const int wanted = options.threads >= 0 ? options.threads : model.control.threads;
+  return wanted > 0 ? wanted : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
+std::function<void(std::size_t, std::size_t)> progress_of(const RunOptions& options) {
+  if (options.quiet || isatty(STDERR_FILENO) == 0) {
+    return {};
+  }
+  const base::Stopwatch watch;
+  return [watch](std::size_t done, std::size_t all) {
+    const double left =
+        watch.wall() / static_cast<double>(done) * static_cast<double>(all - done);
+    fmt::print(stderr, "\r  increment {} of {}, {:.1f} s left ", done, all, left);
+    if (done == all) {
+      fmt::print(stderr, "\n");
+    }
+  };
+}
+
+int report_checks(const results::Run& run) {
+  int failed = 0;
+  for (const results::CheckResult& check : run.checks) {
+    if (check.passed) {
+      continue;
+    }
+    ++failed;
+    if (!check.trouble.empty()) {
+      fmt::print(stderr, "check failed: {}: {}\n", check.text, check.trouble);
+    } else {
+      fmt::print(stderr, "check failed: {} = {:.8g}, wanted {:.8g}: {} {:.2e} > {:.2e}\n",
+                 check.text, check.found, check.wanted, check.relative ? "REL" : "ABS",
+                 check.error, check.tolerance);
+    }
+  }
+  return failed;
+}
+
+void print_summary(const model::Model& model, const results::Run& run,
+                   const std::filesystem::path& folder, int failed) {
+  for (const results::Increment& increment : run.increments) {
+    for (const results::StepResult& step : increment.steps) {
+      for (const results::TipResult& tip : step.tips) {
+        fmt::print("{:<12} {:<8} a = {:<10.6g} K1 = {:<12.7g} K2 = {:<12.7g} {}\n", step.step,
+                   tip.name, tip.a, tip.K1, tip.K2, model.units.stress_intensity_name());
+      }
+    }
+  }
+  if (!run.checks.empty()) {
+    fmt::print("{} of {} checks passed\n", run.checks.size() - static_cast<std::size_t>(failed),
+               run.checks.size());
+  }
+  fmt::print("{:.2f} s CPU, {:.0f} MiB; results in {}\n", run.cpu,
+             static_cast<double>(run.peak_memory) / 1048576.0, folder.string());
+}
+
+int solve_and_write(const RunOptions& options, const base::Sources& sources,
+                    const model::Model& model, double cpu_before) {
+  RunFolder folder(options.out);
+  base::Diagnostics diagnostics;
+  std::optional<Refusal> refusal;
+  SolveOptions solve;
+  solve.threads = thread_count(options, model);
+  solve.progress = progress_of(options);
+  std::optional<results::Run> run = solve_run(model, solve, diagnostics, refusal);
+  print_diagnostics(sources, diagnostics);
+  if (refusal) {
+    print_refusal(sources, *refusal);
+    return refusal->exit_code;
+  }
+  if (!run) {
+    return exit_code::deck_error;
+  }
+  run->checks = evaluate_checks(model, *run);
+  run->cpu += cpu_before;
+  folder.write(sources, model, *run);
+  const int failed = report_checks(*run);
+  if (!options.quiet) {
+    print_summary(model, *run, options.out, failed);
+  }
+  return failed > 0 ? exit_code::check_failed : exit_code::done;
+}
+
+} // namespace
+
+int run_deck(const RunOptions& given) {
+  RunOptions options = given;
+  if (options.out.empty()) {
+    options.out = options.deck.filename().replace_extension(".run");
+  }
+  try {
+    base::Sources sources;
+    base::Diagnostics diagnostics;
+    const base::Stopwatch watch;
+    const std::optional<model::Model> model =
+        deck::read_deck(options.deck, {options.defines}, sources, diagnostics);
+    print_diagnostics(sources, diagnostics);
+    if (!model || diagnostics.has_errors()) {
+      return exit_code::deck_error;
+    }
+    if (!model->unavailable.empty()) {
+      print_unavailable(sources, *model);
+      return exit_code::not_solvable;
+    }
+    if (options.check_only) {
+      fmt::print("{}: no mistakes found\n", options.deck.string());
+      return exit_code::done;
+    }
+    return solve_and_write(options, sources, *model, watch.cpu());
+  } catch (const std::system_error& trouble) {
+    fmt::print(stderr, "spricka: {}\n", trouble.what());
+    return exit_code::file_trouble;
+  }
+}
+
+} // namespace spricka::run

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/run_folder.hpp"
+
+#include "base/clock.hpp"
+#include "report/report.hpp"
+
+#include <fstream>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::run {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* listing_name = "listing.txt";
+
+void write_text(const fs::path& file, const std::string& text) {
+  std::ofstream out(file, std::ios::binary);
+  out.write(text.data(), static_cast<std::streamsize>(text.size()));
+  out.close();
+  if (!out) {
+    throw std::system_error(std::make_error_code(std::errc::io_error), file.string());
+  }
+}
+
+void write_pictures(const fs::path& folder, const model::Model& model, const results::Run& run) {
+  std::vector<std::pair<double, std::string>> entries;
+  double time = 0.0;
+  for (const results::Increment& increment : run.increments) {
+    for (const results::StepResult& step : increment.steps) {
+      time += 1.0;
+      if (step.stress.empty()) {
+        continue;
+      }
+      const std::string name = fmt::format("inc{:03}_{}.vtu", increment.number, step.step);
+      report::write_vtu(folder / name, model, increment, step);
+      entries.emplace_back(time, name);
+    }
+  }
+  report::write_pvd(folder / "results.pvd", entries);
+}
+
+} // namespace
+
+RunFolder::RunFolder(fs::path folder) : folder_(std::move(folder)) {
+  part_ = folder_;
+  part_ += ".part";
+  if (fs::exists(folder_)) {
+    const bool ours = fs::is_directory(folder_) &&
+                      (fs::is_empty(folder_) || fs::exists(folder_ / listing_name));
+    if (!ours) {
+      throw std::system_error(std::make_error_code(std::errc::file_exists),
+                              folder_.string() + " is not a run folder of spricka");
+    }
+    fs::remove_all(folder_);
+  }
+  fs::remove_all(part_);
+  fs::create_directories(part_);
+}
+
+RunFolder::~RunFolder() {
+  std::error_code ignored; // what is left over here is not a result
+  fs::remove_all(part_, ignored);
+}
+
+void RunFolder::write(const base::Sources& sources, const model::Model& model,
+                      const results::Run& run) {
+  results::Run timed = run;
+  const base::Stopwatch watch;
+  report::write_k_csv(part_ / "k.csv", model, run);
+  report::write_pressure_csv(part_ / "pressure.csv", model, run);
+  write_pictures(part_, model, run);
+  write_text(part_ / "report.html", report::html_report(sources, model, run));
+  timed.log.push_back({"OUTPUT", "tables, pictures, report", watch.cpu(), watch.wall()});
+  timed.cpu += watch.cpu();
+  timed.wall += watch.wall();
+  timed.peak_memory = base::peak_memory();
+  write_text(part_ / listing_name, report::listing(sources, model, timed));
+  fs::rename(part_, folder_);
+}
+
+} // namespace spricka::run

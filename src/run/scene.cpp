@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/scene.hpp"
+
+#include "fe/assemble.hpp"
+#include "fe/dof_map.hpp"
+#include "growth/crack_lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace spricka::run {
+
+namespace {
+
+const model::TipNet* tip_net_of(const model::Model& model, base::CrackId crack) {
+  for (const model::TipNet& tip : model.tip_nets) {
+    if (tip.crack == crack) {
+      return &tip;
+    }
+  }
+  return nullptr;
+}
+
+std::vector<mesh::TipMesh> tip_meshes(const model::Model& model,
+                                      const std::vector<mesh::CrackLine>& lines) {
+  std::vector<mesh::TipMesh> tips;
+  for (const mesh::CrackLine& line : lines) {
+    tips.push_back(mesh::choose_tip_mesh(model.mesh, line, tip_net_of(model, line.crack)));
+  }
+  return tips;
+}
+
+mesh::CrackedMesh without_cracks(const model::Mesh& host) {
+  mesh::CrackedMesh cracked;
+  cracked.mesh = host;
+  for (std::size_t e = 0; e < host.element_count(); ++e) {
+    cracked.host.emplace_back(e);
+  }
+  return cracked;
+}
+
+std::optional<mesh::CrackedMesh> cracked_mesh(const model::Model& model, double a,
+                                              std::vector<mesh::CrackLine>& lines,
+                                              base::Diagnostics& diagnostics) {
+  if (model.cracks.empty()) {
+    return without_cracks(model.mesh);
+  }
+  std::optional<std::vector<mesh::CrackLine>> found = growth::crack_lines(model, a, diagnostics);
+  if (!found) {
+    return std::nullopt;
+  }
+  lines = std::move(*found);
+  std::vector<base::Span> spans;
+  for (const mesh::CrackLine& line : lines) {
+    spans.push_back(model.cracks[line.crack.index()].span);
+  }
+  return mesh::insert_cracks(model.mesh, lines, tip_meshes(model, lines), spans, diagnostics);
+}
+
+// On a symmetry line the nodes behind the tip are free to open.
+void release_lips(const Scene& scene, const std::vector<mesh::CrackLine>& lines,
+                  std::vector<model::FreedomClass>& cls) {
+  const auto dim = static_cast<std::size_t>(scene.cracked.mesh.dim);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (!lines[i].symmetric_half) {
+      continue;
+    }
+    const base::Vec3 along = (lines[i].points.back() - lines[i].points.front()).normalized();
+    const std::size_t across = std::abs(along.x()) > std::abs(along.y()) ? 1 : 0;
+    const mesh::CrackedMesh::Lips& lips = scene.cracked.lips[i];
+    const std::vector<base::NodeId>& lip = lips.left.empty() ? lips.right : lips.left;
+    for (std::size_t k = 0; k + 1 < lip.size(); ++k) {
+      model::FreedomClass& c = cls[dim * lip[k].index() + across];
+      c = c == model::FreedomClass::suppressed ? model::FreedomClass::local : c;
+    }
+  }
+}
+
+bool make_pairs(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics) {
+  const model::Mesh& mesh = scene.cracked.mesh;
+  bool good = true;
+  for (const model::Contact& contact : model.contacts) {
+    scene.pairs.push_back(contact::pair_rows(model, mesh, contact));
+    const contact::PairRows& pair = scene.pairs.back();
+    if (!pair.trouble.empty()) {
+      diagnostics.error(contact.span, "E410",
+                        fmt::format("contact {}: {}", contact.name, pair.trouble));
+      good = false;
+    } else if (!pair.found) {
+      diagnostics.error(contact.span, "E411",
+                        fmt::format("contact {}: the surfaces never face each other",
+                                    contact.name),
+                        "look at the sets and at the side their elements lie on");
+      good = false;
+    }
+  }
+  for (const contact::PairRows& pair : scene.pairs) {
+    scene.table.first.push_back(scene.table.rows.size());
+    for (const contact::ConstraintRow& row : pair.normal) {
+      scene.table.rows.push_back(&row);
+    }
+    for (const contact::ConstraintRow& row : pair.tangent) {
+      scene.table.rows.push_back(&row);
+    }
+  }
+  scene.table.first.push_back(scene.table.rows.size());
+  return good;
+}
+
+// Default domains: rings 2 and on, as the tip ring alone sees the singular elements only.
+std::vector<int> domains_of(const model::Model& model, base::CrackId crack) {
+  for (const model::Vce& vce : model.vces) {
+    if (vce.crack == crack && !vce.domains.empty()) {
+      return vce.domains;
+    }
+  }
+  const model::TipNet* tip = tip_net_of(model, crack);
+  const int rings = tip != nullptr ? tip->rings : model::TipNet{}.rings;
+  std::vector<int> domains;
+  for (int ring = 2; ring <= rings; ++ring) {
+    domains.push_back(ring);
+  }
+  return domains;
+}
+
+bool make_tips(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics) {
+  if (scene.cracked.tips.empty()) {
+    return true;
+  }
+  bool good = true;
+  const crack::Neighbourhood around(scene.cracked.mesh);
+  for (const mesh::Tip& tip : scene.cracked.tips) {
+    TipScene ring;
+    ring.fields =
+        around.fields(scene.cracked, tip, domains_of(model, tip.crack), ring.left_out);
+    const model::Crack& crack = model.cracks[tip.crack.index()];
+    if (ring.fields.empty()) {
+      diagnostics.error(crack.span, "E412",
+                        fmt::format("crack {}: no ring domain fits round the tip at a = {:.6g} (it "
+                                    "would leave the body or reach another tip)",
+                                    crack.name, tip.a),
+                        "give a smaller RADIUS on $TIPNET or other DOMAINS on $VCE");
+      good = false;
+    }
+    for (const int rings : ring.left_out) {
+      scene.notes.push_back(
+          fmt::format("{}: domain of {} rings left out, it would leave the body", crack.name,
+                      rings));
+    }
+    scene.tips.push_back(std::move(ring));
+  }
+  return good;
+}
+
+void make_loads(const model::Model& model, Scene& scene) {
+  const model::Mesh& mesh = scene.cracked.mesh;
+  const auto n = static_cast<Eigen::Index>(mesh.node_count()) * mesh.dim;
+  const auto cases = static_cast<Eigen::Index>(model.cases.size());
+  scene.case_load = base::Matrix::Zero(n, cases);
+  scene.case_displacement = base::Matrix::Zero(n, cases);
+  for (Eigen::Index c = 0; c < cases; ++c) {
+    const model::LoadCase& load_case = model.cases[static_cast<std::size_t>(c)];
+    scene.case_load.col(c) = fe::nodal_load(model, mesh, load_case);
+    scene.case_displacement.col(c) = fe::prescribed_displacement(model, mesh, load_case);
+  }
+}
+
+} // namespace
+
+RegionPlan plan_region(const model::Model& model, const std::vector<double>& lengths,
+                       base::Diagnostics& diagnostics) {
+  RegionPlan plan;
+  plan.region.assign(model.mesh.element_count(), false);
+  plan.split = lengths.size() > 1 && !model.cracks.empty();
+  if (!plan.split) {
+    return plan;
+  }
+  for (const double a : lengths) {
+    const std::optional<std::vector<mesh::CrackLine>> lines =
+        growth::crack_lines(model, a, diagnostics);
+    if (!lines) {
+      return plan;
+    }
+    for (const base::ElementId e :
+         mesh::crack_region(model.mesh, *lines, tip_meshes(model, *lines))) {
+      plan.region[e.index()] = true;
+    }
+  }
+  return plan;
+}
+
+std::optional<Scene> make_scene(const model::Model& model, double a, const RegionPlan& plan,
+                                base::Diagnostics& diagnostics) {
+  Scene scene;
+  std::vector<mesh::CrackLine> lines;
+  std::optional<mesh::CrackedMesh> cracked = cracked_mesh(model, a, lines, diagnostics);
+  if (!cracked) {
+    return std::nullopt;
+  }
+  scene.cracked = std::move(*cracked);
+  scene.notes = scene.cracked.notes;
+  const model::Mesh& mesh = scene.cracked.mesh;
+  scene.cls = fe::classify_freedoms(model, mesh);
+  release_lips(scene, lines, scene.cls);
+  const bool pairs = make_pairs(model, scene, diagnostics);
+  const bool tips = make_tips(model, scene, diagnostics);
+  if (!pairs || !tips) {
+    return std::nullopt;
+  }
+  const auto dim = static_cast<std::size_t>(mesh.dim);
+  for (const model::Contact& contact : model.contacts) {
+    for (const base::NodeId n : contact::surface_nodes(mesh, contact)) {
+      for (std::size_t c = 0; c < dim; ++c) {
+        model::FreedomClass& k = scene.cls[dim * n.index() + c];
+        k = k == model::FreedomClass::local ? model::FreedomClass::external : k;
+      }
+    }
+  }
+  scene.rest_element.assign(mesh.element_count(), false);
+  for (std::size_t e = 0; plan.split && e < mesh.element_count(); ++e) {
+    const base::ElementId host = scene.cracked.host[e];
+    scene.rest_element[e] = host.valid() && !plan.region[host.index()];
+  }
+  make_loads(model, scene);
+  return scene;
+}
+
+} // namespace spricka::run

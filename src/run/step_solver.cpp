@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/step_solver.hpp"
+
+#include "fe/assemble.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <fmt/format.h>
+
+namespace spricka::run {
+
+namespace {
+
+// Forces left over at free freedoms above this share of the force scale are not an answer.
+constexpr double worst_imbalance = 1e-6;
+
+template <class ActionType> bool names(const model::Model& model, base::ContactId contact) {
+  for (const model::Step& step : model.steps) {
+    for (const model::Action& action : step.actions) {
+      const auto* a = std::get_if<ActionType>(&action);
+      if (a != nullptr && a->contact == contact) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+double row_opening(const contact::ConstraintRow& row, int dim, const base::Vector& u) {
+  double sum = 0.0;
+  for (const contact::RowEntry& entry : row.entries) {
+    const auto at = static_cast<Eigen::Index>(entry.node.index()) * dim;
+    for (int c = 0; c < dim; ++c) {
+      sum += entry.weight[c] * u[at + c];
+    }
+  }
+  return sum;
+}
+
+// "X", "Y", "rotation" or a mixture: what an unheld mode does, for the message.
+std::string describe_mode(const model::Mesh& mesh, const BodyNet& body, const base::Vector& mode) {
+  base::Vec3 mean = base::Vec3::Zero();
+  double square = 0.0;
+  for (const base::NodeId n : body.body.nodes) {
+    for (int c = 0; c < mesh.dim; ++c) {
+      const double v = mode[static_cast<Eigen::Index>(n.index()) * mesh.dim + c];
+      mean[c] += v;
+      square += v * v;
+    }
+  }
+  const auto count = static_cast<double>(body.body.nodes.size());
+  mean /= count;
+  const double rms = std::sqrt(square / count);
+  if (mean.norm() < 0.1 * rms) {
+    return "rotation";
+  }
+  if (mean.norm() < 0.9 * rms) {
+    return fmt::format("translation ({:.2f}, {:.2f}) with rotation", mean.x() / rms,
+                       mean.y() / rms);
+  }
+  const base::Vec3 d = mean.normalized();
+  for (int c = 0; c < mesh.dim; ++c) {
+    if (std::abs(d[c]) > 0.999) {
+      return fmt::format("direction {}", "XYZ"[c]);
+    }
+  }
+  return fmt::format("direction ({:.3f}, {:.3f})", d.x(), d.y());
+}
+
+} // namespace
+
+StepSolver::StepSolver(const model::Model& model, const Scene& scene,
+                       const std::vector<BodyNet>& bodies)
+    : model_(model), scene_(scene), bodies_(bodies),
+      case_factor_(base::Vector::Zero(static_cast<Eigen::Index>(model.cases.size()))),
+      offset_(base::Vector::Zero(static_cast<Eigen::Index>(scene.table.rows.size()))),
+      u_(base::Vector::Zero(static_cast<Eigen::Index>(scene.cracked.mesh.node_count()) *
+                            scene.cracked.mesh.dim)) {
+  std::vector<const contact::CondensedBody*> condensed;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (bodies[b].condensed) {
+      condensed.push_back(bodies[b].condensed.get());
+      condensed_.push_back(b);
+    }
+  }
+  if (!condensed.empty()) {
+    system_.emplace(std::move(condensed), scene.table.rows, scene.cracked.mesh.dim,
+                    static_cast<std::size_t>(u_.size()));
+  }
+  for (std::size_t c = 0; c < model.contacts.size(); ++c) {
+    fit_.push_back(names<model::ApplyFit>(model, base::ContactId(c)) ? 0.0 : 1.0);
+    mounted_.push_back(!names<model::Mount>(model, base::ContactId(c)));
+  }
+}
+
+void StepSolver::mount(std::size_t contact) {
+  mounted_[contact] = true;
+  const bool declared = model_.contacts[contact].gap.has_value();
+  for (std::size_t r = scene_.table.first[contact]; r < scene_.table.first[contact + 1]; ++r) {
+    const contact::ConstraintRow& row = *scene_.table.rows[r];
+    // Measured from the deformed state: what the bodies have moved so far no longer counts.
+    const bool taken = row.tangential || declared;
+    offset_[static_cast<Eigen::Index>(r)] =
+        taken ? -row_opening(row, scene_.cracked.mesh.dim, u_) : 0.0;
+  }
+  closed_.clear();
+}
+
+void StepSolver::act(const model::Step& step) {
+  for (const model::Action& action : step.actions) {
+    if (const auto* load = std::get_if<model::ApplyLoad>(&action)) {
+      case_factor_[static_cast<Eigen::Index>(load->load_case.index())] = load->factor;
+    } else if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {
+      fit_[fit->contact.index()] = fit->factor;
+    } else if (const auto* on = std::get_if<model::Mount>(&action)) {
+      mount(on->contact.index());
+    } else if (const auto* off = std::get_if<model::Dismount>(&action)) {
+      mounted_[off->contact.index()] = false;
+      closed_.clear();
+    }
+  }
+}
+
+base::Vector StepSolver::prescribed() const { return scene_.case_displacement * case_factor_; }
+
+contact::ContactSystem::Demand StepSolver::demand() const {
+  contact::ContactSystem::Demand d;
+  const base::Vector fixed = prescribed();
+  const int dim = scene_.cracked.mesh.dim;
+  std::vector<double> gap;
+  for (std::size_t c = 0; c < model_.contacts.size(); ++c) {
+    if (!mounted_[c]) {
+      continue;
+    }
+    const model::Contact& contact = model_.contacts[c];
+    for (std::size_t r = scene_.table.first[c]; r < scene_.table.first[c + 1]; ++r) {
+      const contact::ConstraintRow& row = *scene_.table.rows[r];
+      d.rows.push_back(r);
+      d.equality.push_back(row.tangential || contact.type == model::ContactType::bonded);
+      gap.push_back((contact.gap ? fit_[c] : 1.0) * row.gap + offset_[static_cast<Eigen::Index>(r)] +
+                    row_opening(row, dim, fixed));
+      if (!closed_.empty()) {
+        d.start.push_back(closed_[r]);
+      }
+    }
+  }
+  d.gap = Eigen::Map<const base::Vector>(gap.data(), static_cast<Eigen::Index>(gap.size()));
+  for (const std::size_t b : condensed_) {
+    d.load.emplace_back(bodies_[b].external_load * case_factor_);
+  }
+  d.load_scale = (scene_.case_load * case_factor_).lpNorm<1>();
+  return d;
+}
+
+bool StepSolver::accept(const contact::ContactSystem::Answer& answer,
+                        const contact::ContactSystem::Demand& demand, StepState& state,
+                        Refusal& refusal) {
+  const solve::ContactSolution& s = answer.solution;
+  state.iterations = s.block_iterations;
+  state.pivots = s.pivots;
+  switch (s.status) {
+  case solve::ContactStatus::solved:
+    break;
+  case solve::ContactStatus::unheld_mode: {
+    Eigen::Index most = 0;
+    s.unheld.cwiseAbs().maxCoeff(&most);
+    const std::size_t at = system_->body_of_mode(most);
+    const BodyNet& body = bodies_[condensed_[at]];
+    const Eigen::Index first = system_->first_mode(at);
+    // The condensed body's orthonormal modes are combinations of the free rigid modes: the same
+    // combination on all nodes tells which way it goes.
+    const std::vector<std::int32_t>& freedom = body.condensed->freedom();
+    base::Matrix at_externals(static_cast<Eigen::Index>(freedom.size()), body.free_modes.cols());
+    for (std::size_t i = 0; i < freedom.size(); ++i) {
+      at_externals.row(static_cast<Eigen::Index>(i)) = body.free_modes.row(freedom[i]);
+    }
+    const base::Vector shape =
+        body.condensed->modes() * s.unheld.segment(first, body.condensed->modes().cols());
+    const base::Vector mix = at_externals.colPivHouseholderQr().solve(shape);
+    refusal = {4,
+               fmt::format("body {} is loaded but not held: {}", body.name,
+                           describe_mode(scene_.cracked.mesh, body, body.free_modes * mix)),
+               {}};
+    return false;
+  }
+  case solve::ContactStatus::inconsistent:
+    refusal = {4, "bonded contacts contradict each other", {}};
+    return false;
+  case solve::ContactStatus::max_iterations:
+    refusal = {5,
+               fmt::format("the contact solution did not end ({} iterations, {} pivots)",
+                           s.block_iterations, s.pivots),
+               {}};
+    return false;
+  }
+  if (s.resting_modes > 0) {
+    state.notes.push_back(fmt::format(
+        "{} rigid mode(s) that no contact touches and nothing loads stay at rest", s.resting_modes));
+  }
+  if (s.redundant > 0) {
+    state.notes.push_back(fmt::format("{} redundant contact row(s) left out", s.redundant));
+  }
+  closed_.assign(scene_.table.rows.size(), true);
+  for (std::size_t i = 0; i < demand.rows.size(); ++i) {
+    const std::size_t row = demand.rows[i];
+    const auto c = static_cast<std::size_t>(
+        std::upper_bound(scene_.table.first.begin(), scene_.table.first.end(), row) -
+        scene_.table.first.begin() - 1);
+    const std::size_t local = row - scene_.table.first[c];
+    state.pair_lambda[c][static_cast<Eigen::Index>(local)] = s.lambda[static_cast<Eigen::Index>(i)];
+    if (local < scene_.pairs[c].normal.size()) {
+      state.pair_gap[c][static_cast<Eigen::Index>(local)] = s.gap[static_cast<Eigen::Index>(i)];
+      state.pair_closed[c][local] = s.closed[i];
+    }
+    closed_[row] = s.closed[i];
+  }
+  return true;
+}
+
+void StepSolver::balance(StepState& state) const {
+  const model::Mesh& mesh = scene_.cracked.mesh;
+  const int dim = mesh.dim;
+  state.force = base::Vector::Zero(state.u.size());
+  state.contact = base::Vector::Zero(state.u.size());
+  state.force = scene_.case_load * case_factor_;
+  for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
+    for (std::size_t r = scene_.table.first[c]; r < scene_.table.first[c + 1]; ++r) {
+      const double value =
+          state.pair_lambda[c][static_cast<Eigen::Index>(r - scene_.table.first[c])];
+      for (const contact::RowEntry& entry : scene_.table.rows[r]->entries) {
+        state.contact.segment(static_cast<Eigen::Index>(entry.node.index()) * dim, dim) +=
+            value * entry.weight.head(dim);
+      }
+    }
+  }
+  base::Vector internal = base::Vector::Zero(state.u.size());
+  std::vector<base::ElementId> all;
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    all.emplace_back(e);
+  }
+  fe::add_internal_force(model_, mesh, all, state.u, internal);
+  state.energy = 0.5 * internal.dot(state.u);
+  state.reaction = internal - state.force - state.contact;
+  double left_over = 0.0;
+  for (Eigen::Index i = 0; i < state.reaction.size(); ++i) {
+    const model::FreedomClass k = scene_.cls[static_cast<std::size_t>(i)];
+    if (k != model::FreedomClass::suppressed && k != model::FreedomClass::prescribed) {
+      left_over = std::max(left_over, std::abs(state.reaction[i]));
+      state.reaction[i] = 0.0;
+    }
+  }
+  const double scale = std::max({state.force.lpNorm<1>(), state.contact.lpNorm<1>(),
+                                 state.reaction.lpNorm<1>()});
+  state.imbalance = scale > 0.0 ? left_over / scale : 0.0;
+}
+
+std::optional<StepState> StepSolver::solve(const model::Step& step, Refusal& refusal) {
+  act(step);
+  StepState state;
+  state.case_factor = case_factor_;
+  state.mounted = mounted_;
+  for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
+    const std::size_t rows = scene_.table.first[c + 1] - scene_.table.first[c];
+    const std::size_t normal = scene_.pairs[c].normal.size();
+    state.pair_lambda.emplace_back(base::Vector::Zero(static_cast<Eigen::Index>(rows)));
+    state.pair_gap.emplace_back(base::Vector::Zero(static_cast<Eigen::Index>(normal)));
+    state.pair_closed.emplace_back(normal, false);
+  }
+  state.u = prescribed();
+  std::vector<base::Vector> external(bodies_.size());
+  if (system_) {
+    const contact::ContactSystem::Demand wanted = demand();
+    solve::ContactSettings settings;
+    settings.max_block_iterations = model_.control.max_iterations;
+    contact::ContactSystem::Answer answer = system_->solve(wanted, settings);
+    if (!accept(answer, wanted, state, refusal)) {
+      refusal.span = step.span;
+      return std::nullopt;
+    }
+    for (std::size_t i = 0; i < condensed_.size(); ++i) {
+      external[condensed_[i]] = std::move(answer.u[i]);
+    }
+  }
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    recover_body(bodies_[b], external[b], case_factor_, state.u);
+  }
+  balance(state);
+  if (!(state.imbalance <= worst_imbalance)) {
+    refusal = {5,
+               fmt::format("the solution is not in equilibrium: {:.1e} of the load is left over "
+                           "(the stiffness is close to singular)",
+                           state.imbalance),
+               step.span};
+    return std::nullopt;
+  }
+  u_ = state.u;
+  return state;
+}
+
+} // namespace spricka::run

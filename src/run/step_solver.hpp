@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "contact/recovery.hpp"
+#include "contact/system.hpp"
+#include "run/condense_bodies.hpp"
+#include "run/scene.hpp"
+#include "solve/contact_qp.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Processor CONTACT: walks the steps on the condensed bodies.
+namespace spricka::run {
+
+/// Why a step has no answer, with the exit code that says so (design section 5).
+struct Refusal {
+  int exit_code = 4;
+  std::string why;
+  base::Span span;
+};
+
+/// The state at the end of a step.
+struct StepState {
+  base::Vector u;                         ///< [dim * node]
+  base::Vector case_factor;               ///< [case]
+  std::vector<base::Vector> pair_lambda;  ///< [contact][row of the pair] pressures; 0 if absent
+  std::vector<base::Vector> pair_gap;     ///< [contact][normal row] weighted
+  std::vector<std::vector<bool>> pair_closed; ///< [contact][normal row]
+  std::vector<bool> mounted;              ///< [contact]
+  base::Vector force;    ///< [dim * node] applied loads
+  base::Vector contact;  ///< [dim * node] contact forces
+  base::Vector reaction; ///< [dim * node] support forces
+  double energy = 0.0;
+  double imbalance = 0.0; ///< largest force left over at a free freedom, over the force scale
+  int iterations = 0, pivots = 0;
+  std::vector<std::string> notes;
+};
+
+class StepSolver {
+public:
+  StepSolver(const model::Model& model, const Scene& scene, const std::vector<BodyNet>& bodies);
+
+  /// Carries out the actions of a step and solves for its end. Steps are called in deck order.
+  std::optional<StepState> solve(const model::Step& step, Refusal& refusal);
+
+private:
+  void act(const model::Step& step);
+  void mount(std::size_t contact);
+  [[nodiscard]] contact::ContactSystem::Demand demand() const;
+  [[nodiscard]] base::Vector prescribed() const;
+  [[nodiscard]] bool accept(const contact::ContactSystem::Answer& answer,
+                            const contact::ContactSystem::Demand& demand, StepState& state,
+                            Refusal& refusal);
+  void balance(StepState& state) const;
+
+  const model::Model& model_;
+  const Scene& scene_;
+  const std::vector<BodyNet>& bodies_;
+  std::vector<std::size_t> condensed_;      ///< bodies that have externals
+  std::optional<contact::ContactSystem> system_;
+  base::Vector case_factor_;
+  std::vector<double> fit_;                 ///< [contact]
+  std::vector<bool> mounted_;               ///< [contact]
+  base::Vector offset_;                     ///< [row] gap taken on at MOUNT
+  base::Vector u_;                          ///< [dim * node] end of the last step
+  std::vector<bool> closed_;                ///< [row] end of the last step
+};
+
+} // namespace spricka::run

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "shape/shape.hpp"
+
+#include <span>
+
+namespace spricka::shape {
+
+/// A point of a quadrature rule; the weights of a rule sum to the size of the reference domain
+/// (line 2, triangle 1/2, quadrilateral 4) and are all positive.
+template <int dim> struct QuadraturePoint {
+  Point<dim> r;
+  double weight = 0.0;
+};
+
+/// Highest degree of exactness on offer.
+inline constexpr int max_degree = 31;
+
+/// Gauss-Legendre on [-1,1], exact for polynomials up to `degree` <= max_degree.
+std::span<const QuadraturePoint<1>> line_rule(int degree);
+
+/// Products of line_rule on [-1,1]^2, exact up to `degree` in each coordinate.
+std::span<const QuadraturePoint<2>> quadrilateral_rule(int degree);
+
+/// Rules on the triangle (0,0) (1,0) (0,1), exact up to total `degree`, points inside. Up to degree
+/// 8 symmetric ones with 1, 3, 6, 7, 12, 16 points (Strang, Fix 1973; Radon 1948; Dunavant 1985);
+/// above, products of Gauss-Legendre and Gauss-Jacobi points on the collapsed square (Stroud 1971).
+std::span<const QuadraturePoint<2>> triangle_rule(int degree);
+
+/// The rule of a shape's domain.
+template <Shape S> std::span<const QuadraturePoint<S::dim>> quadrature(int degree) {
+  if constexpr (S::domain == Domain::line) {
+    return line_rule(degree);
+  } else if constexpr (S::domain == Domain::triangle) {
+    return triangle_rule(degree);
+  } else {
+    return quadrilateral_rule(degree);
+  }
+}
+
+/// The rule that an element's stiffness is integrated with.
+template <ElementShape S> std::span<const QuadraturePoint<S::dim>> quadrature() {
+  return quadrature<S>(S::degree);
+}
+
+} // namespace spricka::shape

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/element_type.hpp"
+#include "base/vec.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <concepts>
+#include <cstdlib>
+#include <utility>
+
+/// Reference shapes: plain structs with shape functions N and their derivatives dN. Triangles live
+/// on (0,0) (1,0) (0,1), lines and quadrilaterals on [-1,1]^dim. Nodes: corners, then mid-edge
+/// nodes (node corners + s lies on edge s, which joins corners s and s + 1), then the centre.
+namespace spricka::shape {
+
+/// A point in reference coordinates.
+template <int dim> using Point = Eigen::Matrix<double, dim, 1>;
+
+/// The body that the reference coordinates run over.
+enum class Domain { line, triangle, quadrilateral };
+
+/// N(r) [nodes], dN(r) [nodes, dim] derivatives with respect to r, coordinates [nodes][dim] of the
+/// nodes in reference coordinates.
+template <class S>
+concept Shape = requires(const Point<S::dim>& r) {
+  { S::nodes } -> std::convertible_to<int>;
+  { S::domain } -> std::convertible_to<Domain>;
+  { S::N(r) } -> std::same_as<Eigen::Matrix<double, S::nodes, 1>>;
+  { S::dN(r) } -> std::same_as<Eigen::Matrix<double, S::nodes, S::dim>>;
+  { S::coordinates[0][0] } -> std::convertible_to<double>;
+};
+
+/// A shape of the element library: its type, the shape `Side` of its sides, and the degree of
+/// exactness that its stiffness is integrated with.
+template <class S>
+concept ElementShape = Shape<S> && Shape<typename S::Side> && requires {
+  { S::type } -> std::convertible_to<base::ElementType>;
+  { S::degree } -> std::convertible_to<int>;
+};
+
+struct Line2 {
+  static constexpr int nodes = 2;
+  static constexpr int dim = 1;
+  static constexpr Domain domain = Domain::line;
+  static constexpr std::array<std::array<double, 1>, 2> coordinates{{{-1.0}, {1.0}}};
+
+  static Eigen::Matrix<double, 2, 1> N(const Point<1>& r) {
+    return {0.5 * (1.0 - r[0]), 0.5 * (1.0 + r[0])};
+  }
+  static Eigen::Matrix<double, 2, 1> dN(const Point<1>& /*r*/) { return {-0.5, 0.5}; }
+};
+
+/// Ends first, then the middle.
+struct Line3 {
+  static constexpr int nodes = 3;
+  static constexpr int dim = 1;
+  static constexpr Domain domain = Domain::line;
+  static constexpr std::array<std::array<double, 1>, 3> coordinates{{{-1.0}, {1.0}, {0.0}}};
+
+  static Eigen::Matrix<double, 3, 1> N(const Point<1>& r) {
+    const double x = r[0];
+    return {0.5 * x * (x - 1.0), 0.5 * x * (x + 1.0), (1.0 - x) * (1.0 + x)};
+  }
+  static Eigen::Matrix<double, 3, 1> dN(const Point<1>& r) {
+    const double x = r[0];
+    return {x - 0.5, x + 0.5, -2.0 * x};
+  }
+};
+
+struct Trim3 {
+  static constexpr base::ElementType type = base::ElementType::trim3;
+  static constexpr int nodes = 3;
+  static constexpr int dim = 2;
+  static constexpr int degree = 0; ///< constant strain
+  static constexpr Domain domain = Domain::triangle;
+  using Side = Line2;
+  static constexpr std::array<std::array<double, 2>, 3> coordinates{
+      {{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}};
+
+  static Eigen::Matrix<double, 3, 1> N(const Point<2>& r) {
+    return {1.0 - r[0] - r[1], r[0], r[1]};
+  }
+  static Eigen::Matrix<double, 3, 2> dN(const Point<2>& /*r*/) {
+    Eigen::Matrix<double, 3, 2> d;
+    d << -1.0, -1.0, 1.0, 0.0, 0.0, 1.0;
+    return d;
+  }
+};
+
+struct Trimc6 {
+  static constexpr base::ElementType type = base::ElementType::trimc6;
+  static constexpr int nodes = 6;
+  static constexpr int dim = 2;
+  /// Straight sides need 2. Curved and quarter-point ones have a rational integrand: with 7 points
+  /// (degree 5) the energy of a sqrt(r) field in a tip element is off by 5e-4, with these 12 by
+  /// 2e-4. Constant strain passes with degree 2, as dN times the adjugate of J is a polynomial.
+  static constexpr int degree = 6;
+  static constexpr Domain domain = Domain::triangle;
+  using Side = Line3;
+  static constexpr std::array<std::array<double, 2>, 6> coordinates{
+      {{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}, {0.5, 0.0}, {0.5, 0.5}, {0.0, 0.5}}};
+
+  static Eigen::Matrix<double, 6, 1> N(const Point<2>& r) {
+    const double a = 1.0 - r[0] - r[1];
+    const double b = r[0];
+    const double c = r[1];
+    Eigen::Matrix<double, 6, 1> n;
+    n << a * (2.0 * a - 1.0), b * (2.0 * b - 1.0), c * (2.0 * c - 1.0), 4.0 * a * b, 4.0 * b * c,
+        4.0 * c * a;
+    return n;
+  }
+  static Eigen::Matrix<double, 6, 2> dN(const Point<2>& r) {
+    const double a = 1.0 - r[0] - r[1];
+    const double b = r[0];
+    const double c = r[1];
+    Eigen::Matrix<double, 6, 2> d;
+    d << 1.0 - 4.0 * a, 1.0 - 4.0 * a, 4.0 * b - 1.0, 0.0, 0.0, 4.0 * c - 1.0, 4.0 * (a - b),
+        -4.0 * b, 4.0 * c, 4.0 * b, -4.0 * c, 4.0 * (a - c);
+    return d;
+  }
+};
+
+struct Quam4 {
+  static constexpr base::ElementType type = base::ElementType::quam4;
+  static constexpr int nodes = 4;
+  static constexpr int dim = 2;
+  static constexpr int degree = 3; ///< 2 x 2 points
+  static constexpr Domain domain = Domain::quadrilateral;
+  using Side = Line2;
+  static constexpr std::array<std::array<double, 2>, 4> coordinates{
+      {{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}};
+
+  static Eigen::Matrix<double, 4, 1> N(const Point<2>& r) {
+    const double x = r[0];
+    const double y = r[1];
+    return {0.25 * (1.0 - x) * (1.0 - y), 0.25 * (1.0 + x) * (1.0 - y),
+            0.25 * (1.0 + x) * (1.0 + y), 0.25 * (1.0 - x) * (1.0 + y)};
+  }
+  static Eigen::Matrix<double, 4, 2> dN(const Point<2>& r) {
+    const double x = 0.25 * r[0];
+    const double y = 0.25 * r[1];
+    Eigen::Matrix<double, 4, 2> d;
+    d << y - 0.25, x - 0.25, 0.25 - y, -0.25 - x, 0.25 + y, 0.25 + x, -0.25 - y, 0.25 - x;
+    return d;
+  }
+};
+
+/// Serendipity.
+struct Quamc8 {
+  static constexpr base::ElementType type = base::ElementType::quamc8;
+  static constexpr int nodes = 8;
+  static constexpr int dim = 2;
+  static constexpr int degree = 5; ///< 3 x 3 points
+  static constexpr Domain domain = Domain::quadrilateral;
+  using Side = Line3;
+  static constexpr std::array<std::array<double, 2>, 8> coordinates{{{-1.0, -1.0},
+                                                                     {1.0, -1.0},
+                                                                     {1.0, 1.0},
+                                                                     {-1.0, 1.0},
+                                                                     {0.0, -1.0},
+                                                                     {1.0, 0.0},
+                                                                     {0.0, 1.0},
+                                                                     {-1.0, 0.0}}};
+
+  // Corner i at (p, q): N = (1 + p x)(1 + q y)(p x + q y - 1) / 4.
+  static Eigen::Matrix<double, 8, 1> N(const Point<2>& r) {
+    const double x = r[0];
+    const double y = r[1];
+    Eigen::Matrix<double, 8, 1> n;
+    for (int i = 0; i < 4; ++i) {
+      const double p = coordinates[static_cast<std::size_t>(i)][0];
+      const double q = coordinates[static_cast<std::size_t>(i)][1];
+      n[i] = 0.25 * (1.0 + p * x) * (1.0 + q * y) * (p * x + q * y - 1.0);
+    }
+    n[4] = 0.5 * (1.0 - x * x) * (1.0 - y);
+    n[5] = 0.5 * (1.0 + x) * (1.0 - y * y);
+    n[6] = 0.5 * (1.0 - x * x) * (1.0 + y);
+    n[7] = 0.5 * (1.0 - x) * (1.0 - y * y);
+    return n;
+  }
+  static Eigen::Matrix<double, 8, 2> dN(const Point<2>& r) {
+    const double x = r[0];
+    const double y = r[1];
+    Eigen::Matrix<double, 8, 2> d;
+    for (int i = 0; i < 4; ++i) {
+      const double p = coordinates[static_cast<std::size_t>(i)][0];
+      const double q = coordinates[static_cast<std::size_t>(i)][1];
+      d(i, 0) = 0.25 * p * (1.0 + q * y) * (2.0 * p * x + q * y);
+      d(i, 1) = 0.25 * q * (1.0 + p * x) * (p * x + 2.0 * q * y);
+    }
+    d.bottomRows<4>() << -x * (1.0 - y), -0.5 * (1.0 - x * x), 0.5 * (1.0 - y * y), -y * (1.0 + x),
+        -x * (1.0 + y), 0.5 * (1.0 - x * x), -0.5 * (1.0 - y * y), -y * (1.0 - x);
+    return d;
+  }
+};
+
+/// Lagrange; the ninth node is the centre.
+struct Quamc9 {
+  static constexpr base::ElementType type = base::ElementType::quamc9;
+  static constexpr int nodes = 9;
+  static constexpr int dim = 2;
+  static constexpr int degree = 5; ///< 3 x 3 points
+  static constexpr Domain domain = Domain::quadrilateral;
+  using Side = Line3;
+  static constexpr std::array<std::array<double, 2>, 9> coordinates{{{-1.0, -1.0},
+                                                                     {1.0, -1.0},
+                                                                     {1.0, 1.0},
+                                                                     {-1.0, 1.0},
+                                                                     {0.0, -1.0},
+                                                                     {1.0, 0.0},
+                                                                     {0.0, 1.0},
+                                                                     {-1.0, 0.0},
+                                                                     {0.0, 0.0}}};
+  /// Which functions of Line3 in x and in y make the function of a node.
+  static constexpr std::array<std::array<int, 2>, 9> factors{
+      {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {2, 0}, {1, 2}, {2, 1}, {0, 2}, {2, 2}}};
+
+  static Eigen::Matrix<double, 9, 1> N(const Point<2>& r) {
+    const Eigen::Vector3d nx = Line3::N(Point<1>(r[0]));
+    const Eigen::Vector3d ny = Line3::N(Point<1>(r[1]));
+    Eigen::Matrix<double, 9, 1> n;
+    for (int i = 0; i < 9; ++i) {
+      const auto& f = factors[static_cast<std::size_t>(i)];
+      n[i] = nx[f[0]] * ny[f[1]];
+    }
+    return n;
+  }
+  static Eigen::Matrix<double, 9, 2> dN(const Point<2>& r) {
+    const Eigen::Vector3d nx = Line3::N(Point<1>(r[0]));
+    const Eigen::Vector3d ny = Line3::N(Point<1>(r[1]));
+    const Eigen::Vector3d dx = Line3::dN(Point<1>(r[0]));
+    const Eigen::Vector3d dy = Line3::dN(Point<1>(r[1]));
+    Eigen::Matrix<double, 9, 2> d;
+    for (int i = 0; i < 9; ++i) {
+      const auto& f = factors[static_cast<std::size_t>(i)];
+      d(i, 0) = dx[f[0]] * ny[f[1]];
+      d(i, 1) = nx[f[0]] * dy[f[1]];
+    }
+    return d;
+  }
+};
+
+/// Reference coordinates of node i.
+template <Shape S> Point<S::dim> node(int i) {
+  return Eigen::Map<const Point<S::dim>>(S::coordinates[static_cast<std::size_t>(i)].data());
+}
+
+/// The middle of the reference domain.
+template <Shape S> Point<S::dim> centre() {
+  return Point<S::dim>::Constant(S::domain == Domain::triangle ? 1.0 / 3.0 : 0.0);
+}
+
+/// How far a point lies outside the reference domain: the largest violation of a side, on domains
+/// of side 1 and 2 alike; negative inside.
+template <Shape S> double outside(const Point<S::dim>& r) {
+  if constexpr (S::domain == Domain::triangle) {
+    return std::max(-r.minCoeff(), r.sum() - 1.0);
+  } else {
+    return r.cwiseAbs().maxCoeff() - 1.0;
+  }
+}
+
+/// Calls f with a value of the element's shape struct and returns what it returns; f is a generic
+/// lambda, `[&]<shape::ElementShape S>(S) { .. S::N(r) .. }`. Dispatch once for a block of equal
+/// elements, not once for each. Only the types of plane bodies have shapes.
+template <class F> decltype(auto) with_shape(base::ElementType type, F&& f) {
+  switch (type) {
+  case base::ElementType::trim3:
+    return std::forward<F>(f)(Trim3{});
+  case base::ElementType::trimc6:
+    return std::forward<F>(f)(Trimc6{});
+  case base::ElementType::quam4:
+    return std::forward<F>(f)(Quam4{});
+  case base::ElementType::quamc8:
+    return std::forward<F>(f)(Quamc8{});
+  case base::ElementType::quamc9:
+    return std::forward<F>(f)(Quamc9{});
+  default:
+    assert(!"with_shape: a type without a shape");
+    std::abort();
+  }
+}
+
+} // namespace spricka::shape

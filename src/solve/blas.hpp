@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <vector>
+
+// The few BLAS and LAPACK routines of this room, by their Fortran names (reference BLAS, Dongarra
+// et al. 1990; LAPACK 3). OpenBLAS serves them, always on one thread: two threads give other bits.
+
+extern "C" {
+// NOLINTBEGIN(readability-identifier-naming, bugprone-reserved-identifier)
+void dgemm_(const char* transa, const char* transb, const int* m, const int* n, const int* k,
+            const double* alpha, const double* A, const int* lda, const double* B, const int* ldb,
+            const double* beta, double* C, const int* ldc);
+void dtrsm_(const char* side, const char* uplo, const char* transa, const char* diag, const int* m,
+            const int* n, const double* alpha, const double* A, const int* lda, double* B,
+            const int* ldb);
+void dpotrf_(const char* uplo, const int* n, double* A, const int* lda, int* info);
+void dpstrf_(const char* uplo, const int* n, double* A, const int* lda, int* piv, int* rank,
+             const double* tol, double* work, int* info);
+void openblas_set_num_threads(int threads);
+// NOLINTEND(readability-identifier-naming, bugprone-reserved-identifier)
+}
+
+namespace spricka::solve::blas {
+
+/// A block of a column-major matrix: first entry and distance between columns.
+struct Block {
+  double* data;
+  int stride;
+  Block(double* d, int s) : data(d), stride(s > 1 ? s : 1) {}
+};
+struct ConstBlock {
+  const double* data;
+  int stride;
+  ConstBlock(const double* d, int s) : data(d), stride(s > 1 ? s : 1) {}
+  ConstBlock(const Block& block) : data(block.data), stride(block.stride) {} // NOLINT: a view of it
+};
+
+enum class Form { plain, transposed };
+
+/// C [m, n] = alpha op(A) op(B) + beta C with inner size k.
+struct Product {
+  int m, n, k;
+  Form a = Form::plain, b = Form::plain;
+  double alpha = 1.0, beta = 0.0;
+};
+inline void gemm(const Product& p, ConstBlock A, ConstBlock B, Block C) {
+  if (p.m == 0 || p.n == 0) {
+    return;
+  }
+  const char ta = p.a == Form::plain ? 'N' : 'T';
+  const char tb = p.b == Form::plain ? 'N' : 'T';
+  dgemm_(&ta, &tb, &p.m, &p.n, &p.k, &p.alpha, A.data, &A.stride, B.data, &B.stride, &p.beta,
+         C.data, &C.stride);
+}
+
+/// B [m, n] <- L^-1 B or L^-T B with the lower triangle L [m, m].
+inline void solve_lower(int m, int n, Form form, ConstBlock L, Block B) {
+  if (m == 0 || n == 0) {
+    return;
+  }
+  const char t = form == Form::plain ? 'N' : 'T';
+  const double one = 1.0;
+  dtrsm_("L", "L", &t, "N", &m, &n, &one, L.data, &L.stride, B.data, &B.stride);
+}
+
+/// A [n, n] (lower triangle) <- its Cholesky factor; false when a pivot is not positive.
+inline bool cholesky(int n, Block A) {
+  int info = 0;
+  dpotrf_("L", &n, A.data, &A.stride, &info);
+  return info == 0;
+}
+
+/// Cholesky with diagonal pivoting of A [n, n] (lower triangle, destroyed) until no pivot exceeds
+/// `tolerance`: the rank; order [n] lists the rows as they were taken.
+inline int pivoted_cholesky(int n, Block A, double tolerance, std::vector<int>& order) {
+  std::vector<double> work(2 * static_cast<std::size_t>(n));
+  int rank = 0;
+  int info = 0;
+  dpstrf_("L", &n, A.data, &A.stride, order.data(), &rank, &tolerance, work.data(), &info);
+  for (int& row : order) {
+    --row; // Fortran counts from 1
+  }
+  return rank;
+}
+
+/// One thread from now on, for the whole process.
+inline void single_thread() {
+  static const bool done = [] {
+    openblas_set_num_threads(1);
+    return true;
+  }();
+  static_cast<void>(done);
+}
+
+} // namespace spricka::solve::blas

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/bordered_factor.hpp"
+#include "solve/blas.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace spricka::solve {
+
+namespace {
+
+int count(const std::vector<int>& list) {
+  return static_cast<int>(list.size());
+}
+
+blas::Block block(base::Matrix& A) {
+  return {A.data(), static_cast<int>(A.rows())};
+}
+blas::ConstBlock block(const base::Matrix& A) {
+  return {A.data(), static_cast<int>(A.rows())};
+}
+
+/// Smallest pivot over its diagonal entry that still counts for the border [m, m].
+constexpr double border_rank = 1e-12;
+
+/// Those of the rows whose pivots in M (destroyed) are more than round-off.
+std::vector<int> independent_of(base::Matrix& M, const std::vector<int>& rows) {
+  if (rows.empty()) {
+    return rows;
+  }
+  std::vector<int> order(rows.size(), 0);
+  const int rank = blas::pivoted_cholesky(count(rows), block(M), redundancy, order);
+  std::vector<int> kept;
+  for (int k = 0; k < rank; ++k) {
+    kept.push_back(rows[std::size_t(order[std::size_t(k)])]);
+  }
+  return kept;
+}
+
+} // namespace
+
+bool BorderedFactor::factorise(std::vector<int> A) {
+  rows_ = std::move(A);
+  left_out_.clear();
+  gather();
+  if (!cholesky()) {
+    leave_out_redundant();
+    gather();
+    if (!cholesky()) {
+      return false;
+    }
+  }
+  return factorise_border();
+}
+
+void BorderedFactor::gather() {
+  const int a = count(rows_);
+  const int n = problem_.rows();
+  const int m = problem_.modes();
+  if (L_.rows() != n) {
+    L_.resize(n, n);
+  }
+  B_.resize(a, m);
+  for (int c = 0; c < a; ++c) {
+    const double* W = problem_.W.data() + static_cast<std::ptrdiff_t>(rows_[std::size_t(c)]) * n;
+    double* L = L_.data() + static_cast<std::ptrdiff_t>(c) * n;
+    for (int r = c; r < a; ++r) {
+      L[r] = W[rows_[std::size_t(r)]];
+    }
+    B_.row(c) = problem_.B.row(rows_[std::size_t(c)]);
+  }
+  if (m > 0 && a > 0) {
+    // panels below the diagonal only
+    constexpr int panel = 64;
+    for (int first = 0; first < a; first += panel) {
+      const int width = std::min(panel, a - first);
+      blas::gemm({.m = a - first,
+                  .n = width,
+                  .k = m,
+                  .b = blas::Form::transposed,
+                  .alpha = problem_.tau,
+                  .beta = 1.0},
+                 {B_.data() + first, a}, {B_.data() + first, a},
+                 {L_.data() + first + static_cast<std::ptrdiff_t>(first) * n, n});
+    }
+  }
+}
+
+bool BorderedFactor::cholesky() {
+  const int a = count(rows_);
+  if (a == 0) {
+    return true;
+  }
+  if (!blas::cholesky(a, block(L_))) {
+    return false;
+  }
+  for (int i = 0; i < a; ++i) {
+    const double ratio = L_(i, i) / problem_.d(rows_[std::size_t(i)]);
+    if (!(ratio * ratio > redundancy)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// The scaled matrix of the rows, lower triangle of L_ over d d^T, for those at `r` and `c`.
+base::Matrix BorderedFactor::scaled(const std::vector<int>& r, const std::vector<int>& c) const {
+  base::Matrix M(count(r), count(c));
+  for (int j = 0; j < count(c); ++j) {
+    for (int i = 0; i < count(r); ++i) {
+      const int a = r[std::size_t(i)];
+      const int b = c[std::size_t(j)];
+      const double scale = problem_.d(rows_[std::size_t(a)]) * problem_.d(rows_[std::size_t(b)]);
+      M(i, j) = scale > 0.0 ? L_(std::max(a, b), std::min(a, b)) / scale : 0.0;
+    }
+  }
+  return M;
+}
+
+/// Cholesky with diagonal pivoting: what is left at the end depends on the rows taken before.
+/// Equality rows are taken first; an inequality may not stand in for one of them.
+void BorderedFactor::leave_out_redundant() {
+  gather();
+  std::vector<int> fixed;
+  std::vector<int> others;
+  for (int i = 0; i < count(rows_); ++i) {
+    (problem_.equality[std::size_t(rows_[std::size_t(i)])] ? fixed : others).push_back(i);
+  }
+  base::Matrix M = scaled(fixed, fixed);
+  fixed = independent_of(M, fixed);
+  M = scaled(others, others);
+  if (!fixed.empty()) {
+    base::Matrix E = scaled(fixed, fixed);
+    base::Matrix Z = scaled(fixed, others);
+    blas::cholesky(count(fixed), block(E));
+    blas::solve_lower(count(fixed), count(others), blas::Form::plain, block(E), block(Z));
+    blas::gemm({.m = count(others),
+                .n = count(others),
+                .k = count(fixed),
+                .a = blas::Form::transposed,
+                .alpha = -1.0,
+                .beta = 1.0},
+               block(Z), block(Z), block(M));
+  }
+  others = independent_of(M, others);
+  std::vector<bool> kept(rows_.size(), false);
+  for (const std::vector<int>* list : {&fixed, &others}) {
+    for (const int i : *list) {
+      kept[std::size_t(i)] = true;
+    }
+  }
+  std::vector<int> rows;
+  for (int i = 0; i < count(rows_); ++i) {
+    (kept[std::size_t(i)] ? rows : left_out_).push_back(rows_[std::size_t(i)]);
+  }
+  rows_ = std::move(rows);
+}
+
+bool BorderedFactor::factorise_border() {
+  const int a = count(rows_);
+  const int m = problem_.modes();
+  Y_ = B_;
+  C_.setZero(m, m);
+  if (m == 0) {
+    return true;
+  }
+  if (a < m) {
+    return false;
+  }
+  blas::solve_lower(a, m, blas::Form::plain, block(std::as_const(L_)), block(Y_));
+  blas::gemm({.m = m, .n = m, .k = a, .a = blas::Form::transposed}, block(std::as_const(Y_)),
+             block(std::as_const(Y_)), block(C_));
+  const base::Vector diagonal = C_.diagonal();
+  if (!blas::cholesky(m, block(C_))) {
+    return false;
+  }
+  return (C_.diagonal().array().square() > border_rank * diagonal.array()).all();
+}
+
+void BorderedFactor::solve(base::Matrix& top, base::Matrix& bottom) const {
+  const int a = count(rows_);
+  const int m = problem_.modes();
+  const int k = static_cast<int>(top.cols());
+  if (a == 0 || k == 0) {
+    return;
+  }
+  const blas::Block x = block(top);
+  if (m == 0) {
+    blas::solve_lower(a, k, blas::Form::plain, block(L_), x);
+    blas::solve_lower(a, k, blas::Form::transposed, block(L_), x);
+    return;
+  }
+  // M X + B Y = top + tau B bottom,  B^T X = bottom
+  const blas::Block y = block(bottom);
+  blas::gemm({.m = a, .n = k, .k = m, .alpha = problem_.tau, .beta = 1.0}, block(B_), y, x);
+  blas::solve_lower(a, k, blas::Form::plain, block(L_), x);
+  blas::gemm({.m = m, .n = k, .k = a, .a = blas::Form::transposed, .beta = -1.0}, block(Y_), x, y);
+  blas::solve_lower(m, k, blas::Form::plain, block(C_), y);
+  blas::solve_lower(m, k, blas::Form::transposed, block(C_), y);
+  blas::gemm({.m = a, .n = k, .k = m, .alpha = -1.0, .beta = 1.0}, block(Y_), y, x);
+  blas::solve_lower(a, k, blas::Form::transposed, block(L_), x);
+}
+
+double BorderedFactor::independence(int i) const {
+  const int a = count(rows_);
+  const double d = problem_.d(i);
+  if (!(d > 0.0)) {
+    return 0.0;
+  }
+  base::Matrix column(a, 1);
+  for (int r = 0; r < a; ++r) {
+    column(r, 0) = problem_.W(rows_[std::size_t(r)], i);
+  }
+  column += problem_.tau * (B_ * problem_.B.row(i).transpose());
+  if (a > 0) {
+    blas::solve_lower(a, 1, blas::Form::plain, block(L_), block(column));
+  }
+  return 1.0 - column.squaredNorm() / (d * d);
+}
+
+} // namespace spricka::solve

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/contact_qp.hpp"
+#include "solve/blas.hpp"
+#include "solve/criss_cross.hpp"
+#include "solve/mode_split.hpp"
+#include "solve/set_solution.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <set>
+
+namespace spricka::solve {
+
+namespace {
+
+constexpr double rest_load = 1e-9;         ///< of the load scale: a mode with less is not loaded
+constexpr int patience = 10;               ///< block steps without progress (Judice and Pires 1994)
+constexpr double pivot_tolerance = 1e-9;   ///< of signs while the tableau gathers round-off
+constexpr double accepted_residual = 1e-7; ///< above it the answer is none
+constexpr int repeats = 5;                 ///< of the tableau, each from a clean start
+
+/// Force that a gap of the size of b needs, and loads on modes: which loads count as round-off.
+double load_scale(const ContactProblem& problem) {
+  double scale = problem.load_scale;
+  if (problem.h.size() > 0) {
+    scale = std::max(scale, problem.h.cwiseAbs().maxCoeff());
+  }
+  const double stiffest = problem.b.size() > 0 ? problem.W.diagonal().maxCoeff() : 0.0;
+  if (stiffest > 0.0 && problem.B.size() > 0) {
+    scale = std::max(scale,
+                     problem.B.cwiseAbs().maxCoeff() * problem.b.cwiseAbs().maxCoeff() / stiffest);
+  }
+  return scale;
+}
+
+HeldProblem held_problem(const ContactProblem& problem, const ModeSplit& split) {
+  HeldProblem held{.W = problem.W,
+                   .B = problem.B * split.felt,
+                   .b = problem.b,
+                   .h = split.felt.transpose() * problem.h,
+                   .equality = problem.equality,
+                   .tau = 0.0,
+                   .d = {}};
+  held.equality.resize(static_cast<std::size_t>(held.rows()), false);
+  const base::Vector border = held.B.rowwise().squaredNorm();
+  if (held.modes() > 0) {
+    const double compliance = problem.W.trace();
+    held.tau = compliance > 0.0 ? compliance / border.sum() : 1.0;
+  }
+  held.d = (problem.W.diagonal() + held.tau * border).cwiseMax(0.0).cwiseSqrt();
+  return held;
+}
+
+struct Search {
+  bool settled = false;
+  std::vector<int> best; ///< closed rows of the best regular set met
+  int iterations = 0;
+};
+
+/// Closes and opens all violated rows at once (primal-dual active set; Hintermueller, Ito and
+/// Kunisch 2003) until none is left, a set comes back or progress ends.
+Search block_pivoting(const HeldProblem& problem, const ContactSettings& settings,
+                      const std::vector<int>& holding, std::vector<bool> closed,
+                      BorderedFactor& factor) {
+  Search search;
+  search.best = holding;
+  std::size_t least = closed.size() + 1;
+  int stalled = 0;
+  std::set<std::vector<bool>> met;
+  while (search.iterations < settings.max_block_iterations && met.insert(closed).second) {
+    std::vector<int> A;
+    for (int i = 0; i < problem.rows(); ++i) {
+      if (closed[std::size_t(i)]) {
+        A.push_back(i);
+      }
+    }
+    ++search.iterations;
+    if (!factor.factorise(A)) {
+      for (const int i : holding) {
+        closed[std::size_t(i)] = true; // too few rows left to hold the modes
+      }
+      continue;
+    }
+    const SetSolution solution = solve_set(problem, factor, false);
+    const std::vector<int> violated = violated_rows(problem, factor, solution, settings.tolerance);
+    if (violated.empty()) {
+      search.settled = true;
+      search.best = factor.rows();
+      return search;
+    }
+    stalled = violated.size() < least ? 0 : stalled + 1;
+    if (violated.size() < least) {
+      least = violated.size();
+      search.best = factor.rows();
+    }
+    if (stalled > patience) {
+      return search;
+    }
+    for (const int i : factor.left_out()) {
+      closed[std::size_t(i)] = problem.equality[std::size_t(i)];
+    }
+    for (const int i : violated) {
+      if (!problem.equality[std::size_t(i)]) {
+        closed[std::size_t(i)] = !closed[std::size_t(i)];
+      }
+    }
+  }
+  return search;
+}
+
+/// The finite fallback, begun again from its own answer while round-off still shows.
+ContactStatus pivot_to_the_end(const HeldProblem& problem, const ContactSettings& settings,
+                               std::vector<int> A, BorderedFactor& factor,
+                               ContactSolution& answer) {
+  for (int turn = 0; turn < repeats; ++turn) {
+    const double tolerance = turn == 0 ? pivot_tolerance : settings.tolerance;
+    const PivotResult result = criss_cross(problem, A, std::max(tolerance, settings.tolerance),
+                                           settings.max_pivots - answer.pivots);
+    answer.pivots += result.pivots;
+    if (result.status == PivotStatus::infeasible) {
+      return ContactStatus::inconsistent;
+    }
+    if (result.status != PivotStatus::optimal || !factor.factorise(result.closed)) {
+      return ContactStatus::max_iterations;
+    }
+    const SetSolution solution = solve_set(problem, factor, true);
+    if (violated_rows(problem, factor, solution, settings.tolerance).empty()) {
+      return ContactStatus::solved;
+    }
+    A = factor.rows();
+  }
+  if (!factor.left_out().empty()) {
+    return ContactStatus::inconsistent; // an equality row that the others contradict
+  }
+  return ContactStatus::solved; // the residual decides
+}
+
+double relative(double value, double scale) {
+  return value == 0.0 ? 0.0 : value / (scale > 0.0 ? scale : 1.0);
+}
+
+/// Fills in forces, gaps and the closed rows; returns the largest violation over its scale.
+double take_solution(const HeldProblem& problem, const BorderedFactor& factor,
+                     ContactSolution& answer) {
+  SetSolution s = solve_set(problem, factor, true);
+  const base::Vector balance = problem.h + problem.B.transpose() * s.lambda;
+  const base::Vector size =
+      problem.h.cwiseAbs() + problem.B.cwiseAbs().transpose() * s.lambda.cwiseAbs();
+  double residual = 0.0;
+  for (int j = 0; j < problem.modes(); ++j) {
+    residual = std::max(residual, relative(std::abs(balance(j)), size(j)));
+  }
+  answer.closed.assign(static_cast<std::size_t>(problem.rows()), false);
+  for (const int i : factor.rows()) {
+    answer.closed[std::size_t(i)] = true;
+  }
+  for (int i = 0; i < problem.rows(); ++i) {
+    const bool equality = problem.equality[std::size_t(i)];
+    const bool closed = answer.closed[std::size_t(i)];
+    const double wrong_gap = closed || equality ? std::abs(s.gap(i)) : std::max(-s.gap(i), 0.0);
+    const double wrong_force = equality ? 0.0 : std::max(-s.lambda(i), 0.0);
+    residual = std::max(
+        {residual, relative(wrong_gap, s.gap_scale(i)), relative(wrong_force, s.force_scale)});
+    if (!closed && s.gap(i) <= 1e-10 * s.gap_scale(i) &&
+        factor.independence(i) < 10.0 * redundancy) {
+      ++answer.redundant;
+    }
+    if (!equality) {
+      s.lambda(i) = std::max(s.lambda(i), 0.0);
+      s.gap(i) = closed ? 0.0 : std::max(s.gap(i), 0.0);
+    }
+  }
+  answer.lambda = s.lambda;
+  answer.gap = s.gap;
+  answer.alpha = s.alpha;
+  return std::isfinite(s.gap.sum() + s.lambda.sum()) ? residual : INFINITY;
+}
+
+} // namespace
+
+ContactSolution solve_contact(const ContactProblem& problem, const ContactSettings& settings,
+                              const std::vector<bool>& start) {
+  const Eigen::Index n = problem.b.size();
+  assert(problem.W.rows() == n && problem.W.cols() == n);
+  assert(problem.B.rows() == n && problem.B.cols() == problem.h.size());
+  blas::single_thread();
+  ContactSolution answer;
+  answer.lambda = base::Vector::Zero(n);
+  answer.alpha = base::Vector::Zero(problem.h.size());
+  answer.gap = problem.b;
+  answer.closed.assign(static_cast<std::size_t>(n), false);
+  const double scale = load_scale(problem);
+
+  // 1. modes that no row touches rest, or nothing holds them
+  const ModeSplit split = split_modes(problem.B, problem.opening_scale);
+  const base::Vector unfelt_load = split.unfelt.transpose() * problem.h;
+  answer.resting_modes = static_cast<int>(split.unfelt.cols());
+  if (unfelt_load.size() > 0 && unfelt_load.cwiseAbs().maxCoeff() > rest_load * scale) {
+    answer.status = ContactStatus::unheld_mode;
+    answer.unheld = (split.unfelt * unfelt_load).normalized();
+    return answer;
+  }
+
+  // 2. loads that the rows cannot take: the motion that opens them all
+  HeldProblem held = held_problem(problem, split);
+  const Holding holding = hold_loads(held);
+  if (holding.remainder.size() > 0) {
+    if (holding.remainder.norm() > rest_load * std::max(scale, held.h.norm())) {
+      answer.status = ContactStatus::unheld_mode;
+      answer.unheld = (split.felt * holding.remainder).normalized();
+      return answer;
+    }
+    held.h -= holding.remainder;
+  }
+
+  // 3. block pivoting, and the finite fallback where it does not settle
+  std::vector<bool> closed = start;
+  closed.resize(static_cast<std::size_t>(n), start.empty());
+  for (int i = 0; i < held.rows(); ++i) {
+    closed[std::size_t(i)] = closed[std::size_t(i)] || held.equality[std::size_t(i)];
+  }
+  BorderedFactor factor(held);
+  const Search search = block_pivoting(held, settings, holding_rows(held, holding.pressed),
+                                       std::move(closed), factor);
+  answer.block_iterations = search.iterations;
+  if (!search.settled) {
+    answer.status = pivot_to_the_end(held, settings, search.best, factor, answer);
+    if (answer.status != ContactStatus::solved) {
+      return answer;
+    }
+  }
+
+  // 4. one clean solve on the final set
+  answer.residual = take_solution(held, factor, answer);
+  if (!(answer.residual < accepted_residual)) {
+    answer.status = ContactStatus::max_iterations;
+  }
+  const base::Vector alpha = split.felt * answer.alpha;
+  answer.alpha = alpha - split.unfelt * (split.unfelt.transpose() * alpha);
+  return answer;
+}
+
+} // namespace spricka::solve

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/vec.hpp"
+
+namespace spricka::solve {
+
+/// Cholesky factor of a dense symmetric positive definite matrix, by LAPACK on one thread.
+class DenseCholesky {
+public:
+  /// Takes the lower triangle of A [n, n].
+  explicit DenseCholesky(base::Matrix A);
+
+  [[nodiscard]] bool ok() const { return ok_; }
+  [[nodiscard]] Eigen::Index size() const { return L_.rows(); }
+  /// L^-1 B [n, k].
+  [[nodiscard]] base::Matrix half_solve(base::Matrix B) const;
+  /// A^-1 B [n, k].
+  [[nodiscard]] base::Matrix solve(base::Matrix B) const;
+
+private:
+  base::Matrix L_;
+  bool ok_ = false;
+};
+
+/// Y^T Y [k, k], symmetric to the last bit.
+base::Matrix gram(const base::Matrix& Y);
+
+} // namespace spricka::solve

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/mode_split.hpp"
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <limits>
+
+namespace spricka::solve {
+
+namespace {
+
+constexpr double untouched = 1e-9; ///< of the largest entry, and of the largest singular value
+
+base::Matrix orthonormal(const base::Matrix& A) {
+  if (A.cols() == 0) {
+    return A;
+  }
+  const Eigen::HouseholderQR<base::Matrix> qr(A);
+  return qr.householderQ() * base::Matrix::Identity(A.rows(), A.cols());
+}
+
+/// Right singular vectors of A [n, k] and its singular values, through R of a QR.
+struct RightVectors {
+  base::Matrix V; ///< [k, k]
+  base::Vector s; ///< [k], zeros where n < k
+};
+
+RightVectors right_vectors(const base::Matrix& A) {
+  const Eigen::Index k = A.cols();
+  base::Matrix R = base::Matrix::Zero(k, k);
+  const Eigen::HouseholderQR<base::Matrix> qr(A);
+  const Eigen::Index top = std::min(A.rows(), k);
+  R.topRows(top) = base::Matrix(qr.matrixQR().topRows(top)).triangularView<Eigen::Upper>();
+  const Eigen::JacobiSVD<base::Matrix> svd(R, Eigen::ComputeFullV);
+  return {svd.matrixV(), svd.singularValues()};
+}
+
+/// The rows that are in the cone's face so far, orthonormal [m, r], grown one row at a time.
+class Span {
+public:
+  explicit Span(Eigen::Index m) : Q_(m, 0) {}
+
+  [[nodiscard]] base::Vector across(const base::Vector& v) const {
+    const base::Vector once = v - Q_ * (Q_.transpose() * v);
+    return once - Q_ * (Q_.transpose() * once); // twice is enough (Parlett 1980)
+  }
+  bool add(const base::Vector& v) {
+    const base::Vector part = across(v);
+    if (!(part.norm() > 1e-7 * v.norm())) {
+      return false;
+    }
+    Q_.conservativeResize(Eigen::NoChange, Q_.cols() + 1);
+    Q_.rightCols(1) = part.normalized();
+    return true;
+  }
+  [[nodiscard]] bool full() const { return Q_.cols() == Q_.rows(); }
+
+private:
+  base::Matrix Q_;
+};
+
+/// Least squares for the chosen columns of A [m, n]: A_P x = t.
+base::Vector least_squares(const base::Matrix& A, const std::vector<int>& P,
+                           const base::Vector& t) {
+  base::Matrix A_P(A.rows(), static_cast<Eigen::Index>(P.size()));
+  for (std::size_t k = 0; k < P.size(); ++k) {
+    A_P.col(static_cast<Eigen::Index>(k)) = A.col(P[k]);
+  }
+  return A_P.colPivHouseholderQr().solve(t);
+}
+
+/// Lawson and Hanson's inner loop: moves x towards the least squares solution as far as it stays
+/// non-negative and drops the columns that arrive at zero.
+void settle(const base::Matrix& A, const base::Vector& t, std::vector<int>& P, base::Vector& x) {
+  while (!P.empty()) {
+    const base::Vector s = least_squares(A, P, t);
+    double step = 1.0;
+    for (std::size_t k = 0; k < P.size(); ++k) {
+      const double s_k = s(static_cast<Eigen::Index>(k));
+      if (s_k <= 0.0) {
+        step = std::min(step, x(P[k]) / (x(P[k]) - s_k));
+      }
+    }
+    for (std::size_t k = 0; k < P.size(); ++k) {
+      x(P[k]) += step * (s(static_cast<Eigen::Index>(k)) - x(P[k]));
+    }
+    if (step >= 1.0) {
+      return;
+    }
+    const double floor = 1e-14 * x.maxCoeff();
+    std::erase_if(P, [&](int j) {
+      const bool gone = x(j) <= floor;
+      x(j) = gone ? 0.0 : x(j);
+      return gone;
+    });
+  }
+}
+
+} // namespace
+
+ModeSplit split_modes(const base::Matrix& B, double opening_scale) {
+  const Eigen::Index m = B.cols();
+  const double largest = B.size() == 0 ? 0.0 : B.cwiseAbs().maxCoeff();
+  const double floor = untouched * (opening_scale > 0.0 ? opening_scale : largest);
+  std::vector<Eigen::Index> touched;
+  base::Matrix unfelt(m, 0);
+  const auto add_unfelt = [&unfelt](const base::Vector& direction) {
+    unfelt.conservativeResize(Eigen::NoChange, unfelt.cols() + 1);
+    unfelt.rightCols(1) = direction;
+  };
+  for (Eigen::Index j = 0; j < m; ++j) {
+    if (B.rows() > 0 && B.col(j).cwiseAbs().maxCoeff() > floor) {
+      touched.push_back(j);
+    } else {
+      add_unfelt(base::Vector::Unit(m, j));
+    }
+  }
+  const Eigen::Index k = static_cast<Eigen::Index>(touched.size());
+  base::Matrix scale = base::Matrix::Zero(m, k);
+  for (Eigen::Index c = 0; c < k; ++c) {
+    const Eigen::Index j = touched[static_cast<std::size_t>(c)];
+    scale(j, c) = 1.0 / B.col(j).cwiseAbs().maxCoeff();
+  }
+  base::Matrix felt = scale;
+  if (k > 0) {
+    const auto [V, s] = right_vectors(B * scale);
+    const Eigen::Index rank = (s.array() > untouched * s(0)).count();
+    if (rank < k) {
+      felt = scale * V.leftCols(rank);
+      for (Eigen::Index c = rank; c < k; ++c) {
+        add_unfelt(scale * V.col(c));
+      }
+    }
+    for (Eigen::Index c = 0; c < rank; ++c) {
+      felt.col(c) /= (B * felt.col(c)).cwiseAbs().maxCoeff();
+    }
+  }
+  return {felt, orthonormal(unfelt)};
+}
+
+Holding hold_loads(const HeldProblem& problem) {
+  const int n = problem.rows();
+  Span fixed(problem.modes());
+  for (int i = 0; i < n; ++i) {
+    if (problem.equality[std::size_t(i)] && !fixed.full()) {
+      fixed.add(problem.B.row(i).transpose());
+    }
+  }
+  // A x = t: what inequality rows give and what they must carry, seen across the equality rows
+  base::Matrix A = base::Matrix::Zero(problem.modes(), n);
+  for (int i = 0; i < n; ++i) {
+    if (!problem.equality[std::size_t(i)]) {
+      A.col(i) = fixed.across(problem.B.row(i).transpose());
+    }
+  }
+  const base::Vector t = -fixed.across(problem.h);
+  const base::Vector length = A.colwise().norm();
+  base::Vector x = base::Vector::Zero(n);
+  std::vector<int> P;
+  base::Vector rest = t;
+  for (int turn = 0; turn < 3 * n + 50; ++turn) {
+    const double size = rest.norm();
+    if (size <= 1e-14 * t.norm()) {
+      break;
+    }
+    const base::Vector w = A.transpose() * rest;
+    int best = -1;
+    double steepest = 1e-11 * size; // as a sine of the angle to the face
+    for (int i = 0; i < n; ++i) {
+      const bool inside = std::find(P.begin(), P.end(), i) != P.end();
+      if (!inside && length(i) > 0.0 && w(i) / length(i) > steepest) {
+        steepest = w(i) / length(i);
+        best = i;
+      }
+    }
+    if (best < 0) {
+      break;
+    }
+    P.push_back(best);
+    settle(A, t, P, x);
+    rest = t - A * x;
+  }
+  std::sort(P.begin(), P.end());
+  return {-rest, P};
+}
+
+std::vector<int> holding_rows(const HeldProblem& problem, const std::vector<int>& pressed) {
+  Span span(problem.modes());
+  std::vector<int> rows;
+  for (int i = 0; i < problem.rows(); ++i) {
+    if (problem.equality[std::size_t(i)]) {
+      rows.push_back(i);
+      if (!span.full()) {
+        span.add(problem.B.row(i).transpose());
+      }
+    }
+  }
+  for (const int i : pressed) {
+    if (!span.full() && span.add(problem.B.row(i).transpose())) {
+      rows.push_back(i);
+    }
+  }
+  while (!span.full()) {
+    int best = -1;
+    double most = 0.0;
+    for (int i = 0; i < problem.rows(); ++i) {
+      const double across = span.across(problem.B.row(i).transpose()).norm();
+      if (!problem.equality[std::size_t(i)] && across > most * (1.0 + 1e-9)) {
+        most = across;
+        best = i;
+      }
+    }
+    if (best < 0 || !span.add(problem.B.row(best).transpose())) {
+      break;
+    }
+    rows.push_back(best);
+  }
+  std::sort(rows.begin(), rows.end());
+  return rows;
+}
+
+} // namespace spricka::solve

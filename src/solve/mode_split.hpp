@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/vec.hpp"
+#include "solve/bordered_factor.hpp"
+
+#include <vector>
+
+namespace spricka::solve {
+
+/// The rigid modes split into directions that some row feels and directions that none does.
+struct ModeSplit {
+  base::Matrix felt; ///< [m, m1] alpha = felt a, columns scaled so that B felt has largest entry 1
+  base::Matrix unfelt; ///< [m, m0] orthonormal, B unfelt = 0
+};
+
+/// Entries of B [n, m] below 1e-9 of `opening_scale` (0: the largest of B) count as zero.
+ModeSplit split_modes(const base::Matrix& B, double opening_scale);
+
+/// How rows hold the loads on the modes: min |h + B^T lambda| over lambda >= 0 on inequality rows,
+/// free on equality rows (non-negative least squares, Lawson and Hanson 1974). What remains is
+/// zero, or it is the motion that nothing stops: B remainder >= 0 and h^T remainder > 0 (Farkas).
+struct Holding {
+  base::Vector remainder;   ///< [m]
+  std::vector<int> pressed; ///< inequality rows with lambda > 0, at most m
+};
+Holding hold_loads(const HeldProblem& problem);
+
+/// Rows that hold all modes, ascending: the equality rows, the pressed ones, and as few others as
+/// it takes, those first that stand most across the others.
+std::vector<int> holding_rows(const HeldProblem& problem, const std::vector<int>& pressed);
+
+} // namespace spricka::solve

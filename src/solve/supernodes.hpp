@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/vec.hpp"
+
+#include <cstdint>
+
+namespace spricka::solve {
+
+/// View of a supernodal Cholesky factor L (columns k1 .. k2 of a supernode share their rows and are
+/// stored as one column-major block, diagonal block first). Rows and columns are in elimination
+/// order, `locals` of them first, externals after. A supernode may lie across that border; the half
+/// solves below touch the columns of locals only.
+struct Supernodes {
+  std::int64_t n = 0;
+  std::int64_t locals = 0;
+  std::int64_t count = 0;
+  const std::int64_t* column = nullptr;      ///< [count + 1] first column
+  const std::int64_t* row_start = nullptr;   ///< [count + 1] into row
+  const std::int64_t* value_start = nullptr; ///< [count + 1] into value
+  const std::int64_t* row = nullptr;
+  const double* value = nullptr;
+};
+
+/// X [n, k]: X_l <- L11^-1 X_l, then X_e <- X_e - L21 X_l (the condensed load).
+void eliminate_locals(const Supernodes& L, base::Matrix& X);
+
+/// X [n, k]: X_l <- L11^-T (X_l - L21^T X_e) (the recovered locals); X_e stays.
+void substitute_locals(const Supernodes& L, base::Matrix& X);
+
+/// L22 [n - locals, n - locals], zero above the diagonal.
+base::Matrix trailing_factor(const Supernodes& L);
+
+/// R R^T [n, n] of a lower triangle R, symmetric to the last bit.
+base::Matrix lower_times_transpose(const base::Matrix& R);
+
+} // namespace spricka::solve

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "model/mesh.hpp"
+#include "shape/quadrature.hpp"
+#include "shape/shape.hpp"
+#include "shape/topology.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace spricka::test {
+
+/// Area of some elements, exact for curved ones (the determinant is a polynomial).
+inline double area(const model::Mesh& mesh) {
+  double sum = 0.0;
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const auto nodes = mesh.nodes_of(base::ElementId(e));
+    sum += shape::with_shape(mesh.type[e], [&]<shape::ElementShape S>(S) {
+      double part = 0.0;
+      for (const auto& q : shape::quadrature<S>()) {
+        Eigen::Matrix2d J = Eigen::Matrix2d::Zero();
+        const Eigen::Matrix<double, S::nodes, 2> d = S::dN(q.r);
+        for (int i = 0; i < S::nodes; ++i) {
+          J += d.row(i).transpose() *
+               mesh.x[nodes[static_cast<std::size_t>(i)].index()].template head<2>().transpose();
+        }
+        part += q.weight * J.determinant();
+      }
+      return part;
+    });
+  }
+  return sum;
+}
+
+inline const model::FaceSet& faces(const model::Mesh& mesh, const std::string& name) {
+  const auto at = std::find_if(mesh.face_sets.begin(), mesh.face_sets.end(),
+                               [&](const model::FaceSet& s) { return s.name == name; });
+  if (at == mesh.face_sets.end()) {
+    throw std::runtime_error("no face set " + name);
+  }
+  return *at;
+}
+
+inline std::vector<base::NodeId> nodes_of(const model::Mesh& mesh, const model::Face& face) {
+  std::vector<base::NodeId> result;
+  for (const int i : shape::side_nodes(mesh.type[face.element.index()], face.side)) {
+    result.push_back(mesh.nodes_of(face.element)[static_cast<std::size_t>(i)]);
+  }
+  return result;
+}
+
+/// Length of the chords of some faces.
+inline double chord_length(const model::Mesh& mesh, const std::vector<model::Face>& some) {
+  double sum = 0.0;
+  for (const model::Face& face : some) {
+    const auto nodes = nodes_of(mesh, face);
+    sum += (mesh.x[nodes[1].index()] - mesh.x[nodes[0].index()]).norm();
+  }
+  return sum;
+}
+
+} // namespace spricka::test

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/boundary.hpp"
+#include "mesh/generate.hpp"
+#include "mesh/quality.hpp"
+#include "meshes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+namespace spricka {
+namespace {
+
+using base::ElementType;
+
+constexpr double pi = std::numbers::pi;
+
+/// Every boundary face is in exactly one of the sets, and only these are.
+void expect_sets_cover(const model::Mesh& mesh, const std::vector<std::string>& names) {
+  std::vector<model::Face> all;
+  for (const std::string& name : names) {
+    const auto& set = test::faces(mesh, name).faces;
+    all.insert(all.end(), set.begin(), set.end());
+  }
+  std::sort(all.begin(), all.end());
+  EXPECT_EQ(all, mesh::boundary_faces(mesh));
+}
+
+void expect_sound(const model::Mesh& mesh) {
+  EXPECT_TRUE(mesh::bad_elements(mesh).empty());
+  std::set<base::Label> labels(mesh.node_label.begin(), mesh.node_label.end());
+  EXPECT_EQ(labels.size(), mesh.node_count());
+  EXPECT_EQ(*labels.begin(), 1);
+  EXPECT_EQ(*labels.rbegin(), static_cast<base::Label>(mesh.node_count()));
+  for (const model::NodeSet& set : mesh.node_sets) {
+    EXPECT_FALSE(set.nodes.empty());
+  }
+  std::vector<bool> used(mesh.node_count(), false);
+  for (const base::NodeId n : mesh.nodes) {
+    used[n.index()] = true;
+  }
+  EXPECT_TRUE(std::all_of(used.begin(), used.end(), [](bool b) { return b; }));
+  ASSERT_FALSE(mesh.element_sets.empty());
+  EXPECT_EQ(mesh.element_sets[0].elements.size(), mesh.element_count());
+}
+
+/// Straight or quadratic approximation of a circle's area by n arcs.
+double sector_area(double r, double angle, int n, bool quadratic) {
+  const double t = angle / n;
+  const double chord = 0.5 * r * r * std::sin(t);
+  const double sagitta = r * (1.0 - std::cos(0.5 * t));
+  return n * (chord + (quadratic ? 2.0 / 3.0 * sagitta * 2.0 * r * std::sin(0.5 * t) : 0.0));
+}
+
+class Generate : public testing::TestWithParam<ElementType> {
+protected:
+  [[nodiscard]] bool quadratic() const { return base::info(GetParam()).quadratic; }
+};
+
+TEST_P(Generate, Block) {
+  model::Mesh mesh;
+  mesh::BlockSpec spec;
+  spec.type = GetParam();
+  spec.origin = {1.0, -2.0, 0.0};
+  spec.size = {3.0, 2.0, 1.0};
+  spec.nx = 5;
+  spec.ny = 3;
+  spec.bias = 4.0;
+  mesh::generate_block(mesh, base::NetId(std::size_t{0}), "B.", spec);
+  expect_sound(mesh);
+  EXPECT_NEAR(test::area(mesh), 6.0, 1e-13);
+  EXPECT_NEAR(test::chord_length(mesh, test::faces(mesh, "B.YMIN").faces), 3.0, 1e-14);
+  EXPECT_NEAR(test::chord_length(mesh, test::faces(mesh, "B.XMAX").faces), 2.0, 1e-14);
+  for (const base::NodeId n : mesh::nodes_of_faces(mesh, test::faces(mesh, "B.XMAX").faces)) {
+    EXPECT_DOUBLE_EQ(mesh.x[n.index()].x(), 4.0);
+  }
+  const auto& bottom = test::faces(mesh, "B.YMIN").faces;
+  EXPECT_NEAR(test::chord_length(mesh, {bottom.back()}) / test::chord_length(mesh, {bottom[0]}),
+              4.0, 1e-12);
+  expect_sets_cover(mesh, {"B.XMIN", "B.XMAX", "B.YMIN", "B.YMAX"});
+}
+
+TEST_P(Generate, ClosedRing) {
+  model::Mesh mesh;
+  mesh::RingSpec spec;
+  spec.type = GetParam();
+  spec.x0 = 5.0;
+  spec.ri = 2.0;
+  spec.ro = 3.0;
+  spec.nr = 3;
+  spec.nt = 24;
+  spec.bias = 2.0;
+  mesh::generate_ring(mesh, base::NetId(std::size_t{0}), "", spec);
+  expect_sound(mesh);
+  EXPECT_NEAR(test::area(mesh),
+              sector_area(3.0, 2 * pi, 24, quadratic()) - sector_area(2.0, 2 * pi, 24, quadratic()),
+              1e-12);
+  for (const base::NodeId n : mesh::nodes_of_faces(mesh, test::faces(mesh, "INNER").faces)) {
+    EXPECT_NEAR((mesh.x[n.index()] - base::Vec3(5, 0, 0)).norm(), 2.0, 1e-15 * 8);
+  }
+  const auto rings = mesh::chains(mesh, mesh::boundary_faces(mesh));
+  ASSERT_EQ(rings.size(), 2U);
+  EXPECT_TRUE(rings[0].closed && rings[1].closed);
+  expect_sets_cover(mesh, {"INNER", "OUTER"});
+}
+
+TEST_P(Generate, QuarterRing) {
+  model::Mesh mesh;
+  mesh::RingSpec spec;
+  spec.type = GetParam();
+  spec.ri = 1.0;
+  spec.ro = 4.0;
+  spec.t1 = 0.5 * pi;
+  spec.nr = 5;
+  spec.nt = 6;
+  mesh::generate_ring(mesh, base::NetId(std::size_t{0}), "", spec);
+  expect_sound(mesh);
+  EXPECT_NEAR(test::area(mesh),
+              sector_area(4.0, pi / 2, 6, quadratic()) - sector_area(1.0, pi / 2, 6, quadratic()),
+              1e-12);
+  const auto on_axis =
+      std::count_if(mesh.x.begin(), mesh.x.end(), [](const base::Vec3& x) { return x.x() == 0.0; });
+  EXPECT_EQ(on_axis, quadratic() ? 11 : 6);
+}
+
+TEST_P(Generate, Disc) {
+  for (const int nt : {3, 8, 14, 20, 72}) {
+    for (const double angle : {2 * pi, pi, pi / 2, 1.0}) {
+      for (const int nr : {1, 4}) {
+        SCOPED_TRACE(testing::Message() << "nt " << nt << " angle " << angle << " nr " << nr);
+        model::Mesh mesh;
+        mesh::RingSpec spec;
+        spec.type = GetParam();
+        spec.ro = 2.0;
+        spec.t0 = 0.3;
+        spec.t1 = 0.3 + angle;
+        spec.nr = nr;
+        spec.nt = nt;
+        mesh::generate_ring(mesh, base::NetId(std::size_t{0}), "", spec);
+        expect_sound(mesh);
+        EXPECT_NEAR(test::area(mesh), sector_area(2.0, angle, nt, quadratic()), 1e-11);
+        EXPECT_EQ(test::faces(mesh, "OUTER").faces.size(), static_cast<std::size_t>(nt));
+        EXPECT_EQ(mesh::chains(mesh, mesh::boundary_faces(mesh)).size(), 1U);
+        if (angle > 6.0) {
+          expect_sets_cover(mesh, {"OUTER"});
+        }
+      }
+    }
+  }
+}
+
+TEST_P(Generate, Lug) {
+  for (const int nt : {8, 30, 72}) {
+    for (const double length : {4.0, 8.0}) {
+      SCOPED_TRACE(testing::Message() << "nt " << nt << " length " << length);
+      model::Mesh mesh;
+      mesh::LugSpec spec;
+      spec.type = GetParam();
+      spec.x0 = 1.0;
+      spec.ri = 1.5;
+      spec.width = 6.0;
+      spec.length = length;
+      spec.nr = 4;
+      spec.nt = nt;
+      mesh::generate_lug(mesh, base::NetId(std::size_t{0}), "L.", spec);
+      expect_sound(mesh);
+      const int head = (nt + 1) / 2;
+      EXPECT_NEAR(test::area(mesh),
+                  6.0 * length + sector_area(3.0, pi, head, quadratic()) -
+                      sector_area(1.5, pi, head, quadratic()) -
+                      sector_area(1.5, pi, nt - head, quadratic()),
+                  1e-11);
+      for (const base::NodeId n : mesh::nodes_of_faces(mesh, test::faces(mesh, "L.END").faces)) {
+        EXPECT_NEAR(mesh.x[n.index()].x(), 1.0 - length, 1e-14 * 8);
+      }
+      EXPECT_NEAR(test::chord_length(mesh, test::faces(mesh, "L.END").faces), 6.0, 1e-12);
+      const auto bore = mesh::chains(mesh, test::faces(mesh, "L.BORE").faces);
+      ASSERT_EQ(bore.size(), 1U);
+      EXPECT_TRUE(bore[0].closed);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(AllTypes, Generate,
+                         testing::Values(ElementType::trim3, ElementType::trimc6,
+                                         ElementType::quam4, ElementType::quamc8,
+                                         ElementType::quamc9),
+                         [](const auto& p) { return std::string(base::info(p.param).name); });
+
+TEST(GenerateInOneNet, LabelsContinue) {
+  model::Mesh mesh;
+  mesh::generate_block(mesh, base::NetId(std::size_t{0}), "", {});
+  mesh::generate_block(mesh, base::NetId(std::size_t{0}), "", {});
+  mesh::generate_block(mesh, base::NetId(std::size_t{1}), "", {});
+  EXPECT_EQ(mesh.element_label, (std::vector<base::Label>{1, 2, 1}));
+  EXPECT_EQ(mesh.node_label[8], 9);
+  EXPECT_EQ(mesh.node_label[16], 1);
+}
+
+} // namespace
+} // namespace spricka

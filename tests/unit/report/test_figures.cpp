@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/figures.hpp"
+#include "report/mesh_picture.hpp"
+#include "report/plot.hpp"
+#include "report/report.hpp"
+#include "report/result_tables.hpp"
+#include "sample.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace spricka::report {
+namespace {
+
+TEST(Ticks, AreRoundInsideAndAboutAsManyAsWanted) {
+  for (const double scale : {1e-9, 3e-3, 0.7, 1.0, 42.0, 9.99e6}) {
+    for (const double low : {0.0, -0.3, 0.21}) {
+      const std::vector<double> ticks = round_ticks(low * scale, scale, 6);
+      ASSERT_GE(ticks.size(), 3U);
+      ASSERT_LE(ticks.size(), 9U);
+      const double step = ticks[1] - ticks[0];
+      const double lead = step / std::pow(10.0, std::floor(std::log10(step) + 1e-9));
+      EXPECT_LT(std::min({std::abs(lead - 1.0), std::abs(lead - 2.0), std::abs(lead - 5.0)}), 1e-6)
+          << "step " << step;
+      for (const double t : ticks) {
+        EXPECT_GE(t, (low - 1e-6) * scale);
+        EXPECT_LE(t, (1.0 + 1e-6) * scale);
+      }
+    }
+  }
+  EXPECT_EQ(round_ticks(2.0, 2.0, 5), std::vector<double>{2.0});
+}
+
+TEST(Ticks, ShowTheDigitsThatTellThemApart) {
+  EXPECT_EQ(tick_text(0.30000000000000004, 0.1), "0.3");
+  EXPECT_EQ(tick_text(0.0, 0.25), "0.0");
+  EXPECT_EQ(tick_text(1500.0, 500.0), "1500");
+  EXPECT_EQ(tick_text(0.05, 0.05), "0.05");
+  EXPECT_EQ(tick_text(2e-7, 1e-7), "2e-07");
+}
+
+TEST(RoundDown, GivesTheLargestOneTwoOrFiveBelow) {
+  EXPECT_DOUBLE_EQ(round_down(1.99), 1.0);
+  EXPECT_DOUBLE_EQ(round_down(20.0), 20.0);
+  EXPECT_DOUBLE_EQ(round_down(499.0), 200.0);
+  EXPECT_DOUBLE_EQ(round_down(0.0072), 0.005);
+}
+
+TEST(PrintUnit, TurnsHalfPowersIntoRoots) {
+  EXPECT_EQ(print_unit("MPa*mm^0.5"), "MPa √mm");
+  EXPECT_EQ(print_unit("kN*m^0.5"), "kN √m");
+  EXPECT_EQ(print_unit("N/mm^2"), "N/mm²");
+  EXPECT_EQ(print_unit("psi"), "psi");
+}
+
+TEST(Nominal, IsFoundByNameInAnyCaseAndScalesK) {
+  const test::Sample sample = test::make_sample();
+  const std::optional<Nominal> state = nominal(sample.model);
+  ASSERT_TRUE(state);
+  EXPECT_DOUBLE_EQ(state->radius, test::bore);
+  EXPECT_DOUBLE_EQ(state->k0(6.0), test::sigma * std::sqrt(6.0 * std::numbers::pi));
+  model::Model other = sample.model;
+  other.parameters = {{"R", 36.0}};
+  EXPECT_FALSE(nominal(other));
+}
+
+TEST(References, ComeFromTheChecksOnKAndMeetTheirIncrement) {
+  test::Sample sample = test::make_sample();
+  const std::vector<Reference> references = k_references(sample.model, sample.run);
+  ASSERT_EQ(references.size(), 2U);
+  for (const Reference& r : references) {
+    EXPECT_EQ(r.tip, "C1");
+    EXPECT_EQ(r.step, "LOAD");
+    EXPECT_DOUBLE_EQ(r.found, test::k1(r.a));
+    EXPECT_DOUBLE_EQ(r.wanted, 1.02 * r.found);
+    EXPECT_EQ(r.source, "Handbook, Table 1");
+  }
+  EXPECT_EQ(reference_table(sample.model, sample.run).rows[1][5], "-1.96");
+  sample.model.checks[0].quantity = "CPRESS.MAX";
+  EXPECT_EQ(k_references(sample.model, sample.run).size(), 1U);
+}
+
+TEST(KFigure, NeedsTwoLengths) {
+  test::Sample sample = test::make_sample();
+  EXPECT_TRUE(k_figure(sample.model, sample.run));
+  EXPECT_TRUE(normalised_figure(sample.model, sample.run));
+  sample.run.increments.pop_back();
+  EXPECT_FALSE(k_figure(sample.model, sample.run));
+  EXPECT_FALSE(normalised_figure(sample.model, sample.run));
+}
+
+TEST(KFigure, NamesCurvesThatCoincideOnce) {
+  test::Sample sample = test::make_sample();
+  for (results::Increment& increment : sample.run.increments) {
+    increment.steps[2].tips = increment.steps[0].tips; // UNLOAD ends where PRESS did
+  }
+  const std::string drawing = k_figure(sample.model, sample.run)->drawings.front();
+  EXPECT_NE(drawing.find(">PRESS, UNLOAD<"), std::string::npos);
+  EXPECT_NE(drawing.find(">LOAD<"), std::string::npos);
+}
+
+TEST(Increments, AreChosenEvenlyWithBothEnds) {
+  results::Run run;
+  for (int i = 0; i < 11; ++i) {
+    run.increments.emplace_back().number = i;
+  }
+  std::vector<int> numbers;
+  for (const results::Increment* increment : chosen_increments(run, 3)) {
+    numbers.push_back(increment->number);
+  }
+  EXPECT_EQ(numbers, (std::vector<int>{0, 5, 10}));
+  EXPECT_EQ(chosen_increments(run, 1).size(), 1U);
+  EXPECT_EQ(chosen_increments(run, 99).size(), 11U);
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+    ++found;
+  }
+  return found;
+}
+
+TEST(MeshFigures, ShowTheWholeMeshAndEachTipOfAPlaneMesh) {
+  test::Sample sample = test::make_sample();
+  const std::vector<Figure> figures = mesh_figures(sample.model, sample.run);
+  ASSERT_EQ(figures.size(), 2U);
+  EXPECT_EQ(figures[1].drawings.size(), 3U) << "two lengths and the tip";
+  for (results::Increment& increment : sample.run.increments) {
+    increment.mesh.dim = 3;
+  }
+  EXPECT_TRUE(mesh_figures(sample.model, sample.run).empty());
+}
+
+TEST(MeshPicture, DrawsACurvedEdgeAsItsParabola) {
+  model::Mesh mesh;
+  std::vector<base::NodeId> nodes;
+  for (const base::Vec3& x :
+       {base::Vec3(0, 0, 0), base::Vec3(100, 0, 0), base::Vec3(0, 100, 0), base::Vec3(50, -10, 0),
+        base::Vec3(50, 50, 0), base::Vec3(0, 50, 0)}) {
+    nodes.push_back(model::add_node(mesh, x, 1, base::NetId(0)));
+  }
+  model::add_element(mesh, base::ElementType::trimc6, nodes, 1, base::NetId(0));
+  MeshView view;
+  view.mesh = &mesh;
+  view.id = "one";
+  view.low = {0, -20};
+  view.high = {100, 100};
+  view.width = 100.0;
+  // Edge 1: control point 2 (50, -10) - (50, 0) = (50, -20); pixels: y = 22 + 100 - y.
+  EXPECT_EQ(count(draw(view), "M0 122Q50 142 100 122"), 2U) << "area and outline";
+}
+
+TEST(PressureFigures, HaveOneDrawingForEachLengthAndCutTheCurveAtTheMouth) {
+  const test::Sample sample = test::make_sample();
+  const std::vector<Figure> figures = pressure_figures(sample.model, sample.run);
+  ASSERT_EQ(figures.size(), 1U);
+  EXPECT_EQ(figures[0].drawings.size(), 2U);
+  EXPECT_NE(figures[0].caption.find("crack mouths"), std::string::npos);
+  EXPECT_EQ(figures[0].caption.find("tension"), std::string::npos);
+}
+
+TEST(PressureFigures, DrawStraightSurfacesAlongTheirLength) {
+  test::Sample sample = test::make_sample();
+  for (results::Increment& increment : sample.run.increments) {
+    for (results::StepResult& step : increment.steps) {
+      for (results::ContactPoint& point : step.contacts[0].points) {
+        point.theta = 0.0;
+      }
+    }
+  }
+  const std::vector<Figure> figures = pressure_figures(sample.model, sample.run);
+  ASSERT_EQ(figures.size(), 1U);
+  EXPECT_NE(figures[0].drawings[0].find("distance along the surface"), std::string::npos);
+}
+
+TEST(Page, IsSelfContainedAndAlwaysTheSame) {
+  const test::Sample sample = test::make_sample();
+  const std::string page = html_report(sample.sources, sample.model, sample.run);
+  EXPECT_EQ(page, html_report(sample.sources, sample.model, sample.run));
+  EXPECT_EQ(page.find("<script"), std::string::npos);
+  EXPECT_EQ(page.find("<link"), std::string::npos);
+  EXPECT_EQ(page.find("src="), std::string::npos);
+  EXPECT_NE(page.find("ring &lt;sample&gt;"), std::string::npos) << "text is escaped";
+  EXPECT_EQ(count(page, "<svg"), count(page, "</svg>"));
+}
+
+TEST(Page, AndListingDoWithoutResults) {
+  const base::Sources sources;
+  const model::Model model;
+  const results::Run run;
+  EXPECT_NE(html_report(sources, model, run).find("</html>"), std::string::npos);
+  EXPECT_NE(listing(sources, model, run).find("Processor log"), std::string::npos);
+}
+
+TEST(LeadingStep, IsKmaxOrTheLast) {
+  test::Sample sample = test::make_sample();
+  EXPECT_EQ(leading_step(sample.model), "LOAD");
+  sample.model.growth.reset();
+  EXPECT_EQ(leading_step(sample.model), "UNLOAD");
+}
+
+} // namespace
+} // namespace spricka::report

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/report.hpp"
+#include "sample.hpp"
+
+#include <gtest/gtest.h>
+
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <sstream>
+#include <system_error>
+
+namespace spricka::report {
+namespace {
+
+std::vector<std::vector<std::string>> read_csv(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  std::vector<std::vector<std::string>> rows;
+  for (std::string line; std::getline(in, line);) {
+    std::vector<std::string> fields;
+    std::istringstream cells(line);
+    for (std::string cell; std::getline(cells, cell, ',');) {
+      fields.push_back(cell);
+    }
+    rows.push_back(fields);
+  }
+  return rows;
+}
+
+double number(const std::string& text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  EXPECT_TRUE(error == std::errc() && end == text.data() + text.size()) << text;
+  return value;
+}
+
+class Writers : public testing::Test {
+protected:
+  Writers() { std::filesystem::create_directories(folder); }
+  ~Writers() override { std::filesystem::remove_all(folder); }
+
+  test::Sample sample = test::make_sample();
+  std::filesystem::path folder = std::filesystem::path(testing::TempDir()) /
+                                 testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+
+TEST_F(Writers, KTableHasOneRowForEachStepEndAndReadsBackToTheBit) {
+  write_k_csv(folder / "k.csv", sample.model, sample.run);
+  const auto rows = read_csv(folder / "k.csv");
+  ASSERT_EQ(rows.size(), 2U + 2U * 3U);
+  EXPECT_EQ(rows[0][0].substr(0, 8), "# units:");
+  const std::vector<std::string> names{"increment", "step", "crack", "a",
+                                       "K1",        "K2",   "G",     "spread"};
+  EXPECT_EQ(rows[1], names);
+  std::size_t row = 2;
+  for (const results::Increment& increment : sample.run.increments) {
+    for (const results::StepResult& step : increment.steps) {
+      const results::TipResult& tip = step.tips.front();
+      const auto& cells = rows[row++];
+      ASSERT_EQ(cells.size(), names.size());
+      EXPECT_EQ(cells[0], std::to_string(increment.number));
+      EXPECT_EQ(cells[1], step.step);
+      EXPECT_EQ(cells[2], tip.name);
+      EXPECT_EQ(number(cells[3]), tip.a);
+      EXPECT_EQ(number(cells[4]), tip.K1);
+      EXPECT_EQ(number(cells[5]), tip.K2);
+      EXPECT_EQ(number(cells[6]), tip.G);
+      EXPECT_EQ(number(cells[7]), tip.spread);
+    }
+  }
+}
+
+TEST_F(Writers, PressureTableHasBothLipsAndSkipsAbsentContacts) {
+  write_pressure_csv(folder / "pressure.csv", sample.model, sample.run);
+  const auto rows = read_csv(folder / "pressure.csv");
+  const std::size_t points = sample.run.increments[0].steps[0].contacts[0].points.size();
+  ASSERT_EQ(rows.size(), 2U + 2U * 2U * points) << "the step with factor 0 has no contact";
+  std::size_t lips = 0;
+  for (std::size_t r = 2; r < rows.size(); ++r) {
+    ASSERT_EQ(rows[r].size(), 8U);
+    const double x = number(rows[r][3]);
+    const double y = number(rows[r][4]);
+    const double theta = number(rows[r][5]) * std::numbers::pi / 180.0;
+    EXPECT_NEAR(std::remainder(theta - std::atan2(y, x), 2.0 * std::numbers::pi), 0.0, 1e-12);
+    lips += std::abs(x) < 1e-9 && y > 0.0 ? 1 : 0;
+  }
+  EXPECT_EQ(lips, 2U * 2U * 2U);
+}
+
+TEST_F(Writers, LeaveNoTemporaryFileAndReplaceAnOldOne) {
+  std::ofstream(folder / "k.csv") << "old";
+  write_k_csv(folder / "k.csv", sample.model, sample.run);
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    EXPECT_EQ(entry.path().filename(), "k.csv");
+    ++files;
+  }
+  EXPECT_EQ(files, 1U);
+  EXPECT_GT(std::filesystem::file_size(folder / "k.csv"), 100U);
+}
+
+TEST_F(Writers, ThrowSystemErrorWhereNothingCanBeWritten) {
+  const auto& increment = sample.run.increments.front();
+  EXPECT_THROW(write_k_csv(folder / "no" / "k.csv", sample.model, sample.run), std::system_error);
+  EXPECT_THROW(write_vtu(folder / "no" / "a.vtu", sample.model, increment, increment.steps[0]),
+               std::system_error);
+  // A folder in the way: the temporary file must be gone again.
+  std::filesystem::create_directories(folder / "k.csv" / "in_use");
+  EXPECT_THROW(write_k_csv(folder / "k.csv", sample.model, sample.run), std::system_error);
+  EXPECT_FALSE(std::filesystem::exists(folder / "k.csv.part"));
+}
+
+TEST_F(Writers, ListingEchoesTheDeckAndShowsEveryTable) {
+  const std::string text = listing(sample.sources, sample.model, sample.run);
+  for (const char* part :
+       {"     1 | ! a sample\n", "     2 | $DECK VERSION=1\n", "     3 |\n", "     4 | $END\n",
+        "TOPOLOGY", "Force balance", "(K1^2+K2^2)/E'", "penetration", "iterations", "absent",
+        "Increment 2: a = 18 mm", "2 of 2 passed", "MPa*mm^0.5"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part;
+  }
+  EXPECT_EQ(text.find(" \n"), std::string::npos) << "blanks at a line's end";
+}
+
+} // namespace
+} // namespace spricka::report
