@@ -39,7 +39,8 @@ void Builder::expected(const char* at, const char* last, std::string_view what) 
   if (end == at) {
     ++end;
   }
-  fail(span(at, end), "E101", fmt::format("expected {}, not '{}'", what, std::string_view(at, end)));
+  fail(span(at, end), "E101",
+       fmt::format("expected {}, not '{}'", what, std::string_view(at, end)));
 }
 
 void Builder::report(base::Diagnostics& diagnostics) const {
@@ -94,6 +95,7 @@ bool Builder::number(const char*& p, const char* last) {
   if (!read_unit(p, last, term.unit)) {
     return false;
   }
+  token_end_ = p;
   terms_.push_back(term);
   return true;
 }
@@ -104,6 +106,7 @@ bool Builder::unit(const char*& p, const char* last) {
   if (!read_unit(p, last, term.unit)) {
     return false;
   }
+  token_end_ = p;
   if (term.unit.valid()) {
     term.span = term.unit;
     terms_.push_back(term);
@@ -122,6 +125,7 @@ void Builder::name(const char* begin, const char* end) {
   Term term;
   term.kind = Term::Kind::name;
   term.span = span(begin, end);
+  token_end_ = end;
   terms_.push_back(term);
 }
 
@@ -145,11 +149,8 @@ void Builder::op(base::Op op) {
   terms_.push_back(term);
 }
 
-Expression Builder::take_expression(const char* begin, const char* end) {
-  while (end > begin && (is_blank(end[-1]) || end[-1] == '\r')) {
-    --end;
-  }
-  return {std::exchange(terms_, {}), span(begin, end)};
+Expression Builder::take_expression(const char* begin) {
+  return {std::exchange(terms_, {}), span(begin, token_end_)};
 }
 
 Field& Builder::add(Field::Kind kind, const char* begin, const char* end) {
@@ -257,7 +258,7 @@ bool Builder::quantity(const char*& p, const char* last, const char* begin) {
     if (!read_expression(p, last, *this)) {
       return false;
     }
-    field.arguments.push_back(take_expression(first, p));
+    field.arguments.push_back(take_expression(first));
     p = skip_ws(p, last);
     if (p >= last || *p != ',') {
       break;
@@ -293,7 +294,7 @@ bool Builder::field_name(const char*& p, const char* last, bool in_row) {
   }
   Field& field = add(minus ? Field::Kind::minus_name : Field::Kind::name, begin, p);
   field.text = to_upper(std::string_view(first, end));
-  if (p < last && static_cast<unsigned char>(*p) > 127) {
+  if (p<last&& static_cast<unsigned char>(*p)> 127) {
     const char* stop = scan_token(begin, last);
     return fail(span(begin, stop), "E117",
                 fmt::format("'{}': a name has letters a-z, digits and _ only",
@@ -334,12 +335,16 @@ bool Builder::field_expression(const char*& p, const char* last) {
     return false;
   }
   Field& field = add(Field::Kind::expression, begin, p);
-  field.expression = take_expression(begin, p);
+  field.expression = take_expression(begin);
   return field_end(p, last);
 }
 
-void Builder::separator(char c) { fields_.back().separator = c; }
+void Builder::separator(char c) {
+  fields_.back().separator = c;
+}
 
-std::vector<Field> Builder::take_fields() { return std::exchange(fields_, {}); }
+std::vector<Field> Builder::take_fields() {
+  return std::exchange(fields_, {});
+}
 
 } // namespace spricka::grammar

@@ -47,7 +47,8 @@ public:
   void argument() { ++calls_.back().count; }
   void end_call();
   void op(base::Op op);
-  Expression take_expression(const char* begin, const char* end);
+  void close(const char* end) { token_end_ = end; } ///< a bracket was the last token
+  Expression take_expression(const char* begin);    ///< from there to the last token
 
   // Fields of headers and rows.
   bool field_number(const char*& p, const char* last, bool in_row);
@@ -69,6 +70,7 @@ private:
 
   std::int32_t file_;
   const char* origin_;
+  const char* token_end_ = nullptr; ///< behind the last token of an expression
   int depth_ = 0;
   std::vector<Term> terms_;
   std::vector<Term> calls_;

@@ -58,7 +58,7 @@ bool take_assigned_value(const char*& p, const char* last, Builder& builder) {
   if (!read_expression(p, last, builder)) {
     return false;
   }
-  builder.assignment.value = builder.take_expression(begin, p);
+  builder.assignment.value = builder.take_expression(begin);
   return true;
 }
 
@@ -128,8 +128,8 @@ const x3::rule<class row_id> row = "a data line";
 const x3::rule<class assignment_id> assigning = "NAME = expression";
 
 const auto value_def = paren | header_number | header_name | text;
-const auto header_def =
-    dollar > card_name > *(key > equals > value > *(comma > value) > key_end) > header_end;
+const auto header_def = dollar > card_name >
+                        *(key > equals > value > *(comma > value) > key_end) > header_end;
 const auto field_def = paren | row_number | row_name | text;
 const auto row_def = *(field >> -separator) > row_end;
 const auto assigning_def = assigned > equals > assigned_value > line_done;
@@ -262,7 +262,7 @@ std::optional<Expression> parse_expression(const base::Sources& sources, base::S
   const char* const begin = skip_ws(p, last);
   if (read_expression(p, last, builder)) {
     if (skip_ws(p, last) == last) {
-      return builder.take_expression(begin, p);
+      return builder.take_expression(begin);
     }
     builder.expected(p, last, "the end of the expression");
   }

@@ -10,12 +10,19 @@ std::span<const CardSpec> analysis_cards(); ///< loads, contact, crack, steps, r
 
 namespace table {
 
-constexpr Range above(double low) { return {low, k_unbounded, true, false}; }
-constexpr Range at_least(double low) { return {low, k_unbounded, false, false}; }
-constexpr Range between(double low, double high) { return {low, high, false, false}; }
+constexpr Range above(double low) {
+  return {low, k_unbounded, true, false};
+}
+constexpr Range at_least(double low) {
+  return {low, k_unbounded, false, false};
+}
+constexpr Range between(double low, double high) {
+  return {low, high, false, false};
+}
 constexpr Range anything{};
 
-constexpr KeySpec real(std::string_view name, Quantity quantity, Range range, std::string_view doc) {
+constexpr KeySpec real(std::string_view name, Quantity quantity, Range range,
+                       std::string_view doc) {
   KeySpec key;
   key.name = name;
   key.type = KeyType::real;

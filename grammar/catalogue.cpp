@@ -140,7 +140,8 @@ std::string Range::text() const {
 }
 
 const KeySpec* CardSpec::find(std::string_view key) const {
-  const auto it = std::find_if(keys.begin(), keys.end(), [&](const KeySpec& k) { return k.name == key; });
+  const auto it =
+      std::find_if(keys.begin(), keys.end(), [&](const KeySpec& k) { return k.name == key; });
   return it == keys.end() ? nullptr : &*it;
 }
 
@@ -155,7 +156,8 @@ std::span<const CardSpec> catalogue() {
 
 const CardSpec* find_card(std::string_view name) {
   const auto all = catalogue();
-  const auto it = std::find_if(all.begin(), all.end(), [&](const CardSpec& c) { return c.name == name; });
+  const auto it =
+      std::find_if(all.begin(), all.end(), [&](const CardSpec& c) { return c.name == name; });
   return it == all.end() ? nullptr : &*it;
 }
 
@@ -171,7 +173,9 @@ std::vector<std::string> split_words(std::string_view words) {
   return result;
 }
 
-std::span<const ResultQuantity> result_quantities() { return quantities; }
+std::span<const ResultQuantity> result_quantities() {
+  return quantities;
+}
 
 const ResultQuantity* find_quantity(std::string_view name) {
   const auto* const it = std::find_if(quantities.begin(), quantities.end(),

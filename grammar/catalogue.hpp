@@ -75,7 +75,7 @@ struct KeySpec {
   std::string_view words = {};         ///< "STRESS|STRAIN"
   std::string_view default_value = {}; ///< as the deck would write it; empty: none
   std::string_view later = {};         ///< words (or * for any value) without an analysis yet
-  Kind kind = Kind::none;         ///< of a name, reference or list of them
+  Kind kind = Kind::none;              ///< of a name, reference or list of them
   Quantity quantity = Quantity::number;
   Range range = {};
   std::string_view doc = {};
@@ -98,8 +98,8 @@ struct CardSpec {
   std::span<const KeySpec> keys = {};
   Data data = Data::none;
   bool data_required = false;
-  bool once = false;      ///< at most one in a deck
-  bool available = true;  ///< false: read and checked, but no analysis behind it yet
+  bool once = false;               ///< at most one in a deck
+  bool available = true;           ///< false: read and checked, but no analysis behind it yet
   std::string_view data_form = {}; ///< of one data line
   std::string_view exclusive = {}; ///< of these keys at most one
   std::span<const When> when = {};

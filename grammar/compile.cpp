@@ -39,14 +39,14 @@ constexpr std::array<std::pair<std::string_view, Op>, 5> variables{
     {{"X", Op::x}, {"Y", Op::y}, {"Z", Op::z}, {"RHO", Op::rho}, {"THETA", Op::theta}}};
 
 const Function* find_function(std::string_view name) {
-  const auto* const it =
-      std::find_if(functions.begin(), functions.end(), [&](const auto& f) { return f.name == name; });
+  const auto* const it = std::find_if(functions.begin(), functions.end(),
+                                      [&](const auto& f) { return f.name == name; });
   return it == functions.end() ? nullptr : it;
 }
 
 std::optional<Op> find_variable(std::string_view name) {
-  const auto* const it =
-      std::find_if(variables.begin(), variables.end(), [&](const auto& v) { return v.first == name; });
+  const auto* const it = std::find_if(variables.begin(), variables.end(),
+                                      [&](const auto& v) { return v.first == name; });
   return it == variables.end() ? std::nullopt : std::optional(it->second);
 }
 
@@ -115,10 +115,9 @@ private:
   void apply(Op op) {
     const auto n = static_cast<std::size_t>(operands(op));
     std::vector<base::Instruction>& code = result_.code;
-    const bool known = code.size() >= n && std::all_of(code.end() - static_cast<std::ptrdiff_t>(n),
-                                                       code.end(), [](const base::Instruction& i) {
-                                                         return i.op == Op::number;
-                                                       });
+    const bool known = code.size() >= n &&
+                       std::all_of(code.end() - static_cast<std::ptrdiff_t>(n), code.end(),
+                                   [](const base::Instruction& i) { return i.op == Op::number; });
     code.push_back({op, 0.0});
     if (known) {
       base::Expression part;
@@ -174,8 +173,7 @@ private:
     const Function* function = find_function(to_upper(written));
     const bool variadic =
         function != nullptr && (function->op == Op::min || function->op == Op::max);
-    if (function != nullptr &&
-        (variadic ? term.count >= 2 : term.count == function->arguments)) {
+    if (function != nullptr && (variadic ? term.count >= 2 : term.count == function->arguments)) {
       for (int i = 0; i < (variadic ? term.count - 1 : 1); ++i) {
         apply(function->op);
       }

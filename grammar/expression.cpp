@@ -63,10 +63,12 @@ bool count_argument(const char*& /*p*/, const char* /*last*/, Builder& builder) 
 }
 
 bool close_call(const char*& p, const char* last, Builder& builder) {
-  if (!take<')'>(p, last, builder)) {
+  if (p >= last || *p != ')') {
     return false;
   }
+  builder.close(++p);
   builder.end_call();
+  p = skip_ws(p, last);
   return true;
 }
 
@@ -82,7 +84,9 @@ bool close_unit(const char*& p, const char* last, Builder& builder) {
   return true;
 }
 
-bool go_deeper(const char*& p, const char* /*last*/, Builder& builder) { return builder.enter(p); }
+bool go_deeper(const char*& p, const char* /*last*/, Builder& builder) {
+  return builder.enter(p);
+}
 
 bool come_back(const char*& /*p*/, const char* /*last*/, Builder& builder) {
   builder.leave();
@@ -134,18 +138,18 @@ const auto expression_def = comparison >> (+(word_and > comparison > put<Op::log
                                            *(word_or > comparison > put<Op::logical_or>));
 const auto comparison_def = sum >> -((less_equal > sum > put<Op::less_equal>) |
                                      (greater_equal > sum > put<Op::greater_equal>) |
-                                     (equal > sum > put<Op::equal>) |
-                                     (less > sum > put<Op::less>) |
+                                     (equal > sum > put<Op::equal>) | (less > sum > put<Op::less>) |
                                      (greater > sum > put<Op::greater>));
-const auto sum_def = product >> *((plus > product > put<Op::add>) |
-                                  (minus > product > put<Op::subtract>));
+const auto sum_def = product >>
+                     *((plus > product > put<Op::add>) | (minus > product > put<Op::subtract>));
 const auto product_def = factor >> *((times > factor > put<Op::multiply>) |
                                      (over > factor > put<Op::divide>));
 const auto factor_def = deeper >> ((minus > factor > put<Op::negate>) | (plus > factor) |
-                                   (primary >> -(caret > factor > put<Op::power>))) >> back;
+                                   (primary >> -(caret > factor > put<Op::power>))) >>
+                        back;
 const auto argument_def = expression >> argument_end;
-const auto primary_def = number | (name >> -(call_open > argument > *(comma > argument) >
-                                             call_close)) |
+const auto primary_def = number |
+                         (name >> -(call_open > argument > *(comma > argument) > call_close)) |
                          (open > expression > close);
 
 BOOST_SPIRIT_DEFINE(expression, comparison, sum, product, factor, primary, argument)

@@ -7,15 +7,23 @@
 /// (in comments and texts) and belong to no class.
 namespace spricka::grammar {
 
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+constexpr bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
 constexpr bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
-constexpr bool is_name_char(char c) { return is_letter(c) || is_digit(c); }
-constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
+constexpr bool is_name_char(char c) {
+  return is_letter(c) || is_digit(c);
+}
+constexpr bool is_blank(char c) {
+  return c == ' ' || c == '\t';
+}
 
 /// Blanks, carriage return, comment: what may stand between the last field and the line feed.
-constexpr bool ends_line(char c) { return c == '\n' || c == '\r' || c == '!'; }
+constexpr bool ends_line(char c) {
+  return c == '\n' || c == '\r' || c == '!';
+}
 
 /// End of a line: at its line feed, or `last`.
 const char* line_end(const char* p, const char* last);

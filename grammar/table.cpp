@@ -150,8 +150,8 @@ private:
     Builder builder(file_, origin_);
     const char* const begin = p_;
     const char* const stop = logical_line_end(p_, last_);
-    const bool ok = *p_ == '(' ? builder.field_expression(p_, stop)
-                               : builder.field_number(p_, stop, false);
+    const bool ok =
+        *p_ == '(' ? builder.field_expression(p_, stop) : builder.field_number(p_, stop, false);
     builder.report(diagnostics_);
     if (!ok) {
       return false;

@@ -54,7 +54,9 @@ const Unit* find_word(std::string_view name) {
   return it == words.end() ? nullptr : &it->unit;
 }
 
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
 
 // value * base^exponent. Small bases go through their reciprocal, which is a whole number for the
 // metric prefixes, so that the usual factors come out exact.
@@ -88,8 +90,8 @@ bool take_term(std::string_view& text, double direction, Unit& unit) {
   double exponent = 1.0;
   if (text.starts_with('^')) {
     text.remove_prefix(text.starts_with("^+") ? 2 : 1);
-    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), exponent,
-                                                std::chars_format::fixed);
+    const auto [end, failure] =
+        std::from_chars(text.data(), text.data() + text.size(), exponent, std::chars_format::fixed);
     if (failure != std::errc{} || !std::isfinite(exponent) || std::abs(exponent) > 12.0) {
       return false;
     }

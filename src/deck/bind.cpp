@@ -28,8 +28,8 @@ public:
     const bool list = key_.type == KeyType::references || key_.type == KeyType::integers;
     if (!list && parameter.values.size() > 1) {
       const Field& second = parameter.values[1];
-      const bool digits = parameter.values[0].kind == Field::Kind::number &&
-                          second.kind == Field::Kind::number;
+      const bool digits =
+          parameter.values[0].kind == Field::Kind::number && second.kind == Field::Kind::number;
       return fail(second.span, "E108", fmt::format("{}: one value is expected", key_.name),
                   digits ? "the decimal sign is a point" : "");
     }
@@ -80,8 +80,7 @@ private:
                   fmt::format("{}: a whole number is expected, not {}", key_.name, *found));
     }
     if (!key_.range.holds(*found)) {
-      return fail(field.span, "E109",
-                  fmt::format("{}: {} is out of range", key_.name, *found),
+      return fail(field.span, "E109", fmt::format("{}: {} is out of range", key_.name, *found),
                   fmt::format("{} is {}", key_.name, key_.range.text()));
     }
     value.number = *found;
@@ -111,8 +110,7 @@ private:
       return fail(field.span, "E108", fmt::format("{}: a name is expected", key_.name));
     }
     if (key_.type == KeyType::name && field.text.find('.') != std::string::npos) {
-      return fail(field.span, "E108",
-                  fmt::format("{}: a new name has no point", key_.name),
+      return fail(field.span, "E108", fmt::format("{}: a new name has no point", key_.name),
                   "the net's name is put in front of it by itself");
     }
     value.text = field.text;
@@ -182,6 +180,9 @@ private:
            valid.empty() ? fmt::format("${} takes no keys", spec_.name)
                          : fmt::format("${} has no key '{}'", spec_.name, p.key),
            base::suggest(p.key, valid));
+      for (const Field& field : p.values) {
+        bound_.stray.push_back(field.text);
+      }
       return;
     }
     if (const BoundValue* before = bound_.find(p.key); before != nullptr) {
@@ -194,6 +195,7 @@ private:
     value.span = p.span;
     if (!ValueBinder(*key, scope_, diagnostics_).bind(p, value)) {
       bound_.bad = true;
+      value.sound = false;
     }
     bound_.values.push_back(std::move(value));
   }
@@ -221,7 +223,8 @@ private:
       const BoundValue* value = bound_.find(name);
       if (first != nullptr) {
         fail(value->span, "E110", fmt::format("{} excludes {}", first->key->name, name),
-             fmt::format("at most one of {}", fmt::join(grammar::split_words(spec_.exclusive), ", ")));
+             fmt::format("at most one of {}",
+                         fmt::join(grammar::split_words(spec_.exclusive), ", ")));
       }
       first = first == nullptr ? value : first;
     }
@@ -229,14 +232,13 @@ private:
 
   void when() {
     for (const grammar::When& clause : spec_.when) {
-      const bool holds = clause.word.empty() ? bound_.has(clause.key)
-                                             : bound_.is(clause.key, clause.word);
+      const bool holds =
+          clause.word.empty() ? bound_.has(clause.key) : bound_.is(clause.key, clause.word);
       if (!holds) {
         continue;
       }
-      const std::string where = clause.word.empty()
-                                    ? std::string(clause.key)
-                                    : fmt::format("{}={}", clause.key, clause.word);
+      const std::string where = clause.word.empty() ? std::string(clause.key)
+                                                    : fmt::format("{}={}", clause.key, clause.word);
       for (const std::string& name : grammar::split_words(clause.needs)) {
         if (!bound_.has(name)) {
           fail(card_.name_span, "E106", fmt::format("${} {} needs {}", spec_.name, where, name),

@@ -26,23 +26,26 @@ struct BoundValue {
   const grammar::KeySpec* key = nullptr;
   base::Span span; ///< of the value; of the card for a default
   bool given = false;
+  bool sound = true; ///< false: the value is wrong, and reported
   double number = 0.0;
-  std::string text;                ///< word, name or text
-  std::vector<Reference> names;    ///< lists of names
-  std::vector<double> numbers;     ///< lists of numbers
+  std::string text;             ///< word, name or text
+  std::vector<Reference> names; ///< lists of names
+  std::vector<double> numbers;  ///< lists of numbers
   base::Expression expression;
 };
 
 /// A card whose header agrees with the catalogue, but for what is missing in a bad one.
 struct BoundCard {
   const grammar::CardSpec* spec = nullptr;
-  bool bad = false; ///< an error in its header or rows: what it defines is poisoned
-  std::string net;  ///< the open net's name, or empty
+  bool bad = false;      ///< an error in its header: what it defines is poisoned
+  bool rows_bad = false; ///< rows with a syntax error, reported, are missing in `rows`
+  std::string net;       ///< the open net's name, or empty
   base::NetId net_id;
-  base::Span span;  ///< of $NAME
+  base::Span span; ///< of $NAME
   base::Span data;
   std::vector<BoundValue> values;
   std::vector<grammar::Row> rows;
+  std::vector<std::string> stray; ///< names given under keys the card does not have
 
   [[nodiscard]] const BoundValue* find(std::string_view key) const;
   /// Given in the deck (not by default).

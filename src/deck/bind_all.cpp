@@ -34,10 +34,10 @@ public:
       unknown(card);
       return;
     }
-    const std::size_t before = c_.diagnostics.error_count();
     BoundCard bound = bind_card(card, *spec, c_.scope, c_.diagnostics);
     if (spec->once && !seen_.insert(spec->name).second) {
       c_.error(card.name_span, "E119", fmt::format("${} is given twice", spec->name));
+      bound.bad = true;
     }
     frame(card, bound);
     bound.net = net_;
@@ -48,7 +48,6 @@ public:
       }
     }
     data(card, bound);
-    bound.bad = bound.bad || c_.diagnostics.error_count() > before;
     if (!bound.bad) {
       note_unavailable(bound);
     }
@@ -76,8 +75,7 @@ private:
     }
     overridden_.insert(upper);
     const auto parsed = grammar::parse_expression(c_.sources, all, c_.diagnostics);
-    const auto value =
-        parsed ? grammar::evaluate(*parsed, c_.scope, c_.diagnostics) : std::nullopt;
+    const auto value = parsed ? grammar::evaluate(*parsed, c_.scope, c_.diagnostics) : std::nullopt;
     set(upper, name, value);
   }
 
@@ -145,6 +143,7 @@ private:
   }
 
   void data(const grammar::Card& card, BoundCard& bound) {
+    const std::size_t before = c_.diagnostics.error_count();
     switch (bound.spec->data) {
     case Data::assignments:
       parameters(card);
@@ -158,7 +157,8 @@ private:
     case Data::table: // read when the mesh is built
       break;
     }
-    const bool empty = first_token(card).valid() == false;
+    bound.rows_bad = c_.diagnostics.error_count() > before;
+    const bool empty = !first_token(card).valid();
     if (bound.spec->data_required && empty) {
       c_.error(card.name_span, "E115", fmt::format("${} needs data lines", bound.spec->name),
                std::string(bound.spec->data_form));
@@ -240,16 +240,25 @@ private:
   std::set<std::string> overridden_;
 };
 
-// Parameters whose lines could not be read, and names that bad cards would have defined.
+bool is_set(Kind kind) {
+  return kind == Kind::node_set || kind == Kind::element_set || kind == Kind::face_set;
+}
+
+// The names that a bad card would have defined.
 void poison_names(Context& c, const BoundCard& card) {
-  for (const BoundValue& value : card.values) {
-    if (value.key->type != KeyType::name || value.text.empty()) {
+  for (const grammar::KeySpec& key : card.spec->keys) {
+    if (key.type != KeyType::name) {
       continue;
     }
-    const Kind kind = value.key->kind;
-    const bool is_set =
-        kind == Kind::node_set || kind == Kind::element_set || kind == Kind::face_set;
-    c.names.poison(kind, is_set ? qualify(card.net, value.text) : value.text);
+    const BoundValue* value = card.find(key.name);
+    if (value != nullptr && value->sound) {
+      c.names.poison(key.kind, is_set(key.kind) ? qualify(card.net, value->text) : value->text);
+    } else if (value != nullptr || key.required) {
+      c.names.poison_kind(key.kind);
+    }
+  }
+  for (const std::string& word : card.stray) {
+    c.names.poison_word(word);
   }
   if (card.spec->name == "MESH" || card.spec->name == "IMPORT") {
     c.names.poison_net(card.net);
@@ -272,23 +281,22 @@ void declare_names(Context& c) {
   for (std::size_t i = 0; i < c.cards.size(); ++i) {
     BoundCard& card = c.cards[i];
     const BoundValue* name = card.find("NAME");
-    if (name == nullptr || name->key->type != KeyType::name || card.bad) {
-      if (card.bad) {
-        poison_names(c, card);
-      }
+    if (card.bad) {
+      poison_names(c, card);
+      continue;
+    }
+    if (name == nullptr || name->key->type != KeyType::name) {
       continue;
     }
     Definition definition;
     definition.kind = name->key->kind;
     definition.span = name->span;
-    const bool is_set = definition.kind == Kind::node_set || definition.kind == Kind::element_set ||
-                        definition.kind == Kind::face_set;
-    if (is_set) {
+    if (is_set(definition.kind)) {
       definition.card = i;
     } else {
       definition.index = count[definition.kind]++;
     }
-    const std::string full = is_set ? qualify(card.net, name->text) : name->text;
+    const std::string full = is_set(definition.kind) ? qualify(card.net, name->text) : name->text;
     const Definition* before = c.names.define(full, definition);
     if (before != nullptr && !before->poisoned && definition.kind != Kind::net) {
       card.bad = true;
@@ -308,12 +316,27 @@ const Definition* look_up(Context& context, Kind kind, const Reference& referenc
   if (found != nullptr) {
     return found->poisoned ? nullptr : found;
   }
-  if (!reference.name.empty() && !context.names.is_poisoned(reference.name, reference.net)) {
+  if (!reference.name.empty() && !context.names.is_poisoned(kinds, reference.name, reference.net)) {
     context.error(reference.span, "E301",
                   fmt::format("there is no {} '{}'", grammar::word_of(kind), reference.name),
                   context.names.hint(kinds, reference.name));
   }
   return nullptr;
+}
+
+void check_references(Context& context) {
+  for (const BoundCard& card : context.cards) {
+    for (const BoundValue& value : card.values) {
+      const bool refers =
+          value.key->type == KeyType::reference || value.key->type == KeyType::references;
+      if (!card.bad || !value.sound || !refers || value.key->kind == Kind::parameter) {
+        continue;
+      }
+      for (const Reference& name : value.names) {
+        look_up(context, value.key->kind, name);
+      }
+    }
+  }
 }
 
 void bind_all(Context& context, const std::vector<grammar::Card>& cards,

@@ -48,19 +48,18 @@ void build_contacts(Context& context) {
     contact.recovery =
         card.is("RECOVERY", "CONSISTENT") ? model::Recovery::consistent : model::Recovery::lumped;
     contact.span = card.span;
-    const auto slave = use_face_set(context, card.reference("SLAVE"));
-    const Reference master_name = card.reference("MASTER");
-    const Definition* meant = look_up(context, Kind::surface, master_name);
-    const bool rigid = meant != nullptr && meant->kind == Kind::rigid;
-    const auto master =
-        rigid || meant == nullptr ? std::nullopt : use_face_set(context, master_name);
-    if (slave && master && share_a_face(context.model.mesh.set(*slave),
-                                        context.model.mesh.set(*master))) {
-      context.error(master_name.span, "E316",
+    contact.slave = use_face_set(context, card.reference("SLAVE")).value_or(base::FaceSetId());
+    const Reference master = card.reference("MASTER");
+    const Definition* meant = look_up(context, Kind::surface, master);
+    if (meant != nullptr && meant->kind != Kind::rigid) {
+      contact.master = use_face_set(context, master).value_or(base::FaceSetId());
+    }
+    if (contact.slave.valid() && contact.master.valid() &&
+        share_a_face(context.model.mesh.set(contact.slave),
+                     context.model.mesh.set(contact.master))) {
+      context.error(master.span, "E316",
                     fmt::format("SLAVE and MASTER of {} have faces in common", contact.name));
     }
-    contact.slave = slave.value_or(base::FaceSetId());
-    contact.master = master.value_or(base::FaceSetId());
     context.model.contacts.push_back(contact);
   }
 }

@@ -13,17 +13,17 @@ namespace {
 
 // Rows `x y` of a free crack.
 bool crack_points(Context& c, const BoundCard& card, model::Crack& crack) {
-  bool ok = true;
+  bool ok = !card.rows_bad;
   for (const grammar::Row& row : card.rows) {
     if (row.fields.size() != 2) {
       c.error(row.span, "E115", "a point of a free crack is x y");
       ok = false;
       continue;
     }
-    const auto x = number_of(row.fields[0], grammar::Quantity::length, "a coordinate", c.scope,
-                             c.diagnostics);
-    const auto y = number_of(row.fields[1], grammar::Quantity::length, "a coordinate", c.scope,
-                             c.diagnostics);
+    const auto x =
+        number_of(row.fields[0], grammar::Quantity::length, "a coordinate", c.scope, c.diagnostics);
+    const auto y =
+        number_of(row.fields[1], grammar::Quantity::length, "a coordinate", c.scope, c.diagnostics);
     ok = ok && x && y;
     if (!x || !y) {
       continue;
@@ -59,8 +59,7 @@ void crack_path(Context& c, const BoundCard& card, model::Crack& crack) {
     c.error(reference.span, "E317", "a crack path needs nodes in order, not faces",
             "make an $NSET with FROM and ORDER");
   } else if (crack.a0 && *crack.a0 >= length) {
-    c.error(card.find("A0")->span, "E317",
-            fmt::format("A0: the path is only {} long", length));
+    c.error(card.find("A0")->span, "E317", fmt::format("A0: the path is only {} long", length));
   }
 }
 

@@ -34,7 +34,8 @@ constexpr std::array<LoadForm, 9> forms{{
 }};
 
 const LoadForm& form_of(std::string_view word) {
-  return *std::find_if(forms.begin(), forms.end(), [&](const LoadForm& f) { return f.word == word; });
+  return *std::find_if(forms.begin(), forms.end(),
+                       [&](const LoadForm& f) { return f.word == word; });
 }
 
 // What the values of a type have as their unit, where one is written; BODY's has no short name.
@@ -95,8 +96,7 @@ bool load_set(Context& c, const Reference& reference, model::Load& load) {
   return id.has_value();
 }
 
-bool load_value(Context& c, const LoadForm& form, const grammar::Field& field,
-                model::Load& load) {
+bool load_value(Context& c, const LoadForm& form, const grammar::Field& field, model::Load& load) {
   using FieldKind = grammar::Field::Kind;
   if (field.kind != FieldKind::number && field.kind != FieldKind::expression) {
     number_of(field, grammar::Quantity::number, "a number or (expression)", c.scope,
@@ -126,8 +126,8 @@ void load_row(Context& c, const BoundCard& card, const grammar::Row& row,
   const LoadForm& form = form_of(card.word("TYPE"));
   model::Load load;
   load.type = form.type;
-  load.shape = card.is("SHAPE", "UNIFORM") ? model::BearingShape::uniform
-                                           : model::BearingShape::cosine;
+  load.shape =
+      card.is("SHAPE", "UNIFORM") ? model::BearingShape::uniform : model::BearingShape::cosine;
   load.span = row.span;
   const auto reference = set_field(c, card, row.fields.front());
   bool ok = reference && load_set(c, *reference, load);

@@ -105,8 +105,8 @@ void elements(Context& c, const BoundCard& card) {
   grammar::TableForm form;
   form.columns = static_cast<std::size_t>(info.nodes);
   form.row = "element number";
-  form.missing = fmt::format("{} takes {} nodes; continue a line with a leading &", info.name,
-                             info.nodes);
+  form.missing =
+      fmt::format("{} takes {} nodes; continue a line with a leading &", info.name, info.nodes);
   form.surplus = fmt::format("{} takes {} nodes", info.name, info.nodes);
   const auto table = grammar::parse_connectivity(form, card.data, c.scope, c.diagnostics);
   model::ElementSet* set = table_set(c, card, "ESET", c.model.mesh.element_sets);
@@ -178,6 +178,12 @@ void generate(Context& c, const BoundCard& card) {
 // Sizes that only together make a shape.
 bool sizes_fit(Context& c, const BoundCard& card) {
   if (base::info(element_type(card.word("TYPE"))).dim == 3) {
+    if (!card.is("SHAPE", "BLOCK")) {
+      c.error(card.find("TYPE")->span, "E110",
+              fmt::format("{} is for SHAPE=BLOCK only", card.word("TYPE")));
+    } else if (!card.has("LZ")) {
+      c.error(card.span, "E106", "$MESH with elements in space needs LZ");
+    }
     return false; // noted as unavailable; the sets count as known
   }
   const std::size_t errors = c.diagnostics.error_count();
@@ -305,8 +311,8 @@ void build_mesh(Context& context) {
   context.element_labels.resize(nets);
   const std::size_t errors = context.diagnostics.error_count();
   for (const BoundCard& card : context.cards) {
-    if (card.bad && (card.spec->name == "COOR" || card.spec->name == "MESH" ||
-                     card.spec->name == "IMPORT")) {
+    if (card.bad &&
+        (card.spec->name == "COOR" || card.spec->name == "MESH" || card.spec->name == "IMPORT")) {
       context.node_labels[card.net_id.index()].complete = false;
     }
     if (card.bad && (card.spec->name == "ELEMENT" || card.spec->name == "MESH" ||

@@ -67,7 +67,7 @@ void property(Context& c, const BoundCard& card) {
 
 void freedom(Context& c, const BoundCard& card) {
   auto nodes = node_items(c, card);
-  if (!nodes) {
+  if (!nodes || card.bad) {
     return;
   }
   const std::string_view dof = card.word("DOF");
@@ -97,7 +97,7 @@ void build_properties(Context& context) {
   for (const BoundCard& card : context.cards) {
     if (card.spec->name == "PROPERTY" && !card.bad) {
       property(context, card);
-    } else if (card.spec->name == "FREEDOM" && !card.bad) {
+    } else if (card.spec->name == "FREEDOM") {
       freedom(context, card);
     }
   }

@@ -42,7 +42,7 @@ struct Context {
   bool mesh_sound = true;               ///< no mistake while nodes and elements were made
   bool property_sound = true;           ///< no mistake in $PROPERTY and what it names
   std::optional<std::vector<model::Face>> boundary{}; ///< of the finished mesh, found once
-  std::vector<std::size_t> building{};               ///< cards of sets being built, outermost first
+  std::vector<std::size_t> building{}; ///< cards of sets being built, outermost first
   std::map<std::size_t, base::NodeSetId> nodes_of_faces{}; ///< face sets that stood for node sets
   std::map<std::size_t, base::FaceSetId> faces_of_nodes{}; ///< and the reverse
 
@@ -79,6 +79,8 @@ void build_cracks(Context& context);
 void build_steps(Context& context);
 /// $OUTPUT, $CHECK, $CONTROL, $TASK.
 void build_requests(Context& context);
+/// Names that cards with bad headers use: the stages above leave these cards out.
+void check_references(Context& context);
 /// Elements without a property, bad elements, mixed dimensions.
 void check_mesh(Context& context);
 

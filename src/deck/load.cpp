@@ -131,8 +131,7 @@ void check_frame(std::vector<grammar::Card>& cards, std::int32_t file, const bas
                  base::Diagnostics& diagnostics) {
   if (cards.empty() || cards.front().name != "DECK") {
     const base::Span at = cards.empty() ? base::Span{file, 0, 0} : cards.front().name_span;
-    diagnostics.error(at, "E111", "the first card is $DECK",
-                      "$DECK VERSION=1 LENGTH=mm FORCE=N");
+    diagnostics.error(at, "E111", "the first card is $DECK", "$DECK VERSION=1 LENGTH=mm FORCE=N");
   }
   const auto end = std::find_if(cards.begin(), cards.end(),
                                 [](const grammar::Card& c) { return c.name == "END"; });

@@ -80,8 +80,12 @@ const Definition* Names::find(const std::vector<Kind>& kinds, const std::string&
   return nullptr;
 }
 
-bool Names::is_poisoned(const std::string& name, const std::string& net) const {
-  if (everything_ || words_.contains(std::string(last_part(name))) || words_.contains(name)) {
+bool Names::is_poisoned(const std::vector<Kind>& kinds, const std::string& name,
+                        const std::string& net) const {
+  const bool kind_poisoned =
+      std::any_of(kinds.begin(), kinds.end(), [&](Kind k) { return kinds_.contains(k); });
+  if (everything_ || kind_poisoned || words_.contains(std::string(last_part(name))) ||
+      words_.contains(name)) {
     return true;
   }
   const std::string own(net_of(name));

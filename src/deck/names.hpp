@@ -35,6 +35,8 @@ public:
   void poison(Kind kind, const std::string& name);
   /// Any name of any kind that ends in `name` (a card of unknown meaning named it).
   void poison_word(const std::string& name) { words_.insert(name); }
+  /// Any name of a kind: a bad card defined one that could not be read.
+  void poison_kind(Kind kind) { kinds_.insert(kind); }
   /// Every set of a net: its mesh could not be made.
   void poison_net(const std::string& net) { nets_.insert(net); }
   /// Every name: an include is missing.
@@ -44,7 +46,8 @@ public:
   /// come before those outside. Null when unknown.
   [[nodiscard]] const Definition* find(const std::vector<Kind>& kinds, const std::string& name,
                                        const std::string& net) const;
-  [[nodiscard]] bool is_poisoned(const std::string& name, const std::string& net) const;
+  [[nodiscard]] bool is_poisoned(const std::vector<Kind>& kinds, const std::string& name,
+                                 const std::string& net) const;
   /// "did you mean ..": the nearest name, or one of another net with the same last part.
   [[nodiscard]] std::string hint(const std::vector<Kind>& kinds, const std::string& name) const;
 
@@ -53,6 +56,7 @@ public:
 
 private:
   std::map<std::pair<Kind, std::string>, Definition> table_;
+  std::set<Kind> kinds_;
   std::set<std::string> words_;
   std::set<std::string> nets_;
   bool everything_ = false;

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/set_builder.hpp"
 
+#include "deck/items.hpp"
 #include "deck/sets.hpp"
 #include "mesh/boundary.hpp"
-#include "shape/topology.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include <fmt/format.h>
@@ -18,35 +17,6 @@ namespace {
 
 using grammar::Field;
 
-/// Indices, each at most once, in the order they came.
-class Collection {
-public:
-  explicit Collection(std::size_t count) : in_(count, false) {}
-
-  void add(std::size_t i) {
-    if (!in_[i]) {
-      in_[i] = true;
-      listed_.push_back(i);
-    }
-  }
-  void remove(std::size_t i) { in_[i] = false; }
-
-  std::vector<std::size_t> take() {
-    std::vector<std::size_t> result;
-    for (const std::size_t i : listed_) {
-      if (in_[i]) {
-        in_[i] = false; // once removed and added again, it is listed twice
-        result.push_back(i);
-      }
-    }
-    return result;
-  }
-
-private:
-  std::vector<bool> in_;
-  std::vector<std::size_t> listed_;
-};
-
 base::Vec3 centroid(const model::Mesh& mesh, base::ElementId e) {
   const auto nodes = mesh.nodes_of(e);
   const int corners = base::info(mesh.type[e.index()]).corners;
@@ -56,123 +26,6 @@ base::Vec3 centroid(const model::Mesh& mesh, base::ElementId e) {
   }
   return sum / corners;
 }
-
-/// Lists the nodes or elements that the data lines of a card name.
-class ItemReader {
-public:
-  ItemReader(Context& context, const BoundCard& card, Kind kind)
-      : c_(context), card_(card), kind_(kind),
-        labels_((kind == Kind::node_set ? context.node_labels
-                                        : context.element_labels)[card.net_id.index()]) {}
-
-  /// False if an item is not understood; the others are collected all the same.
-  bool read(Collection& collection) {
-    for (const grammar::Row& row : card_.rows) {
-      for (const Field& field : row.fields) {
-        if (field.separator == '=') {
-          c_.error(field.span, "E115", "no '=' in a list of items",
-                   std::string(card_.spec->data_form));
-          ok_ = false;
-        }
-        item(field, collection);
-      }
-    }
-    return ok_;
-  }
-
-private:
-  void item(const Field& field, Collection& collection) {
-    switch (field.kind) {
-    case Field::Kind::number:
-    case Field::Kind::expression:
-      number(field, collection);
-      break;
-    case Field::Kind::range:
-      range(field, collection);
-      break;
-    case Field::Kind::name:
-    case Field::Kind::minus_name:
-      members(field, collection);
-      break;
-    default:
-      c_.error(field.span, "E115", "a number, a range or the name of a set is expected",
-               std::string(card_.spec->data_form));
-      ok_ = false;
-    }
-  }
-
-  [[nodiscard]] std::string_view thing() const {
-    return kind_ == Kind::node_set ? "node" : "element";
-  }
-
-  void number(const Field& field, Collection& collection) {
-    const auto value = number_of(field, grammar::Quantity::number,
-                                 fmt::format("a {} number", thing()), c_.scope, c_.diagnostics);
-    if (!value) {
-      ok_ = false;
-      return;
-    }
-    const auto label = static_cast<base::Label>(*value);
-    const auto found = static_cast<double>(label) == *value ? labels_.find(label) : std::nullopt;
-    if (found) {
-      collection.add(*found);
-    } else {
-      missing(field, fmt::format("there is no {} {}", thing(), *value));
-    }
-  }
-
-  // Numbers in a range may be missing, as long as there is one.
-  void range(const Field& field, Collection& collection) {
-    const base::Label last = std::min(field.range[1], labels_.highest());
-    bool any = false;
-    for (base::Label label = field.range[0]; label <= last; label += field.range[2]) {
-      if (const auto found = labels_.find(label)) {
-        collection.add(*found);
-        any = true;
-      }
-    }
-    if (!any) {
-      missing(field, fmt::format("there is no {} in this range", thing()));
-    }
-  }
-
-  void missing(const Field& field, std::string text) {
-    ok_ = false;
-    if (labels_.complete) {
-      c_.error(field.span, "E303",
-               card_.net.empty() ? std::move(text) : text + " in net " + card_.net,
-               card_.net.empty() && c_.model.nets.size() > 1
-                   ? "numbers of a net are used between $NET and $ENDNET"
-                   : "");
-    }
-  }
-
-  void members(const Field& field, Collection& collection) {
-    const Reference reference{field.text, field.span, card_.net};
-    const bool minus = field.kind == Field::Kind::minus_name;
-    const auto put = [&](std::size_t i) { minus ? collection.remove(i) : collection.add(i); };
-    if (kind_ == Kind::node_set) {
-      if (const auto id = use_node_set(c_, reference)) {
-        for (const base::NodeId n : c_.model.mesh.set(*id).nodes) {
-          put(n.index());
-        }
-        return;
-      }
-    } else if (const auto id = use_element_set(c_, reference)) {
-      for (const base::ElementId e : c_.model.mesh.set(*id).elements) {
-        put(e.index());
-      }
-      return;
-    }
-    ok_ = false;
-  }
-
-  Context& c_;
-  const BoundCard& card_;
-  Kind kind_;
-  const Labels& labels_;
-  bool ok_ = true;
-};
 
 bool has_positive_items(const BoundCard& card) {
   return std::any_of(card.rows.begin(), card.rows.end(), [](const grammar::Row& row) {
@@ -187,7 +40,7 @@ bool starts_from_all(const BoundCard& card) {
 }
 
 bool has_start(Context& c, const BoundCard& card) {
-  if (card.has("FROM") || card.has("WHERE") || has_positive_items(card)) {
+  if (card.has("FROM") || card.has("WHERE") || has_positive_items(card) || card.rows_bad) {
     return true;
   }
   c.error(card.span, "E115", fmt::format("${} needs items, FROM or WHERE", card.spec->name),
@@ -215,8 +68,7 @@ bool sort_nodes(Context& c, const BoundCard& card, std::vector<std::size_t>& nod
   }
   std::stable_sort(keyed.begin(), keyed.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::transform(keyed.begin(), keyed.end(), nodes.begin(),
-                 [](const auto& k) { return k.second; });
+  std::transform(keyed.begin(), keyed.end(), nodes.begin(), [](const auto& k) { return k.second; });
   return true;
 }
 
@@ -241,7 +93,7 @@ std::optional<std::vector<base::NodeId>> nodes_of_card(Context& c, const BoundCa
       collection.add(mesh.set(*from).nodes[i].index());
     }
   }
-  ok = ItemReader(c, card, Kind::node_set).read(collection) && ok;
+  ok = read_items(c, card, Kind::node_set, collection) && ok;
   std::vector<std::size_t> indices = collection.take();
   std::erase_if(indices, [&](std::size_t i) { return !holds(card, mesh.x[i]); });
   if (!ok || !sort_nodes(c, card, indices)) {
@@ -271,11 +123,10 @@ std::optional<std::vector<base::ElementId>> elements_of_card(Context& c, const B
       collection.add(mesh.set(*from).elements[i].index());
     }
   }
-  ok = ItemReader(c, card, Kind::element_set).read(collection) && ok;
+  ok = read_items(c, card, Kind::element_set, collection) && ok;
   std::vector<std::size_t> indices = collection.take();
-  std::erase_if(indices, [&](std::size_t i) {
-    return !holds(card, centroid(mesh, base::ElementId(i)));
-  });
+  std::erase_if(indices,
+                [&](std::size_t i) { return !holds(card, centroid(mesh, base::ElementId(i))); });
   return ok ? std::optional(std::vector<base::ElementId>(indices.begin(), indices.end()))
             : std::nullopt;
 }
@@ -289,10 +140,8 @@ const std::vector<model::Face>& boundary(Context& c) {
 
 template <class Predicate>
 bool all_nodes(const model::Mesh& mesh, const model::Face& face, const Predicate& predicate) {
-  const auto nodes = mesh.nodes_of(face.element);
-  const auto local = shape::side_nodes(mesh.type[face.element.index()], face.side);
-  return std::all_of(local.begin(), local.end(),
-                     [&](int i) { return predicate(nodes[static_cast<std::size_t>(i)]); });
+  const std::vector<base::NodeId> nodes = mesh::nodes_of_faces(mesh, {face});
+  return std::all_of(nodes.begin(), nodes.end(), predicate);
 }
 
 // Faces of the sets that the data lines name, taken away by -SET.
@@ -346,16 +195,14 @@ std::optional<std::vector<model::Face>> faces_of_card(Context& c, const BoundCar
   }
   ok = face_items(c, card, faces) && ok;
   std::erase_if(faces, [&](const model::Face& face) {
-    return !all_nodes(mesh, face,
-                      [&](base::NodeId n) { return holds(card, mesh.x[n.index()]); });
+    return !all_nodes(mesh, face, [&](base::NodeId n) { return holds(card, mesh.x[n.index()]); });
   });
   return ok ? std::optional(std::move(faces)) : std::nullopt;
 }
 
 } // namespace
 
-std::vector<model::Face> boundary_within(Context& context,
-                                         const std::vector<base::NodeId>& nodes) {
+std::vector<model::Face> boundary_within(Context& context, const std::vector<base::NodeId>& nodes) {
   const model::Mesh& mesh = context.model.mesh;
   std::vector<bool> inside(mesh.node_count(), false);
   for (const base::NodeId n : nodes) {
@@ -391,10 +238,10 @@ void build_set(Context& context, const BoundCard& card) {
   } else {
     keep(mesh.face_sets, faces_of_card(context, card));
   }
-  if (size == std::size_t{0} && context.mesh_sound) {
+  if (size == std::size_t{0} && context.mesh_sound && !card.rows_bad) {
     context.error(name.span, "E309", fmt::format("set {} is empty", full));
   }
-  if (size.value_or(0) == 0) {
+  if (size.value_or(0) == 0 || card.rows_bad) {
     context.names.poison(kind, full);
   }
   context.names.built(kind, full, index);
@@ -402,8 +249,8 @@ void build_set(Context& context, const BoundCard& card) {
 
 void build_sets(Context& context) {
   for (const BoundCard& card : context.cards) {
-    if (card.bad || (card.spec->name != "NSET" && card.spec->name != "ESET" &&
-                     card.spec->name != "FSET")) {
+    if (card.bad ||
+        (card.spec->name != "NSET" && card.spec->name != "ESET" && card.spec->name != "FSET")) {
       continue;
     }
     const BoundValue& name = *card.find("NAME");
@@ -418,15 +265,6 @@ void build_sets(Context& context) {
       kind_of_set(context, name.key->kind, reference);
     }
   }
-}
-
-std::optional<std::vector<base::NodeId>> node_items(Context& context, const BoundCard& card) {
-  Collection collection(context.model.mesh.node_count());
-  if (!ItemReader(context, card, Kind::node_set).read(collection)) {
-    return std::nullopt;
-  }
-  const std::vector<std::size_t> indices = collection.take();
-  return std::vector<base::NodeId>(indices.begin(), indices.end());
 }
 
 } // namespace spricka::deck

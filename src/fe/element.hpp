@@ -4,6 +4,8 @@
 #include "shape/quadrature.hpp"
 #include "shape/shape.hpp"
 
+#include <Eigen/LU>
+
 #include <array>
 #include <cassert>
 #include <span>

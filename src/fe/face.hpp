@@ -3,6 +3,8 @@
 #include "fe/element.hpp"
 #include "shape/topology.hpp"
 
+#include <Eigen/Geometry>
+
 /// Kernels of one side of an element.
 namespace spricka::fe {
 

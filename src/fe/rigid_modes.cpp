@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/dof_map.hpp"
 
+#include <Eigen/Geometry>
 #include <Eigen/SVD>
 
 #include <cmath>

@@ -21,6 +21,11 @@ struct CrackLine {
   base::NetId net;
   bool symmetric_half = false;    ///< the line lies on the boundary, held by symmetry
   std::vector<base::NodeId> path; ///< kind path: the ordered host nodes it runs along
+  std::string name;               ///< for messages; empty: "crack 2" by its number
+
+  [[nodiscard]] std::string title() const {
+    return "crack " + (name.empty() ? std::to_string(crack.index() + 1) : name);
+  }
 };
 
 /// How to mesh round one tip; all sizes in deck length, already chosen.

@@ -46,7 +46,7 @@ struct Edge {
   base::NodeId low; ///< the smaller of the two ends
   base::NodeId high;
   base::NodeId mid; ///< invalid on straight edges
-  auto operator<=>(const Edge&) const = default;
+  [[nodiscard]] auto key() const { return std::array{low.value, high.value, mid.value}; }
 };
 
 /// Adds the side s of an element to a path that stands at its first end.
@@ -103,7 +103,8 @@ Drawn collect(const MeshView& view, const Projection& project) {
     }
     area.close();
   }
-  std::sort(drawn.edges.begin(), drawn.edges.end());
+  std::sort(drawn.edges.begin(), drawn.edges.end(),
+            [](const Edge& a, const Edge& b) { return a.key() < b.key(); });
   return drawn;
 }
 
@@ -112,7 +113,7 @@ void draw_edges(Svg& svg, const Projection& project, const std::vector<Edge>& ed
   PathData outline;
   for (std::size_t i = 0; i < edges.size();) {
     std::size_t next = i + 1;
-    while (next < edges.size() && edges[next] == edges[i]) {
+    while (next < edges.size() && edges[next].key() == edges[i].key()) {
       ++next;
     }
     PathData& path = next == i + 1 ? outline : inner;

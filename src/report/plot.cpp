@@ -13,7 +13,9 @@ constexpr double box_width = 400.0;
 constexpr double box_height = 290.0;
 constexpr double legend_left = box_left + box_width + 18.0;
 constexpr double line_height = 15.0;
-constexpr std::size_t legend_letters = 30;
+constexpr double legend_width = 285.0;
+constexpr std::size_t letters_beside = 28;
+constexpr std::size_t letters_below = 48;
 
 struct Range {
   double low = 0.0;
@@ -124,7 +126,7 @@ std::vector<Entry> legend_entries(const Plot& plot) {
   for (const Series& series : plot.series) {
     if (!series.name.empty()) {
       entries.push_back(
-          {&series, wrap(series.name, plot.legend_below ? 2 * legend_letters : legend_letters)});
+          {&series, wrap(series.name, plot.legend_below ? letters_below : letters_beside)});
     }
   }
   return entries;
@@ -163,7 +165,7 @@ std::string draw(const Plot& plot) {
   const Range y = range_of(plot, &Point::y);
   const std::vector<Entry> entries = legend_entries(plot);
   const double foot = box_top + box_height + 46.0;
-  const double beside = legend_left + 225.0;
+  const double beside = legend_left + legend_width;
   Svg svg(plot.legend_below ? legend_left : beside,
           plot.legend_below ? foot + 6.0 + legend_height(entries)
                             : std::max(foot, box_top + legend_height(entries)),

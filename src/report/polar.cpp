@@ -92,10 +92,9 @@ void draw_curve(Svg& svg, const PolarPlot& plot, const Scale& scale, const Polar
     }
   }
   for (const std::vector<Point>& piece : curve.pieces) {
-    std::vector<Point> points;
-    for (const Point& p : piece) {
-      points.push_back(on_curve(plot, scale, p));
-    }
+    std::vector<Point> points(piece.size());
+    std::transform(piece.begin(), piece.end(), points.begin(),
+                   [&](const Point& p) { return on_curve(plot, scale, p); });
     svg.polyline(points, {curve.colour, 1.5, "none", curve.dash});
   }
 }

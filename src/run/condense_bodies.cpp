@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 namespace spricka::run {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include <Eigen/QR>
 #include <fmt/format.h>
 
 namespace spricka::run {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 // The few BLAS and LAPACK routines of this room, by their Fortran names (reference BLAS, Dongarra
@@ -13,6 +15,8 @@ void dgemm_(const char* transa, const char* transb, const int* m, const int* n, 
 void dtrsm_(const char* side, const char* uplo, const char* transa, const char* diag, const int* m,
             const int* n, const double* alpha, const double* A, const int* lda, double* B,
             const int* ldb);
+void dsyrk_(const char* uplo, const char* trans, const int* n, const int* k, const double* alpha,
+            const double* A, const int* lda, const double* beta, double* C, const int* ldc);
 void dpotrf_(const char* uplo, const int* n, double* A, const int* lda, int* info);
 void dpstrf_(const char* uplo, const int* n, double* A, const int* lda, int* piv, int* rank,
              const double* tol, double* work, int* info);
@@ -63,6 +67,16 @@ inline void solve_lower(int m, int n, Form form, ConstBlock L, Block B) {
   dtrsm_("L", "L", &t, "N", &m, &n, &one, L.data, &L.stride, B.data, &B.stride);
 }
 
+/// Lower triangle of C [k, k] <- Y^T Y for Y [n, k].
+inline void gram(int n, int k, ConstBlock Y, Block C) {
+  if (n == 0 || k == 0) {
+    return;
+  }
+  const double one = 1.0;
+  const double zero = 0.0;
+  dsyrk_("L", "T", &k, &n, &one, Y.data, &Y.stride, &zero, C.data, &C.stride);
+}
+
 /// A [n, n] (lower triangle) <- its Cholesky factor; false when a pivot is not positive.
 inline bool cholesky(int n, Block A) {
   int info = 0;
@@ -73,6 +87,13 @@ inline bool cholesky(int n, Block A) {
 /// Cholesky with diagonal pivoting of A [n, n] (lower triangle, destroyed) until no pivot exceeds
 /// `tolerance`: the rank; order [n] lists the rows as they were taken.
 inline int pivoted_cholesky(int n, Block A, double tolerance, std::vector<int>& order) {
+  double largest = 0.0;
+  for (int i = 0; i < n; ++i) {
+    largest = std::max(largest, A.data[static_cast<std::ptrdiff_t>(i) * (A.stride + 1)]);
+  }
+  if (!(largest > tolerance)) {
+    return 0; // LAPACK takes the first pivot unseen
+  }
   std::vector<double> work(2 * static_cast<std::size_t>(n));
   int rank = 0;
   int info = 0;

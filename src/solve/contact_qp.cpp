@@ -3,6 +3,7 @@
 #include "solve/blas.hpp"
 #include "solve/criss_cross.hpp"
 #include "solve/mode_split.hpp"
+#include "solve/rest.hpp"
 #include "solve/set_solution.hpp"
 
 #include <algorithm>
@@ -34,6 +35,13 @@ double load_scale(const ContactProblem& problem) {
   return scale;
 }
 
+/// Rigid bodies have no compliance to compare with: what makes forces and gaps alike.
+double rigid_compliance(const HeldProblem& held) {
+  const double load = held.h.cwiseAbs().maxCoeff();
+  const double gap = held.b.cwiseAbs().maxCoeff();
+  return load > 0.0 && gap > 0.0 ? gap / load : 1.0;
+}
+
 HeldProblem held_problem(const ContactProblem& problem, const ModeSplit& split) {
   HeldProblem held{.W = problem.W,
                    .B = problem.B * split.felt,
@@ -46,7 +54,7 @@ HeldProblem held_problem(const ContactProblem& problem, const ModeSplit& split) 
   const base::Vector border = held.B.rowwise().squaredNorm();
   if (held.modes() > 0) {
     const double compliance = problem.W.trace();
-    held.tau = compliance > 0.0 ? compliance / border.sum() : 1.0;
+    held.tau = compliance > 0.0 ? compliance / border.sum() : rigid_compliance(held);
   }
   held.d = (problem.W.diagonal() + held.tau * border).cwiseMax(0.0).cwiseSqrt();
   return held;
@@ -140,41 +148,55 @@ double relative(double value, double scale) {
   return value == 0.0 ? 0.0 : value / (scale > 0.0 ? scale : 1.0);
 }
 
-/// Fills in forces, gaps and the closed rows; returns the largest violation over its scale.
-double take_solution(const HeldProblem& problem, const BorderedFactor& factor,
-                     ContactSolution& answer) {
-  SetSolution s = solve_set(problem, factor, true);
+/// Largest violation of the conditions over its scale.
+double residual_of(const HeldProblem& problem, const SetSolution& s,
+                   const std::vector<bool>& closed) {
   const base::Vector balance = problem.h + problem.B.transpose() * s.lambda;
   const base::Vector size =
       problem.h.cwiseAbs() + problem.B.cwiseAbs().transpose() * s.lambda.cwiseAbs();
   double residual = 0.0;
   for (int j = 0; j < problem.modes(); ++j) {
-    residual = std::max(residual, relative(std::abs(balance(j)), size(j)));
-  }
-  answer.closed.assign(static_cast<std::size_t>(problem.rows()), false);
-  for (const int i : factor.rows()) {
-    answer.closed[std::size_t(i)] = true;
+    residual = std::max(residual, relative(std::abs(balance(j)), size(j) + s.force_scale));
   }
   for (int i = 0; i < problem.rows(); ++i) {
     const bool equality = problem.equality[std::size_t(i)];
-    const bool closed = answer.closed[std::size_t(i)];
-    const double wrong_gap = closed || equality ? std::abs(s.gap(i)) : std::max(-s.gap(i), 0.0);
+    const bool zero = closed[std::size_t(i)] || equality;
+    const double wrong_gap = zero ? std::abs(s.gap(i)) : std::max(-s.gap(i), 0.0);
     const double wrong_force = equality ? 0.0 : std::max(-s.lambda(i), 0.0);
     residual = std::max(
         {residual, relative(wrong_gap, s.gap_scale(i)), relative(wrong_force, s.force_scale)});
-    if (!closed && s.gap(i) <= 1e-10 * s.gap_scale(i) &&
-        factor.independence(i) < 10.0 * redundancy) {
+  }
+  return std::isfinite(s.gap.sum() + s.lambda.sum()) ? residual : INFINITY;
+}
+
+/// The answer from a clean solve on the final set. Motions that nothing presses come to rest.
+void take_solution(const HeldProblem& problem, const ModeSplit& split, const BorderedFactor& factor,
+                   double scale, ContactSolution& answer) {
+  SetSolution s = solve_set(problem, factor, true);
+  for (const int i : factor.rows()) {
+    answer.closed[std::size_t(i)] = true;
+  }
+  answer.residual = residual_of(problem, s, answer.closed);
+  const base::Vector settled = s.alpha;
+  const int free = rest_free_motions(problem, split, s.lambda, rest_load * scale, s.alpha);
+  answer.resting_modes += free;
+  s.gap += problem.B * (s.alpha - settled);
+  for (int i = 0; i < problem.rows(); ++i) {
+    const double touching = 1e-10 * s.gap_scale(i);
+    const bool closed = answer.closed[std::size_t(i)];
+    if (!closed && s.gap(i) <= touching && factor.independence(i) < 10.0 * redundancy) {
       ++answer.redundant;
     }
-    if (!equality) {
-      s.lambda(i) = std::max(s.lambda(i), 0.0);
-      s.gap(i) = closed ? 0.0 : std::max(s.gap(i), 0.0);
+    if (!problem.equality[std::size_t(i)]) {
+      answer.closed[std::size_t(i)] = closed && (free == 0 || s.gap(i) <= touching);
+      s.lambda(i) = answer.closed[std::size_t(i)] ? std::max(s.lambda(i), 0.0) : 0.0;
+      s.gap(i) = answer.closed[std::size_t(i)] ? 0.0 : std::max(s.gap(i), 0.0);
     }
   }
   answer.lambda = s.lambda;
   answer.gap = s.gap;
-  answer.alpha = s.alpha;
-  return std::isfinite(s.gap.sum() + s.lambda.sum()) ? residual : INFINITY;
+  const base::Vector alpha = split.felt * s.alpha;
+  answer.alpha = alpha - split.unfelt * (split.unfelt.transpose() * alpha);
 }
 
 } // namespace
@@ -232,12 +254,10 @@ ContactSolution solve_contact(const ContactProblem& problem, const ContactSettin
   }
 
   // 4. one clean solve on the final set
-  answer.residual = take_solution(held, factor, answer);
+  take_solution(held, split, factor, scale, answer);
   if (!(answer.residual < accepted_residual)) {
     answer.status = ContactStatus::max_iterations;
   }
-  const base::Vector alpha = split.felt * answer.alpha;
-  answer.alpha = alpha - split.unfelt * (split.unfelt.transpose() * alpha);
   return answer;
 }
 

@@ -38,7 +38,7 @@ struct ContactSolution {
   base::Vector gap;         ///< [n]
   std::vector<bool> closed; ///< [n] rows that hold; redundant ones are not among them
   base::Vector unheld;      ///< [m] direction of the mode that is not held, else empty
-  int resting_modes = 0;    ///< modes that no row touches and nothing loads
+  int resting_modes = 0;    ///< motions that no row stops and nothing loads
   int redundant = 0;        ///< rows left out because others say the same
   int block_iterations = 0;
   int pivots = 0;        ///< of the finite fallback

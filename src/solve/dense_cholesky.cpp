@@ -1,51 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/dense_cholesky.hpp"
+#include "solve/blas.hpp"
 
 #include <utility>
 
-#include <cblas.h>
-
-extern "C" void dpotrf_(const char* uplo, const int* n, double* a, const int* lda, int* info);
-
 namespace spricka::solve {
 
+namespace {
+
+int count(Eigen::Index n) {
+  return static_cast<int>(n);
+}
+
+} // namespace
+
 DenseCholesky::DenseCholesky(base::Matrix A) : L_(std::move(A)) {
-  const int n = static_cast<int>(L_.rows());
-  int info = 0;
-  if (n > 0) {
-    const char lower = 'L';
-    dpotrf_(&lower, &n, L_.data(), &n, &info);
-  }
-  ok_ = info == 0;
+  blas::single_thread();
+  const int n = count(L_.rows());
+  ok_ = n == 0 || blas::cholesky(n, {L_.data(), n});
 }
 
 base::Matrix DenseCholesky::half_solve(base::Matrix B) const {
-  if (B.size() > 0) {
-    cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit,
-                static_cast<int>(B.rows()), static_cast<int>(B.cols()), 1.0, L_.data(),
-                static_cast<int>(L_.rows()), B.data(), static_cast<int>(B.rows()));
-  }
+  const int n = count(L_.rows());
+  blas::solve_lower(n, count(B.cols()), blas::Form::plain, {L_.data(), n}, {B.data(), n});
   return B;
 }
 
 base::Matrix DenseCholesky::solve(base::Matrix B) const {
+  const int n = count(L_.rows());
   B = half_solve(std::move(B));
-  if (B.size() > 0) {
-    cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, CblasTrans, CblasNonUnit,
-                static_cast<int>(B.rows()), static_cast<int>(B.cols()), 1.0, L_.data(),
-                static_cast<int>(L_.rows()), B.data(), static_cast<int>(B.rows()));
-  }
+  blas::solve_lower(n, count(B.cols()), blas::Form::transposed, {L_.data(), n}, {B.data(), n});
   return B;
 }
 
 base::Matrix gram(const base::Matrix& Y) {
-  const int k = static_cast<int>(Y.cols());
+  const int n = count(Y.rows());
+  const int k = count(Y.cols());
   base::Matrix C = base::Matrix::Zero(k, k);
-  if (Y.size() > 0) {
-    cblas_dsyrk(CblasColMajor, CblasLower, CblasTrans, k, static_cast<int>(Y.rows()), 1.0, Y.data(),
-                static_cast<int>(Y.rows()), 0.0, C.data(), k);
-    C.triangularView<Eigen::StrictlyUpper>() = C.transpose().triangularView<Eigen::StrictlyUpper>();
-  }
+  blas::gram(n, k, {Y.data(), n}, {C.data(), k});
+  C.triangularView<Eigen::StrictlyUpper>() = C.transpose();
   return C;
 }
 

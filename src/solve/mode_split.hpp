@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "base/vec.hpp"
-#include "solve/bordered_factor.hpp"
+#include "solve/held_problem.hpp"
 
 #include <vector>
 

@@ -53,6 +53,12 @@ SetSolution solve_set(const HeldProblem& problem, const BorderedFactor& factor, 
     size = d > 0.0 ? std::max(size, travel(i) / d) : size;
     s.force_scale = std::max(s.force_scale, std::abs(s.lambda(i)));
   }
+  // forces come out of gaps closed against compliances; a thousandth of that is round-off's measure
+  // where they cancel
+  for (const int i : A) {
+    const double d = problem.d(i);
+    s.force_scale = std::max(s.force_scale, 1e-3 * std::abs(problem.b(i)) / (d * d));
+  }
   s.gap_scale = problem.b.cwiseAbs() + size * problem.d;
   return s;
 }

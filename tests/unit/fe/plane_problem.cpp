@@ -88,11 +88,11 @@ model::Model plane_model(double E, double nu, model::State state, double thickne
   return model;
 }
 
-Cells unit_grid(int nx, int ny) {
+Cells unit_grid(int nx, int ny, const Map& spacing) {
   Cells grid;
   for (int j = 0; j <= ny; ++j) {
     for (int i = 0; i <= nx; ++i) {
-      grid.points.emplace_back(static_cast<double>(i) / nx, static_cast<double>(j) / ny);
+      grid.points.push_back(spacing({static_cast<double>(i) / nx, static_cast<double>(j) / ny}));
     }
   }
   for (int j = 0; j < ny; ++j) {

@@ -23,13 +23,14 @@ struct Cells {
   std::vector<std::array<int, 4>> cells;
 };
 
-/// nx by ny cells on the unit square.
-Cells unit_grid(int nx, int ny);
+/// nx by ny cells on the unit square; `spacing` moves the corner points, so that layers may grow
+/// while mid nodes stay in the middle of their edges.
+using Map = std::function<Vec2(const Vec2&)>;
+Cells unit_grid(
+    int nx, int ny, const Map& spacing = [](const Vec2& p) { return p; });
 
 /// The five irregular quadrilaterals of MacNeal and Harder (1985) on the unit square.
 Cells macneal_harder();
-
-using Map = std::function<Vec2(const Vec2&)>;
 
 /// Elements of any plane type on cells, all with property 0; triangles halve each cell, mid nodes
 /// lie halfway. All nodes, mid nodes too, are then moved by `map`.

@@ -75,7 +75,7 @@ TEST_F(Writers, PressureTableHasBothLipsAndSkipsAbsentContacts) {
   write_pressure_csv(folder / "pressure.csv", sample.model, sample.run);
   const auto rows = read_csv(folder / "pressure.csv");
   const std::size_t points = sample.run.increments[0].steps[0].contacts[0].points.size();
-  ASSERT_EQ(rows.size(), 2U + 2U * 2U * points) << "the step with factor 0 has no contact";
+  ASSERT_EQ(rows.size(), std::size_t{2} + 4 * points) << "the step with factor 0 has no contact";
   std::size_t lips = 0;
   for (std::size_t r = 2; r < rows.size(); ++r) {
     ASSERT_EQ(rows[r].size(), 8U);

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/context.hpp"
+#include "grammar/table.hpp"
+#include "mesh/quality.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace spricka::deck {
+
+namespace {
+
+const ElementOrigin& origin_of(const Context& c, std::size_t element) {
+  const auto after =
+      std::upper_bound(c.origins.begin(), c.origins.end(), element,
+                       [](std::size_t e, const ElementOrigin& origin) { return e < origin.first; });
+  // cards that made no element start where the next one does; the last of them made this one
+  return *(after - 1);
+}
+
+// The row of an $ELEMENT table, or the card that meshed.
+base::Span place_of(const Context& c, std::size_t element) {
+  const ElementOrigin& origin = origin_of(c, element);
+  return origin.offset.empty() ? origin.card
+                               : grammar::table_field(c.sources, origin.data,
+                                                      origin.offset[element - origin.first], 0);
+}
+
+// One message for each card, with the count: a mesh may hold thousands.
+void report_elements(Context& c, const std::vector<std::size_t>& elements, std::string_view code,
+                     std::string_view what, std::string_view hint) {
+  for (std::size_t i = 0; i < elements.size();) {
+    const ElementOrigin& origin = origin_of(c, elements[i]);
+    std::size_t j = i;
+    while (j < elements.size() && elements[j] < origin.first + origin.count) {
+      ++j;
+    }
+    const std::string more = j - i > 1 ? fmt::format(" and {} more", j - i - 1) : "";
+    c.error(place_of(c, elements[i]), std::string(code),
+            fmt::format("element {}{} {}", c.model.mesh.element_label[elements[i]], more, what),
+            std::string(hint));
+    i = std::max(j, i + 1);
+  }
+}
+
+void flat(Context& c) {
+  const model::Mesh& mesh = c.model.mesh;
+  if (mesh.dim != 2) {
+    return;
+  }
+  const auto it =
+      std::find_if(mesh.x.begin(), mesh.x.end(), [](const base::Vec3& x) { return x.z() != 0.0; });
+  if (it != mesh.x.end() && mesh.element_count() > 0) {
+    const auto node = static_cast<std::size_t>(it - mesh.x.begin());
+    c.error(origin_of(c, 0).card, "E313",
+            fmt::format("elements of the plane, but node {} has z = {}", mesh.node_label[node],
+                        it->z()));
+  }
+}
+
+} // namespace
+
+void check_mesh(Context& context) {
+  if (!context.mesh_sound) {
+    return;
+  }
+  const model::Mesh& mesh = context.model.mesh;
+  if (mesh.element_count() == 0) {
+    if (context.model.unavailable.empty() && !context.cards.empty()) {
+      context.error(context.cards.front().span, "E318", "the deck has no elements");
+    }
+    return;
+  }
+  flat(context);
+  std::vector<std::size_t> bad;
+  for (const mesh::BadElement& b : mesh::bad_elements(mesh)) {
+    bad.push_back(b.element.index());
+  }
+  report_elements(context, bad, "E307", "turned inside out: its Jacobian is not positive",
+                  "corners run counter-clockwise");
+  if (context.property_sound) {
+    std::vector<std::size_t> open;
+    for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+      if (!mesh.property[e].valid()) {
+        open.push_back(e);
+      }
+    }
+    report_elements(context, open, "E305", "without a $PROPERTY", "");
+  }
+}
+
+} // namespace spricka::deck

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/checks.hpp"
+
+#include "deck/sets.hpp"
+#include "grammar/lexeme.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::deck {
+
+namespace {
+
+using grammar::Field;
+
+/// Reads one line: QUANTITY(arguments) = value REL|ABS tolerance [SOURCE 'text'].
+class CheckReader {
+public:
+  CheckReader(Context& context, const BoundCard& card, const grammar::Row& row)
+      : c_(context), card_(card), row_(row) {}
+
+  void run() {
+    if (!form()) {
+      return;
+    }
+    const bool known = arguments();
+    const auto value = number(1, "a value");
+    const auto tolerance = number(3, "a tolerance");
+    if (tolerance && *tolerance < 0.0) {
+      c_.error(row_.fields[3].span, "E109", "a tolerance is not negative");
+    }
+    if (!known || !value || !tolerance) {
+      return;
+    }
+    check_.value = *value;
+    check_.tolerance = *tolerance;
+    check_.span = row_.span;
+    c_.model.checks.push_back(std::move(check_));
+  }
+
+private:
+  // quantity = value word tolerance [SOURCE text]; the = belongs to the first field
+  bool form() {
+    const std::vector<Field>& f = row_.fields;
+    const bool ends = f.size() == 4 || (f.size() == 6 && f[4].kind == Field::Kind::name &&
+                                        f[4].text == "SOURCE" && f[5].kind == Field::Kind::text);
+    const bool fits = ends && f[0].kind == Field::Kind::quantity && f[0].separator == '=' &&
+                      f[2].kind == Field::Kind::name;
+    if (fits && f[2].text != "REL" && f[2].text != "ABS") {
+      c_.error(f[2].span, "E108",
+               fmt::format("'{}' is neither REL nor ABS", c_.sources.text(f[2].span)),
+               "REL: the tolerance counts from the value; ABS: it is in the value's own unit");
+      arguments();
+      return false;
+    }
+    if (!fits) {
+      c_.error(row_.span, "E115", "a line of $CHECK is not of this form",
+               std::string(card_.spec->data_form));
+      return false;
+    }
+    check_.quantity = f[0].text;
+    check_.relative = f[2].text == "REL";
+    check_.source = f.size() == 6 ? f[5].text : std::string();
+    return true;
+  }
+
+  std::optional<double> number(std::size_t place, std::string_view what) {
+    return number_of(row_.fields[place], grammar::Quantity::number, what, c_.scope, c_.diagnostics);
+  }
+
+  bool arguments() {
+    const Field& quantity = row_.fields[0];
+    const grammar::ResultQuantity* spec = grammar::find_quantity(quantity.text);
+    if (spec == nullptr) {
+      std::vector<std::string> valid;
+      for (const grammar::ResultQuantity& q : grammar::result_quantities()) {
+        valid.emplace_back(q.name);
+      }
+      c_.error(quantity.span, "E314", fmt::format("'{}' is not a result", quantity.text),
+               base::suggest(quantity.text, valid));
+      return false;
+    }
+    const std::string pattern = pattern_for(spec->arguments, quantity.arguments.size());
+    if (pattern.size() != quantity.arguments.size()) {
+      c_.error(quantity.span, "E315",
+               fmt::format("{} takes {}", quantity.text, usage(spec->arguments)));
+      return false;
+    }
+    bool ok = true;
+    for (std::size_t i = 0; i < pattern.size(); ++i) {
+      ok = argument(pattern[i], quantity.arguments[i]) && ok;
+    }
+    return ok;
+  }
+
+  // The letters for `count` arguments: what follows ? and the number z may be left out.
+  static std::string pattern_for(std::string_view letters, std::size_t count) {
+    std::string all(letters);
+    const std::size_t mark = all.find('?');
+    if (mark != std::string::npos) {
+      all.erase(mark, 1);
+      all.resize(std::clamp(count, mark, all.size()));
+    }
+    const std::size_t z = all.find('z');
+    if (z != std::string::npos && count < all.size()) {
+      all.erase(z, 1);
+    }
+    return all;
+  }
+
+  static std::string usage(std::string_view letters) {
+    std::string text = "(";
+    bool optional = false;
+    for (const char letter : letters) {
+      if (letter == '?') {
+        optional = true;
+        continue;
+      }
+      text += text.size() > 1 ? ", " : "";
+      text += optional || letter == 'z' ? fmt::format("[{}]", word(letter)) : word(letter);
+    }
+    return text + ")";
+  }
+
+  static std::string word(char letter) {
+    switch (letter) {
+    case 'c':
+      return "crack";
+    case 'p':
+      return "contact";
+    case 's':
+      return "step";
+    case 'n':
+      return "set";
+    case 'd':
+      return "X|Y|Z";
+    default:
+      return "number";
+    }
+  }
+
+  bool argument(char letter, const grammar::Expression& expression) {
+    if (letter == 'a' || letter == 'z') {
+      const auto value = grammar::evaluate(expression, c_.scope, c_.diagnostics);
+      check_.arguments.emplace_back(value.value_or(0.0));
+      return value.has_value();
+    }
+    if (expression.terms.size() != 1 || expression.terms[0].kind != grammar::Term::Kind::name) {
+      c_.error(
+          expression.span, "E315",
+          fmt::format("expected {}, not '{}'", word(letter), c_.sources.text(expression.span)));
+      return false;
+    }
+    std::string name = grammar::to_upper(c_.sources.text(expression.terms[0].span));
+    const bool ok = known(letter, name, expression.terms[0].span);
+    check_.arguments.emplace_back(std::move(name));
+    return ok;
+  }
+
+  // Names of sets become qualified.
+  bool known(char letter, std::string& name, base::Span span) {
+    const Reference reference{name, span, card_.net};
+    switch (letter) {
+    case 'c': {
+      const std::size_t dot = name.find('.');
+      if (dot != std::string::npos && name.substr(dot) != ".1" && name.substr(dot) != ".2") {
+        c_.error(span, "E315", "the tips of a crack are NAME.1 and NAME.2");
+        return false;
+      }
+      return look_up(c_, Kind::crack, {name.substr(0, dot), span, {}}) != nullptr;
+    }
+    case 'p':
+      return look_up(c_, Kind::contact, reference) != nullptr;
+    case 's':
+      return look_up(c_, Kind::step, reference) != nullptr;
+    case 'n': {
+      const std::string own = qualify(card_.net, name);
+      const bool ok = kind_of_set(c_, Kind::any_set, reference).has_value();
+      name = c_.names.find(meanings(Kind::any_set), own, {}) != nullptr ? own : name;
+      return ok;
+    }
+    default:
+      if (name == "X" || name == "Y" || name == "Z") {
+        return true;
+      }
+      c_.error(span, "E315", fmt::format("expected X, Y or Z, not '{}'", name));
+      return false;
+    }
+  }
+
+  Context& c_;
+  const BoundCard& card_;
+  const grammar::Row& row_;
+  model::Check check_;
+};
+
+} // namespace
+
+void read_checks(Context& context, const BoundCard& card) {
+  for (const grammar::Row& row : card.rows) {
+    CheckReader(context, card, row).run();
+  }
+}
+
+} // namespace spricka::deck

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/diagnostics.hpp"
+#include "mesh/host.hpp"
+#include "mesh/patch.hpp"
+#include "mesh/plane.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace spricka::mesh {
+
+/// Where a crack starts: on a boundary edge of the host, at a node of it if `node` is valid.
+struct Mouth {
+  model::Face face;
+  double xi = 0.0;
+  base::NodeId node;
+};
+
+/// A crack put into its host, in its own frame: mouth at (0, 0), length 1.
+struct Placement {
+  CrackFrame frame;
+  std::vector<base::Vec2> line; ///< the crack, mouth first
+  Mouth mouth;
+  double radius = 0.0;    ///< of the rosette
+  double size = 0.0;      ///< of the tip elements
+  double direction = 0.0; ///< of growth at the tip, angle from the frame's x
+  /// Symmetric half: +1 if the body lies on the left of the line, -1 on the right; else 0.
+  int half = 0;
+
+  [[nodiscard]] const base::Vec2& tip() const { return line.back(); }
+};
+
+/// Puts a crack with a patch into its host. Empty, with an error at `span`, if it does not start on
+/// the boundary or its rosette does not fit.
+std::optional<Placement> place(const Host& host, const CrackLine& line, const TipMesh& tip,
+                               base::Span span, base::Diagnostics& diagnostics);
+
+/// Distance from the tip to the net's boundary, but for the line itself of a symmetric half [a].
+double tip_clearance(const Host& host, const CrackFrame& frame, const std::vector<base::Vec2>& line,
+                     bool half, base::NetId net);
+
+/// An edge of a cavity, cavity on the left.
+struct OutlineEdge {
+  model::Face face; ///< of the host element inside the cavity
+  Edge edge;
+  bool free = false; ///< on the host's boundary; else elements that stay lie beyond
+};
+
+/// The host elements that a patch replaces, ascending, and the closed loops that bound them.
+struct Cavity {
+  std::vector<base::ElementId> elements;
+  std::vector<std::vector<OutlineEdge>> loops;
+};
+
+/// Elements that the crack and its rosette touch or come near, and one layer more: connected, of
+/// one property, without pinched nodes.
+Cavity find_cavity(const Host& host, const Placement& placement);
+
+/// Whether the crack stays inside its cavity, in one material; errors at `span`.
+bool check_cavity(const Host& host, const Placement& placement, const Cavity& cavity,
+                  base::Span span, base::Diagnostics& diagnostics);
+
+/// Corner and mid nodes of an element in the crack's frame, in order round it.
+std::vector<base::Vec2> polygon(const model::Mesh& mesh, base::ElementId e,
+                                const CrackFrame& frame);
+
+} // namespace spricka::mesh

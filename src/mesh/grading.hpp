@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/vec.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace spricka::mesh {
+
+/// Element size in the plane: each source asks for its size where it stands, and lets it grow with
+/// the distance; the smallest wins.
+class Grading {
+public:
+  /// Growth of the size with distance. 0.5 gives stress intensity factors to 0.1 % with few
+  /// freedoms; smaller is dearer, larger loses accuracy quickly.
+  static constexpr double growth = 0.5;
+
+  void add(const base::Vec2& at, double size) { sources_.push_back({at, size}); }
+  [[nodiscard]] double operator()(const base::Vec2& p) const;
+
+private:
+  struct Source {
+    base::Vec2 at;
+    double size;
+  };
+  std::vector<Source> sources_;
+};
+
+/// Divides a curve x(t), from t0 to t1, into elements of the wanted sizes. Returns the values of t
+/// at their ends, both ends of the curve included.
+std::vector<double> divide(const std::function<base::Vec2(double)>& x, double t0, double t1,
+                           const Grading& size);
+
+} // namespace spricka::mesh

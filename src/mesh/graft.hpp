@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "mesh/patch_mesh.hpp"
+
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace spricka::mesh {
+
+/// A patch ready to be put into the host, and afterwards where its nodes are.
+struct Graft {
+  Patch patch;
+  Cavity cavity;
+  CrackFrame frame;
+  std::vector<base::NodeId> node; ///< [patch node] once grafted
+};
+
+/// The host with its cavities filled: mesh, `host` and all sets of the result, still uncracked.
+CrackedMesh graft(const model::Mesh& host, std::span<Graft> grafts);
+
+/// Twins of doubled nodes join the node sets of their originals.
+void add_twins(model::Mesh& mesh, const std::vector<std::pair<base::NodeId, base::NodeId>>& twins);
+
+} // namespace spricka::mesh

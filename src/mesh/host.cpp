@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/host.hpp"
+
+#include "shape/shape.hpp"
+#include "shape/topology.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace spricka::mesh {
+
+Edge edge_of(const model::Mesh& mesh, const model::Face& face) {
+  const auto nodes = mesh.nodes_of(face.element);
+  const auto local = shape::side_nodes(mesh.type[face.element.index()], face.side);
+  return {nodes[static_cast<std::size_t>(local[0])], nodes[static_cast<std::size_t>(local[1])],
+          local.size() == 3 ? nodes[static_cast<std::size_t>(local[2])] : base::NodeId()};
+}
+
+base::Vec3 point_on(const model::Mesh& mesh, const Edge& edge, double xi) {
+  const base::Vec3& a = mesh.x[edge.a.index()];
+  const base::Vec3& b = mesh.x[edge.b.index()];
+  if (!edge.mid.valid()) {
+    return 0.5 * (1.0 - xi) * a + 0.5 * (1.0 + xi) * b;
+  }
+  const Eigen::Vector3d N = shape::Line3::N(shape::Point<1>(xi));
+  return N[0] * a + N[1] * b + N[2] * mesh.x[edge.mid.index()];
+}
+
+Host::Host(const model::Mesh& mesh) : mesh_(mesh), start_(mesh.node_count() + 1, 0) {
+  assert(mesh.dim == 2);
+  for (const base::NodeId n : mesh.nodes) {
+    ++start_[n.index() + 1];
+  }
+  for (std::size_t n = 0; n < mesh.node_count(); ++n) {
+    start_[n + 1] += start_[n];
+  }
+  elements_.resize(mesh.nodes.size());
+  std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    for (const base::NodeId n : mesh.nodes_of(base::ElementId(e))) {
+      elements_[next[n.index()]++] = base::ElementId(e);
+    }
+  }
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    for (int s = 0; s < base::info(mesh.type[e]).sides; ++s) {
+      const model::Face face{base::ElementId(e), s};
+      if (!beyond(face)) {
+        boundary_.push_back(face);
+      }
+    }
+  }
+}
+
+std::optional<base::ElementId> Host::beyond(const model::Face& face) const {
+  const Edge edge = edge_of(mesh_, face);
+  const auto others = around(edge.b);
+  for (const base::ElementId e : around(edge.a)) {
+    if (e != face.element && std::binary_search(others.begin(), others.end(), e)) {
+      const int sides = base::info(mesh_.type[e.index()]).sides;
+      for (int s = 0; s < sides; ++s) {
+        const Edge other = edge_of(mesh_, {e, s});
+        if (other.a == edge.b && other.b == edge.a) {
+          return e;
+        }
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+} // namespace spricka::mesh

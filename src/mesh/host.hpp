@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "model/mesh.hpp"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace spricka::mesh {
+
+/// An edge of a 2D element: the nodes at its ends, body on the left, and in the middle (invalid for
+/// linear elements).
+struct Edge {
+  base::NodeId a, b, mid;
+};
+Edge edge_of(const model::Mesh& mesh, const model::Face& face);
+
+/// Point of an edge at xi in [-1, 1] on its own, straight or quadratic, curve.
+base::Vec3 point_on(const model::Mesh& mesh, const Edge& edge, double xi);
+
+/// A 2D mesh with its neighbourhoods.
+class Host {
+public:
+  explicit Host(const model::Mesh& mesh);
+
+  [[nodiscard]] const model::Mesh& mesh() const { return mesh_; }
+  /// Elements that have this node, ascending.
+  [[nodiscard]] std::span<const base::ElementId> around(base::NodeId node) const {
+    return std::span(elements_).subspan(start_[node.index()],
+                                        start_[node.index() + 1] - start_[node.index()]);
+  }
+  /// The element on the other side of an edge; empty on the boundary.
+  [[nodiscard]] std::optional<base::ElementId> beyond(const model::Face& face) const;
+  /// Edges of one element only.
+  [[nodiscard]] const std::vector<model::Face>& boundary() const { return boundary_; }
+
+private:
+  const model::Mesh& mesh_;
+  std::vector<std::size_t> start_;
+  std::vector<base::ElementId> elements_;
+  std::vector<model::Face> boundary_;
+};
+
+} // namespace spricka::mesh

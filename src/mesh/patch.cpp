@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/patch.hpp"
+
+#include "mesh/graft.hpp"
+#include "mesh/path.hpp"
+#include "mesh/quality.hpp"
+#include "mesh/split.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace spricka::mesh {
+namespace {
+
+using base::ElementId;
+using base::NodeId;
+using base::Vec2;
+using base::Vec3;
+
+/// Rosette radius, as a part of the crack's length or of the room round its tip, and growth of its
+/// rings from the tip outward.
+constexpr double radius_part = 0.4;
+constexpr double ring_growth = 1.5;
+
+CrackFrame frame_of(const CrackLine& line) {
+  CrackFrame frame;
+  frame.origin = line.points.front();
+  frame.e1 = (line.points[1] - line.points[0]).normalized();
+  frame.a = 0.0;
+  for (std::size_t i = 1; i < line.points.size(); ++i) {
+    frame.a += (line.points[i] - line.points[i - 1]).norm();
+  }
+  return frame;
+}
+
+/// The worst element of a patch, empty if all are good.
+std::optional<BadElement> worst_element(const Patch& patch) {
+  model::Mesh mesh;
+  for (const PatchNode& node : patch.nodes) {
+    model::add_node(mesh, node.x, 0, {});
+  }
+  std::vector<NodeId> nodes;
+  for (const PatchElement& element : patch.elements) {
+    nodes.clear();
+    for (const int n : element.nodes) {
+      nodes.emplace_back(static_cast<std::size_t>(n));
+    }
+    model::add_element(mesh, element.type, nodes, 0, {});
+  }
+  const std::vector<BadElement> bad = bad_elements(mesh);
+  if (bad.empty()) {
+    return std::nullopt;
+  }
+  return *std::min_element(bad.begin(), bad.end(), [](const BadElement& a, const BadElement& b) {
+    return a.jacobian < b.jacobian;
+  });
+}
+
+/// Everything about one crack on its way into the mesh.
+struct Work {
+  const CrackLine* line = nullptr;
+  const TipMesh* tip = nullptr;
+  base::Span span;
+  Placement placement;
+  std::size_t graft = 0;
+  std::vector<NodeId> path;
+};
+
+class Inserter {
+public:
+  Inserter(const model::Mesh& mesh, base::Diagnostics& diagnostics)
+      : mesh_(mesh), host_(mesh), diagnostics_(diagnostics) {}
+
+  std::optional<CrackedMesh> insert(std::span<const CrackLine> lines, std::span<const TipMesh> tips,
+                                    std::span<const base::Span> spans) {
+    bool good = true;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      Work work{&lines[i], &tips[i], spans[i], {}, 0, {}};
+      good = (tips[i].patch ? make_graft(work) : find_path(work)) && good;
+      work_.push_back(std::move(work));
+    }
+    if (!good || !cavities_are_apart() || !make_patches()) {
+      return std::nullopt;
+    }
+    result_ = graft(mesh_, grafts_);
+    if (!open_cracks()) {
+      return std::nullopt;
+    }
+    return std::move(result_);
+  }
+
+private:
+  bool find_path(Work& work) {
+    auto path = path_nodes(host_, *work.line, work.span, diagnostics_);
+    if (path) {
+      work.path = std::move(*path);
+    }
+    return path.has_value();
+  }
+
+  bool make_graft(Work& work) {
+    auto placement = place(host_, *work.line, *work.tip, work.span, diagnostics_);
+    if (!placement) {
+      return false;
+    }
+    work.placement = std::move(*placement);
+    work.graft = grafts_.size();
+    Graft graft;
+    graft.frame = work.placement.frame;
+    graft.cavity = find_cavity(host_, work.placement);
+    const bool good = check_cavity(host_, work.placement, graft.cavity, work.span, diagnostics_);
+    grafts_.push_back(std::move(graft));
+    return good;
+  }
+
+  bool cavities_are_apart() {
+    std::vector<const Work*> owner(mesh_.element_count(), nullptr);
+    for (const Work& work : work_) {
+      if (!work.tip->patch) {
+        continue;
+      }
+      for (const ElementId e : grafts_[work.graft].cavity.elements) {
+        const Work*& other = owner[e.index()];
+        if (other != nullptr) {
+          diagnostics_.error(work.span, "E428",
+                             fmt::format("the patches of {} and {} meet at element {}",
+                                         other->line->title(), work.line->title(),
+                                         mesh_.element_label[e.index()]),
+                             "refine the net there, or give smaller RADIUS on $TIPNET");
+          return false;
+        }
+        other = &work;
+      }
+    }
+    return true;
+  }
+
+  bool make_patches() {
+    bool good = true;
+    for (const Work& work : work_) {
+      if (work.tip->patch) {
+        good = make_patch(work, grafts_[work.graft]) && good;
+      }
+    }
+    return good;
+  }
+
+  /// Finer edges bend less: the remedy for elements that the host's curves fold.
+  bool make_patch(const Work& work, Graft& graft) {
+    std::string trouble;
+    for (const double fineness : {1.0, 2.0, 4.0}) {
+      graft.patch = build_patch(host_, work.placement, graft.cavity, *work.tip, fineness);
+      trouble = graft.patch.trouble;
+      if (trouble.empty()) {
+        const auto bad = worst_element(graft.patch);
+        if (!bad) {
+          return true;
+        }
+        trouble = fmt::format("an element at ({:.6g}, {:.6g}) is folded", bad->at.x(), bad->at.y());
+      }
+    }
+    diagnostics_.error(
+        work.span, "E429",
+        fmt::format("no patch could be made round {}: {}", work.line->title(), trouble));
+    return false;
+  }
+
+  bool open_cracks() {
+    std::vector<std::pair<NodeId, NodeId>> twins;
+    for (Work& work : work_) {
+      if (work.tip->patch) {
+        const Graft& g = grafts_[work.graft];
+        for (const int n : g.patch.path) {
+          work.path.push_back(g.node[static_cast<std::size_t>(n)]);
+        }
+      }
+      if (work.line->symmetric_half) {
+        add_half_lip(work);
+      } else if (auto lips = split_along(result_.mesh, work.path, twins)) {
+        result_.lips.push_back(std::move(*lips));
+      } else {
+        diagnostics_.error(work.span, "E427",
+                           fmt::format("{} does not start on the boundary", work.line->title()));
+        return false;
+      }
+      add_tip(work);
+    }
+    add_twins(result_.mesh, twins);
+    return true;
+  }
+
+  void add_half_lip(const Work& work) {
+    CrackedMesh::Lips lips;
+    const bool left = work.tip->patch
+                          ? work.placement.half > 0
+                          : body_on_left(host_, work.path[0], work.path[path_step(work)]);
+    (left ? lips.left : lips.right) = work.path;
+    result_.lips.push_back(std::move(lips));
+  }
+  /// Places from one corner of a path without a patch to the next: 2 on quadratic edges.
+  [[nodiscard]] std::size_t path_step(const Work& work) const {
+    const auto around = host_.around(work.path[0]);
+    return base::info(mesh_.type[around.front().index()]).quadratic ? 2 : 1;
+  }
+
+  void add_tip(const Work& work) {
+    Tip tip;
+    tip.crack = work.line->crack;
+    tip.node = work.path.back();
+    tip.a = frame_of(*work.line).a;
+    tip.symmetric_half = work.line->symmetric_half;
+    std::string note;
+    if (work.tip->patch) {
+      const CrackFrame& frame = work.placement.frame;
+      const double t = work.placement.direction;
+      tip.direction = (frame.global(Vec2(std::cos(t), std::sin(t))) - frame.origin).normalized();
+      tip.size = work.tip->size;
+      tip.radius = work.tip->radius;
+      const Graft& g = grafts_[work.graft];
+      note =
+          fmt::format("{}: a = {:.6g}, patch of {} elements for {} of the net, rosette of radius "
+                      "{:.6g} with {} rings of {} sectors, tip elements {:.6g}",
+                      work.line->title(), tip.a, g.patch.elements.size(), g.cavity.elements.size(),
+                      tip.radius, work.tip->rings, work.tip->sectors, tip.size);
+    } else {
+      const std::size_t before = work.path.size() - 1 - path_step(work);
+      const Vec3 last = mesh_.x[tip.node.index()] - mesh_.x[work.path[before].index()];
+      tip.direction = last.normalized();
+      tip.size = last.norm();
+      tip.radius = tip.size;
+      const int moved = work.tip->quarter_point ? move_quarter_points(result_.mesh, tip.node) : 0;
+      note = fmt::format("{}: a = {:.6g}, tip at node {} of the net, elements of {:.6g}, {}",
+                         work.line->title(), tip.a, mesh_.node_label[tip.node.index()], tip.size,
+                         moved > 0 ? "quarter points moved" : "no quarter points");
+    }
+    tip.x = result_.mesh.x[tip.node.index()];
+    result_.tips.push_back(tip);
+    result_.notes.push_back(std::move(note));
+  }
+
+  const model::Mesh& mesh_;
+  Host host_;
+  base::Diagnostics& diagnostics_;
+  std::vector<Work> work_;
+  std::vector<Graft> grafts_;
+  CrackedMesh result_;
+};
+
+} // namespace
+
+TipMesh choose_tip_mesh(const model::Mesh& host, const CrackLine& line,
+                        const model::TipNet* wishes) {
+  TipMesh tip;
+  if (wishes != nullptr) {
+    tip.rings = wishes->rings;
+    tip.sectors = wishes->sectors;
+    tip.quarter_point = wishes->quarter_point;
+    tip.patch = wishes->patch;
+  }
+  const CrackFrame frame = frame_of(line);
+  if (wishes != nullptr && wishes->radius) {
+    tip.radius = *wishes->radius;
+  } else {
+    std::vector<Vec2> local;
+    for (const Vec3& p : line.points) {
+      local.push_back(frame.local(p));
+    }
+    const double room = tip_clearance(Host(host), frame, local, line.symmetric_half, line.net);
+    const double last = (local.back() - local[local.size() - 2]).norm();
+    tip.radius = radius_part * frame.a * std::min({1.0, room, 1.5 * last});
+  }
+  if (wishes != nullptr && wishes->size) {
+    tip.size = *wishes->size;
+  } else {
+    tip.size = tip.radius * (ring_growth - 1.0) / (std::pow(ring_growth, tip.rings) - 1.0);
+  }
+  return tip;
+}
+
+std::optional<CrackedMesh> insert_cracks(const model::Mesh& host, std::span<const CrackLine> lines,
+                                         std::span<const TipMesh> tips,
+                                         std::span<const base::Span> spans,
+                                         base::Diagnostics& diagnostics) {
+  assert(lines.size() == tips.size() && lines.size() == spans.size());
+  return Inserter(host, diagnostics).insert(lines, tips, spans);
+}
+
+std::vector<ElementId> crack_region(const model::Mesh& mesh, std::span<const CrackLine> lines,
+                                    std::span<const TipMesh> tips) {
+  const Host host(mesh);
+  std::vector<bool> in(mesh.element_count(), false);
+  base::Diagnostics ignored; // insert_cracks reports
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    std::vector<ElementId> core;
+    if (tips[i].patch) {
+      if (const auto placement = place(host, lines[i], tips[i], {}, ignored)) {
+        core = find_cavity(host, *placement).elements;
+      }
+    } else if (const auto path = path_nodes(host, lines[i], {}, ignored)) {
+      for (const NodeId n : *path) {
+        core.insert(core.end(), host.around(n).begin(), host.around(n).end());
+      }
+    }
+    for (const ElementId e : core) {
+      for (const NodeId n : mesh.nodes_of(e)) {
+        for (const ElementId next : host.around(n)) {
+          in[next.index()] = true;
+        }
+      }
+    }
+  }
+  std::vector<ElementId> result;
+  for (std::size_t e = 0; e < in.size(); ++e) {
+    if (in[e]) {
+      result.emplace_back(e);
+    }
+  }
+  return result;
+}
+
+} // namespace spricka::mesh

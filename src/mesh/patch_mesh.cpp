@@ -1,0 +1,374 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/patch_mesh.hpp"
+
+#include "mesh/fill.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spricka::mesh {
+
+using base::NodeId;
+using base::Vec2;
+using base::Vec3;
+
+int PatchNet::host_node(NodeId n) {
+  const auto [at, fresh] = of_host_.try_emplace(n, static_cast<int>(nodes.size()));
+  if (fresh) {
+    nodes.push_back({host_.x[n.index()], frame_.local(host_.x[n.index()]), n});
+  }
+  return at->second;
+}
+
+int PatchNet::new_node(const Vec3& x) {
+  nodes.push_back({x, frame_.local(x), {}});
+  return static_cast<int>(nodes.size()) - 1;
+}
+
+int PatchNet::new_node(const Vec2& local) {
+  nodes.push_back({frame_.global(local), local, {}});
+  return static_cast<int>(nodes.size()) - 1;
+}
+
+int PatchNet::mid(int a, int b) {
+  const auto [at, fresh] = mid_.try_emplace(std::minmax(a, b), 0);
+  if (fresh) {
+    const Vec3 half = 0.5 * (x(a) + x(b));
+    at->second = new_node(half);
+  }
+  return at->second;
+}
+
+void PatchNet::add_triangle(int a, int b, int c) {
+  elements.push_back({base::ElementType::trimc6, {a, b, c, mid(a, b), mid(b, c), mid(c, a)}});
+}
+
+void PatchNet::add_quadrilateral(int a, int b, int c, int d) {
+  elements.push_back(
+      {base::ElementType::quamc8, {a, b, c, d, mid(a, b), mid(b, c), mid(c, d), mid(d, a)}});
+}
+
+namespace {
+
+/// Size wanted at the mouth, in crack lengths; the host's own size if that is smaller.
+constexpr double mouth_size = 0.25;
+
+class Builder {
+public:
+  Builder(const Host& host, const Placement& placement, const Cavity& cavity)
+      : host_(host), place_(placement), cavity_(cavity), net_(host.mesh(), placement.frame) {}
+
+  Patch build(const TipMesh& tip, double fineness) {
+    rosette_ = add_rosette(net_, place_, tip);
+    set_sizes(fineness);
+    add_loops();
+    add_crack();
+    if (patch_.trouble.empty()) {
+      fill_rest();
+    }
+    patch_.nodes = std::move(net_.nodes);
+    patch_.elements = std::move(net_.elements);
+    return std::move(patch_);
+  }
+
+private:
+  using Pair = std::pair<int, int>;
+
+  [[nodiscard]] Vec2 local(const Edge& edge, double xi) const {
+    return place_.frame.local(point_on(host_.mesh(), edge, xi));
+  }
+  /// An edge of the host along which a half crack and its ligament run.
+  [[nodiscard]] bool on_line(const OutlineEdge& edge) const {
+    return place_.half != 0 && edge.free && std::abs(local(edge.edge, -1.0).y()) < same &&
+           std::abs(local(edge.edge, 0.0).y()) < same &&
+           std::abs(local(edge.edge, 1.0).y()) < same &&
+           std::max(local(edge.edge, -1.0).x(), local(edge.edge, 1.0).x()) > same;
+  }
+  [[nodiscard]] bool has_mouth(const OutlineEdge& edge) const {
+    return edge.face == place_.mouth.face &&
+           (!place_.mouth.node.valid() || place_.mouth.node == edge.edge.mid);
+  }
+
+  void set_sizes(double fineness) {
+    const std::size_t rim = rosette_.rim.size();
+    for (std::size_t j = 0; j + (place_.half != 0 ? 1 : 0) < rim; ++j) {
+      add_source(size_, rosette_.rim[j], rosette_.rim[(j + 1) % rim]);
+    }
+    size_.add({0.0, 0.0}, mouth_size / fineness);
+    for (const auto& loop : cavity_.loops) {
+      for (const OutlineEdge& edge : loop) {
+        const double length = (local(edge.edge, 1.0) - local(edge.edge, -1.0)).norm();
+        size_.add(local(edge.edge, 0.0), edge.free ? length / fineness : length);
+      }
+    }
+  }
+  void add_source(Grading& grading, int a, int b) const {
+    const Vec2 p = net_.local(a);
+    const Vec2 q = net_.local(b);
+    grading.add(0.5 * (p + q), (q - p).norm());
+  }
+
+  /// The loops of the cavity, their free edges divided where the crack asks for it. The line of a
+  /// half crack is left out and put in by add_crack.
+  void add_loops() {
+    for (const std::vector<OutlineEdge>& loop : cavity_.loops) {
+      std::vector<int> nodes;
+      for (const OutlineEdge& edge : loop) {
+        nodes.push_back(net_.host_node(edge.edge.a));
+        if (on_line(edge)) {
+          line_.push_back(edge);
+          continue;
+        }
+        const std::vector<int> inner = add_edge(edge);
+        nodes.insert(nodes.end(), inner.begin(), inner.end());
+      }
+      loops_.push_back(std::move(nodes));
+    }
+    if (place_.mouth.node.valid() && !mouth_inside_) {
+      mouth_ = net_.host_node(place_.mouth.node);
+    }
+  }
+
+  /// Nodes inside one edge of the outline, after it has been divided.
+  std::vector<int> add_edge(const OutlineEdge& edge) {
+    const Edge& e = edge.edge;
+    std::vector<double> xi{-1.0, 1.0};
+    if (edge.free) {
+      const auto curve = [&](double t) { return local(e, t); };
+      const double split = !has_mouth(edge)             ? 1.0
+                           : place_.mouth.node == e.mid ? 0.0
+                                                        : place_.mouth.xi;
+      xi = divide(curve, -1.0, split, size_);
+      if (split < 1.0) {
+        const std::vector<double> rest = divide(curve, split, 1.0, size_);
+        xi.insert(xi.end(), rest.begin() + 1, rest.end());
+      }
+      return add_parts(edge, xi, split);
+    }
+    return add_parts(edge, xi, 1.0);
+  }
+
+  std::vector<int> add_parts(const OutlineEdge& edge, const std::vector<double>& xi, double split) {
+    const Edge& e = edge.edge;
+    std::vector<int> inner;
+    std::vector<Pair> pieces;
+    int from = net_.host_node(e.a);
+    for (std::size_t i = 1; i < xi.size(); ++i) {
+      const bool last = i + 1 == xi.size();
+      int to = 0;
+      if (last) {
+        to = net_.host_node(e.b);
+      } else if (xi[i] == 0.0) {
+        to = net_.host_node(e.mid);
+      } else {
+        to = net_.new_node(point_on(host_.mesh(), e, xi[i]));
+      }
+      const bool whole = xi.size() == 2;
+      const Vec3 half = point_on(host_.mesh(), e, 0.5 * (xi[i - 1] + xi[i]));
+      net_.set_mid(from, to, whole ? net_.host_node(e.mid) : net_.new_node(half));
+      pieces.emplace_back(from, to);
+      if (!last) {
+        inner.push_back(to);
+        if (xi[i] == split) {
+          mouth_ = to;
+          mouth_inside_ = true;
+        }
+      }
+      from = to;
+    }
+    for (const Pair& piece : pieces) {
+      add_source(fill_size_, piece.first, piece.second);
+    }
+    patch_.edges.emplace_back(edge.face, std::move(pieces));
+    return inner;
+  }
+
+  /// New nodes strictly inside a stretch of the crack's line, from s0 to s1 of its length.
+  std::vector<int> add_stretch(const Vec2& from, const Vec2& to) {
+    const auto curve = [&](double t) { return Vec2(from + t * (to - from)); };
+    const std::vector<double> t = divide(curve, 0.0, 1.0, size_);
+    std::vector<int> nodes;
+    for (std::size_t i = 1; i + 1 < t.size(); ++i) {
+      nodes.push_back(net_.new_node(curve(t[i])));
+    }
+    return nodes;
+  }
+
+  /// Corner nodes of the crack from the mouth to the rosette, then through it to the tip.
+  void add_crack() {
+    std::vector<int> lip{mouth_};
+    for (std::size_t k = 1; k < place_.line.size(); ++k) {
+      const bool last = k + 1 == place_.line.size();
+      const Vec2 to = last ? net_.local(rosette_.behind.back()) : place_.line[k];
+      const std::vector<int> inner = add_stretch(place_.line[k - 1], to);
+      lip.insert(lip.end(), inner.begin(), inner.end());
+      lip.push_back(last ? rosette_.behind.back() : net_.new_node(to));
+    }
+    for (std::size_t i = 0; i + 1 < lip.size(); ++i) {
+      add_source(fill_size_, lip[i], lip[i + 1]);
+    }
+    if (place_.half != 0) {
+      add_half_line(lip);
+    } else {
+      lip_ = lip;
+    }
+    std::vector<int> corners = lip;
+    corners.insert(corners.end(), rosette_.behind.rbegin() + 1, rosette_.behind.rend());
+    corners.push_back(rosette_.tip);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      if (i > 0) {
+        patch_.path.push_back(net_.mid(corners[i - 1], corners[i]));
+      }
+      patch_.path.push_back(corners[i]);
+    }
+  }
+
+  /// A half: crack, rosette and ligament take the place of the host's edges on the line.
+  void add_half_line(const std::vector<int>& lip) {
+    double x1 = 0.0;
+    NodeId end;
+    for (const OutlineEdge& edge : line_) {
+      for (const NodeId n : {edge.edge.a, edge.edge.b}) {
+        const double x = place_.frame.local(host_.mesh().x[n.index()]).x();
+        if (x > x1) {
+          x1 = x;
+          end = n;
+        }
+      }
+    }
+    if (x1 < 1.0 + place_.radius + same) {
+      patch_.trouble = "the symmetry line ends inside the rosette";
+      return;
+    }
+    std::vector<int> ligament{rosette_.ahead.back()};
+    const std::vector<int> inner = add_stretch(net_.local(ligament[0]), {x1, 0.0});
+    ligament.insert(ligament.end(), inner.begin(), inner.end());
+    ligament.push_back(net_.host_node(end));
+    for (std::size_t i = 0; i + 1 < ligament.size(); ++i) {
+      add_source(fill_size_, ligament[i], ligament[i + 1]);
+    }
+    // the whole line in the direction of growth, with the edges of the rosette on it
+    std::vector<int> line = lip;
+    line.insert(line.end(), rosette_.behind.rbegin() + 1, rosette_.behind.rend());
+    line.push_back(rosette_.tip);
+    line.insert(line.end(), rosette_.ahead.begin(), rosette_.ahead.end());
+    line.insert(line.end(), ligament.begin() + 1, ligament.end());
+    inherit_line(line);
+    // what the filling sees: over the rosette
+    std::vector<int> contour(lip.begin(), lip.end() - 1);
+    if (place_.half > 0) { // rim runs from ahead to behind
+      contour.insert(contour.end(), rosette_.rim.rbegin(), rosette_.rim.rend());
+    } else {
+      contour.insert(contour.end(), rosette_.rim.begin(), rosette_.rim.end());
+    }
+    contour.insert(contour.end(), ligament.begin() + 1, ligament.end());
+    if (place_.half < 0) {
+      std::reverse(contour.begin(), contour.end());
+    }
+    replace_line(contour);
+  }
+
+  /// Puts the contour of a half into the loop in the place of the host's nodes on the line.
+  void replace_line(const std::vector<int>& contour) {
+    for (std::vector<int>& loop : loops_) {
+      const auto first = std::find(loop.begin(), loop.end(), contour.front());
+      if (first == loop.end()) {
+        continue;
+      }
+      std::rotate(loop.begin(), first, loop.end());
+      const auto last = std::find(loop.begin(), loop.end(), contour.back());
+      std::vector<int> whole(contour.begin(), contour.end() - 1);
+      whole.insert(whole.end(), last, loop.end());
+      loop = std::move(whole);
+      return;
+    }
+    patch_.trouble = "the symmetry line is not a straight part of the boundary";
+  }
+
+  /// Each new edge on the line belongs to the host edge that its middle lies on.
+  void inherit_line(const std::vector<int>& line) {
+    for (const OutlineEdge& edge : line_) {
+      const double x0 = local(edge.edge, -1.0).x();
+      const double x1 = local(edge.edge, 1.0).x();
+      std::vector<Pair> pieces;
+      for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        const double x = 0.5 * (net_.local(line[i]).x() + net_.local(line[i + 1]).x());
+        if (x >= std::min(x0, x1) - same && x < std::max(x0, x1) - same) {
+          pieces.emplace_back(line[i], line[i + 1]);
+        }
+      }
+      if (x1 < x0) { // in the direction of the host's edge
+        std::reverse(pieces.begin(), pieces.end());
+        for (Pair& piece : pieces) {
+          std::swap(piece.first, piece.second);
+        }
+      }
+      patch_.edges.emplace_back(edge.face, std::move(pieces));
+    }
+  }
+
+  /// Triangles between the outline, the crack and the rosette.
+  void fill_rest() {
+    Region region;
+    std::map<int, int> place; // patch node -> point
+    std::vector<int> node;    // and back
+    const auto point = [&](int n) {
+      const auto [at, fresh] = place.try_emplace(n, static_cast<int>(node.size()));
+      if (fresh) {
+        node.push_back(n);
+        region.points.push_back(net_.local(n));
+      }
+      return at->second;
+    };
+    const auto points = [&](const std::vector<int>& chain) {
+      std::vector<int> result;
+      std::transform(chain.begin(), chain.end(), std::back_inserter(result), point);
+      return result;
+    };
+    for (const std::vector<int>& loop : loops_) {
+      region.loops.push_back(points(loop));
+    }
+    for (std::size_t j = 0; j + 1 < rosette_.rim.size(); ++j) {
+      add_source(fill_size_, rosette_.rim[j], rosette_.rim[j + 1]);
+    }
+    if (place_.half == 0) {
+      region.loops.push_back(points({rosette_.rim.rbegin(), rosette_.rim.rend()}));
+      region.embedded.push_back(points(lip_));
+    }
+    const Filling filling = fill(region, fill_size_);
+    if (!filling.trouble.empty()) {
+      patch_.trouble = filling.trouble;
+      return;
+    }
+    for (const Vec2& p : filling.added) {
+      node.push_back(net_.new_node(p));
+    }
+    for (const std::array<int, 3>& t : filling.triangles) {
+      net_.add_triangle(node[static_cast<std::size_t>(t[0])], node[static_cast<std::size_t>(t[1])],
+                        node[static_cast<std::size_t>(t[2])]);
+    }
+  }
+
+  const Host& host_;
+  const Placement& place_;
+  const Cavity& cavity_;
+  PatchNet net_;
+  Patch patch_;
+  Rosette rosette_;
+  Grading size_;      ///< along curves, before they are divided
+  Grading fill_size_; ///< in the region, from the edges that were made
+  std::vector<std::vector<int>> loops_;
+  std::vector<OutlineEdge> line_;
+  std::vector<int> lip_;
+  int mouth_ = -1;
+  bool mouth_inside_ = false;
+};
+
+} // namespace
+
+Patch build_patch(const Host& host, const Placement& placement, const Cavity& cavity,
+                  const TipMesh& tip, double fineness) {
+  return Builder(host, placement, cavity).build(tip, fineness);
+}
+
+} // namespace spricka::mesh

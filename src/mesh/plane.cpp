@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/plane.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace spricka::mesh {
+
+using base::Vec2;
+using base::Vec3;
+
+double distance(const Vec2& p, const Vec2& a, const Vec2& b) {
+  const Vec2 d = b - a;
+  const double length2 = d.squaredNorm();
+  const double t = length2 > 0.0 ? std::clamp((p - a).dot(d) / length2, 0.0, 1.0) : 0.0;
+  return (p - a - t * d).norm();
+}
+
+double distance(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  const double ca = cross(d - c, a - c);
+  const double cb = cross(d - c, b - c);
+  const double ac = cross(b - a, c - a);
+  const double ad = cross(b - a, d - a);
+  if (ca * cb < 0.0 && ac * ad < 0.0) {
+    return 0.0;
+  }
+  return std::min(std::min(distance(a, c, d), distance(b, c, d)),
+                  std::min(distance(c, a, b), distance(d, a, b)));
+}
+
+bool inside(const Vec2& p, const std::vector<Vec2>& polygon) {
+  bool in = false;
+  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+    const Vec2& a = polygon[i];
+    const Vec2& b = polygon[j];
+    if ((a.y() > p.y()) != (b.y() > p.y()) &&
+        p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y())) {
+      in = !in;
+    }
+  }
+  return in;
+}
+
+double distance(const std::vector<Vec2>& polygon, const std::vector<Vec2>& polyline) {
+  double least = std::numeric_limits<double>::max();
+  for (const Vec2& p : polyline) {
+    if (inside(p, polygon)) {
+      return 0.0;
+    }
+  }
+  for (std::size_t k = 0; k + 1 < polyline.size(); ++k) {
+    for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+      least = std::min(least, distance(polygon[j], polygon[i], polyline[k], polyline[k + 1]));
+    }
+  }
+  return least;
+}
+
+double rounded(double x) {
+  static constexpr double grid = 1099511627776.0; // 2^40
+  return std::round(x * grid) / grid;
+}
+
+Vec2 CrackFrame::local(const Vec3& x) const {
+  const Vec3 d = (x - origin) / a;
+  const double u = d.x() * e1.x() + d.y() * e1.y();
+  const double v = d.y() * e1.x() - d.x() * e1.y();
+  return {rounded(u), rounded(v)};
+}
+
+Vec3 CrackFrame::global(const Vec2& x) const {
+  return origin + a * Vec3(x.x() * e1.x() - x.y() * e1.y(), x.x() * e1.y() + x.y() * e1.x(), 0.0);
+}
+
+} // namespace spricka::mesh

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/vec.hpp"
+
+#include <vector>
+
+/// Plane geometry of points, segments and polygons, for decisions on rounded coordinates.
+namespace spricka::mesh {
+
+inline double cross(const base::Vec2& u, const base::Vec2& v) {
+  return u.x() * v.y() - u.y() * v.x();
+}
+
+/// Distance of a point from a segment.
+double distance(const base::Vec2& p, const base::Vec2& a, const base::Vec2& b);
+
+/// Distance between two segments; 0 if they meet.
+double distance(const base::Vec2& a, const base::Vec2& b, const base::Vec2& c, const base::Vec2& d);
+
+/// Whether a point lies in a polygon (even-odd rule).
+bool inside(const base::Vec2& p, const std::vector<base::Vec2>& polygon);
+
+/// Distance between a filled polygon and a polyline; 0 if they meet.
+double distance(const std::vector<base::Vec2>& polygon, const std::vector<base::Vec2>& polyline);
+
+/// To a multiple of 2^-40.
+double rounded(double x);
+
+/// A frame that goes with a crack: origin at the mouth, x along its first segment, lengths divided
+/// by `a`. Coordinates in it are rounded to 2^-40, so that the deck's unit and the crack's place do
+/// not change what follows from them.
+struct CrackFrame {
+  base::Vec3 origin = base::Vec3::Zero();
+  base::Vec3 e1 = base::Vec3::UnitX();
+  double a = 1.0;
+
+  [[nodiscard]] base::Vec2 local(const base::Vec3& x) const;
+  [[nodiscard]] base::Vec3 global(const base::Vec2& x) const;
+};
+
+/// Room for round-off in comparisons of local coordinates.
+inline constexpr double same = 1e-7;
+
+} // namespace spricka::mesh

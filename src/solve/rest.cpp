@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/rest.hpp"
+#include "solve/nnls.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+
+namespace spricka::solve {
+
+namespace {
+
+/// Orthonormal directions [m, z] of the modes that leave the gaps of these rows unchanged.
+base::Matrix free_directions(const HeldProblem& problem, const std::vector<int>& rows) {
+  const int m = problem.modes();
+  if (rows.empty()) {
+    return base::Matrix::Identity(m, m);
+  }
+  base::Matrix B_T(m, static_cast<Eigen::Index>(rows.size()));
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    B_T.col(static_cast<Eigen::Index>(k)) = problem.B.row(rows[k]).transpose();
+  }
+  Eigen::ColPivHouseholderQR<base::Matrix> qr(m, B_T.cols());
+  qr.setThreshold(1e-9);
+  qr.compute(B_T);
+  const base::Matrix Q = qr.householderQ() * base::Matrix::Identity(m, m);
+  return Q.rightCols(m - qr.rank());
+}
+
+} // namespace
+
+int rest_free_motions(const HeldProblem& problem, const ModeSplit& split,
+                      const base::Vector& lambda, double least, base::Vector& alpha) {
+  if (problem.modes() == 0) {
+    return 0;
+  }
+  std::vector<int> fixed;
+  std::vector<int> others;
+  for (int i = 0; i < problem.rows(); ++i) {
+    const double force = lambda(i) * problem.B.row(i).cwiseAbs().maxCoeff();
+    (problem.equality[std::size_t(i)] || force > least ? fixed : others).push_back(i);
+  }
+  const base::Matrix Z = free_directions(problem, fixed);
+  if (Z.cols() == 0) {
+    return 0;
+  }
+  // alpha + Z y with  felt Z = Q R,  v = R y + Q^T felt alpha:  min |v|  subject to  E v >= f
+  const Eigen::Index z = Z.cols();
+  const base::Matrix F = split.felt * Z;
+  const Eigen::HouseholderQR<base::Matrix> qr(F);
+  const base::Matrix R = base::Matrix(qr.matrixQR().topRows(z)).triangularView<Eigen::Upper>();
+  const base::Matrix Q = qr.householderQ() * base::Matrix::Identity(F.rows(), z);
+  const base::Vector shift = Q.transpose() * (split.felt * alpha);
+  const base::Matrix ZR =
+      R.transpose().triangularView<Eigen::Lower>().solve(Z.transpose()).transpose();
+  const base::Vector gap = problem.b + problem.W * lambda + problem.B * alpha;
+  const Eigen::Index k = static_cast<Eigen::Index>(others.size());
+  base::Matrix E(k, z);
+  base::Vector f(k);
+  for (Eigen::Index r = 0; r < k; ++r) {
+    const int i = others[static_cast<std::size_t>(r)];
+    E.row(r) = problem.B.row(i) * ZR;
+    f(r) = E.row(r).dot(shift) - std::max(gap(i), 0.0);
+  }
+  base::Vector v = base::Vector::Zero(z);
+  const double size = k > 0 ? f.maxCoeff() : 0.0;
+  if (size > 0.0) { // else nothing stops the modes from resting at zero
+    base::Matrix A(z + 1, k);
+    A.topRows(z) = E.transpose();
+    A.bottomRows(1) = f.transpose() / size;
+    const base::Vector t = base::Vector::Unit(z + 1, z);
+    const base::Vector r = A * non_negative_least_squares(A, t).x - t;
+    if (!(r(z) < 0.0)) {
+      return static_cast<int>(z);
+    }
+    v = -(size / r(z)) * r.head(z);
+  }
+  alpha += ZR * (v - shift);
+  return static_cast<int>(z);
+}
+
+} // namespace spricka::solve

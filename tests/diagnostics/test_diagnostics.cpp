@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/read_deck.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+/// One deck for each kind of mistake and, beside it, the messages its author should see.
+namespace spricka::deck {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> corpus() {
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(CORPUS)) {
+    if (entry.path().extension() == ".deck") {
+      names.push_back(entry.path().stem().string());
+    }
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string read_text(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+class Corpus : public testing::TestWithParam<std::string> {};
+
+TEST_P(Corpus, MessagesAreAsExpected) {
+  fs::current_path(CORPUS); // so that messages name the file alone
+  base::Sources sources;
+  base::Diagnostics diagnostics;
+  const auto model = read_deck(GetParam() + ".deck", {}, sources, diagnostics);
+  EXPECT_FALSE(model);
+  EXPECT_TRUE(diagnostics.has_errors());
+  EXPECT_EQ(base::format(sources, diagnostics), read_text(GetParam() + ".expect"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Diagnostics, Corpus, testing::ValuesIn(corpus()),
+                         [](const auto& deck) { return deck.param; });
+
+TEST(Corpus, IsComplete) {
+  EXPECT_GE(corpus().size(), 30U);
+  for (const std::string& name : corpus()) {
+    EXPECT_TRUE(fs::exists(fs::path(CORPUS) / (name + ".expect"))) << name;
+  }
+}
+
+} // namespace
+} // namespace spricka::deck

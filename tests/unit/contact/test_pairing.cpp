@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/constraint.hpp"
+#include "two_rings.hpp"
+
+#include <functional>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace spricka {
+namespace {
+
+using base::ElementType;
+
+double opening(const contact::ConstraintRow& row, const model::Mesh& mesh,
+               const std::function<base::Vec3(const base::Vec3&, base::NodeId)>& u) {
+  double g = 0.0;
+  for (const contact::RowEntry& entry : row.entries) {
+    g += entry.weight.dot(u(mesh.x[entry.node.index()], entry.node));
+  }
+  return g;
+}
+
+class Pairing : public testing::TestWithParam<ElementType> {};
+
+TEST_P(Pairing, RowsOfFullCirclesCoverTheWholeSurface) {
+  const model::Model model = test::two_rings(16, 21, GetParam());
+  const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  ASSERT_TRUE(pair.found);
+  EXPECT_TRUE(pair.trouble.empty()) << pair.trouble;
+  double area = 0.0;
+  for (const contact::ConstraintRow& row : pair.normal) {
+    EXPECT_GT(row.area, 0.0);
+    area += row.area;
+  }
+  double length = 0.0; // of the discrete surface that carries the rows
+  for (const contact::EdgeChain& chain : pair.contact.chains) {
+    for (const contact::Edge& edge : chain.edges) {
+      length += edge.length;
+    }
+  }
+  EXPECT_NEAR(area, 5.0 * length, 1e-6 * area);
+}
+
+TEST_P(Pairing, ForcesOfARowBalanceAndHaveNoMoment) {
+  const model::Model model = test::two_rings(16, 21, GetParam());
+  const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  for (const contact::ConstraintRow& row : pair.normal) {
+    base::Vec3 sum = base::Vec3::Zero();
+    double moment = 0.0;
+    for (const contact::RowEntry& entry : row.entries) {
+      const base::Vec3& x = model.mesh.x[entry.node.index()];
+      sum += entry.weight;
+      moment += x.x() * entry.weight.y() - x.y() * entry.weight.x();
+    }
+    EXPECT_LT(sum.norm(), 1e-13 * row.area);
+    EXPECT_LT(std::abs(moment), 1e-12 * row.area);
+  }
+}
+
+TEST_P(Pairing, RotationOfOneRingOpensNothing) {
+  const model::Model model = test::two_rings(16, 21, GetParam());
+  const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  for (const contact::ConstraintRow& row : pair.normal) {
+    const double g = opening(row, model.mesh, [&](const base::Vec3& x, base::NodeId n) {
+      const bool inner = model.mesh.node_net[n.index()] == base::NetId(std::size_t{0});
+      return inner ? base::Vec3(-x.y(), x.x(), 0.0) : base::Vec3::Zero();
+    });
+    EXPECT_LT(std::abs(g), 1e-13 * row.area);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Types, Pairing,
+                         testing::Values(ElementType::quam4, ElementType::quamc8,
+                                         ElementType::trimc6));
+
+TEST(Pairing, DeclaredGapIsUsedExactly) {
+  model::Model model = test::two_rings(12, 15, ElementType::quamc8);
+  model.contacts[0].gap = -0.01;
+  const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  for (const contact::ConstraintRow& row : pair.normal) {
+    EXPECT_DOUBLE_EQ(row.gap, -0.01 * row.area);
+  }
+}
+
+TEST(Pairing, SofterSideCarriesTheMultipliersWhenSizesAreAlike) {
+  EXPECT_TRUE(contact::pair_rows(test::two_rings(16, 17, ElementType::quamc8, 0.1),
+                                 test::two_rings(16, 17, ElementType::quamc8, 0.1).mesh,
+                                 test::two_rings(16, 17, ElementType::quamc8, 0.1).contacts[0])
+                  .swapped);
+  const model::Model stiff = test::two_rings(16, 17, ElementType::quamc8, 10.0);
+  EXPECT_FALSE(contact::pair_rows(stiff, stiff.mesh, stiff.contacts[0]).swapped);
+}
+
+TEST(Pairing, CoarserSideCarriesTheMultipliers) {
+  const model::Model model = test::two_rings(40, 12, ElementType::quamc8, 10.0);
+  EXPECT_TRUE(contact::pair_rows(model, model.mesh, model.contacts[0]).swapped);
+}
+
+TEST(Pairing, NodePairsThatDoNotMatchAreRefused) {
+  model::Model model = test::two_rings(16, 21, ElementType::quamc8);
+  model.contacts[0].pairing = model::Pairing::node;
+  const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  EXPECT_TRUE(!pair.trouble.empty() || !pair.found);
+}
+
+TEST(Pairing, SurfacesThatLookAwayAreNotFound) {
+  model::Model model = test::two_rings(16, 21, ElementType::quamc8);
+  for (std::size_t i = 0; i < model.mesh.face_sets.size(); ++i) {
+    if (model.mesh.face_sets[i].name == "OUT.OUTER") {
+      model.contacts[0].master = base::FaceSetId(i);
+    }
+  }
+  const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  EXPECT_FALSE(pair.found);
+}
+
+} // namespace
+} // namespace spricka

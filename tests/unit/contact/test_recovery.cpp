@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/recovery.hpp"
+#include "two_rings.hpp"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace spricka {
+namespace {
+
+TEST(Recovery, UniformPressureComesBackFromBothMasses) {
+  const model::Model model = test::two_rings(24, 31, base::ElementType::quamc8);
+  const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  const auto n = static_cast<Eigen::Index>(pair.normal.size());
+  const contact::PairPressure p =
+      contact::recover_pressure(pair, base::Vector::Constant(n, 7.0), base::Vector::Zero(n),
+                                std::vector<bool>(pair.normal.size(), true));
+  ASSERT_EQ(p.nodes.size(), pair.normal.size());
+  for (const contact::NodePressure& node : p.nodes) {
+    // Nodal normals and the normals in between differ by the square of half an edge's angle.
+    EXPECT_NEAR(node.p_lumped, 7.0, 7.0 * 0.02);
+    EXPECT_NEAR(node.p_consistent, 7.0, 7.0 * 0.03);
+    EXPECT_EQ(node.lip, 0);
+  }
+  EXPECT_NEAR(p.mean_pressure, 7.0, 1e-12);
+  EXPECT_LT(p.force_on_slave.norm(), 1e-10);
+  EXPECT_DOUBLE_EQ(p.arc_from, -std::numbers::pi);
+  EXPECT_DOUBLE_EQ(p.arc_to, std::numbers::pi);
+}
+
+// p = p0 sqrt(1 - (theta / c)^2) over |theta| < c: the square-root law finds c between the nodes.
+TEST(Recovery, ArcEndsFollowTheSquareRootLaw) {
+  const model::Model model = test::two_rings(72, 72, base::ElementType::quamc8);
+  const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  const double c = 1.234;
+  base::Vector lambda(static_cast<Eigen::Index>(pair.normal.size()));
+  std::vector<bool> closed;
+  for (const contact::ConstraintRow& row : pair.normal) {
+    const base::Vec3& x = model.mesh.x[row.node.index()];
+    const double theta = std::atan2(x.y(), x.x());
+    closed.push_back(std::abs(theta) < c);
+    lambda[static_cast<Eigen::Index>(closed.size()) - 1] =
+        closed.back() ? std::sqrt(1.0 - theta * theta / (c * c)) : 0.0;
+  }
+  const contact::PairPressure p =
+      contact::recover_pressure(pair, lambda, base::Vector::Zero(lambda.size()), closed);
+  const double spacing = 2.0 * std::numbers::pi / 144.0;
+  EXPECT_NEAR(p.arc_to, c, 0.6 * spacing);
+  EXPECT_NEAR(p.arc_from, -c, 0.6 * spacing);
+}
+
+} // namespace
+} // namespace spricka

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "crack/stress_intensity.hpp"
+#include "fe/elasticity.hpp"
+#include "mesh/generate.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace spricka {
+namespace {
+
+constexpr double K1 = 3.0;
+constexpr double K2 = -1.25;
+
+/// An annulus round a tip at the origin, cut along its crack (the negative x axis), that carries
+/// the near-tip field itself at its nodes.
+struct Annulus {
+  model::Model model;
+  mesh::CrackedMesh cracked;
+  mesh::Tip tip;
+  std::vector<crack::ExtensionField> fields;
+  base::Vector u;
+
+  Annulus(int nr, int nt, model::State state, base::ElementType type) {
+    mesh::RingSpec spec;
+    spec.type = type;
+    spec.ri = 0.5;
+    spec.ro = 1.0;
+    spec.nr = nr;
+    spec.nt = nt;
+    spec.t0 = -std::numbers::pi * (1.0 - 1e-9); // a hair open, so that the lips keep their own nodes
+    spec.t1 = -spec.t0;
+    model.nets = {{"", {}}};
+    mesh::generate_ring(model.mesh, base::NetId(std::size_t{0}), "", spec);
+    model.materials = {{"M", 1000.0, 0.3, 0.0, 0.0, {}}};
+    model.properties = {
+        {base::ElementSetId(std::size_t{0}), base::MaterialId(std::size_t{0}), state, 1.0, {}}};
+    model.mesh.property.assign(model.mesh.element_count(), base::PropertyId(std::size_t{0}));
+    cracked.mesh = model.mesh;
+    tip.direction = base::Vec3::UnitX();
+    tip.a = 1.0;
+    tip.size = 0.5;
+    crack::ExtensionField field;
+    for (std::size_t n = 0; n < model.mesh.node_count(); ++n) {
+      const double r = model.mesh.x[n].norm();
+      field.q.emplace_back(base::NodeId(n), (1.0 - r) / 0.5);
+    }
+    for (std::size_t e = 0; e < model.mesh.element_count(); ++e) {
+      field.elements.emplace_back(e);
+    }
+    fields = {field};
+    u.resize(2 * static_cast<Eigen::Index>(model.mesh.node_count()));
+    const crack::TipFrame frame;
+    for (std::size_t n = 0; n < model.mesh.node_count(); ++n) {
+      const base::Vec2 x = model.mesh.x[n].head<2>();
+      u.segment<2>(2 * static_cast<Eigen::Index>(n)) =
+          K1 * crack::auxiliary_displacement(frame, x, 1, model.materials[0], state) +
+          K2 * crack::auxiliary_displacement(frame, x, 2, model.materials[0], state);
+    }
+  }
+};
+
+class NearTipField : public testing::TestWithParam<std::tuple<model::State, base::ElementType>> {};
+
+TEST_P(NearTipField, GivesItsOwnK) {
+  const auto [state, type] = GetParam();
+  const Annulus a(6, 48, state, type);
+  const crack::StressIntensity K =
+      crack::stress_intensity(a.model, a.cracked, a.tip, a.fields, {}, a.u, {});
+  EXPECT_NEAR(K.K1, K1, 1e-4 * K1);
+  EXPECT_NEAR(K.K2, K2, 1e-4 * K1);
+  const double E = fe::effective_modulus(a.model.materials[0], state);
+  EXPECT_NEAR(K.G, (K1 * K1 + K2 * K2) / E, 1e-4 * K.G);
+  EXPECT_NEAR(K.G_from_K, K.G, 1e-4 * K.G);
+}
+
+// Interpolation of the field errs by h^3, so K by at least that.
+TEST_P(NearTipField, ConvergesToItsOwnK) {
+  const auto [state, type] = GetParam();
+  double error[2];
+  for (int level = 0; level < 2; ++level) {
+    const Annulus a(2 << level, 12 << level, state, type);
+    const crack::StressIntensity K =
+        crack::stress_intensity(a.model, a.cracked, a.tip, a.fields, {}, a.u, {});
+    error[level] = std::hypot(K.K1 - K1, K.K2 - K2);
+  }
+  EXPECT_LT(error[1], error[0] / 6.0);
+}
+
+// The finite shift goes to the analytic derivative linearly with the shift.
+TEST_P(NearTipField, FiniteShiftTendsToTheAnalyticDerivative) {
+  const auto [state, type] = GetParam();
+  const Annulus a(4, 32, state, type);
+  double error[2];
+  for (int i = 0; i < 2; ++i) {
+    crack::VceRequest request;
+    request.shift = i == 0 ? 1e-3 : 1e-4;
+    const crack::StressIntensity K =
+        crack::stress_intensity(a.model, a.cracked, a.tip, a.fields, request, a.u, {});
+    ASSERT_TRUE(K.shift_error.has_value());
+    error[i] = std::abs(*K.shift_error);
+  }
+  EXPECT_LT(error[0], 1e-2);
+  EXPECT_NEAR(error[0] / error[1], 10.0, 0.5);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    States, NearTipField,
+    testing::Combine(testing::Values(model::State::plane_stress, model::State::plane_strain),
+                     testing::Values(base::ElementType::quamc8, base::ElementType::quamc9)));
+
+TEST(StressIntensity, StateOfTheCrackRescalesK) {
+  const Annulus a(4, 32, model::State::plane_stress, base::ElementType::quamc8);
+  crack::VceRequest strain;
+  strain.state = model::CrackState::strain;
+  const double own = crack::stress_intensity(a.model, a.cracked, a.tip, a.fields, {}, a.u, {}).K1;
+  const double other =
+      crack::stress_intensity(a.model, a.cracked, a.tip, a.fields, strain, a.u, {}).K1;
+  EXPECT_NEAR(other / own, 1.0 / std::sqrt(1.0 - 0.3 * 0.3), 1e-12);
+}
+
+} // namespace
+} // namespace spricka

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck_text.hpp"
+
+#include <system_error>
+#include <variant>
+
+#include <gtest/gtest.h>
+
+namespace spricka::deck {
+namespace {
+
+TEST(ReadDeck, ASmallDeckBecomesAModel) {
+  const Folder folder;
+  const Reading r(folder, k_square + "$NSET NAME=RIM\n 1 : 4\n"
+                                     "$FREEDOM CLASS=PRESCRIBED DOF=XY\n RIM\n"
+                                     "$LOAD CASE=LINEAR TYPE=DISP\n RIM (1e-3*(x+y/2)) 0\n"
+                                     "$STEP NAME=PULL SUBSTEPS=2\n LOAD LINEAR (2/4)\n"
+                                     "$OUTPUT FILE='a.csv' FORMAT=CSV\n S PLATE\n"
+                                     "$CHECK\n S.XX.MIN(PLATE, PULL) = (4/3)[MPa] REL 1e-10 "
+                                     "SOURCE 'exact'\n$END\n");
+  ASSERT_TRUE(r.model) << r.messages();
+  const model::Model& m = *r.model;
+  EXPECT_EQ(m.units.stress_name(), "MPa");
+  EXPECT_EQ(m.mesh.node_count(), 4U);
+  ASSERT_EQ(m.mesh.element_count(), 1U);
+  EXPECT_EQ(m.material_of(m.mesh, base::ElementId(0)).E, 210000.0);
+  EXPECT_EQ(m.property_of(m.mesh, base::ElementId(0)).thickness, 1.0);
+  EXPECT_EQ(m.freedoms.at(0).cls, model::FreedomClass::prescribed);
+  EXPECT_EQ(m.freedoms.at(0).dof, (std::array<bool, 3>{true, true, false}));
+  const model::Load& load = m.cases.at(0).loads.at(0);
+  EXPECT_EQ(load.type, model::LoadType::displacement);
+  EXPECT_EQ(load.value.at(0)(base::Vec3(1.0, 2.0, 0.0)), 2e-3);
+  EXPECT_EQ(m.steps.at(0).substeps, 2);
+  EXPECT_EQ(std::get<model::ApplyLoad>(m.steps.at(0).actions.at(0)).factor, 0.5);
+  EXPECT_EQ(m.outputs.at(0).requests.at(0).name, "PLATE");
+  const model::Check& check = m.checks.at(0);
+  EXPECT_EQ(check.quantity, "S.XX.MIN");
+  EXPECT_EQ(std::get<std::string>(check.arguments.at(1)), "PULL");
+  EXPECT_EQ(check.source, "exact");
+  EXPECT_TRUE(check.relative);
+  EXPECT_TRUE(m.unavailable.empty());
+}
+
+TEST(ReadDeck, GapsAndFits) {
+  const Folder folder;
+  const auto gap = [&](const std::string& keys) {
+    const Reading r(folder, k_square +
+                                "$FSET NAME=L WHERE=(x == 0)\n$FSET NAME=R WHERE=(x == 1)\n"
+                                "$CONTACT NAME=C SLAVE=L MASTER=R " +
+                                keys + "\n$END\n");
+    EXPECT_TRUE(r.model) << r.messages();
+    return r.model ? r.model->contacts.at(0).gap : std::nullopt;
+  };
+  EXPECT_EQ(gap("GAP=0.5"), 0.5);
+  EXPECT_EQ(gap("GAP=0"), 0.0);
+  EXPECT_EQ(gap("INTERFERENCE=0.5"), -0.5);
+  EXPECT_EQ(gap("DIAMETRAL=0.084"), -0.042);
+  EXPECT_EQ(gap(""), std::nullopt);
+}
+
+TEST(ReadDeck, TheCommandLineOverridesParametersEverywhere) {
+  const Folder folder;
+  folder.write("sub/more.inc", "$PARAMETER\n t = 5\n$INCLUDE FILE='deep.inc'\n");
+  folder.write("sub/deep.inc", "$NSET NAME=CORNER\n (n)\n");
+  ReadOptions options;
+  options.defines = {{"T", "3*2[mm]"}, {"N", "3"}};
+  const Reading r(folder,
+                  k_square + "$PARAMETER\n n = 1\n$INCLUDE FILE='sub/more.inc'\n"
+                             "$PARAMETER\n twice = 2*t\n"
+                             "$OUTPUT FILE='a' FORMAT=VTU\n U CORNER\n$END\n",
+                  options);
+  ASSERT_TRUE(r.model) << r.messages();
+  EXPECT_EQ(r.model->mesh.node_label[r.model->mesh.node_sets[0].nodes[0].index()], 3);
+  EXPECT_EQ(r.model->parameters.back().second, 12.0);
+}
+
+TEST(ReadDeck, BadDefinitionsOnTheCommandLine) {
+  const Folder folder;
+  ReadOptions options;
+  options.defines = {{"x", "1"}, {"2", "1"}, {"A", "1+"}, {"B", "Q"}};
+  const Reading r(folder, k_square + "$END\n", options);
+  EXPECT_EQ(r.diagnostics.error_count(), 4U) << r.messages();
+}
+
+TEST(ReadDeck, IncludesAreLimited) {
+  const Folder folder;
+  for (int i = 0; i < 20; ++i) {
+    folder.write("i" + std::to_string(i), "$INCLUDE FILE='i" + std::to_string(i + 1) + "'\n");
+  }
+  const Reading deep(folder, k_square + "$INCLUDE FILE='i0'\n$END\n");
+  EXPECT_EQ(deep.codes(), "E113") << deep.messages();
+  const Reading itself(folder, k_square + "$INCLUDE FILE='test.deck'\n$END\n");
+  EXPECT_EQ(itself.codes(), "E113") << itself.messages();
+}
+
+TEST(ReadDeck, NetsQualifyNames) {
+  const Folder folder;
+  const std::string ring = " SHAPE=RING TYPE=QUAMC8 NR=1 NT=8 ";
+  const Reading r(folder, "$DECK VERSION=1 LENGTH=mm FORCE=N\n$MATERIAL NAME=M E=1 NU=0\n"
+                          "$NET NAME=HUB\n$MESH" +
+                              ring +
+                              "RI=2 RO=3\n"
+                              "$PROPERTY ESET=BODY MATERIAL=M STATE=STRAIN\n$ENDNET\n"
+                              "$NET NAME=PIN\n$MESH" +
+                              ring +
+                              "RI=1 RO=2\n$ENDNET\n"
+                              "$PROPERTY ESET=PIN.BODY MATERIAL=M STATE=STRESS\n"
+                              "$CONTACT NAME=FIT SLAVE=PIN.OUTER MASTER=HUB.INNER GAP=0\n$END\n");
+  ASSERT_TRUE(r.model) << r.messages();
+  const model::Model& m = *r.model;
+  EXPECT_EQ(m.mesh.set(m.contacts[0].slave).name, "PIN.OUTER");
+  EXPECT_EQ(m.mesh.set(m.contacts[0].master).name, "HUB.INNER");
+  EXPECT_EQ(m.property_of(m.mesh, base::ElementId(0)).state, model::State::plane_strain);
+}
+
+TEST(ReadDeck, WhatHasNoAnalysisIsNotedNotIgnored) {
+  const Folder folder;
+  const Reading r(folder, k_square + "$PARAMETER\n t = 1\n$SWEEP PARAMETER=t\n 1 2\n"
+                                     "$RESTART WRITE='a.rst'\n"
+                                     "$RIGID NAME=WALL SHAPE=LINE X0=0 Y0=0 X1=1 Y1=0\n"
+                                     "$FSET NAME=TOP WHERE=(y == 1)\n"
+                                     "$CONTACT NAME=C SLAVE=TOP MASTER=WALL MU=0.1\n"
+                                     "$STEP NAME=S\n DISMOUNT C\n$END\n");
+  ASSERT_TRUE(r.model) << r.messages();
+  std::vector<std::string> what;
+  for (const model::Unavailable& u : r.model->unavailable) {
+    what.push_back(u.what);
+    EXPECT_TRUE(u.span.valid());
+  }
+  EXPECT_EQ(what, (std::vector<std::string>{"$SWEEP", "$RESTART", "$RIGID", "$CONTACT MU",
+                                            "$STEP DISMOUNT"}));
+}
+
+TEST(ReadDeck, AFreeCrackOfOnePointAndGrowth) {
+  const Folder folder;
+  const Reading r(folder, k_square + "$CRACK NAME=C ANGLE=90[deg] A0=0.2\n 0.5 0\n"
+                                     "$TIPNET CRACK=C RADIUS=0.05 PATCH=YES\n"
+                                     "$VCE CRACK=C DOMAINS=1,2,3\n"
+                                     "$STEP NAME=S\n$GROW LAW=INCREMENT KMAX=S CRACKS=C\n"
+                                     " 0.2 (0.1*3)\n 0.4\n"
+                                     "$CHECK\n K1(C.2, S, (0.1*3)) = 1 ABS 1\n$END\n");
+  ASSERT_TRUE(r.model) << r.messages();
+  const model::Model& m = *r.model;
+  EXPECT_EQ(m.cracks.at(0).kind, model::CrackKind::free);
+  EXPECT_EQ(m.cracks[0].points.size(), 1U);
+  EXPECT_DOUBLE_EQ(*m.cracks[0].angle, 1.5707963267948966);
+  EXPECT_EQ(m.vces.at(0).domains, (std::vector<int>{1, 2, 3}));
+  EXPECT_EQ(m.growth->lengths.size(), 3U);
+  EXPECT_EQ(std::get<std::string>(m.checks.at(0).arguments.at(0)), "C.2");
+}
+
+TEST(ReadDeck, ADeckThatCannotBeReadThrows) {
+  base::Sources sources;
+  base::Diagnostics diagnostics;
+  EXPECT_THROW(read_deck("/nowhere/at/all.deck", {}, sources, diagnostics), std::system_error);
+  EXPECT_THROW(read_deck("/", {}, sources, diagnostics), std::system_error);
+}
+
+} // namespace
+} // namespace spricka::deck

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/units.hpp"
+
+#include <gtest/gtest.h>
+
+namespace spricka::base {
+namespace {
+
+TEST(Units, FactorsBetweenDeckUnitsAreExactWhereTheyAreDecimal) {
+  const UnitSystem mm = *make_unit_system("MM", "N");
+  const UnitSystem inch = *make_unit_system("in", "lbf");
+  const UnitSystem metre = *make_unit_system("M", "KN");
+  EXPECT_EQ(to_deck(*parse_unit("GPa"), mm), 1000.0);
+  EXPECT_EQ(to_deck(*parse_unit("mm"), mm), 1.0);
+  EXPECT_EQ(to_deck(*parse_unit("um"), mm), 1e-3);
+  EXPECT_EQ(to_deck(*parse_unit("in"), mm), 25.4);
+  EXPECT_EQ(to_deck(*parse_unit("psi"), inch), 1.0);
+  EXPECT_EQ(to_deck(*parse_unit("ksi"), inch), 1000.0);
+  EXPECT_EQ(to_deck(*parse_unit("MPa"), metre), 1000.0);
+  EXPECT_DOUBLE_EQ(to_deck(*parse_unit("MPa*m^0.5"), mm), 31.622776601683793);
+  EXPECT_EQ(to_deck(*parse_unit("N/mm^2"), mm), 1.0);
+}
+
+TEST(Units, DimensionsFollowTheExponents) {
+  EXPECT_EQ(parse_unit("MPa*m^0.5")->dimension, (Dimension{-1.5, 1.0, 0.0}));
+  EXPECT_EQ(parse_unit("kN/m^2")->dimension, parse_unit("psi")->dimension);
+  EXPECT_EQ(parse_unit("m/m")->dimension, Dimension{});
+  EXPECT_EQ(parse_unit("deg")->dimension, (Dimension{0.0, 0.0, 1.0}));
+  EXPECT_EQ(parse_unit("m^-1")->dimension, (Dimension{-1.0, 0.0, 0.0}));
+}
+
+TEST(Units, UnknownFormsAreRefused) {
+  for (const char* text : {"", "foo", "mm^", "mm*", "*mm", "mm mm", "MM", "mm^1e400", "mm^nan",
+                           "^2", "mm^99", "mm/", "\xC2\xB5m"}) {
+    EXPECT_FALSE(parse_unit(text)) << text;
+  }
+  EXPECT_FALSE(make_unit_system("cm", "N"));
+  EXPECT_FALSE(make_unit_system("mm", ""));
+}
+
+TEST(Units, SystemsNameTheirStress) {
+  EXPECT_EQ(make_unit_system("mm", "n")->stress_name(), "MPa");
+  EXPECT_EQ(make_unit_system("in", "lbf")->stress_intensity_name(), "psi*in^0.5");
+  EXPECT_EQ(make_unit_system("in", "N")->stress_name(), "N/in^2");
+}
+
+} // namespace
+} // namespace spricka::base
