@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run_text.hpp"
+
+namespace spricka {
+namespace {
+
+using test::Folder;
+using test::Outcome;
+using test::run_text;
+
+// Two plates, one above the other, with a gap of nothing; what the tests change stands in braces.
+std::string plates(const std::string& supports, const std::string& contact,
+                   const std::string& more = "") {
+  return R"($DECK VERSION=1 LENGTH=mm FORCE=N
+$NET NAME=LOW
+  $MESH SHAPE=BLOCK TYPE=QUAMC8 LX=10 LY=5 NX=4 NY=2
+$ENDNET
+$NET NAME=TOP
+  $MESH SHAPE=BLOCK TYPE=QUAMC8 LX=10 LY=5 Y0=5 NX=3 NY=2
+$ENDNET
+$MATERIAL NAME=M E=1000 NU=0.3
+$PROPERTY ESET=LOW.BODY MATERIAL=M STATE=STRESS
+$PROPERTY ESET=TOP.BODY MATERIAL=M STATE=STRESS
+$FREEDOM CLASS=SUPPRESSED DOF=XY
+  LOW.YMIN
+)" + supports +
+         contact + R"(
+$LOAD CASE=PUSH TYPE=PRESSURE
+  TOP.YMAX 10
+$STEP NAME=PRESS
+  LOAD PUSH 1
+)" + more + "$END\n";
+}
+
+const std::string side_support = "$FREEDOM CLASS=SUPPRESSED DOF=X\n  TOP.XMIN\n";
+const std::string face = "$CONTACT NAME=FACE SLAVE=TOP.YMIN MASTER=LOW.YMAX\n";
+
+bool has_results(const Folder& folder) {
+  return std::filesystem::exists(folder.path() / "out" / "k.csv");
+}
+
+TEST(ExitCode, DoneIsZeroAndLeavesAllFiles) {
+  const Folder folder;
+  const Outcome outcome = run_text(folder, plates(side_support, face));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
+  for (const char* file : {"listing.txt", "k.csv", "pressure.csv", "report.html", "results.pvd"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / file)) << file;
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "out.part"));
+}
+
+TEST(ExitCode, FailedCheckIsOne) {
+  const Folder folder;
+  const Outcome outcome =
+      run_text(folder, plates(side_support, face,
+                              "$CHECK\n  CPRESS.MEAN(FACE,PRESS) = 11 REL 1e-6 SOURCE 'wrong'\n"));
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.messages.find("CPRESS.MEAN(FACE,PRESS)"), std::string::npos);
+}
+
+TEST(ExitCode, SurfacesThatNeverFaceEachOther) {
+  const Folder folder;
+  const Outcome outcome = run_text(
+      folder, plates(side_support, "$CONTACT NAME=FACE SLAVE=TOP.YMAX MASTER=LOW.YMIN\n"));
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_NE(outcome.messages.find("never face each other"), std::string::npos);
+  EXPECT_NE(outcome.messages.find("test.deck:14:"), std::string::npos) << outcome.messages;
+  EXPECT_FALSE(has_results(folder));
+}
+
+TEST(ExitCode, LoadedBodyThatSlidesAwayIsNamed) {
+  const Folder folder;
+  const Outcome outcome =
+      run_text(folder, plates("", face, "$LOAD CASE=SIDE TYPE=RESULTANT\n  TOP.BODY 5 0\n"
+                                        "$STEP NAME=SHOVE\n  LOAD SIDE 1\n"));
+  EXPECT_EQ(outcome.exit_code, 4);
+  EXPECT_NE(outcome.messages.find("body TOP"), std::string::npos) << outcome.messages;
+  EXPECT_NE(outcome.messages.find("direction X"), std::string::npos) << outcome.messages;
+  EXPECT_FALSE(has_results(folder));
+}
+
+TEST(ExitCode, BodyPulledOffItsOnlyContactIsNamed) {
+  const Folder folder;
+  const Outcome outcome = run_text(
+      folder, plates(side_support, face, "$STEP NAME=LIFT\n  LOAD PUSH -1\n"));
+  EXPECT_EQ(outcome.exit_code, 4);
+  EXPECT_NE(outcome.messages.find("body TOP"), std::string::npos) << outcome.messages;
+  EXPECT_NE(outcome.messages.find("step LIFT"), std::string::npos) << outcome.messages;
+}
+
+TEST(ExitCode, UnloadedFreeModeRests) {
+  const Folder folder;
+  const Outcome outcome = run_text(folder, plates("", face));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
+  EXPECT_NE(test::slurp(folder.path() / "out" / "listing.txt").find("at rest"), std::string::npos);
+}
+
+TEST(ExitCode, CrackThatTouchesNoElement) {
+  const Folder folder;
+  const Outcome outcome =
+      run_text(folder, plates(side_support, face,
+                              "$CRACK NAME=C NET=LOW A0=1 ANGLE=0\n  50 50\n"));
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_NE(outcome.messages.find("test.deck:"), std::string::npos) << outcome.messages;
+  EXPECT_FALSE(has_results(folder));
+}
+
+TEST(ExitCode, CardOfALaterVersionIsRefused) {
+  const Folder folder;
+  const Outcome outcome =
+      run_text(folder, plates(side_support, "$CONTACT NAME=FACE SLAVE=TOP.YMIN MASTER=LOW.YMAX "
+                                            "MU=0.2\n"));
+  EXPECT_EQ(outcome.exit_code, 4);
+  EXPECT_NE(outcome.messages.find("not available in this version"), std::string::npos);
+}
+
+TEST(ExitCode, MissingDeckIsFileTrouble) {
+  run::RunOptions options;
+  options.deck = "no_such.deck";
+  options.out = "no_such_out";
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run::run_deck(options), 7);
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("no_such.deck"), std::string::npos);
+}
+
+TEST(ExitCode, FolderOfSomethingElseIsNotTouched) {
+  const Folder folder;
+  std::filesystem::create_directories(folder.path() / "out");
+  std::ofstream(folder.path() / "out" / "thesis.txt") << "years of work";
+  EXPECT_EQ(run_text(folder, plates(side_support, face)).exit_code, 7);
+  EXPECT_EQ(test::slurp(folder.path() / "out" / "thesis.txt"), "years of work");
+}
+
+TEST(ExitCode, OldResultsDoNotSurviveAFailedRun) {
+  const Folder folder;
+  ASSERT_EQ(run_text(folder, plates(side_support, face)).exit_code, 0);
+  ASSERT_TRUE(has_results(folder));
+  EXPECT_EQ(run_text(folder, plates("", face, "$LOAD CASE=SIDE TYPE=RESULTANT\n  TOP.BODY 5 0\n"
+                                              "$STEP NAME=SHOVE\n  LOAD SIDE 1\n"))
+                .exit_code,
+            4);
+  EXPECT_FALSE(has_results(folder));
+}
+
+} // namespace
+} // namespace spricka
