@@ -12,49 +12,52 @@ namespace spricka::grammar {
 
 namespace {
 
+using enum Quantity;
+
 constexpr std::array quantities{
-    ResultQuantity{"K", "cs?aa", "same as K1"},
-    ResultQuantity{"K1", "cs?aa", "stress intensity of mode I: crack, step, length, front angle"},
-    ResultQuantity{"K2", "cs?aa", "stress intensity of mode II"},
-    ResultQuantity{"G", "cs?aa", "energy release rate"},
-    ResultQuantity{"T", "cs?aa", "T stress"},
-    ResultQuantity{"CPRESS.MIN", "ps", "smallest contact pressure"},
-    ResultQuantity{"CPRESS.MAX", "ps", "largest contact pressure"},
-    ResultQuantity{"CPRESS.MEAN", "ps", "mean pressure over the part in contact"},
-    ResultQuantity{"CPRESS.AT", "psa", "contact pressure at the angle theta"},
-    ResultQuantity{"ARC.FROM", "ps", "first angle of the part in contact"},
-    ResultQuantity{"ARC.TO", "ps", "last angle of the part in contact"},
-    ResultQuantity{"SUM", "psd", "force on the slave"},
-    ResultQuantity{"U.X.MIN", "ns", "smallest displacement along x"},
-    ResultQuantity{"U.Y.MIN", "ns", "smallest displacement along y"},
-    ResultQuantity{"U.Z.MIN", "ns", "smallest displacement along z"},
-    ResultQuantity{"U.X.MAX", "ns", "largest displacement along x"},
-    ResultQuantity{"U.Y.MAX", "ns", "largest displacement along y"},
-    ResultQuantity{"U.Z.MAX", "ns", "largest displacement along z"},
-    ResultQuantity{"U.X.AT", "aazs", "displacement along x at a point"},
-    ResultQuantity{"U.Y.AT", "aazs", "displacement along y at a point"},
-    ResultQuantity{"U.Z.AT", "aazs", "displacement along z at a point"},
-    ResultQuantity{"S.XX.MIN", "ns", "smallest stress xx"},
-    ResultQuantity{"S.YY.MIN", "ns", "smallest stress yy"},
-    ResultQuantity{"S.ZZ.MIN", "ns", "smallest stress zz"},
-    ResultQuantity{"S.XY.MIN", "ns", "smallest stress xy"},
-    ResultQuantity{"S.YZ.MIN", "ns", "smallest stress yz"},
-    ResultQuantity{"S.XZ.MIN", "ns", "smallest stress xz"},
-    ResultQuantity{"S.XX.MAX", "ns", "largest stress xx"},
-    ResultQuantity{"S.YY.MAX", "ns", "largest stress yy"},
-    ResultQuantity{"S.ZZ.MAX", "ns", "largest stress zz"},
-    ResultQuantity{"S.XY.MAX", "ns", "largest stress xy"},
-    ResultQuantity{"S.YZ.MAX", "ns", "largest stress yz"},
-    ResultQuantity{"S.XZ.MAX", "ns", "largest stress xz"},
-    ResultQuantity{"S.XX.AT", "aazs", "stress xx at a point"},
-    ResultQuantity{"S.YY.AT", "aazs", "stress yy at a point"},
-    ResultQuantity{"S.ZZ.AT", "aazs", "stress zz at a point"},
-    ResultQuantity{"S.XY.AT", "aazs", "stress xy at a point"},
-    ResultQuantity{"S.YZ.AT", "aazs", "stress yz at a point"},
-    ResultQuantity{"S.XZ.AT", "aazs", "stress xz at a point"},
-    ResultQuantity{"REACTION", "nsd", "force of the supports on a set"},
-    ResultQuantity{"N", "a", "cycles at a crack length"},
-    ResultQuantity{"LIFE", "", "cycles to the end"},
+    ResultQuantity{"K", "cs?aa", stress_intensity, "same as K1"},
+    ResultQuantity{"K1", "cs?aa", stress_intensity,
+                   "stress intensity of mode I: crack, step, length, front angle"},
+    ResultQuantity{"K2", "cs?aa", stress_intensity, "stress intensity of mode II"},
+    ResultQuantity{"G", "cs?aa", energy_release, "energy release rate"},
+    ResultQuantity{"T", "cs?aa", stress, "T stress"},
+    ResultQuantity{"CPRESS.MIN", "ps", stress, "smallest contact pressure"},
+    ResultQuantity{"CPRESS.MAX", "ps", stress, "largest contact pressure"},
+    ResultQuantity{"CPRESS.MEAN", "ps", stress, "mean pressure over the part in contact"},
+    ResultQuantity{"CPRESS.AT", "psa", stress, "contact pressure at the angle theta"},
+    ResultQuantity{"ARC.FROM", "ps", angle, "first angle of the part in contact"},
+    ResultQuantity{"ARC.TO", "ps", angle, "last angle of the part in contact"},
+    ResultQuantity{"SUM", "psd", force, "force on the slave"},
+    ResultQuantity{"U.X.MIN", "ns", length, "smallest displacement along x"},
+    ResultQuantity{"U.Y.MIN", "ns", length, "smallest displacement along y"},
+    ResultQuantity{"U.Z.MIN", "ns", length, "smallest displacement along z"},
+    ResultQuantity{"U.X.MAX", "ns", length, "largest displacement along x"},
+    ResultQuantity{"U.Y.MAX", "ns", length, "largest displacement along y"},
+    ResultQuantity{"U.Z.MAX", "ns", length, "largest displacement along z"},
+    ResultQuantity{"U.X.AT", "aazs", length, "displacement along x at a point"},
+    ResultQuantity{"U.Y.AT", "aazs", length, "displacement along y at a point"},
+    ResultQuantity{"U.Z.AT", "aazs", length, "displacement along z at a point"},
+    ResultQuantity{"S.XX.MIN", "ns", stress, "smallest stress xx"},
+    ResultQuantity{"S.YY.MIN", "ns", stress, "smallest stress yy"},
+    ResultQuantity{"S.ZZ.MIN", "ns", stress, "smallest stress zz"},
+    ResultQuantity{"S.XY.MIN", "ns", stress, "smallest stress xy"},
+    ResultQuantity{"S.YZ.MIN", "ns", stress, "smallest stress yz"},
+    ResultQuantity{"S.XZ.MIN", "ns", stress, "smallest stress xz"},
+    ResultQuantity{"S.XX.MAX", "ns", stress, "largest stress xx"},
+    ResultQuantity{"S.YY.MAX", "ns", stress, "largest stress yy"},
+    ResultQuantity{"S.ZZ.MAX", "ns", stress, "largest stress zz"},
+    ResultQuantity{"S.XY.MAX", "ns", stress, "largest stress xy"},
+    ResultQuantity{"S.YZ.MAX", "ns", stress, "largest stress yz"},
+    ResultQuantity{"S.XZ.MAX", "ns", stress, "largest stress xz"},
+    ResultQuantity{"S.XX.AT", "aazs", stress, "stress xx at a point"},
+    ResultQuantity{"S.YY.AT", "aazs", stress, "stress yy at a point"},
+    ResultQuantity{"S.ZZ.AT", "aazs", stress, "stress zz at a point"},
+    ResultQuantity{"S.XY.AT", "aazs", stress, "stress xy at a point"},
+    ResultQuantity{"S.YZ.AT", "aazs", stress, "stress yz at a point"},
+    ResultQuantity{"S.XZ.AT", "aazs", stress, "stress xz at a point"},
+    ResultQuantity{"REACTION", "nsd", force, "force of the supports on a set"},
+    ResultQuantity{"N", "a", number, "cycles at a crack length"},
+    ResultQuantity{"LIFE", "", number, "cycles to the end"},
 };
 
 } // namespace
@@ -105,6 +108,10 @@ base::Dimension dimension_of(Quantity quantity) {
     return {0.0, 0.0, 1.0};
   case Quantity::stress_intensity:
     return {-1.5, 1.0, 0.0};
+  case Quantity::force:
+    return {0.0, 1.0, 0.0};
+  case Quantity::energy_release:
+    return {-1.0, 1.0, 0.0};
   case Quantity::number:
     break;
   }
@@ -121,6 +128,10 @@ std::string_view word_of(Quantity quantity) {
     return "an angle";
   case Quantity::stress_intensity:
     return "a stress intensity";
+  case Quantity::force:
+    return "a force";
+  case Quantity::energy_release:
+    return "an energy release rate";
   case Quantity::number:
     break;
   }

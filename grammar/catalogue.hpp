@@ -47,7 +47,7 @@ enum class Kind {
 /// The field's word for a kind: "node set".
 std::string_view word_of(Kind kind);
 
-enum class Quantity { number, length, stress, angle, stress_intensity };
+enum class Quantity { number, length, stress, angle, stress_intensity, force, energy_release };
 base::Dimension dimension_of(Quantity quantity);
 /// "a length": for messages.
 std::string_view word_of(Quantity quantity);
@@ -122,6 +122,7 @@ std::vector<std::string> split_words(std::string_view words);
 struct ResultQuantity {
   std::string_view name = {};
   std::string_view arguments;
+  Quantity quantity = Quantity::number;
   std::string_view doc = {};
 };
 std::span<const ResultQuantity> result_quantities();

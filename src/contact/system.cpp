@@ -21,7 +21,8 @@ base::Matrix orthonormal(const base::Matrix& modes) {
 base::Matrix held(const base::Matrix& S, const base::Matrix& Q) {
   base::Matrix A = S;
   if (Q.cols() > 0) {
-    const double k = S.trace() / static_cast<double>(S.rows());
+    const double mean = S.trace() / static_cast<double>(S.rows());
+    const double k = mean > 0.0 ? mean : 1.0; // a body of rigid modes only: any number will do
     A += k * Q * Q.transpose();
   }
   return A;

@@ -27,8 +27,11 @@ public:
       return;
     }
     const bool known = arguments();
-    const auto value = number(1, "a value");
-    const auto tolerance = number(3, "a tolerance");
+    const grammar::ResultQuantity* spec = grammar::find_quantity(check_.quantity);
+    const auto quantity = spec == nullptr ? grammar::Quantity::number : spec->quantity;
+    const auto value = number(1, quantity, "a value");
+    const auto tolerance =
+        number(3, check_.relative ? grammar::Quantity::number : quantity, "a tolerance");
     if (tolerance && *tolerance < 0.0) {
       c_.error(row_.fields[3].span, "E109", "a tolerance is not negative");
     }
@@ -67,8 +70,9 @@ private:
     return true;
   }
 
-  std::optional<double> number(std::size_t place, std::string_view what) {
-    return number_of(row_.fields[place], grammar::Quantity::number, what, c_.scope, c_.diagnostics);
+  std::optional<double> number(std::size_t place, grammar::Quantity quantity,
+                               std::string_view what) {
+    return number_of(row_.fields[place], quantity, what, c_.scope, c_.diagnostics);
   }
 
   bool arguments() {

@@ -104,6 +104,13 @@ void add_nodal_forces(const model::Mesh& mesh, const model::Load& load, Vector& 
   }
 }
 
+void add_pressure(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
+                  Vector& f) {
+  add_face_load(
+      model, mesh, mesh.set(load.faces).faces,
+      [&](const Vec3& x, const Vec3& a) { return Vec3(-value_at(load, x)[0] * a); }, f);
+}
+
 void add_load(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
               Vector& f) {
   switch (load.type) {
@@ -119,10 +126,13 @@ void add_load(const model::Model& model, const model::Mesh& mesh, const model::L
         [&](const Vec3& x, const Vec3& a) { return Vec3(a.norm() * value_at(load, x)); }, f);
     return;
   case model::LoadType::pressure:
+    add_pressure(model, mesh, load, f);
+    return;
   case model::LoadType::crack_faces:
-    add_face_load(
-        model, mesh, mesh.set(load.faces).faces,
-        [&](const Vec3& x, const Vec3& a) { return Vec3(-value_at(load, x)[0] * a); }, f);
+    // Without faces: the lips of this crack are not in the mesh (yet).
+    if (load.faces.valid()) {
+      add_pressure(model, mesh, load, f);
+    }
     return;
   case model::LoadType::body:
     add_body_load(

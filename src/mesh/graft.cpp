@@ -25,6 +25,9 @@ ElementId element_at(const model::Mesh& host, const Graft& graft, const Vec2& p)
       least = d;
       best = e;
     }
+    if (d == 0.0) {
+      break;
+    }
   }
   return best;
 }

@@ -67,12 +67,6 @@ private:
   int figures_ = 0;
 };
 
-/// A table whose heading says enough.
-Table untitled(Table table) {
-  table.title.clear();
-  return table;
-}
-
 void add_head(Page& page, const std::string& title, const base::Sources& sources,
               const model::Model& model) {
   const base::UnitSystem& units = model.units;

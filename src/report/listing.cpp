@@ -58,7 +58,7 @@ std::string model_summary(const model::Model& model) {
 }
 
 std::string log_text(const results::Run& run) {
-  return heading("Processor log") + to_text(log_table(run)) +
+  return heading("Processor log") + to_text(untitled(log_table(run))) +
          fmt::format("\n  total {:.3f} s cpu, {:.3f} s wall, at most {:.0f} MB of memory\n",
                      run.cpu, run.wall, static_cast<double>(run.peak_memory) / 1e6);
 }
@@ -97,8 +97,8 @@ std::string check_text(const results::Run& run) {
     failed += check.passed ? 0 : 1;
     recorded += check.source == "RECORDED" ? 1 : 0;
   }
-  return heading("Checks of the deck") + to_text(check_table(run)) +
-         fmt::format("\n  {} of {} passed, {} of them against a recorded value\n",
+  return heading("Checks of the deck") + to_text(untitled(check_table(run))) +
+         fmt::format("\n  {} of {} passed; {} compare with a recorded value\n",
                      run.checks.size() - failed, run.checks.size(), recorded);
 }
 

@@ -123,8 +123,8 @@ Figure whole_mesh(const model::Model& model, const results::Increment& increment
     for (const results::TipResult& tip : step->tips) {
       if (!tip.direction.isZero()) {
         view.labels.push_back({{tip.x[0], tip.x[1]}, tip.name});
-        cracks += fmt::format("{}{}: a = {:.4g} {}", cracks.empty() ? "; cracks " : ", ", tip.name,
-                              tip.a, model.units.length_name);
+        cracks += fmt::format("{}{}: a = {:.4g} {}", cracks.empty() ? "; " : ", ", tip.name, tip.a,
+                              model.units.length_name);
       }
     }
   }

@@ -128,7 +128,7 @@ void draw_edges(Svg& svg, const Projection& project, const std::vector<Edge>& ed
     }
     i = next;
   }
-  svg.path(inner, {"#667", 0.45, "none", ""});
+  svg.path(inner, {"#445", 0.5, "none", ""});
   svg.path(outline, {"#000", 1.3, "none", ""});
 }
 

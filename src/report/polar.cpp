@@ -48,7 +48,7 @@ void draw_circles(Svg& svg, const PolarPlot& plot, const Scale& scale) {
                {Anchor::middle, 11.0});
     }
   }
-  const std::vector<double> ticks = round_ticks(std::min(plot.low, 0.0), plot.high, 5);
+  const std::vector<double> ticks = round_ticks(std::min(plot.low, 0.0), plot.high, 3);
   for (const double t : ticks) {
     if (t != 0.0 && scale(t) > innermost) {
       svg.circle(at(0.0, 0.0), scale(t), grid);
@@ -58,7 +58,7 @@ void draw_circles(Svg& svg, const PolarPlot& plot, const Scale& scale) {
 
 /// Numbers stand on top of the curves, on a ray between the angles that are named.
 void draw_numbers(Svg& svg, const PolarPlot& plot, const Scale& scale) {
-  const std::vector<double> ticks = round_ticks(std::min(plot.low, 0.0), plot.high, 5);
+  const std::vector<double> ticks = round_ticks(std::min(plot.low, 0.0), plot.high, 3);
   const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : 1.0;
   for (const double t : ticks) {
     if (scale(t) > innermost + 6.0) {

@@ -144,7 +144,8 @@ Figure polar_figure(const model::Model& model, const results::Run& run,
   figure.caption = fmt::format(
       "Pressure of contact {} at the ends of the steps, outward from the circle that stands for "
       "the bore ({} recovery; θ from +x){}.{}",
-      contact.name, recovery_text(contact), range.low < 0.0 ? "; inside the circle: tension" : "",
+      contact.name, recovery_text(contact),
+      range.low < -0.02 * range.high ? "; inside the circle: tension" : "",
       mouths ? " Radial bars: crack mouths; there the pressure has no bound, and the curves are "
                "cut a little above the largest value more than 10° away."
              : "");

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 
 namespace spricka::report {
@@ -33,11 +35,14 @@ void add_columns(Table& table, const char* what, std::size_t dim, const std::str
   }
 }
 
-/// Components of a force; what is round-off beside `scale` is shown as 0.
+/// A number of which nothing but round-off is left beside `scale` is shown as 0.
+std::string rounded(double value, double scale) {
+  return std::abs(value) < 1e-9 * scale ? "0" : number(value);
+}
+
 void add_cells(Row& row, const base::Vec3& force, std::size_t dim, double scale) {
   for (std::size_t i = 0; i < dim; ++i) {
-    const double f = force[static_cast<Eigen::Index>(i)];
-    row.push_back(std::abs(f) < 1e-9 * scale ? "0" : number(f));
+    row.push_back(rounded(force[static_cast<Eigen::Index>(i)], scale));
   }
 }
 
@@ -57,8 +62,26 @@ void add_k_cells(Row& row, const results::TipResult& tip) {
                          number(tip.G_from_K), small(tip.spread)});
 }
 
+/// The largest force and the largest pressure of an increment's contacts.
+struct ContactScale {
+  double force = 0.0;
+  double pressure = 0.0;
+};
+
+ContactScale contact_scale(const results::Increment& increment) {
+  ContactScale scale;
+  for (const results::StepResult& step : increment.steps) {
+    for (const results::ContactResult& contact : step.contacts) {
+      scale.force = std::max(scale.force, contact.force_on_slave.norm());
+      scale.pressure = std::max(
+          {scale.pressure, std::abs(contact.min_pressure), std::abs(contact.max_pressure)});
+    }
+  }
+  return scale;
+}
+
 Row contact_row(const results::StepResult& step, const results::ContactResult& contact,
-                std::size_t dim) {
+                std::size_t dim, const ContactScale& scale) {
   Row row{step.step, contact.name};
   if (!contact.mounted) {
     row.push_back("absent");
@@ -67,10 +90,10 @@ Row contact_row(const results::StepResult& step, const results::ContactResult& c
   }
   row.push_back(fmt::format("{}/{}", contact.closed, contact.rows));
   row.push_back(small(contact.max_penetration));
-  row.push_back(number(contact.min_pressure));
-  row.push_back(number(contact.mean_pressure));
-  row.push_back(number(contact.max_pressure));
-  add_cells(row, contact.force_on_slave, dim, contact.force_on_slave.norm());
+  row.push_back(rounded(contact.min_pressure, scale.pressure));
+  row.push_back(rounded(contact.mean_pressure, scale.pressure));
+  row.push_back(rounded(contact.max_pressure, scale.pressure));
+  add_cells(row, contact.force_on_slave, dim, scale.force);
   row.push_back(degrees(contact.arc_from));
   row.push_back(degrees(contact.arc_to));
   row.push_back(fmt::format("{}", step.iterations));
@@ -127,9 +150,10 @@ Table contact_table(const model::Model& model, const results::Increment& increme
   table.columns.push_back({"arc from", "deg", false});
   table.columns.push_back({"to", "deg", false});
   table.columns.push_back({"iterations", "", false});
+  const ContactScale scale = contact_scale(increment);
   for (const results::StepResult& step : increment.steps) {
     for (const results::ContactResult& contact : step.contacts) {
-      table.rows.push_back(contact_row(step, contact, dimension(increment)));
+      table.rows.push_back(contact_row(step, contact, dimension(increment), scale));
     }
   }
   return table;
@@ -143,11 +167,13 @@ Table balance_table(const model::Model& model, const results::Increment& increme
   add_columns(table, "reaction", dim, unit);
   add_columns(table, "contact", dim, unit);
   table.columns.push_back({"left over", unit, false});
+  double scale = 0.0;
   for (const results::StepResult& step : increment.steps) {
-    double scale = 0.0;
     for (const results::Balance& b : step.balance) {
       scale = std::max({scale, b.applied.norm(), b.reaction.norm(), b.contact.norm()});
     }
+  }
+  for (const results::StepResult& step : increment.steps) {
     for (const results::Balance& b : step.balance) {
       Row row{step.step, b.body};
       add_cells(row, b.applied, dim, scale);

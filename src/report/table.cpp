@@ -59,6 +59,11 @@ std::string to_text(const Table& table) {
   return out;
 }
 
+Table untitled(Table table) {
+  table.title.clear();
+  return table;
+}
+
 std::string escape(std::string_view text) {
   std::string out;
   for (const char c : text) {

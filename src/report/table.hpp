@@ -25,6 +25,9 @@ std::string to_text(const Table& table);
 /// The table as an HTML element, with units in print style.
 std::string to_html(const Table& table);
 
+/// The table without its title, where a heading says enough.
+Table untitled(Table table);
+
 /// A unit in print: "MPa*mm^0.5" becomes "MPa √mm", "N/mm^2" "N/mm²".
 std::string print_unit(std::string_view unit);
 

@@ -278,7 +278,7 @@ template <class F> decltype(auto) with_shape(base::ElementType type, F&& f) {
   case base::ElementType::quamc9:
     return std::forward<F>(f)(Quamc9{});
   default:
-    assert(!"with_shape: a type without a shape");
+    assert(false && "with_shape: a type without a shape");
     std::abort();
   }
 }

@@ -32,6 +32,7 @@ std::vector<int> independent_of(base::Matrix& M, const std::vector<int>& rows) {
   std::vector<int> order(rows.size(), 0);
   const int rank = blas::pivoted_cholesky(count(rows), block(M), redundancy, order);
   std::vector<int> kept;
+  kept.reserve(rows.size());
   for (int k = 0; k < rank; ++k) {
     kept.push_back(rows[std::size_t(order[std::size_t(k)])]);
   }

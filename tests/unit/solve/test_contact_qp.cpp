@@ -437,6 +437,23 @@ TEST(ContactQp, NothingToDo) {
   EXPECT_EQ(solve(loose).resting_modes, 1);
 }
 
+TEST(ContactQp, FallbackAloneSolvesToo) {
+  ContactSettings settings;
+  settings.max_block_iterations = 0;
+  for (const double gap : {-1e-3, 0.0, 1e-3}) {
+    const ContactProblem p = ring(120, gap, 0.05);
+    const ContactSolution s = solve(p);
+    const base::Stopwatch watch;
+    const ContactSolution pivoted = solve_contact(p, settings, {});
+    std::printf("120 rows, gap %6.3f: %d pivots, %.1f ms\n", gap, pivoted.pivots,
+                1e3 * watch.cpu());
+    ASSERT_EQ(pivoted.status, ContactStatus::solved);
+    EXPECT_GT(pivoted.pivots, 0);
+    EXPECT_LT((pivoted.lambda - s.lambda).norm(), 1e-12 * s.lambda.norm());
+    EXPECT_LT((pivoted.alpha - s.alpha).norm(), 1e-12 * s.alpha.norm());
+  }
+}
+
 TEST(ContactQp, CostOfSixHundredRows) {
   for (const double gap : {-1e-3, 1e-3}) {
     ContactProblem p = ring(600, gap, 0.3);
