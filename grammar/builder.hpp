@@ -26,7 +26,7 @@ public:
   std::optional<Failure> failure;
 
   /// Keeps the first failure only; false, so that a terminal can return it.
-  bool fail(base::Span span, std::string code, std::string text, std::string hint = {});
+  bool fail(base::Span place, std::string code, std::string text, std::string hint = {});
   /// "expected ..." at `at`, with the carets under the token there.
   void expected(const char* at, const char* last, std::string_view what);
   void report(base::Diagnostics& diagnostics) const;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <string_view>
 #include <utility>
@@ -160,9 +161,8 @@ private:
       valid.push_back(known);
     }
     if (fields_ == Fields::position) {
-      for (const auto& [variable, op] : variables) {
-        valid.emplace_back(variable);
-      }
+      std::transform(variables.begin(), variables.end(), std::back_inserter(valid),
+                     [](const auto& variable) { return std::string(variable.first); });
     }
     fail(span, "E201", fmt::format("'{}' is not a parameter defined above", written),
          base::suggest(upper, valid));
@@ -181,9 +181,8 @@ private:
     }
     if (function == nullptr) {
       std::vector<std::string> valid;
-      for (const Function& f : functions) {
-        valid.emplace_back(f.name);
-      }
+      std::transform(functions.begin(), functions.end(), std::back_inserter(valid),
+                     [](const Function& f) { return std::string(f.name); });
       fail(term.span, "E202", fmt::format("'{}' is not a function", written),
            base::suggest(written, valid));
     } else {

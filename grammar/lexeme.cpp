@@ -34,12 +34,11 @@ const char* continuation(const char* p, const char* last) {
 
 const char* skip_ws(const char* p, const char* last) {
   while (p < last) {
-    if (is_blank(*p)) {
+    const bool return_at_end = *p == '\r' && (p + 1 == last || p[1] == '\n');
+    if (is_blank(*p) || return_at_end) {
       ++p;
     } else if (*p == '!') {
       p = line_end(p, last);
-    } else if (*p == '\r' && (p + 1 == last || p[1] == '\n')) {
-      ++p;
     } else if (*p == '\n') {
       const char* more = continuation(p, last);
       if (more == nullptr) {

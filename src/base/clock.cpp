@@ -2,6 +2,7 @@
 #include "base/clock.hpp"
 
 #include <ctime>
+#include <malloc.h>
 #include <sys/resource.h>
 
 namespace spricka::base {
@@ -11,6 +12,10 @@ double cpu_seconds() {
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
+
+void return_large_blocks() { mallopt(M_MMAP_THRESHOLD, 128 * 1024); }
+
+void return_free_memory() { malloc_trim(0); }
 
 std::size_t peak_memory() {
   rusage usage{};

@@ -8,6 +8,14 @@ namespace spricka::base {
 /// CPU time of the whole process, all threads [s].
 double cpu_seconds();
 
+/// Makes the allocator give large freed blocks back to the system at once: matrices come and go,
+/// and the peak should not remember them all. Call once, at the start of the program.
+void return_large_blocks();
+
+/// Gives freed memory back to the system; worth its milliseconds after a stage that took many small
+/// blocks (meshing).
+void return_free_memory();
+
 /// Largest resident set of the process so far [bytes].
 std::size_t peak_memory();
 

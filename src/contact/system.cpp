@@ -18,21 +18,21 @@ base::Matrix orthonormal(const base::Matrix& modes) {
   return qr.householderQ() * base::Matrix::Identity(modes.rows(), modes.cols());
 }
 
-base::Matrix held(const base::Matrix& S, const base::Matrix& Q) {
-  base::Matrix A = S;
+// S with its null space filled; S is overwritten, as it may be large.
+base::Matrix held(base::Matrix S, const base::Matrix& Q) {
   if (Q.cols() > 0) {
     const double mean = S.trace() / static_cast<double>(S.rows());
     const double k = mean > 0.0 ? mean : 1.0; // a body of rigid modes only: any number will do
-    A += k * Q * Q.transpose();
+    S.noalias() += k * Q * Q.transpose();
   }
-  return A;
+  return S;
 }
 
 } // namespace
 
-CondensedBody::CondensedBody(std::vector<std::int32_t> freedom, const base::Matrix& S,
+CondensedBody::CondensedBody(std::vector<std::int32_t> freedom, base::Matrix S,
                              const base::Matrix& modes)
-    : freedom_(std::move(freedom)), Q_(orthonormal(modes)), factor_(held(S, Q_)) {}
+    : freedom_(std::move(freedom)), Q_(orthonormal(modes)), factor_(held(std::move(S), Q_)) {}
 
 base::Matrix CondensedBody::project(base::Matrix F) const {
   if (Q_.cols() > 0) {

@@ -16,7 +16,7 @@ namespace spricka::contact {
 class CondensedBody {
 public:
   /// freedom [m] (dim * node + c), S [m, m], modes [m, r] any basis of the null space, r may be 0.
-  CondensedBody(std::vector<std::int32_t> freedom, const base::Matrix& S, const base::Matrix& modes);
+  CondensedBody(std::vector<std::int32_t> freedom, base::Matrix S, const base::Matrix& modes);
 
   [[nodiscard]] const std::vector<std::int32_t>& freedom() const { return freedom_; }
   [[nodiscard]] const base::Matrix& modes() const { return Q_; } ///< [m, r] orthonormal

@@ -30,7 +30,6 @@ std::string qualify(const std::string& net, const std::string& name) {
 std::vector<Kind> meanings(Kind kind) {
   switch (kind) {
   case Kind::set:
-    return {Kind::node_set, Kind::face_set};
   case Kind::node_set:
     return {Kind::node_set, Kind::face_set};
   case Kind::face_set:

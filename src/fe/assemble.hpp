@@ -22,11 +22,14 @@ base::SymmetricCsc assemble_stiffness(const model::Model& model, const model::Me
                                       std::span<const Superelement> supers, const DofMap& dofs);
 
 /// Nodal vector [dim * node] of the consistent loads of one load case, displacement loads left
-/// out. Sum over components equals the resultant of the case exactly.
+/// out. Sum over components equals the resultant of the case exactly. FORCE fields are taken at the
+/// nodes, fields over faces and elements at integration points; totals (RESULTANT, BEARING) are
+/// numbers, taken at the origin. Plane loads per area and volume include the thickness.
 base::Vector nodal_load(const model::Model& model, const model::Mesh& mesh,
                         const model::LoadCase& load_case);
 
-/// Nodal vector [dim * node] of the prescribed displacements of one load case (zero elsewhere).
+/// Nodal vector [dim * node] of the prescribed displacements of one load case (zero elsewhere). A
+/// node named twice takes the later value; components not given stay as they are.
 base::Vector prescribed_displacement(const model::Model& model, const model::Mesh& mesh,
                                      const model::LoadCase& load_case);
 

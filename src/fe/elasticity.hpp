@@ -3,6 +3,8 @@
 #include "base/vec.hpp"
 #include "model/model.hpp"
 
+#include <cassert>
+
 namespace spricka::fe {
 
 /// Components of a strain or stress vector: xx yy xy in the plane, xx yy zz xy yz zx in space;
@@ -24,6 +26,7 @@ Lame lame(const model::Material& material, model::State state);
 
 /// D of sigma = D eps [stress]; dim 2 for plane stress and plane strain, 3 for a solid.
 template <int dim> Elasticity<dim> elasticity(const model::Material& material, model::State state) {
+  assert((dim == 3) == (state == model::State::solid) && state != model::State::axisymmetric);
   const Lame k = lame(material, state);
   Elasticity<dim> D = Elasticity<dim>::Zero();
   D.template topLeftCorner<dim, dim>().setConstant(k.lambda);

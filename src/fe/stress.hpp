@@ -22,7 +22,10 @@ std::vector<Stress> element_node_stress(const model::Model& model, const model::
 std::vector<Stress> nodal_stress(const model::Model& model, const model::Mesh& mesh,
                                  const std::vector<Stress>& element_stress);
 
-/// Stress at a point inside the body (the element is searched); empty outside.
+/// Stress at a point inside the body (the element is searched); empty outside. On a side or a node
+/// the mean of the elements there that hang together and share a property. A point of the true
+/// boundary that lies off the mesh by less than 5 % of an element (the sagitta of an arc) belongs
+/// to the nearest element.
 std::optional<Stress> stress_at(const model::Model& model, const model::Mesh& mesh,
                                 const base::Vector& u, const base::Vec3& point);
 

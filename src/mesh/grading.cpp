@@ -37,11 +37,11 @@ std::vector<double> divide(const std::function<Vec2(double)>& x, double t0, doub
     N.push_back(N.back() + (x(next) - x(now)).norm() / h);
     t.push_back(next);
   }
-  const double count = std::max(1.0, std::floor(N.back() + 0.5 + same));
+  const int count = std::max(1, static_cast<int>(std::floor(N.back() + 0.5 + same)));
   std::vector<double> ends{t0};
   std::size_t k = 1;
-  for (double i = 1.0; i < count; i += 1.0) {
-    const double wanted = i / count * N.back();
+  for (int i = 1; i < count; ++i) {
+    const double wanted = static_cast<double>(i) / count * N.back();
     while (N[k] < wanted) {
       ++k;
     }

@@ -288,25 +288,25 @@ std::optional<CrackedMesh> insert_cracks(const model::Mesh& host, std::span<cons
   return Inserter(host, diagnostics).insert(lines, tips, spans);
 }
 
-std::vector<ElementId> crack_region(const model::Mesh& mesh, std::span<const CrackLine> lines,
+std::vector<ElementId> crack_region(const model::Mesh& host, std::span<const CrackLine> lines,
                                     std::span<const TipMesh> tips) {
-  const Host host(mesh);
-  std::vector<bool> in(mesh.element_count(), false);
+  const Host neighbours(host);
+  std::vector<bool> in(host.element_count(), false);
   base::Diagnostics ignored; // insert_cracks reports
   for (std::size_t i = 0; i < lines.size(); ++i) {
     std::vector<ElementId> core;
     if (tips[i].patch) {
-      if (const auto placement = place(host, lines[i], tips[i], {}, ignored)) {
-        core = find_cavity(host, *placement).elements;
+      if (const auto placement = place(neighbours, lines[i], tips[i], {}, ignored)) {
+        core = find_cavity(neighbours, *placement).elements;
       }
-    } else if (const auto path = path_nodes(host, lines[i], {}, ignored)) {
+    } else if (const auto path = path_nodes(neighbours, lines[i], {}, ignored)) {
       for (const NodeId n : *path) {
-        core.insert(core.end(), host.around(n).begin(), host.around(n).end());
+        core.insert(core.end(), neighbours.around(n).begin(), neighbours.around(n).end());
       }
     }
     for (const ElementId e : core) {
-      for (const NodeId n : mesh.nodes_of(e)) {
-        for (const ElementId next : host.around(n)) {
+      for (const NodeId n : host.nodes_of(e)) {
+        for (const ElementId next : neighbours.around(n)) {
           in[next.index()] = true;
         }
       }

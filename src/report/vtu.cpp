@@ -27,6 +27,9 @@ using base::ElementType;
 /// VTK's cell numbers, in the order of base::ElementType.
 constexpr std::array<std::uint8_t, 12> vtk_cell{5, 22, 9, 23, 28, 10, 24, 13, 26, 12, 25, 29};
 
+/// VTK counts the faces of its 27-node hexahedron x- x+ y- y+ z- z+; [VTK node - 20] our node.
+constexpr std::array<std::size_t, 6> hexec27_faces{25, 23, 22, 24, 20, 21};
+
 constexpr std::size_t block_size = std::size_t{1} << 18;
 
 void append_word(std::string& bytes, std::uint64_t word) {
@@ -115,6 +118,15 @@ void add_cells(Document& document, const model::Mesh& mesh, const UsedNodes& use
   std::vector<std::int64_t> connectivity(mesh.nodes.size());
   std::transform(mesh.nodes.begin(), mesh.nodes.end(), connectivity.begin(),
                  [&](base::NodeId n) { return used.point[n.index()]; });
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    if (mesh.type[e] == ElementType::hexec27) {
+      const std::span<const base::NodeId> nodes = mesh.nodes_of(base::ElementId(e));
+      const std::size_t first_face = static_cast<std::size_t>(mesh.first[e]) + 20;
+      for (std::size_t f = 0; f < hexec27_faces.size(); ++f) {
+        connectivity[first_face + f] = used.point[nodes[hexec27_faces[f]].index()];
+      }
+    }
+  }
   std::vector<std::int64_t> offsets;
   std::vector<std::uint8_t> types;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {

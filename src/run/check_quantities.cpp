@@ -198,7 +198,7 @@ FieldName split(const std::string& quantity) {
 }
 
 double stress_component(const fe::Stress& s, const std::string& component) {
-  static constexpr std::array<const char*, 6> names{"XX", "YY", "ZZ", "XY", "YZ", "ZX"};
+  static constexpr std::array<const char*, 6> names{"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (component == names[i]) {
       return s[static_cast<Eigen::Index>(i)];

@@ -6,7 +6,7 @@
 #include "run/content_hash.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <set>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -17,7 +17,6 @@ namespace {
 
 // A share of rest elements below which splitting a body does not pay.
 constexpr double least_rest = 0.3;
-
 std::vector<base::NodeId> nodes_of(const model::Mesh& mesh,
                                    const std::vector<base::ElementId>& elements) {
   std::vector<base::NodeId> nodes;
@@ -222,6 +221,19 @@ std::vector<BodyNet> prepare(const CondenseRequest& request,
   return bodies;
 }
 
+// What this increment did not use, no later one will: its crack has grown on.
+void forget_unused(const std::vector<Task>& rests, const std::vector<Task>& regions,
+                   CondensationCache& cache) {
+  std::set<HashKey> used;
+  for (const std::vector<Task>* tasks : {&rests, &regions}) {
+    for (const Task& task : *tasks) {
+      used.insert(task.key);
+    }
+  }
+  std::erase_if(cache.nets, [&](const auto& entry) { return !used.contains(entry.first); });
+  std::erase_if(cache.bodies, [&](const auto& entry) { return !used.contains(entry.first); });
+}
+
 void condense_loads(const CondenseRequest& request, BodyNet& body) {
   body.region_load = rows_of(request.case_load, body.region.map.freedom);
   if (body.rest) {
@@ -295,7 +307,7 @@ std::vector<BodyNet> condense_bodies(const CondenseRequest& request, Condensatio
       const auto locals = static_cast<std::size_t>(body.region.map.locals);
       body.condensed = std::make_shared<contact::CondensedBody>(
           std::vector<std::int32_t>(freedom.begin() + body.region.map.locals, freedom.end()),
-          body.region.factor->schur(), rows_of(body.free_modes, freedom, locals));
+          body.region.factor->take_schur(), rows_of(body.free_modes, freedom, locals));
     }
   });
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -307,6 +319,7 @@ std::vector<BodyNet> condense_bodies(const CondenseRequest& request, Condensatio
       cache.bodies.emplace(regions[b].key, bodies[b].condensed);
     }
   }
+  forget_unused(rests, regions, cache);
   return bodies;
 }
 

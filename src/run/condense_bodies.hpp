@@ -20,7 +20,7 @@ namespace spricka::run {
 struct Net {
   std::vector<base::ElementId> elements;
   fe::DofMap map;
-  std::shared_ptr<const solve::Condensation> factor;
+  std::shared_ptr<solve::Condensation> factor;
   bool from_cache = false;
 };
 
@@ -41,7 +41,7 @@ struct BodyNet {
 /// Keyed by a 128-bit hash of geometry, connectivity, materials, classes and externals.
 using HashKey = std::pair<std::uint64_t, std::uint64_t>;
 struct CondensationCache {
-  std::map<HashKey, std::shared_ptr<const solve::Condensation>> nets;
+  std::map<HashKey, std::shared_ptr<solve::Condensation>> nets;
   std::map<HashKey, std::shared_ptr<const contact::CondensedBody>> bodies;
 };
 

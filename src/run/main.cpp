@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/clock.hpp"
 #include "run/run_deck.hpp"
 
 #include <cstdio>
@@ -30,6 +31,7 @@ void add_deck_options(CLI::App& command, RunOptions& options, std::vector<std::s
 } // namespace
 
 int main(int argc, char** argv) {
+  spricka::base::return_large_blocks();
   CLI::App app{"spricka: contact and stress intensity factors in one solution"};
   app.set_version_flag("--version", "spricka " SPRICKA_VERSION);
   app.require_subcommand(1);

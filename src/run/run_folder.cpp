@@ -68,18 +68,17 @@ RunFolder::~RunFolder() {
 }
 
 void RunFolder::write(const base::Sources& sources, const model::Model& model,
-                      const results::Run& run) {
-  results::Run timed = run;
+                      results::Run& run) {
   const base::Stopwatch watch;
   report::write_k_csv(part_ / "k.csv", model, run);
   report::write_pressure_csv(part_ / "pressure.csv", model, run);
   write_pictures(part_, model, run);
   write_text(part_ / "report.html", report::html_report(sources, model, run));
-  timed.log.push_back({"OUTPUT", "tables, pictures, report", watch.cpu(), watch.wall()});
-  timed.cpu += watch.cpu();
-  timed.wall += watch.wall();
-  timed.peak_memory = base::peak_memory();
-  write_text(part_ / listing_name, report::listing(sources, model, timed));
+  run.log.push_back({"OUTPUT", "tables, pictures, report", watch.cpu(), watch.wall()});
+  run.cpu += watch.cpu();
+  run.wall += watch.wall();
+  run.peak_memory = base::peak_memory();
+  write_text(part_ / listing_name, report::listing(sources, model, run));
   fs::rename(part_, folder_);
 }
 

@@ -19,8 +19,9 @@ public:
   RunFolder(const RunFolder&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;
 
-  /// Writes listing, k.csv, pressure.csv, pictures and requested files. Throws std::system_error.
-  void write(const base::Sources& sources, const model::Model& model, const results::Run& run);
+  /// Writes listing, k.csv, pressure.csv, pictures and requested files, and adds its own cost to
+  /// the run's log before the listing is made. Throws std::system_error.
+  void write(const base::Sources& sources, const model::Model& model, results::Run& run);
 
 private:
   std::filesystem::path folder_;

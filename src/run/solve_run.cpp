@@ -113,6 +113,7 @@ std::optional<results::Increment> solve_increment(const model::Model& model, dou
   if (!scene) {
     return std::nullopt;
   }
+  base::return_free_memory();
   log.add("TOPOLOGY", fmt::format("a = {:.6g}: {} nodes, {} elements, {} contact rows, {} tips", a,
                                   scene->cracked.mesh.node_count(),
                                   scene->cracked.mesh.element_count(), scene->table.rows.size(),

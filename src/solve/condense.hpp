@@ -18,7 +18,7 @@ struct FactorReport {
   double memory = 0.0;          ///< [bytes] forecast of the largest need, from the symbolic phase
   double smallest_pivot = 1.0;  ///< of the locals, over the diagonal entry of the matrix
   double factor_entries = 0.0;  ///< nonzeros of L
-  double analysis_cpu = 0.0;    ///< [s]
+  double analysis_cpu = 0.0;    ///< [s] of the calling thread, as below
   double numeric_cpu = 0.0;     ///< [s]
 };
 
@@ -39,6 +39,8 @@ public:
   [[nodiscard]] const FactorReport& report() const;
   /// S [externals, externals], symmetric to the last bit.
   [[nodiscard]] const base::Matrix& schur() const;
+  /// Hands S over to who needs it last; schur() is empty from then on.
+  [[nodiscard]] base::Matrix take_schur();
   /// Loads f [n, k] -> condensed loads f_e - K_el K_ll^-1 f_l [externals, k].
   [[nodiscard]] base::Matrix condense_load(const base::Matrix& f) const;
   /// All unknowns [n, k] from external displacements [externals, k] and the loads f [n, k].

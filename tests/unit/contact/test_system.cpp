@@ -49,7 +49,8 @@ TEST(ContactSystem, FloatingBodiesAreHeldByContactAlone) {
   base::Matrix S = base::Matrix::Zero(1, 1);
   base::Matrix mode = base::Matrix::Ones(1, 1);
   const contact::CondensedBody left({0}, S, mode);
-  const contact::CondensedBody right({2}, base::Matrix::Constant(1, 1, 8.0), base::Matrix(1, 0));
+  const contact::CondensedBody right({2}, base::Matrix::Constant(1, 1, 8.0),
+                                     base::Matrix::Zero(1, 0));
   contact::ConstraintRow row;
   row.entries = {{base::NodeId(std::size_t{0}), {-1.0, 0.0, 0.0}},
                  {base::NodeId(std::size_t{1}), {1.0, 0.0, 0.0}}};

@@ -198,5 +198,17 @@ TEST_P(Bearing, does_not_depend_on_the_direction) {
   }
 }
 
+// Edges are divided where the pressure ends, so that nodal forces follow the direction smoothly;
+// quadrature points that enter and leave would make them jump.
+TEST_P(Bearing, follows_the_direction_without_jumps) {
+  const double step = 2.0 * std::numbers::pi / 24.0 / 400.0;
+  Vector last = apply(Vec2(1.0, 0.0));
+  for (int k = 1; k <= 400; ++k) {
+    const Vector now = apply(Vec2(std::cos(k * step), std::sin(k * step)));
+    EXPECT_LT((now - last).norm(), 2.0 * step) << k;
+    last = now;
+  }
+}
+
 } // namespace
 } // namespace spricka::fe

@@ -83,6 +83,22 @@ def check(file):
         assert net[c] == (0 if np.hypot(*centre[:2]) > BORE else 1)
 
 
+def check_solids(file):
+    """Mid-edge and mid-face nodes of solids stand where VTK expects them."""
+    grid = read(file)
+    x = vtk_to_numpy(grid.GetPoints().GetData())
+    assert vtk_to_numpy(grid.GetCellTypesArray()).tolist() == [24, 26, 25, 29]
+    assert grid.GetPointData().GetArray("displacement") is None
+    check_mid_nodes(grid, x)
+    cube = grid.GetCell(3)
+    for f in range(cube.GetNumberOfFaces()):
+        ids = cube.GetFace(f).GetPointIds()
+        p = np.array([x[ids.GetId(i)] for i in range(9)])
+        near(p[8], p[:4].mean(axis=0), "centre of a face", 1e-14)
+    p = np.array([x[cube.GetPointId(i)] for i in range(27)])
+    near(p[26], p[:8].mean(axis=0), "centre of the cube", 1e-14)
+
+
 def check_drawings(page):
     """Each inline drawing is well-formed XML of its own."""
     drawings = re.findall(r"<svg.*?</svg>", page.read_text(encoding="utf-8"), re.S)
@@ -99,6 +115,7 @@ def main():
     assert [float(e.get("timestep")) for e in entries] == [6.0, 18.0]
     for entry in entries:
         check(folder / entry.get("file"))
+    check_solids(folder / "solids.vtu")
     check_drawings(folder / "report.html")
 
 

@@ -1,13 +1,67 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/element_type.hpp"
 #include "report/report.hpp"
 #include "sample.hpp"
+#include "shape/topology.hpp"
 
 #include <filesystem>
 #include <fstream>
 
+namespace {
+
+using namespace spricka;
+using base::ElementType;
+
+/// Corners of the unit tetrahedron, wedge or cube.
+std::vector<base::Vec3> corners_of(ElementType type) {
+  const double x0 = 2.0 * static_cast<double>(type); // side by side
+  std::vector<base::Vec3> x{{x0, 0, 0}, {x0 + 1, 0, 0}, {x0, 1, 0}, {x0, 0, 1}};
+  if (base::info(type).corners == 6) {
+    x = {x[0], x[1], x[2], x[3], {x0 + 1, 0, 1}, {x0, 1, 1}};
+  } else if (base::info(type).corners == 8) {
+    x = {x[0], x[1], {x0 + 1, 1, 0}, x[2], x[3], {x0 + 1, 0, 1}, {x0 + 1, 1, 1}, {x0, 1, 1}};
+  }
+  return x;
+}
+
+/// One solid of a type; where its further nodes lie follows from the sides they belong to.
+void add_solid(model::Mesh& mesh, ElementType type) {
+  const base::ElementInfo& info = base::info(type);
+  std::vector<base::Vec3> x = corners_of(type);
+  x.resize(static_cast<std::size_t>(info.nodes), base::Vec3::Zero());
+  const auto at = [&x](int n) -> base::Vec3& { return x[static_cast<std::size_t>(n)]; };
+  for (int s = 0; s < info.sides; ++s) {
+    const std::span<const int> side = shape::side_nodes(type, s);
+    const std::size_t corners = side.size() == 6 ? 3 : 4;
+    for (std::size_t i = 0; i < corners; ++i) {
+      at(side[corners + i]) = 0.5 * (at(side[i]) + at(side[(i + 1) % corners]));
+    }
+    if (side.size() == 9) {
+      at(side[8]) = 0.25 * (at(side[0]) + at(side[1]) + at(side[2]) + at(side[3]));
+      x.back() += at(side[8]) / 6.0;
+    }
+  }
+  std::vector<base::NodeId> nodes;
+  for (const base::Vec3& p : x) {
+    nodes.push_back(model::add_node(mesh, p, 1, base::NetId(0)));
+  }
+  model::add_element(mesh, type, nodes, 1, base::NetId(0));
+}
+
+results::Increment solids() {
+  results::Increment increment;
+  increment.mesh.dim = 3;
+  for (const ElementType type :
+       {ElementType::tet10, ElementType::pentac15, ElementType::hexec20, ElementType::hexec27}) {
+    add_solid(increment.mesh, type);
+  }
+  return increment;
+}
+
+} // namespace
+
 /// Writes the sample's run folder for readers other than our own.
 int main(int count, char** arguments) {
-  using namespace spricka;
   if (count != 2) {
     return 2;
   }
@@ -20,6 +74,7 @@ int main(int count, char** arguments) {
     report::write_vtu(folder / name, sample.model, increment, increment.steps[1]);
     entries.emplace_back(increment.a, name);
   }
+  report::write_vtu(folder / "solids.vtu", sample.model, solids(), {});
   report::write_pvd(folder / "sample.pvd", entries);
   report::write_k_csv(folder / "k.csv", sample.model, sample.run);
   report::write_pressure_csv(folder / "pressure.csv", sample.model, sample.run);
