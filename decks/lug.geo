@@ -1,9 +1,9 @@
 // The paper's lug: bore R at the origin, round head of radius e about it, shank of half width e
 // that ends at x = -L0. Values come from the deck; `fine` divides every mesh size.
 DefineConstant[ R = 36, e = 86.5, L0 = 232.5, fine = 1 ];
-size_bore = 3 / fine;   // round the bore
-size_lips = 1.5 / fine; // on the bore where cracks start and contact ends
-size_far = 16 / fine;
+size_bore = 4 / fine;   // round the bore
+size_lips = 1.2 / fine; // on the bore where cracks start and contact ends
+size_far = 10 / fine;
 Mesh.ElementOrder = 2;
 
 Point(1) = {0, 0, 0};

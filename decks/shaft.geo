@@ -1,9 +1,9 @@
 // The solid shaft of radius ri about the origin. Values come from the deck; `fine` divides every
 // mesh size.
 DefineConstant[ ri = 30, fine = 1 ];
-size_arc = 3 / fine;
-size_ends = 1.5 / fine;
-size_middle = 8 / fine;
+size_arc = 4 / fine;
+size_ends = 2 / fine;
+size_middle = 10 / fine;
 Mesh.ElementOrder = 2;
 
 Point(1) = {0, 0, 0, size_middle};

@@ -1,8 +1,8 @@
 // The sleeve: a ring from ri to R about the origin; finer where the lug's cracks start and contact
 // ends. Values come from the deck; `fine` divides every mesh size.
 DefineConstant[ R = 36, ri = 30, fine = 1 ];
-size_arc = 3 / fine;
-size_lips = 1.5 / fine;
+size_arc = 4 / fine;
+size_lips = 2 / fine;
 Mesh.ElementOrder = 2;
 
 Point(1) = {0, 0, 0};

@@ -34,6 +34,7 @@ struct PairRows {
   Surface contact;                    ///< side that carries the multipliers
   Surface target;
   bool swapped = false; ///< the deck's master carries the multipliers
+  bool segments = false; ///< rows are weighted by hats on half edges, else by single nodes
   bool found = false;   ///< the surfaces face each other somewhere
   std::string trouble;  ///< why there are no rows (node pairing that does not match)
   std::string choice;   ///< which side carries the multipliers and why, for the listing

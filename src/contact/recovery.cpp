@@ -24,18 +24,19 @@ using Numbering = std::map<base::NodeId, Eigen::Index>;
 Eigen::SparseMatrix<double> surface_mass(const Surface& surface, double thickness,
                                          const Numbering& number) {
   std::vector<Eigen::Triplet<double>> entries;
+  const auto add = [&](const Edge& edge, double xi, double weight) {
+    const std::array<double, 3> N = edge_N(edge, xi);
+    const double w = weight * tangent_on(edge, xi).norm() * thickness;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(edge.count); ++i) {
+      for (std::size_t j = 0; j < static_cast<std::size_t>(edge.count); ++j) {
+        entries.emplace_back(number.at(edge.nodes[i]), number.at(edge.nodes[j]), w * N[i] * N[j]);
+      }
+    }
+  };
   for (const EdgeChain& chain : surface.chains) {
     for (const Edge& edge : chain.edges) {
       for (std::size_t g = 0; g < gauss_r.size(); ++g) {
-        const std::array<double, 3> N = edge_N(edge, gauss_r[g]);
-        const double w = gauss_w[g] * tangent_on(edge, gauss_r[g]).norm() * thickness;
-        for (int i = 0; i < edge.count; ++i) {
-          for (int j = 0; j < edge.count; ++j) {
-            entries.emplace_back(number.at(edge.nodes[static_cast<std::size_t>(i)]),
-                                 number.at(edge.nodes[static_cast<std::size_t>(j)]),
-                                 w * N[static_cast<std::size_t>(i)] * N[static_cast<std::size_t>(j)]);
-          }
-        }
+        add(edge, gauss_r[g], gauss_w[g]);
       }
     }
   }
@@ -213,6 +214,35 @@ SideForce side_force(const PairRows& pair, const base::Vector& lambda, const Num
   return force;
 }
 
+struct NodalPressure {
+  base::Vector lumped, consistent;
+};
+
+// The corner function of a quadratic edge has no first moment about its node, so the lumped
+// pressure is right to second order even where edges of different length meet.
+NodalPressure recover(const PairRows& pair, const base::Vector& lambda, const SideForce& force,
+                      const std::vector<Place>& places, const Numbering& number) {
+  const double thickness = std::min(pair.contact.thickness, pair.target.thickness);
+  const Eigen::SparseMatrix<double> C = surface_mass(pair.contact, thickness, number);
+  base::Vector R = base::Vector::Zero(C.rows());
+  for (const Place& p : places) {
+    const auto at = force.node.find(p.at.node.value);
+    if (at != force.node.end()) {
+      R[number.at(p.at.node)] = -at->second.head<2>().dot(p.normal);
+    }
+  }
+  const base::Vector lump = C * base::Vector::Ones(C.cols());
+  NodalPressure p{R.cwiseQuotient(lump), base::Vector::Zero(C.rows())};
+  if (pair.segments) {
+    for (std::size_t i = 0; i < pair.normal.size(); ++i) {
+      p.consistent[number.at(pair.normal[i].node)] = lambda[static_cast<Eigen::Index>(i)];
+    }
+  } else {
+    p.consistent = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>(C).solve(R);
+  }
+  return p;
+}
+
 } // namespace
 
 PairPressure recover_pressure(const PairRows& pair, const base::Vector& lambda,
@@ -224,17 +254,7 @@ PairPressure recover_pressure(const PairRows& pair, const base::Vector& lambda,
     number.try_emplace(p.at.node, static_cast<Eigen::Index>(number.size()));
   }
   const SideForce force = side_force(pair, lambda, number);
-  const double thickness = std::min(pair.contact.thickness, pair.target.thickness);
-  const Eigen::SparseMatrix<double> C = surface_mass(pair.contact, thickness, number);
-  base::Vector R = base::Vector::Zero(C.rows());
-  for (const Place& p : places) {
-    const auto at = force.node.find(p.at.node.value);
-    if (at != force.node.end()) {
-      R[number.at(p.at.node)] = -at->second.head<2>().dot(p.normal);
-    }
-  }
-  const base::Vector lump = C * base::Vector::Ones(C.cols());
-  const base::Vector consistent = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>(C).solve(R);
+  const NodalPressure p = recover(pair, lambda, force, places, number);
 
   PairPressure result;
   result.force_on_slave = pair.swapped ? base::Vec3(-force.total) : force.total;
@@ -246,20 +266,22 @@ PairPressure recover_pressure(const PairRows& pair, const base::Vector& lambda,
     row_of[pair.normal[i].node] = i;
     area += pair.normal[i].area;
     thrust += lambda[at] * pair.normal[i].area;
+    result.min_pressure = i == 0 ? lambda[at] : std::min(result.min_pressure, lambda[at]);
+    result.max_pressure = std::max(result.max_pressure, lambda[at]);
     result.closed += closed[i] ? 1 : 0;
     result.max_penetration = std::max(result.max_penetration, -gap[at] / pair.normal[i].area);
   }
   result.mean_pressure = area > 0.0 ? thrust / area : 0.0;
-  for (Place& p : places) {
-    const Eigen::Index k = number.at(p.at.node);
-    p.at.p_lumped = R[k] / lump[k];
-    p.at.p_consistent = consistent[k];
-    const auto row = row_of.find(p.at.node);
+  for (Place& place : places) {
+    const Eigen::Index k = number.at(place.at.node);
+    place.at.p_lumped = p.lumped[k];
+    place.at.p_consistent = p.consistent[k];
+    const auto row = row_of.find(place.at.node);
     if (row != row_of.end()) {
-      p.at.closed = closed[row->second];
-      p.at.gap = gap[static_cast<Eigen::Index>(row->second)] / pair.normal[row->second].area;
+      place.at.closed = closed[row->second];
+      place.at.gap = gap[static_cast<Eigen::Index>(row->second)] / pair.normal[row->second].area;
     }
-    result.nodes.push_back(p.at);
+    result.nodes.push_back(place.at);
   }
   const Arc arc = longest_arc(result.nodes, pair.contact.circle.has_value());
   result.arc_from = arc.from;

@@ -5,7 +5,9 @@
 #include <memory>
 #include <vector>
 
-/// Pressures from contact forces (the paper's equations 6 to 8).
+/// Pressures from contact forces, C p = R with the surface mass C (the paper's equations 6 to 8),
+/// lumped or consistent. SEGMENT pairs have a pressure of their own, the multiplier, which is never
+/// negative: it stands for the consistent one.
 namespace spricka::contact {
 
 struct NodePressure {
@@ -13,8 +15,8 @@ struct NodePressure {
   Vec2 x = Vec2::Zero();
   double theta = 0.0;        ///< about the circle's centre from +x [rad]; straight surfaces: 0
   double arc = 0.0;          ///< length along its chain
-  double p_lumped = 0.0;     ///< R_j / integral of N_j [stress]
-  double p_consistent = 0.0; ///< of C p = R, C = integral N N^T
+  double p_lumped = 0.0;     ///< R_i over the row sum of C [stress]
+  double p_consistent = 0.0; ///< NODE: of C p = R; SEGMENT: the multiplier
   double gap = 0.0;          ///< row gap over row area [length]
   bool closed = false;
   int lip = 0;               ///< +1 and -1 at the two ends of a chain that meet in one point
@@ -24,6 +26,8 @@ struct PairPressure {
   std::vector<NodePressure> nodes;        ///< of the side that carries the multipliers
   base::Vec3 force_on_slave = base::Vec3::Zero(); ///< deck's slave
   double mean_pressure = 0.0;   ///< normal multipliers over the paired area
+  double min_pressure = 0.0;    ///< of the normal multipliers
+  double max_pressure = 0.0;
   double max_penetration = 0.0; ///< [length], 0 or more
   double arc_from = 0.0, arc_to = 0.0; ///< longest closed arc [rad], or arc length if straight
   int closed = 0;

@@ -18,14 +18,6 @@ constexpr std::array<double, 5> gauss_w{0.2369268850561891, 0.4786286704993665, 
                                         0.4786286704993665, 0.2369268850561891};
 constexpr double least_cover = 0.2; // rows covered by less go to a neighbour
 
-// Hats on half edges: piecewise linear, non-negative, sum 1. Pressure is a sum of these.
-std::array<double, 3> hats(const Edge& edge, double xi) {
-  if (edge.count == 2) {
-    return {0.5 * (1.0 - xi), 0.5 * (1.0 + xi), 0.0};
-  }
-  return {std::max(0.0, -xi), std::max(0.0, xi), 1.0 - std::abs(xi)};
-}
-
 struct Builders {
   std::map<base::NodeId, RowBuilder> normal;
   std::map<base::NodeId, RowBuilder> tangent;
@@ -41,7 +33,7 @@ struct Point {
 };
 
 void add_point(const Point& p, bool bonded, Builders& rows) {
-  const std::array<double, 3> phi = hats(p.edge, p.xi);
+  const std::array<double, 3> phi = edge_hats(p.edge, p.xi);
   const std::array<double, 3> N = edge_N(p.edge, p.xi);
   const std::array<double, 3> M = edge_N(p.target, p.eta);
   const Vec2 t(-p.n.y(), p.n.x());
@@ -98,7 +90,7 @@ void add_support(const Edge& edge, double thickness, Builders& rows) {
   for (const double half : {-0.5, 0.5}) {
     for (std::size_t g = 0; g < gauss_r.size(); ++g) {
       const double xi = half + 0.5 * gauss_r[g];
-      const std::array<double, 3> phi = hats(edge, xi);
+      const std::array<double, 3> phi = edge_hats(edge, xi);
       const double w = 0.5 * gauss_w[g] * tangent_on(edge, xi).norm() * thickness;
       for (int i = 0; i < edge.count; ++i) {
         rows.normal[edge.nodes[static_cast<std::size_t>(i)]].whole +=
@@ -191,6 +183,7 @@ void segment_rows(PairRows& pair, std::optional<double> declared_gap, bool bonde
     return;
   }
   pair.found = !segments.empty();
+  pair.segments = true;
   const std::vector<const Edge*> edges = all_edges(pair.contact);
   const std::vector<const Edge*> targets = all_edges(pair.target);
   Builders rows;

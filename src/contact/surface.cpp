@@ -82,6 +82,13 @@ std::array<double, 3> edge_dN(const Edge& edge, double xi) {
   return {xi - 0.5, xi + 0.5, -2.0 * xi};
 }
 
+std::array<double, 3> edge_hats(const Edge& edge, double xi) {
+  if (edge.count == 2) {
+    return {0.5 * (1.0 - xi), 0.5 * (1.0 + xi), 0.0};
+  }
+  return {std::max(0.0, -xi), std::max(0.0, xi), 1.0 - std::abs(xi)};
+}
+
 Vec2 point_on(const Edge& edge, double xi) {
   const std::array<double, 3> N = edge_N(edge, xi);
   Vec2 x = N[0] * edge.x[0] + N[1] * edge.x[1];

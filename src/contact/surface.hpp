@@ -26,6 +26,9 @@ struct Edge {
 /// Shape functions of an edge and their derivatives at xi; entry 2 is zero for straight edges.
 std::array<double, 3> edge_N(const Edge& edge, double xi);
 std::array<double, 3> edge_dN(const Edge& edge, double xi);
+/// Hats on half edges: piecewise linear, non-negative, sum 1. Pressures of SEGMENT pairs are sums
+/// of these.
+std::array<double, 3> edge_hats(const Edge& edge, double xi);
 Vec2 point_on(const Edge& edge, double xi);
 Vec2 tangent_on(const Edge& edge, double xi); ///< dx/dxi
 /// Unit normal that leaves the body.

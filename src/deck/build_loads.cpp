@@ -133,21 +133,58 @@ void load_row(Context& c, const BoundCard& card, const grammar::Row& row,
   bool ok = reference && load_set(c, *reference, load);
   const std::size_t given = row.fields.size() - 1;
   const auto most = static_cast<std::size_t>(form.per_direction ? c.model.mesh.dim : 1);
-  const std::size_t least = form.per_direction ? std::min<std::size_t>(2, most) : 1;
-  if (given < least || (given > most && c.mesh_sound)) {
-    const base::Span at = given < least ? row.span : row.fields[most + 1].span;
+  if (given == 0 || (given > most && c.mesh_sound)) {
+    const base::Span at = given == 0 ? row.span : row.fields[most + 1].span;
     c.error(at, "E312",
-            fmt::format("TYPE={} takes {}{} value{}, not {}", form.word,
-                        form.per_direction && most == 3 ? "2 or " : "", most, most == 1 ? "" : "s",
-                        given),
+            fmt::format("TYPE={} takes {}{} value{}, not {}", form.word, most > 1 ? "1 to " : "",
+                        most, most == 1 ? "" : "s", given),
             std::string(form.values));
     ok = false;
   }
   for (std::size_t i = 1; i < row.fields.size(); ++i) {
     ok = load_value(c, form, row.fields[i], load) && ok;
   }
+  while (load.value.size() < most) { // what is left out is zero
+    load.value.push_back(base::Expression::constant(0.0));
+  }
   if (ok) {
     load_case.loads.push_back(std::move(load));
+  }
+}
+
+// Displacements belong to prescribed freedoms: elsewhere they would have no effect.
+void check_displacement(Context& c, const model::Load& load, const std::vector<unsigned>& held) {
+  for (const base::NodeId node : c.model.mesh.set(load.nodes).nodes) {
+    for (std::size_t d = 0; d < load.value.size(); ++d) {
+      const base::Expression& value = load.value[d];
+      const bool zero = value.is_constant() && value(base::Vec3::Zero()) == 0.0;
+      if (!zero && (held[node.index()] & (1U << d)) == 0) {
+        c.error(load.span, "E319",
+                fmt::format("node {} has no PRESCRIBED freedom along {}",
+                            c.model.mesh.node_label[node.index()], "XYZ"[d]),
+                "TYPE=DISP gives values to $FREEDOM CLASS=PRESCRIBED");
+        return;
+      }
+    }
+  }
+}
+
+void check_displacements(Context& c) {
+  std::vector<unsigned> held(c.model.mesh.node_count(), 0U); // bits of x y z
+  for (const model::Freedom& freedom : c.model.freedoms) {
+    for (const base::NodeId node : c.model.mesh.set(freedom.nodes).nodes) {
+      for (std::size_t d = 0; d < 3; ++d) {
+        const bool set = freedom.cls == model::FreedomClass::prescribed && freedom.dof[d];
+        held[node.index()] |= set ? 1U << d : 0U;
+      }
+    }
+  }
+  for (const model::LoadCase& load_case : c.model.cases) {
+    for (const model::Load& load : load_case.loads) {
+      if (load.type == LoadType::displacement) {
+        check_displacement(c, load, held);
+      }
+    }
   }
 }
 
@@ -173,6 +210,9 @@ void build_loads(Context& context) {
     for (const grammar::Row& row : card.rows) {
       load_row(context, card, row, cases[index]);
     }
+  }
+  if (context.freedom_sound && context.mesh_sound) {
+    check_displacements(context);
   }
 }
 

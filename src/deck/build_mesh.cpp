@@ -336,11 +336,16 @@ void build_mesh(Context& context) {
       }
     }
   }
+  // of the space the deck means, though a mesh in space may not have been made
+  const auto in_space = [](const BoundCard& card) {
+    const bool typed = card.spec->name == "MESH" || card.spec->name == "ELEMENT";
+    return typed && !card.bad && base::info(element_type(card.word("TYPE"))).dim == 3;
+  };
   model::Mesh& mesh = context.model.mesh;
-  mesh.dim = std::any_of(mesh.type.begin(), mesh.type.end(),
-                         [](base::ElementType t) { return base::info(t).dim == 3; })
-                 ? 3
-                 : 2;
+  const bool solid = std::any_of(context.cards.begin(), context.cards.end(), in_space) ||
+                     std::any_of(mesh.type.begin(), mesh.type.end(),
+                                 [](base::ElementType t) { return base::info(t).dim == 3; });
+  mesh.dim = solid ? 3 : 2;
   context.mesh_sound = context.mesh_sound && context.diagnostics.error_count() == errors;
 }
 

@@ -68,6 +68,7 @@ void property(Context& c, const BoundCard& card) {
 void freedom(Context& c, const BoundCard& card) {
   auto nodes = node_items(c, card);
   if (!nodes || card.bad) {
+    c.freedom_sound = false;
     return;
   }
   const std::string_view dof = card.word("DOF");

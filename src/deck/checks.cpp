@@ -87,7 +87,7 @@ private:
                base::suggest(quantity.text, valid));
       return false;
     }
-    const std::string pattern = pattern_for(spec->arguments, quantity.arguments.size());
+    const std::string pattern = pattern_for(spec->arguments, quantity.arguments);
     if (pattern.size() != quantity.arguments.size()) {
       c_.error(quantity.span, "E315",
                fmt::format("{} takes {}", quantity.text, usage(spec->arguments)));
@@ -100,19 +100,27 @@ private:
     return ok;
   }
 
-  // The letters for `count` arguments: what follows ? and the number z may be left out.
-  static std::string pattern_for(std::string_view letters, std::size_t count) {
+  // The letters for these arguments: what follows ? and the number z may be left out. A lone name
+  // in the place of z that is no parameter is the step behind it.
+  [[nodiscard]] std::string pattern_for(std::string_view letters,
+                                        const std::vector<grammar::Expression>& arguments) const {
     std::string all(letters);
+    const std::size_t count = arguments.size();
+    const std::size_t z = all.find('z');
+    if (z != std::string::npos && z < count && is_word(arguments[z])) {
+      all.erase(z, 1);
+    }
     const std::size_t mark = all.find('?');
     if (mark != std::string::npos) {
       all.erase(mark, 1);
       all.resize(std::clamp(count, mark, all.size()));
     }
-    const std::size_t z = all.find('z');
-    if (z != std::string::npos && count < all.size()) {
-      all.erase(z, 1);
-    }
     return all;
+  }
+
+  [[nodiscard]] bool is_word(const grammar::Expression& e) const {
+    return e.terms.size() == 1 && e.terms[0].kind == grammar::Term::Kind::name &&
+           !c_.scope.values.contains(grammar::to_upper(c_.sources.text(e.terms[0].span)));
   }
 
   static std::string usage(std::string_view letters) {

@@ -41,6 +41,7 @@ struct Context {
   std::vector<ElementOrigin> origins{}; ///< ascending
   bool mesh_sound = true;               ///< no mistake while nodes and elements were made
   bool property_sound = true;           ///< no mistake in $PROPERTY and what it names
+  bool freedom_sound = true;            ///< no mistake in $FREEDOM
   std::optional<std::vector<model::Face>> boundary{}; ///< of the finished mesh, found once
   std::vector<std::size_t> building{}; ///< cards of sets being built, outermost first
   std::map<std::size_t, base::NodeSetId> nodes_of_faces{}; ///< face sets that stood for node sets

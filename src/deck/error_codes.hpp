@@ -61,6 +61,7 @@ inline constexpr std::array error_codes{
     ErrorCode{"E316", "contact surfaces with faces in common"},
     ErrorCode{"E317", "a path that is no crack path"},
     ErrorCode{"E318", "a deck without elements"},
+    ErrorCode{"E319", "a displacement where no freedom is prescribed"},
 };
 
 } // namespace spricka::deck

@@ -6,6 +6,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -18,39 +21,114 @@ using base::Vec2;
 
 /// How near to the crack, in crack lengths, and to its tip, in rosette radii, the host's elements
 /// are replaced: so near that triangles between would come out flat.
-constexpr double reach_of_line = 0.2;
-constexpr double reach_of_tip = 1.6;
+constexpr double reach_of_line = 0.3;
+constexpr double reach_of_tip = 2.5;
+/// Least distance of an edge that stays from the crack and the rosette, in its own lengths.
+constexpr double edge_room = 0.4;
 /// The first part of a crack, where it may be near the boundary that it starts from.
 constexpr double at_mouth = 0.05;
 
 class Finder {
 public:
-  Finder(const Host& host, const Placement& placement)
-      : host_(host), mesh_(host.mesh()), place_(placement), seed_(placement.mouth.face.element),
-        in_(mesh_.element_count(), false) {}
+  /// `owner` tells of each element which cavity has it; `self` is the number of this one.
+  Finder(const Host& host, const Placement& placement, std::vector<std::size_t>& owner,
+         std::size_t self)
+      : host_(host), mesh_(host.mesh()), place_(placement), owner_(owner), self_(self),
+        seed_(placement.mouth.face.element) {}
 
-  Cavity find() {
-    flood();
-    add_layer();
-    while (add_pinched()) {
+  /// Takes what the crack needs; returns the cavity that has some of it already, or none.
+  std::size_t take_core() {
+    std::vector<ElementId> front{seed_};
+    if (place_.mouth.node.valid()) {
+      const auto around = host_.around(place_.mouth.node);
+      std::copy_if(around.begin(), around.end(), std::back_inserter(front),
+                   [&](ElementId e) { return allowed(e); });
     }
-    Cavity cavity;
-    for (std::size_t e = 0; e < in_.size(); ++e) {
-      if (in_[e]) {
-        cavity.elements.emplace_back(e);
+    std::size_t other = none;
+    for (const ElementId e : front) {
+      other = take(e) ? other : owner_[e.index()];
+    }
+    while (!front.empty()) {
+      const ElementId e = front.back();
+      front.pop_back();
+      for (int s = 0; s < base::info(mesh_.type[e.index()]).sides; ++s) {
+        const auto next = host_.beyond({e, s});
+        if (!next || has(*next) || !allowed(*next) || !near(*next)) {
+          continue;
+        }
+        if (take(*next)) {
+          front.push_back(*next);
+        } else {
+          other = owner_[next->index()];
+        }
       }
     }
+    return other;
+  }
+
+  void take_layer() {
+    for (const ElementId e : elements()) {
+      for (const NodeId n : mesh_.nodes_of(e)) {
+        take_around(n);
+      }
+    }
+  }
+
+  /// Takes in what lies beyond edges that are long against their distance from the crack: triangles
+  /// on them would come out flat, or, as they are seen as straight, reach over the crack.
+  void take_beyond_long_edges() {
+    for (bool more = true; more;) {
+      more = false;
+      for (const model::Face& face : outline()) {
+        const auto next = host_.beyond(face);
+        more = (next && allowed(*next) && is_long(edge_of(mesh_, face)) && take(*next)) || more;
+      }
+    }
+  }
+
+  /// A loop that meets itself at a node could not be meshed: takes in what lies round such nodes.
+  /// False if some of it belongs to another cavity.
+  bool take_pinched() {
+    for (bool more = true; more;) {
+      std::map<NodeId, int> leaving;
+      for (const model::Face& face : outline()) {
+        ++leaving[edge_of(mesh_, face).a];
+      }
+      more = false;
+      for (const auto& [node, count] : leaving) {
+        if (count > 1) {
+          if (!take_around(node)) {
+            return false;
+          }
+          more = true;
+        }
+      }
+    }
+    return true;
+  }
+
+  [[nodiscard]] Cavity cavity() const {
+    Cavity result;
+    result.elements = elements();
     for (const Chain& chain : chains(mesh_, outline())) {
       std::vector<OutlineEdge> loop;
       for (const model::Face& face : chain.faces) {
         loop.push_back({face, edge_of(mesh_, face), !host_.beyond(face).has_value()});
       }
-      cavity.loops.push_back(std::move(loop));
+      result.loops.push_back(std::move(loop));
     }
-    return cavity;
+    return result;
   }
 
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
 private:
+  [[nodiscard]] bool has(ElementId e) const { return owner_[e.index()] == self_; }
+  bool take(ElementId e) {
+    std::size_t& owner = owner_[e.index()];
+    owner = owner == none ? self_ : owner;
+    return owner == self_;
+  }
   [[nodiscard]] bool allowed(ElementId e) const {
     return mesh_.element_net[e.index()] == mesh_.element_net[seed_.index()] &&
            mesh_.property[e.index()] == mesh_.property[seed_.index()];
@@ -60,61 +138,39 @@ private:
     return distance(shape, place_.line) < reach_of_line + same ||
            distance(shape, {place_.tip(), place_.tip()}) < reach_of_tip * place_.radius + same;
   }
-
-  void flood() {
-    std::vector<ElementId> front{seed_};
-    if (place_.mouth.node.valid()) {
-      for (const ElementId e : host_.around(place_.mouth.node)) {
-        if (allowed(e)) {
-          front.push_back(e);
-        }
+  [[nodiscard]] bool is_long(const Edge& edge) const {
+    const Vec2 a = place_.frame.local(mesh_.x[edge.a.index()]);
+    const Vec2 b = place_.frame.local(mesh_.x[edge.b.index()]);
+    const double room =
+        std::min(distance({a, b, a}, place_.line), distance(place_.tip(), a, b) - place_.radius);
+    return room < edge_room * (b - a).norm() - same;
+  }
+  [[nodiscard]] std::vector<ElementId> elements() const {
+    std::vector<ElementId> result;
+    for (std::size_t e = 0; e < owner_.size(); ++e) {
+      if (owner_[e] == self_) {
+        result.emplace_back(e);
       }
     }
-    for (const ElementId e : front) {
-      in_[e.index()] = true;
-    }
-    while (!front.empty()) {
-      const ElementId e = front.back();
-      front.pop_back();
-      for (int s = 0; s < base::info(mesh_.type[e.index()]).sides; ++s) {
-        const auto next = host_.beyond({e, s});
-        if (next && !in_[next->index()] && allowed(*next) && near(*next)) {
-          in_[next->index()] = true;
-          front.push_back(*next);
-        }
-      }
-    }
+    return result;
   }
 
-  void add_layer() {
-    const std::vector<bool> core = in_;
-    for (std::size_t e = 0; e < core.size(); ++e) {
-      if (core[e]) {
-        for (const NodeId n : mesh_.nodes_of(ElementId(e))) {
-          add_around(n);
-        }
-      }
-    }
-  }
-
-  bool add_around(NodeId n) {
+  /// True if anything was taken.
+  bool take_around(NodeId n) {
     bool more = false;
     for (const ElementId e : host_.around(n)) {
-      if (!in_[e.index()] && allowed(e)) {
-        in_[e.index()] = true;
-        more = true;
-      }
+      more = (!has(e) && allowed(e) && take(e)) || more;
     }
     return more;
   }
 
   [[nodiscard]] std::vector<model::Face> outline() const {
     std::vector<model::Face> result;
-    for (std::size_t e = 0; e < in_.size(); ++e) {
-      for (int s = 0; in_[e] && s < base::info(mesh_.type[e]).sides; ++s) {
-        const model::Face face{ElementId(e), s};
+    for (const ElementId e : elements()) {
+      for (int s = 0; s < base::info(mesh_.type[e.index()]).sides; ++s) {
+        const model::Face face{e, s};
         const auto other = host_.beyond(face);
-        if (!other || !in_[other->index()]) {
+        if (!other || !has(*other)) {
           result.push_back(face);
         }
       }
@@ -122,26 +178,12 @@ private:
     return result;
   }
 
-  /// A loop that meets itself at a node could not be meshed: takes in what lies round such nodes.
-  bool add_pinched() {
-    std::map<NodeId, int> leaving;
-    for (const model::Face& face : outline()) {
-      ++leaving[edge_of(mesh_, face).a];
-    }
-    bool more = false;
-    for (const auto& [node, count] : leaving) {
-      if (count > 1) {
-        more = add_around(node) || more;
-      }
-    }
-    return more;
-  }
-
   const Host& host_;
   const model::Mesh& mesh_;
   const Placement& place_;
+  std::vector<std::size_t>& owner_;
+  std::size_t self_;
   ElementId seed_;
-  std::vector<bool> in_;
 };
 
 /// The crack without its first part.
@@ -152,26 +194,69 @@ std::vector<Vec2> without_mouth(const std::vector<Vec2>& line) {
   return result;
 }
 
+/// An edge as a polyline whose points lie the denser the nearer to the mouth, if that is on it.
+std::vector<Vec2> fine_curve(const model::Mesh& mesh, const Edge& edge,
+                             const Placement& placement) {
+  std::vector<double> xi{-1.0, -0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75, 1.0};
+  const EdgePoint mouth = nearest_on(mesh, edge, placement.frame.origin);
+  if (mouth.distance < same * placement.frame.a) {
+    xi.push_back(mouth.xi);
+    for (double d = 1.0; d > 1e-6; d *= 0.5) {
+      xi.push_back(std::min(mouth.xi + d, 1.0));
+      xi.push_back(std::max(mouth.xi - d, -1.0));
+    }
+    std::sort(xi.begin(), xi.end());
+  }
+  std::vector<Vec2> result;
+  for (const double t : xi) {
+    result.push_back(placement.frame.exact(point_on(mesh, edge, t)));
+  }
+  return result;
+}
+
+/// Whether the crack starts into the body: between the boundary ahead of the mouth and, turning
+/// anticlockwise, the boundary before it.
+bool starts_inside(const Host& host, const Placement& placement, const Cavity& cavity) {
+  const Vec2 along = (placement.line[1] - placement.line[0]).normalized();
+  const auto angle = [&](const Vec2& p) { // from the crack, in (-pi, pi]
+    return std::atan2(cross(along, p), along.dot(p));
+  };
+  double ahead = 0.0;
+  double before = 0.0;
+  for (const std::vector<OutlineEdge>& loop : cavity.loops) {
+    for (const OutlineEdge& edge : loop) {
+      if (!edge.free) {
+        continue;
+      }
+      const std::vector<Vec2> curve = fine_curve(host.mesh(), edge.edge, placement);
+      const auto mouth =
+          std::find_if(curve.begin(), curve.end(), [](const Vec2& p) { return p.norm() < same; });
+      if (mouth == curve.end()) {
+        continue;
+      }
+      const auto away = [](const Vec2& p) { return p.norm() >= 0.5 * at_mouth; };
+      const auto next = std::find_if(mouth, curve.end(), away);
+      const auto last = std::find_if(std::make_reverse_iterator(mouth), curve.rend(), away);
+      ahead = next != curve.end() ? angle(*next) : ahead;
+      before = last != curve.rend() ? angle(*last) : before;
+    }
+  }
+  return ahead < 0.0 && before > 0.0;
+}
+
 bool leaves_body(const Host& host, const Placement& placement, const Cavity& cavity) {
-  const bool covered =
-      std::any_of(cavity.elements.begin(), cavity.elements.end(), [&](ElementId e) {
-        return inside(placement.tip(), polygon(host.mesh(), e, placement.frame));
-      });
-  if (!covered) {
+  if (!starts_inside(host, placement, cavity)) {
     return true;
   }
   const std::vector<Vec2> line = without_mouth(placement.line);
   for (const std::vector<OutlineEdge>& loop : cavity.loops) {
     for (const OutlineEdge& edge : loop) {
-      std::array<Vec2, 3> p;
-      for (std::size_t i = 0; i < 3; ++i) {
-        p[i] =
-            placement.frame.local(point_on(host.mesh(), edge.edge, static_cast<double>(i) - 1.0));
-      }
-      for (std::size_t k = 0; edge.free && k + 1 < line.size(); ++k) {
-        if (distance(p[0], p[1], line[k], line[k + 1]) < 0.04 * at_mouth ||
-            distance(p[1], p[2], line[k], line[k + 1]) < 0.04 * at_mouth) {
-          return true;
+      const std::vector<Vec2> curve = fine_curve(host.mesh(), edge.edge, placement);
+      for (std::size_t i = 0; edge.free && i + 1 < curve.size(); ++i) {
+        for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+          if (distance(curve[i], curve[i + 1], line[k], line[k + 1]) < 0.04 * at_mouth) {
+            return true;
+          }
         }
       }
     }
@@ -217,8 +302,30 @@ std::vector<Vec2> polygon(const model::Mesh& mesh, ElementId e, const CrackFrame
   return result;
 }
 
-Cavity find_cavity(const Host& host, const Placement& placement) {
-  return Finder(host, placement).find();
+Cavities find_cavities(const Host& host, std::span<const Placement> placements) {
+  Cavities result;
+  std::vector<std::size_t> owner(host.mesh().element_count(), Finder::none);
+  std::vector<Finder> finders;
+  for (std::size_t i = 0; i < placements.size(); ++i) {
+    finders.emplace_back(host, placements[i], owner, i);
+  }
+  for (std::size_t i = 0; i < placements.size(); ++i) {
+    const std::size_t other = finders[i].take_core();
+    if (other != Finder::none) {
+      result.clash = {other, i};
+    }
+  }
+  for (std::size_t i = 0; i < placements.size(); ++i) {
+    finders[i].take_layer();
+    finders[i].take_beyond_long_edges();
+    if (!finders[i].take_pinched() && placements.size() > 1) {
+      result.clash = {i == 0 ? 1 : 0, i};
+    }
+  }
+  for (const Finder& finder : finders) {
+    result.each.push_back(finder.cavity());
+  }
+  return result;
 }
 
 bool check_cavity(const Host& host, const Placement& placement, const Cavity& cavity,

@@ -6,7 +6,9 @@
 #include "mesh/plane.hpp"
 
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace spricka::mesh {
@@ -54,9 +56,15 @@ struct Cavity {
   std::vector<std::vector<OutlineEdge>> loops;
 };
 
-/// Elements that the crack and its rosette touch or come near, and one layer more: connected, of
-/// one property, without pinched nodes.
-Cavity find_cavity(const Host& host, const Placement& placement);
+/// Elements that cracks and rosettes touch or come near, and as much as one layer more: for each
+/// placement one connected cavity of one property without pinched nodes. Cavities share no element;
+/// where they would, the layers give way. Two whose cracks come too near to each other for that
+/// are returned as a pair of their numbers.
+struct Cavities {
+  std::vector<Cavity> each;
+  std::optional<std::pair<std::size_t, std::size_t>> clash;
+};
+Cavities find_cavities(const Host& host, std::span<const Placement> placements);
 
 /// Whether the crack stays inside its cavity, in one material; errors at `span`.
 bool check_cavity(const Host& host, const Placement& placement, const Cavity& cavity,

@@ -100,7 +100,7 @@ void collect(const Region& region, Filling& filling) {
 Filling fill(const Region& region, const Grading& size) {
   Filling filling;
   const GmshSession session;
-  gmsh::option::setNumber("Mesh.Algorithm", 6); // Frontal-Delaunay
+  gmsh::option::setNumber("Mesh.Algorithm", 5); // Delaunay
   gmsh::option::setNumber("Mesh.ElementOrder", 1);
   gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 0);
   gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);

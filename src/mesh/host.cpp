@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 
 namespace spricka::mesh {
 
@@ -24,6 +25,36 @@ base::Vec3 point_on(const model::Mesh& mesh, const Edge& edge, double xi) {
   }
   const Eigen::Vector3d N = shape::Line3::N(shape::Point<1>(xi));
   return N[0] * a + N[1] * b + N[2] * mesh.x[edge.mid.index()];
+}
+
+EdgePoint nearest_on(const model::Mesh& mesh, const Edge& edge, const base::Vec3& p) {
+  EdgePoint best{0.0, std::numeric_limits<double>::max()};
+  const auto meet = [&](double xi) {
+    const double d = (point_on(mesh, edge, xi) - p).norm();
+    if (d < best.distance) {
+      best = {xi, d};
+    }
+  };
+  for (int i = 0; i <= 8; ++i) {
+    meet(-1.0 + 0.25 * i);
+  }
+  for (int i = 0; i < 30; ++i) { // Gauss-Newton on the distance
+    constexpr double h = 1e-5;   // the curve is a parabola: central differences are exact
+    const double xi = best.xi;
+    const base::Vec3 tangent =
+        (point_on(mesh, edge, xi + h) - point_on(mesh, edge, xi - h)) / (2.0 * h);
+    const double step = (p - point_on(mesh, edge, xi)).dot(tangent) / tangent.squaredNorm();
+    if (std::abs(step) < 1e-15) {
+      break;
+    }
+    meet(std::clamp(xi + step, -1.0, 1.0));
+  }
+  return best;
+}
+
+bool is_beyond(const model::Mesh& mesh, const Edge& edge, const base::Vec3& p, double distance) {
+  const base::Vec3& a = mesh.x[edge.a.index()];
+  return (a - p).norm() - 2.0 * (mesh.x[edge.b.index()] - a).norm() > distance;
 }
 
 Host::Host(const model::Mesh& mesh) : mesh_(mesh), start_(mesh.node_count() + 1, 0) {

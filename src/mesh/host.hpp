@@ -18,6 +18,16 @@ Edge edge_of(const model::Mesh& mesh, const model::Face& face);
 /// Point of an edge at xi in [-1, 1] on its own, straight or quadratic, curve.
 base::Vec3 point_on(const model::Mesh& mesh, const Edge& edge, double xi);
 
+/// The point of an edge nearest to p.
+struct EdgePoint {
+  double xi = 0.0;
+  double distance = 0.0;
+};
+EdgePoint nearest_on(const model::Mesh& mesh, const Edge& edge, const base::Vec3& p);
+
+/// Whether an edge is for certain farther from p than `distance`: a quick test.
+bool is_beyond(const model::Mesh& mesh, const Edge& edge, const base::Vec3& p, double distance);
+
 /// A 2D mesh with its neighbourhoods.
 class Host {
 public:

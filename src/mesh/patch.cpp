@@ -64,8 +64,7 @@ struct Work {
   const CrackLine* line = nullptr;
   const TipMesh* tip = nullptr;
   base::Span span;
-  Placement placement;
-  std::size_t graft = 0;
+  std::size_t graft = 0; ///< number of its placement and graft, with a patch
   std::vector<NodeId> path;
 };
 
@@ -78,11 +77,10 @@ public:
                                     std::span<const base::Span> spans) {
     bool good = true;
     for (std::size_t i = 0; i < lines.size(); ++i) {
-      Work work{&lines[i], &tips[i], spans[i], {}, 0, {}};
-      good = (tips[i].patch ? make_graft(work) : find_path(work)) && good;
-      work_.push_back(std::move(work));
+      Work& work = work_.emplace_back(Work{&lines[i], &tips[i], spans[i], 0, {}});
+      good = (tips[i].patch ? find_place(work) : find_path(work)) && good;
     }
-    if (!good || !cavities_are_apart() || !make_patches()) {
+    if (!good || !cut() || !make_patches()) {
       return std::nullopt;
     }
     result_ = graft(mesh_, grafts_);
@@ -101,41 +99,40 @@ private:
     return path.has_value();
   }
 
-  bool make_graft(Work& work) {
+  bool find_place(Work& work) {
     auto placement = place(host_, *work.line, *work.tip, work.span, diagnostics_);
-    if (!placement) {
-      return false;
+    if (placement) {
+      work.graft = placements_.size();
+      placements_.push_back(std::move(*placement));
     }
-    work.placement = std::move(*placement);
-    work.graft = grafts_.size();
-    Graft graft;
-    graft.frame = work.placement.frame;
-    graft.cavity = find_cavity(host_, work.placement);
-    const bool good = check_cavity(host_, work.placement, graft.cavity, work.span, diagnostics_);
-    grafts_.push_back(std::move(graft));
-    return good;
+    return placement.has_value();
   }
 
-  bool cavities_are_apart() {
-    std::vector<const Work*> owner(mesh_.element_count(), nullptr);
+  bool cut() {
+    Cavities cavities = find_cavities(host_, placements_);
+    std::vector<const Work*> with_patch;
     for (const Work& work : work_) {
-      if (!work.tip->patch) {
-        continue;
-      }
-      for (const ElementId e : grafts_[work.graft].cavity.elements) {
-        const Work*& other = owner[e.index()];
-        if (other != nullptr) {
-          diagnostics_.error(work.span, "E428",
-                             fmt::format("the patches of {} and {} meet at element {}",
-                                         other->line->title(), work.line->title(),
-                                         mesh_.element_label[e.index()]),
-                             "refine the net there, or give smaller RADIUS on $TIPNET");
-          return false;
-        }
-        other = &work;
+      if (work.tip->patch) {
+        with_patch.push_back(&work);
       }
     }
-    return true;
+    if (cavities.clash) {
+      const Work& work = *with_patch[cavities.clash->second];
+      diagnostics_.error(work.span, "E428",
+                         fmt::format("the patches of {} and {} meet",
+                                     with_patch[cavities.clash->first]->line->title(),
+                                     work.line->title()),
+                         "refine the net there, or give a smaller RADIUS on $TIPNET");
+      return false;
+    }
+    bool good = true;
+    for (const Work* work : with_patch) {
+      Cavity& cavity = cavities.each[work->graft];
+      good =
+          check_cavity(host_, placements_[work->graft], cavity, work->span, diagnostics_) && good;
+      grafts_.push_back({{}, std::move(cavity), placements_[work->graft].frame, {}});
+    }
+    return good;
   }
 
   bool make_patches() {
@@ -152,7 +149,7 @@ private:
   bool make_patch(const Work& work, Graft& graft) {
     std::string trouble;
     for (const double fineness : {1.0, 2.0, 4.0}) {
-      graft.patch = build_patch(host_, work.placement, graft.cavity, *work.tip, fineness);
+      graft.patch = build_patch(host_, placements_[work.graft], graft.cavity, *work.tip, fineness);
       trouble = graft.patch.trouble;
       if (trouble.empty()) {
         const auto bad = worst_element(graft.patch);
@@ -195,7 +192,7 @@ private:
   void add_half_lip(const Work& work) {
     CrackedMesh::Lips lips;
     const bool left = work.tip->patch
-                          ? work.placement.half > 0
+                          ? placements_[work.graft].half > 0
                           : body_on_left(host_, work.path[0], work.path[path_step(work)]);
     (left ? lips.left : lips.right) = work.path;
     result_.lips.push_back(std::move(lips));
@@ -214,8 +211,8 @@ private:
     tip.symmetric_half = work.line->symmetric_half;
     std::string note;
     if (work.tip->patch) {
-      const CrackFrame& frame = work.placement.frame;
-      const double t = work.placement.direction;
+      const CrackFrame& frame = placements_[work.graft].frame;
+      const double t = placements_[work.graft].direction;
       tip.direction = (frame.global(Vec2(std::cos(t), std::sin(t))) - frame.origin).normalized();
       tip.size = work.tip->size;
       tip.radius = work.tip->radius;
@@ -245,6 +242,7 @@ private:
   Host host_;
   base::Diagnostics& diagnostics_;
   std::vector<Work> work_;
+  std::vector<Placement> placements_;
   std::vector<Graft> grafts_;
   CrackedMesh result_;
 };
@@ -297,7 +295,7 @@ std::vector<ElementId> crack_region(const model::Mesh& host, std::span<const Cra
     std::vector<ElementId> core;
     if (tips[i].patch) {
       if (const auto placement = place(neighbours, lines[i], tips[i], {}, ignored)) {
-        core = find_cavity(neighbours, *placement).elements;
+        core = find_cavities(neighbours, {&*placement, 1}).each.front().elements;
       }
     } else if (const auto path = path_nodes(neighbours, lines[i], {}, ignored)) {
       for (const NodeId n : *path) {

@@ -76,8 +76,9 @@ TipMesh choose_tip_mesh(const model::Mesh& host, const CrackLine& line,
 
 /// Cuts the cracks into the host. Cracks that cannot be placed (touch no element, leave the body,
 /// cross a material boundary) are reported at the crack's card (`span[i]`) and give an empty
-/// result. Patches are meshed in the crack's frame with coordinates divided by a and rounded to
-/// 2^-40, so that units and position do not change the mesh. Always cuts from the host.
+/// result. Patches are meshed in the crack's frame, coordinates divided by a and rounded (to 2^-26,
+/// for the choice of elements only), so that units and position do not change the mesh. Always cuts
+/// from the host.
 std::optional<CrackedMesh> insert_cracks(const model::Mesh& host, std::span<const CrackLine> lines,
                                          std::span<const TipMesh> tips,
                                          std::span<const base::Span> spans,

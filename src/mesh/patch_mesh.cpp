@@ -2,6 +2,7 @@
 #include "mesh/patch_mesh.hpp"
 
 #include "mesh/fill.hpp"
+#include "shape/shape.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +26,8 @@ int PatchNet::new_node(const Vec3& x) {
   return static_cast<int>(nodes.size()) - 1;
 }
 
-int PatchNet::new_node(const Vec2& local) {
-  nodes.push_back({frame_.global(local), local, {}});
+int PatchNet::new_node(const Vec2& place) {
+  nodes.push_back({frame_.global(place), {rounded(place.x()), rounded(place.y())}, {}});
   return static_cast<int>(nodes.size()) - 1;
 }
 
@@ -75,7 +76,11 @@ private:
   using Pair = std::pair<int, int>;
 
   [[nodiscard]] Vec2 local(const Edge& edge, double xi) const {
-    return place_.frame.local(point_on(host_.mesh(), edge, xi));
+    const Vec2 a = place_.frame.local(host_.mesh().x[edge.a.index()]);
+    const Vec2 b = place_.frame.local(host_.mesh().x[edge.b.index()]);
+    const Vec2 m = place_.frame.local(host_.mesh().x[edge.mid.index()]);
+    const Eigen::Vector3d N = shape::Line3::N(shape::Point<1>(xi));
+    return N[0] * a + N[1] * b + N[2] * m;
   }
   /// An edge of the host along which a half crack and its ligament run.
   [[nodiscard]] bool on_line(const OutlineEdge& edge) const {
@@ -89,6 +94,14 @@ private:
            (!place_.mouth.node.valid() || place_.mouth.node == edge.edge.mid);
   }
 
+  /// Where on an edge the mouth is; 1 if it is elsewhere.
+  [[nodiscard]] double split_at(const OutlineEdge& edge) const {
+    if (!has_mouth(edge)) {
+      return 1.0;
+    }
+    return place_.mouth.node.valid() ? 0.0 : place_.mouth.xi;
+  }
+
   void set_sizes(double fineness) {
     const std::size_t rim = rosette_.rim.size();
     for (std::size_t j = 0; j + (place_.half != 0 ? 1 : 0) < rim; ++j) {
@@ -99,6 +112,11 @@ private:
       for (const OutlineEdge& edge : loop) {
         const double length = (local(edge.edge, 1.0) - local(edge.edge, -1.0)).norm();
         size_.add(local(edge.edge, 0.0), edge.free ? length / fineness : length);
+        if (has_mouth(edge)) { // the shorter part may be short indeed
+          const double xi = split_at(edge);
+          size_.add(local(edge.edge, 0.5 * (xi - 1.0)), 0.5 * (1.0 + xi) * length);
+          size_.add(local(edge.edge, 0.5 * (xi + 1.0)), 0.5 * (1.0 - xi) * length);
+        }
       }
     }
   }
@@ -135,9 +153,7 @@ private:
     std::vector<double> xi{-1.0, 1.0};
     if (edge.free) {
       const auto curve = [&](double t) { return local(e, t); };
-      const double split = !has_mouth(edge)             ? 1.0
-                           : place_.mouth.node == e.mid ? 0.0
-                                                        : place_.mouth.xi;
+      const double split = split_at(edge);
       xi = divide(curve, -1.0, split, size_);
       if (split < 1.0) {
         const std::vector<double> rest = divide(curve, split, 1.0, size_);
@@ -197,9 +213,11 @@ private:
   /// Corner nodes of the crack from the mouth to the rosette, then through it to the tip.
   void add_crack() {
     std::vector<int> lip{mouth_};
+    const Vec2 back(std::cos(place_.direction), std::sin(place_.direction));
+    const Vec2 end = place_.tip() - place_.radius * back;
     for (std::size_t k = 1; k < place_.line.size(); ++k) {
       const bool last = k + 1 == place_.line.size();
-      const Vec2 to = last ? net_.local(rosette_.behind.back()) : place_.line[k];
+      const Vec2 to = last ? end : place_.line[k];
       const std::vector<int> inner = add_stretch(place_.line[k - 1], to);
       lip.insert(lip.end(), inner.begin(), inner.end());
       lip.push_back(last ? rosette_.behind.back() : net_.new_node(to));

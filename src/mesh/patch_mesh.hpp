@@ -13,7 +13,7 @@ namespace spricka::mesh {
 /// A node of a patch: one of the host's, or new.
 struct PatchNode {
   base::Vec3 x = base::Vec3::Zero();
-  base::Vec2 local = base::Vec2::Zero(); ///< in the crack's frame
+  base::Vec2 local = base::Vec2::Zero(); ///< in the crack's frame, rounded
   base::NodeId host;
 };
 
@@ -46,7 +46,8 @@ public:
 
   int host_node(base::NodeId n);
   int new_node(const base::Vec3& x);
-  int new_node(const base::Vec2& local);
+  /// At a place in the crack's frame, which is not rounded.
+  int new_node(const base::Vec2& place);
   /// The node in the middle of an edge, made half way if the edge has none.
   int mid(int a, int b);
   void set_mid(int a, int b, int node) { mid_[std::minmax(a, b)] = node; }

@@ -22,39 +22,6 @@ constexpr double on_boundary = 1e-3;
 /// A mouth this near to a node is at the node.
 constexpr double at_node = 1e-6;
 
-struct Projection {
-  double xi = 0.0;
-  double distance = std::numeric_limits<double>::max();
-  double chord = 0.0;
-};
-
-/// Nearest point of an edge: samples, then Gauss-Newton on the distance.
-Projection project(const model::Mesh& mesh, const Edge& edge, const Vec3& p) {
-  Projection best;
-  best.chord = (mesh.x[edge.b.index()] - mesh.x[edge.a.index()]).norm();
-  const auto meet = [&](double xi) {
-    const double d = (point_on(mesh, edge, xi) - p).norm();
-    if (d < best.distance) {
-      best.distance = d;
-      best.xi = xi;
-    }
-  };
-  for (int i = 0; i <= 8; ++i) {
-    meet(-1.0 + 0.25 * i);
-  }
-  for (int i = 0; i < 30; ++i) {
-    constexpr double h = 1e-5; // the curve is a parabola: central differences are exact
-    const double xi = best.xi;
-    const Vec3 tangent = (point_on(mesh, edge, xi + h) - point_on(mesh, edge, xi - h)) / (2.0 * h);
-    const double step = (p - point_on(mesh, edge, xi)).dot(tangent) / tangent.squaredNorm();
-    if (std::abs(step) < 1e-15) {
-      break;
-    }
-    meet(std::clamp(xi + step, -1.0, 1.0));
-  }
-  return best;
-}
-
 double length_of(const std::vector<Vec3>& points) {
   double length = 0.0;
   for (std::size_t i = 1; i < points.size(); ++i) {
@@ -85,12 +52,12 @@ Found find_mouth(const Host& host, const CrackLine& line) {
     }
     const Edge edge = edge_of(mesh, face);
     const double chord = (mesh.x[edge.b.index()] - mesh.x[edge.a.index()]).norm();
-    if ((mesh.x[edge.a.index()] - start).norm() - 2.0 * chord > found.distance) {
+    if (is_beyond(mesh, edge, start, found.distance)) {
       continue;
     }
-    const Projection p = project(mesh, edge, start);
-    if (p.distance < found.distance - 1e-9 * p.chord) {
-      found = {{face, p.xi, {}}, point_on(mesh, edge, p.xi), p.distance, p.chord};
+    const EdgePoint p = nearest_on(mesh, edge, start);
+    if (p.distance < found.distance - 1e-9 * chord) {
+      found = {{face, p.xi, {}}, point_on(mesh, edge, p.xi), p.distance, chord};
     }
   }
   if (found.distance <= on_boundary * found.chord) {
@@ -127,25 +94,21 @@ int side_of_body(const Host& host, const CrackFrame& frame) {
 
 double tip_clearance(const Host& host, const CrackFrame& frame, const std::vector<Vec2>& line,
                      bool half, base::NetId net) {
-  const Vec2& tip = line.back();
+  const model::Mesh& mesh = host.mesh();
+  const Vec3 tip = frame.global(line.back());
   const Vec2 along = (line.back() - line[line.size() - 2]).normalized();
+  const auto on_line = [&](const Edge& edge) {
+    return std::abs(cross(along, frame.exact(mesh.x[edge.a.index()]) - line.back())) < same &&
+           std::abs(cross(along, frame.exact(mesh.x[edge.b.index()]) - line.back())) < same;
+  };
   double least = std::numeric_limits<double>::max();
   for (const model::Face& face : host.boundary()) {
-    if (!in_net(host, face, net)) {
-      continue;
-    }
-    const Edge edge = edge_of(host.mesh(), face);
-    std::array<Vec2, 3> p;
-    for (std::size_t i = 0; i < 3; ++i) {
-      p[i] = frame.local(point_on(host.mesh(), edge, static_cast<double>(i) - 1.0));
-    }
-    const bool on_line = std::all_of(
-        p.begin(), p.end(), [&](const Vec2& q) { return std::abs(cross(along, q - tip)) < same; });
-    if (!(half && on_line)) {
-      least = std::min({least, distance(tip, p[0], p[1]), distance(tip, p[1], p[2])});
+    const Edge edge = edge_of(mesh, face);
+    if (in_net(host, face, net) && !is_beyond(mesh, edge, tip, least) && !(half && on_line(edge))) {
+      least = std::min(least, nearest_on(mesh, edge, tip).distance);
     }
   }
-  return least;
+  return least / frame.a;
 }
 
 std::optional<Placement> place(const Host& host, const CrackLine& line, const TipMesh& tip,
@@ -168,15 +131,16 @@ std::optional<Placement> place(const Host& host, const CrackLine& line, const Ti
   frame.a = length_of(line.points);
   frame.e1 = (line.points[1] - line.points[0]).normalized();
   for (const Vec3& p : line.points) {
-    result.line.push_back(frame.local(p - line.points[0] + found.at));
+    result.line.push_back(frame.exact(p - line.points[0] + found.at));
   }
+  result.line[0].setZero();
   if (result.line.size() == 2) {
     result.line[1] = {1.0, 0.0};
   }
   const Vec2 last = result.line.back() - result.line[result.line.size() - 2];
   result.direction = result.line.size() == 2 ? 0.0 : std::atan2(last.y(), last.x());
-  result.radius = rounded(tip.radius / frame.a);
-  result.size = rounded(tip.size / frame.a);
+  result.radius = tip.radius / frame.a;
+  result.size = tip.size / frame.a;
   if (line.symmetric_half) {
     result.half = side_of_body(host, frame);
     if (result.half == 0 || result.line.size() != 2) {

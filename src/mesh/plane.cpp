@@ -58,15 +58,18 @@ double distance(const std::vector<Vec2>& polygon, const std::vector<Vec2>& polyl
 }
 
 double rounded(double x) {
-  static constexpr double grid = 1099511627776.0; // 2^40
+  static constexpr double grid = 67108864.0; // 2^26
   return std::round(x * grid) / grid;
 }
 
-Vec2 CrackFrame::local(const Vec3& x) const {
+Vec2 CrackFrame::exact(const Vec3& x) const {
   const Vec3 d = (x - origin) / a;
-  const double u = d.x() * e1.x() + d.y() * e1.y();
-  const double v = d.y() * e1.x() - d.x() * e1.y();
-  return {rounded(u), rounded(v)};
+  return {d.x() * e1.x() + d.y() * e1.y(), d.y() * e1.x() - d.x() * e1.y()};
+}
+
+Vec2 CrackFrame::local(const Vec3& x) const {
+  const Vec2 u = exact(x);
+  return {rounded(u.x()), rounded(u.y())};
 }
 
 Vec3 CrackFrame::global(const Vec2& x) const {

@@ -23,18 +23,20 @@ bool inside(const base::Vec2& p, const std::vector<base::Vec2>& polygon);
 /// Distance between a filled polygon and a polyline; 0 if they meet.
 double distance(const std::vector<base::Vec2>& polygon, const std::vector<base::Vec2>& polyline);
 
-/// To a multiple of 2^-40.
+/// To a multiple of 2^-26: much coarser than round-off, so that it almost never sees it, much finer
+/// than any element.
 double rounded(double x);
 
 /// A frame that goes with a crack: origin at the mouth, x along its first segment, lengths divided
-/// by `a`. Coordinates in it are rounded to 2^-40, so that the deck's unit and the crack's place do
-/// not change what follows from them.
+/// by `a`. Coordinates in it are rounded: they serve decisions only, which the deck's unit and the
+/// crack's place must not change, ties among them.
 struct CrackFrame {
   base::Vec3 origin = base::Vec3::Zero();
   base::Vec3 e1 = base::Vec3::UnitX();
   double a = 1.0;
 
-  [[nodiscard]] base::Vec2 local(const base::Vec3& x) const;
+  [[nodiscard]] base::Vec2 exact(const base::Vec3& x) const;
+  [[nodiscard]] base::Vec2 local(const base::Vec3& x) const; ///< rounded
   [[nodiscard]] base::Vec3 global(const base::Vec2& x) const;
 };
 

@@ -71,11 +71,11 @@ void add_head(Page& page, const std::string& title, const base::Sources& sources
               const model::Model& model) {
   const base::UnitSystem& units = model.units;
   page.add(fmt::format("<h1>{}</h1>\n", escape(title)));
-  page.add(fmt::format("<p class=\"about\">Deck {}, computed by spricka {}. Units: {}, {}, {}; "
-                       "stress intensity in {}.</p>\n",
-                       escape(sources.count() > 0 ? sources.name(0) : ""), SPRICKA_VERSION,
-                       units.length_name, units.force_name, units.stress_name(),
-                       print_unit(units.stress_intensity_name())));
+  page.add(fmt::format(
+      "<p class=\"about\">Deck {}, computed by spricka {}. Units: {}, {}, {}{}.</p>\n",
+      escape(sources.count() > 0 ? sources.name(0) : ""), SPRICKA_VERSION, units.length_name,
+      units.force_name, units.stress_name(),
+      model.cracks.empty() ? "" : "; K in " + print_unit(units.stress_intensity_name())));
 }
 
 void add_verdict(Page& page, const results::Run& run) {

@@ -302,7 +302,7 @@ Table reference_table(const model::Model& model, const results::Run& run) {
                {"source", "", true}},
               {}};
   for (const Reference& r : k_references(model, run)) {
-    table.rows.push_back({r.tip, r.step, fmt::format("{:.4g}", r.a), fmt::format("{:.1f}", r.found),
+    table.rows.push_back({r.tip, r.step, fmt::format("{:.4g}", r.a), fmt::format("{:.5g}", r.found),
                           fmt::format("{:.5g}", r.wanted), percent(r), r.source});
   }
   return table;

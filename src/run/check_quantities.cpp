@@ -95,6 +95,22 @@ const results::ContactResult& contact_of(const results::StepResult& step,
   return *found;
 }
 
+double recovered(const results::ContactPoint& p, bool consistent) {
+  return consistent ? p.p_consistent : p.p_lumped;
+}
+
+double extreme_pressure(const results::ContactResult& contact, bool consistent, bool largest) {
+  if (contact.points.empty()) {
+    throw Missing("the contact has no surface");
+  }
+  double found = recovered(contact.points.front(), consistent);
+  for (const results::ContactPoint& p : contact.points) {
+    const double value = recovered(p, consistent);
+    found = largest ? std::max(found, value) : std::min(found, value);
+  }
+  return found;
+}
+
 // Between the two points next to theta; lips are met from their own side.
 double pressure_at(const results::ContactResult& contact, bool consistent, double theta) {
   constexpr double turn = 2.0 * std::numbers::pi;
@@ -116,11 +132,8 @@ double pressure_at(const results::ContactResult& contact, bool consistent, doubl
   if (below == nullptr || above == nullptr || up + down > 1.0) {
     throw Missing("no contact surface at that angle");
   }
-  const auto value = [&](const results::ContactPoint& p) {
-    return consistent ? p.p_consistent : p.p_lumped;
-  };
   const double t = up + down > 0.0 ? down / (up + down) : 0.0;
-  return (1.0 - t) * value(*below) + t * value(*above);
+  return (1.0 - t) * recovered(*below, consistent) + t * recovered(*above, consistent);
 }
 
 double contact_quantity(const model::Model& model, const std::string& quantity, Arguments& args,
@@ -147,11 +160,8 @@ double contact_quantity(const model::Model& model, const std::string& quantity, 
   if (quantity == "SUM") {
     return contact.force_on_slave[component];
   }
-  if (quantity == "CPRESS.MIN") {
-    return contact.min_pressure;
-  }
-  if (quantity == "CPRESS.MAX") {
-    return contact.max_pressure;
+  if (quantity == "CPRESS.MIN" || quantity == "CPRESS.MAX") {
+    return extreme_pressure(contact, consistent, quantity == "CPRESS.MAX");
   }
   if (quantity == "ARC.FROM") {
     return contact.arc_from;

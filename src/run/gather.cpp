@@ -79,7 +79,8 @@ void gather_contacts(const model::Model& model, const Scene& scene, const StepSt
     result.arc_to = p.arc_to;
     result.closed = p.closed;
     result.rows = static_cast<int>(pair.normal.size());
-    bool first = true;
+    result.min_pressure = p.min_pressure;
+    result.max_pressure = p.max_pressure;
     for (const contact::NodePressure& n : p.nodes) {
       results::ContactPoint point;
       point.node = n.node;
@@ -91,11 +92,6 @@ void gather_contacts(const model::Model& model, const Scene& scene, const StepSt
       point.gap = n.gap;
       point.closed = n.closed;
       point.lip = n.lip;
-      const double value = model.contacts[c].recovery == model::Recovery::lumped ? n.p_lumped
-                                                                                 : n.p_consistent;
-      result.min_pressure = first ? value : std::min(result.min_pressure, value);
-      result.max_pressure = first ? value : std::max(result.max_pressure, value);
-      first = false;
       result.points.push_back(point);
     }
     out.contacts.push_back(std::move(result));

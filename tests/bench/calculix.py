@@ -58,7 +58,7 @@ class Deck:
                  "*END STEP")
 
 
-def lug_deck(mesh):
+def lug_deck(mesh, stiffness=STIFFNESS):
     """Two steps: press fit, then the load as a body force of the shaft. No friction."""
     deck = Deck(mesh)
     for body, material in LUG_MATERIAL.items():
@@ -67,7 +67,7 @@ def lug_deck(mesh):
                                ("INNER", "SLEEVE", 30.0), ("PIN", "SHAFT", 30.0)):
         deck.surface(name, body, mesh.circle(body, radius))
     deck.add("*SURFACE INTERACTION, NAME=HARD", "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR",
-             f"{STIFFNESS:g}, 1e-6")
+             f"{stiffness:g}, 1e-6")
     for slave, master in (("BORE", "OUTER"), ("INNER", "PIN")):
         deck.add("*CONTACT PAIR, INTERACTION=HARD, TYPE=SURFACE TO SURFACE", f"{slave}, {master}")
     deck.node_set("END", np.flatnonzero(mesh.nodes[:, 0] < -232.5 + 1e-6))

@@ -3,7 +3,7 @@
 """Work against precision: spricka and CalculiX on the same problems, measured in the same go.
 
     tests/bench/work_precision.py [--spricka PROGRAM] [--only ccx|spricka] [--problem NAME ..]
-                                  [--levels N] [--repeat N] [--out FOLDER]
+                                  [--levels N] [--repeat N] [--stiffness K] [--out FOLDER]
 
 Writes work_precision.csv and work_precision.svg and prints the ratios. Needs the packages
 calculix-ccx, gmsh and python3-numpy. One thread each; CPU is user + system time of the whole
@@ -23,7 +23,9 @@ import plane_mesh
 from stress_intensity import stress_intensities
 
 HERE = Path(__file__).resolve().parent
-FINE = (0.5, 1.0, 2.0, 4.0)  # mesh refinement of spricka's decks
+# spricka's refinements: mesh size divided by fine, sectors and rings of the rosette. The second is
+# what the program does when nothing is said.
+FINE = ((0.5, 12, 3), (1.0, 16, 4), (2.0, 24, 6), (4.0, 32, 8))
 
 
 @dataclass
@@ -34,7 +36,7 @@ class Problem:
     source: str
     step: str
     crack: str
-    prepare: object   # (folder, level) -> (mesh, ccx deck)
+    prepare: object   # (folder, level, contact stiffness) -> (mesh, ccx deck)
     direction: tuple  # of the crack ahead of its first tip
     body: str
     material: tuple
@@ -43,13 +45,13 @@ class Problem:
 
 
 def lug_problem(double):
-    def prepare(folder, level):
+    def prepare(folder, level, stiffness):
         mesh = plane_mesh.lug(folder, level, 10.8, double)
-        return mesh, calculix.lug_deck(mesh)
+        return mesh, calculix.lug_deck(mesh, stiffness)
     return prepare
 
 
-def strip_problem(folder, level):
+def strip_problem(folder, level, _):
     mesh = plane_mesh.edge_strip(folder, level, 0.5)
     return mesh, calculix.strip_deck(mesh)
 
@@ -87,8 +89,9 @@ class Row:
     code: int
 
 
-def run_ccx(name, problem, level, folder):
-    mesh, deck = problem.prepare(folder, level)
+def run_ccx(name, level, stiffness, folder):
+    problem = PROBLEMS[name]
+    mesh, deck = problem.prepare(folder, level, stiffness)
     cost, ends, facts = calculix.solve(deck, folder)
     K1 = K2 = math.nan
     if cost.code == 0 and ends:
@@ -119,10 +122,12 @@ def freedoms_of(folder):
     return 2 * int(nodes[-1]) if nodes else 0
 
 
-def run_spricka(program, name, problem, fine, folder):
+def run_spricka(program, name, refinement, folder):
+    fine, sectors, rings = refinement
+    problem = PROBLEMS[name]
     out = folder / "run"
     cost = measure.run([program, "run", HERE / "decks" / problem.deck, "--out", out, "-D",
-                        f"fine={fine:g}"], folder, "spricka.log")
+                        f"fine={fine:g}", "-D", f"sectors={sectors}", "-D", f"rings={rings}"], folder, "spricka.log")
     K1, K2, freedoms = math.nan, math.nan, 0
     if cost.code in (0, 1) and (out / "k.csv").exists():
         K1, K2 = read_k(out / "k.csv", problem)
@@ -193,6 +198,8 @@ def main():
     parser.add_argument("--problem", nargs="+", choices=PROBLEMS, default=list(PROBLEMS))
     parser.add_argument("--levels", type=int, default=4)
     parser.add_argument("--repeat", type=int, default=3, help="of spricka; ccx runs once")
+    parser.add_argument("--stiffness", type=float, default=calculix.STIFFNESS,
+                        help="of ccx's contact, N/mm^3")
     parser.add_argument("--out", type=Path, default=Path("work_precision.run"))
     options = parser.parse_args()
     rows = []
@@ -204,10 +211,10 @@ def main():
             folder.mkdir(parents=True, exist_ok=True)
             if options.only != "ccx":
                 rows.append(best_of(options.repeat, lambda: run_spricka(
-                    options.spricka, name, problem, FINE[level], folder)))
+                    options.spricka, name, FINE[level], folder)))
                 show(rows[-1])
             if options.only != "spricka":
-                rows.append(run_ccx(name, problem, level, folder))
+                rows.append(run_ccx(name, level, options.stiffness, folder))
                 show(rows[-1])
     with open(options.out / "work_precision.csv", "w", newline="") as file:
         writer = csv.DictWriter(file, list(asdict(rows[0])))

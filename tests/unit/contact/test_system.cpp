@@ -12,11 +12,10 @@ namespace {
 
 // A body of two freedoms x, y at node 0 that floats in x and is held in y by a spring of 4.
 TEST(CondensedBody, PseudoInverseLeavesTheFreeModeOut) {
-  base::Matrix S = base::Matrix::Zero(2, 2);
-  S(1, 1) = 4.0;
   base::Matrix modes(2, 1);
   modes << 3.0, 0.0;
-  const contact::CondensedBody body({0, 1}, S, modes);
+  const contact::CondensedBody body({0, 1}, base::Vector(Eigen::Vector2d(0.0, 4.0)).asDiagonal(),
+                                    modes);
   ASSERT_TRUE(body.ok());
   base::Matrix F(2, 1);
   F << 5.0, 2.0;

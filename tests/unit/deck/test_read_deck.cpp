@@ -131,6 +131,28 @@ TEST(ReadDeck, WhatHasNoAnalysisIsNotedNotIgnored) {
                                             "$STEP DISMOUNT"}));
 }
 
+TEST(ReadDeck, LoadValuesAndPrescribedFreedoms) {
+  const Folder folder;
+  const auto read = [&](const std::string& load) {
+    return Reading(folder, k_square +
+                               "$NSET NAME=A\n 1 2\n$NSET NAME=B\n 3\n"
+                               "$FREEDOM CLASS=PRESCRIBED DOF=X\n A\n$LOAD CASE=C TYPE=" +
+                               load + "\n$END\n");
+  };
+  const Reading one = read("DISP\n A 1");
+  ASSERT_TRUE(one.model) << one.messages();
+  EXPECT_EQ(one.model->cases[0].loads[0].value.size(), 2U); // what is left out is zero
+  EXPECT_EQ(read("DISP\n A 1 1").codes(), "E319");
+  EXPECT_EQ(read("DISP\n B 1 0").codes(), "E319");
+  EXPECT_EQ(read("DISP\n A 1 0 0").codes(), "E312");
+  EXPECT_EQ(read("FORCE\n A").codes(), "E312");
+  EXPECT_EQ(read("PRESSURE\n A 1 2").codes(), "E312");
+  EXPECT_EQ(read("PRESSURE\n B 1").codes(), "E311");
+  EXPECT_EQ(read("TRACTION\n A 1[N]").codes(), "E205");
+  EXPECT_EQ(read("BODY\n A 1").codes(), "E301");
+  EXPECT_EQ(read("RESULTANT\n PLATE 1[kN]").codes(), "");
+}
+
 TEST(ReadDeck, AFreeCrackOfOnePointAndGrowth) {
   const Folder folder;
   const Reading r(folder, k_square + "$CRACK NAME=C ANGLE=90[deg] A0=0.2\n 0.5 0\n"
@@ -147,6 +169,20 @@ TEST(ReadDeck, AFreeCrackOfOnePointAndGrowth) {
   EXPECT_EQ(m.vces.at(0).domains, (std::vector<int>{1, 2, 3}));
   EXPECT_EQ(m.growth->lengths.size(), 3U);
   EXPECT_EQ(std::get<std::string>(m.checks.at(0).arguments.at(0)), "C.2");
+}
+
+TEST(ReadDeck, ChecksAtAPoint) {
+  const Folder folder;
+  const auto arguments = [&](const std::string& quantity) {
+    const Reading r(folder, k_square + "$PARAMETER\n h = 2\n$STEP NAME=S\n$CHECK\n " + quantity +
+                                " = 1 ABS 1\n$END\n");
+    EXPECT_TRUE(r.model) << r.messages();
+    return r.model ? r.model->checks.at(0).arguments.size() : 0;
+  };
+  EXPECT_EQ(arguments("U.X.AT(1, h/2, S)"), 3U);
+  EXPECT_EQ(arguments("U.X.AT(1, 2, h, S)"), 4U);
+  EXPECT_EQ(arguments("U.X.AT(1, 2, S, 0.5)"), 4U);
+  EXPECT_EQ(arguments("U.X.AT(1, 2, 3, S, 0.5)"), 5U);
 }
 
 TEST(ReadDeck, ADeckThatCannotBeReadThrows) {

@@ -14,6 +14,7 @@ using base::ElementType;
 using base::Vec2;
 using base::Vec3;
 using base::Vector;
+using test::Cells;
 
 constexpr double E = 200.0;
 constexpr double nu = 0.3;
@@ -137,6 +138,24 @@ TEST(stress, nodes_between_two_properties_keep_to_the_first) {
   // On the border the element found first decides; never a mixture.
   const double border = (*stress_at(model, model.mesh, u, Vec3(0.5, 0.5, 0.0)))[0];
   EXPECT_NEAR(border, E, 1e-10 * E);
+}
+
+// Two bodies that touch (a contact, or the lips of a crack) share a place but no node.
+TEST(stress, is_never_mixed_from_two_bodies) {
+  model::Model model = test::plane_model(E, nu, model::State::plane_stress);
+  Cells cells = test::unit_grid(1, 1);
+  for (int i = 0; i < 4; ++i) {
+    cells.points.push_back(cells.points[static_cast<std::size_t>(i)] + Vec2(1.0, 0.0));
+  }
+  cells.cells.push_back({4, 5, 7, 6});
+  model.mesh = test::make_mesh(ElementType::quam4, cells);
+  Vector u = Vector::Zero(16);
+  for (const Eigen::Index n : {5, 7}) {
+    u[2 * n] = 1.0; // only the right body is stretched
+  }
+  const auto s = stress_at(model, model.mesh, u, Vec3(1.0, 0.5, 0.0));
+  ASSERT_TRUE(s.has_value());
+  EXPECT_EQ(s->norm(), 0.0);
 }
 
 TEST(stress, takes_points_of_an_arc_between_the_nodes) {

@@ -42,6 +42,7 @@ void add_solid(model::Mesh& mesh, ElementType type) {
     }
   }
   std::vector<base::NodeId> nodes;
+  nodes.reserve(x.size());
   for (const base::Vec3& p : x) {
     nodes.push_back(model::add_node(mesh, p, 1, base::NetId(0)));
   }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/parallel.hpp"
 #include "solve/condense.hpp"
 
 #include <Eigen/Cholesky>
@@ -246,6 +247,23 @@ TEST(Condensation, RepeatsToTheLastBit) {
     const Condensation b(K, e, ordering);
     EXPECT_TRUE(same_bits(a.schur(), b.schur()));
     EXPECT_TRUE(same_bits(a.recover(f.topRows(e), f), b.recover(f.topRows(e), f)));
+  }
+}
+
+TEST(Condensation, SideBySideGivesTheSameBits) {
+  std::vector<SymmetricCsc> K;
+  std::vector<std::int64_t> externals;
+  for (const int side : {18, 23, 30, 21}) {
+    SpringNet net(side, 0.5);
+    externals.push_back(net.put_last([side](int x, int) { return x == side - 1; }));
+    K.push_back(net.matrix());
+  }
+  std::vector<Matrix> together(K.size());
+  base::parallel_for(K.size(), 4, [&](std::size_t i) {
+    together[i] = Condensation(K[i], externals[i], Ordering::metis).schur();
+  });
+  for (std::size_t i = 0; i < K.size(); ++i) {
+    EXPECT_TRUE(same_bits(together[i], Condensation(K[i], externals[i], Ordering::metis).schur()));
   }
 }
 
