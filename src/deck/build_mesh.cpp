@@ -213,7 +213,9 @@ bool sizes_fit(Context& c, const BoundCard& card) {
 
 void import(Context& c, const BoundCard& card) {
   mesh::ImportRequest request;
-  request.file = c.folder / std::string(card.word("FILE"));
+  // Relative to the file that the card stands in, as $INCLUDE is.
+  request.file = std::filesystem::path(c.sources.name(card.span.file)).parent_path() /
+                 std::string(card.word("FILE"));
   request.format = card.is("FORMAT", "GEO") ? mesh::ImportFormat::geo : mesh::ImportFormat::msh;
   request.scale = card.number("SCALE");
   request.quadratic = card.is("TYPE", "QUADRATIC");

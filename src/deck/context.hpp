@@ -8,7 +8,6 @@
 #include "model/model.hpp"
 
 #include <cstdint>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -29,7 +28,6 @@ struct ElementOrigin {
 struct Context {
   base::Sources& sources;
   base::Diagnostics& diagnostics;
-  std::filesystem::path folder; ///< of the deck: where its files are
   grammar::Scope scope{};
   std::vector<std::pair<std::string, double>> parameters{}; ///< as written
   Names names{};

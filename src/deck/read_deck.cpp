@@ -11,7 +11,7 @@ namespace spricka::deck {
 std::optional<model::Model> read_deck(const std::filesystem::path& deck, const ReadOptions& options,
                                       base::Sources& sources, base::Diagnostics& diagnostics) {
   const LoadedDeck loaded = load_deck(deck, sources, diagnostics);
-  Context context{sources, diagnostics, deck.parent_path()};
+  Context context{sources, diagnostics};
   if (loaded.incomplete) {
     context.names.poison_everything();
     context.scope.incomplete = true;

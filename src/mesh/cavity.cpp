@@ -221,27 +221,23 @@ bool starts_inside(const Host& host, const Placement& placement, const Cavity& c
   const auto angle = [&](const Vec2& p) { // from the crack, in (-pi, pi]
     return std::atan2(cross(along, p), along.dot(p));
   };
-  double ahead = 0.0;
-  double before = 0.0;
   for (const std::vector<OutlineEdge>& loop : cavity.loops) {
+    std::vector<Vec2> points;
     for (const OutlineEdge& edge : loop) {
-      if (!edge.free) {
-        continue;
-      }
       const std::vector<Vec2> curve = fine_curve(host.mesh(), edge.edge, placement);
-      const auto mouth =
-          std::find_if(curve.begin(), curve.end(), [](const Vec2& p) { return p.norm() < same; });
-      if (mouth == curve.end()) {
-        continue;
-      }
+      points.insert(points.end(), curve.begin(), curve.end() - 1);
+    }
+    const auto mouth =
+        std::find_if(points.begin(), points.end(), [](const Vec2& p) { return p.norm() < same; });
+    if (mouth != points.end()) {
+      std::rotate(points.begin(), mouth, points.end());
       const auto away = [](const Vec2& p) { return p.norm() >= 0.5 * at_mouth; };
-      const auto next = std::find_if(mouth, curve.end(), away);
-      const auto last = std::find_if(std::make_reverse_iterator(mouth), curve.rend(), away);
-      ahead = next != curve.end() ? angle(*next) : ahead;
-      before = last != curve.rend() ? angle(*last) : before;
+      const auto ahead = std::find_if(points.begin(), points.end(), away);
+      const auto before = std::find_if(points.rbegin(), points.rend(), away);
+      return angle(*ahead) < 0.0 && angle(*before) > 0.0;
     }
   }
-  return ahead < 0.0 && before > 0.0;
+  return false;
 }
 
 bool leaves_body(const Host& host, const Placement& placement, const Cavity& cavity) {

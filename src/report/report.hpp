@@ -20,6 +20,16 @@ void write_k_csv(const std::filesystem::path& file, const model::Model& model,
 void write_pressure_csv(const std::filesystem::path& file, const model::Model& model,
                         const results::Run& run);
 
+/// The table that a card $OUTPUT FORMAT=CSV asks for, one value a row:
+/// increment,step,quantity,name,node,x,y,component,value. EVERY=STEP: each step; INCREMENT: KMAX of
+/// a growth run, else the last step, of each length; END: that step of the last length.
+void write_requested_csv(const std::filesystem::path& file, const model::Model& model,
+                         const model::Output& output, const results::Run& run);
+
+/// The steps of an increment that an output card wants, by index.
+std::vector<std::size_t> wanted_steps(const model::Model& model, const model::Output& output,
+                                      bool last_increment);
+
 /// One .vtu for an increment and step: cells of all types, displacement, stress (6 components,
 /// nodal), von Mises, net number. Appended binary, zlib.
 void write_vtu(const std::filesystem::path& file, const model::Model& model,

@@ -24,13 +24,19 @@ void print_diagnostics(const base::Sources& sources, const base::Diagnostics& di
   fmt::print(stderr, "{}", base::format(sources, diagnostics));
 }
 
-// Cards that are understood but not available: each with its place.
-void print_unavailable(const base::Sources& sources, const model::Model& model) {
+// Cards that are understood but not available: each with its place. False if there is one.
+bool all_available(const base::Sources& sources, const model::Model& model) {
   base::Diagnostics list;
+  for (const model::Output& output : model.outputs) {
+    if (output.format == model::OutputFormat::json) {
+      list.error(output.span, "E500", "FORMAT=JSON is not available in this version");
+    }
+  }
   for (const model::Unavailable& u : model.unavailable) {
     list.error(u.span, "E500", fmt::format("{} is not available in this version", u.what));
   }
   print_diagnostics(sources, list);
+  return !list.has_errors();
 }
 
 void print_refusal(const base::Sources& sources, const Refusal& refusal) {
@@ -140,9 +146,13 @@ int run_deck(const RunOptions& given) {
     if (!model || diagnostics.has_errors()) {
       return exit_code::deck_error;
     }
-    if (!model->unavailable.empty()) {
-      print_unavailable(sources, *model);
+    if (!all_available(sources, *model)) {
       return exit_code::not_solvable;
+    }
+    if (model->steps.empty()) {
+      fmt::print(stderr, "{}: error E405: the deck has no $STEP, so there is nothing to solve\n",
+                 options.deck.string());
+      return exit_code::deck_error;
     }
     if (options.check_only) {
       fmt::print("{}: no mistakes found\n", options.deck.string());

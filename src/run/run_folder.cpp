@@ -27,7 +27,18 @@ void write_text(const fs::path& file, const std::string& text) {
   }
 }
 
+// Names of the pictures: those of the first VTU output of the deck, else "results".
+std::string picture_stem(const model::Model& model) {
+  for (const model::Output& output : model.outputs) {
+    if (output.format == model::OutputFormat::vtu) {
+      return fs::path(output.file).stem().string();
+    }
+  }
+  return "results";
+}
+
 void write_pictures(const fs::path& folder, const model::Model& model, const results::Run& run) {
+  const std::string stem = picture_stem(model);
   std::vector<std::pair<double, std::string>> entries;
   double time = 0.0;
   for (const results::Increment& increment : run.increments) {
@@ -36,12 +47,20 @@ void write_pictures(const fs::path& folder, const model::Model& model, const res
       if (step.stress.empty()) {
         continue;
       }
-      const std::string name = fmt::format("inc{:03}_{}.vtu", increment.number, step.step);
+      const std::string name = fmt::format("{}_{:03}_{}.vtu", stem, increment.number, step.step);
       report::write_vtu(folder / name, model, increment, step);
       entries.emplace_back(time, name);
     }
   }
-  report::write_pvd(folder / "results.pvd", entries);
+  report::write_pvd(folder / (stem + ".pvd"), entries);
+}
+
+void write_requested(const fs::path& folder, const model::Model& model, const results::Run& run) {
+  for (const model::Output& output : model.outputs) {
+    if (output.format == model::OutputFormat::csv) {
+      report::write_requested_csv(folder / fs::path(output.file).filename(), model, output, run);
+    }
+  }
 }
 
 } // namespace
@@ -73,6 +92,7 @@ void RunFolder::write(const base::Sources& sources, const model::Model& model,
   report::write_k_csv(part_ / "k.csv", model, run);
   report::write_pressure_csv(part_ / "pressure.csv", model, run);
   write_pictures(part_, model, run);
+  write_requested(part_, model, run);
   write_text(part_ / "report.html", report::html_report(sources, model, run));
   run.log.push_back({"OUTPUT", "tables, pictures, report", watch.cpu(), watch.wall()});
   run.cpu += watch.cpu();

@@ -4,6 +4,7 @@
 #include "base/clock.hpp"
 #include "fe/stress.hpp"
 #include "growth/crack_lines.hpp"
+#include "report/report.hpp"
 #include "run/gather.hpp"
 
 #include <algorithm>
@@ -27,9 +28,9 @@ private:
   base::Stopwatch watch_;
 };
 
-// Only the steps that will be pictured carry stresses: KMAX of a growth run, else the last step;
-// all when a VTU output asks for each step.
-std::vector<bool> pictured_steps(const model::Model& model) {
+// Stresses are recovered where something shows them: at KMAX of a growth run, else at the last
+// step, and where an output asks for pictures or stresses.
+std::vector<bool> pictured_steps(const model::Model& model, bool last_increment) {
   std::vector<bool> pictured(model.steps.size(), false);
   if (model.growth && model.growth->kmax.valid()) {
     pictured[model.growth->kmax.index()] = true;
@@ -37,8 +38,12 @@ std::vector<bool> pictured_steps(const model::Model& model) {
     pictured.back() = true;
   }
   for (const model::Output& output : model.outputs) {
-    if (output.format == model::OutputFormat::vtu && output.every == model::OutputEvery::step) {
-      pictured.assign(pictured.size(), true);
+    const bool stress = std::any_of(output.requests.begin(), output.requests.end(),
+                                    [](const auto& request) { return request.quantity == "S"; });
+    if (output.format == model::OutputFormat::vtu || stress) {
+      for (const std::size_t s : report::wanted_steps(model, output, last_increment)) {
+        pictured[s] = true;
+      }
     }
   }
   return pictured;
@@ -55,12 +60,6 @@ void add_stress(const model::Model& model, const model::Mesh& mesh, results::Ste
   }
 }
 
-/// What is carried from one crack length to the next.
-struct Carried {
-  RegionPlan plan;
-  CondensationCache cache;
-};
-
 std::size_t unknowns(const std::vector<BodyNet>& bodies) {
   std::size_t n = 0;
   for (const BodyNet& body : bodies) {
@@ -70,10 +69,8 @@ std::size_t unknowns(const std::vector<BodyNet>& bodies) {
   return n;
 }
 
-std::optional<std::vector<BodyNet>> condense(const model::Model& model, Scene& scene,
-                                             const SolveOptions& options, Carried& carried,
-                                             Log& log, std::optional<Refusal>& refusal) {
-  // A prescribed displacement loads the free freedoms by -K u.
+// Consistent loads with the pull of prescribed displacements: they load the free freedoms by -K u.
+base::Matrix loads_with_supports(const model::Model& model, const Scene& scene) {
   base::Matrix load = scene.case_load;
   std::vector<base::ElementId> all;
   for (std::size_t e = 0; e < scene.cracked.mesh.element_count(); ++e) {
@@ -86,99 +83,126 @@ std::optional<std::vector<BodyNet>> condense(const model::Model& model, Scene& s
       load.col(c) -= pull;
     }
   }
-  CondenseLog figures;
-  std::vector<BodyNet> bodies =
-      condense_bodies({model, scene.cracked.mesh, scene.cls, scene.rest_element, load,
-                       options.threads},
-                      carried.cache, figures);
-  if (!figures.trouble.empty()) {
-    refusal = Refusal{4, figures.trouble, {}};
-    return std::nullopt;
-  }
-  log.add("CONDENSE",
-          fmt::format("{} nets condensed, {} reused, {} unknowns, {:.3g} flops; stiffness {:.3f} "
-                      "s, analysis {:.3f} s, numeric {:.3f} s",
-                      figures.condensed, figures.reused, unknowns(bodies), figures.flops,
-                      figures.stiffness_cpu, figures.analysis_cpu, figures.numeric_cpu));
-  return bodies;
+  return load;
 }
 
-std::optional<results::Increment> solve_increment(const model::Model& model, double a,
-                                                  const SolveOptions& options, Carried& carried,
-                                                  results::Run& run,
-                                                  base::Diagnostics& diagnostics,
-                                                  std::optional<Refusal>& refusal) {
-  Log log(run.log);
-  std::optional<Scene> scene = make_scene(model, a, carried.plan, diagnostics);
-  if (!scene) {
-    return std::nullopt;
-  }
-  base::return_free_memory();
-  log.add("TOPOLOGY", fmt::format("a = {:.6g}: {} nodes, {} elements, {} contact rows, {} tips", a,
-                                  scene->cracked.mesh.node_count(),
-                                  scene->cracked.mesh.element_count(), scene->table.rows.size(),
-                                  scene->cracked.tips.size()));
-  const std::optional<std::vector<BodyNet>> bodies =
-      condense(model, *scene, options, carried, log, refusal);
-  if (!bodies) {
-    return std::nullopt;
-  }
-  StepSolver solver(model, *scene, *bodies);
-  log.add("CONTACT", "compliances of the contact rows");
-  results::Increment increment;
-  increment.a = a > 0.0 || scene->cracked.tips.empty() ? a : scene->cracked.tips.front().a;
-  increment.notes = scene->notes;
-  const std::vector<bool> pictured = pictured_steps(model);
-  for (std::size_t s = 0; s < model.steps.size(); ++s) {
-    Refusal why;
-    const std::optional<StepState> state = solver.solve(model.steps[s], why);
-    if (!state) {
-      why.why = fmt::format("step {}: {}", model.steps[s].name, why.why);
-      refusal = why;
+/// The loop over crack lengths; what one length leaves for the next stays in its members.
+class LengthLoop {
+public:
+  LengthLoop(const model::Model& model, const SolveOptions& options, base::Diagnostics& diagnostics,
+             std::optional<Refusal>& refusal)
+      : model_(model), options_(options), diagnostics_(diagnostics), refusal_(refusal) {}
+
+  std::optional<results::Run> solve() {
+    const base::Stopwatch watch;
+    const std::vector<double> lengths = growth::crack_lengths(model_);
+    plan_ = plan_region(model_, lengths, diagnostics_);
+    if (diagnostics_.has_errors()) {
       return std::nullopt;
     }
-    log.add("CONTACT", fmt::format("step {}: {} iterations, {} pivots, imbalance {:.1e}",
-                                   model.steps[s].name, state->iterations, state->pivots,
-                                   state->imbalance));
-    increment.steps.push_back(gather_step(model, *scene, *bodies, model.steps[s], *state));
-    if (pictured[s]) {
-      add_stress(model, scene->cracked.mesh, increment.steps.back());
+    for (std::size_t i = 0; i < lengths.size(); ++i) {
+      std::optional<results::Increment> increment =
+          solve_length(lengths[i], i + 1 == lengths.size());
+      if (!increment) {
+        return std::nullopt;
+      }
+      increment->number = static_cast<int>(i) + 1;
+      run_.increments.push_back(std::move(*increment));
+      if (options_.progress) {
+        options_.progress(i + 1, lengths.size());
+      }
     }
-    log.add("VCE", fmt::format("step {}: {} tips, pressures, balance", model.steps[s].name,
-                               scene->cracked.tips.size()));
+    run_.cpu = watch.cpu();
+    run_.wall = watch.wall();
+    run_.peak_memory = base::peak_memory();
+    return std::move(run_);
   }
-  increment.mesh = std::move(scene->cracked.mesh);
-  return increment;
-}
+
+private:
+  std::optional<results::Increment> solve_length(double a, bool last) {
+    Log log(run_.log);
+    std::optional<Scene> scene = make_scene(model_, a, plan_, diagnostics_);
+    if (!scene) {
+      return std::nullopt;
+    }
+    base::return_free_memory();
+    log.add("TOPOLOGY",
+            fmt::format("a = {:.6g}: {} nodes, {} elements, {} contact rows, {} tips", a,
+                        scene->cracked.mesh.node_count(), scene->cracked.mesh.element_count(),
+                        scene->table.rows.size(), scene->cracked.tips.size()));
+    const std::optional<std::vector<BodyNet>> bodies = condense(*scene, log);
+    if (!bodies) {
+      return std::nullopt;
+    }
+    results::Increment increment;
+    increment.a = a > 0.0 || scene->cracked.tips.empty() ? a : scene->cracked.tips.front().a;
+    increment.notes = scene->notes;
+    if (!walk_steps(*scene, *bodies, pictured_steps(model_, last), log, increment)) {
+      return std::nullopt;
+    }
+    increment.mesh = std::move(scene->cracked.mesh);
+    return increment;
+  }
+
+  std::optional<std::vector<BodyNet>> condense(const Scene& scene, Log& log) {
+    CondenseLog figures;
+    std::vector<BodyNet> bodies = condense_bodies(
+        {model_, scene.cracked.mesh, scene.cls, scene.rest_element,
+         loads_with_supports(model_, scene), options_.threads},
+        cache_, figures);
+    if (!figures.trouble.empty()) {
+      refusal_ = Refusal{4, figures.trouble, {}};
+      return std::nullopt;
+    }
+    log.add("CONDENSE",
+            fmt::format("{} nets condensed, {} reused, {} unknowns, {:.3g} flops; stiffness {:.3f} "
+                        "s, analysis {:.3f} s, numeric {:.3f} s",
+                        figures.condensed, figures.reused, unknowns(bodies), figures.flops,
+                        figures.stiffness_cpu, figures.analysis_cpu, figures.numeric_cpu));
+    return bodies;
+  }
+
+  bool walk_steps(const Scene& scene, const std::vector<BodyNet>& bodies,
+                  const std::vector<bool>& pictured, Log& log, results::Increment& increment) {
+    StepSolver solver(model_, scene, bodies);
+    log.add("CONTACT", "compliances of the contact rows");
+    for (std::size_t s = 0; s < model_.steps.size(); ++s) {
+      const model::Step& step = model_.steps[s];
+      Refusal why;
+      const std::optional<StepState> state = solver.solve(step, why);
+      if (!state) {
+        why.why = fmt::format("step {}: {}", step.name, why.why);
+        refusal_ = why;
+        return false;
+      }
+      log.add("CONTACT", fmt::format("step {}: {} iterations, {} pivots, imbalance {:.1e}",
+                                     step.name, state->iterations, state->pivots,
+                                     state->imbalance));
+      increment.steps.push_back(gather_step(model_, scene, bodies, step, *state));
+      if (pictured[s]) {
+        add_stress(model_, scene.cracked.mesh, increment.steps.back());
+      }
+      log.add("VCE", fmt::format("step {}: {} tips, pressures, balance", step.name,
+                                 scene.cracked.tips.size()));
+    }
+    return true;
+  }
+
+  const model::Model& model_;
+  const SolveOptions& options_;
+  base::Diagnostics& diagnostics_;
+  std::optional<Refusal>& refusal_;
+  RegionPlan plan_;
+  CondensationCache cache_;
+  results::Run run_;
+};
 
 } // namespace
 
 std::optional<results::Run> solve_run(const model::Model& model, const SolveOptions& options,
                                       base::Diagnostics& diagnostics,
                                       std::optional<Refusal>& refusal) {
-  results::Run run;
-  const base::Stopwatch watch;
-  const std::vector<double> lengths = growth::crack_lengths(model);
-  Carried carried{plan_region(model, lengths, diagnostics), {}};
-  if (diagnostics.has_errors()) {
-    return std::nullopt;
-  }
-  for (std::size_t i = 0; i < lengths.size(); ++i) {
-    std::optional<results::Increment> increment =
-        solve_increment(model, lengths[i], options, carried, run, diagnostics, refusal);
-    if (!increment) {
-      return std::nullopt;
-    }
-    increment->number = static_cast<int>(i) + 1;
-    run.increments.push_back(std::move(*increment));
-    if (options.progress) {
-      options.progress(i + 1, lengths.size());
-    }
-  }
-  run.cpu = watch.cpu();
-  run.wall = watch.wall();
-  run.peak_memory = base::peak_memory();
-  return run;
+  return LengthLoop(model, options, diagnostics, refusal).solve();
 }
 
 } // namespace spricka::run

@@ -263,7 +263,9 @@ const base::Matrix& Condensation::schur() const {
   return impl_->S;
 }
 
-base::Matrix Condensation::take_schur() { return std::exchange(impl_->S, base::Matrix()); }
+base::Matrix Condensation::take_schur() {
+  return std::exchange(impl_->S, base::Matrix());
+}
 
 base::Matrix Condensation::condense_load(const base::Matrix& f) const {
   const Impl& c = *impl_;

@@ -12,6 +12,7 @@ class Panel:
     x_label: str
     y_label: str
     curves: dict = field(default_factory=dict)  # name -> [(x, y)]
+    floor: float = 0.0                          # below it y says nothing; 0: no such line
 
 
 def decades(values):
@@ -50,6 +51,11 @@ def draw(panel, left, top, width, height):
         y = py(10.0 ** power)
         out.append(f'<path d="M{left} {y:.1f}H{left + width}" stroke="#ddd"/>')
         out.append(f'<text x="{left - 6}" y="{y + 4:.1f}" text-anchor="end">{number(power)}</text>')
+    if 10.0 ** y0 < panel.floor < 10.0 ** y1:
+        out.append(f'<path d="M{left} {py(panel.floor):.1f}h{width}" stroke="#888" '
+                   f'stroke-dasharray="5 4"/>')
+        out.append(f'<text x="{left + 6}" y="{py(panel.floor) + 14:.1f}" fill="#888">'
+                   f'the reference is no better</text>')
     for row, (name, curve) in enumerate(panel.curves.items()):
         colour = COLOURS.get(name, "#444")
         line = "L".join(f"{px(x):.1f} {py(y):.1f}" for x, y in curve)

@@ -18,6 +18,12 @@ using base::NodeId;
 
 namespace {
 
+// An edge by its end nodes, whichever way it runs.
+using Edge = std::pair<std::size_t, std::size_t>;
+Edge edge(NodeId a, NodeId b) {
+  return std::minmax({a.index(), b.index()});
+}
+
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
@@ -58,7 +64,7 @@ private:
     return model::add_node(mesh, Vec3(p.x(), p.y(), 0.0), label, base::NetId(0));
   }
   NodeId middle(NodeId a, NodeId b) {
-    const auto key = std::minmax(a, b);
+    const Edge key = edge(a, b);
     const auto known = middle_.find(key);
     if (known != middle_.end()) {
       return known->second;
@@ -68,7 +74,7 @@ private:
   }
 
   base::ElementType type_;
-  std::map<std::pair<NodeId, NodeId>, NodeId> middle_;
+  std::map<Edge, NodeId> middle_;
 };
 
 } // namespace
@@ -162,25 +168,25 @@ void make_quarter_points(model::Mesh& mesh, NodeId tip) {
 }
 
 std::vector<model::Face> boundary(const model::Mesh& mesh, const Where& where) {
-  std::map<std::pair<NodeId, NodeId>, int> uses;
-  std::vector<std::pair<model::Face, std::pair<NodeId, NodeId>>> sides;
+  std::map<Edge, int> uses;
+  std::vector<std::pair<model::Face, Edge>> sides;
   for (std::size_t i = 0; i < mesh.element_count(); ++i) {
     const ElementId e(i);
     for (int s = 0; s < base::info(mesh.type[i]).sides; ++s) {
       const std::span<const int> local = shape::side_nodes(mesh.type[i], s);
-      const std::pair<NodeId, NodeId> key =
-          std::minmax(mesh.nodes_of(e)[at(local[0])], mesh.nodes_of(e)[at(local[1])]);
+      const Edge key = edge(mesh.nodes_of(e)[at(local[0])], mesh.nodes_of(e)[at(local[1])]);
       ++uses[key];
       sides.push_back({{e, s}, key});
     }
   }
   std::vector<model::Face> faces;
-  for (const auto& [face, key] : sides) {
+  for (const auto& side : sides) {
+    const model::Face& face = side.first;
     const std::span<const int> local =
         shape::side_nodes(mesh.type[face.element.index()], face.side);
     const bool inside = std::ranges::all_of(
         local, [&](int n) { return where(mesh.x[mesh.nodes_of(face.element)[at(n)].index()]); });
-    if (uses[key] == 1 && inside) {
+    if (uses[side.second] == 1 && inside) {
       faces.push_back(face);
     }
   }

@@ -69,6 +69,7 @@ inline std::optional<mesh::CrackedMesh> insert(const model::Mesh& host,
                                                base::Diagnostics& diagnostics,
                                                const model::TipNet* wishes = nullptr) {
   std::vector<mesh::TipMesh> tips;
+  tips.reserve(lines.size());
   for (const mesh::CrackLine& line : lines) {
     tips.push_back(mesh::choose_tip_mesh(host, line, wishes));
   }

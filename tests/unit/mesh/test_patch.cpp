@@ -115,6 +115,35 @@ TEST(Patch, MouthAwayFromNodesOnACoarseArc) {
   }
 }
 
+TEST(Patch, ShortAgainstTheBulgeOfItsEdge) {
+  const model::Mesh host = test::lug(10, 15);
+  const Vec3 out = Vec3(std::cos(0.4), std::sin(0.4), 0.0);
+  for (const double a : {0.03, 0.3}) {
+    SCOPED_TRACE(a);
+    // from the head inwards: the body lies beyond the chord of its edge
+    test::expect_sound(host, test::insert(host, {test::crack({86.5 * out, (86.5 - a) * out})}));
+    // from the bore, almost along it: the room is that to the arc, not to its chords
+    const Vec3 along = Vec3(std::cos(1.6), std::sin(1.6), 0.0);
+    test::expect_sound(host,
+                       test::insert(host, {test::crack({36.0 * out, 36.0 * out + a * along})}));
+  }
+}
+
+TEST(Patch, NeighboursShareTheRimBetweenThem) {
+  const model::Mesh host = test::block(10.0, 8.0, 10, 8);
+  const auto cracked = test::insert(
+      host, {test::crack({{0, 2, 0}, {1.5, 2, 0}}, 0), test::crack({{0, 6, 0}, {1.5, 6, 0}}, 1)});
+  test::expect_sound(host, cracked);
+  std::size_t kept = 0;
+  for (std::size_t e = 0; e < cracked.mesh.element_count(); ++e) {
+    kept += cracked.host[e] == base::ElementId(std::size_t{30}) ||
+                    cracked.host[e] == base::ElementId(std::size_t{40})
+                ? 1U
+                : 0U;
+  }
+  EXPECT_EQ(kept, 0U); // the cavities touch at y = 4
+}
+
 TEST(Patch, ObliqueCracks) {
   const model::Mesh host = test::block(10.0, 8.0, 20, 16);
   for (const double degrees : {-75.0, -40.0, 20.0, 60.0, 80.0}) {

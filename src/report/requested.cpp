@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/file.hpp"
+#include "report/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+
+namespace spricka::report {
+
+namespace {
+
+/// Writes the rows of one request at one step's end.
+class Rows {
+public:
+  Rows(const results::Increment& increment, const results::StepResult& step,
+       const model::OutputRequest& request, std::string& text)
+      : increment_(increment), step_(step), request_(request), text_(text) {}
+
+  void write() {
+    if (request_.quantity == "K") {
+      tips();
+    } else if (request_.quantity == "CPRESS") {
+      pressures();
+    } else if (request_.quantity == "REACTION") {
+      reactions();
+    } else {
+      nodes();
+    }
+  }
+
+private:
+  // `where` holds node,x,y, each of which may be empty.
+  void row(const std::string& where, const char* component, double value) {
+    fmt::format_to(std::back_inserter(text_), "{},{},{},{},{},{},{}\n", increment_.number,
+                   step_.step, request_.quantity, request_.name, where, component, value);
+  }
+
+  [[nodiscard]] std::string place(base::NodeId n) const {
+    const base::Vec3& x = increment_.mesh.x[n.index()];
+    return fmt::format("{},{},{}", increment_.mesh.node_label[n.index()], x.x(), x.y());
+  }
+
+  void tips() {
+    for (const results::TipResult& tip : step_.tips) {
+      if (tip.name == request_.name || tip.name.starts_with(request_.name + ".")) {
+        row(",,", "A", tip.a);
+        row(",,", "K1", tip.K1);
+        row(",,", "K2", tip.K2);
+        row(",,", "G", tip.G);
+      }
+    }
+  }
+
+  void pressures() {
+    const results::ContactResult* contact = results::find_contact(step_, request_.name);
+    if (contact == nullptr || !contact->mounted) {
+      return;
+    }
+    for (const results::ContactPoint& p : contact->points) {
+      row(place(p.node), "P_LUMPED", p.p_lumped);
+      row(place(p.node), "P_CONSISTENT", p.p_consistent);
+      row(place(p.node), "GAP", p.gap);
+    }
+  }
+
+  [[nodiscard]] std::vector<base::NodeId> members() const {
+    const model::Mesh& mesh = increment_.mesh;
+    std::vector<base::NodeId> found;
+    for (const model::NodeSet& set : mesh.node_sets) {
+      if (set.name == request_.name) {
+        found = set.nodes;
+      }
+    }
+    for (const model::ElementSet& set : mesh.element_sets) {
+      if (set.name == request_.name) {
+        for (const base::ElementId e : set.elements) {
+          const std::span<const base::NodeId> own = mesh.nodes_of(e);
+          found.insert(found.end(), own.begin(), own.end());
+        }
+      }
+    }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+  }
+
+  void reactions() {
+    base::Vec3 sum = base::Vec3::Zero();
+    const int dim = increment_.mesh.dim;
+    for (const base::NodeId n : members()) {
+      sum.head(dim) += step_.reaction.segment(static_cast<Eigen::Index>(n.index()) * dim, dim);
+    }
+    row(",,", "X", sum.x());
+    row(",,", "Y", sum.y());
+  }
+
+  void nodes() {
+    const int dim = increment_.mesh.dim;
+    static constexpr const char* axes[] = {"X", "Y", "Z"};
+    static constexpr const char* stresses[] = {"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
+    for (const base::NodeId n : members()) {
+      if (request_.quantity == "U") {
+        for (int c = 0; c < dim; ++c) {
+          row(place(n), axes[c], step_.u[static_cast<Eigen::Index>(n.index()) * dim + c]);
+        }
+      } else if (!step_.stress.empty()) {
+        for (std::size_t c = 0; c < 6; ++c) {
+          row(place(n), stresses[c], step_.stress[n.index()][c]);
+        }
+      }
+    }
+  }
+
+  const results::Increment& increment_;
+  const results::StepResult& step_;
+  const model::OutputRequest& request_;
+  std::string& text_;
+};
+
+} // namespace
+
+std::vector<std::size_t> wanted_steps(const model::Model& model, const model::Output& output,
+                                      bool last_increment) {
+  std::vector<std::size_t> steps;
+  if (output.every == model::OutputEvery::step) {
+    steps.resize(model.steps.size());
+    std::iota(steps.begin(), steps.end(), std::size_t{0});
+  } else if (output.every == model::OutputEvery::increment || last_increment) {
+    const bool growing = model.growth && model.growth->kmax.valid();
+    steps.push_back(growing ? model.growth->kmax.index() : model.steps.size() - 1);
+  }
+  return steps;
+}
+
+void write_requested_csv(const std::filesystem::path& file, const model::Model& model,
+                         const model::Output& output, const results::Run& run) {
+  std::string text = fmt::format("# units: x y A U GAP [{0}], P S [{1}], K [{2}], REACTION [{3}], G "
+                                 "[{3}/{0}]\n"
+                                 "increment,step,quantity,name,node,x,y,component,value\n",
+                                 model.units.length_name, model.units.stress_name(),
+                                 model.units.stress_intensity_name(), model.units.force_name);
+  for (const results::Increment& increment : run.increments) {
+    const bool last = &increment == &run.increments.back();
+    for (const std::size_t s : wanted_steps(model, output, last)) {
+      for (const model::OutputRequest& request : output.requests) {
+        Rows(increment, increment.steps[s], request, text).write();
+      }
+    }
+  }
+  write_file(file, text);
+}
+
+} // namespace spricka::report
