@@ -79,8 +79,8 @@ constexpr std::array tipnet_keys{
     required(refers("CRACK", crack, "the crack")),
     real("RADIUS", length, above(0), "of the rosette"),
     real("SIZE", length, above(0), "of the tip elements"),
-    preset(integer("RINGS", at_least(2), "of elements in the rosette"), "4"),
-    preset(integer("SECTORS", at_least(6), "of a full circle"), "16"),
+    preset(integer("RINGS", at_least(2), "of elements in the rosette"), "5"),
+    preset(integer("SECTORS", at_least(6), "of a full circle"), "24"),
     preset(word("QUARTER", "YES|NO", "quarter-point tip elements"), "YES"),
     preset(
         later(word("JOIN", "CONFORMING|TRANSITION", "how the patch meets the host"), "TRANSITION"),

@@ -32,8 +32,8 @@ struct CrackLine {
 struct TipMesh {
   double radius = 0.0; ///< of the rosette
   double size = 0.0;   ///< radial length of the tip elements
-  int rings = 4;       ///< rings of elements in the rosette, tip ring included
-  int sectors = 16;    ///< of a full circle
+  int rings = 5;       ///< rings of elements in the rosette, tip ring included
+  int sectors = 24;    ///< of a full circle
   bool quarter_point = true;
   bool patch = true; ///< false: double nodes of the deck's own mesh along the path
 };

@@ -122,8 +122,8 @@ struct TipNet {
   base::CrackId crack;
   std::optional<double> radius; ///< of the rosette [length]
   std::optional<double> size;   ///< of the tip elements [length]
-  int rings = 4;
-  int sectors = 16; ///< of a full circle
+  int rings = 5;
+  int sectors = 24; ///< of a full circle
   bool quarter_point = true;
   Join join = Join::conforming;
   bool patch = true;

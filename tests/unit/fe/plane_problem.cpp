@@ -124,6 +124,7 @@ model::Mesh make_mesh(base::ElementType type, const Cells& cells, const Map& map
   MeshMaker maker(type, cells.points);
   for (const std::array<int, 4>& cell : cells.cells) {
     std::vector<NodeId> corners;
+    corners.reserve(cell.size());
     for (const int n : cell) {
       corners.emplace_back(at(n));
     }

@@ -64,7 +64,7 @@ TEST(ExitCode, SurfacesThatNeverFaceEachOther) {
       folder, plates(side_support, "$CONTACT NAME=FACE SLAVE=TOP.YMAX MASTER=LOW.YMIN\n"));
   EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_NE(outcome.messages.find("never face each other"), std::string::npos);
-  EXPECT_NE(outcome.messages.find("test.deck:14:"), std::string::npos) << outcome.messages;
+  EXPECT_NE(outcome.messages.find("test.deck:15:"), std::string::npos) << outcome.messages;
   EXPECT_FALSE(has_results(folder));
 }
 
