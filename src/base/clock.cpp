@@ -13,9 +13,13 @@ double cpu_seconds() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-void return_large_blocks() { mallopt(M_MMAP_THRESHOLD, 128 * 1024); }
+void return_large_blocks() {
+  mallopt(M_MMAP_THRESHOLD, 128 * 1024);
+}
 
-void return_free_memory() { malloc_trim(0); }
+void return_free_memory() {
+  malloc_trim(0);
+}
 
 std::size_t peak_memory() {
   rusage usage{};

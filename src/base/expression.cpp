@@ -53,7 +53,9 @@ bool is_unary(Op op) {
          op == Op::tan || op == Op::exp || op == Op::log;
 }
 
-double truth(bool b) { return b ? 1.0 : 0.0; }
+double truth(bool b) {
+  return b ? 1.0 : 0.0;
+}
 
 double binary(Op op, double a, double b) {
   switch (op) {
@@ -93,7 +95,8 @@ double binary(Op op, double a, double b) {
 } // namespace
 
 bool Expression::is_constant() const {
-  return std::none_of(code.begin(), code.end(), [](const Instruction& i) { return is_field(i.op); });
+  return std::none_of(code.begin(), code.end(),
+                      [](const Instruction& i) { return is_field(i.op); });
 }
 
 double Expression::operator()(const Vec3& at) const {

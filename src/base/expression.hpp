@@ -9,10 +9,34 @@ namespace spricka::base {
 
 enum class Op : std::uint8_t {
   number, ///< push Instruction::value
-  x, y, z, rho, theta, ///< push a field variable; rho, theta: cylindrical about z
-  add, subtract, multiply, divide, power, negate,
-  less, less_equal, greater, greater_equal, equal, logical_and, logical_or,
-  sqrt, abs, sin, cos, tan, atan2, exp, log, min, max
+  x,
+  y,
+  z,
+  rho,
+  theta, ///< push a field variable; rho, theta: cylindrical about z
+  add,
+  subtract,
+  multiply,
+  divide,
+  power,
+  negate,
+  less,
+  less_equal,
+  greater,
+  greater_equal,
+  equal,
+  logical_and,
+  logical_or,
+  sqrt,
+  abs,
+  sin,
+  cos,
+  tan,
+  atan2,
+  exp,
+  log,
+  min,
+  max
 };
 
 struct Instruction {

@@ -9,7 +9,9 @@ namespace spricka::base {
 namespace {
 
 // A byte 10xxxxxx continues a UTF-8 character and so takes no column of its own.
-bool starts_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }
+bool starts_character(char c) {
+  return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+}
 
 std::size_t line_start(std::string_view text, std::size_t offset) {
   const std::size_t before = offset == 0 ? std::string_view::npos : text.rfind('\n', offset - 1);
@@ -39,10 +41,11 @@ Location Sources::locate(std::int32_t file, std::size_t offset) const {
   const std::string_view all = text(file);
   offset = std::min(offset, all.size());
   const std::size_t begin = line_start(all, offset);
-  const auto lines = std::count(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(begin), '\n');
-  const auto columns = std::count_if(all.begin() + static_cast<std::ptrdiff_t>(begin),
-                                     all.begin() + static_cast<std::ptrdiff_t>(offset),
-                                     starts_character);
+  const auto lines =
+      std::count(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(begin), '\n');
+  const auto columns =
+      std::count_if(all.begin() + static_cast<std::ptrdiff_t>(begin),
+                    all.begin() + static_cast<std::ptrdiff_t>(offset), starts_character);
   return {static_cast<std::size_t>(lines) + 1, static_cast<std::size_t>(columns) + 1};
 }
 

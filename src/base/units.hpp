@@ -21,7 +21,7 @@ struct UnitSystem {
   double metre_per_length = 1e-3;
   double newton_per_force = 1.0;
 
-  [[nodiscard]] std::string stress_name() const;           ///< "MPa", "Pa", "psi" where there is one
+  [[nodiscard]] std::string stress_name() const; ///< "MPa", "Pa", "psi" where there is one
   [[nodiscard]] std::string stress_intensity_name() const; ///< "MPa*mm^0.5"
 };
 

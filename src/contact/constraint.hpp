@@ -33,12 +33,12 @@ struct PairRows {
   std::vector<ConstraintRow> tangent; ///< bonded pairs only
   Surface contact;                    ///< side that carries the multipliers
   Surface target;
-  bool swapped = false; ///< the deck's master carries the multipliers
+  bool swapped = false;  ///< the deck's master carries the multipliers
   bool segments = false; ///< rows are weighted by hats on half edges, else by single nodes
-  bool found = false;   ///< the surfaces face each other somewhere
-  std::string trouble;  ///< why there are no rows (node pairing that does not match)
-  std::string choice;   ///< which side carries the multipliers and why, for the listing
-  int merged = 0;       ///< rows covered by less than 20 % that went to a neighbour
+  bool found = false;    ///< the surfaces face each other somewhere
+  std::string trouble;   ///< why there are no rows (node pairing that does not match)
+  std::string choice;    ///< which side carries the multipliers and why, for the listing
+  int merged = 0;        ///< rows covered by less than 20 % that went to a neighbour
 };
 
 /// Builds the rows of a pair on a mesh. SEGMENT: mortar with hat functions on half edges, weighted

@@ -36,8 +36,8 @@ SurfaceNodes collect(const Surface& surface, double thickness) {
     for (const Edge& edge : chain.edges) {
       const bool curved = edge.count == 3;
       const std::array<double, 3> xi{-1.0, 1.0, 0.0};
-      const std::array<double, 3> share = curved ? std::array{1.0 / 6.0, 1.0 / 6.0, 4.0 / 6.0}
-                                                 : std::array{0.5, 0.5, 0.0};
+      const std::array<double, 3> share =
+          curved ? std::array{1.0 / 6.0, 1.0 / 6.0, 4.0 / 6.0} : std::array{0.5, 0.5, 0.0};
       for (const std::size_t i : {std::size_t{0}, std::size_t{2}, std::size_t{1}}) {
         if (static_cast<int>(i) >= edge.count) {
           continue;

@@ -151,7 +151,7 @@ Arc longest_arc(const std::vector<NodePressure>& nodes, bool round) {
   constexpr double pi = std::numbers::pi;
   if (closed == n && n > 0) {
     return round && n > 2 && s(*p[n - 1]) - s(*p[0]) > 1.5 * pi ? Arc{-pi, pi}
-                                                                 : Arc{s(*p[0]), s(*p[n - 1])};
+                                                                : Arc{s(*p[0]), s(*p[n - 1])};
   }
   const auto coordinate = [&](std::size_t i) {
     return s(*p[i % n]) + 2.0 * pi * static_cast<double>(round ? i / n : 0);

@@ -19,16 +19,16 @@ struct NodePressure {
   double p_consistent = 0.0; ///< NODE: of C p = R; SEGMENT: the multiplier
   double gap = 0.0;          ///< row gap over row area [length]
   bool closed = false;
-  int lip = 0;               ///< +1 and -1 at the two ends of a chain that meet in one point
+  int lip = 0; ///< +1 and -1 at the two ends of a chain that meet in one point
 };
 
 struct PairPressure {
-  std::vector<NodePressure> nodes;        ///< of the side that carries the multipliers
+  std::vector<NodePressure> nodes;                ///< of the side that carries the multipliers
   base::Vec3 force_on_slave = base::Vec3::Zero(); ///< deck's slave
-  double mean_pressure = 0.0;   ///< normal multipliers over the paired area
-  double min_pressure = 0.0;    ///< of the normal multipliers
+  double mean_pressure = 0.0;                     ///< normal multipliers over the paired area
+  double min_pressure = 0.0;                      ///< of the normal multipliers
   double max_pressure = 0.0;
-  double max_penetration = 0.0; ///< [length], 0 or more
+  double max_penetration = 0.0;        ///< [length], 0 or more
   double arc_from = 0.0, arc_to = 0.0; ///< longest closed arc [rad], or arc length if straight
   int closed = 0;
 };

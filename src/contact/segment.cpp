@@ -21,7 +21,9 @@ Ball ball_of(const Edge& edge) {
   return {centre, std::max((edge.x[0] - centre).norm(), (edge.x[1] - centre).norm())};
 }
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+double cross(const Vec2& a, const Vec2& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
 
 // The part of the contact edge that the target edge covers, cut at xi = 0 of quadratic edges.
 void add_segments(const Surface& contact, const Edge& edge, const Edge& target,

@@ -78,8 +78,7 @@ void add_segment(const PairRows& pair, const Edge& edge, const Edge& target, con
     if (!eta) {
       continue;
     }
-    const double w =
-        0.5 * (s.to - s.from) * gauss_w[g] * tangent_on(edge, xi).norm() * thickness;
+    const double w = 0.5 * (s.to - s.from) * gauss_w[g] * tangent_on(edge, xi).norm() * thickness;
     const double gap = declared ? *declared : (point_on(target, *eta) - x).dot(n);
     add_point({edge, target, xi, *eta, w, n, gap}, bonded, rows);
   }

@@ -33,7 +33,8 @@ Edge make_edge(const model::Mesh& mesh, model::Face face) {
   return edge;
 }
 
-// Kasa's fit: |x|^2 = 2 c.x + (r^2 - |c|^2) in the least-squares sense, about the mean for accuracy.
+// Kasa's fit: |x|^2 = 2 c.x + (r^2 - |c|^2) in the least-squares sense, about the mean for
+// accuracy.
 std::optional<Circle> fit_circle(const std::vector<Vec2>& points, double extent) {
   if (points.size() < 3) {
     return std::nullopt;

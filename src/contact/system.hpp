@@ -48,7 +48,7 @@ public:
     base::Vector gap;               ///< [rows in force] g at zero displacement, weighted
     std::vector<base::Vector> load; ///< [body][m] condensed loads
     double load_scale = 0.0;
-    std::vector<bool> start;        ///< [rows in force] closed; empty: all
+    std::vector<bool> start; ///< [rows in force] closed; empty: all
   };
   struct Answer {
     solve::ContactSolution solution; ///< lambda, gap, closed by rows in force

@@ -88,7 +88,8 @@ ExtensionField Neighbourhood::field(base::NodeId tip, int rings) const {
         const base::NodeId a = nodes[static_cast<std::size_t>(side[0])];
         const base::NodeId b = nodes[static_cast<std::size_t>(side[1])];
         const base::NodeId mid = nodes[static_cast<std::size_t>(side[2])];
-        const double mean = 0.5 * ((rigid.contains(a) ? 1.0 : 0.0) + (rigid.contains(b) ? 1.0 : 0.0));
+        const double mean =
+            0.5 * ((rigid.contains(a) ? 1.0 : 0.0) + (rigid.contains(b) ? 1.0 : 0.0));
         if (!rigid.contains(mid) && mean > 0.0) {
           q[mid] = mean;
         }
@@ -113,14 +114,12 @@ std::vector<ExtensionField> Neighbourhood::fields(const mesh::CrackedMesh& crack
   std::vector<ExtensionField> result;
   for (const int count : rings) {
     ExtensionField f = field(tip.node, count);
-    const bool moves_fixed = std::any_of(f.q.begin(), f.q.end(), [&](const auto& nq) {
-      return fixed[nq.first.index()];
-    });
+    const bool moves_fixed = std::any_of(f.q.begin(), f.q.end(),
+                                         [&](const auto& nq) { return fixed[nq.first.index()]; });
     const bool leaves = std::any_of(f.q.begin(), f.q.end(), [&](const auto& nq) {
       const std::vector<base::ElementId>& around = elements_[nq.first.index()];
-      return std::any_of(around.begin(), around.end(), [&](base::ElementId e) {
-        return mesh_.property[e.index()] != property;
-      });
+      return std::any_of(around.begin(), around.end(),
+                         [&](base::ElementId e) { return mesh_.property[e.index()] != property; });
     });
     if (moves_fixed || leaves || f.elements.empty()) {
       left_out.push_back(count);

@@ -101,8 +101,7 @@ double shifted_energy(const Setting& set, const ExtensionField& field, double s,
                        }
                      }
                      const fe::NodeVectors<S> U = fe::gather<S>(set.mesh, e, u);
-                     energy +=
-                         0.5 * U.cwiseProduct(fe::element_force<S>(X, D, 1.0, U)).sum();
+                     energy += 0.5 * U.cwiseProduct(fe::element_force<S>(X, D, 1.0, U)).sum();
                    }
                  });
   return energy;
@@ -121,8 +120,8 @@ NodalForces configurational_forces(const Setting& set, const std::vector<Extensi
   NodalForces forces;
   for (const base::ElementId e : elements) {
     for (const base::NodeId n : set.mesh.nodes_of(e)) {
-      forces.at.try_emplace(n, std::array<base::Vec2, 3>{base::Vec2::Zero(), base::Vec2::Zero(),
-                                                         base::Vec2::Zero()});
+      forces.at.try_emplace(
+          n, std::array<base::Vec2, 3>{base::Vec2::Zero(), base::Vec2::Zero(), base::Vec2::Zero()});
     }
   }
   fe::for_blocks(set.mesh, elements,
@@ -208,8 +207,8 @@ StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedM
     }
     if (request.shift) {
       const double s = *request.shift * tip.size;
-      const double G = halves *
-                       (shifted_energy(set, field, 0.0, u) - shifted_energy(set, field, s, u)) / s;
+      const double G =
+          halves * (shifted_energy(set, field, 0.0, u) - shifted_energy(set, field, s, u)) / s;
       shifted += G;
       analytic += value.G;
       const double scale = G > 0.0 && value.G > 0.0 ? std::sqrt(G / value.G) : 1.0;

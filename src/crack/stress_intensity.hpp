@@ -28,7 +28,7 @@ struct StressIntensity {
   double spread = 0.0;                ///< (max - min of K1) / hypot(K1, K2)
   double E_effective = 0.0;           ///< E' that belongs to the K printed
   std::vector<DomainValue> domains;
-  std::optional<double> shift_error;  ///< G by finite shift over analytic G, minus 1
+  std::optional<double> shift_error; ///< G by finite shift over analytic G, minus 1
 };
 
 struct VceRequest {

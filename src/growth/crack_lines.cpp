@@ -132,16 +132,15 @@ struct Builder {
                                 : 0.0);
     }
     if (a <= 0.0) {
-      diagnostics.error(crack.span, "E402",
-                        fmt::format("crack {} has no length: give A0, points or $GROW lengths",
-                                    crack.name));
+      diagnostics.error(
+          crack.span, "E402",
+          fmt::format("crack {} has no length: give A0, points or $GROW lengths", crack.name));
       return std::nullopt;
     }
     mesh::CrackLine start;
     start.crack = base::CrackId(number);
-    std::optional<mesh::CrackLine> line = crack.kind == model::CrackKind::path
-                                              ? path_line(crack, start)
-                                              : free_line(crack, start, a);
+    std::optional<mesh::CrackLine> line =
+        crack.kind == model::CrackKind::path ? path_line(crack, start) : free_line(crack, start, a);
     if (!line) {
       return line;
     }

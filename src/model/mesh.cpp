@@ -12,9 +12,8 @@ base::NodeId add_node(Mesh& mesh, const base::Vec3& x, base::Label label, base::
   return base::NodeId(mesh.x.size() - 1);
 }
 
-base::ElementId add_element(Mesh& mesh, base::ElementType type,
-                            std::span<const base::NodeId> nodes, base::Label label,
-                            base::NetId net) {
+base::ElementId add_element(Mesh& mesh, base::ElementType type, std::span<const base::NodeId> nodes,
+                            base::Label label, base::NetId net) {
   assert(static_cast<int>(nodes.size()) == base::info(type).nodes);
   if (mesh.first.empty()) {
     mesh.first.push_back(0);

@@ -42,16 +42,16 @@ struct FaceSet {
 struct Mesh {
   int dim = 2;
 
-  std::vector<base::Vec3> x;             ///< [node] coordinates, deck length
-  std::vector<base::Label> node_label;   ///< [node]
-  std::vector<base::NetId> node_net;     ///< [node]
+  std::vector<base::Vec3> x;           ///< [node] coordinates, deck length
+  std::vector<base::Label> node_label; ///< [node]
+  std::vector<base::NetId> node_net;   ///< [node]
 
-  std::vector<base::ElementType> type;        ///< [element]
-  std::vector<std::int32_t> first;            ///< [element + 1] into `nodes`
-  std::vector<base::NodeId> nodes;            ///< connectivity of all elements, one after another
-  std::vector<base::Label> element_label;     ///< [element]
-  std::vector<base::NetId> element_net;       ///< [element]
-  std::vector<base::PropertyId> property;     ///< [element]; invalid until $PROPERTY is bound
+  std::vector<base::ElementType> type;    ///< [element]
+  std::vector<std::int32_t> first;        ///< [element + 1] into `nodes`
+  std::vector<base::NodeId> nodes;        ///< connectivity of all elements, one after another
+  std::vector<base::Label> element_label; ///< [element]
+  std::vector<base::NetId> element_net;   ///< [element]
+  std::vector<base::PropertyId> property; ///< [element]; invalid until $PROPERTY is bound
 
   std::vector<NodeSet> node_sets;
   std::vector<ElementSet> element_sets;
@@ -74,8 +74,7 @@ struct Mesh {
 base::NodeId add_node(Mesh& mesh, const base::Vec3& x, base::Label label, base::NetId net);
 
 /// Appends an element and returns its index; its property stays open.
-base::ElementId add_element(Mesh& mesh, base::ElementType type,
-                            std::span<const base::NodeId> nodes, base::Label label,
-                            base::NetId net);
+base::ElementId add_element(Mesh& mesh, base::ElementType type, std::span<const base::NodeId> nodes,
+                            base::Label label, base::NetId net);
 
 } // namespace spricka::model

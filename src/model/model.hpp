@@ -54,22 +54,22 @@ struct Freedom {
 };
 
 enum class LoadType {
-  force,       ///< per node of a node set [force]
-  resultant,   ///< total over a face or element set [force]
-  traction,    ///< per area of a face set [stress]
-  pressure,    ///< against the outer normal of a face set [stress]
-  body,        ///< per volume of an element set [force/length^3]
-  bearing,     ///< pin on a bore given by its resultant [force]
-  displacement,///< values of prescribed freedoms [length]
-  temperature, ///< [K]
-  crack_faces  ///< pressure on crack faces [stress]
+  force,        ///< per node of a node set [force]
+  resultant,    ///< total over a face or element set [force]
+  traction,     ///< per area of a face set [stress]
+  pressure,     ///< against the outer normal of a face set [stress]
+  body,         ///< per volume of an element set [force/length^3]
+  bearing,      ///< pin on a bore given by its resultant [force]
+  displacement, ///< values of prescribed freedoms [length]
+  temperature,  ///< [K]
+  crack_faces   ///< pressure on crack faces [stress]
 };
 enum class BearingShape { uniform, cosine };
 
 struct Load {
   LoadType type = LoadType::force;
   BearingShape shape = BearingShape::uniform;
-  base::NodeSetId nodes;       ///< exactly one of the three sets is valid
+  base::NodeSetId nodes; ///< exactly one of the three sets is valid
   base::ElementSetId elements;
   base::FaceSetId faces;
   std::vector<base::Expression> value; ///< 1 to 3 components, fields of x y z
@@ -196,7 +196,7 @@ struct Output {
 
 /// One line of $CHECK: `quantity(arguments) = value REL|ABS tolerance SOURCE 'text'`.
 struct Check {
-  std::string quantity; ///< upper case, "S.XX.MIN"
+  std::string quantity;                                     ///< upper case, "S.XX.MIN"
   std::vector<std::variant<std::string, double>> arguments; ///< names upper case, or numbers
   double value = 0.0;
   double tolerance = 0.0;

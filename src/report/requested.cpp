@@ -137,11 +137,12 @@ std::vector<std::size_t> wanted_steps(const model::Model& model, const model::Ou
 
 void write_requested_csv(const std::filesystem::path& file, const model::Model& model,
                          const model::Output& output, const results::Run& run) {
-  std::string text = fmt::format("# units: x y A U GAP [{0}], P S [{1}], K [{2}], REACTION [{3}], G "
-                                 "[{3}/{0}]\n"
-                                 "increment,step,quantity,name,node,x,y,component,value\n",
-                                 model.units.length_name, model.units.stress_name(),
-                                 model.units.stress_intensity_name(), model.units.force_name);
+  std::string text =
+      fmt::format("# units: x y A U GAP [{0}], P S [{1}], K [{2}], REACTION [{3}], G "
+                  "[{3}/{0}]\n"
+                  "increment,step,quantity,name,node,x,y,component,value\n",
+                  model.units.length_name, model.units.stress_name(),
+                  model.units.stress_intensity_name(), model.units.force_name);
   for (const results::Increment& increment : run.increments) {
     const bool last = &increment == &run.increments.back();
     for (const std::size_t s : wanted_steps(model, output, last)) {

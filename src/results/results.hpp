@@ -43,7 +43,7 @@ struct ContactResult {
   bool mounted = true;
   std::vector<ContactPoint> points;               ///< chain by chain, in order along the surface
   base::Vec3 force_on_slave = base::Vec3::Zero(); ///< deck's slave
-  double min_pressure = 0.0;    ///< of the multipliers: the inequality that the solution obeys
+  double min_pressure = 0.0; ///< of the multipliers: the inequality that the solution obeys
   double max_pressure = 0.0;
   double mean_pressure = 0.0;   ///< force magnitude integral / area in contact surface
   double max_penetration = 0.0; ///< largest negative weighted gap [length]

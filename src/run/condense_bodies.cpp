@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -53,7 +54,8 @@ void add_carriers(const model::Mesh& mesh, const fe::Body& body,
   make_external(mesh, far, cls);
   if (mesh.dim == 3) {
     const base::Vec3 d = (mesh.x[far.index()] - a).normalized();
-    make_external(mesh, farthest([&](const base::Vec3& x) { return (x - a).cross(d).norm(); }), cls);
+    make_external(mesh, farthest([&](const base::Vec3& x) { return (x - a).cross(d).norm(); }),
+                  cls);
   }
 }
 
@@ -104,10 +106,11 @@ void factorise(const CondenseRequest& request, std::vector<Task>& tasks, Condens
   base::parallel_for(missing.size(), request.threads, [&](std::size_t i) {
     Task& task = *missing[i];
     const base::Stopwatch watch;
-    const base::SymmetricCsc K = fe::assemble_stiffness(
-        request.model, request.mesh, task.net->elements, task.supers, task.net->map);
+    base::SymmetricCsc K = fe::assemble_stiffness(request.model, request.mesh, task.net->elements,
+                                                  task.supers, task.net->map);
     task.stiffness_cpu = watch.wall();
-    task.net->factor = std::make_shared<solve::Condensation>(K, task.net->map.externals());
+    task.net->factor =
+        std::make_shared<solve::Condensation>(std::move(K), task.net->map.externals());
   });
   for (const Task* task : missing) {
     const solve::FactorReport& report = task->net->factor->report();
@@ -258,29 +261,28 @@ std::vector<BodyNet> condense_bodies(const CondenseRequest& request, Condensatio
   std::vector<model::FreedomClass> cls = request.cls;
   std::vector<BodyNet> bodies = prepare(request, cls);
 
+  // All hashes first: what no net asks for is forgotten before memory for the new ones is needed.
   std::vector<Task> rests;
-  for (BodyNet& body : bodies) {
-    if (body.rest) {
-      rests.push_back({body.rest.get(), {}, hash_net(request.model, request.mesh, *body.rest, {})});
-    }
-  }
-  factorise(request, rests, cache, log);
-
   std::vector<Task> regions;
-  std::size_t next_rest = 0;
   for (BodyNet& body : bodies) {
-    Task task{&body.region, {}, {}};
     std::vector<HashKey> parts;
     if (body.rest) {
-      log.trouble = log.trouble.empty() ? trouble_of(request.mesh, body.name, *body.rest)
-                                        : log.trouble;
-      parts.push_back(rests[next_rest++].key);
-      if (log.trouble.empty()) {
-        task.supers.push_back(super_of(*body.rest));
-      }
+      rests.push_back({body.rest.get(), {}, hash_net(request.model, request.mesh, *body.rest, {})});
+      parts.push_back(rests.back().key);
     }
-    task.key = hash_net(request.model, request.mesh, body.region, parts);
-    regions.push_back(std::move(task));
+    regions.push_back(
+        {&body.region, {}, hash_net(request.model, request.mesh, body.region, parts)});
+  }
+  forget_unused(rests, regions, cache);
+
+  factorise(request, rests, cache, log);
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (bodies[b].rest && log.trouble.empty()) {
+      log.trouble = trouble_of(request.mesh, bodies[b].name, *bodies[b].rest);
+    }
+    if (bodies[b].rest && log.trouble.empty()) {
+      regions[b].supers.push_back(super_of(*bodies[b].rest));
+    }
   }
   if (!log.trouble.empty()) {
     return bodies;
@@ -313,13 +315,12 @@ std::vector<BodyNet> condense_bodies(const CondenseRequest& request, Condensatio
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     if (bodies[b].condensed) {
       if (!bodies[b].condensed->ok() && log.trouble.empty()) {
-        log.trouble = fmt::format("{}: the condensed stiffness is singular (a mechanism?)",
-                                  bodies[b].name);
+        log.trouble =
+            fmt::format("{}: the condensed stiffness is singular (a mechanism?)", bodies[b].name);
       }
       cache.bodies.emplace(regions[b].key, bodies[b].condensed);
     }
   }
-  forget_unused(rests, regions, cache);
   return bodies;
 }
 

@@ -31,11 +31,11 @@ struct BodyNet {
   fe::Body body;
   std::unique_ptr<Net> rest;
   Net region;
-  base::Matrix free_modes;  ///< [dim * node, r] rigid modes that supports leave free
+  base::Matrix free_modes; ///< [dim * node, r] rigid modes that supports leave free
   std::shared_ptr<const contact::CondensedBody> condensed; ///< null when there are no externals
-  base::Matrix rest_load;      ///< [unknowns of rest, case]
-  base::Matrix region_load;    ///< [unknowns of region, case], rest_load added in
-  base::Matrix external_load;  ///< [externals, case] condensed
+  base::Matrix rest_load;                                  ///< [unknowns of rest, case]
+  base::Matrix region_load;   ///< [unknowns of region, case], rest_load added in
+  base::Matrix external_load; ///< [externals, case] condensed
 };
 
 /// Keyed by a 128-bit hash of geometry, connectivity, materials, classes and externals.
@@ -57,9 +57,9 @@ struct CondenseLog {
 struct CondenseRequest {
   const model::Model& model;
   const model::Mesh& mesh;
-  std::vector<model::FreedomClass> cls;   ///< [dim * node], contact nodes external
-  std::vector<bool> rest_element;         ///< [element] belongs to what no crack will touch
-  base::Matrix case_load;                 ///< [dim * node, case] consistent loads, supports' pull in
+  std::vector<model::FreedomClass> cls; ///< [dim * node], contact nodes external
+  std::vector<bool> rest_element;       ///< [element] belongs to what no crack will touch
+  base::Matrix case_load;               ///< [dim * node, case] consistent loads, supports' pull in
   int threads = 1;
 };
 

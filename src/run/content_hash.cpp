@@ -13,9 +13,7 @@ class Hasher {
 public:
   Hasher() : state_(XXH3_createState()) { XXH3_128bits_reset(state_.get()); }
 
-  void add(const void* data, std::size_t bytes) {
-    XXH3_128bits_update(state_.get(), data, bytes);
-  }
+  void add(const void* data, std::size_t bytes) { XXH3_128bits_update(state_.get(), data, bytes); }
   template <class T> void value(const T& v) { add(&v, sizeof v); }
   [[nodiscard]] HashKey key() const {
     const XXH128_hash_t h = XXH3_128bits_digest(state_.get());

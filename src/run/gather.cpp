@@ -66,9 +66,8 @@ void gather_contacts(const model::Model& model, const Scene& scene, const StepSt
                      results::StepResult& out) {
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     const contact::PairRows& pair = scene.pairs[c];
-    const contact::PairPressure p = contact::recover_pressure(pair, state.pair_lambda[c],
-                                                              state.pair_gap[c],
-                                                              state.pair_closed[c]);
+    const contact::PairPressure p = contact::recover_pressure(
+        pair, state.pair_lambda[c], state.pair_gap[c], state.pair_closed[c]);
     results::ContactResult result;
     result.name = model.contacts[c].name;
     result.mounted = state.mounted[c];

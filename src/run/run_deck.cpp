@@ -57,8 +57,7 @@ std::function<void(std::size_t, std::size_t)> progress_of(const RunOptions& opti
   }
   const base::Stopwatch watch;
   return [watch](std::size_t done, std::size_t all) {
-    const double left =
-        watch.wall() / static_cast<double>(done) * static_cast<double>(all - done);
+    const double left = watch.wall() / static_cast<double>(done) * static_cast<double>(all - done);
     fmt::print(stderr, "\r  increment {} of {}, {:.1f} s left ", done, all, left);
     if (done == all) {
       fmt::print(stderr, "\n");
@@ -77,8 +76,8 @@ int report_checks(const results::Run& run) {
       fmt::print(stderr, "check failed: {}: {}\n", check.text, check.trouble);
     } else {
       fmt::print(stderr, "check failed: {} = {:.8g}, wanted {:.8g}: {} {:.2e} > {:.2e}\n",
-                 check.text, check.found, check.wanted, check.relative ? "REL" : "ABS",
-                 check.error, check.tolerance);
+                 check.text, check.found, check.wanted, check.relative ? "REL" : "ABS", check.error,
+                 check.tolerance);
     }
   }
   return failed;

@@ -69,8 +69,8 @@ RunFolder::RunFolder(fs::path folder) : folder_(std::move(folder)) {
   part_ = folder_;
   part_ += ".part";
   if (fs::exists(folder_)) {
-    const bool ours = fs::is_directory(folder_) &&
-                      (fs::is_empty(folder_) || fs::exists(folder_ / listing_name));
+    const bool ours =
+        fs::is_directory(folder_) && (fs::is_empty(folder_) || fs::exists(folder_ / listing_name));
     if (!ours) {
       throw std::system_error(std::make_error_code(std::errc::file_exists),
                               folder_.string() + " is not a run folder of spricka");
@@ -86,8 +86,7 @@ RunFolder::~RunFolder() {
   fs::remove_all(part_, ignored);
 }
 
-void RunFolder::write(const base::Sources& sources, const model::Model& model,
-                      results::Run& run) {
+void RunFolder::write(const base::Sources& sources, const model::Model& model, results::Run& run) {
   const base::Stopwatch watch;
   report::write_k_csv(part_ / "k.csv", model, run);
   report::write_pressure_csv(part_ / "pressure.csv", model, run);

@@ -90,8 +90,7 @@ bool make_pairs(const model::Model& model, Scene& scene, base::Diagnostics& diag
       good = false;
     } else if (!pair.found) {
       diagnostics.error(contact.span, "E411",
-                        fmt::format("contact {}: the surfaces never face each other",
-                                    contact.name),
+                        fmt::format("contact {}: the surfaces never face each other", contact.name),
                         "look at the sets and at the side their elements lie on");
       good = false;
     }
@@ -133,8 +132,7 @@ bool make_tips(const model::Model& model, Scene& scene, base::Diagnostics& diagn
   const crack::Neighbourhood around(scene.cracked.mesh);
   for (const mesh::Tip& tip : scene.cracked.tips) {
     TipScene ring;
-    ring.fields =
-        around.fields(scene.cracked, tip, domains_of(model, tip.crack), ring.left_out);
+    ring.fields = around.fields(scene.cracked, tip, domains_of(model, tip.crack), ring.left_out);
     const model::Crack& crack = model.cracks[tip.crack.index()];
     if (ring.fields.empty()) {
       diagnostics.error(crack.span, "E412",
@@ -145,9 +143,8 @@ bool make_tips(const model::Model& model, Scene& scene, base::Diagnostics& diagn
       good = false;
     }
     for (const int rings : ring.left_out) {
-      scene.notes.push_back(
-          fmt::format("{}: domain of {} rings left out, it would leave the body", crack.name,
-                      rings));
+      scene.notes.push_back(fmt::format("{}: domain of {} rings left out, it would leave the body",
+                                        crack.name, rings));
     }
     scene.tips.push_back(std::move(ring));
   }

@@ -30,11 +30,11 @@ struct Scene {
   std::vector<model::FreedomClass> cls; ///< [dim * node]
   std::vector<contact::PairRows> pairs; ///< [contact]
   RowTable table;
-  std::vector<TipScene> tips;        ///< [tip]
-  std::vector<bool> rest_element;    ///< [element] no crack of the run touches it
+  std::vector<TipScene> tips;     ///< [tip]
+  std::vector<bool> rest_element; ///< [element] no crack of the run touches it
   std::vector<std::string> notes;
-  base::Matrix case_load;            ///< [dim * node, case] consistent loads
-  base::Matrix case_displacement;    ///< [dim * node, case] prescribed values
+  base::Matrix case_load;         ///< [dim * node, case] consistent loads
+  base::Matrix case_displacement; ///< [dim * node, case] prescribed values
 };
 
 /// What stays the same for all lengths of a run.

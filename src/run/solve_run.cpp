@@ -146,10 +146,10 @@ private:
 
   std::optional<std::vector<BodyNet>> condense(const Scene& scene, Log& log) {
     CondenseLog figures;
-    std::vector<BodyNet> bodies = condense_bodies(
-        {model_, scene.cracked.mesh, scene.cls, scene.rest_element,
-         loads_with_supports(model_, scene), options_.threads},
-        cache_, figures);
+    std::vector<BodyNet> bodies =
+        condense_bodies({model_, scene.cracked.mesh, scene.cls, scene.rest_element,
+                         loads_with_supports(model_, scene), options_.threads},
+                        cache_, figures);
     if (!figures.trouble.empty()) {
       refusal_ = Refusal{4, figures.trouble, {}};
       return std::nullopt;
@@ -175,9 +175,9 @@ private:
         refusal_ = why;
         return false;
       }
-      log.add("CONTACT", fmt::format("step {}: {} iterations, {} pivots, imbalance {:.1e}",
-                                     step.name, state->iterations, state->pivots,
-                                     state->imbalance));
+      log.add("CONTACT",
+              fmt::format("step {}: {} iterations, {} pivots, imbalance {:.1e}", step.name,
+                          state->iterations, state->pivots, state->imbalance));
       increment.steps.push_back(gather_step(model_, scene, bodies, step, *state));
       if (pictured[s]) {
         add_stress(model_, scene.cracked.mesh, increment.steps.back());

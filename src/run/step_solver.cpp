@@ -124,7 +124,9 @@ void StepSolver::act(const model::Step& step) {
   }
 }
 
-base::Vector StepSolver::prescribed() const { return scene_.case_displacement * case_factor_; }
+base::Vector StepSolver::prescribed() const {
+  return scene_.case_displacement * case_factor_;
+}
 
 contact::ContactSystem::Demand StepSolver::demand() const {
   contact::ContactSystem::Demand d;
@@ -140,8 +142,8 @@ contact::ContactSystem::Demand StepSolver::demand() const {
       const contact::ConstraintRow& row = *scene_.table.rows[r];
       d.rows.push_back(r);
       d.equality.push_back(row.tangential || contact.type == model::ContactType::bonded);
-      gap.push_back((contact.gap ? fit_[c] : 1.0) * row.gap + offset_[static_cast<Eigen::Index>(r)] +
-                    row_opening(row, dim, fixed));
+      gap.push_back((contact.gap ? fit_[c] : 1.0) * row.gap +
+                    offset_[static_cast<Eigen::Index>(r)] + row_opening(row, dim, fixed));
       if (!closed_.empty()) {
         d.start.push_back(closed_[r]);
       }
@@ -197,8 +199,9 @@ bool StepSolver::accept(const contact::ContactSystem::Answer& answer,
     return false;
   }
   if (s.resting_modes > 0) {
-    state.notes.push_back(fmt::format(
-        "{} rigid mode(s) that no contact touches and nothing loads stay at rest", s.resting_modes));
+    state.notes.push_back(
+        fmt::format("{} rigid mode(s) that no contact touches and nothing loads stay at rest",
+                    s.resting_modes));
   }
   if (s.redundant > 0) {
     state.notes.push_back(fmt::format("{} redundant contact row(s) left out", s.redundant));
@@ -252,8 +255,8 @@ void StepSolver::balance(StepState& state) const {
       state.reaction[i] = 0.0;
     }
   }
-  const double scale = std::max({state.force.lpNorm<1>(), state.contact.lpNorm<1>(),
-                                 state.reaction.lpNorm<1>()});
+  const double scale =
+      std::max({state.force.lpNorm<1>(), state.contact.lpNorm<1>(), state.reaction.lpNorm<1>()});
   state.imbalance = scale > 0.0 ? left_over / scale : 0.0;
 }
 

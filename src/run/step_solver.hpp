@@ -22,15 +22,15 @@ struct Refusal {
 
 /// The state at the end of a step.
 struct StepState {
-  base::Vector u;                         ///< [dim * node]
-  base::Vector case_factor;               ///< [case]
-  std::vector<base::Vector> pair_lambda;  ///< [contact][row of the pair] pressures; 0 if absent
-  std::vector<base::Vector> pair_gap;     ///< [contact][normal row] weighted
+  base::Vector u;                             ///< [dim * node]
+  base::Vector case_factor;                   ///< [case]
+  std::vector<base::Vector> pair_lambda;      ///< [contact][row of the pair] pressures; 0 if absent
+  std::vector<base::Vector> pair_gap;         ///< [contact][normal row] weighted
   std::vector<std::vector<bool>> pair_closed; ///< [contact][normal row]
-  std::vector<bool> mounted;              ///< [contact]
-  base::Vector force;    ///< [dim * node] applied loads
-  base::Vector contact;  ///< [dim * node] contact forces
-  base::Vector reaction; ///< [dim * node] support forces
+  std::vector<bool> mounted;                  ///< [contact]
+  base::Vector force;                         ///< [dim * node] applied loads
+  base::Vector contact;                       ///< [dim * node] contact forces
+  base::Vector reaction;                      ///< [dim * node] support forces
   double energy = 0.0;
   double imbalance = 0.0; ///< largest force left over at a free freedom, over the force scale
   int iterations = 0, pivots = 0;
@@ -57,14 +57,14 @@ private:
   const model::Model& model_;
   const Scene& scene_;
   const std::vector<BodyNet>& bodies_;
-  std::vector<std::size_t> condensed_;      ///< bodies that have externals
+  std::vector<std::size_t> condensed_; ///< bodies that have externals
   std::optional<contact::ContactSystem> system_;
   base::Vector case_factor_;
-  std::vector<double> fit_;                 ///< [contact]
-  std::vector<bool> mounted_;               ///< [contact]
-  base::Vector offset_;                     ///< [row] gap taken on at MOUNT
-  base::Vector u_;                          ///< [dim * node] end of the last step
-  std::vector<bool> closed_;                ///< [row] end of the last step
+  std::vector<double> fit_;   ///< [contact]
+  std::vector<bool> mounted_; ///< [contact]
+  base::Vector offset_;       ///< [row] gap taken on at MOUNT
+  base::Vector u_;            ///< [dim * node] end of the last step
+  std::vector<bool> closed_;  ///< [row] end of the last step
 };
 
 } // namespace spricka::run

@@ -80,6 +80,14 @@ base::SymmetricCsc with_full_externals(const base::SymmetricCsc& K, std::int64_t
   return A;
 }
 
+std::vector<double> diagonal_of(const base::SymmetricCsc& K) {
+  std::vector<double> diagonal(at(K.n));
+  for (std::int64_t j = 0; j < K.n; ++j) {
+    diagonal[at(j)] = K.value[at(K.start[at(j)])];
+  }
+  return diagonal;
+}
+
 double mean_external_diagonal(const base::SymmetricCsc& K, std::int64_t locals) {
   double sum = 0.0;
   for (std::int64_t j = locals; j < K.n; ++j) {
@@ -127,9 +135,9 @@ struct Condensation::Impl {
   Factor factor;
   base::Matrix S;
 
-  void build(const base::SymmetricCsc& K, Ordering ordering);
+  void build(base::SymmetricCsc K, Ordering ordering);
   void factorise(const base::SymmetricCsc& A, CholmodSession& session);
-  void check_pivots(const base::SymmetricCsc& K);
+  void check_pivots(const std::vector<double>& diagonal);
   void read_schur(double shift);
   void drop_externals();
 
@@ -146,13 +154,15 @@ struct Condensation::Impl {
   }
 };
 
-void Condensation::Impl::build(const base::SymmetricCsc& K, Ordering ordering) {
+void Condensation::Impl::build(base::SymmetricCsc K, Ordering ordering) {
   blas::single_thread();
   const double shift = 1e-2 * mean_external_diagonal(K, locals);
   CholmodSession session;
   const double started = thread_cpu();
   order = elimination_order(K, locals, ordering);
   const base::SymmetricCsc A = with_full_externals(K, locals, shift);
+  const std::vector<double> diagonal = diagonal_of(K);
+  K = base::SymmetricCsc();
   factor = analyse(A, order, session);
   report.analysis_cpu = thread_cpu() - started;
   if (factor.get() == nullptr) {
@@ -171,7 +181,7 @@ void Condensation::Impl::build(const base::SymmetricCsc& K, Ordering ordering) {
   const double analysed = thread_cpu();
   factorise(A, session);
   if (report.status == FactorStatus::ok) {
-    check_pivots(K);
+    check_pivots(diagonal);
   }
   if (report.status == FactorStatus::ok) {
     read_schur(shift);
@@ -191,14 +201,14 @@ void Condensation::Impl::factorise(const base::SymmetricCsc& A, CholmodSession& 
   }
 }
 
-void Condensation::Impl::check_pivots(const base::SymmetricCsc& K) {
+void Condensation::Impl::check_pivots(const std::vector<double>& diagonal) {
   const Supernodes L = supernodes();
   std::int64_t weakest = -1;
   for (std::int64_t s = 0; s < L.count; ++s) {
     const std::int64_t rows = L.row_start[s + 1] - L.row_start[s];
     for (std::int64_t j = L.column[s]; j < std::min(L.column[s + 1], locals); ++j) {
       const double pivot = L.value[L.value_start[s] + (j - L.column[s]) * (rows + 1)];
-      const double ratio = pivot * pivot / K.value[at(K.start[at(order[at(j)])])];
+      const double ratio = pivot * pivot / diagonal[at(order[at(j)])];
       if (!(ratio >= report.smallest_pivot)) {
         report.smallest_pivot = ratio;
         weakest = j;
@@ -233,7 +243,7 @@ void Condensation::Impl::drop_externals() {
   }
 }
 
-Condensation::Condensation(const base::SymmetricCsc& K, std::int64_t externals, Ordering ordering)
+Condensation::Condensation(base::SymmetricCsc K, std::int64_t externals, Ordering ordering)
     : impl_(std::make_unique<Impl>()) {
   assert(externals >= 0 && externals <= K.n);
   impl_->n = K.n;
@@ -242,7 +252,7 @@ Condensation::Condensation(const base::SymmetricCsc& K, std::int64_t externals, 
     return;
   }
   try {
-    impl_->build(K, ordering);
+    impl_->build(std::move(K), ordering);
   } catch (const std::bad_alloc&) {
     impl_->report.status = FactorStatus::out_of_memory;
   }

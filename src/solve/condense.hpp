@@ -30,7 +30,8 @@ class Condensation {
 public:
   /// K [n, n] lower triangle, the last `externals` rows external. Check the report: when its status
   /// is not ok, nothing else may be asked for.
-  Condensation(const base::SymmetricCsc& K, std::int64_t externals,
+  /// K is given up as soon as it is copied into the order of elimination: move it in.
+  Condensation(base::SymmetricCsc K, std::int64_t externals,
                Ordering ordering = Ordering::automatic);
   ~Condensation();
   Condensation(Condensation&&) noexcept;

@@ -29,7 +29,8 @@ $LOAD CASE=PUSH TYPE=PRESSURE
   TOP.YMAX 10
 $STEP NAME=PRESS
   LOAD PUSH 1
-)" + more + "$END\n";
+)" + more +
+         "$END\n";
 }
 
 const std::string side_support = "$FREEDOM CLASS=SUPPRESSED DOF=X\n  TOP.XMIN\n";
@@ -60,8 +61,8 @@ TEST(ExitCode, FailedCheckIsOne) {
 
 TEST(ExitCode, SurfacesThatNeverFaceEachOther) {
   const Folder folder;
-  const Outcome outcome = run_text(
-      folder, plates(side_support, "$CONTACT NAME=FACE SLAVE=TOP.YMAX MASTER=LOW.YMIN\n"));
+  const Outcome outcome =
+      run_text(folder, plates(side_support, "$CONTACT NAME=FACE SLAVE=TOP.YMAX MASTER=LOW.YMIN\n"));
   EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_NE(outcome.messages.find("never face each other"), std::string::npos);
   EXPECT_NE(outcome.messages.find("test.deck:15:"), std::string::npos) << outcome.messages;
@@ -70,9 +71,9 @@ TEST(ExitCode, SurfacesThatNeverFaceEachOther) {
 
 TEST(ExitCode, LoadedBodyThatSlidesAwayIsNamed) {
   const Folder folder;
-  const Outcome outcome =
-      run_text(folder, plates("", face, "$LOAD CASE=SIDE TYPE=RESULTANT\n  TOP.BODY 5 0\n"
-                                        "$STEP NAME=SHOVE\n  LOAD SIDE 1\n"));
+  const Outcome outcome = run_text(folder, plates("", face,
+                                                  "$LOAD CASE=SIDE TYPE=RESULTANT\n  TOP.BODY 5 0\n"
+                                                  "$STEP NAME=SHOVE\n  LOAD SIDE 1\n"));
   EXPECT_EQ(outcome.exit_code, 4);
   EXPECT_NE(outcome.messages.find("body TOP"), std::string::npos) << outcome.messages;
   EXPECT_NE(outcome.messages.find("direction X"), std::string::npos) << outcome.messages;
@@ -81,8 +82,8 @@ TEST(ExitCode, LoadedBodyThatSlidesAwayIsNamed) {
 
 TEST(ExitCode, BodyPulledOffItsOnlyContactIsNamed) {
   const Folder folder;
-  const Outcome outcome = run_text(
-      folder, plates(side_support, face, "$STEP NAME=LIFT\n  LOAD PUSH -1\n"));
+  const Outcome outcome =
+      run_text(folder, plates(side_support, face, "$STEP NAME=LIFT\n  LOAD PUSH -1\n"));
   EXPECT_EQ(outcome.exit_code, 4);
   EXPECT_NE(outcome.messages.find("body TOP"), std::string::npos) << outcome.messages;
   EXPECT_NE(outcome.messages.find("step LIFT"), std::string::npos) << outcome.messages;
@@ -98,8 +99,7 @@ TEST(ExitCode, UnloadedFreeModeRests) {
 TEST(ExitCode, CrackThatTouchesNoElement) {
   const Folder folder;
   const Outcome outcome =
-      run_text(folder, plates(side_support, face,
-                              "$CRACK NAME=C NET=LOW A0=1 ANGLE=0\n  50 50\n"));
+      run_text(folder, plates(side_support, face, "$CRACK NAME=C NET=LOW A0=1 ANGLE=0\n  50 50\n"));
   EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_NE(outcome.messages.find("test.deck:"), std::string::npos) << outcome.messages;
   EXPECT_FALSE(has_results(folder));
@@ -135,8 +135,9 @@ TEST(ExitCode, OldResultsDoNotSurviveAFailedRun) {
   const Folder folder;
   ASSERT_EQ(run_text(folder, plates(side_support, face)).exit_code, 0);
   ASSERT_TRUE(has_results(folder));
-  EXPECT_EQ(run_text(folder, plates("", face, "$LOAD CASE=SIDE TYPE=RESULTANT\n  TOP.BODY 5 0\n"
-                                              "$STEP NAME=SHOVE\n  LOAD SIDE 1\n"))
+  EXPECT_EQ(run_text(folder, plates("", face,
+                                    "$LOAD CASE=SIDE TYPE=RESULTANT\n  TOP.BODY 5 0\n"
+                                    "$STEP NAME=SHOVE\n  LOAD SIDE 1\n"))
                 .exit_code,
             4);
   EXPECT_FALSE(has_results(folder));

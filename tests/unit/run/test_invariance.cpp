@@ -43,7 +43,9 @@ $END
   return deck;
 }
 
-std::vector<double> k1(const Folder& folder) { return column(folder.path() / "out" / "k.csv", "K1"); }
+std::vector<double> k1(const Folder& folder) {
+  return column(folder.path() / "out" / "k.csv", "K1");
+}
 
 TEST(Invariance, KDoesNotKnowTheUnits) {
   const Folder mm;
