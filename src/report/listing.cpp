@@ -44,7 +44,7 @@ std::string model_summary(const model::Model& model) {
   out += to_text(net_table(model)) + "\n" + to_text(property_table(model));
   const Table contacts = contact_pair_table(model);
   if (!contacts.rows.empty()) {
-    out += "\n" + to_text(contacts);
+    (out += '\n') += to_text(contacts);
   }
   if (!model.steps.empty()) {
     out += "\nSteps:";
@@ -81,7 +81,7 @@ std::string increment_text(const model::Model& model, const results::Increment& 
   for (const Table& table : {balance_table(model, increment), contact_table(model, increment),
                              k_table(model, increment)}) {
     if (!table.rows.empty()) {
-      out += "\n" + to_text(table);
+      (out += '\n') += to_text(table);
     }
   }
   return out;

@@ -38,6 +38,8 @@ void gather_tips(const model::Model& model, const Scene& scene, const StepState&
     results::TipResult result;
     result.name = tip.number > 1 ? fmt::format("{}.{}", crack.name, tip.number) : crack.name;
     result.a = tip.a;
+    result.x = tip.x;
+    result.direction = tip.direction;
     result.K1 = K.K1;
     result.K2 = K.K2;
     result.G = K.G;

@@ -151,8 +151,31 @@ bool make_tips(const model::Model& model, Scene& scene, base::Diagnostics& diagn
   return good;
 }
 
-void make_loads(const model::Model& model, Scene& scene) {
+// A resultant that does not arrive (a bearing load whose pin misses the bore) must not pass for a
+// load of nothing.
+bool arrives(const model::Model& model, const model::Mesh& mesh, const model::Load& load) {
+  if (load.type != model::LoadType::bearing && load.type != model::LoadType::resultant) {
+    return true;
+  }
+  const base::Vector f = fe::nodal_load(model, mesh, {"", {load}});
+  for (int c = 0; c < mesh.dim && c < static_cast<int>(load.value.size()); ++c) {
+    double sum = 0.0;
+    for (Eigen::Index i = c; i < f.size(); i += mesh.dim) {
+      sum += f[i];
+    }
+    const double wanted = load.value[static_cast<std::size_t>(c)](base::Vec3::Zero());
+    if (std::abs(sum - wanted) > 1e-9 * (std::abs(wanted) + f.lpNorm<1>())) {
+      return false;
+    }
+  }
+  return f.lpNorm<1>() > 0.0 || load.value.empty() ||
+         std::all_of(load.value.begin(), load.value.end(),
+                     [](const base::Expression& v) { return v(base::Vec3::Zero()) == 0.0; });
+}
+
+bool make_loads(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics) {
   const model::Mesh& mesh = scene.cracked.mesh;
+  bool good = true;
   const auto n = static_cast<Eigen::Index>(mesh.node_count()) * mesh.dim;
   const auto cases = static_cast<Eigen::Index>(model.cases.size());
   scene.case_load = base::Matrix::Zero(n, cases);
@@ -161,7 +184,17 @@ void make_loads(const model::Model& model, Scene& scene) {
     const model::LoadCase& load_case = model.cases[static_cast<std::size_t>(c)];
     scene.case_load.col(c) = fe::nodal_load(model, mesh, load_case);
     scene.case_displacement.col(c) = fe::prescribed_displacement(model, mesh, load_case);
+    for (const model::Load& load : load_case.loads) {
+      if (!arrives(model, mesh, load)) {
+        diagnostics.error(load.span, "E413",
+                          fmt::format("load case {}: the resultant cannot be carried by this set",
+                                      load_case.name),
+                          "a bearing load needs faces of a bore on the side it pushes to");
+        good = false;
+      }
+    }
   }
+  return good;
 }
 
 } // namespace
@@ -220,7 +253,9 @@ std::optional<Scene> make_scene(const model::Model& model, double a, const Regio
     const base::ElementId host = scene.cracked.host[e];
     scene.rest_element[e] = host.valid() && !plan.region[host.index()];
   }
-  make_loads(model, scene);
+  if (!make_loads(model, scene, diagnostics)) {
+    return std::nullopt;
+  }
   return scene;
 }
 

@@ -105,6 +105,49 @@ TEST(ExitCode, CrackThatTouchesNoElement) {
   EXPECT_FALSE(has_results(folder));
 }
 
+// K1 < 0 means overlapping faces: an answer, but not without a word.
+TEST(ExitCode, OverlappingCrackFacesAreWarnedOf) {
+  const Folder folder;
+  const Outcome outcome = run_text(folder, R"($DECK VERSION=1 LENGTH=mm FORCE=N
+$NET NAME=PLATE
+  $MESH SHAPE=BLOCK TYPE=QUAMC8 LX=10 LY=20 NX=10 NY=20
+$ENDNET
+$MATERIAL NAME=M E=1000 NU=0.3
+$PROPERTY ESET=PLATE.BODY MATERIAL=M STATE=STRESS
+$FREEDOM CLASS=SUPPRESSED DOF=XY
+  PLATE.YMIN
+$CRACK NAME=C NET=PLATE A0=3 ANGLE=0
+  0 10
+$LOAD CASE=PUSH TYPE=PRESSURE
+  PLATE.YMAX 10
+$STEP NAME=PRESS
+  LOAD PUSH 1
+$END
+)");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
+  EXPECT_NE(outcome.messages.find("overlap"), std::string::npos) << outcome.messages;
+  EXPECT_NE(test::slurp(folder.path() / "out" / "listing.txt").find("overlap"), std::string::npos);
+}
+
+TEST(ExitCode, NearlyIncompressiblePlaneStrainIsWarnedOf) {
+  const Folder folder;
+  std::string deck = plates(side_support, face);
+  deck.replace(deck.find("NU=0.3"), 6, "NU=0.4999");
+  deck.replace(deck.find("STATE=STRESS"), 12, "STATE=STRAIN");
+  const Outcome outcome = run_text(folder, deck);
+  EXPECT_NE(outcome.messages.find("incompressible"), std::string::npos) << outcome.messages;
+}
+
+TEST(ExitCode, BearingLoadThatMissesTheBoreIsRefused) {
+  const Folder folder;
+  const Outcome outcome =
+      run_text(folder, plates(side_support, face,
+                              "$LOAD CASE=PIN TYPE=BEARING\n  TOP.XMAX 5 0\n$STEP NAME=MORE\n"
+                              "  LOAD PIN 1\n"));
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_NE(outcome.messages.find("bearing"), std::string::npos) << outcome.messages;
+}
+
 TEST(ExitCode, CardOfALaterVersionIsRefused) {
   const Folder folder;
   const Outcome outcome =
