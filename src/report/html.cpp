@@ -75,7 +75,8 @@ void add_head(Page& page, const std::string& title, const base::Sources& sources
       "<p class=\"about\">Deck {}, computed by spricka {}. Units: {}, {}, {}{}.</p>\n",
       escape(sources.count() > 0 ? sources.name(0) : ""), SPRICKA_VERSION, units.length_name,
       units.force_name, units.stress_name(),
-      model.cracks.empty() ? "" : "; K in " + print_unit(units.stress_intensity_name())));
+      model.cracks.empty() ? ""
+                           : fmt::format("; K in {}", print_unit(units.stress_intensity_name()))));
 }
 
 void add_verdict(Page& page, const results::Run& run) {
@@ -124,7 +125,7 @@ void add_contacts(Page& page, const model::Model& model, const results::Run& run
 void add_notes(Page& page, const results::Run& run) {
   std::string items;
   for (const std::string& warning : run.warnings) {
-    items += "<li><b>Warning:</b> " + escape(warning) + "</li>\n";
+    items += fmt::format("<li><b>Warning:</b> {}</li>\n", escape(warning));
   }
   for (const results::Increment& increment : run.increments) {
     for (const std::string& note : increment.notes) {

@@ -110,7 +110,7 @@ std::vector<std::string> wrap(std::string_view words, std::size_t letters) {
     if (!lines.back().empty() && lines.back().size() + 1 + word.size() > letters) {
       lines.emplace_back();
     }
-    lines.back() += (lines.back().empty() ? "" : " ") + std::string(word);
+    (lines.back() += lines.back().empty() ? "" : " ") += word;
   }
   return lines;
 }

@@ -159,7 +159,7 @@ void Svg::text(Point at, std::string_view words, const TextStyle& style) {
   if (style.bold) {
     body_ += R"( font-weight="bold")";
   }
-  body_ += ">" + escape(words) + "</text>\n";
+  ((body_ += '>') += escape(words)) += "</text>\n";
 }
 
 void Svg::clip(std::string_view id, Point corner, double width, double height) {

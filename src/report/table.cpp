@@ -114,13 +114,13 @@ std::string print_unit(std::string_view unit) {
 std::string to_html(const Table& table) {
   std::string out = "<table>\n";
   if (!table.title.empty()) {
-    out += "<caption>" + escape(table.title) + "</caption>\n";
+    out += fmt::format("<caption>{}</caption>\n", escape(table.title));
   }
   out += "<thead><tr>";
   for (const Table::Column& column : table.columns) {
     out += fmt::format("<th{}>{}", column.words ? " class=\"w\"" : "", escape(column.name));
     if (!column.unit.empty()) {
-      out += "<br><span>" + escape(print_unit(column.unit)) + "</span>";
+      out += fmt::format("<br><span>{}</span>", escape(print_unit(column.unit)));
     }
     out += "</th>";
   }
