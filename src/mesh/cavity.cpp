@@ -201,13 +201,14 @@ std::vector<Vec2> fine_curve(const model::Mesh& mesh, const Edge& edge,
   const EdgePoint mouth = nearest_on(mesh, edge, placement.frame.origin);
   if (mouth.distance < same * placement.frame.a) {
     xi.push_back(mouth.xi);
-    for (double d = 1.0; d > 1e-6; d *= 0.5) {
-      xi.push_back(std::min(mouth.xi + d, 1.0));
-      xi.push_back(std::max(mouth.xi - d, -1.0));
+    for (int k = 0; k < 20; ++k) {
+      xi.push_back(std::min(mouth.xi + std::ldexp(1.0, -k), 1.0));
+      xi.push_back(std::max(mouth.xi - std::ldexp(1.0, -k), -1.0));
     }
     std::sort(xi.begin(), xi.end());
   }
   std::vector<Vec2> result;
+  result.reserve(xi.size());
   for (const double t : xi) {
     result.push_back(placement.frame.exact(point_on(mesh, edge, t)));
   }
