@@ -139,6 +139,7 @@ struct Builder {
     }
     mesh::CrackLine start;
     start.crack = base::CrackId(number);
+    start.name = crack.name;
     std::optional<mesh::CrackLine> line =
         crack.kind == model::CrackKind::path ? path_line(crack, start) : free_line(crack, start, a);
     if (!line) {
