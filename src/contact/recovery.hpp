@@ -2,7 +2,6 @@
 #pragma once
 #include "contact/constraint.hpp"
 
-#include <memory>
 #include <vector>
 
 /// Pressures from contact forces, C p = R with the surface mass C (the paper's equations 6 to 8),

@@ -67,7 +67,8 @@ void add_point(const Point& p, bool bonded, Builders& rows) {
   }
 }
 
-void add_segment(const PairRows& pair, const Edge& edge, const Edge& target, const Segment& s,
+// False if a point of the segment finds no target: its area would be lost.
+bool add_segment(const PairRows& pair, const Edge& edge, const Edge& target, const Segment& s,
                  const std::optional<double>& declared, bool bonded, Builders& rows) {
   const double thickness = std::min(pair.contact.thickness, pair.target.thickness);
   for (std::size_t g = 0; g < gauss_r.size(); ++g) {
@@ -76,12 +77,13 @@ void add_segment(const PairRows& pair, const Edge& edge, const Edge& target, con
     const Vec2 x = point_on(edge, xi);
     const std::optional<double> eta = hit_on(target, x, n);
     if (!eta) {
-      continue;
+      return false;
     }
     const double w = 0.5 * (s.to - s.from) * gauss_w[g] * tangent_on(edge, xi).norm() * thickness;
     const double gap = declared ? *declared : (point_on(target, *eta) - x).dot(n);
     add_point({edge, target, xi, *eta, w, n, gap}, bonded, rows);
   }
+  return true;
 }
 
 // What each function would weigh if its whole support were paired.
@@ -190,8 +192,13 @@ void segment_rows(PairRows& pair, std::optional<double> declared_gap, bool bonde
     add_support(*edge, std::min(pair.contact.thickness, pair.target.thickness), rows);
   }
   for (const Segment& s : segments) {
-    add_segment(pair, *edges[s.contact_edge], *targets[s.target_edge], s, declared_gap, bonded,
-                rows);
+    if (!add_segment(pair, *edges[s.contact_edge], *targets[s.target_edge], s, declared_gap, bonded,
+                     rows)) {
+      pair.trouble =
+          "the normals of one surface miss the other within a stretch that faces it (too "
+          "strongly curved for its edges?)";
+      return;
+    }
   }
   for (const EdgeChain& chain : pair.contact.chains) {
     merge_slivers(chain, bonded, rows, pair.merged);

@@ -5,7 +5,6 @@
 #include "solve/contact_qp.hpp"
 #include "solve/dense_cholesky.hpp"
 
-#include <memory>
 #include <vector>
 
 namespace spricka::contact {
@@ -58,7 +57,6 @@ public:
 
   /// sum weight . u for a row, from external displacements; other freedoms count as zero.
   [[nodiscard]] double opening(std::size_t row, const std::vector<base::Vector>& u) const;
-  [[nodiscard]] std::size_t row_count() const { return rows_.size(); }
   /// Which body and which combination of its modes an entry of alpha belongs to.
   [[nodiscard]] std::size_t body_of_mode(Eigen::Index mode) const;
   [[nodiscard]] Eigen::Index first_mode(std::size_t body) const { return mode_start_[body]; }
