@@ -5,6 +5,7 @@
 #include "grammar/lexeme.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <string_view>
@@ -17,9 +18,18 @@ namespace spricka::grammar {
 
 namespace {
 
-// A field ends at a blank, a comma or the end of the line.
+// By byte: what ends a field, a blank, a comma or the end of the line.
+constexpr std::array<bool, 256> field_end_bytes = [] {
+  std::array<bool, 256> ends{};
+  for (std::size_t c = 0; c < ends.size(); ++c) {
+    const char byte = static_cast<char>(c);
+    ends[c] = is_blank(byte) || byte == ',' || ends_line(byte);
+  }
+  return ends;
+}();
+
 bool field_ends(const char* p, const char* last) {
-  return p >= last || is_blank(*p) || *p == ',' || ends_line(*p);
+  return p >= last || field_end_bytes[static_cast<unsigned char>(*p)];
 }
 
 // Blanks, at most one comma, blanks.
@@ -37,6 +47,9 @@ const char* skip_separator(const char* p, const char* last) {
   return p < last && ends_line(*p) ? skip_ws(p, last) : p;
 }
 
+// Rows that are handed over together: a block of them stays in the processor's cache.
+constexpr std::size_t k_block = 2048;
+
 template <class Value> class TableReader {
 public:
   TableReader(const TableForm& form, base::Span data, const Scope& scope,
@@ -45,17 +58,19 @@ public:
         origin_(scope.sources->text(data.file).data()), p_(origin_ + data.begin),
         last_(origin_ + data.end) {
     table_.columns = form.columns;
+    table_.label.reserve(k_block);
+    table_.offset.reserve(k_block);
+    table_.value.reserve(k_block * form_.columns);
   }
 
-  Table<Value> run() {
-    const auto lines = static_cast<std::size_t>(std::count(p_, last_, '\n')) + 1;
-    table_.label.reserve(lines);
-    table_.offset.reserve(lines);
-    table_.value.reserve(lines * form_.columns);
+  void run(const TakeRows<Value>& take) {
     while (true) {
       p_ = skip_ws(p_, last_);
+      if (p_ >= last_ || table_.label.size() == k_block) {
+        hand_over(take);
+      }
       if (p_ >= last_) {
-        return std::move(table_);
+        return;
       }
       if (*p_ == '\n') {
         ++p_;
@@ -67,6 +82,15 @@ public:
   }
 
 private:
+  void hand_over(const TakeRows<Value>& take) {
+    if (!table_.label.empty()) {
+      take(table_);
+    }
+    table_.label.clear();
+    table_.offset.clear();
+    table_.value.clear();
+  }
+
   bool row() {
     const char* const begin = p_;
     base::Label label = 0;
@@ -127,6 +151,21 @@ private:
   }
 
   bool integer(base::Label& value, std::string_view what) {
+    // nearly every number: some digits, and the field ends
+    const char* q = p_;
+    base::Label plain = 0;
+    while (q < last_ && q - p_ < 18 && is_digit(*q)) {
+      plain = 10 * plain + (*q++ - '0');
+    }
+    if (q > p_ && field_ends(q, last_)) {
+      value = plain;
+      p_ = q;
+      return true;
+    }
+    return long_integer(value, what);
+  }
+
+  bool long_integer(base::Label& value, std::string_view what) {
     if (p_ < last_ && *p_ == '(') {
       return slow(value);
     }
@@ -241,14 +280,19 @@ private:
 
 } // namespace
 
-Table<double> parse_coordinates(const TableForm& form, base::Span data, const Scope& scope,
-                                base::Diagnostics& diagnostics) {
-  return TableReader<double>(form, data, scope, diagnostics).run();
+void parse_coordinates(const TableForm& form, base::Span data, const Scope& scope,
+                       base::Diagnostics& diagnostics, const TakeRows<double>& take) {
+  TableReader<double>(form, data, scope, diagnostics).run(take);
 }
 
-Table<base::Label> parse_connectivity(const TableForm& form, base::Span data, const Scope& scope,
-                                      base::Diagnostics& diagnostics) {
-  return TableReader<base::Label>(form, data, scope, diagnostics).run();
+void parse_connectivity(const TableForm& form, base::Span data, const Scope& scope,
+                        base::Diagnostics& diagnostics, const TakeRows<base::Label>& take) {
+  TableReader<base::Label>(form, data, scope, diagnostics).run(take);
+}
+
+std::size_t count_lines(const base::Sources& sources, base::Span data) {
+  const std::string_view text = sources.text(data);
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
 }
 
 base::Span table_field(const base::Sources& sources, base::Span data, std::uint32_t offset,
@@ -269,6 +313,19 @@ base::Span table_field(const base::Sources& sources, base::Span data, std::uint3
   }
   return {data.file, static_cast<std::uint32_t>(p - origin),
           static_cast<std::uint32_t>(end_of(p) - origin)};
+}
+
+base::Span table_label(const base::Sources& sources, base::Span data, std::size_t index) {
+  const char* const origin = sources.text(data.file).data();
+  const char* const last = origin + data.end;
+  const char* p = origin + data.begin;
+  for (std::size_t row = 0; p < last; p = logical_line_end(p, last) + 1) {
+    p = skip_ws(p, last);
+    if (p < last && *p != '\n' && row++ == index) {
+      break;
+    }
+  }
+  return table_field(sources, data, static_cast<std::uint32_t>(p - origin), 0);
 }
 
 } // namespace spricka::grammar

@@ -3,7 +3,9 @@
 #include "base/id.hpp"
 #include "grammar/compile.hpp"
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -11,6 +13,7 @@
 /// exactly rounded; a field in parentheses takes the slow way through the expression rules.
 namespace spricka::grammar {
 
+/// A stretch of rows.
 template <class Value> struct Table {
   std::size_t columns = 0;           ///< values in a row, the label not counted
   std::vector<base::Label> label;    ///< [row]
@@ -26,15 +29,25 @@ struct TableForm {
   std::string surplus;             ///< hint when a line goes on
 };
 
+/// Takes rows in the order of the deck, some thousands at a time, so that a big table never stands
+/// in memory twice. The block is valid during the call only.
+template <class Value> using TakeRows = std::function<void(const Table<Value>&)>;
+
 /// Reads `label v1 .. vn` lines of a data block. Bad lines are reported and left out.
-Table<double> parse_coordinates(const TableForm& form, base::Span data, const Scope& scope,
-                                base::Diagnostics& diagnostics);
-Table<base::Label> parse_connectivity(const TableForm& form, base::Span data, const Scope& scope,
-                                      base::Diagnostics& diagnostics);
+void parse_coordinates(const TableForm& form, base::Span data, const Scope& scope,
+                       base::Diagnostics& diagnostics, const TakeRows<double>& take);
+void parse_connectivity(const TableForm& form, base::Span data, const Scope& scope,
+                        base::Diagnostics& diagnostics, const TakeRows<base::Label>& take);
+
+/// At least as many as the rows of a data block: its lines.
+std::size_t count_lines(const base::Sources& sources, base::Span data);
 
 /// Place of field `index` (0: the label) of the row that starts at `offset`: for messages after the
 /// table was read.
 base::Span table_field(const base::Sources& sources, base::Span data, std::uint32_t offset,
                        std::size_t index);
+
+/// Place of the label of row `index` of a table without mistakes.
+base::Span table_label(const base::Sources& sources, base::Span data, std::size_t index);
 
 } // namespace spricka::grammar

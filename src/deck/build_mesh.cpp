@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -47,56 +48,76 @@ Set* table_set(Context& c, const BoundCard& card, std::string_view key, std::vec
   return before->poisoned ? nullptr : &sets[before->index];
 }
 
-void coordinates(Context& c, const BoundCard& card) {
-  const bool polar = card.is("SYSTEM", "CYL");
-  const auto dim = static_cast<std::size_t>(card.integer("DIM"));
+grammar::TableForm coordinate_form(const BoundCard& card) {
+  const std::string columns = card.is("SYSTEM", "CYL") ? "r theta" : "x y";
   grammar::TableForm form;
-  form.columns = dim;
-  const std::string columns = polar ? "r theta" : "x y";
-  form.missing = dim == 3 ? fmt::format("a line is id {} z; DIM=2 has no z", columns)
-                          : fmt::format("a line is id {}", columns);
-  form.surplus = dim == 2 ? fmt::format("with DIM=2 a line is id {}", columns)
-                          : fmt::format("a line is id {} z", columns);
-  const std::size_t errors = c.diagnostics.error_count();
-  const auto table = grammar::parse_coordinates(form, card.data, c.scope, c.diagnostics);
-  Labels& labels = c.node_labels[card.net_id.index()];
-  labels.complete = labels.complete && c.diagnostics.error_count() == errors;
-  model::NodeSet* set = table_set(c, card, "NSET", c.model.mesh.node_sets);
-  for (std::size_t i = 0; i < table.label.size(); ++i) {
-    const double* v = &table.value[i * dim];
-    const base::Vec3 x(polar ? v[0] * std::cos(v[1]) : v[0], polar ? v[0] * std::sin(v[1]) : v[1],
-                       dim == 3 ? v[2] : 0.0);
-    if (!labels.insert(table.label[i], c.model.mesh.node_count())) {
-      c.error(grammar::table_field(c.sources, card.data, table.offset[i], 0), "E304",
-              fmt::format("node {} is defined twice", table.label[i]));
-      continue;
-    }
-    const base::NodeId node = model::add_node(c.model.mesh, x, table.label[i], card.net_id);
-    if (set != nullptr) {
-      set->nodes.push_back(node);
-    }
-  }
+  form.columns = static_cast<std::size_t>(card.integer("DIM"));
+  form.missing = form.columns == 3 ? fmt::format("a line is id {} z; DIM=2 has no z", columns)
+                                   : fmt::format("a line is id {}", columns);
+  form.surplus = form.columns == 2 ? fmt::format("with DIM=2 a line is id {}", columns)
+                                   : fmt::format("a line is id {} z", columns);
+  return form;
 }
 
-// The nodes of one row; false if one of them is unknown or given twice.
-bool connect(Context& c, const BoundCard& card, const grammar::Table<base::Label>& table,
-             std::size_t row, std::vector<base::NodeId>& nodes) {
+void coordinates(Context& c, const BoundCard& card) {
+  const bool polar = card.is("SYSTEM", "CYL");
+  const grammar::TableForm form = coordinate_form(card);
+  Labels& labels = c.node_labels[card.net_id.index()];
+  model::Mesh& mesh = c.model.mesh;
+  model::NodeSet* const set = table_set(c, card, "NSET", mesh.node_sets);
+  const std::size_t errors = c.diagnostics.error_count();
+  std::size_t twice = 0;
+  const auto take = [&](const grammar::Table<double>& table) {
+    for (std::size_t i = 0; i < table.label.size(); ++i) {
+      const double* v = &table.value[i * form.columns];
+      const base::Vec3 x(polar ? v[0] * std::cos(v[1]) : v[0], polar ? v[0] * std::sin(v[1]) : v[1],
+                         form.columns == 3 ? v[2] : 0.0);
+      if (!labels.insert(table.label[i], mesh.node_count())) {
+        c.error(grammar::table_field(c.sources, card.data, table.offset[i], 0), "E304",
+                fmt::format("node {} is defined twice", table.label[i]));
+        ++twice;
+        continue;
+      }
+      const base::NodeId node = model::add_node(mesh, x, table.label[i], card.net_id);
+      if (set != nullptr) {
+        set->nodes.push_back(node);
+      }
+    }
+  };
+  grammar::parse_coordinates(form, card.data, c.scope, c.diagnostics, take);
+  // a number that stands twice is known all the same
+  labels.complete = labels.complete && c.diagnostics.error_count() == errors + twice;
+}
+
+// Node indices of one row; false if a number is unknown or stands twice.
+bool resolve(const Labels& labels, std::span<const base::Label> row,
+             std::vector<base::NodeId>& nodes) {
+  bool ok = true;
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    const auto found = labels.find(row[k]);
+    nodes[k] = found ? base::NodeId(*found) : base::NodeId();
+    ok = ok && found;
+    for (std::size_t j = 0; j < k; ++j) {
+      ok = ok && nodes[j] != nodes[k];
+    }
+  }
+  return ok;
+}
+
+// Says what is wrong with a row that could not be resolved.
+void report_row(Context& c, const BoundCard& card, const grammar::Table<base::Label>& table,
+                std::size_t row) {
   const Labels& labels = c.node_labels[card.net_id.index()];
   const base::Label* of_row = &table.value[row * table.columns];
-  bool ok = true;
   for (std::size_t k = 0; k < table.columns; ++k) {
-    const auto found = labels.find(of_row[k]);
-    nodes[k] = found ? base::NodeId(*found) : base::NodeId();
     const bool twice = std::find(of_row, of_row + k, of_row[k]) != of_row + k;
-    if ((!found && labels.complete) || twice) {
+    if (twice || (labels.complete && !labels.find(of_row[k]))) {
       c.error(grammar::table_field(c.sources, card.data, table.offset[row], k + 1), "E303",
               twice ? fmt::format("node {} stands twice in element {}", of_row[k], table.label[row])
                     : fmt::format("there is no node {}{}", of_row[k],
                                   card.net.empty() ? "" : " in net " + card.net));
     }
-    ok = ok && found && !twice;
   }
-  return ok;
 }
 
 void elements(Context& c, const BoundCard& card) {
@@ -108,28 +129,31 @@ void elements(Context& c, const BoundCard& card) {
   form.missing =
       fmt::format("{} takes {} nodes; continue a line with a leading &", info.name, info.nodes);
   form.surplus = fmt::format("{} takes {} nodes", info.name, info.nodes);
-  const auto table = grammar::parse_connectivity(form, card.data, c.scope, c.diagnostics);
-  model::ElementSet* set = table_set(c, card, "ESET", c.model.mesh.element_sets);
-  Labels& labels = c.element_labels[card.net_id.index()];
   model::Mesh& mesh = c.model.mesh;
-  ElementOrigin origin{mesh.element_count(), 0, card.span, card.data, {}};
+  model::ElementSet* const set = table_set(c, card, "ESET", mesh.element_sets);
+  const Labels& node_labels = c.node_labels[card.net_id.index()];
+  Labels& labels = c.element_labels[card.net_id.index()];
+  ElementOrigin origin{mesh.element_count(), 0, card.span, card.data};
   std::vector<base::NodeId> nodes(form.columns);
-  for (std::size_t i = 0; i < table.label.size(); ++i) {
-    if (!connect(c, card, table, i, nodes)) {
-      labels.complete = false;
-      continue;
+  const auto take = [&](const grammar::Table<base::Label>& table) {
+    for (std::size_t i = 0; i < table.label.size(); ++i) {
+      if (!resolve(node_labels, {&table.value[i * form.columns], form.columns}, nodes)) {
+        report_row(c, card, table, i);
+        labels.complete = false;
+        continue;
+      }
+      if (!labels.insert(table.label[i], mesh.element_count())) {
+        c.error(grammar::table_field(c.sources, card.data, table.offset[i], 0), "E304",
+                fmt::format("element {} is defined twice", table.label[i]));
+        continue;
+      }
+      const base::ElementId e = model::add_element(mesh, type, nodes, table.label[i], card.net_id);
+      if (set != nullptr) {
+        set->elements.push_back(e);
+      }
     }
-    if (!labels.insert(table.label[i], mesh.element_count())) {
-      c.error(grammar::table_field(c.sources, card.data, table.offset[i], 0), "E304",
-              fmt::format("element {} is defined twice", table.label[i]));
-      continue;
-    }
-    const base::ElementId e = model::add_element(mesh, type, nodes, table.label[i], card.net_id);
-    origin.offset.push_back(table.offset[i]);
-    if (set != nullptr) {
-      set->elements.push_back(e);
-    }
-  }
+  };
+  grammar::parse_connectivity(form, card.data, c.scope, c.diagnostics, take);
   origin.count = mesh.element_count() - origin.first;
   c.origins.push_back(std::move(origin));
 }
@@ -271,7 +295,7 @@ void adopt_labels(Context& c, const BoundCard& card, std::size_t node, std::size
   for (; node < mesh.node_count(); ++node) {
     c.node_labels[card.net_id.index()].insert(mesh.node_label[node], node);
   }
-  c.origins.push_back({element, mesh.element_count() - element, card.span, card.data, {}});
+  c.origins.push_back({element, mesh.element_count() - element, card.span, {}});
   bool solid = false;
   for (; element < mesh.element_count(); ++element) {
     c.element_labels[card.net_id.index()].insert(mesh.element_label[element], element);
@@ -305,9 +329,29 @@ void mesh_card(Context& c, const BoundCard& card) {
   }
 }
 
+// Room for every table of the deck at once: arrays of millions that grow by doubling would take
+// three times their size on the way.
+void reserve_tables(Context& c) {
+  std::size_t nodes = 0;
+  std::size_t elements = 0;
+  std::size_t entries = 0;
+  for (const BoundCard& card : c.cards) {
+    if (card.spec->name == "COOR") {
+      nodes += grammar::count_lines(c.sources, card.data);
+    } else if (card.spec->name == "ELEMENT" && !card.bad) {
+      const std::size_t lines = grammar::count_lines(c.sources, card.data);
+      elements += lines;
+      entries +=
+          lines * static_cast<std::size_t>(base::info(element_type(card.word("TYPE"))).nodes);
+    }
+  }
+  model::reserve(c.model.mesh, nodes, elements, entries);
+}
+
 } // namespace
 
 void build_mesh(Context& context) {
+  reserve_tables(context);
   const std::size_t nets = context.model.nets.size();
   context.node_labels.resize(nets);
   context.element_labels.resize(nets);

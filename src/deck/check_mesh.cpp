@@ -22,9 +22,8 @@ const ElementOrigin& origin_of(const Context& c, std::size_t element) {
 // The row of an $ELEMENT table, or the card that meshed.
 base::Span place_of(const Context& c, std::size_t element) {
   const ElementOrigin& origin = origin_of(c, element);
-  return origin.offset.empty() ? origin.card
-                               : grammar::table_field(c.sources, origin.data,
-                                                      origin.offset[element - origin.first], 0);
+  return origin.data.valid() ? grammar::table_label(c.sources, origin.data, element - origin.first)
+                             : origin.card;
 }
 
 // One message for each card, with the count: a mesh may hold thousands.

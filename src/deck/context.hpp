@@ -20,8 +20,7 @@ struct ElementOrigin {
   std::size_t first = 0; ///< element index
   std::size_t count = 0;
   base::Span card;
-  base::Span data;
-  std::vector<std::uint32_t> offset; ///< of the rows of an $ELEMENT table; empty for a mesh
+  base::Span data; ///< of an $ELEMENT table, an element in each row; invalid for a mesh
 };
 
 /// Everything the stages of reading share: what is being built and what is known about names.

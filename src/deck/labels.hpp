@@ -34,8 +34,8 @@ public:
   }
 
   [[nodiscard]] std::optional<std::size_t> find(base::Label label) const {
-    const auto l = static_cast<std::size_t>(label);
-    if (label >= 0 && l < near_.size() && near_[l] >= 0) {
+    const auto l = static_cast<std::size_t>(label); // wide of the array if negative
+    if (l < near_.size() && near_[l] >= 0) {
       return static_cast<std::size_t>(near_[l]);
     }
     const auto it = far_.find(label);

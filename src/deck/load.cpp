@@ -4,6 +4,7 @@
 #include "grammar/parse.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <limits>
@@ -32,22 +33,20 @@ std::string read_file(const fs::path& path) {
   if (!file) {
     throw std::system_error(errno, std::generic_category(), path.string());
   }
+  // A plain file is read in one go; what has no size (a pipe) or grows meanwhile, by chunks.
   std::string text;
   std::error_code unknown;
   if (const auto size = fs::file_size(path, unknown); !unknown) {
-    text.reserve(static_cast<std::size_t>(size) + 1);
+    text.resize(static_cast<std::size_t>(size));
   }
-  std::size_t filled = 0;
-  while (true) {
-    constexpr std::size_t chunk = std::size_t{1} << 20U;
-    text.resize(filled + chunk);
-    const std::size_t got = std::fread(text.data() + filled, 1, chunk, file.get());
-    filled += got;
-    if (got < chunk) {
-      break;
-    }
-  }
+  std::size_t filled = std::fread(text.data(), 1, text.size(), file.get());
+  constexpr std::size_t chunk = std::size_t{1} << 16U;
+  std::array<char, chunk> more;
   text.resize(filled);
+  while (const std::size_t got = std::fread(more.data(), 1, chunk, file.get())) {
+    text.append(more.data(), got);
+    filled += got;
+  }
   if (std::ferror(file.get()) != 0) {
     throw std::system_error(EIO, std::generic_category(), path.string());
   }

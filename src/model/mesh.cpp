@@ -5,6 +5,18 @@
 
 namespace spricka::model {
 
+void reserve(Mesh& mesh, std::size_t nodes, std::size_t elements, std::size_t entries) {
+  mesh.x.reserve(nodes);
+  mesh.node_label.reserve(nodes);
+  mesh.node_net.reserve(nodes);
+  mesh.type.reserve(elements);
+  mesh.first.reserve(elements + 1);
+  mesh.nodes.reserve(entries);
+  mesh.element_label.reserve(elements);
+  mesh.element_net.reserve(elements);
+  mesh.property.reserve(elements);
+}
+
 base::NodeId add_node(Mesh& mesh, const base::Vec3& x, base::Label label, base::NetId net) {
   mesh.x.push_back(x);
   mesh.node_label.push_back(label);

@@ -70,6 +70,9 @@ struct Mesh {
   [[nodiscard]] const FaceSet& set(base::FaceSetId id) const { return face_sets[id.index()]; }
 };
 
+/// Makes room for so many nodes, elements and entries of the connectivity in all.
+void reserve(Mesh& mesh, std::size_t nodes, std::size_t elements, std::size_t entries);
+
 /// Appends a node and returns its index.
 base::NodeId add_node(Mesh& mesh, const base::Vec3& x, base::Label label, base::NetId net);
 

@@ -27,8 +27,24 @@ struct Reader {
     form.columns = columns;
     data = {sources.add("table", text), 0, static_cast<std::uint32_t>(text.size())};
   }
-  Table<double> coordinates() { return parse_coordinates(form, data, scope, diagnostics); }
-  Table<base::Label> nodes() { return parse_connectivity(form, data, scope, diagnostics); }
+  Table<double> coordinates() {
+    Table<double> all;
+    parse_coordinates(form, data, scope, diagnostics, gather(all));
+    return all;
+  }
+  Table<base::Label> nodes() {
+    Table<base::Label> all;
+    parse_connectivity(form, data, scope, diagnostics, gather(all));
+    return all;
+  }
+  template <class Value> static TakeRows<Value> gather(Table<Value>& all) {
+    return [&all](const Table<Value>& block) {
+      all.columns = block.columns;
+      all.label.insert(all.label.end(), block.label.begin(), block.label.end());
+      all.value.insert(all.value.end(), block.value.begin(), block.value.end());
+      all.offset.insert(all.offset.end(), block.offset.begin(), block.offset.end());
+    };
+  }
   /// Code and column of the only message.
   std::string message() {
     coordinates();
