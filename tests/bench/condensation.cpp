@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What condensing costs: analysis and numeric phase of all nets of the first increment of a deck,
+// against analysis and numeric phase of one plain factorisation of the whole model, in one run.
+// Usage: bench_condensation DECK [REPEATS]
+#include "base/diagnostics.hpp"
+#include "deck/read_deck.hpp"
+#include "growth/crack_lines.hpp"
+#include "run/condense_bodies.hpp"
+#include "run/scene.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace {
+
+using namespace spricka;
+
+// All bodies in one matrix, nothing external. Bodies that only contact holds get a little on their
+// diagonal: the factorisation costs the same.
+base::SymmetricCsc whole_stiffness(const model::Model& model, const run::Scene& scene) {
+  const model::Mesh& mesh = scene.cracked.mesh;
+  std::vector<model::FreedomClass> cls = scene.cls;
+  std::replace(cls.begin(), cls.end(), model::FreedomClass::external, model::FreedomClass::local);
+  std::vector<base::NodeId> nodes;
+  std::vector<base::ElementId> elements;
+  for (const fe::Body& body : fe::find_bodies(mesh)) {
+    nodes.insert(nodes.end(), body.nodes.begin(), body.nodes.end());
+    elements.insert(elements.end(), body.elements.begin(), body.elements.end());
+  }
+  std::sort(nodes.begin(), nodes.end());
+  base::SymmetricCsc K =
+      fe::assemble_stiffness(model, mesh, elements, {}, fe::number_freedoms(mesh, nodes, cls));
+  for (std::size_t j = 0; j + 1 < K.start.size(); ++j) {
+    K.value[static_cast<std::size_t>(K.start[j])] *= 1.0 + 1e-6;
+  }
+  return K;
+}
+
+run::CondenseLog condense(const model::Model& model, const run::Scene& scene) {
+  run::CondensationCache cache;
+  run::CondenseLog log;
+  run::condense_bodies(
+      {model, scene.cracked.mesh, scene.cls, scene.rest_element, scene.case_load, 1}, cache, log);
+  return log;
+}
+
+void line(const char* what, double analysis, double numeric, double flops) {
+  fmt::print("{:<28} analysis {:.4f} s, numeric {:.4f} s, {:.3g} flops\n", what, analysis, numeric,
+             flops);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  base::Sources sources;
+  base::Diagnostics diagnostics;
+  const auto model = argc > 1 ? deck::read_deck(argv[1], {}, sources, diagnostics) : std::nullopt;
+  if (!model) {
+    fmt::print(stderr, "usage: bench_condensation DECK [REPEATS]\n{}",
+               base::format(sources, diagnostics));
+    return 2;
+  }
+  const std::vector<double> lengths = growth::crack_lengths(*model);
+  const run::RegionPlan plan = run::plan_region(*model, lengths, diagnostics);
+  const auto scene = run::make_scene(*model, lengths.front(), plan, diagnostics);
+  if (!scene) {
+    fmt::print(stderr, "{}", base::format(sources, diagnostics));
+    return 3;
+  }
+  run::CondenseLog nets;
+  solve::FactorReport plain;
+  const auto total = [](const auto& r) { return r.analysis_cpu + r.numeric_cpu; };
+  for (int i = 0; i < (argc > 2 ? std::atoi(argv[2]) : 7); ++i) {
+    const run::CondenseLog log = condense(*model, *scene);
+    const solve::FactorReport report =
+        solve::Condensation(whole_stiffness(*model, *scene), 0).report();
+    nets = i == 0 || total(log) < total(nets) ? log : nets;
+    plain = i == 0 || total(report) < total(plain) ? report : plain;
+  }
+  line(fmt::format("{} nets condensed", nets.condensed).c_str(), nets.analysis_cpu,
+       nets.numeric_cpu, nets.flops);
+  line("one plain factorisation", plain.analysis_cpu, plain.numeric_cpu, plain.flops);
+  fmt::print("time {:.2f} times, flops {:.2f} times\n", total(nets) / total(plain),
+             nets.flops / plain.flops);
+  return 0;
+}
