@@ -52,10 +52,8 @@ base::SymmetricCsc assemble_stiffness(const model::Model& model, const model::Me
   std::size_t block_number = 0;
   for_blocks(mesh, elements, [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
     for (const base::ElementId e : block) {
-      const model::Property& property = model.property_of(mesh, e);
-      const Elasticity<S::dim> D = elasticity<S::dim>(model.material_of(mesh, e), property.state);
       const ElementMatrix<S> Ke =
-          element_stiffness<S>(coordinates<S>(mesh, e), D, property.thickness);
+          element_stiffness<S>(coordinates<S>(mesh, e), law_of(model, mesh, e));
       add_block(K, blocks.of(block_number), Ke.data(), Ke.rows());
       ++block_number;
     }

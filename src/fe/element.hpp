@@ -1,67 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "fe/elasticity.hpp"
-#include "shape/quadrature.hpp"
-#include "shape/shape.hpp"
-
-#include <Eigen/LU>
+#include "fe/dilatation.hpp"
+#include "fe/jacobian.hpp"
+#include "fe/law.hpp"
 
 #include <array>
-#include <cassert>
 #include <span>
 
 /// Kernels of one element, on fixed-size matrices; nothing here allocates. Freedom c of local node
 /// i is row dim * i + c of an element matrix.
 namespace spricka::fe {
-
-/// Values of a vector field (coordinates, displacements, forces) at the nodes of an element.
-template <shape::Shape S> using NodeVectors = Eigen::Matrix<double, S::dim, S::nodes>;
-/// Derivatives of the shape functions with respect to x.
-template <shape::Shape S> using Gradients = Eigen::Matrix<double, S::nodes, S::dim>;
-template <shape::Shape S>
-using ElementMatrix = Eigen::Matrix<double, S::dim * S::nodes, S::dim * S::nodes>;
-
-/// Coordinates of the nodes of an element [dim, nodes].
-template <shape::ElementShape S>
-NodeVectors<S> coordinates(const model::Mesh& mesh, base::ElementId e) {
-  const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
-  assert(nodes.size() == static_cast<std::size_t>(S::nodes));
-  NodeVectors<S> X;
-  for (int i = 0; i < S::nodes; ++i) {
-    X.col(i) = mesh.x[nodes[static_cast<std::size_t>(i)].index()].template head<S::dim>();
-  }
-  return X;
-}
-
-/// The part of a nodal vector [dim * node] that belongs to an element [dim, nodes].
-template <shape::ElementShape S>
-NodeVectors<S> gather(const model::Mesh& mesh, base::ElementId e, const base::Vector& u) {
-  const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
-  NodeVectors<S> U;
-  for (int i = 0; i < S::nodes; ++i) {
-    const auto n = static_cast<Eigen::Index>(nodes[static_cast<std::size_t>(i)].index());
-    U.col(i) = u.template segment<S::dim>(S::dim * n);
-  }
-  return U;
-}
-
-/// The map from the reference element at one point: J = dx/dr = X dN, its determinant, and
-/// dNdx = dN J^-1. Where det is zero (the tip of a quarter-point element) dNdx is not finite.
-template <shape::Shape S> struct Jacobian {
-  Eigen::Matrix<double, S::dim, S::dim> J;
-  double det = 0.0;
-  Gradients<S> dNdx;
-};
-
-template <shape::Shape S>
-Jacobian<S> jacobian(const NodeVectors<S>& X, const shape::Point<S::dim>& r) {
-  const Gradients<S> dN = S::dN(r);
-  Jacobian<S> at;
-  at.J.noalias() = X * dN;
-  at.det = at.J.determinant();
-  at.dNdx.noalias() = dN * at.J.inverse();
-  return at;
-}
 
 /// eps = B u with u by node [components(dim), dim * nodes].
 template <shape::Shape S>
@@ -109,34 +57,73 @@ template <int dim> Eigen::Matrix<double, dim, dim> stress_tensor(const Strain<di
   return T;
 }
 
-/// Ke = integral of B^T D B dV [force/length] from nodal coordinates X [dim, nodes] and an
-/// isotropic D; thickness is 1 for a solid. With M_pq = integral of dN/dx_p (dN/dx_q)^T dV the
-/// block of directions a, b is lambda M_ab + mu M_ba + mu delta_ab sum_p M_pp: a quarter of the
-/// work of the triple product.
-template <shape::ElementShape S>
-ElementMatrix<S> element_stiffness(const NodeVectors<S>& X, const Elasticity<S::dim>& D,
-                                   double thickness) {
-  constexpr int dim = S::dim;
+/// Moments of the shape function gradients, M_pq = integral of dN/dx_p (dN/dx_q)^T dV for p <= q,
+/// and for axisymmetric elements those with the hoop function h = N / x: H = integral of h h^T dV,
+/// L_p = integral of h (dN/dx_p)^T dV.
+template <shape::ElementShape S> struct Moments {
+  static constexpr int dim = S::dim;
   using Square = Eigen::Matrix<double, S::nodes, S::nodes>;
-  std::array<std::array<Square, dim>, dim> M; // p <= q only
-  for (int p = 0; p < dim; ++p) {
-    for (int q = p; q < dim; ++q) {
-      M[static_cast<std::size_t>(p)][static_cast<std::size_t>(q)].setZero();
+  std::array<std::array<Square, dim>, dim> M;
+  Square H;
+  std::array<Square, dim> L;
+
+  Moments(const NodeVectors<S>& X, const Law& law) {
+    for (std::size_t p = 0; p < dim; ++p) {
+      for (std::size_t q = p; q < dim; ++q) {
+        M[p][q].setZero();
+      }
+      L[p].setZero();
     }
-  }
-  for (const auto& point : shape::quadrature<S>()) {
-    const Jacobian<S> at = jacobian<S>(X, point.r);
-    const Gradients<S> weighted = (point.weight * at.det * thickness) * at.dNdx;
-    for (int p = 0; p < dim; ++p) {
-      for (int q = p; q < dim; ++q) {
-        M[static_cast<std::size_t>(p)][static_cast<std::size_t>(q)].noalias() +=
-            weighted.col(p) * at.dNdx.col(q).transpose();
+    H.setZero();
+    for (const auto& point : shape::quadrature<S>()) {
+      const Jacobian<S> at = jacobian<S>(X, point.r);
+      const Hoop<S> hoop(X, law, point.r);
+      const double w = point.weight * at.det * law.depth(hoop.x);
+      const Gradients<S> weighted = w * at.dNdx;
+      for (int p = 0; p < dim; ++p) {
+        for (int q = p; q < dim; ++q) {
+          M[static_cast<std::size_t>(p)][static_cast<std::size_t>(q)].noalias() +=
+              weighted.col(p) * at.dNdx.col(q).transpose();
+        }
+      }
+      if (law.axisymmetric) {
+        H.noalias() += (w * hoop.h) * hoop.h.transpose();
+        for (int p = 0; p < dim; ++p) {
+          L[static_cast<std::size_t>(p)].noalias() += hoop.h * weighted.col(p).transpose();
+        }
       }
     }
   }
-  const double lambda = D(0, 1);
-  const double mu = D(components(dim) - 1, components(dim) - 1);
-  Square trace = M[0][0];
+};
+
+/// Adds what the hoop strain h^T u_x brings to a stiffness.
+template <shape::ElementShape S>
+void add_hoop(const Moments<S>& moments, double lambda, double mu, ElementMatrix<S>& Ke) {
+  constexpr int dim = S::dim;
+  for (int i = 0; i < S::nodes; ++i) {
+    for (int j = 0; j < S::nodes; ++j) {
+      Ke(dim * i, dim * j) += (lambda + 2.0 * mu) * moments.H(i, j);
+      for (int b = 0; b < dim; ++b) {
+        const auto& L = moments.L[static_cast<std::size_t>(b)];
+        Ke(dim * i, dim * j + b) += lambda * L(i, j);
+        Ke(dim * j + b, dim * i) += lambda * L(i, j);
+      }
+    }
+  }
+}
+
+/// Ke = integral of B^T D B dV [force/length] from nodal coordinates X [dim, nodes]. With the
+/// moments M the block of directions a, b is lambda M_ab + mu M_ba + mu delta_ab sum_p M_pp: a
+/// quarter of the work of the triple product. Axisymmetric elements add the hoop strain, nearly
+/// incompressible ones take lambda with the projected dilatation.
+template <shape::ElementShape S>
+ElementMatrix<S> element_stiffness(const NodeVectors<S>& X, const Law& law) {
+  constexpr int dim = S::dim;
+  const Moments<S> moments(X, law);
+  const auto& M = moments.M;
+  const double lambda = law.projected ? 0.0 : law.lambda;
+  const double mu = law.mu;
+  typename Moments<S>::Square trace = M[0][0];
   for (std::size_t p = 1; p < dim; ++p) {
     trace += M[p][p];
   }
@@ -155,21 +142,51 @@ ElementMatrix<S> element_stiffness(const NodeVectors<S>& X, const Elasticity<S::
       }
     }
   }
+  if (law.axisymmetric) {
+    add_hoop<S>(moments, lambda, mu, Ke);
+  }
+  if (law.projected) {
+    const Dilatation<S> theta(X, law);
+    Ke.noalias() += law.lambda * theta.C.transpose() * theta.G.inverse() * theta.C;
+    Ke = (0.5 * (Ke + Ke.transpose())).eval(); // symmetric to the last bit
+  }
   return Ke;
 }
 
+/// Volume change at each point: div u with the hoop strain, or its projection.
+template <shape::ElementShape S> struct VolumeChange {
+  const Law& law;
+  typename Dilatation<S>::Modes projected;
+
+  VolumeChange(const NodeVectors<S>& X, const Law& law_, const NodeVectors<S>& U) : law(law_) {
+    projected.setZero();
+    if (law.projected) {
+      projected = Dilatation<S>(X, law).of(U.reshaped());
+    }
+  }
+  [[nodiscard]] double at(const shape::Point<S::dim>& r, double plain) const {
+    return law.projected ? Dilatation<S>::phi(r).dot(projected) : plain;
+  }
+};
+
 /// Nodal forces Ke U of displacements U, both [dim, nodes], without forming Ke.
 template <shape::ElementShape S>
-NodeVectors<S> element_force(const NodeVectors<S>& X, const Elasticity<S::dim>& D, double thickness,
-                             const NodeVectors<S>& U) {
+NodeVectors<S> element_force(const NodeVectors<S>& X, const Law& law, const NodeVectors<S>& U) {
   NodeVectors<S> F = NodeVectors<S>::Zero();
+  const VolumeChange<S> change(X, law, U);
   for (const auto& point : shape::quadrature<S>()) {
     const Jacobian<S> at = jacobian<S>(X, point.r);
+    const Hoop<S> hoop(X, law, point.r);
+    const double w = point.weight * at.det * law.depth(hoop.x);
     const Eigen::Matrix<double, S::dim, S::dim> H = U * at.dNdx;
-    const Strain<S::dim> sigma = D * strain<S::dim>(H);
-    const Eigen::Matrix<double, S::dim, S::dim> T =
-        (point.weight * at.det * thickness) * stress_tensor<S::dim>(sigma);
-    F.noalias() += T * at.dNdx.transpose();
+    const double ring = U.row(0) * hoop.h;
+    const double pressure = law.lambda * change.at(point.r, H.trace() + ring);
+    Eigen::Matrix<double, S::dim, S::dim> T = law.mu * (H + H.transpose());
+    T.diagonal().array() += pressure;
+    F.noalias() += w * T * at.dNdx.transpose();
+    if (law.axisymmetric) {
+      F.row(0) += (w * (pressure + 2.0 * law.mu * ring)) * hoop.h.transpose();
+    }
   }
   return F;
 }

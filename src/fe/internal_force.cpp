@@ -13,10 +13,9 @@ void for_element_forces(const model::Model& model, const model::Mesh& mesh,
                         Use&& use) {
   for_blocks(mesh, elements, [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
     for (const base::ElementId e : block) {
-      const model::Property& property = model.property_of(mesh, e);
-      const Elasticity<S::dim> D = elasticity<S::dim>(model.material_of(mesh, e), property.state);
       const NodeVectors<S> U = gather<S>(mesh, e, u);
-      const NodeVectors<S> F = element_force<S>(coordinates<S>(mesh, e), D, property.thickness, U);
+      const NodeVectors<S> F =
+          element_force<S>(coordinates<S>(mesh, e), law_of(model, mesh, e), U);
       use(e, U, F);
     }
   });

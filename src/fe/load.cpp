@@ -2,6 +2,7 @@
 #include "fe/assemble.hpp"
 #include "fe/bearing.hpp"
 #include "fe/face.hpp"
+#include "fe/thermal.hpp"
 
 namespace spricka::fe {
 
@@ -31,11 +32,12 @@ void add_face_load(const model::Model& model, const model::Mesh& mesh,
   for_faces(mesh, faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
     const SideNodes<Side> X = side_coordinates<Side>(mesh, face);
     const std::array<base::NodeId, Side::nodes> nodes = nodes_of_face<Side>(mesh, face);
-    const double thickness = model.property_of(mesh, face.element).thickness;
+    const Law law = law_of(model, mesh, face.element);
     for (const auto& point : shape::quadrature<Side>(load_degree)) {
       const Eigen::Matrix<double, Side::nodes, 1> N = Side::N(point.r);
+      const Vec3 x = X * N;
       const Vec3 force =
-          point.weight * thickness * density(Vec3(X * N), area_vector<Side>(X, point.r));
+          point.weight * law.depth(x.x()) * density(x, area_vector<Side>(X, point.r));
       for (std::size_t i = 0; i < nodes.size(); ++i) {
         add_at_node(mesh, nodes[i], N[static_cast<Eigen::Index>(i)] * force, f);
       }
@@ -51,13 +53,13 @@ void add_body_load(const model::Model& model, const model::Mesh& mesh,
     for (const base::ElementId e : block) {
       const NodeVectors<S> X = coordinates<S>(mesh, e);
       const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
-      const double thickness = model.property_of(mesh, e).thickness;
+      const Law law = law_of(model, mesh, e);
       for (const auto& point : shape::quadrature<S>(load_degree)) {
         const Eigen::Matrix<double, S::nodes, 1> N = S::N(point.r);
         const Eigen::Matrix<double, S::dim, S::dim> J = X * S::dN(point.r);
         Vec3 x = Vec3::Zero();
         x.template head<S::dim>() = X * N;
-        const Vec3 force = point.weight * J.determinant() * thickness * density(x);
+        const Vec3 force = point.weight * J.determinant() * law.depth(x.x()) * density(x);
         for (std::size_t i = 0; i < nodes.size(); ++i) {
           add_at_node(mesh, nodes[i], N[static_cast<Eigen::Index>(i)] * force, f);
         }
@@ -142,8 +144,8 @@ void add_load(const model::Model& model, const model::Mesh& mesh, const model::L
   case model::LoadType::bearing:
     add_bearing(model, mesh, load, f);
     return;
-  case model::LoadType::displacement:
-  case model::LoadType::temperature: // the deck refuses thermal loads
+  case model::LoadType::displacement: // see prescribed_displacement
+  case model::LoadType::temperature:  // all of a case together, see nodal_load
     return;
   }
 }
@@ -155,6 +157,10 @@ Vector nodal_load(const model::Model& model, const model::Mesh& mesh,
   Vector f = Vector::Zero(mesh.dim * static_cast<Eigen::Index>(mesh.node_count()));
   for (const model::Load& load : load_case.loads) {
     add_load(model, mesh, load, f);
+  }
+  const Vector T = element_temperature(model, mesh, load_case);
+  if (T.size() > 0) {
+    f += thermal_load(model, mesh, T);
   }
   return f;
 }

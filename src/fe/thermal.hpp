@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/vec.hpp"
+#include "model/model.hpp"
+
+namespace spricka::fe {
+
+/// Thermal strain alpha T. A quadratic element's strains are linear, so a temperature that varies
+/// quadratically inside an element would leave stresses that are none: T is projected onto what
+/// the strains can follow, linear functions on quadratic elements and constants on linear ones
+/// (least squares at the integration points). A linear temperature stays exact.
+
+/// Temperature of one load case at the corners of the elements [connectivity index, as
+/// Mesh::nodes; mid nodes hold zero]; empty without thermal loads. Elements in several sets take
+/// the sum.
+base::Vector element_temperature(const model::Model& model, const model::Mesh& mesh,
+                                 const model::LoadCase& load_case);
+
+/// Consistent nodal forces [dim * node] of a temperature field as above: integral of
+/// B^T D alpha T dV.
+base::Vector thermal_load(const model::Model& model, const model::Mesh& mesh,
+                          const base::Vector& temperature);
+
+/// 1/2 integral of (alpha T)^T D (alpha T) dV, over the strain components the state has: what
+/// 1/2 u^T K u - u^T f of a thermal field lacks to the elastic energy.
+double thermal_energy(const model::Model& model, const model::Mesh& mesh,
+                      const base::Vector& temperature);
+
+} // namespace spricka::fe
