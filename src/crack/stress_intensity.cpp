@@ -87,23 +87,25 @@ void add_element(const Setting& set, base::ElementId e, const base::Vector& u, N
 double shifted_energy(const Setting& set, const ExtensionField& field, double s,
                       const base::Vector& u) {
   std::map<base::NodeId, double> q(field.q.begin(), field.q.end());
-  const fe::Elasticity<2> D = fe::elasticity<2>(set.material, set.state);
+  model::Property property;
+  property.state = set.state;
+  const fe::Law law = fe::law_of(set.material, property);
   double energy = 0.0;
-  fe::for_blocks(set.mesh, field.elements,
-                 [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
-                   for (const base::ElementId e : block) {
-                     fe::NodeVectors<S> X = fe::coordinates<S>(set.mesh, e);
-                     const std::span<const base::NodeId> nodes = set.mesh.nodes_of(e);
-                     for (int n = 0; n < S::nodes; ++n) {
-                       const auto moved = q.find(nodes[static_cast<std::size_t>(n)]);
-                       if (moved != q.end()) {
-                         X.col(n) += s * moved->second * set.tip.e1;
-                       }
-                     }
-                     const fe::NodeVectors<S> U = fe::gather<S>(set.mesh, e, u);
-                     energy += 0.5 * U.cwiseProduct(fe::element_force<S>(X, D, 1.0, U)).sum();
-                   }
-                 });
+  fe::for_plane_blocks(set.mesh, field.elements,
+                       [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
+                         for (const base::ElementId e : block) {
+                           fe::NodeVectors<S> X = fe::coordinates<S>(set.mesh, e);
+                           const std::span<const base::NodeId> nodes = set.mesh.nodes_of(e);
+                           for (int n = 0; n < S::nodes; ++n) {
+                             const auto moved = q.find(nodes[static_cast<std::size_t>(n)]);
+                             if (moved != q.end()) {
+                               X.col(n) += s * moved->second * set.tip.e1;
+                             }
+                           }
+                           const fe::NodeVectors<S> U = fe::gather<S>(set.mesh, e, u);
+                           energy += 0.5 * U.cwiseProduct(fe::element_force<S>(X, law, U)).sum();
+                         }
+                       });
   return energy;
 }
 
@@ -124,12 +126,12 @@ NodalForces configurational_forces(const Setting& set, const std::vector<Extensi
           n, std::array<base::Vec2, 3>{base::Vec2::Zero(), base::Vec2::Zero(), base::Vec2::Zero()});
     }
   }
-  fe::for_blocks(set.mesh, elements,
-                 [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
-                   for (const base::ElementId e : block) {
-                     add_element<S>(set, e, u, forces);
-                   }
-                 });
+  fe::for_plane_blocks(set.mesh, elements,
+                       [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
+                         for (const base::ElementId e : block) {
+                           add_element<S>(set, e, u, forces);
+                         }
+                       });
   return forces;
 }
 

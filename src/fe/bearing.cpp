@@ -117,7 +117,7 @@ Bore fit_bore(const model::Mesh& mesh, const std::vector<model::Face>& faces) {
   // Nodes shared by two edges count twice, which does no harm to nodes on a circle.
   Vec2 mean = Vec2::Zero();
   double count = 0.0;
-  for_faces(mesh, faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
+  for_edges(mesh, faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
     mean += side_coordinates<Side>(mesh, face).template topRows<2>().rowwise().sum();
     count += Side::nodes;
   });
@@ -125,7 +125,7 @@ Bore fit_bore(const model::Mesh& mesh, const std::vector<model::Face>& faces) {
   // |y|^2 = 2 a . y + b with y = x - mean: normal equations for (2 a, b).
   Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
   Vec3 rhs = Vec3::Zero();
-  for_faces(mesh, faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
+  for_edges(mesh, faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
     const SideNodes<Side> X = side_coordinates<Side>(mesh, face);
     for (int i = 0; i < Side::nodes; ++i) {
       const Vec2 y = X.col(i).template head<2>() - mean;
@@ -141,7 +141,7 @@ Bore fit_bore(const model::Mesh& mesh, const std::vector<model::Face>& faces) {
   bore.radius = std::sqrt(solution[2] + a.squaredNorm());
 
   double inward = 0.0; // outer normals of a bore point to its centre
-  for_faces(mesh, faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
+  for_edges(mesh, faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
     if constexpr (Side::dim == 1) {
       const SideNodes<Side> X = side_coordinates<Side>(mesh, face);
       const shape::Point<1> middle(0.0);
@@ -164,7 +164,7 @@ bool add_bearing(const model::Model& model, const model::Mesh& mesh, const model
   }
   const Pin pin{fit_bore(mesh, faces), F.normalized(), load.shape};
   UnitLoads loads{Vector::Zero(f.size()), Vector::Zero(f.size())};
-  for_faces(mesh, faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
+  for_edges(mesh, faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
     if constexpr (Side::dim == 1) {
       add_edge<Side>(pin, side_coordinates<Side>(mesh, face), nodes_of_face<Side>(mesh, face),
                      model.property_of(mesh, face.element).thickness, loads);

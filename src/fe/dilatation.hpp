@@ -31,7 +31,7 @@ template <shape::ElementShape S> struct Dilatation {
   }
 
   Dilatation(const NodeVectors<S>& X, const Law& law) {
-    for (const auto& point : shape::quadrature<S>()) {
+    for (const auto& point : stiffness_rule<S>(law)) {
       const Jacobian<S> at = jacobian<S>(X, point.r);
       const Hoop<S> hoop(X, law, point.r);
       const double w = point.weight * at.det * law.depth(hoop.x);

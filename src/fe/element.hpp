@@ -75,7 +75,7 @@ template <shape::ElementShape S> struct Moments {
       L[p].setZero();
     }
     H.setZero();
-    for (const auto& point : shape::quadrature<S>()) {
+    for (const auto& point : stiffness_rule<S>(law)) {
       const Jacobian<S> at = jacobian<S>(X, point.r);
       const Hoop<S> hoop(X, law, point.r);
       const double w = point.weight * at.det * law.depth(hoop.x);
@@ -174,7 +174,7 @@ template <shape::ElementShape S>
 NodeVectors<S> element_force(const NodeVectors<S>& X, const Law& law, const NodeVectors<S>& U) {
   NodeVectors<S> F = NodeVectors<S>::Zero();
   const VolumeChange<S> change(X, law, U);
-  for (const auto& point : shape::quadrature<S>()) {
+  for (const auto& point : stiffness_rule<S>(law)) {
     const Jacobian<S> at = jacobian<S>(X, point.r);
     const Hoop<S> hoop(X, law, point.r);
     const double w = point.weight * at.det * law.depth(hoop.x);
@@ -191,10 +191,9 @@ NodeVectors<S> element_force(const NodeVectors<S>& X, const Law& law, const Node
   return F;
 }
 
-/// Calls f(S{}, block) for each run of equal element types in `elements`, in their order; f is a
-/// generic lambda `[&]<shape::ElementShape S>(S, std::span<const base::ElementId> block)`.
+/// Calls f(type, block) for each run of equal element types in `elements`, in their order.
 template <class F>
-void for_blocks(const model::Mesh& mesh, std::span<const base::ElementId> elements, F&& f) {
+void for_runs(const model::Mesh& mesh, std::span<const base::ElementId> elements, F&& f) {
   std::size_t begin = 0;
   while (begin < elements.size()) {
     const base::ElementType type = mesh.type[elements[begin].index()];
@@ -202,10 +201,26 @@ void for_blocks(const model::Mesh& mesh, std::span<const base::ElementId> elemen
     while (end < elements.size() && mesh.type[elements[end].index()] == type) {
       ++end;
     }
-    const std::span<const base::ElementId> block = elements.subspan(begin, end - begin);
-    shape::with_plane_shape(type, [&]<shape::ElementShape S>(S shape) { f(shape, block); });
+    f(type, elements.subspan(begin, end - begin));
     begin = end;
   }
+}
+
+/// Calls f(S{}, block) for each run of equal element types in `elements`, in their order; f is a
+/// generic lambda `[&]<shape::ElementShape S>(S, std::span<const base::ElementId> block)`.
+template <class F>
+void for_blocks(const model::Mesh& mesh, std::span<const base::ElementId> elements, F&& f) {
+  for_runs(mesh, elements, [&](base::ElementType type, std::span<const base::ElementId> block) {
+    shape::with_shape(type, [&]<shape::ElementShape S>(S shape) { f(shape, block); });
+  });
+}
+
+/// The same where all elements are plane.
+template <class F>
+void for_plane_blocks(const model::Mesh& mesh, std::span<const base::ElementId> elements, F&& f) {
+  for_runs(mesh, elements, [&](base::ElementType type, std::span<const base::ElementId> block) {
+    shape::with_plane_shape(type, [&]<shape::PlaneShape S>(S shape) { f(shape, block); });
+  });
 }
 
 } // namespace spricka::fe

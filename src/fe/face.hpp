@@ -55,8 +55,22 @@ base::Vec3 area_vector(const SideNodes<Side>& X, const shape::Point<Side::dim>& 
 template <class F>
 void for_faces(const model::Mesh& mesh, const std::vector<model::Face>& faces, F&& f) {
   for (const model::Face& face : faces) {
+    const base::ElementType type = mesh.type[face.element.index()];
+    if (base::info(type).dim == 2) {
+      shape::with_plane_shape(type, [&]<shape::PlaneShape S>(S) { f(typename S::Side{}, face); });
+    } else {
+      shape::with_plane_shape(shape::solid_side(type, face.side),
+                              [&]<shape::PlaneShape Side>(Side side) { f(side, face); });
+    }
+  }
+}
+
+/// The same where all faces are edges of plane elements.
+template <class F>
+void for_edges(const model::Mesh& mesh, const std::vector<model::Face>& faces, F&& f) {
+  for (const model::Face& face : faces) {
     shape::with_plane_shape(mesh.type[face.element.index()],
-                      [&]<shape::ElementShape S>(S) { f(typename S::Side{}, face); });
+                            [&]<shape::PlaneShape S>(S) { f(typename S::Side{}, face); });
   }
 }
 

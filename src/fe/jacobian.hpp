@@ -2,11 +2,11 @@
 #pragma once
 #include "fe/law.hpp"
 #include "shape/quadrature.hpp"
-#include "shape/shape.hpp"
+#include "shape/solid.hpp"
 
 #include <Eigen/LU>
 
-#include <array>
+#include <algorithm>
 #include <cassert>
 #include <span>
 
@@ -60,6 +60,13 @@ Jacobian<S> jacobian(const NodeVectors<S>& X, const shape::Point<S::dim>& r) {
   at.det = at.J.determinant();
   at.dNdx.noalias() = dN * at.J.inverse();
   return at;
+}
+
+/// The rule that an element is integrated with. About an axis the strains of a TRIM3 are not
+/// constant: one point would leave it a second free mode.
+template <shape::ElementShape S>
+std::span<const shape::QuadraturePoint<S::dim>> stiffness_rule(const Law& law) {
+  return shape::quadrature<S>(law.axisymmetric ? std::max(S::degree, 2) : S::degree);
 }
 
 /// The circumferential strain of an axisymmetric element at a point, h^T u_x with h = N / x. All

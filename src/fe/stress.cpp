@@ -9,7 +9,7 @@
 namespace spricka::fe {
 
 std::vector<Stress> element_node_stress(const model::Model& model, const model::Mesh& mesh,
-                                        const base::Vector& u) {
+                                        const StateField& field) {
   std::vector<Stress> stress(mesh.nodes.size(), Stress::Zero());
   std::vector<base::ElementId> elements;
   elements.reserve(mesh.element_count());
@@ -18,7 +18,7 @@ std::vector<Stress> element_node_stress(const model::Model& model, const model::
   }
   for_blocks(mesh, elements, [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
     for (const base::ElementId e : block) {
-      const StressElement<S> element(model, mesh, e, u);
+      const StressElement<S> element(model, mesh, e, field);
       const auto first = static_cast<std::size_t>(mesh.first[e.index()]);
       for (int i = 0; i < S::nodes; ++i) {
         stress[first + static_cast<std::size_t>(i)] = element.at(shape::node<S>(i));

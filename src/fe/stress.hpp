@@ -8,14 +8,26 @@
 
 namespace spricka::fe {
 
-/// Stresses as six components xx yy zz xy yz zx, whatever the dimension (plane strain has zz).
+/// Stresses as six components xx yy zz xy yz zx, whatever the dimension (plane strain has zz; about
+/// an axis xx is radial, yy axial and zz the hoop stress).
 using Stress = Eigen::Matrix<double, 6, 1>;
+
+/// What a stress depends on: displacements [dim * node] and, where there are any, temperatures
+/// [connectivity index], see thermal.hpp. Both stay with the caller.
+struct StateField {
+  const base::Vector& u;
+  const base::Vector* temperature = nullptr;
+
+  StateField(const base::Vector& u_) : u(u_) {} // NOLINT(google-explicit-constructor): a plain u
+  StateField(const base::Vector& u_, const base::Vector& T)
+      : u(u_), temperature(T.size() > 0 ? &T : nullptr) {}
+};
 
 /// Stress at the nodes of every element, evaluated there from the element's own displacements
 /// [connectivity index, as Mesh::nodes]; infinite values at quarter-point tips are replaced by the
 /// element's centroid value.
 std::vector<Stress> element_node_stress(const model::Model& model, const model::Mesh& mesh,
-                                        const base::Vector& u);
+                                        const StateField& field);
 
 /// Mean over the elements that meet at a node and share its body and property; a node between two
 /// properties gets the mean of the first property there. [node]
@@ -27,7 +39,7 @@ std::vector<Stress> nodal_stress(const model::Model& model, const model::Mesh& m
 /// boundary that lies off the mesh by less than 5 % of an element (the sagitta of an arc) belongs
 /// to the nearest element.
 std::optional<Stress> stress_at(const model::Model& model, const model::Mesh& mesh,
-                                const base::Vector& u, const base::Vec3& point);
+                                const StateField& field, const base::Vec3& point);
 
 double von_mises(const Stress& s);
 

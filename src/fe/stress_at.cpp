@@ -36,10 +36,16 @@ bool in_box(const model::Mesh& mesh, ElementId e, const Vec3& point) {
 }
 
 template <shape::ElementShape S> shape::Point<S::dim> into_domain(shape::Point<S::dim> r) {
-  if constexpr (S::domain == shape::Domain::triangle) {
-    r = r.cwiseMax(0.0);
-    const double sum = r.sum();
-    return sum > 1.0 ? shape::Point<S::dim>(r / sum) : r;
+  constexpr bool prism = S::domain == shape::Domain::prism;
+  constexpr int flat = prism ? 2 : S::dim; // coordinates that share a simplex
+  if constexpr (base::info(S::type).corners != 1 << S::dim) {
+    r.template head<flat>() = r.template head<flat>().cwiseMax(0.0).eval();
+    const double sum = r.template head<flat>().sum();
+    r.template head<flat>() /= std::max(sum, 1.0);
+    if constexpr (prism) {
+      r[2] = std::clamp(r[2], -1.0, 1.0);
+    }
+    return r;
   } else {
     return r.cwiseMax(-1.0).cwiseMin(1.0);
   }
@@ -53,7 +59,7 @@ std::vector<Hit> find(const model::Mesh& mesh, const Vec3& point) {
     if (!in_box(mesh, e, point)) {
       continue;
     }
-    shape::with_plane_shape(mesh.type[i], [&]<shape::ElementShape S>(S) {
+    shape::with_shape(mesh.type[i], [&]<shape::ElementShape S>(S) {
       const shape::Point<S::dim> x = point.head<S::dim>();
       if (const auto r = inverse_map<S>(coordinates<S>(mesh, e), x)) {
         const double outside = shape::outside<S>(*r);
@@ -77,7 +83,7 @@ bool share_node(const model::Mesh& mesh, ElementId a, ElementId b) {
 } // namespace
 
 std::optional<Stress> stress_at(const model::Model& model, const model::Mesh& mesh,
-                                const base::Vector& u, const Vec3& point) {
+                                const StateField& field, const Vec3& point) {
   const std::vector<Hit> hits = find(mesh, point);
   if (hits.empty()) {
     return std::nullopt;
@@ -97,8 +103,8 @@ std::optional<Stress> stress_at(const model::Model& model, const model::Mesh& me
     if (!counts) {
       continue;
     }
-    shape::with_plane_shape(mesh.type[hit.element.index()], [&]<shape::ElementShape S>(S) {
-      sum += StressElement<S>(model, mesh, hit.element, u).at(hit.r.head<S::dim>());
+    shape::with_shape(mesh.type[hit.element.index()], [&]<shape::ElementShape S>(S) {
+      sum += StressElement<S>(model, mesh, hit.element, field).at(hit.r.head<S::dim>());
     });
     ++count;
   }

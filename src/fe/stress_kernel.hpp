@@ -1,51 +1,65 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "fe/element.hpp"
 #include "fe/stress.hpp"
+#include "fe/thermal_kernel.hpp"
 
 namespace spricka::fe {
-
-/// Six components from those of a state: plane strain has zz = nu (xx + yy).
-template <int dim>
-Stress all_components(const Strain<dim>& sigma, const model::Material& material,
-                      model::State state) {
-  if constexpr (dim == 3) {
-    return sigma;
-  } else {
-    Stress s = Stress::Zero();
-    s[0] = sigma[0];
-    s[1] = sigma[1];
-    s[2] = state == model::State::plane_strain ? material.nu * (sigma[0] + sigma[1]) : 0.0;
-    s[3] = sigma[2];
-    return s;
-  }
-}
 
 /// One element, ready for stresses at its points.
 template <shape::ElementShape S> struct StressElement {
   NodeVectors<S> X;
   NodeVectors<S> U;
-  Elasticity<S::dim> D;
-  const model::Material* material = nullptr;
-  model::State state = model::State::plane_stress;
+  CornerValues<S> T;
+  Law law;
+  VolumeChange<S> change;
 
   StressElement(const model::Model& model, const model::Mesh& mesh, base::ElementId e,
-                const base::Vector& u)
-      : X(coordinates<S>(mesh, e)), U(gather<S>(mesh, e, u)), material(&model.material_of(mesh, e)),
-        state(model.property_of(mesh, e).state) {
-    D = elasticity<S::dim>(*material, state);
+                const StateField& field)
+      : X(coordinates<S>(mesh, e)), U(gather<S>(mesh, e, field.u)), T(CornerValues<S>::Zero()),
+        law(law_of(model, mesh, e)), change(X, law, U) {
+    if (field.temperature != nullptr) {
+      T = corner_temperature<S>(mesh, e, *field.temperature);
+    }
   }
 
-  [[nodiscard]] Stress from(const Jacobian<S>& at) const {
+  // In the plane and about an axis, zz is across the mesh: nothing, or what lambda and the hoop
+  // strain make of it.
+  [[nodiscard]] Stress from(const Jacobian<S>& at, const shape::Point<S::dim>& r) const {
     const Eigen::Matrix<double, S::dim, S::dim> H = U * at.dNdx;
-    return all_components<S::dim>(D * strain<S::dim>(H), *material, state);
+    const double ring = hoop_strain(H, r);
+    const double pressure =
+        law.lambda * change.at(r, H.trace() + ring) - law.thermal * T.dot(Linear<S>::N(r));
+    Eigen::Matrix3d s = Eigen::Matrix3d::Zero();
+    s.template topLeftCorner<S::dim, S::dim>() = law.mu * (H + H.transpose());
+    s(2, 2) += S::dim == 2 ? 2.0 * law.mu * ring : 0.0;
+    s.diagonal().array() += pressure;
+    if (law.plane_stress) {
+      s(2, 2) = 0.0;
+    }
+    Stress six;
+    six << s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(0, 2);
+    return six;
   }
 
   /// Stress at reference coordinates r; where the map is singular, that of the centre.
   [[nodiscard]] Stress at(const shape::Point<S::dim>& r) const {
     const Jacobian<S> here = jacobian<S>(X, r);
     const Jacobian<S> centre = jacobian<S>(X, shape::centre<S>());
-    return from(std::abs(here.det) > 1e-10 * std::abs(centre.det) ? here : centre);
+    return std::abs(here.det) > 1e-10 * std::abs(centre.det) ? from(here, r)
+                                                             : from(centre, shape::centre<S>());
+  }
+
+private:
+  // u / x, and on the axis its limit du/dx.
+  [[nodiscard]] double hoop_strain(const Eigen::Matrix<double, S::dim, S::dim>& H,
+                                   const shape::Point<S::dim>& r) const {
+    if (!law.axisymmetric) {
+      return 0.0;
+    }
+    const Eigen::Matrix<double, S::nodes, 1> N = S::N(r);
+    const double x = X.row(0) * N;
+    const double size = X.row(0).maxCoeff() - X.row(0).minCoeff();
+    return x > 1e-9 * size ? (U.row(0) * N).value() / x : H(0, 0);
   }
 };
 

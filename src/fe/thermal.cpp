@@ -3,6 +3,8 @@
 
 #include "fe/thermal_kernel.hpp"
 
+#include <Eigen/Cholesky>
+
 namespace spricka::fe {
 
 namespace {
@@ -10,17 +12,17 @@ namespace {
 // The field of one load at the corners of an element.
 template <shape::ElementShape S>
 CornerValues<S> project(const NodeVectors<S>& X, const Law& law, const base::Expression& field) {
-  Eigen::Matrix<double, S::corners, S::corners> G;
+  Eigen::Matrix<double, corners<S>(), corners<S>()> G;
   G.setZero();
   CornerValues<S> right = CornerValues<S>::Zero();
   double volume = 0.0;
   double total = 0.0;
-  for (const auto& point : shape::quadrature<S>()) {
+  for (const auto& point : stiffness_rule<S>(law)) {
     const Jacobian<S> at = jacobian<S>(X, point.r);
     base::Vec3 x = base::Vec3::Zero();
     x.template head<S::dim>() = X * S::N(point.r);
     const double w = point.weight * at.det * law.depth(x.x());
-    const CornerValues<S> N = S::Corner::N(point.r);
+    const CornerValues<S> N = Linear<S>::N(point.r);
     const double T = field(x);
     G.noalias() += (w * N) * N.transpose();
     right += (w * T) * N;
@@ -63,7 +65,7 @@ base::Vector element_temperature(const model::Model& model, const model::Mesh& m
     for_blocks(mesh, mesh.set(load.elements).elements,
                [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
                  for (const base::ElementId e : block) {
-                   temperature.segment<S::corners>(mesh.first[e.index()]) += project<S>(
+                   temperature.segment<corners<S>()>(mesh.first[e.index()]) += project<S>(
                        coordinates<S>(mesh, e), law_of(model, mesh, e), load.value.front());
                  }
                });
@@ -78,11 +80,11 @@ base::Vector thermal_load(const model::Model& model, const model::Mesh& mesh,
     const NodeVectors<S> X = coordinates<S>(mesh, e);
     const Law law = law_of(model, mesh, e);
     NodeVectors<S> F = NodeVectors<S>::Zero();
-    for (const auto& point : shape::quadrature<S>()) {
+    for (const auto& point : stiffness_rule<S>(law)) {
       const Jacobian<S> at = jacobian<S>(X, point.r);
       const Hoop<S> hoop(X, law, point.r);
-      const double w = point.weight * at.det * law.depth(hoop.x) * law.thermal *
-                       T.dot(S::Corner::N(point.r));
+      const double w =
+          point.weight * at.det * law.depth(hoop.x) * law.thermal * T.dot(Linear<S>::N(point.r));
       F.noalias() += w * at.dNdx.transpose();
       F.row(0) += w * hoop.h.transpose();
     }
@@ -102,12 +104,12 @@ double thermal_energy(const model::Model& model, const model::Mesh& mesh,
     const Law law = law_of(model, mesh, e);
     const double alpha = model.material_of(mesh, e).alpha;
     const double directions = law.plane_stress ? 2.0 : 3.0;
-    for (const auto& point : shape::quadrature<S>()) {
+    for (const auto& point : stiffness_rule<S>(law)) {
       const Jacobian<S> at = jacobian<S>(X, point.r);
       const Hoop<S> hoop(X, law, point.r);
-      const double t = T.dot(S::Corner::N(point.r));
-      energy += 0.5 * point.weight * at.det * law.depth(hoop.x) * directions * law.thermal *
-                alpha * t * t;
+      const double t = T.dot(Linear<S>::N(point.r));
+      energy += 0.5 * point.weight * at.det * law.depth(hoop.x) * directions * law.thermal * alpha *
+                t * t;
     }
   });
   return energy;

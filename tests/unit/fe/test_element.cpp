@@ -18,6 +18,13 @@ model::Material steel() {
   return material;
 }
 
+Law law(model::State state, double thickness = 1.0) {
+  model::Property property;
+  property.state = state;
+  property.thickness = thickness;
+  return law_of(steel(), property);
+}
+
 template <class S> struct Sample {
   const char* name;
   NodeVectors<S> X;
@@ -80,7 +87,7 @@ TYPED_TEST(EveryElement, stiffness_is_the_integral_of_BtDB) {
         const auto B = strain_matrix<S>(at.dNdx);
         expected += 2.5 * point.weight * at.det * B.transpose() * D * B;
       }
-      const ElementMatrix<S> Ke = element_stiffness<S>(sample.X, D, 2.5);
+      const ElementMatrix<S> Ke = element_stiffness<S>(sample.X, law(state, 2.5));
       EXPECT_LT((Ke - expected).norm(), 1e-13 * expected.norm()) << sample.name;
       EXPECT_LT((Ke - Ke.transpose()).norm(), 1e-14 * expected.norm()) << sample.name;
     }
@@ -90,9 +97,8 @@ TYPED_TEST(EveryElement, stiffness_is_the_integral_of_BtDB) {
 TYPED_TEST(EveryElement, has_three_rigid_modes_and_no_other_zero) {
   using S = TypeParam;
   for (const model::State state : {model::State::plane_stress, model::State::plane_strain}) {
-    const Elasticity<2> D = elasticity<2>(steel(), state);
     for (const Sample<S>& sample : samples<S>()) {
-      const ElementMatrix<S> Ke = element_stiffness<S>(sample.X, D, 1.0);
+      const ElementMatrix<S> Ke = element_stiffness<S>(sample.X, law(state));
       const Eigen::SelfAdjointEigenSolver<ElementMatrix<S>> eigen(Ke);
       const auto& values = eigen.eigenvalues();
       const double largest = values[values.size() - 1];
@@ -109,22 +115,23 @@ TYPED_TEST(EveryElement, rigid_rotation_makes_no_force) {
     NodeVectors<S> U;
     U.row(0) = -sample.X.row(1);
     U.row(1) = sample.X.row(0);
-    EXPECT_LT(element_force<S>(sample.X, D, 1.0, U).norm(), 1e-12 * D.norm() * U.norm())
+    EXPECT_LT(element_force<S>(sample.X, law(model::State::plane_strain), U).norm(),
+              1e-12 * D.norm() * U.norm())
         << sample.name;
   }
 }
 
 TYPED_TEST(EveryElement, force_is_stiffness_times_displacement) {
   using S = TypeParam;
-  const Elasticity<2> D = elasticity<2>(steel(), model::State::plane_stress);
+  const Law thin = law(model::State::plane_stress, 0.7);
   for (const Sample<S>& sample : samples<S>()) {
     NodeVectors<S> U;
     for (int i = 0; i < U.size(); ++i) {
       U(i) = std::sin(1.0 + 2.0 * i);
     }
     const Eigen::Matrix<double, 2 * S::nodes, 1> f =
-        element_stiffness<S>(sample.X, D, 0.7) * U.reshaped();
-    EXPECT_LT((element_force<S>(sample.X, D, 0.7, U).reshaped() - f).norm(), 1e-13 * f.norm())
+        element_stiffness<S>(sample.X, thin) * U.reshaped();
+    EXPECT_LT((element_force<S>(sample.X, thin, U).reshaped() - f).norm(), 1e-13 * f.norm())
         << sample.name;
   }
 }
