@@ -8,6 +8,15 @@ namespace spricka::grammar {
 std::span<const CardSpec> model_cards();    ///< deck, nets, mesh, sets, materials, freedoms
 std::span<const CardSpec> analysis_cards(); ///< loads, contact, crack, steps, requests
 
+/// What the help says of a card beyond its table: notes and an example.
+struct CardText {
+  std::string_view card;
+  std::string_view notes;
+  std::string_view example;
+};
+/// Null when the card has none.
+const CardText* find_text(std::string_view card);
+
 namespace table {
 
 constexpr Range above(double low) {

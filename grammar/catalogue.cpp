@@ -164,6 +164,12 @@ std::span<const CardSpec> catalogue() {
   static const std::vector<CardSpec> all = [] {
     std::vector<CardSpec> cards(model_cards().begin(), model_cards().end());
     cards.insert(cards.end(), analysis_cards().begin(), analysis_cards().end());
+    for (CardSpec& card : cards) {
+      if (const CardText* text = find_text(card.name)) {
+        card.notes = text->notes;
+        card.example = text->example;
+      }
+    }
     return cards;
   }();
   return all;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// Expressions and units, the third pass: names are looked up, parameters folded to numbers.
@@ -25,6 +26,14 @@ struct Scope {
 
 /// Whether an expression may use x y z rho theta.
 enum class Fields { none, position };
+
+/// A word of expressions, for the help: how it is written and what it is.
+struct WordText {
+  std::string_view name; ///< upper case
+  std::string_view form;
+  std::string_view doc;
+};
+std::vector<WordText> function_texts();
 
 /// Names that no parameter may have: functions, pi, x y z rho theta, and, or.
 bool is_reserved(std::string_view upper_name);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/diagnostics.hpp"
 
+#include "base/messages.hpp"
+
 #include <algorithm>
 #include <cctype>
 #include <utility>
@@ -40,16 +42,21 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return d[a.size()][b.size()];
 }
 
-std::string_view word_of(Severity severity) {
-  switch (severity) {
-  case Severity::note:
-    return "note";
-  case Severity::warning:
-    return "warning";
-  case Severity::error:
-    break;
+/// Terminal sequences; empty where there is no colour.
+struct Paint {
+  std::string_view bold;
+  std::string_view severity;
+  std::string_view caret;
+  std::string_view off;
+};
+
+Paint paint_for(Severity severity, Colour colour) {
+  if (colour == Colour::none) {
+    return {};
   }
-  return "error";
+  const std::string_view red = "\033[1;31m";
+  const std::string_view yellow = "\033[1;33m";
+  return {"\033[1m", severity == Severity::error ? red : yellow, "\033[1;32m", "\033[0m"};
 }
 
 // Blanks up to the token (tabs copied as tabs), then carets under the whole of it.
@@ -79,17 +86,21 @@ std::string caret_line(const Sources& sources, Span span) {
   return result + std::string(std::max<std::size_t>(carets, 1), '^');
 }
 
-std::string format_one(const Sources& sources, const Diagnostic& d) {
+std::string format_one(const Sources& sources, const Diagnostic& d, Colour colour) {
+  const Paint paint = paint_for(d.severity, colour);
   std::string out;
+  const std::string kind = fmt::format("{}{} {}:{} {}\n", paint.severity, word_of(d.severity),
+                                       d.code, paint.off, d.text);
   if (d.span.valid()) {
     const Location at = sources.locate(d.span.file, d.span.begin);
-    out += fmt::format("{}:{}:{}: {} {}: {}\n", sources.name(d.span.file), at.line, at.column,
-                       word_of(d.severity), d.code, d.text);
+    out += fmt::format("{}{}:{}:{}:{} {}", paint.bold, sources.name(d.span.file), at.line,
+                       at.column, paint.off, kind);
     const std::string number = fmt::format("{:>6}", at.line);
     out += fmt::format("{} | {}\n", number, sources.line_at(d.span.file, d.span.begin));
-    out += fmt::format("{} | {}\n", std::string(number.size(), ' '), caret_line(sources, d.span));
+    out += fmt::format("{} | {}{}{}\n", std::string(number.size(), ' '), paint.caret,
+                       caret_line(sources, d.span), paint.off);
   } else {
-    out += fmt::format("{} {}: {}\n", word_of(d.severity), d.code, d.text);
+    out += kind;
   }
   if (!d.hint.empty()) {
     out += fmt::format("       = {}\n", d.hint);
@@ -112,7 +123,19 @@ void Diagnostics::note(Span span, std::string code, std::string text, std::strin
   all_.push_back({Severity::note, std::move(code), span, std::move(text), std::move(hint)});
 }
 
-std::string format(const Sources& sources, const Diagnostics& diagnostics, std::size_t limit) {
+std::string_view word_of(Severity severity) {
+  switch (severity) {
+  case Severity::note:
+    return "note";
+  case Severity::warning:
+    return "warning";
+  case Severity::error:
+    break;
+  }
+  return "error";
+}
+
+std::vector<const Diagnostic*> in_order(const Diagnostics& diagnostics) {
   std::vector<const Diagnostic*> order;
   for (const Diagnostic& d : diagnostics.all()) {
     order.push_back(&d);
@@ -120,13 +143,22 @@ std::string format(const Sources& sources, const Diagnostics& diagnostics, std::
   std::stable_sort(order.begin(), order.end(), [](const Diagnostic* a, const Diagnostic* b) {
     return std::pair(a->span.file, a->span.begin) < std::pair(b->span.file, b->span.begin);
   });
+  return order;
+}
+
+std::string format(const Sources& sources, const Diagnostics& diagnostics, std::size_t limit) {
+  return format(sources, diagnostics, Colour::none, limit);
+}
+
+std::string format(const Sources& sources, const Diagnostics& diagnostics, Colour colour,
+                   std::size_t limit) {
   std::string out;
   std::size_t errors = 0;
-  for (const Diagnostic* d : order) {
+  for (const Diagnostic* d : in_order(diagnostics)) {
     if (d->severity == Severity::error && ++errors > limit) {
       continue;
     }
-    out += format_one(sources, *d);
+    out += format_one(sources, *d, colour);
   }
   if (errors > limit) {
     out += fmt::format("... and {} more errors\n", errors - limit);

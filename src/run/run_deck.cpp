@@ -8,11 +8,8 @@
 #include "run/run_folder.hpp"
 #include "run/solve_run.hpp"
 
-#include <cstdio>
 #include <system_error>
 #include <thread>
-
-#include <unistd.h>
 
 #include <fmt/format.h>
 
@@ -20,12 +17,8 @@ namespace spricka::run {
 
 namespace {
 
-void print_diagnostics(const base::Sources& sources, const base::Diagnostics& diagnostics) {
-  fmt::print(stderr, "{}", base::format(sources, diagnostics));
-}
-
 // Cards that are understood but not available: each with its place. False if there is one.
-bool all_available(const base::Sources& sources, const model::Model& model) {
+bool all_available(const base::Sources& sources, const model::Model& model, const Log& log) {
   base::Diagnostics list;
   for (const model::Output& output : model.outputs) {
     if (output.format == model::OutputFormat::json) {
@@ -35,15 +28,15 @@ bool all_available(const base::Sources& sources, const model::Model& model) {
   for (const model::Unavailable& u : model.unavailable) {
     list.error(u.span, "E500", fmt::format("{} is not available in this version", u.what));
   }
-  print_diagnostics(sources, list);
+  log.diagnostics(sources, list);
   return !list.has_errors();
 }
 
-void print_refusal(const base::Sources& sources, const Refusal& refusal) {
+void print_refusal(const base::Sources& sources, const Refusal& refusal, const Log& log) {
   base::Diagnostics list;
   list.error(refusal.span, refusal.exit_code == exit_code::not_converged ? "E520" : "E510",
              refusal.why);
-  print_diagnostics(sources, list);
+  log.diagnostics(sources, list);
 }
 
 // Displacement elements lock where a material hardly changes its volume: at nu = 0.499 stresses are
@@ -66,33 +59,12 @@ int thread_count(const RunOptions& options, const model::Model& model) {
   return wanted > 0 ? wanted : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
-std::function<void(std::size_t, std::size_t)> progress_of(const RunOptions& options) {
-  if (options.quiet || isatty(STDERR_FILENO) == 0) {
-    return {};
-  }
-  const base::Stopwatch watch;
-  return [watch](std::size_t done, std::size_t all) {
-    const double left = watch.wall() / static_cast<double>(done) * static_cast<double>(all - done);
-    fmt::print(stderr, "\r  increment {} of {}, {:.1f} s left ", done, all, left);
-    if (done == all) {
-      fmt::print(stderr, "\n");
-    }
-  };
-}
-
-int report_checks(const results::Run& run) {
+int report_checks(const results::Run& run, const Log& log) {
   int failed = 0;
   for (const results::CheckResult& check : run.checks) {
-    if (check.passed) {
-      continue;
-    }
-    ++failed;
-    if (!check.trouble.empty()) {
-      fmt::print(stderr, "check failed: {}: {}\n", check.text, check.trouble);
-    } else {
-      fmt::print(stderr, "check failed: {} = {:.8g}, wanted {:.8g}: {} {:.2e} > {:.2e}\n",
-                 check.text, check.found, check.wanted, check.relative ? "REL" : "ABS", check.error,
-                 check.tolerance);
+    if (!check.passed) {
+      ++failed;
+      log.failed_check(check);
     }
   }
   return failed;
@@ -117,7 +89,7 @@ void print_summary(const model::Model& model, const results::Run& run,
 }
 
 // What a reader of the results must not miss: said on stderr and kept for listing and report.
-void collect_warnings(const base::Diagnostics& reading, results::Run& run) {
+void collect_warnings(const base::Diagnostics& reading, results::Run& run, const Log& log) {
   for (const base::Diagnostic& d : reading.all()) {
     if (d.severity == base::Severity::warning) {
       run.warnings.push_back(d.text);
@@ -129,7 +101,7 @@ void collect_warnings(const base::Diagnostics& reading, results::Run& run) {
         if (note.starts_with("warning: ")) {
           run.warnings.push_back(fmt::format("increment {}, step {}: {}", increment.number,
                                              step.step, note.substr(9)));
-          fmt::print(stderr, "{}\n", run.warnings.back());
+          log.message(base::Severity::warning, "W502", run.warnings.back());
         }
       }
     }
@@ -138,27 +110,28 @@ void collect_warnings(const base::Diagnostics& reading, results::Run& run) {
 
 int solve_and_write(const RunOptions& options, const base::Sources& sources,
                     const model::Model& model, const base::Diagnostics& reading) {
+  const Log log(options.log_format);
   const double cpu_before = base::cpu_seconds();
   RunFolder folder(options.out);
   base::Diagnostics diagnostics;
   std::optional<Refusal> refusal;
   SolveOptions solve;
   solve.threads = thread_count(options, model);
-  solve.progress = progress_of(options);
+  solve.progress = log.progress(options.quiet);
   std::optional<results::Run> run = solve_run(model, solve, diagnostics, refusal);
-  print_diagnostics(sources, diagnostics);
+  log.diagnostics(sources, diagnostics);
   if (refusal) {
-    print_refusal(sources, *refusal);
+    print_refusal(sources, *refusal, log);
     return refusal->exit_code;
   }
   if (!run) {
     return exit_code::deck_error;
   }
-  collect_warnings(reading, *run);
+  collect_warnings(reading, *run, log);
   run->checks = evaluate_checks(model, *run);
   run->cpu += cpu_before;
   folder.write(sources, model, *run);
-  const int failed = report_checks(*run);
+  const int failed = report_checks(*run, log);
   if (!options.quiet) {
     print_summary(model, *run, options.out, failed);
   }
@@ -169,6 +142,7 @@ int solve_and_write(const RunOptions& options, const base::Sources& sources,
 
 int run_deck(const RunOptions& given) {
   RunOptions options = given;
+  const Log log(options.log_format);
   if (options.out.empty()) {
     options.out = options.deck.filename().replace_extension(".run");
   }
@@ -180,16 +154,16 @@ int run_deck(const RunOptions& given) {
     if (model) {
       warn_of_locking(*model, diagnostics);
     }
-    print_diagnostics(sources, diagnostics);
+    log.diagnostics(sources, diagnostics);
     if (!model || diagnostics.has_errors()) {
       return exit_code::deck_error;
     }
-    if (!all_available(sources, *model)) {
+    if (!all_available(sources, *model, log)) {
       return exit_code::not_solvable;
     }
     if (model->steps.empty()) {
-      fmt::print(stderr, "{}: error E405: the deck has no $STEP, so there is nothing to solve\n",
-                 options.deck.string());
+      log.message(base::Severity::error, "E405",
+                  "the deck has no $STEP, so there is nothing to solve", options.deck.string());
       return exit_code::deck_error;
     }
     if (options.check_only) {
@@ -198,7 +172,7 @@ int run_deck(const RunOptions& given) {
     }
     return solve_and_write(options, sources, *model, diagnostics);
   } catch (const std::system_error& trouble) {
-    fmt::print(stderr, "spricka: {}\n", trouble.what());
+    log.message(base::Severity::error, "E530", trouble.what());
     return exit_code::file_trouble;
   }
 }

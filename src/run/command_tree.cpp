@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/command_tree.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::run {
+
+namespace {
+
+constexpr const char* k_about = "contact and stress intensity factors in one solution";
+
+std::string exit_footer() {
+  std::string out = "Exit codes:\n";
+  for (const ExitText& exit : exit_texts) {
+    out += fmt::format("  {:<3} {}\n", exit.code, exit.meaning);
+  }
+  return out + "\nThe deck language: spricka help";
+}
+
+// -D NAME=expression
+void add_define(const std::string& text, RunOptions& options) {
+  const std::size_t equal = text.find('=');
+  if (equal == std::string::npos || equal == 0) {
+    throw CLI::ValidationError("-D", "write -D NAME=expression, not '" + text + "'");
+  }
+  options.defines.emplace_back(text.substr(0, equal), text.substr(equal + 1));
+}
+
+OptionText describe(const CLI::Option& option) {
+  OptionText text;
+  text.positional = option.get_positional();
+  text.required = option.get_required();
+  text.doc = option.get_description();
+  if (text.positional) {
+    text.names.push_back(option.get_single_name());
+    return text;
+  }
+  for (const std::string& name : option.get_snames()) {
+    text.names.push_back("-" + name);
+  }
+  for (const std::string& name : option.get_lnames()) {
+    text.names.push_back("--" + name);
+  }
+  text.value = option.get_items_expected_max() > 0 ? option.get_type_name() : std::string();
+  return text;
+}
+
+std::vector<OptionText> describe_options(const CLI::App& app) {
+  std::vector<OptionText> texts;
+  for (const CLI::Option* option : app.get_options()) {
+    texts.push_back(describe(*option));
+  }
+  return texts;
+}
+
+} // namespace
+
+CommandTree::CommandTree() : app_(fmt::format("spricka: {}", k_about), "spricka") {
+  app_.set_version_flag("--version", version_text, "version of the program and its libraries");
+  app_.get_help_ptr()->description("this text");
+  app_.require_subcommand(1);
+  app_.footer(exit_footer());
+  add_run();
+  add_check();
+  // convert.hpp and further commands are added here, in the order of the help.
+  add_help();
+  add_format();
+  add_for_editors();
+  add_for_the_system();
+}
+
+CLI::App& CommandTree::add(const std::string& name, const std::string& doc, std::string examples,
+                           std::function<int()> act) {
+  CLI::App* command = app_.add_subcommand(name, doc);
+  command->get_help_ptr()->description("this text");
+  command->footer("Examples:\n" + examples);
+  commands_.push_back({command, std::move(examples), std::move(act)});
+  return *command;
+}
+
+void CommandTree::add_deck_options(CLI::App& command) {
+  command.add_option("DECK", run_.deck, "the deck file")->required()->type_name("");
+  command
+      .add_option_function<std::vector<std::string>>(
+          "-D",
+          [this](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) {
+              add_define(text, run_);
+            }
+          },
+          "overrides a parameter of the deck; may be given again")
+      ->type_name("NAME=EXPR")
+      ->allow_extra_args(false);
+  command
+      .add_option_function<std::string>(
+          "--log-format",
+          [this](const std::string& word) {
+            run_.log_format = word == "json" ? LogFormat::json : LogFormat::text;
+          },
+          "messages as text, or as JSON, one object a line")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->type_name("text|json");
+}
+
+void CommandTree::add_run() {
+  CLI::App& command = add("run", "run a deck and write its run folder",
+                          "  spricka run lug.deck\n"
+                          "  spricka run lug.deck -D 'F=80[kN]' -D fine=2 --out lug_80\n"
+                          "  spricka run lug.deck --threads 4 --log-format json 2> lug.log",
+                          [this] { return run_deck(run_); });
+  add_deck_options(command);
+  command.add_option("--out", run_.out, "run folder (default: the deck's name with .run)")
+      ->type_name("FOLDER");
+  command.add_option("--threads", run_.threads, "threads, 0: all cores; no result depends on it")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("NUMBER");
+  command.add_flag("--quiet", run_.quiet, "print messages only");
+}
+
+void CommandTree::add_check() {
+  CLI::App& command = add("check", "read and check a deck without solving it",
+                          "  spricka check lug.deck\n"
+                          "  spricka check lug.deck --log-format json 2>&1 | jq .text",
+                          [this] {
+                            run_.check_only = true;
+                            return run_deck(run_);
+                          });
+  add_deck_options(command);
+}
+
+void CommandTree::add_help() {
+  CLI::App& command = add("help", "explain a card, a result or an error code",
+                          "  spricka help                all cards by group\n"
+                          "  spricka help contact        the card $CONTACT\n"
+                          "  spricka help quantities     what $CHECK can name\n"
+                          "  spricka help functions      of expressions\n"
+                          "  spricka help units          of numbers\n"
+                          "  spricka help E108           an error code; codes: all of them\n"
+                          "  spricka help --markdown     the card reference of the manual",
+                          [this] { return help_command(help_, text()); });
+  command
+      .add_option("TOPIC", help_.topic,
+                  "a card, result or error code, or one of quantities, functions, units, codes")
+      ->type_name("");
+  command.add_flag("--markdown", help_.markdown, "the card reference, or that of codes");
+}
+
+void CommandTree::add_format() {
+  CLI::App& command =
+      add("format", "write a deck in the canonical layout",
+          "  spricka format lug.deck               to the terminal\n"
+          "  spricka format --in-place lug.deck    rewrites the file\n"
+          "  spricka format --check lug.deck       for scripts: 1 if it would change\n"
+          "  spricka format - < lug.deck           as a filter, for editors",
+          [this] { return format_command(format_); });
+  command.add_option("DECK", format_.deck, "the deck file, - for standard input")
+      ->required()
+      ->type_name("");
+  CLI::Option* in_place = command.add_flag("--in-place", format_.in_place, "rewrite the file");
+  command.add_flag("--check", format_.check, "write nothing; end with 1 if the file would change")
+      ->excludes(in_place);
+}
+
+void CommandTree::add_for_editors() {
+  add("schema", "print the whole language as JSON",
+      "  spricka schema | jq -r '.cards[] | .name + \": \" + .doc'", schema_command);
+  CLI::App& editor = add("editor", "print a syntax file for an editor",
+                         "  spricka editor vim > ~/.vim/syntax/spricka.vim\n"
+                         "  spricka editor vscode > spricka.tmLanguage.json",
+                         [this] { return editor_command(editor_); });
+  editor.add_option("EDITOR", editor_, "vim or vscode")
+      ->required()
+      ->check(CLI::IsMember({"vim", "vscode"}))
+      ->type_name("");
+}
+
+void CommandTree::add_for_the_system() {
+  CLI::App& completion =
+      add("completion", "print a completion script for a shell",
+          "  source <(spricka completion bash)\n"
+          "  spricka completion bash > ~/.local/share/bash-completion/completions/spricka",
+          [this] {
+            fmt::print("{}", bash_completion(text()));
+            return exit_code::done;
+          });
+  completion.add_option("SHELL", shell_, "bash")
+      ->required()
+      ->check(CLI::IsMember({"bash"}))
+      ->type_name("");
+  add("man", "print the man page", "  spricka man | man -l -", [this] {
+    fmt::print("{}", man_page(text()));
+    return exit_code::done;
+  });
+}
+
+const CLI::App* CommandTree::chosen() const {
+  for (const Command& command : commands_) {
+    if (command.app->parsed()) {
+      return command.app;
+    }
+  }
+  return nullptr;
+}
+
+int CommandTree::act() const {
+  for (const Command& command : commands_) {
+    if (command.app->parsed()) {
+      return command.act();
+    }
+  }
+  return exit_code::usage;
+}
+
+ProgramText CommandTree::text() const {
+  ProgramText program{SPRICKA_VERSION, k_about, describe_options(app_), {}};
+  for (const Command& command : commands_) {
+    program.commands.push_back({command.app->get_name(), command.app->get_description(),
+                                describe_options(*command.app), command.examples});
+  }
+  return program;
+}
+
+} // namespace spricka::run
