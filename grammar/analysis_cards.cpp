@@ -15,9 +15,9 @@ constexpr std::array load_keys{
     required(defines("CASE", load_case, "the case this adds to")),
     required(
         later(word("TYPE", "FORCE|RESULTANT|TRACTION|PRESSURE|BODY|BEARING|DISP|TEMPERATURE|FACES",
-                   "of the load"),
+                   "what the values are and what they act on"),
               "TEMPERATURE|FACES")),
-    preset(word("SHAPE", "UNIFORM|COSINE", "of the pressure of a BEARING"), "COSINE"),
+    preset(word("SHAPE", "UNIFORM|COSINE", "how the pressure of a BEARING is spread"), "COSINE"),
 };
 
 constexpr std::array load_when{
@@ -28,21 +28,24 @@ constexpr std::array load_when{
 };
 
 constexpr std::array contact_keys{
-    required(defines("NAME", contact, "of the pair")),
-    required(refers("SLAVE", set, "one surface")),
+    required(defines("NAME", contact, "called by this in steps and results")),
+    required(refers("SLAVE", set, "one surface; forces are those on it")),
     required(refers("MASTER", surface, "the other surface, or a rigid target")),
     preset(word("TYPE", "UNILATERAL|BONDED", "BONDED: no opening, no slip"), "UNILATERAL"),
-    real("INTERFERENCE", length, at_least(0), "normal interference, used exactly"),
-    real("DIAMETRAL", length, at_least(0), "twice the normal interference"),
+    real("INTERFERENCE", length, at_least(0),
+         "overlap along the normal (on the radius), used exactly"),
+    real("DIAMETRAL", length, at_least(0), "overlap on the diameter: twice INTERFERENCE"),
     real("GAP", length, at_least(0), "normal gap, used exactly; 0: a net fit"),
     preset(later(real("MU", number, at_least(0), "Coulomb friction"), ">0"), "0"),
-    preset(word("PAIRING", "NODE|SEGMENT", "node pairs, or mortar segments"), "SEGMENT"),
-    preset(word("RECOVERY", "LUMPED|CONSISTENT", "surface mass behind the pressure"), "LUMPED"),
+    preset(word("PAIRING", "NODE|SEGMENT", "SEGMENT: any two meshes; NODE: matching nodes"),
+           "SEGMENT"),
+    preset(word("RECOVERY", "LUMPED|CONSISTENT", "how pressure follows from NODE forces"),
+           "LUMPED"),
 };
 
 constexpr std::array rigid_keys{
-    required(defines("NAME", rigid, "of the target")),
-    required(word("SHAPE", "LINE|ARC", "of the target")),
+    required(defines("NAME", rigid, "called by this on $CONTACT")),
+    required(word("SHAPE", "LINE|ARC", "a straight or a round target")),
     real("X0", length, anything, "first point of a LINE, centre of an ARC"),
     real("Y0", length, anything, "see X0"),
     real("X1", length, anything, "second point of a LINE; the body is on the left"),
@@ -56,14 +59,16 @@ constexpr std::array rigid_when{
 };
 
 constexpr std::array crack_keys{
-    required(defines("NAME", crack, "of the crack")),
+    required(defines("NAME", crack, "called by this on other cards and in results")),
     refers("PATH", set, "ordered nodes from the mouth on, along element edges"),
     refers("NET", net, "the net a free crack cuts"),
-    real("A0", length, above(0), "first length"),
+    real("A0", length, above(0), "first length, from the mouth or from the middle"),
     real("ANGLE", angle, anything, "direction of a free crack of one point, from +x"),
     later(refers("FRONT", set, "ordered nodes of a 3D front"), "*"),
-    preset(word("NORMAL", "X|Y|Z", "of the plane of a 3D crack"), "Y"),
-    preset(word("STATE", "STRESS|STRAIN|AUTO", "of K from G; AUTO takes the property's"), "AUTO"),
+    preset(word("NORMAL", "X|Y|Z", "normal of the plane of a 3D crack"), "Y"),
+    preset(word("STATE", "STRESS|STRAIN|AUTO",
+                "plane state that turns G into K; AUTO: the property's"),
+           "AUTO"),
     preset(word("FACES", "CONTACT|FREE", "whether the faces may touch"), "CONTACT"),
     preset(later(real("MU", number, at_least(0), "friction of the faces"), ">0"), "0"),
 };
@@ -76,11 +81,11 @@ constexpr std::array crack_when{
 };
 
 constexpr std::array tipnet_keys{
-    required(refers("CRACK", crack, "the crack")),
-    real("RADIUS", length, above(0), "of the rosette"),
-    real("SIZE", length, above(0), "of the tip elements"),
-    preset(integer("RINGS", at_least(2), "of elements in the rosette"), "5"),
-    preset(integer("SECTORS", at_least(6), "of a full circle"), "24"),
+    required(refers("CRACK", crack, "whose tips")),
+    real("RADIUS", length, above(0), "of the rings round the tip"),
+    real("SIZE", length, above(0), "of the elements at the tip"),
+    preset(integer("RINGS", at_least(2), "number of element rings round the tip"), "5"),
+    preset(integer("SECTORS", at_least(6), "elements round a full circle"), "24"),
     preset(word("QUARTER", "YES|NO", "quarter-point tip elements"), "YES"),
     preset(
         later(word("JOIN", "CONFORMING|TRANSITION", "how the patch meets the host"), "TRANSITION"),
@@ -90,21 +95,23 @@ constexpr std::array tipnet_keys{
 };
 
 constexpr std::array vce_keys{
-    required(refers("CRACK", crack, "the crack")),
+    required(refers("CRACK", crack, "whose K")),
     real("SHIFT", number, between(1e-12, 1e-1), "finite shift in tip element sizes"),
     of_type(KeyType::integers, "DOMAINS", none, "how many rings move rigidly, a K for each"),
 };
 
 constexpr std::array step_keys{
-    required(defines("NAME", step, "of the step")),
-    preset(integer("SUBSTEPS", at_least(1), "equal parts"), "1"),
+    required(defines("NAME", step, "called by this in results")),
+    preset(integer("SUBSTEPS", at_least(1), "equal parts the step is run in"), "1"),
 };
 
 constexpr std::array grow_keys{
     required(later(word("LAW", "INCREMENT|PARIS|WALKER|FORMAN|NASGRO|TABLE",
                         "INCREMENT: the crack lengths are given"),
                    "PARIS|WALKER|FORMAN|NASGRO|TABLE")),
-    preset(word("DIRECTION", "PATH|HOOP|K2ZERO", "in which it grows"), "PATH"),
+    preset(word("DIRECTION", "PATH|HOOP|K2ZERO",
+                "where a crack grows to: along its line, or by K1 and K2"),
+           "PATH"),
     of_type(KeyType::references, "CRACKS", crack, "that grow; all when left out"),
     required(refers("KMAX", step, "the step of the largest K")),
     refers("KMIN", step, "the step of the smallest K"),
@@ -144,21 +151,21 @@ constexpr std::array sweep_keys{
 };
 
 constexpr std::array control_keys{
-    preset(integer("MAXITER", at_least(1), "pivots or iterations of contact"), "100"),
-    preset(real("TOL", number, above(0), "of contact, relative"), "1e-8"),
+    preset(integer("MAXITER", at_least(1), "most pivots of the contact solution"), "100"),
+    preset(real("TOL", number, above(0), "relative tolerance of contact"), "1e-8"),
     preset(integer("THREADS", at_least(0), "0: one for each core"), "0"),
 };
 
 constexpr std::array restart_keys{
     text("READ", "continue from this file"),
     integer("AT", at_least(0), "increment to continue from"),
-    text("WRITE", "state after increments"),
+    text("WRITE", "write the state after increments into this file"),
     preset(integer("EVERY", at_least(1), "increments between states"), "1"),
 };
 
 constexpr std::array output_keys{
-    required(text("FILE", "in the folder of the run")),
-    required(word("FORMAT", "VTU|CSV|JSON", "of the file")),
+    required(text("FILE", "name of the file, in the run folder")),
+    required(word("FORMAT", "VTU|CSV|JSON", "pictures for ParaView, a table, or JSON")),
     preset(word("EVERY", "STEP|INCREMENT|END", "when it is written"), "STEP"),
 };
 
@@ -170,7 +177,7 @@ constexpr std::array cards{
              .data_required = true,
              .data_form = "SET v1 [v2 [v3]]; values may be (expr in x y z)",
              .when = load_when,
-             .doc = "Adds to a load case; RESULTANT spreads a total over a face or element set."},
+             .doc = "Adds to a load case: forces, pressures, displacements."},
     CardSpec{.name = "CONTACT",
              .group = "contact",
              .keys = contact_keys,
@@ -202,7 +209,7 @@ constexpr std::array cards{
              .keys = step_keys,
              .data = Data::rows,
              .data_form = "LOAD case factor, FIT contact factor, MOUNT contact, DISMOUNT contact",
-             .doc = "Factors at the end of the step; others keep theirs; steps run in deck order."},
+             .doc = "Sets factors of loads and fits; those not named keep theirs."},
     CardSpec{.name = "GROW",
              .group = "crack",
              .keys = grow_keys,
@@ -210,7 +217,7 @@ constexpr std::array cards{
              .once = true,
              .data_form = "INCREMENT: crack lengths",
              .when = grow_when,
-             .doc = "The growth loop over the steps."},
+             .doc = "Crack growth: runs the steps for every crack length."},
     CardSpec{.name = "SWEEP",
              .group = "requests",
              .keys = sweep_keys,
@@ -223,7 +230,7 @@ constexpr std::array cards{
              .group = "requests",
              .keys = control_keys,
              .once = true,
-             .doc = "Numerics."},
+             .doc = "Numerics: contact iterations, threads."},
     CardSpec{.name = "RESTART",
              .group = "requests",
              .keys = restart_keys,
@@ -243,7 +250,7 @@ constexpr std::array cards{
              .data = Data::rows,
              .data_required = true,
              .data_form = "U set, S set, CPRESS contact, K crack, REACTION set",
-             .doc = "Results in a file."},
+             .doc = "Asks for results in a file of the run folder."},
     CardSpec{.name = "CHECK",
              .group = "requests",
              .data = Data::rows,

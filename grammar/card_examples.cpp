@@ -15,7 +15,7 @@ constexpr std::array texts{
         "It must stand first. All bare numbers of the deck are in its units: lengths in LENGTH, "
         "forces in FORCE, stresses in FORCE/LENGTH^2 (N and mm give MPa), angles in radians. A "
         "number may carry its own unit, 0.084[mm] or 70[GPa], and is converted.",
-        "$DECK VERSION=1 LENGTH=mm FORCE=N TITLE='Lug with one crack'\n"},
+        "$DECK VERSION=1 LENGTH=MM FORCE=N TITLE='Lug with one crack'\n"},
     CardText{
         "PARAMETER",
         "A parameter stands for its value in every expression below it, and an expression "

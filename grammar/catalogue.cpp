@@ -17,8 +17,7 @@ using enum Quantity;
 // Arguments by letter; what stands behind ? may be left out: a last number is the crack length.
 constexpr std::array quantities{
     ResultQuantity{"K", "cs?aa", stress_intensity, "same as K1"},
-    ResultQuantity{"K1", "cs?aa", stress_intensity,
-                   "stress intensity of mode I: crack, step, length, front angle"},
+    ResultQuantity{"K1", "cs?aa", stress_intensity, "stress intensity of mode I"},
     ResultQuantity{"K2", "cs?aa", stress_intensity, "stress intensity of mode II"},
     ResultQuantity{"G", "cs?aa", energy_release, "energy release rate"},
     ResultQuantity{"T", "cs?aa", stress, "T stress"},

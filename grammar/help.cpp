@@ -96,7 +96,7 @@ std::string card_help(const CardSpec& card, std::size_t width) {
     out += paragraph(rule, k_body, width);
   }
   out += '\n' + paragraph(card.data == Data::none
-                              ? fmt::format("{} takes {}.", card.name, data_phrase(card))
+                              ? fmt::format("${} takes no data lines.", card.name)
                               : fmt::format("{}: {}", data_phrase(card), card.data_form),
                           k_body, width);
   if (const std::string later = later_phrase(card); !later.empty()) {

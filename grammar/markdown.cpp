@@ -52,8 +52,7 @@ std::string card_section(const CardSpec& card) {
   }
   out += rules.empty() ? "" : "\n";
   if (card.data != Data::none) {
-    out += fmt::format("{}{}: `{}`\n\n", card.data_required ? "Data" : "Optional data", " lines",
-                       card.data_form);
+    out += fmt::format("{}: `{}`\n\n", data_phrase(card), card.data_form);
   }
   if (const std::string later = later_phrase(card); !later.empty()) {
     out += fmt::format("Read and checked, but not available in this version: {}.\n\n", code(later));

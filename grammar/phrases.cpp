@@ -221,10 +221,7 @@ std::string call_form(const ResultQuantity& quantity) {
 }
 
 std::string_view data_phrase(const CardSpec& card) {
-  if (card.data == Data::none) {
-    return "no data lines";
-  }
-  return card.data_required ? "data lines" : "optional data lines";
+  return card.data_required ? "Data lines" : "Optional data lines";
 }
 
 std::vector<std::string_view> groups() {

@@ -27,7 +27,7 @@ std::string_view dimension_phrase(Quantity quantity);
 /// How a result is written: "K1(crack[.tip], step [, a [, angle]])".
 std::string call_form(const ResultQuantity& quantity);
 
-/// "no data lines", "data lines" or "optional data lines".
+/// "Data lines" or "Optional data lines".
 std::string_view data_phrase(const CardSpec& card);
 
 /// The groups of cards in their order.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/command_tree.hpp"
 
+#include "base/diagnostics.hpp"
+
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -26,6 +29,25 @@ void add_define(const std::string& text, RunOptions& options) {
     throw CLI::ValidationError("-D", "write -D NAME=expression, not '" + text + "'");
   }
   options.defines.emplace_back(text.substr(0, equal), text.substr(equal + 1));
+}
+
+// Refuses any other word, with a suggestion; CLI11's own check would show its list in every help.
+CLI::Validator one_of(std::vector<std::string> words) {
+  return {[words = std::move(words)](const std::string& given) {
+            const bool known = std::find(words.begin(), words.end(), given) != words.end();
+            const std::string hint = base::suggest(given, words);
+            return known ? std::string() : fmt::format("not '{}'; {}", given, hint);
+          },
+          ""};
+}
+
+CLI::Validator whole_number() {
+  return {[](const std::string& given) {
+            const bool digits = !given.empty() && given.size() < 7 &&
+                                given.find_first_not_of("0123456789") == std::string::npos;
+            return digits ? std::string() : fmt::format("a whole number from 0, not '{}'", given);
+          },
+          ""};
 }
 
 OptionText describe(const CLI::Option& option) {
@@ -100,7 +122,7 @@ void CommandTree::add_deck_options(CLI::App& command) {
             run_.log_format = word == "json" ? LogFormat::json : LogFormat::text;
           },
           "messages as text, or as JSON, one object a line")
-      ->check(CLI::IsMember({"text", "json"}))
+      ->check(one_of({"text", "json"}))
       ->type_name("text|json");
 }
 
@@ -114,7 +136,7 @@ void CommandTree::add_run() {
   command.add_option("--out", run_.out, "run folder (default: the deck's name with .run)")
       ->type_name("FOLDER");
   command.add_option("--threads", run_.threads, "threads, 0: all cores; no result depends on it")
-      ->check(CLI::NonNegativeNumber)
+      ->check(whole_number())
       ->type_name("NUMBER");
   command.add_flag("--quiet", run_.quiet, "print messages only");
 }
@@ -172,7 +194,7 @@ void CommandTree::add_for_editors() {
                          [this] { return editor_command(editor_); });
   editor.add_option("EDITOR", editor_, "vim or vscode")
       ->required()
-      ->check(CLI::IsMember({"vim", "vscode"}))
+      ->check(one_of({"vim", "vscode"}))
       ->type_name("");
 }
 
@@ -187,7 +209,7 @@ void CommandTree::add_for_the_system() {
           });
   completion.add_option("SHELL", shell_, "bash")
       ->required()
-      ->check(CLI::IsMember({"bash"}))
+      ->check(one_of({"bash"}))
       ->type_name("");
   add("man", "print the man page", "  spricka man | man -l -", [this] {
     fmt::print("{}", man_page(text()));
