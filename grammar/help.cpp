@@ -6,6 +6,8 @@
 #include "grammar/phrases.hpp"
 #include "grammar/wrap.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace spricka::grammar {
@@ -105,6 +107,27 @@ std::string card_help(const CardSpec& card, std::size_t width) {
                      k_body, width);
   }
   return out + "\nExample:\n" + indented(card.example, k_body);
+}
+
+std::string word_help(std::string_view word, std::size_t width) {
+  Columns table{{}, {34, 34, 0}};
+  for (const CardSpec& card : catalogue()) {
+    for (const KeySpec& key : card.keys) {
+      const std::vector<std::string> words = split_words(key.words);
+      const bool value = std::find(words.begin(), words.end(), word) != words.end();
+      if (key.name == word || value) {
+        table.rows.push_back(
+            {fmt::format("${} {}{}{}", card.name, key.name, value ? "=" : "", value ? word : ""),
+             value ? std::string() : value_phrase(key), std::string(key.doc)});
+      }
+    }
+  }
+  for (const WordText& function : function_texts()) {
+    if (function.name == word) {
+      table.rows.push_back({std::string(function.form), "function", std::string(function.doc)});
+    }
+  }
+  return table.rows.empty() ? std::string() : table.text(width);
 }
 
 std::string quantities_help(std::size_t width, const ResultQuantity* one) {

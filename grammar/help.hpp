@@ -3,6 +3,7 @@
 #include "grammar/catalogue.hpp"
 
 #include <string>
+#include <string_view>
 
 /// What `spricka help` prints, made of the catalogue alone, in lines of at most `width` columns
 /// (but for examples and words that are longer).
@@ -13,6 +14,10 @@ std::string cards_help(std::size_t width);
 
 /// One card: keys, rules between them, data lines, notes, example.
 std::string card_help(const CardSpec& card, std::size_t width);
+
+/// Where a word of the language stands, given in capitals: as a key, as a value of one, as a
+/// function. Empty when it is none.
+std::string word_help(std::string_view word, std::size_t width);
 
 /// The results that $CHECK can name; `one` alone if it is given.
 std::string quantities_help(std::size_t width, const ResultQuantity* one = nullptr);

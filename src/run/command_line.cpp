@@ -54,6 +54,9 @@ Trouble explain(CommandTree& tree, const CLI::ParseError& error) {
     const std::string name = option->substr(0, option->find('='));
     return {fmt::format("there is no option {}", name), base::suggest(name, option_names(place))};
   }
+  if (command == nullptr && !extras.empty() && extras.front().ends_with(".deck")) {
+    return {"a command is missing", fmt::format("did you mean spricka run {}?", extras.front())};
+  }
   if (command == nullptr && !extras.empty()) {
     return {fmt::format("there is no command '{}'", extras.front()),
             base::suggest(extras.front(), command_names(tree.app()))};

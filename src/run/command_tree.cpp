@@ -153,9 +153,10 @@ void CommandTree::add_check() {
 }
 
 void CommandTree::add_help() {
-  CLI::App& command = add("help", "explain a card, a result or an error code",
+  CLI::App& command = add("help", "explain a card, a key, a result or an error code",
                           "  spricka help                all cards by group\n"
                           "  spricka help contact        the card $CONTACT\n"
+                          "  spricka help diametral      a key or word, wherever it stands\n"
                           "  spricka help quantities     what $CHECK can name\n"
                           "  spricka help functions      of expressions\n"
                           "  spricka help units          of numbers\n"
@@ -163,8 +164,9 @@ void CommandTree::add_help() {
                           "  spricka help --markdown     the card reference of the manual",
                           [this] { return help_command(help_, text()); });
   command
-      .add_option("TOPIC", help_.topic,
-                  "a card, result or error code, or one of quantities, functions, units, codes")
+      .add_option(
+          "TOPIC", help_.topic,
+          "a card, key, result or error code, or one of quantities, functions, units, codes")
       ->type_name("");
   command.add_flag("--markdown", help_.markdown, "the card reference, or that of codes");
 }

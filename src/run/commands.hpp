@@ -11,7 +11,7 @@ namespace spricka::run {
 
 struct HelpOptions {
   std::string
-      topic; ///< a card, quantity, error code, quantities, functions, units, codes; or empty
+      topic; ///< a card, key, result, error code, name of a list; or empty
   bool markdown = false;
 };
 int help_command(const HelpOptions& options, const ProgramText& program);

@@ -94,6 +94,9 @@ std::optional<std::string> help_on(const std::string& topic, const ProgramText& 
   if (const grammar::ResultQuantity* quantity = grammar::find_quantity(topic)) {
     return grammar::quantities_help(width, quantity);
   }
+  if (std::string words = grammar::word_help(topic, width); !words.empty()) {
+    return words;
+  }
   if (command != nullptr) {
     return fmt::format("spricka {}: {}\n\nspricka {} --help says more.\n", command->name,
                        command->doc, command->name);

@@ -37,6 +37,13 @@ class Help(ProgramTest):
         self.assertRegex(self.expect(0, "help", "units").stdout, r"GPa\s+stress\s+1000000000")
         self.assertIn("U.X.AT(x, y", self.expect(0, "help", "u.x.at").stdout)
 
+    def test_keys_and_words(self):
+        self.assertIn("$CONTACT DIAMETRAL", self.expect(0, "help", "diametral").stdout)
+        out = self.expect(0, "help", "QUAMC8").stdout
+        self.assertIn("$MESH TYPE=QUAMC8", out)
+        self.assertIn("$ELEMENT TYPE=QUAMC8", out)
+        self.assertIn("atan2(y, x)", self.expect(0, "help", "atan2").stdout)
+
     def test_every_error_code_is_explained(self):
         codes = re.findall(r"(?m)^  ([EW]\d{3})", self.expect(0, "help", "codes").stdout)
         self.assertGreater(len(codes), 60)
@@ -71,6 +78,9 @@ class Usage(ProgramTest):
 
     def test_misspelt_command(self):
         self.refused("did you mean 'check'?", "chekc", "a.deck")
+
+    def test_command_left_out(self):
+        self.refused("did you mean spricka run lug.deck?", "lug.deck")
 
     def test_misspelt_option(self):
         self.refused("did you mean '--threads'?", "run", "--theads", "4", "a.deck")
