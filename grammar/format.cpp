@@ -46,7 +46,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-// Where the comment of a line starts; its length without one. A ! in a text is none.
+// Where the comment of a line starts; its length without one. A ! in a text or unit is none.
 std::size_t comment_start(std::string_view line) {
   bool quoted = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -54,6 +54,9 @@ std::size_t comment_start(std::string_view line) {
       quoted = !quoted;
     } else if (line[i] == '!' && !quoted) {
       return i;
+    } else if (line[i] == '[' && !quoted) {
+      const std::size_t close = line.find(']', i);
+      i = close == std::string_view::npos ? i : close;
     }
   }
   return line.size();
@@ -133,7 +136,7 @@ private:
   }
 
   void data(std::string_view whole, std::string_view code, Line& line) {
-    if (spec_ == nullptr || spec_->data == Data::table) {
+    if (spec_ == nullptr || spec_->data == Data::table || spec_->data == Data::none) {
       line.role = Role::table;
       line.code = whole.substr(0, whole.find_last_not_of(" \t\r") + 1);
       return;

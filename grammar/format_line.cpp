@@ -15,16 +15,17 @@ const char* token_end(const char* p, const char* last, int& depth) {
   bool quoted = false;
   bool unit = false;
   for (; p < last; ++p) {
-    const bool inside = quoted || unit || depth > 0;
-    if (*p == '\'' && !unit) {
+    if (unit) { // any byte may stand in one until ]
+      unit = *p != ']';
+    } else if (*p == '\'') {
       quoted = !quoted;
     } else if (quoted) {
       continue;
-    } else if (*p == '[' || *p == ']') {
-      unit = *p == '[';
+    } else if (*p == '[') {
+      unit = true;
     } else if (*p == '(' || *p == ')') {
-      depth += *p == '(' ? 1 : -1;
-    } else if (!inside && (is_blank(*p) || *p == '=' || *p == ',')) {
+      depth = std::max(depth + (*p == '(' ? 1 : -1), 0);
+    } else if (depth == 0 && (is_blank(*p) || *p == '=' || *p == ',')) {
       break;
     }
   }
@@ -50,7 +51,7 @@ std::string HeaderLayout::line(std::string_view code) {
     } else {
       const bool joined = out.empty() || out.back() == '=' || out.back() == ',';
       const bool open = depth_ > 0;
-      const char* const end = token_end(p, last, depth_);
+      const char* const end = std::max(token_end(p, last, depth_), p + 1);
       const std::string_view text = without_trailing_blanks({p, end});
       out += joined ? "" : " ";
       out += open ? std::string(text) : token(text);

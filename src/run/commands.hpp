@@ -10,8 +10,7 @@
 namespace spricka::run {
 
 struct HelpOptions {
-  std::string
-      topic; ///< a card, key, result, error code, name of a list; or empty
+  std::string topic; ///< a card, key, result, error code, name of a list; or empty
   bool markdown = false;
 };
 int help_command(const HelpOptions& options, const ProgramText& program);

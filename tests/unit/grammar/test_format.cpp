@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <random>
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -134,6 +135,34 @@ TEST(Format, KeepsTheMeaningOfEveryDeckAndRunsOnce) {
     EXPECT_EQ(once, formatted(once)) << file;
   }
   EXPECT_GE(done, 30U);
+}
+
+// The same for decks that a careless hand has been at: whatever still parses keeps its meaning.
+TEST(Format, KeepsTheMeaningOfDamagedDecks) {
+  const std::vector<std::string> pieces{" ",    "\t", "\n", "\r\n", "\n& ", " ! c\n", "\n!\n& ",
+                                        "'",    "(",  ")",  "! ",   "=",    ",",      "$",
+                                        "[mm]", "&",  "-X", ".5",   "\n\n", "é"};
+  std::mt19937 random(7);
+  const auto below = [&](std::size_t n) { return random() % n; }; // the same on every machine
+  std::size_t done = 0;
+  for (const fs::path& file : corpus()) {
+    std::ifstream in(file, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    for (int trial = 0; trial < 100 && !text.empty(); ++trial) {
+      std::string damaged = text;
+      for (std::size_t k = below(3) + 1; k > 0; --k) {
+        damaged.insert(below(damaged.size()), pieces[below(pieces.size())]);
+      }
+      const std::string once = formatted(damaged);
+      if (once.starts_with("refused")) {
+        continue;
+      }
+      ++done;
+      ASSERT_EQ(Meaning(damaged).text(), Meaning(once).text()) << damaged << "\n---\n" << once;
+      ASSERT_EQ(once, formatted(once)) << damaged;
+    }
+  }
+  EXPECT_GE(done, 300U);
 }
 
 TEST(Format, LaysOutHeaders) {
