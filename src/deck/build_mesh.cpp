@@ -155,7 +155,7 @@ void elements(Context& c, const BoundCard& card) {
   };
   grammar::parse_connectivity(form, card.data, c.scope, c.diagnostics, take);
   origin.count = mesh.element_count() - origin.first;
-  c.origins.push_back(std::move(origin));
+  c.origins.push_back(origin);
 }
 
 void generate(Context& c, const BoundCard& card) {
