@@ -43,6 +43,10 @@ constexpr std::array contact_keys{
            "LUMPED"),
 };
 
+constexpr std::array contact_when{
+    When{"TYPE", "BONDED", "", "MU"}, // no slip, so nothing to rub
+};
+
 constexpr std::array rigid_keys{
     required(defines("NAME", rigid, "called by this on $CONTACT")),
     required(word("SHAPE", "LINE|ARC", "a straight or a round target")),
@@ -78,20 +82,26 @@ constexpr std::array crack_when{
     When{"FRONT", "", "", "PATH ANGLE A0"},
     When{"ANGLE", "", "A0", "PATH FRONT"},
     When{"NET", "", "", "PATH FRONT"},
+    When{"NORMAL", "", "FRONT", ""},
+    When{"FACES", "FREE", "", "MU"},
 };
 
 constexpr std::array tipnet_keys{
     required(refers("CRACK", crack, "whose tips")),
     real("RADIUS", length, above(0), "of the rings round the tip"),
     real("SIZE", length, above(0), "of the elements at the tip"),
-    preset(integer("RINGS", at_least(2), "number of element rings round the tip"), "5"),
-    preset(integer("SECTORS", at_least(6), "elements round a full circle"), "24"),
+    preset(integer("RINGS", between(2, 200), "number of element rings round the tip"), "5"),
+    preset(integer("SECTORS", between(6, 1000), "elements round a full circle"), "24"),
     preset(word("QUARTER", "YES|NO", "quarter-point tip elements"), "YES"),
     preset(
         later(word("JOIN", "CONFORMING|TRANSITION", "how the patch meets the host"), "TRANSITION"),
         "CONFORMING"),
     preset(word("PATCH", "YES|NO", "NO: the deck's own elements stay"), "YES"),
     later(real("TOL", number, above(0), "refine until the error bar of K is below TOL*K"), "*"),
+};
+
+constexpr std::array tipnet_when{
+    When{"PATCH", "NO", "", "RADIUS SIZE SECTORS JOIN"},
 };
 
 constexpr std::array vce_keys{
@@ -102,15 +112,16 @@ constexpr std::array vce_keys{
 
 constexpr std::array step_keys{
     required(defines("NAME", step, "called by this in results")),
-    preset(integer("SUBSTEPS", at_least(1), "equal parts the step is run in"), "1"),
+    preset(integer("SUBSTEPS", between(1, 1000000), "equal parts the step is run in"), "1"),
 };
 
 constexpr std::array grow_keys{
     required(later(word("LAW", "INCREMENT|PARIS|WALKER|FORMAN|NASGRO|TABLE",
                         "INCREMENT: the crack lengths are given"),
                    "PARIS|WALKER|FORMAN|NASGRO|TABLE")),
-    preset(word("DIRECTION", "PATH|HOOP|K2ZERO",
-                "where a crack grows to: along its line, or by K1 and K2"),
+    preset(later(word("DIRECTION", "PATH|HOOP|K2ZERO",
+                      "where a crack grows to: along its line, or by K1 and K2"),
+                 "HOOP|K2ZERO"),
            "PATH"),
     of_type(KeyType::references, "CRACKS", crack, "that grow; all when left out"),
     required(refers("KMAX", step, "the step of the largest K")),
@@ -137,12 +148,12 @@ constexpr std::array grow_keys{
 
 // Every law but INCREMENT works on a range of K and so needs KMIN.
 constexpr std::array grow_when{
-    When{"LAW", "INCREMENT", "", "C M P Q DKTH ALPHA SMAX KUNIT AUNIT"},
-    When{"LAW", "PARIS", "C M KMIN", "P Q"},
-    When{"LAW", "WALKER", "C M KMIN", "Q"},
-    When{"LAW", "FORMAN", "C M KC KMIN", "P Q"},
+    When{"LAW", "INCREMENT", "", "DA CYCLES C M P Q DKTH ALPHA SMAX KUNIT AUNIT"},
+    When{"LAW", "PARIS", "C M KMIN", "P Q ALPHA SMAX"},
+    When{"LAW", "WALKER", "C M KMIN", "Q ALPHA SMAX"},
+    When{"LAW", "FORMAN", "C M KC KMIN", "P Q ALPHA SMAX"},
     When{"LAW", "NASGRO", "C M KC KMIN", ""},
-    When{"LAW", "TABLE", "KMIN", "C M P Q"},
+    When{"LAW", "TABLE", "KMIN", "C M P Q ALPHA SMAX"},
 };
 
 constexpr std::array sweep_keys{
@@ -152,7 +163,7 @@ constexpr std::array sweep_keys{
 
 constexpr std::array control_keys{
     preset(integer("MAXITER", at_least(1), "most pivots of the contact solution"), "100"),
-    preset(real("TOL", number, above(0), "relative tolerance of contact"), "1e-8"),
+    preset(later(real("TOL", number, above(0), "relative tolerance of contact"), "*"), "1e-8"),
     preset(integer("THREADS", at_least(0), "0: one for each core"), "0"),
 };
 
@@ -161,6 +172,11 @@ constexpr std::array restart_keys{
     integer("AT", at_least(0), "increment to continue from"),
     text("WRITE", "write the state after increments into this file"),
     preset(integer("EVERY", at_least(1), "increments between states"), "1"),
+};
+
+constexpr std::array restart_when{
+    When{"AT", "", "READ", ""},
+    When{"EVERY", "", "WRITE", ""},
 };
 
 constexpr std::array output_keys{
@@ -182,6 +198,7 @@ constexpr std::array cards{
              .group = "contact",
              .keys = contact_keys,
              .exclusive = "INTERFERENCE DIAMETRAL GAP",
+             .when = contact_when,
              .doc = "A contact pair; without a given gap it is measured from the geometry."},
     CardSpec{.name = "RIGID",
              .group = "contact",
@@ -199,6 +216,7 @@ constexpr std::array cards{
     CardSpec{.name = "TIPNET",
              .group = "crack",
              .keys = tipnet_keys,
+             .when = tipnet_when,
              .doc = "How the patch round the tip is made; what is left out is chosen and printed."},
     CardSpec{.name = "VCE",
              .group = "crack",
@@ -215,7 +233,7 @@ constexpr std::array cards{
              .keys = grow_keys,
              .data = Data::rows,
              .once = true,
-             .data_form = "INCREMENT: crack lengths",
+             .data_form = "INCREMENT: crack lengths; TABLE: delta_K da/dN",
              .when = grow_when,
              .doc = "Crack growth: runs the steps for every crack length."},
     CardSpec{.name = "SWEEP",
@@ -236,6 +254,7 @@ constexpr std::array cards{
              .keys = restart_keys,
              .once = true,
              .available = false,
+             .when = restart_when,
              .doc = "State per growth increment or step."},
     CardSpec{.name = "TASK",
              .group = "requests",

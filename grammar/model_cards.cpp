@@ -124,6 +124,11 @@ constexpr std::array property_keys{
     preset(real("THICK", length, above(0), "thickness of a plane body"), "1"),
 };
 
+constexpr std::array property_when{
+    When{"STATE", "AXI", "", "THICK"},
+    When{"STATE", "SOLID", "", "THICK"},
+};
+
 constexpr std::array freedom_keys{
     required(word("CLASS", "SUPPRESSED|PRESCRIBED|EXTERNAL",
                   "PRESCRIBED ones get values from $LOAD TYPE=DISP, EXTERNAL ones survive "
@@ -140,7 +145,7 @@ constexpr std::array mpc_keys{
 
 constexpr std::array mpc_when{
     When{"TYPE", "TRANSITION", "SLAVE MASTER", "RHS"},
-    When{"TYPE", "RIGID", "SLAVE", "RHS"},
+    When{"TYPE", "RIGID", "SLAVE", "MASTER RHS"},
     When{"TYPE", "EQUATION", "", "SLAVE MASTER"},
 };
 
@@ -218,6 +223,7 @@ constexpr std::array cards{
     CardSpec{.name = "PROPERTY",
              .group = "material and geometry",
              .keys = property_keys,
+             .when = property_when,
              .doc = "Theory, thickness and material of an element set."},
     CardSpec{.name = "FREEDOM",
              .group = "freedoms",

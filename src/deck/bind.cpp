@@ -4,6 +4,7 @@
 #include "grammar/parse.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -118,6 +119,16 @@ private:
     return true;
   }
 
+  // Ends in a comparison, and or or; a number would be a condition by accident only.
+  static bool is_condition(const grammar::Expression& expression) {
+    using base::Op;
+    const grammar::Term& last = expression.terms.back();
+    constexpr std::array conditions{Op::less,  Op::less_equal,  Op::greater,   Op::greater_equal,
+                                    Op::equal, Op::logical_and, Op::logical_or};
+    return last.kind == grammar::Term::Kind::op &&
+           std::find(conditions.begin(), conditions.end(), last.op) != conditions.end();
+  }
+
   bool expression(const Field& field, BoundValue& value) {
     if (field.kind != Field::Kind::expression && field.kind != Field::Kind::number) {
       return fail(field.span, "E108",
@@ -128,6 +139,9 @@ private:
         grammar::compile(field.expression, scope_, grammar::Fields::position, diagnostics_);
     if (!compiled) {
       return false;
+    }
+    if (key_.name == "WHERE" && !is_condition(field.expression)) {
+      return fail(field.span, "E108", "WHERE: a condition is expected", "as in (x > 0 and y < 1)");
     }
     value.expression = std::move(*compiled);
     return true;

@@ -99,12 +99,17 @@ void crack(Context& c, const BoundCard& card) {
                                              : model::CrackState::automatic;
   crack.faces_in_contact = card.is("FACES", "CONTACT");
   crack.mu = card.number("MU");
+  crack.normal = card.word("NORMAL").front() - 'X';
   crack.span = card.span;
   if (card.has("PATH")) {
     crack_path(c, card, crack);
   } else if (card.has("FRONT")) {
     crack.kind = model::CrackKind::front;
     crack.path = use_node_set(c, card.reference("FRONT")).value_or(base::NodeSetId());
+    if (c.model.mesh.dim == 2 && c.mesh_sound && c.model.mesh.element_count() > 0) {
+      c.error(card.find("FRONT")->span, "E313", "a crack front belongs to elements in space",
+              "in the plane a crack has PATH and A0, or points");
+    }
   } else {
     free_crack(c, card, crack);
   }

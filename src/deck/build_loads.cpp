@@ -74,10 +74,20 @@ bool load_set(Context& c, const Reference& reference, model::Load& load) {
       return true;
     }
     return false;
-  case LoadType::temperature: // a set of any kind; no analysis reads it yet
-    return kind_of_set(c, Kind::any_set, reference).has_value();
-  case LoadType::crack_faces:
-    return look_up(c, Kind::crack, reference) != nullptr;
+  case LoadType::temperature: { // a set of any kind
+    const auto kind = kind_of_set(c, Kind::any_set, reference);
+    if (kind == Kind::element_set) {
+      load.elements = use_element_set(c, reference).value_or(base::ElementSetId());
+    } else if (kind) {
+      load.nodes = use_node_set(c, reference).value_or(base::NodeSetId());
+    }
+    return kind.has_value();
+  }
+  case LoadType::crack_faces: {
+    const Definition* crack = look_up(c, Kind::crack, reference);
+    load.crack = crack == nullptr ? base::CrackId() : base::CrackId(crack->index);
+    return crack != nullptr;
+  }
   case LoadType::resultant: {
     const auto known = c.names.find({Kind::face_set, Kind::node_set, Kind::element_set},
                                     reference.name, reference.net);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
+#include "deck/mesh_limits.hpp"
 #include "grammar/table.hpp"
 #include "mesh/generate.hpp"
 #include "mesh/gmsh_import.hpp"
@@ -315,7 +316,7 @@ void mesh_card(Context& c, const BoundCard& card) {
   const std::size_t errors = c.diagnostics.error_count();
   if (card.spec->name == "IMPORT") {
     import(c, card);
-  } else if (sizes_fit(c, card)) {
+  } else if (mesh_is_handy(c, card) && sizes_fit(c, card)) {
     generate(c, card);
   }
   adopt_labels(c, card, before[0], before[1]);

@@ -69,6 +69,46 @@ void control(Context& c, const BoundCard& card) {
   c.model.control.threads = card.integer("THREADS");
 }
 
+void restart(Context& c, const BoundCard& card) {
+  model::Restart restart;
+  restart.read = card.word("READ");
+  if (card.has("AT")) {
+    restart.at = card.integer("AT");
+  }
+  restart.write = card.word("WRITE");
+  restart.every = card.integer("EVERY");
+  restart.span = card.span;
+  for (const std::string_view key : {"READ", "WRITE"}) {
+    if (card.has(key) && card.word(key).empty()) {
+      c.error(card.find(key)->span, "E108", fmt::format("{}: the name of the file is empty", key));
+    }
+  }
+  if (!card.has("READ") && !card.has("WRITE")) {
+    c.error(card.span, "E106", "$RESTART needs READ or WRITE", "WRITE='file.rst' keeps states");
+  }
+  c.model.restart = std::move(restart);
+}
+
+// What a $TASK leaves out although cards ask for it: the chain is not cut short in this version.
+void left_out(Context& c, const BoundCard& card) {
+  const auto has_card = [&](std::string_view name) {
+    return std::any_of(c.cards.begin(), c.cards.end(),
+                       [&](const BoundCard& other) { return other.spec->name == name; });
+  };
+  struct Need {
+    std::string_view processor, card;
+  };
+  for (const Need& need : {Need{"CONTACT", "CONTACT"}, Need{"VCE", "CRACK"}, Need{"GROW", "GROW"},
+                           Need{"OUTPUT", "OUTPUT"}, Need{"STIFFNESS", "STEP"}}) {
+    const std::vector<std::string>& tasks = c.model.tasks;
+    if (has_card(need.card) &&
+        std::find(tasks.begin(), tasks.end(), need.processor) == tasks.end()) {
+      c.unavailable(fmt::format("$TASK without {} in a deck with ${}", need.processor, need.card),
+                    card.span);
+    }
+  }
+}
+
 void task(Context& c, const BoundCard& card) {
   const std::vector<std::string> valid = grammar::split_words(card.spec->data_form);
   std::size_t last = 0;
@@ -90,6 +130,7 @@ void task(Context& c, const BoundCard& card) {
       c.model.tasks.push_back(field.text);
     }
   }
+  left_out(c, card);
 }
 
 void sweep(Context& c, const BoundCard& card) {
@@ -128,6 +169,8 @@ void build_requests(Context& context) {
       read_checks(context, card);
     } else if (card.spec->name == "CONTROL") {
       control(context, card);
+    } else if (card.spec->name == "RESTART") {
+      restart(context, card);
     } else if (card.spec->name == "TASK") {
       task(context, card);
     } else if (card.spec->name == "SWEEP") {

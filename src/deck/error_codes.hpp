@@ -62,6 +62,8 @@ inline constexpr std::array error_codes{
     ErrorCode{"E317", "a path that is no crack path"},
     ErrorCode{"E318", "a deck without elements"},
     ErrorCode{"E319", "a displacement where no freedom is prescribed"},
+    ErrorCode{"E320", "a step that says the same thing twice"},
+    ErrorCode{"E321", "a mesh too large to be made"},
 };
 
 } // namespace spricka::deck
