@@ -142,8 +142,8 @@ constexpr std::array grow_keys{
     preset(real("DKTH", stress_intensity, at_least(0), "threshold"), "0"),
     preset(real("ALPHA", number, between(1, 3), "constraint factor of NASGRO"), "2"),
     preset(real("SMAX", number, between(0, 1), "stress over flow stress of NASGRO"), "0.3"),
-    text("KUNIT", "unit of K in the law"),
-    text("AUNIT", "unit of a in the law"),
+    unit_name("KUNIT", stress_intensity, "unit of K in the law, 'MPa*m^0.5'; else deck units"),
+    unit_name("AUNIT", length, "unit of a in the law, 'm' or 'mm/cycle'; else deck units"),
 };
 
 // Every law but INCREMENT works on a range of K and so needs KMIN.

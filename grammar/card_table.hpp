@@ -77,6 +77,12 @@ constexpr KeySpec refers(std::string_view name, Kind kind, std::string_view doc)
 constexpr KeySpec text(std::string_view name, std::string_view doc) {
   return of_type(KeyType::text, name, Kind::none, doc);
 }
+/// A text that names a unit of a quantity.
+constexpr KeySpec unit_name(std::string_view name, Quantity quantity, std::string_view doc) {
+  KeySpec key = text(name, doc);
+  key.quantity = quantity;
+  return key;
+}
 constexpr KeySpec field(std::string_view name, std::string_view doc) {
   return of_type(KeyType::expression, name, Kind::none, doc);
 }

@@ -142,6 +142,9 @@ std::string_view word_of(Quantity quantity) {
 }
 
 std::string Range::text() const {
+  if (low == high) {
+    return fmt::format("{}", low);
+  }
   const bool has_low = low > -k_unbounded;
   const bool has_high = high < k_unbounded;
   if (has_low && has_high) {

@@ -60,7 +60,7 @@ private:
                     fmt::format("write {}='...'", key_.name));
       }
       value.text = field.text;
-      return true;
+      return key_.quantity == grammar::Quantity::number || unit(field);
     case KeyType::expression:
       return expression(field, value);
     }
@@ -86,6 +86,21 @@ private:
     }
     value.number = *found;
     value.numbers.push_back(*found);
+    return true;
+  }
+
+  // A text that names a unit of the key's quantity.
+  bool unit(const Field& field) {
+    const auto known = base::parse_unit(field.text);
+    if (!known) {
+      return fail(field.span, "E204", fmt::format("{}: '{}' is not a unit", key_.name, field.text),
+                  "m mm um in, N kN MN lbf, Pa kPa MPa GPa psi ksi, cycle, with * / ^");
+    }
+    if (known->dimension != grammar::dimension_of(key_.quantity)) {
+      return fail(field.span, "E205",
+                  fmt::format("{}: '{}' is not the unit of {}", key_.name, field.text,
+                              grammar::word_of(key_.quantity)));
+    }
     return true;
   }
 
@@ -346,10 +361,12 @@ std::optional<double> number_of(const grammar::Field& field, grammar::Quantity q
                                 std::string_view what, const grammar::Scope& scope,
                                 base::Diagnostics& diagnostics) {
   if (field.kind != Field::Kind::number && field.kind != Field::Kind::expression) {
+    const std::string_view written = scope.sources->text(field.span);
     const bool parameter = field.kind == Field::Kind::name && scope.values.contains(field.text);
+    const bool call = field.kind == Field::Kind::quantity;
     diagnostics.error(field.span, "E108", fmt::format("{} is expected", what),
-                      parameter ? fmt::format("write ({}) for the value of the parameter",
-                                              scope.sources->text(field.span))
+                      parameter ? fmt::format("write ({}) for the value of the parameter", written)
+                      : call    ? fmt::format("an expression stands in parentheses: ({})", written)
                                 : "");
     return std::nullopt;
   }

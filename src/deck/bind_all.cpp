@@ -34,6 +34,18 @@ public:
       unknown(card);
       return;
     }
+    bind(card, *spec);
+  }
+
+  void finish() {
+    if (net_open_) {
+      c_.error(c_.model.nets.back().span, "E114", "the net is not closed with $ENDNET");
+    }
+  }
+
+private:
+  void bind(const grammar::Card& card, const grammar::CardSpec& known) {
+    const grammar::CardSpec* const spec = &known;
     BoundCard bound = bind_card(card, *spec, c_.scope, c_.diagnostics);
     if (spec->once && !seen_.insert(spec->name).second) {
       c_.error(card.name_span, "E119", fmt::format("${} is given twice", spec->name));
@@ -54,13 +66,6 @@ public:
     c_.cards.push_back(std::move(bound));
   }
 
-  void finish() {
-    if (net_open_) {
-      c_.error(c_.model.nets.back().span, "E114", "the net is not closed with $ENDNET");
-    }
-  }
-
-private:
   // -D NAME=expression; what the deck says of NAME is then passed over.
   void define(const std::string& name, const std::string& text) {
     const std::int32_t file = c_.sources.add(fmt::format("-D {}", name), text);
@@ -93,9 +98,15 @@ private:
     for (const grammar::CardSpec& spec : grammar::catalogue()) {
       valid.push_back(fmt::format("${}", spec.name));
     }
+    const std::string hint = base::suggest(fmt::format("${}", card.name), valid);
     if (!card.name.empty()) {
-      c_.error(card.name_span, "E104", fmt::format("there is no card ${}", card.name),
-               base::suggest(fmt::format("${}", card.name), valid));
+      c_.error(card.name_span, "E104", fmt::format("there is no card ${}", card.name), hint);
+    }
+    const auto meant = std::find_if(valid.begin(), valid.end(), [&](const std::string& v) {
+      return hint.ends_with("'" + v + "'?");
+    });
+    if (meant != valid.end()) {
+      misspelt(card, *grammar::find_card(meant->substr(1)));
     }
     for (const grammar::Parameter& p : card.parameters) {
       for (const grammar::Field& field : p.values) {
@@ -104,6 +115,22 @@ private:
         }
       }
     }
+  }
+
+  // What the misspelt card would have defined is poisoned, and a net opened or closed.
+  void misspelt(const grammar::Card& card, const grammar::CardSpec& spec) {
+    grammar::Card meant = card;
+    meant.name = spec.name;
+    base::Diagnostics silent;
+    BoundCard bound = bind_card(meant, spec, c_.scope, silent);
+    bound.bad = true;
+    if (spec.name == "NET" || spec.name == "ENDNET") {
+      frame(meant, bound);
+    }
+    c_.scope.incomplete = c_.scope.incomplete || spec.name == "PARAMETER";
+    bound.net = net_;
+    bound.net_id = net_id_;
+    c_.cards.push_back(std::move(bound));
   }
 
   // $DECK sets the units, $NET and $ENDNET the scope.
@@ -117,9 +144,10 @@ private:
     } else if (card.name == "NET") {
       open_net(bound);
     } else if (card.name == "ENDNET") {
-      if (!net_open_) {
+      if (!net_open_ && unclosed_ == 0) {
         c_.error(card.name_span, "E114", "$ENDNET without an open $NET");
       }
+      unclosed_ -= !net_open_ && unclosed_ > 0 ? 1 : 0;
       net_open_ = false;
       net_.clear();
       net_id_ = base::NetId(0);
@@ -130,6 +158,7 @@ private:
     if (net_open_) {
       c_.error(bound.span, "E114", fmt::format("net {} is still open; nets do not nest", net_),
                "close it with $ENDNET");
+      ++unclosed_;
     }
     net_open_ = true;
     net_ = bound.word("NAME");
@@ -137,6 +166,7 @@ private:
                                    [&](const model::Net& n) { return n.name == net_; });
     if (again && !bound.bad) {
       c_.error(bound.find("NAME")->span, "E302", fmt::format("net {} is defined twice", net_));
+      c_.property_sound = false; // which of the two a set means is not known
     }
     net_id_ = base::NetId(c_.model.nets.size());
     c_.model.nets.push_back({net_, bound.span});
@@ -235,6 +265,7 @@ private:
   std::string net_;
   base::NetId net_id_{std::size_t{0}};
   bool net_open_ = false;
+  int unclosed_ = 0; ///< nets that were open when another was opened: their $ENDNET may follow
   std::set<std::string_view> seen_;
   std::set<std::string> defined_;
   std::set<std::string> overridden_;

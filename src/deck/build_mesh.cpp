@@ -271,10 +271,12 @@ void import(Context& c, const BoundCard& card) {
   }
 }
 
-// Names of the sets that came with a generated or imported mesh.
+// Names of the sets that came with a generated or imported mesh. False after an error: one name
+// that is taken stands for all of them.
 template <class Set>
-void adopt_sets(Context& c, const BoundCard& card, Kind kind, std::vector<Set>& sets,
+bool adopt_sets(Context& c, const BoundCard& card, Kind kind, std::vector<Set>& sets,
                 std::size_t first) {
+  const auto of_net = [&](const model::Net& net) { return net.name == card.net; };
   for (std::size_t i = first; i < sets.size(); ++i) {
     if (!sets[i].span.valid()) {
       sets[i].span = card.span;
@@ -284,11 +286,17 @@ void adopt_sets(Context& c, const BoundCard& card, Kind kind, std::vector<Set>& 
     definition.index = i;
     definition.span = card.span;
     const Definition* before = c.names.define(sets[i].name, definition);
-    if (before != nullptr && !before->poisoned) {
+    if (before == nullptr || before->poisoned) {
+      continue;
+    }
+    const std::vector<model::Net>& nets = c.model.nets;
+    if (std::count_if(nets.begin(), nets.end(), of_net) < 2) { // else the net is said to be double
       c.error(card.span, "E302", fmt::format("there is a set {} already", sets[i].name),
               "put each mesh into a $NET of its own");
     }
+    return false;
   }
+  return true;
 }
 
 void adopt_labels(Context& c, const BoundCard& card, std::size_t node, std::size_t element) {
@@ -320,10 +328,10 @@ void mesh_card(Context& c, const BoundCard& card) {
     generate(c, card);
   }
   adopt_labels(c, card, before[0], before[1]);
-  adopt_sets(c, card, Kind::node_set, mesh.node_sets, before[2]);
-  adopt_sets(c, card, Kind::element_set, mesh.element_sets, before[3]);
-  adopt_sets(c, card, Kind::face_set, mesh.face_sets, before[4]);
-  if (c.diagnostics.error_count() != errors || mesh.element_count() == before[1]) {
+  const bool fresh = adopt_sets(c, card, Kind::node_set, mesh.node_sets, before[2]) &&
+                     adopt_sets(c, card, Kind::element_set, mesh.element_sets, before[3]) &&
+                     adopt_sets(c, card, Kind::face_set, mesh.face_sets, before[4]);
+  if (!fresh || c.diagnostics.error_count() != errors || mesh.element_count() == before[1]) {
     c.names.poison_net(card.net);
     c.node_labels[card.net_id.index()].complete = false;
     c.element_labels[card.net_id.index()].complete = false;

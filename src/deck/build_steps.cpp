@@ -174,29 +174,12 @@ void law_table(Context& c, const BoundCard& card, model::LawConstants& constants
 }
 
 // One unit of KUNIT or AUNIT in deck units.
-double law_unit(Context& c, const BoundCard& card, std::string_view key,
-                grammar::Quantity quantity) {
-  if (!card.has(key)) {
-    return 1.0;
-  }
-  const std::string_view text = card.word(key);
-  const bool length = quantity == grammar::Quantity::length;
-  const std::string_view example = length ? "AUNIT='m' or 'mm/cycle'" : "KUNIT='MPa*m^0.5'";
-  const auto unit = base::parse_unit(text);
-  if (!unit) {
-    c.error(card.find(key)->span, "E204", fmt::format("{}: '{}' is not a unit", key, text),
-            fmt::format("as in {}", example));
-  } else if (unit->dimension != grammar::dimension_of(quantity)) {
-    c.error(card.find(key)->span, "E205",
-            fmt::format("{}: '{}' is not the unit of {}", key, text, grammar::word_of(quantity)),
-            fmt::format("as in {}", example));
-  } else {
-    return base::to_deck(*unit, c.scope.units);
-  }
-  return 1.0;
+double law_unit(const Context& c, const BoundCard& card, std::string_view key) {
+  const auto unit = base::parse_unit(card.word(key));
+  return card.has(key) && unit ? base::to_deck(*unit, c.scope.units) : 1.0;
 }
 
-void law_constants(Context& c, const BoundCard& card, model::LawConstants& constants) {
+void law_constants(const Context& c, const BoundCard& card, model::LawConstants& constants) {
   constants.C = card.number("C");
   constants.m = card.number("M");
   constants.p = card.number("P");
@@ -205,8 +188,8 @@ void law_constants(Context& c, const BoundCard& card, model::LawConstants& const
   constants.stress_ratio = card.number("SMAX");
   constants.threshold = card.number("DKTH");
   constants.k_c = card.optional("KC");
-  constants.k_unit = law_unit(c, card, "KUNIT", grammar::Quantity::stress_intensity);
-  constants.a_unit = law_unit(c, card, "AUNIT", grammar::Quantity::length);
+  constants.k_unit = law_unit(c, card, "KUNIT");
+  constants.a_unit = law_unit(c, card, "AUNIT");
 }
 
 // What ends the growth; with given lengths their end does, and the rest has no analysis yet.

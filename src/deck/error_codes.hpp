@@ -33,6 +33,7 @@ inline constexpr std::array error_codes{
     ErrorCode{"E119", "a card is given twice that a deck has once"},
     ErrorCode{"E120", "a table row ends early or holds no number here"},
     ErrorCode{"E121", "a table row goes on behind its last column"},
+    ErrorCode{"E122", "a file that is not a plain text"},
     ErrorCode{"E201", "no such parameter"},
     ErrorCode{"E202", "no such function"},
     ErrorCode{"E203", "a function with the wrong number of arguments"},

@@ -25,12 +25,15 @@ public:
 
   bool read(Collection& collection) {
     for (const grammar::Row& row : card_.rows) {
+      const auto equal = std::find_if(row.fields.begin(), row.fields.end(),
+                                      [](const Field& f) { return f.separator == '='; });
+      if (equal != row.fields.end()) {
+        c_.error(equal->span, "E115", "no '=' in a list of items",
+                 std::string(card_.spec->data_form));
+        ok_ = false;
+        continue;
+      }
       for (const Field& field : row.fields) {
-        if (field.separator == '=') {
-          c_.error(field.span, "E115", "no '=' in a list of items",
-                   std::string(card_.spec->data_form));
-          ok_ = false;
-        }
         item(field, collection);
       }
     }

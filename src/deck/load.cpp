@@ -50,6 +50,10 @@ std::string read_file(const fs::path& path) {
   if (std::ferror(file.get()) != 0) {
     throw std::system_error(EIO, std::generic_category(), path.string());
   }
+  // lines that end with a carriage return alone, as long ago on the Macintosh
+  if (text.find('\n') == std::string::npos) {
+    std::replace(text.begin(), text.end(), '\r', '\n');
+  }
   if (filled > std::numeric_limits<std::uint32_t>::max()) {
     throw std::system_error(EFBIG, std::generic_category(), path.string());
   }
@@ -72,6 +76,10 @@ public:
 
   void file(const fs::path& path, std::string shown) {
     const std::int32_t number = sources_.add(std::move(shown), read_file(path));
+    if (!is_text(number)) {
+      deck.incomplete = true;
+      return;
+    }
     open_.push_back(fs::weakly_canonical(path));
     for (grammar::Card& card : grammar::parse_cards(sources_, number, diagnostics_)) {
       if (card.name == "INCLUDE") {
@@ -85,6 +93,20 @@ public:
   LoadedDeck deck;
 
 private:
+  // Not a program, a picture or UTF-16.
+  bool is_text(std::int32_t file) {
+    const std::string_view text = sources_.text(file);
+    const std::size_t zero = text.find('\0');
+    if (zero == std::string_view::npos) {
+      return true;
+    }
+    const bool wide = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
+    const auto at = static_cast<std::uint32_t>(zero);
+    diagnostics_.error({file, at, at + 1}, "E122", "a zero byte: this is not a plain text",
+                       wide ? "the file is UTF-16; save it as UTF-8" : "");
+    return false;
+  }
+
   void include(const fs::path& from, const grammar::Card& card) {
     const grammar::Field* name = value_of(card, "FILE");
     if (name == nullptr || name->kind != grammar::Field::Kind::text) {
@@ -94,7 +116,7 @@ private:
     const fs::path path = from.parent_path() / name->text;
     if (std::find(open_.begin(), open_.end(), fs::weakly_canonical(path)) != open_.end()) {
       refuse(*name, fmt::format("'{}' includes itself", name->text));
-    } else if (open_.size() >= k_deepest_include) {
+    } else if (open_.size() > k_deepest_include) {
       refuse(*name, fmt::format("includes are nested more than {} deep", k_deepest_include));
     } else {
       try {
@@ -151,7 +173,9 @@ LoadedDeck load_deck(const std::filesystem::path& deck, base::Sources& sources,
   Loader loader(sources, diagnostics);
   const auto file = static_cast<std::int32_t>(sources.count());
   loader.file(deck, deck.string());
-  check_frame(loader.deck.cards, file, sources, diagnostics);
+  if (!loader.deck.cards.empty() || !loader.deck.incomplete) {
+    check_frame(loader.deck.cards, file, sources, diagnostics);
+  }
   return std::move(loader.deck);
 }
 
