@@ -207,6 +207,9 @@ std::vector<Card> parse_cards(const base::Sources& sources, std::int32_t file,
     builder.report(diagnostics);
     Card card = std::move(builder.card);
     card.header = builder.span(begin, end);
+    if (!card.name_span.valid()) { // a $ without a name still has a place
+      card.name_span = builder.span(begin, begin + 1);
+    }
     const char* const data = end < last ? end + 1 : last;
     p = next_card(data, origin, last);
     card.data = builder.span(data, p);

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <span>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -263,7 +264,8 @@ void import(Context& c, const BoundCard& card) {
                                      : std::string(c.sources.text(row.fields[0].span)),
                                  row.fields[1].text);
   }
-  if (!std::filesystem::is_regular_file(request.file)) {
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(request.file, unknown)) {
     c.error(card.find("FILE")->span, "E308",
             fmt::format("there is no file '{}'", request.file.string()));
   } else if (!card.is("FORMAT", "INP")) {

@@ -23,9 +23,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t k_deepest_include = 16;
+constexpr std::size_t k_longest_text = std::numeric_limits<std::uint32_t>::max(); ///< see Span
 
 std::string read_file(const fs::path& path) {
-  if (fs::is_directory(path)) {
+  std::error_code unknown;
+  if (fs::is_directory(path, unknown)) {
     throw std::system_error(EISDIR, std::generic_category(), path.string());
   }
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
@@ -35,8 +37,10 @@ std::string read_file(const fs::path& path) {
   }
   // A plain file is read in one go; what has no size (a pipe) or grows meanwhile, by chunks.
   std::string text;
-  std::error_code unknown;
   if (const auto size = fs::file_size(path, unknown); !unknown) {
+    if (size > k_longest_text) {
+      throw std::system_error(EFBIG, std::generic_category(), path.string());
+    }
     text.resize(static_cast<std::size_t>(size));
   }
   std::size_t filled = std::fread(text.data(), 1, text.size(), file.get());
@@ -46,6 +50,9 @@ std::string read_file(const fs::path& path) {
   while (const std::size_t got = std::fread(more.data(), 1, chunk, file.get())) {
     text.append(more.data(), got);
     filled += got;
+    if (filled > k_longest_text) { // a device may go on for ever
+      throw std::system_error(EFBIG, std::generic_category(), path.string());
+    }
   }
   if (std::ferror(file.get()) != 0) {
     throw std::system_error(EIO, std::generic_category(), path.string());
@@ -53,9 +60,6 @@ std::string read_file(const fs::path& path) {
   // lines that end with a carriage return alone, as long ago on the Macintosh
   if (text.find('\n') == std::string::npos) {
     std::replace(text.begin(), text.end(), '\r', '\n');
-  }
-  if (filled > std::numeric_limits<std::uint32_t>::max()) {
-    throw std::system_error(EFBIG, std::generic_category(), path.string());
   }
   return text;
 }
@@ -114,8 +118,12 @@ private:
       return;
     }
     const fs::path path = from.parent_path() / name->text;
-    if (std::find(open_.begin(), open_.end(), fs::weakly_canonical(path)) != open_.end()) {
+    std::error_code unknown; // no such file, a name too long ..: said when it is read
+    const fs::path canonical = fs::weakly_canonical(path, unknown);
+    if (!unknown && std::find(open_.begin(), open_.end(), canonical) != open_.end()) {
       refuse(*name, fmt::format("'{}' includes itself", name->text));
+    } else if (fs::is_character_file(path, unknown) || fs::is_block_file(path, unknown)) {
+      refuse(*name, fmt::format("'{}' is a device, not a file", name->text));
     } else if (open_.size() > k_deepest_include) {
       refuse(*name, fmt::format("includes are nested more than {} deep", k_deepest_include));
     } else {

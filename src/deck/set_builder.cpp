@@ -259,7 +259,10 @@ void build_set(Context& context, const BoundCard& card) {
   } else {
     keep(mesh.face_sets, faces_of_card(context, card));
   }
-  if (size == std::size_t{0} && context.mesh_sound && !card.rows_bad) {
+  // where a mesh is missing, as one in space may, an empty set says nothing
+  const bool whole = std::all_of(context.node_labels.begin(), context.node_labels.end(),
+                                 [](const Labels& labels) { return labels.complete; });
+  if (size == std::size_t{0} && context.mesh_sound && whole && !card.rows_bad) {
     context.error(name.span, "E309", fmt::format("set {} is empty", full),
                   card.has("WHERE") ? extent(context, card) : "");
   }
