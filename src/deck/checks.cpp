@@ -103,6 +103,12 @@ private:
       unknown(quantity);
       return false;
     }
+    if ((spec->name == "N" || spec->name == "LIFE") && !counts_cycles()) {
+      c_.error(quantity.span, "E315",
+               fmt::format("{} counts cycles, but the deck has no $GROW with a law of growth",
+                           quantity.text));
+      return false;
+    }
     const std::string pattern = pattern_for(spec->arguments, quantity.arguments);
     if (pattern.size() != quantity.arguments.size()) {
       c_.error(quantity.span, "E315",
@@ -114,6 +120,14 @@ private:
       ok = argument(pattern[i], quantity.arguments[i]) && ok;
     }
     return ok;
+  }
+
+  // By a law of $GROW, or perhaps by one that is refused already.
+  [[nodiscard]] bool counts_cycles() const {
+    const bool bad = std::any_of(c_.cards.begin(), c_.cards.end(), [](const BoundCard& card) {
+      return card.spec->name == "GROW" && card.bad;
+    });
+    return bad || (c_.model.growth && c_.model.growth->law != model::GrowthLaw::increment);
   }
 
   // Names that go on where this one stops come first: S.XX is S.XX.MIN, S.XX.MAX or S.XX.AT.

@@ -93,6 +93,72 @@ TEST(ReadDeck, IncludesAreLimited) {
   EXPECT_EQ(itself.codes(), "E113") << itself.messages();
 }
 
+TEST(ReadDeck, SixteenIncludesDeepIsDeepEnough) {
+  const Folder folder;
+  for (int i = 1; i < 16; ++i) {
+    folder.write("i" + std::to_string(i), "$INCLUDE FILE='i" + std::to_string(i + 1) + "'\n");
+  }
+  folder.write("i16", "$NSET NAME=DEEP\n 1\n");
+  const Reading r(folder, k_square + "$INCLUDE FILE='i1'\n$END\n");
+  ASSERT_TRUE(r.model) << r.messages();
+  EXPECT_EQ(r.model->mesh.node_sets.at(0).name, "DEEP");
+}
+
+TEST(ReadDeck, LineEndsOfEverySystem) {
+  const Folder folder;
+  std::string deck =
+      "\xEF\xBB\xBF! \xC3\xB6\n" + k_square + "$NSET NAME=A\n\t1\t2 ! \xE2\x88\x92\n$END\n";
+  for (const std::string end : {"\r\n", "\r", "\n"}) {
+    std::string text;
+    for (const char c : deck) {
+      text += c == '\n' ? end : std::string(1, c);
+    }
+    const Reading r(folder, text);
+    ASSERT_TRUE(r.model) << r.messages();
+    EXPECT_EQ(r.model->mesh.node_sets.at(0).nodes.size(), 2U);
+  }
+}
+
+TEST(ReadDeck, DevicesAndLongNamesAreNoFiles) {
+  const Folder folder;
+  const Reading device(folder, k_square + "$INCLUDE FILE='/dev/zero'\n$END\n");
+  EXPECT_EQ(device.codes(), "E113") << device.messages();
+  const std::string name(5000, 'a');
+  const Reading longer(folder, k_square + "$INCLUDE FILE='" + name + "'\n$END\n");
+  EXPECT_EQ(longer.codes(), "E113") << longer.messages();
+  const Reading mesh(folder, k_square + "$IMPORT FILE='" + name + "' FORMAT=MSH\n$END\n");
+  EXPECT_EQ(mesh.codes(), "E308") << mesh.messages();
+}
+
+TEST(ReadDeck, RangesAreAsLongAsTheNumbersThereAre) {
+  const Folder folder;
+  const Reading r(folder,
+                  "$DECK VERSION=1 LENGTH=mm FORCE=N\n$COOR DIM=2\n 1 0 0\n 2000000000 1 0\n"
+                  " 9000000000000000 1 1\n 4 0 1\n"
+                  "$ELEMENT TYPE=QUAM4 ESET=PLATE\n 1 1 2000000000 9000000000000000 4\n"
+                  "$MATERIAL NAME=STEEL E=210[GPa] NU=0.3\n"
+                  "$PROPERTY ESET=PLATE MATERIAL=STEEL STATE=STRESS\n"
+                  "$NSET NAME=ALL\n 1 : 9223372036854775807\n"
+                  "$NSET NAME=EVEN\n 2 : 9223372036854775807 : 2\n$END\n");
+  ASSERT_TRUE(r.model) << r.messages();
+  EXPECT_EQ(r.model->mesh.node_sets.at(0).nodes.size(), 4U);
+  std::vector<base::Label> even;
+  for (const base::NodeId n : r.model->mesh.node_sets.at(1).nodes) {
+    even.push_back(r.model->mesh.node_label[n.index()]);
+  }
+  EXPECT_EQ(even, (std::vector<base::Label>{4, 2000000000, 9000000000000000}));
+}
+
+TEST(ReadDeck, MeshesTooLargeAreRefused) {
+  const Folder folder;
+  const auto codes = [&](const std::string& keys) {
+    return Reading(folder, k_square + "$NET NAME=A\n$MESH " + keys + "\n$ENDNET\n$END\n").codes();
+  };
+  EXPECT_EQ(codes("SHAPE=BLOCK TYPE=QUAMC8 LX=1 LY=1 NX=1000000 NY=1000000"), "E321");
+  EXPECT_EQ(codes("SHAPE=RING TYPE=QUAM4 RI=0 RO=1 NT=1000000"), "E321"); // the core of the disc
+  EXPECT_EQ(codes("SHAPE=LUG TYPE=QUAM4 RI=1 W=4 L=1e12"), "E321");       // the shank
+}
+
 TEST(ReadDeck, NetsQualifyNames) {
   const Folder folder;
   const std::string ring = " SHAPE=RING TYPE=QUAMC8 NR=1 NT=8 ";
