@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <regex>
+#include <utility>
 
 namespace spricka::fuzz {
 
@@ -37,15 +37,27 @@ std::string without_texts(std::string_view text) {
   return result;
 }
 
+bool letter(char c) {
+  return std::isalpha(static_cast<unsigned char>(c)) != 0;
+}
+bool in_word(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.';
+}
+bool blank(char c) {
+  return c == ' ' || c == '\t' || c == '&';
+}
+
 class Finder {
 public:
   explicit Finder(std::string text) : text_(std::move(text)) {}
 
   std::vector<Word> run() {
-    static const std::regex any_card(R"(^[ \t]*\$([A-Za-z]+))", std::regex::multiline);
-    std::vector<std::size_t> starts;
-    for (std::sregex_iterator it(text_.begin(), text_.end(), any_card), end; it != end; ++it) {
-      starts.push_back(static_cast<std::size_t>(it->position(1)));
+    std::vector<std::size_t> starts; // of the names of cards
+    for (std::size_t line = 0; line < text_.size(); line = next_line(line)) {
+      const std::size_t first = skip(line);
+      if (first < text_.size() && text_[first] == '$') {
+        starts.push_back(first + 1);
+      }
     }
     starts.push_back(text_.size());
     for (std::size_t i = 0; i + 1 < starts.size(); ++i) {
@@ -55,70 +67,81 @@ public:
   }
 
 private:
-  void card(std::size_t begin, std::size_t end) {
-    std::size_t name_end = begin;
-    while (name_end < end && std::isalpha(static_cast<unsigned char>(text_[name_end])) != 0) {
-      ++name_end;
+  [[nodiscard]] std::size_t next_line(std::size_t at) const {
+    return std::min(text_.find('\n', at), text_.size() - 1) + 1;
+  }
+  [[nodiscard]] std::size_t skip(std::size_t at) const {
+    while (at < text_.size() && blank(text_[at])) {
+      ++at;
     }
-    const std::string name = upper(text_.substr(begin, name_end - begin));
+    return at;
+  }
+  [[nodiscard]] std::size_t word_end(std::size_t at) const {
+    while (at < text_.size() && in_word(text_[at])) {
+      ++at;
+    }
+    return at;
+  }
+  [[nodiscard]] std::string word(std::size_t begin) const {
+    return upper(std::string_view(text_).substr(begin, word_end(begin) - begin));
+  }
+  void keep(std::size_t begin) { words_.push_back({begin, word_end(begin) - begin}); }
+
+  void card(std::size_t begin, std::size_t end) {
+    const std::string name = word(begin);
     const grammar::CardSpec* spec = grammar::find_card(name);
     if (spec == nullptr) {
       return;
     }
-    words_.push_back({begin, name_end - begin});
-    std::size_t header_end = std::min(text_.find('\n', name_end), end);
-    while (header_end < end && continues(header_end)) {
-      header_end = std::min(text_.find('\n', header_end + 1), end);
+    keep(begin);
+    std::size_t header_end = next_line(begin);
+    while (header_end < end &&
+           text_[std::min(text_.find_first_not_of(" \t", header_end), text_.size() - 1)] == '&') {
+      header_end = next_line(header_end);
     }
-    keys(*spec, name_end, header_end);
+    keys(*spec, word_end(begin), header_end);
     rows(name, header_end, end);
   }
 
-  [[nodiscard]] bool continues(std::size_t newline) const {
-    const std::size_t next = text_.find_first_not_of(" \t", newline + 1);
-    return next != std::string::npos && text_[next] == '&';
-  }
-
   void keys(const grammar::CardSpec& spec, std::size_t begin, std::size_t end) {
-    static const std::regex form(R"(([A-Za-z][A-Za-z0-9]*)[ \t]*=(?!=)[ \t]*([A-Za-z0-9]*))");
-    const auto first = text_.cbegin() + static_cast<std::ptrdiff_t>(begin);
-    const auto last = text_.cbegin() + static_cast<std::ptrdiff_t>(end);
-    for (std::sregex_iterator it(first, last, form), none; it != none; ++it) {
-      const grammar::KeySpec* key = spec.find(upper(it->str(1)));
-      if (key == nullptr) {
+    int depth = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      depth += text_[i] == '(' ? 1 : text_[i] == ')' ? -1 : 0;
+      if (depth > 0 || !letter(text_[i])) {
         continue;
       }
-      words_.push_back({begin + static_cast<std::size_t>(it->position(1)),
-                        static_cast<std::size_t>(it->length(1))});
-      if (key->type == grammar::KeyType::word) {
-        words_.push_back({begin + static_cast<std::size_t>(it->position(2)),
-                          static_cast<std::size_t>(it->length(2))});
+      const std::size_t equal = skip(word_end(i));
+      const grammar::KeySpec* key =
+          equal < end && text_[equal] == '=' ? spec.find(word(i)) : nullptr;
+      if (key != nullptr) {
+        keep(i);
+        if (key->type == grammar::KeyType::word) {
+          keep(skip(equal + 1));
+        }
       }
+      i = word_end(i) - 1;
     }
   }
 
-  // Words in data lines: actions of $STEP, results, processors, REL and ABS.
+  // Words in data lines: actions of $STEP, results, processors, REL, ABS and SOURCE.
   void rows(const std::string& card, std::size_t begin, std::size_t end) {
-    static const std::regex first_word(R"(^[ \t]*([A-Za-z][A-Za-z0-9.]*))", std::regex::multiline);
-    static const std::regex each_word(R"(([A-Za-z]+))");
-    static const std::regex tolerance(R"(\b(REL|ABS|SOURCE)\b)", std::regex::icase);
-    if (card == "STEP" || card == "CHECK" || card == "OUTPUT") {
-      collect(first_word, begin, end);
-    }
-    if (card == "TASK") {
-      collect(each_word, begin, end);
-    }
-    if (card == "CHECK") {
-      collect(tolerance, begin, end);
-    }
-  }
-
-  void collect(const std::regex& form, std::size_t begin, std::size_t end) {
-    const auto first = text_.cbegin() + static_cast<std::ptrdiff_t>(begin);
-    const auto last = text_.cbegin() + static_cast<std::ptrdiff_t>(end);
-    for (std::sregex_iterator it(first, last, form), none; it != none; ++it) {
-      words_.push_back({begin + static_cast<std::size_t>(it->position(1)),
-                        static_cast<std::size_t>(it->length(1))});
+    const bool first_counts = card == "STEP" || card == "CHECK" || card == "OUTPUT";
+    for (std::size_t line = begin; line < end; line = next_line(line)) {
+      bool first = first_counts;
+      for (std::size_t i = skip(line); i < std::min(next_line(line), end); ++i) {
+        if (!letter(text_[i])) {
+          first = false;
+          continue;
+        }
+        const std::string found = word(i);
+        const bool fixed =
+            card == "CHECK" && (found == "REL" || found == "ABS" || found == "SOURCE");
+        if (first || fixed || card == "TASK") {
+          keep(i);
+        }
+        first = false;
+        i = word_end(i) - 1;
+      }
     }
   }
 
