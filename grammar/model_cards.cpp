@@ -237,7 +237,8 @@ constexpr std::array cards{
              .keys = mpc_keys,
              .data = Data::rows,
              .available = false,
-             .data_form = "EQUATION: coef node dof triples",
+             .data_form =
+                 "EQUATION: coefficient node dof, again and again; NET.12 for a node of a net",
              .when = mpc_when,
              .doc = "Ties between freedoms."},
 };
