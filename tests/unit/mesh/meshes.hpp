@@ -19,7 +19,7 @@ inline double area(const model::Mesh& mesh) {
   double sum = 0.0;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const auto nodes = mesh.nodes_of(base::ElementId(e));
-    sum += shape::with_shape(mesh.type[e], [&]<shape::ElementShape S>(S) {
+    sum += shape::with_plane_shape(mesh.type[e], [&]<shape::ElementShape S>(S) {
       double part = 0.0;
       for (const auto& q : shape::quadrature<S>()) {
         Eigen::Matrix2d J = Eigen::Matrix2d::Zero();
