@@ -171,7 +171,8 @@ void generate(Context& c, const BoundCard& card) {
     spec.ny = card.integer("NY");
     spec.nz = card.integer("NZ");
     spec.bias = card.number("BIAS");
-    mesh::generate_block(mesh, card.net_id, prefix, spec);
+    const bool solid = base::info(type).dim == 3;
+    (solid ? mesh::generate_solid_block : mesh::generate_block)(mesh, card.net_id, prefix, spec);
   } else if (card.is("SHAPE", "RING")) {
     mesh::RingSpec spec;
     spec.type = type;
@@ -207,8 +208,10 @@ bool sizes_fit(Context& c, const BoundCard& card) {
               fmt::format("{} is for SHAPE=BLOCK only", card.word("TYPE")));
     } else if (!card.has("LZ")) {
       c.error(card.span, "E106", "$MESH with elements in space needs LZ");
+    } else {
+      return true;
     }
-    return false; // noted as unavailable; the sets count as known
+    return false;
   }
   const std::size_t errors = c.diagnostics.error_count();
   const auto wrong = [&](std::string_view key, std::string text) {
@@ -382,7 +385,7 @@ void build_mesh(Context& context) {
       }
     }
   }
-  // of the space the deck means, though a mesh in space may not have been made
+  // of the space the deck means, though a bad mesh in space was not made
   const auto in_space = [](const BoundCard& card) {
     const bool typed = card.spec->name == "MESH" || card.spec->name == "ELEMENT";
     return typed && !card.bad && base::info(element_type(card.word("TYPE"))).dim == 3;
