@@ -7,6 +7,7 @@
 #include "mesh/gmsh_session.hpp"
 #include "mesh/msh_check.hpp"
 #include "mesh/numbering.hpp"
+#include "mesh/trial.hpp"
 
 #include <fmt/format.h>
 #include <gmsh.h>
@@ -25,6 +26,9 @@ namespace fs = std::filesystem;
 using base::ElementId;
 using base::NodeId;
 using Tag = std::size_t;
+
+/// Far more than a mesh needs that is not damaged [bytes], besides a multiple of its file.
+constexpr std::uintmax_t memory_for_gmsh = std::uintmax_t{2} << 30;
 
 class Import {
 public:
@@ -314,6 +318,21 @@ private:
 } // namespace
 
 void import_mesh(model::Mesh& mesh, const ImportRequest& request, base::Diagnostics& diagnostics) {
+  // gmsh believes the numbers in a mesh file: a wrong one takes the process down
+  const auto trial = [&] {
+    model::Mesh nothing;
+    base::Diagnostics unheard;
+    Import(nothing, request, unheard).run();
+  };
+  std::error_code unknown;
+  const std::uintmax_t size = fs::file_size(request.file, unknown);
+  if (request.format == ImportFormat::msh && !unknown &&
+      !ends_well(trial, memory_for_gmsh + 64 * size)) {
+    diagnostics.error(request.span, "E331",
+                      fmt::format("{}: the file is damaged; gmsh cannot read it",
+                                  request.file.filename().string()));
+    return;
+  }
   Import(mesh, request, diagnostics).run();
 }
 

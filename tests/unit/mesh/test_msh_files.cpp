@@ -13,12 +13,15 @@
 
 #include <fstream>
 #include <iterator>
+#include <random>
 #include <set>
 
 namespace spricka {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr int k_runs = 4;
 
 /// The volume (in the plane: the area) by gmsh's own shape functions.
 double gmsh_volume(int dim) {
@@ -194,6 +197,36 @@ TEST_P(MshFiles, DamagedFilesAreRefusedInWords) {
   for (const double part : {0.1, 0.4, 0.8, 0.99}) {
     const auto size = static_cast<std::size_t>(part * static_cast<double>(whole.size()));
     refused(whole.substr(0, size), "truncated");
+  }
+}
+
+// Bytes changed anywhere: a mesh or words, never a crash.
+TEST_P(MshFiles, ChangedBytesDoNoHarm) {
+  for (const double version : {2.2, 4.1}) {
+    for (const int binary : {0, 1}) {
+      {
+        const mesh::GmshSession session;
+        gmsh::open((folder_ / "own.msh").string());
+        gmsh::option::setNumber("Mesh.MshFileVersion", version);
+        gmsh::option::setNumber("Mesh.Binary", binary);
+        gmsh::write((folder_ / "whole.msh").string());
+      }
+      std::ifstream in(folder_ / "whole.msh", std::ios::binary);
+      const std::string whole{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+      std::minstd_rand random(7);
+      for (int run = 0; run < k_runs; ++run) {
+        std::string text = whole;
+        for (int k = 0; k < 3; ++k) {
+          text[random() % text.size()] =
+              binary ? static_cast<char>(random() % 256) : "0123456789 .-$\n"[random() % 15];
+        }
+        std::ofstream(folder_ / "changed.msh", std::ios::binary) << text;
+        model::Mesh found;
+        base::Diagnostics diagnostics;
+        mesh::import_mesh(found, request("changed.msh"), diagnostics);
+        EXPECT_TRUE(diagnostics.has_errors() || found.element_count() > 0);
+      }
+    }
   }
 }
 
