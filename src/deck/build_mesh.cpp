@@ -238,6 +238,36 @@ bool sizes_fit(Context& c, const BoundCard& card) {
   return c.diagnostics.error_count() == errors;
 }
 
+// Materials of a file stand behind those of the cards and are known by their names.
+void adopt_physics(Context& c, const BoundCard& card, mesh::ImportedPhysics physics) {
+  auto next = static_cast<std::size_t>(
+      std::count_if(c.cards.begin(), c.cards.end(), [](const BoundCard& other) {
+        return other.spec->name == "MATERIAL" && !other.bad;
+      }));
+  for (const mesh::ImportedPhysics& before : c.imported) {
+    next += before.materials.size();
+  }
+  for (const model::Material& material : physics.materials) {
+    Definition definition;
+    definition.kind = Kind::material;
+    definition.index = next++;
+    definition.span = card.span;
+    const Definition* before = c.names.define(material.name, definition);
+    if (before != nullptr && !before->poisoned) {
+      c.error(card.span, "E302", fmt::format("there is a material {} already", material.name),
+              "put each file into a $NET of its own, or rename the material");
+    }
+  }
+  if (physics.equations > 0) {
+    c.unavailable(fmt::format("*EQUATION in {}", card.word("FILE")), card.span);
+  }
+  const auto axial = [](const model::Property& p) { return p.state == model::State::axisymmetric; };
+  if (std::any_of(physics.properties.begin(), physics.properties.end(), axial)) {
+    c.unavailable(fmt::format("axial symmetry (CAX) in {}", card.word("FILE")), card.span);
+  }
+  c.imported.push_back(std::move(physics));
+}
+
 void import(Context& c, const BoundCard& card) {
   mesh::ImportRequest request;
   // Relative to the file that the card stands in, as $INCLUDE is.
@@ -270,6 +300,11 @@ void import(Context& c, const BoundCard& card) {
             fmt::format("there is no file '{}'", request.file.string()));
   } else if (!card.is("FORMAT", "INP")) {
     mesh::import_mesh(c.model.mesh, request, c.diagnostics);
+  } else if (request.quadratic) {
+    c.error(card.find("TYPE")->span, "E110", "TYPE=QUADRATIC is for FORMAT=GEO and MSH",
+            "node sets of the file would not hold the new nodes");
+  } else {
+    adopt_physics(c, card, mesh::import_inp(c.model.mesh, request, c.diagnostics));
   }
 }
 
