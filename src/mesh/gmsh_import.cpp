@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/gmsh_import.hpp"
 
+#include "mesh/child.hpp"
 #include "mesh/gmsh_elements.hpp"
 #include "mesh/gmsh_groups.hpp"
 #include "mesh/gmsh_preamble.hpp"
 #include "mesh/gmsh_session.hpp"
+#include "mesh/mesh_bytes.hpp"
 #include "mesh/msh_check.hpp"
 #include "mesh/numbering.hpp"
-#include "mesh/trial.hpp"
 
 #include <fmt/format.h>
 #include <gmsh.h>
@@ -318,22 +319,26 @@ private:
 } // namespace
 
 void import_mesh(model::Mesh& mesh, const ImportRequest& request, base::Diagnostics& diagnostics) {
-  // gmsh believes the numbers in a mesh file: a wrong one takes the process down
-  const auto trial = [&] {
-    model::Mesh nothing;
-    base::Diagnostics unheard;
-    Import(nothing, request, unheard).run();
-  };
   std::error_code unknown;
   const std::uintmax_t size = fs::file_size(request.file, unknown);
-  if (request.format == ImportFormat::msh && !unknown &&
-      !ends_well(trial, memory_for_gmsh + 64 * size)) {
+  if (request.format != ImportFormat::msh || unknown) {
+    Import(mesh, request, diagnostics).run();
+    return;
+  }
+  // gmsh believes the numbers in a mesh file: a wrong one takes its process down
+  const auto bytes = in_child(
+      [&] {
+        const MeshEnd end(mesh);
+        base::Diagnostics messages;
+        Import(mesh, request, messages).run();
+        return to_bytes(mesh, end, messages);
+      },
+      memory_for_gmsh + 64 * size);
+  if (!bytes || !from_bytes(*bytes, request.span, mesh, diagnostics)) {
     diagnostics.error(request.span, "E331",
                       fmt::format("{}: the file is damaged; gmsh cannot read it",
                                   request.file.filename().string()));
-    return;
   }
-  Import(mesh, request, diagnostics).run();
 }
 
 } // namespace spricka::mesh
