@@ -62,13 +62,6 @@ inline constexpr std::array error_codes{
     ErrorCode{"E317", "a path that is no crack path"},
     ErrorCode{"E318", "a deck without elements"},
     ErrorCode{"E319", "a displacement where no freedom is prescribed"},
-    ErrorCode{"E330", "a mesh file does not exist or a temporary file cannot be written"},
-    ErrorCode{"E331", "a mesh file is damaged, or gmsh's own words about it"},
-    ErrorCode{"E332", "no such group or set in a mesh file"},
-    ErrorCode{"E333", "a mesh file without elements"},
-    ErrorCode{"E334", "a mesh file with elements that the library does not have"},
-    ErrorCode{"E335", "a plane mesh outside the plane z = 0"},
-    ErrorCode{"E336", "an Abaqus input file that is damaged or says what cannot be imported"},
 };
 
 } // namespace spricka::deck
