@@ -31,7 +31,7 @@ constexpr std::array net_keys{
 constexpr std::array import_keys{
     required(text("FILE", "path from this deck")),
     required(
-        later(word("FORMAT", "GEO|MSH|INP", "gmsh script, gmsh mesh, or input of Abaqus"), "INP")),
+        word("FORMAT", "GEO|MSH|INP", "gmsh script, gmsh mesh, or input of Abaqus or CalculiX")),
     preset(real("SCALE", number, above(0), "factor on every coordinate"), "1"),
     preset(word("TYPE", "ASIS|QUADRATIC", "QUADRATIC raises linear elements"), "ASIS"),
 };

@@ -173,7 +173,8 @@ void generate(Context& c, const BoundCard& card) {
     spec.ny = card.integer("NY");
     spec.nz = card.integer("NZ");
     spec.bias = card.number("BIAS");
-    mesh::generate_block(mesh, card.net_id, prefix, spec);
+    const bool solid = base::info(type).dim == 3;
+    (solid ? mesh::generate_solid_block : mesh::generate_block)(mesh, card.net_id, prefix, spec);
   } else if (card.is("SHAPE", "RING")) {
     mesh::RingSpec spec;
     spec.type = type;
@@ -209,8 +210,10 @@ bool sizes_fit(Context& c, const BoundCard& card) {
               fmt::format("{} is for SHAPE=BLOCK only", card.word("TYPE")));
     } else if (!card.has("LZ")) {
       c.error(card.span, "E106", "$MESH with elements in space needs LZ");
+    } else {
+      return true;
     }
-    return false; // noted as unavailable; the sets count as known
+    return false;
   }
   const std::size_t errors = c.diagnostics.error_count();
   const auto wrong = [&](std::string_view key, std::string text) {
@@ -235,6 +238,36 @@ bool sizes_fit(Context& c, const BoundCard& card) {
     }
   }
   return c.diagnostics.error_count() == errors;
+}
+
+// Materials of a file stand behind those of the cards and are known by their names.
+void adopt_physics(Context& c, const BoundCard& card, mesh::ImportedPhysics physics) {
+  auto next = static_cast<std::size_t>(
+      std::count_if(c.cards.begin(), c.cards.end(), [](const BoundCard& other) {
+        return other.spec->name == "MATERIAL" && !other.bad;
+      }));
+  for (const mesh::ImportedPhysics& before : c.imported) {
+    next += before.materials.size();
+  }
+  for (const model::Material& material : physics.materials) {
+    Definition definition;
+    definition.kind = Kind::material;
+    definition.index = next++;
+    definition.span = card.span;
+    const Definition* before = c.names.define(material.name, definition);
+    if (before != nullptr && !before->poisoned) {
+      c.error(card.span, "E302", fmt::format("there is a material {} already", material.name),
+              "put each file into a $NET of its own, or rename the material");
+    }
+  }
+  if (physics.equations > 0) {
+    c.unavailable(fmt::format("*EQUATION in {}", card.word("FILE")), card.span);
+  }
+  const auto axial = [](const model::Property& p) { return p.state == model::State::axisymmetric; };
+  if (std::any_of(physics.properties.begin(), physics.properties.end(), axial)) {
+    c.unavailable(fmt::format("axial symmetry (CAX) in {}", card.word("FILE")), card.span);
+  }
+  c.imported.push_back(std::move(physics));
 }
 
 void import(Context& c, const BoundCard& card) {
@@ -270,6 +303,11 @@ void import(Context& c, const BoundCard& card) {
             fmt::format("there is no file '{}'", request.file.string()));
   } else if (!card.is("FORMAT", "INP")) {
     mesh::import_mesh(c.model.mesh, request, c.diagnostics);
+  } else if (request.quadratic) {
+    c.error(card.find("TYPE")->span, "E110", "TYPE=QUADRATIC is for FORMAT=GEO and MSH",
+            "node sets of the file would not hold the new nodes");
+  } else {
+    adopt_physics(c, card, mesh::import_inp(c.model.mesh, request, c.diagnostics));
   }
 }
 
@@ -393,7 +431,7 @@ void build_mesh(Context& context) {
       }
     }
   }
-  // of the space the deck means, though a mesh in space may not have been made
+  // of the space the deck means, though a bad mesh in space was not made
   const auto in_space = [](const BoundCard& card) {
     const bool typed = card.spec->name == "MESH" || card.spec->name == "ELEMENT";
     return typed && !card.bad && base::info(element_type(card.word("TYPE"))).dim == 3;

@@ -97,6 +97,9 @@ void build_properties(Context& context) {
       material(context, card);
     }
   }
+  for (const mesh::ImportedPhysics& physics : context.imported) {
+    mesh::append_physics(context.model, physics);
+  }
   for (const BoundCard& card : context.cards) {
     if (card.spec->name == "PROPERTY" && !card.bad) {
       property(context, card);

@@ -43,9 +43,16 @@ void report_elements(Context& c, const std::vector<std::size_t>& elements, std::
   }
 }
 
-void flat(Context& c) {
+void one_space(Context& c) {
   const model::Mesh& mesh = c.model.mesh;
   if (mesh.dim != 2) {
+    std::vector<std::size_t> plane;
+    for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+      if (base::info(mesh.type[e]).dim == 2) {
+        plane.push_back(e);
+      }
+    }
+    report_elements(c, plane, "E313", "of the plane in a model with elements in space", "");
     return;
   }
   const auto it =
@@ -71,13 +78,14 @@ void check_mesh(Context& context) {
     }
     return;
   }
-  flat(context);
+  one_space(context);
   std::vector<std::size_t> bad;
   for (const mesh::BadElement& b : mesh::bad_elements(mesh)) {
     bad.push_back(b.element.index());
   }
   report_elements(context, bad, "E307", "turned inside out: its Jacobian is not positive",
-                  "corners run counter-clockwise");
+                  mesh.dim == 2 ? "corners run counter-clockwise"
+                                : "corners of the first side run clockwise, seen from outside");
   if (context.property_sound) {
     std::vector<std::size_t> open;
     for (std::size_t e = 0; e < mesh.element_count(); ++e) {

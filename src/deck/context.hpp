@@ -5,6 +5,7 @@
 #include "deck/names.hpp"
 #include "deck/read_deck.hpp"
 #include "grammar/compile.hpp"
+#include "mesh/inp_import.hpp"
 #include "model/model.hpp"
 
 #include <cstdint>
@@ -32,6 +33,8 @@ struct Context {
   Names names{};
   std::vector<BoundCard> cards{};
   model::Model model{};
+
+  std::vector<mesh::ImportedPhysics> imported{}; ///< by $IMPORT FORMAT=INP, in their order
 
   std::vector<Labels> node_labels{};    ///< [net]
   std::vector<Labels> element_labels{}; ///< [net]

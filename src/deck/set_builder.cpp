@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <unordered_set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -139,15 +141,17 @@ const std::vector<model::Face>& boundary(Context& c) {
   return *c.boundary;
 }
 
-template <class Predicate>
-bool all_nodes(const model::Mesh& mesh, const model::Face& face, const Predicate& predicate) {
-  const std::vector<base::NodeId> nodes = mesh::nodes_of_faces(mesh, {face});
-  return std::all_of(nodes.begin(), nodes.end(), predicate);
+std::uint64_t number_of_face(const model::Face& face) {
+  return 8 * static_cast<std::uint64_t>(face.element.value) + static_cast<std::uint64_t>(face.side);
 }
 
 // Faces of the sets that the data lines name, taken away by -SET.
 bool face_items(Context& c, const BoundCard& card, std::vector<model::Face>& faces) {
   bool ok = true;
+  std::unordered_set<std::uint64_t> present;
+  for (const model::Face& face : faces) {
+    present.insert(number_of_face(face));
+  }
   for (const grammar::Row& row : card.rows) {
     for (const Field& field : row.fields) {
       if (field.kind != Field::Kind::name && field.kind != Field::Kind::minus_name) {
@@ -161,13 +165,18 @@ bool face_items(Context& c, const BoundCard& card, std::vector<model::Face>& fac
         ok = false;
         continue;
       }
+      const bool minus = field.kind == Field::Kind::minus_name;
       for (const model::Face& face : c.model.mesh.set(*id).faces) {
-        const auto it = std::find(faces.begin(), faces.end(), face);
-        if (field.kind == Field::Kind::minus_name && it != faces.end()) {
-          faces.erase(it);
-        } else if (field.kind == Field::Kind::name && it == faces.end()) {
+        if (minus) {
+          present.erase(number_of_face(face));
+        } else if (present.insert(number_of_face(face)).second) {
           faces.push_back(face);
         }
+      }
+      if (minus) {
+        std::erase_if(faces, [&](const model::Face& face) {
+          return !present.contains(number_of_face(face));
+        });
       }
     }
   }
@@ -195,9 +204,14 @@ std::optional<std::vector<model::Face>> faces_of_card(Context& c, const BoundCar
     }
   }
   ok = face_items(c, card, faces) && ok;
-  std::erase_if(faces, [&](const model::Face& face) {
-    return !all_nodes(mesh, face, [&](base::NodeId n) { return holds(card, mesh.x[n.index()]); });
-  });
+  if (card.has("WHERE")) {
+    std::vector<bool> inside(mesh.node_count(), false);
+    for (const base::NodeId n : mesh::nodes_of_faces(mesh, faces)) {
+      inside[n.index()] = holds(card, mesh.x[n.index()]);
+    }
+    std::erase_if(faces,
+                  [&](const model::Face& face) { return !mesh::lies_within(mesh, face, inside); });
+  }
   return ok ? std::optional(std::move(faces)) : std::nullopt;
 }
 
@@ -231,7 +245,7 @@ std::vector<model::Face> boundary_within(Context& context, const std::vector<bas
   }
   std::vector<model::Face> result;
   for (const model::Face& face : boundary(context)) {
-    if (all_nodes(mesh, face, [&](base::NodeId n) { return inside[n.index()]; })) {
+    if (mesh::lies_within(mesh, face, inside)) {
       result.push_back(face);
     }
   }

@@ -186,7 +186,7 @@ void for_blocks(const model::Mesh& mesh, std::span<const base::ElementId> elemen
       ++end;
     }
     const std::span<const base::ElementId> block = elements.subspan(begin, end - begin);
-    shape::with_shape(type, [&]<shape::ElementShape S>(S shape) { f(shape, block); });
+    shape::with_plane_shape(type, [&]<shape::ElementShape S>(S shape) { f(shape, block); });
     begin = end;
   }
 }

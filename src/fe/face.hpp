@@ -55,7 +55,7 @@ base::Vec3 area_vector(const SideNodes<Side>& X, const shape::Point<Side::dim>& 
 template <class F>
 void for_faces(const model::Mesh& mesh, const std::vector<model::Face>& faces, F&& f) {
   for (const model::Face& face : faces) {
-    shape::with_shape(mesh.type[face.element.index()],
+    shape::with_plane_shape(mesh.type[face.element.index()],
                       [&]<shape::ElementShape S>(S) { f(typename S::Side{}, face); });
   }
 }

@@ -53,7 +53,7 @@ std::vector<Hit> find(const model::Mesh& mesh, const Vec3& point) {
     if (!in_box(mesh, e, point)) {
       continue;
     }
-    shape::with_shape(mesh.type[i], [&]<shape::ElementShape S>(S) {
+    shape::with_plane_shape(mesh.type[i], [&]<shape::ElementShape S>(S) {
       const shape::Point<S::dim> x = point.head<S::dim>();
       if (const auto r = inverse_map<S>(coordinates<S>(mesh, e), x)) {
         const double outside = shape::outside<S>(*r);
@@ -97,7 +97,7 @@ std::optional<Stress> stress_at(const model::Model& model, const model::Mesh& me
     if (!counts) {
       continue;
     }
-    shape::with_shape(mesh.type[hit.element.index()], [&]<shape::ElementShape S>(S) {
+    shape::with_plane_shape(mesh.type[hit.element.index()], [&]<shape::ElementShape S>(S) {
       sum += StressElement<S>(model, mesh, hit.element, u).at(hit.r.head<S::dim>());
     });
     ++count;

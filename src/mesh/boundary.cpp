@@ -1,33 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/boundary.hpp"
 
+#include "mesh/side_index.hpp"
 #include "shape/topology.hpp"
 
 #include <algorithm>
-#include <array>
-#include <limits>
 #include <map>
 #include <utility>
 
 namespace spricka::mesh {
 namespace {
-
-using SideKey = std::array<base::NodeId, 4>;
-
-/// The corner nodes of a side, sorted, so that the two elements that share it agree.
-SideKey key_of(const model::Mesh& mesh, const model::Face& face) {
-  const base::ElementType type = mesh.type[face.element.index()];
-  const std::span<const int> local = shape::side_nodes(type, face.side);
-  const std::span<const base::NodeId> nodes = mesh.nodes_of(face.element);
-  const bool three_d = base::info(type).dim == 3;
-  const std::size_t corners = !three_d ? 2 : (local.size() == 3 || local.size() == 6 ? 3 : 4);
-  SideKey key{};
-  for (std::size_t c = 0; c < corners; ++c) {
-    key[c] = nodes[static_cast<std::size_t>(local[c])];
-  }
-  std::sort(key.begin(), key.end());
-  return key;
-}
 
 std::pair<base::NodeId, base::NodeId> ends(const model::Mesh& mesh, const model::Face& face) {
   const std::span<const int> local = shape::side_nodes(mesh.type[face.element.index()], face.side);
@@ -38,27 +20,7 @@ std::pair<base::NodeId, base::NodeId> ends(const model::Mesh& mesh, const model:
 } // namespace
 
 std::vector<model::Face> boundary_faces(const model::Mesh& mesh) {
-  std::vector<std::pair<SideKey, model::Face>> sides;
-  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    for (int s = 0; s < base::info(mesh.type[e]).sides; ++s) {
-      const model::Face face{base::ElementId(e), s};
-      sides.emplace_back(key_of(mesh, face), face);
-    }
-  }
-  std::sort(sides.begin(), sides.end());
-  std::vector<model::Face> result;
-  for (std::size_t i = 0; i < sides.size();) {
-    std::size_t j = i + 1;
-    while (j < sides.size() && sides[j].first == sides[i].first) {
-      ++j;
-    }
-    if (j == i + 1) {
-      result.push_back(sides[i].second);
-    }
-    i = j;
-  }
-  std::sort(result.begin(), result.end());
-  return result;
+  return SideIndex(mesh).alone();
 }
 
 std::vector<model::Face> faces_within(const model::Mesh& mesh,
@@ -68,14 +30,16 @@ std::vector<model::Face> faces_within(const model::Mesh& mesh,
     inside[n.index()] = true;
   }
   std::vector<model::Face> result = boundary_faces(mesh);
-  std::erase_if(result, [&](const model::Face& face) {
-    const std::span<const base::NodeId> all = mesh.nodes_of(face.element);
-    const std::span<const int> local =
-        shape::side_nodes(mesh.type[face.element.index()], face.side);
-    return !std::all_of(local.begin(), local.end(),
-                        [&](int i) { return inside[all[static_cast<std::size_t>(i)].index()]; });
-  });
+  std::erase_if(result, [&](const model::Face& face) { return !lies_within(mesh, face, inside); });
   return result;
+}
+
+bool lies_within(const model::Mesh& mesh, const model::Face& face,
+                 const std::vector<bool>& inside) {
+  const std::span<const base::NodeId> all = mesh.nodes_of(face.element);
+  const std::span<const int> local = shape::side_nodes(mesh.type[face.element.index()], face.side);
+  return std::all_of(local.begin(), local.end(),
+                     [&](int i) { return inside[all[static_cast<std::size_t>(i)].index()]; });
 }
 
 std::vector<base::NodeId> nodes_of_faces(const model::Mesh& mesh,

@@ -13,6 +13,9 @@ std::vector<model::Face> boundary_faces(const model::Mesh& mesh);
 std::vector<model::Face> faces_within(const model::Mesh& mesh,
                                       const std::vector<base::NodeId>& nodes);
 
+/// Whether all nodes of a face are marked in `inside` [node].
+bool lies_within(const model::Mesh& mesh, const model::Face& face, const std::vector<bool>& inside);
+
 /// Nodes of some faces, ascending, each once.
 std::vector<base::NodeId> nodes_of_faces(const model::Mesh& mesh,
                                          const std::vector<model::Face>& faces);

@@ -16,9 +16,13 @@ struct BlockSpec {
   int nx = 1, ny = 1, nz = 1;
   double bias = 1.0; ///< last over first element size along x
 };
-/// Sets BODY, XMIN XMAX YMIN YMAX (ZMIN ZMAX in 3D).
+/// Sets BODY, XMIN XMAX YMIN YMAX; plane elements.
 void generate_block(model::Mesh& mesh, base::NetId net, const std::string& prefix,
                     const BlockSpec& spec);
+/// Sets BODY, XMIN XMAX YMIN YMAX ZMIN ZMAX; any type of solid: a cell of the block is a
+/// hexahedron, two pentahedra along z or six tetrahedra.
+void generate_solid_block(model::Mesh& mesh, base::NetId net, const std::string& prefix,
+                          const BlockSpec& spec);
 
 struct RingSpec {
   base::ElementType type = base::ElementType::quamc8;

@@ -4,30 +4,93 @@
 #include "shape/topology.hpp"
 
 #include <algorithm>
+#include <cassert>
+#include <numeric>
+#include <utility>
 
 namespace spricka::mesh {
+namespace {
 
-SideIndex::SideIndex(const model::Mesh& mesh, std::size_t first) {
+using base::NodeId;
+
+struct Key {
+  NodeId lowest;
+  std::array<NodeId, 3> others;
+};
+
+Key key_of(std::span<const NodeId> corners) {
+  assert(corners.size() >= 2 && corners.size() <= 4);
+  std::array<NodeId, 4> sorted{};
+  std::copy(corners.begin(), corners.end(), sorted.begin());
+  std::sort(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(corners.size()));
+  return {sorted[0], {sorted[1], sorted[2], sorted[3]}};
+}
+
+template <class F> void for_sides(const model::Mesh& mesh, std::size_t first, F&& f) {
   for (std::size_t e = first; e < mesh.element_count(); ++e) {
-    const base::ElementInfo& info = base::info(mesh.type[e]);
-    const auto nodes = mesh.nodes_of(base::ElementId(e));
-    for (int s = 0; s < info.sides; ++s) {
-      std::vector<base::NodeId> key;
-      for (const int i : shape::side_nodes(mesh.type[e], s)) {
-        if (i < info.corners) {
-          key.push_back(nodes[static_cast<std::size_t>(i)]);
-        }
+    const std::span<const NodeId> nodes = mesh.nodes_of(base::ElementId(e));
+    for (int s = 0; s < base::info(mesh.type[e]).sides; ++s) {
+      const std::span<const int> local = shape::side_nodes(mesh.type[e], s);
+      const std::size_t count = shape::side_corners(mesh.type[e], s);
+      std::array<NodeId, 4> corners{};
+      for (std::size_t c = 0; c < count; ++c) {
+        corners[c] = nodes[static_cast<std::size_t>(local[c])];
       }
-      std::sort(key.begin(), key.end());
-      sides_[key].push_back({base::ElementId(e), s});
+      f(key_of(std::span(corners).first(count)), model::Face{base::ElementId(e), s});
     }
   }
 }
 
-std::span<const model::Face> SideIndex::find(std::vector<base::NodeId> corners) const {
-  std::sort(corners.begin(), corners.end());
-  const auto at = sides_.find(corners);
-  return at == sides_.end() ? std::span<const model::Face>() : at->second;
+} // namespace
+
+SideIndex::SideIndex(const model::Mesh& mesh, std::size_t first)
+    : begin_(mesh.node_count() + 1, 0) {
+  for_sides(mesh, first, [&](const Key& key, model::Face) { ++begin_[key.lowest.index() + 1]; });
+  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+  others_.resize(begin_.back());
+  faces_.resize(begin_.back());
+  std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
+  for_sides(mesh, first, [&](const Key& key, model::Face face) {
+    // equal keys side by side, in the order of elements: a handful of sides meet at a node
+    const std::size_t start = begin_[key.lowest.index()];
+    std::size_t at = next[key.lowest.index()]++;
+    for (; at > start && key.others < others_[at - 1]; --at) {
+      others_[at] = others_[at - 1];
+      faces_[at] = faces_[at - 1];
+    }
+    others_[at] = key.others;
+    faces_[at] = face;
+  });
+}
+
+std::span<const model::Face> SideIndex::find(std::span<const NodeId> corners) const {
+  const Key key = key_of(corners);
+  if (!key.lowest.valid()) {
+    return {};
+  }
+  const auto begin = others_.begin() + static_cast<std::ptrdiff_t>(begin_[key.lowest.index()]);
+  const auto end = others_.begin() + static_cast<std::ptrdiff_t>(begin_[key.lowest.index() + 1]);
+  const auto [low, high] = std::equal_range(begin, end, key.others);
+  return std::span(faces_).subspan(static_cast<std::size_t>(low - others_.begin()),
+                                   static_cast<std::size_t>(high - low));
+}
+
+std::vector<model::Face> SideIndex::alone() const {
+  std::vector<model::Face> result;
+  for (std::size_t n = 0; n + 1 < begin_.size(); ++n) {
+    for (std::size_t i = begin_[n]; i < begin_[n + 1];) {
+      std::size_t j = i + 1;
+      while (j < begin_[n + 1] && others_[j] == others_[i]) {
+        ++j;
+      }
+      if (j == i + 1) {
+        result.push_back(faces_[i]);
+      }
+      i = j;
+    }
+  }
+  std::sort(result.begin(), result.end());
+  return result;
 }
 
 } // namespace spricka::mesh

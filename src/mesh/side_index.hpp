@@ -2,23 +2,30 @@
 #pragma once
 #include "model/mesh.hpp"
 
-#include <map>
+#include <array>
 #include <span>
 #include <vector>
 
 namespace spricka::mesh {
 
-/// Finds sides of elements by their corner nodes, in whatever order these are given.
+/// Finds sides of elements by their corner nodes, in whatever order these are given. Made in linear
+/// time: sides are kept by their lowest corner.
 class SideIndex {
 public:
   /// Sides of the elements from `first` on.
   explicit SideIndex(const model::Mesh& mesh, std::size_t first = 0);
 
-  /// The sides with these corners: none, one on the boundary, two between elements.
-  [[nodiscard]] std::span<const model::Face> find(std::vector<base::NodeId> corners) const;
+  /// The sides with these corners, 2 to 4: none, one on the boundary, two between elements.
+  [[nodiscard]] std::span<const model::Face> find(std::span<const base::NodeId> corners) const;
+
+  /// Sides that belong to one element only, ascending.
+  [[nodiscard]] std::vector<model::Face> alone() const;
 
 private:
-  std::map<std::vector<base::NodeId>, std::vector<model::Face>> sides_;
+  using Others = std::array<base::NodeId, 3>; ///< the other corners, ascending
+  std::vector<std::size_t> begin_;            ///< [node + 1] into the two below
+  std::vector<Others> others_;
+  std::vector<model::Face> faces_;
 };
 
 } // namespace spricka::mesh

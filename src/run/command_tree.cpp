@@ -86,7 +86,7 @@ CommandTree::CommandTree() : app_(fmt::format("spricka: {}", k_about), "spricka"
   app_.footer(exit_footer());
   add_run();
   add_check();
-  // convert.hpp and further commands are added here, in the order of the help.
+  add_convert();
   add_help();
   add_format();
   add_for_editors();
@@ -150,6 +150,24 @@ void CommandTree::add_check() {
                             return run_deck(run_);
                           });
   add_deck_options(command);
+}
+
+void CommandTree::add_convert() {
+  CLI::App& command = add("convert", "write a mesh or deck in another form",
+                          "  spricka convert lug.deck lug.vtu      the mesh, for ParaView\n"
+                          "  spricka convert plate.inp plate.msh   for gmsh\n"
+                          "  spricka convert plate.deck plate.inp  the first step, for ccx",
+                          [this] {
+                            convert_.in = run_.deck;
+                            convert_.defines = run_.defines;
+                            convert_.log_format = run_.log_format;
+                            return convert(convert_);
+                          });
+  add_deck_options(command);
+  command.get_option("DECK")->description("a deck, or a mesh .msh, .geo or .inp");
+  command.add_option("OUT", convert_.out, "its name says the form: .msh, .vtu or .inp")
+      ->required()
+      ->type_name("");
 }
 
 void CommandTree::add_help() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "run/commands.hpp"
+#include "run/convert.hpp"
 #include "run/run_deck.hpp"
 
 #include <functional>
@@ -39,6 +40,7 @@ private:
   void add_deck_options(CLI::App& command);
   void add_run();
   void add_check();
+  void add_convert();
   void add_help();
   void add_format();
   void add_for_editors();
@@ -47,6 +49,7 @@ private:
   CLI::App app_;
   std::vector<Command> commands_;
   RunOptions run_;
+  ConvertOptions convert_;
   HelpOptions help_;
   FormatOptions format_;
   std::string editor_;

@@ -14,11 +14,12 @@ using deck::ErrorCode;
 /// loads on the mesh; E5 and W5: the run. Codes are stable: none is given a second meaning.
 inline constexpr std::array later_codes{
     ErrorCode{"E330", "a file to import that is not there"},
-    ErrorCode{"E331", "gmsh refuses a geometry or mesh"},
-    ErrorCode{"E332", "no such physical group in an imported file"},
+    ErrorCode{"E331", "gmsh refuses a geometry or mesh, or the file is damaged"},
+    ErrorCode{"E332", "no such physical group or set in an imported file"},
     ErrorCode{"E333", "an imported file without elements"},
     ErrorCode{"E334", "an imported element of a type that is not known"},
     ErrorCode{"E335", "an imported plane mesh that does not lie in z = 0"},
+    ErrorCode{"E336", "an Abaqus input file that is damaged or says what cannot be imported"},
     ErrorCode{"E401", "a crack whose line is not given"},
     ErrorCode{"E402", "a crack without a length"},
     ErrorCode{"E403", "a crack longer than its line"},
@@ -40,8 +41,14 @@ inline constexpr std::array later_codes{
     ErrorCode{"E510", "a model that cannot be solved"},
     ErrorCode{"E520", "a solution that did not converge"},
     ErrorCode{"E530", "trouble with a file: the deck itself or the run folder"},
+    ErrorCode{"E540", "a deck says what the form to convert it to cannot say"},
+    ErrorCode{"W331", "gmsh's own words about an imported file"},
+    ErrorCode{"W332", "an imported group with faces that are no side of an element"},
+    ErrorCode{"W336", "an imported element whose special form is not kept"},
+    ErrorCode{"W337", "SCALE on a file that brings moduli"},
     ErrorCode{"W501", "a nearly incompressible material in plane strain"},
     ErrorCode{"W502", "a result of a step that needs a second look"},
+    ErrorCode{"W540", "a converted deck of which only the first step is written"},
 };
 
 /// Every code the program can print, the deck's first.

@@ -7,7 +7,8 @@
 namespace spricka::shape {
 
 /// A point of a quadrature rule; the weights of a rule sum to the size of the reference domain
-/// (line 2, triangle 1/2, quadrilateral 4) and are all positive.
+/// (line 2, triangle 1/2, quadrilateral 4, tetrahedron 1/6, prism 1, hexahedron 8) and are all
+/// positive.
 template <int dim> struct QuadraturePoint {
   Point<dim> r;
   double weight = 0.0;
@@ -27,14 +28,34 @@ std::span<const QuadraturePoint<2>> quadrilateral_rule(int degree);
 /// above, products of Gauss-Legendre and Gauss-Jacobi points on the collapsed square (Stroud 1971).
 std::span<const QuadraturePoint<2>> triangle_rule(int degree);
 
+/// Highest degree of exactness on offer in space.
+inline constexpr int max_solid_degree = 15;
+
+/// Products of line_rule on [-1,1]^3, exact up to `degree` in each coordinate.
+std::span<const QuadraturePoint<3>> hexahedron_rule(int degree);
+
+/// Products of triangle_rule and line_rule, exact up to `degree` in both.
+std::span<const QuadraturePoint<3>> prism_rule(int degree);
+
+/// Rules on the tetrahedron (0,0,0) (1,0,0) (0,1,0) (0,0,1), exact up to total `degree`, points
+/// inside. Up to degree 6 symmetric ones with 1, 4, 14, 24 points (Hammer, Stroud 1956; Walkington
+/// 2000; Keast 1986); above, products of Gauss-Jacobi points on the collapsed cube (Stroud 1971).
+std::span<const QuadraturePoint<3>> tetrahedron_rule(int degree);
+
 /// The rule of a shape's domain.
 template <Shape S> std::span<const QuadraturePoint<S::dim>> quadrature(int degree) {
   if constexpr (S::domain == Domain::line) {
     return line_rule(degree);
   } else if constexpr (S::domain == Domain::triangle) {
     return triangle_rule(degree);
-  } else {
+  } else if constexpr (S::domain == Domain::quadrilateral) {
     return quadrilateral_rule(degree);
+  } else if constexpr (S::domain == Domain::tetrahedron) {
+    return tetrahedron_rule(degree);
+  } else if constexpr (S::domain == Domain::prism) {
+    return prism_rule(degree);
+  } else {
+    return hexahedron_rule(degree);
   }
 }
 

@@ -6,20 +6,22 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <concepts>
 #include <cstdlib>
 #include <utility>
 
 /// Reference shapes: plain structs with shape functions N and their derivatives dN. Triangles live
 /// on (0,0) (1,0) (0,1), lines and quadrilaterals on [-1,1]^dim. Nodes: corners, then mid-edge
-/// nodes (node corners + s lies on edge s, which joins corners s and s + 1), then the centre.
+/// nodes (node corners + s lies on edge s, which joins corners s and s + 1), then the centre. The
+/// shapes of solids stand in shape/solid.hpp.
 namespace spricka::shape {
 
 /// A point in reference coordinates.
 template <int dim> using Point = Eigen::Matrix<double, dim, 1>;
 
 /// The body that the reference coordinates run over.
-enum class Domain { line, triangle, quadrilateral };
+enum class Domain { line, triangle, quadrilateral, tetrahedron, prism, hexahedron };
 
 /// N(r) [nodes], dN(r) [nodes, dim] derivatives with respect to r, coordinates [nodes][dim] of the
 /// nodes in reference coordinates.
@@ -32,13 +34,17 @@ concept Shape = requires(const Point<S::dim>& r) {
   { S::coordinates[0][0] } -> std::convertible_to<double>;
 };
 
-/// A shape of the element library: its type, the shape `Side` of its sides, and the degree of
-/// exactness that its stiffness is integrated with.
+/// A shape of the element library: its type and the degree of exactness that its stiffness is
+/// integrated with.
 template <class S>
-concept ElementShape = Shape<S> && Shape<typename S::Side> && requires {
+concept ElementShape = Shape<S> && requires {
   { S::type } -> std::convertible_to<base::ElementType>;
   { S::degree } -> std::convertible_to<int>;
 };
+
+/// The shape of a plane element has one `Side` for all its sides.
+template <class S>
+concept PlaneShape = ElementShape<S> && S::dim == 2 && Shape<typename S::Side>;
 
 struct Line2 {
   static constexpr int nodes = 2;
@@ -249,23 +255,31 @@ template <Shape S> Point<S::dim> node(int i) {
 
 /// The middle of the reference domain.
 template <Shape S> Point<S::dim> centre() {
-  return Point<S::dim>::Constant(S::domain == Domain::triangle ? 1.0 / 3.0 : 0.0);
+  if constexpr (S::domain == Domain::prism) {
+    return {1.0 / 3.0, 1.0 / 3.0, 0.0};
+  } else if constexpr (S::domain == Domain::triangle || S::domain == Domain::tetrahedron) {
+    return Point<S::dim>::Constant(1.0 / (S::dim + 1.0));
+  } else {
+    return Point<S::dim>::Zero();
+  }
 }
 
 /// How far a point lies outside the reference domain: the largest violation of a side, on domains
 /// of side 1 and 2 alike; negative inside.
 template <Shape S> double outside(const Point<S::dim>& r) {
-  if constexpr (S::domain == Domain::triangle) {
+  if constexpr (S::domain == Domain::triangle || S::domain == Domain::tetrahedron) {
     return std::max(-r.minCoeff(), r.sum() - 1.0);
+  } else if constexpr (S::domain == Domain::prism) {
+    return std::max({-r[0], -r[1], r[0] + r[1] - 1.0, std::abs(r[2]) - 1.0});
   } else {
     return r.cwiseAbs().maxCoeff() - 1.0;
   }
 }
 
-/// Calls f with a value of the element's shape struct and returns what it returns; f is a generic
-/// lambda, `[&]<shape::ElementShape S>(S) { .. S::N(r) .. }`. Dispatch once for a block of equal
-/// elements, not once for each. Only the types of plane bodies have shapes.
-template <class F> decltype(auto) with_shape(base::ElementType type, F&& f) {
+/// Calls f with a value of the shape struct of a plane element and returns what it returns; f is a
+/// generic lambda, `[&]<shape::PlaneShape S>(S) { .. S::N(r) .. }`. Dispatch once for a block of
+/// equal elements, not once for each.
+template <class F> decltype(auto) with_plane_shape(base::ElementType type, F&& f) {
   switch (type) {
   case base::ElementType::trim3:
     return std::forward<F>(f)(Trim3{});
@@ -278,7 +292,7 @@ template <class F> decltype(auto) with_shape(base::ElementType type, F&& f) {
   case base::ElementType::quamc9:
     return std::forward<F>(f)(Quamc9{});
   default:
-    assert(false && "with_shape: a type without a shape");
+    assert(false && "with_plane_shape: a type without a plane shape");
     std::abort();
   }
 }

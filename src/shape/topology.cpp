@@ -27,6 +27,23 @@ constexpr std::array<std::array<int, 9>, 6> hexahedron{{{0, 3, 2, 1, 11, 10, 9, 
                                                         {2, 3, 7, 6, 10, 19, 14, 18, 24},
                                                         {3, 0, 4, 7, 11, 16, 15, 19, 25}}};
 
+using Edge = std::array<int, 2>;
+constexpr std::array<Edge, 6> tetrahedron_edges{{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
+constexpr std::array<Edge, 9> wedge_edges{
+    {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}, {0, 3}, {1, 4}, {2, 5}}};
+constexpr std::array<Edge, 12> hexahedron_edges{{{0, 1},
+                                                 {1, 2},
+                                                 {2, 3},
+                                                 {3, 0},
+                                                 {4, 5},
+                                                 {5, 6},
+                                                 {6, 7},
+                                                 {7, 4},
+                                                 {0, 4},
+                                                 {1, 5},
+                                                 {2, 6},
+                                                 {3, 7}}};
+
 std::span<const int> wedge_side(std::size_t s, bool quadratic) {
   if (s < 2) {
     return std::span<const int>(wedge_ends[s]).first(quadratic ? 6 : 3);
@@ -65,6 +82,50 @@ std::span<const int> side_nodes(ElementType type, int s) {
     return hexahedron[i];
   }
   return {};
+}
+
+ElementType solid_side(ElementType type, int s) {
+  switch (type) {
+  case ElementType::tet4:
+    return ElementType::trim3;
+  case ElementType::tet10:
+    return ElementType::trimc6;
+  case ElementType::penta6:
+    return s < 2 ? ElementType::trim3 : ElementType::quam4;
+  case ElementType::pentac15:
+    return s < 2 ? ElementType::trimc6 : ElementType::quamc8;
+  case ElementType::hexe8:
+    return ElementType::quam4;
+  case ElementType::hexec20:
+    return ElementType::quamc8;
+  default:
+    assert(type == ElementType::hexec27);
+    return ElementType::quamc9;
+  }
+}
+
+std::size_t side_corners(ElementType type, int s) {
+  return base::info(type).dim == 2
+             ? 2
+             : static_cast<std::size_t>(base::info(solid_side(type, s)).corners);
+}
+
+std::array<int, 2> edge_corners(ElementType type, int m) {
+  assert(m >= 0 && m < edge_count(type));
+  const auto i = static_cast<std::size_t>(m);
+  const base::ElementInfo& info = base::info(type);
+  if (info.dim == 2) {
+    return {m, (m + 1) % info.corners};
+  }
+  return info.corners == 4   ? tetrahedron_edges[i]
+         : info.corners == 6 ? wedge_edges[i]
+                             : hexahedron_edges[i];
+}
+
+int edge_count(ElementType type) {
+  const base::ElementInfo& info = base::info(type);
+  // a solid of plane sides: corners - edges + sides = 2 (Euler)
+  return info.dim == 2 ? info.corners : info.corners + info.sides - 2;
 }
 
 } // namespace spricka::shape

@@ -2,6 +2,8 @@
 #pragma once
 #include "base/element_type.hpp"
 
+#include <array>
+#include <cstddef>
 #include <span>
 
 namespace spricka::shape {
@@ -10,5 +12,18 @@ namespace spricka::shape {
 /// on the left (2D) or has the outer normal by the right-hand rule (3D), then mid nodes.
 /// 2D sides: edge s joins corners s and s+1.
 std::span<const int> side_nodes(base::ElementType type, int s);
+
+/// The plane shape of side `s` of a solid: TRIM3, TRIMC6, QUAM4, QUAMC8 or QUAMC9. A pentahedron
+/// has triangles (sides 0, 1) and quadrilaterals.
+base::ElementType solid_side(base::ElementType type, int s);
+
+/// How many nodes of a side are corners: 2 in the plane, 3 or 4 in space.
+std::size_t side_corners(base::ElementType type, int s);
+
+/// Corners that edge `m` of an element joins; its mid node, if the element has one, is corners + m.
+std::array<int, 2> edge_corners(base::ElementType type, int m);
+
+/// Number of edges: as many as mid-edge nodes in the quadratic element of the family.
+int edge_count(base::ElementType type);
 
 } // namespace spricka::shape

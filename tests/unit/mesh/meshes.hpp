@@ -2,7 +2,7 @@
 #pragma once
 #include "model/mesh.hpp"
 #include "shape/quadrature.hpp"
-#include "shape/shape.hpp"
+#include "shape/solid.hpp"
 #include "shape/topology.hpp"
 
 #include <Eigen/Geometry>
@@ -14,7 +14,8 @@
 
 namespace spricka::test {
 
-/// Area of some elements, exact for curved ones (the determinant is a polynomial).
+/// Area of plane elements or volume of solids, exact for curved ones (the determinant is a
+/// polynomial).
 inline double area(const model::Mesh& mesh) {
   double sum = 0.0;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
@@ -22,11 +23,13 @@ inline double area(const model::Mesh& mesh) {
     sum += shape::with_shape(mesh.type[e], [&]<shape::ElementShape S>(S) {
       double part = 0.0;
       for (const auto& q : shape::quadrature<S>()) {
-        Eigen::Matrix2d J = Eigen::Matrix2d::Zero();
-        const Eigen::Matrix<double, S::nodes, 2> d = S::dN(q.r);
+        Eigen::Matrix<double, S::dim, S::dim> J;
+        J.setZero();
+        const Eigen::Matrix<double, S::nodes, S::dim> d = S::dN(q.r);
         for (int i = 0; i < S::nodes; ++i) {
-          J += d.row(i).transpose() *
-               mesh.x[nodes[static_cast<std::size_t>(i)].index()].template head<2>().transpose();
+          J += d.row(i).transpose() * mesh.x[nodes[static_cast<std::size_t>(i)].index()]
+                                          .template head<S::dim>()
+                                          .transpose();
         }
         part += q.weight * J.determinant();
       }

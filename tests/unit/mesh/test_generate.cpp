@@ -198,5 +198,48 @@ TEST(GenerateInOneNet, LabelsContinue) {
   EXPECT_EQ(mesh.node_label[16], 1);
 }
 
+class GenerateSolid : public testing::TestWithParam<ElementType> {};
+INSTANTIATE_TEST_SUITE_P(Types, GenerateSolid,
+                         testing::Values(ElementType::tet4, ElementType::tet10, ElementType::penta6,
+                                         ElementType::pentac15, ElementType::hexe8,
+                                         ElementType::hexec20, ElementType::hexec27));
+
+TEST_P(GenerateSolid, Block) {
+  model::Mesh mesh;
+  mesh::BlockSpec spec;
+  spec.type = GetParam();
+  spec.origin = {1.0, -2.0, 0.5};
+  spec.size = {3.0, 2.0, 1.5};
+  spec.nx = 4;
+  spec.ny = 3;
+  spec.nz = 2;
+  spec.bias = 4.0;
+  mesh::generate_solid_block(mesh, base::NetId(std::size_t{0}), "B.", spec);
+  expect_sound(mesh);
+  EXPECT_EQ(mesh.dim, 3);
+  EXPECT_NEAR(test::area(mesh), 9.0, 1e-13);
+  const std::vector<std::string> names{"B.XMIN", "B.XMAX", "B.YMIN", "B.YMAX", "B.ZMIN", "B.ZMAX"};
+  expect_sets_cover(mesh, names);
+  for (std::size_t s = 0; s < names.size(); ++s) {
+    const auto d = static_cast<Eigen::Index>(s / 2);
+    const double plane = spec.origin[d] + (s % 2 == 0 ? 0.0 : spec.size[d]);
+    for (const base::NodeId n : mesh::nodes_of_faces(mesh, test::faces(mesh, names[s]).faces)) {
+      EXPECT_DOUBLE_EQ(mesh.x[n.index()][d], plane);
+    }
+  }
+}
+
+TEST_P(GenerateSolid, ManyCellsShareTheirSides) {
+  model::Mesh mesh;
+  mesh::BlockSpec spec;
+  spec.type = GetParam();
+  spec.nx = spec.ny = spec.nz = 12;
+  mesh::generate_solid_block(mesh, base::NetId(std::size_t{0}), "", spec);
+  EXPECT_NEAR(test::area(mesh), 1.0, 1e-12);
+  const std::size_t sides = base::info(GetParam()).corners == 4 ? 2 : 1;
+  const std::size_t ends = base::info(GetParam()).corners == 8 ? 1 : 2;
+  EXPECT_EQ(mesh::boundary_faces(mesh).size(), 144 * (4 * sides + 2 * ends));
+}
+
 } // namespace
 } // namespace spricka

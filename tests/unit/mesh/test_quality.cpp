@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/quality.hpp"
 
+#include "shape/solid.hpp"
+
 #include <gtest/gtest.h>
+
+#include <functional>
 
 namespace spricka {
 namespace {
@@ -56,6 +60,54 @@ TEST(Quality, ReentrantQuadrilateralIsBad) {
 TEST(Quality, FlatElementIsBad) {
   const auto mesh = one(base::ElementType::trim3, {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}});
   EXPECT_EQ(mesh::bad_elements(mesh).size(), 1U);
+}
+
+constexpr std::array solids{base::ElementType::tet4,   base::ElementType::tet10,
+                            base::ElementType::penta6, base::ElementType::pentac15,
+                            base::ElementType::hexe8,  base::ElementType::hexec20,
+                            base::ElementType::hexec27};
+
+/// The reference element, its nodes moved by `f`.
+model::Mesh reference(base::ElementType type, const std::function<base::Vec3(base::Vec3)>& f) {
+  std::vector<base::Vec3> x;
+  shape::with_shape(type, [&]<shape::ElementShape S>(S) {
+    for (int i = 0; i < S::nodes; ++i) {
+      base::Vec3 at = base::Vec3::Zero();
+      at.template head<S::dim>() = shape::node<S>(i);
+      x.push_back(f(at));
+    }
+  });
+  return one(type, x);
+}
+
+TEST(Quality, SolidsGoodTurnedAndFlat) {
+  for (const base::ElementType type : solids) {
+    EXPECT_TRUE(mesh::bad_elements(reference(type, [](base::Vec3 x) { return x; })).empty());
+    const auto bent = [](base::Vec3 x) {
+      return base::Vec3(x.x() + 0.1 * x.y() * x.y(), x.y() + 0.05 * x.z() * x.x(), x.z());
+    };
+    EXPECT_TRUE(mesh::bad_elements(reference(type, bent)).empty());
+    const auto mirrored = [](base::Vec3 x) { return base::Vec3(x.x(), x.y(), -x.z()); };
+    EXPECT_EQ(mesh::bad_elements(reference(type, mirrored)).size(), 1U);
+    const auto flat = [](base::Vec3 x) { return base::Vec3(x.x(), x.y(), 0.3 * x.x()); };
+    EXPECT_EQ(mesh::bad_elements(reference(type, flat)).size(), 1U);
+  }
+}
+
+// The determinant is positive at all integration points and corners, but not everywhere.
+TEST(Quality, MidNodeBeyondTheQuarterPointOfASolidIsBad) {
+  for (const base::ElementType type : solids) {
+    const base::ElementInfo& info = base::info(type);
+    if (!info.quadratic) {
+      continue;
+    }
+    for (const double part : {0.26, 0.2}) {
+      model::Mesh mesh = reference(type, [](base::Vec3 x) { return x; });
+      const auto mid = static_cast<std::size_t>(info.corners);
+      mesh.x[mid] = (1.0 - part) * mesh.x[0] + part * mesh.x[1];
+      EXPECT_EQ(mesh::bad_elements(mesh).size(), part < 0.25 ? 1U : 0U) << info.name << part;
+    }
+  }
 }
 
 } // namespace

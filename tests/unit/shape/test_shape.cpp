@@ -1,28 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shape/shape.hpp"
+#include "shape/solid.hpp"
 
+#include "shape/quadrature.hpp"
 #include "shape/topology.hpp"
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace spricka::shape {
 namespace {
 
 static_assert(Shape<Line2> && Shape<Line3>);
-static_assert(ElementShape<Trim3> && ElementShape<Trimc6> && ElementShape<Quam4>);
-static_assert(ElementShape<Quamc8> && ElementShape<Quamc9>);
-static_assert(!ElementShape<Line3>);
+static_assert(PlaneShape<Trim3> && PlaneShape<Trimc6> && PlaneShape<Quam4>);
+static_assert(PlaneShape<Quamc8> && PlaneShape<Quamc9>);
+static_assert(ElementShape<Tet4> && ElementShape<Tet10> && ElementShape<Hexec27>);
+static_assert(!ElementShape<Line3> && !PlaneShape<Hexe8>);
 
 template <class S> class EveryShape : public testing::Test {};
-using AllShapes = testing::Types<Line2, Line3, Trim3, Trimc6, Quam4, Quamc8, Quamc9>;
+using AllShapes = testing::Types<Line2, Line3, Trim3, Trimc6, Quam4, Quamc8, Quamc9, Tet4, Tet10,
+                                 Penta6, Pentac15, Hexe8, Hexec20, Hexec27>;
 TYPED_TEST_SUITE(EveryShape, AllShapes);
 
 template <class S> class EveryElement : public testing::Test {};
-using AllElements = testing::Types<Trim3, Trimc6, Quam4, Quamc8, Quamc9>;
+using AllElements = testing::Types<Trim3, Trimc6, Quam4, Quamc8, Quamc9, Tet4, Tet10, Penta6,
+                                   Pentac15, Hexe8, Hexec20, Hexec27>;
 TYPED_TEST_SUITE(EveryElement, AllElements);
+
+template <class S> class EveryPlane : public testing::Test {};
+using AllPlanes = testing::Types<Trim3, Trimc6, Quam4, Quamc8, Quamc9>;
+TYPED_TEST_SUITE(EveryPlane, AllPlanes);
+
+template <class S> class EverySolid : public testing::Test {};
+using AllSolids = testing::Types<Tet4, Tet10, Penta6, Pentac15, Hexe8, Hexec20, Hexec27>;
+TYPED_TEST_SUITE(EverySolid, AllSolids);
 
 // Points in and a little outside the reference domain.
 template <class S> std::vector<Point<S::dim>> sample() {
@@ -31,8 +46,11 @@ template <class S> std::vector<Point<S::dim>> sample() {
     for (const double y : {-0.8, 0.13, 0.47, 1.0}) {
       Point<S::dim> r;
       r[0] = x;
-      if constexpr (S::dim == 2) {
+      if constexpr (S::dim >= 2) {
         r[1] = y;
+      }
+      if constexpr (S::dim == 3) {
+        r[2] = 0.4 - 0.9 * x * y;
       }
       points.push_back(r);
     }
@@ -87,9 +105,13 @@ TYPED_TEST(EveryShape, nodes_lie_on_the_domain_and_the_centre_inside) {
   for (int i = 0; i < TypeParam::nodes; ++i) {
     EXPECT_LE(outside<TypeParam>(node<TypeParam>(i)), 0.0);
   }
-  EXPECT_LT(outside<TypeParam>(centre<TypeParam>()), -0.3);
-  EXPECT_NEAR(outside<TypeParam>(Point<TypeParam::dim>::Constant(1.25)),
-              TypeParam::domain == Domain::triangle ? 1.5 : 0.25, 1e-15);
+  EXPECT_LE(outside<TypeParam>(centre<TypeParam>()), -0.25);
+  const double simplex = TypeParam::domain == Domain::tetrahedron ? 2.75 : 1.5;
+  const bool oblique = TypeParam::domain == Domain::triangle ||
+                       TypeParam::domain == Domain::tetrahedron ||
+                       TypeParam::domain == Domain::prism;
+  EXPECT_NEAR(outside<TypeParam>(Point<TypeParam::dim>::Constant(1.25)), oblique ? simplex : 0.25,
+              1e-15);
 }
 
 TYPED_TEST(EveryElement, agrees_with_the_library_table) {
@@ -100,7 +122,53 @@ TYPED_TEST(EveryElement, agrees_with_the_library_table) {
   EXPECT_EQ(nodes, TypeParam::nodes);
 }
 
-TYPED_TEST(EveryElement, restricted_to_a_side_is_the_shape_of_the_side) {
+// Every polynomial up to the order of the element, in real coordinates.
+TYPED_TEST(EveryElement, is_complete) {
+  using S = TypeParam;
+  const int order = base::info(S::type).quadratic ? 2 : 1;
+  const auto monomial = [](const Point<S::dim>& r, std::array<int, 3> p) {
+    double value = 1.0;
+    for (int k = 0; k < S::dim; ++k) {
+      value *= std::pow(r[k], p[static_cast<std::size_t>(k)]);
+    }
+    return value;
+  };
+  for (int a = 0; a <= order; ++a) {
+    for (int b = 0; a + b <= order; ++b) {
+      for (int c = 0; a + b + c <= (S::dim == 3 ? order : 0); ++c) {
+        Eigen::Matrix<double, S::nodes, 1> nodal;
+        for (int i = 0; i < S::nodes; ++i) {
+          nodal[i] = monomial(node<S>(i), {a, b, c});
+        }
+        for (const auto& r : sample<S>()) {
+          EXPECT_NEAR(S::N(r).dot(nodal), monomial(r, {a, b, c}), 1e-14) << a << b << c;
+        }
+      }
+    }
+  }
+}
+
+TYPED_TEST(EveryElement, edges_are_those_of_the_sides_and_mid_nodes_lie_on_them) {
+  using S = TypeParam;
+  const base::ElementInfo& info = base::info(S::type);
+  for (int m = 0; m < edge_count(S::type); ++m) {
+    const auto [a, b] = edge_corners(S::type, m);
+    int sides = 0;
+    for (int s = 0; s < info.sides; ++s) {
+      const std::span<const int> local = side_nodes(S::type, s);
+      const bool on_side = std::count(local.begin(), local.end(), a) == 1 &&
+                           std::count(local.begin(), local.end(), b) == 1;
+      sides += on_side ? 1 : 0;
+    }
+    EXPECT_EQ(sides, S::dim == 2 ? 1 : 2) << m;
+    if (info.quadratic) {
+      const Point<S::dim> mid = 0.5 * (node<S>(a) + node<S>(b));
+      EXPECT_EQ((node<S>(info.corners + m) - mid).norm(), 0.0) << m;
+    }
+  }
+}
+
+TYPED_TEST(EveryPlane, restricted_to_a_side_is_the_shape_of_the_side) {
   using Side = typename TypeParam::Side;
   for (int s = 0; s < base::info(TypeParam::type).sides; ++s) {
     const std::span<const int> local = side_nodes(TypeParam::type, s);
@@ -119,6 +187,72 @@ TYPED_TEST(EveryElement, restricted_to_a_side_is_the_shape_of_the_side) {
       EXPECT_LT((TypeParam::N(r) - expected).cwiseAbs().maxCoeff(), 1e-14);
     }
   }
+}
+
+// The side's shape on the side's nodes, in their order, is the element's own on that side.
+TYPED_TEST(EverySolid, restricted_to_a_side_is_the_shape_of_the_side) {
+  using S = TypeParam;
+  for (int s = 0; s < base::info(S::type).sides; ++s) {
+    const std::span<const int> local = side_nodes(S::type, s);
+    with_plane_shape(solid_side(S::type, s), [&]<PlaneShape Side>(Side) {
+      ASSERT_EQ(local.size(), static_cast<std::size_t>(Side::nodes));
+      EXPECT_EQ(side_corners(S::type, s), static_cast<std::size_t>(base::info(Side::type).corners));
+      for (const Point<2>& t : sample<Side>()) {
+        const Eigen::Matrix<double, Side::nodes, 1> n = Side::N(t);
+        Point<3> r = Point<3>::Zero();
+        Eigen::Matrix<double, S::nodes, 1> expected;
+        expected.setZero();
+        for (int i = 0; i < Side::nodes; ++i) {
+          r += n[i] * node<S>(local[static_cast<std::size_t>(i)]);
+          expected[local[static_cast<std::size_t>(i)]] = n[i];
+        }
+        EXPECT_LT((S::N(r) - expected).cwiseAbs().maxCoeff(), 1e-13);
+      }
+    });
+  }
+}
+
+// Exactly the nodes in the plane of a side belong to it, and its normal points away from the rest.
+TYPED_TEST(EverySolid, sides_face_outwards_and_hold_all_their_nodes) {
+  using S = TypeParam;
+  for (int s = 0; s < base::info(S::type).sides; ++s) {
+    const std::span<const int> local = side_nodes(S::type, s);
+    const Point<3> at = node<S>(local[0]);
+    const Point<3> normal = (node<S>(local[1]) - at).cross(node<S>(local[2]) - at);
+    for (int i = 0; i < S::nodes; ++i) {
+      const bool listed = std::find(local.begin(), local.end(), i) != local.end();
+      const double height = normal.dot(node<S>(i) - at);
+      EXPECT_EQ(listed, std::abs(height) < 1e-14) << s << ' ' << i;
+      EXPECT_LT(height, 1e-14) << s << ' ' << i;
+    }
+  }
+}
+
+// Gauss: a third of the flux of x through the sides is the volume, that of the reference domain.
+TYPED_TEST(EverySolid, sides_enclose_the_reference_volume) {
+  using S = TypeParam;
+  double volume = 0.0;
+  for (const auto& q : quadrature<S>()) {
+    volume += q.weight;
+  }
+  double flux = 0.0;
+  for (int s = 0; s < base::info(S::type).sides; ++s) {
+    const std::span<const int> local = side_nodes(S::type, s);
+    with_plane_shape(solid_side(S::type, s), [&]<PlaneShape Side>(Side) {
+      for (const auto& q : quadrature<Side>(5)) {
+        Point<3> x = Point<3>::Zero();
+        Eigen::Matrix<double, 3, 2> T;
+        T.setZero();
+        for (int i = 0; i < Side::nodes; ++i) {
+          const Point<3> xi = node<S>(local[static_cast<std::size_t>(i)]);
+          x += Side::N(q.r)[i] * xi;
+          T += xi * Side::dN(q.r).row(i);
+        }
+        flux += q.weight * x.dot(T.col(0).cross(T.col(1))) / 3.0;
+      }
+    });
+  }
+  EXPECT_NEAR(flux, volume, 1e-14);
 }
 
 } // namespace

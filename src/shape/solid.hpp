@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "shape/shape.hpp"
+
+/// Reference shapes of solids. Tetrahedra live on (0,0,0) (1,0,0) (0,1,0) (0,0,1), pentahedra on
+/// the triangle times [-1,1], hexahedra on [-1,1]^3. Nodes in the order of Abaqus: corners (of
+/// pentahedra and hexahedra first those at t = -1), the middles of edges
+///
+///     TET10     01 12 20 03 13 23
+///     PENTAC15  01 12 20  34 45 53  03 14 25
+///     HEXEC20   01 12 23 30  45 56 67 74  04 15 26 37
+///
+/// and, in HEXEC27, the middles of the sides 0 to 5 (topology.hpp) and the centre.
+namespace spricka::shape {
+
+struct Tet4 {
+  static constexpr base::ElementType type = base::ElementType::tet4;
+  static constexpr int nodes = 4;
+  static constexpr int dim = 3;
+  static constexpr int degree = 0; ///< constant strain
+  static constexpr Domain domain = Domain::tetrahedron;
+  static constexpr std::array<std::array<double, 3>, 4> coordinates{
+      {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
+
+  static Eigen::Matrix<double, 4, 1> N(const Point<3>& r) {
+    return {1.0 - r.sum(), r[0], r[1], r[2]};
+  }
+  static Eigen::Matrix<double, 4, 3> dN(const Point<3>& /*r*/) {
+    Eigen::Matrix<double, 4, 3> d;
+    d << -1.0, -1.0, -1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0;
+    return d;
+  }
+};
+
+struct Tet10 {
+  static constexpr base::ElementType type = base::ElementType::tet10;
+  static constexpr int nodes = 10;
+  static constexpr int dim = 3;
+  /// 14 points. Straight sides need 2; on curved ones the integrand is rational.
+  static constexpr int degree = 5;
+  static constexpr Domain domain = Domain::tetrahedron;
+  static constexpr std::array<std::array<double, 3>, 10> coordinates{{{0.0, 0.0, 0.0},
+                                                                      {1.0, 0.0, 0.0},
+                                                                      {0.0, 1.0, 0.0},
+                                                                      {0.0, 0.0, 1.0},
+                                                                      {0.5, 0.0, 0.0},
+                                                                      {0.5, 0.5, 0.0},
+                                                                      {0.0, 0.5, 0.0},
+                                                                      {0.0, 0.0, 0.5},
+                                                                      {0.5, 0.0, 0.5},
+                                                                      {0.0, 0.5, 0.5}}};
+  static constexpr std::array<std::array<int, 2>, 6> edges{
+      {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
+
+  static Eigen::Matrix<double, 10, 1> N(const Point<3>& r) {
+    const Eigen::Vector4d l = Tet4::N(r);
+    Eigen::Matrix<double, 10, 1> n;
+    for (int i = 0; i < 4; ++i) {
+      n[i] = l[i] * (2.0 * l[i] - 1.0);
+    }
+    for (int m = 0; m < 6; ++m) {
+      const auto& [a, b] = edges[static_cast<std::size_t>(m)];
+      n[4 + m] = 4.0 * l[a] * l[b];
+    }
+    return n;
+  }
+  static Eigen::Matrix<double, 10, 3> dN(const Point<3>& r) {
+    const Eigen::Vector4d l = Tet4::N(r);
+    const Eigen::Matrix<double, 4, 3> dl = Tet4::dN(r);
+    Eigen::Matrix<double, 10, 3> d;
+    for (int i = 0; i < 4; ++i) {
+      d.row(i) = (4.0 * l[i] - 1.0) * dl.row(i);
+    }
+    for (int m = 0; m < 6; ++m) {
+      const auto& [a, b] = edges[static_cast<std::size_t>(m)];
+      d.row(4 + m) = 4.0 * (l[a] * dl.row(b) + l[b] * dl.row(a));
+    }
+    return d;
+  }
+};
+
+/// Sides 0 and 1 are triangles, 2 to 4 quadrilaterals.
+struct Penta6 {
+  static constexpr base::ElementType type = base::ElementType::penta6;
+  static constexpr int nodes = 6;
+  static constexpr int dim = 3;
+  static constexpr int degree = 2; ///< 3 x 2 points
+  static constexpr Domain domain = Domain::prism;
+  static constexpr std::array<std::array<double, 3>, 6> coordinates{{{0.0, 0.0, -1.0},
+                                                                     {1.0, 0.0, -1.0},
+                                                                     {0.0, 1.0, -1.0},
+                                                                     {0.0, 0.0, 1.0},
+                                                                     {1.0, 0.0, 1.0},
+                                                                     {0.0, 1.0, 1.0}}};
+
+  static Eigen::Matrix<double, 6, 1> N(const Point<3>& r) {
+    const Eigen::Vector3d l = Trim3::N(r.head<2>());
+    Eigen::Matrix<double, 6, 1> n;
+    n << 0.5 * (1.0 - r[2]) * l, 0.5 * (1.0 + r[2]) * l;
+    return n;
+  }
+  static Eigen::Matrix<double, 6, 3> dN(const Point<3>& r) {
+    const Eigen::Vector3d l = Trim3::N(r.head<2>());
+    const Eigen::Matrix<double, 3, 2> dl = Trim3::dN(r.head<2>());
+    Eigen::Matrix<double, 6, 3> d;
+    d << 0.5 * (1.0 - r[2]) * dl, -0.5 * l, 0.5 * (1.0 + r[2]) * dl, 0.5 * l;
+    return d;
+  }
+};
+
+/// Serendipity. Sides as Penta6.
+struct Pentac15 {
+  static constexpr base::ElementType type = base::ElementType::pentac15;
+  static constexpr int nodes = 15;
+  static constexpr int dim = 3;
+  static constexpr int degree = 5; ///< 7 x 3 points; straight sides need 4
+  static constexpr Domain domain = Domain::prism;
+  static constexpr std::array<std::array<double, 3>, 15> coordinates{{{0.0, 0.0, -1.0},
+                                                                      {1.0, 0.0, -1.0},
+                                                                      {0.0, 1.0, -1.0},
+                                                                      {0.0, 0.0, 1.0},
+                                                                      {1.0, 0.0, 1.0},
+                                                                      {0.0, 1.0, 1.0},
+                                                                      {0.5, 0.0, -1.0},
+                                                                      {0.5, 0.5, -1.0},
+                                                                      {0.0, 0.5, -1.0},
+                                                                      {0.5, 0.0, 1.0},
+                                                                      {0.5, 0.5, 1.0},
+                                                                      {0.0, 0.5, 1.0},
+                                                                      {0.0, 0.0, 0.0},
+                                                                      {1.0, 0.0, 0.0},
+                                                                      {0.0, 1.0, 0.0}}};
+
+  // Corner at the end q = -1 or 1: N = l (1 + q t)(2 l + q t - 2) / 2; on the edges of an end
+  // 2 l m (1 + q t); between the ends l (1 - t^2).
+  static Eigen::Matrix<double, 15, 1> N(const Point<3>& r) {
+    const Eigen::Vector3d l = Trim3::N(r.head<2>());
+    Eigen::Matrix<double, 15, 1> n;
+    for (int end = 0; end < 2; ++end) {
+      const double qt = end == 0 ? -r[2] : r[2];
+      for (int i = 0; i < 3; ++i) {
+        n[3 * end + i] = 0.5 * l[i] * (1.0 + qt) * (2.0 * l[i] + qt - 2.0);
+        n[6 + 3 * end + i] = 2.0 * l[i] * l[(i + 1) % 3] * (1.0 + qt);
+      }
+    }
+    n.tail<3>() = (1.0 - r[2] * r[2]) * l;
+    return n;
+  }
+  static Eigen::Matrix<double, 15, 3> dN(const Point<3>& r) {
+    const Eigen::Vector3d l = Trim3::N(r.head<2>());
+    const Eigen::Matrix<double, 3, 2> dl = Trim3::dN(r.head<2>());
+    Eigen::Matrix<double, 15, 3> d;
+    for (int end = 0; end < 2; ++end) {
+      const double q = end == 0 ? -1.0 : 1.0;
+      const double qt = q * r[2];
+      for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3;
+        d.row(3 * end + i) << 0.5 * (1.0 + qt) * (4.0 * l[i] + qt - 2.0) * dl.row(i),
+            0.5 * q * l[i] * (2.0 * l[i] + 2.0 * qt - 1.0);
+        d.row(6 + 3 * end + i) << 2.0 * (1.0 + qt) * (l[i] * dl.row(j) + l[j] * dl.row(i)),
+            2.0 * q * l[i] * l[j];
+      }
+    }
+    d.bottomRows<3>() << (1.0 - r[2] * r[2]) * dl, -2.0 * r[2] * l;
+    return d;
+  }
+};
+
+namespace detail {
+
+/// Nodes of the richest hexahedron; the poorer ones have the first 8 or 20.
+inline constexpr std::array<std::array<double, 3>, 27> hexahedron{
+    {{-1.0, -1.0, -1.0}, {1.0, -1.0, -1.0}, {1.0, 1.0, -1.0}, {-1.0, 1.0, -1.0}, {-1.0, -1.0, 1.0},
+     {1.0, -1.0, 1.0},   {1.0, 1.0, 1.0},   {-1.0, 1.0, 1.0}, {0.0, -1.0, -1.0}, {1.0, 0.0, -1.0},
+     {0.0, 1.0, -1.0},   {-1.0, 0.0, -1.0}, {0.0, -1.0, 1.0}, {1.0, 0.0, 1.0},   {0.0, 1.0, 1.0},
+     {-1.0, 0.0, 1.0},   {-1.0, -1.0, 0.0}, {1.0, -1.0, 0.0}, {1.0, 1.0, 0.0},   {-1.0, 1.0, 0.0},
+     {0.0, 0.0, -1.0},   {0.0, 0.0, 1.0},   {0.0, -1.0, 0.0}, {1.0, 0.0, 0.0},   {0.0, 1.0, 0.0},
+     {-1.0, 0.0, 0.0},   {0.0, 0.0, 0.0}}};
+
+template <std::size_t n> constexpr std::array<std::array<double, 3>, n> first_of_hexahedron() {
+  std::array<std::array<double, 3>, n> first{};
+  std::copy_n(hexahedron.begin(), n, first.begin());
+  return first;
+}
+
+} // namespace detail
+
+struct Hexe8 {
+  static constexpr base::ElementType type = base::ElementType::hexe8;
+  static constexpr int nodes = 8;
+  static constexpr int dim = 3;
+  static constexpr int degree = 3; ///< 2 x 2 x 2 points
+  static constexpr Domain domain = Domain::hexahedron;
+  static constexpr std::array<std::array<double, 3>, 8> coordinates =
+      detail::first_of_hexahedron<8>();
+
+  static Eigen::Matrix<double, 8, 1> N(const Point<3>& r) {
+    Eigen::Matrix<double, 8, 1> n;
+    for (int i = 0; i < 8; ++i) {
+      const auto& p = coordinates[static_cast<std::size_t>(i)];
+      n[i] = 0.125 * (1.0 + p[0] * r[0]) * (1.0 + p[1] * r[1]) * (1.0 + p[2] * r[2]);
+    }
+    return n;
+  }
+  static Eigen::Matrix<double, 8, 3> dN(const Point<3>& r) {
+    Eigen::Matrix<double, 8, 3> d;
+    for (int i = 0; i < 8; ++i) {
+      const auto& p = coordinates[static_cast<std::size_t>(i)];
+      const double x = 1.0 + p[0] * r[0];
+      const double y = 1.0 + p[1] * r[1];
+      const double z = 1.0 + p[2] * r[2];
+      d.row(i) << 0.125 * p[0] * y * z, 0.125 * p[1] * x * z, 0.125 * p[2] * x * y;
+    }
+    return d;
+  }
+};
+
+/// Serendipity.
+struct Hexec20 {
+  static constexpr base::ElementType type = base::ElementType::hexec20;
+  static constexpr int nodes = 20;
+  static constexpr int dim = 3;
+  static constexpr int degree = 5; ///< 3 x 3 x 3 points
+  static constexpr Domain domain = Domain::hexahedron;
+  static constexpr std::array<std::array<double, 3>, 20> coordinates =
+      detail::first_of_hexahedron<20>();
+
+  // Corner at p: N = prod(1 + p_k r_k) (sum p_k r_k - 2) / 8. In the middle of an edge the factor
+  // along it is 1 - r^2, and 1/8 becomes 1/4.
+  static Eigen::Matrix<double, 20, 1> N(const Point<3>& r) {
+    Eigen::Matrix<double, 20, 1> n;
+    for (int i = 0; i < nodes; ++i) {
+      const Point<3> p = Eigen::Map<const Point<3>>(at(i).data());
+      const Point<3> f = factors(p, r);
+      n[i] = i < 8 ? 0.125 * f.prod() * (p.dot(r) - 2.0) : 0.25 * f.prod();
+    }
+    return n;
+  }
+  static Eigen::Matrix<double, 20, 3> dN(const Point<3>& r) {
+    Eigen::Matrix<double, 20, 3> d;
+    for (int i = 0; i < nodes; ++i) {
+      const Point<3> p = Eigen::Map<const Point<3>>(at(i).data());
+      const Point<3> f = factors(p, r);
+      const Point<3> others(f[1] * f[2], f[0] * f[2], f[0] * f[1]);
+      for (int k = 0; k < 3; ++k) {
+        const double slope = p[k] != 0.0 ? p[k] : -2.0 * r[k];
+        d(i, k) =
+            i < 8 ? 0.125 * p[k] * others[k] * (p.dot(r) - 2.0 + f[k]) : 0.25 * slope * others[k];
+      }
+    }
+    return d;
+  }
+
+private:
+  static const std::array<double, 3>& at(int i) { return coordinates[static_cast<std::size_t>(i)]; }
+  static Point<3> factors(const Point<3>& p, const Point<3>& r) {
+    Point<3> f;
+    for (int k = 0; k < 3; ++k) {
+      f[k] = p[k] != 0.0 ? 1.0 + p[k] * r[k] : 1.0 - r[k] * r[k];
+    }
+    return f;
+  }
+};
+
+/// Lagrange.
+struct Hexec27 {
+  static constexpr base::ElementType type = base::ElementType::hexec27;
+  static constexpr int nodes = 27;
+  static constexpr int dim = 3;
+  static constexpr int degree = 5; ///< 3 x 3 x 3 points
+  static constexpr Domain domain = Domain::hexahedron;
+  static constexpr std::array<std::array<double, 3>, 27> coordinates = detail::hexahedron;
+
+  static Eigen::Matrix<double, 27, 1> N(const Point<3>& r) {
+    const Lines line(r, Line3::N);
+    Eigen::Matrix<double, 27, 1> n;
+    for (int i = 0; i < nodes; ++i) {
+      n[i] = line(i, 0) * line(i, 1) * line(i, 2);
+    }
+    return n;
+  }
+  static Eigen::Matrix<double, 27, 3> dN(const Point<3>& r) {
+    const Lines line(r, Line3::N);
+    const Lines slope(r, Line3::dN);
+    Eigen::Matrix<double, 27, 3> d;
+    for (int i = 0; i < nodes; ++i) {
+      d.row(i) << slope(i, 0) * line(i, 1) * line(i, 2), line(i, 0) * slope(i, 1) * line(i, 2),
+          line(i, 0) * line(i, 1) * slope(i, 2);
+    }
+    return d;
+  }
+
+private:
+  /// The functions of Line3, or their derivatives, in the three directions.
+  struct Lines {
+    Eigen::Matrix3d value; ///< [function, direction]
+
+    template <class F> Lines(const Point<3>& r, F&& f) {
+      for (int k = 0; k < 3; ++k) {
+        value.col(k) = f(Point<1>(r[k]));
+      }
+    }
+    /// The factor of node i along direction k.
+    double operator()(int i, int k) const {
+      const double p = coordinates[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
+      return value(p < 0.0 ? 0 : (p > 0.0 ? 1 : 2), k);
+    }
+  };
+};
+
+/// with_plane_shape for every type of the element library.
+template <class F> decltype(auto) with_shape(base::ElementType type, F&& f) {
+  switch (type) {
+  case base::ElementType::tet4:
+    return std::forward<F>(f)(Tet4{});
+  case base::ElementType::tet10:
+    return std::forward<F>(f)(Tet10{});
+  case base::ElementType::penta6:
+    return std::forward<F>(f)(Penta6{});
+  case base::ElementType::pentac15:
+    return std::forward<F>(f)(Pentac15{});
+  case base::ElementType::hexe8:
+    return std::forward<F>(f)(Hexe8{});
+  case base::ElementType::hexec20:
+    return std::forward<F>(f)(Hexec20{});
+  case base::ElementType::hexec27:
+    return std::forward<F>(f)(Hexec27{});
+  default:
+    return with_plane_shape(type, std::forward<F>(f));
+  }
+}
+
+} // namespace spricka::shape
