@@ -36,6 +36,7 @@ constexpr std::array advice{
     ErrorCode{"E120", "Elements take as many nodes as their type has; continue a line with a "
                       "leading &."},
     ErrorCode{"E121", "One node or element a line. $COOR with DIM=2 has no z."},
+    ErrorCode{"E122", "Save the file as plain text in UTF-8."},
     ErrorCode{"E201", "Parameters are defined above their use, or by -D NAME=value."},
     ErrorCode{"E202", "spricka help functions lists them."},
     ErrorCode{"E203", "spricka help functions shows how each is written."},
@@ -57,6 +58,9 @@ constexpr std::array advice{
     ErrorCode{"E315", "spricka help quantities shows the arguments of each."},
     ErrorCode{"E317", "PATH is a node set with ORDER, from the mouth on."},
     ErrorCode{"E319", "$FREEDOM CLASS=PRESCRIBED names the freedoms that $LOAD TYPE=DISP moves."},
+    ErrorCode{"E320",
+              "A step says how it ends: one LOAD for a case, one FIT or MOUNT for a contact."},
+    ErrorCode{"E321", "Look at the numbers of elements, NX NY NZ or NR NT, for a digit too many."},
     ErrorCode{"E331", "The words are gmsh's. Try the file in gmsh itself."},
     ErrorCode{"E332", "Give curves and surfaces their names with Physical in the .geo file."},
     ErrorCode{"E336",
