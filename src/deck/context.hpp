@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,7 @@ struct Context {
   base::Diagnostics& diagnostics;
   grammar::Scope scope{};
   std::vector<std::pair<std::string, double>> parameters{}; ///< as written
+  std::set<std::string> overridden{};                       ///< by -D, upper case
   Names names{};
   std::vector<BoundCard> cards{};
   model::Model model{};
@@ -75,7 +77,7 @@ void build_contacts(Context& context);
 void build_cracks(Context& context);
 /// $STEP, $GROW.
 void build_steps(Context& context);
-/// $OUTPUT, $CHECK, $CONTROL, $TASK.
+/// $OUTPUT, $CHECK, $CONTROL, $TASK, $SWEEP.
 void build_requests(Context& context);
 /// Names that cards with bad headers use: the stages above leave these cards out.
 void check_references(Context& context);

@@ -62,6 +62,8 @@ inline constexpr std::array error_codes{
     ErrorCode{"E317", "a path that is no crack path"},
     ErrorCode{"E318", "a deck without elements"},
     ErrorCode{"E319", "a displacement where no freedom is prescribed"},
+    ErrorCode{"E390", "a parameter is swept and given with -D"},
+    ErrorCode{"E391", "a parameter is swept twice"},
 };
 
 } // namespace spricka::deck

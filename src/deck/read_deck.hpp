@@ -15,6 +15,8 @@ namespace spricka::deck {
 /// What the command line adds to a deck.
 struct ReadOptions {
   std::vector<std::pair<std::string, std::string>> defines; ///< -D NAME=expression
+  /// One point of the deck's $SWEEP: these parameters take these values.
+  std::vector<std::pair<std::string, double>> sweep_values{};
 };
 
 /// Reads a deck with its includes and imports, checks it in four passes and builds the model. All

@@ -59,6 +59,7 @@ constexpr std::array advice{
     ErrorCode{"E319", "$FREEDOM CLASS=PRESCRIBED names the freedoms that $LOAD TYPE=DISP moves."},
     ErrorCode{"E331", "The words are gmsh's. Try the file in gmsh itself."},
     ErrorCode{"E332", "Give curves and surfaces their names with Physical in the .geo file."},
+    ErrorCode{"E390", "Leave -D out, or the $SWEEP card."},
     ErrorCode{"E401", "A free crack needs two points, or one with ANGLE and A0; a path two nodes."},
     ErrorCode{"E402", "Give A0, points or the lengths of $GROW."},
     ErrorCode{"E405", "A $STEP applies loads and fits: $STEP NAME=LOAD, below it LOAD case 1."},
@@ -80,6 +81,9 @@ constexpr std::array advice{
     ErrorCode{"E520", "Please report it, with the deck: exit code 5."},
     ErrorCode{"E530", "Is the path right, may you read and write there, is the disk full? A folder "
                       "that is no run folder is never overwritten: exit code 7."},
+    ErrorCode{"E550", "sweep.csv has the error of each point; started again, the sweep tries them "
+                      "again."},
+    ErrorCode{"E551", "Start it again with the same folder: finished points are taken over."},
     ErrorCode{"W502", "The faces of a crack overlap (K1 is negative), or a finite SHIFT of $VCE is "
                       "too large. The listing says the same."},
 };

@@ -40,6 +40,8 @@ inline constexpr std::array later_codes{
     ErrorCode{"E510", "a model that cannot be solved"},
     ErrorCode{"E520", "a solution that did not converge"},
     ErrorCode{"E530", "trouble with a file: the deck itself or the run folder"},
+    ErrorCode{"E550", "a point of a sweep without success; the sweep goes on"},
+    ErrorCode{"E551", "a sweep stopped by a signal"},
     ErrorCode{"W501", "a nearly incompressible material in plane strain"},
     ErrorCode{"W502", "a result of a step that needs a second look"},
 };
