@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/run_deck.hpp"
 
+#include "run/check_deck.hpp"
 #include "run/one_run.hpp"
 #include "run/sweep.hpp"
 
@@ -39,8 +40,7 @@ int run_deck(const RunOptions& given) {
       return deck.refusal.exit_code;
     }
     if (options.check_only) {
-      fmt::print("{}: no mistakes found\n", options.deck.string());
-      return exit_code::done;
+      return check_deck(options, deck, log);
     }
     return deck.model->sweeps.empty() ? run_once(options, deck, log)
                                       : run_sweep(options, deck, log);
