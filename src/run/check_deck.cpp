@@ -36,7 +36,7 @@ public:
     const solve::FlopRate rate =
         forecast ? solve::measure_flop_rate(rate_seconds) : solve::FlopRate{};
     Forecast future(model_, threads_, rate);
-    preview.flop_rate = rate.peak;
+    preview.flop_rate = rate.measured;
     for (std::size_t i = 0; i < lengths.size(); ++i) {
       const base::Stopwatch watch;
       const std::optional<Scene> scene = make_scene(model_, lengths[i], plan, diagnostics);

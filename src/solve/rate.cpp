@@ -42,10 +42,10 @@ FlopRate measure_flop_rate(double seconds) {
   const double slow = rate_of(small, 0.3 * seconds);
   const double fast = rate_of(large, 0.7 * seconds);
   // rate(n) = peak n / (n + half) through both measurements
-  constexpr double most = 0.9 * large / small; // what the law allows, with a margin
+  constexpr double most = 0.6 * large / small; // beyond it something else took the time
   const double ratio = std::clamp(fast / slow, 1.0, most);
   const double half = (ratio - 1.0) / (1.0 / small - ratio / large);
-  return {fast * (large + half) / large, half};
+  return {fast, fast * (large + half) / large, half};
 }
 
 } // namespace spricka::solve

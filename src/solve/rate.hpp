@@ -5,8 +5,9 @@ namespace spricka::solve {
 
 /// Speed of one core in dense algebra on this machine now, measured with products of two sizes.
 struct FlopRate {
-  double peak = 0.0; ///< [flop/s] of large blocks
-  double half = 0.0; ///< block size at which half of it is reached
+  double measured = 0.0; ///< [flop/s] of the larger product
+  double peak = 0.0;     ///< [flop/s] of large blocks, extrapolated
+  double half = 0.0;     ///< block size at which half of it is reached
 
   /// [flop/s] where blocks have this size.
   [[nodiscard]] double at(double size) const { return peak * size / (size + half); }
