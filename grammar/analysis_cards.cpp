@@ -241,7 +241,6 @@ constexpr std::array cards{
              .keys = sweep_keys,
              .data = Data::rows,
              .data_required = true,
-             .available = false,
              .data_form = "values (pairs when WITH is given)",
              .doc = "Runs the deck again for each value; several cards multiply."},
     CardSpec{.name = "CONTROL",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
+#include "deck/overrides.hpp"
 #include "grammar/lexeme.hpp"
 #include "grammar/parse.hpp"
 
@@ -22,11 +23,7 @@ class DeckBinder {
 public:
   explicit DeckBinder(Context& context) : c_(context) {}
 
-  void defines(const ReadOptions& options) {
-    for (const auto& [name, text] : options.defines) {
-      define(name, text);
-    }
-  }
+  void defines(const ReadOptions& options) { overrides_.read(c_, options); }
 
   void card(const grammar::Card& card) {
     const grammar::CardSpec* spec = grammar::find_card(card.name);
@@ -40,6 +37,9 @@ public:
   void finish() {
     if (net_open_) {
       c_.error(c_.model.nets.back().span, "E114", "the net is not closed with $ENDNET");
+    }
+    if (!c_.scope.incomplete && !parameters_bad_) {
+      overrides_.report_unknown(c_, defined_);
     }
   }
 
@@ -64,24 +64,6 @@ private:
       note_unavailable(bound);
     }
     c_.cards.push_back(std::move(bound));
-  }
-
-  // -D NAME=expression; what the deck says of NAME is then passed over.
-  void define(const std::string& name, const std::string& text) {
-    const std::int32_t file = c_.sources.add(fmt::format("-D {}", name), text);
-    const base::Span all{file, 0, static_cast<std::uint32_t>(text.size())};
-    const std::string upper = grammar::to_upper(name);
-    const bool is_name =
-        !name.empty() &&
-        grammar::scan_name(name.data(), name.data() + name.size()) == name.data() + name.size();
-    if (!is_name || grammar::is_reserved(upper)) {
-      c_.error(all, "E210", fmt::format("-D: '{}' cannot be the name of a parameter", name));
-      return;
-    }
-    overridden_.insert(upper);
-    const auto parsed = grammar::parse_expression(c_.sources, all, c_.diagnostics);
-    const auto value = parsed ? grammar::evaluate(*parsed, c_.scope, c_.diagnostics) : std::nullopt;
-    set(upper, name, value);
   }
 
   void set(const std::string& upper, const std::string& written, std::optional<double> value) {
@@ -220,6 +202,7 @@ private:
   }
 
   void parameters(const grammar::Card& card) {
+    const std::size_t before = c_.diagnostics.error_count();
     for (const grammar::Assignment& a :
          grammar::parse_assignments(c_.sources, card.data, c_.diagnostics)) {
       if (grammar::is_reserved(a.name)) {
@@ -231,11 +214,10 @@ private:
         const auto value = a.value.terms.empty()
                                ? std::nullopt
                                : grammar::evaluate(a.value, c_.scope, c_.diagnostics);
-        if (!overridden_.contains(a.name)) {
-          set(a.name, a.written, value);
-        }
+        set(a.name, a.written, overrides_.contains(a.name) ? overrides_.value(c_, a.name) : value);
       }
     }
+    parameters_bad_ = parameters_bad_ || c_.diagnostics.error_count() > before;
   }
 
   // What is understood, but has no analysis in this version.
@@ -268,7 +250,8 @@ private:
   int unclosed_ = 0; ///< nets that were open when another was opened: their $ENDNET may follow
   std::set<std::string_view> seen_;
   std::set<std::string> defined_;
-  std::set<std::string> overridden_;
+  Overrides overrides_;
+  bool parameters_bad_ = false;
 };
 
 bool is_set(Kind kind) {

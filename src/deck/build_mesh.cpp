@@ -302,6 +302,7 @@ void import(Context& c, const BoundCard& card) {
     c.error(card.find("FILE")->span, "E308",
             fmt::format("there is no file '{}'", request.file.string()));
   } else if (!card.is("FORMAT", "INP")) {
+    c.model.imported_files.push_back(request.file.string());
     mesh::import_mesh(c.model.mesh, request, c.diagnostics);
   } else if (request.quadratic) {
     c.error(card.find("TYPE")->span, "E110", "TYPE=QUADRATIC is for FORMAT=GEO and MSH",

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/checks.hpp"
 #include "deck/sets.hpp"
+#include "grammar/lexeme.hpp"
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -133,28 +135,72 @@ void task(Context& c, const BoundCard& card) {
   left_out(c, card);
 }
 
-void sweep(Context& c, const BoundCard& card) {
-  const std::size_t columns = card.has("WITH") ? 2 : 1;
-  for (const std::string_view key : {"PARAMETER", "WITH"}) {
-    const std::string name(card.word(key));
-    if (card.has(key) && !c.scope.values.contains(name) && !c.scope.poisoned.contains(name) &&
-        !c.scope.incomplete) {
+// The parameter's name as the deck defines it. Empty after an error.
+std::string swept_parameter(Context& c, const BoundCard& card, std::string_view key) {
+  const std::string name(card.word(key));
+  const base::Span span = card.find(key)->span;
+  const auto known = std::find_if(c.parameters.begin(), c.parameters.end(), [&](const auto& p) {
+    return grammar::to_upper(p.first) == name;
+  });
+  if (known == c.parameters.end()) {
+    if (!c.scope.poisoned.contains(name) && !c.scope.incomplete) {
       std::vector<std::string> valid;
-      for (const auto& [known, value] : c.scope.values) {
-        valid.push_back(known);
+      for (const auto& [other, value] : c.scope.values) {
+        valid.push_back(other);
       }
-      c.error(card.find(key)->span, "E301", fmt::format("there is no parameter '{}'", name),
+      c.error(span, "E301", fmt::format("there is no parameter '{}'", name),
               base::suggest(name, valid));
     }
+    return {};
   }
-  for (const grammar::Row& row : card.rows) {
-    for (const Field& field : row.fields) {
-      number_of(field, grammar::Quantity::number, "a value", c.scope, c.diagnostics);
+  if (c.overridden.contains(name)) {
+    c.error(span, "E390", fmt::format("parameter {} is swept and given with -D", known->first),
+            "leave -D out, or the card");
+  }
+  const auto swept = [&](const std::vector<std::string>& names) {
+    return std::find(names.begin(), names.end(), known->first) != names.end();
+  };
+  const bool before = std::any_of(c.model.sweeps.begin(), c.model.sweeps.end(),
+                                  [&](const model::Sweep& s) { return swept(s.parameters); });
+  const bool with_itself = key == "WITH" && card.word("PARAMETER") == name;
+  if (before || with_itself) {
+    c.error(span, "E391", fmt::format("parameter {} is swept twice", known->first));
+  }
+  return known->first;
+}
+
+// A parameter's value may have any unit.
+std::optional<double> sweep_value(Context& c, const Field& field) {
+  if (field.kind != Field::Kind::number && field.kind != Field::Kind::expression) {
+    return number_of(field, grammar::Quantity::number, "a value", c.scope, c.diagnostics);
+  }
+  return grammar::evaluate(field.expression, c.scope, c.diagnostics);
+}
+
+void sweep(Context& c, const BoundCard& card) {
+  model::Sweep sweep;
+  sweep.span = card.span;
+  for (const std::string_view key : {"PARAMETER", "WITH"}) {
+    if (card.has(key)) {
+      sweep.parameters.push_back(swept_parameter(c, card, key));
     }
+  }
+  const std::size_t columns = sweep.parameters.size();
+  for (const grammar::Row& row : card.rows) {
     if (row.fields.size() % columns != 0) {
       c.error(row.span, "E115", "WITH takes values in pairs");
+      continue;
+    }
+    std::vector<double> point;
+    for (const Field& field : row.fields) {
+      point.push_back(sweep_value(c, field).value_or(0.0));
+      if (point.size() == columns) {
+        sweep.values.push_back(std::move(point));
+        point.clear();
+      }
     }
   }
+  c.model.sweeps.push_back(std::move(sweep));
 }
 
 } // namespace

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct Context {
   base::Diagnostics& diagnostics;
   grammar::Scope scope{};
   std::vector<std::pair<std::string, double>> parameters{}; ///< as written
+  std::set<std::string> overridden{};                       ///< by -D, upper case
   Names names{};
   std::vector<BoundCard> cards{};
   model::Model model{};

@@ -17,6 +17,8 @@ struct ReadOptions {
   std::vector<std::pair<std::string, std::string>> defines = {}; ///< -D NAME=expression
   /// Nodes of all elements together, counted for each element, that $MESH may make.
   std::size_t largest_mesh = 500'000'000;
+  /// One point of the deck's $SWEEP: these parameters take these values.
+  std::vector<std::pair<std::string, double>> sweep_values = {};
 };
 
 /// Reads a deck with its includes and imports, checks it in four passes and builds the model. All

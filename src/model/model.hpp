@@ -273,6 +273,13 @@ struct Restart {
   base::Span span;
 };
 
+/// One $SWEEP card: the parameters that vary together and the values they take, row by row.
+struct Sweep {
+  std::vector<std::string> parameters;     ///< one, or two with WITH; as the deck writes them
+  std::vector<std::vector<double>> values; ///< [row][parameter]
+  base::Span span;
+};
+
 struct Control {
   int max_iterations = 100;
   double tolerance = 1e-8;
@@ -307,9 +314,11 @@ struct Model {
   std::vector<Output> outputs;
   std::vector<Check> checks;
   std::optional<Restart> restart;
+  std::vector<Sweep> sweeps; ///< several multiply, the last varies fastest
   Control control;
   std::vector<std::string> tasks; ///< empty: the default chain
   std::vector<Unavailable> unavailable;
+  std::vector<std::string> imported_files; ///< paths of what $IMPORT brought in
 
   [[nodiscard]] const Property& property_of(const Mesh& m, base::ElementId e) const {
     return properties[m.property[e.index()].index()];

@@ -126,6 +126,10 @@ void CommandTree::add_deck_options(CLI::App& command) {
       ->type_name("text|json");
 }
 
+void CommandTree::add_threads(CLI::App& command, const std::string& doc) {
+  command.add_option("--threads", run_.threads, doc)->check(whole_number())->type_name("NUMBER");
+}
+
 void CommandTree::add_run() {
   CLI::App& command = add("run", "run a deck and write its run folder",
                           "  spricka run lug.deck\n"
@@ -135,21 +139,22 @@ void CommandTree::add_run() {
   add_deck_options(command);
   command.add_option("--out", run_.out, "run folder (default: the deck's name with .run)")
       ->type_name("FOLDER");
-  command.add_option("--threads", run_.threads, "threads, 0: all cores; no result depends on it")
-      ->check(whole_number())
-      ->type_name("NUMBER");
+  add_threads(command, "threads, 0: all cores; no result depends on it");
   command.add_flag("--quiet", run_.quiet, "print messages only");
 }
 
 void CommandTree::add_check() {
-  CLI::App& command = add("check", "read and check a deck without solving it",
+  CLI::App& command = add("check", "say all that can be known of a deck without solving it",
                           "  spricka check lug.deck\n"
-                          "  spricka check lug.deck --log-format json 2>&1 | jq .text",
+                          "  spricka check lug.deck --json | jq .forecast\n"
+                          "  spricka check lug.deck --log-format json 2>&1 >/dev/null | jq .text",
                           [this] {
                             run_.check_only = true;
                             return run_deck(run_);
                           });
   add_deck_options(command);
+  add_threads(command, "threads of the run that is foretold, 0: all cores");
+  command.add_flag("--json", run_.json, "print what was found as JSON");
 }
 
 void CommandTree::add_convert() {

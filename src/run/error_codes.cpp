@@ -66,6 +66,7 @@ constexpr std::array advice{
     ErrorCode{"E336",
               "Supports, loads, steps and contact belong into the deck: take them out of the "
               "file."},
+    ErrorCode{"E390", "Leave -D out, or the $SWEEP card."},
     ErrorCode{"E401", "A free crack needs two points, or one with ANGLE and A0; a path two nodes."},
     ErrorCode{"E402", "Give A0, points or the lengths of $GROW."},
     ErrorCode{"E405", "A $STEP applies loads and fits: $STEP NAME=LOAD, below it LOAD case 1."},
@@ -91,6 +92,9 @@ constexpr std::array advice{
     ErrorCode{"W336", "Refine where bending or near incompressibility made you choose the special "
                       "form."},
     ErrorCode{"W337", "The moduli must be in deck units already."},
+    ErrorCode{"E550", "sweep.csv has the error of each point; started again, the sweep tries them "
+                      "again."},
+    ErrorCode{"E551", "Start it again with the same folder: finished points are taken over."},
     ErrorCode{"W502", "The faces of a crack overlap (K1 is negative), or a finite SHIFT of $VCE is "
                       "too large. The listing says the same."},
 };

@@ -46,6 +46,8 @@ inline constexpr std::array later_codes{
     ErrorCode{"W332", "an imported group with faces that are no side of an element"},
     ErrorCode{"W336", "an imported element whose special form is not kept"},
     ErrorCode{"W337", "SCALE on a file that brings moduli"},
+    ErrorCode{"E550", "a point of a sweep without success; the sweep goes on"},
+    ErrorCode{"E551", "a sweep stopped by a signal"},
     ErrorCode{"W501", "a nearly incompressible material in plane strain"},
     ErrorCode{"W502", "a result of a step that needs a second look"},
     ErrorCode{"W540", "a converted deck of which only the first step is written"},

@@ -17,6 +17,7 @@ struct RunOptions {
   int threads = -1; ///< below 0: as $CONTROL says; 0: all cores
   bool quiet = false;
   bool check_only = false;
+  bool json = false; ///< check: the same as JSON
   LogFormat log_format = LogFormat::text;
 };
 

@@ -82,6 +82,53 @@ TEST(ReadDeck, BadDefinitionsOnTheCommandLine) {
   EXPECT_EQ(r.diagnostics.error_count(), 4U) << r.messages();
 }
 
+TEST(ReadDeck, DefinitionsOnTheCommandLineMayUseOtherParameters) {
+  const Folder folder;
+  ReadOptions options;
+  options.defines = {{"c", "a + 10*b"}, {"b", "2*a"}};
+  const Reading r(folder, k_square + "$PARAMETER\n a = 3\n b = 1\n c = 0\n$END\n", options);
+  ASSERT_TRUE(r.model) << r.messages();
+  EXPECT_EQ(r.model->parameters.at(1).second, 6.0);
+  EXPECT_EQ(r.model->parameters.at(2).second, 63.0);
+  options.defines = {{"a", "b"}, {"b", "2*a"}};
+  const Reading circle(folder, k_square + "$PARAMETER\n a = 3\n b = 1\n$END\n", options);
+  EXPECT_EQ(circle.codes(), "E210") << circle.messages();
+  options.defines = {{"delat", "1"}};
+  const Reading misspelt(folder, k_square + "$PARAMETER\n delta = 3\n$END\n", options);
+  EXPECT_EQ(misspelt.codes(), "E201") << misspelt.messages();
+  EXPECT_NE(misspelt.messages().find("did you mean 'DELTA'"), std::string::npos)
+      << misspelt.messages();
+}
+
+TEST(ReadDeck, SweepsTakeValuesWithUnitsAndExpressions) {
+  const Folder folder;
+  const std::string deck = k_square + "$PARAMETER\n fit = 0.1\n mu = 0\n E1 = 1\n"
+                                      "$SWEEP PARAMETER=fit WITH=MU\n 0 0  1[um] (fit/2)\n"
+                                      "$SWEEP PARAMETER=E1\n 3\n 4 5\n$END\n";
+  const Reading r(folder, deck);
+  ASSERT_TRUE(r.model) << r.messages();
+  ASSERT_EQ(r.model->sweeps.size(), 2U);
+  EXPECT_EQ(r.model->sweeps[0].parameters, (std::vector<std::string>{"fit", "mu"}));
+  EXPECT_EQ(r.model->sweeps[0].values, (std::vector<std::vector<double>>{{0, 0}, {1e-3, 0.05}}));
+  EXPECT_EQ(r.model->sweeps[1].values, (std::vector<std::vector<double>>{{3}, {4}, {5}}));
+  ReadOptions options;
+  options.defines = {{"MU", "1"}};
+  EXPECT_EQ(Reading(folder, deck, options).codes(), "E390");
+  options.defines.clear();
+  options.sweep_values = {{"fit", 0.25}, {"mu", 0.125}};
+  const Reading point(folder, deck, options);
+  ASSERT_TRUE(point.model) << point.messages();
+  EXPECT_EQ(point.model->parameters.at(0).second, 0.25);
+  EXPECT_EQ(Reading(folder, k_square + "$PARAMETER\n a = 1\n$SWEEP PARAMETER=a\n 1\n"
+                                       "$SWEEP PARAMETER=a\n 2\n$END\n")
+                .codes(),
+            "E391");
+  EXPECT_EQ(Reading(folder, k_square + "$PARAMETER\n a = 1\n b = 1\n"
+                                       "$SWEEP PARAMETER=a WITH=b\n 1 2 3\n$END\n")
+                .codes(),
+            "E115");
+}
+
 TEST(ReadDeck, IncludesAreLimited) {
   const Folder folder;
   for (int i = 0; i < 20; ++i) {
@@ -181,8 +228,7 @@ TEST(ReadDeck, NetsQualifyNames) {
 
 TEST(ReadDeck, WhatHasNoAnalysisIsNotedNotIgnored) {
   const Folder folder;
-  const Reading r(folder, k_square + "$PARAMETER\n t = 1\n$SWEEP PARAMETER=t\n 1 2\n"
-                                     "$RESTART WRITE='a.rst'\n"
+  const Reading r(folder, k_square + "$RESTART WRITE='a.rst'\n"
                                      "$RIGID NAME=WALL SHAPE=LINE X0=0 Y0=0 X1=1 Y1=0\n"
                                      "$FSET NAME=TOP WHERE=(y == 1)\n"
                                      "$CONTACT NAME=C SLAVE=TOP MASTER=WALL MU=0.1\n"
@@ -193,8 +239,8 @@ TEST(ReadDeck, WhatHasNoAnalysisIsNotedNotIgnored) {
     what.push_back(u.what);
     EXPECT_TRUE(u.span.valid());
   }
-  EXPECT_EQ(what, (std::vector<std::string>{"$SWEEP", "$RESTART", "$RIGID", "$CONTACT MU",
-                                            "$STEP DISMOUNT"}));
+  EXPECT_EQ(what,
+            (std::vector<std::string>{"$RESTART", "$RIGID", "$CONTACT MU", "$STEP DISMOUNT"}));
 }
 
 TEST(ReadDeck, LoadValuesAndPrescribedFreedoms) {
