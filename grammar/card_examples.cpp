@@ -129,8 +129,9 @@ constexpr std::array texts{
     CardText{
         "CRACK",
         "A free crack is a point on the boundary of NET, its direction ANGLE and its length A0, "
-        "or a line through several points; the program cuts it into the mesh. Between two "
-        "points inside the body it has two tips, NAME.1 and NAME.2, and a is half its length. "
+        "or a line through several points; the program cuts it into the mesh. (A crack between "
+        "two points inside the body, with tips NAME.1 and NAME.2, is not available in this "
+        "version.) "
         "A crack with PATH follows element edges; on a symmetry line the nodes behind the tip "
         "are released and K counts both halves. Two sides of a bore are two cards.",
         "$CRACK NAME=TOP NET=LUG A0=1.8 ANGLE=90[deg]\n"

@@ -20,7 +20,7 @@ constexpr std::array quantities{
     ResultQuantity{"K1", "cs?aa", stress_intensity, "stress intensity of mode I"},
     ResultQuantity{"K2", "cs?aa", stress_intensity, "stress intensity of mode II"},
     ResultQuantity{"G", "cs?aa", energy_release, "energy release rate"},
-    ResultQuantity{"T", "cs?aa", stress, "T stress"},
+    ResultQuantity{"T", "cs?aa", stress, "T stress (not in this version)"},
     ResultQuantity{"CPRESS.MIN", "ps?a", stress, "smallest contact pressure"},
     ResultQuantity{"CPRESS.MAX", "ps?a", stress, "largest contact pressure"},
     ResultQuantity{"CPRESS.MEAN", "ps?a", stress, "mean pressure over the part in contact"},
@@ -59,8 +59,8 @@ constexpr std::array quantities{
     ResultQuantity{"S.MISES.MAX", "ns?a", stress, "largest von Mises stress"},
     ResultQuantity{"S.MISES.AT", "aazs?a", stress, "von Mises stress at a point"},
     ResultQuantity{"REACTION", "nsd?a", force, "force of the supports on a set"},
-    ResultQuantity{"N", "a", number, "cycles at a crack length"},
-    ResultQuantity{"LIFE", "", number, "cycles to the end"},
+    ResultQuantity{"N", "a", number, "cycles at a crack length (not in this version)"},
+    ResultQuantity{"LIFE", "", number, "cycles to the end (not in this version)"},
 };
 
 } // namespace

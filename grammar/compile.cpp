@@ -261,4 +261,12 @@ base::Span outer_unit(const Expression& expression) {
   return whole && outside ? last.unit : base::Span{};
 }
 
+base::Span known_unit(const Expression& expression, const Scope& scope) {
+  if (expression.terms.size() != 1 || expression.terms.front().kind != Term::Kind::name) {
+    return outer_unit(expression);
+  }
+  const auto known = scope.units_of.find(to_upper(scope.sources->text(expression.terms[0].span)));
+  return known == scope.units_of.end() ? base::Span() : known->second;
+}
+
 } // namespace spricka::grammar

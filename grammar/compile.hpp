@@ -20,6 +20,8 @@ struct Scope {
   const base::Sources* sources = nullptr;
   base::UnitSystem units;
   std::map<std::string, double, std::less<>> values;
+  /// Where the unit stands of a parameter that is a number with a unit, or another such parameter.
+  std::map<std::string, base::Span, std::less<>> units_of = {};
   std::set<std::string, std::less<>> poisoned; ///< defined by a bad line: their use is not reported
   bool incomplete = false; ///< an include is missing: unknown names are not reported
 };
@@ -49,5 +51,8 @@ std::optional<double> evaluate(const Expression& expression, const Scope& scope,
 
 /// The unit that the whole value is given in: `0.084[mm]`, `(E/2)[GPa]`; invalid for a bare one.
 base::Span outer_unit(const Expression& expression);
+
+/// The same, and for an expression that is a parameter alone the unit that was given there.
+base::Span known_unit(const Expression& expression, const Scope& scope);
 
 } // namespace spricka::grammar

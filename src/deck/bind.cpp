@@ -371,15 +371,17 @@ std::optional<double> number_of(const grammar::Field& field, grammar::Quantity q
     return std::nullopt;
   }
   const auto value = grammar::evaluate(field.expression, scope, diagnostics);
-  const base::Span unit = grammar::outer_unit(field.expression);
+  const base::Span unit = grammar::known_unit(field.expression, scope);
   if (!value || !unit.valid()) {
     return value;
   }
   const auto known = base::parse_unit(scope.sources->text(unit));
   if (known && known->dimension != grammar::dimension_of(quantity)) {
-    diagnostics.error(unit, "E205",
+    const bool written_here = grammar::outer_unit(field.expression).valid();
+    diagnostics.error(written_here ? unit : field.span, "E205",
                       fmt::format("'{}' is not the unit of {}", scope.sources->text(unit),
-                                  grammar::word_of(quantity)));
+                                  grammar::word_of(quantity)),
+                      written_here ? "" : "the parameter is given in this unit");
     return std::nullopt;
   }
   return value;

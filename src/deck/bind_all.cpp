@@ -214,7 +214,13 @@ private:
         const auto value = a.value.terms.empty()
                                ? std::nullopt
                                : grammar::evaluate(a.value, c_.scope, c_.diagnostics);
-        set(a.name, a.written, overrides_.contains(a.name) ? overrides_.value(c_, a.name) : value);
+        const bool overridden = overrides_.contains(a.name);
+        set(a.name, a.written, overridden ? overrides_.value(c_, a.name) : value);
+        const base::Span unit =
+            overridden ? overrides_.unit(a.name) : grammar::known_unit(a.value, c_.scope);
+        if (unit.valid()) {
+          c_.scope.units_of[a.name] = unit;
+        }
       }
     }
     parameters_bad_ = parameters_bad_ || c_.diagnostics.error_count() > before;

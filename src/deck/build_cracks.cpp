@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/sets.hpp"
+#include "mesh/path_gap.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -60,6 +61,13 @@ void crack_path(Context& c, const BoundCard& card, model::Crack& crack) {
             "make an $NSET with FROM and ORDER");
   } else if (crack.a0 && *crack.a0 >= length) {
     c.error(card.find("A0")->span, "E317", fmt::format("A0: the path is only {} long", length));
+  } else if (const auto gap = mesh::path_gap(c.model.mesh, nodes)) {
+    const auto label = [&](std::size_t i) { return c.model.mesh.node_label[nodes[i].index()]; };
+    c.error(reference.span, "E317",
+            fmt::format("nodes {} and {} follow each other in the path, but no element edge joins "
+                        "them",
+                        label(*gap - 1), label(*gap)),
+            "order the set from the mouth on: ORDER=(x) or the like on $NSET");
   }
 }
 

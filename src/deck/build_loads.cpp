@@ -115,12 +115,14 @@ bool load_value(Context& c, const LoadForm& form, const grammar::Field& field, m
   }
   auto value =
       grammar::compile(field.expression, c.scope, grammar::Fields::position, c.diagnostics);
-  const base::Span unit = grammar::outer_unit(field.expression);
+  const base::Span unit = grammar::known_unit(field.expression, c.scope);
   if (value && unit.valid()) {
     const auto known = base::parse_unit(c.sources.text(unit));
     if (known && known->dimension != dimension_of(form.type)) {
-      c.error(unit, "E205",
-              fmt::format("'{}' does not fit: {} is expected", c.sources.text(unit), form.values));
+      const bool written_here = grammar::outer_unit(field.expression).valid();
+      c.error(written_here ? unit : field.span, "E205",
+              fmt::format("'{}' does not fit: {} is expected", c.sources.text(unit), form.values),
+              written_here ? "" : "the parameter is given in this unit");
       return false;
     }
   }

@@ -26,9 +26,19 @@ constexpr std::array<Request, 5> requests{{{"U", Kind::any_set},
                                            {"K", Kind::crack},
                                            {"REACTION", Kind::any_set}}};
 
+// Files of every run folder; none is given away.
+constexpr std::array<std::string_view, 7> own_files{"k.csv",       "pressure.csv", "listing.txt",
+                                                    "report.html", "results.pvd",  "sweep.csv",
+                                                    "sweep.html"};
+
 void output(Context& c, const BoundCard& card) {
   model::Output output;
   output.file = card.word("FILE");
+  if (std::find(own_files.begin(), own_files.end(), output.file) != own_files.end()) {
+    c.error(card.find("FILE")->span, "E322",
+            fmt::format("FILE: '{}' is a file that every run writes", output.file),
+            "choose another name");
+  }
   output.format = card.is("FORMAT", "VTU")   ? model::OutputFormat::vtu
                   : card.is("FORMAT", "CSV") ? model::OutputFormat::csv
                                              : model::OutputFormat::json;

@@ -79,6 +79,11 @@ std::optional<double> Overrides::value(Context& context, const std::string& name
   return entry.value;
 }
 
+base::Span Overrides::unit(const std::string& name) const {
+  const std::optional<grammar::Expression>& expression = table_.at(name).expression;
+  return expression ? grammar::outer_unit(*expression) : base::Span();
+}
+
 void Overrides::report_unknown(Context& context, const std::set<std::string>& defined) const {
   const std::vector<std::string> valid(defined.begin(), defined.end());
   for (const auto& [name, entry] : table_) {

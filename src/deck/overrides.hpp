@@ -23,6 +23,9 @@ public:
   /// Empty after an error, which is reported.
   std::optional<double> value(Context& context, const std::string& name);
 
+  /// Where its unit stands; invalid for a bare number.
+  [[nodiscard]] base::Span unit(const std::string& name) const;
+
   /// Reports the overrides of parameters that the deck does not have.
   void report_unknown(Context& context, const std::set<std::string>& defined) const;
 

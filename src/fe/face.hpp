@@ -56,7 +56,7 @@ template <class F>
 void for_faces(const model::Mesh& mesh, const std::vector<model::Face>& faces, F&& f) {
   for (const model::Face& face : faces) {
     shape::with_plane_shape(mesh.type[face.element.index()],
-                      [&]<shape::ElementShape S>(S) { f(typename S::Side{}, face); });
+                            [&]<shape::ElementShape S>(S) { f(typename S::Side{}, face); });
   }
 }
 

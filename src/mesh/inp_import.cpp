@@ -28,11 +28,10 @@ public:
   ImportedPhysics run() {
     std::vector<InpComplaint> complaints;
     data_ = read_inp(request_.file, complaints);
-    std::stable_sort(complaints.begin(), complaints.end(),
-                     [](const InpComplaint& a, const InpComplaint& b) {
-                       return std::pair(a.place.file, a.place.line) <
-                              std::pair(b.place.file, b.place.line);
-                     });
+    std::stable_sort(
+        complaints.begin(), complaints.end(), [](const InpComplaint& a, const InpComplaint& b) {
+          return std::pair(a.place.file, a.place.line) < std::pair(b.place.file, b.place.line);
+        });
     for (InpComplaint& c : complaints) {
       error(c.place, "E336", std::move(c.text), std::move(c.hint));
     }

@@ -18,8 +18,9 @@ struct ImportedPhysics {
 /// Reads the model part of an Abaqus or CalculiX input file and appends its mesh and sets (*NSET,
 /// *ELSET, *SURFACE). Nodes of no element are dropped. A keyword that is not understood and could
 /// change the physics is an error at the card, with its place in the file; all are told at once.
-/// SCALE holds for coordinates and thicknesses. Element types with reduced integration or other special forms are taken with a warning.
-/// After an error the mesh is unchanged. See manual/meshes.md.
+/// SCALE holds for coordinates and thicknesses. Element types with reduced integration or other
+/// special forms are taken with a warning. After an error the mesh is unchanged. See
+/// manual/meshes.md.
 ImportedPhysics import_inp(model::Mesh& mesh, const ImportRequest& request,
                            base::Diagnostics& diagnostics);
 

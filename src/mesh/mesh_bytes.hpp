@@ -13,9 +13,8 @@ struct MeshEnd {
   std::size_t nodes, elements, node_sets, element_sets, face_sets;
 
   explicit MeshEnd(const model::Mesh& mesh)
-      : nodes(mesh.node_count()), elements(mesh.element_count()),
-        node_sets(mesh.node_sets.size()), element_sets(mesh.element_sets.size()),
-        face_sets(mesh.face_sets.size()) {}
+      : nodes(mesh.node_count()), elements(mesh.element_count()), node_sets(mesh.node_sets.size()),
+        element_sets(mesh.element_sets.size()), face_sets(mesh.face_sets.size()) {}
 };
 
 /// What was added to a mesh behind `end`, and messages, as bytes for the same program.

@@ -4,6 +4,7 @@
 #include "base/clock.hpp"
 #include "run/terminal.hpp"
 
+#include <cmath>
 #include <cstdio>
 
 #include <fmt/format.h>
@@ -101,7 +102,7 @@ void Log::failed_check(const results::CheckResult& check) const {
     fmt::print(stderr, "check failed: {}: {}\n", check.text, check.trouble);
   } else {
     fmt::print(stderr, "check failed: {} = {:.8g}, wanted {:.8g}: {} {:.2e} > {:.2e}\n", check.text,
-               check.found, check.wanted, check.relative ? "REL" : "ABS", check.error,
+               check.found, check.wanted, check.relative ? "REL" : "ABS", std::abs(check.error),
                check.tolerance);
   }
 }

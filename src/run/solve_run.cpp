@@ -109,8 +109,12 @@ private:
       return std::nullopt;
     }
     base::return_free_memory();
+    const std::string length =
+        scene->cracked.tips.empty()
+            ? ""
+            : fmt::format("a = {:.6g}: ", a > 0.0 ? a : scene->cracked.tips.front().a);
     log.add("TOPOLOGY",
-            fmt::format("a = {:.6g}: {} nodes, {} elements, {} contact rows, {} tips", a,
+            fmt::format("{}{} nodes, {} elements, {} contact rows, {} tips", length,
                         scene->cracked.mesh.node_count(), scene->cracked.mesh.element_count(),
                         scene->table.rows.size(), scene->cracked.tips.size()));
     const std::optional<std::vector<BodyNet>> bodies = condense(*scene, log);
