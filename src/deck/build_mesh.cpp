@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
+#include "deck/import_card.hpp"
 #include "deck/mesh_limits.hpp"
 #include "grammar/table.hpp"
 #include "mesh/generate.hpp"
-#include "mesh/gmsh_import.hpp"
 
 #include <algorithm>
 #include <array>
@@ -240,78 +240,6 @@ bool sizes_fit(Context& c, const BoundCard& card) {
   return c.diagnostics.error_count() == errors;
 }
 
-// Materials of a file stand behind those of the cards and are known by their names.
-void adopt_physics(Context& c, const BoundCard& card, mesh::ImportedPhysics physics) {
-  auto next = static_cast<std::size_t>(
-      std::count_if(c.cards.begin(), c.cards.end(), [](const BoundCard& other) {
-        return other.spec->name == "MATERIAL" && !other.bad;
-      }));
-  for (const mesh::ImportedPhysics& before : c.imported) {
-    next += before.materials.size();
-  }
-  for (const model::Material& material : physics.materials) {
-    Definition definition;
-    definition.kind = Kind::material;
-    definition.index = next++;
-    definition.span = card.span;
-    const Definition* before = c.names.define(material.name, definition);
-    if (before != nullptr && !before->poisoned) {
-      c.error(card.span, "E302", fmt::format("there is a material {} already", material.name),
-              "put each file into a $NET of its own, or rename the material");
-    }
-  }
-  if (physics.equations > 0) {
-    c.unavailable(fmt::format("*EQUATION in {}", card.word("FILE")), card.span);
-  }
-  const auto axial = [](const model::Property& p) { return p.state == model::State::axisymmetric; };
-  if (std::any_of(physics.properties.begin(), physics.properties.end(), axial)) {
-    c.unavailable(fmt::format("axial symmetry (CAX) in {}", card.word("FILE")), card.span);
-  }
-  c.imported.push_back(std::move(physics));
-}
-
-void import(Context& c, const BoundCard& card) {
-  mesh::ImportRequest request;
-  // Relative to the file that the card stands in, as $INCLUDE is.
-  request.file = std::filesystem::path(c.sources.name(card.span.file)).parent_path() /
-                 std::string(card.word("FILE"));
-  request.format = card.is("FORMAT", "GEO") ? mesh::ImportFormat::geo : mesh::ImportFormat::msh;
-  request.scale = card.number("SCALE");
-  request.quadratic = card.is("TYPE", "QUADRATIC");
-  request.prefix = card.net.empty() ? "" : card.net + ".";
-  request.net = card.net_id;
-  request.parameters = c.parameters;
-  request.span = card.span;
-  for (const grammar::Row& row : card.rows) {
-    using FieldKind = grammar::Field::Kind;
-    const auto named = [](const grammar::Field& f) {
-      return f.kind == FieldKind::text || f.kind == FieldKind::name;
-    };
-    if (row.fields.size() != 2 || !named(row.fields[0]) || row.fields[0].separator != '=' ||
-        row.fields[1].kind != FieldKind::name) {
-      c.error(row.span, "E115", "a line is 'name in the file' = NEW_NAME");
-      continue;
-    }
-    request.renames.emplace_back(row.fields[0].kind == FieldKind::text
-                                     ? row.fields[0].text
-                                     : std::string(c.sources.text(row.fields[0].span)),
-                                 row.fields[1].text);
-  }
-  std::error_code unknown;
-  if (!std::filesystem::is_regular_file(request.file, unknown)) {
-    c.error(card.find("FILE")->span, "E308",
-            fmt::format("there is no file '{}'", request.file.string()));
-  } else if (!card.is("FORMAT", "INP")) {
-    c.model.imported_files.push_back(request.file.string());
-    mesh::import_mesh(c.model.mesh, request, c.diagnostics);
-  } else if (request.quadratic) {
-    c.error(card.find("TYPE")->span, "E110", "TYPE=QUADRATIC is for FORMAT=GEO and MSH",
-            "node sets of the file would not hold the new nodes");
-  } else {
-    adopt_physics(c, card, mesh::import_inp(c.model.mesh, request, c.diagnostics));
-  }
-}
-
 // Names of the sets that came with a generated or imported mesh. False after an error: one name
 // that is taken stands for all of them.
 template <class Set>
@@ -364,7 +292,7 @@ void mesh_card(Context& c, const BoundCard& card) {
                                           mesh.face_sets.size()};
   const std::size_t errors = c.diagnostics.error_count();
   if (card.spec->name == "IMPORT") {
-    import(c, card);
+    import_card(c, card);
   } else if (mesh_is_handy(c, card) && sizes_fit(c, card)) {
     generate(c, card);
   }

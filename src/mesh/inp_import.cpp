@@ -64,7 +64,9 @@ private:
   [[nodiscard]] bool sound() const { return diagnostics_.error_count() == errors_; }
   [[nodiscard]] std::string place(InpPlace at) const {
     const std::string own = request_.file.filename().string();
-    const std::string name = at.file < data_.files.size() ? data_.files[at.file] : own;
+    const std::string name = at.file < data_.files.size()
+                                 ? std::filesystem::path(data_.files[at.file]).filename().string()
+                                 : own;
     return at.line > 0 ? fmt::format("{}:{}", name, at.line) : own;
   }
   void error(InpPlace at, std::string code, std::string text, std::string hint = {}) {
@@ -277,7 +279,37 @@ private:
       add_property(section, base::ElementSetId(set->second), base::MaterialId(material->second),
                    taken);
     }
-    physics_.equations = data_.equations.size();
+    physics_.files = data_.files;
+    for (const InpData::Equation& equation : data_.equations) {
+      add_equation(equation);
+    }
+  }
+
+  void add_equation(const InpData::Equation& from) {
+    model::Equation equation;
+    equation.span = request_.span;
+    for (const InpData::Equation::Term& term : from.terms) {
+      const auto at = node_index_->find(term.node);
+      if (!at || !node_[*at].valid() || term.dof >= dim_) {
+        error(from.place, "E303",
+              fmt::format("an *EQUATION names freedom {} of node {}, which no element has",
+                          term.dof + 1, term.node));
+        return;
+      }
+      auto& terms = equation.terms;
+      const auto same = std::find_if(terms.begin(), terms.end(), [&](const auto& t) {
+        return t.node == node_[*at] && t.dof == term.dof;
+      });
+      if (same != terms.end()) {
+        same->coefficient += term.coefficient;
+      } else {
+        terms.push_back({term.coefficient, node_[*at], term.dof});
+      }
+    }
+    std::erase_if(equation.terms, [](const auto& term) { return term.coefficient == 0.0; });
+    if (!equation.terms.empty()) {
+      physics_.equations.push_back(std::move(equation));
+    }
   }
 
   void add_property(const InpData::Section& section, base::ElementSetId set,
@@ -377,6 +409,7 @@ void append_physics(model::Model& model, const ImportedPhysics& physics) {
     }
     model.properties.push_back(property);
   }
+  model.mpcs.insert(model.mpcs.end(), physics.equations.begin(), physics.equations.end());
 }
 
 } // namespace spricka::mesh

@@ -12,7 +12,8 @@ namespace spricka::mesh {
 struct ImportedPhysics {
   std::vector<model::Material> materials;  ///< named as sets are, "NET.STEEL"
   std::vector<model::Property> properties; ///< from *SOLID SECTION; material counts from 0 here
-  std::size_t equations = 0;               ///< *EQUATION: tied freedoms, not in the model
+  std::vector<model::Equation> equations;  ///< tied freedoms
+  std::vector<std::string> files;          ///< paths of the file and of those it includes
 };
 
 /// Reads the model part of an Abaqus or CalculiX input file and appends its mesh and sets (*NSET,
@@ -24,7 +25,8 @@ struct ImportedPhysics {
 ImportedPhysics import_inp(model::Mesh& mesh, const ImportRequest& request,
                            base::Diagnostics& diagnostics);
 
-/// Puts imported materials and properties behind those of a model and gives the elements theirs.
+/// Puts imported materials, properties and equations behind those of a model and gives the elements
+/// their properties.
 void append_physics(model::Model& model, const ImportedPhysics& physics);
 
 } // namespace spricka::mesh

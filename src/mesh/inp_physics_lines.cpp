@@ -7,22 +7,57 @@
 namespace spricka::mesh {
 namespace {
 
-/// *MATERIAL has no lines of its own, *EQUATION has some that are not kept.
+/// *MATERIAL has no lines of its own.
 class NoLines : public InpLines {
 public:
   NoLines(InpShared& shared, const InpKeyword& key) : InpLines(shared, key) {
     std::string name;
-    if (key_.name == "EQUATION") {
-      only({});
-      data_.equations.push_back(key_.place);
-    } else if (only({"NAME"}) && needs("NAME", name)) {
+    if (only({"NAME"}) && needs("NAME", name)) {
       InpData::Material material;
       material.name = name;
       material.place = key_.place;
       data_.materials.push_back(std::move(material));
     }
   }
-  void line() override {}
+  void line() override { complain_here("*MATERIAL takes no data lines"); }
+};
+
+/// *EQUATION: the number of terms, then as many times node, freedom, coefficient; again and again.
+class EquationLines : public InpLines {
+public:
+  EquationLines(InpShared& shared, const InpKeyword& key) : InpLines(shared, key) { only({}); }
+  void line() override {
+    InpFields fields(text_.line());
+    if (wanted_ == 0) {
+      const auto count = fields.integer();
+      if (!count || *count <= 0 || fields.more()) {
+        complain_here("an *EQUATION begins with the number of its terms");
+        return;
+      }
+      wanted_ = *count;
+      data_.equations.push_back({{}, text_.place()});
+      return;
+    }
+    while (fields.more()) {
+      const auto node = fields.integer();
+      const auto dof = fields.integer();
+      const auto coefficient = fields.real();
+      if (!node || !dof || *dof < 1 || *dof > 3 || !coefficient || wanted_ == 0) {
+        complain_here("a term of an *EQUATION is node number, freedom 1 to 3, coefficient");
+        return;
+      }
+      data_.equations.back().terms.push_back({*node, static_cast<int>(*dof) - 1, *coefficient});
+      --wanted_;
+    }
+  }
+  void finish() override {
+    if (wanted_ > 0) {
+      complain(data_.equations.back().place, "the *EQUATION ends early");
+    }
+  }
+
+private:
+  std::int64_t wanted_ = 0; ///< terms that are still to come
 };
 
 /// *ELASTIC, *DENSITY, *EXPANSION: one line of numbers, the same at every temperature.
@@ -112,8 +147,11 @@ private:
 } // namespace
 
 std::unique_ptr<InpLines> inp_physics_lines(InpShared& shared, const InpKeyword& key) {
-  if (key.name == "MATERIAL" || key.name == "EQUATION") {
+  if (key.name == "MATERIAL") {
     return std::make_unique<NoLines>(shared, key);
+  }
+  if (key.name == "EQUATION") {
+    return std::make_unique<EquationLines>(shared, key);
   }
   if (key.name == "ELASTIC" || key.name == "DENSITY" || key.name == "EXPANSION") {
     return std::make_unique<MaterialLines>(shared, key);

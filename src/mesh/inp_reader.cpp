@@ -78,7 +78,7 @@ public:
       complain(met.first, fmt::format("*{} is not imported{}", met.shown, more),
                std::string(advice(name)));
     }
-    shared_.data.files = text_.file_names();
+    shared_.data.files = text_.paths();
   }
 
 private:

@@ -28,6 +28,15 @@ struct InpData {
     double thickness = 1.0;
     InpPlace place;
   };
+  struct Equation {
+    struct Term {
+      base::Label node = 0;
+      int dof = 0; ///< from 0
+      double coefficient = 0.0;
+    };
+    std::vector<Term> terms;
+    InpPlace place;
+  };
   struct Material {
     std::string name;
     double E = 0.0, nu = 0.0, rho = 0.0, alpha = 0.0;
@@ -49,8 +58,8 @@ struct InpData {
   std::vector<Named<SideOf>> surfaces;
   std::vector<Material> materials;
   std::vector<Section> sections;
-  std::vector<InpPlace> equations;
-  std::vector<std::string> files;          ///< names, for places
+  std::vector<Equation> equations;
+  std::vector<std::string> files;          ///< paths, for places
   std::map<std::string, InpPlace> special; ///< element names taken in full integration instead
 };
 

@@ -168,12 +168,12 @@ void InpText::include() {
   open(files_[keyword_.place.file].path.parent_path() / *input, keyword_.place);
 }
 
-std::vector<std::string> InpText::file_names() const {
-  std::vector<std::string> names;
+std::vector<std::string> InpText::paths() const {
+  std::vector<std::string> paths;
   for (const File& file : files_) {
-    names.push_back(file.path.filename().string());
+    paths.push_back(file.path.string());
   }
-  return names;
+  return paths;
 }
 
 std::string_view InpFields::text() {

@@ -45,8 +45,8 @@ public:
   /// A data line without the blanks at its ends.
   [[nodiscard]] std::string_view line() const { return line_; }
   [[nodiscard]] InpPlace place() const { return place_; }
-  /// Names of the files met so far, as places count them.
-  [[nodiscard]] std::vector<std::string> file_names() const;
+  /// Paths of the files met so far, as places count them.
+  [[nodiscard]] std::vector<std::string> paths() const;
 
 private:
   struct File {

@@ -49,7 +49,7 @@ model::Model read_mesh(const std::filesystem::path& file, base::Diagnostics& dia
   if (extension(file) == ".inp") {
     const mesh::ImportedPhysics physics = mesh::import_inp(model.mesh, request, diagnostics);
     mesh::append_physics(model, physics);
-    if (physics.equations > 0) {
+    if (!physics.equations.empty()) {
       model.unavailable.push_back({"*EQUATION", request.span});
     }
   } else {

@@ -216,9 +216,17 @@ TEST_F(Inp, WhatChangesThePhysicsIsRefusedAllAtOnceWithItsPlace) {
   EXPECT_TRUE(model_.mesh.node_sets.empty());
 }
 
-TEST_F(Inp, EquationsAreCounted) {
-  ASSERT_TRUE(import(two_quads + "*EQUATION\n 2\n 1, 1, 1., 2, 1, -1.\n")) << messages();
-  EXPECT_EQ(physics_.equations, 1U);
+TEST_F(Inp, EquationsTieFreedoms) {
+  ASSERT_TRUE(import(two_quads + "*EQUATION\n 2\n 1, 1, 1., 3, 2, -2.\n"
+                                 " 3\n 1, 2, 1.\n 2, 2, 1., 2, 2, -1.\n"))
+      << messages();
+  ASSERT_EQ(model_.mpcs.size(), 2U);
+  const auto& first = std::get<model::Equation>(model_.mpcs[0]);
+  ASSERT_EQ(first.terms.size(), 2U);
+  EXPECT_EQ(model_.mesh.node_label[first.terms[1].node.index()], 3);
+  EXPECT_EQ(first.terms[1].dof, 1);
+  EXPECT_EQ(first.terms[1].coefficient, -2.0);
+  EXPECT_EQ(std::get<model::Equation>(model_.mpcs[1]).terms.size(), 1U); // those of node 2 cancel
 }
 
 TEST_F(Inp, MistakesNameTheirLine) {
@@ -237,6 +245,9 @@ TEST_F(Inp, MistakesNameTheirLine) {
       {"*SURFACE, NAME=S\n RIGHT, S5\n", "a.inp:19: QUAM4 has no side S5"},
       {"*SURFACE, NAME=S\n RIGHT, SPOS\n", "a.inp:19: a line of *SURFACE"},
       {"*ELEMENT, TYPE=C3D4\n 30, 1,2,5,4\n", "plane and of space in one file"},
+      {"*EQUATION\n 2\n 1, 1, 1.\n", "a.inp:19: the *EQUATION ends early"},
+      {"*EQUATION\n 1\n ALL, 1, 1.\n", "a.inp:20: a term of an *EQUATION"},
+      {"*EQUATION\n 1\n 99, 1, 1.\n", "a.inp:19: an *EQUATION names freedom 1 of node 99"},
       {"*ELASTIC\n 1., 0.3\n", "*ELASTIC without a *MATERIAL"},
       {"*MATERIAL, NAME=M\n*ELASTIC\n 1., 0.5\n", "Poisson"},
       {"*MATERIAL, NAME=M\n*ELASTIC\n 1., 0.3, 20.\n 2., 0.3, 90.\n", "temperature"},
