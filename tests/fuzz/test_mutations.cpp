@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corpus.hpp"
+#include "grammar/format.hpp"
 #include "mutator.hpp"
 
 #include <cstdlib>
@@ -59,6 +60,21 @@ void check(const Outcome& outcome) {
   }
 }
 
+std::optional<std::string> formatted(const std::string& text) {
+  base::Sources sources;
+  base::Diagnostics diagnostics;
+  return grammar::format_deck(sources, sources.add("deck", text), diagnostics);
+}
+
+// The formatter takes any text, and a second time changes nothing.
+void check_format(const std::string& text) {
+  const auto once = formatted(text);
+  if (once) {
+    const auto twice = formatted(*once);
+    EXPECT_TRUE(twice && *twice == *once);
+  }
+}
+
 class Mutations : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(Mutations, AreReadOrRefused) {
@@ -76,6 +92,7 @@ TEST_P(Mutations, AreReadOrRefused) {
     try {
       const Outcome outcome = reader.read(text);
       check(outcome);
+      check_format(text);
       accepted += outcome.model ? 1 : 0;
     } catch (const std::exception& trouble) {
       ADD_FAILURE() << trouble.what();
