@@ -23,7 +23,7 @@ struct Measures {
   base::Vec3 centroid = base::Vec3::Zero();
 };
 
-template <shape::ElementShape S>
+template <shape::PlaneShape S>
 double scaled_jacobian(std::span<const base::NodeId> nodes, const std::vector<base::Vec3>& x,
                        bool triangle) {
   Eigen::Matrix<double, S::nodes, 2> X;
@@ -61,7 +61,7 @@ Measures measure(const model::Mesh& mesh, base::ElementId e) {
     m.centroid += at / static_cast<double>(corners);
   }
   m.aspect = shortest > 0.0 ? longest / shortest : std::numeric_limits<double>::infinity();
-  m.scaled_jacobian = shape::with_shape(mesh.type[e.index()], [&]<shape::ElementShape S>(S) {
+  m.scaled_jacobian = shape::with_plane_shape(mesh.type[e.index()], [&]<shape::PlaneShape S>(S) {
     return scaled_jacobian<S>(nodes, mesh.x, corners == 3);
   });
   return m;

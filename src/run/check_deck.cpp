@@ -102,7 +102,8 @@ int check_points(const RunOptions& options, const ReadyDeck& deck, const Log& lo
     for (const auto& [name, value] : points[i]) {
       words += fmt::format("{}{} = {:.6g}", words.empty() ? "" : ", ", name, value);
     }
-    const ReadyDeck point = read_ready(options.deck, {options.defines, points[i]}, log);
+    const ReadyDeck point =
+        read_ready(options.deck, {.defines = options.defines, .sweep_values = points[i]}, log);
     int code = point.refusal.exit_code;
     if (point.model) {
       Previewer look(*point.model, 1);

@@ -35,7 +35,7 @@ int run_deck(const RunOptions& given) {
     options.out = options.deck.filename().replace_extension(".run");
   }
   try {
-    const ReadyDeck deck = read_ready(options.deck, {options.defines, {}}, log);
+    const ReadyDeck deck = read_ready(options.deck, {.defines = options.defines}, log);
     if (!deck.model) {
       return deck.refusal.exit_code;
     }

@@ -129,7 +129,8 @@ private:
   void compute(std::size_t i, SweepPoint& point) {
     try {
       RunFolder folder(options_.out / point.folder);
-      const ReadyDeck deck = read_ready(options_.deck, {options_.defines, points_[i]}, log_);
+      const ReadyDeck deck = read_ready(
+          options_.deck, {.defines = options_.defines, .sweep_values = points_[i]}, log_);
       RunOptions options = options_;
       options.quiet = true;
       const RunOutcome outcome =
