@@ -82,7 +82,10 @@ private:
     }
     if (!key_.range.holds(*found)) {
       return fail(field.span, "E109", fmt::format("{}: {} is out of range", key_.name, *found),
-                  fmt::format("{} is {}", key_.name, key_.range.text()));
+                  fmt::format("{} is {}{}", key_.name, key_.range.text(),
+                              key_.quantity == grammar::Quantity::angle
+                                  ? ", in radians; degrees are written 45[deg]"
+                                  : ""));
     }
     value.number = *found;
     value.numbers.push_back(*found);
