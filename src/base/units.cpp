@@ -117,6 +117,7 @@ bool same_word(std::string_view a, std::string_view upper_case) {
 
 std::vector<UnitWord> unit_words() {
   std::vector<UnitWord> all;
+  all.reserve(words.size());
   for (const Word& word : words) {
     all.push_back({word.name, word.unit});
   }

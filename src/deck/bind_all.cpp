@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
+#include "deck/lost_header.hpp"
 #include "deck/overrides.hpp"
 #include "grammar/lexeme.hpp"
 #include "grammar/parse.hpp"
@@ -170,6 +171,7 @@ private:
       break;
     }
     bound.rows_bad = c_.diagnostics.error_count() > before;
+    drop_lost_header(c_, bound);
     const bool empty = !first_token(card).valid();
     if (bound.spec->data_required && empty) {
       c_.error(card.name_span, "E115", fmt::format("${} needs data lines", bound.spec->name),
@@ -197,7 +199,7 @@ private:
     if (const base::Span token = first_token(card); token.valid()) {
       const bool continues = c_.sources.text(token).starts_with('&');
       c_.error(token, "E115", fmt::format("${} takes no data lines", card.name),
-               continues ? "a continued line follows at once" : "");
+               continues ? "a continued line follows at once" : card_hint(c_.sources.text(token)));
     }
   }
 

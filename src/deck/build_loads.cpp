@@ -156,6 +156,12 @@ void load_row(Context& c, const BoundCard& card, const grammar::Row& row,
   for (std::size_t i = 1; i < row.fields.size(); ++i) {
     ok = load_value(c, form, row.fields[i], load) && ok;
   }
+  if (ok && c.mesh_sound && given < most) {
+    c.diagnostics.warning(row.span, "W312",
+                          fmt::format("TYPE={} has {} of {} values: along {} it is taken as 0",
+                                      form.word, given, most, "xyz"[given]),
+                          std::string(form.values));
+  }
   while (load.value.size() < most) { // what is left out is zero
     load.value.push_back(base::Expression::constant(0.0));
   }
