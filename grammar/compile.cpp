@@ -224,6 +224,7 @@ private:
 
 std::vector<WordText> function_texts() {
   std::vector<WordText> texts;
+  texts.reserve(functions.size());
   for (const Function& function : functions) {
     texts.push_back({function.name, function.form, function.doc});
   }

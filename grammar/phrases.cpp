@@ -226,6 +226,7 @@ std::string_view data_phrase(const CardSpec& card) {
 
 std::vector<std::string_view> groups() {
   std::vector<std::string_view> out;
+  out.reserve(group_texts.size());
   for (const auto& [group, text] : group_texts) {
     out.push_back(group);
   }
