@@ -14,8 +14,13 @@ function(spricka_room name)
   spricka_warnings(spricka_${name})
 endfunction()
 
-# Our own targets compile without a warning; what others ship is included as SYSTEM.
+# Our own targets compile without a warning; what others ship is included as SYSTEM. The four that
+# are off are guesses about sizes after inlining, which g++ 12 gets wrong inside Eigen and the
+# standard library at -O3; the address sanitizer sees what they look for.
 function(spricka_warnings target)
-  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
-                                           -Wnon-virtual-dtor -Woverloaded-virtual -Werror)
+  target_compile_options(
+    ${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor
+                      -Woverloaded-virtual -Werror
+                      $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds -Wno-stringop-overflow -Wno-restrict
+                      -Wno-alloc-size-larger-than>)
 endfunction()

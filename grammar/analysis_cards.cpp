@@ -15,9 +15,9 @@ constexpr std::array load_keys{
     required(defines("CASE", load_case, "the case this adds to")),
     required(
         later(word("TYPE", "FORCE|RESULTANT|TRACTION|PRESSURE|BODY|BEARING|DISP|TEMPERATURE|FACES",
-                   "of the load"),
+                   "what the values are and what they act on"),
               "TEMPERATURE|FACES")),
-    preset(word("SHAPE", "UNIFORM|COSINE", "of the pressure of a BEARING"), "COSINE"),
+    preset(word("SHAPE", "UNIFORM|COSINE", "how the pressure of a BEARING is spread"), "COSINE"),
 };
 
 constexpr std::array load_when{
@@ -28,21 +28,28 @@ constexpr std::array load_when{
 };
 
 constexpr std::array contact_keys{
-    required(defines("NAME", contact, "of the pair")),
-    required(refers("SLAVE", set, "one surface")),
+    required(defines("NAME", contact, "called by this in steps and results")),
+    required(refers("SLAVE", set, "one surface; forces are those on it")),
     required(refers("MASTER", surface, "the other surface, or a rigid target")),
     preset(word("TYPE", "UNILATERAL|BONDED", "BONDED: no opening, no slip"), "UNILATERAL"),
-    real("INTERFERENCE", length, at_least(0), "normal interference, used exactly"),
-    real("DIAMETRAL", length, at_least(0), "twice the normal interference"),
+    real("INTERFERENCE", length, at_least(0),
+         "overlap along the normal (on the radius), used exactly"),
+    real("DIAMETRAL", length, at_least(0), "overlap on the diameter: twice INTERFERENCE"),
     real("GAP", length, at_least(0), "normal gap, used exactly; 0: a net fit"),
     preset(later(real("MU", number, at_least(0), "Coulomb friction"), ">0"), "0"),
-    preset(word("PAIRING", "NODE|SEGMENT", "node pairs, or mortar segments"), "SEGMENT"),
-    preset(word("RECOVERY", "LUMPED|CONSISTENT", "surface mass behind the pressure"), "LUMPED"),
+    preset(word("PAIRING", "NODE|SEGMENT", "SEGMENT: any two meshes; NODE: matching nodes"),
+           "SEGMENT"),
+    preset(word("RECOVERY", "LUMPED|CONSISTENT", "how pressure follows from NODE forces"),
+           "LUMPED"),
+};
+
+constexpr std::array contact_when{
+    When{"TYPE", "BONDED", "", "MU"}, // no slip, so nothing to rub
 };
 
 constexpr std::array rigid_keys{
-    required(defines("NAME", rigid, "of the target")),
-    required(word("SHAPE", "LINE|ARC", "of the target")),
+    required(defines("NAME", rigid, "called by this on $CONTACT")),
+    required(word("SHAPE", "LINE|ARC", "a straight or a round target")),
     real("X0", length, anything, "first point of a LINE, centre of an ARC"),
     real("Y0", length, anything, "see X0"),
     real("X1", length, anything, "second point of a LINE; the body is on the left"),
@@ -56,14 +63,17 @@ constexpr std::array rigid_when{
 };
 
 constexpr std::array crack_keys{
-    required(defines("NAME", crack, "of the crack")),
+    required(defines("NAME", crack, "called by this on other cards and in results")),
     refers("PATH", set, "ordered nodes from the mouth on, along element edges"),
     refers("NET", net, "the net a free crack cuts"),
-    real("A0", length, above(0), "first length"),
-    real("ANGLE", angle, anything, "direction of a free crack of one point, from +x"),
+    real("A0", length, above(0), "first length, from the mouth or from the middle"),
+    real("ANGLE", angle, between(-6.2832, 6.2832),
+         "direction of a free crack of one point, from +x; in radians, or 45[deg]"),
     later(refers("FRONT", set, "ordered nodes of a 3D front"), "*"),
-    preset(word("NORMAL", "X|Y|Z", "of the plane of a 3D crack"), "Y"),
-    preset(word("STATE", "STRESS|STRAIN|AUTO", "of K from G; AUTO takes the property's"), "AUTO"),
+    preset(word("NORMAL", "X|Y|Z", "normal of the plane of a 3D crack"), "Y"),
+    preset(word("STATE", "STRESS|STRAIN|AUTO",
+                "plane state that turns G into K; AUTO: the property's"),
+           "AUTO"),
     preset(word("FACES", "CONTACT|FREE", "whether the faces may touch"), "CONTACT"),
     preset(later(real("MU", number, at_least(0), "friction of the faces"), ">0"), "0"),
 };
@@ -73,14 +83,16 @@ constexpr std::array crack_when{
     When{"FRONT", "", "", "PATH ANGLE A0"},
     When{"ANGLE", "", "A0", "PATH FRONT"},
     When{"NET", "", "", "PATH FRONT"},
+    When{"NORMAL", "", "FRONT", ""},
+    When{"FACES", "FREE", "", "MU"},
 };
 
 constexpr std::array tipnet_keys{
-    required(refers("CRACK", crack, "the crack")),
-    real("RADIUS", length, above(0), "of the rosette"),
-    real("SIZE", length, above(0), "of the tip elements"),
-    preset(integer("RINGS", at_least(2), "of elements in the rosette"), "5"),
-    preset(integer("SECTORS", at_least(6), "of a full circle"), "24"),
+    required(refers("CRACK", crack, "whose tips")),
+    real("RADIUS", length, above(0), "of the rings round the tip"),
+    real("SIZE", length, above(0), "of the elements at the tip"),
+    preset(integer("RINGS", between(2, 200), "number of element rings round the tip"), "5"),
+    preset(integer("SECTORS", between(6, 1000), "elements round a full circle"), "24"),
     preset(word("QUARTER", "YES|NO", "quarter-point tip elements"), "YES"),
     preset(
         later(word("JOIN", "CONFORMING|TRANSITION", "how the patch meets the host"), "TRANSITION"),
@@ -89,22 +101,29 @@ constexpr std::array tipnet_keys{
     later(real("TOL", number, above(0), "refine until the error bar of K is below TOL*K"), "*"),
 };
 
+constexpr std::array tipnet_when{
+    When{"PATCH", "NO", "", "RADIUS SIZE SECTORS JOIN"},
+};
+
 constexpr std::array vce_keys{
-    required(refers("CRACK", crack, "the crack")),
+    required(refers("CRACK", crack, "whose K")),
     real("SHIFT", number, between(1e-12, 1e-1), "finite shift in tip element sizes"),
     of_type(KeyType::integers, "DOMAINS", none, "how many rings move rigidly, a K for each"),
 };
 
 constexpr std::array step_keys{
-    required(defines("NAME", step, "of the step")),
-    preset(integer("SUBSTEPS", at_least(1), "equal parts"), "1"),
+    required(defines("NAME", step, "called by this in results")),
+    preset(integer("SUBSTEPS", between(1, 1000000), "equal parts the step is run in"), "1"),
 };
 
 constexpr std::array grow_keys{
     required(later(word("LAW", "INCREMENT|PARIS|WALKER|FORMAN|NASGRO|TABLE",
                         "INCREMENT: the crack lengths are given"),
                    "PARIS|WALKER|FORMAN|NASGRO|TABLE")),
-    preset(word("DIRECTION", "PATH|HOOP|K2ZERO", "in which it grows"), "PATH"),
+    preset(later(word("DIRECTION", "PATH|HOOP|K2ZERO",
+                      "where a crack grows to: along its line, or by K1 and K2"),
+                 "HOOP|K2ZERO"),
+           "PATH"),
     of_type(KeyType::references, "CRACKS", crack, "that grow; all when left out"),
     required(refers("KMAX", step, "the step of the largest K")),
     refers("KMIN", step, "the step of the smallest K"),
@@ -124,18 +143,18 @@ constexpr std::array grow_keys{
     preset(real("DKTH", stress_intensity, at_least(0), "threshold"), "0"),
     preset(real("ALPHA", number, between(1, 3), "constraint factor of NASGRO"), "2"),
     preset(real("SMAX", number, between(0, 1), "stress over flow stress of NASGRO"), "0.3"),
-    text("KUNIT", "unit of K in the law"),
-    text("AUNIT", "unit of a in the law"),
+    unit_name("KUNIT", stress_intensity, "unit of K in the law, 'MPa*m^0.5'; else deck units"),
+    unit_name("AUNIT", length, "unit of a in the law, 'm' or 'mm/cycle'; else deck units"),
 };
 
 // Every law but INCREMENT works on a range of K and so needs KMIN.
 constexpr std::array grow_when{
-    When{"LAW", "INCREMENT", "", "C M P Q DKTH ALPHA SMAX KUNIT AUNIT"},
-    When{"LAW", "PARIS", "C M KMIN", "P Q"},
-    When{"LAW", "WALKER", "C M KMIN", "Q"},
-    When{"LAW", "FORMAN", "C M KC KMIN", "P Q"},
+    When{"LAW", "INCREMENT", "", "DA CYCLES C M P Q DKTH ALPHA SMAX KUNIT AUNIT"},
+    When{"LAW", "PARIS", "C M KMIN", "P Q ALPHA SMAX"},
+    When{"LAW", "WALKER", "C M KMIN", "Q ALPHA SMAX"},
+    When{"LAW", "FORMAN", "C M KC KMIN", "P Q ALPHA SMAX"},
     When{"LAW", "NASGRO", "C M KC KMIN", ""},
-    When{"LAW", "TABLE", "KMIN", "C M P Q"},
+    When{"LAW", "TABLE", "KMIN", "C M P Q ALPHA SMAX"},
 };
 
 constexpr std::array sweep_keys{
@@ -144,21 +163,26 @@ constexpr std::array sweep_keys{
 };
 
 constexpr std::array control_keys{
-    preset(integer("MAXITER", at_least(1), "pivots or iterations of contact"), "100"),
-    preset(real("TOL", number, above(0), "of contact, relative"), "1e-8"),
+    preset(integer("MAXITER", at_least(1), "most pivots of the contact solution"), "100"),
+    preset(later(real("TOL", number, above(0), "relative tolerance of contact"), "*"), "1e-8"),
     preset(integer("THREADS", at_least(0), "0: one for each core"), "0"),
 };
 
 constexpr std::array restart_keys{
     text("READ", "continue from this file"),
     integer("AT", at_least(0), "increment to continue from"),
-    text("WRITE", "state after increments"),
+    text("WRITE", "write the state after increments into this file"),
     preset(integer("EVERY", at_least(1), "increments between states"), "1"),
 };
 
+constexpr std::array restart_when{
+    When{"AT", "", "READ", ""},
+    When{"EVERY", "", "WRITE", ""},
+};
+
 constexpr std::array output_keys{
-    required(text("FILE", "in the folder of the run")),
-    required(word("FORMAT", "VTU|CSV|JSON", "of the file")),
+    required(text("FILE", "name of the file, in the run folder")),
+    required(word("FORMAT", "VTU|CSV|JSON", "pictures for ParaView, a table, or JSON")),
     preset(word("EVERY", "STEP|INCREMENT|END", "when it is written"), "STEP"),
 };
 
@@ -170,11 +194,12 @@ constexpr std::array cards{
              .data_required = true,
              .data_form = "SET v1 [v2 [v3]]; values may be (expr in x y z)",
              .when = load_when,
-             .doc = "Adds to a load case; RESULTANT spreads a total over a face or element set."},
+             .doc = "Adds to a load case: forces, pressures, displacements."},
     CardSpec{.name = "CONTACT",
              .group = "contact",
              .keys = contact_keys,
              .exclusive = "INTERFERENCE DIAMETRAL GAP",
+             .when = contact_when,
              .doc = "A contact pair; without a given gap it is measured from the geometry."},
     CardSpec{.name = "RIGID",
              .group = "contact",
@@ -192,6 +217,7 @@ constexpr std::array cards{
     CardSpec{.name = "TIPNET",
              .group = "crack",
              .keys = tipnet_keys,
+             .when = tipnet_when,
              .doc = "How the patch round the tip is made; what is left out is chosen and printed."},
     CardSpec{.name = "VCE",
              .group = "crack",
@@ -202,33 +228,33 @@ constexpr std::array cards{
              .keys = step_keys,
              .data = Data::rows,
              .data_form = "LOAD case factor, FIT contact factor, MOUNT contact, DISMOUNT contact",
-             .doc = "Factors at the end of the step; others keep theirs; steps run in deck order."},
+             .doc = "Sets factors of loads and fits; those not named keep theirs."},
     CardSpec{.name = "GROW",
              .group = "crack",
              .keys = grow_keys,
              .data = Data::rows,
              .once = true,
-             .data_form = "INCREMENT: crack lengths",
+             .data_form = "INCREMENT: crack lengths; TABLE: delta_K da/dN",
              .when = grow_when,
-             .doc = "The growth loop over the steps."},
+             .doc = "Crack growth: runs the steps for every crack length."},
     CardSpec{.name = "SWEEP",
              .group = "requests",
              .keys = sweep_keys,
              .data = Data::rows,
              .data_required = true,
-             .available = false,
              .data_form = "values (pairs when WITH is given)",
              .doc = "Runs the deck again for each value; several cards multiply."},
     CardSpec{.name = "CONTROL",
              .group = "requests",
              .keys = control_keys,
              .once = true,
-             .doc = "Numerics."},
+             .doc = "Numerics: contact iterations, threads."},
     CardSpec{.name = "RESTART",
              .group = "requests",
              .keys = restart_keys,
              .once = true,
              .available = false,
+             .when = restart_when,
              .doc = "State per growth increment or step."},
     CardSpec{.name = "TASK",
              .group = "requests",
@@ -243,7 +269,7 @@ constexpr std::array cards{
              .data = Data::rows,
              .data_required = true,
              .data_form = "U set, S set, CPRESS contact, K crack, REACTION set",
-             .doc = "Results in a file."},
+             .doc = "Asks for results in a file of the run folder."},
     CardSpec{.name = "CHECK",
              .group = "requests",
              .data = Data::rows,

@@ -3,6 +3,7 @@
 
 #include "grammar/lexeme.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <utility>
 
@@ -12,6 +13,34 @@ namespace spricka::grammar {
 
 namespace {
 constexpr int k_deepest = 100; ///< nested brackets; keeps the recursive rules off the stack's end
+
+// The usual slips, by what stands where something else was expected.
+std::string hint_for(char found, std::string_view wanted) {
+  const bool closing = wanted.starts_with("')'");
+  switch (found) {
+  case '[':
+    return "a unit follows its number without a blank, 210[GPa]";
+  case '"':
+    return "a text stands in single quotes";
+  case '&':
+    return "& comes first on the line that continues";
+  case '*':
+    return wanted.starts_with("a number, a name, a text") ? "a card starts with $" : "";
+  case '=':
+    return closing ? "equality is written ==" : "";
+  case '<':
+  case '>':
+    return closing ? "join two comparisons with and" : "";
+  case ',':
+    return closing ? "a comma separates arguments; no blank before their bracket" : "";
+  default:
+    break;
+  }
+  if (static_cast<unsigned char>(found) > 127) {
+    return "letters and signs beyond ASCII stand in comments and texts only";
+  }
+  return wanted == "'='" ? "write KEY=value" : "";
+}
 } // namespace
 
 base::Span Builder::span(const char* begin, const char* end) const {
@@ -27,20 +56,25 @@ bool Builder::fail(base::Span place, std::string code, std::string text, std::st
 }
 
 void Builder::expected(const char* at, const char* last, std::string_view what) {
+  const char* const before = at;
   at = skip_ws(at, last);
   if (at >= last || *at == '\n') {
+    const char* comment = std::find(before, at, '!');
+    const bool not_equal = comment + 1 < at && comment[1] == '=';
+    at = comment; // the carets stand right after the last token
     while (at > origin_ && is_blank(at[-1])) {
-      --at; // the carets stand right after the last token
+      --at;
     }
-    fail(span(at, at), "E101", fmt::format("expected {}, the line ends early", what));
+    fail(span(at, at), "E101", fmt::format("expected {}, the line ends early", what),
+         not_equal ? "! starts a comment" : "");
     return;
   }
   const char* end = scan_token(at, last);
   if (end == at) {
     ++end;
   }
-  fail(span(at, end), "E101",
-       fmt::format("expected {}, not '{}'", what, std::string_view(at, end)));
+  fail(span(at, end), "E101", fmt::format("expected {}, not '{}'", what, std::string_view(at, end)),
+       hint_for(*at, what));
 }
 
 void Builder::report(base::Diagnostics& diagnostics) const {
@@ -166,7 +200,7 @@ bool Builder::field_end(const char* p, const char* last) {
   }
   const char* end = scan_token(p, last);
   const std::string_view rest(p, end == p ? p + 1 : end);
-  const bool arithmetic = *p == '*' || *p == '/' || *p == '+' || *p == '-' || *p == '^';
+  const bool arithmetic = std::string_view("*/+-^<>").find(*p) != std::string_view::npos;
   const bool fortran = (*p == '-' || *p == '+') && end - p > 1 && is_digit(p[1]) &&
                        fields_.back().kind == Field::Kind::number;
   if (fortran) {

@@ -190,10 +190,13 @@ std::vector<Card> parse_cards(const base::Sources& sources, std::int32_t file,
   const char* const last = origin + all.size();
   const char* const start = after_byte_order_mark(all);
   const char* p = next_card(start, start, last);
-  const char* const stray = skip_ws(start, p);
   const Builder place(file, origin);
-  for (const char* q = stray; q < p; q = skip_ws(q + 1, p)) {
-    if (*q != '\n') {
+  for (const char* line = start; line < p; line = line_end(line, p) + 1) {
+    const char* q = line;
+    while (q < p && is_blank(*q)) {
+      ++q;
+    }
+    if (q < p && !ends_line(*q)) { // also an & that continues nothing
       diagnostics.error(place.span(q, scan_token(q, p)), "E102", "text before the first card",
                         "a comment starts with !");
       break;
@@ -207,6 +210,9 @@ std::vector<Card> parse_cards(const base::Sources& sources, std::int32_t file,
     builder.report(diagnostics);
     Card card = std::move(builder.card);
     card.header = builder.span(begin, end);
+    if (!card.name_span.valid()) { // a $ without a name still has a place
+      card.name_span = builder.span(begin, begin + 1);
+    }
     const char* const data = end < last ? end + 1 : last;
     p = next_card(data, origin, last);
     card.data = builder.span(data, p);

@@ -8,6 +8,15 @@ namespace spricka::grammar {
 std::span<const CardSpec> model_cards();    ///< deck, nets, mesh, sets, materials, freedoms
 std::span<const CardSpec> analysis_cards(); ///< loads, contact, crack, steps, requests
 
+/// What the help says of a card beyond its table: notes and an example.
+struct CardText {
+  std::string_view card;
+  std::string_view notes;
+  std::string_view example;
+};
+/// Null when the card has none.
+const CardText* find_text(std::string_view card);
+
 namespace table {
 
 constexpr Range above(double low) {
@@ -67,6 +76,12 @@ constexpr KeySpec refers(std::string_view name, Kind kind, std::string_view doc)
 }
 constexpr KeySpec text(std::string_view name, std::string_view doc) {
   return of_type(KeyType::text, name, Kind::none, doc);
+}
+/// A text that names a unit of a quantity.
+constexpr KeySpec unit_name(std::string_view name, Quantity quantity, std::string_view doc) {
+  KeySpec key = text(name, doc);
+  key.quantity = quantity;
+  return key;
 }
 constexpr KeySpec field(std::string_view name, std::string_view doc) {
   return of_type(KeyType::expression, name, Kind::none, doc);

@@ -17,11 +17,10 @@ using enum Quantity;
 // Arguments by letter; what stands behind ? may be left out: a last number is the crack length.
 constexpr std::array quantities{
     ResultQuantity{"K", "cs?aa", stress_intensity, "same as K1"},
-    ResultQuantity{"K1", "cs?aa", stress_intensity,
-                   "stress intensity of mode I: crack, step, length, front angle"},
+    ResultQuantity{"K1", "cs?aa", stress_intensity, "stress intensity of mode I"},
     ResultQuantity{"K2", "cs?aa", stress_intensity, "stress intensity of mode II"},
     ResultQuantity{"G", "cs?aa", energy_release, "energy release rate"},
-    ResultQuantity{"T", "cs?aa", stress, "T stress"},
+    ResultQuantity{"T", "cs?aa", stress, "T stress (not in this version)"},
     ResultQuantity{"CPRESS.MIN", "ps?a", stress, "smallest contact pressure"},
     ResultQuantity{"CPRESS.MAX", "ps?a", stress, "largest contact pressure"},
     ResultQuantity{"CPRESS.MEAN", "ps?a", stress, "mean pressure over the part in contact"},
@@ -60,8 +59,8 @@ constexpr std::array quantities{
     ResultQuantity{"S.MISES.MAX", "ns?a", stress, "largest von Mises stress"},
     ResultQuantity{"S.MISES.AT", "aazs?a", stress, "von Mises stress at a point"},
     ResultQuantity{"REACTION", "nsd?a", force, "force of the supports on a set"},
-    ResultQuantity{"N", "a", number, "cycles at a crack length"},
-    ResultQuantity{"LIFE", "", number, "cycles to the end"},
+    ResultQuantity{"N", "a", number, "cycles at a crack length (not in this version)"},
+    ResultQuantity{"LIFE", "", number, "cycles to the end (not in this version)"},
 };
 
 } // namespace
@@ -143,6 +142,9 @@ std::string_view word_of(Quantity quantity) {
 }
 
 std::string Range::text() const {
+  if (low == high) {
+    return fmt::format("{}", low);
+  }
   const bool has_low = low > -k_unbounded;
   const bool has_high = high < k_unbounded;
   if (has_low && has_high) {
@@ -164,6 +166,12 @@ std::span<const CardSpec> catalogue() {
   static const std::vector<CardSpec> all = [] {
     std::vector<CardSpec> cards(model_cards().begin(), model_cards().end());
     cards.insert(cards.end(), analysis_cards().begin(), analysis_cards().end());
+    for (CardSpec& card : cards) {
+      if (const CardText* text = find_text(card.name)) {
+        card.notes = text->notes;
+        card.example = text->example;
+      }
+    }
     return cards;
   }();
   return all;

@@ -104,6 +104,8 @@ struct CardSpec {
   std::string_view exclusive = {}; ///< of these keys at most one
   std::span<const When> when = {};
   std::string_view doc = {};
+  std::string_view notes = {};   ///< sentences for the help, beyond doc
+  std::string_view example = {}; ///< as a deck would hold it, with its data lines
 
   [[nodiscard]] const KeySpec* find(std::string_view key) const;
 };

@@ -23,18 +23,22 @@ struct Function {
   std::string_view name;
   Op op;
   int arguments; ///< min and max take more, too
+  std::string_view form;
+  std::string_view doc;
 };
 
-constexpr std::array<Function, 10> functions{{{"SQRT", Op::sqrt, 1},
-                                              {"ABS", Op::abs, 1},
-                                              {"SIN", Op::sin, 1},
-                                              {"COS", Op::cos, 1},
-                                              {"TAN", Op::tan, 1},
-                                              {"ATAN2", Op::atan2, 2},
-                                              {"EXP", Op::exp, 1},
-                                              {"LOG", Op::log, 1},
-                                              {"MIN", Op::min, 2},
-                                              {"MAX", Op::max, 2}}};
+constexpr std::array<Function, 10> functions{{
+    {"SQRT", Op::sqrt, 1, "sqrt(x)", "square root"},
+    {"ABS", Op::abs, 1, "abs(x)", "amount without sign"},
+    {"SIN", Op::sin, 1, "sin(x)", "sine of an angle in radians"},
+    {"COS", Op::cos, 1, "cos(x)", "cosine"},
+    {"TAN", Op::tan, 1, "tan(x)", "tangent"},
+    {"ATAN2", Op::atan2, 2, "atan2(y, x)", "angle of the point (x, y), from -pi to pi"},
+    {"EXP", Op::exp, 1, "exp(x)", "exponential"},
+    {"LOG", Op::log, 1, "log(x)", "natural logarithm"},
+    {"MIN", Op::min, 2, "min(a, b, ..)", "smallest of two or more"},
+    {"MAX", Op::max, 2, "max(a, b, ..)", "largest of two or more"},
+}};
 
 constexpr std::array<std::pair<std::string_view, Op>, 5> variables{
     {{"X", Op::x}, {"Y", Op::y}, {"Z", Op::z}, {"RHO", Op::rho}, {"THETA", Op::theta}}};
@@ -218,6 +222,15 @@ private:
 
 } // namespace
 
+std::vector<WordText> function_texts() {
+  std::vector<WordText> texts;
+  texts.reserve(functions.size());
+  for (const Function& function : functions) {
+    texts.push_back({function.name, function.form, function.doc});
+  }
+  return texts;
+}
+
 bool is_reserved(std::string_view upper_name) {
   return upper_name == "PI" || upper_name == "AND" || upper_name == "OR" ||
          find_function(upper_name) != nullptr || find_variable(upper_name).has_value();
@@ -247,6 +260,14 @@ base::Span outer_unit(const Expression& expression) {
   // a scale inside the brackets, `(2*(E)[GPa])`, ends before the closing bracket
   const bool outside = last.unit.valid() && last.unit.end + 1 == expression.span.end;
   return whole && outside ? last.unit : base::Span{};
+}
+
+base::Span known_unit(const Expression& expression, const Scope& scope) {
+  if (expression.terms.size() != 1 || expression.terms.front().kind != Term::Kind::name) {
+    return outer_unit(expression);
+  }
+  const auto known = scope.units_of.find(to_upper(scope.sources->text(expression.terms[0].span)));
+  return known == scope.units_of.end() ? base::Span() : known->second;
 }
 
 } // namespace spricka::grammar

@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// Expressions and units, the third pass: names are looked up, parameters folded to numbers.
@@ -19,12 +20,22 @@ struct Scope {
   const base::Sources* sources = nullptr;
   base::UnitSystem units;
   std::map<std::string, double, std::less<>> values;
+  /// Where the unit stands of a parameter that is a number with a unit, or another such parameter.
+  std::map<std::string, base::Span, std::less<>> units_of = {};
   std::set<std::string, std::less<>> poisoned; ///< defined by a bad line: their use is not reported
   bool incomplete = false; ///< an include is missing: unknown names are not reported
 };
 
 /// Whether an expression may use x y z rho theta.
 enum class Fields { none, position };
+
+/// A word of expressions, for the help: how it is written and what it is.
+struct WordText {
+  std::string_view name; ///< upper case
+  std::string_view form;
+  std::string_view doc;
+};
+std::vector<WordText> function_texts();
 
 /// Names that no parameter may have: functions, pi, x y z rho theta, and, or.
 bool is_reserved(std::string_view upper_name);
@@ -40,5 +51,8 @@ std::optional<double> evaluate(const Expression& expression, const Scope& scope,
 
 /// The unit that the whole value is given in: `0.084[mm]`, `(E/2)[GPa]`; invalid for a bare one.
 base::Span outer_unit(const Expression& expression);
+
+/// The same, and for an expression that is a parameter alone the unit that was given there.
+base::Span known_unit(const Expression& expression, const Scope& scope);
 
 } // namespace spricka::grammar

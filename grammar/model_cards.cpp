@@ -31,7 +31,7 @@ constexpr std::array net_keys{
 constexpr std::array import_keys{
     required(text("FILE", "path from this deck")),
     required(
-        later(word("FORMAT", "GEO|MSH|INP", "gmsh script, gmsh mesh, or input of Abaqus"), "INP")),
+        word("FORMAT", "GEO|MSH|INP", "gmsh script, gmsh mesh, or input of Abaqus or CalculiX")),
     preset(real("SCALE", number, above(0), "factor on every coordinate"), "1"),
     preset(word("TYPE", "ASIS|QUADRATIC", "QUADRATIC raises linear elements"), "ASIS"),
 };
@@ -39,7 +39,7 @@ constexpr std::array import_keys{
 constexpr std::array mesh_keys{
     required(word("SHAPE", "BLOCK|RING|LUG", "what is meshed")),
     required(later(word("TYPE", "TRIM3|TRIMC6|QUAM4|QUAMC8|QUAMC9|TET10|HEXE8|HEXEC20|HEXEC27",
-                        "of the elements"),
+                        "element type; a C stands for curved, quadratic edges"),
                    "TET10|HEXE8|HEXEC20|HEXEC27")),
     preset(real("X0", length, anything, "corner of a BLOCK, centre of a RING or bore"), "0"),
     preset(real("Y0", length, anything, "see X0"), "0"),
@@ -50,7 +50,7 @@ constexpr std::array mesh_keys{
     real("RI", length, at_least(0), "inner radius of a RING (0: a disc), bore radius of a LUG"),
     real("RO", length, above(0), "outer radius of a RING"),
     real("W", length, above(0), "width of a LUG; its head is round"),
-    real("L", length, above(0), "of a LUG, from the centre of the bore to END"),
+    real("L", length, above(0), "length of a LUG, from the centre of the bore to END"),
     preset(real("T0", angle, anything, "first angle of a RING"), "0"),
     preset(real("T1", angle, anything, "last angle of a RING"), "2*pi"),
     preset(integer("NX", at_least(1), "elements along x"), "1"),
@@ -83,32 +83,32 @@ constexpr std::array element_keys{
     required(later(word("TYPE",
                         "TRIM3|TRIMC6|QUAM4|QUAMC8|QUAMC9|"
                         "TET4|TET10|PENTA6|PENTAC15|HEXE8|HEXEC20|HEXEC27",
-                        "of the elements"),
+                        "element type, which says how many nodes a line has"),
                    solid_elements)),
     defines("ESET", element_set, "an element set of these elements"),
 };
 
 constexpr std::array nset_keys{
-    required(defines("NAME", node_set, "of the set")),
+    required(defines("NAME", node_set, "called by this, outside its net by NET.NAME")),
     refers("FROM", set, "start from the nodes of this set"),
     field("WHERE", "keep the nodes where this holds"),
     field("ORDER", "sort by this, ascending: crack paths and fronts"),
 };
 
 constexpr std::array eset_keys{
-    required(defines("NAME", element_set, "of the set")),
+    required(defines("NAME", element_set, "called by this, outside its net by NET.NAME")),
     refers("FROM", element_set, "start from the elements of this set"),
     field("WHERE", "keep the elements at whose centroid this holds"),
 };
 
 constexpr std::array fset_keys{
-    required(defines("NAME", face_set, "of the set")),
+    required(defines("NAME", face_set, "called by this, outside its net by NET.NAME")),
     refers("FROM", set, "start from the boundary faces of this set"),
     field("WHERE", "keep the faces all of whose nodes fulfil this"),
 };
 
 constexpr std::array material_keys{
-    required(defines("NAME", material, "of the material")),
+    required(defines("NAME", material, "called by this on $PROPERTY")),
     required(real("E", stress, above(0), "Young's modulus")),
     required(real("NU", number, Range{-1.0, 0.5, true, true}, "Poisson's ratio")),
     preset(real("RHO", number, at_least(0), "density"), "0"),
@@ -118,19 +118,26 @@ constexpr std::array material_keys{
 constexpr std::array property_keys{
     required(refers("ESET", element_set, "the elements")),
     required(refers("MATERIAL", material, "what they are made of")),
-    required(later(word("STATE", "STRESS|STRAIN|AXI|SOLID", "the theory"), "AXI|SOLID")),
-    preset(real("THICK", length, above(0), "thickness"), "1"),
+    required(later(
+        word("STATE", "STRESS|STRAIN|AXI|SOLID", "plane stress, plane strain, axisymmetric, 3D"),
+        "AXI|SOLID")),
+    preset(real("THICK", length, above(0), "thickness of a plane body"), "1"),
+};
+
+constexpr std::array property_when{
+    When{"STATE", "AXI", "", "THICK"},
+    When{"STATE", "SOLID", "", "THICK"},
 };
 
 constexpr std::array freedom_keys{
     required(word("CLASS", "SUPPRESSED|PRESCRIBED|EXTERNAL",
                   "PRESCRIBED ones get values from $LOAD TYPE=DISP, EXTERNAL ones survive "
                   "condensation")),
-    required(word("DOF", "X|Y|Z|XY|XZ|YZ|XYZ", "directions")),
+    required(word("DOF", "X|Y|Z|XY|XZ|YZ|XYZ", "directions it is about")),
 };
 
 constexpr std::array mpc_keys{
-    required(word("TYPE", "EQUATION|TRANSITION|RIGID", "of the tie")),
+    required(word("TYPE", "EQUATION|TRANSITION|RIGID", "kind of tie")),
     refers("SLAVE", set, "the tied nodes"),
     refers("MASTER", set, "the faces they are tied to"),
     preset(real("RHS", number, anything, "right-hand side of the equation"), "0"),
@@ -138,7 +145,7 @@ constexpr std::array mpc_keys{
 
 constexpr std::array mpc_when{
     When{"TYPE", "TRANSITION", "SLAVE MASTER", "RHS"},
-    When{"TYPE", "RIGID", "SLAVE", "RHS"},
+    When{"TYPE", "RIGID", "SLAVE", "MASTER RHS"},
     When{"TYPE", "EQUATION", "", "SLAVE MASTER"},
 };
 
@@ -216,6 +223,7 @@ constexpr std::array cards{
     CardSpec{.name = "PROPERTY",
              .group = "material and geometry",
              .keys = property_keys,
+             .when = property_when,
              .doc = "Theory, thickness and material of an element set."},
     CardSpec{.name = "FREEDOM",
              .group = "freedoms",
@@ -229,7 +237,8 @@ constexpr std::array cards{
              .keys = mpc_keys,
              .data = Data::rows,
              .available = false,
-             .data_form = "EQUATION: coef node dof triples",
+             .data_form =
+                 "EQUATION: coefficient node dof, again and again; NET.12 for a node of a net",
              .when = mpc_when,
              .doc = "Ties between freedoms."},
 };

@@ -2,8 +2,10 @@
 #include "base/clock.hpp"
 
 #include <ctime>
+#include <fstream>
 #include <malloc.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 namespace spricka::base {
 
@@ -25,6 +27,16 @@ std::size_t peak_memory() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<std::size_t>(usage.ru_maxrss) * 1024; // Linux counts KiB
+}
+
+std::size_t resident_memory() {
+  std::size_t pages = 0;
+  std::size_t resident = 0;
+  std::ifstream statm("/proc/self/statm");
+  if (!(statm >> pages >> resident)) {
+    return 0;
+  }
+  return resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
 }
 
 } // namespace spricka::base

@@ -19,6 +19,9 @@ void return_free_memory();
 /// Largest resident set of the process so far [bytes].
 std::size_t peak_memory();
 
+/// Resident set of the process now [bytes]; 0 where the system does not tell.
+std::size_t resident_memory();
+
 /// Measures a stretch of the run; both times start at construction.
 class Stopwatch {
 public:

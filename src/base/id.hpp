@@ -30,6 +30,7 @@ using CaseId = Id<struct CaseTag>;
 using ContactId = Id<struct ContactTag>;
 using CrackId = Id<struct CrackTag>;
 using StepId = Id<struct StepTag>;
+using RigidId = Id<struct RigidTag>;
 
 /// The number a deck gives to a node or an element; unique within its net, never an array index.
 using Label = std::int64_t;

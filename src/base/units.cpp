@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/units.hpp"
 
+#include "base/unit_words.hpp"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -112,6 +114,15 @@ bool same_word(std::string_view a, std::string_view upper_case) {
 }
 
 } // namespace
+
+std::vector<UnitWord> unit_words() {
+  std::vector<UnitWord> all;
+  all.reserve(words.size());
+  for (const Word& word : words) {
+    all.push_back({word.name, word.unit});
+  }
+  return all;
+}
 
 std::string UnitSystem::stress_name() const {
   if (force_name == "N" && length_name == "mm") {

@@ -54,8 +54,11 @@ PairRows pair_rows(const model::Model& model, const model::Mesh& mesh,
   }
   pair.swapped = choice.swap;
   pair.choice = std::move(choice.why);
-  pair.contact = choice.swap ? std::move(master) : std::move(slave);
-  pair.target = choice.swap ? std::move(slave) : std::move(master);
+  if (choice.swap) {
+    std::swap(slave, master);
+  }
+  pair.contact = std::move(slave);
+  pair.target = std::move(master);
   const bool bonded = contact.type == model::ContactType::bonded;
   if (contact.pairing == model::Pairing::node) {
     node_rows(pair, contact.gap, bonded);

@@ -139,6 +139,7 @@ struct Arc {
 // Longest run of closed nodes along s; `turn` > 0 closes the circle.
 Arc longest_arc(const std::vector<NodePressure>& nodes, bool round) {
   std::vector<const NodePressure*> p;
+  p.reserve(nodes.size());
   for (const NodePressure& n : nodes) {
     p.push_back(&n);
   }

@@ -149,7 +149,7 @@ Surface make_surface(const model::Model& model, const model::Mesh& mesh, base::F
 }
 
 Vec2 surface_normal(const Surface& surface, const Edge& edge, double xi) {
-  const Vec2 n = outer_normal(edge, xi);
+  Vec2 n = outer_normal(edge, xi);
   if (!surface.circle) {
     return n;
   }

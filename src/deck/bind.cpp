@@ -4,6 +4,7 @@
 #include "grammar/parse.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -59,7 +60,7 @@ private:
                     fmt::format("write {}='...'", key_.name));
       }
       value.text = field.text;
-      return true;
+      return key_.quantity == grammar::Quantity::number || unit(field);
     case KeyType::expression:
       return expression(field, value);
     }
@@ -81,10 +82,28 @@ private:
     }
     if (!key_.range.holds(*found)) {
       return fail(field.span, "E109", fmt::format("{}: {} is out of range", key_.name, *found),
-                  fmt::format("{} is {}", key_.name, key_.range.text()));
+                  fmt::format("{} is {}{}", key_.name, key_.range.text(),
+                              key_.quantity == grammar::Quantity::angle
+                                  ? ", in radians; degrees are written 45[deg]"
+                                  : ""));
     }
     value.number = *found;
     value.numbers.push_back(*found);
+    return true;
+  }
+
+  // A text that names a unit of the key's quantity.
+  bool unit(const Field& field) {
+    const auto known = base::parse_unit(field.text);
+    if (!known) {
+      return fail(field.span, "E204", fmt::format("{}: '{}' is not a unit", key_.name, field.text),
+                  "m mm um in, N kN MN lbf, Pa kPa MPa GPa psi ksi, cycle, with * / ^");
+    }
+    if (known->dimension != grammar::dimension_of(key_.quantity)) {
+      return fail(field.span, "E205",
+                  fmt::format("{}: '{}' is not the unit of {}", key_.name, field.text,
+                              grammar::word_of(key_.quantity)));
+    }
     return true;
   }
 
@@ -118,6 +137,16 @@ private:
     return true;
   }
 
+  // Ends in a comparison, and or or; a number would be a condition by accident only.
+  static bool is_condition(const grammar::Expression& expression) {
+    using base::Op;
+    const grammar::Term& last = expression.terms.back();
+    constexpr std::array conditions{Op::less,  Op::less_equal,  Op::greater,   Op::greater_equal,
+                                    Op::equal, Op::logical_and, Op::logical_or};
+    return last.kind == grammar::Term::Kind::op &&
+           std::find(conditions.begin(), conditions.end(), last.op) != conditions.end();
+  }
+
   bool expression(const Field& field, BoundValue& value) {
     if (field.kind != Field::Kind::expression && field.kind != Field::Kind::number) {
       return fail(field.span, "E108",
@@ -128,6 +157,9 @@ private:
         grammar::compile(field.expression, scope_, grammar::Fields::position, diagnostics_);
     if (!compiled) {
       return false;
+    }
+    if (key_.name == "WHERE" && !is_condition(field.expression)) {
+      return fail(field.span, "E108", "WHERE: a condition is expected", "as in (x > 0 and y < 1)");
     }
     value.expression = std::move(*compiled);
     return true;
@@ -332,23 +364,27 @@ std::optional<double> number_of(const grammar::Field& field, grammar::Quantity q
                                 std::string_view what, const grammar::Scope& scope,
                                 base::Diagnostics& diagnostics) {
   if (field.kind != Field::Kind::number && field.kind != Field::Kind::expression) {
+    const std::string_view written = scope.sources->text(field.span);
     const bool parameter = field.kind == Field::Kind::name && scope.values.contains(field.text);
+    const bool call = field.kind == Field::Kind::quantity;
     diagnostics.error(field.span, "E108", fmt::format("{} is expected", what),
-                      parameter ? fmt::format("write ({}) for the value of the parameter",
-                                              scope.sources->text(field.span))
+                      parameter ? fmt::format("write ({}) for the value of the parameter", written)
+                      : call    ? fmt::format("an expression stands in parentheses: ({})", written)
                                 : "");
     return std::nullopt;
   }
   const auto value = grammar::evaluate(field.expression, scope, diagnostics);
-  const base::Span unit = grammar::outer_unit(field.expression);
+  const base::Span unit = grammar::known_unit(field.expression, scope);
   if (!value || !unit.valid()) {
     return value;
   }
   const auto known = base::parse_unit(scope.sources->text(unit));
   if (known && known->dimension != grammar::dimension_of(quantity)) {
-    diagnostics.error(unit, "E205",
+    const bool written_here = grammar::outer_unit(field.expression).valid();
+    diagnostics.error(written_here ? unit : field.span, "E205",
                       fmt::format("'{}' is not the unit of {}", scope.sources->text(unit),
-                                  grammar::word_of(quantity)));
+                                  grammar::word_of(quantity)),
+                      written_here ? "" : "the parameter is given in this unit");
     return std::nullopt;
   }
   return value;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
+#include "deck/lost_header.hpp"
+#include "deck/overrides.hpp"
 #include "grammar/lexeme.hpp"
 #include "grammar/parse.hpp"
 
@@ -22,11 +24,7 @@ class DeckBinder {
 public:
   explicit DeckBinder(Context& context) : c_(context) {}
 
-  void defines(const ReadOptions& options) {
-    for (const auto& [name, text] : options.defines) {
-      define(name, text);
-    }
-  }
+  void defines(const ReadOptions& options) { overrides_.read(c_, options); }
 
   void card(const grammar::Card& card) {
     const grammar::CardSpec* spec = grammar::find_card(card.name);
@@ -34,6 +32,21 @@ public:
       unknown(card);
       return;
     }
+    bind(card, *spec);
+  }
+
+  void finish() {
+    if (net_open_) {
+      c_.error(c_.model.nets.back().span, "E114", "the net is not closed with $ENDNET");
+    }
+    if (!c_.scope.incomplete && !parameters_bad_) {
+      overrides_.report_unknown(c_, defined_);
+    }
+  }
+
+private:
+  void bind(const grammar::Card& card, const grammar::CardSpec& known) {
+    const grammar::CardSpec* const spec = &known;
     BoundCard bound = bind_card(card, *spec, c_.scope, c_.diagnostics);
     if (spec->once && !seen_.insert(spec->name).second) {
       c_.error(card.name_span, "E119", fmt::format("${} is given twice", spec->name));
@@ -54,31 +67,6 @@ public:
     c_.cards.push_back(std::move(bound));
   }
 
-  void finish() {
-    if (net_open_) {
-      c_.error(c_.model.nets.back().span, "E114", "the net is not closed with $ENDNET");
-    }
-  }
-
-private:
-  // -D NAME=expression; what the deck says of NAME is then passed over.
-  void define(const std::string& name, const std::string& text) {
-    const std::int32_t file = c_.sources.add(fmt::format("-D {}", name), text);
-    const base::Span all{file, 0, static_cast<std::uint32_t>(text.size())};
-    const std::string upper = grammar::to_upper(name);
-    const bool is_name =
-        !name.empty() &&
-        grammar::scan_name(name.data(), name.data() + name.size()) == name.data() + name.size();
-    if (!is_name || grammar::is_reserved(upper)) {
-      c_.error(all, "E210", fmt::format("-D: '{}' cannot be the name of a parameter", name));
-      return;
-    }
-    overridden_.insert(upper);
-    const auto parsed = grammar::parse_expression(c_.sources, all, c_.diagnostics);
-    const auto value = parsed ? grammar::evaluate(*parsed, c_.scope, c_.diagnostics) : std::nullopt;
-    set(upper, name, value);
-  }
-
   void set(const std::string& upper, const std::string& written, std::optional<double> value) {
     if (value) {
       c_.scope.values[upper] = *value;
@@ -93,9 +81,15 @@ private:
     for (const grammar::CardSpec& spec : grammar::catalogue()) {
       valid.push_back(fmt::format("${}", spec.name));
     }
+    const std::string hint = base::suggest(fmt::format("${}", card.name), valid);
     if (!card.name.empty()) {
-      c_.error(card.name_span, "E104", fmt::format("there is no card ${}", card.name),
-               base::suggest(fmt::format("${}", card.name), valid));
+      c_.error(card.name_span, "E104", fmt::format("there is no card ${}", card.name), hint);
+    }
+    const auto meant = std::find_if(valid.begin(), valid.end(), [&](const std::string& v) {
+      return hint.ends_with("'" + v + "'?");
+    });
+    if (meant != valid.end()) {
+      misspelt(card, *grammar::find_card(meant->substr(1)));
     }
     for (const grammar::Parameter& p : card.parameters) {
       for (const grammar::Field& field : p.values) {
@@ -104,6 +98,22 @@ private:
         }
       }
     }
+  }
+
+  // What the misspelt card would have defined is poisoned, and a net opened or closed.
+  void misspelt(const grammar::Card& card, const grammar::CardSpec& spec) {
+    grammar::Card meant = card;
+    meant.name = spec.name;
+    base::Diagnostics silent;
+    BoundCard bound = bind_card(meant, spec, c_.scope, silent);
+    bound.bad = true;
+    if (spec.name == "NET" || spec.name == "ENDNET") {
+      frame(meant, bound);
+    }
+    c_.scope.incomplete = c_.scope.incomplete || spec.name == "PARAMETER";
+    bound.net = net_;
+    bound.net_id = net_id_;
+    c_.cards.push_back(std::move(bound));
   }
 
   // $DECK sets the units, $NET and $ENDNET the scope.
@@ -117,9 +127,10 @@ private:
     } else if (card.name == "NET") {
       open_net(bound);
     } else if (card.name == "ENDNET") {
-      if (!net_open_) {
+      if (!net_open_ && unclosed_ == 0) {
         c_.error(card.name_span, "E114", "$ENDNET without an open $NET");
       }
+      unclosed_ -= !net_open_ && unclosed_ > 0 ? 1 : 0;
       net_open_ = false;
       net_.clear();
       net_id_ = base::NetId(0);
@@ -130,6 +141,7 @@ private:
     if (net_open_) {
       c_.error(bound.span, "E114", fmt::format("net {} is still open; nets do not nest", net_),
                "close it with $ENDNET");
+      ++unclosed_;
     }
     net_open_ = true;
     net_ = bound.word("NAME");
@@ -137,6 +149,7 @@ private:
                                    [&](const model::Net& n) { return n.name == net_; });
     if (again && !bound.bad) {
       c_.error(bound.find("NAME")->span, "E302", fmt::format("net {} is defined twice", net_));
+      c_.property_sound = false; // which of the two a set means is not known
     }
     net_id_ = base::NetId(c_.model.nets.size());
     c_.model.nets.push_back({net_, bound.span});
@@ -158,6 +171,7 @@ private:
       break;
     }
     bound.rows_bad = c_.diagnostics.error_count() > before;
+    drop_lost_header(c_, bound);
     const bool empty = !first_token(card).valid();
     if (bound.spec->data_required && empty) {
       c_.error(card.name_span, "E115", fmt::format("${} needs data lines", bound.spec->name),
@@ -185,11 +199,12 @@ private:
     if (const base::Span token = first_token(card); token.valid()) {
       const bool continues = c_.sources.text(token).starts_with('&');
       c_.error(token, "E115", fmt::format("${} takes no data lines", card.name),
-               continues ? "a continued line follows at once" : "");
+               continues ? "a continued line follows at once" : card_hint(c_.sources.text(token)));
     }
   }
 
   void parameters(const grammar::Card& card) {
+    const std::size_t before = c_.diagnostics.error_count();
     for (const grammar::Assignment& a :
          grammar::parse_assignments(c_.sources, card.data, c_.diagnostics)) {
       if (grammar::is_reserved(a.name)) {
@@ -201,11 +216,16 @@ private:
         const auto value = a.value.terms.empty()
                                ? std::nullopt
                                : grammar::evaluate(a.value, c_.scope, c_.diagnostics);
-        if (!overridden_.contains(a.name)) {
-          set(a.name, a.written, value);
+        const bool overridden = overrides_.contains(a.name);
+        set(a.name, a.written, overridden ? overrides_.value(c_, a.name) : value);
+        const base::Span unit =
+            overridden ? overrides_.unit(a.name) : grammar::known_unit(a.value, c_.scope);
+        if (unit.valid()) {
+          c_.scope.units_of[a.name] = unit;
         }
       }
     }
+    parameters_bad_ = parameters_bad_ || c_.diagnostics.error_count() > before;
   }
 
   // What is understood, but has no analysis in this version.
@@ -235,9 +255,11 @@ private:
   std::string net_;
   base::NetId net_id_{std::size_t{0}};
   bool net_open_ = false;
+  int unclosed_ = 0; ///< nets that were open when another was opened: their $ENDNET may follow
   std::set<std::string_view> seen_;
   std::set<std::string> defined_;
-  std::set<std::string> overridden_;
+  Overrides overrides_;
+  bool parameters_bad_ = false;
 };
 
 bool is_set(Kind kind) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/sets.hpp"
+#include "mesh/path_gap.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -60,6 +61,13 @@ void crack_path(Context& c, const BoundCard& card, model::Crack& crack) {
             "make an $NSET with FROM and ORDER");
   } else if (crack.a0 && *crack.a0 >= length) {
     c.error(card.find("A0")->span, "E317", fmt::format("A0: the path is only {} long", length));
+  } else if (const auto gap = mesh::path_gap(c.model.mesh, nodes)) {
+    const auto label = [&](std::size_t i) { return c.model.mesh.node_label[nodes[i].index()]; };
+    c.error(reference.span, "E317",
+            fmt::format("nodes {} and {} follow each other in the path, but no element edge joins "
+                        "them",
+                        label(*gap - 1), label(*gap)),
+            "order the set from the mouth on: ORDER=(x) or the like on $NSET");
   }
 }
 
@@ -99,12 +107,17 @@ void crack(Context& c, const BoundCard& card) {
                                              : model::CrackState::automatic;
   crack.faces_in_contact = card.is("FACES", "CONTACT");
   crack.mu = card.number("MU");
+  crack.normal = card.word("NORMAL").front() - 'X';
   crack.span = card.span;
   if (card.has("PATH")) {
     crack_path(c, card, crack);
   } else if (card.has("FRONT")) {
     crack.kind = model::CrackKind::front;
     crack.path = use_node_set(c, card.reference("FRONT")).value_or(base::NodeSetId());
+    if (c.model.mesh.dim == 2 && c.mesh_sound && c.model.mesh.element_count() > 0) {
+      c.error(card.find("FRONT")->span, "E313", "a crack front belongs to elements in space",
+              "in the plane a crack has PATH and A0, or points");
+    }
   } else {
     free_crack(c, card, crack);
   }

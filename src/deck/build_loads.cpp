@@ -74,10 +74,20 @@ bool load_set(Context& c, const Reference& reference, model::Load& load) {
       return true;
     }
     return false;
-  case LoadType::temperature: // a set of any kind; no analysis reads it yet
-    return kind_of_set(c, Kind::any_set, reference).has_value();
-  case LoadType::crack_faces:
-    return look_up(c, Kind::crack, reference) != nullptr;
+  case LoadType::temperature: { // a set of any kind
+    const auto kind = kind_of_set(c, Kind::any_set, reference);
+    if (kind == Kind::element_set) {
+      load.elements = use_element_set(c, reference).value_or(base::ElementSetId());
+    } else if (kind) {
+      load.nodes = use_node_set(c, reference).value_or(base::NodeSetId());
+    }
+    return kind.has_value();
+  }
+  case LoadType::crack_faces: {
+    const Definition* crack = look_up(c, Kind::crack, reference);
+    load.crack = crack == nullptr ? base::CrackId() : base::CrackId(crack->index);
+    return crack != nullptr;
+  }
   case LoadType::resultant: {
     const auto known = c.names.find({Kind::face_set, Kind::node_set, Kind::element_set},
                                     reference.name, reference.net);
@@ -105,12 +115,14 @@ bool load_value(Context& c, const LoadForm& form, const grammar::Field& field, m
   }
   auto value =
       grammar::compile(field.expression, c.scope, grammar::Fields::position, c.diagnostics);
-  const base::Span unit = grammar::outer_unit(field.expression);
+  const base::Span unit = grammar::known_unit(field.expression, c.scope);
   if (value && unit.valid()) {
     const auto known = base::parse_unit(c.sources.text(unit));
     if (known && known->dimension != dimension_of(form.type)) {
-      c.error(unit, "E205",
-              fmt::format("'{}' does not fit: {} is expected", c.sources.text(unit), form.values));
+      const bool written_here = grammar::outer_unit(field.expression).valid();
+      c.error(written_here ? unit : field.span, "E205",
+              fmt::format("'{}' does not fit: {} is expected", c.sources.text(unit), form.values),
+              written_here ? "" : "the parameter is given in this unit");
       return false;
     }
   }
@@ -143,6 +155,12 @@ void load_row(Context& c, const BoundCard& card, const grammar::Row& row,
   }
   for (std::size_t i = 1; i < row.fields.size(); ++i) {
     ok = load_value(c, form, row.fields[i], load) && ok;
+  }
+  if (ok && c.mesh_sound && given < most) {
+    c.diagnostics.warning(row.span, "W312",
+                          fmt::format("TYPE={} has {} of {} values: along {} it is taken as 0",
+                                      form.word, given, most, "xyz"[given]),
+                          std::string(form.values));
   }
   while (load.value.size() < most) { // what is left out is zero
     load.value.push_back(base::Expression::constant(0.0));

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
+#include "deck/import_card.hpp"
+#include "deck/mesh_limits.hpp"
 #include "grammar/table.hpp"
 #include "mesh/generate.hpp"
-#include "mesh/gmsh_import.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -155,7 +157,7 @@ void elements(Context& c, const BoundCard& card) {
   };
   grammar::parse_connectivity(form, card.data, c.scope, c.diagnostics, take);
   origin.count = mesh.element_count() - origin.first;
-  c.origins.push_back(std::move(origin));
+  c.origins.push_back(origin);
 }
 
 void generate(Context& c, const BoundCard& card) {
@@ -238,45 +240,12 @@ bool sizes_fit(Context& c, const BoundCard& card) {
   return c.diagnostics.error_count() == errors;
 }
 
-void import(Context& c, const BoundCard& card) {
-  mesh::ImportRequest request;
-  // Relative to the file that the card stands in, as $INCLUDE is.
-  request.file = std::filesystem::path(c.sources.name(card.span.file)).parent_path() /
-                 std::string(card.word("FILE"));
-  request.format = card.is("FORMAT", "GEO") ? mesh::ImportFormat::geo : mesh::ImportFormat::msh;
-  request.scale = card.number("SCALE");
-  request.quadratic = card.is("TYPE", "QUADRATIC");
-  request.prefix = card.net.empty() ? "" : card.net + ".";
-  request.net = card.net_id;
-  request.parameters = c.parameters;
-  request.span = card.span;
-  for (const grammar::Row& row : card.rows) {
-    using FieldKind = grammar::Field::Kind;
-    const auto named = [](const grammar::Field& f) {
-      return f.kind == FieldKind::text || f.kind == FieldKind::name;
-    };
-    if (row.fields.size() != 2 || !named(row.fields[0]) || row.fields[0].separator != '=' ||
-        row.fields[1].kind != FieldKind::name) {
-      c.error(row.span, "E115", "a line is 'name in the file' = NEW_NAME");
-      continue;
-    }
-    request.renames.emplace_back(row.fields[0].kind == FieldKind::text
-                                     ? row.fields[0].text
-                                     : std::string(c.sources.text(row.fields[0].span)),
-                                 row.fields[1].text);
-  }
-  if (!std::filesystem::is_regular_file(request.file)) {
-    c.error(card.find("FILE")->span, "E308",
-            fmt::format("there is no file '{}'", request.file.string()));
-  } else if (!card.is("FORMAT", "INP")) {
-    mesh::import_mesh(c.model.mesh, request, c.diagnostics);
-  }
-}
-
-// Names of the sets that came with a generated or imported mesh.
+// Names of the sets that came with a generated or imported mesh. False after an error: one name
+// that is taken stands for all of them.
 template <class Set>
-void adopt_sets(Context& c, const BoundCard& card, Kind kind, std::vector<Set>& sets,
+bool adopt_sets(Context& c, const BoundCard& card, Kind kind, std::vector<Set>& sets,
                 std::size_t first) {
+  const auto of_net = [&](const model::Net& net) { return net.name == card.net; };
   for (std::size_t i = first; i < sets.size(); ++i) {
     if (!sets[i].span.valid()) {
       sets[i].span = card.span;
@@ -286,11 +255,17 @@ void adopt_sets(Context& c, const BoundCard& card, Kind kind, std::vector<Set>& 
     definition.index = i;
     definition.span = card.span;
     const Definition* before = c.names.define(sets[i].name, definition);
-    if (before != nullptr && !before->poisoned) {
+    if (before == nullptr || before->poisoned) {
+      continue;
+    }
+    const std::vector<model::Net>& nets = c.model.nets;
+    if (std::count_if(nets.begin(), nets.end(), of_net) < 2) { // else the net is said to be double
       c.error(card.span, "E302", fmt::format("there is a set {} already", sets[i].name),
               "put each mesh into a $NET of its own");
     }
+    return false;
   }
+  return true;
 }
 
 void adopt_labels(Context& c, const BoundCard& card, std::size_t node, std::size_t element) {
@@ -317,15 +292,15 @@ void mesh_card(Context& c, const BoundCard& card) {
                                           mesh.face_sets.size()};
   const std::size_t errors = c.diagnostics.error_count();
   if (card.spec->name == "IMPORT") {
-    import(c, card);
-  } else if (sizes_fit(c, card)) {
+    import_card(c, card);
+  } else if (mesh_is_handy(c, card) && sizes_fit(c, card)) {
     generate(c, card);
   }
   adopt_labels(c, card, before[0], before[1]);
-  adopt_sets(c, card, Kind::node_set, mesh.node_sets, before[2]);
-  adopt_sets(c, card, Kind::element_set, mesh.element_sets, before[3]);
-  adopt_sets(c, card, Kind::face_set, mesh.face_sets, before[4]);
-  if (c.diagnostics.error_count() != errors || mesh.element_count() == before[1]) {
+  const bool fresh = adopt_sets(c, card, Kind::node_set, mesh.node_sets, before[2]) &&
+                     adopt_sets(c, card, Kind::element_set, mesh.element_sets, before[3]) &&
+                     adopt_sets(c, card, Kind::face_set, mesh.face_sets, before[4]);
+  if (!fresh || c.diagnostics.error_count() != errors || mesh.element_count() == before[1]) {
     c.names.poison_net(card.net);
     c.node_labels[card.net_id.index()].complete = false;
     c.element_labels[card.net_id.index()].complete = false;

@@ -51,6 +51,7 @@ void property(Context& c, const BoundCard& card) {
       c.error(card.find("ESET")->span, "E306",
               fmt::format("element {} has a property already", mesh.element_label[e.index()]),
               "one $PROPERTY for each element");
+      c.property_sound = false;
       break;
     }
     if (solid != (base::info(mesh.type[e.index()]).dim == 3)) {
@@ -58,6 +59,7 @@ void property(Context& c, const BoundCard& card) {
               fmt::format("STATE={} does not fit element {}, a {}", card.word("STATE"),
                           mesh.element_label[e.index()], base::info(mesh.type[e.index()]).name),
               "SOLID is for elements in space, the others for those in the plane");
+      c.property_sound = false;
       break;
     }
     mesh.property[e.index()] = id;
@@ -94,6 +96,9 @@ void build_properties(Context& context) {
     if (card.spec->name == "MATERIAL" && !card.bad) {
       material(context, card);
     }
+  }
+  for (const mesh::ImportedPhysics& physics : context.imported) {
+    mesh::append_physics(context.model, physics);
   }
   for (const BoundCard& card : context.cards) {
     if (card.spec->name == "PROPERTY" && !card.bad) {

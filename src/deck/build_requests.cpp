@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/checks.hpp"
 #include "deck/sets.hpp"
+#include "grammar/lexeme.hpp"
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -24,9 +26,19 @@ constexpr std::array<Request, 5> requests{{{"U", Kind::any_set},
                                            {"K", Kind::crack},
                                            {"REACTION", Kind::any_set}}};
 
+// Files of every run folder; none is given away.
+constexpr std::array<std::string_view, 7> own_files{"k.csv",       "pressure.csv", "listing.txt",
+                                                    "report.html", "results.pvd",  "sweep.csv",
+                                                    "sweep.html"};
+
 void output(Context& c, const BoundCard& card) {
   model::Output output;
   output.file = card.word("FILE");
+  if (std::find(own_files.begin(), own_files.end(), output.file) != own_files.end()) {
+    c.error(card.find("FILE")->span, "E322",
+            fmt::format("FILE: '{}' is a file that every run writes", output.file),
+            "choose another name");
+  }
   output.format = card.is("FORMAT", "VTU")   ? model::OutputFormat::vtu
                   : card.is("FORMAT", "CSV") ? model::OutputFormat::csv
                                              : model::OutputFormat::json;
@@ -69,6 +81,46 @@ void control(Context& c, const BoundCard& card) {
   c.model.control.threads = card.integer("THREADS");
 }
 
+void restart(Context& c, const BoundCard& card) {
+  model::Restart restart;
+  restart.read = card.word("READ");
+  if (card.has("AT")) {
+    restart.at = card.integer("AT");
+  }
+  restart.write = card.word("WRITE");
+  restart.every = card.integer("EVERY");
+  restart.span = card.span;
+  for (const std::string_view key : {"READ", "WRITE"}) {
+    if (card.has(key) && card.word(key).empty()) {
+      c.error(card.find(key)->span, "E108", fmt::format("{}: the name of the file is empty", key));
+    }
+  }
+  if (!card.has("READ") && !card.has("WRITE")) {
+    c.error(card.span, "E106", "$RESTART needs READ or WRITE", "WRITE='file.rst' keeps states");
+  }
+  c.model.restart = std::move(restart);
+}
+
+// What a $TASK leaves out although cards ask for it: the chain is not cut short in this version.
+void left_out(Context& c, const BoundCard& card) {
+  const auto has_card = [&](std::string_view name) {
+    return std::any_of(c.cards.begin(), c.cards.end(),
+                       [&](const BoundCard& other) { return other.spec->name == name; });
+  };
+  struct Need {
+    std::string_view processor, card;
+  };
+  for (const Need& need : {Need{"CONTACT", "CONTACT"}, Need{"VCE", "CRACK"}, Need{"GROW", "GROW"},
+                           Need{"OUTPUT", "OUTPUT"}, Need{"STIFFNESS", "STEP"}}) {
+    const std::vector<std::string>& tasks = c.model.tasks;
+    if (has_card(need.card) &&
+        std::find(tasks.begin(), tasks.end(), need.processor) == tasks.end()) {
+      c.unavailable(fmt::format("$TASK without {} in a deck with ${}", need.processor, need.card),
+                    card.span);
+    }
+  }
+}
+
 void task(Context& c, const BoundCard& card) {
   const std::vector<std::string> valid = grammar::split_words(card.spec->data_form);
   std::size_t last = 0;
@@ -90,30 +142,75 @@ void task(Context& c, const BoundCard& card) {
       c.model.tasks.push_back(field.text);
     }
   }
+  left_out(c, card);
+}
+
+// The parameter's name as the deck defines it. Empty after an error.
+std::string swept_parameter(Context& c, const BoundCard& card, std::string_view key) {
+  const std::string name(card.word(key));
+  const base::Span span = card.find(key)->span;
+  const auto known = std::find_if(c.parameters.begin(), c.parameters.end(), [&](const auto& p) {
+    return grammar::to_upper(p.first) == name;
+  });
+  if (known == c.parameters.end()) {
+    if (!c.scope.poisoned.contains(name) && !c.scope.incomplete) {
+      std::vector<std::string> valid;
+      for (const auto& [other, value] : c.scope.values) {
+        valid.push_back(other);
+      }
+      c.error(span, "E301", fmt::format("there is no parameter '{}'", name),
+              base::suggest(name, valid));
+    }
+    return {};
+  }
+  if (c.overridden.contains(name)) {
+    c.error(span, "E390", fmt::format("parameter {} is swept and given with -D", known->first),
+            "leave -D out, or the card");
+  }
+  const auto swept = [&](const std::vector<std::string>& names) {
+    return std::find(names.begin(), names.end(), known->first) != names.end();
+  };
+  const bool before = std::any_of(c.model.sweeps.begin(), c.model.sweeps.end(),
+                                  [&](const model::Sweep& s) { return swept(s.parameters); });
+  const bool with_itself = key == "WITH" && card.word("PARAMETER") == name;
+  if (before || with_itself) {
+    c.error(span, "E391", fmt::format("parameter {} is swept twice", known->first));
+  }
+  return known->first;
+}
+
+// A parameter's value may have any unit.
+std::optional<double> sweep_value(Context& c, const Field& field) {
+  if (field.kind != Field::Kind::number && field.kind != Field::Kind::expression) {
+    return number_of(field, grammar::Quantity::number, "a value", c.scope, c.diagnostics);
+  }
+  return grammar::evaluate(field.expression, c.scope, c.diagnostics);
 }
 
 void sweep(Context& c, const BoundCard& card) {
-  const std::size_t columns = card.has("WITH") ? 2 : 1;
+  model::Sweep sweep;
+  sweep.span = card.span;
   for (const std::string_view key : {"PARAMETER", "WITH"}) {
-    const std::string name(card.word(key));
-    if (card.has(key) && !c.scope.values.contains(name) && !c.scope.poisoned.contains(name) &&
-        !c.scope.incomplete) {
-      std::vector<std::string> valid;
-      for (const auto& [known, value] : c.scope.values) {
-        valid.push_back(known);
-      }
-      c.error(card.find(key)->span, "E301", fmt::format("there is no parameter '{}'", name),
-              base::suggest(name, valid));
+    if (card.has(key)) {
+      sweep.parameters.push_back(swept_parameter(c, card, key));
     }
   }
+  const std::size_t columns = sweep.parameters.size();
   for (const grammar::Row& row : card.rows) {
-    for (const Field& field : row.fields) {
-      number_of(field, grammar::Quantity::number, "a value", c.scope, c.diagnostics);
-    }
     if (row.fields.size() % columns != 0) {
       c.error(row.span, "E115", "WITH takes values in pairs");
+      continue;
+    }
+    std::vector<double> point;
+    for (const Field& field : row.fields) {
+      point.push_back(sweep_value(c, field).value_or(0.0));
+      if (point.size() == columns) {
+        sweep.values.push_back(std::move(point));
+        point.clear();
+      }
     }
   }
+  c.model.sweeps.push_back(std::move(sweep));
 }
 
 } // namespace
@@ -128,6 +225,8 @@ void build_requests(Context& context) {
       read_checks(context, card);
     } else if (card.spec->name == "CONTROL") {
       control(context, card);
+    } else if (card.spec->name == "RESTART") {
+      restart(context, card);
     } else if (card.spec->name == "TASK") {
       task(context, card);
     } else if (card.spec->name == "SWEEP") {

@@ -15,6 +15,31 @@ using grammar::Field;
 
 const std::vector<std::string> k_actions{"LOAD", "FIT", "MOUNT", "DISMOUNT"};
 
+// A second LOAD of a case, FIT of a contact .. in one step: the deck means something else.
+bool says_twice(Context& c, const grammar::Row& row, const model::Step& step, std::string_view verb,
+                std::size_t index) {
+  const auto same = [&](const model::Action& action) {
+    if (const auto* load = std::get_if<model::ApplyLoad>(&action)) {
+      return verb == "LOAD" && load->load_case.index() == index;
+    }
+    if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {
+      return verb == "FIT" && fit->contact.index() == index;
+    }
+    if (const auto* mount = std::get_if<model::Mount>(&action)) {
+      return (verb == "MOUNT" || verb == "DISMOUNT") && mount->contact.index() == index;
+    }
+    const auto* off = std::get_if<model::Dismount>(&action);
+    return (verb == "MOUNT" || verb == "DISMOUNT") && off->contact.index() == index;
+  };
+  if (std::any_of(step.actions.begin(), step.actions.end(), same)) {
+    c.error(row.span, "E320",
+            fmt::format("{} {} stands twice in this step", verb, row.fields[1].text),
+            "a step says how it ends; make two steps");
+    return true;
+  }
+  return false;
+}
+
 // The name and factor behind LOAD and FIT, the name behind MOUNT and DISMOUNT.
 void action(Context& c, const BoundCard& card, const grammar::Row& row, model::Step& step) {
   const Field& verb = row.fields.front();
@@ -33,6 +58,9 @@ void action(Context& c, const BoundCard& card, const grammar::Row& row, model::S
                                            c.scope, c.diagnostics)
                                : std::optional(1.0);
   if (found == nullptr || !factor) {
+    return;
+  }
+  if (says_twice(c, row, step, verb.text, found->index)) {
     return;
   }
   if (loads) {
@@ -94,13 +122,6 @@ base::StepId step_id(Context& c, const BoundCard& card, std::string_view key) {
 
 // The crack lengths of LAW=INCREMENT, ascending.
 void lengths(Context& c, const BoundCard& card, model::Growth& growth) {
-  if (growth.law != model::GrowthLaw::increment) {
-    if (!card.rows.empty() && growth.law != model::GrowthLaw::table) {
-      c.error(card.rows.front().span, "E115",
-              fmt::format("LAW={} takes no data lines", card.word("LAW")));
-    }
-    return;
-  }
   for (const grammar::Row& row : card.rows) {
     for (const Field& field : row.fields) {
       const auto a =
@@ -109,7 +130,12 @@ void lengths(Context& c, const BoundCard& card, model::Growth& growth) {
         continue;
       }
       if (*a <= (growth.lengths.empty() ? 0.0 : growth.lengths.back())) {
-        c.error(field.span, "E109", "crack lengths are positive and grow");
+        c.error(field.span, "E109",
+                growth.lengths.empty()
+                    ? fmt::format("{} is no crack length: it is positive", *a)
+                    : fmt::format("{} is not longer than {} before it", *a, growth.lengths.back()),
+                "crack lengths are positive and grow");
+        continue;
       }
       growth.lengths.push_back(*a);
     }
@@ -117,6 +143,78 @@ void lengths(Context& c, const BoundCard& card, model::Growth& growth) {
   if (card.rows.empty() && !card.rows_bad) {
     c.error(card.span, "E115", "LAW=INCREMENT needs the crack lengths as data lines");
   }
+}
+
+// The lines `delta_K da/dN` of LAW=TABLE, in KUNIT and AUNIT.
+void law_table(Context& c, const BoundCard& card, model::LawConstants& constants) {
+  for (const grammar::Row& row : card.rows) {
+    if (row.fields.size() != 2) {
+      c.error(row.span, "E115", "a line of LAW=TABLE is delta_K da/dN");
+      continue;
+    }
+    const auto k =
+        number_of(row.fields[0], grammar::Quantity::number, "a range of K", c.scope, c.diagnostics);
+    const auto rate = number_of(row.fields[1], grammar::Quantity::number, "a growth per cycle",
+                                c.scope, c.diagnostics);
+    if (!k || !rate) {
+      continue;
+    }
+    const double before = constants.delta_k.empty() ? 0.0 : constants.delta_k.back();
+    if (*k <= before || *rate <= 0.0) {
+      c.error(row.fields[*k <= before ? 0 : 1].span, "E109",
+              "delta_K grows from line to line and da/dN is positive");
+      continue;
+    }
+    constants.delta_k.push_back(*k);
+    constants.growth.push_back(*rate);
+  }
+  if (card.rows.size() < 2 && !card.rows_bad) {
+    c.error(card.span, "E115", "LAW=TABLE needs two or more data lines: delta_K da/dN");
+  }
+}
+
+// One unit of KUNIT or AUNIT in deck units.
+double law_unit(const Context& c, const BoundCard& card, std::string_view key) {
+  const auto unit = base::parse_unit(card.word(key));
+  return card.has(key) && unit ? base::to_deck(*unit, c.scope.units) : 1.0;
+}
+
+void law_constants(const Context& c, const BoundCard& card, model::LawConstants& constants) {
+  constants.C = card.number("C");
+  constants.m = card.number("M");
+  constants.p = card.number("P");
+  constants.q = card.number("Q");
+  constants.alpha = card.number("ALPHA");
+  constants.stress_ratio = card.number("SMAX");
+  constants.threshold = card.number("DKTH");
+  constants.k_c = card.optional("KC");
+  constants.k_unit = law_unit(c, card, "KUNIT");
+  constants.a_unit = law_unit(c, card, "AUNIT");
+}
+
+// What ends the growth; with given lengths their end does, and the rest has no analysis yet.
+void stops(Context& c, const BoundCard& card, model::Growth& growth) {
+  growth.largest_advance = card.optional("DA");
+  growth.last_length = card.optional("AMAX");
+  growth.cycles = card.optional("CYCLES");
+  for (const std::string_view key : {"AMAX", "KC"}) {
+    if (growth.law == model::GrowthLaw::increment && card.has(key)) {
+      c.unavailable(fmt::format("$GROW LAW=INCREMENT {}", key), card.find(key)->span);
+    }
+  }
+}
+
+void law(Context& c, const BoundCard& card, model::Growth& growth) {
+  law_constants(c, card, growth.constants);
+  if (growth.law == model::GrowthLaw::increment) {
+    lengths(c, card, growth);
+  } else if (growth.law == model::GrowthLaw::table) {
+    law_table(c, card, growth.constants);
+  } else if (!card.rows.empty()) {
+    c.error(card.rows.front().span, "E115",
+            fmt::format("LAW={} takes no data lines", card.word("LAW")));
+  }
+  stops(c, card, growth);
 }
 
 void grow(Context& c, const BoundCard& card) {
@@ -138,7 +236,10 @@ void grow(Context& c, const BoundCard& card) {
       card.is("HISTORY", "CONTINUE") ? model::History::carry_on : model::History::restart;
   growth.mounted = card.is("MOUNTED", "FIRST") ? model::Mounted::first : model::Mounted::each;
   growth.span = card.span;
-  lengths(c, card, growth);
+  if (growth.kmin.valid() && growth.kmin == growth.kmax) {
+    c.error(card.find("KMIN")->span, "E110", "KMAX and KMIN name the same step");
+  }
+  law(c, card, growth);
   c.model.growth = std::move(growth);
 }
 

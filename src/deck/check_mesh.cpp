@@ -93,7 +93,8 @@ void check_mesh(Context& context) {
         open.push_back(e);
       }
     }
-    report_elements(context, open, "E305", "without a $PROPERTY", "");
+    report_elements(context, open, "E305", "without a $PROPERTY",
+                    "$PROPERTY ESET=.. MATERIAL=.. STATE=..");
   }
 }
 

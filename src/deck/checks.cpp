@@ -35,6 +35,9 @@ public:
     if (tolerance && *tolerance < 0.0) {
       c_.error(row_.fields[3].span, "E109", "a tolerance is not negative");
     }
+    if (value == 0.0 && check_.relative) {
+      c_.error(row_.fields[2].span, "E109", "nothing lies within REL of the value 0", "use ABS");
+    }
     if (!known || !value || !tolerance) {
       return;
     }
@@ -48,26 +51,44 @@ private:
   // quantity = value word tolerance [SOURCE text]; the = belongs to the first field
   bool form() {
     const std::vector<Field>& f = row_.fields;
-    const bool ends = f.size() == 4 || (f.size() == 6 && f[4].kind == Field::Kind::name &&
-                                        f[4].text == "SOURCE" && f[5].kind == Field::Kind::text);
-    const bool fits = ends && f[0].kind == Field::Kind::quantity && f[0].separator == '=' &&
-                      f[2].kind == Field::Kind::name;
-    if (fits && f[2].text != "REL" && f[2].text != "ABS") {
+    const auto word = [&](std::size_t i) { return f.size() > i && f[i].kind == Field::Kind::name; };
+    if (f[0].kind != Field::Kind::quantity) {
+      return wrong(f[0].span, "a result with its arguments is expected, as K(CRACK, STEP)");
+    }
+    if (f[0].separator != '=') {
+      return wrong(f[0].span, "'=' and a value are expected behind the result");
+    }
+    if (f.size() < 3 || !word(2)) {
+      const bool bare = f.size() == 3 && f[2].kind == Field::Kind::number;
+      return wrong(bare ? f[2].span : row_.span,
+                   bare ? "REL or ABS is missing before the tolerance"
+                        : "the tolerance is missing: REL or ABS and a number");
+    }
+    if (f[2].text != "REL" && f[2].text != "ABS") {
       c_.error(f[2].span, "E108",
                fmt::format("'{}' is neither REL nor ABS", c_.sources.text(f[2].span)),
                "REL: the tolerance counts from the value; ABS: it is in the value's own unit");
       arguments();
       return false;
     }
-    if (!fits) {
-      c_.error(row_.span, "E115", "a line of $CHECK is not of this form",
-               std::string(card_.spec->data_form));
-      return false;
+    if (f.size() < 4) {
+      return wrong(f[2].span, fmt::format("{} needs a tolerance behind it", f[2].text));
+    }
+    if (f.size() > 4 && (!word(4) || f[4].text != "SOURCE")) {
+      return wrong(f[4].span, fmt::format("unexpected {}", c_.sources.text(f[4].span)));
+    }
+    if (f.size() > 4 && (f.size() != 6 || f[5].kind != Field::Kind::text)) {
+      return wrong(f[f.size() > 6 ? 6 : 4].span, "SOURCE is followed by one text in quotes");
     }
     check_.quantity = f[0].text;
     check_.relative = f[2].text == "REL";
     check_.source = f.size() == 6 ? f[5].text : std::string();
     return true;
+  }
+
+  bool wrong(base::Span span, std::string text) {
+    c_.error(span, "E115", std::move(text), std::string(card_.spec->data_form));
+    return false;
   }
 
   std::optional<double> number(std::size_t place, grammar::Quantity quantity,
@@ -79,12 +100,16 @@ private:
     const Field& quantity = row_.fields[0];
     const grammar::ResultQuantity* spec = grammar::find_quantity(quantity.text);
     if (spec == nullptr) {
-      std::vector<std::string> valid;
-      for (const grammar::ResultQuantity& q : grammar::result_quantities()) {
-        valid.emplace_back(q.name);
-      }
-      c_.error(quantity.span, "E314", fmt::format("'{}' is not a result", quantity.text),
-               base::suggest(quantity.text, valid));
+      unknown(quantity);
+      return false;
+    }
+    if (spec->name == "T" || spec->name == "N" || spec->name == "LIFE") {
+      c_.unavailable(fmt::format("{} in $CHECK", spec->name), quantity.span);
+    }
+    if ((spec->name == "N" || spec->name == "LIFE") && !counts_cycles()) {
+      c_.error(quantity.span, "E315",
+               fmt::format("{} counts cycles, but the deck has no $GROW with a law of growth",
+                           quantity.text));
       return false;
     }
     const std::string pattern = pattern_for(spec->arguments, quantity.arguments);
@@ -98,6 +123,33 @@ private:
       ok = argument(pattern[i], quantity.arguments[i]) && ok;
     }
     return ok;
+  }
+
+  // By a law of $GROW, or perhaps by one that is refused already.
+  [[nodiscard]] bool counts_cycles() const {
+    const bool bad = std::any_of(c_.cards.begin(), c_.cards.end(), [](const BoundCard& card) {
+      return card.spec->name == "GROW" && card.bad;
+    });
+    return bad || (c_.model.growth && c_.model.growth->law != model::GrowthLaw::increment);
+  }
+
+  // Names that go on where this one stops come first: S.XX is S.XX.MIN, S.XX.MAX or S.XX.AT.
+  void unknown(const Field& quantity) {
+    std::vector<std::string> valid;
+    std::vector<std::string> longer;
+    for (const grammar::ResultQuantity& q : grammar::result_quantities()) {
+      valid.emplace_back(q.name);
+      if (q.name.starts_with(quantity.text + ".")) {
+        longer.emplace_back(q.name);
+      }
+    }
+    base::Span name = quantity.span;
+    name.end = name.begin + static_cast<std::uint32_t>(quantity.text.size());
+    std::string hint = longer.empty() ? base::suggest(quantity.text, valid)
+                                      : fmt::format("one of: {}", fmt::join(longer, ", "));
+    c_.error(name, "E314", fmt::format("'{}' is not a result", quantity.text),
+             hint.empty() ? "K1 K2 G T, CPRESS.MAX, ARC.FROM, SUM, U.X.MAX, S.XX.AT, REACTION, N .."
+                          : std::move(hint));
   }
 
   // The letters for these arguments: what follows ? and the number z may be left out. A lone name

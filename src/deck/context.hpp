@@ -5,11 +5,13 @@
 #include "deck/names.hpp"
 #include "deck/read_deck.hpp"
 #include "grammar/compile.hpp"
+#include "mesh/inp_import.hpp"
 #include "model/model.hpp"
 
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,13 +31,17 @@ struct Context {
   base::Diagnostics& diagnostics;
   grammar::Scope scope{};
   std::vector<std::pair<std::string, double>> parameters{}; ///< as written
+  std::set<std::string> overridden{};                       ///< by -D, upper case
   Names names{};
   std::vector<BoundCard> cards{};
   model::Model model{};
 
+  std::vector<mesh::ImportedPhysics> imported{}; ///< by $IMPORT FORMAT=INP, in their order
+
   std::vector<Labels> node_labels{};    ///< [net]
   std::vector<Labels> element_labels{}; ///< [net]
   std::vector<ElementOrigin> origins{}; ///< ascending
+  std::size_t largest_mesh = 0;         ///< see ReadOptions
   bool mesh_sound = true;               ///< no mistake while nodes and elements were made
   bool property_sound = true;           ///< no mistake in $PROPERTY and what it names
   bool freedom_sound = true;            ///< no mistake in $FREEDOM
@@ -68,14 +74,16 @@ void build_mesh(Context& context);
 void build_sets(Context& context);
 /// $MATERIAL, $PROPERTY, $FREEDOM.
 void build_properties(Context& context);
+/// $MPC.
+void build_mpcs(Context& context);
 /// $LOAD and the cases.
 void build_loads(Context& context);
-/// $CONTACT, $CRACK, $TIPNET, $VCE.
+/// $RIGID, $CONTACT, $CRACK, $TIPNET, $VCE.
 void build_contacts(Context& context);
 void build_cracks(Context& context);
 /// $STEP, $GROW.
 void build_steps(Context& context);
-/// $OUTPUT, $CHECK, $CONTROL, $TASK.
+/// $OUTPUT, $CHECK, $CONTROL, $RESTART, $SWEEP, $TASK.
 void build_requests(Context& context);
 /// Names that cards with bad headers use: the stages above leave these cards out.
 void check_references(Context& context);

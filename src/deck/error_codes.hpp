@@ -33,6 +33,7 @@ inline constexpr std::array error_codes{
     ErrorCode{"E119", "a card is given twice that a deck has once"},
     ErrorCode{"E120", "a table row ends early or holds no number here"},
     ErrorCode{"E121", "a table row goes on behind its last column"},
+    ErrorCode{"E122", "a file that is not a plain text"},
     ErrorCode{"E201", "no such parameter"},
     ErrorCode{"E202", "no such function"},
     ErrorCode{"E203", "a function with the wrong number of arguments"},
@@ -62,6 +63,12 @@ inline constexpr std::array error_codes{
     ErrorCode{"E317", "a path that is no crack path"},
     ErrorCode{"E318", "a deck without elements"},
     ErrorCode{"E319", "a displacement where no freedom is prescribed"},
+    ErrorCode{"E320", "a step that says the same thing twice"},
+    ErrorCode{"E321", "a mesh too large to be made"},
+    ErrorCode{"W312", "a load with fewer values than directions"},
+    ErrorCode{"E322", "an output file with the name of one that every run writes"},
+    ErrorCode{"E390", "a parameter is swept and given with -D"},
+    ErrorCode{"E391", "a parameter is swept twice"},
 };
 
 } // namespace spricka::deck

@@ -4,6 +4,7 @@
 #include "deck/sets.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -24,12 +25,15 @@ public:
 
   bool read(Collection& collection) {
     for (const grammar::Row& row : card_.rows) {
+      const auto equal = std::find_if(row.fields.begin(), row.fields.end(),
+                                      [](const Field& f) { return f.separator == '='; });
+      if (equal != row.fields.end()) {
+        c_.error(equal->span, "E115", "no '=' in a list of items",
+                 std::string(card_.spec->data_form));
+        ok_ = false;
+        continue;
+      }
       for (const Field& field : row.fields) {
-        if (field.separator == '=') {
-          c_.error(field.span, "E115", "no '=' in a list of items",
-                   std::string(card_.spec->data_form));
-          ok_ = false;
-        }
         item(field, collection);
       }
     }
@@ -68,8 +72,8 @@ private:
       ok_ = false;
       return;
     }
-    const auto label = static_cast<base::Label>(*value);
-    const auto found = static_cast<double>(label) == *value ? labels_.find(label) : std::nullopt;
+    const bool whole = *value == std::floor(*value) && std::abs(*value) < 1e18;
+    const auto found = whole ? labels_.find(static_cast<base::Label>(*value)) : std::nullopt;
     if (found) {
       collection.add(*found);
     } else {
@@ -79,17 +83,60 @@ private:
 
   // Numbers in a range may be missing, as long as there is one.
   void range(const Field& field, Collection& collection) {
-    const base::Label last = std::min(field.range[1], labels_.highest());
-    bool any = false;
-    for (base::Label label = field.range[0]; label <= last; label += field.range[2]) {
-      if (const auto found = labels_.find(label)) {
-        collection.add(*found);
-        any = true;
-      }
+    const base::Label first = field.range[0];
+    if (first < 1) {
+      c_.error(field.span, "E103", fmt::format("a {} number is 1 or more", thing()));
+      ok_ = false;
+      return;
     }
-    if (!any) {
+    const base::Label last = std::min(field.range[1], labels_.highest());
+    std::vector<std::size_t> found;
+    if (last >= first) {
+      const auto steps = static_cast<std::size_t>((last - first) / field.range[2]);
+      found = steps > all_labels().size() ? sift(first, last, field.range[2])
+                                          : walk(first, last, field.range[2]);
+    }
+    std::for_each(found.begin(), found.end(), [&](std::size_t i) { collection.add(i); });
+    if (found.empty()) {
       missing(field, fmt::format("there is no {} in this range", thing()));
     }
+  }
+
+  [[nodiscard]] const std::vector<base::Label>& all_labels() const {
+    const model::Mesh& mesh = c_.model.mesh;
+    return kind_ == Kind::node_set ? mesh.node_label : mesh.element_label;
+  }
+
+  // Asks for every number of the range.
+  [[nodiscard]] std::vector<std::size_t> walk(base::Label first, base::Label last,
+                                              base::Label step) const {
+    std::vector<std::size_t> found;
+    for (base::Label label = first;; label += step) {
+      if (const auto index = labels_.find(label)) {
+        found.push_back(*index);
+      }
+      if (label > last - step) {
+        return found;
+      }
+    }
+  }
+
+  // Looks through the numbers there are: the way for `1 : 1000000000000`.
+  [[nodiscard]] std::vector<std::size_t> sift(base::Label first, base::Label last,
+                                              base::Label step) const {
+    const std::vector<base::Label>& labels = all_labels();
+    const model::Mesh& mesh = c_.model.mesh;
+    const auto& net = kind_ == Kind::node_set ? mesh.node_net : mesh.element_net;
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+      const bool inside = labels[i] >= first && labels[i] <= last && net[i] == card_.net_id;
+      if (inside && (labels[i] - first) % step == 0) {
+        found.push_back(i);
+      }
+    }
+    std::sort(found.begin(), found.end(),
+              [&](std::size_t a, std::size_t b) { return labels[a] < labels[b]; });
+    return found;
   }
 
   void missing(const Field& field, std::string text) {

@@ -23,9 +23,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t k_deepest_include = 16;
+constexpr std::size_t k_longest_text = std::numeric_limits<std::uint32_t>::max(); ///< see Span
 
 std::string read_file(const fs::path& path) {
-  if (fs::is_directory(path)) {
+  std::error_code unknown;
+  if (fs::is_directory(path, unknown)) {
     throw std::system_error(EISDIR, std::generic_category(), path.string());
   }
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
@@ -35,8 +37,10 @@ std::string read_file(const fs::path& path) {
   }
   // A plain file is read in one go; what has no size (a pipe) or grows meanwhile, by chunks.
   std::string text;
-  std::error_code unknown;
   if (const auto size = fs::file_size(path, unknown); !unknown) {
+    if (size > k_longest_text) {
+      throw std::system_error(EFBIG, std::generic_category(), path.string());
+    }
     text.resize(static_cast<std::size_t>(size));
   }
   std::size_t filled = std::fread(text.data(), 1, text.size(), file.get());
@@ -46,12 +50,16 @@ std::string read_file(const fs::path& path) {
   while (const std::size_t got = std::fread(more.data(), 1, chunk, file.get())) {
     text.append(more.data(), got);
     filled += got;
+    if (filled > k_longest_text) { // a device may go on for ever
+      throw std::system_error(EFBIG, std::generic_category(), path.string());
+    }
   }
   if (std::ferror(file.get()) != 0) {
     throw std::system_error(EIO, std::generic_category(), path.string());
   }
-  if (filled > std::numeric_limits<std::uint32_t>::max()) {
-    throw std::system_error(EFBIG, std::generic_category(), path.string());
+  // lines that end with a carriage return alone, as long ago on the Macintosh
+  if (text.find('\n') == std::string::npos) {
+    std::replace(text.begin(), text.end(), '\r', '\n');
   }
   return text;
 }
@@ -72,6 +80,10 @@ public:
 
   void file(const fs::path& path, std::string shown) {
     const std::int32_t number = sources_.add(std::move(shown), read_file(path));
+    if (!is_text(number)) {
+      deck.incomplete = true;
+      return;
+    }
     open_.push_back(fs::weakly_canonical(path));
     for (grammar::Card& card : grammar::parse_cards(sources_, number, diagnostics_)) {
       if (card.name == "INCLUDE") {
@@ -85,6 +97,20 @@ public:
   LoadedDeck deck;
 
 private:
+  // Not a program, a picture or UTF-16.
+  bool is_text(std::int32_t file) {
+    const std::string_view text = sources_.text(file);
+    const std::size_t zero = text.find('\0');
+    if (zero == std::string_view::npos) {
+      return true;
+    }
+    const bool wide = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
+    const auto at = static_cast<std::uint32_t>(zero);
+    diagnostics_.error({file, at, at + 1}, "E122", "a zero byte: this is not a plain text",
+                       wide ? "the file is UTF-16; save it as UTF-8" : "");
+    return false;
+  }
+
   void include(const fs::path& from, const grammar::Card& card) {
     const grammar::Field* name = value_of(card, "FILE");
     if (name == nullptr || name->kind != grammar::Field::Kind::text) {
@@ -92,9 +118,13 @@ private:
       return;
     }
     const fs::path path = from.parent_path() / name->text;
-    if (std::find(open_.begin(), open_.end(), fs::weakly_canonical(path)) != open_.end()) {
+    std::error_code unknown; // no such file, a name too long ..: said when it is read
+    const fs::path canonical = fs::weakly_canonical(path, unknown);
+    if (!unknown && std::find(open_.begin(), open_.end(), canonical) != open_.end()) {
       refuse(*name, fmt::format("'{}' includes itself", name->text));
-    } else if (open_.size() >= k_deepest_include) {
+    } else if (fs::is_character_file(path, unknown) || fs::is_block_file(path, unknown)) {
+      refuse(*name, fmt::format("'{}' is a device, not a file", name->text));
+    } else if (open_.size() > k_deepest_include) {
       refuse(*name, fmt::format("includes are nested more than {} deep", k_deepest_include));
     } else {
       try {
@@ -151,7 +181,9 @@ LoadedDeck load_deck(const std::filesystem::path& deck, base::Sources& sources,
   Loader loader(sources, diagnostics);
   const auto file = static_cast<std::int32_t>(sources.count());
   loader.file(deck, deck.string());
-  check_frame(loader.deck.cards, file, sources, diagnostics);
+  if (!loader.deck.cards.empty() || !loader.deck.incomplete) {
+    check_frame(loader.deck.cards, file, sources, diagnostics);
+  }
   return std::move(loader.deck);
 }
 

@@ -91,6 +91,16 @@ bool Names::is_poisoned(const std::vector<Kind>& kinds, const std::string& name,
   return nets_.contains(own) || (own.empty() && !net.empty() && nets_.contains(net));
 }
 
+std::string Names::other_meaning(const std::vector<Kind>& kinds, const std::string& name) const {
+  for (const auto& [key, definition] : table_) {
+    if (key.second == name && std::find(kinds.begin(), kinds.end(), key.first) == kinds.end()) {
+      const std::string_view word = grammar::word_of(key.first);
+      return fmt::format("'{}' is {} {}", name, word.front() == 'e' ? "an" : "a", word);
+    }
+  }
+  return {};
+}
+
 std::string Names::hint(const std::vector<Kind>& kinds, const std::string& name) const {
   std::vector<std::string> valid;
   std::vector<std::string> same_word;
@@ -103,7 +113,10 @@ std::string Names::hint(const std::vector<Kind>& kinds, const std::string& name)
     }
   }
   if (same_word.empty()) {
-    return base::suggest(name, valid);
+    const std::string other = other_meaning(kinds, name);
+    return valid.empty() && other.empty() ? "the deck defines none"
+           : other.empty()                ? base::suggest(name, valid)
+                                          : other;
   }
   return same_word.size() == 1 ? fmt::format("did you mean '{}'?", same_word.front())
                                : fmt::format("one of: {}", fmt::join(same_word, ", "));

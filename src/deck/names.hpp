@@ -51,6 +51,10 @@ public:
   /// "did you mean ..": the nearest name, or one of another net with the same last part.
   [[nodiscard]] std::string hint(const std::vector<Kind>& kinds, const std::string& name) const;
 
+  /// "'PLATE' is an element set" where the name stands for something of another kind.
+  [[nodiscard]] std::string other_meaning(const std::vector<Kind>& kinds,
+                                          const std::string& name) const;
+
   /// For a set that has been built.
   void built(Kind kind, const std::string& name, std::size_t index);
 

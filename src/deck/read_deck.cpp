@@ -12,6 +12,7 @@ std::optional<model::Model> read_deck(const std::filesystem::path& deck, const R
                                       base::Sources& sources, base::Diagnostics& diagnostics) {
   const LoadedDeck loaded = load_deck(deck, sources, diagnostics);
   Context context{sources, diagnostics};
+  context.largest_mesh = options.largest_mesh;
   if (loaded.incomplete) {
     context.names.poison_everything();
     context.scope.incomplete = true;
@@ -22,6 +23,7 @@ std::optional<model::Model> read_deck(const std::filesystem::path& deck, const R
   build_mesh(context);
   build_sets(context);
   build_properties(context);
+  build_mpcs(context);
   build_contacts(context);
   build_cracks(context);
   build_loads(context);

@@ -12,9 +12,13 @@
 
 namespace spricka::deck {
 
-/// What the command line adds to a deck.
+/// What the command line adds to a deck, and what is too large to try.
 struct ReadOptions {
-  std::vector<std::pair<std::string, std::string>> defines; ///< -D NAME=expression
+  std::vector<std::pair<std::string, std::string>> defines = {}; ///< -D NAME=expression
+  /// Nodes of all elements together, counted for each element, that $MESH may make.
+  std::size_t largest_mesh = 500'000'000;
+  /// One point of the deck's $SWEEP: these parameters take these values.
+  std::vector<std::pair<std::string, double>> sweep_values = {};
 };
 
 /// Reads a deck with its includes and imports, checks it in four passes and builds the model. All

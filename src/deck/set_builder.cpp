@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <unordered_set>
 #include <utility>
 
@@ -62,7 +63,7 @@ bool sort_nodes(Context& c, const BoundCard& card, std::vector<std::size_t>& nod
   std::vector<std::pair<double, std::size_t>> keyed;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     keyed.emplace_back(card.find("ORDER")->expression(c.model.mesh.x[nodes[i]]), nodes[i]);
-    if (std::isnan(keyed.back().first)) {
+    if (!std::isfinite(keyed.back().first)) {
       c.error(card.find("ORDER")->span, "E206",
               fmt::format("ORDER has no value at node {}", c.model.mesh.node_label[nodes[i]]));
       return false;
@@ -214,6 +215,26 @@ std::optional<std::vector<model::Face>> faces_of_card(Context& c, const BoundCar
   return ok ? std::optional(std::move(faces)) : std::nullopt;
 }
 
+// Where the nodes lie that WHERE chose none of.
+std::string extent(const Context& c, const BoundCard& card) {
+  const model::Mesh& mesh = c.model.mesh;
+  base::Vec3 low = base::Vec3::Constant(std::numeric_limits<double>::infinity());
+  base::Vec3 high = -low;
+  for (std::size_t i = 0; i < mesh.node_count(); ++i) {
+    if (card.net.empty() || mesh.node_net[i] == card.net_id) {
+      low = low.cwiseMin(mesh.x[i]);
+      high = high.cwiseMax(mesh.x[i]);
+    }
+  }
+  if (low.x() > high.x()) {
+    return "there are no nodes";
+  }
+  const std::string plane = fmt::format("WHERE holds nowhere: nodes have x = {:.6g} .. {:.6g}, "
+                                        "y = {:.6g} .. {:.6g}",
+                                        low.x(), high.x(), low.y(), high.y());
+  return mesh.dim == 2 ? plane : fmt::format("{}, z = {:.6g} .. {:.6g}", plane, low.z(), high.z());
+}
+
 } // namespace
 
 std::vector<model::Face> boundary_within(Context& context, const std::vector<base::NodeId>& nodes) {
@@ -252,8 +273,12 @@ void build_set(Context& context, const BoundCard& card) {
   } else {
     keep(mesh.face_sets, faces_of_card(context, card));
   }
-  if (size == std::size_t{0} && context.mesh_sound && !card.rows_bad) {
-    context.error(name.span, "E309", fmt::format("set {} is empty", full));
+  // where a mesh is missing, as one in space may, an empty set says nothing
+  const bool whole = std::all_of(context.node_labels.begin(), context.node_labels.end(),
+                                 [](const Labels& labels) { return labels.complete; });
+  if (size == std::size_t{0} && context.mesh_sound && whole && !card.rows_bad) {
+    context.error(name.span, "E309", fmt::format("set {} is empty", full),
+                  card.has("WHERE") ? extent(context, card) : "");
   }
   if (size.value_or(0) == 0 || card.rows_bad) {
     context.names.poison(kind, full);

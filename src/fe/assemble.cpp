@@ -29,10 +29,10 @@ BlockRows element_rows(const model::Mesh& mesh, std::span<const base::ElementId>
   return blocks;
 }
 
-void add_super_rows(BlockRows& blocks, const Superelement& super, const DofMap& dofs) {
+void add_super_rows(BlockRows& blocks, std::span<const std::int32_t> freedoms, const DofMap& dofs) {
   std::vector<std::int32_t> rows;
-  rows.reserve(super.freedom.size());
-  for (const std::int32_t freedom : super.freedom) {
+  rows.reserve(freedoms.size());
+  for (const std::int32_t freedom : freedoms) {
     rows.push_back(dofs.row[static_cast<std::size_t>(freedom)]);
   }
   blocks.add(rows);
@@ -40,12 +40,23 @@ void add_super_rows(BlockRows& blocks, const Superelement& super, const DofMap& 
 
 } // namespace
 
+base::SymmetricCsc stiffness_pattern(const model::Mesh& mesh,
+                                     std::span<const base::ElementId> elements,
+                                     std::span<const std::vector<std::int32_t>> super_freedoms,
+                                     const DofMap& dofs) {
+  BlockRows blocks = element_rows(mesh, elements, dofs);
+  for (const std::vector<std::int32_t>& freedoms : super_freedoms) {
+    add_super_rows(blocks, freedoms, dofs);
+  }
+  return make_pattern(dofs.size(), blocks);
+}
+
 base::SymmetricCsc assemble_stiffness(const model::Model& model, const model::Mesh& mesh,
                                       std::span<const base::ElementId> elements,
                                       std::span<const Superelement> supers, const DofMap& dofs) {
   BlockRows blocks = element_rows(mesh, elements, dofs);
   for (const Superelement& super : supers) {
-    add_super_rows(blocks, super, dofs);
+    add_super_rows(blocks, super.freedom, dofs);
   }
   base::SymmetricCsc K = make_pattern(dofs.size(), blocks);
 

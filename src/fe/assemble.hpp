@@ -15,6 +15,13 @@ struct Superelement {
   base::Matrix stiffness;            ///< [m, m]
 };
 
+/// The matrix of assemble_stiffness with all values zero; of superelements their freedoms
+/// dim * node + c are enough.
+base::SymmetricCsc stiffness_pattern(const model::Mesh& mesh,
+                                     std::span<const base::ElementId> elements,
+                                     std::span<const std::vector<std::int32_t>> super_freedoms,
+                                     const DofMap& dofs);
+
 /// Stiffness of some elements and superelements on the unknowns of `dofs` (lower triangle).
 /// Suppressed and prescribed freedoms have no row and drop out. Every diagonal is stored.
 base::SymmetricCsc assemble_stiffness(const model::Model& model, const model::Mesh& mesh,

@@ -183,7 +183,7 @@ public:
       const int ni = count(k - 1);
       const int no = count(k);
       for (int i = 0, j = 0; i < ni || j < no;) {
-        if (i == ni || (j < no && (2 * j + 1) * ni <= (2 * i + 1) * no)) {
+        if (i == ni || (j < no && (2L * j + 1) * ni <= (2L * i + 1) * no)) {
           const base::ElementId e = add(lattice, {{{k - 1, i}, {k, j}, {k, j + 1}}});
           if (k == spec_.nr) {
             outer.push_back({e, 1});

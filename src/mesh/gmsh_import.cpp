@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/gmsh_import.hpp"
 
+#include "mesh/child.hpp"
 #include "mesh/gmsh_elements.hpp"
+#include "mesh/gmsh_groups.hpp"
 #include "mesh/gmsh_preamble.hpp"
 #include "mesh/gmsh_session.hpp"
+#include "mesh/mesh_bytes.hpp"
+#include "mesh/msh_check.hpp"
 #include "mesh/numbering.hpp"
-#include "mesh/side_index.hpp"
-#include "shape/topology.hpp"
 
 #include <fmt/format.h>
 #include <gmsh.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <map>
+#include <cstdint>
+#include <numeric>
 #include <set>
 #include <unordered_map>
 
@@ -26,17 +28,8 @@ using base::ElementId;
 using base::NodeId;
 using Tag = std::size_t;
 
-std::string upper(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return text;
-}
-
-struct Group {
-  int dim = 0;
-  int tag = 0;
-  std::string set; ///< qualified name of our set
-};
+/// Far more than a mesh needs that is not damaged [bytes], besides a multiple of its file.
+constexpr std::uintmax_t memory_for_gmsh = std::uintmax_t{2} << 30;
 
 class Import {
 public:
@@ -49,31 +42,52 @@ public:
       error("E330", fmt::format("no file '{}'", request_.file.string()));
       return;
     }
+    if (request_.format == ImportFormat::msh) {
+      if (const std::string trouble = msh_trouble(request_.file); !trouble.empty()) {
+        error("E331", fmt::format("{}: {}", file_name(), trouble));
+        return;
+      }
+    }
     const GmshSession session;
-    if (!load() || !read_groups() || !read_elements()) {
+    if (!load() || !read_gmsh_groups(request_, diagnostics_, groups_) || !read_elements()) {
       return;
     }
-    add_nodes();
+    if (!add_nodes()) {
+      return;
+    }
     add_elements();
-    add_sets();
+    add_gmsh_sets(mesh_, request_, groups_, numbers_, diagnostics_);
+    report_warnings();
   }
 
 private:
-  struct Element {
-    Tag tag = 0;
-    base::ElementType type = base::ElementType::trim3;
-    std::vector<Tag> nodes; ///< in our order
-    int entity = 0;
-    ElementId id;
+  /// Elements as gmsh has them, but their nodes in our order.
+  struct Elements {
+    std::vector<Tag> tag;
+    std::vector<base::ElementType> type;
+    std::vector<int> entity;
+    std::vector<std::size_t> first; ///< [element] into `nodes`
+    std::vector<Tag> nodes;
   };
 
   void error(std::string code, std::string text, std::string hint = {}) {
     diagnostics_.error(request_.span, std::move(code), std::move(text), std::move(hint));
   }
+  [[nodiscard]] std::string file_name() const { return request_.file.filename().string(); }
+  void report_warnings() {
+    static constexpr std::size_t most = 5;
+    const std::vector<std::string> warnings = GmshSession::warnings();
+    for (std::size_t i = 0; i < std::min(most, warnings.size()); ++i) {
+      const std::size_t more = i + 1 == most ? warnings.size() - most : 0;
+      diagnostics_.warning(request_.span, "W331",
+                           fmt::format("{}: gmsh says: {}{}", file_name(), warnings[i],
+                                       more > 0 ? fmt::format(" (and {} more)", more) : ""));
+    }
+  }
   bool report_gmsh() {
     const std::vector<std::string> errors = GmshSession::errors();
     for (const std::string& line : errors) {
-      error("E331", fmt::format("{}: gmsh says: {}", request_.file.filename().string(), line));
+      error("E331", fmt::format("{}: gmsh says: {}", file_name(), line));
     }
     return errors.empty();
   }
@@ -100,7 +114,7 @@ private:
       mesh_if_needed();
     } catch (...) { // gmsh throws a string, or what its parts throw; the log has the words
       if (report_gmsh()) {
-        error("E331", fmt::format("{}: gmsh gave up", request_.file.filename().string()));
+        error("E331", fmt::format("{}: gmsh gave up", file_name()));
       }
       return false;
     }
@@ -108,16 +122,16 @@ private:
   }
 
   void mesh_if_needed() {
-    dim_ = 0;
+    numbers_.dim = 0;
     std::vector<int> types;
     const auto find_dim = [&] {
-      for (int d = 3; d >= 2 && dim_ == 0; --d) {
+      for (int d = 3; d >= 2 && numbers_.dim == 0; --d) {
         gmsh::model::mesh::getElementTypes(types, d);
-        dim_ = types.empty() ? 0 : d;
+        numbers_.dim = types.empty() ? 0 : d;
       }
     };
     find_dim();
-    if (dim_ == 0 && request_.format == ImportFormat::geo) {
+    if (numbers_.dim == 0 && request_.format == ImportFormat::geo) {
       gmsh::model::mesh::generate(std::max(2, gmsh::model::getDimension()));
       find_dim();
     }
@@ -130,69 +144,32 @@ private:
     }
   }
 
-  bool read_groups() {
-    gmsh::vectorpair groups;
-    gmsh::model::getPhysicalGroups(groups);
-    std::vector<bool> used(request_.renames.size(), false);
-    std::vector<std::string> names;
-    for (const auto& [dim, tag] : groups) {
-      std::string name;
-      gmsh::model::getPhysicalName(dim, tag, name);
-      if (name.empty()) {
-        name = fmt::format("GROUP{}", tag);
-      }
-      names.push_back(name);
-      std::string set = upper(name);
-      std::replace(set.begin(), set.end(), ' ', '_');
-      for (std::size_t i = 0; i < used.size(); ++i) {
-        if (upper(request_.renames[i].first) == upper(name)) {
-          set = request_.renames[i].second;
-          used[i] = true;
-        }
-      }
-      groups_.push_back({dim, tag, request_.prefix + set});
-    }
-    for (std::size_t i = 0; i < used.size(); ++i) {
-      if (!used[i]) {
-        error("E332",
-              fmt::format("no physical group '{}' in {}", request_.renames[i].first,
-                          request_.file.filename().string()),
-              base::suggest(request_.renames[i].first, names));
-      }
-    }
-    return std::all_of(used.begin(), used.end(), [](bool b) { return b; });
-  }
-
-  std::vector<int> entities(const Group& group) const {
-    std::vector<int> result;
-    gmsh::model::getEntitiesForPhysicalGroup(group.dim, group.tag, result);
-    return result;
-  }
-
   /// Elements of the mesh's own dimension: those in physical groups if there are such groups, as
   /// gmsh itself saves a mesh, else all.
   bool read_elements() {
     std::set<int> wanted;
-    for (const Group& group : groups_) {
-      if (group.dim == dim_) {
-        const std::vector<int> members = entities(group);
+    for (const GmshGroup& group : groups_) {
+      if (group.dim == numbers_.dim) {
+        const std::vector<int> members = group.entities();
         wanted.insert(members.begin(), members.end());
       }
     }
     gmsh::vectorpair all;
-    gmsh::model::getEntities(all, dim_ > 0 ? dim_ : 2);
+    gmsh::model::getEntities(all, numbers_.dim > 0 ? numbers_.dim : 2);
     for (const auto& [dim, tag] : all) {
       if ((wanted.empty() || wanted.contains(tag)) && !read_entity(tag)) {
         return false;
       }
     }
-    if (elements_.empty()) {
-      error("E333", fmt::format("{} has no elements", request_.file.filename().string()),
+    if (elements_.tag.empty()) {
+      error("E333", fmt::format("{} has no elements", file_name()),
             "a surface or volume must be defined and meshed");
       return false;
     }
-    std::sort(elements_.begin(), elements_.end(),
-              [](const Element& a, const Element& b) { return a.tag < b.tag; });
+    order_.resize(elements_.tag.size());
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    std::sort(order_.begin(), order_.end(),
+              [&](std::size_t i, std::size_t j) { return elements_.tag[i] < elements_.tag[j]; });
     return true;
   }
 
@@ -200,7 +177,7 @@ private:
     std::vector<int> types;
     std::vector<std::vector<Tag>> tags;
     std::vector<std::vector<Tag>> nodes;
-    gmsh::model::mesh::getElements(types, tags, nodes, dim_, entity);
+    gmsh::model::mesh::getElements(types, tags, nodes, numbers_.dim, entity);
     for (std::size_t t = 0; t < types.size(); ++t) {
       const auto known = from_gmsh(types[t]);
       if (!known) {
@@ -211,56 +188,66 @@ private:
         int primary = 0;
         std::vector<double> local;
         gmsh::model::mesh::getElementProperties(types[t], name, dim, order, count, local, primary);
-        error("E334", fmt::format("{}: elements of gmsh's type '{}' are not known",
-                                  request_.file.filename().string(), name));
+        error("E334",
+              fmt::format("{}: elements of gmsh's type '{}' are not known", file_name(), name));
         return false;
       }
       const auto count = static_cast<std::size_t>(base::info(known->type).nodes);
       for (std::size_t e = 0; e < tags[t].size(); ++e) {
-        Element element{tags[t][e], known->type, {}, entity, {}};
+        elements_.tag.push_back(tags[t][e]);
+        elements_.type.push_back(known->type);
+        elements_.entity.push_back(entity);
+        elements_.first.push_back(elements_.nodes.size());
         for (std::size_t i = 0; i < count; ++i) {
           const std::size_t at =
               known->order.empty() ? i : static_cast<std::size_t>(known->order[i]);
-          element.nodes.push_back(nodes[t][e * count + at]);
+          elements_.nodes.push_back(nodes[t][e * count + at]);
         }
-        elements_.push_back(std::move(element));
       }
     }
     return true;
   }
 
-  void add_nodes() {
+  bool add_nodes() {
     std::vector<Tag> tags;
     std::vector<double> x;
     std::vector<double> parametric;
     gmsh::model::mesh::getNodes(tags, x, parametric);
-    std::map<Tag, base::Vec3> needed;
-    for (const Element& element : elements_) {
-      for (const Tag n : element.nodes) {
-        needed[n];
+    numbers_.tags.emplace(tags);
+    numbers_.node.assign(tags.size(), NodeId());
+    std::vector<std::size_t> needed; // places in `tags`, ascending by tag
+    std::vector<bool> met(tags.size(), false);
+    for (const Tag tag : elements_.nodes) {
+      const auto at = numbers_.tags->find(tag);
+      if (!at) {
+        error("E331",
+              fmt::format("{}: an element has node {}, which is not there", file_name(), tag));
+        return false;
+      }
+      if (!met[*at]) {
+        met[*at] = true;
+        needed.push_back(*at);
       }
     }
+    std::sort(needed.begin(), needed.end(),
+              [&](std::size_t i, std::size_t j) { return tags[i] < tags[j]; });
+    const base::Label offset = next_node_label(mesh_, request_.net) - 1;
     double size = 0.0;
     double height = 0.0;
-    for (std::size_t i = 0; i < tags.size(); ++i) {
-      const auto at = needed.find(tags[i]);
-      if (at != needed.end()) {
-        at->second = request_.scale * base::Vec3(x[3 * i], x[3 * i + 1], x[3 * i + 2]);
-        size = std::max(size, at->second.cwiseAbs().maxCoeff());
-        height = std::max(height, std::abs(at->second.z()));
-      }
-    }
-    if (dim_ == 2 && height > 1e-9 * size) {
-      error("E335",
-            fmt::format("{} does not lie in the plane z = 0", request_.file.filename().string()));
-    }
-    const base::Label offset = next_node_label(mesh_, request_.net) - 1;
-    for (auto& [tag, at] : needed) {
-      if (dim_ == 2) {
+    for (const std::size_t i : needed) {
+      base::Vec3 at = request_.scale * base::Vec3(x[3 * i], x[3 * i + 1], x[3 * i + 2]);
+      size = std::max(size, at.cwiseAbs().maxCoeff());
+      height = std::max(height, std::abs(at.z()));
+      if (numbers_.dim == 2) {
         at.z() = 0.0;
       }
-      node_[tag] = model::add_node(mesh_, at, offset + static_cast<base::Label>(tag), request_.net);
+      numbers_.node[i] =
+          model::add_node(mesh_, at, offset + static_cast<base::Label>(tags[i]), request_.net);
     }
+    if (numbers_.dim == 2 && height > 1e-9 * size) {
+      error("E335", fmt::format("{} does not lie in the plane z = 0", file_name()));
+    }
+    return true;
   }
 
   [[nodiscard]] bool runs_clockwise(const std::vector<NodeId>& nodes, int corners) const {
@@ -274,115 +261,84 @@ private:
   }
 
   void add_elements() {
-    mesh_.dim = std::max(mesh_.dim, dim_);
+    mesh_.dim = std::max(mesh_.dim, numbers_.dim);
+    numbers_.entity.reserve(order_.size());
     const base::Label offset = next_element_label(mesh_, request_.net) - 1;
-    for (Element& element : elements_) {
-      std::vector<NodeId> nodes;
-      for (const Tag tag : element.nodes) {
-        nodes.push_back(node_.at(tag));
+    numbers_.first_element = mesh_.element_count();
+    const Tag lowest = elements_.tag[order_.front()];
+    std::vector<NodeId> nodes;
+    for (const std::size_t e : order_) {
+      const base::ElementInfo& info = base::info(elements_.type[e]);
+      nodes.clear();
+      for (int i = 0; i < info.nodes; ++i) {
+        nodes.push_back(
+            numbers_.node_of(elements_.nodes[elements_.first[e] + static_cast<std::size_t>(i)]));
       }
-      if (dim_ == 2 && runs_clockwise(nodes, base::info(element.type).corners)) {
-        const std::vector<NodeId> old = nodes;
-        const std::span<const int> order = turned_over(element.type);
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
-          nodes[i] = old[static_cast<std::size_t>(order[i])];
-        }
+      if (numbers_.dim == 2 && runs_clockwise(nodes, info.corners)) {
+        const std::vector<NodeId> before = nodes;
+        const std::span<const int> over = turned_over(elements_.type[e]);
+        std::transform(over.begin(), over.end(), nodes.begin(),
+                       [&](int i) { return before[static_cast<std::size_t>(i)]; });
       }
-      const auto number = static_cast<base::Label>(element.tag - elements_.front().tag + 1);
-      element.id = model::add_element(mesh_, element.type, nodes, offset + number, request_.net);
+      if (const ElementId twin = met_before(nodes); twin.valid()) {
+        numbers_.also.emplace_back(twin, elements_.entity[e]);
+        continue;
+      }
+      const auto number = static_cast<base::Label>(elements_.tag[e] - lowest + 1);
+      numbers_.entity.push_back(elements_.entity[e]);
+      model::add_element(mesh_, elements_.type[e], nodes, offset + number, request_.net);
     }
   }
 
-  void add_sets() {
-    const SideIndex sides(mesh_, elements_.front().id.index());
-    for (const Group& group : groups_) {
-      const std::vector<int> members = entities(group);
-      if (group.dim == dim_) {
-        model::ElementSet set{group.set, {}, request_.span};
-        for (const Element& element : elements_) {
-          if (std::find(members.begin(), members.end(), element.entity) != members.end()) {
-            set.elements.push_back(element.id);
-          }
-        }
-        mesh_.element_sets.push_back(std::move(set));
-      } else if (group.dim == dim_ - 1) {
-        add_face_set(group, members, sides);
-      } else {
-        add_node_set(group);
-      }
+  /// The element with these nodes in this order, if a file has it already; else notes it.
+  ElementId met_before(const std::vector<NodeId>& nodes) {
+    if (request_.format != ImportFormat::msh) {
+      return {};
     }
-  }
-
-  void add_node_set(const Group& group) {
-    std::vector<Tag> tags;
-    std::vector<double> x;
-    gmsh::model::mesh::getNodesForPhysicalGroup(group.dim, group.tag, tags, x);
-    std::set<NodeId> nodes;
-    for (const Tag tag : tags) {
-      if (const auto at = node_.find(tag); at != node_.end()) {
-        nodes.insert(at->second);
-      }
+    std::uint64_t hash = 14695981039346656037U; // FNV-1a
+    for (const NodeId n : nodes) {
+      hash = (hash ^ static_cast<std::uint64_t>(n.value)) * 1099511628211U;
     }
-    mesh_.node_sets.push_back({group.set, {nodes.begin(), nodes.end()}, request_.span});
-  }
-
-  /// The side with these corners. Between two elements it is that of the element on the left of the
-  /// group's own direction.
-  [[nodiscard]] std::optional<model::Face> side_on(const SideIndex& sides,
-                                                   const std::vector<NodeId>& corners) const {
-    const std::span<const model::Face> found = sides.find(corners);
-    if (found.empty()) {
-      return std::nullopt;
-    }
-    for (const model::Face& face : found) {
-      const auto nodes = mesh_.nodes_of(face.element);
-      const auto local = shape::side_nodes(mesh_.type[face.element.index()], face.side);
-      if (dim_ == 2 && nodes[static_cast<std::size_t>(local[0])] == corners[0]) {
-        return face;
-      }
-    }
-    return found.front();
-  }
-
-  void add_face_set(const Group& group, const std::vector<int>& members, const SideIndex& sides) {
-    model::FaceSet set{group.set, {}, request_.span};
-    for (const int entity : members) {
-      std::vector<int> types;
-      std::vector<std::vector<Tag>> tags;
-      std::vector<std::vector<Tag>> nodes;
-      gmsh::model::mesh::getElements(types, tags, nodes, group.dim, entity);
-      for (std::size_t t = 0; t < types.size(); ++t) {
-        const std::size_t count = tags[t].empty() ? 1 : nodes[t].size() / tags[t].size();
-        const auto known = from_gmsh(types[t]);
-        const auto corners = static_cast<std::size_t>(known ? base::info(known->type).corners : 2);
-        for (std::size_t e = 0; e < tags[t].size(); ++e) {
-          std::vector<NodeId> key;
-          for (std::size_t i = 0; i < corners; ++i) {
-            const auto at = node_.find(nodes[t][e * count + i]);
-            key.push_back(at == node_.end() ? NodeId() : at->second);
-          }
-          if (const auto face = side_on(sides, key)) {
-            set.faces.push_back(*face);
-          }
-        }
-      }
-    }
-    mesh_.face_sets.push_back(std::move(set));
+    const auto [at, fresh] = met_.try_emplace(hash, mesh_.element_count());
+    const std::span<const NodeId> before =
+        fresh ? std::span<const NodeId>() : mesh_.nodes_of(at->second);
+    return std::equal(nodes.begin(), nodes.end(), before.begin(), before.end()) ? at->second
+                                                                                : ElementId();
   }
 
   model::Mesh& mesh_;
   const ImportRequest& request_;
   base::Diagnostics& diagnostics_;
-  int dim_ = 0;
-  std::vector<Group> groups_;
-  std::vector<Element> elements_;
-  std::unordered_map<Tag, NodeId> node_;
+  std::vector<GmshGroup> groups_;
+  Elements elements_;
+  std::vector<std::size_t> order_;                   ///< elements by ascending tag
+  std::unordered_map<std::uint64_t, ElementId> met_; ///< by a hash of the nodes
+  GmshNumbers numbers_;
 };
 
 } // namespace
 
 void import_mesh(model::Mesh& mesh, const ImportRequest& request, base::Diagnostics& diagnostics) {
-  Import(mesh, request, diagnostics).run();
+  std::error_code unknown;
+  const std::uintmax_t size = fs::file_size(request.file, unknown);
+  if (request.format != ImportFormat::msh || unknown) {
+    Import(mesh, request, diagnostics).run();
+    return;
+  }
+  // gmsh believes the numbers in a mesh file: a wrong one takes its process down
+  const auto bytes = in_child(
+      [&] {
+        const MeshEnd end(mesh);
+        base::Diagnostics messages;
+        Import(mesh, request, messages).run();
+        return to_bytes(mesh, end, messages);
+      },
+      memory_for_gmsh + 64 * size);
+  if (!bytes || !from_bytes(*bytes, request.span, mesh, diagnostics)) {
+    diagnostics.error(request.span, "E331",
+                      fmt::format("{}: the file is damaged; gmsh cannot read it",
+                                  request.file.filename().string()));
+  }
 }
 
 } // namespace spricka::mesh

@@ -34,8 +34,9 @@ GmshSession::~GmshSession() {
   gmsh::finalize();
 }
 
-std::vector<std::string> GmshSession::errors() {
-  static constexpr std::string_view mark = "Error: ";
+namespace {
+
+std::vector<std::string> lines_marked(std::string_view mark) {
   std::vector<std::string> log;
   gmsh::logger::get(log);
   std::vector<std::string> result;
@@ -45,6 +46,16 @@ std::vector<std::string> GmshSession::errors() {
     }
   }
   return result;
+}
+
+} // namespace
+
+std::vector<std::string> GmshSession::errors() {
+  return lines_marked("Error: ");
+}
+
+std::vector<std::string> GmshSession::warnings() {
+  return lines_marked("Warning: ");
 }
 
 } // namespace spricka::mesh

@@ -18,6 +18,7 @@ public:
 
   /// What gmsh reported as errors so far, in its own words.
   [[nodiscard]] static std::vector<std::string> errors();
+  [[nodiscard]] static std::vector<std::string> warnings();
 
 private:
   std::unique_lock<std::mutex> turn_;

@@ -111,13 +111,17 @@ double tip_clearance(const Host& host, const CrackFrame& frame, const std::vecto
   return least / frame.a;
 }
 
+// Room for the tip, as a part of the crack's length, below which it counts as on the boundary.
+constexpr double through = 1e-9;
+
 std::optional<Placement> place(const Host& host, const CrackLine& line, const TipMesh& tip,
                                base::Span span, base::Diagnostics& diagnostics) {
   Placement result;
   const Found found = find_mouth(host, line);
   if (!(found.distance <= on_boundary * found.chord)) {
     diagnostics.error(span, "E421",
-                      fmt::format("{} starts at ({:.6g}, {:.6g}), which is not on the boundary",
+                      fmt::format("{} starts at ({:.6g}, {:.6g}), which is not on the boundary; a "
+                                  "crack inside the body is not available in this version",
                                   line.title(), line.points[0].x(), line.points[0].y()),
                       found.chord > 0.0
                           ? fmt::format("the nearest boundary point is ({:.6g}, {:.6g})",
@@ -153,6 +157,15 @@ std::optional<Placement> place(const Host& host, const CrackLine& line, const Ti
   }
   const double room =
       std::min(tip_clearance(host, frame, result.line, result.half != 0, line.net), last.norm());
+  if (room < through) {
+    diagnostics.error(
+        span, "E423",
+        fmt::format("{}: with a = {:.6g} the tip lies on the boundary: the crack cuts "
+                    "the body through, or its line is neither inside the body nor "
+                    "held as a line of symmetry",
+                    line.title(), frame.a));
+    return std::nullopt;
+  }
   if (result.radius > 0.9 * room || result.size >= result.radius || !(result.size > 0.0)) {
     diagnostics.error(
         span, "E423",

@@ -53,6 +53,30 @@ struct Freedom {
   base::Span span;
 };
 
+/// A tie between freedoms: sum of coefficient * displacement = rhs.
+struct Equation {
+  struct Term {
+    double coefficient = 0.0;
+    base::NodeId node;
+    int dof = 0; ///< 0 x, 1 y, 2 z
+  };
+  std::vector<Term> terms; ///< each freedom once, coefficients not zero
+  double rhs = 0.0;
+  base::Span span;
+};
+/// Slave nodes tied to the master faces by their shape functions.
+struct Transition {
+  base::NodeSetId slave;
+  base::FaceSetId master;
+  base::Span span;
+};
+/// Slave nodes that move as one rigid body.
+struct RigidTie {
+  base::NodeSetId slave;
+  base::Span span;
+};
+using Mpc = std::variant<Equation, Transition, RigidTie>;
+
 enum class LoadType {
   force,        ///< per node of a node set [force]
   resultant,    ///< total over a face or element set [force]
@@ -69,15 +93,28 @@ enum class BearingShape { uniform, cosine };
 struct Load {
   LoadType type = LoadType::force;
   BearingShape shape = BearingShape::uniform;
-  base::NodeSetId nodes; ///< exactly one of the three sets is valid
+  base::NodeSetId nodes; ///< exactly one of the three sets is valid, or `crack`
   base::ElementSetId elements;
   base::FaceSetId faces;
+  base::CrackId crack;                 ///< whose faces type crack_faces loads
   std::vector<base::Expression> value; ///< 1 to 3 components, fields of x y z
   base::Span span;
 };
 struct LoadCase {
   std::string name;
   std::vector<Load> loads;
+};
+
+enum class RigidShape { line, arc };
+
+/// A rigid target in the plane.
+struct Rigid {
+  std::string name;
+  RigidShape shape = RigidShape::line;
+  base::Vec3 first = base::Vec3::Zero();  ///< first point of a line, centre of an arc
+  base::Vec3 second = base::Vec3::Zero(); ///< second point of a line; the body is on the left
+  double radius = 0.0;                    ///< of an arc, negative for a bore [length]
+  base::Span span;
 };
 
 enum class ContactType { unilateral, bonded };
@@ -87,7 +124,8 @@ enum class Recovery { lumped, consistent };
 struct Contact {
   std::string name;
   base::FaceSetId slave;
-  base::FaceSetId master;
+  base::FaceSetId master; ///< invalid where the other surface is `rigid`
+  base::RigidId rigid;
   ContactType type = ContactType::unilateral;
   /// Declared normal gap, used exactly instead of the faceted geometry [length]: GAP = +g,
   /// INTERFERENCE = -d, DIAMETRAL = -d/2. Empty: measured from the geometry.
@@ -104,11 +142,12 @@ enum class CrackState { stress, strain, automatic };
 struct Crack {
   std::string name;
   CrackKind kind = CrackKind::path;
-  base::NodeSetId path;           ///< ordered nodes from the mouth (kind path)
+  base::NodeSetId path;           ///< ordered nodes: from the mouth (path), of the front (front)
   base::NetId net;                ///< the net a free crack cuts
   std::vector<base::Vec3> points; ///< free crack: from the mouth (or first tip) on
   std::optional<double> angle;    ///< free crack with one point [rad], from +x
   std::optional<double> a0;       ///< first length [length]
+  int normal = 1;                 ///< of the plane of a 3D crack: 0 x, 1 y, 2 z
   CrackState state = CrackState::automatic;
   bool faces_in_contact = true;
   double mu = 0.0;
@@ -166,6 +205,22 @@ enum class GrowthDirection { path, hoop, k2_zero };
 enum class History { restart, carry_on };
 enum class Mounted { each, first };
 
+/// Constants of a growth law as the deck gives them: K in `k_unit`, lengths in `a_unit`.
+struct LawConstants {
+  double C = 0.0;
+  double m = 0.0;
+  double p = 0.0;
+  double q = 0.0;
+  double alpha = 2.0;          ///< constraint factor of NASGRO
+  double stress_ratio = 0.3;   ///< largest stress over flow stress, NASGRO
+  double threshold = 0.0;      ///< of delta K [stress intensity]
+  std::optional<double> k_c;   ///< fracture toughness [stress intensity]; stops the growth
+  double k_unit = 1.0;         ///< one KUNIT [stress intensity]
+  double a_unit = 1.0;         ///< one AUNIT [length]
+  std::vector<double> delta_k; ///< law table: ascending, in KUNIT
+  std::vector<double> growth;  ///< [delta_k] da/dN, in AUNIT per cycle
+};
+
 struct Growth {
   GrowthLaw law = GrowthLaw::increment;
   GrowthDirection direction = GrowthDirection::path;
@@ -175,6 +230,10 @@ struct Growth {
   History history = History::restart;
   Mounted mounted = Mounted::each;
   std::vector<double> lengths; ///< law increment [length]
+  LawConstants constants;
+  std::optional<double> largest_advance; ///< of an increment [length]
+  std::optional<double> last_length;     ///< stops the growth [length]
+  std::optional<double> cycles;          ///< stops the growth
   base::Span span;
 };
 
@@ -205,6 +264,22 @@ struct Check {
   base::Span span;
 };
 
+/// Files of the state of a run; each may be empty.
+struct Restart {
+  std::string read;
+  std::optional<int> at; ///< increment to continue from; empty: the last one
+  std::string write;
+  int every = 1; ///< increments between states
+  base::Span span;
+};
+
+/// One $SWEEP card: the parameters that vary together and the values they take, row by row.
+struct Sweep {
+  std::vector<std::string> parameters;     ///< one, or two with WITH; as the deck writes them
+  std::vector<std::vector<double>> values; ///< [row][parameter]
+  base::Span span;
+};
+
 struct Control {
   int max_iterations = 100;
   double tolerance = 1e-8;
@@ -227,7 +302,9 @@ struct Model {
   std::vector<Material> materials;
   std::vector<Property> properties;
   std::vector<Freedom> freedoms;
+  std::vector<Mpc> mpcs;
   std::vector<LoadCase> cases;
+  std::vector<Rigid> rigids;
   std::vector<Contact> contacts;
   std::vector<Crack> cracks;
   std::vector<TipNet> tip_nets; ///< at most one for each crack
@@ -236,9 +313,12 @@ struct Model {
   std::optional<Growth> growth;
   std::vector<Output> outputs;
   std::vector<Check> checks;
+  std::optional<Restart> restart;
+  std::vector<Sweep> sweeps; ///< several multiply, the last varies fastest
   Control control;
   std::vector<std::string> tasks; ///< empty: the default chain
   std::vector<Unavailable> unavailable;
+  std::vector<std::string> imported_files; ///< paths of what $IMPORT brought in
 
   [[nodiscard]] const Property& property_of(const Mesh& m, base::ElementId e) const {
     return properties[m.property[e.index()].index()];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/figures.hpp"
 #include "report/model_tables.hpp"
+#include "report/page.hpp"
 #include "report/report.hpp"
 #include "report/result_tables.hpp"
 
@@ -10,62 +11,6 @@
 
 namespace spricka::report {
 namespace {
-
-constexpr const char* style_sheet = R"(
-body { font: 15px/1.45 Helvetica, Arial, 'Liberation Sans', sans-serif; color: #000;
-  background: #fff; max-width: 1010px; margin: 2em auto; padding: 0 1em; }
-h1 { font-size: 1.6em; margin: 0 0 .2em; }
-h2 { font-size: 1.2em; margin: 2em 0 .6em; border-bottom: 1px solid #000; }
-p.about { color: #333; margin: .2em 0; }
-p.failed { font-weight: bold; color: #b00000; }
-table { border-collapse: collapse; margin: 1em 0; font-size: .87em;
-  font-variant-numeric: tabular-nums; border-bottom: 1.5px solid #000; }
-caption { text-align: left; font-weight: bold; padding: .2em 0; }
-thead { border-top: 1.5px solid #000; border-bottom: 1px solid #000; }
-th { font-weight: bold; text-align: right; vertical-align: top; padding: .15em 1em .15em 0; }
-th span { font-weight: normal; color: #333; }
-td { text-align: right; padding: .1em 1em .1em 0; white-space: nowrap; }
-th.w, td.w { text-align: left; }
-td.w { white-space: normal; }
-figure { margin: 1.2em 0 1.8em; break-inside: avoid; }
-figure div { display: flex; flex-wrap: wrap; gap: 8px 14px; align-items: flex-start; }
-figure svg { max-width: 100%; height: auto; }
-figcaption { font-size: .9em; color: #222; max-width: 60em; margin-top: .4em; }
-pre { font-size: .8em; line-height: 1.3; overflow-x: auto; }
-@media print { body { max-width: none; margin: 0; font-size: 11px; } details { display: none; } }
-)";
-
-/// Collects the page and numbers its figures.
-class Page {
-public:
-  void add(std::string_view html) { body_ += html; }
-  void heading(std::string_view words) { body_ += fmt::format("<h2>{}</h2>\n", escape(words)); }
-  void table(const Table& table) {
-    if (!table.rows.empty()) {
-      body_ += to_html(table);
-    }
-  }
-  void figure(const Figure& figure) {
-    body_ += "<figure><div>\n";
-    for (const std::string& drawing : figure.drawings) {
-      body_ += drawing;
-    }
-    body_ += "</div>" + figure.legend;
-    body_ += fmt::format("<figcaption><b>Figure {}.</b> {}</figcaption></figure>\n", ++figures_,
-                         escape(figure.caption));
-  }
-  [[nodiscard]] std::string finish(const std::string& title) const {
-    return fmt::format(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width\">\n"
-        "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n{}</body>\n</html>\n",
-        escape(title), style_sheet, body_);
-  }
-
-private:
-  std::string body_;
-  int figures_ = 0;
-};
 
 void add_head(Page& page, const std::string& title, const base::Sources& sources,
               const model::Model& model) {

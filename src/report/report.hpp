@@ -35,6 +35,10 @@ std::vector<std::size_t> wanted_steps(const model::Model& model, const model::Ou
 void write_vtu(const std::filesystem::path& file, const model::Model& model,
                const results::Increment& increment, const results::StepResult& step);
 
+/// A mesh alone: element sets as cell arrays, node and face sets as point arrays, 1 for members.
+/// Face sets must be given as node sets by the caller.
+void write_mesh_vtu(const std::filesystem::path& file, const model::Mesh& mesh);
+
 /// The collection that ParaView opens: (time, file) pairs.
 void write_pvd(const std::filesystem::path& file,
                const std::vector<std::pair<double, std::string>>& entries);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/file.hpp"
 #include "report/report.hpp"
+#include "report/set_members.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <iterator>
 #include <numeric>
 
@@ -67,24 +67,7 @@ private:
   }
 
   [[nodiscard]] std::vector<base::NodeId> members() const {
-    const model::Mesh& mesh = increment_.mesh;
-    std::vector<base::NodeId> found;
-    for (const model::NodeSet& set : mesh.node_sets) {
-      if (set.name == request_.name) {
-        found = set.nodes;
-      }
-    }
-    for (const model::ElementSet& set : mesh.element_sets) {
-      if (set.name == request_.name) {
-        for (const base::ElementId e : set.elements) {
-          const std::span<const base::NodeId> own = mesh.nodes_of(e);
-          found.insert(found.end(), own.begin(), own.end());
-        }
-      }
-    }
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-    return found;
+    return set_members(increment_.mesh, request_.name);
   }
 
   void reactions() {

@@ -21,6 +21,7 @@ struct TipResult {
   double G_from_K = 0.0; ///< (K1^2 + K2^2) / E'
   double spread = 0.0;   ///< (max - min of K1 over domains) / hypot(K1, K2)
   std::vector<double> K1_domain;
+  std::string doubt;                         ///< why this K is not an answer; empty: it is one
   base::Vec3 x = base::Vec3::Zero();         ///< the tip, undeformed
   base::Vec3 direction = base::Vec3::Zero(); ///< unit, the way the crack grows; zero: unknown
 };
@@ -96,7 +97,7 @@ struct CheckResult {
   std::string text; ///< as written in the deck
   double wanted = 0.0;
   double found = 0.0;
-  double error = 0.0; ///< relative or absolute, as the check says
+  double error = 0.0; ///< found - wanted, relative or absolute as the check says
   double tolerance = 0.0;
   bool relative = true;
   bool passed = false;

@@ -68,8 +68,13 @@ Place find_place(const results::Run& run, const std::string& step, std::optional
       return {&*it, found};
     }
   }
-  throw Missing(a ? fmt::format("no increment of length {:.6g} with step {}", *a, step)
-                  : fmt::format("no results of step {}", step));
+  std::string lengths;
+  for (const results::Increment& increment : run.increments) {
+    lengths += fmt::format("{}{:.9g}", lengths.empty() ? "" : ", ", increment.a);
+  }
+  throw Missing(
+      a ? fmt::format("no increment of length {:.9g} with step {}, only {}", *a, step, lengths)
+        : fmt::format("no results of step {}", step));
 }
 
 double tip_quantity(const std::string& quantity, Arguments& args, const results::Run& run) {
@@ -79,6 +84,9 @@ double tip_quantity(const std::string& quantity, Arguments& args, const results:
   const results::TipResult* found = results::find_tip(*at.step, tip);
   if (found == nullptr) {
     throw Missing(fmt::format("no tip {}", tip));
+  }
+  if (!found->doubt.empty()) {
+    throw Missing(found->doubt);
   }
   if (quantity == "K2") {
     return found->K2;
@@ -367,9 +375,9 @@ std::vector<results::CheckResult> evaluate_checks(const model::Model& model,
     result.source = check.source;
     try {
       result.found = evaluate(model, check, run);
-      const double difference = std::abs(result.found - result.wanted);
+      const double difference = result.found - result.wanted;
       result.error = check.relative ? difference / std::abs(check.value) : difference;
-      result.passed = result.error <= check.tolerance;
+      result.passed = std::abs(result.error) <= check.tolerance;
     } catch (const Missing& missing) {
       result.trouble = missing.what();
     }

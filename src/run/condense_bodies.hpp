@@ -8,6 +8,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -62,6 +63,18 @@ struct CondenseRequest {
   base::Matrix case_load;               ///< [dim * node, case] consistent loads, supports' pull in
   int threads = 1;
 };
+
+/// The bodies of the mesh with their rigid modes, split into nets whose freedoms are numbered;
+/// nothing is assembled or factorised. Floating bodies get carriers among their externals.
+std::vector<BodyNet> prepare_bodies(const CondenseRequest& request);
+
+/// What tells a body's nets from others: hashes of rest (if there is one) and region.
+struct NetKeys {
+  std::optional<HashKey> rest;
+  HashKey region;
+};
+std::vector<NetKeys> hash_bodies(const CondenseRequest& request,
+                                 const std::vector<BodyNet>& bodies);
 
 /// Builds all bodies of the mesh, nets in parallel, results in body order whatever the threads.
 std::vector<BodyNet> condense_bodies(const CondenseRequest& request, CondensationCache& cache,

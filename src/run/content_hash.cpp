@@ -1,33 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/content_hash.hpp"
 
-#include <memory>
-
-#include <xxhash.h>
+#include "run/hasher.hpp"
 
 namespace spricka::run {
-
-namespace {
-
-class Hasher {
-public:
-  Hasher() : state_(XXH3_createState()) { XXH3_128bits_reset(state_.get()); }
-
-  void add(const void* data, std::size_t bytes) { XXH3_128bits_update(state_.get(), data, bytes); }
-  template <class T> void value(const T& v) { add(&v, sizeof v); }
-  [[nodiscard]] HashKey key() const {
-    const XXH128_hash_t h = XXH3_128bits_digest(state_.get());
-    return {h.high64, h.low64};
-  }
-
-private:
-  struct Free {
-    void operator()(XXH3_state_t* s) const { XXH3_freeState(s); }
-  };
-  std::unique_ptr<XXH3_state_t, Free> state_;
-};
-
-} // namespace
 
 HashKey hash_net(const model::Model& model, const model::Mesh& mesh, const Net& net,
                  const std::vector<HashKey>& parts) {

@@ -55,10 +55,9 @@ void gather_tips(const model::Model& model, const Scene& scene, const StepState&
           result.name, *K.shift_error));
     }
     if (K.K1 < 0.0 && std::abs(K.K1) > 1e-9 * std::abs(K.K2)) {
-      out.notes.push_back(fmt::format(
-          "warning: {}: K1 is negative: the crack faces overlap; contact between crack faces is "
-          "not available in this version, so this K is not an answer",
-          result.name));
+      result.doubt = "K1 is negative: the crack faces overlap; contact between crack faces is not "
+                     "available in this version, so this K is not an answer";
+      out.notes.push_back(fmt::format("warning: {}: {}", result.name, result.doubt));
     }
     out.tips.push_back(std::move(result));
   }

@@ -16,8 +16,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* listing_name = "listing.txt";
-
 void write_text(const fs::path& file, const std::string& text) {
   std::ofstream out(file, std::ios::binary);
   out.write(text.data(), static_cast<std::streamsize>(text.size()));
@@ -69,6 +67,10 @@ RunFolder::RunFolder(fs::path folder) : folder_(std::move(folder)) {
   part_ = folder_;
   part_ += ".part";
   if (fs::exists(folder_)) {
+    if (fs::exists(folder_ / sweep_table_name)) {
+      throw std::system_error(std::make_error_code(std::errc::file_exists),
+                              folder_.string() + " holds a sweep; name another folder with --out");
+    }
     const bool ours =
         fs::is_directory(folder_) && (fs::is_empty(folder_) || fs::exists(folder_ / listing_name));
     if (!ours) {
@@ -98,6 +100,13 @@ void RunFolder::write(const base::Sources& sources, const model::Model& model, r
   run.wall += watch.wall();
   run.peak_memory = base::peak_memory();
   write_text(part_ / listing_name, report::listing(sources, model, run));
+}
+
+void RunFolder::keep(const std::string& name, const std::string& text) {
+  write_text(part_ / name, text);
+}
+
+void RunFolder::commit() {
   fs::rename(part_, folder_);
 }
 

@@ -5,8 +5,13 @@
 #include "results/results.hpp"
 
 #include <filesystem>
+#include <string>
 
 namespace spricka::run {
+
+/// Files by which a folder is known as a run's or a sweep's.
+inline constexpr const char* listing_name = "listing.txt";
+inline constexpr const char* sweep_table_name = "sweep.csv";
 
 /// The run folder. A folder of an earlier run of spricka is emptied first, so that nothing old can
 /// be taken for a new result; a folder that holds anything else is refused. Everything is written
@@ -22,6 +27,10 @@ public:
   /// Writes listing, k.csv, pressure.csv, pictures and requested files, and adds its own cost to
   /// the run's log before the listing is made. Throws std::system_error.
   void write(const base::Sources& sources, const model::Model& model, results::Run& run);
+  /// Adds a file of that name.
+  void keep(const std::string& name, const std::string& text);
+  /// Puts the folder in place; without it nothing stays.
+  void commit();
 
 private:
   std::filesystem::path folder_;

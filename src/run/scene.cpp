@@ -259,4 +259,20 @@ std::optional<Scene> make_scene(const model::Model& model, double a, const Regio
   return scene;
 }
 
+base::Matrix loads_with_supports(const model::Model& model, const Scene& scene) {
+  base::Matrix load = scene.case_load;
+  std::vector<base::ElementId> all;
+  for (std::size_t e = 0; e < scene.cracked.mesh.element_count(); ++e) {
+    all.emplace_back(e);
+  }
+  for (Eigen::Index c = 0; c < load.cols(); ++c) {
+    if ((scene.case_displacement.col(c).array() != 0.0).any()) {
+      base::Vector pull = base::Vector::Zero(load.rows());
+      fe::add_internal_force(model, scene.cracked.mesh, all, scene.case_displacement.col(c), pull);
+      load.col(c) -= pull;
+    }
+  }
+  return load;
+}
+
 } // namespace spricka::run

@@ -53,4 +53,8 @@ RegionPlan plan_region(const model::Model& model, const std::vector<double>& len
 std::optional<Scene> make_scene(const model::Model& model, double a, const RegionPlan& plan,
                                 base::Diagnostics& diagnostics);
 
+/// Loads of all cases [dim * node, case] with the pull of prescribed displacements: they load the
+/// free freedoms by -K u.
+base::Matrix loads_with_supports(const model::Model& model, const Scene& scene);
+
 } // namespace spricka::run

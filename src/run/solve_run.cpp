@@ -69,23 +69,6 @@ std::size_t unknowns(const std::vector<BodyNet>& bodies) {
   return n;
 }
 
-// Consistent loads with the pull of prescribed displacements: they load the free freedoms by -K u.
-base::Matrix loads_with_supports(const model::Model& model, const Scene& scene) {
-  base::Matrix load = scene.case_load;
-  std::vector<base::ElementId> all;
-  for (std::size_t e = 0; e < scene.cracked.mesh.element_count(); ++e) {
-    all.emplace_back(e);
-  }
-  for (Eigen::Index c = 0; c < load.cols(); ++c) {
-    if ((scene.case_displacement.col(c).array() != 0.0).any()) {
-      base::Vector pull = base::Vector::Zero(load.rows());
-      fe::add_internal_force(model, scene.cracked.mesh, all, scene.case_displacement.col(c), pull);
-      load.col(c) -= pull;
-    }
-  }
-  return load;
-}
-
 /// The loop over crack lengths; what one length leaves for the next stays in its members.
 class LengthLoop {
 public:
@@ -126,8 +109,12 @@ private:
       return std::nullopt;
     }
     base::return_free_memory();
+    const std::string length =
+        scene->cracked.tips.empty()
+            ? ""
+            : fmt::format("a = {:.6g}: ", a > 0.0 ? a : scene->cracked.tips.front().a);
     log.add("TOPOLOGY",
-            fmt::format("a = {:.6g}: {} nodes, {} elements, {} contact rows, {} tips", a,
+            fmt::format("{}{} nodes, {} elements, {} contact rows, {} tips", length,
                         scene->cracked.mesh.node_count(), scene->cracked.mesh.element_count(),
                         scene->table.rows.size(), scene->cracked.tips.size()));
     const std::optional<std::vector<BodyNet>> bodies = condense(*scene, log);

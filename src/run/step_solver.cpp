@@ -2,6 +2,7 @@
 #include "run/step_solver.hpp"
 
 #include "fe/assemble.hpp"
+#include "run/rigid_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,18 +18,6 @@ namespace {
 // Forces left over at free freedoms above this share of the force scale are not an answer.
 constexpr double worst_imbalance = 1e-6;
 
-template <class ActionType> bool names(const model::Model& model, base::ContactId contact) {
-  for (const model::Step& step : model.steps) {
-    for (const model::Action& action : step.actions) {
-      const auto* a = std::get_if<ActionType>(&action);
-      if (a != nullptr && a->contact == contact) {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
 double row_opening(const contact::ConstraintRow& row, int dim, const base::Vector& u) {
   double sum = 0.0;
   for (const contact::RowEntry& entry : row.entries) {
@@ -40,42 +29,11 @@ double row_opening(const contact::ConstraintRow& row, int dim, const base::Vecto
   return sum;
 }
 
-// "X", "Y", "rotation" or a mixture: what an unheld mode does, for the message.
-std::string describe_mode(const model::Mesh& mesh, const BodyNet& body, const base::Vector& mode) {
-  base::Vec3 mean = base::Vec3::Zero();
-  double square = 0.0;
-  for (const base::NodeId n : body.body.nodes) {
-    for (int c = 0; c < mesh.dim; ++c) {
-      const double v = mode[static_cast<Eigen::Index>(n.index()) * mesh.dim + c];
-      mean[c] += v;
-      square += v * v;
-    }
-  }
-  const auto count = static_cast<double>(body.body.nodes.size());
-  mean /= count;
-  const double rms = std::sqrt(square / count);
-  if (mean.norm() < 0.1 * rms) {
-    return "rotation";
-  }
-  if (mean.norm() < 0.9 * rms) {
-    return fmt::format("translation ({:.2f}, {:.2f}) with rotation", mean.x() / rms,
-                       mean.y() / rms);
-  }
-  const base::Vec3 d = mean.normalized();
-  for (int c = 0; c < mesh.dim; ++c) {
-    if (std::abs(d[c]) > 0.999) {
-      return fmt::format("direction {}", "XYZ"[c]);
-    }
-  }
-  return fmt::format("direction ({:.3f}, {:.3f})", d.x(), d.y());
-}
-
 } // namespace
 
 StepSolver::StepSolver(const model::Model& model, const Scene& scene,
                        const std::vector<BodyNet>& bodies)
-    : model_(model), scene_(scene), bodies_(bodies),
-      case_factor_(base::Vector::Zero(static_cast<Eigen::Index>(model.cases.size()))),
+    : model_(model), scene_(scene), bodies_(bodies), factors_(first_factors(model)),
       offset_(base::Vector::Zero(static_cast<Eigen::Index>(scene.table.rows.size()))),
       u_(base::Vector::Zero(static_cast<Eigen::Index>(scene.cracked.mesh.node_count()) *
                             scene.cracked.mesh.dim)) {
@@ -90,14 +48,9 @@ StepSolver::StepSolver(const model::Model& model, const Scene& scene,
     system_.emplace(std::move(condensed), scene.table.rows, scene.cracked.mesh.dim,
                     static_cast<std::size_t>(u_.size()));
   }
-  for (std::size_t c = 0; c < model.contacts.size(); ++c) {
-    fit_.push_back(names<model::ApplyFit>(model, base::ContactId(c)) ? 0.0 : 1.0);
-    mounted_.push_back(!names<model::Mount>(model, base::ContactId(c)));
-  }
 }
 
 void StepSolver::mount(std::size_t contact) {
-  mounted_[contact] = true;
   const bool declared = model_.contacts[contact].gap.has_value();
   for (std::size_t r = scene_.table.first[contact]; r < scene_.table.first[contact + 1]; ++r) {
     const contact::ConstraintRow& row = *scene_.table.rows[r];
@@ -110,22 +63,17 @@ void StepSolver::mount(std::size_t contact) {
 }
 
 void StepSolver::act(const model::Step& step) {
-  for (const model::Action& action : step.actions) {
-    if (const auto* load = std::get_if<model::ApplyLoad>(&action)) {
-      case_factor_[static_cast<Eigen::Index>(load->load_case.index())] = load->factor;
-    } else if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {
-      fit_[fit->contact.index()] = fit->factor;
-    } else if (const auto* on = std::get_if<model::Mount>(&action)) {
-      mount(on->contact.index());
-    } else if (const auto* off = std::get_if<model::Dismount>(&action)) {
-      mounted_[off->contact.index()] = false;
-      closed_.clear();
-    }
+  const MountChanges changes = apply_actions(step, factors_);
+  for (const std::size_t contact : changes.mounted) {
+    mount(contact);
+  }
+  if (!changes.dismounted.empty()) {
+    closed_.clear();
   }
 }
 
 base::Vector StepSolver::prescribed() const {
-  return scene_.case_displacement * case_factor_;
+  return scene_.case_displacement * factors_.case_factor;
 }
 
 contact::ContactSystem::Demand StepSolver::demand() const {
@@ -134,7 +82,7 @@ contact::ContactSystem::Demand StepSolver::demand() const {
   const int dim = scene_.cracked.mesh.dim;
   std::vector<double> gap;
   for (std::size_t c = 0; c < model_.contacts.size(); ++c) {
-    if (!mounted_[c]) {
+    if (!factors_.mounted[c]) {
       continue;
     }
     const model::Contact& contact = model_.contacts[c];
@@ -142,7 +90,7 @@ contact::ContactSystem::Demand StepSolver::demand() const {
       const contact::ConstraintRow& row = *scene_.table.rows[r];
       d.rows.push_back(r);
       d.equality.push_back(row.tangential || contact.type == model::ContactType::bonded);
-      gap.push_back((contact.gap ? fit_[c] : 1.0) * row.gap +
+      gap.push_back((contact.gap ? factors_.fit[c] : 1.0) * row.gap +
                     offset_[static_cast<Eigen::Index>(r)] + row_opening(row, dim, fixed));
       if (!closed_.empty()) {
         d.start.push_back(closed_[r]);
@@ -151,9 +99,9 @@ contact::ContactSystem::Demand StepSolver::demand() const {
   }
   d.gap = Eigen::Map<const base::Vector>(gap.data(), static_cast<Eigen::Index>(gap.size()));
   for (const std::size_t b : condensed_) {
-    d.load.emplace_back(bodies_[b].external_load * case_factor_);
+    d.load.emplace_back(bodies_[b].external_load * factors_.case_factor);
   }
-  d.load_scale = (scene_.case_load * case_factor_).lpNorm<1>();
+  d.load_scale = (scene_.case_load * factors_.case_factor).lpNorm<1>();
   return d;
 }
 
@@ -184,7 +132,7 @@ bool StepSolver::accept(const contact::ContactSystem::Answer& answer,
     const base::Vector mix = at_externals.colPivHouseholderQr().solve(shape);
     refusal = {4,
                fmt::format("body {} is loaded but not held: {}", body.name,
-                           describe_mode(scene_.cracked.mesh, body, body.free_modes * mix)),
+                           describe_motion(scene_.cracked.mesh, body.body, body.free_modes * mix)),
                {}};
     return false;
   }
@@ -228,7 +176,7 @@ void StepSolver::balance(StepState& state) const {
   const int dim = mesh.dim;
   state.force = base::Vector::Zero(state.u.size());
   state.contact = base::Vector::Zero(state.u.size());
-  state.force = scene_.case_load * case_factor_;
+  state.force = scene_.case_load * factors_.case_factor;
   for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
     for (std::size_t r = scene_.table.first[c]; r < scene_.table.first[c + 1]; ++r) {
       const double value =
@@ -263,8 +211,8 @@ void StepSolver::balance(StepState& state) const {
 std::optional<StepState> StepSolver::solve(const model::Step& step, Refusal& refusal) {
   act(step);
   StepState state;
-  state.case_factor = case_factor_;
-  state.mounted = mounted_;
+  state.case_factor = factors_.case_factor;
+  state.mounted = factors_.mounted;
   for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
     const std::size_t rows = scene_.table.first[c + 1] - scene_.table.first[c];
     const std::size_t normal = scene_.pairs[c].normal.size();
@@ -288,7 +236,7 @@ std::optional<StepState> StepSolver::solve(const model::Step& step, Refusal& ref
     }
   }
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    recover_body(bodies_[b], external[b], case_factor_, state.u);
+    recover_body(bodies_[b], external[b], factors_.case_factor, state.u);
   }
   balance(state);
   if (!(state.imbalance <= worst_imbalance)) {

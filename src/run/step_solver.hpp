@@ -4,6 +4,7 @@
 #include "contact/system.hpp"
 #include "run/condense_bodies.hpp"
 #include "run/scene.hpp"
+#include "run/step_factors.hpp"
 #include "solve/contact_qp.hpp"
 
 #include <optional>
@@ -59,12 +60,10 @@ private:
   const std::vector<BodyNet>& bodies_;
   std::vector<std::size_t> condensed_; ///< bodies that have externals
   std::optional<contact::ContactSystem> system_;
-  base::Vector case_factor_;
-  std::vector<double> fit_;   ///< [contact]
-  std::vector<bool> mounted_; ///< [contact]
-  base::Vector offset_;       ///< [row] gap taken on at MOUNT
-  base::Vector u_;            ///< [dim * node] end of the last step
-  std::vector<bool> closed_;  ///< [row] end of the last step
+  StepFactors factors_;
+  base::Vector offset_;      ///< [row] gap taken on at MOUNT
+  base::Vector u_;           ///< [dim * node] end of the last step
+  std::vector<bool> closed_; ///< [row] end of the last step
 };
 
 } // namespace spricka::run

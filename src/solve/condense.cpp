@@ -136,6 +136,8 @@ struct Condensation::Impl {
   base::Matrix S;
 
   void build(base::SymmetricCsc K, Ordering ordering);
+  base::SymmetricCsc analyse_matrix(base::SymmetricCsc K, double shift, Ordering ordering,
+                                    CholmodSession& session);
   void factorise(const base::SymmetricCsc& A, CholmodSession& session);
   void check_pivots(const std::vector<double>& diagonal);
   void read_schur(double shift);
@@ -154,26 +156,36 @@ struct Condensation::Impl {
   }
 };
 
-void Condensation::Impl::build(base::SymmetricCsc K, Ordering ordering) {
-  blas::single_thread();
-  const double shift = 1e-2 * mean_external_diagonal(K, locals);
-  CholmodSession session;
+base::SymmetricCsc Condensation::Impl::analyse_matrix(base::SymmetricCsc K, double shift,
+                                                      Ordering ordering, CholmodSession& session) {
   const double started = thread_cpu();
   order = elimination_order(K, locals, ordering);
-  const base::SymmetricCsc A = with_full_externals(K, locals, shift);
-  const std::vector<double> diagonal = diagonal_of(K);
+  base::SymmetricCsc A = with_full_externals(K, locals, shift);
   K = base::SymmetricCsc();
   factor = analyse(A, order, session);
   report.analysis_cpu = thread_cpu() - started;
   if (factor.get() == nullptr) {
     report.status = FactorStatus::out_of_memory;
-    return;
+    return A;
   }
   const double externals = static_cast<double>(n - locals);
   report.flops = session->fl;
   report.factor_entries = session->lnz;
   report.memory = 8.0 * static_cast<double>(factor->xsize + factor->ssize + factor->maxcsize) +
                   48.0 * static_cast<double>(A.row.size()) + 16.0 * externals * externals;
+  report.kept_memory = 8.0 * static_cast<double>(factor->xsize + factor->ssize);
+  return A;
+}
+
+void Condensation::Impl::build(base::SymmetricCsc K, Ordering ordering) {
+  blas::single_thread();
+  const double shift = 1e-2 * mean_external_diagonal(K, locals);
+  const std::vector<double> diagonal = diagonal_of(K);
+  CholmodSession session;
+  const base::SymmetricCsc A = analyse_matrix(std::move(K), shift, ordering, session);
+  if (report.status != FactorStatus::ok) {
+    return;
+  }
   if (report.memory > physical_memory()) {
     report.status = FactorStatus::out_of_memory;
     return;
@@ -259,6 +271,23 @@ Condensation::Condensation(base::SymmetricCsc K, std::int64_t externals, Orderin
   if (impl_->report.status != FactorStatus::ok) {
     impl_->factor = Factor();
   }
+}
+
+FactorReport Condensation::forecast(base::SymmetricCsc pattern, std::int64_t externals,
+                                    Ordering ordering) {
+  assert(externals >= 0 && externals <= pattern.n);
+  Impl impl;
+  impl.n = pattern.n;
+  impl.locals = pattern.n - externals;
+  if (pattern.n > 0) {
+    try {
+      CholmodSession session;
+      impl.analyse_matrix(std::move(pattern), 0.0, ordering, session);
+    } catch (const std::bad_alloc&) {
+      impl.report.status = FactorStatus::out_of_memory;
+    }
+  }
+  return impl.report;
 }
 
 Condensation::~Condensation() = default;

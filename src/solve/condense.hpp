@@ -17,6 +17,7 @@ struct FactorReport {
   double flops = 0.0;           ///< of the numeric phase, exact
   double memory = 0.0;          ///< [bytes] forecast of the largest need, from the symbolic phase
   double smallest_pivot = 1.0;  ///< of the locals, over the diagonal entry of the matrix
+  double kept_memory = 0.0;     ///< [bytes] of the factor, external part included
   double factor_entries = 0.0;  ///< nonzeros of L
   double analysis_cpu = 0.0;    ///< [s] of the calling thread, as below
   double numeric_cpu = 0.0;     ///< [s]
@@ -33,6 +34,10 @@ public:
   /// K is given up as soon as it is copied into the order of elimination: move it in.
   Condensation(base::SymmetricCsc K, std::int64_t externals,
                Ordering ordering = Ordering::automatic);
+  /// The symbolic phase alone: flops, fill and memory of what the constructor would do with a
+  /// matrix of this pattern (values are not looked at).
+  static FactorReport forecast(base::SymmetricCsc pattern, std::int64_t externals,
+                               Ordering ordering = Ordering::automatic);
   ~Condensation();
   Condensation(Condensation&&) noexcept;
   Condensation& operator=(Condensation&&) noexcept;

@@ -15,7 +15,6 @@ namespace spricka::solve {
 
 namespace {
 
-constexpr double rest_load = 1e-9;         ///< of the load scale: a mode with less is not loaded
 constexpr int patience = 10;               ///< block steps without progress (Judice and Pires 1994)
 constexpr double pivot_tolerance = 1e-9;   ///< of signs while the tableau gathers round-off
 constexpr double accepted_residual = 1e-7; ///< above it the answer is none
@@ -216,23 +215,22 @@ ContactSolution solve_contact(const ContactProblem& problem, const ContactSettin
 
   // 1. modes that no row touches rest, or nothing holds them
   const ModeSplit split = split_modes(problem.B, problem.opening_scale);
-  const base::Vector unfelt_load = split.unfelt.transpose() * problem.h;
   answer.resting_modes = static_cast<int>(split.unfelt.cols());
-  if (unfelt_load.size() > 0 && unfelt_load.cwiseAbs().maxCoeff() > rest_load * scale) {
+  answer.unheld = unfelt_motion(split, problem.h, rest_load * scale);
+  if (answer.unheld.size() > 0) {
     answer.status = ContactStatus::unheld_mode;
-    answer.unheld = (split.unfelt * unfelt_load).normalized();
     return answer;
   }
 
   // 2. loads that the rows cannot take: the motion that opens them all
   HeldProblem held = held_problem(problem, split);
   const Holding holding = hold_loads(held);
+  answer.unheld = opening_motion(split, holding, rest_load * std::max(scale, held.h.norm()));
+  if (answer.unheld.size() > 0) {
+    answer.status = ContactStatus::unheld_mode;
+    return answer;
+  }
   if (holding.remainder.size() > 0) {
-    if (holding.remainder.norm() > rest_load * std::max(scale, held.h.norm())) {
-      answer.status = ContactStatus::unheld_mode;
-      answer.unheld = (split.felt * holding.remainder).normalized();
-      return answer;
-    }
     held.h -= holding.remainder;
   }
 

@@ -123,6 +123,21 @@ Holding hold_loads(const HeldProblem& problem) {
   return {A * best.x - t, best.positive};
 }
 
+base::Vector unfelt_motion(const ModeSplit& split, const base::Vector& h, double least) {
+  const base::Vector load = split.unfelt.transpose() * h;
+  if (load.size() == 0 || !(load.cwiseAbs().maxCoeff() > least)) {
+    return {};
+  }
+  return (split.unfelt * load).normalized();
+}
+
+base::Vector opening_motion(const ModeSplit& split, const Holding& holding, double least) {
+  if (holding.remainder.size() == 0 || !(holding.remainder.norm() > least)) {
+    return {};
+  }
+  return (split.felt * holding.remainder).normalized();
+}
+
 std::vector<int> holding_rows(const HeldProblem& problem, const std::vector<int>& pressed) {
   Span span(problem.modes());
   std::vector<int> rows;

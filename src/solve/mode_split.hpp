@@ -25,6 +25,17 @@ struct Holding {
 };
 Holding hold_loads(const HeldProblem& problem);
 
+/// Loads on modes below this share of the load scale are round-off.
+inline constexpr double rest_load = 1e-9;
+
+/// Of the loads h [m] on the modes, the motion that no row feels and h drives, normalised; empty if
+/// there is none (loads below `least`).
+base::Vector unfelt_motion(const ModeSplit& split, const base::Vector& h, double least);
+
+/// The motion [m] that opens all rows it moves and that the loads drive, normalised; empty if the
+/// rows hold the loads but for `least`.
+base::Vector opening_motion(const ModeSplit& split, const Holding& holding, double least);
+
 /// Rows that hold all modes, ascending: the equality rows, the pressed ones, and as few others as
 /// it takes, those first that stand most across the others.
 std::vector<int> holding_rows(const HeldProblem& problem, const std::vector<int>& pressed);

@@ -48,7 +48,7 @@ INSTANTIATE_TEST_SUITE_P(Diagnostics, Corpus, testing::ValuesIn(corpus()),
                          [](const auto& deck) { return deck.param; });
 
 TEST(Corpus, IsComplete) {
-  EXPECT_GE(corpus().size(), 30U);
+  EXPECT_GE(corpus().size(), 120U);
   for (const std::string& name : corpus()) {
     EXPECT_TRUE(fs::exists(fs::path(CORPUS) / (name + ".expect"))) << name;
   }

@@ -82,6 +82,53 @@ TEST(ReadDeck, BadDefinitionsOnTheCommandLine) {
   EXPECT_EQ(r.diagnostics.error_count(), 4U) << r.messages();
 }
 
+TEST(ReadDeck, DefinitionsOnTheCommandLineMayUseOtherParameters) {
+  const Folder folder;
+  ReadOptions options;
+  options.defines = {{"c", "a + 10*b"}, {"b", "2*a"}};
+  const Reading r(folder, k_square + "$PARAMETER\n a = 3\n b = 1\n c = 0\n$END\n", options);
+  ASSERT_TRUE(r.model) << r.messages();
+  EXPECT_EQ(r.model->parameters.at(1).second, 6.0);
+  EXPECT_EQ(r.model->parameters.at(2).second, 63.0);
+  options.defines = {{"a", "b"}, {"b", "2*a"}};
+  const Reading circle(folder, k_square + "$PARAMETER\n a = 3\n b = 1\n$END\n", options);
+  EXPECT_EQ(circle.codes(), "E210") << circle.messages();
+  options.defines = {{"delat", "1"}};
+  const Reading misspelt(folder, k_square + "$PARAMETER\n delta = 3\n$END\n", options);
+  EXPECT_EQ(misspelt.codes(), "E201") << misspelt.messages();
+  EXPECT_NE(misspelt.messages().find("did you mean 'DELTA'"), std::string::npos)
+      << misspelt.messages();
+}
+
+TEST(ReadDeck, SweepsTakeValuesWithUnitsAndExpressions) {
+  const Folder folder;
+  const std::string deck = k_square + "$PARAMETER\n fit = 0.1\n mu = 0\n E1 = 1\n"
+                                      "$SWEEP PARAMETER=fit WITH=MU\n 0 0  1[um] (fit/2)\n"
+                                      "$SWEEP PARAMETER=E1\n 3\n 4 5\n$END\n";
+  const Reading r(folder, deck);
+  ASSERT_TRUE(r.model) << r.messages();
+  ASSERT_EQ(r.model->sweeps.size(), 2U);
+  EXPECT_EQ(r.model->sweeps[0].parameters, (std::vector<std::string>{"fit", "mu"}));
+  EXPECT_EQ(r.model->sweeps[0].values, (std::vector<std::vector<double>>{{0, 0}, {1e-3, 0.05}}));
+  EXPECT_EQ(r.model->sweeps[1].values, (std::vector<std::vector<double>>{{3}, {4}, {5}}));
+  ReadOptions options;
+  options.defines = {{"MU", "1"}};
+  EXPECT_EQ(Reading(folder, deck, options).codes(), "E390");
+  options.defines.clear();
+  options.sweep_values = {{"fit", 0.25}, {"mu", 0.125}};
+  const Reading point(folder, deck, options);
+  ASSERT_TRUE(point.model) << point.messages();
+  EXPECT_EQ(point.model->parameters.at(0).second, 0.25);
+  EXPECT_EQ(Reading(folder, k_square + "$PARAMETER\n a = 1\n$SWEEP PARAMETER=a\n 1\n"
+                                       "$SWEEP PARAMETER=a\n 2\n$END\n")
+                .codes(),
+            "E391");
+  EXPECT_EQ(Reading(folder, k_square + "$PARAMETER\n a = 1\n b = 1\n"
+                                       "$SWEEP PARAMETER=a WITH=b\n 1 2 3\n$END\n")
+                .codes(),
+            "E115");
+}
+
 TEST(ReadDeck, IncludesAreLimited) {
   const Folder folder;
   for (int i = 0; i < 20; ++i) {
@@ -91,6 +138,72 @@ TEST(ReadDeck, IncludesAreLimited) {
   EXPECT_EQ(deep.codes(), "E113") << deep.messages();
   const Reading itself(folder, k_square + "$INCLUDE FILE='test.deck'\n$END\n");
   EXPECT_EQ(itself.codes(), "E113") << itself.messages();
+}
+
+TEST(ReadDeck, SixteenIncludesDeepIsDeepEnough) {
+  const Folder folder;
+  for (int i = 1; i < 16; ++i) {
+    folder.write("i" + std::to_string(i), "$INCLUDE FILE='i" + std::to_string(i + 1) + "'\n");
+  }
+  folder.write("i16", "$NSET NAME=DEEP\n 1\n");
+  const Reading r(folder, k_square + "$INCLUDE FILE='i1'\n$END\n");
+  ASSERT_TRUE(r.model) << r.messages();
+  EXPECT_EQ(r.model->mesh.node_sets.at(0).name, "DEEP");
+}
+
+TEST(ReadDeck, LineEndsOfEverySystem) {
+  const Folder folder;
+  std::string deck =
+      "\xEF\xBB\xBF! \xC3\xB6\n" + k_square + "$NSET NAME=A\n\t1\t2 ! \xE2\x88\x92\n$END\n";
+  for (const std::string end : {"\r\n", "\r", "\n"}) {
+    std::string text;
+    for (const char c : deck) {
+      text += c == '\n' ? end : std::string(1, c);
+    }
+    const Reading r(folder, text);
+    ASSERT_TRUE(r.model) << r.messages();
+    EXPECT_EQ(r.model->mesh.node_sets.at(0).nodes.size(), 2U);
+  }
+}
+
+TEST(ReadDeck, DevicesAndLongNamesAreNoFiles) {
+  const Folder folder;
+  const Reading device(folder, k_square + "$INCLUDE FILE='/dev/zero'\n$END\n");
+  EXPECT_EQ(device.codes(), "E113") << device.messages();
+  const std::string name(5000, 'a');
+  const Reading longer(folder, k_square + "$INCLUDE FILE='" + name + "'\n$END\n");
+  EXPECT_EQ(longer.codes(), "E113") << longer.messages();
+  const Reading mesh(folder, k_square + "$IMPORT FILE='" + name + "' FORMAT=MSH\n$END\n");
+  EXPECT_EQ(mesh.codes(), "E308") << mesh.messages();
+}
+
+TEST(ReadDeck, RangesAreAsLongAsTheNumbersThereAre) {
+  const Folder folder;
+  const Reading r(folder,
+                  "$DECK VERSION=1 LENGTH=mm FORCE=N\n$COOR DIM=2\n 1 0 0\n 2000000000 1 0\n"
+                  " 9000000000000000 1 1\n 4 0 1\n"
+                  "$ELEMENT TYPE=QUAM4 ESET=PLATE\n 1 1 2000000000 9000000000000000 4\n"
+                  "$MATERIAL NAME=STEEL E=210[GPa] NU=0.3\n"
+                  "$PROPERTY ESET=PLATE MATERIAL=STEEL STATE=STRESS\n"
+                  "$NSET NAME=ALL\n 1 : 9223372036854775807\n"
+                  "$NSET NAME=EVEN\n 2 : 9223372036854775807 : 2\n$END\n");
+  ASSERT_TRUE(r.model) << r.messages();
+  EXPECT_EQ(r.model->mesh.node_sets.at(0).nodes.size(), 4U);
+  std::vector<base::Label> even;
+  for (const base::NodeId n : r.model->mesh.node_sets.at(1).nodes) {
+    even.push_back(r.model->mesh.node_label[n.index()]);
+  }
+  EXPECT_EQ(even, (std::vector<base::Label>{4, 2000000000, 9000000000000000}));
+}
+
+TEST(ReadDeck, MeshesTooLargeAreRefused) {
+  const Folder folder;
+  const auto codes = [&](const std::string& keys) {
+    return Reading(folder, k_square + "$NET NAME=A\n$MESH " + keys + "\n$ENDNET\n$END\n").codes();
+  };
+  EXPECT_EQ(codes("SHAPE=BLOCK TYPE=QUAMC8 LX=1 LY=1 NX=1000000 NY=1000000"), "E321");
+  EXPECT_EQ(codes("SHAPE=RING TYPE=QUAM4 RI=0 RO=1 NT=1000000"), "E321"); // the core of the disc
+  EXPECT_EQ(codes("SHAPE=LUG TYPE=QUAM4 RI=1 W=4 L=1e12"), "E321");       // the shank
 }
 
 TEST(ReadDeck, NetsQualifyNames) {
@@ -115,8 +228,7 @@ TEST(ReadDeck, NetsQualifyNames) {
 
 TEST(ReadDeck, WhatHasNoAnalysisIsNotedNotIgnored) {
   const Folder folder;
-  const Reading r(folder, k_square + "$PARAMETER\n t = 1\n$SWEEP PARAMETER=t\n 1 2\n"
-                                     "$RESTART WRITE='a.rst'\n"
+  const Reading r(folder, k_square + "$RESTART WRITE='a.rst'\n"
                                      "$RIGID NAME=WALL SHAPE=LINE X0=0 Y0=0 X1=1 Y1=0\n"
                                      "$FSET NAME=TOP WHERE=(y == 1)\n"
                                      "$CONTACT NAME=C SLAVE=TOP MASTER=WALL MU=0.1\n"
@@ -127,8 +239,8 @@ TEST(ReadDeck, WhatHasNoAnalysisIsNotedNotIgnored) {
     what.push_back(u.what);
     EXPECT_TRUE(u.span.valid());
   }
-  EXPECT_EQ(what, (std::vector<std::string>{"$SWEEP", "$RESTART", "$RIGID", "$CONTACT MU",
-                                            "$STEP DISMOUNT"}));
+  EXPECT_EQ(what,
+            (std::vector<std::string>{"$RESTART", "$RIGID", "$CONTACT MU", "$STEP DISMOUNT"}));
 }
 
 TEST(ReadDeck, LoadValuesAndPrescribedFreedoms) {

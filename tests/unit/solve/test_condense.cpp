@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/parallel.hpp"
 #include "solve/condense.hpp"
+#include "solve/rate.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -11,6 +12,7 @@
 #include <map>
 #include <numeric>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace spricka::solve {
@@ -172,6 +174,29 @@ TEST(Condensation, SchurComplementIsThatOfDenseElimination) {
     EXPECT_GT(c.report().factor_entries, static_cast<double>(K.n));
     EXPECT_GT(c.report().memory, 8.0 * c.report().factor_entries);
   }
+}
+
+TEST(Condensation, ForecastIsWhatFactorisingReports) {
+  for (const bool faces : {false, true}) {
+    SpringNet net(24, 1.0);
+    const std::int64_t externals = net.put_last([&](int x, int) { return faces && x == 23; });
+    const Condensation c(net.matrix(), externals);
+    SymmetricCsc pattern = net.matrix();
+    std::fill(pattern.value.begin(), pattern.value.end(), 0.0);
+    const FactorReport told = Condensation::forecast(std::move(pattern), externals);
+    EXPECT_EQ(told.status, FactorStatus::ok);
+    EXPECT_EQ(told.flops, c.report().flops);
+    EXPECT_EQ(told.factor_entries, c.report().factor_entries);
+    EXPECT_EQ(told.memory, c.report().memory);
+  }
+}
+
+TEST(FlopRate, GrowsWithTheBlocks) {
+  const FlopRate rate = measure_flop_rate(0.01);
+  EXPECT_GT(rate.measured, 1e7);
+  EXPECT_GE(rate.peak, rate.measured);
+  EXPECT_LE(rate.at(8.0), rate.at(64.0));
+  EXPECT_LE(rate.at(64.0), rate.peak);
 }
 
 TEST(Condensation, CondensedLoadAndRecoveredLocalsSolveTheWhole) {

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "grammar/card_table.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace spricka::grammar {
+
+namespace {
+
+// Examples as a deck would hold them; every one is read and bound by a test.
+constexpr std::array texts{
+    CardText{
+        "DECK",
+        "It must stand first. All bare numbers of the deck are in its units: lengths in LENGTH, "
+        "forces in FORCE, stresses in FORCE/LENGTH^2 (N and mm give MPa), angles in radians. A "
+        "number may carry its own unit, 0.084[mm] or 70[GPa], and is converted.",
+        "$DECK VERSION=1 LENGTH=MM FORCE=N TITLE='Lug with one crack'\n"},
+    CardText{
+        "PARAMETER",
+        "A parameter stands for its value in every expression below it, and an expression "
+        "stands in parentheses: RI=(R). Parameters may use those above them. A name is defined "
+        "once; the command line replaces its value with -D R=40 or -D 'F=80[kN]'. A GEO script "
+        "of $IMPORT gets the parameters by their names.",
+        "$PARAMETER\n"
+        "  R     = 36                        ! mm\n"
+        "  F     = 97.1[kN]\n"
+        "  sigma = F/(101*14)\n"},
+    CardText{
+        "INCLUDE",
+        "The file holds whole cards and neither $DECK nor $END. Includes may include others, 16 "
+        "deep at most.",
+        "$INCLUDE FILE='lug_model.inc'\n"},
+    CardText{
+        "NET",
+        "Everything up to $ENDNET belongs to the net. Bodies that touch should be nets of their "
+        "own. Outside the net its set BORE is called LUG.BORE, inside it BORE. A net is "
+        "condensed once, and again only when its own content changes.",
+        "$NET NAME=LUG\n"
+        "  $MESH SHAPE=LUG TYPE=QUAMC8 RI=36 W=173 L=232.5 NR=8 NT=48\n"
+        "$ENDNET\n"},
+    CardText{"ENDNET", "", "$NET NAME=PIN\n  $MESH SHAPE=RING TYPE=QUAMC8 RI=0 RO=30\n$ENDNET\n"},
+    CardText{
+        "IMPORT",
+        "GEO is a geometry script of gmsh; the library meshes it, and values of its "
+        "DefineConstant are replaced by the deck's parameters of the same name. MSH is a mesh "
+        "that gmsh wrote. Physical groups become sets: in 2D surfaces element sets, curves face "
+        "sets, points node sets. A data line gives a group another name.",
+        "$IMPORT FILE='lug.geo' FORMAT=GEO\n"
+        "  inner_edge = BORE\n"},
+    CardText{"MESH",
+             "Every shape makes the element set BODY and sets of its sides: BLOCK makes XMIN XMAX "
+             "YMIN YMAX (ZMIN ZMAX), RING makes INNER and OUTER, LUG makes BORE, HEAD and END. A "
+             "RING with RI=0 is a disc.",
+             "$MESH SHAPE=RING TYPE=QUAMC8 RI=20 RO=40 NR=8 NT=48\n"},
+    CardText{"COOR",
+             "One node a line. Numbers are free, need no order and are those of the net the card "
+             "stands in. With SYSTEM=CYL the columns are r, theta (radians) and z.",
+             "$COOR DIM=2 NSET=CORNERS\n"
+             "  1   0   0\n"
+             "  2  10   0\n"
+             "  3  10   5\n"
+             "  4   0   5\n"},
+    CardText{
+        "ELEMENT",
+        "One element a line, a leading & continues a long one. Nodes go round against the "
+        "clock: corners first, then mid-edge nodes from the edge between the first two corners "
+        "on, then the middle (QUAMC9).",
+        "$ELEMENT TYPE=QUAM4 ESET=PLATE\n"
+        "  1  1 2 3 4\n"},
+    CardText{
+        "NSET",
+        "Items are numbers, ranges first : last : step, and names of sets; -NAME takes a set "
+        "away again. WHERE keeps the nodes where its expression in x y z rho theta holds "
+        "(comparisons, and, or). Without FROM and items WHERE sees all nodes of the net. ORDER "
+        "sorts: a crack path starts at the mouth.",
+        "$NSET NAME=LINE WHERE=(abs(y) < 1e-9) ORDER=(x)\n"
+        "$NSET NAME=RIM\n"
+        "  1 : 40 : 2  -LINE\n"},
+    CardText{"ESET", "Items as on $NSET; WHERE is asked at the centroid of each element.",
+             "$ESET NAME=HOT FROM=BODY WHERE=(rho < 40)\n"},
+    CardText{"FSET",
+             "Faces are what loads and contacts work on. A node set that stands where faces are "
+             "wanted means the faces all of whose nodes it holds, so that this card is seldom "
+             "needed.",
+             "$FSET NAME=UPPER_BORE FROM=LUG.BORE WHERE=(y > -1e-9)\n"},
+    CardText{"MATERIAL",
+             "RHO and ALPHA are kept for analyses to come; a load of TYPE=BODY gives its force per "
+             "volume.",
+             "$MATERIAL NAME=AL7475 E=69.8[GPa] NU=0.33\n"},
+    CardText{
+        "PROPERTY",
+        "Every element needs exactly one property. STRESS is plane stress, STRAIN plane strain; "
+        "forces and energies count for the whole THICK.",
+        "$PROPERTY ESET=LUG.BODY MATERIAL=AL7475 STATE=STRESS THICK=14\n"},
+    CardText{
+        "FREEDOM",
+        "SUPPRESSED freedoms are zero: supports and symmetry lines. PRESCRIBED ones move as "
+        "$LOAD TYPE=DISP says. EXTERNAL ones survive condensation, which no result depends on. "
+        "Bodies that contact holds need no support.",
+        "$FREEDOM CLASS=SUPPRESSED DOF=XY\n"
+        "  LUG.END\n"},
+    CardText{
+        "MPC",
+        "TRANSITION ties the SLAVE nodes to the MASTER faces by their shape functions; RIGID "
+        "makes the SLAVE nodes one rigid body; EQUATION is a linear equation between freedoms.",
+        "$MPC TYPE=TRANSITION SLAVE=FINE.RIM MASTER=COARSE.RIM\n"},
+    CardText{
+        "LOAD",
+        "Several cards with one CASE add up; $STEP applies a case with a factor. FORCE: on each "
+        "node of the set. RESULTANT: a total, spread over faces or elements. TRACTION: force "
+        "per area, x y z. PRESSURE: normal, positive pushes. BODY: force per volume. BEARING: "
+        "the pressure of a pin that is not modelled, given by its resultant. DISP: values of "
+        "PRESCRIBED freedoms. In 2D areas count THICK. Values may be expressions in x y z.",
+        "$LOAD CASE=TENSION TYPE=TRACTION\n"
+        "  PLATE.YMAX  0  (100[MPa]*(1 - x/40))\n"
+        "$LOAD CASE=PIN TYPE=BEARING SHAPE=COSINE\n"
+        "  LUG.BORE  97.1[kN]  0\n"},
+    CardText{"CONTACT",
+             "The surfaces cannot pass into each other and can always part, without penalty and "
+             "without stiffness to choose. INTERFERENCE counts on the radius, DIAMETRAL on the "
+             "diameter (twice as much): a drawing that says 72.084 in 72 means DIAMETRAL=0.084. "
+             "Which surface is SLAVE makes no difference to what holds; SEGMENT pairs need no "
+             "matching nodes. Fits are switched on by FIT and MOUNT of $STEP; a fit that no step "
+             "names is always on.",
+             "$CONTACT NAME=BUSH SLAVE=SLEEVE.OUTER MASTER=LUG.BORE DIAMETRAL=0.084\n"
+             "$CONTACT NAME=PIN SLAVE=SHAFT.OUTER MASTER=SLEEVE.INNER GAP=0\n"},
+    CardText{"RIGID", "", "$RIGID NAME=FLOOR SHAPE=LINE X0=-50 Y0=0 X1=50 Y1=0\n"},
+    CardText{
+        "CRACK",
+        "A free crack is a point on the boundary of NET, its direction ANGLE and its length A0, "
+        "or a line through several points; the program cuts it into the mesh. (A crack between "
+        "two points inside the body, with tips NAME.1 and NAME.2, is not available in this "
+        "version.) "
+        "A crack with PATH follows element edges; on a symmetry line the nodes behind the tip "
+        "are released and K counts both halves. Two sides of a bore are two cards.",
+        "$CRACK NAME=TOP NET=LUG A0=1.8 ANGLE=90[deg]\n"
+        "  0  36\n"},
+    CardText{
+        "TIPNET",
+        "The patch round a tip holds rings of quarter-point elements (the rosette) and a graded "
+        "mesh that meets the net. It moves with the tip. Without this card sizes follow the "
+        "crack's length and what is near; the listing names them. Smaller SIZE: finer.",
+        "$TIPNET CRACK=TOP RADIUS=0.5 SIZE=0.02 RINGS=6\n"},
+    CardText{
+        "VCE",
+        "K comes from the derivative of the energy for a virtual motion of the tip. Each number "
+        "of DOMAINS is a count of rings that move rigidly; the spread of K between them checks "
+        "the method (not the mesh).",
+        "$VCE CRACK=TOP DOMAINS=2,3,4\n"},
+    CardText{
+        "STEP",
+        "LOAD case factor sets a case's factor, FIT contact factor that of a fit. MOUNT puts a "
+        "contact in: until then it is absent, and its gap or interference counts from the "
+        "deformed bodies as they are at that moment (mounting without force). Steps run in deck "
+        "order, as in the workshop: press, mount, load, unload.",
+        "$STEP NAME=PRESS\n"
+        "  FIT BUSH 1\n"
+        "$STEP NAME=ASSEMBLE\n"
+        "  MOUNT PIN\n"
+        "$STEP NAME=LOAD\n"
+        "  LOAD SHAFTLOAD 1\n"
+        "$STEP NAME=UNLOAD\n"
+        "  LOAD SHAFTLOAD 0\n"},
+    CardText{"GROW",
+             "All steps are run for every crack length. With LAW=INCREMENT the data lines are the "
+             "lengths. KMAX and KMIN name the steps whose K is the largest and the smallest of a "
+             "load cycle.",
+             "$GROW LAW=INCREMENT KMAX=LOAD KMIN=UNLOAD\n"
+             "  1.8  3.6  7.2  10.8  18\n"},
+    CardText{"SWEEP", "",
+             "$PARAMETER\n"
+             "  fit = 0.084\n"
+             "$SWEEP PARAMETER=fit\n"
+             "  0  0.042  0.084\n"},
+    CardText{
+        "CONTROL",
+        "Seldom needed. THREADS never changes a result; the command line's --threads goes first.",
+        "$CONTROL THREADS=2\n"},
+    CardText{"RESTART", "", "$RESTART WRITE='lug.state' EVERY=2\n"},
+    CardText{"TASK",
+             "Its names and their order are checked; in this version the chain always follows from "
+             "the cards.",
+             "$TASK\n"
+             "  TOPOLOGY STIFFNESS CONDENSE CONTACT VCE RECOVER OUTPUT\n"},
+    CardText{"OUTPUT",
+             "Each line asks for one result: U displacements, S stresses, REACTION forces of the "
+             "supports, each of a set; CPRESS of a contact, K of a crack. k.csv, pressure.csv, "
+             "listing and report are written without asking.",
+             "$OUTPUT FILE='head.csv' FORMAT=CSV EVERY=STEP\n"
+             "  U LUG.HEAD\n"
+             "  K TOP\n"},
+    CardText{"CHECK",
+             "REL counts the tolerance from the value, ABS is in the value's own unit. SOURCE says "
+             "where the value comes from; 'RECORDED' is for numbers that only the program itself "
+             "gave. A run with a failed check ends with exit code 1. `spricka help quantities` "
+             "lists what can be asked for.",
+             "$CHECK\n"
+             "  K(TOP,LOAD,10.8) = 707.5  REL 0.001  SOURCE 'two independent solvers'\n"
+             "  SUM(BUSH,LOAD,X) = 97.1[kN]  REL 1e-6  SOURCE 'equilibrium'\n"},
+    CardText{"END", "Nothing but blank lines and comments may follow.", "$END\n"},
+};
+
+} // namespace
+
+const CardText* find_text(std::string_view card) {
+  const auto* const it =
+      std::find_if(texts.begin(), texts.end(), [&](const CardText& t) { return t.card == card; });
+  return it == texts.end() ? nullptr : it;
+}
+
+} // namespace spricka::grammar

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "grammar/help.hpp"
+
+#include "base/unit_words.hpp"
+#include "grammar/compile.hpp"
+#include "grammar/phrases.hpp"
+#include "grammar/wrap.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace spricka::grammar {
+
+namespace {
+
+constexpr std::size_t k_body = 2; ///< indentation of paragraphs
+
+std::string key_table(const CardSpec& card, std::size_t width) {
+  Columns table{{{"key", "value", "default", "meaning"}}, {14, 34, 12, 0}};
+  for (const KeySpec& key : card.keys) {
+    table.rows.push_back(
+        {std::string(key.name), value_phrase(key), need_phrase(key), std::string(key.doc)});
+  }
+  return table.text(width);
+}
+
+std::string indented(std::string_view text, std::size_t indent) {
+  std::string out;
+  while (!text.empty()) {
+    const std::size_t end = text.find('\n');
+    out += std::string(indent, ' ');
+    out += text.substr(0, end);
+    out += '\n';
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  }
+  return out;
+}
+
+// "MPa" in terms of m and N: "1000000 N/m^2".
+std::string size_of(const base::UnitWord& word) {
+  const base::Dimension& d = word.unit.dimension;
+  std::string_view unit = "";
+  if (d == dimension_of(Quantity::length)) {
+    unit = " m";
+  } else if (d == dimension_of(Quantity::force)) {
+    unit = " N";
+  } else if (d == dimension_of(Quantity::stress)) {
+    unit = " N/m^2";
+  } else if (d == dimension_of(Quantity::angle)) {
+    unit = " rad";
+  }
+  return fmt::format("{:.10g}{}", word.unit.si, unit);
+}
+
+std::string kind_of(const base::UnitWord& word) {
+  for (const Quantity quantity :
+       {Quantity::length, Quantity::force, Quantity::stress, Quantity::angle}) {
+    if (word.unit.dimension == dimension_of(quantity)) {
+      return std::string(dimension_phrase(quantity));
+    }
+  }
+  return "count";
+}
+
+} // namespace
+
+std::string cards_help(std::size_t width) {
+  std::string out;
+  for (const std::string_view group : groups()) {
+    out += fmt::format("{}: {}\n", group, about_group(group));
+    Columns table{{}, {12, 0}};
+    for (const CardSpec& card : catalogue()) {
+      if (card.group == group) {
+        table.rows.push_back(
+            {fmt::format("${}", card.name),
+             fmt::format("{}{}", card.doc, card.available ? "" : " (not in this version)")});
+      }
+    }
+    out += table.text(width) + '\n';
+  }
+  return out;
+}
+
+std::string card_help(const CardSpec& card, std::size_t width) {
+  std::string out = fmt::format("${}  ({}{})\n", card.name, card.group,
+                                card.once ? ", at most once in a deck" : "");
+  out += paragraph(card.doc, k_body, width);
+  if (!card.notes.empty()) {
+    out += '\n' + paragraph(card.notes, k_body, width);
+  }
+  if (!card.keys.empty()) {
+    out += '\n' + key_table(card, width);
+  }
+  const std::vector<std::string> rules = clause_sentences(card);
+  out += rules.empty() ? "" : "\n";
+  for (const std::string& rule : rules) {
+    out += paragraph(rule, k_body, width);
+  }
+  out += '\n' + paragraph(card.data == Data::none
+                              ? fmt::format("${} takes no data lines.", card.name)
+                              : fmt::format("{}: {}", data_phrase(card), card.data_form),
+                          k_body, width);
+  if (const std::string later = later_phrase(card); !later.empty()) {
+    out += '\n' +
+           paragraph(fmt::format("Read and checked, but not available in this version: {}.", later),
+                     k_body, width);
+  }
+  return out + "\nExample:\n" + indented(card.example, k_body);
+}
+
+std::string word_help(std::string_view word, std::size_t width) {
+  Columns table{{}, {34, 34, 0}};
+  for (const CardSpec& card : catalogue()) {
+    for (const KeySpec& key : card.keys) {
+      const std::vector<std::string> words = split_words(key.words);
+      const bool value = std::find(words.begin(), words.end(), word) != words.end();
+      if (key.name == word || value) {
+        table.rows.push_back(
+            {fmt::format("${} {}{}{}", card.name, key.name, value ? "=" : "", value ? word : ""),
+             value ? std::string() : value_phrase(key), std::string(key.doc)});
+      }
+    }
+  }
+  for (const WordText& function : function_texts()) {
+    if (function.name == word) {
+      table.rows.push_back({std::string(function.form), "function", std::string(function.doc)});
+    }
+  }
+  return table.rows.empty() ? std::string() : table.text(width);
+}
+
+std::string quantities_help(std::size_t width, const ResultQuantity* one) {
+  std::string out = one != nullptr ? "" : "Results that $CHECK can name; [ ] may be left out:\n";
+  Columns table{{}, {44, 20, 0}};
+  for (const ResultQuantity& quantity : result_quantities()) {
+    if (one == nullptr || one == &quantity) {
+      table.rows.push_back({call_form(quantity), std::string(dimension_phrase(quantity.quantity)),
+                            std::string(quantity.doc)});
+    }
+  }
+  out += table.text(width);
+  return out + '\n' +
+         paragraph("a is a crack length of $GROW; without it the value is that of the last length. "
+                   "A crack with two tips has NAME.1 and NAME.2.",
+                   k_body, width);
+}
+
+std::string functions_help(std::size_t width) {
+  std::string out = "Functions of expressions:\n";
+  Columns table{{}, {14, 0}};
+  for (const WordText& function : function_texts()) {
+    table.rows.push_back({std::string(function.form), std::string(function.doc)});
+  }
+  out += table.text(width);
+  out += "\nNames:\n";
+  const Columns names{{{"pi", "3.14159.."},
+                       {"x y z", "the place, in WHERE, ORDER and the values of $LOAD"},
+                       {"rho theta", "the same in cylindrical coordinates about z"}},
+                      {14, 0}};
+  out += names.text(width);
+  out += "\nOperators, the tightest first:\n";
+  const Columns operators{{{"^", "power, from the right: 2^3^2 = 512"},
+                           {"- +", "signs: -2^2 = -4"},
+                           {"* /", ""},
+                           {"+ -", ""},
+                           {"< <= > >= ==", "comparison, 1 or 0"},
+                           {"and or", "one level: mix them with brackets"}},
+                          {14, 0}};
+  return out + operators.text(width);
+}
+
+std::string units_help(std::size_t width) {
+  std::string out = "Units stand in [ ] behind a number or a bracket:\n";
+  Columns table{{}, {8, 10, 0}};
+  for (const base::UnitWord& word : base::unit_words()) {
+    table.rows.push_back({std::string(word.name), kind_of(word), size_of(word)});
+  }
+  out += table.text(width);
+  return out + '\n' +
+         paragraph(
+             "Products, quotients and powers are units too: [MPa*mm^0.5], [N/mm^2]. A number "
+             "with a unit is converted into the units of $DECK; a bare one is in them, angles "
+             "in radians. Units are written as here: case counts (MN is not mN).",
+             k_body, width);
+}
+
+} // namespace spricka::grammar

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "grammar/catalogue.hpp"
+
+#include <string>
+#include <string_view>
+
+/// What `spricka help` prints, made of the catalogue alone, in lines of at most `width` columns
+/// (but for examples and words that are longer).
+namespace spricka::grammar {
+
+/// All cards by group, one line each.
+std::string cards_help(std::size_t width);
+
+/// One card: keys, rules between them, data lines, notes, example.
+std::string card_help(const CardSpec& card, std::size_t width);
+
+/// Where a word of the language stands, given in capitals: as a key, as a value of one, as a
+/// function. Empty when it is none.
+std::string word_help(std::string_view word, std::size_t width);
+
+/// The results that $CHECK can name; `one` alone if it is given.
+std::string quantities_help(std::size_t width, const ResultQuantity* one = nullptr);
+
+/// Functions, constants and variables of expressions.
+std::string functions_help(std::size_t width);
+
+/// Units and how they are combined.
+std::string units_help(std::size_t width);
+
+/// The card reference of the manual: all of the above as Markdown.
+std::string cards_markdown();
+
+/// The whole catalogue as JSON, for editors and other programs.
+std::string schema_json();
+
+} // namespace spricka::grammar

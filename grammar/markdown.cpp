@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/unit_words.hpp"
+#include "grammar/compile.hpp"
+#include "grammar/help.hpp"
+#include "grammar/phrases.hpp"
+
+#include <fmt/format.h>
+
+namespace spricka::grammar {
+
+namespace {
+
+// A bar would end the cell.
+std::string cell(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    out += c == '|' ? "\\|" : std::string(1, c);
+  }
+  return out;
+}
+
+std::string code(std::string_view text) {
+  return text.empty() ? "" : fmt::format("`{}`", cell(text));
+}
+
+std::string anchor(std::string_view name) {
+  std::string out;
+  for (const char c : name) {
+    out += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return out;
+}
+
+std::string keys(const CardSpec& card) {
+  std::string out = "| key | value | default | meaning |\n|---|---|---|---|\n";
+  for (const KeySpec& key : card.keys) {
+    const std::string value = key.type == KeyType::word ? code(key.words) : cell(value_phrase(key));
+    const std::string need = key.required ? "required" : code(key.default_value);
+    out += fmt::format("| `{}` | {} | {} | {} |\n", key.name, value, need, cell(key.doc));
+  }
+  return out + '\n';
+}
+
+std::string card_section(const CardSpec& card) {
+  std::string out = fmt::format("### ${}\n\n{}", card.name, card.doc);
+  out += card.once ? " At most once in a deck.\n\n" : "\n\n";
+  out += card.notes.empty() ? "" : fmt::format("{}\n\n", card.notes);
+  out += card.keys.empty() ? "" : keys(card);
+  const std::vector<std::string> rules = clause_sentences(card);
+  for (const std::string& rule : rules) {
+    out += fmt::format("- {}\n", rule);
+  }
+  out += rules.empty() ? "" : "\n";
+  if (card.data != Data::none) {
+    out += fmt::format("{}: `{}`\n\n", data_phrase(card), card.data_form);
+  }
+  if (const std::string later = later_phrase(card); !later.empty()) {
+    out += fmt::format("Read and checked, but not available in this version: {}.\n\n", code(later));
+  }
+  return out + fmt::format("```\n{}```\n\n", card.example);
+}
+
+std::string contents() {
+  std::string out;
+  for (const std::string_view group : groups()) {
+    out += fmt::format("- **{}** ({}):", group, about_group(group));
+    for (const CardSpec& card : catalogue()) {
+      if (card.group == group) {
+        out += fmt::format(" [${}](#{})", card.name, anchor(card.name));
+      }
+    }
+    out += '\n';
+  }
+  return out + "- [results](#results), [functions](#functions), [units](#units)\n\n";
+}
+
+std::string results() {
+  std::string out = "## Results\n\nWhat `$CHECK` can name; `[ ]` may be left out. `a` is a crack "
+                    "length of `$GROW`; without it\nthe value is that of the last length.\n\n"
+                    "| result | dimension | meaning |\n|---|---|---|\n";
+  for (const ResultQuantity& quantity : result_quantities()) {
+    out += fmt::format("| {} | {} | {} |\n", code(call_form(quantity)),
+                       dimension_phrase(quantity.quantity), quantity.doc);
+  }
+  return out + '\n';
+}
+
+std::string words() {
+  std::string out = "## Functions\n\n| function | value |\n|---|---|\n";
+  for (const WordText& function : function_texts()) {
+    out += fmt::format("| `{}` | {} |\n", function.form, function.doc);
+  }
+  out +=
+      "\nThe constant `pi`; in WHERE, ORDER and the values of `$LOAD` also the place: `x y z` and "
+      "`rho theta`\n(cylindrical about z).\n\n## Units\n\n";
+  for (const base::UnitWord& word : base::unit_words()) {
+    out += fmt::format("`{}` ", word.name);
+  }
+  return out + "with `*`, `/` and `^`, in `[ ]` behind a number or a bracket.\n";
+}
+
+} // namespace
+
+std::string cards_markdown() {
+  std::string out = "# The cards\n\nMade of the program's own catalogue by `spricka help "
+                    "--markdown`; do not edit. On the terminal:\n`spricka help CARD`.\n\n";
+  out += contents();
+  for (const std::string_view group : groups()) {
+    out += fmt::format("## {}: {}\n\n", group, about_group(group));
+    for (const CardSpec& card : catalogue()) {
+      out += card.group == group ? card_section(card) : "";
+    }
+  }
+  return out + results() + words();
+}
+
+} // namespace spricka::grammar

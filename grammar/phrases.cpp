@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "grammar/phrases.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::grammar {
+
+namespace {
+
+// "A", "A and B", "A, B and C".
+std::string enumerate(const std::vector<std::string>& words, std::string_view last = "and") {
+  std::string out;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const bool final = i > 0 && i + 1 == words.size();
+    out += i == 0 ? "" : final ? fmt::format(" {} ", last) : ", ";
+    out += words[i];
+  }
+  return out;
+}
+
+std::string number_phrase(std::string_view what, const Range& range) {
+  const std::string limits = range.text();
+  return limits.empty() ? std::string(what) : fmt::format("{} {}", what, limits);
+}
+
+std::string_view article(std::string_view word) {
+  return std::string_view("aeiou").find(word.front()) == std::string_view::npos ? "a" : "an";
+}
+
+bool same_effect(const When& a, const When& b) {
+  return a.key == b.key && a.word.empty() == b.word.empty() && a.needs == b.needs &&
+         a.forbids == b.forbids;
+}
+
+std::string condition(const When& clause, const std::vector<std::string>& words) {
+  return words.empty() ? std::string(clause.key)
+                       : fmt::format("{}={}", clause.key, fmt::join(words, "|"));
+}
+
+std::string sentence(const When& clause, const std::vector<std::string>& words) {
+  const std::vector<std::string> needs = split_words(clause.needs);
+  const std::vector<std::string> forbids = split_words(clause.forbids);
+  std::string out = condition(clause, words);
+  if (!needs.empty()) {
+    out += " needs " + enumerate(needs);
+  }
+  if (!forbids.empty()) {
+    out += fmt::format("{} excludes {}", needs.empty() ? "" : " and", enumerate(forbids));
+  }
+  return out + '.';
+}
+
+constexpr std::array<std::pair<std::string_view, std::string_view>, 9> group_texts{{
+    {"deck", "the frame of a deck: units, parameters, other files, the end"},
+    {"subnets", "bodies with their own numbers and sets"},
+    {"topology", "nodes, elements and sets: written out, generated or imported"},
+    {"material and geometry", "what the elements are made of"},
+    {"freedoms", "supports and ties"},
+    {"loads", "load cases, and the steps that apply them"},
+    {"contact", "surfaces that press on each other, fits"},
+    {"crack", "cracks, their tips, their growth"},
+    {"requests", "results, checks, numerics, repeated runs"},
+}};
+
+// The name of a number among the arguments of a result: a coordinate, an angle or the length.
+std::string number_name(const ResultQuantity& quantity, std::size_t before, bool optional) {
+  if (optional) {
+    return before == 0 ? "a" : "angle";
+  }
+  if (quantity.name == "CPRESS.AT") {
+    return "theta";
+  }
+  if (quantity.name.ends_with(".AT")) {
+    return before == 0 ? "x" : "y";
+  }
+  return "a";
+}
+
+std::string argument_name(const ResultQuantity& quantity, char letter, std::size_t before,
+                          bool optional) {
+  switch (letter) {
+  case 'c':
+    return "crack[.tip]";
+  case 'p':
+    return "contact";
+  case 's':
+    return "step";
+  case 'n':
+    return "set";
+  case 'd':
+    return "X|Y|Z";
+  case 'z':
+    return "z";
+  default:
+    return number_name(quantity, before, optional);
+  }
+}
+
+} // namespace
+
+std::string value_phrase(const KeySpec& key) {
+  switch (key.type) {
+  case KeyType::integer:
+    return number_phrase("whole number", key.range);
+  case KeyType::integers:
+    return number_phrase("whole numbers, with commas", key.range);
+  case KeyType::real:
+    return number_phrase(dimension_phrase(key.quantity), key.range);
+  case KeyType::word:
+    return std::string(key.words);
+  case KeyType::name:
+    return fmt::format("new name of {} {}", article(word_of(key.kind)), word_of(key.kind));
+  case KeyType::reference:
+    return fmt::format("name of {} {}", article(word_of(key.kind)), word_of(key.kind));
+  case KeyType::references:
+    return fmt::format("names, each of {} {}, with commas", article(word_of(key.kind)),
+                       word_of(key.kind));
+  case KeyType::text:
+    return "'text'";
+  case KeyType::expression:
+    return "(expression in x y z rho theta)";
+  }
+  return {};
+}
+
+std::string need_phrase(const KeySpec& key) {
+  return key.required ? "required" : std::string(key.default_value);
+}
+
+std::vector<std::string> clause_sentences(const CardSpec& card) {
+  std::vector<std::string> out;
+  if (!card.exclusive.empty()) {
+    out.push_back(
+        fmt::format("At most one of {} may be given.", enumerate(split_words(card.exclusive))));
+  }
+  std::vector<bool> told(card.when.size(), false);
+  for (std::size_t i = 0; i < card.when.size(); ++i) {
+    if (told[i]) {
+      continue;
+    }
+    std::vector<std::string> words;
+    for (std::size_t j = i; j < card.when.size(); ++j) {
+      if (same_effect(card.when[i], card.when[j])) {
+        told[j] = true;
+        if (!card.when[j].word.empty()) {
+          words.emplace_back(card.when[j].word);
+        }
+      }
+    }
+    out.push_back(sentence(card.when[i], words));
+  }
+  return out;
+}
+
+std::string later_phrase(const CardSpec& card) {
+  if (!card.available) {
+    return fmt::format("${}", card.name);
+  }
+  std::vector<std::string> parts;
+  for (const KeySpec& key : card.keys) {
+    if (key.later == "*") {
+      parts.emplace_back(key.name);
+    } else if (key.type == KeyType::word && !key.later.empty()) {
+      parts.push_back(fmt::format("{}={}", key.name, key.later));
+    } else if (!key.later.empty()) {
+      parts.push_back(fmt::format("{}{}", key.name, key.later));
+    }
+  }
+  return enumerate(parts);
+}
+
+std::string_view dimension_phrase(Quantity quantity) {
+  switch (quantity) {
+  case Quantity::length:
+    return "length";
+  case Quantity::stress:
+    return "stress";
+  case Quantity::angle:
+    return "angle";
+  case Quantity::stress_intensity:
+    return "stress*length^0.5";
+  case Quantity::force:
+    return "force";
+  case Quantity::energy_release:
+    return "force/length";
+  case Quantity::number:
+    break;
+  }
+  return "number";
+}
+
+std::string call_form(const ResultQuantity& quantity) {
+  std::string out = fmt::format("{}(", quantity.name);
+  bool optional = false;
+  std::size_t numbers = 0;
+  std::size_t open = 0;
+  std::size_t count = 0;
+  for (const char letter : quantity.arguments) {
+    if (letter == '?') {
+      optional = true;
+      numbers = 0;
+      continue;
+    }
+    const std::string name = argument_name(quantity, letter, numbers, optional);
+    numbers += letter == 'a' ? 1U : 0U;
+    if (letter == 'z') {
+      out += fmt::format(" [, {}]", name);
+    } else if (optional) {
+      out += fmt::format(" [{}{}", count > 0 ? ", " : "", name);
+      ++open;
+    } else {
+      out += fmt::format("{}{}", count > 0 ? ", " : "", name);
+    }
+    ++count;
+  }
+  return out + std::string(open, ']') + ")";
+}
+
+std::string_view data_phrase(const CardSpec& card) {
+  return card.data_required ? "Data lines" : "Optional data lines";
+}
+
+std::vector<std::string_view> groups() {
+  std::vector<std::string_view> out;
+  out.reserve(group_texts.size());
+  for (const auto& [group, text] : group_texts) {
+    out.push_back(group);
+  }
+  return out;
+}
+
+std::string_view about_group(std::string_view group) {
+  const auto* const it = std::find_if(group_texts.begin(), group_texts.end(),
+                                      [&](const auto& g) { return g.first == group; });
+  return it == group_texts.end() ? std::string_view() : it->second;
+}
+
+} // namespace spricka::grammar

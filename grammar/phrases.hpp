@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "grammar/catalogue.hpp"
+
+#include <string>
+#include <vector>
+
+/// The catalogue in words: what the help, the card reference and the schema have in common.
+namespace spricka::grammar {
+
+/// "length >0", "whole number 2..3", "STRESS|STRAIN", "name of a material".
+std::string value_phrase(const KeySpec& key);
+
+/// "required", the default, or empty.
+std::string need_phrase(const KeySpec& key);
+
+/// The clauses of a card as sentences: "SHAPE=LINE needs X0 and Y0.", "At most one of A, B and C."
+/// Clauses of equal effect are one sentence.
+std::vector<std::string> clause_sentences(const CardSpec& card);
+
+/// What is read and checked but has no analysis in this version: "MU >0"; empty where all is there.
+std::string later_phrase(const CardSpec& card);
+
+/// "length/force^0.5"-like name of a quantity's dimension, "length", "stress*length^0.5".
+std::string_view dimension_phrase(Quantity quantity);
+
+/// How a result is written: "K1(crack[.tip], step [, a [, angle]])".
+std::string call_form(const ResultQuantity& quantity);
+
+/// "Data lines" or "Optional data lines".
+std::string_view data_phrase(const CardSpec& card);
+
+/// The groups of cards in their order.
+std::vector<std::string_view> groups();
+
+/// What a group of cards is for.
+std::string_view about_group(std::string_view group);
+
+} // namespace spricka::grammar

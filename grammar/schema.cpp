@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/unit_words.hpp"
+#include "grammar/compile.hpp"
+#include "grammar/help.hpp"
+#include "grammar/phrases.hpp"
+
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+namespace spricka::grammar {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string_view word_of(KeyType type) {
+  switch (type) {
+  case KeyType::integer:
+    return "integer";
+  case KeyType::real:
+    return "real";
+  case KeyType::word:
+    return "word";
+  case KeyType::name:
+    return "name";
+  case KeyType::reference:
+    return "reference";
+  case KeyType::references:
+    return "references";
+  case KeyType::integers:
+    return "integers";
+  case KeyType::text:
+    return "text";
+  case KeyType::expression:
+    return "expression";
+  }
+  return "";
+}
+
+std::string_view word_of(Data data) {
+  switch (data) {
+  case Data::table:
+    return "table";
+  case Data::assignments:
+    return "assignments";
+  case Data::rows:
+    return "rows";
+  case Data::none:
+    break;
+  }
+  return "none";
+}
+
+Json range_of(const Range& range) {
+  Json out = Json::object();
+  if (std::isfinite(range.low)) {
+    out[range.low_open ? "above" : "minimum"] = range.low;
+  }
+  if (std::isfinite(range.high)) {
+    out[range.high_open ? "below" : "maximum"] = range.high;
+  }
+  return out;
+}
+
+void add_text(Json& out, const char* key, std::string_view text) {
+  if (!text.empty()) {
+    out[key] = text;
+  }
+}
+
+Json key_of(const KeySpec& key) {
+  Json out;
+  out["name"] = key.name;
+  out["type"] = word_of(key.type);
+  out["required"] = key.required;
+  if (key.type == KeyType::word) {
+    out["words"] = split_words(key.words);
+  }
+  if (key.kind != Kind::none) {
+    out["kind"] = word_of(key.kind);
+  }
+  if (key.type == KeyType::real) {
+    out["dimension"] = dimension_phrase(key.quantity);
+  }
+  if (Json range = range_of(key.range); !range.empty()) {
+    out["range"] = std::move(range);
+  }
+  add_text(out, "default", key.default_value);
+  add_text(out, "not_in_this_version", key.later);
+  out["doc"] = key.doc;
+  return out;
+}
+
+Json clause_of(const When& clause) {
+  Json out;
+  out["key"] = clause.key;
+  add_text(out, "word", clause.word);
+  out["needs"] = split_words(clause.needs);
+  out["excludes"] = split_words(clause.forbids);
+  return out;
+}
+
+Json card_of(const CardSpec& card) {
+  Json out;
+  out["name"] = card.name;
+  out["group"] = card.group;
+  out["doc"] = card.doc;
+  add_text(out, "notes", card.notes);
+  out["once"] = card.once;
+  out["available"] = card.available;
+  out["data"] = word_of(card.data);
+  out["data_required"] = card.data_required;
+  add_text(out, "data_form", card.data_form);
+  out["keys"] = Json::array();
+  for (const KeySpec& key : card.keys) {
+    out["keys"].push_back(key_of(key));
+  }
+  out["at_most_one_of"] = split_words(card.exclusive);
+  out["when"] = Json::array();
+  for (const When& clause : card.when) {
+    out["when"].push_back(clause_of(clause));
+  }
+  out["example"] = card.example;
+  return out;
+}
+
+} // namespace
+
+std::string schema_json() {
+  Json out;
+  out["language"] = "spricka deck";
+  out["version"] = 1;
+  for (const CardSpec& card : catalogue()) {
+    out["cards"].push_back(card_of(card));
+  }
+  for (const ResultQuantity& quantity : result_quantities()) {
+    out["quantities"].push_back({{"name", quantity.name},
+                                 {"form", call_form(quantity)},
+                                 {"dimension", dimension_phrase(quantity.quantity)},
+                                 {"doc", quantity.doc}});
+  }
+  for (const WordText& function : function_texts()) {
+    out["functions"].push_back(
+        {{"name", function.name}, {"form", function.form}, {"doc", function.doc}});
+  }
+  out["constants"] = {"PI"};
+  out["variables"] = {"X", "Y", "Z", "RHO", "THETA"};
+  for (const base::UnitWord& word : base::unit_words()) {
+    const base::Dimension& d = word.unit.dimension;
+    out["units"].push_back({{"name", word.name},
+                            {"si", word.unit.si},
+                            {"length", d.length},
+                            {"force", d.force},
+                            {"angle", d.angle}});
+  }
+  return out.dump(2) + '\n';
+}
+
+} // namespace spricka::grammar

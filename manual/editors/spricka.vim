@@ -1,0 +1,27 @@
+" Vim syntax file for decks of spricka. Made by `spricka editor vim`; do not edit.
+" Put it into ~/.vim/syntax/spricka.vim and, into ~/.vim/ftdetect/spricka.vim:
+"   autocmd BufRead,BufNewFile *.deck setfiletype spricka
+if exists("b:current_syntax")
+  finish
+endif
+syntax case ignore
+syntax match sprickaUnknownCard /^\s*\$\w*/
+syntax match sprickaCard /^\s*\$\%(DECK\|PARAMETER\|INCLUDE\|NET\|ENDNET\|IMPORT\|MESH\|COOR\|ELEMENT\|NSET\|ESET\|FSET\|MATERIAL\|PROPERTY\|FREEDOM\|MPC\|LOAD\|CONTACT\|RIGID\|CRACK\|TIPNET\|VCE\|STEP\|GROW\|SWEEP\|CONTROL\|RESTART\|TASK\|OUTPUT\|CHECK\|END\)\>/
+syntax match sprickaKey /\<\%(A0\|ALPHA\|AMAX\|ANGLE\|AT\|AUNIT\|BIAS\|C\|CASE\|CLASS\|CRACK\|CRACKS\|CYCLES\|DA\|DIAMETRAL\|DIM\|DIRECTION\|DKTH\|DOF\|DOMAINS\|E\|ESET\|EVERY\|FACES\|FILE\|FORCE\|FORMAT\|FROM\|FRONT\|GAP\|HISTORY\|INTERFERENCE\|JOIN\|KC\|KMAX\|KMIN\|KUNIT\|L\|LAW\|LENGTH\|LX\|LY\|LZ\|M\|MASTER\|MATERIAL\|MAXITER\|MOUNTED\|MU\|NAME\|NET\|NORMAL\|NR\|NSET\|NT\|NU\|NX\|NY\|NZ\|ORDER\|P\|PAIRING\|PARAMETER\|PATCH\|PATH\|Q\|QUARTER\|R\|RADIUS\|READ\|RECOVERY\|RHO\|RHS\|RI\|RINGS\|RO\|SCALE\|SECTORS\|SHAPE\|SHIFT\|SIZE\|SLAVE\|SMAX\|STATE\|SUBSTEPS\|SYSTEM\|T0\|T1\|THICK\|THREADS\|TITLE\|TOL\|TYPE\|VERSION\|W\|WHERE\|WITH\|WRITE\|X0\|X1\|Y0\|Y1\|Z0\)\>\ze\s*=/
+syntax match sprickaName /\%(=\s*\)\@<=\h\w*\%(\.\w\+\)*/
+syntax match sprickaNumber /\%(\w\|\.\)\@<!\%(\d\+\.\?\d*\|\.\d\+\)\%(e[+-]\?\d\+\)\?\%(\w\|\.\)\@!/
+syntax match sprickaUnit /\[[^]]*\]/
+syntax region sprickaString start=/'/ end=/'/ oneline
+syntax match sprickaComment /!.*/
+syntax match sprickaContinuation /^\s*&/
+highlight default link sprickaUnknownCard Error
+highlight default link sprickaCard Statement
+highlight default link sprickaKey Identifier
+highlight default link sprickaName Constant
+highlight default link sprickaNumber Number
+highlight default link sprickaUnit Type
+highlight default link sprickaString String
+highlight default link sprickaComment Comment
+highlight default link sprickaContinuation Special
+setlocal commentstring=!\ %s
+let b:current_syntax = "spricka"

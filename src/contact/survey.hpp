@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "contact/surface.hpp"
+
+#include <cstddef>
+
+namespace spricka::contact {
+
+/// What one surface sees of another along its normals, whatever gap a deck declares.
+struct Survey {
+  std::size_t edges = 0;   ///< of the surface
+  std::size_t facing = 0;  ///< of these, that see the other surface at least in part
+  double length = 0.0;     ///< of the surface
+  double seen = 0.0;       ///< of it, the part that faces the other surface
+  double gap_low = 0.0;    ///< smallest measured gap, negative where the surfaces overlap [length]
+  double gap_high = 0.0;   ///< largest
+  double gap_mean = 0.0;   ///< over the part that faces
+  double angle_high = 0.0; ///< largest angle between one normal and the other reversed [rad]
+
+  /// Part of the surface that sees nothing, 0 to 1.
+  [[nodiscard]] double overhang() const { return length > 0.0 ? 1.0 - seen / length : 1.0; }
+};
+
+/// Surveys the segments that pairing uses: at their ends and at Gauss points between.
+Survey survey(const Surface& from, const Surface& to);
+
+} // namespace spricka::contact

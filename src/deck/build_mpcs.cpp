@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/sets.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::deck {
+
+namespace {
+
+using grammar::Field;
+
+/// Reads the data lines of an equation: coefficient node dof, again and again.
+class EquationReader {
+public:
+  EquationReader(Context& context, const BoundCard& card) : c_(context), card_(card) {
+    equation_.rhs = card.number("RHS");
+    equation_.span = card.span;
+  }
+
+  model::Equation run() {
+    for (const grammar::Row& row : card_.rows) {
+      if (row.fields.size() % 3 != 0) {
+        c_.error(row.span, "E115", "an equation is coefficient node dof, again and again",
+                 "as in  1 12 X  -1 17 X");
+        continue;
+      }
+      for (std::size_t i = 0; i < row.fields.size(); i += 3) {
+        term(row, i);
+      }
+    }
+    if (card_.rows.empty() && !card_.rows_bad) {
+      c_.error(card_.span, "E115", "TYPE=EQUATION needs data lines: coefficient node dof");
+    }
+    return std::move(equation_);
+  }
+
+private:
+  void term(const grammar::Row& row, std::size_t first) {
+    const auto coefficient = number_of(row.fields[first], grammar::Quantity::number,
+                                       "a coefficient", c_.scope, c_.diagnostics);
+    if (coefficient == 0.0) {
+      c_.error(row.fields[first].span, "E109", "a coefficient is not 0");
+    }
+    const auto node = node_of(row.fields[first + 1]);
+    const auto dof = dof_of(row.fields[first + 2]);
+    if (!coefficient || !node || !dof) {
+      return;
+    }
+    const auto same = [&](const model::Equation::Term& t) {
+      return t.node == *node && t.dof == *dof;
+    };
+    if (std::any_of(equation_.terms.begin(), equation_.terms.end(), same)) {
+      const base::Span pair{row.span.file, row.fields[first + 1].span.begin,
+                            row.fields[first + 2].span.end};
+      c_.error(pair, "E107", "this freedom stands twice in the equation",
+               "add the coefficients up");
+    }
+    equation_.terms.push_back({*coefficient, *node, *dof});
+  }
+
+  // 12, or NET.12 for a node of another net.
+  std::optional<base::NodeId> node_of(const Field& field) {
+    if (field.kind == Field::Kind::name) {
+      return node_of_net(field);
+    }
+    const auto value =
+        number_of(field, grammar::Quantity::number, "a node number", c_.scope, c_.diagnostics);
+    if (!value) {
+      return std::nullopt;
+    }
+    const bool whole = *value == std::floor(*value) && std::abs(*value) < 1e18;
+    return find(field, card_.net_id, whole ? static_cast<base::Label>(*value) : -1);
+  }
+
+  std::optional<base::NodeId> node_of_net(const Field& field) {
+    const std::size_t dot = field.text.rfind('.');
+    base::Label label = -1;
+    const char* const last = field.text.data() + field.text.size();
+    const auto [end, failed] = dot == std::string::npos
+                                   ? std::from_chars_result{last, std::errc::invalid_argument}
+                                   : std::from_chars(field.text.data() + dot + 1, last, label);
+    if (failed != std::errc{} || end != last) {
+      c_.error(field.span, "E108", "a node number is expected",
+               "12, or NET.12 for a node of another net");
+      return std::nullopt;
+    }
+    const std::string net = field.text.substr(0, dot);
+    if (look_up(c_, Kind::net, {net, field.span, {}}) == nullptr) {
+      return std::nullopt;
+    }
+    const auto it = std::find_if(c_.model.nets.begin(), c_.model.nets.end(),
+                                 [&](const model::Net& n) { return n.name == net; });
+    return find(field, base::NetId(static_cast<std::size_t>(it - c_.model.nets.begin())), label);
+  }
+
+  std::optional<base::NodeId> find(const Field& field, base::NetId net, base::Label label) {
+    const Labels& labels = c_.node_labels[net.index()];
+    const auto found = labels.find(label);
+    if (!found && labels.complete) {
+      const bool several = card_.net.empty() && c_.model.nets.size() > 1;
+      c_.error(field.span, "E303", fmt::format("there is no node {}", c_.sources.text(field.span)),
+               several && field.kind != Field::Kind::name ? "write NET.12 for a node of a net"
+                                                          : "");
+    }
+    return found ? std::optional(base::NodeId(*found)) : std::nullopt;
+  }
+
+  std::optional<int> dof_of(const Field& field) {
+    if (field.kind != Field::Kind::name ||
+        (field.text != "X" && field.text != "Y" && field.text != "Z")) {
+      c_.error(field.span, "E108",
+               fmt::format("expected X, Y or Z, not '{}'", c_.sources.text(field.span)));
+      return std::nullopt;
+    }
+    if (field.text == "Z" && c_.model.mesh.dim == 2 && c_.mesh_sound &&
+        c_.model.mesh.element_count() > 0) {
+      c_.error(field.span, "E313", "a plane model has no freedoms along Z");
+    }
+    return field.text.front() - 'X';
+  }
+
+  Context& c_;
+  const BoundCard& card_;
+  model::Equation equation_;
+};
+
+void tie(Context& c, const BoundCard& card) {
+  if (!card.rows.empty()) {
+    c.error(card.rows.front().span, "E115",
+            fmt::format("TYPE={} takes no data lines", card.word("TYPE")));
+  }
+  const auto slave = use_node_set(c, card.reference("SLAVE")).value_or(base::NodeSetId());
+  if (card.is("TYPE", "RIGID")) {
+    c.model.mpcs.emplace_back(model::RigidTie{slave, card.span});
+    return;
+  }
+  const auto master = use_face_set(c, card.reference("MASTER")).value_or(base::FaceSetId());
+  c.model.mpcs.emplace_back(model::Transition{slave, master, card.span});
+}
+
+} // namespace
+
+void build_mpcs(Context& context) {
+  for (const BoundCard& card : context.cards) {
+    if (card.spec->name != "MPC" || card.bad) {
+      continue;
+    }
+    if (card.is("TYPE", "EQUATION")) {
+      context.model.mpcs.emplace_back(EquationReader(context, card).run());
+    } else {
+      tie(context, card);
+    }
+  }
+}
+
+} // namespace spricka::deck

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/import_card.hpp"
+
+#include "mesh/gmsh_import.hpp"
+#include "mesh/inp_import.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::deck {
+
+namespace {
+
+// Materials of a file stand behind those of the cards and are known by their names.
+void adopt_physics(Context& c, const BoundCard& card, mesh::ImportedPhysics physics) {
+  auto next = static_cast<std::size_t>(
+      std::count_if(c.cards.begin(), c.cards.end(), [](const BoundCard& other) {
+        return other.spec->name == "MATERIAL" && !other.bad;
+      }));
+  for (const mesh::ImportedPhysics& before : c.imported) {
+    next += before.materials.size();
+  }
+  for (const model::Material& material : physics.materials) {
+    Definition definition;
+    definition.kind = Kind::material;
+    definition.index = next++;
+    definition.span = card.span;
+    const Definition* before = c.names.define(material.name, definition);
+    if (before != nullptr && !before->poisoned) {
+      c.error(card.span, "E302", fmt::format("there is a material {} already", material.name),
+              "put each file into a $NET of its own, or rename the material");
+    }
+  }
+  if (!physics.equations.empty()) {
+    c.unavailable(fmt::format("*EQUATION in {}", card.word("FILE")), card.span);
+  }
+  const auto axial = [](const model::Property& p) { return p.state == model::State::axisymmetric; };
+  if (std::any_of(physics.properties.begin(), physics.properties.end(), axial)) {
+    c.unavailable(fmt::format("axial symmetry (CAX) in {}", card.word("FILE")), card.span);
+  }
+  if (!physics.files.empty()) { // with what the file includes
+    c.model.imported_files.insert(c.model.imported_files.end(), physics.files.begin() + 1,
+                                  physics.files.end());
+  }
+  c.imported.push_back(std::move(physics));
+}
+
+} // namespace
+
+void import_card(Context& c, const BoundCard& card) {
+  mesh::ImportRequest request;
+  // Relative to the file that the card stands in, as $INCLUDE is.
+  request.file = std::filesystem::path(c.sources.name(card.span.file)).parent_path() /
+                 std::string(card.word("FILE"));
+  request.format = card.is("FORMAT", "GEO") ? mesh::ImportFormat::geo : mesh::ImportFormat::msh;
+  request.scale = card.number("SCALE");
+  request.quadratic = card.is("TYPE", "QUADRATIC");
+  request.prefix = card.net.empty() ? "" : card.net + ".";
+  request.net = card.net_id;
+  request.parameters = c.parameters;
+  request.span = card.span;
+  for (const grammar::Row& row : card.rows) {
+    using FieldKind = grammar::Field::Kind;
+    const auto named = [](const grammar::Field& f) {
+      return f.kind == FieldKind::text || f.kind == FieldKind::name;
+    };
+    if (row.fields.size() != 2 || !named(row.fields[0]) || row.fields[0].separator != '=' ||
+        row.fields[1].kind != FieldKind::name) {
+      c.error(row.span, "E115", "a line is 'name in the file' = NEW_NAME");
+      continue;
+    }
+    request.renames.emplace_back(row.fields[0].kind == FieldKind::text
+                                     ? row.fields[0].text
+                                     : std::string(c.sources.text(row.fields[0].span)),
+                                 row.fields[1].text);
+  }
+  std::error_code unknown;
+  c.model.imported_files.push_back(request.file.string());
+  if (!std::filesystem::is_regular_file(request.file, unknown)) {
+    c.error(card.find("FILE")->span, "E308",
+            fmt::format("there is no file '{}'", request.file.string()));
+  } else if (!card.is("FORMAT", "INP")) {
+    mesh::import_mesh(c.model.mesh, request, c.diagnostics);
+  } else if (request.quadratic) {
+    c.error(card.find("TYPE")->span, "E110", "TYPE=QUADRATIC is for FORMAT=GEO and MSH",
+            "node sets of the file would not hold the new nodes");
+  } else {
+    adopt_physics(c, card, mesh::import_inp(c.model.mesh, request, c.diagnostics));
+  }
+}
+
+} // namespace spricka::deck

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/lost_header.hpp"
+
+#include "grammar/lexeme.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace spricka::deck {
+
+namespace {
+
+using grammar::Field;
+
+bool is_header(const grammar::Row& row) {
+  const std::vector<Field>& f = row.fields;
+  return f.size() > 2 && f[0].kind == Field::Kind::name && f[0].separator == ' ' &&
+         f[1].kind == Field::Kind::name && f[1].separator == '=' &&
+         grammar::find_card(f[0].text) != nullptr;
+}
+
+} // namespace
+
+std::string card_hint(std::string_view word) {
+  const std::string upper = grammar::to_upper(word);
+  return grammar::find_card(upper) == nullptr ? std::string()
+                                              : fmt::format("did you mean ${}?", upper);
+}
+
+void drop_lost_header(Context& context, BoundCard& card) {
+  const auto lost = std::find_if(card.rows.begin(), card.rows.end(), is_header);
+  if (lost == card.rows.end()) {
+    return;
+  }
+  const Field& name = lost->fields.front();
+  context.error(name.span, "E115",
+                fmt::format("a card starts with $; this reads as data of ${}", card.spec->name),
+                card_hint(name.text));
+  for (const Field& field : lost->fields) {
+    if (!field.text.empty()) {
+      context.names.poison_word(field.text);
+    }
+  }
+  card.rows.erase(lost, card.rows.end());
+  card.rows_bad = true;
+}
+
+} // namespace spricka::deck

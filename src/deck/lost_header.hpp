@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "deck/context.hpp"
+
+namespace spricka::deck {
+
+/// A data line like `STEP NAME=PULL` is a header whose $ was forgotten: it is reported, what it
+/// would have defined is poisoned, and it and the lines below it leave the card.
+void drop_lost_header(Context& context, BoundCard& card);
+
+/// "did you mean $STEP?" when a word is the name of a card, else empty.
+std::string card_hint(std::string_view word);
+
+} // namespace spricka::deck

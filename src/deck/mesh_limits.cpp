@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/mesh_limits.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace spricka::deck {
+
+namespace {
+
+constexpr base::Label k_highest_label = 1'000'000'000'000'000; // exact in double precision
+
+const base::ElementInfo& info_of(std::string_view name) {
+  return *std::find_if(base::element_infos.begin(), base::element_infos.end(),
+                       [&](const base::ElementInfo& i) { return i.name == name; });
+}
+
+// Elements of one cell of the generator's grid.
+double per_cell(const base::ElementInfo& info) {
+  const bool simplex = info.corners == info.dim + 1;
+  return simplex ? (info.dim == 3 ? 6.0 : 2.0) : 1.0;
+}
+
+// Cells of the generator's grid: at least as many as it will make.
+double cells_of(const BoundCard& card, const base::ElementInfo& info) {
+  if (card.is("SHAPE", "BLOCK")) {
+    return card.number("NX") * card.number("NY") * (info.dim == 3 ? card.number("NZ") : 1.0);
+  }
+  const double round = std::max(card.number("NT"), 8.0);
+  double cells = card.number("NR") * round;
+  if (card.is("SHAPE", "RING") && card.number("RI") == 0.0) {
+    cells += 0.25 * round * round; // the core of a disc
+  }
+  if (card.is("SHAPE", "LUG")) { // the shank, in squares as wide as those at the back of the eye
+    const double across = 0.25 * round + 1.0;
+    cells += across * (across * card.number("L") / card.number("W") + 1.0);
+  }
+  return cells;
+}
+
+} // namespace
+
+bool mesh_is_handy(Context& context, const BoundCard& card) {
+  const base::ElementInfo& info = info_of(card.word("TYPE"));
+  const double elements = cells_of(card, info) * per_cell(info);
+  const auto present = static_cast<double>(context.model.mesh.nodes.size());
+  const double room = static_cast<double>(context.largest_mesh) - present;
+  if (!(elements * info.nodes <= room)) {
+    const std::string_view hint = card.is("SHAPE", "BLOCK") ? "see NX, NY and NZ"
+                                  : card.is("SHAPE", "LUG") ? "see NR, NT and L over W"
+                                                            : "see NR and NT";
+    context.error(card.span, "E321",
+                  fmt::format("about {:.3g} elements of type {} are too many, there is room for "
+                              "{:.3g}",
+                              elements, info.name, std::max(0.0, room / info.nodes)),
+                  std::string(hint));
+    return false;
+  }
+  const std::size_t net = card.net_id.index();
+  if (std::max(context.node_labels[net].highest(), context.element_labels[net].highest()) >
+      k_highest_label) {
+    context.error(card.span, "E321", "the numbers of this net are too high to number a mesh on",
+                  "put the mesh into a $NET of its own");
+    return false;
+  }
+  return true;
+}
+
+} // namespace spricka::deck

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "deck/context.hpp"
+#include "grammar/ast.hpp"
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+namespace spricka::deck {
+
+/// Values that replace those of the deck's $PARAMETER cards: -D NAME=expression, and those of a
+/// sweep's point. An expression is evaluated where the deck defines its parameter, so that it may
+/// use what is defined before; other overrides it names come first, wherever they stand.
+class Overrides {
+public:
+  /// Takes over and parses; the units must be known. Mistakes are reported.
+  void read(Context& context, const ReadOptions& options);
+
+  /// Names are upper case here and below.
+  [[nodiscard]] bool contains(const std::string& name) const { return table_.contains(name); }
+  /// Empty after an error, which is reported.
+  std::optional<double> value(Context& context, const std::string& name);
+
+  /// Where its unit stands; invalid for a bare number.
+  [[nodiscard]] base::Span unit(const std::string& name) const;
+
+  /// Reports the overrides of parameters that the deck does not have.
+  void report_unknown(Context& context, const std::set<std::string>& defined) const;
+
+private:
+  struct Entry {
+    std::string written;
+    base::Span span;
+    std::optional<grammar::Expression> expression; ///< empty: a number, or a syntax error
+    std::optional<double> value;
+    bool evaluated = false;
+    bool running = false; ///< being evaluated: named again it is a circle
+  };
+
+  void define(Context& context, const std::string& name, const std::string& text);
+
+  std::map<std::string, Entry> table_;
+};
+
+} // namespace spricka::deck

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "mesh/gmsh_import.hpp"
+#include "mesh/label_index.hpp"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace spricka::mesh {
+
+/// A physical group of the model that gmsh has open.
+struct GmshGroup {
+  int dim = 0;
+  int tag = 0;
+  std::string set; ///< qualified name of our set
+
+  [[nodiscard]] std::vector<int> entities() const;
+};
+
+/// Where gmsh's nodes and elements are in our mesh.
+struct GmshNumbers {
+  int dim = 0;                    ///< of the elements
+  std::optional<LabelIndex> tags; ///< of gmsh's nodes
+  std::vector<base::NodeId> node; ///< [gmsh's node]; none if no element has it
+  std::size_t first_element = 0;  ///< of ours
+  std::vector<int> entity;        ///< [our element - first_element]
+  /// An element may stand in a file once for each group it belongs to, as gmsh writes format 2.2:
+  /// further entities of elements that were met before.
+  std::vector<std::pair<base::ElementId, int>> also;
+
+  [[nodiscard]] base::NodeId node_of(std::size_t tag) const {
+    const auto at = tags->find(tag);
+    return at ? node[*at] : base::NodeId();
+  }
+};
+
+/// All physical groups with the names of their sets; false after an error.
+bool read_gmsh_groups(const ImportRequest& request, base::Diagnostics& diagnostics,
+                      std::vector<GmshGroup>& groups);
+
+/// Sets of the groups: of elements, of faces one dimension lower, else of nodes.
+void add_gmsh_sets(model::Mesh& mesh, const ImportRequest& request,
+                   const std::vector<GmshGroup>& groups, const GmshNumbers& numbers,
+                   base::Diagnostics& diagnostics);
+
+} // namespace spricka::mesh

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/element_type.hpp"
+#include "model/model.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace spricka::mesh {
+
+/// An element name of Abaqus and CalculiX in our terms. Node order and numbers of sides (S1 is side
+/// 0) are the same for all of them.
+struct InpElement {
+  base::ElementType type = base::ElementType::trim3;
+  model::State state = model::State::solid;
+  bool special = false; ///< reduced integration, incompatible modes, hybrid or modified form
+};
+
+/// Empty for names the element library has nothing for.
+std::optional<InpElement> from_inp(std::string_view name);
+
+/// CPS8, CPE8, CAX8 or C3D20 for a type; empty for those that have no name there (9 and 27 nodes).
+std::string to_inp(base::ElementType type, model::State state);
+
+} // namespace spricka::mesh

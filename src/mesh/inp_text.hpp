@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace spricka::mesh {
+
+/// A line of an input file or of one that it includes.
+struct InpPlace {
+  std::uint32_t file = 0;
+  std::uint32_t line = 0; ///< from 1
+};
+
+/// A keyword line: blanks left out, upper case; values keep their case.
+struct InpKeyword {
+  std::string name;  ///< "SOLIDSECTION"
+  std::string shown; ///< "SOLID SECTION"
+  std::vector<std::pair<std::string, std::string>> parameters;
+  InpPlace place;
+
+  [[nodiscard]] const std::string* find(std::string_view key) const;
+};
+
+/// The lines of an Abaqus or CalculiX input file, includes followed: comments (**) and empty lines
+/// left out, keyword lines joined with those they continue on.
+class InpText {
+public:
+  using Complain = std::function<void(InpPlace, std::string)>;
+
+  /// Complaints: files that cannot be read or include themselves.
+  InpText(const std::filesystem::path& file, Complain complain);
+
+  /// Moves to the next line; false at the end.
+  bool next();
+  [[nodiscard]] bool at_keyword() const { return line_[0] == '*'; }
+  /// The keyword at this line. *INCLUDE is followed and never seen.
+  [[nodiscard]] const InpKeyword& keyword() const { return keyword_; }
+  /// A data line without the blanks at its ends.
+  [[nodiscard]] std::string_view line() const { return line_; }
+  [[nodiscard]] InpPlace place() const { return place_; }
+  /// Paths of the files met so far, as places count them.
+  [[nodiscard]] std::vector<std::string> paths() const;
+
+private:
+  struct File {
+    std::filesystem::path path;
+    std::string text;
+    std::size_t at = 0;
+    std::uint32_t line = 0;
+  };
+
+  bool raw_line();
+  void read_keyword();
+  void include();
+  void open(const std::filesystem::path& path, InpPlace from);
+
+  Complain complain_;
+  std::deque<File> files_;
+  std::vector<std::uint32_t> open_;
+  std::string_view line_;
+  InpPlace place_;
+  InpKeyword keyword_;
+};
+
+/// Takes the comma-separated fields of a line one by one.
+class InpFields {
+public:
+  explicit InpFields(std::string_view line) : rest_(line), more_(!line.empty()) {}
+
+  [[nodiscard]] bool more() const { return more_; }
+  /// The next field without blanks at its ends.
+  std::string_view text();
+  /// The next field as a number; empty if it is none. An empty field is 0.
+  std::optional<double> real();
+  std::optional<std::int64_t> integer();
+
+private:
+  std::string_view rest_;
+  bool more_;
+};
+
+/// A whole number, if the text is one.
+std::optional<std::int64_t> inp_integer(std::string_view text);
+
+} // namespace spricka::mesh

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/check_listing.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace spricka::report {
+
+namespace {
+
+using nlohmann::json;
+
+json place(const base::Vec3& x) {
+  return {x.x(), x.y(), x.z()};
+}
+
+template <class List, class Make> json array_of(const List& list, Make make) {
+  json out = json::array();
+  for (const auto& entry : list) {
+    out.push_back(make(entry));
+  }
+  return out;
+}
+
+json of(const results::NetPreview& n) {
+  json types = json::object();
+  for (const auto& [type, count] : n.types) {
+    types[type] = count;
+  }
+  return {{"net", n.name},
+          {"nodes", n.nodes},
+          {"elements", n.elements},
+          {"types", types},
+          {"freedoms",
+           {{"local", n.local},
+            {"external", n.external},
+            {"suppressed", n.suppressed},
+            {"prescribed", n.prescribed}}}};
+}
+
+json of(const results::QualityPreview& q) {
+  return {{"of", q.where}, {"measure", q.measure}, {"value", q.value},
+          {"net", q.net},  {"element", q.element}, {"at", place(q.at)}};
+}
+
+json of(const results::PairPreview& c) {
+  json out{
+      {"contact", c.name},
+      {"gap", {{"low", c.gap_low}, {"mean", c.gap_mean}, {"high", c.gap_high}}},
+      {"declared_gap", nullptr},
+      {"normals_angle", c.angle},
+      {"slave",
+       {{"faces", c.slave_edges}, {"facing", c.slave_facing}, {"overhang", c.slave_overhang}}},
+      {"master",
+       {{"faces", c.master_edges}, {"facing", c.master_facing}, {"overhang", c.master_overhang}}},
+      {"pairing", c.pairing},
+      {"choice", c.choice},
+      {"rows", c.rows},
+      {"merged", c.merged}};
+  if (c.declared) {
+    out["declared_gap"] = c.declared_gap;
+  }
+  return out;
+}
+
+json of(const results::BodyPreview& b) {
+  return {{"body", b.name},
+          {"nodes", b.nodes},
+          {"elements", b.elements},
+          {"modes",
+           {{"all", b.modes},
+            {"supports", b.by_supports},
+            {"contact", b.by_contact},
+            {"nothing", b.by_nothing}}}};
+}
+
+json of(const results::TipPreview& t) {
+  return {{"tip", t.name},      {"a", t.a},           {"mouth", place(t.mouth)},
+          {"at", place(t.tip)}, {"radius", t.radius}, {"size", t.size}};
+}
+
+json of(const results::LengthPreview& l) {
+  return {{"number", l.number},
+          {"a", l.a},
+          {"nodes", l.nodes},
+          {"elements", l.elements},
+          {"elements_cut", l.replaced},
+          {"elements_new", l.fresh},
+          {"contact_rows", l.rows},
+          {"nets_new", l.condensed},
+          {"nets_reused", l.reused},
+          {"unknowns_new", l.unknowns},
+          {"externals", l.externals},
+          {"factor_entries", l.factor_entries},
+          {"flops", l.flops},
+          {"memory", l.memory},
+          {"cpu", l.seconds},
+          {"tips", array_of(l.tips, [](const auto& t) { return of(t); })},
+          {"notes", l.notes}};
+}
+
+} // namespace
+
+std::string check_json(const results::Preview& p, int exit_code) {
+  const auto make = [](const auto& entry) { return of(entry); };
+  const json out{{"spricka", SPRICKA_VERSION},
+                 {"deck", p.deck},
+                 {"title", p.title},
+                 {"length_unit", p.length_unit},
+                 {"exit_code", exit_code},
+                 {"nets", array_of(p.nets, make)},
+                 {"quality", array_of(p.quality, make)},
+                 {"inside_out", p.inside_out},
+                 {"contacts", array_of(p.pairs, make)},
+                 {"bodies", array_of(p.bodies, make)},
+                 {"lengths", array_of(p.lengths, make)},
+                 {"steps", p.steps},
+                 {"sweep", p.sweep},
+                 {"warnings", p.warnings},
+                 {"forecast",
+                  {{"memory", p.memory},
+                   {"machine_memory", p.machine_memory},
+                   {"flops", p.flops},
+                   {"cpu", p.seconds},
+                   {"flop_rate", p.flop_rate}}}};
+  return out.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+} // namespace spricka::report

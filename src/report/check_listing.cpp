@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/check_listing.hpp"
+
+#include "report/table.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace spricka::report {
+
+namespace {
+
+using results::Preview;
+
+std::string number(double v) {
+  return fmt::format("{:.4g}", v);
+}
+
+std::string count(std::size_t n) {
+  return fmt::format("{}", n);
+}
+
+std::string percent(double part) {
+  return part < 5e-4 ? "-" : fmt::format("{:.1f} %", 100.0 * part);
+}
+
+std::string place(const base::Vec3& x) {
+  const double size = x.norm(); // what is round-off of the other coordinate is 0
+  const auto tidy = [size](double v) { return std::abs(v) < 1e-9 * size ? 0.0 : v; };
+  return fmt::format("({:.5g}, {:.5g})", tidy(x.x()), tidy(x.y()));
+}
+
+std::string megabytes(double bytes) {
+  return fmt::format("{:.0f}", bytes / 1e6);
+}
+
+Table nets(const Preview& p) {
+  Table table{"Nets, freedoms by class",
+              {{"net", "", true},
+               {"nodes", "", false},
+               {"elements", "", false},
+               {"local", "", false},
+               {"external", "", false},
+               {"suppressed", "", false},
+               {"prescribed", "", false},
+               {"of type", "", true}},
+              {}};
+  for (const results::NetPreview& net : p.nets) {
+    std::string types;
+    for (const auto& [type, elements] : net.types) {
+      types += fmt::format("{}{} {}", types.empty() ? "" : ", ", elements, type);
+    }
+    table.rows.push_back({net.name, count(net.nodes), count(net.elements), count(net.local),
+                          count(net.external), count(net.suppressed), count(net.prescribed),
+                          types});
+  }
+  return table;
+}
+
+Table quality(const Preview& p) {
+  Table table{"Worst elements",
+              {{"of", "", true},
+               {"measure", "", true},
+               {"value", "", false},
+               {"net", "", true},
+               {"element", "", false},
+               {"at", p.length_unit, true}},
+              {}};
+  for (const results::QualityPreview& q : p.quality) {
+    const bool angle = q.measure.ends_with("angle");
+    table.rows.push_back({q.where, q.measure,
+                          angle ? fmt::format("{:.1f} deg", q.value) : number(q.value), q.net,
+                          fmt::format("{}", q.element), place(q.at)});
+  }
+  return table;
+}
+
+Table pairs(const Preview& p) {
+  Table table{"Contact pairs: gaps as measured along the normals",
+              {{"contact", "", true},
+               {"smallest", p.length_unit, false},
+               {"mean", p.length_unit, false},
+               {"largest", p.length_unit, false},
+               {"declared", p.length_unit, false},
+               {"normals", "deg", false},
+               {"slave", "faces", false},
+               {"master", "faces", false},
+               {"slave", "overhang", false},
+               {"master", "overhang", false},
+               {"rows", "", false},
+               {"multipliers on", "", true}},
+              {}};
+  const auto faces = [](std::size_t facing, std::size_t edges) {
+    return facing == edges ? count(edges) : fmt::format("{} of {}", facing, edges);
+  };
+  for (const results::PairPreview& c : p.pairs) {
+    table.rows.push_back({c.name, number(c.gap_low), number(c.gap_mean), number(c.gap_high),
+                          c.declared ? number(c.declared_gap) : "measured",
+                          fmt::format("{:.2f}", c.angle), faces(c.slave_facing, c.slave_edges),
+                          faces(c.master_facing, c.master_edges), percent(c.slave_overhang),
+                          percent(c.master_overhang), count(c.rows), c.choice});
+  }
+  return table;
+}
+
+Table bodies(const Preview& p) {
+  Table table{"Bodies: what holds their rigid modes",
+              {{"body", "", true},
+               {"nodes", "", false},
+               {"elements", "", false},
+               {"modes", "", false},
+               {"supports", "", false},
+               {"contact", "", false},
+               {"nothing", "", false},
+               {"free as to", "", true}},
+              {}};
+  for (const results::BodyPreview& body : p.bodies) {
+    table.rows.push_back({body.name, count(body.nodes), count(body.elements),
+                          fmt::format("{}", body.modes), fmt::format("{}", body.by_supports),
+                          fmt::format("{}", body.by_contact), count(body.by_nothing.size()),
+                          fmt::format("{}", fmt::join(body.by_nothing, ", "))});
+  }
+  return table;
+}
+
+Table tips(const Preview& p) {
+  Table table{"Cracks",
+              {{"length", "", false},
+               {"tip", "", true},
+               {"a", p.length_unit, false},
+               {"mouth", p.length_unit, true},
+               {"tip at", p.length_unit, true},
+               {"rosette", p.length_unit, false},
+               {"tip element", p.length_unit, false},
+               {"elements cut", "", false},
+               {"elements new", "", false}},
+              {}};
+  for (const results::LengthPreview& length : p.lengths) {
+    for (const results::TipPreview& tip : length.tips) {
+      const bool first = &tip == &length.tips.front();
+      table.rows.push_back({fmt::format("{}", length.number), tip.name, number(tip.a),
+                            place(tip.mouth), place(tip.tip), number(tip.radius), number(tip.size),
+                            first ? count(length.replaced) : "", first ? count(length.fresh) : ""});
+    }
+  }
+  return table;
+}
+
+Table forecast(const Preview& p) {
+  Table table{"Forecast",
+              {{"length", "", false},
+               {"nodes", "", false},
+               {"contact rows", "", false},
+               {"nets new", "", false},
+               {"reused", "", false},
+               {"unknowns new", "", false},
+               {"nnz(L)", "", false},
+               {"flops", "", false},
+               {"memory", "MB", false},
+               {"CPU", "s", false}},
+              {}};
+  for (const results::LengthPreview& length : p.lengths) {
+    table.rows.push_back({fmt::format("{}", length.number), count(length.nodes), count(length.rows),
+                          fmt::format("{}", length.condensed), fmt::format("{}", length.reused),
+                          count(length.unknowns), fmt::format("{:.3g}", length.factor_entries),
+                          fmt::format("{:.3g}", length.flops), megabytes(length.memory),
+                          fmt::format("{:.2f}", length.seconds)});
+  }
+  return table;
+}
+
+} // namespace
+
+std::string check_listing(const Preview& preview) {
+  std::string out = preview.deck + (preview.title.empty() ? "" : ": " + preview.title) + "\n";
+  for (const Table& table :
+       {nets(preview), quality(preview), pairs(preview), bodies(preview), tips(preview)}) {
+    if (!table.rows.empty()) {
+      out += "\n" + to_text(table);
+    }
+  }
+  out += fmt::format("\n  {} elements turned inside out\n", preview.inside_out);
+  out += fmt::format("  steps: {}\n", fmt::join(preview.steps, " "));
+  if (!preview.sweep.empty()) {
+    out += fmt::format("  sweep: {} points, {} .. {}; tables and forecast are of the deck's own "
+                       "values\n",
+                       preview.sweep.size(), preview.sweep.front(), preview.sweep.back());
+  }
+  out += "\n" + to_text(forecast(preview));
+  out += fmt::format("\n  run: at most {} MB of the machine's {}, {:.3g} flops to factorise, "
+                     "about {:.2g} s CPU at {:.3g} Gflop/s\n",
+                     megabytes(preview.memory), megabytes(preview.machine_memory), preview.flops,
+                     preview.seconds, 1e-9 * preview.flop_rate);
+  if (preview.memory > preview.machine_memory) {
+    out += "  the run will not fit into this machine's memory\n";
+  }
+  for (const std::string& warning : preview.warnings) {
+    out += "  warning: " + warning + "\n";
+  }
+  return out;
+}
+
+} // namespace spricka::report

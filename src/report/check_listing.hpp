@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "results/preview.hpp"
+
+#include <string>
+
+namespace spricka::report {
+
+/// What `check` found, as tables for reading.
+std::string check_listing(const results::Preview& preview);
+
+/// The same as one JSON object; memory in bytes, angles in degrees, lengths in deck units.
+std::string check_json(const results::Preview& preview, int exit_code);
+
+} // namespace spricka::report

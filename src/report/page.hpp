@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "report/figures.hpp"
+#include "report/table.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace spricka::report {
+
+/// Collects an HTML page in the report's style and numbers its figures.
+class Page {
+public:
+  void add(std::string_view html) { body_ += html; }
+  void heading(std::string_view words);
+  /// Tables without rows are left out.
+  void table(const Table& table);
+  void figure(const Figure& figure);
+  [[nodiscard]] std::string finish(const std::string& title) const;
+
+private:
+  std::string body_;
+  int figures_ = 0;
+};
+
+} // namespace spricka::report

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/source.hpp"
+#include "model/model.hpp"
+#include "results/results.hpp"
+#include "results/sweep.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// Tables and page of a sweep. Writers throw std::system_error.
+namespace spricka::report {
+
+/// The numbers of a run that sweep.csv shows: crack length of each increment; K1, K2 and G of each
+/// tip and largest, mean and smallest pressure of each contact at each step's end.
+std::vector<results::SweepCell> sweep_cells(const results::Run& run);
+
+/// What a card $OUTPUT EVERY=END asks for as single numbers, at the end of KMAX or of the last step
+/// of the last increment: K gives a, K1, K2, G; CPRESS its largest, mean and smallest value;
+/// REACTION the sum; U and S the smallest and largest value of each component over the set.
+std::vector<results::SweepCell>
+requested_cells(const model::Model& model, const model::Output& output, const results::Run& run);
+
+/// sweep.csv: `# units` line, then the parameters, point, status, exit_code, error, checks, passed
+/// and the columns of all points' cells; one row for each point tried. Cells of failed points are
+/// empty. Requested cells of a card that names `file` follow.
+void write_sweep_csv(const std::filesystem::path& file, const model::Model& model,
+                     const results::Sweep& sweep);
+
+/// The table of one card $OUTPUT EVERY=END: the parameters, point, status, then what it asks for.
+void write_sweep_request_csv(const std::filesystem::path& file, const model::Model& model,
+                             const results::Sweep& sweep);
+
+/// sweep.html: K1 over the swept parameter, table of the points; inline SVG, no script.
+std::string sweep_page(const base::Sources& sources, const model::Model& model,
+                       const results::Sweep& sweep);
+
+/// "done", "check failed" or "failed".
+std::string status_word(const results::SweepPoint& point);
+
+} // namespace spricka::report

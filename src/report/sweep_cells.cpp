@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/report.hpp"
+#include "report/set_members.hpp"
+#include "report/sweep.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace spricka::report {
+
+namespace {
+
+using results::SweepCell;
+
+void add_contact(std::vector<SweepCell>& cells, const results::ContactResult& contact,
+                 const std::string& step, int increment) {
+  if (!contact.mounted) {
+    return;
+  }
+  cells.push_back({"PMAX", contact.name, step, increment, contact.max_pressure});
+  cells.push_back({"PMEAN", contact.name, step, increment, contact.mean_pressure});
+  cells.push_back({"PMIN", contact.name, step, increment, contact.min_pressure});
+}
+
+void add_tip(std::vector<SweepCell>& cells, const results::TipResult& tip, const std::string& step,
+             int increment) {
+  cells.push_back({"K1", tip.name, step, increment, tip.K1});
+  cells.push_back({"K2", tip.name, step, increment, tip.K2});
+  cells.push_back({"G", tip.name, step, increment, tip.G});
+}
+
+/// The cells of one request at one step's end.
+class Requested {
+public:
+  Requested(const results::Increment& increment, const results::StepResult& step,
+            std::vector<SweepCell>& cells)
+      : increment_(increment), step_(step), cells_(cells) {}
+
+  void add(const model::OutputRequest& request) {
+    if (request.quantity == "K") {
+      for (const results::TipResult& tip : step_.tips) {
+        if (tip.name == request.name || tip.name.starts_with(request.name + ".")) {
+          cells_.push_back({"a", tip.name, step_.step, increment_.number, tip.a});
+          add_tip(cells_, tip, step_.step, increment_.number);
+        }
+      }
+    } else if (request.quantity == "CPRESS") {
+      if (const auto* contact = results::find_contact(step_, request.name)) {
+        add_contact(cells_, *contact, step_.step, increment_.number);
+      }
+    } else if (request.quantity == "REACTION") {
+      reactions(request.name);
+    } else {
+      ranges(request);
+    }
+  }
+
+private:
+  void reactions(const std::string& set) {
+    const int dim = increment_.mesh.dim;
+    base::Vec3 sum = base::Vec3::Zero();
+    for (const base::NodeId n : set_members(increment_.mesh, set)) {
+      sum.head(dim) += step_.reaction.segment(static_cast<Eigen::Index>(n.index()) * dim, dim);
+    }
+    for (int c = 0; c < dim; ++c) {
+      cell(std::string("REACTION.") + "XYZ"[c], set, sum[c]);
+    }
+  }
+
+  void ranges(const model::OutputRequest& request) {
+    static constexpr std::array<const char*, 6> stresses{"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
+    const bool stress = request.quantity == "S";
+    const int dim = increment_.mesh.dim;
+    const std::vector<base::NodeId> nodes = set_members(increment_.mesh, request.name);
+    if (nodes.empty() || (stress && step_.stress.empty())) {
+      return;
+    }
+    for (std::size_t c = 0; c < (stress ? 6U : static_cast<std::size_t>(dim)); ++c) {
+      const auto value = [&](base::NodeId n) {
+        return stress ? step_.stress[n.index()][c]
+                      : step_.u[static_cast<Eigen::Index>(n.index()) * dim +
+                                static_cast<Eigen::Index>(c)];
+      };
+      double low = value(nodes.front());
+      double high = low;
+      for (const base::NodeId n : nodes) {
+        low = std::min(low, value(n));
+        high = std::max(high, value(n));
+      }
+      const std::string component =
+          request.quantity + "." + (stress ? stresses[c] : std::string(1, "XYZ"[c]));
+      cell(component + ".MIN", request.name, low);
+      cell(component + ".MAX", request.name, high);
+    }
+  }
+
+  void cell(const std::string& quantity, const std::string& name, double value) {
+    cells_.push_back({quantity, name, step_.step, increment_.number, value});
+  }
+
+  const results::Increment& increment_;
+  const results::StepResult& step_;
+  std::vector<SweepCell>& cells_;
+};
+
+} // namespace
+
+std::vector<SweepCell> sweep_cells(const results::Run& run) {
+  std::vector<SweepCell> cells;
+  for (const results::Increment& increment : run.increments) {
+    if (increment.a > 0.0) {
+      cells.push_back({"a", "", "", increment.number, increment.a});
+    }
+    for (const results::StepResult& step : increment.steps) {
+      for (const results::TipResult& tip : step.tips) {
+        add_tip(cells, tip, step.step, increment.number);
+      }
+      for (const results::ContactResult& contact : step.contacts) {
+        add_contact(cells, contact, step.step, increment.number);
+      }
+    }
+  }
+  return cells;
+}
+
+std::vector<SweepCell> requested_cells(const model::Model& model, const model::Output& output,
+                                       const results::Run& run) {
+  std::vector<SweepCell> cells;
+  if (run.increments.empty()) {
+    return cells;
+  }
+  const results::Increment& last = run.increments.back();
+  for (const std::size_t s : wanted_steps(model, output, true)) {
+    Requested requested(last, last.steps[s], cells);
+    for (const model::OutputRequest& request : output.requests) {
+      requested.add(request);
+    }
+  }
+  return cells;
+}
+
+} // namespace spricka::report

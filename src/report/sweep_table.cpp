@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/file.hpp"
+#include "report/sweep.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
+
+#include <fmt/format.h>
+
+namespace spricka::report {
+
+namespace {
+
+using results::SweepCell;
+using results::SweepPoint;
+
+// A field with commas, quotes or line ends stands in quotes (RFC 4180); line ends become blanks.
+std::string quoted(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  if (text.find_first_of(",\"") == std::string::npos) {
+    return text;
+  }
+  std::string out = "\"";
+  for (const char c : text) {
+    out += c == '"' ? "\"\"" : std::string(1, c);
+  }
+  return out + "\"";
+}
+
+const std::vector<SweepCell>* requested_of(const SweepPoint& point, const std::string& file) {
+  const auto found = point.requested.find(file);
+  return found == point.requested.end() ? nullptr : &found->second;
+}
+
+// Columns in the order in which the points bring them.
+void add_columns(const std::vector<SweepCell>& cells, std::vector<std::string>& columns,
+                 std::set<std::string>& known) {
+  for (const SweepCell& cell : cells) {
+    if (known.insert(cell.column()).second) {
+      columns.push_back(cell.column());
+    }
+  }
+}
+
+std::string value_of(const std::vector<const std::vector<SweepCell>*>& lists,
+                     const std::string& column) {
+  for (const std::vector<SweepCell>* cells : lists) {
+    for (const SweepCell& cell : *cells) {
+      if (cell.column() == column) {
+        return std::isfinite(cell.value) ? fmt::format("{}", cell.value) : "";
+      }
+    }
+  }
+  return {};
+}
+
+std::string unit_line(const model::Model& model, const results::Sweep& sweep) {
+  const base::UnitSystem& units = model.units;
+  return fmt::format("# units: {} as the deck writes them; a U [{}], K1 K2 [{}], G [{}/{}], PMAX "
+                     "PMEAN PMIN S [{}], REACTION [{}]\n",
+                     fmt::join(sweep.parameters, " "), units.length_name,
+                     units.stress_intensity_name(), units.force_name, units.length_name,
+                     units.stress_name(), units.force_name);
+}
+
+std::string table(const model::Model& model, const results::Sweep& sweep, const std::string& file,
+                  bool all) {
+  std::vector<std::string> columns;
+  std::set<std::string> known;
+  for (const SweepPoint& point : sweep.points) {
+    if (all) {
+      add_columns(point.cells, columns, known);
+    }
+  }
+  for (const SweepPoint& point : sweep.points) {
+    if (const auto* cells = requested_of(point, file)) {
+      add_columns(*cells, columns, known);
+    }
+  }
+  std::string text = unit_line(model, sweep);
+  auto out = std::back_inserter(text);
+  fmt::format_to(out, "{},point,status,exit_code,error,checks,passed{}{}\n",
+                 fmt::join(sweep.parameters, ","), columns.empty() ? "" : ",",
+                 fmt::join(columns, ","));
+  for (const SweepPoint& point : sweep.points) {
+    fmt::format_to(out, "{},{},{},{},{},{},{}", fmt::join(point.values, ","), point.folder,
+                   status_word(point), point.exit_code, quoted(point.error), point.checks,
+                   point.passed);
+    std::vector<const std::vector<SweepCell>*> lists;
+    if (all) {
+      lists.push_back(&point.cells);
+    }
+    if (const auto* cells = requested_of(point, file)) {
+      lists.push_back(cells);
+    }
+    for (const std::string& column : columns) {
+      fmt::format_to(out, ",{}", value_of(lists, column));
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+} // namespace
+
+std::string status_word(const SweepPoint& point) {
+  return point.exit_code == 0 ? "done" : point.exit_code == 1 ? "check failed" : "failed";
+}
+
+void write_sweep_csv(const std::filesystem::path& file, const model::Model& model,
+                     const results::Sweep& sweep) {
+  write_file(file, table(model, sweep, file.filename().string(), true));
+}
+
+void write_sweep_request_csv(const std::filesystem::path& file, const model::Model& model,
+                             const results::Sweep& sweep) {
+  write_file(file, table(model, sweep, file.filename().string(), false));
+}
+
+} // namespace spricka::report

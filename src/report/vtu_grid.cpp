@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/vtu_grid.hpp"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+
+namespace spricka::report {
+namespace {
+
+using base::ElementType;
+
+/// VTK's cell numbers, in the order of base::ElementType.
+constexpr std::array<std::uint8_t, 12> vtk_cell{5, 22, 9, 23, 28, 10, 24, 13, 26, 12, 25, 29};
+
+/// VTK counts the faces of its 27-node hexahedron x- x+ y- y+ z- z+; [VTK node - 20] our node.
+constexpr std::array<std::size_t, 6> hexec27_faces{25, 23, 22, 24, 20, 21};
+
+/// The first triangle of VTK's wedges turns outwards, ours inwards; [VTK node] our node. (VTK's
+/// faces and volumes go by that; its interpolation does not mind.)
+constexpr std::array<std::size_t, 15> wedge_order{0, 2, 1, 3, 5, 4, 8, 7, 6, 11, 10, 9, 12, 14, 13};
+
+constexpr std::size_t block_size = std::size_t{1} << 18;
+
+void append_word(std::string& bytes, std::uint64_t word) {
+  std::array<char, sizeof word> raw{};
+  std::memcpy(raw.data(), &word, sizeof word);
+  bytes.append(raw.data(), raw.size());
+}
+
+void add_cells(VtuDocument& document, const model::Mesh& mesh, const UsedNodes& used) {
+  std::vector<std::int64_t> connectivity(mesh.nodes.size());
+  std::transform(mesh.nodes.begin(), mesh.nodes.end(), connectivity.begin(),
+                 [&](base::NodeId n) { return used.point[n.index()]; });
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    if (mesh.type[e] == ElementType::penta6 || mesh.type[e] == ElementType::pentac15) {
+      const std::span<const base::NodeId> nodes = mesh.nodes_of(base::ElementId(e));
+      for (std::size_t i = 0; i < nodes.size(); ++i) {
+        connectivity[static_cast<std::size_t>(mesh.first[e]) + i] =
+            used.point[nodes[wedge_order[i]].index()];
+      }
+    }
+    if (mesh.type[e] == ElementType::hexec27) {
+      const std::span<const base::NodeId> nodes = mesh.nodes_of(base::ElementId(e));
+      const std::size_t first_face = static_cast<std::size_t>(mesh.first[e]) + 20;
+      for (std::size_t f = 0; f < hexec27_faces.size(); ++f) {
+        connectivity[first_face + f] = used.point[nodes[hexec27_faces[f]].index()];
+      }
+    }
+  }
+  std::vector<std::int64_t> offsets;
+  std::vector<std::uint8_t> types;
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    offsets.push_back(mesh.first[e + 1]);
+    types.push_back(vtk_cell[static_cast<std::size_t>(mesh.type[e])]);
+  }
+  document.line("      <Cells>");
+  document.add("connectivity", "Int64", 1, connectivity);
+  document.add("offsets", "Int64", 1, offsets);
+  document.add("types", "UInt8", 1, types);
+  document.line("      </Cells>");
+}
+
+} // namespace
+
+std::string compress_array(std::string_view data) {
+  const std::size_t blocks = (data.size() + block_size - 1) / block_size;
+  std::string packed;
+  std::string sizes;
+  std::string buffer(compressBound(block_size), '\0');
+  for (std::size_t b = 0; b < blocks; ++b) {
+    const std::string_view block = data.substr(b * block_size, block_size);
+    uLongf length = static_cast<uLongf>(buffer.size());
+    const int status = compress2(reinterpret_cast<Bytef*>(buffer.data()), &length,
+                                 reinterpret_cast<const Bytef*>(block.data()),
+                                 static_cast<uLong>(block.size()), Z_DEFAULT_COMPRESSION);
+    if (status != Z_OK) {
+      throw std::system_error(ENOMEM, std::generic_category(), "zlib");
+    }
+    append_word(sizes, length);
+    packed.append(buffer.data(), length);
+  }
+  std::string bytes;
+  append_word(bytes, blocks);
+  append_word(bytes, block_size);
+  append_word(bytes, data.size() % block_size);
+  return bytes + sizes + packed;
+}
+
+UsedNodes used_nodes(const model::Mesh& mesh) {
+  UsedNodes used;
+  used.point.assign(mesh.node_count(), -1);
+  for (const base::NodeId n : mesh.nodes) {
+    used.point[n.index()] = 0;
+  }
+  for (std::size_t n = 0; n < mesh.node_count(); ++n) {
+    if (used.point[n] == 0) {
+      used.point[n] = static_cast<std::int64_t>(used.node.size());
+      used.node.push_back(n);
+    }
+  }
+  return used;
+}
+
+VtuDocument vtu_grid(const model::Mesh& mesh, const UsedNodes& used) {
+  VtuDocument document;
+  document.line("<?xml version=\"1.0\"?>");
+  document.line(
+      fmt::format("<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"{}\" "
+                  "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">",
+                  std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian"));
+  document.line("  <UnstructuredGrid>");
+  document.line(fmt::format("    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">",
+                            used.node.size(), mesh.element_count()));
+  std::vector<double> x;
+  for (const std::size_t n : used.node) {
+    x.insert(x.end(), mesh.x[n].data(), mesh.x[n].data() + 3);
+  }
+  document.line("      <Points>");
+  document.add("Points", "Float64", 3, x);
+  document.line("      </Points>");
+  add_cells(document, mesh, used);
+  return document;
+}
+
+void add_cell_numbers(VtuDocument& document, const model::Mesh& mesh) {
+  std::vector<std::int64_t> net;
+  std::vector<std::int64_t> label;
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    net.push_back(mesh.element_net[e].value);
+    label.push_back(mesh.element_label[e]);
+  }
+  document.add("net", "Int64", 1, net);
+  document.add("label", "Int64", 1, label);
+}
+
+std::string vtu_end(VtuDocument& document) {
+  document.line("    </Piece>");
+  document.line("  </UnstructuredGrid>");
+  return document.finish();
+}
+
+} // namespace spricka::report

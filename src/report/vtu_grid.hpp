@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "model/mesh.hpp"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+// VTK's file format (Kitware, "VTK File Formats", XML), unstructured grid, appended raw data, each
+// array cut into blocks that zlib compresses one by one.
+namespace spricka::report {
+
+/// One array as VTK wants it: number of blocks, block size, size of the last block if it is not
+/// full, compressed sizes, compressed blocks.
+std::string compress_array(std::string_view data);
+
+/// The head that names the arrays and the data they point to.
+class VtuDocument {
+public:
+  template <class T>
+  void add(std::string_view name, std::string_view type, int components,
+           const std::vector<T>& values, std::span<const std::string_view> names = {}) {
+    head_ += fmt::format(R"(        <DataArray type="{}" Name="{}")", type, name);
+    if (components > 1) {
+      head_ += fmt::format(R"( NumberOfComponents="{}")", components);
+    }
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      head_ += fmt::format(R"( ComponentName{}="{}")", i, names[i]);
+    }
+    head_ += fmt::format(" format=\"appended\" offset=\"{}\"/>\n", data_.size());
+    data_ +=
+        compress_array({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)});
+  }
+  void line(std::string_view text) { (head_ += text) += '\n'; }
+
+  [[nodiscard]] std::string finish() const {
+    return head_ + "  <AppendedData encoding=\"raw\">\n_" + data_ +
+           "\n  </AppendedData>\n</VTKFile>\n";
+  }
+
+private:
+  std::string head_;
+  std::string data_;
+};
+
+/// Nodes that an element uses, renumbered without holes: cutting a crack leaves some unused.
+struct UsedNodes {
+  std::vector<std::size_t> node;   ///< [point] mesh node
+  std::vector<std::int64_t> point; ///< [node] point, or -1
+};
+
+UsedNodes used_nodes(const model::Mesh& mesh);
+
+/// A document with the grid: its points, and its cells of all types in VTK's node order. Cell data,
+/// point data and vtu_end are to follow.
+VtuDocument vtu_grid(const model::Mesh& mesh, const UsedNodes& used);
+/// Net and number of each cell, as arrays within <CellData>.
+void add_cell_numbers(VtuDocument& document, const model::Mesh& mesh);
+/// The whole file.
+std::string vtu_end(VtuDocument& document);
+
+} // namespace spricka::report

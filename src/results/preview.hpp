@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/id.hpp"
+#include "base/vec.hpp"
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// What is known of a deck before it is solved, as plain records: `check` shows nothing else.
+namespace spricka::results {
+
+/// A net of the mesh with the cracks of the first length in it.
+struct NetPreview {
+  std::string name;
+  std::size_t nodes = 0;
+  std::size_t elements = 0;
+  std::vector<std::pair<std::string, std::size_t>> types;
+  std::size_t local = 0; ///< freedoms by class
+  std::size_t external = 0;
+  std::size_t suppressed = 0;
+  std::size_t prescribed = 0;
+};
+
+/// The element that is worst by one measure.
+struct QualityPreview {
+  std::string where;   ///< "host" or "crack patches"
+  std::string measure; ///< "scaled Jacobian", "aspect", "smallest angle", "largest angle"
+  double value = 0.0;  ///< angles in degrees
+  std::string net;
+  base::Label element = 0;
+  base::Vec3 at = base::Vec3::Zero();
+};
+
+struct PairPreview {
+  std::string name;
+  bool declared = false;
+  double declared_gap = 0.0; ///< of a declared one, negative for a fit [length]
+  double gap_low = 0.0;      ///< measured along the normals of the side with the multipliers
+  double gap_high = 0.0;
+  double gap_mean = 0.0;
+  double angle = 0.0; ///< largest between the normals [deg]
+  std::size_t slave_edges = 0, slave_facing = 0;
+  std::size_t master_edges = 0, master_facing = 0;
+  double slave_overhang = 0.0; ///< part of its length that sees no target
+  double master_overhang = 0.0;
+  std::string pairing;
+  std::string choice; ///< the side that carries the multipliers, and why
+  std::size_t rows = 0;
+  int merged = 0;
+};
+
+/// Rigid modes of a body: how many, and what holds them.
+struct BodyPreview {
+  std::string name;
+  std::size_t nodes = 0;
+  std::size_t elements = 0;
+  int modes = 0;
+  int by_supports = 0;
+  int by_contact = 0; ///< felt by some contact of the deck; whether it holds, loads decide
+  std::vector<std::string> by_nothing;
+};
+
+struct TipPreview {
+  std::string name;
+  base::Vec3 mouth = base::Vec3::Zero();
+  base::Vec3 tip = base::Vec3::Zero();
+  double a = 0.0;
+  double radius = 0.0; ///< of the rosette
+  double size = 0.0;   ///< of the tip elements
+};
+
+/// One crack length of the growth plan.
+struct LengthPreview {
+  int number = 1;
+  double a = 0.0;
+  std::size_t nodes = 0;
+  std::size_t elements = 0;
+  std::size_t replaced = 0; ///< host elements
+  std::size_t fresh = 0;    ///< elements that stand in their place
+  std::size_t rows = 0;     ///< of all contacts
+  std::size_t unknowns = 0; ///< of the nets factorised at this length
+  std::size_t externals = 0;
+  double factor_entries = 0.0; ///< exact
+  double flops = 0.0;          ///< exact, of the factorisations
+  double memory = 0.0;         ///< [bytes] forecast of the largest need up to here
+  double seconds = 0.0;        ///< [s] forecast of the CPU time
+  int condensed = 0;           ///< nets
+  int reused = 0;
+  std::vector<TipPreview> tips;
+  std::vector<std::string> notes;
+};
+
+struct Preview {
+  std::string deck;
+  std::string title;
+  std::string length_unit;
+  std::vector<NetPreview> nets;
+  std::vector<QualityPreview> quality;
+  std::size_t inside_out = 0; ///< elements
+  std::vector<PairPreview> pairs;
+  std::vector<BodyPreview> bodies;
+  std::vector<LengthPreview> lengths;
+  std::vector<std::string> steps;
+  std::vector<std::string> sweep; ///< "001: delta = 0.084", one for each point
+  std::vector<std::string> warnings;
+  double flop_rate = 0.0;      ///< [flop/s] one core, measured
+  double flops = 0.0;          ///< of all lengths
+  double memory = 0.0;         ///< [bytes] forecast of the run's largest need
+  double seconds = 0.0;        ///< [s] forecast of the run's CPU time
+  double machine_memory = 0.0; ///< [bytes]
+};
+
+} // namespace spricka::results

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+/// What a sweep has found so far, as plain records.
+namespace spricka::results {
+
+/// One number of a point: K1 of tip TOP at the end of step LOAD in increment 1. What does not
+/// apply is empty, or 0 for the increment.
+struct SweepCell {
+  std::string quantity;
+  std::string name;
+  std::string step;
+  int increment = 0;
+  double value = 0.0;
+
+  /// "K1:TOP:LOAD:1"
+  [[nodiscard]] std::string column() const {
+    std::string text = quantity;
+    for (const std::string& part :
+         {name, step, increment > 0 ? std::to_string(increment) : std::string()}) {
+      text += part.empty() ? "" : ":" + part;
+    }
+    return text;
+  }
+};
+
+struct SweepPoint {
+  std::size_t number = 1;     ///< from 1, in the order of the sweep
+  std::string folder;         ///< "001", in the sweep's run folder
+  std::vector<double> values; ///< [parameter]
+  int exit_code = 0;
+  std::string error; ///< why there is no result, or which checks failed; empty normally
+  int checks = 0;
+  int passed = 0;
+  bool reused = false; ///< taken over from an earlier run of the sweep
+  std::vector<SweepCell> cells;
+  /// [file of a card $OUTPUT EVERY=END] what the card asks for
+  std::map<std::string, std::vector<SweepCell>> requested;
+};
+
+struct Sweep {
+  std::vector<std::string> parameters; ///< as the deck writes them
+  std::size_t count = 0;               ///< of all points
+  std::vector<SweepPoint> points;      ///< tried so far, ascending
+};
+
+} // namespace spricka::results

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/check_deck.hpp"
+
+#include "base/clock.hpp"
+#include "growth/crack_lines.hpp"
+#include "mesh/quality.hpp"
+#include "report/check_listing.hpp"
+#include "run/forecast.hpp"
+#include "run/held_modes.hpp"
+#include "run/preview_model.hpp"
+#include "run/sweep.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace spricka::run {
+
+namespace {
+
+constexpr double rate_seconds = 0.02; // long enough for a clock, short enough for a prompt
+
+/// One deck's preview; what it finds wrong stays in its members.
+class Previewer {
+public:
+  Previewer(const model::Model& model, int threads) : model_(model), threads_(threads) {}
+
+  /// Every length. Without `forecast` only mistakes are looked for.
+  void look(bool forecast) {
+    const std::vector<double> lengths = growth::crack_lengths(model_);
+    const RegionPlan plan = plan_region(model_, lengths, diagnostics);
+    if (diagnostics.has_errors()) {
+      return;
+    }
+    const solve::FlopRate rate =
+        forecast ? solve::measure_flop_rate(rate_seconds) : solve::FlopRate{};
+    Forecast future(model_, threads_, rate);
+    preview.flop_rate = rate.measured;
+    for (std::size_t i = 0; i < lengths.size(); ++i) {
+      const base::Stopwatch watch;
+      const std::optional<Scene> scene = make_scene(model_, lengths[i], plan, diagnostics);
+      if (!scene) {
+        return;
+      }
+      const double scene_cpu = watch.cpu();
+      const CondenseRequest request{
+          model_, scene->cracked.mesh, scene->cls, scene->rest_element, base::Matrix(), threads_};
+      const std::vector<BodyNet> bodies = prepare_bodies(request);
+      if (i == 0) {
+        look_closely(*scene, bodies);
+      }
+      results::LengthPreview length = preview_length(model_, *scene);
+      length.number = static_cast<int>(i) + 1;
+      if (forecast) {
+        future.add(request, bodies, *scene, scene_cpu, length);
+      }
+      preview.lengths.push_back(std::move(length));
+    }
+  }
+
+  results::Preview preview;
+  base::Diagnostics diagnostics; ///< mistakes of cards
+  std::vector<Refusal> refusals; ///< what the whole model shows
+
+private:
+  // What does not change from length to length, or hardly: seen once.
+  void look_closely(const Scene& scene, const std::vector<BodyNet>& bodies) {
+    preview.nets = preview_nets(model_, scene);
+    preview.quality = preview_quality(model_, scene);
+    preview.inside_out = mesh::bad_elements(scene.cracked.mesh).size();
+    preview.pairs = preview_pairs(model_, scene);
+    preview.bodies = held_modes(scene, bodies);
+    refusals = unheld_loads(model_, scene, bodies);
+  }
+
+  const model::Model& model_;
+  int threads_;
+};
+
+int verdict(const base::Sources& sources, const Previewer& found, const Log& log) {
+  base::Diagnostics all = found.diagnostics;
+  for (const Refusal& refusal : found.refusals) {
+    all.error(refusal.span, "E510", refusal.why);
+  }
+  log.diagnostics(sources, all);
+  return found.diagnostics.has_errors() ? exit_code::deck_error
+         : !found.refusals.empty()      ? exit_code::not_solvable
+                                        : exit_code::done;
+}
+
+// The points of a sweep, read and put together one after another.
+int check_points(const RunOptions& options, const ReadyDeck& deck, const Log& log,
+                 results::Preview& preview) {
+  int worst = exit_code::done;
+  if (deck.model->sweeps.empty()) {
+    return worst;
+  }
+  const std::vector<PointValues> points = sweep_points(*deck.model);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    std::string words;
+    for (const auto& [name, value] : points[i]) {
+      words += fmt::format("{}{} = {:.6g}", words.empty() ? "" : ", ", name, value);
+    }
+    const ReadyDeck point =
+        read_ready(options.deck, {.defines = options.defines, .sweep_values = points[i]}, log);
+    int code = point.refusal.exit_code;
+    if (point.model) {
+      Previewer look(*point.model, 1);
+      look.look(false);
+      code = verdict(point.sources, look, log);
+    }
+    if (code != exit_code::done) {
+      log.message(base::Severity::error, "E550",
+                  fmt::format("point {:03} ({}): exit code {}", i + 1, words, code));
+    }
+    preview.sweep.push_back(words);
+    worst = std::max(worst, code);
+  }
+  return worst;
+}
+
+void add_sums(double read_cpu, results::Preview& preview) {
+  preview.seconds = read_cpu;
+  for (const results::LengthPreview& length : preview.lengths) {
+    preview.flops += length.flops;
+    preview.seconds += length.seconds;
+    preview.memory = std::max(preview.memory, length.memory);
+  }
+  preview.machine_memory =
+      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+} // namespace
+
+int check_deck(const RunOptions& options, const ReadyDeck& deck, const Log& log) {
+  const double read_cpu = base::cpu_seconds();
+  const model::Model& model = *deck.model;
+  Previewer look(model, thread_count(options, model));
+  look.look(true);
+  const int own = verdict(deck.sources, look, log);
+  results::Preview& preview = look.preview;
+  preview.deck = options.deck.string();
+  preview.title = model.title;
+  preview.length_unit = model.units.length_name;
+  for (const model::Step& step : model.steps) {
+    preview.steps.push_back(step.name);
+  }
+  for (const base::Diagnostic& d : deck.diagnostics.all()) {
+    if (d.severity == base::Severity::warning) {
+      preview.warnings.push_back(d.text);
+    }
+  }
+  add_sums(read_cpu, preview);
+  const int points = own == exit_code::done ? check_points(options, deck, log, preview) : 0;
+  const int code = std::max(own, points);
+  if (options.json) {
+    fmt::print("{}", report::check_json(preview, code));
+  } else if (!options.quiet && !preview.lengths.empty()) {
+    fmt::print("{}", report::check_listing(preview));
+    fmt::print("\n{}: {}\n", options.deck.string(),
+               code == exit_code::done ? "no mistakes found" : "see the messages");
+  }
+  return code;
+}
+
+} // namespace spricka::run

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/error_codes.hpp"
+
+#include <algorithm>
+
+namespace spricka::run {
+
+namespace {
+
+// Same form as the codes, with the remedy in place of the meaning.
+constexpr std::array advice{
+    ErrorCode{"E101", "Look at the token under the carets and at what stands before it: a missing "
+                      "value, bracket or quotation mark. A header goes on in the next line only if "
+                      "that starts with &."},
+    ErrorCode{"E102", "A comment starts with !. Data lines stand below the header of their card."},
+    ErrorCode{"E103", "Numbers have a point, not a comma, and e for the exponent (1e-3, not 1d-3). "
+                      "A range is first : last : step."},
+    ErrorCode{"E104", "Cards are never abbreviated. spricka help lists them."},
+    ErrorCode{"E105", "spricka help CARD lists the keys of a card."},
+    ErrorCode{"E106", "spricka help CARD says which keys are required, and which only together."},
+    ErrorCode{"E107", "Take one of them away; the order of keys is free."},
+    ErrorCode{"E108", "Words are those of spricka help CARD. The value of a parameter is written "
+                      "in brackets, THICK=(h); a text in quotes, FILE='lug.geo'."},
+    ErrorCode{"E109", "spricka help CARD gives the range. Is the unit the one you mean?"},
+    ErrorCode{"E110", "spricka help CARD says which keys go together. INTERFERENCE counts on the "
+                      "radius, DIAMETRAL on the diameter: give one."},
+    ErrorCode{"E111", "Start the deck with $DECK VERSION=1 LENGTH=MM FORCE=N; only comments may "
+                      "stand before it. A file for $INCLUDE is not run by itself."},
+    ErrorCode{"E112", "Write $END as the last line of the deck's own file. It shows that nothing "
+                      "was lost."},
+    ErrorCode{"E113", "Paths count from the file that holds the $INCLUDE."},
+    ErrorCode{"E114", "Each $NET is closed by $ENDNET before the next one opens."},
+    ErrorCode{"E115", "spricka help CARD shows the form of a data line and an example."},
+    ErrorCode{"E117", "Names have letters A to Z, digits and _, and start with a letter."},
+    ErrorCode{"E118", "Move $END to the end, or take away what is behind it."},
+    ErrorCode{"E120", "Elements take as many nodes as their type has; continue a line with a "
+                      "leading &."},
+    ErrorCode{"E121", "One node or element a line. $COOR with DIM=2 has no z."},
+    ErrorCode{"E122", "Save the file as plain text in UTF-8."},
+    ErrorCode{"E201", "Parameters are defined above their use, or by -D NAME=value."},
+    ErrorCode{"E202", "spricka help functions lists them."},
+    ErrorCode{"E203", "spricka help functions shows how each is written."},
+    ErrorCode{"E204", "spricka help units lists them. Case counts: MPa, mm, kN."},
+    ErrorCode{"E205", "spricka help CARD names the dimension of each key."},
+    ErrorCode{"E206", "A division by zero, a root of a negative number or an overflow."},
+    ErrorCode{"E207", "One deck defines a parameter once; to try another value use -D NAME=value."},
+    ErrorCode{"E208", "Functions, pi, x, y, z, rho, theta, and, or are taken."},
+    ErrorCode{"E209", "The place has a value only in WHERE, ORDER and the values of $LOAD."},
+    ErrorCode{"E210", "Write -D NAME=expression, in quotes if it holds brackets: -D 'F=80[kN]'."},
+    ErrorCode{"E301", "Outside its net a set is called NET.SET."},
+    ErrorCode{"E302", "Names of one kind differ; sets of different nets may be alike."},
+    ErrorCode{"E305", "Give every element set a $PROPERTY."},
+    ErrorCode{"E307", "Number the nodes against the clock, corners first, then mid-edge nodes."},
+    ErrorCode{"E309", "Does WHERE compare with = where rounding needs abs(x-1) < 1e-9? Are the "
+                      "lengths in the deck's units?"},
+    ErrorCode{"E311", "A face is taken when all of its nodes are in the set, mid-edge nodes too."},
+    ErrorCode{"E314", "spricka help quantities lists them."},
+    ErrorCode{"E315", "spricka help quantities shows the arguments of each."},
+    ErrorCode{"E317", "PATH is a node set with ORDER, from the mouth on."},
+    ErrorCode{"E319", "$FREEDOM CLASS=PRESCRIBED names the freedoms that $LOAD TYPE=DISP moves."},
+    ErrorCode{"E320",
+              "A step says how it ends: one LOAD for a case, one FIT or MOUNT for a contact."},
+    ErrorCode{"E321", "Look at the numbers of elements, NX NY NZ or NR NT, for a digit too many."},
+    ErrorCode{"E331", "The words are gmsh's. Try the file in gmsh itself."},
+    ErrorCode{"E332", "Give curves and surfaces their names with Physical in the .geo file."},
+    ErrorCode{"E336",
+              "Supports, loads, steps and contact belong into the deck: take them out of the "
+              "file."},
+    ErrorCode{"E390", "Leave -D out, or the $SWEEP card."},
+    ErrorCode{"E401", "A free crack needs two points, or one with ANGLE and A0; a path two nodes."},
+    ErrorCode{"E402", "Give A0, points or the lengths of $GROW."},
+    ErrorCode{"E405", "A $STEP applies loads and fits: $STEP NAME=LOAD, below it LOAD case 1."},
+    ErrorCode{"E411", "Are the sets those of the right bodies and sides? SLAVE and MASTER look "
+                      "along their outward normals."},
+    ErrorCode{"E412", "Give a smaller RADIUS on $TIPNET, or other DOMAINS on $VCE."},
+    ErrorCode{"E413", "A bearing load needs faces of a bore on the side it pushes to."},
+    ErrorCode{"E421", "The first point of a free crack lies on the boundary of its net; the "
+                      "message names the nearest one."},
+    ErrorCode{"E423", "RADIUS of $TIPNET must be smaller than the room named, SIZE smaller than "
+                      "RADIUS."},
+    ErrorCode{"E424", "Give a smaller RADIUS on $TIPNET, or move the crack."},
+    ErrorCode{"E426", "Use TRIMC6, QUAMC8 or QUAMC9, or TYPE=QUADRATIC on $IMPORT."},
+    ErrorCode{"E428", "Refine the net there, or give a smaller RADIUS on $TIPNET."},
+    ErrorCode{"E429", "Refine the net near the crack or give RADIUS and SIZE on $TIPNET."},
+    ErrorCode{"E500", "The deck is right, but there is no analysis for this yet: exit code 4."},
+    ErrorCode{"E510", "The message names the body and the direction that nothing holds, or the "
+                      "crack that cannot be placed. Add a support or a contact: exit code 4."},
+    ErrorCode{"E520", "Please report it, with the deck: exit code 5."},
+    ErrorCode{"E530", "Is the path right, may you read and write there, is the disk full? A folder "
+                      "that is no run folder is never overwritten: exit code 7."},
+    ErrorCode{"E540", "Write .msh or .vtu for the mesh alone: exit code 4."},
+    ErrorCode{"W336", "Refine where bending or near incompressibility made you choose the special "
+                      "form."},
+    ErrorCode{"W337", "The moduli must be in deck units already."},
+    ErrorCode{"E550", "sweep.csv has the error of each point; started again, the sweep tries them "
+                      "again."},
+    ErrorCode{"E551", "Start it again with the same folder: finished points are taken over."},
+    ErrorCode{"W502", "The faces of a crack overlap (K1 is negative), or a finite SHIFT of $VCE is "
+                      "too large. The listing says the same."},
+};
+
+} // namespace
+
+std::vector<ErrorCode> all_codes() {
+  std::vector<ErrorCode> all(deck::error_codes.begin(), deck::error_codes.end());
+  all.insert(all.end(), later_codes.begin(), later_codes.end());
+  std::sort(all.begin(), all.end(),
+            [](const ErrorCode& a, const ErrorCode& b) { return a.code < b.code; });
+  return all;
+}
+
+std::string_view advice_on(std::string_view code) {
+  const auto* const it = std::find_if(advice.begin(), advice.end(),
+                                      [&](const ErrorCode& a) { return a.code == code; });
+  return it == advice.end() ? std::string_view() : it->meaning;
+}
+
+} // namespace spricka::run

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "deck/error_codes.hpp"
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+namespace spricka::run {
+
+using deck::ErrorCode;
+
+/// What is found behind the reading of a deck. E33: imports; E4: cracks, patches, contacts and
+/// loads on the mesh; E5 and W5: the run. Codes are stable: none is given a second meaning.
+inline constexpr std::array later_codes{
+    ErrorCode{"E330", "a file to import that is not there"},
+    ErrorCode{"E331", "gmsh refuses a geometry or mesh, or the file is damaged"},
+    ErrorCode{"E332", "no such physical group or set in an imported file"},
+    ErrorCode{"E333", "an imported file without elements"},
+    ErrorCode{"E334", "an imported element of a type that is not known"},
+    ErrorCode{"E335", "an imported plane mesh that does not lie in z = 0"},
+    ErrorCode{"E336", "an Abaqus input file that is damaged or says what cannot be imported"},
+    ErrorCode{"E401", "a crack whose line is not given"},
+    ErrorCode{"E402", "a crack without a length"},
+    ErrorCode{"E403", "a crack longer than its line"},
+    ErrorCode{"E405", "a deck without a step"},
+    ErrorCode{"E410", "contact surfaces that cannot be paired"},
+    ErrorCode{"E411", "contact surfaces that never face each other"},
+    ErrorCode{"E412", "no ring domain fits round a crack tip"},
+    ErrorCode{"E413", "a resultant that its set cannot carry"},
+    ErrorCode{"E421", "a crack that does not start on the boundary"},
+    ErrorCode{"E422", "a crack on a symmetry line that is no straight part of the boundary"},
+    ErrorCode{"E423", "a rosette that does not fit"},
+    ErrorCode{"E424", "a crack patch across a material boundary"},
+    ErrorCode{"E425", "a crack that leaves its body or runs along the boundary"},
+    ErrorCode{"E426", "a crack patch among linear elements"},
+    ErrorCode{"E427", "a PATH that cannot be followed"},
+    ErrorCode{"E428", "crack patches that meet"},
+    ErrorCode{"E429", "a crack patch that could not be meshed"},
+    ErrorCode{"E500", "a card, key or word that this version does not run"},
+    ErrorCode{"E510", "a model that cannot be solved"},
+    ErrorCode{"E520", "a solution that did not converge"},
+    ErrorCode{"E530", "trouble with a file: the deck itself or the run folder"},
+    ErrorCode{"E540", "a deck says what the form to convert it to cannot say"},
+    ErrorCode{"W331", "gmsh's own words about an imported file"},
+    ErrorCode{"W332", "an imported group with faces that are no side of an element"},
+    ErrorCode{"W336", "an imported element whose special form is not kept"},
+    ErrorCode{"W337", "SCALE on a file that brings moduli"},
+    ErrorCode{"E550", "a point of a sweep without success; the sweep goes on"},
+    ErrorCode{"E551", "a sweep stopped by a signal"},
+    ErrorCode{"W501", "a nearly incompressible material in plane strain"},
+    ErrorCode{"W502", "a result of a step that needs a second look"},
+    ErrorCode{"W540", "a converted deck of which only the first step is written"},
+};
+
+/// Every code the program can print, the deck's first.
+std::vector<ErrorCode> all_codes();
+
+/// What to do about a code, in sentences; empty where the meaning says it all.
+std::string_view advice_on(std::string_view code);
+
+} // namespace spricka::run

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "results/preview.hpp"
+#include "run/condense_bodies.hpp"
+#include "run/scene.hpp"
+#include "solve/rate.hpp"
+
+#include <map>
+#include <vector>
+
+namespace spricka::run {
+
+/// Foretells memory and time of a run, length by length, from the symbolic analysis of the very
+/// nets that the run would factorise. Fill and flops are exact. Memory adds up what the run keeps
+/// and its largest passing need on top of what this process holds now. Time: flops at the rate that
+/// dense products reach in blocks of the factor's size, analysis as long as it took here, the
+/// stiffness of a sample of elements, and everything else as multiples of that.
+class Forecast {
+public:
+  Forecast(const model::Model& model, int threads, const solve::FlopRate& rate)
+      : model_(model), threads_(threads), rate_(rate) {}
+
+  /// Fills unknowns, fill, flops, memory and seconds of a length. `scene_cpu` [s] is what its mesh
+  /// and contact rows took. Lengths in the order of the run.
+  void add(const CondenseRequest& request, const std::vector<BodyNet>& bodies, const Scene& scene,
+           double scene_cpu, results::LengthPreview& length);
+
+private:
+  struct Needs; ///< of one length
+  const solve::FactorReport& report_of(const CondenseRequest& request, const Net& net,
+                                       const HashKey& key, const Net* rest, Needs& needs);
+  [[nodiscard]] double contact_flops(const std::vector<BodyNet>& bodies, const Scene& scene) const;
+
+  const model::Model& model_;
+  int threads_;
+  solve::FlopRate rate_;
+  std::map<HashKey, solve::FactorReport> known_;
+  double element_seconds_ = 0.0; ///< stiffness of one element, measured on the first net
+  double kept_results_ = 0.0;    ///< [bytes] of the lengths so far
+  double resident_ = 0.0;        ///< [bytes] of the process when the first length came
+};
+
+} // namespace spricka::run

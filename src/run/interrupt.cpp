@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/interrupt.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <utility>
+
+#include <semaphore.h>
+
+namespace spricka::run {
+
+namespace {
+
+// A signal handler reaches nothing but what is static. Libraries start threads of their own before
+// main(), so blocking the signals everywhere and sigwait() are no way round.
+sem_t woken;                             // NOLINT
+volatile std::sig_atomic_t received = 0; // NOLINT: 0 when the owner is done
+
+void on_signal(int signal) {
+  const int before = errno;
+  received = signal;
+  sem_post(&woken);
+  errno = before;
+}
+
+} // namespace
+
+Interrupt::Interrupt(std::function<void(int signal)> last_words) {
+  sem_init(&woken, 0, 0);
+  received = 0;
+  watcher_ = std::thread([words = std::move(last_words)] {
+    while (sem_wait(&woken) != 0) { // a handler ran on this thread
+    }
+    if (received == 0) {
+      return;
+    }
+    words(received);
+    std::fflush(nullptr);
+    std::_Exit(128 + received);
+  });
+  struct sigaction action {};
+  action.sa_handler = on_signal;
+  sigemptyset(&action.sa_mask);
+  action.sa_flags = SA_RESTART;
+  sigaction(SIGINT, &action, &old_int_);
+  sigaction(SIGTERM, &action, &old_term_);
+  if (old_int_.sa_handler == SIG_IGN) { // nohup and background jobs: stays so
+    sigaction(SIGINT, &old_int_, nullptr);
+  }
+}
+
+Interrupt::~Interrupt() {
+  sigaction(SIGINT, &old_int_, nullptr);
+  sigaction(SIGTERM, &old_term_, nullptr);
+  sem_post(&woken);
+  watcher_.join();
+  sem_destroy(&woken);
+}
+
+} // namespace spricka::run

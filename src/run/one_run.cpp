@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/one_run.hpp"
+
+#include "base/clock.hpp"
+#include "run/check_quantities.hpp"
+#include "run/solve_run.hpp"
+
+#include <algorithm>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::run {
+
+namespace {
+
+// Cards that are understood but not available: each with its place.
+base::Diagnostics unavailable(const model::Model& model) {
+  base::Diagnostics list;
+  for (const model::Output& output : model.outputs) {
+    if (output.format == model::OutputFormat::json) {
+      list.error(output.span, "E500", "FORMAT=JSON is not available in this version");
+    }
+  }
+  for (const model::Unavailable& u : model.unavailable) {
+    list.error(u.span, "E500", fmt::format("{} is not available in this version", u.what));
+  }
+  return list;
+}
+
+// Displacement elements lock where a material hardly changes its volume: at nu = 0.499 stresses are
+// still right to a few tenths of a per cent, at 0.4999 displacements are 2 % short.
+void warn_of_locking(const model::Model& model, base::Diagnostics& list) {
+  for (const model::Property& property : model.properties) {
+    const model::Material& material = model.materials[property.material.index()];
+    if (property.state == model::State::plane_strain && material.nu > 0.499) {
+      list.warning(material.span, "W501",
+                   fmt::format("material {}: nu = {:.6g} in plane strain is nearly incompressible; "
+                               "the elements lock and results may be several per cent off",
+                               material.name, material.nu),
+                   "an element form for such materials is not available in this version");
+    }
+  }
+}
+
+int report_checks(const results::Run& run, const Log& log) {
+  int failed = 0;
+  for (const results::CheckResult& check : run.checks) {
+    if (!check.passed) {
+      ++failed;
+      log.failed_check(check);
+    }
+  }
+  return failed;
+}
+
+// What a reader of the results must not miss: said on stderr and kept for listing and report.
+void collect_warnings(const base::Diagnostics& reading, results::Run& run, const Log& log) {
+  for (const base::Diagnostic& d : reading.all()) {
+    if (d.severity == base::Severity::warning) {
+      run.warnings.push_back(d.text);
+    }
+  }
+  for (const results::Increment& increment : run.increments) {
+    for (const results::StepResult& step : increment.steps) {
+      for (const std::string& note : step.notes) {
+        if (note.starts_with("warning: ")) {
+          run.warnings.push_back(fmt::format("increment {}, step {}: {}", increment.number,
+                                             step.step, note.substr(9)));
+          log.message(base::Severity::warning, "W502", run.warnings.back());
+        }
+      }
+    }
+  }
+}
+
+// "lug.deck:12:18: E108: text" of the first error; empty without one.
+std::string first_error(const base::Sources& sources, const base::Diagnostics& diagnostics) {
+  for (const base::Diagnostic& d : diagnostics.all()) {
+    if (d.severity != base::Severity::error) {
+      continue;
+    }
+    if (!d.span.valid()) {
+      return fmt::format("{}: {}", d.code, d.text);
+    }
+    const base::Location at = sources.locate(d.span.file, d.span.begin);
+    return fmt::format("{}:{}:{}: {}: {}", sources.name(d.span.file), at.line, at.column, d.code,
+                       d.text);
+  }
+  return {};
+}
+
+RunOutcome refused(const base::Sources& sources, const base::Diagnostics& list, int code,
+                   const Log& log) {
+  log.diagnostics(sources, list);
+  return {code, first_error(sources, list), {}};
+}
+
+} // namespace
+
+ReadyDeck read_ready(const std::filesystem::path& deck, const deck::ReadOptions& options,
+                     const Log& log) {
+  ReadyDeck ready;
+  std::optional<model::Model> model =
+      deck::read_deck(deck, options, ready.sources, ready.diagnostics);
+  if (model) {
+    warn_of_locking(*model, ready.diagnostics);
+  }
+  if (model && !ready.diagnostics.has_errors()) {
+    base::Diagnostics missing = unavailable(*model);
+    if (missing.has_errors()) {
+      ready.refusal = refused(ready.sources, missing, exit_code::not_solvable, log);
+      return ready;
+    }
+    if (model->steps.empty()) {
+      ready.diagnostics.error({0, 0, 0}, "E405",
+                              "the deck has no $STEP, so there is nothing to solve");
+    }
+  }
+  if (!model || ready.diagnostics.has_errors()) {
+    ready.refusal = refused(ready.sources, ready.diagnostics, exit_code::deck_error, log);
+    return ready;
+  }
+  log.diagnostics(ready.sources, ready.diagnostics);
+  ready.model = std::move(model);
+  return ready;
+}
+
+int thread_count(const RunOptions& options, const model::Model& model) {
+  const int wanted = options.threads >= 0 ? options.threads : model.control.threads;
+  return wanted > 0 ? wanted : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
+RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, RunFolder& folder,
+                           const Log& log) {
+  const double cpu_before = base::cpu_seconds();
+  const model::Model& model = *deck.model;
+  base::Diagnostics diagnostics;
+  std::optional<Refusal> refusal;
+  SolveOptions solve;
+  solve.threads = thread_count(options, model);
+  solve.progress = log.progress(options.quiet);
+  std::optional<results::Run> run = solve_run(model, solve, diagnostics, refusal);
+  if (refusal) {
+    diagnostics.error(refusal->span,
+                      refusal->exit_code == exit_code::not_converged ? "E520" : "E510",
+                      refusal->why);
+  }
+  if (!run) {
+    return refused(deck.sources, diagnostics, refusal ? refusal->exit_code : exit_code::deck_error,
+                   log);
+  }
+  log.diagnostics(deck.sources, diagnostics);
+  collect_warnings(deck.diagnostics, *run, log);
+  run->checks = evaluate_checks(model, *run);
+  run->cpu += cpu_before;
+  folder.write(deck.sources, model, *run);
+  const int failed = report_checks(*run, log);
+  RunOutcome outcome;
+  if (failed > 0) {
+    outcome.exit_code = exit_code::check_failed;
+    outcome.error = fmt::format("{} of {} checks failed", failed, run->checks.size());
+  }
+  outcome.run = std::move(run);
+  return outcome;
+}
+
+void print_summary(const model::Model& model, const results::Run& run,
+                   const std::filesystem::path& folder) {
+  for (const results::Increment& increment : run.increments) {
+    for (const results::StepResult& step : increment.steps) {
+      for (const results::TipResult& tip : step.tips) {
+        fmt::print("{:<12} {:<8} a = {:<10.6g} K1 = {:<12.7g} K2 = {:<12.7g} {}\n", step.step,
+                   tip.name, tip.a, tip.K1, tip.K2, model.units.stress_intensity_name());
+      }
+    }
+  }
+  if (!run.checks.empty()) {
+    const auto passed = std::count_if(run.checks.begin(), run.checks.end(),
+                                      [](const auto& check) { return check.passed; });
+    fmt::print("{} of {} checks passed\n", passed, run.checks.size());
+  }
+  fmt::print("{:.2f} s CPU, {:.0f} MiB; results in {}\n", run.cpu,
+             static_cast<double>(run.peak_memory) / 1048576.0, folder.string());
+}
+
+} // namespace spricka::run

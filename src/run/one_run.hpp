@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/diagnostics.hpp"
+#include "base/source.hpp"
+#include "deck/read_deck.hpp"
+#include "model/model.hpp"
+#include "results/results.hpp"
+#include "run/run_deck.hpp"
+#include "run/run_folder.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+/// One deck, read, solved and written once: what `run` does, and a sweep for each of its points.
+namespace spricka::run {
+
+struct RunOutcome {
+  int exit_code = 0;
+  std::string error; ///< the first one, with its place, or how many checks failed
+  std::optional<results::Run> run;
+};
+
+/// A deck that has been read: fit to be solved (model) or refused with an exit code.
+struct ReadyDeck {
+  base::Sources sources;
+  base::Diagnostics diagnostics; ///< of reading
+  std::optional<model::Model> model;
+  RunOutcome refusal; ///< without a model
+};
+
+/// Reads and checks a deck; messages go to the log. Cards that this version does not have are
+/// refused (not_solvable), so is a deck without a step. Throws std::system_error on file trouble.
+ReadyDeck read_ready(const std::filesystem::path& deck, const deck::ReadOptions& options,
+                     const Log& log);
+
+/// Solves a deck and writes its folder, which is not yet put in place; messages go to the log.
+/// Throws std::system_error when a file cannot be written.
+RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, RunFolder& folder,
+                           const Log& log);
+
+/// The table of results on stdout.
+void print_summary(const model::Model& model, const results::Run& run,
+                   const std::filesystem::path& folder);
+
+/// As the command line says, else $CONTROL; 0 means all cores.
+int thread_count(const RunOptions& options, const model::Model& model);
+
+} // namespace spricka::run

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/step_factors.hpp"
+
+#include <variant>
+
+namespace spricka::run {
+
+namespace {
+
+template <class ActionType> bool names(const model::Model& model, base::ContactId contact) {
+  for (const model::Step& step : model.steps) {
+    for (const model::Action& action : step.actions) {
+      const auto* a = std::get_if<ActionType>(&action);
+      if (a != nullptr && a->contact == contact) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+} // namespace
+
+StepFactors first_factors(const model::Model& model) {
+  StepFactors factors;
+  factors.case_factor = base::Vector::Zero(static_cast<Eigen::Index>(model.cases.size()));
+  for (std::size_t c = 0; c < model.contacts.size(); ++c) {
+    factors.fit.push_back(names<model::ApplyFit>(model, base::ContactId(c)) ? 0.0 : 1.0);
+    factors.mounted.push_back(!names<model::Mount>(model, base::ContactId(c)));
+  }
+  return factors;
+}
+
+MountChanges apply_actions(const model::Step& step, StepFactors& factors) {
+  MountChanges changes;
+  for (const model::Action& action : step.actions) {
+    if (const auto* load = std::get_if<model::ApplyLoad>(&action)) {
+      factors.case_factor[static_cast<Eigen::Index>(load->load_case.index())] = load->factor;
+    } else if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {
+      factors.fit[fit->contact.index()] = fit->factor;
+    } else if (const auto* on = std::get_if<model::Mount>(&action)) {
+      factors.mounted[on->contact.index()] = true;
+      changes.mounted.push_back(on->contact.index());
+    } else if (const auto* off = std::get_if<model::Dismount>(&action)) {
+      factors.mounted[off->contact.index()] = false;
+      changes.dismounted.push_back(off->contact.index());
+    }
+  }
+  return changes;
+}
+
+} // namespace spricka::run

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/vec.hpp"
+#include "model/model.hpp"
+
+#include <vector>
+
+namespace spricka::run {
+
+/// What the steps' actions have set so far.
+struct StepFactors {
+  base::Vector case_factor;  ///< [case]
+  std::vector<double> fit;   ///< [contact]
+  std::vector<bool> mounted; ///< [contact]
+};
+
+/// Before the first step: no loads; a contact is absent if some step mounts it, its fit is 0 if
+/// some step names it.
+StepFactors first_factors(const model::Model& model);
+
+/// The contacts that a step mounts or dismounts.
+struct MountChanges {
+  std::vector<std::size_t> mounted;
+  std::vector<std::size_t> dismounted;
+};
+
+/// Carries out the actions of a step.
+MountChanges apply_actions(const model::Step& step, StepFactors& factors);
+
+} // namespace spricka::run

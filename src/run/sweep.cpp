@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/sweep.hpp"
+
+#include "report/file.hpp"
+#include "report/result_tables.hpp"
+#include "report/sweep.hpp"
+#include "run/deck_digest.hpp"
+#include "run/interrupt.hpp"
+#include "run/point_record.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cstdio>
+#include <exception>
+#include <system_error>
+
+#include <csignal>
+#include <fmt/format.h>
+
+namespace spricka::run {
+
+namespace {
+
+namespace fs = std::filesystem;
+using results::SweepPoint;
+
+// "delta = 0.084, mu = 0"
+std::string in_words(const PointValues& values) {
+  std::string text;
+  for (const auto& [name, value] : values) {
+    text += fmt::format("{}{} = {:.6g}", text.empty() ? "" : ", ", name, value);
+  }
+  return text;
+}
+
+bool is_number(const std::string& name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(),
+                                      [](unsigned char c) { return c >= '0' && c <= '9'; });
+}
+
+class SweepRun {
+public:
+  SweepRun(const RunOptions& options, const ReadyDeck& deck, const Log& log)
+      : options_(options), deck_(deck), log_(log), points_(sweep_points(*deck.model)) {
+    sweep_.count = points_.size();
+    for (const auto& [name, value] : points_.front()) {
+      sweep_.parameters.push_back(name);
+    }
+  }
+
+  int run() {
+    open_folder();
+    const Interrupt interrupt([this](int signal) { last_words(signal); });
+    write_tables();
+    int worst = 0;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      SweepPoint point = take_over(i);
+      if (!point.reused) {
+        compute(i, point);
+      }
+      worst = std::max(worst, point.exit_code);
+      tell(point, points_[i]);
+      sweep_.points.push_back(std::move(point));
+      write_tables();
+      ++done_;
+    }
+    if (!options_.quiet) {
+      fmt::print("{} points; results in {}\n", points_.size(), options_.out.string());
+    }
+    return worst;
+  }
+
+private:
+  [[nodiscard]] std::string folder_name(std::size_t i) const {
+    const std::size_t digits = std::max<std::size_t>(3, std::to_string(points_.size()).size());
+    return fmt::format("{:0{}}", i + 1, digits);
+  }
+
+  // A folder of a sweep is gone on with, one of a single run is emptied, any other refused. Points
+  // that this sweep does not have, and halves that an interrupted one left, are removed.
+  void open_folder() {
+    const fs::path& out = options_.out;
+    if (fs::exists(out) && !fs::exists(out / sweep_table_name)) {
+      const bool ours =
+          fs::is_directory(out) && (fs::is_empty(out) || fs::exists(out / listing_name));
+      if (!ours) {
+        throw std::system_error(std::make_error_code(std::errc::file_exists),
+                                out.string() + " is not a run folder of spricka");
+      }
+      fs::remove_all(out);
+    }
+    fs::create_directories(out);
+    std::vector<fs::path> old;
+    for (const fs::directory_entry& entry : fs::directory_iterator(out)) {
+      const fs::path& file = entry.path();
+      const bool half = file.extension() == ".part" && is_number(file.stem().string());
+      const bool point = is_number(file.filename().string()) && fs::exists(file / listing_name);
+      const bool wanted = [&] {
+        for (std::size_t i = 0; point && i < points_.size(); ++i) {
+          if (folder_name(i) == file.filename().string()) {
+            return true;
+          }
+        }
+        return false;
+      }();
+      if (half || (point && !wanted)) {
+        old.push_back(file);
+      }
+    }
+    for (const fs::path& file : old) {
+      fs::remove_all(file);
+    }
+  }
+
+  SweepPoint take_over(std::size_t i) {
+    const std::string digest = deck_digest(deck_.sources, *deck_.model, points_[i]);
+    const std::optional<SweepPoint> known =
+        read_point_record(options_.out / folder_name(i), digest);
+    SweepPoint point = known.value_or(SweepPoint{});
+    point.number = i + 1;
+    point.folder = folder_name(i);
+    point.reused = known.has_value();
+    for (const auto& [name, value] : points_[i]) {
+      point.values.push_back(value);
+    }
+    return point;
+  }
+
+  void compute(std::size_t i, SweepPoint& point) {
+    try {
+      RunFolder folder(options_.out / point.folder);
+      const ReadyDeck deck = read_ready(
+          options_.deck, {.defines = options_.defines, .sweep_values = points_[i]}, log_);
+      RunOptions options = options_;
+      options.quiet = true;
+      const RunOutcome outcome =
+          deck.model ? solve_and_write(options, deck, folder, log_) : deck.refusal;
+      point.exit_code = outcome.exit_code;
+      point.error = outcome.error;
+      if (outcome.run) {
+        record(*deck.model, *outcome.run, point);
+        // The digest of what was read just now: a file edited meanwhile is not passed over later.
+        folder.keep(
+            point_record_name,
+            write_point_record(sweep_, point, deck_digest(deck.sources, *deck.model, points_[i])));
+        folder.commit();
+      }
+    } catch (const std::system_error& trouble) {
+      point.exit_code = exit_code::file_trouble;
+      point.error = trouble.what();
+    } catch (const std::exception& defect) {
+      point.exit_code = exit_code::defect;
+      point.error = fmt::format("internal error: {}", defect.what());
+    }
+  }
+
+  static void record(const model::Model& model, const results::Run& run, SweepPoint& point) {
+    point.checks = static_cast<int>(run.checks.size());
+    point.passed = static_cast<int>(std::count_if(run.checks.begin(), run.checks.end(),
+                                                  [](const auto& c) { return c.passed; }));
+    point.cells = report::sweep_cells(run);
+    for (const model::Output& output : model.outputs) {
+      if (output.format == model::OutputFormat::csv && output.every == model::OutputEvery::end) {
+        std::vector<results::SweepCell>& cells =
+            point.requested[fs::path(output.file).filename().string()];
+        const std::vector<results::SweepCell> more = report::requested_cells(model, output, run);
+        cells.insert(cells.end(), more.begin(), more.end());
+      }
+    }
+  }
+
+  void write_tables() const {
+    const model::Model& model = *deck_.model;
+    for (const model::Output& output : model.outputs) {
+      const fs::path name = fs::path(output.file).filename();
+      if (output.format == model::OutputFormat::csv && output.every == model::OutputEvery::end &&
+          name != sweep_table_name) {
+        report::write_sweep_request_csv(options_.out / name, model, sweep_);
+      }
+    }
+    report::write_sweep_csv(options_.out / sweep_table_name, model, sweep_);
+    report::write_file(options_.out / "sweep.html",
+                       report::sweep_page(deck_.sources, model, sweep_));
+  }
+
+  // One line for each point: failures to stderr, the others to stdout.
+  void tell(const SweepPoint& point, const PointValues& values) const {
+    const std::string head =
+        fmt::format("{} of {}: {}", point.folder, points_.size(), in_words(values));
+    if (point.exit_code != 0) {
+      log_.message(base::Severity::error, "E550",
+                   fmt::format("point {}: {} ({}): {}", head, report::status_word(point),
+                               point.exit_code, point.error));
+    }
+    if (options_.quiet) {
+      return;
+    }
+    fmt::print("{}: {}{}", head, report::status_word(point), point.reused ? " earlier" : "");
+    const std::string step = report::leading_step(*deck_.model);
+    int last = 0;
+    for (const results::SweepCell& cell : point.cells) {
+      last = std::max(last, cell.increment);
+    }
+    for (const results::SweepCell& cell : point.cells) {
+      if (cell.quantity == "K1" && cell.step == step && cell.increment == last) {
+        fmt::print("  K1 {} = {:.7g}", cell.name, cell.value);
+      }
+    }
+    fmt::print("\n");
+    std::fflush(stdout);
+  }
+
+  // On the watcher's thread, while the point goes on being computed: only its folder is touched.
+  void last_words(int signal) const {
+    std::error_code ignored;
+    fs::remove_all(options_.out / (folder_name(done_) + ".part"), ignored);
+    log_.message(base::Severity::note, "E551",
+                 fmt::format("stopped by {}; {} of {} points are finished, run again to go on",
+                             signal == SIGINT ? "SIGINT" : "SIGTERM", done_.load(),
+                             points_.size()));
+  }
+
+  const RunOptions& options_;
+  const ReadyDeck& deck_;
+  const Log& log_;
+  std::vector<PointValues> points_;
+  results::Sweep sweep_;
+  std::atomic<std::size_t> done_{0};
+};
+
+} // namespace
+
+std::vector<PointValues> sweep_points(const model::Model& model) {
+  std::vector<PointValues> points{{}};
+  for (const model::Sweep& card : model.sweeps) {
+    std::vector<PointValues> more;
+    for (const PointValues& point : points) {
+      for (const std::vector<double>& row : card.values) {
+        more.push_back(point);
+        for (std::size_t p = 0; p < card.parameters.size(); ++p) {
+          more.back().emplace_back(card.parameters[p], row[p]);
+        }
+      }
+    }
+    points = std::move(more);
+  }
+  return points;
+}
+
+int run_sweep(const RunOptions& options, const ReadyDeck& deck, const Log& log) {
+  return SweepRun(options, deck, log).run();
+}
+
+} // namespace spricka::run

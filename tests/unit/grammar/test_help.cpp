@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "grammar/compile.hpp"
+#include "grammar/editor.hpp"
+#include "grammar/format.hpp"
+#include "grammar/help.hpp"
+#include "grammar/parse.hpp"
+#include "grammar/phrases.hpp"
+#include "grammar/wrap.hpp"
+
+#include <algorithm>
+#include <regex>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace spricka::grammar {
+namespace {
+
+bool has(const std::string& text, std::string_view part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(Help, EveryCardHasAnExampleInCanonicalLayout) {
+  for (const CardSpec& card : catalogue()) {
+    ASSERT_FALSE(card.example.empty()) << card.name;
+    EXPECT_TRUE(has(std::string(card.example), "$" + std::string(card.name))) << card.name;
+    base::Sources sources;
+    base::Diagnostics diagnostics;
+    const auto file = sources.add("example", std::string(card.example));
+    EXPECT_EQ(format_deck(sources, file, diagnostics), card.example)
+        << base::format(sources, diagnostics);
+  }
+}
+
+TEST(Help, ShowsEveryKeyAndStaysInItsWidth) {
+  for (const std::size_t width : {60U, 80U, 100U}) {
+    for (const CardSpec& card : catalogue()) {
+      const std::string text = card_help(card, width);
+      for (const KeySpec& key : card.keys) {
+        EXPECT_TRUE(has(text, "\n  " + std::string(key.name) + " ")) << card.name << key.name;
+      }
+      const std::string before = text.substr(0, text.find("\nExample:"));
+      for (std::size_t at = 0; at < before.size();) {
+        const std::size_t end = std::min(before.find('\n', at), before.size());
+        EXPECT_LE(end - at, std::max<std::size_t>(width, 86)) << before.substr(at, end - at);
+        at = end + 1;
+      }
+    }
+  }
+}
+
+TEST(Help, EveryCardStandsInAGroupOfTheOverview) {
+  const std::string text = cards_help(80);
+  for (const CardSpec& card : catalogue()) {
+    EXPECT_FALSE(about_group(card.group).empty()) << card.group;
+    EXPECT_TRUE(has(text, "  $" + std::string(card.name) + " ")) << card.name;
+  }
+}
+
+TEST(Help, PutsClausesIntoSentences) {
+  const auto rigid = clause_sentences(*find_card("RIGID"));
+  ASSERT_EQ(rigid.size(), 2U);
+  EXPECT_EQ(rigid[0], "SHAPE=LINE needs X0, Y0, X1 and Y1 and excludes R.");
+  const auto contact = clause_sentences(*find_card("CONTACT"));
+  ASSERT_FALSE(contact.empty());
+  EXPECT_EQ(contact[0], "At most one of INTERFERENCE, DIAMETRAL and GAP may be given.");
+}
+
+TEST(Help, WritesResultsAsCalls) {
+  EXPECT_EQ(call_form(*find_quantity("K1")), "K1(crack[.tip], step [, a [, angle]])");
+  EXPECT_EQ(call_form(*find_quantity("U.X.AT")), "U.X.AT(x, y [, z], step [, a])");
+  EXPECT_EQ(call_form(*find_quantity("CPRESS.AT")), "CPRESS.AT(contact, step, theta [, a])");
+  EXPECT_EQ(call_form(*find_quantity("LIFE")), "LIFE()");
+}
+
+// The documented form of every function compiles, with numbers for its letters.
+TEST(Help, FunctionsAreWrittenAsTheyAreRead) {
+  for (const WordText& function : function_texts()) {
+    std::string call = std::regex_replace(std::string(function.form), std::regex(", \\.\\."), "");
+    call = std::regex_replace(call, std::regex("\\b[xyab]\\b"), "0.5");
+    base::Sources sources;
+    base::Diagnostics diagnostics;
+    Scope scope;
+    scope.sources = &sources;
+    const auto file = sources.add("call", call);
+    const auto parsed =
+        parse_expression(sources, {file, 0, static_cast<std::uint32_t>(call.size())}, diagnostics);
+    ASSERT_TRUE(parsed) << call;
+    EXPECT_TRUE(evaluate(*parsed, scope, diagnostics)) << call;
+    EXPECT_TRUE(is_reserved(function.name));
+  }
+}
+
+TEST(Wrap, BreaksAtBlanksAndBars) {
+  EXPECT_EQ(wrap("one two three", 7), (std::vector<std::string>{"one two", "three"}));
+  EXPECT_EQ(wrap("A|BB|CCC", 5), (std::vector<std::string>{"A|BB|", "CCC"}));
+  EXPECT_EQ(wrap("unbreakable", 4), (std::vector<std::string>{"unbreakable"}));
+  EXPECT_TRUE(wrap("", 4).empty());
+}
+
+TEST(Schema, HoldsTheWholeCatalogue) {
+  const auto schema = nlohmann::json::parse(schema_json());
+  ASSERT_EQ(schema["cards"].size(), catalogue().size());
+  for (std::size_t i = 0; i < catalogue().size(); ++i) {
+    const CardSpec& card = catalogue()[i];
+    const auto& json = schema["cards"][i];
+    EXPECT_EQ(json["name"], card.name);
+    EXPECT_EQ(json["example"], card.example);
+    ASSERT_EQ(json["keys"].size(), card.keys.size());
+    EXPECT_EQ(json["when"].size(), card.when.size());
+  }
+  const auto& material = *std::find_if(schema["cards"].begin(), schema["cards"].end(),
+                                       [](const auto& c) { return c["name"] == "MATERIAL"; });
+  EXPECT_EQ(material["keys"][1]["dimension"], "stress");
+  EXPECT_EQ(material["keys"][2]["range"]["below"], 0.5);
+  EXPECT_EQ(material["keys"][3]["default"], "0");
+  EXPECT_EQ(schema["quantities"].size(), result_quantities().size());
+  EXPECT_EQ(schema["functions"].size(), function_texts().size());
+}
+
+TEST(Editors, NameEveryCardAndKey) {
+  const std::string vim = vim_syntax();
+  const auto textmate = nlohmann::json::parse(textmate_grammar());
+  std::regex card_pattern;
+  std::regex key_pattern;
+  for (const auto& pattern : textmate["patterns"]) {
+    const std::string match = pattern["match"];
+    const std::string plain = match.starts_with("(?i)") ? match.substr(4) : match;
+    if (pattern["name"] == "keyword.control.card.spricka") {
+      card_pattern = std::regex(plain, std::regex::icase);
+    } else if (pattern["name"] == "entity.name.tag.key.spricka") {
+      key_pattern = std::regex(plain, std::regex::icase);
+    }
+  }
+  for (const CardSpec& card : catalogue()) {
+    const std::string name = "$" + std::string(card.name);
+    EXPECT_TRUE(std::regex_search(name + " X=1", card_pattern)) << name;
+    EXPECT_TRUE(std::regex_search(vim, std::regex("[(|]" + std::string(card.name) + "\\\\[|)]")))
+        << name;
+    for (const KeySpec& key : card.keys) {
+      EXPECT_TRUE(std::regex_search(std::string(key.name) + " =", key_pattern)) << key.name;
+    }
+  }
+  EXPECT_FALSE(std::regex_search(std::string("$NETS"), card_pattern));
+}
+
+} // namespace
+} // namespace spricka::grammar

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/convert.hpp"
+#include "run_text.hpp"
+
+#include <charconv>
+
+namespace spricka {
+namespace {
+
+using test::Folder;
+using test::Outcome;
+
+Outcome convert(const Folder& folder, const std::string& in, const std::string& out) {
+  testing::internal::CaptureStderr();
+  Outcome outcome;
+  outcome.exit_code = run::convert({folder.path() / in, folder.path() / out, {}});
+  outcome.messages = testing::internal::GetCapturedStderr();
+  return outcome;
+}
+
+// Two nets whose numbers clash; a pressure of 10 on a side of 3 and a thickness of 2, twice.
+std::string two_plates(const std::string& more = "") {
+  return R"($DECK VERSION=1 LENGTH=mm FORCE=N TITLE='two plates'
+$NET NAME=A
+  $MESH SHAPE=BLOCK TYPE=QUAMC8 LX=4 LY=3 NX=2 NY=2
+$ENDNET
+$NET NAME=B
+  $MESH SHAPE=BLOCK TYPE=TRIM3 X0=10 LX=4 LY=3 NX=2 NY=2
+$ENDNET
+$MATERIAL NAME=M E=1000 NU=0.3 RHO=7.8e-9
+$PROPERTY ESET=A.BODY MATERIAL=M STATE=STRESS THICK=2
+$PROPERTY ESET=B.BODY MATERIAL=M STATE=STRAIN THICK=2
+$FREEDOM CLASS=SUPPRESSED DOF=XY
+  A.XMIN B.XMIN
+$LOAD CASE=PUSH TYPE=PRESSURE
+  A.XMAX 10
+  B.XMAX 10
+$STEP NAME=FIRST
+  LOAD PUSH 2
+$STEP NAME=SECOND
+  LOAD PUSH 3
+)" + more +
+         "$END\n";
+}
+
+void write(const Folder& folder, const std::string& name, const std::string& text) {
+  std::ofstream(folder.path() / name) << text;
+}
+
+/// Sum of the values of a keyword's lines in direction 1.
+double sum_of_loads(const std::string& text) {
+  double sum = 0.0;
+  std::istringstream lines(text.substr(text.find("*CLOAD")));
+  std::string line;
+  std::getline(lines, line);
+  while (std::getline(lines, line) && line[0] != '*') {
+    const std::size_t dof = line.find(", ") + 2;
+    const std::size_t value = line.find(", ", dof) + 2;
+    double number = 0.0;
+    std::from_chars(line.data() + value, line.data() + line.size(), number);
+    sum += line[dof] == '1' ? number : 0.0;
+  }
+  return sum;
+}
+
+TEST(Convert, TheFirstStepOfADeckBecomesNodalForcesAndSupports) {
+  const Folder folder;
+  write(folder, "a.deck", two_plates());
+  const Outcome outcome = convert(folder, "a.deck", "a.inp");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
+  EXPECT_NE(outcome.messages.find("only the first of 2 steps"), std::string::npos);
+  const std::string text = test::slurp(folder.path() / "a.inp");
+  EXPECT_NEAR(sum_of_loads(text), -2.0 * 2.0 * 10.0 * 3.0 * 2.0, 1e-10);
+  for (const char* part : {"TYPE=CPS8", "TYPE=CPE3", "ELSET=A_BODY", "NAME=B_XMAX", "*DENSITY"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part;
+  }
+  // its own *STEP is not imported again: the words say where it is
+  const Outcome back = convert(folder, "a.inp", "b.msh");
+  EXPECT_EQ(back.exit_code, 3);
+  EXPECT_NE(back.messages.find("*STEP is not imported"), std::string::npos);
+}
+
+TEST(Convert, WhatTheFormatCannotSayIsNamedAndNothingIsWritten) {
+  const Folder folder;
+  write(folder, "a.deck",
+        two_plates("$CONTACT NAME=FACE SLAVE=B.XMIN MASTER=A.XMAX\n"
+                   "$CRACK NAME=C NET=A A0=0.5 ANGLE=90[deg]\n  2 0\n"));
+  const Outcome outcome = convert(folder, "a.deck", "a.inp");
+  EXPECT_EQ(outcome.exit_code, 4);
+  EXPECT_NE(outcome.messages.find("E540: $CONTACT cannot be written"), std::string::npos)
+      << outcome.messages;
+  EXPECT_NE(outcome.messages.find("E540: $CRACK cannot be written"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "a.inp"));
+  EXPECT_EQ(convert(folder, "a.deck", "a.msh").exit_code, 0); // a mesh has no contact
+}
+
+TEST(Convert, NineNodesHaveNoNameInAbaqus) {
+  const Folder folder;
+  write(folder, "a.deck", R"($DECK VERSION=1 LENGTH=mm FORCE=N
+$MESH SHAPE=BLOCK TYPE=QUAMC9 LX=1 LY=1
+$MATERIAL NAME=M E=1000 NU=0.3
+$PROPERTY ESET=BODY MATERIAL=M STATE=STRESS
+$END
+)");
+  const Outcome outcome = convert(folder, "a.deck", "a.inp");
+  EXPECT_EQ(outcome.exit_code, 4);
+  EXPECT_NE(outcome.messages.find("QUAMC9"), std::string::npos) << outcome.messages;
+}
+
+TEST(Convert, ExitCodes) {
+  const Folder folder;
+  write(folder, "bad.deck", "$DECK VERSION=1 LENGTH=mm\n$END\n");
+  write(folder, "bad.msh", "no mesh\n");
+  EXPECT_EQ(convert(folder, "bad.deck", "a.txt").exit_code, 2);
+  EXPECT_EQ(convert(folder, "bad.deck", "a.msh").exit_code, 3);
+  EXPECT_EQ(convert(folder, "bad.msh", "a.vtu").exit_code, 3);
+  EXPECT_EQ(convert(folder, "none.deck", "a.msh").exit_code, 7);
+  write(folder, "a.deck", two_plates());
+  EXPECT_EQ(convert(folder, "a.deck", "no/folder/a.msh").exit_code, 7);
+}
+
+TEST(Convert, AGeometryScriptBecomesAMesh) {
+  const Folder folder;
+  write(folder, "box.geo",
+        "SetFactory(\"OpenCASCADE\");\nBox(1) = {0, 0, 0, 1, 2, 3};\n"
+        "Physical Volume(\"body\") = {1};\nPhysical Surface(\"skin\") = {1:6};\n");
+  EXPECT_EQ(convert(folder, "box.geo", "box.msh").exit_code, 0);
+  EXPECT_EQ(convert(folder, "box.msh", "box.inp").exit_code, 0);
+  const std::string text = test::slurp(folder.path() / "box.inp");
+  EXPECT_NE(text.find("TYPE=C3D4"), std::string::npos);
+  EXPECT_NE(text.find("*SURFACE, NAME=SKIN"), std::string::npos);
+}
+
+} // namespace
+} // namespace spricka
