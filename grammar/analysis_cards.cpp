@@ -16,7 +16,7 @@ constexpr std::array load_keys{
     required(
         later(word("TYPE", "FORCE|RESULTANT|TRACTION|PRESSURE|BODY|BEARING|DISP|TEMPERATURE|FACES",
                    "what the values are and what they act on"),
-              "TEMPERATURE|FACES")),
+              "FACES")),
     preset(word("SHAPE", "UNIFORM|COSINE", "how the pressure of a BEARING is spread"), "COSINE"),
 };
 

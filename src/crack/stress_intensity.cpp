@@ -89,10 +89,10 @@ double shifted_energy(const Setting& set, const ExtensionField& field, double s,
   std::map<base::NodeId, double> q(field.q.begin(), field.q.end());
   model::Property property;
   property.state = set.state;
-  const fe::Law law = fe::law_of(set.material, property);
   double energy = 0.0;
   fe::for_plane_blocks(set.mesh, field.elements,
                        [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
+                         const fe::Law law = fe::law_of(set.material, property, S::type);
                          for (const base::ElementId e : block) {
                            fe::NodeVectors<S> X = fe::coordinates<S>(set.mesh, e);
                            const std::span<const base::NodeId> nodes = set.mesh.nodes_of(e);

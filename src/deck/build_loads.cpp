@@ -69,20 +69,12 @@ bool load_set(Context& c, const Reference& reference, model::Load& load) {
     }
     return false;
   case LoadType::body:
+  case LoadType::temperature:
     if (const auto id = use_element_set(c, reference)) {
       load.elements = *id;
       return true;
     }
     return false;
-  case LoadType::temperature: { // a set of any kind
-    const auto kind = kind_of_set(c, Kind::any_set, reference);
-    if (kind == Kind::element_set) {
-      load.elements = use_element_set(c, reference).value_or(base::ElementSetId());
-    } else if (kind) {
-      load.nodes = use_node_set(c, reference).value_or(base::NodeSetId());
-    }
-    return kind.has_value();
-  }
   case LoadType::crack_faces: {
     const Definition* crack = look_up(c, Kind::crack, reference);
     load.crack = crack == nullptr ? base::CrackId() : base::CrackId(crack->index);

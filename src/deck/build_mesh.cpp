@@ -274,13 +274,8 @@ void adopt_labels(Context& c, const BoundCard& card, std::size_t node, std::size
     c.node_labels[card.net_id.index()].insert(mesh.node_label[node], node);
   }
   c.origins.push_back({element, mesh.element_count() - element, card.span, {}});
-  bool solid = false;
   for (; element < mesh.element_count(); ++element) {
     c.element_labels[card.net_id.index()].insert(mesh.element_label[element], element);
-    solid = solid || base::info(mesh.type[element]).dim == 3;
-  }
-  if (solid && card.spec->name == "IMPORT") {
-    c.unavailable("elements in 3D", card.span);
   }
 }
 

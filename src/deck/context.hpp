@@ -89,5 +89,6 @@ void build_requests(Context& context);
 void check_references(Context& context);
 /// Elements without a property, bad elements, mixed dimensions.
 void check_mesh(Context& context);
+void check_scope(Context& context);
 
 } // namespace spricka::deck

@@ -34,13 +34,6 @@ void adopt_physics(Context& c, const BoundCard& card, mesh::ImportedPhysics phys
               "put each file into a $NET of its own, or rename the material");
     }
   }
-  if (!physics.equations.empty()) {
-    c.unavailable(fmt::format("*EQUATION in {}", card.word("FILE")), card.span);
-  }
-  const auto axial = [](const model::Property& p) { return p.state == model::State::axisymmetric; };
-  if (std::any_of(physics.properties.begin(), physics.properties.end(), axial)) {
-    c.unavailable(fmt::format("axial symmetry (CAX) in {}", card.word("FILE")), card.span);
-  }
   if (!physics.files.empty()) { // with what the file includes
     c.model.imported_files.insert(c.model.imported_files.end(), physics.files.begin() + 1,
                                   physics.files.end());

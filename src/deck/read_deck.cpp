@@ -31,6 +31,7 @@ std::optional<model::Model> read_deck(const std::filesystem::path& deck, const R
   build_requests(context);
   check_references(context);
   check_mesh(context);
+  check_scope(context);
   if (diagnostics.has_errors()) {
     return std::nullopt;
   }

@@ -12,30 +12,48 @@ namespace {
 
 constexpr std::size_t max_element_freedoms = 81; // HEXEC27
 
-BlockRows element_rows(const model::Mesh& mesh, std::span<const base::ElementId> elements,
-                       const DofMap& dofs) {
-  BlockRows blocks;
-  const auto dim = static_cast<std::size_t>(mesh.dim);
-  std::array<std::int32_t, max_element_freedoms> rows{};
-  for (const base::ElementId e : elements) {
-    std::size_t count = 0;
-    for (const base::NodeId n : mesh.nodes_of(e)) {
-      for (std::size_t c = 0; c < dim; ++c) {
-        rows[count++] = dofs.row[dim * n.index() + c];
-      }
+// Freedoms of an element, node by node.
+std::span<const std::int32_t>
+element_freedoms(const model::Mesh& mesh, base::ElementId e,
+                 std::array<std::int32_t, max_element_freedoms>& freedoms) {
+  std::size_t count = 0;
+  for (const base::NodeId n : mesh.nodes_of(e)) {
+    for (int c = 0; c < mesh.dim; ++c) {
+      freedoms[count++] = static_cast<std::int32_t>(n.index()) * mesh.dim + c;
     }
-    blocks.add(std::span<const std::int32_t>(rows).first(count));
   }
-  return blocks;
+  return std::span<const std::int32_t>(freedoms).first(count);
 }
 
-void add_super_rows(BlockRows& blocks, std::span<const std::int32_t> freedoms, const DofMap& dofs) {
+// What a block of coefficients acts on, with dependent freedoms replaced.
+std::optional<Dependence::Block> reduced(const DofMap& dofs,
+                                         std::span<const std::int32_t> freedoms) {
+  return dofs.ties ? dofs.ties->block_of(freedoms) : std::nullopt;
+}
+
+void add_rows(std::span<const std::int32_t> freedoms, const DofMap& dofs, BlockRows& blocks) {
+  const std::optional<Dependence::Block> block = reduced(dofs, freedoms);
   std::vector<std::int32_t> rows;
   rows.reserve(freedoms.size());
-  for (const std::int32_t freedom : freedoms) {
+  for (const std::int32_t freedom :
+       block ? std::span<const std::int32_t>(block->freedom) : freedoms) {
     rows.push_back(dofs.row[static_cast<std::size_t>(freedom)]);
   }
   blocks.add(rows);
+}
+
+// Adds the coefficients `Ke` on some freedoms, given column-major.
+template <class Block>
+void add_coefficients(std::span<const std::int32_t> freedoms, const DofMap& dofs, const Block& Ke,
+                      std::span<const BlockRow> rows, base::SymmetricCsc& K) {
+  if (const std::optional<Dependence::Block> block = reduced(dofs, freedoms)) {
+    const base::Matrix half = Ke * block->T;
+    base::Matrix reduced = block->T.transpose() * half;
+    reduced = (0.5 * (reduced + reduced.transpose())).eval(); // symmetric to the last bit
+    add_block(K, rows, reduced.data(), reduced.rows());
+  } else {
+    add_block(K, rows, Ke.data(), Ke.rows());
+  }
 }
 
 } // namespace
@@ -44,9 +62,13 @@ base::SymmetricCsc stiffness_pattern(const model::Mesh& mesh,
                                      std::span<const base::ElementId> elements,
                                      std::span<const std::vector<std::int32_t>> super_freedoms,
                                      const DofMap& dofs) {
-  BlockRows blocks = element_rows(mesh, elements, dofs);
-  for (const std::vector<std::int32_t>& freedoms : super_freedoms) {
-    add_super_rows(blocks, freedoms, dofs);
+  BlockRows blocks;
+  std::array<std::int32_t, max_element_freedoms> freedoms{};
+  for (const base::ElementId e : elements) {
+    add_rows(element_freedoms(mesh, e, freedoms), dofs, blocks);
+  }
+  for (const std::vector<std::int32_t>& super : super_freedoms) {
+    add_rows(super, dofs, blocks);
   }
   return make_pattern(dofs.size(), blocks);
 }
@@ -54,9 +76,13 @@ base::SymmetricCsc stiffness_pattern(const model::Mesh& mesh,
 base::SymmetricCsc assemble_stiffness(const model::Model& model, const model::Mesh& mesh,
                                       std::span<const base::ElementId> elements,
                                       std::span<const Superelement> supers, const DofMap& dofs) {
-  BlockRows blocks = element_rows(mesh, elements, dofs);
+  BlockRows blocks;
+  std::array<std::int32_t, max_element_freedoms> freedoms{};
+  for (const base::ElementId e : elements) {
+    add_rows(element_freedoms(mesh, e, freedoms), dofs, blocks);
+  }
   for (const Superelement& super : supers) {
-    add_super_rows(blocks, super.freedom, dofs);
+    add_rows(super.freedom, dofs, blocks);
   }
   base::SymmetricCsc K = make_pattern(dofs.size(), blocks);
 
@@ -65,12 +91,12 @@ base::SymmetricCsc assemble_stiffness(const model::Model& model, const model::Me
     for (const base::ElementId e : block) {
       const ElementMatrix<S> Ke =
           element_stiffness<S>(coordinates<S>(mesh, e), law_of(model, mesh, e));
-      add_block(K, blocks.of(block_number), Ke.data(), Ke.rows());
+      add_coefficients(element_freedoms(mesh, e, freedoms), dofs, Ke, blocks.of(block_number), K);
       ++block_number;
     }
   });
   for (const Superelement& super : supers) {
-    add_block(K, blocks.of(block_number), super.stiffness.data(), super.stiffness.rows());
+    add_coefficients(super.freedom, dofs, super.stiffness, blocks.of(block_number), K);
     ++block_number;
   }
   return K;

@@ -7,7 +7,7 @@ namespace spricka::fe {
 
 namespace {
 
-// Disjoint sets of nodes with path halving; the root is the smallest node.
+// Disjoint sets (of nodes, of bodies) with path halving; the root is the smallest node.
 class NodeGroups {
 public:
   explicit NodeGroups(std::size_t count) : parent_(count) {
@@ -60,6 +60,46 @@ std::vector<Body> find_bodies(const model::Mesh& mesh) {
     }
   }
   return bodies;
+}
+
+std::vector<std::vector<Body>> join_bodies(const model::Mesh& mesh, std::vector<Body> bodies,
+                                           const Dependence& ties,
+                                           const std::vector<model::FreedomClass>& cls) {
+  constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> body_of(mesh.node_count(), none);
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    for (const base::NodeId n : bodies[b].nodes) {
+      body_of[n.index()] = b;
+    }
+  }
+  const auto body_at = [&](std::int32_t freedom) {
+    const auto node = static_cast<std::size_t>(freedom / mesh.dim);
+    if (body_of[node] == none) {
+      body_of[node] = bodies.size();
+      bodies.push_back({mesh.node_net[node], {}, {base::NodeId(node)}});
+    }
+    return body_of[node];
+  };
+  std::vector<std::pair<std::size_t, std::size_t>> links;
+  for (const Dependence::Row& row : ties.rows()) {
+    const std::size_t first = body_at(row.freedom);
+    for (const Term& t : row.terms) {
+      if (cls[static_cast<std::size_t>(t.freedom)] != model::FreedomClass::suppressed &&
+          cls[static_cast<std::size_t>(t.freedom)] != model::FreedomClass::prescribed) {
+        links.emplace_back(first, body_at(t.freedom));
+      }
+    }
+  }
+  NodeGroups groups(bodies.size());
+  for (const auto& [a, b] : links) {
+    groups.join(a, b);
+  }
+  std::vector<std::vector<Body>> joined(bodies.size());
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    joined[groups.root(b)].push_back(std::move(bodies[b]));
+  }
+  std::erase_if(joined, [](const std::vector<Body>& pieces) { return pieces.empty(); });
+  return joined;
 }
 
 } // namespace spricka::fe

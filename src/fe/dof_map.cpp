@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/dof_map.hpp"
 
+#include <algorithm>
+
 namespace spricka::fe {
 
 namespace {
 
 using model::FreedomClass;
+
+// Nodes nearer to the axis than this share of the largest radius lie on it.
+constexpr double on_axis = 1e-9;
 
 int rank(FreedomClass cls) {
   switch (cls) {
@@ -17,8 +22,23 @@ int rank(FreedomClass cls) {
     return 2;
   case FreedomClass::suppressed:
     return 3;
+  case FreedomClass::dependent: // no card says so
+    return 4;
   }
   return 0;
+}
+
+// A point on the axis has no way to leave it.
+void hold_axis(const model::Mesh& mesh, std::vector<FreedomClass>& cls) {
+  double largest = 0.0;
+  for (const base::Vec3& x : mesh.x) {
+    largest = std::max(largest, x.x());
+  }
+  for (std::size_t n = 0; n < mesh.node_count(); ++n) {
+    if (mesh.x[n].x() <= on_axis * largest) {
+      cls[2 * n] = FreedomClass::suppressed;
+    }
+  }
 }
 
 } // namespace
@@ -35,6 +55,9 @@ std::vector<FreedomClass> classify_freedoms(const model::Model& model, const mod
         }
       }
     }
+  }
+  if (model::axisymmetric(model)) {
+    hold_axis(mesh, cls);
   }
   return cls;
 }

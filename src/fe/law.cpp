@@ -3,7 +3,8 @@
 
 namespace spricka::fe {
 
-Law law_of(const model::Material& material, const model::Property& property) {
+Law law_of(const model::Material& material, const model::Property& property,
+           base::ElementType type) {
   const Lame k = lame(material, property.state);
   Law law;
   law.lambda = k.lambda;
@@ -12,10 +13,9 @@ Law law_of(const model::Material& material, const model::Property& property) {
   law.axisymmetric = property.state == model::State::axisymmetric;
   const bool plane = law.plane_stress || property.state == model::State::plane_strain;
   law.thickness = plane ? property.thickness : 1.0;
-  // A body held all round carries -(3 lambda + 2 mu) alpha T; in plane stress, with the reduced
-  // lambda, two directions are held.
-  law.thermal = material.alpha * ((law.plane_stress ? 2.0 : 3.0) * k.lambda + 2.0 * k.mu);
-  law.projected = !law.plane_stress && material.nu > nearly_incompressible;
+  law.expansion = material.alpha;
+  law.projected =
+      model::nearly_incompressible(material, property.state, base::info(type).quadratic);
   return law;
 }
 

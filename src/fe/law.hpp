@@ -13,12 +13,15 @@ struct Law {
   double lambda = 0.0;       ///< Lame's constants [stress]; in plane stress the reduced lambda
   double mu = 0.0;           ///< shear modulus [stress]
   double thickness = 1.0;    ///< [length]; 1 in space
-  double thermal = 0.0;      ///< stress that a temperature of 1 takes out: sigma -= thermal * T
+  double expansion = 0.0;    ///< thermal, of a temperature of 1
   bool plane_stress = false; ///< sigma_zz is zero
   bool axisymmetric = false;
   /// The dilatation is projected (see dilatation.hpp): displacement elements lock where a material
   /// hardly changes its volume.
   bool projected = false;
+
+  /// Strains that a temperature drives and that the state holds: two in plane stress.
+  [[nodiscard]] double heated_directions() const { return plane_stress ? 2.0 : 3.0; }
 
   /// What stands behind a point of the mesh plane: thickness, circumference, or 1 in space.
   [[nodiscard]] double depth(double x) const {
@@ -26,16 +29,13 @@ struct Law {
   }
 };
 
-/// Poisson's ratio from which on the dilatation is projected. At 0.49 plain quadratic elements are
-/// still right to some 0.1 %, and the projected ones as well.
-inline constexpr double nearly_incompressible = 0.49;
+/// Law of a property's elements of one type.
+Law law_of(const model::Material& material, const model::Property& property,
+           base::ElementType type);
 
-/// Law of a property's elements.
-Law law_of(const model::Material& material, const model::Property& property);
-
-/// Law of the elements of `e`'s property.
+/// Law of the element `e`.
 inline Law law_of(const model::Model& model, const model::Mesh& mesh, base::ElementId e) {
-  return law_of(model.material_of(mesh, e), model.property_of(mesh, e));
+  return law_of(model.material_of(mesh, e), model.property_of(mesh, e), mesh.type[e.index()]);
 }
 
 } // namespace spricka::fe

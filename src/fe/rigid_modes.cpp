@@ -8,11 +8,13 @@
 
 namespace spricka::fe {
 
-base::Matrix rigid_modes(const model::Mesh& mesh, const std::vector<base::NodeId>& nodes) {
+namespace {
+
+// Writes the modes of one piece into its columns.
+void add_piece(const model::Mesh& mesh, const std::vector<base::NodeId>& nodes,
+               Eigen::Ref<base::Matrix> modes) {
   const Eigen::Index dim = mesh.dim;
   const Eigen::Index rotations = dim == 2 ? 1 : 3;
-  base::Matrix modes =
-      base::Matrix::Zero(dim * static_cast<Eigen::Index>(mesh.node_count()), dim + rotations);
   base::Vec3 centre = base::Vec3::Zero();
   for (const base::NodeId n : nodes) {
     centre += mesh.x[n.index()];
@@ -46,41 +48,93 @@ base::Matrix rigid_modes(const model::Mesh& mesh, const std::vector<base::NodeId
       modes.col(k).setZero();
     }
   }
-  return modes;
 }
 
-base::Matrix free_modes(const model::Mesh& mesh, const base::Matrix& modes,
-                        const std::vector<base::NodeId>& nodes,
-                        const std::vector<model::FreedomClass>& cls) {
-  const Eigen::Index dim = mesh.dim;
-  std::vector<Eigen::Index> held;
+// Along the axis.
+void add_ring(const std::vector<base::NodeId>& nodes, Eigen::Ref<base::Vector> mode) {
+  const double unit = 1.0 / std::sqrt(static_cast<double>(nodes.size()));
   for (const base::NodeId n : nodes) {
-    for (Eigen::Index c = 0; c < dim; ++c) {
-      const Eigen::Index freedom = dim * static_cast<Eigen::Index>(n.index()) + c;
-      const model::FreedomClass k = cls[static_cast<std::size_t>(freedom)];
-      if (k == model::FreedomClass::suppressed || k == model::FreedomClass::prescribed) {
-        held.push_back(freedom);
+    mode[2 * static_cast<Eigen::Index>(n.index()) + 1] = unit;
+  }
+}
+
+// What supports and ties forbid, as rows on the modes.
+base::Matrix forbidden(const model::Mesh& mesh, const base::Matrix& modes,
+                       std::span<const Body> pieces, const Dependence& ties,
+                       const std::vector<model::FreedomClass>& cls) {
+  std::vector<double> values;
+  const auto add = [&](const Eigen::RowVectorXd& row) {
+    values.insert(values.end(), row.begin(), row.end());
+  };
+  for (const Body& piece : pieces) {
+    for (const base::NodeId n : piece.nodes) {
+      for (int c = 0; c < mesh.dim; ++c) {
+        const auto freedom = static_cast<std::int32_t>(n.index()) * mesh.dim + c;
+        const model::FreedomClass k = cls[static_cast<std::size_t>(freedom)];
+        if (k == model::FreedomClass::suppressed || k == model::FreedomClass::prescribed) {
+          add(modes.row(freedom));
+        } else if (const Dependence::Row* row = ties.row_of(freedom)) {
+          Eigen::RowVectorXd broken = modes.row(freedom);
+          for (const Term& t : row->terms) {
+            broken -= t.coefficient * modes.row(t.freedom);
+          }
+          add(broken);
+        }
       }
     }
   }
-  const Eigen::Index count = modes.cols();
-  if (held.empty()) {
-    return base::Matrix::Identity(count, count);
-  }
-  base::Matrix A(static_cast<Eigen::Index>(held.size()), count);
-  for (std::size_t i = 0; i < held.size(); ++i) {
-    A.row(static_cast<Eigen::Index>(i)) = modes.row(held[i]);
-  }
-  const Eigen::JacobiSVD<base::Matrix> svd(A, Eigen::ComputeFullV);
+  // row by row, which is A^T column by column
+  return Eigen::Map<const base::Matrix>(values.data(), modes.cols(),
+                                        static_cast<Eigen::Index>(values.size()) / modes.cols())
+      .transpose();
+}
 
+} // namespace
+
+int rigid_mode_count(const model::Model& model) {
+  return model.mesh.dim == 3 ? 6 : model::axisymmetric(model) ? 1 : 3;
+}
+
+base::Matrix rigid_modes(const model::Model& model, const model::Mesh& mesh,
+                         std::span<const Body> pieces) {
+  const Eigen::Index count = rigid_mode_count(model);
+  base::Matrix modes = base::Matrix::Zero(mesh.dim * static_cast<Eigen::Index>(mesh.node_count()),
+                                          count * static_cast<Eigen::Index>(pieces.size()));
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    const Eigen::Index first = count * static_cast<Eigen::Index>(p);
+    if (count == 1) {
+      add_ring(pieces[p].nodes, modes.col(first));
+    } else {
+      add_piece(mesh, pieces[p].nodes, modes.middleCols(first, count));
+    }
+  }
+  Eigen::Index kept = 0;
+  for (Eigen::Index k = 0; k < modes.cols(); ++k) {
+    if ((modes.col(k).array() != 0.0).any()) {
+      modes.col(kept++) = modes.col(k);
+    }
+  }
+  return modes.leftCols(kept);
+}
+
+base::Matrix free_modes(const model::Mesh& mesh, const base::Matrix& modes,
+                        std::span<const Body> pieces, const Dependence& ties,
+                        const std::vector<model::FreedomClass>& cls) {
+  const Eigen::Index count = modes.cols();
+  const base::Matrix A = forbidden(mesh, modes, pieces, ties, cls);
   base::Matrix free(count, 0);
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const base::Vector v = svd.matrixV().col(k);
+  const auto keep = [&](const base::Vector& v) {
     const double largest = (modes * v).cwiseAbs().maxCoeff();
-    if (largest > 0.0 && (A * v).cwiseAbs().maxCoeff() <= 1e-9 * largest) {
+    if (largest > 0.0 && (A.rows() == 0 || (A * v).cwiseAbs().maxCoeff() <= 1e-9 * largest)) {
       free.conservativeResize(Eigen::NoChange, free.cols() + 1);
       free.rightCols(1) = v;
     }
+  };
+  const base::Matrix V = A.rows() == 0
+                             ? base::Matrix(base::Matrix::Identity(count, count))
+                             : Eigen::JacobiSVD<base::Matrix>(A, Eigen::ComputeFullV).matrixV();
+  for (Eigen::Index k = 0; k < count; ++k) {
+    keep(V.col(k));
   }
   return free;
 }

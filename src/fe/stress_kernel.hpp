@@ -9,26 +9,27 @@ namespace spricka::fe {
 template <shape::ElementShape S> struct StressElement {
   NodeVectors<S> X;
   NodeVectors<S> U;
-  CornerValues<S> T;
   Law law;
   VolumeChange<S> change;
+  ThermalStress<S> thermal;
 
   StressElement(const model::Model& model, const model::Mesh& mesh, base::ElementId e,
                 const StateField& field)
-      : X(coordinates<S>(mesh, e)), U(gather<S>(mesh, e, field.u)), T(CornerValues<S>::Zero()),
-        law(law_of(model, mesh, e)), change(X, law, U) {
-    if (field.temperature != nullptr) {
-      T = corner_temperature<S>(mesh, e, *field.temperature);
-    }
+      : X(coordinates<S>(mesh, e)), U(gather<S>(mesh, e, field.u)), law(law_of(model, mesh, e)),
+        change(X, law, U),
+        thermal(X, law,
+                field.temperature == nullptr ? CornerValues<S>(CornerValues<S>::Zero())
+                                             : corner_temperature<S>(mesh, e, *field.temperature)) {
   }
+  StressElement(const StressElement&) = delete; // its members point at its law
+  StressElement& operator=(const StressElement&) = delete;
 
   // In the plane and about an axis, zz is across the mesh: nothing, or what lambda and the hoop
   // strain make of it.
   [[nodiscard]] Stress from(const Jacobian<S>& at, const shape::Point<S::dim>& r) const {
     const Eigen::Matrix<double, S::dim, S::dim> H = U * at.dNdx;
     const double ring = hoop_strain(H, r);
-    const double pressure =
-        law.lambda * change.at(r, H.trace() + ring) - law.thermal * T.dot(Linear<S>::N(r));
+    const double pressure = law.lambda * change.at(r, H.trace() + ring) - thermal.at(r);
     Eigen::Matrix3d s = Eigen::Matrix3d::Zero();
     s.template topLeftCorner<S::dim, S::dim>() = law.mu * (H + H.transpose());
     s(2, 2) += S::dim == 2 ? 2.0 * law.mu * ring : 0.0;

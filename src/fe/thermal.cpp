@@ -79,12 +79,12 @@ base::Vector thermal_load(const model::Model& model, const model::Mesh& mesh,
   for_heated(mesh, temperature, [&]<shape::ElementShape S>(S, base::ElementId e, const auto& T) {
     const NodeVectors<S> X = coordinates<S>(mesh, e);
     const Law law = law_of(model, mesh, e);
+    const ThermalStress<S> stress(X, law, T);
     NodeVectors<S> F = NodeVectors<S>::Zero();
     for (const auto& point : stiffness_rule<S>(law)) {
       const Jacobian<S> at = jacobian<S>(X, point.r);
       const Hoop<S> hoop(X, law, point.r);
-      const double w =
-          point.weight * at.det * law.depth(hoop.x) * law.thermal * T.dot(Linear<S>::N(point.r));
+      const double w = point.weight * at.det * law.depth(hoop.x) * stress.at(point.r);
       F.noalias() += w * at.dNdx.transpose();
       F.row(0) += w * hoop.h.transpose();
     }
@@ -102,14 +102,15 @@ double thermal_energy(const model::Model& model, const model::Mesh& mesh,
   for_heated(mesh, temperature, [&]<shape::ElementShape S>(S, base::ElementId e, const auto& T) {
     const NodeVectors<S> X = coordinates<S>(mesh, e);
     const Law law = law_of(model, mesh, e);
-    const double alpha = model.material_of(mesh, e).alpha;
-    const double directions = law.plane_stress ? 2.0 : 3.0;
+    const ThermalStress<S> stress(X, law, T);
+    const double directions = law.heated_directions();
     for (const auto& point : stiffness_rule<S>(law)) {
       const Jacobian<S> at = jacobian<S>(X, point.r);
       const Hoop<S> hoop(X, law, point.r);
-      const double t = T.dot(Linear<S>::N(point.r));
-      energy += 0.5 * point.weight * at.det * law.depth(hoop.x) * directions * law.thermal * alpha *
-                t * t;
+      const double t = law.expansion * stress.temperature(point.r);
+      const double v = law.expansion * directions * stress.of_volume(point.r);
+      energy += 0.5 * point.weight * at.det * law.depth(hoop.x) *
+                (law.lambda * v * v + 2.0 * law.mu * directions * t * t);
     }
   });
   return energy;

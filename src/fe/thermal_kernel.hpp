@@ -27,4 +27,39 @@ CornerValues<S> corner_temperature(const model::Mesh& mesh, base::ElementId e,
   return temperature.template segment<corners<S>()>(mesh.first[e.index()]);
 }
 
+/// What a temperature T takes out of the normal stresses of an element: a body held all round
+/// carries -alpha (3 lambda T + 2 mu T); in plane stress, with the reduced lambda, two directions
+/// are held. Where the volume change is projected, so is the temperature that drives it: a body
+/// free to expand would keep stresses else.
+template <shape::ElementShape S> struct ThermalStress {
+  const Law& law;
+  CornerValues<S> T;
+  typename Dilatation<S>::Modes projected = Dilatation<S>::Modes::Zero();
+
+  ThermalStress(const NodeVectors<S>& X, const Law& law_, const CornerValues<S>& T_)
+      : law(law_), T(T_) {
+    if (!law.projected || (T.array() == 0.0).all()) {
+      return;
+    }
+    typename Dilatation<S>::Modes right = Dilatation<S>::Modes::Zero();
+    for (const auto& point : stiffness_rule<S>(law)) {
+      const Hoop<S> hoop(X, law, point.r);
+      const double w = point.weight * jacobian<S>(X, point.r).det * law.depth(hoop.x);
+      right += (w * temperature(point.r)) * Dilatation<S>::phi(point.r);
+    }
+    projected = Dilatation<S>(X, law).G.inverse() * right;
+  }
+  [[nodiscard]] double temperature(const shape::Point<S::dim>& r) const {
+    return T.dot(Linear<S>::N(r));
+  }
+  /// The temperature that drives the volume change.
+  [[nodiscard]] double of_volume(const shape::Point<S::dim>& r) const {
+    return law.projected ? Dilatation<S>::phi(r).dot(projected) : temperature(r);
+  }
+  [[nodiscard]] double at(const shape::Point<S::dim>& r) const {
+    return law.expansion *
+           (law.heated_directions() * law.lambda * of_volume(r) + 2.0 * law.mu * temperature(r));
+  }
+};
+
 } // namespace spricka::fe

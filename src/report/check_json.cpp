@@ -34,7 +34,8 @@ json of(const results::NetPreview& n) {
            {{"local", n.local},
             {"external", n.external},
             {"suppressed", n.suppressed},
-            {"prescribed", n.prescribed}}}};
+            {"prescribed", n.prescribed},
+            {"dependent", n.dependent}}}};
 }
 
 json of(const results::QualityPreview& q) {

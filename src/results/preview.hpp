@@ -21,6 +21,7 @@ struct NetPreview {
   std::size_t external = 0;
   std::size_t suppressed = 0;
   std::size_t prescribed = 0;
+  std::size_t dependent = 0;
 };
 
 /// The element that is worst by one measure.

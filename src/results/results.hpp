@@ -66,6 +66,7 @@ struct StepResult {
   std::string step;
   base::Vector u;                            ///< nodal vector [dim * node] of the increment's mesh
   base::Vector reaction;                     ///< nodal vector of support forces [dim * node]
+  base::Vector temperature;                  ///< [connectivity index], see fe/thermal.hpp; or empty
   std::vector<std::array<double, 6>> stress; ///< [node] xx yy zz xy yz zx; empty: not recovered
   std::vector<TipResult> tips;
   std::vector<ContactResult> contacts;

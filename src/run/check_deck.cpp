@@ -44,8 +44,9 @@ public:
         return;
       }
       const double scene_cpu = watch.cpu();
-      const CondenseRequest request{
-          model_, scene->cracked.mesh, scene->cls, scene->rest_element, base::Matrix(), threads_};
+      const CondenseRequest request{model_,      scene->cracked.mesh, scene->cls,
+                                    scene->ties, scene->rest_element, base::Matrix(),
+                                    threads_};
       const std::vector<BodyNet> bodies = prepare_bodies(request);
       if (i == 0) {
         look_closely(*scene, bodies);
@@ -70,7 +71,7 @@ private:
     preview.quality = preview_quality(model_, scene);
     preview.inside_out = mesh::bad_elements(scene.cracked.mesh).size();
     preview.pairs = preview_pairs(model_, scene);
-    preview.bodies = held_modes(scene, bodies);
+    preview.bodies = held_modes(model_, scene, bodies);
     refusals = unheld_loads(model_, scene, bodies);
   }
 

@@ -239,7 +239,8 @@ Eigen::Index axis_of(const std::string& component) {
 std::vector<double> stresses_of_set(const model::Model& model, const Place& at,
                                     const std::string& name, const std::string& component) {
   const model::Mesh& mesh = at.increment->mesh;
-  const std::vector<fe::Stress> stress = fe::element_node_stress(model, mesh, at.step->u);
+  const std::vector<fe::Stress> stress =
+      fe::element_node_stress(model, mesh, {at.step->u, at.step->temperature});
   std::vector<double> values;
   for (const model::ElementSet& set : mesh.element_sets) {
     if (set.name == name) {
@@ -292,7 +293,8 @@ double field_quantity(const model::Model& model, const std::string& quantity, Ar
     if (field.what == "U") {
       return displacement_at(at.increment->mesh, at.step->u, x, axis_of(field.component));
     }
-    const std::optional<fe::Stress> s = fe::stress_at(model, at.increment->mesh, at.step->u, x);
+    const std::optional<fe::Stress> s =
+        fe::stress_at(model, at.increment->mesh, {at.step->u, at.step->temperature}, x);
     if (!s) {
       throw Missing("the point lies outside the body");
     }

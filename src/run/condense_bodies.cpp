@@ -87,19 +87,19 @@ std::string trouble_of(const model::Mesh& mesh, const std::string& body, const N
                      body, mesh.node_label[freedom / dim], "XYZ"[freedom % dim]);
 }
 
-// Externals of the rest that are free in the region: all, by construction of split().
-fe::Superelement super_of(const Net& rest) {
+// Externals of a part are unknowns of the region or follow some, by construction of split().
+fe::Superelement super_of(const Net& part) {
   fe::Superelement super;
-  super.freedom.assign(rest.map.freedom.begin() + rest.map.locals, rest.map.freedom.end());
-  super.stiffness = rest.factor->schur();
+  super.freedom.assign(part.map.freedom.begin() + part.map.locals, part.map.freedom.end());
+  super.stiffness = part.factor->schur();
   return super;
 }
 
 // What this increment did not use, no later one will: its crack has grown on.
-void forget_unused(const std::vector<Task>& rests, const std::vector<Task>& regions,
+void forget_unused(const std::vector<Task>& parts, const std::vector<Task>& regions,
                    CondensationCache& cache) {
   std::set<HashKey> used;
-  for (const std::vector<Task>* tasks : {&rests, &regions}) {
+  for (const std::vector<Task>* tasks : {&parts, &regions}) {
     for (const Task& task : *tasks) {
       used.insert(task.key);
     }
@@ -110,16 +110,30 @@ void forget_unused(const std::vector<Task>& rests, const std::vector<Task>& regi
 
 void condense_loads(const CondenseRequest& request, BodyNet& body) {
   body.region_load = rows_of(request.case_load, body.region.map.freedom);
-  if (body.rest) {
-    // What the rest's locals hand over to its externals; their own loads are in already.
-    body.rest_load = rows_of(request.case_load, body.rest->map.freedom);
-    const base::Matrix condensed = body.rest->factor->condense_load(body.rest_load);
-    const std::vector<std::int32_t>& freedom = body.rest->map.freedom;
-    const auto locals = static_cast<std::size_t>(body.rest->map.locals);
+  const auto add = [&](std::int32_t freedom, double c, const Eigen::RowVectorXd& load) {
+    const std::int32_t row = body.region.map.row[static_cast<std::size_t>(freedom)];
+    if (row >= 0) {
+      body.region_load.row(row) += c * load;
+    }
+  };
+  for (const std::unique_ptr<Net>& part : body.parts) {
+    // What the part's locals hand over to its externals; their own loads are in already.
+    const base::Matrix& load =
+        body.part_load.emplace_back(rows_of(request.case_load, part->map.freedom));
+    const base::Matrix condensed = part->factor->condense_load(load);
+    const std::vector<std::int32_t>& freedom = part->map.freedom;
+    const auto locals = static_cast<std::size_t>(part->map.locals);
     for (std::size_t i = locals; i < freedom.size(); ++i) {
-      const Eigen::Index row = body.region.map.row[static_cast<std::size_t>(freedom[i])];
-      body.region_load.row(row) += condensed.row(static_cast<Eigen::Index>(i - locals)) -
-                                   body.rest_load.row(static_cast<Eigen::Index>(i));
+      const Eigen::RowVectorXd more = condensed.row(static_cast<Eigen::Index>(i - locals)) -
+                                      load.row(static_cast<Eigen::Index>(i));
+      const fe::Dependence::Row* tie = request.ties->row_of(freedom[i]);
+      if (tie == nullptr) {
+        add(freedom[i], 1.0, more);
+        continue;
+      }
+      for (const fe::Term& t : tie->terms) {
+        add(t.freedom, t.coefficient, more);
+      }
     }
   }
   body.external_load = body.region.factor->condense_load(body.region_load);
@@ -133,23 +147,24 @@ std::vector<BodyNet> condense_bodies(const CondenseRequest& request, Condensatio
 
   // All hashes first: what no net asks for is forgotten before memory for the new ones is needed.
   const std::vector<NetKeys> keys = hash_bodies(request, bodies);
-  std::vector<Task> rests;
+  std::vector<Task> parts;
   std::vector<Task> regions;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    if (bodies[b].rest) {
-      rests.push_back({bodies[b].rest.get(), {}, *keys[b].rest});
+    for (std::size_t p = 0; p < bodies[b].parts.size(); ++p) {
+      parts.push_back({bodies[b].parts[p].get(), {}, keys[b].parts[p]});
     }
     regions.push_back({&bodies[b].region, {}, keys[b].region});
   }
-  forget_unused(rests, regions, cache);
+  forget_unused(parts, regions, cache);
 
-  factorise(request, rests, cache, log);
+  factorise(request, parts, cache, log);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    if (bodies[b].rest && log.trouble.empty()) {
-      log.trouble = trouble_of(request.mesh, bodies[b].name, *bodies[b].rest);
-    }
-    if (bodies[b].rest && log.trouble.empty()) {
-      regions[b].supers.push_back(super_of(*bodies[b].rest));
+    for (const std::unique_ptr<Net>& part : bodies[b].parts) {
+      log.trouble =
+          log.trouble.empty() ? trouble_of(request.mesh, bodies[b].name, *part) : log.trouble;
+      if (log.trouble.empty()) {
+        regions[b].supers.push_back(super_of(*part));
+      }
     }
   }
   if (!log.trouble.empty()) {
@@ -199,18 +214,31 @@ void recover_body(const BodyNet& body, const base::Vector& u_external,
   for (std::size_t i = 0; i < body.region.map.freedom.size(); ++i) {
     u[body.region.map.freedom[i]] = own(static_cast<Eigen::Index>(i), 0);
   }
-  if (body.rest) {
-    const std::vector<std::int32_t>& freedom = body.rest->map.freedom;
-    const auto locals = static_cast<std::size_t>(body.rest->map.locals);
+  if (body.region.map.ties) {
+    body.region.map.ties->follow(u, case_factors.size() > 0 ? case_factors.tail(1)[0] : 0.0);
+  }
+  for (std::size_t p = 0; p < body.parts.size(); ++p) {
+    const Net& part = *body.parts[p];
+    const std::vector<std::int32_t>& freedom = part.map.freedom;
+    const auto locals = static_cast<std::size_t>(part.map.locals);
     base::Matrix rim(static_cast<Eigen::Index>(freedom.size() - locals), 1);
     for (std::size_t i = locals; i < freedom.size(); ++i) {
       rim(static_cast<Eigen::Index>(i - locals), 0) = u[freedom[i]];
     }
-    const base::Matrix all = body.rest->factor->recover(rim, body.rest_load * case_factors);
+    const base::Matrix all = part.factor->recover(rim, body.part_load[p] * case_factors);
     for (std::size_t i = 0; i < locals; ++i) {
       u[freedom[i]] = all(static_cast<Eigen::Index>(i), 0);
     }
   }
+}
+
+std::vector<const Net*> nets_of(const BodyNet& body) {
+  std::vector<const Net*> nets;
+  for (const std::unique_ptr<Net>& part : body.parts) {
+    nets.push_back(part.get());
+  }
+  nets.push_back(&body.region);
+  return nets;
 }
 
 } // namespace spricka::run

@@ -25,17 +25,20 @@ struct Net {
   bool from_cache = false;
 };
 
-/// A body ready for contact. Where a crack grows the body is two nets: `rest`, condensed once to
-/// its rim and contact nodes, and `region`, condensed anew for each length; else all is region.
+/// A body ready for contact: what elements and ties hold together. Its `parts` are condensed first,
+/// to their rims, tied and external nodes, and enter the `region` as big elements. Where a crack
+/// grows, what no length touches is a part; where several nets of the deck are tied to a body, each
+/// is one. A plain body is all region.
 struct BodyNet {
-  std::string name; ///< "LUG", "LUG/2"
-  fe::Body body;
-  std::unique_ptr<Net> rest;
+  std::string name; ///< "LUG", "LUG/2", "COARSE+FINE"
+  fe::Body body;    ///< all pieces together
+  std::vector<fe::Body> pieces;
+  std::vector<std::unique_ptr<Net>> parts;
   Net region;
   base::Matrix free_modes; ///< [dim * node, r] rigid modes that supports leave free
   std::shared_ptr<const contact::CondensedBody> condensed; ///< null when there are no externals
-  base::Matrix rest_load;                                  ///< [unknowns of rest, case]
-  base::Matrix region_load;   ///< [unknowns of region, case], rest_load added in
+  std::vector<base::Matrix> part_load;                     ///< [part][unknowns of the part, case]
+  base::Matrix region_load;   ///< [unknowns of region, case], part_load added in
   base::Matrix external_load; ///< [externals, case] condensed
 };
 
@@ -59,8 +62,9 @@ struct CondenseRequest {
   const model::Model& model;
   const model::Mesh& mesh;
   std::vector<model::FreedomClass> cls; ///< [dim * node], contact nodes external
-  std::vector<bool> rest_element;       ///< [element] belongs to what no crack will touch
-  base::Matrix case_load;               ///< [dim * node, case] consistent loads, supports' pull in
+  std::shared_ptr<const fe::Dependence> ties;
+  std::vector<bool> rest_element; ///< [element] belongs to what no crack will touch
+  base::Matrix case_load;         ///< [dim * node, case] consistent loads, supports' pull in
   int threads = 1;
 };
 
@@ -68,9 +72,9 @@ struct CondenseRequest {
 /// nothing is assembled or factorised. Floating bodies get carriers among their externals.
 std::vector<BodyNet> prepare_bodies(const CondenseRequest& request);
 
-/// What tells a body's nets from others: hashes of rest (if there is one) and region.
+/// What tells a body's nets from others.
 struct NetKeys {
-  std::optional<HashKey> rest;
+  std::vector<HashKey> parts;
   HashKey region;
 };
 std::vector<NetKeys> hash_bodies(const CondenseRequest& request,
@@ -80,9 +84,12 @@ std::vector<NetKeys> hash_bodies(const CondenseRequest& request,
 std::vector<BodyNet> condense_bodies(const CondenseRequest& request, CondensationCache& cache,
                                      CondenseLog& log);
 
-/// Adds the displacements of one body to a nodal vector: from its external displacements and the
-/// case factors.
+/// Writes the displacements of one body into a nodal vector that holds the prescribed ones: from
+/// its external displacements and the case factors.
 void recover_body(const BodyNet& body, const base::Vector& u_external,
                   const base::Vector& case_factors, base::Vector& u);
+
+/// All nets of a body, parts first.
+std::vector<const Net*> nets_of(const BodyNet& body);
 
 } // namespace spricka::run

@@ -16,9 +16,19 @@ HashKey hash_net(const model::Model& model, const model::Mesh& mesh, const Net& 
     hash.value(property.thickness);
     hash.value(material.E);
     hash.value(material.nu);
+    hash.value(material.alpha);
     for (const base::NodeId n : mesh.nodes_of(e)) {
       hash.value(n.value);
       hash.add(mesh.x[n.index()].data(), 3 * sizeof(double));
+    }
+  }
+  if (net.map.ties) {
+    for (const fe::Dependence::Row& row : net.map.ties->rows()) {
+      hash.value(row.freedom);
+      for (const fe::Term& t : row.terms) {
+        hash.value(t.freedom);
+        hash.value(t.coefficient);
+      }
     }
   }
   hash.add(net.map.freedom.data(), net.map.freedom.size() * sizeof(std::int32_t));

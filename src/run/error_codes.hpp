@@ -28,6 +28,9 @@ inline constexpr std::array later_codes{
     ErrorCode{"E411", "contact surfaces that never face each other"},
     ErrorCode{"E412", "no ring domain fits round a crack tip"},
     ErrorCode{"E413", "a resultant that its set cannot carry"},
+    ErrorCode{"E414", "an $MPC with a node that a crack has cut out"},
+    ErrorCode{"E415", "an $MPC whose slave nodes do not lie on the master faces"},
+    ErrorCode{"E416", "$MPC cards that contradict each other or supports"},
     ErrorCode{"E421", "a crack that does not start on the boundary"},
     ErrorCode{"E422", "a crack on a symmetry line that is no straight part of the boundary"},
     ErrorCode{"E423", "a rosette that does not fit"},
@@ -48,7 +51,7 @@ inline constexpr std::array later_codes{
     ErrorCode{"W337", "SCALE on a file that brings moduli"},
     ErrorCode{"E550", "a point of a sweep without success; the sweep goes on"},
     ErrorCode{"E551", "a sweep stopped by a signal"},
-    ErrorCode{"W501", "a nearly incompressible material in plane strain"},
+    ErrorCode{"W501", "linear triangles or tetrahedra of a nearly incompressible material"},
     ErrorCode{"W502", "a result of a step that needs a second look"},
     ErrorCode{"W540", "a converted deck of which only the first step is written"},
 };

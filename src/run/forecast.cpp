@@ -57,17 +57,19 @@ struct Forecast::Needs {
 };
 
 const solve::FactorReport& Forecast::report_of(const CondenseRequest& request, const Net& net,
-                                               const HashKey& key, const Net* rest, Needs& needs) {
+                                               const HashKey& key, const BodyNet* body,
+                                               Needs& needs) {
   const auto at = known_.find(key);
   if (at != known_.end()) {
     ++needs.reused;
     return at->second;
   }
   std::vector<std::vector<std::int32_t>> supers;
-  if (rest != nullptr) {
-    supers.emplace_back(rest->map.freedom.begin() + rest->map.locals, rest->map.freedom.end());
+  for (std::size_t p = 0; body != nullptr && p < body->parts.size(); ++p) {
+    const fe::DofMap& map = body->parts[p]->map;
+    supers.emplace_back(map.freedom.begin() + map.locals, map.freedom.end());
   }
-  if (element_seconds_ == 0.0) {
+  if (element_seconds_ == 0.0 && !net.elements.empty()) {
     const std::span<const base::ElementId> sample =
         std::span(net.elements).first(std::min(sample_size, net.elements.size()));
     fe::assemble_stiffness(request.model, request.mesh, sample, {}, net.map); // warms up
@@ -116,15 +118,14 @@ void Forecast::add(const CondenseRequest& request, const std::vector<BodyNet>& b
   const auto rows = static_cast<double>(scene.table.rows.size());
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const BodyNet& body = bodies[b];
-    if (body.rest) {
-      const double m = externals_of(*body.rest);
-      const solve::FactorReport& rest =
-          report_of(request, *body.rest, *keys[b].rest, nullptr, needs);
-      needs.kept += rest.kept_memory + 2.0 * number * m * m; // its S, and the copy in the region
-      needs.solve_entries += rest.factor_entries;
+    for (std::size_t p = 0; p < body.parts.size(); ++p) {
+      const double m = externals_of(*body.parts[p]);
+      const solve::FactorReport& part =
+          report_of(request, *body.parts[p], keys[b].parts[p], nullptr, needs);
+      needs.kept += part.kept_memory + 2.0 * number * m * m; // its S, and the copy in the region
+      needs.solve_entries += part.factor_entries;
     }
-    const solve::FactorReport& own =
-        report_of(request, body.region, keys[b].region, body.rest.get(), needs);
+    const solve::FactorReport& own = report_of(request, body.region, keys[b].region, &body, needs);
     const double m = externals_of(body.region);
     needs.kept += own.kept_memory + number * m * m;
     needs.solve_entries += own.factor_entries;
@@ -158,9 +159,7 @@ void Forecast::add(const CondenseRequest& request, const std::vector<BodyNet>& b
   std::set<HashKey> used;
   for (const NetKeys& key : keys) {
     used.insert(key.region);
-    if (key.rest) {
-      used.insert(*key.rest);
-    }
+    used.insert(key.parts.begin(), key.parts.end());
   }
   std::erase_if(known_, [&](const auto& entry) { return !used.contains(entry.first); });
 }

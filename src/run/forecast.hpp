@@ -27,8 +27,9 @@ public:
 
 private:
   struct Needs; ///< of one length
+  /// `body` is that whose region `net` is, with its parts; null for a part.
   const solve::FactorReport& report_of(const CondenseRequest& request, const Net& net,
-                                       const HashKey& key, const Net* rest, Needs& needs);
+                                       const HashKey& key, const BodyNet* body, Needs& needs);
   [[nodiscard]] double contact_flops(const std::vector<BodyNet>& bodies, const Scene& scene) const;
 
   const model::Model& model_;

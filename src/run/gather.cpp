@@ -98,7 +98,8 @@ void gather_contacts(const model::Model& model, const Scene& scene, const StepSt
   }
 }
 
-void gather_balance(const Scene& scene, const std::vector<BodyNet>& bodies, const StepState& state,
+void gather_balance(const model::Model& model, const Scene& scene,
+                    const std::vector<BodyNet>& bodies, const StepState& state,
                     results::StepResult& out) {
   const int dim = scene.cracked.mesh.dim;
   for (const BodyNet& body : bodies) {
@@ -109,6 +110,11 @@ void gather_balance(const Scene& scene, const std::vector<BodyNet>& bodies, cons
       balance.applied.head(dim) += state.force.segment(at, dim);
       balance.contact.head(dim) += state.contact.segment(at, dim);
       balance.reaction.head(dim) += state.reaction.segment(at, dim);
+    }
+    if (model::axisymmetric(model)) { // radial forces balance round the circumference
+      for (base::Vec3* sum : {&balance.applied, &balance.contact, &balance.reaction}) {
+        sum->x() = 0.0;
+      }
     }
     out.balance.push_back(balance);
   }
@@ -123,13 +129,14 @@ results::StepResult gather_step(const model::Model& model, const Scene& scene,
   out.step = step.name;
   out.u = state.u;
   out.reaction = state.reaction;
+  out.temperature = state.temperature;
   out.energy = state.energy;
   out.iterations = state.iterations;
   out.pivots = state.pivots;
   out.notes = state.notes;
   gather_tips(model, scene, state, out);
   gather_contacts(model, scene, state, out);
-  gather_balance(scene, bodies, state, out);
+  gather_balance(model, scene, bodies, state, out);
   return out;
 }
 

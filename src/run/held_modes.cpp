@@ -107,15 +107,15 @@ base::Matrix reduced(base::Matrix A) {
 }
 
 // The motions of one body among some directions [mode, k] of all.
-std::vector<std::string> motions(const model::Mesh& mesh, const BodyNet& body,
-                                 const base::Matrix& part) {
+std::vector<std::string> motions(const model::Model& model, const model::Mesh& mesh,
+                                 const BodyNet& body, const base::Matrix& part) {
   std::vector<std::string> names;
   if (part.size() == 0) {
     return names;
   }
   const Eigen::JacobiSVD<base::Matrix> svd(part, Eigen::ComputeThinU);
   const Eigen::Index rank = (svd.singularValues().array() > 1e-9).count();
-  const base::Matrix rigid = fe::rigid_modes(mesh, body.body.nodes);
+  const base::Matrix rigid = fe::rigid_modes(model, mesh, body.pieces);
   const base::Matrix mix =
       rigid.transpose() * (body.free_modes * svd.matrixU().leftCols(rank)); // [rigid mode, rank]
   const base::Matrix basis = reduced(mix);
@@ -127,7 +127,7 @@ std::vector<std::string> motions(const model::Mesh& mesh, const BodyNet& body,
 
 } // namespace
 
-std::vector<results::BodyPreview> held_modes(const Scene& scene,
+std::vector<results::BodyPreview> held_modes(const model::Model& model, const Scene& scene,
                                              const std::vector<BodyNet>& bodies) {
   const model::Mesh& mesh = scene.cracked.mesh;
   const AllModes modes(scene, bodies);
@@ -139,11 +139,11 @@ std::vector<results::BodyPreview> held_modes(const Scene& scene,
     preview.name = body.name;
     preview.nodes = body.body.nodes.size();
     preview.elements = body.body.elements.size();
-    preview.modes = mesh.dim == 2 ? 3 : 6;
+    preview.modes = static_cast<int>(fe::rigid_modes(model, mesh, body.pieces).cols());
     const auto free = static_cast<int>(body.free_modes.cols());
     preview.by_supports = preview.modes - free;
     preview.by_nothing =
-        motions(mesh, body, split.unfelt.middleRows(modes.first(b), body.free_modes.cols()));
+        motions(model, mesh, body, split.unfelt.middleRows(modes.first(b), body.free_modes.cols()));
     preview.by_contact = free - static_cast<int>(preview.by_nothing.size());
     found.push_back(std::move(preview));
   }
@@ -155,7 +155,7 @@ std::vector<Refusal> unheld_loads(const model::Model& model, const Scene& scene,
   const AllModes modes(scene, bodies);
   const base::Matrix pull = loads_with_supports(model, scene);
   std::vector<Refusal> refusals;
-  StepFactors factors = first_factors(model);
+  StepFactors factors = first_factors(model, scene.case_load.cols());
   for (const model::Step& step : model.steps) {
     apply_actions(step, factors);
     std::vector<std::size_t> rows;

@@ -11,7 +11,7 @@
 namespace spricka::run {
 
 /// Which rigid modes of the bodies supports hold, which a contact can feel, which neither does.
-std::vector<results::BodyPreview> held_modes(const Scene& scene,
+std::vector<results::BodyPreview> held_modes(const model::Model& model, const Scene& scene,
                                              const std::vector<BodyNet>& bodies);
 
 /// Loads that no contact can take, step by step, as the solution would find: the first refusal of

@@ -2,6 +2,7 @@
 #include "run/one_run.hpp"
 
 #include "base/clock.hpp"
+#include "fe/law.hpp"
 #include "run/check_quantities.hpp"
 #include "run/solve_run.hpp"
 
@@ -30,18 +31,24 @@ base::Diagnostics unavailable(const model::Model& model) {
   return list;
 }
 
-// Displacement elements lock where a material hardly changes its volume: at nu = 0.499 stresses are
-// still right to a few tenths of a per cent, at 0.4999 displacements are 2 % short.
+// Where a material hardly changes its volume the dilatation is projected, but linear triangles and
+// tetrahedra have too few freedoms for that: they lock, more the nearer nu is to 0.5.
 void warn_of_locking(const model::Model& model, base::Diagnostics& list) {
-  for (const model::Property& property : model.properties) {
-    const model::Material& material = model.materials[property.material.index()];
-    if (property.state == model::State::plane_strain && material.nu > 0.499) {
-      list.warning(material.span, "W501",
-                   fmt::format("material {}: nu = {:.6g} in plane strain is nearly incompressible; "
-                               "the elements lock and results may be several per cent off",
-                               material.name, material.nu),
-                   "an element form for such materials is not available in this version");
+  std::vector<bool> told(model.properties.size(), false);
+  for (std::size_t e = 0; e < model.mesh.element_count(); ++e) {
+    const base::ElementType type = model.mesh.type[e];
+    const std::size_t p = model.mesh.property[e].index();
+    if (told[p] || (type != base::ElementType::trim3 && type != base::ElementType::tet4) ||
+        !fe::law_of(model, model.mesh, base::ElementId(e)).projected) {
+      continue;
     }
+    told[p] = true;
+    const model::Material& material = model.materials[model.properties[p].material.index()];
+    list.warning(material.span, "W501",
+                 fmt::format("material {}: nu = {:.6g} is nearly incompressible and {} elements "
+                             "lock; results may be far off",
+                             material.name, material.nu, base::info(type).name),
+                 "use quadratic elements or quadrilaterals and hexahedra");
   }
 }
 

@@ -44,6 +44,9 @@ void count_freedoms(const Scene& scene, const std::vector<bool>& used, base::Net
       case model::FreedomClass::prescribed:
         ++preview.prescribed;
         break;
+      case model::FreedomClass::dependent:
+        ++preview.dependent;
+        break;
       }
     }
   }

@@ -3,7 +3,9 @@
 
 #include "fe/assemble.hpp"
 #include "fe/dof_map.hpp"
+#include "fe/thermal.hpp"
 #include "growth/crack_lines.hpp"
+#include "run/scene_ties.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +28,7 @@ const model::TipNet* tip_net_of(const model::Model& model, base::CrackId crack) 
 std::vector<mesh::TipMesh> tip_meshes(const model::Model& model,
                                       const std::vector<mesh::CrackLine>& lines) {
   std::vector<mesh::TipMesh> tips;
+  tips.reserve(lines.size());
   for (const mesh::CrackLine& line : lines) {
     tips.push_back(mesh::choose_tip_mesh(model.mesh, line, tip_net_of(model, line.crack)));
   }
@@ -53,6 +56,7 @@ std::optional<mesh::CrackedMesh> cracked_mesh(const model::Model& model, double 
   }
   lines = std::move(*found);
   std::vector<base::Span> spans;
+  spans.reserve(lines.size());
   for (const mesh::CrackLine& line : lines) {
     spans.push_back(model.cracks[line.crack.index()].span);
   }
@@ -178,12 +182,20 @@ bool make_loads(const model::Model& model, Scene& scene, base::Diagnostics& diag
   bool good = true;
   const auto n = static_cast<Eigen::Index>(mesh.node_count()) * mesh.dim;
   const auto cases = static_cast<Eigen::Index>(model.cases.size());
-  scene.case_load = base::Matrix::Zero(n, cases);
-  scene.case_displacement = base::Matrix::Zero(n, cases);
+  const Eigen::Index columns = cases + (scene.ties->has_constants() ? 1 : 0);
+  scene.case_load = base::Matrix::Zero(n, columns);
+  scene.case_displacement = base::Matrix::Zero(n, columns);
   for (Eigen::Index c = 0; c < cases; ++c) {
     const model::LoadCase& load_case = model.cases[static_cast<std::size_t>(c)];
     scene.case_load.col(c) = fe::nodal_load(model, mesh, load_case);
     scene.case_displacement.col(c) = fe::prescribed_displacement(model, mesh, load_case);
+    const base::Vector T = fe::element_temperature(model, mesh, load_case);
+    if (T.size() > 0) {
+      if (scene.case_temperature.size() == 0) {
+        scene.case_temperature = base::Matrix::Zero(T.size(), columns);
+      }
+      scene.case_temperature.col(c) = T;
+    }
     for (const model::Load& load : load_case.loads) {
       if (!arrives(model, mesh, load)) {
         diagnostics.error(load.span, "E413",
@@ -194,7 +206,7 @@ bool make_loads(const model::Model& model, Scene& scene, base::Diagnostics& diag
       }
     }
   }
-  return good;
+  return good && follow_prescribed(model, scene, diagnostics);
 }
 
 } // namespace
@@ -234,17 +246,18 @@ std::optional<Scene> make_scene(const model::Model& model, double a, const Regio
   const model::Mesh& mesh = scene.cracked.mesh;
   scene.cls = fe::classify_freedoms(model, mesh);
   release_lips(scene, lines, scene.cls);
+  const bool ties = make_scene_ties(model, scene, diagnostics);
   const bool pairs = make_pairs(model, scene, diagnostics);
   const bool tips = make_tips(model, scene, diagnostics);
-  if (!pairs || !tips) {
+  if (!ties || !pairs || !tips) {
     return std::nullopt;
   }
+  reduce_rows(scene);
   const auto dim = static_cast<std::size_t>(mesh.dim);
   for (const model::Contact& contact : model.contacts) {
     for (const base::NodeId n : contact::surface_nodes(mesh, contact)) {
       for (std::size_t c = 0; c < dim; ++c) {
-        model::FreedomClass& k = scene.cls[dim * n.index() + c];
-        k = k == model::FreedomClass::local ? model::FreedomClass::external : k;
+        make_external(dim * n.index() + c, *scene.ties, scene.cls);
       }
     }
   }
@@ -272,6 +285,7 @@ base::Matrix loads_with_supports(const model::Model& model, const Scene& scene) 
       load.col(c) -= pull;
     }
   }
+  scene.ties->reduce(load);
   return load;
 }
 

@@ -3,9 +3,11 @@
 #include "base/diagnostics.hpp"
 #include "contact/constraint.hpp"
 #include "crack/extension.hpp"
+#include "fe/dependence.hpp"
 #include "mesh/patch.hpp"
 #include "model/model.hpp"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +20,9 @@ namespace spricka::run {
 struct RowTable {
   std::vector<const contact::ConstraintRow*> rows;
   std::vector<std::size_t> first;
+  /// What the rows ask of independent freedoms: the rows themselves, or one of `reduced`.
+  std::vector<const contact::ConstraintRow*> acting;
+  std::vector<contact::ConstraintRow> reduced;
 };
 
 struct TipScene {
@@ -28,13 +33,16 @@ struct TipScene {
 struct Scene {
   mesh::CrackedMesh cracked;
   std::vector<model::FreedomClass> cls; ///< [dim * node]
+  std::shared_ptr<const fe::Dependence> ties;
   std::vector<contact::PairRows> pairs; ///< [contact]
   RowTable table;
   std::vector<TipScene> tips;     ///< [tip]
   std::vector<bool> rest_element; ///< [element] no crack of the run touches it
   std::vector<std::string> notes;
+  /// By case; where ties have a right-hand side, what they ask for is a last column of its own.
   base::Matrix case_load;         ///< [dim * node, case] consistent loads
-  base::Matrix case_displacement; ///< [dim * node, case] prescribed values
+  base::Matrix case_displacement; ///< [dim * node, case] of prescribed freedoms and their followers
+  base::Matrix case_temperature;  ///< [connectivity index, case]; empty: no case heats
 };
 
 /// What stays the same for all lengths of a run.
@@ -53,8 +61,8 @@ RegionPlan plan_region(const model::Model& model, const std::vector<double>& len
 std::optional<Scene> make_scene(const model::Model& model, double a, const RegionPlan& plan,
                                 base::Diagnostics& diagnostics);
 
-/// Loads of all cases [dim * node, case] with the pull of prescribed displacements: they load the
-/// free freedoms by -K u.
+/// Loads of all cases on independent freedoms [dim * node, case], T^T (f - K g): prescribed
+/// displacements g load the others by their pull.
 base::Matrix loads_with_supports(const model::Model& model, const Scene& scene);
 
 } // namespace spricka::run

@@ -50,8 +50,8 @@ std::vector<bool> pictured_steps(const model::Model& model, bool last_increment)
 }
 
 void add_stress(const model::Model& model, const model::Mesh& mesh, results::StepResult& step) {
-  const std::vector<fe::Stress> nodal =
-      fe::nodal_stress(model, mesh, fe::element_node_stress(model, mesh, step.u));
+  const std::vector<fe::Stress> nodal = fe::nodal_stress(
+      model, mesh, fe::element_node_stress(model, mesh, {step.u, step.temperature}));
   step.stress.resize(nodal.size());
   for (std::size_t n = 0; n < nodal.size(); ++n) {
     for (std::size_t c = 0; c < 6; ++c) {
@@ -64,7 +64,9 @@ std::size_t unknowns(const std::vector<BodyNet>& bodies) {
   std::size_t n = 0;
   for (const BodyNet& body : bodies) {
     n += body.region.map.freedom.size();
-    n += body.rest ? static_cast<std::size_t>(body.rest->map.locals) : 0;
+    for (const std::unique_ptr<Net>& part : body.parts) {
+      n += static_cast<std::size_t>(part->map.locals);
+    }
   }
   return n;
 }
@@ -134,7 +136,7 @@ private:
   std::optional<std::vector<BodyNet>> condense(const Scene& scene, Log& log) {
     CondenseLog figures;
     std::vector<BodyNet> bodies =
-        condense_bodies({model_, scene.cracked.mesh, scene.cls, scene.rest_element,
+        condense_bodies({model_, scene.cracked.mesh, scene.cls, scene.ties, scene.rest_element,
                          loads_with_supports(model_, scene), options_.threads},
                         cache_, figures);
     if (!figures.trouble.empty()) {

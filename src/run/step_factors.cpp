@@ -21,9 +21,10 @@ template <class ActionType> bool names(const model::Model& model, base::ContactI
 
 } // namespace
 
-StepFactors first_factors(const model::Model& model) {
+StepFactors first_factors(const model::Model& model, Eigen::Index columns) {
   StepFactors factors;
-  factors.case_factor = base::Vector::Zero(static_cast<Eigen::Index>(model.cases.size()));
+  factors.case_factor = base::Vector::Ones(columns);
+  factors.case_factor.head(static_cast<Eigen::Index>(model.cases.size())).setZero();
   for (std::size_t c = 0; c < model.contacts.size(); ++c) {
     factors.fit.push_back(names<model::ApplyFit>(model, base::ContactId(c)) ? 0.0 : 1.0);
     factors.mounted.push_back(!names<model::Mount>(model, base::ContactId(c)));

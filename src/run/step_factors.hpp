@@ -16,7 +16,7 @@ struct StepFactors {
 
 /// Before the first step: no loads; a contact is absent if some step mounts it, its fit is 0 if
 /// some step names it.
-StepFactors first_factors(const model::Model& model);
+StepFactors first_factors(const model::Model& model, Eigen::Index columns);
 
 /// The contacts that a step mounts or dismounts.
 struct MountChanges {

@@ -2,6 +2,7 @@
 #include "run/step_solver.hpp"
 
 #include "fe/assemble.hpp"
+#include "fe/thermal.hpp"
 #include "run/rigid_motion.hpp"
 
 #include <algorithm>
@@ -33,7 +34,8 @@ double row_opening(const contact::ConstraintRow& row, int dim, const base::Vecto
 
 StepSolver::StepSolver(const model::Model& model, const Scene& scene,
                        const std::vector<BodyNet>& bodies)
-    : model_(model), scene_(scene), bodies_(bodies), factors_(first_factors(model)),
+    : model_(model), scene_(scene), bodies_(bodies),
+      factors_(first_factors(model, scene.case_load.cols())),
       offset_(base::Vector::Zero(static_cast<Eigen::Index>(scene.table.rows.size()))),
       u_(base::Vector::Zero(static_cast<Eigen::Index>(scene.cracked.mesh.node_count()) *
                             scene.cracked.mesh.dim)) {
@@ -45,7 +47,7 @@ StepSolver::StepSolver(const model::Model& model, const Scene& scene,
     }
   }
   if (!condensed.empty()) {
-    system_.emplace(std::move(condensed), scene.table.rows, scene.cracked.mesh.dim,
+    system_.emplace(std::move(condensed), scene.table.acting, scene.cracked.mesh.dim,
                     static_cast<std::size_t>(u_.size()));
   }
 }
@@ -194,7 +196,14 @@ void StepSolver::balance(StepState& state) const {
   }
   fe::add_internal_force(model_, mesh, all, state.u, internal);
   state.energy = 0.5 * internal.dot(state.u);
-  state.reaction = internal - state.force - state.contact;
+  if (state.temperature.size() > 0) {
+    state.energy += fe::thermal_energy(model_, mesh, state.temperature) -
+                    fe::thermal_load(model_, mesh, state.temperature).dot(state.u);
+  }
+  // Forces on dependent freedoms are their masters' to bear.
+  base::Matrix out_of_balance = internal - state.force - state.contact;
+  scene_.ties->reduce(out_of_balance);
+  state.reaction = out_of_balance;
   double left_over = 0.0;
   for (Eigen::Index i = 0; i < state.reaction.size(); ++i) {
     const model::FreedomClass k = scene_.cls[static_cast<std::size_t>(i)];
@@ -213,6 +222,9 @@ std::optional<StepState> StepSolver::solve(const model::Step& step, Refusal& ref
   StepState state;
   state.case_factor = factors_.case_factor;
   state.mounted = factors_.mounted;
+  if (scene_.case_temperature.size() > 0) {
+    state.temperature = scene_.case_temperature * factors_.case_factor;
+  }
   for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
     const std::size_t rows = scene_.table.first[c + 1] - scene_.table.first[c];
     const std::size_t normal = scene_.pairs[c].normal.size();

@@ -25,6 +25,7 @@ struct Refusal {
 struct StepState {
   base::Vector u;                             ///< [dim * node]
   base::Vector case_factor;                   ///< [case]
+  base::Vector temperature;                   ///< [connectivity index]; empty: nothing is heated
   std::vector<base::Vector> pair_lambda;      ///< [contact][row of the pair] pressures; 0 if absent
   std::vector<base::Vector> pair_gap;         ///< [contact][normal row] weighted
   std::vector<std::vector<bool>> pair_closed; ///< [contact][normal row]

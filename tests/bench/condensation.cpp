@@ -44,7 +44,8 @@ run::CondenseLog condense(const model::Model& model, const run::Scene& scene) {
   run::CondensationCache cache;
   run::CondenseLog log;
   run::condense_bodies(
-      {model, scene.cracked.mesh, scene.cls, scene.rest_element, scene.case_load, 1}, cache, log);
+      {model, scene.cracked.mesh, scene.cls, scene.ties, scene.rest_element, scene.case_load, 1},
+      cache, log);
   return log;
 }
 

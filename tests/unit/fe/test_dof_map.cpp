@@ -83,10 +83,14 @@ TEST(find_bodies, splits_by_shared_nodes_in_order_of_elements) {
   EXPECT_EQ(std::ranges::count(bodies[0].nodes, lonely), 0);
 }
 
+std::vector<Body> one_piece(const std::vector<base::NodeId>& nodes) {
+  return {{base::NetId(0), {}, nodes}};
+}
+
 TEST(rigid_modes, are_orthonormal_and_strain_nothing) {
   model::Model model = square(3);
   const std::vector<base::NodeId> nodes = all_nodes(model.mesh);
-  const base::Matrix modes = rigid_modes(model.mesh, nodes);
+  const base::Matrix modes = rigid_modes(model, model.mesh, one_piece(nodes));
   ASSERT_EQ(modes.cols(), 3);
   EXPECT_LT((modes.transpose() * modes - base::Matrix::Identity(3, 3)).norm(), 1e-14);
   for (Eigen::Index k = 0; k < 3; ++k) {
@@ -109,7 +113,9 @@ TEST(rigid_modes, are_six_and_orthonormal_in_space) {
   for (const Vec3& x : {Vec3(0, 0, 0), Vec3(2, 0, 0.3), Vec3(0.1, 1, 0), Vec3(0, 0.4, 3)}) {
     nodes.push_back(model::add_node(mesh, x, 1, base::NetId(0)));
   }
-  const base::Matrix modes = rigid_modes(mesh, nodes);
+  model::Model model;
+  model.mesh.dim = 3;
+  const base::Matrix modes = rigid_modes(model, mesh, one_piece(nodes));
   ASSERT_EQ(modes.cols(), 6);
   EXPECT_LT((modes.transpose() * modes - base::Matrix::Identity(6, 6)).norm(), 1e-14);
 }
@@ -135,8 +141,9 @@ TEST_P(FreeModes, span_the_motions_that_supports_leave) {
   for (const std::size_t f : GetParam().freedoms) {
     cls[f] = f % 3 == 0 ? FreedomClass::prescribed : FreedomClass::suppressed;
   }
-  const base::Matrix modes = rigid_modes(model.mesh, nodes);
-  const base::Matrix free = free_modes(model.mesh, modes, nodes, cls);
+  const base::Matrix modes = rigid_modes(model, model.mesh, one_piece(nodes));
+  const base::Matrix free =
+      free_modes(model.mesh, modes, one_piece(nodes), Dependence({}, cls), cls);
   EXPECT_EQ(free.rows(), 3);
   ASSERT_EQ(free.cols(), GetParam().free);
   const base::Matrix motion = modes * free;
@@ -156,10 +163,13 @@ TEST(free_modes, depends_on_no_unit_of_length) {
                         [&](const Vec2& p) { return Vec2(scale * p + Vec2(3 * scale, 0)); });
     const std::vector<base::NodeId> nodes = all_nodes(mesh);
     std::vector<FreedomClass> cls(18, FreedomClass::local);
+    const Dependence none({}, cls);
+    const std::vector<Body> body = one_piece(nodes);
+    const base::Matrix modes = rigid_modes({}, mesh, body);
     cls[0] = cls[1] = FreedomClass::suppressed;
-    EXPECT_EQ(free_modes(mesh, rigid_modes(mesh, nodes), nodes, cls).cols(), 1);
+    EXPECT_EQ(free_modes(mesh, modes, body, none, cls).cols(), 1);
     cls[5] = FreedomClass::suppressed;
-    EXPECT_EQ(free_modes(mesh, rigid_modes(mesh, nodes), nodes, cls).cols(), 0);
+    EXPECT_EQ(free_modes(mesh, modes, body, none, cls).cols(), 0);
   }
 }
 

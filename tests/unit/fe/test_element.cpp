@@ -22,7 +22,7 @@ Law law(model::State state, double thickness = 1.0) {
   model::Property property;
   property.state = state;
   property.thickness = thickness;
-  return law_of(steel(), property);
+  return law_of(steel(), property, base::ElementType::quamc8);
 }
 
 template <class S> struct Sample {

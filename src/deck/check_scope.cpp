@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/context.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+/// What the cards ask for together: combinations that make no sense, and those whose analysis this
+/// version does not have.
+namespace spricka::deck {
+
+namespace {
+
+using model::State;
+
+// A plane mesh is a section through bodies about an axis as a whole, or not at all.
+void one_symmetry(Context& c) {
+  const auto first = std::find_if(c.model.properties.begin(), c.model.properties.end(),
+                                  [](const auto& p) { return p.state == State::axisymmetric; });
+  if (first == c.model.properties.end()) {
+    return;
+  }
+  for (const model::Property& property : c.model.properties) {
+    if (property.state != State::axisymmetric) {
+      c.error(property.span, "E313", "STATE=AXI and other states in one model",
+              "a mesh about an axis has STATE=AXI everywhere");
+      return;
+    }
+  }
+  const model::Mesh& mesh = c.model.mesh;
+  double largest = 0.0;
+  for (const base::Vec3& x : mesh.x) {
+    largest = std::max(largest, std::abs(x.x()));
+  }
+  for (std::size_t n = 0; n < mesh.node_count(); ++n) {
+    if (mesh.x[n].x() < -1e-9 * largest) {
+      c.error(
+          first->span, "E313",
+          fmt::format("STATE=AXI, but node {} has x = {:.6g}", mesh.node_label[n], mesh.x[n].x()),
+          "x is the radius, y the axis: bodies lie at x >= 0");
+      return;
+    }
+  }
+}
+
+void cracks_in_reach(Context& c) {
+  const bool space = c.model.mesh.dim == 3;
+  const bool axial = model::axisymmetric(c.model);
+  for (const model::Crack& crack : c.model.cracks) {
+    if (space || axial) {
+      c.unavailable(fmt::format("$CRACK {}", space ? "in 3D" : "with STATE=AXI"), crack.span);
+    }
+  }
+  if (c.model.cracks.empty()) {
+    return;
+  }
+  // Such elements carry a projected dilatation, whose derivative with respect to the shape the
+  // virtual crack extension does not have.
+  const model::Mesh& mesh = c.model.mesh;
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const base::ElementId id(e);
+    const model::Material& material = c.model.material_of(mesh, id);
+    const model::Property& property = c.model.property_of(mesh, id);
+    if (model::nearly_incompressible(material, property.state,
+                                     base::info(mesh.type[e]).quadratic)) {
+      c.unavailable(fmt::format("$CRACK with {} elements and nu = {:.6g}, nearly incompressible,",
+                                base::info(mesh.type[e]).name, material.nu),
+                    property.span);
+      return;
+    }
+  }
+}
+
+void loads_in_reach(Context& c) {
+  const bool plane = c.model.mesh.dim == 2 && !model::axisymmetric(c.model);
+  for (const model::LoadCase& load_case : c.model.cases) {
+    for (const model::Load& load : load_case.loads) {
+      if (load.type == model::LoadType::bearing && !plane) {
+        c.unavailable("TYPE=BEARING in 3D or with STATE=AXI", load.span);
+      }
+      if (load.type == model::LoadType::temperature && !c.model.cracks.empty()) {
+        c.unavailable("TYPE=TEMPERATURE in a deck with $CRACK", load.span);
+      }
+    }
+  }
+}
+
+} // namespace
+
+void check_scope(Context& context) {
+  if (context.diagnostics.has_errors()) { // elements may lack a property
+    return;
+  }
+  one_symmetry(context);
+  cracks_in_reach(context);
+  loads_in_reach(context);
+  const bool space = context.model.mesh.dim == 3;
+  if (space || model::axisymmetric(context.model)) {
+    for (const model::Contact& contact : context.model.contacts) {
+      context.unavailable(fmt::format("$CONTACT {}", space ? "in 3D" : "with STATE=AXI"),
+                          contact.span);
+    }
+  }
+}
+
+} // namespace spricka::deck

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fe/dependence.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spricka::fe {
+
+namespace {
+
+using model::FreedomClass;
+
+// What is left of terms that cancel, over the sum of their sizes.
+constexpr double round_off = 1e-12;
+// A first term smaller than this share of the largest is not eliminated: everything that follows
+// it would be blown up.
+constexpr double least_pivot = 1e-6;
+
+bool given(FreedomClass cls) {
+  return cls == FreedomClass::suppressed || cls == FreedomClass::prescribed;
+}
+
+} // namespace
+
+/// Terms and right-hand side being added up, with the sizes of what was added.
+struct Dependence::Sum {
+  struct Entry {
+    double value = 0.0;
+    double size = 0.0;
+  };
+  std::map<std::int32_t, Entry> terms;
+  Entry constant;
+
+  void add(std::int32_t freedom, double c) {
+    Entry& entry = terms[freedom];
+    entry.value += c;
+    entry.size += std::abs(c);
+  }
+  void add_constant(double c) {
+    constant.value += c;
+    constant.size += std::abs(c);
+  }
+  void add(const Row& row, double factor) {
+    for (const Term& t : row.terms) {
+      add(t.freedom, factor * t.coefficient);
+    }
+    add_constant(factor * row.constant);
+  }
+  void drop_round_off() {
+    std::erase_if(terms, [](const auto& term) {
+      return std::abs(term.second.value) <= round_off * term.second.size;
+    });
+    if (std::abs(constant.value) <= round_off * constant.size) {
+      constant.value = 0.0;
+    }
+  }
+};
+
+Dependence::Dependence(const std::vector<Tie>& ties, const std::vector<FreedomClass>& cls)
+    : row_of_(cls.size(), -1) {
+  for (const Tie& tie : ties) {
+    add(tie, cls);
+  }
+  std::sort(rows_.begin(), rows_.end(),
+            [](const Row& a, const Row& b) { return a.freedom < b.freedom; });
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    row_of_[static_cast<std::size_t>(rows_[i].freedom)] = static_cast<std::int32_t>(i);
+  }
+  users_.clear();
+}
+
+// sum c u + constant = 0, with dependent freedoms replaced, is solved for one of its free freedoms.
+void Dependence::add(const Tie& tie, const std::vector<FreedomClass>& cls) {
+  Sum sum;
+  sum.add_constant(-tie.rhs);
+  for (const Term& t : tie.terms) {
+    if (const Row* known = row_of(t.freedom)) {
+      sum.add(*known, t.coefficient);
+    } else {
+      sum.add(t.freedom, t.coefficient);
+    }
+  }
+  sum.drop_round_off();
+  std::int32_t pivot = -1;
+  double largest = 0.0;
+  for (const auto& [freedom, entry] : sum.terms) {
+    if (!given(cls[static_cast<std::size_t>(freedom)]) && std::abs(entry.value) > largest) {
+      largest = std::abs(entry.value);
+      pivot = freedom;
+    }
+  }
+  if (pivot < 0) {
+    if (sum.terms.empty() && sum.constant.value == 0.0) {
+      ++redundant_;
+      return;
+    }
+    Demand demand{{}, -sum.constant.value, sum.constant.size, tie.mpc};
+    for (const auto& [freedom, entry] : sum.terms) {
+      demand.terms.push_back({freedom, entry.value});
+    }
+    demands_.push_back(std::move(demand));
+    return;
+  }
+  const auto first = sum.terms.find(tie.terms.front().freedom);
+  if (first != sum.terms.end() && !given(cls[static_cast<std::size_t>(first->first)]) &&
+      std::abs(first->second.value) >= least_pivot * largest) {
+    pivot = first->first;
+  }
+  const double divisor = -sum.terms.at(pivot).value;
+  Row row{pivot, {}, sum.constant.value / divisor, tie.mpc};
+  for (const auto& [freedom, entry] : sum.terms) {
+    if (freedom != pivot) {
+      row.terms.push_back({freedom, entry.value / divisor});
+    }
+  }
+  const std::size_t number = rows_.size();
+  for (const Term& t : row.terms) {
+    users_[t.freedom].push_back(number);
+  }
+  rows_.push_back(std::move(row));
+  row_of_[static_cast<std::size_t>(pivot)] = static_cast<std::int32_t>(number);
+  eliminate(pivot, number);
+}
+
+// Rows that had the new dependent freedom as a master take its masters instead.
+void Dependence::eliminate(std::int32_t freedom, std::size_t by) {
+  const auto found = users_.find(freedom);
+  if (found == users_.end()) {
+    return;
+  }
+  const std::vector<std::size_t> users = std::move(found->second);
+  users_.erase(found);
+  for (const std::size_t user : users) {
+    Row& row = rows_[user];
+    Sum sum;
+    sum.add_constant(row.constant);
+    for (const Term& t : row.terms) {
+      if (t.freedom == freedom) {
+        sum.add(rows_[by], t.coefficient);
+      } else {
+        sum.add(t.freedom, t.coefficient);
+      }
+    }
+    sum.drop_round_off();
+    for (const Term& t : row.terms) {
+      if (t.freedom != freedom) {
+        std::erase(users_[t.freedom], user);
+      }
+    }
+    row.terms.clear();
+    row.constant = sum.constant.value;
+    for (const auto& [master, entry] : sum.terms) {
+      row.terms.push_back({master, entry.value});
+      users_[master].push_back(user);
+    }
+  }
+}
+
+bool Dependence::has_constants() const {
+  return std::any_of(rows_.begin(), rows_.end(), [](const Row& r) { return r.constant != 0.0; });
+}
+
+const Dependence::Row* Dependence::row_of(std::int32_t freedom) const {
+  const std::int32_t at = row_of_[static_cast<std::size_t>(freedom)];
+  return at < 0 ? nullptr : &rows_[static_cast<std::size_t>(at)];
+}
+
+void Dependence::follow(Eigen::Ref<base::Vector> u, double scale) const {
+  for (const Row& row : rows_) {
+    double sum = scale * row.constant;
+    for (const Term& t : row.terms) {
+      sum += t.coefficient * u[t.freedom];
+    }
+    u[row.freedom] = sum;
+  }
+}
+
+void Dependence::reduce(base::Matrix& f) const {
+  for (const Row& row : rows_) {
+    for (const Term& t : row.terms) {
+      f.row(t.freedom) += t.coefficient * f.row(row.freedom);
+    }
+    f.row(row.freedom).setZero();
+  }
+}
+
+std::optional<Dependence::Block>
+Dependence::block_of(std::span<const std::int32_t> freedoms) const {
+  if (std::none_of(freedoms.begin(), freedoms.end(),
+                   [&](std::int32_t f) { return row_of(f) != nullptr; })) {
+    return std::nullopt;
+  }
+  Block block;
+  std::map<std::int32_t, int> column;
+  const auto column_of = [&](std::int32_t freedom) {
+    const auto [at, fresh] = column.emplace(freedom, static_cast<int>(block.freedom.size()));
+    if (fresh) {
+      block.freedom.push_back(freedom);
+    }
+    return at->second;
+  };
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t i = 0; i < freedoms.size(); ++i) {
+    const auto at = static_cast<int>(i);
+    const Row* row = row_of(freedoms[i]);
+    if (row == nullptr) {
+      entries.emplace_back(at, column_of(freedoms[i]), 1.0);
+      continue;
+    }
+    for (const Term& t : row->terms) {
+      entries.emplace_back(at, column_of(t.freedom), t.coefficient);
+    }
+  }
+  block.T.resize(static_cast<Eigen::Index>(freedoms.size()),
+                 static_cast<Eigen::Index>(block.freedom.size()));
+  block.T.setFromTriplets(entries.begin(), entries.end());
+  return block;
+}
+
+} // namespace spricka::fe

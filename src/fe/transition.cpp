@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fe/transition.hpp"
+
+#include "fe/face_point.hpp"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace spricka::fe {
+
+namespace {
+
+using base::Matrix;
+using base::Vec3;
+
+// A slave farther off the master faces than this share of a face is not meant to be tied to them;
+// the two sides of a faceted arc of 30 degrees per face are 0.065 apart.
+constexpr double farthest = 0.1;
+// Worth a note: more than round-off of coordinates.
+constexpr double noticeable = 1e-6;
+
+/// What ties a slave node to a face: u_s = sum of weight[i] u_i, weight [dim, dim * nodes].
+struct Hit {
+  model::Face face;
+  Matrix weight;
+  std::vector<base::NodeId> nodes;
+  double distance = std::numeric_limits<double>::infinity();
+  double size = 1.0;
+};
+
+struct Ball {
+  Vec3 centre = Vec3::Zero();
+  double radius = 0.0;
+};
+
+Ball ball_of(const model::Mesh& mesh, const model::Face& face) {
+  const auto nodes = mesh.nodes_of(face.element);
+  const auto side = shape::side_nodes(mesh.type[face.element.index()], face.side);
+  Ball ball;
+  for (const int i : side) {
+    ball.centre += mesh.x[nodes[static_cast<std::size_t>(i)].index()];
+  }
+  ball.centre /= static_cast<double>(side.size());
+  for (const int i : side) {
+    ball.radius = std::max(
+        ball.radius, (mesh.x[nodes[static_cast<std::size_t>(i)].index()] - ball.centre).norm());
+  }
+  ball.radius *= 1.25; // curved sides bulge beyond their nodes
+  return ball;
+}
+
+// The matrix of a cross product: cross(a) b = a x b.
+Eigen::Matrix3d cross(const Vec3& a) {
+  Eigen::Matrix3d A;
+  A << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
+  return A;
+}
+
+// Rotation of the corners X [3, n] by least squares: theta = sum of A_i u_i, A_i [3, 3]. In the
+// plane only that about z.
+std::vector<Eigen::Matrix3d> rotation_of(const Eigen::Matrix3Xd& X, int dim) {
+  const Vec3 centre = X.rowwise().mean();
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+  for (Eigen::Index i = 0; i < X.cols(); ++i) {
+    const Vec3 r = X.col(i) - centre;
+    inertia += r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose();
+  }
+  Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero();
+  if (dim == 2) {
+    inverse(2, 2) = 1.0 / inertia(2, 2);
+  } else {
+    inverse = inertia.inverse();
+  }
+  std::vector<Eigen::Matrix3d> A;
+  for (Eigen::Index i = 0; i < X.cols(); ++i) {
+    A.emplace_back(inverse * cross(X.col(i) - centre));
+  }
+  return A;
+}
+
+Hit hit_of(const model::Mesh& mesh, const model::Face& face, const Vec3& x) {
+  Hit hit;
+  hit.face = face;
+  for_faces(mesh, {face}, [&]<shape::Shape Side>(Side, const model::Face&) {
+    const SideNodes<Side> X = side_coordinates<Side>(mesh, face);
+    const auto r = nearest_on_side<Side>(X, x);
+    const Eigen::Matrix<double, Side::nodes, 1> N = Side::N(r);
+    const Vec3 off = x - X * N;
+    const auto nodes = nodes_of_face<Side>(mesh, face);
+    hit.nodes.assign(nodes.begin(), nodes.end());
+    hit.distance = off.norm();
+    hit.size = (X.colwise() - X.col(0)).colwise().norm().maxCoeff();
+    const Eigen::Index dim = mesh.dim;
+    hit.weight = Matrix::Zero(dim, dim * Side::nodes);
+    for (Eigen::Index i = 0; i < Side::nodes; ++i) {
+      hit.weight.middleCols(dim * i, dim).diagonal().setConstant(N[i]);
+    }
+    const auto corners =
+        static_cast<Eigen::Index>(shape::side_corners(mesh.type[face.element.index()], face.side));
+    const auto A = rotation_of(X.leftCols(corners), mesh.dim);
+    for (Eigen::Index i = 0; i < corners; ++i) {
+      const Eigen::Matrix3d carried = -cross(off) * A[static_cast<std::size_t>(i)];
+      hit.weight.middleCols(dim * i, dim) += carried.topLeftCorner(dim, dim);
+    }
+  });
+  return hit;
+}
+
+bool has_node(const model::Mesh& mesh, const model::Face& face, base::NodeId node) {
+  const auto nodes = mesh.nodes_of(face.element);
+  for (const int i : shape::side_nodes(mesh.type[face.element.index()], face.side)) {
+    if (nodes[static_cast<std::size_t>(i)] == node) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void add_ties(const model::Mesh& mesh, base::NodeId slave, const Hit& hit, std::size_t mpc,
+              std::vector<Tie>& ties) {
+  const int dim = mesh.dim;
+  const auto freedom = [&](base::NodeId n, int c) {
+    return static_cast<std::int32_t>(n.index()) * dim + c;
+  };
+  for (int c = 0; c < dim; ++c) {
+    Tie tie;
+    tie.mpc = mpc;
+    tie.terms.push_back({freedom(slave, c), 1.0});
+    for (std::size_t i = 0; i < hit.nodes.size(); ++i) {
+      for (int b = 0; b < dim; ++b) {
+        const double w = hit.weight(c, static_cast<Eigen::Index>(i) * dim + b);
+        if (std::abs(w) > 1e-14) {
+          tie.terms.push_back({freedom(hit.nodes[i], b), -w});
+        }
+      }
+    }
+    ties.push_back(std::move(tie));
+  }
+}
+
+} // namespace
+
+void add_transition(const model::Mesh& mesh, const model::Transition& transition, std::size_t mpc,
+                    std::vector<Tie>& ties, std::vector<TieTrouble>& troubles) {
+  const std::vector<model::Face>& faces = mesh.set(transition.master).faces;
+  std::vector<Ball> balls;
+  for (const model::Face& face : faces) {
+    balls.push_back(ball_of(mesh, face));
+  }
+  double worst = 0.0;
+  base::NodeId worst_node;
+  for (const base::NodeId slave : mesh.set(transition.slave).nodes) {
+    const Vec3& x = mesh.x[slave.index()];
+    Hit best;
+    bool own = false;
+    for (std::size_t f = 0; f < faces.size() && !own; ++f) {
+      own = has_node(mesh, faces[f], slave);
+      if (!own && (x - balls[f].centre).norm() - balls[f].radius < best.distance) {
+        Hit hit = hit_of(mesh, faces[f], x);
+        if (hit.distance < best.distance) {
+          best = std::move(hit);
+        }
+      }
+    }
+    if (own) {
+      continue; // it is a node of the coarse side itself
+    }
+    if (!(best.distance <= farthest * best.size)) {
+      troubles.push_back({mpc, fmt::format("node {} does not lie on the master faces: the nearest "
+                                           "point of them is {:.3g} away",
+                                           mesh.node_label[slave.index()], best.distance)});
+      return;
+    }
+    if (best.distance > noticeable * best.size && best.distance > worst) {
+      worst = best.distance;
+      worst_node = slave;
+    }
+    add_ties(mesh, slave, best, mpc, ties);
+  }
+  if (worst > 0.0) {
+    troubles.push_back({mpc,
+                        fmt::format("slave nodes lie up to {:.3g} off the master faces (node {}); "
+                                    "they are carried along rigidly",
+                                    worst, mesh.node_label[worst_node.index()]),
+                        false});
+  }
+}
+
+} // namespace spricka::fe

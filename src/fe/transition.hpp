@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "fe/ties.hpp"
+
+namespace spricka::fe {
+
+/// Ties of one $MPC TYPE=TRANSITION, see make_ties.
+void add_transition(const model::Mesh& mesh, const model::Transition& transition, std::size_t mpc,
+                    std::vector<Tie>& ties, std::vector<TieTrouble>& troubles);
+
+} // namespace spricka::fe
