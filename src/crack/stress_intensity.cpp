@@ -83,7 +83,22 @@ void add_element(const Setting& set, base::ElementId e, const base::Vector& u, N
   }
 }
 
-// Energy of the elements of a field with all nodes moved by s q e1, displacements kept.
+// Work of the body force on the displacements U of an element at nodes X.
+template <shape::PlaneShape S>
+double body_work(const Setting& set, base::ElementId e, const fe::NodeVectors<S>& X,
+                 const fe::NodeVectors<S>& U) {
+  double work = 0.0;
+  for (const auto& point : shape::quadrature<S>(domain_degree)) {
+    const Eigen::Matrix<double, S::nodes, 1> N = S::N(point.r);
+    const base::Vec2 x = X * N;
+    const base::Vec2 value = U * N;
+    work += point.weight * fe::jacobian<S>(X, point.r).det * set.body_force(e, x).dot(value);
+  }
+  return work;
+}
+
+// Potential energy of the elements of a field with all nodes moved by s q e1, displacements kept:
+// strain energy less the work of body forces.
 double shifted_energy(const Setting& set, const ExtensionField& field, double s,
                       const base::Vector& u) {
   std::map<base::NodeId, double> q(field.q.begin(), field.q.end());
@@ -104,6 +119,7 @@ double shifted_energy(const Setting& set, const ExtensionField& field, double s,
                            }
                            const fe::NodeVectors<S> U = fe::gather<S>(set.mesh, e, u);
                            energy += 0.5 * U.cwiseProduct(fe::element_force<S>(X, law, U)).sum();
+                           energy -= set.body_force ? body_work<S>(set, e, X, U) : 0.0;
                          }
                        });
   return energy;

@@ -66,7 +66,7 @@ void cracks_in_reach(Context& c) {
                                      base::info(mesh.type[e]).quadratic)) {
       c.unavailable(fmt::format("$CRACK with {} elements and nu = {:.6g}, nearly incompressible,",
                                 base::info(mesh.type[e]).name, material.nu),
-                    property.span);
+                    c.model.cracks.front().span);
       return;
     }
   }
@@ -74,14 +74,15 @@ void cracks_in_reach(Context& c) {
 
 void loads_in_reach(Context& c) {
   const bool plane = c.model.mesh.dim == 2 && !model::axisymmetric(c.model);
-  for (const model::LoadCase& load_case : c.model.cases) {
-    for (const model::Load& load : load_case.loads) {
-      if (load.type == model::LoadType::bearing && !plane) {
-        c.unavailable("TYPE=BEARING in 3D or with STATE=AXI", load.span);
-      }
-      if (load.type == model::LoadType::temperature && !c.model.cracks.empty()) {
-        c.unavailable("TYPE=TEMPERATURE in a deck with $CRACK", load.span);
-      }
+  for (const BoundCard& card : c.cards) {
+    if (card.spec->name != "LOAD") {
+      continue;
+    }
+    if (card.is("TYPE", "BEARING") && !plane) {
+      c.unavailable("$LOAD TYPE=BEARING in 3D or with STATE=AXI", card.span);
+    }
+    if (card.is("TYPE", "TEMPERATURE") && !c.model.cracks.empty()) {
+      c.unavailable("$LOAD TYPE=TEMPERATURE in a deck with $CRACK", card.span);
     }
   }
 }

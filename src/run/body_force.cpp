@@ -31,11 +31,10 @@ double weighted_volume(const model::Model& model, const model::Mesh& mesh,
   return sum;
 }
 
-} // namespace
-
-crack::BodyForce body_force(const model::Model& model, const Scene& scene,
-                            const std::vector<crack::ExtensionField>& fields,
-                            const base::Vector& case_factor) {
+// The loads on elements near the tip.
+std::vector<Share> shares_near(const model::Model& model, const Scene& scene,
+                               const std::vector<crack::ExtensionField>& fields,
+                               const base::Vector& case_factor) {
   const model::Mesh& mesh = scene.cracked.mesh;
   std::set<base::ElementId> near;
   for (const crack::ExtensionField& field : fields) {
@@ -65,6 +64,15 @@ crack::BodyForce body_force(const model::Model& model, const Scene& scene,
       shares.push_back(std::move(share));
     }
   }
+  return shares;
+}
+
+} // namespace
+
+crack::BodyForce body_force(const model::Model& model, const Scene& scene,
+                            const std::vector<crack::ExtensionField>& fields,
+                            const base::Vector& case_factor) {
+  const std::vector<Share> shares = shares_near(model, scene, fields, case_factor);
   if (shares.empty()) {
     return {};
   }
@@ -80,6 +88,17 @@ crack::BodyForce body_force(const model::Model& model, const Scene& scene,
     }
     return b;
   };
+}
+
+bool body_force_varies(const model::Model& model, const Scene& scene,
+                       const std::vector<crack::ExtensionField>& fields,
+                       const base::Vector& case_factor) {
+  const std::vector<Share> shares = shares_near(model, scene, fields, case_factor);
+  return std::ranges::any_of(shares, [](const Share& share) {
+    return share.load->type == model::LoadType::body &&
+           !std::ranges::all_of(share.load->value,
+                                [](const base::Expression& v) { return v.is_constant(); });
+  });
 }
 
 } // namespace spricka::run

@@ -13,4 +13,10 @@ crack::BodyForce body_force(const model::Model& model, const Scene& scene,
                             const std::vector<crack::ExtensionField>& fields,
                             const base::Vector& case_factor);
 
+/// Whether a body force near a tip varies in space: the part of G that comes from its gradient is
+/// left out.
+bool body_force_varies(const model::Model& model, const Scene& scene,
+                       const std::vector<crack::ExtensionField>& fields,
+                       const base::Vector& case_factor);
+
 } // namespace spricka::run

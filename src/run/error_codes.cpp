@@ -74,6 +74,11 @@ constexpr std::array advice{
                       "along their outward normals."},
     ErrorCode{"E412", "Give a smaller RADIUS on $TIPNET, or other DOMAINS on $VCE."},
     ErrorCode{"E413", "A bearing load needs faces of a bore on the side it pushes to."},
+    ErrorCode{"E414", "Keep the crack's patch away from the node: a smaller RADIUS on $TIPNET."},
+    ErrorCode{"E415", "SLAVE is the finer side; MASTER the faces of the coarser one that it lies "
+                      "on, within a tenth of a face."},
+    ErrorCode{"E416", "Ties say more than once, and differently, where a freedom goes: leave one "
+                      "out, or let a support or prescribed value follow the tie."},
     ErrorCode{"E421", "The first point of a free crack lies on the boundary of its net; the "
                       "message names the nearest one."},
     ErrorCode{"E423", "RADIUS of $TIPNET must be smaller than the room named, SIZE smaller than "

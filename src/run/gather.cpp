@@ -48,6 +48,12 @@ void gather_tips(const model::Model& model, const Scene& scene, const StepState&
     for (const crack::DomainValue& d : K.domains) {
       result.K1_domain.push_back(d.K1);
     }
+    if (body_force_varies(model, scene, scene.tips[t].fields, state.case_factor)) {
+      out.notes.push_back(
+          fmt::format("warning: {}: a body force varies near the tip; K takes it as "
+                      "if it moved along with the crack",
+                      result.name));
+    }
     if (K.shift_error && std::abs(*K.shift_error) > 1e-4) {
       out.notes.push_back(fmt::format(
           "warning: {}: G by the finite shift is {:+.2g} of the analytic one off; the shift is too "

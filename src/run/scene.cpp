@@ -6,6 +6,7 @@
 #include "fe/thermal.hpp"
 #include "growth/crack_lines.hpp"
 #include "run/scene_ties.hpp"
+#include "shape/topology.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -80,6 +81,42 @@ void release_lips(const Scene& scene, const std::vector<mesh::CrackLine>& lines,
       c = c == model::FreedomClass::suppressed ? model::FreedomClass::local : c;
     }
   }
+}
+
+// Pressure on the faces of a crack opens it, but K has no term for it yet. Only on a symmetry line
+// can a set of the deck hold such faces.
+bool lips_are_free(const model::Model& model, const Scene& scene,
+                   const std::vector<mesh::CrackLine>& lines, base::Diagnostics& diagnostics) {
+  const model::Mesh& mesh = scene.cracked.mesh;
+  std::vector<std::size_t> lip_of(mesh.node_count(), lines.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (const auto* lip : {&scene.cracked.lips[i].left, &scene.cracked.lips[i].right}) {
+      for (const base::NodeId n : *lip) {
+        lip_of[n.index()] = i;
+      }
+    }
+  }
+  bool good = true;
+  for (const model::LoadCase& load_case : model.cases) {
+    for (const model::Load& load : load_case.loads) {
+      const auto on_lip = [&](const model::Face& face) {
+        const auto nodes = mesh.nodes_of(face.element);
+        const auto side = shape::side_nodes(mesh.type[face.element.index()], face.side);
+        return std::ranges::all_of(side, [&](int k) {
+          return lip_of[nodes[static_cast<std::size_t>(k)].index()] < lines.size();
+        });
+      };
+      if (load.faces.valid() && std::ranges::any_of(mesh.set(load.faces).faces, on_lip)) {
+        diagnostics.error(load.span, "E417",
+                          fmt::format("load case {} acts on the faces of a crack: K does not take "
+                                      "account of that in this version",
+                                      load_case.name),
+                          "leave the crack's part of the symmetry line out of the set");
+        good = false;
+      }
+    }
+  }
+  return good;
 }
 
 bool make_pairs(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics) {
@@ -249,7 +286,8 @@ std::optional<Scene> make_scene(const model::Model& model, double a, const Regio
   const bool ties = make_scene_ties(model, scene, diagnostics);
   const bool pairs = make_pairs(model, scene, diagnostics);
   const bool tips = make_tips(model, scene, diagnostics);
-  if (!ties || !pairs || !tips) {
+  const bool lips = lips_are_free(model, scene, lines, diagnostics);
+  if (!ties || !pairs || !tips || !lips) {
     return std::nullopt;
   }
   reduce_rows(scene);

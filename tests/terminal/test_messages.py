@@ -56,6 +56,7 @@ class Json(ProgramTest):
 
     def test_warnings_have_their_severity(self):
         text = plate().replace("NU=0.3", "NU=0.4999").replace("STATE=STRESS", "STATE=STRAIN")
+        text = text.replace("QUAMC8", "TRIM3")
         records = self.records(0, "check", self.deck(text))
         self.assertEqual([(r["severity"], r["code"]) for r in records], [("warning", "W501")])
 
