@@ -141,6 +141,10 @@ void merge_slivers(const EdgeChain& chain, bool bonded, Builders& rows, int& mer
       to = next;
     } else if (has_last && whole[last]) {
       to = last;
+    } else if (has_next && next > i && rows.normal[nodes[next]].area > 0.0) {
+      to = next; // a narrow target before coarse edges: its slivers become one row
+    } else if (rows.normal[nodes[i]].area > 1e-9 * rows.normal[nodes[i]].whole) {
+      continue; // no neighbour is any better: what is covered must hold
     }
     if (to < n) {
       rows.normal[nodes[to]].add(rows.normal[nodes[i]]);

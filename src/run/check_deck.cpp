@@ -2,6 +2,7 @@
 #include "run/check_deck.hpp"
 
 #include "base/clock.hpp"
+#include "base/memory.hpp"
 #include "growth/crack_lines.hpp"
 #include "mesh/quality.hpp"
 #include "report/check_listing.hpp"
@@ -13,7 +14,6 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 namespace spricka::run {
 
@@ -128,8 +128,7 @@ void add_sums(double read_cpu, results::Preview& preview) {
     preview.seconds += length.seconds;
     preview.memory = std::max(preview.memory, length.memory);
   }
-  preview.machine_memory =
-      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  preview.machine_memory = static_cast<double>(base::memory_limit());
 }
 
 } // namespace

@@ -72,7 +72,10 @@ std::string trouble_of(const model::Mesh& mesh, const std::string& body, const N
   case solve::FactorStatus::ok:
     return {};
   case solve::FactorStatus::out_of_memory:
-    return fmt::format("{}: not enough memory for the factor", body);
+    return fmt::format("{}: its factor needs {:.0f} MB of memory ({} unknowns, {:.2g} entries), "
+                       "{:.0f} MB can be had",
+                       body, 1e-6 * report.memory, net.map.size(), report.factor_entries,
+                       1e-6 * report.memory_left);
   case solve::FactorStatus::not_positive_definite:
     break;
   }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/condense.hpp"
+#include "base/clock.hpp"
+#include "base/memory.hpp"
 #include "solve/blas.hpp"
 #include "solve/cholmod_session.hpp"
 #include "solve/supernodes.hpp"
@@ -10,7 +12,6 @@
 #include <ctime>
 #include <limits>
 #include <new>
-#include <unistd.h>
 #include <utility>
 #include <vector>
 
@@ -108,10 +109,6 @@ Factor analyse(const base::SymmetricCsc& A, std::vector<std::int64_t>& order,
   return Factor(cholmod_l_analyze_p(&view, order.data(), nullptr, 0, session.get()));
 }
 
-double physical_memory() {
-  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-}
-
 /// CPU time of the calling thread [s]: nets are condensed side by side, each on one thread.
 double thread_cpu() {
   timespec t{};
@@ -186,7 +183,10 @@ void Condensation::Impl::build(base::SymmetricCsc K, Ordering ordering) {
   if (report.status != FactorStatus::ok) {
     return;
   }
-  if (report.memory > physical_memory()) {
+  // Refused before any of it is asked for: a machine that swaps is no help.
+  report.memory_left = static_cast<double>(base::memory_limit()) -
+                       static_cast<double>(base::resident_memory());
+  if (report.memory > report.memory_left) {
     report.status = FactorStatus::out_of_memory;
     return;
   }

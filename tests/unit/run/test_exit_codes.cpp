@@ -141,6 +141,35 @@ TEST(ExitCode, NearlyIncompressibleTrianglesAreWarnedOf) {
   EXPECT_NE(outcome.messages.find("incompressible"), std::string::npos) << outcome.messages;
 }
 
+// Each of the coarse edge's functions is covered to less than 20 %: what is covered must hold.
+TEST(ExitCode, NarrowBlockOnACoarseEdgeIsHeld) {
+  const Folder folder;
+  const Outcome outcome = run_text(folder, R"($DECK VERSION=1 LENGTH=mm FORCE=N
+$NET NAME=LOW
+  $MESH SHAPE=BLOCK TYPE=QUAMC8 LX=10 LY=5 NX=1 NY=1
+$ENDNET
+$NET NAME=TOP
+  $MESH SHAPE=BLOCK TYPE=QUAMC8 LX=0.3 LY=0.5 X0=4.8 Y0=5 NX=1 NY=2
+$ENDNET
+$MATERIAL NAME=M E=1000 NU=0.3
+$PROPERTY ESET=LOW.BODY MATERIAL=M STATE=STRESS
+$PROPERTY ESET=TOP.BODY MATERIAL=M STATE=STRESS
+$FREEDOM CLASS=SUPPRESSED DOF=XY
+  LOW.YMIN
+$FREEDOM CLASS=SUPPRESSED DOF=X
+  TOP.XMIN
+$CONTACT NAME=FACE SLAVE=TOP.YMIN MASTER=LOW.YMAX
+$LOAD CASE=PUSH TYPE=PRESSURE
+  TOP.YMAX 10
+$STEP NAME=PRESS
+  LOAD PUSH 1
+$CHECK
+  SUM(FACE,PRESS,Y) = 3 REL 1e-9
+$END
+)");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
+}
+
 TEST(ExitCode, BearingLoadThatMissesTheBoreIsRefused) {
   const Folder folder;
   const Outcome outcome =
