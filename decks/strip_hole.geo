@@ -39,4 +39,5 @@ Recombine Surface{:};
 Physical Surface("BODY") = {1:3};
 Physical Curve("YMIN") = {3};
 Physical Curve("XMIN") = {5, 10};
+Physical Curve("XMAX") = {6, 8};
 Physical Curve("END") = {9};
