@@ -1,5 +1,5 @@
-// Cantilever of n elements in a row, l x h. The sides between them are upright (form = 0) or inclined
-// by 45 degrees, all the same way for parallelograms (form = 1), in turn for trapezia (form = 2). A
+// Cantilever of n elements in a row, l x h. The sides between them are upright (form = 0) or
+// inclined by 45 degrees, all the same way for parallelograms (form = 1), in turn for trapezia (form = 2). A
 // width of b > 0 makes bricks, 0 <= z <= b.
 DefineConstant[ l = 6, h = 0.2, b = 0, n = 6, form = 0, serendipity = 1 ];
 Mesh.ElementOrder = 2;

@@ -67,7 +67,8 @@ Else
     Curve Loop(2 + 6 * k) = {5 + 8 * k, 6 + 8 * k, 7 + 8 * k, 8 + 8 * k};
     For i In {0:3}
       j = (i + 1) % 4;
-      Curve Loop(3 + 6 * k + i) = {1 + 8 * k + i, 17 + 4 * k + j, -(5 + 8 * k + i), -(17 + 4 * k + i)};
+      Curve Loop(3 + 6 * k + i) =
+        {1 + 8 * k + i, 17 + 4 * k + j, -(5 + 8 * k + i), -(17 + 4 * k + i)};
     EndFor
   EndFor
   For i In {0:3}
