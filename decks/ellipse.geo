@@ -1,7 +1,8 @@
 // Quarter of an elliptic plate with an elliptic hole (NAFEMS LE1, LE10): hole
-// (x/ai)^2 + (y/bi)^2 = 1, edge (x/ao)^2 + (y/bo)^2 = 1. Mapped quads, finer towards the hole and its two ends: the last
-// of nr elements across is `grade` times the first, the middle one of nt along 1/`bump` times. A
-// thickness of H > 0 makes a plate of bricks, 0 <= z <= H, in eight layers, thin ones at the faces.
+// (x/ai)^2 + (y/bi)^2 = 1, edge (x/ao)^2 + (y/bo)^2 = 1. Mapped quads, finer towards the hole and its
+// two ends: the last of nr elements across is `grade` times the first, the middle one of nt along
+// 1/`bump` times. A thickness of H > 0 makes a plate of bricks, 0 <= z <= H, in eight layers, thin
+// ones at the faces.
 SetFactory("OpenCASCADE");
 DefineConstant[ ai = 2, bi = 1, ao = 3.25, bo = 2.75, H = 0,
                 nr = 32, nt = 64, grade = 16, bump = 0.2 ];
