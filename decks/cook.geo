@@ -1,0 +1,21 @@
+// Cook's membrane, n x n quads, finer towards the clamped side and its two ends.
+DefineConstant[ n = 32, order = 2 ];
+Mesh.ElementOrder = order;
+Mesh.SecondOrderIncomplete = 1;
+Point(1) = {0, 0, 0};
+Point(2) = {48, 44, 0};
+Point(3) = {48, 60, 0};
+Point(4) = {0, 44, 0};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {4, 3};
+Line(4) = {1, 4};
+Curve Loop(1) = {1, 2, -3, -4};
+Plane Surface(1) = {1};
+Transfinite Curve{1, 3} = n + 1 Using Progression 30^(1 / (n - 1));
+Transfinite Curve{2, 4} = n + 1 Using Bump 0.05;
+Transfinite Surface{1};
+Recombine Surface{1};
+Physical Surface("BODY") = {1};
+Physical Curve("CLAMP") = {4};
+Physical Curve("TIP") = {2};
