@@ -43,6 +43,30 @@ void report_elements(Context& c, const std::vector<std::size_t>& elements, std::
   }
 }
 
+std::string place(const model::Mesh& mesh, const base::Vec3& x) {
+  return mesh.dim == 2 ? fmt::format("({:.6g}, {:.6g})", x.x(), x.y())
+                       : fmt::format("({:.6g}, {:.6g}, {:.6g})", x.x(), x.y(), x.z());
+}
+
+// Elements that run the wrong way round by card, those that fold somewhere one by one.
+void report_bad(Context& c, const std::vector<mesh::BadElement>& bad) {
+  const model::Mesh& mesh = c.model.mesh;
+  std::vector<std::size_t> turned;
+  for (const mesh::BadElement& b : bad) {
+    if (b.turned) {
+      turned.push_back(b.element.index());
+      continue;
+    }
+    report_elements(
+        c, {b.element.index()}, "E307",
+        fmt::format("folds over: its Jacobian is {:.3g} at {}", b.jacobian, place(mesh, b.at)),
+        "a corner lies too far inside, or a mid node too far off the middle");
+  }
+  report_elements(c, turned, "E307", "turned inside out: its Jacobian is negative everywhere",
+                  mesh.dim == 2 ? "corners run counter-clockwise"
+                                : "corners of the first side run clockwise, seen from outside");
+}
+
 void one_space(Context& c) {
   const model::Mesh& mesh = c.model.mesh;
   if (mesh.dim != 2) {
@@ -79,13 +103,7 @@ void check_mesh(Context& context) {
     return;
   }
   one_space(context);
-  std::vector<std::size_t> bad;
-  for (const mesh::BadElement& b : mesh::bad_elements(mesh)) {
-    bad.push_back(b.element.index());
-  }
-  report_elements(context, bad, "E307", "turned inside out: its Jacobian is not positive",
-                  mesh.dim == 2 ? "corners run counter-clockwise"
-                                : "corners of the first side run clockwise, seen from outside");
+  report_bad(context, mesh::bad_elements(mesh));
   if (context.property_sound) {
     std::vector<std::size_t> open;
     for (std::size_t e = 0; e < mesh.element_count(); ++e) {

@@ -94,6 +94,7 @@ bool check(std::span<const base::NodeId> nodes, const std::vector<base::Vec3>& x
     const Eigen::Matrix<double, S::dim, S::dim> J = sample.dN[k].transpose() * X;
     const double det = J.determinant();
     largest = std::max(largest, std::abs(det));
+    worst.turned = (first || worst.turned) && det < 0.0;
     if (first || det < worst.jacobian) {
       first = false;
       worst.jacobian = det;

@@ -10,8 +10,9 @@ namespace spricka::mesh {
 /// tip node of a quarter-point element, where it is zero by intent, is left out).
 struct BadElement {
   base::ElementId element;
-  double jacobian = 0.0; ///< the smallest determinant met
-  base::Vec3 at = base::Vec3::Zero();
+  double jacobian = 0.0;              ///< the smallest determinant met
+  base::Vec3 at = base::Vec3::Zero(); ///< where
+  bool turned = false; ///< negative at all points met: the nodes run the wrong way round
 };
 
 /// All bad elements, ascending. Zero determinants at single nodes of quarter-point or collapsed

@@ -85,6 +85,11 @@ int main(int argc, char** argv) {
   }
   line(fmt::format("{} nets condensed", nets.condensed).c_str(), nets.analysis_cpu,
        nets.numeric_cpu, nets.flops);
+  if (plain.status != solve::FactorStatus::ok) {
+    fmt::print("the plain factorisation failed: status {}, row {}, {:.0f} of {:.0f} MB\n",
+               static_cast<int>(plain.status), plain.failed_row, 1e-6 * plain.memory,
+               1e-6 * plain.memory_left);
+  }
   line("one plain factorisation", plain.analysis_cpu, plain.numeric_cpu, plain.flops);
   fmt::print("time {:.2f} times, flops {:.2f} times\n", total(nets) / total(plain),
              nets.flops / plain.flops);
