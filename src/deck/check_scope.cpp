@@ -73,13 +73,14 @@ void cracks_in_reach(Context& c) {
 }
 
 void loads_in_reach(Context& c) {
-  const bool plane = c.model.mesh.dim == 2 && !model::axisymmetric(c.model);
+  const bool axial = model::axisymmetric(c.model);
   for (const BoundCard& card : c.cards) {
     if (card.spec->name != "LOAD") {
       continue;
     }
-    if (card.is("TYPE", "BEARING") && !plane) {
-      c.unavailable("$LOAD TYPE=BEARING in 3D or with STATE=AXI", card.span);
+    if (card.is("TYPE", "BEARING") && axial) {
+      c.error(card.span, "E313",
+              "TYPE=BEARING pushes to one side: it means nothing with STATE=AXI");
     }
     if (card.is("TYPE", "TEMPERATURE") && !c.model.cracks.empty()) {
       c.unavailable("$LOAD TYPE=TEMPERATURE in a deck with $CRACK", card.span);

@@ -26,4 +26,10 @@ Bore fit_bore(const model::Mesh& mesh, const std::vector<model::Face>& faces);
 bool add_bearing(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
                  base::Vector& f);
 
+/// The same on the faces of a cylinder in space, Fx Fy Fz across its axis, which is found from the
+/// normals. The pressure is even along the axis. The loaded half ends inside faces where they fall
+/// so: sums are exact, the distribution as good as the integration (degree 15). Returns false when
+/// the load has a part along the axis or meets no face.
+bool add_solid_bearing(const model::Mesh& mesh, const model::Load& load, base::Vector& f);
+
 } // namespace spricka::fe

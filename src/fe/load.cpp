@@ -142,7 +142,11 @@ void add_load(const model::Model& model, const model::Mesh& mesh, const model::L
         [&](const Vec3& x) { return value_at(load, x); }, f);
     return;
   case model::LoadType::bearing:
-    add_bearing(model, mesh, load, f);
+    if (mesh.dim == 3) {
+      add_solid_bearing(mesh, load, f);
+    } else {
+      add_bearing(model, mesh, load, f);
+    }
     return;
   case model::LoadType::displacement: // see prescribed_displacement
   case model::LoadType::temperature:  // all of a case together, see nodal_load

@@ -168,8 +168,11 @@ base::SymmetricCsc Condensation::Impl::analyse_matrix(base::SymmetricCsc K, doub
   const double externals = static_cast<double>(n - locals);
   report.flops = session->fl;
   report.factor_entries = session->lnz;
-  report.memory = 8.0 * static_cast<double>(factor->xsize + factor->ssize + factor->maxcsize) +
-                  48.0 * static_cast<double>(A.row.size()) + 16.0 * externals * externals;
+  // The factor, and on top of it the matrix with its permuted copy and, one after the other, the
+  // workspace of the largest front and two dense matrices of the externals.
+  report.memory = 8.0 * static_cast<double>(factor->xsize + factor->ssize) +
+                  24.0 * static_cast<double>(A.row.size()) +
+                  std::max(8.0 * static_cast<double>(factor->maxcsize), 16.0 * externals * externals);
   report.kept_memory = 8.0 * static_cast<double>(factor->xsize + factor->ssize);
   return A;
 }
