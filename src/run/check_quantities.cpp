@@ -3,6 +3,8 @@
 
 #include "fe/stress.hpp"
 #include "mesh/boundary.hpp"
+#include "model/property_points.hpp"
+#include "results/stress_invariants.hpp"
 
 #include <algorithm>
 #include <array>
@@ -215,15 +217,20 @@ FieldName split(const std::string& quantity) {
           quantity.substr(last + 1)};
 }
 
-double stress_component(const fe::Stress& s, const std::string& component) {
+double stress_component(const fe::Stress& stress, const std::string& component) {
   static constexpr std::array<const char*, 6> names{"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
+  results::Stress s{};
+  std::copy_n(stress.data(), 6, s.begin());
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (component == names[i]) {
-      return s[static_cast<Eigen::Index>(i)];
+      return s[i];
     }
   }
   if (component == "MISES") {
-    return fe::von_mises(s);
+    return results::von_mises(s);
+  }
+  if (component == "P1" || component == "P2" || component == "P3") {
+    return results::principal(s)[static_cast<std::size_t>(component[1] - '1')];
   }
   throw Missing(fmt::format("no stress component {}", component));
 }
@@ -235,7 +242,8 @@ Eigen::Index axis_of(const std::string& component) {
   throw Missing(fmt::format("no displacement component {}", component));
 }
 
-// Stresses of a set's elements at their own nodes; of a node set, of the elements that meet there.
+// Stresses of a set's elements at their own nodes; of a node set, the mean of the elements that
+// meet there, a value for each property.
 std::vector<double> stresses_of_set(const model::Model& model, const Place& at,
                                     const std::string& name, const std::string& component) {
   const model::Mesh& mesh = at.increment->mesh;
@@ -254,8 +262,15 @@ std::vector<double> stresses_of_set(const model::Model& model, const Place& at,
     }
   }
   const std::vector<fe::Stress> nodal = fe::nodal_stress(model, mesh, stress);
+  std::vector<bool> wanted(mesh.node_count(), false);
   for (const base::NodeId n : nodes_of_set(mesh, name)) {
-    values.push_back(stress_component(nodal[n.index()], component));
+    wanted[n.index()] = true;
+  }
+  const model::PropertyPoints points = model::property_points(mesh);
+  for (std::size_t p = 0; p < points.node.size(); ++p) {
+    if (wanted[points.node[p].index()]) {
+      values.push_back(stress_component(nodal[p], component));
+    }
   }
   return values;
 }
@@ -334,6 +349,20 @@ double reaction(Arguments& args, const results::Run& run) {
   return sum;
 }
 
+double energy(Arguments& args, const results::Run& run) {
+  const std::string net = args.name("a net or *");
+  const std::string step = args.name("a step");
+  const results::StepResult& at = *find_place(run, step, args.number()).step;
+  if (net == "*") {
+    return at.energy;
+  }
+  const auto found = std::ranges::find(at.nets, net, &results::Balance::body);
+  if (found == at.nets.end()) {
+    throw Missing(fmt::format("net {} has no elements", net));
+  }
+  return found->energy;
+}
+
 double evaluate(const model::Model& model, const model::Check& check, const results::Run& run) {
   Arguments args(check);
   const std::string& q = check.quantity;
@@ -342,6 +371,9 @@ double evaluate(const model::Model& model, const model::Check& check, const resu
   }
   if (q.starts_with("CPRESS.") || q.starts_with("ARC.") || q == "SUM") {
     return contact_quantity(model, q, args, run);
+  }
+  if (q == "ENERGY") {
+    return energy(args, run);
   }
   if (q == "REACTION") {
     return reaction(args, run);
