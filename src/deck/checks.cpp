@@ -200,7 +200,10 @@ private:
       return "step";
     case 'n':
       return "set";
-
+    case 'd':
+      return "X|Y|Z";
+    case 'e':
+      return "net or *";
     default:
       return "number";
     }

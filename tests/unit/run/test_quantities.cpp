@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/rigid_motion.hpp"
 #include "run_text.hpp"
 
 #include <algorithm>
@@ -139,7 +140,7 @@ $NET NAME=A
   $MESH SHAPE=BLOCK TYPE=QUAMC8 LX=10 LY=2 NX=5 NY=2
 $ENDNET
 $NET NAME=B
-  $MESH SHAPE=BLOCK TYPE=QUAMC8 LX=10 LY=2 NX=4 NY=3 X0=10
+  $MESH SHAPE=BLOCK TYPE=QUAMC8 LX=10 LY=2 NX=4 NY=4 X0=10
 $ENDNET
 $MATERIAL NAME=S E=1000 NU=0
 $MATERIAL NAME=H E=4000 NU=0
@@ -221,7 +222,7 @@ TEST(Quantities, AxisymmetricListingShowsWhatAResultantHas) {
   const test::Outcome outcome = test::run_text(folder, R"($DECK VERSION=1 LENGTH=mm FORCE=N
 $MESH SHAPE=BLOCK TYPE=QUAMC8 X0=10 LX=10 LY=2 NX=5 NY=2
 $MATERIAL NAME=M E=1000 NU=0.25
-$PROPERTY ESET=BODY MATERIAL=M STATE=AXISYM
+$PROPERTY ESET=BODY MATERIAL=M STATE=AXI
 $FREEDOM CLASS=SUPPRESSED DOF=Y
   YMIN
 $LOAD CASE=PULL TYPE=TRACTION
@@ -240,22 +241,21 @@ $END
   EXPECT_NE(listing.find("full circumference"), std::string::npos);
 }
 
-// A cube pushed along (3, 0, 4)/5 that nothing holds: all three components are named.
+// A motion of a solid body is told with all three components.
 TEST(Quantities, RigidMotionInSpaceHasThreeComponents) {
-  const test::Folder folder;
-  const test::Outcome outcome = test::run_text(folder, R"($DECK VERSION=1 LENGTH=mm FORCE=N
-$MESH SHAPE=BLOCK TYPE=HEXE8 LX=2 LY=2 LZ=2 NX=2 NY=2 NZ=2
-$MATERIAL NAME=M E=1000 NU=0.25
-$PROPERTY ESET=BODY MATERIAL=M STATE=SOLID
-$LOAD CASE=PUSH TYPE=RESULTANT
-  BODY 3 0 4
-$STEP NAME=FULL
-  LOAD PUSH 1
-$END
-)");
-  EXPECT_EQ(outcome.exit_code, 4);
-  EXPECT_NE(outcome.messages.find("direction (0.600, 0.000, 0.800)"), std::string::npos)
-      << outcome.messages;
+  model::Mesh mesh;
+  mesh.dim = 3;
+  fe::Body body;
+  for (const base::Vec3& x : {base::Vec3(0, 0, 0), base::Vec3(1, 0, 0), base::Vec3(0, 0, 1)}) {
+    body.nodes.push_back(model::add_node(mesh, x, 1, base::NetId(0)));
+  }
+  const base::Vec3 way(3.0, 0.0, 4.0);
+  const base::Vector motion = way.replicate(3, 1);
+  EXPECT_EQ(run::describe_motion(mesh, body, motion), "direction (0.600, 0.000, 0.800)");
+  base::Vector turned = motion;
+  turned.head<3>() *= -1.0;
+  EXPECT_EQ(run::describe_motion(mesh, body, turned),
+            "translation (0.20, 0.00, 0.27) with rotation");
 }
 
 } // namespace
