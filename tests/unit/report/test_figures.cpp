@@ -183,12 +183,16 @@ void add_cube(results::Increment& increment, results::StepResult& step, const ba
   }
 }
 
+// Of areas, in the order they are painted.
 std::vector<std::string> fills_of_paths(const std::string& drawing) {
   std::vector<std::string> fills;
   for (std::size_t at = drawing.find("<path"); at != std::string::npos;
        at = drawing.find("<path", at + 1)) {
     const std::size_t fill = drawing.find("fill=\"", at) + 6;
     fills.push_back(drawing.substr(fill, drawing.find('"', fill) - fill));
+    if (fills.back() == "none") {
+      fills.pop_back(); // a line
+    }
   }
   return fills;
 }
