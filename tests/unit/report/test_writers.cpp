@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/check_listing.hpp"
 #include "report/report.hpp"
 #include "results/stress_invariants.hpp"
 #include "sample.hpp"
@@ -123,6 +124,14 @@ TEST_F(Writers, ListingEchoesTheDeckAndShowsEveryTable) {
     EXPECT_NE(text.find(part), std::string::npos) << part;
   }
   EXPECT_EQ(text.find(" \n"), std::string::npos) << "blanks at a line's end";
+}
+
+TEST(CheckListing, PlacesHaveAsManyCoordinatesAsTheMesh) {
+  results::Preview preview;
+  preview.quality = {{"host", "aspect", 3.0, "A", 7, {1.0, 2.0, 3.0}}};
+  EXPECT_NE(check_listing(preview).find("(1, 2)"), std::string::npos);
+  preview.dim = 3;
+  EXPECT_NE(check_listing(preview).find("(1, 2, 3)"), std::string::npos);
 }
 
 TEST(StressInvariants, VonMisesInClosedForm) {
