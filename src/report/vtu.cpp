@@ -14,22 +14,27 @@ constexpr std::array<std::string_view, 6> stress_components{"XX", "YY", "ZZ", "X
 constexpr std::array<std::string_view, 3> principal_components{"P1", "P2", "P3"};
 
 /// Stresses as arrays: the components, von Mises, principal ones.
-class StressArrays {
+template <class Real> class StressArrays {
 public:
   void add(const results::Stress& s) {
-    stress_.insert(stress_.end(), s.begin(), s.end());
-    mises_.push_back(results::von_mises(s));
-    const std::array<double, 3> p = results::principal(s);
-    principal_.insert(principal_.end(), p.begin(), p.end());
+    for (const double component : s) {
+      stress_.push_back(static_cast<Real>(component));
+    }
+    mises_.push_back(static_cast<Real>(results::von_mises(s)));
+    for (const double p : results::principal(s)) {
+      principal_.push_back(static_cast<float>(p));
+    }
   }
   void write(VtuDocument& document, const std::string& prefix) const {
-    document.add(prefix + "stress", "Float64", 6, stress_, stress_components);
-    document.add(prefix + "von_mises", "Float64", 1, mises_);
-    document.add(prefix + "principal", "Float64", 3, principal_, principal_components);
+    const char* const type = sizeof(Real) == sizeof(double) ? "Float64" : "Float32";
+    document.add(prefix + "stress", type, 6, stress_, stress_components);
+    document.add(prefix + "von_mises", type, 1, mises_);
+    document.add(prefix + "principal", "Float32", 3, principal_, principal_components);
   }
 
 private:
-  std::vector<double> stress_, mises_, principal_;
+  std::vector<Real> stress_, mises_;
+  std::vector<float> principal_;
 };
 
 /// A nodal vector at the points. Sums over points shall be sums over nodes: where `once`, a node's
@@ -65,7 +70,7 @@ void add_point_data(VtuDocument& document, const model::Mesh& mesh, const GridPo
     document.add("displacement", "Float64", 3, at_points(mesh, points, step.u, false));
   }
   if (!step.stress.empty()) {
-    StressArrays arrays;
+    StressArrays<double> arrays;
     for (const std::size_t source : points.source) {
       arrays.add(step.stress[source]);
     }
@@ -88,7 +93,7 @@ void write_vtu(const std::filesystem::path& file, const model::Model& /*model*/,
   document.line("      <CellData Scalars=\"net\">");
   add_cell_numbers(document, mesh);
   if (!step.element_stress.empty()) {
-    StressArrays arrays;
+    StressArrays<float> arrays; // for the eye
     for (const results::Stress& s : step.element_stress) {
       arrays.add(s);
     }
