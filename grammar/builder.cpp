@@ -289,10 +289,18 @@ bool Builder::quantity(const char*& p, const char* last, const char* begin) {
   const char* first = skip_ws(p, last);
   while (first < last && *first != ')') {
     p = first;
-    if (!read_expression(p, last, *this)) {
-      return false;
+    if (*p == '*') { // alone it stands for all of a kind
+      Term all;
+      all.kind = Term::Kind::name;
+      all.span = span(p, p + 1);
+      field.arguments.push_back({{all}, all.span});
+      ++p;
+    } else {
+      if (!read_expression(p, last, *this)) {
+        return false;
+      }
+      field.arguments.push_back(take_expression(first));
     }
-    field.arguments.push_back(take_expression(first));
     p = skip_ws(p, last);
     if (p >= last || *p != ',') {
       break;

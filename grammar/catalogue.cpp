@@ -58,7 +58,17 @@ constexpr std::array quantities{
     ResultQuantity{"S.MISES.MIN", "ns?a", stress, "smallest von Mises stress"},
     ResultQuantity{"S.MISES.MAX", "ns?a", stress, "largest von Mises stress"},
     ResultQuantity{"S.MISES.AT", "aazs?a", stress, "von Mises stress at a point"},
+    ResultQuantity{"S.P1.MIN", "ns?a", stress, "smallest first principal stress"},
+    ResultQuantity{"S.P2.MIN", "ns?a", stress, "smallest second principal stress"},
+    ResultQuantity{"S.P3.MIN", "ns?a", stress, "smallest third principal stress"},
+    ResultQuantity{"S.P1.MAX", "ns?a", stress, "largest first principal stress"},
+    ResultQuantity{"S.P2.MAX", "ns?a", stress, "largest second principal stress"},
+    ResultQuantity{"S.P3.MAX", "ns?a", stress, "largest third principal stress"},
+    ResultQuantity{"S.P1.AT", "aazs?a", stress, "first principal stress at a point"},
+    ResultQuantity{"S.P2.AT", "aazs?a", stress, "second principal stress at a point"},
+    ResultQuantity{"S.P3.AT", "aazs?a", stress, "third principal stress at a point"},
     ResultQuantity{"REACTION", "nsd?a", force, "force of the supports on a set"},
+    ResultQuantity{"ENERGY", "es?a", energy, "strain energy of a net, of all with *"},
     ResultQuantity{"N", "a", number, "cycles at a crack length (not in this version)"},
     ResultQuantity{"LIFE", "", number, "cycles to the end (not in this version)"},
 };
@@ -115,6 +125,8 @@ base::Dimension dimension_of(Quantity quantity) {
     return {0.0, 1.0, 0.0};
   case Quantity::energy_release:
     return {-1.0, 1.0, 0.0};
+  case Quantity::energy:
+    return {1.0, 1.0, 0.0};
   case Quantity::number:
     break;
   }
@@ -135,6 +147,8 @@ std::string_view word_of(Quantity quantity) {
     return "a force";
   case Quantity::energy_release:
     return "an energy release rate";
+  case Quantity::energy:
+    return "an energy";
   case Quantity::number:
     break;
   }

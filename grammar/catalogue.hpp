@@ -47,7 +47,7 @@ enum class Kind {
 /// The field's word for a kind: "node set".
 std::string_view word_of(Kind kind);
 
-enum class Quantity { number, length, stress, angle, stress_intensity, force, energy_release };
+enum class Quantity { number, length, stress, angle, stress_intensity, force, energy_release, energy };
 base::Dimension dimension_of(Quantity quantity);
 /// "a length": for messages.
 std::string_view word_of(Quantity quantity);
@@ -120,7 +120,8 @@ const CardSpec* find_card(std::string_view name);
 std::vector<std::string> split_words(std::string_view words);
 
 /// A result that $CHECK and the prompt can name, and what its arguments are: c crack[.tip],
-/// p contact, s step, n set, d direction X|Y|Z, a number; a letter after ? may be left out.
+/// p contact, s step, n set, e net or * for all, d direction X|Y|Z, a number; a letter after ? may
+/// be left out.
 struct ResultQuantity {
   std::string_view name = {};
   std::string_view arguments;

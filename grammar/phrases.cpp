@@ -91,6 +91,8 @@ std::string argument_name(const ResultQuantity& quantity, char letter, std::size
     return "step";
   case 'n':
     return "set";
+  case 'e':
+    return "net|*";
   case 'd':
     return "X|Y|Z";
   case 'z':
@@ -187,6 +189,8 @@ std::string_view dimension_phrase(Quantity quantity) {
     return "force";
   case Quantity::energy_release:
     return "force/length";
+  case Quantity::energy:
+    return "force*length";
   case Quantity::number:
     break;
   }

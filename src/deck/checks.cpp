@@ -148,8 +148,9 @@ private:
     std::string hint = longer.empty() ? base::suggest(quantity.text, valid)
                                       : fmt::format("one of: {}", fmt::join(longer, ", "));
     c_.error(name, "E314", fmt::format("'{}' is not a result", quantity.text),
-             hint.empty() ? "K1 K2 G T, CPRESS.MAX, ARC.FROM, SUM, U.X.MAX, S.XX.AT, REACTION, N .."
-                          : std::move(hint));
+             hint.empty()
+                 ? "K1 K2 G T, CPRESS.MAX, ARC.FROM, SUM, U.X.MAX, S.XX.AT, REACTION, ENERGY .."
+                 : std::move(hint));
   }
 
   // The letters for these arguments: what follows ? and the number z may be left out. A lone name
@@ -201,6 +202,8 @@ private:
       return "set";
     case 'd':
       return "X|Y|Z";
+    case 'e':
+      return "net or *";
     default:
       return "number";
     }
@@ -240,6 +243,8 @@ private:
       return look_up(c_, Kind::contact, reference) != nullptr;
     case 's':
       return look_up(c_, Kind::step, reference) != nullptr;
+    case 'e':
+      return name == "*" || look_up(c_, Kind::net, {name, span, {}}) != nullptr;
     case 'n': {
       const std::string own = qualify(card_.net, name);
       const bool ok = kind_of_set(c_, Kind::any_set, reference).has_value();

@@ -49,4 +49,8 @@ void add_internal_force(const model::Model& model, const model::Mesh& mesh,
 double strain_energy(const model::Model& model, const model::Mesh& mesh,
                      std::span<const base::ElementId> elements, const base::Vector& u);
 
+/// 1/2 u^T K u of every element [force * length]. [element]
+std::vector<double> element_energy(const model::Model& model, const model::Mesh& mesh,
+                                   const base::Vector& u);
+
 } // namespace spricka::fe

@@ -2,50 +2,50 @@
 #include "fe/stress.hpp"
 
 #include "fe/stress_kernel.hpp"
+#include "model/property_points.hpp"
 
-#include <cmath>
-#include <numeric>
+#include <algorithm>
 
 namespace spricka::fe {
 
-std::vector<Stress> element_node_stress(const model::Model& model, const model::Mesh& mesh,
-                                        const StateField& field) {
-  std::vector<Stress> stress(mesh.nodes.size(), Stress::Zero());
+namespace {
+
+std::vector<base::ElementId> all_elements(const model::Mesh& mesh) {
   std::vector<base::ElementId> elements;
   elements.reserve(mesh.element_count());
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     elements.emplace_back(e);
   }
-  for_blocks(mesh, elements, [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
-    for (const base::ElementId e : block) {
-      const StressElement<S> element(model, mesh, e, field);
-      const auto first = static_cast<std::size_t>(mesh.first[e.index()]);
-      for (int i = 0; i < S::nodes; ++i) {
-        stress[first + static_cast<std::size_t>(i)] = element.at(shape::node<S>(i));
-      }
-    }
-  });
+  return elements;
+}
+
+} // namespace
+
+std::vector<Stress> element_node_stress(const model::Model& model, const model::Mesh& mesh,
+                                        const StateField& field) {
+  std::vector<Stress> stress(mesh.nodes.size(), Stress::Zero());
+  for_blocks(mesh, all_elements(mesh),
+             [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
+               for (const base::ElementId e : block) {
+                 const StressElement<S> element(model, mesh, e, field);
+                 const auto first = static_cast<std::size_t>(mesh.first[e.index()]);
+                 for (int i = 0; i < S::nodes; ++i) {
+                   stress[first + static_cast<std::size_t>(i)] = element.at(shape::node<S>(i));
+                 }
+               }
+             });
   return stress;
 }
 
 std::vector<Stress> nodal_stress(const model::Model& /*model*/, const model::Mesh& mesh,
                                  const std::vector<Stress>& element_stress) {
-  std::vector<Stress> mean(mesh.node_count(), Stress::Zero());
-  std::vector<int> count(mesh.node_count(), 0);
-  std::vector<base::PropertyId> property(mesh.node_count());
-  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    auto k = static_cast<std::size_t>(mesh.first[e]);
-    for (const base::NodeId id : mesh.nodes_of(base::ElementId(e))) {
-      const std::size_t n = id.index();
-      if (count[n] == 0) {
-        property[n] = mesh.property[e];
-      }
-      if (property[n] == mesh.property[e]) {
-        mean[n] += element_stress[k];
-        ++count[n];
-      }
-      ++k;
-    }
+  const model::PropertyPoints points = model::property_points(mesh);
+  std::vector<Stress> mean(points.node.size(), Stress::Zero());
+  std::vector<int> count(points.node.size(), 0);
+  for (std::size_t k = 0; k < points.of.size(); ++k) {
+    const auto point = static_cast<std::size_t>(points.of[k]);
+    mean[point] += element_stress[k];
+    ++count[point];
   }
   for (std::size_t n = 0; n < mean.size(); ++n) {
     mean[n] /= std::max(count[n], 1);
@@ -53,11 +53,25 @@ std::vector<Stress> nodal_stress(const model::Model& /*model*/, const model::Mes
   return mean;
 }
 
-double von_mises(const Stress& s) {
-  const double a = s[0] - s[1];
-  const double b = s[1] - s[2];
-  const double c = s[2] - s[0];
-  return std::sqrt(0.5 * (a * a + b * b + c * c) + 3.0 * s.tail<3>().squaredNorm());
+std::vector<Stress> mean_stress(const model::Model& model, const model::Mesh& mesh,
+                                const StateField& field) {
+  std::vector<Stress> mean(mesh.element_count(), Stress::Zero());
+  for_blocks(mesh, all_elements(mesh),
+             [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
+               for (const base::ElementId e : block) {
+                 const StressElement<S> element(model, mesh, e, field);
+                 double volume = 0.0;
+                 for (const auto& point : stiffness_rule<S>(element.law)) {
+                   const Jacobian<S> at = jacobian<S>(element.X, point.r);
+                   const double x = element.X.row(0) * S::N(point.r);
+                   const double w = point.weight * at.det * element.law.depth(x);
+                   mean[e.index()] += w * element.from(at, point.r);
+                   volume += w;
+                 }
+                 mean[e.index()] /= volume;
+               }
+             });
+  return mean;
 }
 
 } // namespace spricka::fe

@@ -29,10 +29,15 @@ struct StateField {
 std::vector<Stress> element_node_stress(const model::Model& model, const model::Mesh& mesh,
                                         const StateField& field);
 
-/// Mean over the elements that meet at a node and share its body and property; a node between two
-/// properties gets the mean of the first property there. [node]
+/// Mean over the elements that meet at a node and share its body and property: a value for each of
+/// the mesh's property points (model/property_points.hpp), so that nothing is averaged across a
+/// material's boundary. [point]
 std::vector<Stress> nodal_stress(const model::Model& model, const model::Mesh& mesh,
                                  const std::vector<Stress>& element_stress);
+
+/// Mean over the volume of every element. [element]
+std::vector<Stress> mean_stress(const model::Model& model, const model::Mesh& mesh,
+                                const StateField& field);
 
 /// Stress at a point inside the body (the element is searched); empty outside. On a side or a node
 /// the mean of the elements there that hang together and share a property. A point of the true
@@ -40,7 +45,5 @@ std::vector<Stress> nodal_stress(const model::Model& model, const model::Mesh& m
 /// to the nearest element.
 std::optional<Stress> stress_at(const model::Model& model, const model::Mesh& mesh,
                                 const StateField& field, const base::Vec3& point);
-
-double von_mises(const Stress& s);
 
 } // namespace spricka::fe

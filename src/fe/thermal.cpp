@@ -36,6 +36,38 @@ CornerValues<S> project(const NodeVectors<S>& X, const Law& law, const base::Exp
   }
 }
 
+// Consistent forces of an element's temperatures.
+template <shape::ElementShape S>
+NodeVectors<S> element_load(const NodeVectors<S>& X, const Law& law, const CornerValues<S>& T) {
+  const ThermalStress<S> stress(X, law, T);
+  NodeVectors<S> F = NodeVectors<S>::Zero();
+  for (const auto& point : stiffness_rule<S>(law)) {
+    const Jacobian<S> at = jacobian<S>(X, point.r);
+    const Hoop<S> hoop(X, law, point.r);
+    const double w = point.weight * at.det * law.depth(hoop.x) * stress.at(point.r);
+    F.noalias() += w * at.dNdx.transpose();
+    F.row(0) += w * hoop.h.transpose();
+  }
+  return F;
+}
+
+// Energy of an element whose thermal strain is held back altogether.
+template <shape::ElementShape S>
+double held_energy(const NodeVectors<S>& X, const Law& law, const CornerValues<S>& T) {
+  const ThermalStress<S> stress(X, law, T);
+  const double directions = law.heated_directions();
+  double energy = 0.0;
+  for (const auto& point : stiffness_rule<S>(law)) {
+    const Jacobian<S> at = jacobian<S>(X, point.r);
+    const Hoop<S> hoop(X, law, point.r);
+    const double t = law.expansion * stress.temperature(point.r);
+    const double v = law.expansion * directions * stress.of_volume(point.r);
+    energy += 0.5 * point.weight * at.det * law.depth(hoop.x) *
+              (law.lambda * v * v + 2.0 * law.mu * directions * t * t);
+  }
+  return energy;
+}
+
 // Calls use(S{}, e, T) with the corner temperatures of each element that is heated.
 template <class Use>
 void for_heated(const model::Mesh& mesh, const base::Vector& temperature, Use&& use) {
@@ -77,17 +109,7 @@ base::Vector thermal_load(const model::Model& model, const model::Mesh& mesh,
                           const base::Vector& temperature) {
   base::Vector f = base::Vector::Zero(mesh.dim * static_cast<Eigen::Index>(mesh.node_count()));
   for_heated(mesh, temperature, [&]<shape::ElementShape S>(S, base::ElementId e, const auto& T) {
-    const NodeVectors<S> X = coordinates<S>(mesh, e);
-    const Law law = law_of(model, mesh, e);
-    const ThermalStress<S> stress(X, law, T);
-    NodeVectors<S> F = NodeVectors<S>::Zero();
-    for (const auto& point : stiffness_rule<S>(law)) {
-      const Jacobian<S> at = jacobian<S>(X, point.r);
-      const Hoop<S> hoop(X, law, point.r);
-      const double w = point.weight * at.det * law.depth(hoop.x) * stress.at(point.r);
-      F.noalias() += w * at.dNdx.transpose();
-      F.row(0) += w * hoop.h.transpose();
-    }
+    const NodeVectors<S> F = element_load<S>(coordinates<S>(mesh, e), law_of(model, mesh, e), T);
     Eigen::Index i = 0;
     for (const base::NodeId n : mesh.nodes_of(e)) {
       f.segment<S::dim>(S::dim * static_cast<Eigen::Index>(n.index())) += F.col(i++);
@@ -100,20 +122,20 @@ double thermal_energy(const model::Model& model, const model::Mesh& mesh,
                       const base::Vector& temperature) {
   double energy = 0.0;
   for_heated(mesh, temperature, [&]<shape::ElementShape S>(S, base::ElementId e, const auto& T) {
-    const NodeVectors<S> X = coordinates<S>(mesh, e);
-    const Law law = law_of(model, mesh, e);
-    const ThermalStress<S> stress(X, law, T);
-    const double directions = law.heated_directions();
-    for (const auto& point : stiffness_rule<S>(law)) {
-      const Jacobian<S> at = jacobian<S>(X, point.r);
-      const Hoop<S> hoop(X, law, point.r);
-      const double t = law.expansion * stress.temperature(point.r);
-      const double v = law.expansion * directions * stress.of_volume(point.r);
-      energy += 0.5 * point.weight * at.det * law.depth(hoop.x) *
-                (law.lambda * v * v + 2.0 * law.mu * directions * t * t);
-    }
+    energy += held_energy<S>(coordinates<S>(mesh, e), law_of(model, mesh, e), T);
   });
   return energy;
+}
+
+void add_thermal_energy(const model::Model& model, const model::Mesh& mesh,
+                        const base::Vector& temperature, const base::Vector& u,
+                        std::vector<double>& energy) {
+  for_heated(mesh, temperature, [&]<shape::ElementShape S>(S, base::ElementId e, const auto& T) {
+    const NodeVectors<S> X = coordinates<S>(mesh, e);
+    const Law law = law_of(model, mesh, e);
+    energy[e.index()] += held_energy<S>(X, law, T) -
+                         element_load<S>(X, law, T).cwiseProduct(gather<S>(mesh, e, u)).sum();
+  });
 }
 
 } // namespace spricka::fe

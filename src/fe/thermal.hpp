@@ -3,6 +3,8 @@
 #include "base/vec.hpp"
 #include "model/model.hpp"
 
+#include <vector>
+
 namespace spricka::fe {
 
 /// Thermal strain alpha T. A quadratic element's strains are linear, so a temperature that varies
@@ -25,5 +27,10 @@ base::Vector thermal_load(const model::Model& model, const model::Mesh& mesh,
 /// 1/2 u^T K u - u^T f of a thermal field lacks to the elastic energy.
 double thermal_energy(const model::Model& model, const model::Mesh& mesh,
                       const base::Vector& temperature);
+
+/// Adds to 1/2 u^T K u of every element what its temperatures make of it: its elastic energy.
+void add_thermal_energy(const model::Model& model, const model::Mesh& mesh,
+                        const base::Vector& temperature, const base::Vector& u,
+                        std::vector<double>& energy);
 
 } // namespace spricka::fe

@@ -3,6 +3,7 @@
 
 #include "report/table.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -25,10 +26,11 @@ std::string percent(double part) {
   return part < 5e-4 ? "-" : fmt::format("{:.1f} %", 100.0 * part);
 }
 
-std::string place(const base::Vec3& x) {
+std::string place(const base::Vec3& x, int dim) {
   const double size = x.norm(); // what is round-off of the other coordinate is 0
   const auto tidy = [size](double v) { return std::abs(v) < 1e-9 * size ? 0.0 : v; };
-  return fmt::format("({:.5g}, {:.5g})", tidy(x.x()), tidy(x.y()));
+  const std::string plane = fmt::format("{:.5g}, {:.5g}", tidy(x.x()), tidy(x.y()));
+  return dim == 3 ? fmt::format("({}, {:.5g})", plane, tidy(x.z())) : "(" + plane + ")";
 }
 
 std::string megabytes(double bytes) {
@@ -43,17 +45,24 @@ Table nets(const Preview& p) {
                {"local", "", false},
                {"external", "", false},
                {"suppressed", "", false},
-               {"prescribed", "", false},
-               {"of type", "", true}},
+               {"prescribed", "", false}},
               {}};
+  const bool tied = std::ranges::any_of(p.nets, [](const auto& net) { return net.dependent > 0; });
+  if (tied) {
+    table.columns.push_back({"dependent", "", false});
+  }
+  table.columns.push_back({"of type", "", true});
   for (const results::NetPreview& net : p.nets) {
     std::string types;
     for (const auto& [type, elements] : net.types) {
       types += fmt::format("{}{} {}", types.empty() ? "" : ", ", elements, type);
     }
     table.rows.push_back({net.name, count(net.nodes), count(net.elements), count(net.local),
-                          count(net.external), count(net.suppressed), count(net.prescribed),
-                          types});
+                          count(net.external), count(net.suppressed), count(net.prescribed)});
+    if (tied) {
+      table.rows.back().push_back(count(net.dependent));
+    }
+    table.rows.back().push_back(types);
   }
   return table;
 }
@@ -71,7 +80,7 @@ Table quality(const Preview& p) {
     const bool angle = q.measure.ends_with("angle");
     table.rows.push_back({q.where, q.measure,
                           angle ? fmt::format("{:.1f} deg", q.value) : number(q.value), q.net,
-                          fmt::format("{}", q.element), place(q.at)});
+                          fmt::format("{}", q.element), place(q.at, p.dim)});
   }
   return table;
 }
@@ -140,8 +149,9 @@ Table tips(const Preview& p) {
     for (const results::TipPreview& tip : length.tips) {
       const bool first = &tip == &length.tips.front();
       table.rows.push_back({fmt::format("{}", length.number), tip.name, number(tip.a),
-                            place(tip.mouth), place(tip.tip), number(tip.radius), number(tip.size),
-                            first ? count(length.replaced) : "", first ? count(length.fresh) : ""});
+                            place(tip.mouth, p.dim), place(tip.tip, p.dim), number(tip.radius),
+                            number(tip.size), first ? count(length.replaced) : "",
+                            first ? count(length.fresh) : ""});
     }
   }
   return table;

@@ -48,7 +48,8 @@ std::optional<Figure> normalised_figure(const model::Model& model, const results
 /// K1 beside its references, for every step. No rows without references.
 Table reference_table(const model::Model& model, const results::Run& run);
 
-/// The whole mesh with its cracks, then for each tip the mesh round the crack. Plane meshes only.
+/// In the plane the whole mesh with its cracks, then for each tip the mesh round the crack; of
+/// solids the outer surface with its stresses.
 std::vector<Figure> mesh_figures(const model::Model& model, const results::Run& run);
 
 /// Pressure of each contact: polar plots on bores, plots along the surface elsewhere; one drawing

@@ -116,7 +116,11 @@ std::string html_report(const base::Sources& sources, const model::Model& model,
   add_contacts(page, model, run);
   if (!run.increments.empty()) {
     page.heading("Force balance");
+    if (const std::string note = direction_note(model); !note.empty()) {
+      page.add(fmt::format("<p>Here {}.</p>\n", note));
+    }
     page.table(untitled(balance_table(model, run.increments.back())));
+    page.table(net_balance_table(model, run.increments.back()));
   }
   if (!run.checks.empty()) {
     page.heading("Checks");

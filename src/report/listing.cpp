@@ -70,6 +70,9 @@ std::string increment_text(const model::Model& model, const results::Increment& 
                                               increment.a, model.units.length_name));
   out += fmt::format("Mesh: {} nodes, {} elements\n", increment.mesh.node_count(),
                      increment.mesh.element_count());
+  if (const std::string note = direction_note(model); !note.empty()) {
+    out += "note: " + note + "\n";
+  }
   for (const std::string& note : increment.notes) {
     out += "note: " + note + "\n";
   }
@@ -78,8 +81,8 @@ std::string increment_text(const model::Model& model, const results::Increment& 
       out += fmt::format("note: step {}: {}\n", step.step, note);
     }
   }
-  for (const Table& table : {balance_table(model, increment), contact_table(model, increment),
-                             k_table(model, increment)}) {
+  for (const Table& table : {balance_table(model, increment), net_balance_table(model, increment),
+                             contact_table(model, increment), k_table(model, increment)}) {
     if (!table.rows.empty()) {
       (out += '\n') += to_text(table);
     }

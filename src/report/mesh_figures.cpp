@@ -2,6 +2,7 @@
 #include "report/figures.hpp"
 #include "report/mesh_picture.hpp"
 #include "report/result_tables.hpp"
+#include "report/solid_picture.hpp"
 
 #include <fmt/format.h>
 
@@ -161,10 +162,37 @@ std::optional<Figure> crack_figure(const model::Model& model, const results::Run
   return figure;
 }
 
+/// The surface of the last length's leading step, or where to see it.
+std::vector<Figure> solid_figures(const model::Model& model, const results::Increment& increment) {
+  const results::StepResult* const step = leading(model, increment);
+  if (step == nullptr || step->stress.empty() || increment.surface.empty()) {
+    return {};
+  }
+  if (increment.surface.size() > most_drawn_faces) {
+    return {{{},
+             "",
+             fmt::format("The surface has {} faces: its picture is left to ParaView, which opens "
+                         "the .pvd file of this folder.",
+                         increment.surface.size())}};
+  }
+  SolidView view;
+  view.increment = &increment;
+  view.step = step;
+  view.stress_name = model.units.stress_name();
+  return {{{draw(view)},
+           "",
+           fmt::format("The outer surface at the end of step {}, {} elements, deformed. Colours: "
+                       "von Mises stress, mean over the nodes of each face.",
+                       step->step, increment.mesh.element_count())}};
+}
+
 } // namespace
 
 std::vector<Figure> mesh_figures(const model::Model& model, const results::Run& run) {
   std::vector<Figure> figures;
+  if (!run.increments.empty() && run.increments.back().mesh.dim == 3) {
+    return solid_figures(model, run.increments.back());
+  }
   if (run.increments.empty() || run.increments.back().mesh.dim != 2 ||
       run.increments.back().mesh.nodes.empty()) {
     return figures;

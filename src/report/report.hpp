@@ -21,8 +21,9 @@ void write_pressure_csv(const std::filesystem::path& file, const model::Model& m
                         const results::Run& run);
 
 /// The table that a card $OUTPUT FORMAT=CSV asks for, one value a row:
-/// increment,step,quantity,name,node,x,y,component,value. EVERY=STEP: each step; INCREMENT: KMAX of
-/// a growth run, else the last step, of each length; END: that step of the last length.
+/// increment,step,quantity,name,node,x,y,component,value; in space z behind y. EVERY=STEP: each
+/// step; INCREMENT: KMAX of a growth run, else the last step, of each length; END: that step of the
+/// last length.
 void write_requested_csv(const std::filesystem::path& file, const model::Model& model,
                          const model::Output& output, const results::Run& run);
 
@@ -30,8 +31,9 @@ void write_requested_csv(const std::filesystem::path& file, const model::Model& 
 std::vector<std::size_t> wanted_steps(const model::Model& model, const model::Output& output,
                                       bool last_increment);
 
-/// One .vtu for an increment and step: cells of all types, displacement, stress (6 components,
-/// nodal), von Mises, net number. Appended binary, zlib.
+/// One .vtu for an increment and step: cells of all types, displacement, reaction, stress (6
+/// components, principal, von Mises; nodal and mean of each element), net number. A node where
+/// properties meet is one point for each, so that stresses may jump. Appended binary, zlib.
 void write_vtu(const std::filesystem::path& file, const model::Model& model,
                const results::Increment& increment, const results::StepResult& step);
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <iterator>
 #include <numeric>
 
@@ -26,13 +27,15 @@ public:
       pressures();
     } else if (request_.quantity == "REACTION") {
       reactions();
+    } else if (request_.quantity == "U") {
+      displacements();
     } else {
-      nodes();
+      stresses();
     }
   }
 
 private:
-  // `where` holds node,x,y, each of which may be empty.
+  // `where` holds node,x,y, in space node,x,y,z, each of which may be empty.
   void row(const std::string& where, const char* component, double value) {
     fmt::format_to(std::back_inserter(text_), "{},{},{},{},{},{},{}\n", increment_.number,
                    step_.step, request_.quantity, request_.name, where, component, value);
@@ -40,16 +43,19 @@ private:
 
   [[nodiscard]] std::string place(base::NodeId n) const {
     const base::Vec3& x = increment_.mesh.x[n.index()];
-    return fmt::format("{},{},{}", increment_.mesh.node_label[n.index()], x.x(), x.y());
+    std::string text = fmt::format("{},{},{}", increment_.mesh.node_label[n.index()], x.x(), x.y());
+    return increment_.mesh.dim == 3 ? fmt::format("{},{}", text, x.z()) : text;
   }
+
+  [[nodiscard]] std::string nowhere() const { return increment_.mesh.dim == 3 ? ",,," : ",,"; }
 
   void tips() {
     for (const results::TipResult& tip : step_.tips) {
       if (tip.name == request_.name || tip.name.starts_with(request_.name + ".")) {
-        row(",,", "A", tip.a);
-        row(",,", "K1", tip.K1);
-        row(",,", "K2", tip.K2);
-        row(",,", "G", tip.G);
+        row(nowhere(), "A", tip.a);
+        row(nowhere(), "K1", tip.K1);
+        row(nowhere(), "K2", tip.K2);
+        row(nowhere(), "G", tip.G);
       }
     }
   }
@@ -76,26 +82,42 @@ private:
     for (const base::NodeId n : members()) {
       sum.head(dim) += step_.reaction.segment(static_cast<Eigen::Index>(n.index()) * dim, dim);
     }
-    row(",,", "X", sum.x());
-    row(",,", "Y", sum.y());
+    for (int c = 0; c < dim; ++c) {
+      row(nowhere(), axes[static_cast<std::size_t>(c)], sum[c]);
+    }
   }
 
-  void nodes() {
+  void displacements() {
     const int dim = increment_.mesh.dim;
-    static constexpr const char* axes[] = {"X", "Y", "Z"};
-    static constexpr const char* stresses[] = {"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
     for (const base::NodeId n : members()) {
-      if (request_.quantity == "U") {
-        for (int c = 0; c < dim; ++c) {
-          row(place(n), axes[c], step_.u[static_cast<Eigen::Index>(n.index()) * dim + c]);
-        }
-      } else if (!step_.stress.empty()) {
-        for (std::size_t c = 0; c < 6; ++c) {
-          row(place(n), stresses[c], step_.stress[n.index()][c]);
-        }
+      for (int c = 0; c < dim; ++c) {
+        row(place(n), axes[static_cast<std::size_t>(c)],
+            step_.u[static_cast<Eigen::Index>(n.index()) * dim + c]);
       }
     }
   }
+
+  void stresses() {
+    static constexpr std::array components{"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
+    static constexpr std::array principal{"P1", "P2", "P3"};
+    if (step_.stress.empty()) {
+      return;
+    }
+    for (const StressPoint& at : stress_points(increment_.mesh, request_.name)) {
+      const results::Stress& s = step_.stress[at.point];
+      const std::string where = place(at.node);
+      for (std::size_t c = 0; c < 6; ++c) {
+        row(where, components[c], s[c]);
+      }
+      row(where, "MISES", results::von_mises(s));
+      const std::array<double, 3> p = results::principal(s);
+      for (std::size_t c = 0; c < 3; ++c) {
+        row(where, principal[c], p[c]);
+      }
+    }
+  }
+
+  static constexpr std::array axes{"X", "Y", "Z"};
 
   const results::Increment& increment_;
   const results::StepResult& step_;
@@ -120,12 +142,13 @@ std::vector<std::size_t> wanted_steps(const model::Model& model, const model::Ou
 
 void write_requested_csv(const std::filesystem::path& file, const model::Model& model,
                          const model::Output& output, const results::Run& run) {
-  std::string text =
-      fmt::format("# units: x y A U GAP [{0}], P S [{1}], K [{2}], REACTION [{3}], G "
-                  "[{3}/{0}]\n"
-                  "increment,step,quantity,name,node,x,y,component,value\n",
-                  model.units.length_name, model.units.stress_name(),
-                  model.units.stress_intensity_name(), model.units.force_name);
+  const bool solid = model.mesh.dim == 3;
+  std::string text = fmt::format(
+      "# units: x y{4} A U GAP [{0}], P S [{1}], K [{2}], REACTION [{3}], G "
+      "[{3}/{0}]\n"
+      "increment,step,quantity,name,node,x,y,{5}component,value\n",
+      model.units.length_name, model.units.stress_name(), model.units.stress_intensity_name(),
+      model.units.force_name, solid ? " z" : "", solid ? "z," : "");
   for (const results::Increment& increment : run.increments) {
     const bool last = &increment == &run.increments.back();
     for (const std::size_t s : wanted_steps(model, output, last)) {

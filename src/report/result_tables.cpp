@@ -25,12 +25,20 @@ std::string degrees(double radians) {
   return fmt::format("{:.1f}", radians * 180.0 / std::numbers::pi);
 }
 
-std::size_t dimension(const results::Increment& increment) {
-  return static_cast<std::size_t>(increment.mesh.dim);
+/// Directions that a resultant has: about an axis radial forces balance, whatever they are.
+std::vector<std::size_t> directions(const model::Model& model,
+                                    const results::Increment& increment) {
+  if (model::axisymmetric(model)) {
+    return {1};
+  }
+  return increment.mesh.dim == 3 ? std::vector<std::size_t>{0, 1, 2}
+                                 : std::vector<std::size_t>{0, 1};
 }
 
-void add_columns(Table& table, const char* what, std::size_t dim, const std::string& unit) {
-  for (std::size_t i = 0; i < dim; ++i) {
+using Directions = std::vector<std::size_t>;
+
+void add_columns(Table& table, const char* what, const Directions& along, const std::string& unit) {
+  for (const std::size_t i : along) {
     table.columns.push_back({fmt::format("{} {}", what, axis[i]), unit, false});
   }
 }
@@ -40,8 +48,8 @@ std::string rounded(double value, double scale) {
   return std::abs(value) < 1e-9 * scale ? "0" : number(value);
 }
 
-void add_cells(Row& row, const base::Vec3& force, std::size_t dim, double scale) {
-  for (std::size_t i = 0; i < dim; ++i) {
+void add_cells(Row& row, const base::Vec3& force, const Directions& along, double scale) {
+  for (const std::size_t i : along) {
     row.push_back(rounded(force[static_cast<Eigen::Index>(i)], scale));
   }
 }
@@ -81,11 +89,11 @@ ContactScale contact_scale(const results::Increment& increment) {
 }
 
 Row contact_row(const results::StepResult& step, const results::ContactResult& contact,
-                std::size_t dim, const ContactScale& scale) {
+                const Directions& along, const ContactScale& scale) {
   Row row{step.step, contact.name};
   if (!contact.mounted) {
     row.push_back("absent");
-    row.resize(row.size() + 7 + dim);
+    row.resize(row.size() + 7 + along.size());
     return row;
   }
   row.push_back(fmt::format("{}/{}", contact.closed, contact.rows));
@@ -93,7 +101,7 @@ Row contact_row(const results::StepResult& step, const results::ContactResult& c
   row.push_back(rounded(contact.min_pressure, scale.pressure));
   row.push_back(rounded(contact.mean_pressure, scale.pressure));
   row.push_back(rounded(contact.max_pressure, scale.pressure));
-  add_cells(row, contact.force_on_slave, dim, scale.force);
+  add_cells(row, contact.force_on_slave, along, scale.force);
   row.push_back(degrees(contact.arc_from));
   row.push_back(degrees(contact.arc_to));
   row.push_back(fmt::format("{}", step.iterations));
@@ -146,44 +154,85 @@ Table contact_table(const model::Model& model, const results::Increment& increme
                {"p mean", stress, false},
                {"p max", stress, false}},
               {}};
-  add_columns(table, "force", dimension(increment), units.force_name);
+  const Directions along = directions(model, increment);
+  add_columns(table, "force", along, units.force_name);
   table.columns.push_back({"arc from", "deg", false});
   table.columns.push_back({"to", "deg", false});
   table.columns.push_back({"iterations", "", false});
   const ContactScale scale = contact_scale(increment);
   for (const results::StepResult& step : increment.steps) {
     for (const results::ContactResult& contact : step.contacts) {
-      table.rows.push_back(contact_row(step, contact, dimension(increment), scale));
+      table.rows.push_back(contact_row(step, contact, along, scale));
     }
   }
   return table;
 }
 
-Table balance_table(const model::Model& model, const results::Increment& increment) {
-  const std::size_t dim = dimension(increment);
+namespace {
+
+/// Resultants and energies of bodies or of nets, as `part` of a step says.
+Table resultants(const model::Model& model, const results::Increment& increment, Table table,
+                 std::vector<results::Balance> results::StepResult::*part) {
+  const Directions along = directions(model, increment);
   const std::string unit = model.units.force_name;
-  Table table{"Force balance", {{"step", "", true}, {"body", "", true}}, {}};
-  add_columns(table, "applied", dim, unit);
-  add_columns(table, "reaction", dim, unit);
-  add_columns(table, "contact", dim, unit);
+  const bool tied = std::ranges::any_of(increment.steps, &results::StepResult::tied);
+  add_columns(table, "applied", along, unit);
+  add_columns(table, "reaction", along, unit);
+  add_columns(table, "contact", along, unit);
+  if (tied) {
+    add_columns(table, "tie", along, unit);
+  }
   table.columns.push_back({"left over", unit, false});
+  table.columns.push_back({"energy", unit + "*" + model.units.length_name, false});
   double scale = 0.0;
+  double most = 0.0;
   for (const results::StepResult& step : increment.steps) {
-    for (const results::Balance& b : step.balance) {
-      scale = std::max({scale, b.applied.norm(), b.reaction.norm(), b.contact.norm()});
+    most = std::max(most, std::abs(step.energy));
+    for (const results::Balance& b : step.*part) {
+      scale =
+          std::max({scale, b.applied.norm(), b.reaction.norm(), b.contact.norm(), b.tie.norm()});
     }
   }
   for (const results::StepResult& step : increment.steps) {
-    for (const results::Balance& b : step.balance) {
+    for (const results::Balance& b : step.*part) {
       Row row{step.step, b.body};
-      add_cells(row, b.applied, dim, scale);
-      add_cells(row, b.reaction, dim, scale);
-      add_cells(row, b.contact, dim, scale);
-      row.push_back(small((b.applied + b.reaction + b.contact).norm()));
+      add_cells(row, b.applied, along, scale);
+      add_cells(row, b.reaction, along, scale);
+      add_cells(row, b.contact, along, scale);
+      if (tied) {
+        add_cells(row, b.tie, along, scale);
+      }
+      row.push_back(small((b.applied + b.reaction + b.contact + b.tie).norm()));
+      row.push_back(rounded(b.energy, most));
       table.rows.push_back(std::move(row));
     }
   }
   return table;
+}
+
+} // namespace
+
+Table balance_table(const model::Model& model, const results::Increment& increment) {
+  return resultants(model, increment,
+                    {"Force balance", {{"step", "", true}, {"body", "", true}}, {}},
+                    &results::StepResult::balance);
+}
+
+Table net_balance_table(const model::Model& model, const results::Increment& increment) {
+  Table table{"Force balance by net", {{"step", "", true}, {"net", "", true}}, {}};
+  const bool same = std::ranges::all_of(increment.steps, [](const results::StepResult& step) {
+    const bool one = step.balance.size() == 1 && step.nets.size() == 1;
+    return one || std::ranges::equal(step.balance, step.nets, {}, &results::Balance::body,
+                                     &results::Balance::body);
+  });
+  return same ? table : resultants(model, increment, table, &results::StepResult::nets);
+}
+
+std::string direction_note(const model::Model& model) {
+  return model::axisymmetric(model)
+             ? "forces and energies are of the full circumference; radial forces balance round it "
+               "and are not shown"
+             : "";
 }
 
 Table check_table(const results::Run& run) {

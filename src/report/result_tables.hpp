@@ -18,8 +18,15 @@ Table k_history_table(const model::Model& model, const results::Run& run, std::s
 /// Penetration, pressures, closed rows, force, arc and iterations for each step and contact.
 Table contact_table(const model::Model& model, const results::Increment& increment);
 
-/// Applied loads, reactions and contact forces of each body and what is left of their sum.
+/// Applied loads, reactions, contact forces and, where there are any, forces of ties of each body,
+/// what is left of their sum, and strain energy.
 Table balance_table(const model::Model& model, const results::Increment& increment);
+
+/// The same of each net; no rows where every net is one body.
+Table net_balance_table(const model::Model& model, const results::Increment& increment);
+
+/// What a reader of forces has to know of the model; may be empty.
+std::string direction_note(const model::Model& model);
 
 /// Every check of the deck: found, wanted, error, tolerance, source.
 Table check_table(const results::Run& run);

@@ -68,29 +68,46 @@ private:
   }
 
   void ranges(const model::OutputRequest& request) {
-    static constexpr std::array<const char*, 6> stresses{"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
-    const bool stress = request.quantity == "S";
-    const int dim = increment_.mesh.dim;
-    const std::vector<base::NodeId> nodes = set_members(increment_.mesh, request.name);
-    if (nodes.empty() || (stress && step_.stress.empty())) {
+    if (request.quantity == "S") {
+      stress_ranges(request.name);
       return;
     }
-    for (std::size_t c = 0; c < (stress ? 6U : static_cast<std::size_t>(dim)); ++c) {
-      const auto value = [&](base::NodeId n) {
-        return stress ? step_.stress[n.index()][c]
-                      : step_.u[static_cast<Eigen::Index>(n.index()) * dim +
-                                static_cast<Eigen::Index>(c)];
-      };
-      double low = value(nodes.front());
-      double high = low;
-      for (const base::NodeId n : nodes) {
-        low = std::min(low, value(n));
-        high = std::max(high, value(n));
+    const int dim = increment_.mesh.dim;
+    for (int c = 0; c < dim; ++c) {
+      std::vector<double> values;
+      for (const base::NodeId n : set_members(increment_.mesh, request.name)) {
+        values.push_back(step_.u[static_cast<Eigen::Index>(n.index()) * dim + c]);
       }
-      const std::string component =
-          request.quantity + "." + (stress ? stresses[c] : std::string(1, "XYZ"[c]));
-      cell(component + ".MIN", request.name, low);
-      cell(component + ".MAX", request.name, high);
+      range(std::string("U.") + "XYZ"[c], request.name, values);
+    }
+  }
+
+  void stress_ranges(const std::string& set) {
+    static constexpr std::array<const char*, 10> names{"XX", "YY", "ZZ", "XY", "YZ",
+                                                       "XZ", "P1", "P2", "P3", "MISES"};
+    std::array<std::vector<double>, 10> values;
+    if (step_.stress.empty()) {
+      return;
+    }
+    for (const StressPoint& at : stress_points(increment_.mesh, set)) {
+      const results::Stress& s = step_.stress[at.point];
+      const std::array<double, 3> p = results::principal(s);
+      for (std::size_t c = 0; c < 9; ++c) {
+        values[c].push_back(c < 6 ? s[c] : p[c - 6]);
+      }
+      values[9].push_back(results::von_mises(s));
+    }
+    for (std::size_t c = 0; c < names.size(); ++c) {
+      range(std::string("S.") + names[c], set, values[c]);
+    }
+  }
+
+  void range(const std::string& quantity, const std::string& set,
+             const std::vector<double>& values) {
+    if (!values.empty()) {
+      const auto [low, high] = std::ranges::minmax(values);
+      cell(quantity + ".MIN", set, low);
+      cell(quantity + ".MAX", set, high);
     }
   }
 

@@ -5,48 +5,81 @@
 #include "report/vtu_grid.hpp"
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 
 namespace spricka::report {
 namespace {
 
-double von_mises(const std::array<double, 6>& s) {
-  const double shear = s[3] * s[3] + s[4] * s[4] + s[5] * s[5];
-  return std::sqrt(0.5 * ((s[0] - s[1]) * (s[0] - s[1]) + (s[1] - s[2]) * (s[1] - s[2]) +
-                          (s[2] - s[0]) * (s[2] - s[0])) +
-                   3.0 * shear);
+constexpr std::array<std::string_view, 6> stress_components{"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
+constexpr std::array<std::string_view, 3> principal_components{"P1", "P2", "P3"};
+
+/// Stresses as arrays: the components, von Mises, principal ones.
+template <class Real> class StressArrays {
+public:
+  void add(const results::Stress& s) {
+    for (const double component : s) {
+      stress_.push_back(static_cast<Real>(component));
+    }
+    mises_.push_back(static_cast<Real>(results::von_mises(s)));
+    for (const double p : results::principal(s)) {
+      principal_.push_back(static_cast<float>(p));
+    }
+  }
+  void write(VtuDocument& document, const std::string& prefix) const {
+    const char* const type = sizeof(Real) == sizeof(double) ? "Float64" : "Float32";
+    document.add(prefix + "stress", type, 6, stress_, stress_components);
+    document.add(prefix + "von_mises", type, 1, mises_);
+    document.add(prefix + "principal", "Float32", 3, principal_, principal_components);
+  }
+
+private:
+  std::vector<Real> stress_, mises_;
+  std::vector<float> principal_;
+};
+
+/// A nodal vector at the points. Sums over points shall be sums over nodes: where `once`, a node's
+/// further points hold zero.
+std::vector<double> at_points(const model::Mesh& mesh, const GridPoints& points,
+                              const base::Vector& field, bool once) {
+  const auto dim = static_cast<std::size_t>(mesh.dim);
+  std::vector<double> values;
+  values.reserve(3 * points.node.size());
+  for (std::size_t p = 0; p < points.node.size(); ++p) {
+    const std::size_t n = points.node[p];
+    const bool further = once && points.point[n] != static_cast<std::int64_t>(p);
+    for (std::size_t i = 0; i < 3; ++i) {
+      values.push_back(i < dim && !further ? field[static_cast<Eigen::Index>(dim * n + i)] : 0.0);
+    }
+  }
+  return values;
 }
 
-void add_point_data(VtuDocument& document, const model::Mesh& mesh, const UsedNodes& used,
-                    const results::StepResult& step) {
-  const auto dim = static_cast<std::size_t>(mesh.dim);
-  std::vector<double> displacement;
-  std::vector<double> stress;
-  std::vector<double> mises;
+std::vector<std::int64_t> labels(const model::Mesh& mesh, const GridPoints& points) {
   std::vector<std::int64_t> label;
-  const bool moved = step.u.size() == static_cast<Eigen::Index>(dim * mesh.node_count());
-  const bool stressed = step.stress.size() == mesh.node_count();
-  for (const std::size_t n : used.node) {
+  for (const std::size_t n : points.node) {
     label.push_back(mesh.node_label[n]);
-    for (std::size_t i = 0; i < 3 && moved; ++i) {
-      displacement.push_back(i < dim ? step.u[static_cast<Eigen::Index>(dim * n + i)] : 0.0);
-    }
-    if (stressed) {
-      stress.insert(stress.end(), step.stress[n].begin(), step.stress[n].end());
-      mises.push_back(von_mises(step.stress[n]));
-    }
   }
-  constexpr std::array<std::string_view, 6> component{"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
+  return label;
+}
+
+void add_point_data(VtuDocument& document, const model::Mesh& mesh, const GridPoints& points,
+                    const results::StepResult& step) {
+  const auto freedoms = static_cast<Eigen::Index>(mesh.node_count()) * mesh.dim;
   document.line("      <PointData>");
-  if (moved) {
-    document.add("displacement", "Float64", 3, displacement);
+  if (step.u.size() == freedoms) {
+    document.add("displacement", "Float64", 3, at_points(mesh, points, step.u, false));
   }
-  if (stressed) {
-    document.add("stress", "Float64", 6, stress, component);
-    document.add("von_mises", "Float64", 1, mises);
+  if (!step.stress.empty()) {
+    StressArrays<double> arrays;
+    for (const std::size_t source : points.source) {
+      arrays.add(step.stress[source]);
+    }
+    arrays.write(document, "");
   }
-  document.add("label", "Int64", 1, label);
+  if (step.reaction.size() == freedoms) {
+    document.add("reaction", "Float64", 3, at_points(mesh, points, step.reaction, true));
+  }
+  document.add("label", "Int64", 1, labels(mesh, points));
   document.line("      </PointData>");
 }
 
@@ -55,12 +88,19 @@ void add_point_data(VtuDocument& document, const model::Mesh& mesh, const UsedNo
 void write_vtu(const std::filesystem::path& file, const model::Model& /*model*/,
                const results::Increment& increment, const results::StepResult& step) {
   const model::Mesh& mesh = increment.mesh;
-  const UsedNodes used = used_nodes(mesh);
-  VtuDocument document = vtu_grid(mesh, used);
+  const GridPoints points = grid_points(mesh, step.stress.size() > mesh.node_count());
+  VtuDocument document = vtu_grid(mesh, points);
   document.line("      <CellData Scalars=\"net\">");
   add_cell_numbers(document, mesh);
+  if (!step.element_stress.empty()) {
+    StressArrays<float> arrays; // for the eye
+    for (const results::Stress& s : step.element_stress) {
+      arrays.add(s);
+    }
+    arrays.write(document, "element_");
+  }
   document.line("      </CellData>");
-  add_point_data(document, mesh, used, step);
+  add_point_data(document, mesh, points, step);
   write_file(file, vtu_end(document));
 }
 
@@ -82,8 +122,8 @@ void add_mark(VtuDocument& document, const std::string& name, std::size_t count,
 } // namespace
 
 void write_mesh_vtu(const std::filesystem::path& file, const model::Mesh& mesh) {
-  const UsedNodes used = used_nodes(mesh);
-  VtuDocument document = vtu_grid(mesh, used);
+  const GridPoints points = grid_points(mesh, false);
+  VtuDocument document = vtu_grid(mesh, points);
   document.line("      <CellData>");
   add_cell_numbers(document, mesh);
   for (const model::ElementSet& set : mesh.element_sets) {
@@ -94,15 +134,11 @@ void write_mesh_vtu(const std::filesystem::path& file, const model::Mesh& mesh) 
   }
   document.line("      </CellData>");
   document.line("      <PointData>");
-  const auto point = [&](base::NodeId n) { return used.point[n.index()]; };
-  std::vector<std::int64_t> label;
-  for (const std::size_t n : used.node) {
-    label.push_back(mesh.node_label[n]);
-  }
-  document.add("label", "Int64", 1, label);
+  const auto point = [&](base::NodeId n) { return points.point[n.index()]; };
+  document.add("label", "Int64", 1, labels(mesh, points));
   for (const model::NodeSet& set : mesh.node_sets) {
     if (!set.name.empty()) {
-      add_mark(document, set.name, used.node.size(), set.nodes, point);
+      add_mark(document, set.name, points.node.size(), set.nodes, point);
     }
   }
   document.line("      </PointData>");

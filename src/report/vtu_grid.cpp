@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/vtu_grid.hpp"
 
+#include "model/property_points.hpp"
+
 #include <zlib.h>
 
 #include <algorithm>
@@ -9,6 +11,7 @@
 #include <cerrno>
 #include <cstring>
 #include <system_error>
+#include <utility>
 
 namespace spricka::report {
 namespace {
@@ -33,24 +36,21 @@ void append_word(std::string& bytes, std::uint64_t word) {
   bytes.append(raw.data(), raw.size());
 }
 
-void add_cells(VtuDocument& document, const model::Mesh& mesh, const UsedNodes& used) {
+/// Our place of VTK's node i of an element.
+std::size_t place_of(ElementType type, std::size_t i) {
+  if (type == ElementType::penta6 || type == ElementType::pentac15) {
+    return wedge_order[i];
+  }
+  const bool face = type == ElementType::hexec27 && i >= 20 && i < 26;
+  return face ? hexec27_faces[i - 20] : i;
+}
+
+void add_cells(VtuDocument& document, const model::Mesh& mesh, const GridPoints& points) {
   std::vector<std::int64_t> connectivity(mesh.nodes.size());
-  std::transform(mesh.nodes.begin(), mesh.nodes.end(), connectivity.begin(),
-                 [&](base::NodeId n) { return used.point[n.index()]; });
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    if (mesh.type[e] == ElementType::penta6 || mesh.type[e] == ElementType::pentac15) {
-      const std::span<const base::NodeId> nodes = mesh.nodes_of(base::ElementId(e));
-      for (std::size_t i = 0; i < nodes.size(); ++i) {
-        connectivity[static_cast<std::size_t>(mesh.first[e]) + i] =
-            used.point[nodes[wedge_order[i]].index()];
-      }
-    }
-    if (mesh.type[e] == ElementType::hexec27) {
-      const std::span<const base::NodeId> nodes = mesh.nodes_of(base::ElementId(e));
-      const std::size_t first_face = static_cast<std::size_t>(mesh.first[e]) + 20;
-      for (std::size_t f = 0; f < hexec27_faces.size(); ++f) {
-        connectivity[first_face + f] = used.point[nodes[hexec27_faces[f]].index()];
-      }
+    const auto first = static_cast<std::size_t>(mesh.first[e]);
+    for (std::size_t i = 0; i < mesh.nodes_of(base::ElementId(e)).size(); ++i) {
+      connectivity[first + i] = points.of[first + place_of(mesh.type[e], i)];
     }
   }
   std::vector<std::int64_t> offsets;
@@ -92,22 +92,39 @@ std::string compress_array(std::string_view data) {
   return bytes + sizes + packed;
 }
 
-UsedNodes used_nodes(const model::Mesh& mesh) {
-  UsedNodes used;
-  used.point.assign(mesh.node_count(), -1);
-  for (const base::NodeId n : mesh.nodes) {
-    used.point[n.index()] = 0;
-  }
-  for (std::size_t n = 0; n < mesh.node_count(); ++n) {
-    if (used.point[n] == 0) {
-      used.point[n] = static_cast<std::int64_t>(used.node.size());
-      used.node.push_back(n);
+GridPoints grid_points(const model::Mesh& mesh, bool split) {
+  model::PropertyPoints sources;
+  if (split) {
+    sources = model::property_points(mesh);
+  } else {
+    for (const base::NodeId n : mesh.nodes) {
+      sources.of.push_back(n.value);
+    }
+    for (std::size_t n = 0; n < mesh.node_count(); ++n) {
+      sources.node.emplace_back(n);
     }
   }
-  return used;
+  std::vector<std::int64_t> point(sources.node.size(), -1);
+  for (const std::int32_t source : sources.of) {
+    point[static_cast<std::size_t>(source)] = 0;
+  }
+  GridPoints points;
+  for (std::size_t s = 0; s < point.size(); ++s) {
+    if (point[s] == 0) {
+      point[s] = static_cast<std::int64_t>(points.node.size());
+      points.node.push_back(sources.node[s].index());
+      points.source.push_back(s);
+    }
+  }
+  for (const std::int32_t source : sources.of) {
+    points.of.push_back(point[static_cast<std::size_t>(source)]);
+  }
+  point.resize(mesh.node_count()); // the nodes' own come first
+  points.point = std::move(point);
+  return points;
 }
 
-VtuDocument vtu_grid(const model::Mesh& mesh, const UsedNodes& used) {
+VtuDocument vtu_grid(const model::Mesh& mesh, const GridPoints& points) {
   VtuDocument document;
   document.line("<?xml version=\"1.0\"?>");
   document.line(
@@ -116,15 +133,15 @@ VtuDocument vtu_grid(const model::Mesh& mesh, const UsedNodes& used) {
                   std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian"));
   document.line("  <UnstructuredGrid>");
   document.line(fmt::format("    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">",
-                            used.node.size(), mesh.element_count()));
+                            points.node.size(), mesh.element_count()));
   std::vector<double> x;
-  for (const std::size_t n : used.node) {
+  for (const std::size_t n : points.node) {
     x.insert(x.end(), mesh.x[n].data(), mesh.x[n].data() + 3);
   }
   document.line("      <Points>");
   document.add("Points", "Float64", 3, x);
   document.line("      </Points>");
-  add_cells(document, mesh, used);
+  add_cells(document, mesh, points);
   return document;
 }
 

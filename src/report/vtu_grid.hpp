@@ -47,17 +47,21 @@ private:
   std::string data_;
 };
 
-/// Nodes that an element uses, renumbered without holes: cutting a crack leaves some unused.
-struct UsedNodes {
+/// The points of a picture: nodes that an element uses, renumbered without holes (cutting a crack
+/// leaves some unused).
+struct GridPoints {
   std::vector<std::size_t> node;   ///< [point] mesh node
-  std::vector<std::int64_t> point; ///< [node] point, or -1
+  std::vector<std::size_t> source; ///< [point] where its stress stands in the results
+  std::vector<std::int64_t> point; ///< [node] its first point, or -1
+  std::vector<std::int64_t> of;    ///< [connectivity index] point
 };
 
-UsedNodes used_nodes(const model::Mesh& mesh);
+/// One point for each node; `split`: one more for each further property that meets there.
+GridPoints grid_points(const model::Mesh& mesh, bool split);
 
 /// A document with the grid: its points, and its cells of all types in VTK's node order. Cell data,
 /// point data and vtu_end are to follow.
-VtuDocument vtu_grid(const model::Mesh& mesh, const UsedNodes& used);
+VtuDocument vtu_grid(const model::Mesh& mesh, const GridPoints& points);
 /// Net and number of each cell, as arrays within <CellData>.
 void add_cell_numbers(VtuDocument& document, const model::Mesh& mesh);
 /// The whole file.

@@ -97,6 +97,7 @@ struct Preview {
   std::string deck;
   std::string title;
   std::string length_unit;
+  int dim = 2;
   std::vector<NetPreview> nets;
   std::vector<QualityPreview> quality;
   std::size_t inside_out = 0; ///< elements

@@ -2,6 +2,7 @@
 #pragma once
 #include "base/vec.hpp"
 #include "model/mesh.hpp"
+#include "results/stress_invariants.hpp"
 
 #include <array>
 #include <string>
@@ -54,25 +55,38 @@ struct ContactResult {
   int rows = 0;
 };
 
-/// Force balance of one body.
+/// Force balance and energy of one body or of one net.
 struct Balance {
   std::string body; ///< net name, "LUG" or "LUG/2" for a second piece
   base::Vec3 applied = base::Vec3::Zero();
   base::Vec3 reaction = base::Vec3::Zero();
   base::Vec3 contact = base::Vec3::Zero();
+  base::Vec3 tie = base::Vec3::Zero(); ///< what $MPC ties hand over to it
+  double energy = 0.0;                 ///< strain energy [force * length]
+};
+
+/// A face of the outer surface of a solid mesh: its outline, mid nodes between the corners.
+struct SurfaceFace {
+  base::ElementId element;
+  std::vector<base::NodeId> outline; ///< the outer normal by the right-hand rule
 };
 
 struct StepResult {
   std::string step;
-  base::Vector u;                            ///< nodal vector [dim * node] of the increment's mesh
-  base::Vector reaction;                     ///< nodal vector of support forces [dim * node]
-  base::Vector temperature;                  ///< [connectivity index], see fe/thermal.hpp; or empty
-  std::vector<std::array<double, 6>> stress; ///< [node] xx yy zz xy yz zx; empty: not recovered
+  base::Vector u;           ///< nodal vector [dim * node] of the increment's mesh
+  base::Vector reaction;    ///< nodal vector of support forces [dim * node]
+  base::Vector temperature; ///< [connectivity index], see fe/thermal.hpp; or empty
+  /// At the nodes, then at further points where properties meet (model/property_points.hpp), the
+  /// mean of the elements there; empty: not recovered. [point]
+  std::vector<Stress> stress;
+  std::vector<Stress> element_stress; ///< mean over the element [element]; empty as `stress`
   std::vector<TipResult> tips;
   std::vector<ContactResult> contacts;
-  std::vector<Balance> balance;
-  double energy = 0.0; ///< strain energy
-  int iterations = 0;  ///< block iterations of the contact solution
+  std::vector<Balance> balance; ///< by body
+  std::vector<Balance> nets;    ///< by net, in deck order, those with elements
+  bool tied = false;            ///< ties stand between freedoms
+  double energy = 0.0;          ///< strain energy
+  int iterations = 0;           ///< block iterations of the contact solution
   int pivots = 0;
   std::vector<std::string> notes;
 };
@@ -82,6 +96,7 @@ struct Increment {
   int number = 0;
   double a = 0.0; ///< of the first growing crack; 0 without cracks
   model::Mesh mesh;
+  std::vector<SurfaceFace> surface; ///< of solids; empty in the plane
   std::vector<StepResult> steps;
   std::vector<std::string> notes;
 };

@@ -143,6 +143,7 @@ int check_deck(const RunOptions& options, const ReadyDeck& deck, const Log& log)
   preview.deck = options.deck.string();
   preview.title = model.title;
   preview.length_unit = model.units.length_name;
+  preview.dim = model.mesh.dim;
   for (const model::Step& step : model.steps) {
     preview.steps.push_back(step.name);
   }

@@ -1,81 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/check_quantities.hpp"
 
-#include "fe/stress.hpp"
-#include "mesh/boundary.hpp"
+#include "run/field_quantities.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <optional>
-#include <stdexcept>
 
 #include <fmt/format.h>
 
 namespace spricka::run {
 
 namespace {
-
-// Why a quantity has no value; caught where the line is evaluated.
-struct Missing : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-/// The arguments of one check, taken from the left.
-class Arguments {
-public:
-  explicit Arguments(const model::Check& check) : check_(check) {}
-
-  std::string name(const char* what) {
-    if (next_ >= check_.arguments.size() ||
-        !std::holds_alternative<std::string>(check_.arguments[next_])) {
-      throw Missing(fmt::format("{} expects {} as argument {}", check_.quantity, what, next_ + 1));
-    }
-    return std::get<std::string>(check_.arguments[next_++]);
-  }
-  std::optional<double> number() {
-    if (next_ < check_.arguments.size() &&
-        std::holds_alternative<double>(check_.arguments[next_])) {
-      return std::get<double>(check_.arguments[next_++]);
-    }
-    return std::nullopt;
-  }
-  double needed(const char* what) {
-    const std::optional<double> value = number();
-    if (!value) {
-      throw Missing(fmt::format("{} expects {} as argument {}", check_.quantity, what, next_ + 1));
-    }
-    return *value;
-  }
-
-private:
-  const model::Check& check_;
-  std::size_t next_ = 0;
-};
-
-struct Place {
-  const results::Increment* increment = nullptr;
-  const results::StepResult* step = nullptr;
-};
-
-// The increment whose length is `a` (to 1e-6), or the last one when no length is given.
-Place find_place(const results::Run& run, const std::string& step, std::optional<double> a) {
-  for (auto it = run.increments.rbegin(); it != run.increments.rend(); ++it) {
-    const results::StepResult* found = results::find_step(*it, step);
-    if (found != nullptr && (!a || std::abs(it->a - *a) <= 1e-6 * std::abs(*a))) {
-      return {&*it, found};
-    }
-  }
-  std::string lengths;
-  for (const results::Increment& increment : run.increments) {
-    lengths += fmt::format("{}{:.9g}", lengths.empty() ? "" : ", ", increment.a);
-  }
-  throw Missing(
-      a ? fmt::format("no increment of length {:.9g} with step {}, only {}", *a, step, lengths)
-        : fmt::format("no results of step {}", step));
-}
 
 double tip_quantity(const std::string& quantity, Arguments& args, const results::Run& run) {
   const std::string tip = args.name("a crack");
@@ -177,148 +115,6 @@ double contact_quantity(const model::Model& model, const std::string& quantity, 
   return quantity == "ARC.TO" ? contact.arc_to : contact.mean_pressure;
 }
 
-std::vector<base::NodeId> nodes_of_set(const model::Mesh& mesh, const std::string& name) {
-  for (const model::NodeSet& set : mesh.node_sets) {
-    if (set.name == name) {
-      return set.nodes;
-    }
-  }
-  for (const model::FaceSet& set : mesh.face_sets) {
-    if (set.name == name) {
-      return mesh::nodes_of_faces(mesh, set.faces);
-    }
-  }
-  for (const model::ElementSet& set : mesh.element_sets) {
-    if (set.name == name) {
-      std::vector<base::NodeId> nodes;
-      for (const base::ElementId e : set.elements) {
-        const std::span<const base::NodeId> own = mesh.nodes_of(e);
-        nodes.insert(nodes.end(), own.begin(), own.end());
-      }
-      return nodes;
-    }
-  }
-  throw Missing(fmt::format("no set {}", name));
-}
-
-/// "S.XX.MIN" -> what, component, how.
-struct FieldName {
-  std::string what, component, how;
-};
-FieldName split(const std::string& quantity) {
-  const std::size_t first = quantity.find('.');
-  const std::size_t last = quantity.rfind('.');
-  if (first == std::string::npos || first == last) {
-    throw Missing(fmt::format("{} is not a quantity", quantity));
-  }
-  return {quantity.substr(0, first), quantity.substr(first + 1, last - first - 1),
-          quantity.substr(last + 1)};
-}
-
-double stress_component(const fe::Stress& s, const std::string& component) {
-  static constexpr std::array<const char*, 6> names{"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (component == names[i]) {
-      return s[static_cast<Eigen::Index>(i)];
-    }
-  }
-  if (component == "MISES") {
-    return fe::von_mises(s);
-  }
-  throw Missing(fmt::format("no stress component {}", component));
-}
-
-Eigen::Index axis_of(const std::string& component) {
-  if (component == "X" || component == "Y" || component == "Z") {
-    return component[0] - 'X';
-  }
-  throw Missing(fmt::format("no displacement component {}", component));
-}
-
-// Stresses of a set's elements at their own nodes; of a node set, of the elements that meet there.
-std::vector<double> stresses_of_set(const model::Model& model, const Place& at,
-                                    const std::string& name, const std::string& component) {
-  const model::Mesh& mesh = at.increment->mesh;
-  const std::vector<fe::Stress> stress =
-      fe::element_node_stress(model, mesh, {at.step->u, at.step->temperature});
-  std::vector<double> values;
-  for (const model::ElementSet& set : mesh.element_sets) {
-    if (set.name == name) {
-      for (const base::ElementId e : set.elements) {
-        const auto first = static_cast<std::size_t>(mesh.first[e.index()]);
-        for (std::size_t k = 0; k < mesh.nodes_of(e).size(); ++k) {
-          values.push_back(stress_component(stress[first + k], component));
-        }
-      }
-      return values;
-    }
-  }
-  const std::vector<fe::Stress> nodal = fe::nodal_stress(model, mesh, stress);
-  for (const base::NodeId n : nodes_of_set(mesh, name)) {
-    values.push_back(stress_component(nodal[n.index()], component));
-  }
-  return values;
-}
-
-double displacement_at(const model::Mesh& mesh, const base::Vector& u, const base::Vec3& x,
-                       Eigen::Index axis) {
-  std::size_t nearest = 0;
-  for (std::size_t n = 1; n < mesh.node_count(); ++n) {
-    nearest = (mesh.x[n] - x).norm() < (mesh.x[nearest] - x).norm() ? n : nearest;
-  }
-  base::Vec3 low = mesh.x[0];
-  base::Vec3 high = mesh.x[0];
-  for (const base::Vec3& p : mesh.x) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  if ((mesh.x[nearest] - x).norm() > 1e-6 * (high - low).norm()) {
-    throw Missing("U is given at nodes only: no node at that point");
-  }
-  return u[static_cast<Eigen::Index>(nearest) * mesh.dim + axis];
-}
-
-double field_quantity(const model::Model& model, const std::string& quantity, Arguments& args,
-                      const results::Run& run) {
-  const FieldName field = split(quantity);
-  if (field.how == "AT") {
-    base::Vec3 x = base::Vec3::Zero();
-    x[0] = args.needed("x");
-    x[1] = args.needed("y");
-    if (model.mesh.dim == 3) {
-      x[2] = args.needed("z");
-    }
-    const std::string step = args.name("a step");
-    const Place at = find_place(run, step, args.number());
-    if (field.what == "U") {
-      return displacement_at(at.increment->mesh, at.step->u, x, axis_of(field.component));
-    }
-    const std::optional<fe::Stress> s =
-        fe::stress_at(model, at.increment->mesh, {at.step->u, at.step->temperature}, x);
-    if (!s) {
-      throw Missing("the point lies outside the body");
-    }
-    return stress_component(*s, field.component);
-  }
-  const std::string set = args.name("a set");
-  const std::string step = args.name("a step");
-  const Place at = find_place(run, step, args.number());
-  std::vector<double> values;
-  if (field.what == "S") {
-    values = stresses_of_set(model, at, set, field.component);
-  } else {
-    for (const base::NodeId n : nodes_of_set(at.increment->mesh, set)) {
-      values.push_back(at.step->u[static_cast<Eigen::Index>(n.index()) * at.increment->mesh.dim +
-                                  axis_of(field.component)]);
-    }
-  }
-  if (values.empty()) {
-    throw Missing(fmt::format("set {} is empty", set));
-  }
-  return field.how == "MIN" ? *std::min_element(values.begin(), values.end())
-                            : *std::max_element(values.begin(), values.end());
-}
-
 double reaction(Arguments& args, const results::Run& run) {
   const std::string set = args.name("a set");
   const std::string step = args.name("a step");
@@ -334,6 +130,20 @@ double reaction(Arguments& args, const results::Run& run) {
   return sum;
 }
 
+double energy(Arguments& args, const results::Run& run) {
+  const std::string net = args.name("a net or *");
+  const std::string step = args.name("a step");
+  const results::StepResult& at = *find_place(run, step, args.number()).step;
+  if (net == "*") {
+    return at.energy;
+  }
+  const auto found = std::ranges::find(at.nets, net, &results::Balance::body);
+  if (found == at.nets.end()) {
+    throw Missing(fmt::format("net {} has no elements", net));
+  }
+  return found->energy;
+}
+
 double evaluate(const model::Model& model, const model::Check& check, const results::Run& run) {
   Arguments args(check);
   const std::string& q = check.quantity;
@@ -342,6 +152,9 @@ double evaluate(const model::Model& model, const model::Check& check, const resu
   }
   if (q.starts_with("CPRESS.") || q.starts_with("ARC.") || q == "SUM") {
     return contact_quantity(model, q, args, run);
+  }
+  if (q == "ENERGY") {
+    return energy(args, run);
   }
   if (q == "REACTION") {
     return reaction(args, run);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -104,25 +105,61 @@ void gather_contacts(const model::Model& model, const Scene& scene, const StepSt
   }
 }
 
-void gather_balance(const model::Model& model, const Scene& scene,
-                    const std::vector<BodyNet>& bodies, const StepState& state,
-                    results::StepResult& out) {
-  const int dim = scene.cracked.mesh.dim;
+void add_node(results::Balance& balance, const StepState& state, base::NodeId n, int dim) {
+  const auto at = static_cast<Eigen::Index>(n.index()) * dim;
+  balance.applied.head(dim) += state.force.segment(at, dim);
+  balance.contact.head(dim) += state.contact.segment(at, dim);
+  balance.reaction.head(dim) += state.reaction.segment(at, dim);
+  if (state.tie.size() > 0) {
+    balance.tie.head(dim) += state.tie.segment(at, dim);
+  }
+}
+
+void drop_radial(results::Balance& balance) { // radial forces balance round the circumference
+  for (base::Vec3* sum : {&balance.applied, &balance.contact, &balance.reaction, &balance.tie}) {
+    sum->x() = 0.0;
+  }
+}
+
+void gather_bodies(const model::Model& model, const Scene& scene,
+                   const std::vector<BodyNet>& bodies, const StepState& state,
+                   results::StepResult& out) {
   for (const BodyNet& body : bodies) {
     results::Balance balance;
     balance.body = body.name;
     for (const base::NodeId n : body.body.nodes) {
-      const auto at = static_cast<Eigen::Index>(n.index()) * dim;
-      balance.applied.head(dim) += state.force.segment(at, dim);
-      balance.contact.head(dim) += state.contact.segment(at, dim);
-      balance.reaction.head(dim) += state.reaction.segment(at, dim);
+      add_node(balance, state, n, scene.cracked.mesh.dim);
     }
-    if (model::axisymmetric(model)) { // radial forces balance round the circumference
-      for (base::Vec3* sum : {&balance.applied, &balance.contact, &balance.reaction}) {
-        sum->x() = 0.0;
-      }
+    for (const base::ElementId e : body.body.elements) {
+      balance.energy += state.energy[e.index()];
+    }
+    if (model::axisymmetric(model)) {
+      drop_radial(balance);
     }
     out.balance.push_back(balance);
+  }
+}
+
+void gather_nets(const model::Model& model, const Scene& scene, const StepState& state,
+                 results::StepResult& out) {
+  const model::Mesh& mesh = scene.cracked.mesh;
+  std::vector<results::Balance> nets(model.nets.size());
+  std::vector<bool> used(model.nets.size(), false);
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    used[mesh.element_net[e].index()] = true;
+    nets[mesh.element_net[e].index()].energy += state.energy[e];
+  }
+  for (std::size_t n = 0; n < mesh.node_count(); ++n) {
+    add_node(nets[mesh.node_net[n].index()], state, base::NodeId(n), mesh.dim);
+  }
+  for (std::size_t n = 0; n < nets.size(); ++n) {
+    nets[n].body = model.nets[n].name.empty() ? "(deck)" : model.nets[n].name;
+    if (model::axisymmetric(model)) {
+      drop_radial(nets[n]);
+    }
+    if (used[n]) {
+      out.nets.push_back(nets[n]);
+    }
   }
 }
 
@@ -136,13 +173,15 @@ results::StepResult gather_step(const model::Model& model, const Scene& scene,
   out.u = state.u;
   out.reaction = state.reaction;
   out.temperature = state.temperature;
-  out.energy = state.energy;
+  out.energy = std::accumulate(state.energy.begin(), state.energy.end(), 0.0);
+  out.tied = state.tie.size() > 0;
   out.iterations = state.iterations;
   out.pivots = state.pivots;
   out.notes = state.notes;
   gather_tips(model, scene, state, out);
   gather_contacts(model, scene, state, out);
-  gather_balance(model, scene, bodies, state, out);
+  gather_bodies(model, scene, bodies, state, out);
+  gather_nets(model, scene, state, out);
   return out;
 }
 

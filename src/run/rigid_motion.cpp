@@ -7,6 +7,19 @@
 
 namespace spricka::run {
 
+namespace {
+
+// "(0.600, 0.800)", as many components as the mesh has directions.
+std::string components(const base::Vec3& v, int dim, int digits) {
+  std::string text;
+  for (int c = 0; c < dim; ++c) {
+    text += fmt::format("{}{:.{}f}", c > 0 ? ", " : "", v[c], digits);
+  }
+  return "(" + text + ")";
+}
+
+} // namespace
+
 std::string describe_motion(const model::Mesh& mesh, const fe::Body& body,
                             const base::Vector& motion) {
   base::Vec3 mean = base::Vec3::Zero();
@@ -25,8 +38,7 @@ std::string describe_motion(const model::Mesh& mesh, const fe::Body& body,
     return "rotation";
   }
   if (mean.norm() < 0.9 * rms) {
-    return fmt::format("translation ({:.2f}, {:.2f}) with rotation", mean.x() / rms,
-                       mean.y() / rms);
+    return fmt::format("translation {} with rotation", components(mean / rms, mesh.dim, 2));
   }
   const base::Vec3 d = mean.normalized();
   for (int c = 0; c < mesh.dim; ++c) {
@@ -34,7 +46,7 @@ std::string describe_motion(const model::Mesh& mesh, const fe::Body& body,
       return fmt::format("direction {}", "XYZ"[c]);
     }
   }
-  return fmt::format("direction ({:.3f}, {:.3f})", d.x(), d.y());
+  return "direction " + components(d, mesh.dim, 3);
 }
 
 } // namespace spricka::run

@@ -195,13 +195,13 @@ void StepSolver::balance(StepState& state) const {
     all.emplace_back(e);
   }
   fe::add_internal_force(model_, mesh, all, state.u, internal);
-  state.energy = 0.5 * internal.dot(state.u);
+  state.energy = fe::element_energy(model_, mesh, state.u);
   if (state.temperature.size() > 0) {
-    state.energy += fe::thermal_energy(model_, mesh, state.temperature) -
-                    fe::thermal_load(model_, mesh, state.temperature).dot(state.u);
+    fe::add_thermal_energy(model_, mesh, state.temperature, state.u, state.energy);
   }
   // Forces on dependent freedoms are their masters' to bear.
-  base::Matrix out_of_balance = internal - state.force - state.contact;
+  const base::Vector open = internal - state.force - state.contact;
+  base::Matrix out_of_balance = open;
   scene_.ties->reduce(out_of_balance);
   state.reaction = out_of_balance;
   double left_over = 0.0;
@@ -212,9 +212,25 @@ void StepSolver::balance(StepState& state) const {
       state.reaction[i] = 0.0;
     }
   }
+  if (!scene_.ties->rows().empty()) {
+    state.tie = tie_forces(open - state.reaction);
+  }
   const double scale =
       std::max({state.force.lpNorm<1>(), state.contact.lpNorm<1>(), state.reaction.lpNorm<1>()});
   state.imbalance = scale > 0.0 ? left_over / scale : 0.0;
+}
+
+// What loads, contacts and supports leave over is the ties' where there is one; elsewhere it is an
+// error of the solution and stays to be seen as such.
+base::Vector StepSolver::tie_forces(const base::Vector& left_over) const {
+  base::Vector tie = base::Vector::Zero(left_over.size());
+  for (const fe::Dependence::Row& row : scene_.ties->rows()) {
+    tie[row.freedom] = left_over[row.freedom];
+    for (const fe::Term& term : row.terms) {
+      tie[term.freedom] = left_over[term.freedom];
+    }
+  }
+  return tie;
 }
 
 std::optional<StepState> StepSolver::solve(const model::Step& step, Refusal& refusal) {

@@ -33,7 +33,8 @@ struct StepState {
   base::Vector force;                         ///< [dim * node] applied loads
   base::Vector contact;                       ///< [dim * node] contact forces
   base::Vector reaction;                      ///< [dim * node] support forces
-  double energy = 0.0;
+  base::Vector tie;                           ///< [dim * node] forces of ties; empty: there are none
+  std::vector<double> energy;                 ///< [element] strain energy
   double imbalance = 0.0; ///< largest force left over at a free freedom, over the force scale
   int iterations = 0, pivots = 0;
   std::vector<std::string> notes;
@@ -55,6 +56,7 @@ private:
                             const contact::ContactSystem::Demand& demand, StepState& state,
                             Refusal& refusal);
   void balance(StepState& state) const;
+  [[nodiscard]] base::Vector tie_forces(const base::Vector& left_over) const;
 
   const model::Model& model_;
   const Scene& scene_;

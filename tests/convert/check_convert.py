@@ -188,4 +188,5 @@ def main():
         print(f"{name}: volume" + (f", stress by ccx within {worst:.1e}" if ccx else ", no ccx"))
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/stress.hpp"
+#include "model/property_points.hpp"
 
 #include "tests/unit/fe/plane_problem.hpp"
 
@@ -120,7 +121,7 @@ TEST(stress, is_finite_at_a_quarter_point_tip_and_elsewhere_exact) {
   }
 }
 
-TEST(stress, nodes_between_two_properties_keep_to_the_first) {
+TEST(stress, nodes_between_two_properties_have_a_value_of_each) {
   model::Model model = test::plane_model(E, nu, model::State::plane_stress);
   model.materials.push_back(model.materials[0]);
   model.materials[1].E = 10.0 * E;
@@ -131,13 +132,32 @@ TEST(stress, nodes_between_two_properties_keep_to_the_first) {
   const Vector u = interpolate(model.mesh, [](const Vec3& x) { return Vec2(x.x(), -nu * x.y()); });
   const std::vector<Stress> s =
       nodal_stress(model, model.mesh, element_node_stress(model, model.mesh, u));
-  for (std::size_t n = 0; n < s.size(); ++n) {
-    const double expected = model.mesh.x[n].x() < 0.75 ? E : 10.0 * E;
-    EXPECT_NEAR(s[n][0], expected, 1e-11 * expected);
+  const model::PropertyPoints points = model::property_points(model.mesh);
+  ASSERT_EQ(s.size(), model.mesh.node_count() + 2); // the border's two nodes once more
+  ASSERT_EQ(points.node.size(), s.size());
+  for (std::size_t k = 0; k < points.of.size(); ++k) {
+    const auto point = static_cast<std::size_t>(points.of[k]);
+    const double expected = k < 4 ? E : 10.0 * E;
+    EXPECT_NEAR(s[point][0], expected, 1e-11 * expected);
+    EXPECT_EQ(points.node[point], model.mesh.nodes[k]);
   }
   // On the border the element found first decides; never a mixture.
   const double border = (*stress_at(model, model.mesh, u, Vec3(0.5, 0.5, 0.0)))[0];
   EXPECT_NEAR(border, E, 1e-10 * E);
+}
+
+// A linear stress on parallelograms and straight triangles: its mean is that of the corners.
+TEST_P(Quadratic, mean_of_an_element_is_the_integral_over_it) {
+  const std::vector<Stress> mean = mean_stress(model, model.mesh, u);
+  for (std::size_t e = 0; e < mean.size(); ++e) {
+    const auto nodes = model.mesh.nodes_of(base::ElementId(e));
+    const auto corners = static_cast<std::size_t>(base::info(model.mesh.type[e]).corners);
+    double y = 0.0;
+    for (std::size_t i = 0; i < corners; ++i) {
+      y += model.mesh.x[nodes[i].index()].y() / static_cast<double>(corners);
+    }
+    EXPECT_LT((mean[e] - E * y * Stress::Unit(0)).norm(), 1e-12 * E);
+  }
 }
 
 // Two bodies that touch (a contact, or the lips of a crack) share a place but no node.
@@ -171,19 +191,6 @@ TEST(stress, takes_points_of_an_arc_between_the_nodes) {
       ASSERT_TRUE(s.has_value());
       EXPECT_NEAR((*s)[0], E, 1e-10 * E);
     }
-  }
-}
-
-TEST(von_mises, closed_forms) {
-  Stress s = Stress::Zero();
-  s[0] = -5.0;
-  EXPECT_NEAR(von_mises(s), 5.0, 1e-14);
-  s << 2.0, 2.0, 2.0, 0.0, 0.0, 0.0;
-  EXPECT_EQ(von_mises(s), 0.0);
-  for (int c = 3; c < 6; ++c) {
-    s.setZero();
-    s[c] = 4.0;
-    EXPECT_NEAR(von_mises(s), 4.0 * std::sqrt(3.0), 1e-14);
   }
 }
 

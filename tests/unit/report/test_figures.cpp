@@ -4,10 +4,12 @@
 #include "report/plot.hpp"
 #include "report/report.hpp"
 #include "report/result_tables.hpp"
+#include "report/solid_picture.hpp"
 #include "sample.hpp"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -151,6 +153,81 @@ TEST(MeshPicture, DrawsACurvedEdgeAsItsParabola) {
   view.width = 100.0;
   // Edge 1: control point 2 (50, -10) - (50, 0) = (50, -20); pixels: y = 22 + 100 - y.
   EXPECT_EQ(count(draw(view), "M0 122Q50 142 100 122"), 2U) << "area and outline";
+}
+
+// A unit cube as one HEXE8 with its six faces, all under the same tension.
+void add_cube(results::Increment& increment, results::StepResult& step, const base::Vec3& at,
+              double tension) {
+  model::Mesh& mesh = increment.mesh;
+  mesh.dim = 3;
+  std::vector<base::NodeId> nodes;
+  for (const base::Vec3& x :
+       {base::Vec3(0, 0, 0), base::Vec3(1, 0, 0), base::Vec3(1, 1, 0), base::Vec3(0, 1, 0),
+        base::Vec3(0, 0, 1), base::Vec3(1, 0, 1), base::Vec3(1, 1, 1), base::Vec3(0, 1, 1)}) {
+    nodes.push_back(model::add_node(mesh, at + x, 1, base::NetId(0)));
+    step.stress.push_back({tension, 0, 0, 0, 0, 0});
+  }
+  const base::ElementId cube =
+      model::add_element(mesh, base::ElementType::hexe8, nodes, 1, base::NetId(0));
+  for (const std::array<std::size_t, 4>& side : {std::array<std::size_t, 4>{0, 3, 2, 1},
+                                                 {4, 5, 6, 7},
+                                                 {0, 1, 5, 4},
+                                                 {2, 3, 7, 6},
+                                                 {1, 2, 6, 5},
+                                                 {0, 4, 7, 3}}) {
+    results::SurfaceFace face{cube, {}};
+    for (const std::size_t n : side) {
+      face.outline.push_back(nodes[n]);
+    }
+    increment.surface.push_back(std::move(face));
+  }
+}
+
+// Of areas, in the order they are painted.
+std::vector<std::string> fills_of_paths(const std::string& drawing) {
+  std::vector<std::string> fills;
+  for (std::size_t at = drawing.find("<path"); at != std::string::npos;
+       at = drawing.find("<path", at + 1)) {
+    const std::size_t fill = drawing.find("fill=\"", at) + 6;
+    fills.push_back(drawing.substr(fill, drawing.find('"', fill) - fill));
+    if (fills.back() == "none") {
+      fills.pop_back(); // a line
+    }
+  }
+  return fills;
+}
+
+TEST(SolidPicture, ShowsTheFacesTurnedToTheEyeTheNearestLast) {
+  results::Increment increment;
+  results::StepResult step;
+  // From x, -y and z: the second cube stands before the first.
+  add_cube(increment, step, {0.0, 0.0, 0.0}, 10.0);
+  add_cube(increment, step, {2.0, -3.0, 1.8}, 30.0);
+  const std::vector<std::string> fills =
+      fills_of_paths(draw(SolidView{&increment, &step, "MPa", 400.0}));
+  ASSERT_EQ(fills.size(), 6U) << "three faces of each cube";
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(fills[i], fills[0]);
+    EXPECT_EQ(fills[3 + i], fills[3]);
+  }
+  EXPECT_NE(fills[0], fills[3]);
+  EXPECT_EQ(fills[3], "#fde725") << "the largest stress has the lightest colour";
+}
+
+TEST(SolidPicture, OfTooManyFacesIsLeftToOthers) {
+  test::Sample sample = test::make_sample();
+  results::Increment increment;
+  increment.steps.resize(1);
+  increment.steps[0].step = "LOAD";
+  add_cube(increment, increment.steps[0], base::Vec3::Zero(), 1.0);
+  sample.run.increments = {increment};
+  ASSERT_EQ(mesh_figures(sample.model, sample.run).size(), 1U);
+  EXPECT_EQ(mesh_figures(sample.model, sample.run)[0].drawings.size(), 1U);
+  sample.run.increments[0].surface.resize(most_drawn_faces + 1);
+  const std::vector<Figure> figures = mesh_figures(sample.model, sample.run);
+  ASSERT_EQ(figures.size(), 1U);
+  EXPECT_TRUE(figures[0].drawings.empty());
+  EXPECT_NE(figures[0].caption.find("ParaView"), std::string::npos);
 }
 
 TEST(PressureFigures, HaveOneDrawingForEachLengthAndCutTheCurveAtTheMouth) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/check_listing.hpp"
 #include "report/report.hpp"
+#include "results/stress_invariants.hpp"
 #include "sample.hpp"
 
 #include <gtest/gtest.h>
@@ -10,6 +12,8 @@
 #include <numbers>
 #include <sstream>
 #include <system_error>
+
+#include <Eigen/Geometry>
 
 namespace spricka::report {
 namespace {
@@ -120,6 +124,36 @@ TEST_F(Writers, ListingEchoesTheDeckAndShowsEveryTable) {
     EXPECT_NE(text.find(part), std::string::npos) << part;
   }
   EXPECT_EQ(text.find(" \n"), std::string::npos) << "blanks at a line's end";
+}
+
+TEST(CheckListing, PlacesHaveAsManyCoordinatesAsTheMesh) {
+  results::Preview preview;
+  preview.quality = {{"host", "aspect", 3.0, "A", 7, {1.0, 2.0, 3.0}}};
+  EXPECT_NE(check_listing(preview).find("(1, 2)"), std::string::npos);
+  preview.dim = 3;
+  EXPECT_NE(check_listing(preview).find("(1, 2, 3)"), std::string::npos);
+}
+
+TEST(StressInvariants, VonMisesInClosedForm) {
+  EXPECT_NEAR(results::von_mises({-5.0, 0, 0, 0, 0, 0}), 5.0, 1e-14);
+  EXPECT_EQ(results::von_mises({2.0, 2.0, 2.0, 0, 0, 0}), 0.0);
+  for (std::size_t c = 3; c < 6; ++c) {
+    results::Stress s{};
+    s[c] = 4.0;
+    EXPECT_NEAR(results::von_mises(s), 4.0 * std::sqrt(3.0), 1e-14);
+  }
+}
+
+// A diagonal stress turned about two axes has the diagonal's values, the largest first.
+TEST(StressInvariants, PrincipalStressesOfATurnedTensor) {
+  const Eigen::Matrix3d Q = (Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitZ()) *
+                             Eigen::AngleAxisd(-0.4, Eigen::Vector3d::UnitX()))
+                                .toRotationMatrix();
+  const Eigen::Matrix3d s = Q * Eigen::Vector3d(-20.0, 70.0, 5.0).asDiagonal() * Q.transpose();
+  const auto p = results::principal({s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(2, 0)});
+  EXPECT_NEAR(p[0], 70.0, 1e-12);
+  EXPECT_NEAR(p[1], 5.0, 1e-12);
+  EXPECT_NEAR(p[2], -20.0, 1e-12);
 }
 
 } // namespace

@@ -6,37 +6,45 @@
 
 #include <filesystem>
 #include <fstream>
+#include <initializer_list>
 
 namespace {
 
 using namespace spricka;
 using base::ElementType;
 
-/// Corners of the unit tetrahedron, wedge or cube.
+/// Corners of the unit triangle, square, tetrahedron, wedge or cube.
 std::vector<base::Vec3> corners_of(ElementType type) {
+  const base::ElementInfo& info = base::info(type);
   const double x0 = 2.0 * static_cast<double>(type); // side by side
   std::vector<base::Vec3> x{{x0, 0, 0}, {x0 + 1, 0, 0}, {x0, 1, 0}, {x0, 0, 1}};
-  if (base::info(type).corners == 6) {
+  if (info.dim == 2 && info.corners == 4) {
+    x = {x[0], x[1], {x0 + 1, 1, 0}, x[2]};
+  } else if (info.corners == 6) {
     x = {x[0], x[1], x[2], x[3], {x0 + 1, 0, 1}, {x0, 1, 1}};
-  } else if (base::info(type).corners == 8) {
+  } else if (info.corners == 8) {
     x = {x[0], x[1], {x0 + 1, 1, 0}, x[2], x[3], {x0 + 1, 0, 1}, {x0 + 1, 1, 1}, {x0, 1, 1}};
   }
   return x;
 }
 
-/// One solid of a type; where its further nodes lie follows from the sides they belong to.
-void add_solid(model::Mesh& mesh, ElementType type) {
+/// One element of a quadratic type; where its further nodes lie follows from the sides they belong
+/// to. `quarter`: mid nodes of the edges at the first corner stand at the quarter next to it.
+void add_unit(model::Mesh& mesh, ElementType type, bool quarter) {
   const base::ElementInfo& info = base::info(type);
   std::vector<base::Vec3> x = corners_of(type);
-  x.resize(static_cast<std::size_t>(info.nodes), base::Vec3::Zero());
+  const base::Vec3 centre = 0.25 * (x[0] + x[1] + x[2] + x[3]);
+  x.resize(static_cast<std::size_t>(info.nodes), centre); // a QUAMC9 has it; others overwrite
   const auto at = [&x](int n) -> base::Vec3& { return x[static_cast<std::size_t>(n)]; };
-  for (int s = 0; s < info.sides; ++s) {
-    const std::span<const int> side = shape::side_nodes(type, s);
-    const std::size_t corners = side.size() == 6 ? 3 : 4;
-    for (std::size_t i = 0; i < corners; ++i) {
-      at(side[corners + i]) = 0.5 * (at(side[i]) + at(side[(i + 1) % corners]));
-    }
-    if (side.size() == 9) {
+  for (int m = 0; m < shape::edge_count(type); ++m) {
+    const auto [a, b] = shape::edge_corners(type, m);
+    const double t = !quarter || (a != 0 && b != 0) ? 0.5 : (a == 0 ? 0.25 : 0.75);
+    at(info.corners + m) = (1.0 - t) * at(a) + t * at(b);
+  }
+  if (type == ElementType::hexec27) {
+    x.back().setZero();
+    for (int s = 0; s < info.sides; ++s) {
+      const std::span<const int> side = shape::side_nodes(type, s);
       at(side[8]) = 0.25 * (at(side[0]) + at(side[1]) + at(side[2]) + at(side[3]));
       x.back() += at(side[8]) / 6.0;
     }
@@ -49,12 +57,11 @@ void add_solid(model::Mesh& mesh, ElementType type) {
   model::add_element(mesh, type, nodes, 1, base::NetId(0));
 }
 
-results::Increment solids() {
+results::Increment units(std::initializer_list<ElementType> types, bool quarter) {
   results::Increment increment;
   increment.mesh.dim = 3;
-  for (const ElementType type :
-       {ElementType::tet10, ElementType::pentac15, ElementType::hexec20, ElementType::hexec27}) {
-    add_solid(increment.mesh, type);
+  for (const ElementType type : types) {
+    add_unit(increment.mesh, type, quarter);
   }
   return increment;
 }
@@ -75,7 +82,11 @@ int main(int count, char** arguments) {
     report::write_vtu(folder / name, sample.model, increment, increment.steps[1]);
     entries.emplace_back(increment.a, name);
   }
-  report::write_vtu(folder / "solids.vtu", sample.model, solids(), {});
+  using enum ElementType;
+  report::write_vtu(folder / "solids.vtu", sample.model,
+                    units({tet10, pentac15, hexec20, hexec27}, false), {});
+  report::write_vtu(folder / "quarter.vtu", sample.model,
+                    units({trimc6, quamc8, quamc9, tet10, pentac15, hexec20, hexec27}, true), {});
   report::write_pvd(folder / "sample.pvd", entries);
   report::write_k_csv(folder / "k.csv", sample.model, sample.run);
   report::write_pressure_csv(folder / "pressure.csv", sample.model, sample.run);

@@ -353,5 +353,53 @@ TEST(Check, PointsOfASweepAreLookedAt) {
   EXPECT_EQ(c.found["sweep"], json::array({"last = 2", "last = 12"}));
 }
 
+// Two bars of one element each, tied by their 4 + 4 nodes: dependent freedoms have a column.
+TEST(Check, ListingCountsDependentFreedoms) {
+  const Folder folder;
+  const std::filesystem::path file = folder.path() / "test.deck";
+  std::ofstream(file) << R"($DECK VERSION=1 LENGTH=mm FORCE=N
+$NET NAME=A
+  $MESH SHAPE=BLOCK TYPE=HEXE8 LX=2 LY=4 LZ=6 NX=1 NY=1 NZ=1
+$ENDNET
+$NET NAME=B
+  $MESH SHAPE=BLOCK TYPE=HEXE8 X0=2 LX=2 LY=4 LZ=6 NX=1 NY=1 NZ=1
+$ENDNET
+$MATERIAL NAME=M E=1000 NU=0.3
+$PROPERTY ESET=A.BODY MATERIAL=M STATE=SOLID
+$PROPERTY ESET=B.BODY MATERIAL=M STATE=SOLID
+$FREEDOM CLASS=SUPPRESSED DOF=XYZ
+  A.XMIN
+$MPC TYPE=TRANSITION SLAVE=B.XMIN MASTER=A.XMAX
+$LOAD CASE=PULL TYPE=TRACTION
+  B.XMAX 1 0 0
+$STEP NAME=FULL
+  LOAD PULL 1
+$END
+)";
+  run::RunOptions options;
+  options.deck = file;
+  options.check_only = true;
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(run::run_deck(options), 0);
+  const std::string text = testing::internal::GetCapturedStdout();
+  EXPECT_NE(text.find("dependent"), std::string::npos) << text;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string net;
+    words >> net;
+    if (net == "B" && line.find("HEXE8") != std::string::npos) {
+      // nodes, elements, local, external, suppressed, prescribed, dependent
+      std::vector<int> counts(7);
+      for (int& count : counts) {
+        words >> count;
+      }
+      EXPECT_EQ(counts, (std::vector<int>{8, 1, 12, 0, 0, 0, 12})) << line;
+      return;
+    }
+  }
+  FAIL() << "no row of net B\n" << text;
+}
+
 } // namespace
 } // namespace spricka

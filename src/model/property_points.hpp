@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "model/mesh.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace spricka::model {
+
+/// Where a field that jumps between properties has one value: at every node, and once more for each
+/// further property that meets there. (Crack lips have nodes of their own already.)
+struct PropertyPoints {
+  std::vector<std::int32_t> of; ///< [connectivity index] point
+  /// [point]; the first are the nodes themselves, each with the property that comes first there
+  std::vector<base::NodeId> node;
+};
+
+PropertyPoints property_points(const Mesh& mesh);
+
+} // namespace spricka::model

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <array>
+
+namespace spricka::results {
+
+/// A stress as results keep it: xx yy zz xy yz zx.
+using Stress = std::array<double, 6>;
+
+double von_mises(const Stress& s);
+
+/// Principal stresses, the largest first.
+std::array<double, 3> principal(const Stress& s);
+
+} // namespace spricka::results
