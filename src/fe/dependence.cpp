@@ -10,7 +10,8 @@ namespace {
 
 using model::FreedomClass;
 
-// What is left of terms that cancel, over the sum of their sizes.
+// What is left of terms that cancel, over the sum of their sizes. Sizes are carried along from tie
+// to tie: what round-off left in one row is not taken for a coefficient in the next.
 constexpr double round_off = 1e-12;
 // A first term smaller than this share of the largest is not eliminated: everything that follows
 // it would be blown up.
@@ -22,29 +23,35 @@ bool given(FreedomClass cls) {
 
 } // namespace
 
-/// Terms and right-hand side being added up, with the sizes of what was added.
+/// Terms and right-hand side being added up. The error of a value is some round-off of its size: of
+/// a product a b it is |a| size_b + |b| size_a, of a quotient likewise.
 struct Dependence::Sum {
   struct Entry {
     double value = 0.0;
     double size = 0.0;
+
+    void add(double c, double its_size) {
+      value += c;
+      size += its_size;
+    }
+    [[nodiscard]] Entry over(const Entry& divisor) const {
+      const double quotient = value / divisor.value;
+      return {quotient, (size + std::abs(quotient) * divisor.size) / std::abs(divisor.value)};
+    }
   };
   std::map<std::int32_t, Entry> terms;
   Entry constant;
 
-  void add(std::int32_t freedom, double c) {
-    Entry& entry = terms[freedom];
-    entry.value += c;
-    entry.size += std::abs(c);
-  }
-  void add_constant(double c) {
-    constant.value += c;
-    constant.size += std::abs(c);
-  }
-  void add(const Row& row, double factor) {
-    for (const Term& t : row.terms) {
-      add(t.freedom, factor * t.coefficient);
+  void add(const Row& row, const Sizes& sizes, const Entry& factor) {
+    const auto times = [&](double c, double size) {
+      return Entry{factor.value * c, std::abs(factor.value) * size + factor.size * std::abs(c)};
+    };
+    for (std::size_t i = 0; i < row.terms.size(); ++i) {
+      const Entry part = times(row.terms[i].coefficient, sizes.terms[i]);
+      terms[row.terms[i].freedom].add(part.value, part.size);
     }
-    add_constant(factor * row.constant);
+    const Entry part = times(row.constant, sizes.constant);
+    constant.add(part.value, part.size);
   }
   void drop_round_off() {
     std::erase_if(terms, [](const auto& term) {
@@ -67,17 +74,20 @@ Dependence::Dependence(const std::vector<Tie>& ties, const std::vector<FreedomCl
     row_of_[static_cast<std::size_t>(rows_[i].freedom)] = static_cast<std::int32_t>(i);
   }
   users_.clear();
+  sizes_.clear();
 }
 
 // sum c u + constant = 0, with dependent freedoms replaced, is solved for one of its free freedoms.
 void Dependence::add(const Tie& tie, const std::vector<FreedomClass>& cls) {
   Sum sum;
-  sum.add_constant(-tie.rhs);
+  sum.constant = {-tie.rhs, std::abs(tie.rhs)};
   for (const Term& t : tie.terms) {
-    if (const Row* known = row_of(t.freedom)) {
-      sum.add(*known, t.coefficient);
+    const Sum::Entry c{t.coefficient, std::abs(t.coefficient)};
+    const std::int32_t known = row_of_[static_cast<std::size_t>(t.freedom)];
+    if (known >= 0) {
+      sum.add(rows_[static_cast<std::size_t>(known)], sizes_[static_cast<std::size_t>(known)], c);
     } else {
-      sum.add(t.freedom, t.coefficient);
+      sum.terms[t.freedom].add(c.value, c.size);
     }
   }
   sum.drop_round_off();
@@ -106,11 +116,15 @@ void Dependence::add(const Tie& tie, const std::vector<FreedomClass>& cls) {
       std::abs(first->second.value) >= least_pivot * largest) {
     pivot = first->first;
   }
-  const double divisor = -sum.terms.at(pivot).value;
-  Row row{pivot, {}, sum.constant.value / divisor, tie.mpc};
+  const Sum::Entry divisor{-sum.terms.at(pivot).value, sum.terms.at(pivot).size};
+  const Sum::Entry constant = sum.constant.over(divisor);
+  Row row{pivot, {}, constant.value, tie.mpc};
+  Sizes sizes{{}, constant.size};
   for (const auto& [freedom, entry] : sum.terms) {
     if (freedom != pivot) {
-      row.terms.push_back({freedom, entry.value / divisor});
+      const Sum::Entry c = entry.over(divisor);
+      row.terms.push_back({freedom, c.value});
+      sizes.terms.push_back(c.size);
     }
   }
   const std::size_t number = rows_.size();
@@ -118,6 +132,7 @@ void Dependence::add(const Tie& tie, const std::vector<FreedomClass>& cls) {
     users_[t.freedom].push_back(number);
   }
   rows_.push_back(std::move(row));
+  sizes_.push_back(std::move(sizes));
   row_of_[static_cast<std::size_t>(pivot)] = static_cast<std::int32_t>(number);
   eliminate(pivot, number);
 }
@@ -132,13 +147,15 @@ void Dependence::eliminate(std::int32_t freedom, std::size_t by) {
   users_.erase(found);
   for (const std::size_t user : users) {
     Row& row = rows_[user];
+    Sizes& sizes = sizes_[user];
     Sum sum;
-    sum.add_constant(row.constant);
-    for (const Term& t : row.terms) {
-      if (t.freedom == freedom) {
-        sum.add(rows_[by], t.coefficient);
+    sum.constant = {row.constant, sizes.constant};
+    for (std::size_t i = 0; i < row.terms.size(); ++i) {
+      const Sum::Entry c{row.terms[i].coefficient, sizes.terms[i]};
+      if (row.terms[i].freedom == freedom) {
+        sum.add(rows_[by], sizes_[by], c);
       } else {
-        sum.add(t.freedom, t.coefficient);
+        sum.terms[row.terms[i].freedom].add(c.value, c.size);
       }
     }
     sum.drop_round_off();
@@ -148,9 +165,12 @@ void Dependence::eliminate(std::int32_t freedom, std::size_t by) {
       }
     }
     row.terms.clear();
+    sizes.terms.clear();
     row.constant = sum.constant.value;
+    sizes.constant = sum.constant.size;
     for (const auto& [master, entry] : sum.terms) {
       row.terms.push_back({master, entry.value});
+      sizes.terms.push_back(entry.size);
       users_[master].push_back(user);
     }
   }
