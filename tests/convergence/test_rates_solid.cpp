@@ -21,8 +21,6 @@ namespace {
 using base::ElementType;
 using base::NodeId;
 
-const Vec3 a(1.0, -2.0, 0.5);
-
 Vec3 shell(const Vec3& p) {
   constexpr double pi = std::numbers::pi;
   const double bump = 0.05 * std::sin(pi * p.x()) * std::sin(pi * p.y()) * std::sin(pi * p.z());
@@ -32,23 +30,26 @@ Vec3 shell(const Vec3& p) {
   return r * Vec3(std::cos(theta) * std::cos(phi), std::sin(theta) * std::cos(phi), std::sin(phi));
 }
 
-const ExactField exact{
-    [](const Vec3& x) {
-      const Eigen::Array3d s = x.array().sin();
-      const Eigen::Array3d c = x.array().cos();
-      return Vec3(a.array() * s * Eigen::Array3d(c[1] * c[2], c[0] * c[2], c[0] * c[1]));
-    },
-    [](const Vec3& x) {
-      const Eigen::Array3d s = x.array().sin();
-      const Eigen::Array3d c = x.array().cos();
-      Eigen::Matrix3d H;
-      for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) {
-          H(i, j) = i == j ? a[i] * c.prod() : -a[i] * s[i] * s[j] * c[3 - i - j];
-        }
+ExactField exact(const Vec3& a) {
+  ExactField field;
+  field.u = [a](const Vec3& x) {
+    const Eigen::Array3d s = x.array().sin();
+    const Eigen::Array3d c = x.array().cos();
+    return Vec3(a.array() * s * Eigen::Array3d(c[1] * c[2], c[0] * c[2], c[0] * c[1]));
+  };
+  field.H = [a](const Vec3& x) {
+    const Eigen::Array3d s = x.array().sin();
+    const Eigen::Array3d c = x.array().cos();
+    Eigen::Matrix3d H;
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        H(i, j) = i == j ? a[i] * c.prod() : -a[i] * s[i] * s[j] * c[3 - i - j];
       }
-      return H;
-    }};
+    }
+    return H;
+  };
+  return field;
+}
 
 Field along(int i) {
   const Field z_field{base::Op::z};
@@ -60,8 +61,8 @@ Field along(int i) {
   return e;
 }
 
-model::Model make_model(ElementType type, int n) {
-  model::Model model = plane_model(1.0, 0.3, model::State::solid);
+model::Model make_model(ElementType type, double nu, int n) {
+  model::Model model = plane_model(1.0, nu, model::State::solid);
   model.mesh.dim = 3;
   mesh::BlockSpec spec;
   spec.type = type;
@@ -105,6 +106,7 @@ base::Vector solve_by_gradients(const model::Model& model, const model::LoadCase
           .cast<double>();
   Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower> gradients(lower);
   gradients.setTolerance(1e-10);
+  gradients.setMaxIterations(20 * lower.rows());
   const base::Vector x = gradients.solve(-base::Vector(r(dofs.freedom)));
   EXPECT_EQ(gradients.info(), Eigen::Success);
   for (Eigen::Index i = 0; i < x.size(); ++i) {
@@ -113,8 +115,8 @@ base::Vector solve_by_gradients(const model::Model& model, const model::LoadCase
   return u;
 }
 
-ErrorNorms run(ElementType type, int n) {
-  model::Model model = make_model(type, n);
+ErrorNorms run(ElementType type, double nu, const Vec3& a, int n) {
+  model::Model model = make_model(type, nu, n);
   const fe::Law k = fe::law_of(model.materials[0], model.properties[0], type);
   model::Load body;
   body.type = model::LoadType::body;
@@ -127,7 +129,7 @@ ErrorNorms run(ElementType type, int n) {
     body.value.push_back((Field(b) * along(i)).code);
     rim.value.push_back((Field(a[i]) * along(i)).code);
   }
-  return error_norms(model, solve_by_gradients(model, {"", {body, rim}}), exact);
+  return error_norms(model, solve_by_gradients(model, {"", {body, rim}}), exact(a));
 }
 
 class SolidRates : public testing::TestWithParam<ElementType> {};
@@ -146,7 +148,7 @@ TEST_P(SolidRates, are_those_of_the_theory) {
   std::vector<double> L2;
   std::vector<double> energy;
   for (const int n : sizes) {
-    const ErrorNorms error = run(type, n);
+    const ErrorNorms error = run(type, 0.3, Vec3(1.0, -2.0, 0.5), n);
     L2.push_back(error.L2);
     energy.push_back(error.energy);
   }
@@ -154,6 +156,31 @@ TEST_P(SolidRates, are_those_of_the_theory) {
   RecordProperty("energy", std::to_string(slope(sizes, energy)));
   EXPECT_NEAR(slope(sizes, L2), p + 1.0, 0.1);
   EXPECT_NEAR(slope(sizes, energy), p, 0.1);
+}
+
+// A field without change of volume at nu = 0.4999, with the projected dilatation. TET4 and PENTA6
+// are left out: one dilatation in each of them is too many for the freedoms that they share.
+class NearlyIncompressible : public testing::TestWithParam<ElementType> {};
+
+INSTANTIATE_TEST_SUITE_P(convergence, NearlyIncompressible,
+                         testing::Values(ElementType::tet10, ElementType::pentac15,
+                                         ElementType::hexe8, ElementType::hexec20,
+                                         ElementType::hexec27),
+                         [](const auto& c) { return std::string(base::info(c.param).name); });
+
+TEST_P(NearlyIncompressible, does_not_lock) {
+  const ElementType type = GetParam();
+  const double p = base::info(type).quadratic ? 2.0 : 1.0;
+  const std::vector<int> sizes =
+      base::info(type).quadratic ? std::vector<int>{3, 4, 6} : std::vector<int>{6, 9};
+  std::vector<double> L2;
+  double soft = 0.0;
+  for (const int n : sizes) {
+    soft = run(type, 0.3, Vec3(1.0, -2.0, 1.0), n).L2;
+    L2.push_back(run(type, 0.4999, Vec3(1.0, -2.0, 1.0), n).L2);
+  }
+  EXPECT_GT(slope(sizes, L2), p + 0.9);
+  EXPECT_LT(L2.back(), 1.25 * soft);
 }
 
 } // namespace
