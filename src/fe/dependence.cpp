@@ -10,8 +10,7 @@ namespace {
 
 using model::FreedomClass;
 
-// What is left of terms that cancel, over the sum of their sizes. Sizes are carried along from tie
-// to tie: what round-off left in one row is not taken for a coefficient in the next.
+// What is left of terms that cancel, over the sum of their sizes.
 constexpr double round_off = 1e-12;
 // A first term smaller than this share of the largest is not eliminated: everything that follows
 // it would be blown up.
@@ -23,21 +22,27 @@ bool given(FreedomClass cls) {
 
 } // namespace
 
-/// Terms and right-hand side being added up. The error of a value is some round-off of its size: of
-/// a product a b it is |a| size_b + |b| size_a, of a quotient likewise.
+/// Terms and right-hand side being added up.
 struct Dependence::Sum {
   struct Entry {
     double value = 0.0;
+    /// The error of the value is some round-off of its size, which is carried along from tie to
+    /// tie: of a product a b it is |a| size_b + |b| size_a, of a quotient likewise. What round-off
+    /// left in one row must not pass for a coefficient that the next can be solved for.
     double size = 0.0;
+    double parts = 0.0; ///< sum of the sizes of what was added here
 
     void add(double c, double its_size) {
       value += c;
       size += its_size;
+      parts += std::abs(c);
     }
     [[nodiscard]] Entry over(const Entry& divisor) const {
       const double quotient = value / divisor.value;
       return {quotient, (size + std::abs(quotient) * divisor.size) / std::abs(divisor.value)};
     }
+    [[nodiscard]] bool doubtful() const { return std::abs(value) <= round_off * size; }
+    [[nodiscard]] bool cancelled() const { return std::abs(value) <= round_off * parts; }
   };
   std::map<std::int32_t, Entry> terms;
   Entry constant;
@@ -53,13 +58,13 @@ struct Dependence::Sum {
     const Entry part = times(row.constant, sizes.constant);
     constant.add(part.value, part.size);
   }
-  void drop_round_off() {
-    std::erase_if(terms, [](const auto& term) {
-      return std::abs(term.second.value) <= round_off * term.second.size;
-    });
-    if (std::abs(constant.value) <= round_off * constant.size) {
-      constant.value = 0.0;
-    }
+  void drop_cancelled() {
+    std::erase_if(terms, [](const auto& term) { return term.second.cancelled(); });
+    constant.value = constant.cancelled() ? 0.0 : constant.value;
+  }
+  void drop_doubtful() {
+    std::erase_if(terms, [](const auto& term) { return term.second.doubtful(); });
+    constant.value = constant.doubtful() ? 0.0 : constant.value;
   }
 };
 
@@ -80,7 +85,7 @@ Dependence::Dependence(const std::vector<Tie>& ties, const std::vector<FreedomCl
 // sum c u + constant = 0, with dependent freedoms replaced, is solved for one of its free freedoms.
 void Dependence::add(const Tie& tie, const std::vector<FreedomClass>& cls) {
   Sum sum;
-  sum.constant = {-tie.rhs, std::abs(tie.rhs)};
+  sum.constant.add(-tie.rhs, std::abs(tie.rhs));
   for (const Term& t : tie.terms) {
     const Sum::Entry c{t.coefficient, std::abs(t.coefficient)};
     const std::int32_t known = row_of_[static_cast<std::size_t>(t.freedom)];
@@ -90,16 +95,18 @@ void Dependence::add(const Tie& tie, const std::vector<FreedomClass>& cls) {
       sum.terms[t.freedom].add(c.value, c.size);
     }
   }
-  sum.drop_round_off();
+  sum.drop_cancelled();
   std::int32_t pivot = -1;
   double largest = 0.0;
   for (const auto& [freedom, entry] : sum.terms) {
-    if (!given(cls[static_cast<std::size_t>(freedom)]) && std::abs(entry.value) > largest) {
+    if (!given(cls[static_cast<std::size_t>(freedom)]) && !entry.doubtful() &&
+        std::abs(entry.value) > largest) {
       largest = std::abs(entry.value);
       pivot = freedom;
     }
   }
   if (pivot < 0) {
+    sum.drop_doubtful();
     if (sum.terms.empty() && sum.constant.value == 0.0) {
       ++redundant_;
       return;
@@ -113,7 +120,7 @@ void Dependence::add(const Tie& tie, const std::vector<FreedomClass>& cls) {
   }
   const auto first = sum.terms.find(tie.terms.front().freedom);
   if (first != sum.terms.end() && !given(cls[static_cast<std::size_t>(first->first)]) &&
-      std::abs(first->second.value) >= least_pivot * largest) {
+      !first->second.doubtful() && std::abs(first->second.value) >= least_pivot * largest) {
     pivot = first->first;
   }
   const Sum::Entry divisor{-sum.terms.at(pivot).value, sum.terms.at(pivot).size};
@@ -149,7 +156,7 @@ void Dependence::eliminate(std::int32_t freedom, std::size_t by) {
     Row& row = rows_[user];
     Sizes& sizes = sizes_[user];
     Sum sum;
-    sum.constant = {row.constant, sizes.constant};
+    sum.constant.add(row.constant, sizes.constant);
     for (std::size_t i = 0; i < row.terms.size(); ++i) {
       const Sum::Entry c{row.terms[i].coefficient, sizes.terms[i]};
       if (row.terms[i].freedom == freedom) {
@@ -158,7 +165,7 @@ void Dependence::eliminate(std::int32_t freedom, std::size_t by) {
         sum.terms[row.terms[i].freedom].add(c.value, c.size);
       }
     }
-    sum.drop_round_off();
+    sum.drop_cancelled();
     for (const Term& t : row.terms) {
       if (t.freedom != freedom) {
         std::erase(users_[t.freedom], user);

@@ -181,6 +181,37 @@ TEST(Dependence, BlocksWithoutDependentFreedomsStayAsTheyAre) {
   EXPECT_EQ((Matrix(block->T) - T).norm(), 0.0);
 }
 
+// 3000 freedoms in a ring, u_i = c_i u_(i+1) + 1e-3, ties in any order: the last is redundant, or a
+// contradiction when its right-hand side is off by a millionth of the others.
+TEST(Dependence, LongRing) {
+  constexpr std::int32_t n = 3000;
+  std::mt19937 random(5);
+  Vector u(n);
+  for (std::int32_t i = 0; i < n; ++i) {
+    u[i] = std::sin(0.1 * i);
+  }
+  std::vector<Tie> ring;
+  for (std::int32_t i = 0; i < n; ++i) {
+    const std::int32_t next = (i + 1) % n;
+    const double c = i % 2 == 0 ? 1.5 : 1.0 / 1.5;
+    ring.push_back({{{i, 1.0}, {next, -c}}, u[i] - c * u[next], static_cast<std::size_t>(i)});
+  }
+  for (int trial = 0; trial < 3; ++trial) {
+    std::shuffle(ring.begin(), ring.end(), random);
+    const Dependence ties(ring, all_local(n));
+    EXPECT_EQ(ties.rows().size(), static_cast<std::size_t>(n - 1));
+    EXPECT_EQ(ties.redundant(), 1);
+    std::vector<Tie> wrong = ring;
+    wrong.back().rhs += 1e-6;
+    const Dependence off(wrong, all_local(n));
+    EXPECT_EQ(off.redundant(), 0);
+    ASSERT_EQ(off.demands().size(), 1U);
+    const Dependence::Demand& demand = off.demands().front();
+    EXPECT_GT(std::abs(demand.rhs), 5e-7);
+    EXPECT_GT(std::abs(demand.rhs), 1e-9 * demand.scale); // what a run calls a contradiction
+  }
+}
+
 /// Ties that a hidden vector `u` satisfies, some of them combinations of others.
 struct System {
   std::vector<Tie> ties;
