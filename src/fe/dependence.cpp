@@ -111,7 +111,7 @@ void Dependence::add(const Tie& tie, const std::vector<FreedomClass>& cls) {
       ++redundant_;
       return;
     }
-    Demand demand{{}, -sum.constant.value, sum.constant.size, tie.mpc};
+    Demand demand{{}, -sum.constant.value, sum.constant.parts, tie.mpc};
     for (const auto& [freedom, entry] : sum.terms) {
       demand.terms.push_back({freedom, entry.value});
     }
