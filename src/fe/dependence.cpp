@@ -22,37 +22,49 @@ bool given(FreedomClass cls) {
 
 } // namespace
 
-/// Terms and right-hand side being added up, with the sizes of what was added.
+/// Terms and right-hand side being added up.
 struct Dependence::Sum {
   struct Entry {
     double value = 0.0;
+    /// The error of the value is some round-off of its size, which is carried along from tie to
+    /// tie: of a product a b it is |a| size_b + |b| size_a, of a quotient likewise. What round-off
+    /// left in one row must not pass for a coefficient that the next can be solved for.
     double size = 0.0;
+    double parts = 0.0; ///< sum of the sizes of what was added here
+
+    void add(double c, double its_size) {
+      value += c;
+      size += its_size;
+      parts += std::abs(c);
+    }
+    [[nodiscard]] Entry over(const Entry& divisor) const {
+      const double quotient = value / divisor.value;
+      return {quotient, (size + std::abs(quotient) * divisor.size) / std::abs(divisor.value)};
+    }
+    [[nodiscard]] bool doubtful() const { return std::abs(value) <= round_off * size; }
+    [[nodiscard]] bool cancelled() const { return std::abs(value) <= round_off * parts; }
   };
   std::map<std::int32_t, Entry> terms;
   Entry constant;
 
-  void add(std::int32_t freedom, double c) {
-    Entry& entry = terms[freedom];
-    entry.value += c;
-    entry.size += std::abs(c);
-  }
-  void add_constant(double c) {
-    constant.value += c;
-    constant.size += std::abs(c);
-  }
-  void add(const Row& row, double factor) {
-    for (const Term& t : row.terms) {
-      add(t.freedom, factor * t.coefficient);
+  void add(const Row& row, const Sizes& sizes, const Entry& factor) {
+    const auto times = [&](double c, double size) {
+      return Entry{factor.value * c, std::abs(factor.value) * size + factor.size * std::abs(c)};
+    };
+    for (std::size_t i = 0; i < row.terms.size(); ++i) {
+      const Entry part = times(row.terms[i].coefficient, sizes.terms[i]);
+      terms[row.terms[i].freedom].add(part.value, part.size);
     }
-    add_constant(factor * row.constant);
+    const Entry part = times(row.constant, sizes.constant);
+    constant.add(part.value, part.size);
   }
-  void drop_round_off() {
-    std::erase_if(terms, [](const auto& term) {
-      return std::abs(term.second.value) <= round_off * term.second.size;
-    });
-    if (std::abs(constant.value) <= round_off * constant.size) {
-      constant.value = 0.0;
-    }
+  void drop_cancelled() {
+    std::erase_if(terms, [](const auto& term) { return term.second.cancelled(); });
+    constant.value = constant.cancelled() ? 0.0 : constant.value;
+  }
+  void drop_doubtful() {
+    std::erase_if(terms, [](const auto& term) { return term.second.doubtful(); });
+    constant.value = constant.doubtful() ? 0.0 : constant.value;
   }
 };
 
@@ -67,34 +79,39 @@ Dependence::Dependence(const std::vector<Tie>& ties, const std::vector<FreedomCl
     row_of_[static_cast<std::size_t>(rows_[i].freedom)] = static_cast<std::int32_t>(i);
   }
   users_.clear();
+  sizes_.clear();
 }
 
 // sum c u + constant = 0, with dependent freedoms replaced, is solved for one of its free freedoms.
 void Dependence::add(const Tie& tie, const std::vector<FreedomClass>& cls) {
   Sum sum;
-  sum.add_constant(-tie.rhs);
+  sum.constant.add(-tie.rhs, std::abs(tie.rhs));
   for (const Term& t : tie.terms) {
-    if (const Row* known = row_of(t.freedom)) {
-      sum.add(*known, t.coefficient);
+    const Sum::Entry c{t.coefficient, std::abs(t.coefficient)};
+    const std::int32_t known = row_of_[static_cast<std::size_t>(t.freedom)];
+    if (known >= 0) {
+      sum.add(rows_[static_cast<std::size_t>(known)], sizes_[static_cast<std::size_t>(known)], c);
     } else {
-      sum.add(t.freedom, t.coefficient);
+      sum.terms[t.freedom].add(c.value, c.size);
     }
   }
-  sum.drop_round_off();
+  sum.drop_cancelled();
   std::int32_t pivot = -1;
   double largest = 0.0;
   for (const auto& [freedom, entry] : sum.terms) {
-    if (!given(cls[static_cast<std::size_t>(freedom)]) && std::abs(entry.value) > largest) {
+    if (!given(cls[static_cast<std::size_t>(freedom)]) && !entry.doubtful() &&
+        std::abs(entry.value) > largest) {
       largest = std::abs(entry.value);
       pivot = freedom;
     }
   }
   if (pivot < 0) {
+    sum.drop_doubtful();
     if (sum.terms.empty() && sum.constant.value == 0.0) {
       ++redundant_;
       return;
     }
-    Demand demand{{}, -sum.constant.value, sum.constant.size, tie.mpc};
+    Demand demand{{}, -sum.constant.value, sum.constant.parts, tie.mpc};
     for (const auto& [freedom, entry] : sum.terms) {
       demand.terms.push_back({freedom, entry.value});
     }
@@ -103,14 +120,18 @@ void Dependence::add(const Tie& tie, const std::vector<FreedomClass>& cls) {
   }
   const auto first = sum.terms.find(tie.terms.front().freedom);
   if (first != sum.terms.end() && !given(cls[static_cast<std::size_t>(first->first)]) &&
-      std::abs(first->second.value) >= least_pivot * largest) {
+      !first->second.doubtful() && std::abs(first->second.value) >= least_pivot * largest) {
     pivot = first->first;
   }
-  const double divisor = -sum.terms.at(pivot).value;
-  Row row{pivot, {}, sum.constant.value / divisor, tie.mpc};
+  const Sum::Entry divisor{-sum.terms.at(pivot).value, sum.terms.at(pivot).size};
+  const Sum::Entry constant = sum.constant.over(divisor);
+  Row row{pivot, {}, constant.value, tie.mpc};
+  Sizes sizes{{}, constant.size};
   for (const auto& [freedom, entry] : sum.terms) {
     if (freedom != pivot) {
-      row.terms.push_back({freedom, entry.value / divisor});
+      const Sum::Entry c = entry.over(divisor);
+      row.terms.push_back({freedom, c.value});
+      sizes.terms.push_back(c.size);
     }
   }
   const std::size_t number = rows_.size();
@@ -118,6 +139,7 @@ void Dependence::add(const Tie& tie, const std::vector<FreedomClass>& cls) {
     users_[t.freedom].push_back(number);
   }
   rows_.push_back(std::move(row));
+  sizes_.push_back(std::move(sizes));
   row_of_[static_cast<std::size_t>(pivot)] = static_cast<std::int32_t>(number);
   eliminate(pivot, number);
 }
@@ -132,25 +154,30 @@ void Dependence::eliminate(std::int32_t freedom, std::size_t by) {
   users_.erase(found);
   for (const std::size_t user : users) {
     Row& row = rows_[user];
+    Sizes& sizes = sizes_[user];
     Sum sum;
-    sum.add_constant(row.constant);
-    for (const Term& t : row.terms) {
-      if (t.freedom == freedom) {
-        sum.add(rows_[by], t.coefficient);
+    sum.constant.add(row.constant, sizes.constant);
+    for (std::size_t i = 0; i < row.terms.size(); ++i) {
+      const Sum::Entry c{row.terms[i].coefficient, sizes.terms[i]};
+      if (row.terms[i].freedom == freedom) {
+        sum.add(rows_[by], sizes_[by], c);
       } else {
-        sum.add(t.freedom, t.coefficient);
+        sum.terms[row.terms[i].freedom].add(c.value, c.size);
       }
     }
-    sum.drop_round_off();
+    sum.drop_cancelled();
     for (const Term& t : row.terms) {
       if (t.freedom != freedom) {
         std::erase(users_[t.freedom], user);
       }
     }
     row.terms.clear();
+    sizes.terms.clear();
     row.constant = sum.constant.value;
+    sizes.constant = sum.constant.size;
     for (const auto& [master, entry] : sum.terms) {
       row.terms.push_back({master, entry.value});
+      sizes.terms.push_back(entry.size);
       users_[master].push_back(user);
     }
   }

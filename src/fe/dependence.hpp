@@ -76,11 +76,17 @@ public:
 
 private:
   struct Sum;
+  /// Of what was added up to a row's terms and constant: round-off of those is its error.
+  struct Sizes {
+    std::vector<double> terms;
+    double constant = 0.0;
+  };
   void add(const Tie& tie, const std::vector<model::FreedomClass>& cls);
   void eliminate(std::int32_t freedom, std::size_t by);
 
   std::vector<Row> rows_;
-  std::vector<std::int32_t> row_of_;                       ///< [freedom] or -1
+  std::vector<Sizes> sizes_;         ///< of the rows, while ties are being solved
+  std::vector<std::int32_t> row_of_; ///< [freedom] or -1
   std::map<std::int32_t, std::vector<std::size_t>> users_; ///< rows that have this master
   std::vector<Demand> demands_;
   int redundant_ = 0;

@@ -21,11 +21,12 @@ template <shape::Shape Side> shape::Point<Side::dim> into_side(const shape::Poin
   }
 }
 
-/// Reference coordinates of the point of a side nearest to x, by Gauss and Newton's method from the
-/// centre, kept inside the side. Exact for points on the side; of points off it by a small share of
-/// the radius of curvature it is the foot of the perpendicular.
+/// Reference coordinates of the foot of the perpendicular from x, by Gauss and Newton's method from
+/// the centre, kept inside the side. Exact for points on the side and for those off it by a small
+/// share of the radius of curvature. Beyond an edge of a skewed side it stays on that edge, but is
+/// not the nearest point there.
 template <shape::Shape Side>
-shape::Point<Side::dim> nearest_on_side(const SideNodes<Side>& X, const base::Vec3& x) {
+shape::Point<Side::dim> foot_on_side(const SideNodes<Side>& X, const base::Vec3& x) {
   shape::Point<Side::dim> r = shape::centre<Side>();
   for (int iteration = 0; iteration < 60; ++iteration) {
     const Eigen::Matrix<double, 3, Side::dim> T = X * Side::dN(r);
@@ -45,6 +46,33 @@ shape::Point<Side::dim> nearest_on_side(const SideNodes<Side>& X, const base::Ve
     }
   }
   return r;
+}
+
+/// Reference coordinates of the point of a side nearest to x: the foot of the perpendicular, or the
+/// nearest point of its edges.
+template <shape::Shape Side>
+shape::Point<Side::dim> nearest_on_side(const SideNodes<Side>& X, const base::Vec3& x) {
+  shape::Point<Side::dim> best = foot_on_side<Side>(X, x);
+  if constexpr (Side::dim == 2) {
+    using Edge = typename Side::Side;
+    double least = (x - X * Side::N(best)).norm();
+    for (int s = 0; s < base::info(Side::type).sides; ++s) {
+      const std::span<const int> nodes = shape::side_nodes(Side::type, s);
+      SideNodes<Edge> E;
+      for (int i = 0; i < Edge::nodes; ++i) {
+        E.col(i) = X.col(nodes[static_cast<std::size_t>(i)]);
+      }
+      const double t = foot_on_side<Edge>(E, x)[0];
+      const shape::Point<2> r = 0.5 * (1.0 - t) * shape::node<Side>(nodes[0]) +
+                                0.5 * (1.0 + t) * shape::node<Side>(nodes[1]);
+      const double distance = (x - X * Side::N(r)).norm();
+      if (distance < (1.0 - 1e-9) * least) {
+        least = distance;
+        best = r;
+      }
+    }
+  }
+  return best;
 }
 
 } // namespace spricka::fe

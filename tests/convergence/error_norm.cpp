@@ -8,45 +8,84 @@
 
 namespace spricka::test {
 
-ErrorNorms error_norms(const model::Model& model, const base::Vector& u, const Exact& exact) {
-  const model::Mesh& mesh = model.mesh;
+namespace {
+
+template <shape::ElementShape S>
+void add_element(const model::Model& model, base::ElementId e, const base::Vector& u,
+                 const ExactField& exact, ErrorNorms& square) {
+  constexpr int dim = S::dim;
+  const fe::NodeVectors<S> X = fe::coordinates<S>(model.mesh, e);
+  const fe::NodeVectors<S> U = fe::gather<S>(model.mesh, e, u);
+  const fe::Law law = fe::law_of(model, model.mesh, e);
+  for (const auto& point : shape::quadrature<S>(dim == 3 ? 7 : 10)) {
+    const fe::Jacobian<S> at = fe::jacobian<S>(X, point.r);
+    base::Vec3 x = base::Vec3::Zero();
+    x.template head<dim>() = X * S::N(point.r);
+    const base::Vec3 found = exact.u(x);
+    const Eigen::Matrix<double, dim, dim> H =
+        exact.H(x).template topLeftCorner<dim, dim>() - U * at.dNdx;
+    const fe::Hoop<S> hoop(X, law, point.r);
+    const double ring = law.axisymmetric ? found.x() / x.x() - U.row(0) * hoop.h : 0.0;
+    const double trace = H.trace() + ring;
+    const double w = point.weight * at.det * law.depth(x.x());
+    square.L2 += w * (found.template head<dim>() - U * S::N(point.r)).squaredNorm();
+    square.energy += w * (law.lambda * trace * trace +
+                          2.0 * law.mu * (0.25 * (H + H.transpose()).squaredNorm() + ring * ring));
+  }
+}
+
+} // namespace
+
+ErrorNorms error_norms(const model::Model& model, const base::Vector& u, const ExactField& exact) {
   ErrorNorms square;
-  fe::for_plane_blocks(mesh, every_element(mesh),
-                       [&]<shape::PlaneShape S>(S, std::span<const base::ElementId> block) {
-                         for (const base::ElementId e : block) {
-                           const fe::NodeVectors<S> X = fe::coordinates<S>(mesh, e);
-                           const fe::NodeVectors<S> U = fe::gather<S>(mesh, e, u);
-                           const fe::Elasticity<2> D = fe::elasticity<2>(
-                               model.material_of(mesh, e), model.property_of(mesh, e).state);
-                           for (const auto& point : shape::quadrature<S>(10)) {
-                             const fe::Jacobian<S> at = fe::jacobian<S>(X, point.r);
-                             const Eigen::Vector2d x = X * S::N(point.r);
-                             const Eigen::Matrix2d H = exact.H(x) - U * at.dNdx;
-                             const fe::Strain<2> eps = fe::strain<2>(H);
-                             const double w = point.weight * at.det;
-                             square.L2 += w * (exact.u(x) - U * S::N(point.r)).squaredNorm();
-                             square.energy += w * eps.dot(D * eps);
-                           }
-                         }
-                       });
+  fe::for_blocks(model.mesh, every_element(model.mesh),
+                 [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
+                   for (const base::ElementId e : block) {
+                     add_element<S>(model, e, u, exact, square);
+                   }
+                 });
   return {std::sqrt(square.L2), std::sqrt(square.energy)};
 }
 
+ErrorNorms error_norms(const model::Model& model, const base::Vector& u, const Exact& exact) {
+  const auto flat = [](const base::Vec3& x) { return Eigen::Vector2d(x.head<2>()); };
+  ExactField field;
+  field.u = [&](const base::Vec3& x) {
+    base::Vec3 u3 = base::Vec3::Zero();
+    u3.head<2>() = exact.u(flat(x));
+    return u3;
+  };
+  field.H = [&](const base::Vec3& x) {
+    Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
+    H.topLeftCorner<2, 2>() = exact.H(flat(x));
+    return H;
+  };
+  return error_norms(model, u, field);
+}
+
 double slope(const std::vector<double>& errors) {
-  const auto n = static_cast<double>(errors.size());
+  std::vector<int> n;
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    n.push_back(1 << i);
+  }
+  return slope(n, errors);
+}
+
+double slope(const std::vector<int>& n, const std::vector<double>& errors) {
+  const auto count = static_cast<double>(errors.size());
   double sx = 0.0;
   double sy = 0.0;
   double sxx = 0.0;
   double sxy = 0.0;
   for (std::size_t i = 0; i < errors.size(); ++i) {
-    const double x = -std::log(2.0) * static_cast<double>(i);
+    const double x = -std::log(static_cast<double>(n[i]));
     const double y = std::log(errors[i]);
     sx += x;
     sy += y;
     sxx += x * x;
     sxy += x * y;
   }
-  return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+  return (count * sxy - sx * sy) / (count * sxx - sx * sx);
 }
 
 } // namespace spricka::test
