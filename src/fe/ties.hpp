@@ -6,18 +6,21 @@
 
 namespace spricka::fe {
 
-/// What is wrong with an entry of Model::mpcs, or only worth a note.
+enum class TieSeverity { error, warning, note };
+
+/// What is wrong with an entry of Model::mpcs, or worth knowing.
 struct TieTrouble {
   std::size_t mpc = 0;
   std::string why;
-  bool error = true;
+  TieSeverity severity = TieSeverity::error;
 };
 
 /// The ties of all entries of Model::mpcs on a mesh, in deck order. TRANSITION: a slave node takes
 /// the displacement of the point of the master faces nearest to it, by their shape functions; where
 /// it lies off that point (the other side of a faceted arc), it is carried along by the rotation of
-/// the face's corners, so that rigid motions stay free. RIGID: all nodes move as one rigid body
-/// with small rotations, given by up to three of its nodes.
+/// the face's corners, so that rigid motions stay free. Constant stress passes exactly where each
+/// side of the fine mesh lies on one master face; one that spans several is warned of. RIGID: all
+/// nodes move as one rigid body with small rotations, given by up to three of its nodes.
 std::vector<Tie> make_ties(const model::Model& model, const model::Mesh& mesh,
                            std::vector<TieTrouble>& troubles);
 

@@ -22,6 +22,8 @@ using base::Vec3;
 constexpr double farthest = 0.1;
 // Worth a note: more than round-off of coordinates.
 constexpr double noticeable = 1e-6;
+// How far a slave node may lie off the face of its side's middle, in sizes of that face.
+constexpr double straddle = 1e-3;
 
 /// What ties a slave node to a face: u_s = sum of weight[i] u_i, weight [dim, dim * nodes].
 struct Hit {
@@ -142,6 +144,72 @@ void add_ties(const model::Mesh& mesh, base::NodeId slave, const Hit& hit, std::
   }
 }
 
+// The master face nearest to a point; null faces never win.
+Hit nearest(const model::Mesh& mesh, const std::vector<model::Face>& faces,
+            const std::vector<Ball>& balls, const Vec3& x) {
+  Hit best;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    if ((x - balls[f].centre).norm() - balls[f].radius < best.distance) {
+      Hit hit = hit_of(mesh, faces[f], x);
+      if (hit.distance < best.distance) {
+        best = std::move(hit);
+      }
+    }
+  }
+  return best;
+}
+
+// Sides of the mesh all of whose nodes are slaves.
+std::vector<model::Face> slave_sides(const model::Mesh& mesh,
+                                     const std::vector<base::NodeId>& slaves) {
+  std::vector<bool> slave(mesh.node_count(), false);
+  for (const base::NodeId n : slaves) {
+    slave[n.index()] = true;
+  }
+  std::vector<model::Face> sides;
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const auto nodes = mesh.nodes_of(base::ElementId(e));
+    for (int s = 0; s < base::info(mesh.type[e]).sides; ++s) {
+      const auto local = shape::side_nodes(mesh.type[e], s);
+      if (std::all_of(local.begin(), local.end(),
+                      [&](int i) { return slave[nodes[static_cast<std::size_t>(i)].index()]; })) {
+        sides.push_back({base::ElementId(e), s});
+      }
+    }
+  }
+  return sides;
+}
+
+// Ties at points hand a constant stress over exactly only where meshes nest: a fine side on two
+// coarse faces sends its forces to the wrong nodes of both.
+void warn_of_straddling(const model::Mesh& mesh, const model::Transition& transition,
+                        std::size_t mpc, const std::vector<Ball>& balls,
+                        std::vector<TieTrouble>& troubles) {
+  const std::vector<model::Face>& faces = mesh.set(transition.master).faces;
+  int count = 0;
+  base::ElementId first;
+  for (const model::Face& side : slave_sides(mesh, mesh.set(transition.slave).nodes)) {
+    const Hit middle = nearest(mesh, faces, balls, ball_of(mesh, side).centre);
+    const auto nodes = mesh.nodes_of(side.element);
+    for (const int i : shape::side_nodes(mesh.type[side.element.index()], side.side)) {
+      const Vec3& x = mesh.x[nodes[static_cast<std::size_t>(i)].index()];
+      const double off = hit_of(mesh, middle.face, x).distance;
+      if (off > nearest(mesh, faces, balls, x).distance + straddle * middle.size) {
+        first = count == 0 ? side.element : first;
+        ++count;
+        break;
+      }
+    }
+  }
+  if (count > 0) {
+    troubles.push_back({mpc,
+                        fmt::format("{} slave side(s) span several master faces (element {}): "
+                                    "stresses near the tie are some per cent off",
+                                    count, mesh.element_label[first.index()]),
+                        TieSeverity::warning});
+  }
+}
+
 } // namespace
 
 void add_transition(const model::Mesh& mesh, const model::Transition& transition, std::size_t mpc,
@@ -155,20 +223,13 @@ void add_transition(const model::Mesh& mesh, const model::Transition& transition
   base::NodeId worst_node;
   for (const base::NodeId slave : mesh.set(transition.slave).nodes) {
     const Vec3& x = mesh.x[slave.index()];
-    Hit best;
-    bool own = false;
-    for (std::size_t f = 0; f < faces.size() && !own; ++f) {
-      own = has_node(mesh, faces[f], slave);
-      if (!own && (x - balls[f].centre).norm() - balls[f].radius < best.distance) {
-        Hit hit = hit_of(mesh, faces[f], x);
-        if (hit.distance < best.distance) {
-          best = std::move(hit);
-        }
-      }
-    }
+    const bool own = std::any_of(faces.begin(), faces.end(), [&](const model::Face& face) {
+      return has_node(mesh, face, slave);
+    });
     if (own) {
       continue; // it is a node of the coarse side itself
     }
+    const Hit best = nearest(mesh, faces, balls, x);
     if (!(best.distance <= farthest * best.size)) {
       troubles.push_back({mpc, fmt::format("node {} does not lie on the master faces: the nearest "
                                            "point of them is {:.3g} away",
@@ -186,8 +247,9 @@ void add_transition(const model::Mesh& mesh, const model::Transition& transition
                         fmt::format("slave nodes lie up to {:.3g} off the master faces (node {}); "
                                     "they are carried along rigidly",
                                     worst, mesh.node_label[worst_node.index()]),
-                        false});
+                        TieSeverity::note});
   }
+  warn_of_straddling(mesh, transition, mpc, balls, troubles);
 }
 
 } // namespace spricka::fe

@@ -217,6 +217,9 @@ void recover_body(const BodyNet& body, const base::Vector& u_external,
   for (std::size_t i = 0; i < body.region.map.freedom.size(); ++i) {
     u[body.region.map.freedom[i]] = own(static_cast<Eigen::Index>(i), 0);
   }
+  // Dependent freedoms as prescribed ones and constants alone move them: the loads of a part have
+  // this in them already (loads_with_supports).
+  const base::Vector given = body.parts.empty() ? base::Vector() : u;
   if (body.region.map.ties) {
     body.region.map.ties->follow(u, case_factors.size() > 0 ? case_factors.tail(1)[0] : 0.0);
   }
@@ -226,7 +229,9 @@ void recover_body(const BodyNet& body, const base::Vector& u_external,
     const auto locals = static_cast<std::size_t>(part.map.locals);
     base::Matrix rim(static_cast<Eigen::Index>(freedom.size() - locals), 1);
     for (std::size_t i = locals; i < freedom.size(); ++i) {
-      rim(static_cast<Eigen::Index>(i - locals), 0) = u[freedom[i]];
+      const bool follows = body.region.map.ties && body.region.map.ties->row_of(freedom[i]);
+      rim(static_cast<Eigen::Index>(i - locals), 0) =
+          u[freedom[i]] - (follows ? given[freedom[i]] : 0.0);
     }
     const base::Matrix all = part.factor->recover(rim, body.part_load[p] * case_factors);
     for (std::size_t i = 0; i < locals; ++i) {

@@ -100,6 +100,9 @@ constexpr std::array advice{
     ErrorCode{"E550", "sweep.csv has the error of each point; started again, the sweep tries them "
                       "again."},
     ErrorCode{"E551", "Start it again with the same folder: finished points are taken over."},
+    ErrorCode{"W503",
+              "Ties at points pass constant stress exactly only where every side of the fine "
+              "mesh lies on one face of the coarse one."},
     ErrorCode{"W502", "The faces of a crack overlap (K1 is negative), or a finite SHIFT of $VCE is "
                       "too large. The listing says the same."},
 };

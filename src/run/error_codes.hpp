@@ -52,8 +52,9 @@ inline constexpr std::array later_codes{
     ErrorCode{"W337", "SCALE on a file that brings moduli"},
     ErrorCode{"E550", "a point of a sweep without success; the sweep goes on"},
     ErrorCode{"E551", "a sweep stopped by a signal"},
-    ErrorCode{"W501", "linear triangles or tetrahedra of a nearly incompressible material"},
+    ErrorCode{"W501", "linear triangles, tetrahedra or wedges of a nearly incompressible material"},
     ErrorCode{"W502", "a result of a step that needs a second look"},
+    ErrorCode{"W503", "a TRANSITION between meshes that do not nest"},
     ErrorCode{"W540", "a converted deck of which only the first step is written"},
 };
 

@@ -31,15 +31,19 @@ base::Diagnostics unavailable(const model::Model& model) {
   return list;
 }
 
-// Where a material hardly changes its volume the dilatation is projected, but linear triangles and
-// tetrahedra have too few freedoms for that: they lock, more the nearer nu is to 0.5.
+// Where a material hardly changes its volume the dilatation is projected, but linear triangles,
+// tetrahedra and wedges have too few freedoms for that: they lock, more the nearer nu is to 0.5.
+bool locks(base::ElementType type) {
+  return type == base::ElementType::trim3 || type == base::ElementType::tet4 ||
+         type == base::ElementType::penta6;
+}
+
 void warn_of_locking(const model::Model& model, base::Diagnostics& list) {
   std::vector<bool> told(model.properties.size(), false);
   for (std::size_t e = 0; e < model.mesh.element_count(); ++e) {
     const base::ElementType type = model.mesh.type[e];
     const std::size_t p = model.mesh.property[e].index();
-    if (told[p] || (type != base::ElementType::trim3 && type != base::ElementType::tet4) ||
-        !fe::law_of(model, model.mesh, base::ElementId(e)).projected) {
+    if (told[p] || !locks(type) || !fe::law_of(model, model.mesh, base::ElementId(e)).projected) {
       continue;
     }
     told[p] = true;

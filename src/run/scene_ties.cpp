@@ -3,6 +3,7 @@
 
 #include "fe/ties.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <variant>
@@ -57,6 +58,16 @@ bool keep_their_nodes(const model::Model& model, const Scene& scene,
   return true;
 }
 
+// Every crack length makes its ties anew.
+void warn_once(base::Diagnostics& diagnostics, const base::Span& span, const std::string& text) {
+  const auto& all = diagnostics.all();
+  if (std::none_of(all.begin(), all.end(),
+                   [&](const base::Diagnostic& d) { return d.text == text; })) {
+    diagnostics.warning(span, "W503", text,
+                        "let the fine side's elements end where the coarse ones do");
+  }
+}
+
 } // namespace
 
 void make_external(std::size_t freedom, const fe::Dependence& ties,
@@ -77,7 +88,9 @@ bool make_scene_ties(const model::Model& model, Scene& scene, base::Diagnostics&
   const std::vector<fe::Tie> ties = fe::make_ties(model, scene.cracked.mesh, troubles);
   bool good = keep_their_nodes(model, scene, ties, diagnostics);
   for (const fe::TieTrouble& trouble : troubles) {
-    if (trouble.error) {
+    if (trouble.severity == fe::TieSeverity::warning) {
+      warn_once(diagnostics, span_of(model, trouble.mpc), fmt::format("$MPC: {}", trouble.why));
+    } else if (trouble.severity == fe::TieSeverity::error) {
       diagnostics.error(span_of(model, trouble.mpc), "E415", fmt::format("$MPC: {}", trouble.why),
                         "SLAVE is the finer side; MASTER the faces of the coarser one that it "
                         "lies on");

@@ -216,7 +216,8 @@ void StepSolver::balance(StepState& state) const {
     state.tie = tie_forces(open - state.reaction);
   }
   const double scale =
-      std::max({state.force.lpNorm<1>(), state.contact.lpNorm<1>(), state.reaction.lpNorm<1>()});
+      std::max({state.force.lpNorm<1>(), state.contact.lpNorm<1>(), state.reaction.lpNorm<1>(),
+                internal.lpNorm<1>()}); // ties with constants strain without load
   state.imbalance = scale > 0.0 ? left_over / scale : 0.0;
 }
 

@@ -33,9 +33,9 @@ struct StepState {
   base::Vector force;                         ///< [dim * node] applied loads
   base::Vector contact;                       ///< [dim * node] contact forces
   base::Vector reaction;                      ///< [dim * node] support forces
-  base::Vector tie;                           ///< [dim * node] forces of ties; empty: there are none
-  std::vector<double> energy;                 ///< [element] strain energy
-  double imbalance = 0.0; ///< largest force left over at a free freedom, over the force scale
+  base::Vector tie;           ///< [dim * node] forces of ties; empty: there are none
+  std::vector<double> energy; ///< [element] strain energy
+  double imbalance = 0.0;     ///< largest force left over at a free freedom, over the force scale
   int iterations = 0, pivots = 0;
   std::vector<std::string> notes;
 };
