@@ -23,6 +23,6 @@ struct RunOptions {
 
 /// Reads, checks and (unless check_only) solves a deck and writes its run folder; messages go to
 /// stderr, the table of results to stdout. Returns the exit code.
-int run_deck(const RunOptions& options);
+int run_deck(const RunOptions& given);
 
 } // namespace spricka::run

@@ -26,6 +26,7 @@ const model::TipNet* tip_net_of(const model::Model& model, base::CrackId crack) 
 std::vector<mesh::TipMesh> tip_meshes(const model::Model& model,
                                       const std::vector<mesh::CrackLine>& lines) {
   std::vector<mesh::TipMesh> tips;
+  tips.reserve(lines.size());
   for (const mesh::CrackLine& line : lines) {
     tips.push_back(mesh::choose_tip_mesh(model.mesh, line, tip_net_of(model, line.crack)));
   }
@@ -53,6 +54,7 @@ std::optional<mesh::CrackedMesh> cracked_mesh(const model::Model& model, double 
   }
   lines = std::move(*found);
   std::vector<base::Span> spans;
+  spans.reserve(lines.size());
   for (const mesh::CrackLine& line : lines) {
     spans.push_back(model.cracks[line.crack.index()].span);
   }
