@@ -102,7 +102,7 @@ private:
       return fail(begin, p_, "E103", fmt::format("a {} is 1 or more", form_.row));
     }
     if (label > base::largest_label) {
-      return fail(begin, p_, "E103", fmt::format("a {} has 15 digits at most", form_.row));
+      return fail(begin, p_, "E103", fmt::format("a {} has 18 digits at most", form_.row));
     }
     for (std::size_t c = 0; c < form_.columns; ++c) {
       p_ = skip_separator(p_, last_);

@@ -4,8 +4,7 @@
 
 namespace spricka::base {
 
-/// Fifteen digits: numbers of meshes put together stay far from the largest integer, and a double
-/// holds each of them.
-inline constexpr Label largest_label = 999'999'999'999'999;
+/// Eighteen digits: numbers of meshes put together stay far from the largest integer.
+inline constexpr Label largest_label = 999'999'999'999'999'999;
 
 } // namespace spricka::base

@@ -196,7 +196,7 @@ private:
       const auto count = static_cast<std::size_t>(base::info(known->type).nodes);
       for (std::size_t e = 0; e < tags[t].size(); ++e) {
         if (tags[t][e] > static_cast<Tag>(base::largest_label)) {
-          error("E331", fmt::format("{}: element number {} has more than 15 digits", file_name(),
+          error("E331", fmt::format("{}: element number {} has more than 18 digits", file_name(),
                                     tags[t][e]));
           return false;
         }
@@ -231,7 +231,7 @@ private:
         return false;
       }
       if (tag > static_cast<Tag>(base::largest_label)) {
-        error("E331", fmt::format("{}: node number {} has more than 15 digits", file_name(), tag));
+        error("E331", fmt::format("{}: node number {} has more than 18 digits", file_name(), tag));
         return false;
       }
       if (!met[*at]) {
