@@ -148,9 +148,10 @@ bool Builder::unit(const char*& p, const char* last) {
   return true;
 }
 
-bool Builder::enter(const char* p) {
+bool Builder::enter(const char* p, const char* last) {
   if (++depth_ > k_deepest) {
-    return fail(span(p, p + 1), "E102", "the expression is nested too deeply");
+    return fail(p < last ? span(p, p + 1) : span(p - 1, p), "E102",
+                "the expression is nested too deeply");
   }
   return true;
 }

@@ -40,7 +40,7 @@ public:
   // Expressions.
   bool number(const char*& p, const char* last); ///< unsigned, with its unit
   bool unit(const char*& p, const char* last);   ///< [unit] after ) ; absent is fine
-  bool enter(const char* p);                     ///< one level deeper
+  bool enter(const char* p, const char* last);   ///< one level deeper
   void leave() { --depth_; }
   void name(const char* begin, const char* end);
   bool call(); ///< the last name is a function; its arguments follow

@@ -84,8 +84,8 @@ bool close_unit(const char*& p, const char* last, Builder& builder) {
   return true;
 }
 
-bool go_deeper(const char*& p, const char* /*last*/, Builder& builder) {
-  return builder.enter(p);
+bool go_deeper(const char*& p, const char* last, Builder& builder) {
+  return builder.enter(p, last);
 }
 
 bool come_back(const char*& /*p*/, const char* /*last*/, Builder& builder) {

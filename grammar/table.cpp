@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "grammar/table.hpp"
 
+#include "base/label.hpp"
 #include "grammar/builder.hpp"
 #include "grammar/lexeme.hpp"
 
@@ -99,6 +100,9 @@ private:
     }
     if (label < 1) {
       return fail(begin, p_, "E103", fmt::format("a {} is 1 or more", form_.row));
+    }
+    if (label > base::largest_label) {
+      return fail(begin, p_, "E103", fmt::format("a {} has 18 digits at most", form_.row));
     }
     for (std::size_t c = 0; c < form_.columns; ++c) {
       p_ = skip_separator(p_, last_);

@@ -145,12 +145,12 @@ private:
   void note_sides(base::ElementId e, std::span<const Place> corner) {
     for (int s = 0; s < info_.sides; ++s) {
       const auto local = shape::side_nodes(spec_.type, s).first(shape::side_corners(spec_.type, s));
-      for (std::size_t d = 0; d < 3; ++d) {
-        for (const std::size_t end : {0U, 1U}) {
+      for (Eigen::Index d = 0; d < 3; ++d) {
+        for (const int end : {0, 1}) {
           const int plane = end == 0 ? 0 : 2 * count_[d];
           if (std::all_of(local.begin(), local.end(),
                           [&](int c) { return corner[static_cast<std::size_t>(c)][d] == plane; })) {
-            faces_[2 * d + end].push_back({e, s});
+            faces_[static_cast<std::size_t>(2 * d + end)].push_back({e, s});
           }
         }
       }

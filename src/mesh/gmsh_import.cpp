@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/gmsh_import.hpp"
 
+#include "base/label.hpp"
 #include "mesh/child.hpp"
 #include "mesh/gmsh_elements.hpp"
 #include "mesh/gmsh_groups.hpp"
@@ -194,6 +195,11 @@ private:
       }
       const auto count = static_cast<std::size_t>(base::info(known->type).nodes);
       for (std::size_t e = 0; e < tags[t].size(); ++e) {
+        if (tags[t][e] > static_cast<Tag>(base::largest_label)) {
+          error("E331", fmt::format("{}: element number {} has more than 18 digits", file_name(),
+                                    tags[t][e]));
+          return false;
+        }
         elements_.tag.push_back(tags[t][e]);
         elements_.type.push_back(known->type);
         elements_.entity.push_back(entity);
@@ -222,6 +228,10 @@ private:
       if (!at) {
         error("E331",
               fmt::format("{}: an element has node {}, which is not there", file_name(), tag));
+        return false;
+      }
+      if (tag > static_cast<Tag>(base::largest_label)) {
+        error("E331", fmt::format("{}: node number {} has more than 18 digits", file_name(), tag));
         return false;
       }
       if (!met[*at]) {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/inp_text.hpp"
 
+#include "base/label.hpp"
 #include "mesh/set_name.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
+#include <cstdlib>
 #include <fstream>
 #include <system_error>
 
@@ -207,8 +209,8 @@ std::optional<std::int64_t> inp_integer(std::string_view text) {
   text = unsigned_part(text);
   std::int64_t value = 0;
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return status == std::errc() && end == text.data() + text.size() ? std::optional(value)
-                                                                   : std::nullopt;
+  const bool whole = status == std::errc() && end == text.data() + text.size();
+  return whole && std::abs(value) <= base::largest_label ? std::optional(value) : std::nullopt;
 }
 
 } // namespace spricka::mesh

@@ -62,15 +62,19 @@ std::string elements_text(const Grid& grid) {
   for (int cube = 0; cube < grid.cubes * grid.cubes * grid.cubes; ++cube) {
     const std::array<int, 3> at{2 * (cube % grid.cubes), 2 * (cube / grid.cubes % grid.cubes),
                                 2 * (cube / grid.cubes / grid.cubes)};
-    const auto place = [&](int corner, int bit) { return at[bit] + 2 * ((corner >> bit) & 1); };
+    const auto place = [&](int corner, std::size_t bit) {
+      return at[bit] + 2 * ((corner >> bit) & 1);
+    };
     for (const auto& tet : tets) {
       fmt::format_to(std::back_inserter(text), "{}", ++element);
       for (const int c : tet) {
         fmt::format_to(std::back_inserter(text), " {}",
                        grid.label(place(c, 0), place(c, 1), place(c, 2)));
       }
-      for (const auto& [p, q] : edges) {
-        const auto middle = [&](int bit) { return (place(tet[p], bit) + place(tet[q], bit)) / 2; };
+      for (const auto& edge : edges) {
+        const int p = tet[static_cast<std::size_t>(edge[0])];
+        const int q = tet[static_cast<std::size_t>(edge[1])];
+        const auto middle = [&](std::size_t bit) { return (place(p, bit) + place(q, bit)) / 2; };
         fmt::format_to(std::back_inserter(text), " {}",
                        grid.label(middle(0), middle(1), middle(2)));
       }

@@ -17,6 +17,7 @@ using test::Folder;
 using test::Outcome;
 using test::run_text;
 
+// NOLINTNEXTLINE(bugprone-exception-escape): moving json checks itself by assertions that may throw
 struct Checked {
   Outcome outcome;
   json found; ///< null when nothing could be shown
@@ -287,9 +288,10 @@ std::string run_program(const std::vector<std::string>& arguments, const Folder&
     if (std::freopen(output.c_str(), "w", stdout) == nullptr) {
       _exit(126);
     }
-    std::vector<char*> argv;
     std::vector<std::string> words = arguments;
     words.insert(words.begin(), SPRICKA);
+    std::vector<char*> argv;
+    argv.reserve(words.size() + 1);
     for (std::string& word : words) {
       argv.push_back(word.data());
     }
