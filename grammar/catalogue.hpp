@@ -47,7 +47,16 @@ enum class Kind {
 /// The field's word for a kind: "node set".
 std::string_view word_of(Kind kind);
 
-enum class Quantity { number, length, stress, angle, stress_intensity, force, energy_release, energy };
+enum class Quantity {
+  number,
+  length,
+  stress,
+  angle,
+  stress_intensity,
+  force,
+  energy_release,
+  energy
+};
 base::Dimension dimension_of(Quantity quantity);
 /// "a length": for messages.
 std::string_view word_of(Quantity quantity);

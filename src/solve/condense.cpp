@@ -170,9 +170,10 @@ base::SymmetricCsc Condensation::Impl::analyse_matrix(base::SymmetricCsc K, doub
   report.factor_entries = session->lnz;
   // The factor, and on top of it the matrix with its permuted copy and, one after the other, the
   // workspace of the largest front and two dense matrices of the externals.
-  report.memory = 8.0 * static_cast<double>(factor->xsize + factor->ssize) +
-                  24.0 * static_cast<double>(A.row.size()) +
-                  std::max(8.0 * static_cast<double>(factor->maxcsize), 16.0 * externals * externals);
+  report.memory =
+      8.0 * static_cast<double>(factor->xsize + factor->ssize) +
+      24.0 * static_cast<double>(A.row.size()) +
+      std::max(8.0 * static_cast<double>(factor->maxcsize), 16.0 * externals * externals);
   report.kept_memory = 8.0 * static_cast<double>(factor->xsize + factor->ssize);
   return A;
 }
@@ -187,8 +188,8 @@ void Condensation::Impl::build(base::SymmetricCsc K, Ordering ordering) {
     return;
   }
   // Refused before any of it is asked for: a machine that swaps is no help.
-  report.memory_left = static_cast<double>(base::memory_limit()) -
-                       static_cast<double>(base::resident_memory());
+  report.memory_left =
+      static_cast<double>(base::memory_limit()) - static_cast<double>(base::resident_memory());
   if (report.memory > report.memory_left) {
     report.status = FactorStatus::out_of_memory;
     return;
