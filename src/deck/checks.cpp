@@ -154,13 +154,15 @@ private:
   }
 
   // The letters for these arguments: what follows ? and the number z may be left out. A lone name
-  // in the place of z that is no parameter is the step behind it.
+  // in the place of z that is no parameter, or a step that no step follows, is the step behind it.
   [[nodiscard]] std::string pattern_for(std::string_view letters,
                                         const std::vector<grammar::Expression>& arguments) const {
     std::string all(letters);
     const std::size_t count = arguments.size();
     const std::size_t z = all.find('z');
-    if (z != std::string::npos && z < count && is_word(arguments[z])) {
+    if (z != std::string::npos && z < count &&
+        (is_word(arguments[z]) ||
+         (is_step(arguments[z]) && !(z + 1 < count && is_step(arguments[z + 1]))))) {
       all.erase(z, 1);
     }
     const std::size_t mark = all.find('?');
@@ -174,6 +176,12 @@ private:
   [[nodiscard]] bool is_word(const grammar::Expression& e) const {
     return e.terms.size() == 1 && e.terms[0].kind == grammar::Term::Kind::name &&
            !c_.scope.values.contains(grammar::to_upper(c_.sources.text(e.terms[0].span)));
+  }
+
+  [[nodiscard]] bool is_step(const grammar::Expression& e) const {
+    return e.terms.size() == 1 && e.terms[0].kind == grammar::Term::Kind::name &&
+           c_.names.find({Kind::step}, grammar::to_upper(c_.sources.text(e.terms[0].span)), {}) !=
+               nullptr;
   }
 
   static std::string usage(std::string_view letters) {

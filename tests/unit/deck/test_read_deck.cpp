@@ -286,8 +286,9 @@ TEST(ReadDeck, AFreeCrackOfOnePointAndGrowth) {
 TEST(ReadDeck, ChecksAtAPoint) {
   const Folder folder;
   const auto arguments = [&](const std::string& quantity) {
-    const Reading r(folder, k_square + "$PARAMETER\n h = 2\n$STEP NAME=S\n$CHECK\n " + quantity +
-                                " = 1 ABS 1\n$END\n");
+    const Reading r(folder,
+                    k_square + "$PARAMETER\n h = 2\n p = 3\n$STEP NAME=S\n$STEP NAME=P\n$CHECK\n " +
+                        quantity + " = 1 ABS 1\n$END\n");
     EXPECT_TRUE(r.model) << r.messages();
     return r.model ? r.model->checks.at(0).arguments.size() : 0;
   };
@@ -295,6 +296,8 @@ TEST(ReadDeck, ChecksAtAPoint) {
   EXPECT_EQ(arguments("U.X.AT(1, 2, h, S)"), 4U);
   EXPECT_EQ(arguments("U.X.AT(1, 2, S, 0.5)"), 4U);
   EXPECT_EQ(arguments("U.X.AT(1, 2, 3, S, 0.5)"), 5U);
+  EXPECT_EQ(arguments("U.X.AT(1, 2, P)"), 3U); // a step with the name of a parameter
+  EXPECT_EQ(arguments("U.X.AT(1, 2, P, S)"), 4U);
 }
 
 TEST(ReadDeck, ADeckThatCannotBeReadThrows) {
