@@ -216,6 +216,7 @@ void add_transition(const model::Mesh& mesh, const model::Transition& transition
                     std::vector<Tie>& ties, std::vector<TieTrouble>& troubles) {
   const std::vector<model::Face>& faces = mesh.set(transition.master).faces;
   std::vector<Ball> balls;
+  balls.reserve(faces.size());
   for (const model::Face& face : faces) {
     balls.push_back(ball_of(mesh, face));
   }
