@@ -100,31 +100,37 @@ constexpr std::array texts{
         "Bodies that contact holds need no support.",
         "$FREEDOM CLASS=SUPPRESSED DOF=XY\n"
         "  LUG.END\n"},
-    CardText{
-        "MPC",
-        "TRANSITION ties the SLAVE nodes to the MASTER faces by their shape functions; RIGID "
-        "makes the SLAVE nodes one rigid body; EQUATION is a linear equation between freedoms.",
-        "$MPC TYPE=TRANSITION SLAVE=FINE.RIM MASTER=COARSE.RIM\n"},
+    CardText{"MPC",
+             "TRANSITION ties the SLAVE nodes to the MASTER faces by their shape functions; RIGID "
+             "makes the SLAVE nodes one rigid body; EQUATION is a linear equation between "
+             "freedoms, whose "
+             "first one follows the others. TRANSITION is exact where every side of the SLAVE mesh "
+             "lies on one MASTER face.",
+             "$MPC TYPE=TRANSITION SLAVE=FINE.RIM MASTER=COARSE.RIM\n"},
     CardText{
         "LOAD",
         "Several cards with one CASE add up; $STEP applies a case with a factor. FORCE: on each "
         "node of the set. RESULTANT: a total, spread over faces or elements. TRACTION: force "
         "per area, x y z. PRESSURE: normal, positive pushes. BODY: force per volume. BEARING: "
         "the pressure of a pin that is not modelled, given by its resultant. DISP: values of "
-        "PRESCRIBED freedoms. In 2D areas count THICK. Values may be expressions in x y z.",
+        "PRESCRIBED freedoms. TEMPERATURE: degrees above the state without stress, of elements "
+        "whose "
+        "material has ALPHA. In 2D areas count THICK, with STATE=AXI the whole circumference, for "
+        "FORCE and RESULTANT as well. Values may be expressions in x y z.",
         "$LOAD CASE=TENSION TYPE=TRACTION\n"
         "  PLATE.YMAX  0  (100[MPa]*(1 - x/40))\n"
         "$LOAD CASE=PIN TYPE=BEARING SHAPE=COSINE\n"
         "  LUG.BORE  97.1[kN]  0\n"},
-    CardText{"CONTACT",
-             "The surfaces cannot pass into each other and can always part, without penalty and "
-             "without stiffness to choose. INTERFERENCE counts on the radius, DIAMETRAL on the "
-             "diameter (twice as much): a drawing that says 72.084 in 72 means DIAMETRAL=0.084. "
-             "Which surface is SLAVE makes no difference to what holds; SEGMENT pairs need no "
-             "matching nodes. Fits are switched on by FIT and MOUNT of $STEP; a fit that no step "
-             "names is always on.",
-             "$CONTACT NAME=BUSH SLAVE=SLEEVE.OUTER MASTER=LUG.BORE DIAMETRAL=0.084\n"
-             "$CONTACT NAME=PIN SLAVE=SHAFT.OUTER MASTER=SLEEVE.INNER GAP=0\n"},
+    CardText{
+        "CONTACT",
+        "The surfaces cannot pass into each other and can always part, without penalty and "
+        "without stiffness to choose. INTERFERENCE counts on the radius, DIAMETRAL on the "
+        "diameter (twice as much): a drawing that says 72.084 in 72 means DIAMETRAL=0.084. "
+        "Which surface is SLAVE makes no difference to what holds; SEGMENT pairs need no "
+        "matching nodes. Fits are switched on by FIT and MOUNT of $STEP; a fit that no step "
+        "names is always on. In this version both bodies are plane: none in 3D or with STATE=AXI.",
+        "$CONTACT NAME=BUSH SLAVE=SLEEVE.OUTER MASTER=LUG.BORE DIAMETRAL=0.084\n"
+        "$CONTACT NAME=PIN SLAVE=SHAFT.OUTER MASTER=SLEEVE.INNER GAP=0\n"},
     CardText{"RIGID", "", "$RIGID NAME=FLOOR SHAPE=LINE X0=-50 Y0=0 X1=50 Y1=0\n"},
     CardText{
         "CRACK",
@@ -133,7 +139,9 @@ constexpr std::array texts{
         "two points inside the body, with tips NAME.1 and NAME.2, is not available in this "
         "version.) "
         "A crack with PATH follows element edges; on a symmetry line the nodes behind the tip "
-        "are released and K counts both halves. Two sides of a bore are two cards.",
+        "are released and K counts both halves. Two sides of a bore are two cards. In this version "
+        "a crack stands in a plane model, neither in 3D nor with STATE=AXI, and not with "
+        "TYPE=TEMPERATURE loads.",
         "$CRACK NAME=TOP NET=LUG A0=1.8 ANGLE=90[deg]\n"
         "  0  36\n"},
     CardText{

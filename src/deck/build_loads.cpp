@@ -162,17 +162,42 @@ void load_row(Context& c, const BoundCard& card, const grammar::Row& row,
   }
 }
 
-// Displacements belong to prescribed freedoms: elsewhere they would have no effect.
-void check_displacement(Context& c, const model::Load& load, const std::vector<unsigned>& held) {
-  for (const base::NodeId node : c.model.mesh.set(load.nodes).nodes) {
+/// What the deck says of a node's freedoms, in bits of x y z.
+struct Held {
+  unsigned prescribed = 0;
+  unsigned suppressed = 0;
+};
+
+// A body has no way to leave its axis.
+bool on_axis(const model::Model& model, base::NodeId node, std::size_t direction) {
+  return model::axisymmetric(model) && direction == 0 &&
+         model.mesh.x[node.index()].x() <= model::axis_reach(model.mesh);
+}
+
+// Displacements belong to prescribed freedoms: elsewhere they would have no effect, and what is
+// suppressed does not move.
+void check_displacement(Context& c, const model::Load& load, const std::vector<Held>& held) {
+  const model::Mesh& mesh = c.model.mesh;
+  for (const base::NodeId node : mesh.set(load.nodes).nodes) {
     for (std::size_t d = 0; d < load.value.size(); ++d) {
       const base::Expression& value = load.value[d];
-      const bool zero = value.is_constant() && value(base::Vec3::Zero()) == 0.0;
-      if (!zero && (held[node.index()] & (1U << d)) == 0) {
+      const double here = value(mesh.x[node.index()]);
+      const unsigned bit = 1U << d;
+      const Held& is = held[node.index()];
+      const base::Label label = mesh.node_label[node.index()];
+      if ((here != 0.0 || !value.is_constant()) && (is.prescribed & bit) == 0) {
         c.error(load.span, "E319",
-                fmt::format("node {} has no PRESCRIBED freedom along {}",
-                            c.model.mesh.node_label[node.index()], "XYZ"[d]),
+                fmt::format("node {} has no PRESCRIBED freedom along {}", label, "XYZ"[d]),
                 "TYPE=DISP gives values to $FREEDOM CLASS=PRESCRIBED");
+        return;
+      }
+      if (here != 0.0 && ((is.suppressed & bit) != 0 || on_axis(c.model, node, d))) {
+        c.error(
+            load.span, "E319",
+            fmt::format("node {} {} and cannot be moved by {:.6g} along {}", label,
+                        (is.suppressed & bit) != 0 ? "is SUPPRESSED as well" : "lies on the axis",
+                        here, "XYZ"[d]),
+            "leave it out of one of the two sets");
         return;
       }
     }
@@ -180,12 +205,13 @@ void check_displacement(Context& c, const model::Load& load, const std::vector<u
 }
 
 void check_displacements(Context& c) {
-  std::vector<unsigned> held(c.model.mesh.node_count(), 0U); // bits of x y z
+  std::vector<Held> held(c.model.mesh.node_count());
   for (const model::Freedom& freedom : c.model.freedoms) {
     for (const base::NodeId node : c.model.mesh.set(freedom.nodes).nodes) {
       for (std::size_t d = 0; d < 3; ++d) {
-        const bool set = freedom.cls == model::FreedomClass::prescribed && freedom.dof[d];
-        held[node.index()] |= set ? 1U << d : 0U;
+        const unsigned bit = freedom.dof[d] ? 1U << d : 0U;
+        held[node.index()].prescribed |= freedom.cls == model::FreedomClass::prescribed ? bit : 0U;
+        held[node.index()].suppressed |= freedom.cls == model::FreedomClass::suppressed ? bit : 0U;
       }
     }
   }

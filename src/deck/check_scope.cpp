@@ -29,12 +29,9 @@ void one_symmetry(Context& c) {
     }
   }
   const model::Mesh& mesh = c.model.mesh;
-  double largest = 0.0;
-  for (const base::Vec3& x : mesh.x) {
-    largest = std::max(largest, std::abs(x.x()));
-  }
+  const double reach = model::axis_reach(mesh);
   for (std::size_t n = 0; n < mesh.node_count(); ++n) {
-    if (mesh.x[n].x() < -1e-9 * largest) {
+    if (mesh.x[n].x() < -reach) {
       c.error(
           first->span, "E313",
           fmt::format("STATE=AXI, but node {} has x = {:.6g}", mesh.node_label[n], mesh.x[n].x()),
@@ -88,6 +85,30 @@ void loads_in_reach(Context& c) {
   }
 }
 
+// Heat that nothing feels is a forgotten key.
+void heated_materials_expand(Context& c) {
+  std::vector<bool> told(c.model.materials.size(), false);
+  for (const model::LoadCase& load_case : c.model.cases) {
+    for (const model::Load& load : load_case.loads) {
+      if (load.type != model::LoadType::temperature) {
+        continue;
+      }
+      for (const base::ElementId e : c.model.mesh.set(load.elements).elements) {
+        const std::size_t m = c.model.property_of(c.model.mesh, e).material.index();
+        const model::Material& material = c.model.materials[m];
+        if (material.alpha == 0.0 && !told[m]) {
+          told[m] = true;
+          c.diagnostics.warning(material.span, "W313",
+                                fmt::format("material {} is heated, but has no ALPHA: it does not "
+                                            "expand",
+                                            material.name),
+                                "ALPHA is the thermal expansion per degree");
+        }
+      }
+    }
+  }
+}
+
 } // namespace
 
 void check_scope(Context& context) {
@@ -97,6 +118,7 @@ void check_scope(Context& context) {
   one_symmetry(context);
   cracks_in_reach(context);
   loads_in_reach(context);
+  heated_materials_expand(context);
   const bool space = context.model.mesh.dim == 3;
   if (space || model::axisymmetric(context.model)) {
     for (const model::Contact& contact : context.model.contacts) {

@@ -66,6 +66,7 @@ inline constexpr std::array error_codes{
     ErrorCode{"E320", "a step that says the same thing twice"},
     ErrorCode{"E321", "a mesh too large to be made"},
     ErrorCode{"W312", "a load with fewer values than directions"},
+    ErrorCode{"W313", "a heated material without ALPHA"},
     ErrorCode{"E322", "an output file with the name of one that every run writes"},
     ErrorCode{"E390", "a parameter is swept and given with -D"},
     ErrorCode{"E391", "a parameter is swept twice"},

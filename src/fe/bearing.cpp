@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/bearing.hpp"
 
+#include "fe/circle_fit.hpp"
 #include "fe/face.hpp"
 
 #include <Eigen/LU>
@@ -115,30 +116,17 @@ void add_edge(const Pin& pin, const SideNodes<Side>& X,
 
 Bore fit_bore(const model::Mesh& mesh, const std::vector<model::Face>& faces) {
   // Nodes shared by two edges count twice, which does no harm to nodes on a circle.
-  Vec2 mean = Vec2::Zero();
-  double count = 0.0;
-  for_edges(mesh, faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
-    mean += side_coordinates<Side>(mesh, face).template topRows<2>().rowwise().sum();
-    count += Side::nodes;
-  });
-  mean /= count;
-  // |y|^2 = 2 a . y + b with y = x - mean: normal equations for (2 a, b).
-  Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
-  Vec3 rhs = Vec3::Zero();
+  std::vector<WeightedPoint> points;
   for_edges(mesh, faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
     const SideNodes<Side> X = side_coordinates<Side>(mesh, face);
     for (int i = 0; i < Side::nodes; ++i) {
-      const Vec2 y = X.col(i).template head<2>() - mean;
-      const Vec3 row(y.x(), y.y(), 1.0);
-      A += row * row.transpose();
-      rhs += y.squaredNorm() * row;
+      points.push_back({X.col(i).template head<2>(), 1.0});
     }
   });
-  const Vec3 solution = A.fullPivLu().solve(rhs);
-  const Vec2 a = 0.5 * solution.head<2>();
+  const Circle circle = fit_circle(points);
   Bore bore;
-  bore.centre = mean + a;
-  bore.radius = std::sqrt(solution[2] + a.squaredNorm());
+  bore.centre = circle.centre;
+  bore.radius = circle.radius;
 
   double inward = 0.0; // outer normals of a bore point to its centre
   for_edges(mesh, faces, [&]<shape::Shape Side>(Side, const model::Face& face) {

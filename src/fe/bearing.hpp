@@ -12,8 +12,7 @@ struct Bore {
   double side = 1.0; ///< 1: the body is outside (a bore), -1: inside (a shaft)
 };
 
-/// Fits a circle to the nodes of edges by least squares of |x - c|^2 - R^2 (Kasa 1976); exact where
-/// they lie on one.
+/// Fits a circle to the nodes of edges, see circle_fit.hpp.
 Bore fit_bore(const model::Mesh& mesh, const std::vector<model::Face>& faces);
 
 /// Adds the pressure of a pin on a bore, given by its resultant (Fx, Fy) [force], to the nodal

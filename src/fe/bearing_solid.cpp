@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/bearing.hpp"
+#include "fe/circle_fit.hpp"
 #include "fe/face.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -45,28 +46,6 @@ struct Frame {
   Vec3 across = Vec3::Zero();
 };
 
-// Centre of the circle that the faces make across the axis, by least squares as in the plane.
-Vec2 centre_of(const model::Mesh& mesh, const std::vector<model::Face>& faces, const Frame& frame) {
-  const auto flat = [&](const Vec3& x) { return Vec2(x.dot(frame.along), x.dot(frame.across)); };
-  Vec2 mean = Vec2::Zero();
-  double area = 0.0;
-  for_points(mesh, faces, [&](const Vec3& x, const Vec3& a) {
-    mean += a.norm() * flat(x);
-    area += a.norm();
-  });
-  mean /= area;
-  Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
-  Vec3 rhs = Vec3::Zero();
-  for_points(mesh, faces, [&](const Vec3& x, const Vec3& a) {
-    const Vec2 y = flat(x) - mean;
-    const Vec3 row(y.x(), y.y(), 1.0);
-    A += a.norm() * row * row.transpose();
-    rhs += a.norm() * y.squaredNorm() * row;
-  });
-  const Vec3 solution = A.fullPivLu().solve(rhs);
-  return mean + 0.5 * solution.head<2>();
-}
-
 } // namespace
 
 bool add_solid_bearing(const model::Mesh& mesh, const model::Load& load, Vector& f) {
@@ -82,7 +61,11 @@ bool add_solid_bearing(const model::Mesh& mesh, const model::Load& load, Vector&
     return false; // a pin pushes across its axis
   }
   const Frame frame{F.normalized(), axis.cross(F.normalized())};
-  const Vec2 centre = centre_of(mesh, faces, frame);
+  std::vector<WeightedPoint> points;
+  for_points(mesh, faces, [&](const Vec3& x, const Vec3& a) {
+    points.push_back({Vec2(x.dot(frame.along), x.dot(frame.across)), a.norm()});
+  });
+  const Vec2 centre = fit_circle(points).centre;
   const bool cosine = load.shape == model::BearingShape::cosine;
 
   Vector main = Vector::Zero(f.size());

@@ -9,9 +9,6 @@ namespace {
 
 using model::FreedomClass;
 
-// Nodes nearer to the axis than this share of the largest radius lie on it.
-constexpr double on_axis = 1e-9;
-
 int rank(FreedomClass cls) {
   switch (cls) {
   case FreedomClass::local:
@@ -30,12 +27,9 @@ int rank(FreedomClass cls) {
 
 // A point on the axis has no way to leave it.
 void hold_axis(const model::Mesh& mesh, std::vector<FreedomClass>& cls) {
-  double largest = 0.0;
-  for (const base::Vec3& x : mesh.x) {
-    largest = std::max(largest, x.x());
-  }
+  const double reach = model::axis_reach(mesh);
   for (std::size_t n = 0; n < mesh.node_count(); ++n) {
-    if (mesh.x[n].x() <= on_axis * largest) {
+    if (mesh.x[n].x() <= reach) {
       cls[2 * n] = FreedomClass::suppressed;
     }
   }

@@ -144,7 +144,7 @@ void add_ties(const model::Mesh& mesh, base::NodeId slave, const Hit& hit, std::
   }
 }
 
-// The master face nearest to a point; null faces never win.
+// The master face nearest to a point, at an infinite distance where there is none.
 Hit nearest(const model::Mesh& mesh, const std::vector<model::Face>& faces,
             const std::vector<Ball>& balls, const Vec3& x) {
   Hit best;

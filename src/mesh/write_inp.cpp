@@ -46,10 +46,7 @@ public:
   explicit InpWriter(const model::Model& model) : model_(model), mesh_(model.mesh) {
     node_ = unique_labels(mesh_.node_label);
     element_ = unique_labels(mesh_.element_label);
-    used_.assign(mesh_.node_count(), false);
-    for (const base::NodeId n : mesh_.nodes) {
-      used_[n.index()] = true;
-    }
+    used_ = model::nodes_in_use(mesh_);
   }
 
   std::string text(const InpStep* step) {

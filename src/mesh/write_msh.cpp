@@ -114,10 +114,7 @@ private:
   }
 
   void number_nodes() {
-    used_.assign(mesh_.node_count(), false);
-    for (const base::NodeId n : mesh_.nodes) {
-      used_[n.index()] = true;
-    }
+    used_ = model::nodes_in_use(mesh_);
     const bool own = LabelIndex(mesh_.node_label).doubled();
     tag_ = mesh_.node_label;
     if (own) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/mesh.hpp"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace spricka::model {
 
@@ -15,6 +17,22 @@ void reserve(Mesh& mesh, std::size_t nodes, std::size_t elements, std::size_t en
   mesh.element_label.reserve(elements);
   mesh.element_net.reserve(elements);
   mesh.property.reserve(elements);
+}
+
+std::vector<bool> nodes_in_use(const Mesh& mesh) {
+  std::vector<bool> used(mesh.node_count(), false);
+  for (const base::NodeId n : mesh.nodes) {
+    used[n.index()] = true;
+  }
+  return used;
+}
+
+double axis_reach(const Mesh& mesh) {
+  double largest = 0.0;
+  for (const base::Vec3& x : mesh.x) {
+    largest = std::max(largest, std::abs(x.x()));
+  }
+  return 1e-9 * largest;
 }
 
 base::NodeId add_node(Mesh& mesh, const base::Vec3& x, base::Label label, base::NetId net) {

@@ -70,6 +70,13 @@ struct Mesh {
   [[nodiscard]] const FaceSet& set(base::FaceSetId id) const { return face_sets[id.index()]; }
 };
 
+/// Which nodes belong to an element [node]: nodes of references and what a crack patch replaced do
+/// not.
+std::vector<bool> nodes_in_use(const Mesh& mesh);
+
+/// Radius below which a node lies on the axis x = 0 of a mesh about it: 1e-9 of the largest.
+double axis_reach(const Mesh& mesh);
+
 /// Makes room for so many nodes, elements and entries of the connectivity in all.
 void reserve(Mesh& mesh, std::size_t nodes, std::size_t elements, std::size_t entries);
 

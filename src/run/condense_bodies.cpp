@@ -38,7 +38,6 @@ void factorise(const CondenseRequest& request, std::vector<Task>& tasks, Condens
     const auto known = cache.nets.find(task.key);
     if (known != cache.nets.end()) {
       task.net->factor = known->second;
-      task.net->from_cache = true;
       ++log.reused;
     } else {
       missing.push_back(&task);
@@ -238,15 +237,6 @@ void recover_body(const BodyNet& body, const base::Vector& u_external,
       u[freedom[i]] = all(static_cast<Eigen::Index>(i), 0);
     }
   }
-}
-
-std::vector<const Net*> nets_of(const BodyNet& body) {
-  std::vector<const Net*> nets;
-  for (const std::unique_ptr<Net>& part : body.parts) {
-    nets.push_back(part.get());
-  }
-  nets.push_back(&body.region);
-  return nets;
 }
 
 } // namespace spricka::run

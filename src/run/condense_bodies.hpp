@@ -22,7 +22,6 @@ struct Net {
   std::vector<base::ElementId> elements;
   fe::DofMap map;
   std::shared_ptr<solve::Condensation> factor;
-  bool from_cache = false;
 };
 
 /// A body ready for contact: what elements and ties hold together. Its `parts` are condensed first,
@@ -88,8 +87,5 @@ std::vector<BodyNet> condense_bodies(const CondenseRequest& request, Condensatio
 /// its external displacements and the case factors.
 void recover_body(const BodyNet& body, const base::Vector& u_external,
                   const base::Vector& case_factors, base::Vector& u);
-
-/// All nets of a body, parts first.
-std::vector<const Net*> nets_of(const BodyNet& body);
 
 } // namespace spricka::run

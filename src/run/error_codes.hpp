@@ -32,6 +32,7 @@ inline constexpr std::array later_codes{
     ErrorCode{"E415", "an $MPC whose slave nodes do not lie on the master faces"},
     ErrorCode{"E416", "$MPC cards that contradict each other or supports"},
     ErrorCode{"E417", "a load on the faces of a crack"},
+    ErrorCode{"E418", "a force on a node that no element has"},
     ErrorCode{"E421", "a crack that does not start on the boundary"},
     ErrorCode{"E422", "a crack on a symmetry line that is no straight part of the boundary"},
     ErrorCode{"E423", "a rosette that does not fit"},

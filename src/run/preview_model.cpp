@@ -74,10 +74,7 @@ void add_quality(const model::Model& model, const model::Mesh& mesh, const std::
 
 std::vector<results::NetPreview> preview_nets(const model::Model& model, const Scene& scene) {
   const model::Mesh& mesh = scene.cracked.mesh;
-  std::vector<bool> used(mesh.node_count(), false); // cut-out nodes of the host belong to nothing
-  for (const base::NodeId n : mesh.nodes) {
-    used[n.index()] = true;
-  }
+  const std::vector<bool> used = model::nodes_in_use(mesh); // not those that cracks cut out
   std::vector<results::NetPreview> nets;
   for (std::size_t net = 0; net < model.nets.size(); ++net) {
     results::NetPreview preview;

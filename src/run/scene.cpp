@@ -214,6 +214,38 @@ bool arrives(const model::Model& model, const model::Mesh& mesh, const model::Lo
                      [](const base::Expression& v) { return v(base::Vec3::Zero()) == 0.0; });
 }
 
+// A force on a node that neither an element nor a tie holds goes nowhere.
+bool forces_are_taken(const model::Model& model, const Scene& scene,
+                      base::Diagnostics& diagnostics) {
+  const model::Mesh& mesh = scene.cracked.mesh;
+  std::vector<bool> taken = model::nodes_in_use(mesh);
+  for (const fe::Dependence::Row& row : scene.ties->rows()) {
+    taken[static_cast<std::size_t>(row.freedom / mesh.dim)] = true;
+    for (const fe::Term& t : row.terms) {
+      taken[static_cast<std::size_t>(t.freedom / mesh.dim)] = true;
+    }
+  }
+  for (const model::LoadCase& load_case : model.cases) {
+    for (const model::Load& load : load_case.loads) {
+      if (load.type != model::LoadType::force) {
+        continue;
+      }
+      for (const base::NodeId n : mesh.set(load.nodes).nodes) {
+        if (!taken[n.index()]) {
+          diagnostics.error(load.span, "E418",
+                            fmt::format("load case {}: no element has node {}, which it loads",
+                                        load_case.name, mesh.node_label[n.index()]),
+                            model.cracks.empty() ? "tie the node by $MPC, or load one of the body"
+                                                 : "a crack's patch may have taken its place: use "
+                                                   "TRACTION or RESULTANT on a face set");
+          return false;
+        }
+      }
+    }
+  }
+  return true;
+}
+
 bool make_loads(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics) {
   const model::Mesh& mesh = scene.cracked.mesh;
   bool good = true;
@@ -243,7 +275,8 @@ bool make_loads(const model::Model& model, Scene& scene, base::Diagnostics& diag
       }
     }
   }
-  return good && follow_prescribed(model, scene, diagnostics);
+  return forces_are_taken(model, scene, diagnostics) && good &&
+         follow_prescribed(model, scene, diagnostics);
 }
 
 } // namespace

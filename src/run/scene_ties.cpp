@@ -26,14 +26,6 @@ std::string freedom_name(const model::Mesh& mesh, std::int32_t freedom) {
   return fmt::format("{} of node {}", "XYZ"[at % dim], mesh.node_label[at / dim]);
 }
 
-std::vector<bool> nodes_in_use(const model::Mesh& mesh) {
-  std::vector<bool> used(mesh.node_count(), false);
-  for (const base::NodeId n : mesh.nodes) {
-    used[n.index()] = true;
-  }
-  return used;
-}
-
 // A crack patch has taken the place of elements whose node an MPC names: what it tied is gone.
 bool keep_their_nodes(const model::Model& model, const Scene& scene,
                       const std::vector<fe::Tie>& ties, base::Diagnostics& diagnostics) {
@@ -41,8 +33,8 @@ bool keep_their_nodes(const model::Model& model, const Scene& scene,
     return true;
   }
   const model::Mesh& mesh = scene.cracked.mesh;
-  const std::vector<bool> before = nodes_in_use(model.mesh);
-  const std::vector<bool> now = nodes_in_use(mesh);
+  const std::vector<bool> before = model::nodes_in_use(model.mesh);
+  const std::vector<bool> now = model::nodes_in_use(mesh);
   for (const fe::Tie& tie : ties) {
     for (const fe::Term& t : tie.terms) {
       const auto n = static_cast<std::size_t>(t.freedom / mesh.dim);

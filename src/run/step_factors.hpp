@@ -9,13 +9,13 @@ namespace spricka::run {
 
 /// What the steps' actions have set so far.
 struct StepFactors {
-  base::Vector case_factor;  ///< [case]
+  base::Vector case_factor;  ///< [case], and 1 for what ties always ask for (Scene::case_load)
   std::vector<double> fit;   ///< [contact]
   std::vector<bool> mounted; ///< [contact]
 };
 
 /// Before the first step: no loads; a contact is absent if some step mounts it, its fit is 0 if
-/// some step names it.
+/// some step names it. `columns` are those of Scene::case_load.
 StepFactors first_factors(const model::Model& model, Eigen::Index columns);
 
 /// The contacts that a step mounts or dismounts.
