@@ -20,6 +20,9 @@ void dsyrk_(const char* uplo, const char* trans, const int* n, const int* k, con
 void dpotrf_(const char* uplo, const int* n, double* A, const int* lda, int* info);
 void dpstrf_(const char* uplo, const int* n, double* A, const int* lda, int* piv, int* rank,
              const double* tol, double* work, int* info);
+void dgetrf_(const int* m, const int* n, double* A, const int* lda, int* ipiv, int* info);
+void dgetrs_(const char* trans, const int* n, const int* nrhs, const double* A, const int* lda,
+             const int* ipiv, double* B, const int* ldb, int* info);
 void openblas_set_num_threads(int threads);
 // NOLINTEND(readability-identifier-naming, bugprone-reserved-identifier)
 }
@@ -102,6 +105,23 @@ inline int pivoted_cholesky(int n, Block A, double tolerance, std::vector<int>& 
     --row; // Fortran counts from 1
   }
   return rank;
+}
+
+/// A [n, n] <- its LU factors with partial pivoting, order [n] of the rows; false when a pivot is 0.
+inline bool lu(int n, Block A, std::vector<int>& order) {
+  int info = 0;
+  order.resize(static_cast<std::size_t>(n));
+  dgetrf_(&n, &n, A.data, &A.stride, order.data(), &info);
+  return info == 0;
+}
+
+/// B [n, k] <- A^-1 B with the factors of `lu`.
+inline void solve_lu(int n, int k, ConstBlock A, const std::vector<int>& order, Block B) {
+  if (n == 0 || k == 0) {
+    return;
+  }
+  int info = 0;
+  dgetrs_("N", &n, &k, A.data, &A.stride, order.data(), B.data, &B.stride, &info);
 }
 
 /// One thread from now on, for the whole process.

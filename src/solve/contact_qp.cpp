@@ -20,45 +20,6 @@ constexpr double pivot_tolerance = 1e-9;   ///< of signs while the tableau gathe
 constexpr double accepted_residual = 1e-7; ///< above it the answer is none
 constexpr int repeats = 5;                 ///< of the tableau, each from a clean start
 
-/// Force that a gap of the size of b needs, and loads on modes: which loads count as round-off.
-double load_scale(const ContactProblem& problem) {
-  double scale = problem.load_scale;
-  if (problem.h.size() > 0) {
-    scale = std::max(scale, problem.h.cwiseAbs().maxCoeff());
-  }
-  const double stiffest = problem.b.size() > 0 ? problem.W.diagonal().maxCoeff() : 0.0;
-  if (stiffest > 0.0 && problem.B.size() > 0) {
-    scale = std::max(scale,
-                     problem.B.cwiseAbs().maxCoeff() * problem.b.cwiseAbs().maxCoeff() / stiffest);
-  }
-  return scale;
-}
-
-/// Rigid bodies have no compliance to compare with: what makes forces and gaps alike.
-double rigid_compliance(const HeldProblem& held) {
-  const double load = held.h.cwiseAbs().maxCoeff();
-  const double gap = held.b.cwiseAbs().maxCoeff();
-  return load > 0.0 && gap > 0.0 ? gap / load : 1.0;
-}
-
-HeldProblem held_problem(const ContactProblem& problem, const ModeSplit& split) {
-  HeldProblem held{.W = problem.W,
-                   .B = problem.B * split.felt,
-                   .b = problem.b,
-                   .h = split.felt.transpose() * problem.h,
-                   .equality = problem.equality,
-                   .tau = 0.0,
-                   .d = {}};
-  held.equality.resize(static_cast<std::size_t>(held.rows()), false);
-  const base::Vector border = held.B.rowwise().squaredNorm();
-  if (held.modes() > 0) {
-    const double compliance = problem.W.trace();
-    held.tau = compliance > 0.0 ? compliance / border.sum() : rigid_compliance(held);
-  }
-  held.d = (problem.W.diagonal() + held.tau * border).cwiseMax(0.0).cwiseSqrt();
-  return held;
-}
-
 struct Search {
   bool settled = false;
   std::vector<int> best; ///< closed rows of the best regular set met

@@ -1,0 +1,381 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/friction.hpp"
+#include "solve/blas.hpp"
+#include "solve/friction_set.hpp"
+#include "solve/lemke.hpp"
+#include "solve/mode_split.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace spricka::solve {
+
+namespace {
+
+constexpr double loose_tolerance = 1e-9;   ///< of signs where rows hang in the balance
+constexpr double accepted_residual = 1e-7; ///< above it the answer is none
+constexpr int anchorings = 12;             ///< of bodies that nothing holds, before they slide
+
+struct Search {
+  bool settled = false;
+  std::vector<Touch> touch;
+  TouchSolution solution;
+};
+
+/// Semi-smooth Newton method: all rows whose condition is violated change at once (Alart and
+/// Curnier 1991; Hueeber, Stadler and Wohlmuth 2008) until none is left or states come back.
+Search newton(const ScaledFriction& problem, const base::Vector& anchor, std::vector<Touch> touch,
+              double tolerance, std::pair<int, int&> limit) {
+  Search search;
+  std::set<std::vector<Touch>> met;
+  for (int k = 0; k < limit.first && met.insert(touch).second; ++k) {
+    ++limit.second;
+    search.solution = solve_touch(problem, touch, anchor);
+    if (!search.solution.regular) {
+      break;
+    }
+    search.touch = touch;
+    if (change_states(problem, search.solution, tolerance, touch) == 0) {
+      search.settled = true;
+      break;
+    }
+  }
+  return search;
+}
+
+/// One row at a time, the first that is wrong (Murty 1974): finite where the answer is unique, and
+/// another way where it is not.
+Search one_by_one(const ScaledFriction& problem, const base::Vector& anchor,
+                  std::vector<Touch> touch, double tolerance, std::pair<int, int&> limit) {
+  Search search;
+  for (int k = 0; k < limit.first; ++k) {
+    ++limit.second;
+    search.solution = solve_touch(problem, touch, anchor);
+    if (!search.solution.regular) {
+      break;
+    }
+    search.touch = touch;
+    std::vector<Touch> next = touch;
+    if (change_states(problem, search.solution, tolerance, next) == 0) {
+      search.settled = true;
+      break;
+    }
+    for (const ScaledFriction::Unit& u : problem.units) {
+      const auto n = std::size_t(u.normal);
+      if (next[n] != touch[n]) {
+        touch[n] = next[n];
+        if (u.tangent >= 0) {
+          touch[std::size_t(u.tangent)] = next[n];
+        }
+        break;
+      }
+    }
+  }
+  return search;
+}
+
+/// The increment as one linear complementarity problem: z the opening of each unit and its slip
+/// forward and backward, w the pressure and what the force lacks to slip (manual, solve.23).
+struct Complementarity {
+  base::Matrix M;
+  base::Vector q;
+  std::vector<int> forward; ///< [unit] place of its forward slip in z, backward behind it; or -1
+};
+
+Complementarity complementarity(const ScaledFriction& problem, const Interface& face) {
+  const int units = static_cast<int>(problem.units.size());
+  const int rows = static_cast<int>(face.rows.size());
+  const int n = units + 2 * (rows - units);
+  Complementarity lcp{base::Matrix(n, n), base::Vector(n), {}};
+  base::Matrix columns(rows, n); // what z does to all forces
+  columns.leftCols(units) = face.A.leftCols(units);
+  int at = units;
+  int tangent = units;
+  for (const ScaledFriction::Unit& u : problem.units) {
+    lcp.forward.push_back(u.tangent < 0 ? -1 : at);
+    if (u.tangent >= 0) {
+      columns.col(at) = face.A.col(tangent);
+      columns.col(at + 1) = -face.A.col(tangent);
+      at += 2;
+      ++tangent;
+    }
+  }
+  lcp.M.topRows(units) = columns.topRows(units);
+  lcp.q.head(units) = face.q.head(units);
+  tangent = units;
+  for (int i = 0; i < units; ++i) {
+    const int f = lcp.forward[std::size_t(i)];
+    if (f < 0) {
+      continue;
+    }
+    const double mu = problem.units[std::size_t(i)].mu;
+    lcp.M.row(f) = mu * columns.row(i) + columns.row(tangent);
+    lcp.M.row(f + 1) = mu * columns.row(i) - columns.row(tangent);
+    lcp.q(f) = mu * face.q(i) + face.q(tangent);
+    lcp.q(f + 1) = mu * face.q(i) - face.q(tangent);
+    ++tangent;
+  }
+  return lcp;
+}
+
+/// The finite fallback; the states it ends in, or none.
+std::vector<Touch> pivoted(const ScaledFriction& problem, const base::Vector& anchor,
+                           int max_pivots, int& pivots) {
+  const Interface face = interface_stiffness(problem, anchor);
+  if (!face.regular) {
+    return {};
+  }
+  const Complementarity lcp = complementarity(problem, face);
+  const double scale = lcp.q.size() > 0 ? lcp.q.cwiseAbs().maxCoeff() : 0.0;
+  const LemkeResult result =
+      lemke(lcp.M, scale > 0.0 ? base::Vector(lcp.q / scale) : lcp.q, max_pivots - pivots);
+  pivots += result.pivots;
+  if (!result.solved) {
+    return {};
+  }
+  std::vector<Touch> touch(std::size_t(problem.rows()), Touch::stick);
+  for (std::size_t i = 0; i < problem.units.size(); ++i) {
+    const ScaledFriction::Unit& u = problem.units[i];
+    const int f = lcp.forward[i];
+    Touch state = result.basic[i] ? Touch::open : Touch::stick;
+    if (f >= 0 && state == Touch::stick) {
+      const bool forward = result.basic[std::size_t(f)];
+      const bool backward = result.basic[std::size_t(f) + 1];
+      state = forward == backward ? Touch::stick : forward ? Touch::forward : Touch::backward;
+    }
+    touch[std::size_t(u.normal)] = state;
+    if (u.tangent >= 0) {
+      touch[std::size_t(u.tangent)] = state;
+    }
+  }
+  return touch;
+}
+
+Search settle(const ScaledFriction& problem, const base::Vector& anchor,
+              const std::vector<Touch>& start, const ContactSettings& settings,
+              ContactSolution& figures) {
+  Search search = newton(problem, anchor, start, settings.tolerance,
+                         {settings.max_block_iterations, figures.block_iterations});
+  if (!search.settled) {
+    const std::vector<Touch> touch = pivoted(problem, anchor, settings.max_pivots, figures.pivots);
+    if (!touch.empty()) {
+      search = newton(problem, anchor, touch, std::max(loose_tolerance, settings.tolerance),
+                      {settings.max_block_iterations, figures.block_iterations});
+    }
+  }
+  for (const Touch all : {Touch::stick, Touch::open}) {
+    if (!search.settled) {
+      search = newton(problem, anchor, std::vector<Touch>(start.size(), all),
+                      std::max(loose_tolerance, settings.tolerance),
+                      {settings.max_block_iterations, figures.block_iterations});
+    }
+  }
+  if (!search.settled) {
+    search = one_by_one(problem, anchor, start, std::max(loose_tolerance, settings.tolerance),
+                        {settings.max_block_iterations, figures.block_iterations});
+  }
+  return search;
+}
+
+/// What rows can push the modes with: generators of the cones of all forces, as rows of B.
+HeldProblem force_cones(const HeldProblem& held, const std::vector<FrictionRow>& friction) {
+  static const base::Matrix none;
+  const FrictionCones cones = friction_cones(held.B, held.equality, friction);
+  return {none, cones.B, base::Vector::Zero(cones.B.rows()), held.h, cones.equality, 0.0, {}};
+}
+
+/// Rigid motions that no row in contact hinders.
+int loose_motions(const ScaledFriction& problem, const std::vector<Touch>& touch) {
+  std::vector<int> rows = problem.fixed;
+  for (const ScaledFriction::Unit& u : problem.units) {
+    const Touch state = touch[std::size_t(u.normal)];
+    if (state != Touch::open) {
+      rows.push_back(u.normal);
+      if (u.tangent >= 0 && state == Touch::stick) {
+        rows.push_back(u.tangent);
+      }
+    }
+  }
+  if (rows.empty() || problem.modes() == 0) {
+    return problem.modes();
+  }
+  base::Matrix B(static_cast<Eigen::Index>(rows.size()), problem.modes());
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    B.row(static_cast<Eigen::Index>(r)) = problem.B.row(rows[r]);
+  }
+  Eigen::ColPivHouseholderQR<base::Matrix> qr(B.rows(), B.cols());
+  qr.setThreshold(1e-9);
+  qr.compute(B);
+  return problem.modes() - static_cast<int>(qr.rank());
+}
+
+/// Back from scaled units, with every condition kept to the last bit that forces have.
+void take_solution(const ScaledFriction& scaled, const HeldProblem& held, const ModeSplit& split,
+                   const Search& search, FrictionSolution& answer) {
+  ContactSolution& c = answer.contact;
+  const TouchSolution& s = search.solution;
+  c.residual = friction_residual(scaled, s, search.touch);
+  answer.touch = search.touch;
+  base::Vector lambda = s.lambda;
+  base::Vector gap = s.gap;
+  const auto close = [&](int i, bool closed) {
+    c.closed[std::size_t(i)] = closed;
+    lambda(i) = closed ? lambda(i) : 0.0;
+  };
+  for (const int i : scaled.fixed) {
+    close(i, true);
+  }
+  for (const ScaledFriction::Unit& u : scaled.units) {
+    const Touch state = search.touch[std::size_t(u.normal)];
+    const bool closed = state != Touch::open;
+    close(u.normal, closed);
+    lambda(u.normal) = std::max(lambda(u.normal), 0.0);
+    gap(u.normal) = closed ? 0.0 : std::max(gap(u.normal), 0.0);
+    if (u.tangent >= 0) {
+      close(u.tangent, closed);
+      const double limit = u.mu * lambda(u.normal);
+      lambda(u.tangent) = std::clamp(lambda(u.tangent), -limit, limit);
+      gap(u.tangent) = state == Touch::stick ? 0.0 : gap(u.tangent);
+    }
+  }
+  for (int i = 0; i < held.rows(); ++i) {
+    if (held.d(i) > 0.0) {
+      c.lambda(i) = lambda(i) / held.d(i);
+      c.gap(i) = gap(i) * held.d(i);
+    }
+  }
+  const base::Vector alpha = split.felt * (s.alpha * std::sqrt(held.tau));
+  c.alpha = alpha - split.unfelt * (split.unfelt.transpose() * alpha);
+  c.resting_modes += loose_motions(scaled, search.touch);
+}
+
+/// Rows that no freedom feels must keep their conditions by themselves.
+bool dead_rows_hold(const HeldProblem& held, const std::vector<FrictionRow>& friction) {
+  std::vector<bool> slips(std::size_t(held.rows()), false);
+  for (const FrictionRow& f : friction) {
+    slips[std::size_t(f.tangent)] = true;
+  }
+  const double size = held.rows() > 0 ? held.b.cwiseAbs().maxCoeff() : 0.0;
+  for (int i = 0; i < held.rows(); ++i) {
+    const bool wrong = held.equality[std::size_t(i)]
+                           ? std::abs(held.b(i)) > accepted_residual * size
+                           : held.b(i) < -accepted_residual * size;
+    if (!(held.d(i) > 0.0) && !slips[std::size_t(i)] && wrong) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Where bodies stay that nothing holds, in scaled modes.
+base::Vector first_anchor(const FrictionProblem& problem, const HeldProblem& held,
+                          const ModeSplit& split) {
+  if (problem.alpha_start.size() == 0 || held.modes() == 0) {
+    return base::Vector::Zero(held.modes());
+  }
+  const base::Vector a = split.felt.colPivHouseholderQr().solve(problem.alpha_start);
+  return a / std::sqrt(held.tau);
+}
+
+/// Solves with bodies anchored where they are until they are held, rest or slide away.
+void walk_to_rest(const ScaledFriction& scaled, const HeldProblem& held, const ModeSplit& split,
+                  std::pair<base::Vector, Search> state, const ContactSettings& settings,
+                  FrictionSolution& answer) {
+  ContactSolution& c = answer.contact;
+  auto& [anchor, search] = state;
+  base::Vector drive = base::Vector::Zero(scaled.modes());
+  for (int turn = 0; turn < anchorings; ++turn) {
+    search = settle(scaled, anchor, search.touch, settings, c);
+    if (!search.settled) {
+      c.status = ContactStatus::max_iterations;
+      return;
+    }
+    const base::Vector before = drive;
+    drive = scaled.h + scaled.B.transpose() * search.solution.lambda;
+    if (search.solution.held || drive.norm() <= rest_load * search.solution.force_scale) {
+      take_solution(scaled, held, split, search, answer);
+      c.status =
+          c.residual < accepted_residual ? ContactStatus::solved : ContactStatus::max_iterations;
+      return;
+    }
+    if (turn > 0 && (drive - before).norm() <= 1e-6 * drive.norm()) {
+      c.status = ContactStatus::unheld_mode;
+      c.unheld = (split.felt * drive).normalized();
+      answer.slides = true;
+      return;
+    }
+    anchor = search.solution.alpha;
+  }
+  c.status = ContactStatus::max_iterations;
+}
+
+} // namespace
+
+FrictionCones friction_cones(const base::Matrix& B, const std::vector<bool>& equality,
+                             const std::vector<FrictionRow>& friction) {
+  std::vector<int> normal_of(equality.size(), -1); // of tangents
+  for (std::size_t f = 0; f < friction.size(); ++f) {
+    normal_of[std::size_t(friction[f].tangent)] = static_cast<int>(f);
+  }
+  FrictionCones cones{B, equality};
+  for (std::size_t i = 0; i < equality.size(); ++i) {
+    if (normal_of[i] < 0) {
+      continue;
+    }
+    const FrictionRow& f = friction[std::size_t(normal_of[i])];
+    cones.B.row(f.normal) = B.row(f.normal) + f.mu * B.row(f.tangent);
+    cones.B.row(f.tangent) = B.row(f.normal) - f.mu * B.row(f.tangent);
+  }
+  return cones;
+}
+
+FrictionSolution solve_friction(const FrictionProblem& problem, const ContactSettings& settings,
+                                const std::vector<Touch>& start) {
+  blas::single_thread();
+  const ContactProblem& contact = problem.contact;
+  const Eigen::Index n = contact.b.size();
+  FrictionSolution answer;
+  ContactSolution& c = answer.contact;
+  c.lambda = base::Vector::Zero(n);
+  c.alpha = base::Vector::Zero(contact.h.size());
+  c.gap = contact.b;
+  c.closed.assign(static_cast<std::size_t>(n), false);
+  answer.touch.assign(static_cast<std::size_t>(n), Touch::open);
+  const double scale = load_scale(contact);
+
+  // 1. modes that no row touches, and loads that no force within the cones can take
+  const ModeSplit split = split_modes(contact.B, contact.opening_scale);
+  c.resting_modes = static_cast<int>(split.unfelt.cols());
+  c.unheld = unfelt_motion(split, contact.h, rest_load * scale);
+  HeldProblem held = held_problem(contact, split);
+  if (c.unheld.size() == 0) {
+    const Holding holding = hold_loads(force_cones(held, problem.friction));
+    c.unheld = opening_motion(split, holding, rest_load * std::max(scale, held.h.norm()));
+    if (holding.remainder.size() > 0) {
+      held.h -= holding.remainder;
+    }
+  }
+  if (c.unheld.size() > 0) {
+    c.status = ContactStatus::unheld_mode;
+    return answer;
+  }
+  if (!dead_rows_hold(held, problem.friction)) {
+    c.status = ContactStatus::inconsistent;
+    return answer;
+  }
+
+  // 2. the increment itself
+  const ScaledFriction scaled = scaled_friction(held, problem.friction, contact.load_scale);
+  Search first;
+  first.touch = start;
+  first.touch.resize(static_cast<std::size_t>(n), Touch::stick);
+  walk_to_rest(scaled, held, split, {first_anchor(problem, held, split), std::move(first)},
+               settings, answer);
+  return answer;
+}
+
+} // namespace spricka::solve

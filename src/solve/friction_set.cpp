@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/friction_set.hpp"
+#include "solve/blas.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spricka::solve {
+
+namespace {
+
+constexpr double no_freedom = 1e-9; ///< of the normal row's scale: nothing moves along the tangent
+constexpr double solved_to = 1e-10;
+constexpr int refinements = 3;
+
+/// The rows whose gap or slip is zero, and what a force on each brings along on its tangent.
+struct ActiveRows {
+  std::vector<int> row;
+  std::vector<int> follower; ///< tangent that slips with it, or -1
+  std::vector<double> share; ///< force on the follower per force on the row
+
+  [[nodiscard]] int size() const { return static_cast<int>(row.size()); }
+  void add(int r, int t = -1, double s = 0.0) {
+    row.push_back(r);
+    follower.push_back(t);
+    share.push_back(s);
+  }
+};
+
+ActiveRows active_rows(const ScaledFriction& problem, const std::vector<Touch>& touch) {
+  ActiveRows active;
+  for (const int i : problem.fixed) {
+    active.add(i);
+  }
+  for (const ScaledFriction::Unit& u : problem.units) {
+    const Touch state = touch[std::size_t(u.normal)];
+    if (state == Touch::open) {
+      continue;
+    }
+    if (u.tangent < 0 || state == Touch::stick) {
+      active.add(u.normal);
+      if (u.tangent >= 0) {
+        active.add(u.tangent);
+      }
+    } else {
+      active.add(u.normal, u.tangent, state == Touch::forward ? -u.mu : u.mu);
+    }
+  }
+  return active;
+}
+
+/// LU factors of the equations: gaps of the active rows, balance of the modes.
+class Equations {
+public:
+  Equations(const ScaledFriction& problem, const ActiveRows& active)
+      : a_(active.size()), m_(problem.modes()), K_(a_ + m_, a_ + m_) {
+    base::Vector column(problem.rows());
+    for (int c = 0; c < a_; ++c) {
+      const int i = active.row[std::size_t(c)];
+      column = problem.W.col(i);
+      base::Vector opened = problem.B.row(i).transpose();
+      if (const int t = active.follower[std::size_t(c)]; t >= 0) {
+        column += active.share[std::size_t(c)] * problem.W.col(t);
+        opened += active.share[std::size_t(c)] * problem.B.row(t).transpose();
+      }
+      for (int r = 0; r < a_; ++r) {
+        K_(r, c) = column(active.row[std::size_t(r)]);
+      }
+      K_(c, c) += row_spring;
+      K_.block(a_, c, m_, 1) = opened;
+      K_.block(c, a_, 1, m_) = problem.B.row(i);
+    }
+    K_.bottomRightCorner(m_, m_) = -mode_spring * base::Matrix::Identity(m_, m_);
+    regular_ = size() == 0 || blas::lu(size(), {K_.data(), size()}, order_);
+  }
+  [[nodiscard]] bool regular() const { return regular_; }
+  [[nodiscard]] int size() const { return a_ + m_; }
+  void solve(base::Matrix& x) const {
+    blas::solve_lu(size(), static_cast<int>(x.cols()), {K_.data(), size()}, order_,
+                   {x.data(), size()});
+  }
+
+private:
+  int a_;
+  int m_;
+  base::Matrix K_;
+  std::vector<int> order_;
+  bool regular_ = false;
+};
+
+/// Adds a solution of the equations and finds the gaps again.
+void add(const ScaledFriction& problem, const ActiveRows& active, const base::Matrix& x,
+         TouchSolution& s) {
+  for (int c = 0; c < active.size(); ++c) {
+    s.lambda(active.row[std::size_t(c)]) += x(c, 0);
+    if (const int t = active.follower[std::size_t(c)]; t >= 0) {
+      s.lambda(t) += active.share[std::size_t(c)] * x(c, 0);
+    }
+  }
+  s.alpha += x.col(0).tail(problem.modes());
+  const int n = problem.rows();
+  base::Vector opened(n);
+  blas::gemm({.m = n, .n = 1, .k = n}, {problem.W.data(), n}, {s.lambda.data(), n},
+             {opened.data(), n});
+  const base::Vector moved = problem.B * s.alpha;
+  s.gap = problem.b + opened + moved;
+  double size = s.lambda.size() > 0 ? s.lambda.cwiseAbs().maxCoeff() : 0.0;
+  s.force_scale = std::max(size, problem.force_floor);
+  for (const int i : active.row) {
+    s.force_scale = std::max(s.force_scale, 1e-3 * std::abs(problem.b(i)));
+  }
+  if (n > 0) {
+    size = std::max({size, opened.cwiseAbs().maxCoeff(), moved.cwiseAbs().maxCoeff()});
+  }
+  s.gap_scale = problem.b.cwiseAbs().array() + size;
+}
+
+base::Vector balance_of(const ScaledFriction& problem, const TouchSolution& s) {
+  return problem.h + problem.B.transpose() * s.lambda;
+}
+
+double unbalanced(const ScaledFriction& problem, const TouchSolution& s) {
+  const base::Vector left = balance_of(problem, s);
+  const base::Vector size =
+      problem.h.cwiseAbs() + problem.B.cwiseAbs().transpose() * s.lambda.cwiseAbs();
+  double worst = 0.0;
+  for (int j = 0; j < problem.modes(); ++j) {
+    worst = std::max(worst, left(j) == 0.0 ? 0.0 : std::abs(left(j)) / (size(j) + s.force_scale));
+  }
+  return worst;
+}
+
+double relative(double value, double scale) {
+  return value == 0.0 ? 0.0 : value / (scale > 0.0 ? scale : 1.0);
+}
+
+double open_error(const ActiveRows& active, const TouchSolution& s) {
+  double worst = 0.0;
+  for (const int i : active.row) {
+    worst = std::max(worst, relative(std::abs(s.gap(i)), s.gap_scale(i)));
+  }
+  return worst;
+}
+
+} // namespace
+
+ScaledFriction scaled_friction(const HeldProblem& held, const std::vector<FrictionRow>& friction,
+                               double load_scale) {
+  ScaledFriction p;
+  const int n = held.rows();
+  const double root = std::sqrt(held.tau);
+  base::Vector inverse(n);
+  for (int i = 0; i < n; ++i) {
+    inverse(i) = held.d(i) > 0.0 ? 1.0 / held.d(i) : 0.0;
+  }
+  p.W = inverse.asDiagonal() * held.W * inverse.asDiagonal();
+  p.B = inverse.asDiagonal() * held.B * root;
+  p.b = inverse.asDiagonal() * held.b;
+  p.h = held.h * root;
+  p.force_floor = p.h.size() > 0 ? std::max(p.h.cwiseAbs().maxCoeff(), load_scale * root) : 0.0;
+  std::vector<int> tangent(std::size_t(n), -1);
+  std::vector<double> mu(std::size_t(n), 0.0);
+  std::vector<bool> slips(std::size_t(n), false);
+  for (const FrictionRow& f : friction) {
+    slips[std::size_t(f.tangent)] = true;
+    if (held.d(f.tangent) > no_freedom * held.d(f.normal) && f.mu > 0.0) {
+      tangent[std::size_t(f.normal)] = f.tangent;
+      mu[std::size_t(f.normal)] = f.mu * held.d(f.tangent) * inverse(f.normal);
+    }
+  }
+  for (int i = 0; i < n; ++i) {
+    if (!(held.d(i) > 0.0) || slips[std::size_t(i)]) {
+      continue;
+    }
+    if (held.equality[std::size_t(i)]) {
+      p.fixed.push_back(i);
+    } else {
+      p.units.push_back({i, tangent[std::size_t(i)], mu[std::size_t(i)]});
+    }
+  }
+  return p;
+}
+
+TouchSolution solve_touch(const ScaledFriction& problem, const std::vector<Touch>& touch,
+                          const base::Vector& anchor) {
+  const ActiveRows active = active_rows(problem, touch);
+  const int a = active.size();
+  const int m = problem.modes();
+  TouchSolution s;
+  s.lambda = base::Vector::Zero(problem.rows());
+  s.alpha = base::Vector::Zero(m);
+  s.gap = problem.b;
+  s.gap_scale = problem.b.cwiseAbs();
+  const Equations equations(problem, active);
+  if (!equations.regular()) {
+    return s;
+  }
+  base::Matrix x(a + m, 1);
+  for (int r = 0; r < a; ++r) {
+    x(r, 0) = -problem.b(active.row[std::size_t(r)]);
+  }
+  x.col(0).tail(m) = -problem.h - mode_spring * anchor;
+  equations.solve(x);
+  add(problem, active, x, s);
+  s.regular = s.gap.allFinite();
+  TouchSolution exact = s;
+  for (int k = 0; k < refinements && s.regular; ++k) {
+    for (int r = 0; r < a; ++r) {
+      x(r, 0) = -exact.gap(active.row[std::size_t(r)]);
+    }
+    x.col(0).tail(m) = -balance_of(problem, exact);
+    equations.solve(x);
+    add(problem, active, x, exact);
+  }
+  exact.held = exact.gap.allFinite() && unbalanced(problem, exact) < solved_to &&
+               open_error(active, exact) < solved_to;
+  return exact.held ? exact : s;
+}
+
+int change_states(const ScaledFriction& problem, const TouchSolution& s, double tolerance,
+                  std::vector<Touch>& touch) {
+  int changed = 0;
+  const double force = tolerance * s.force_scale;
+  for (const ScaledFriction::Unit& u : problem.units) {
+    Touch& state = touch[std::size_t(u.normal)];
+    const Touch before = state;
+    const double pressure = s.lambda(u.normal);
+    const double slip = u.tangent < 0 ? 0.0 : s.gap(u.tangent);
+    if (state == Touch::open) {
+      const double gap = s.gap(u.normal);
+      if (gap < -tolerance * s.gap_scale(u.normal)) {
+        const bool runs = u.tangent >= 0 && std::abs(slip) > -u.mu * gap;
+        state = !runs ? Touch::stick : slip > 0.0 ? Touch::forward : Touch::backward;
+      }
+    } else if (pressure < -force) {
+      state = Touch::open;
+    } else if (u.tangent >= 0 && state == Touch::stick) {
+      const double shear = s.lambda(u.tangent);
+      if (std::abs(shear) > u.mu * pressure + force) {
+        state = shear < 0.0 ? Touch::forward : Touch::backward;
+      }
+    } else if (u.tangent >= 0) {
+      const double along = state == Touch::forward ? slip : -slip;
+      if (along < -tolerance * s.gap_scale(u.tangent)) {
+        state = Touch::stick;
+      }
+    }
+    if (u.tangent >= 0) {
+      touch[std::size_t(u.tangent)] = state;
+    }
+    changed += state != before ? 1 : 0;
+  }
+  return changed;
+}
+
+double friction_residual(const ScaledFriction& problem, const TouchSolution& s,
+                         const std::vector<Touch>& touch) {
+  double worst = unbalanced(problem, s);
+  const auto gap_error = [&](int i, double error) {
+    worst = std::max(worst, relative(error, s.gap_scale(i)));
+  };
+  const auto force_error = [&](double error) {
+    worst = std::max(worst, relative(std::max(error, 0.0), s.force_scale));
+  };
+  for (const int i : problem.fixed) {
+    gap_error(i, std::abs(s.gap(i)));
+  }
+  for (const ScaledFriction::Unit& u : problem.units) {
+    const Touch state = touch[std::size_t(u.normal)];
+    const double gap = s.gap(u.normal);
+    gap_error(u.normal, state == Touch::open ? std::max(-gap, 0.0) : std::abs(gap));
+    force_error(-s.lambda(u.normal));
+    if (u.tangent < 0) {
+      continue;
+    }
+    force_error(std::abs(s.lambda(u.tangent)) - u.mu * std::max(s.lambda(u.normal), 0.0));
+    const double slip = s.gap(u.tangent);
+    if (state == Touch::stick) {
+      gap_error(u.tangent, std::abs(slip));
+    } else if (state != Touch::open) {
+      gap_error(u.tangent, std::max(state == Touch::forward ? -slip : slip, 0.0));
+    }
+  }
+  return std::isfinite(s.gap.sum() + s.lambda.sum()) ? worst : INFINITY;
+}
+
+Interface interface_stiffness(const ScaledFriction& problem, const base::Vector& anchor) {
+  Interface face;
+  ActiveRows all;
+  for (const ScaledFriction::Unit& u : problem.units) {
+    all.add(u.normal);
+  }
+  for (const ScaledFriction::Unit& u : problem.units) {
+    if (u.tangent >= 0) {
+      all.add(u.tangent);
+    }
+  }
+  face.rows = all.row;
+  const int k = all.size();
+  for (const int i : problem.fixed) {
+    all.add(i);
+  }
+  const Equations equations(problem, all);
+  face.regular = equations.regular();
+  if (!face.regular) {
+    return face;
+  }
+  const int m = problem.modes();
+  base::Matrix x = base::Matrix::Zero(equations.size(), k + 1);
+  x.topLeftCorner(k, k).setIdentity();
+  for (int r = 0; r < all.size(); ++r) {
+    x(r, k) = -problem.b(all.row[std::size_t(r)]);
+  }
+  x.col(k).tail(m) = -problem.h - mode_spring * anchor;
+  equations.solve(x);
+  face.A = x.topLeftCorner(k, k);
+  face.q = x.col(k).head(k);
+  face.regular = x.allFinite();
+  return face;
+}
+
+} // namespace spricka::solve

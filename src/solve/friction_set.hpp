@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "solve/friction.hpp"
+#include "solve/held_problem.hpp"
+
+#include <vector>
+
+namespace spricka::solve {
+
+/// The friction problem in units where every row's own compliance is about 1: forces times d, gaps
+/// over d. Modes over sqrt(tau).
+struct ScaledFriction {
+  struct Unit { ///< an inequality row, with the row of its slip if there is friction
+    int normal = 0;
+    int tangent = -1;
+    double mu = 0.0; ///< in these units
+  };
+  base::Matrix W; ///< [n, n]
+  base::Matrix B; ///< [n, m]
+  base::Vector b; ///< [n]
+  base::Vector h; ///< [m]
+  std::vector<Unit> units;
+  std::vector<int> fixed; ///< equality rows
+  double force_floor = 0.0;
+
+  [[nodiscard]] int rows() const { return static_cast<int>(b.size()); }
+  [[nodiscard]] int modes() const { return static_cast<int>(h.size()); }
+};
+
+/// Rows that no freedom feels are left out; a slip that none feels has no force.
+ScaledFriction scaled_friction(const HeldProblem& held, const std::vector<FrictionRow>& friction,
+                               double load_scale);
+
+/// Share of a row's own compliance that keeps redundant rows apart, and share of the bodies' that
+/// anchors what no row holds; refinement takes both out of the answer again where it can.
+inline constexpr double row_spring = 1e-12;
+inline constexpr double mode_spring = 1e-8;
+
+/// Forces, modes and gaps when the states of all rows are given.
+struct TouchSolution {
+  base::Vector lambda;  ///< [n]
+  base::Vector alpha;   ///< [m]
+  base::Vector gap;     ///< [n]
+  bool regular = false; ///< the equations could be solved
+  bool held = false;    ///< they hold without the anchoring springs
+  double force_scale = 0.0;
+  base::Vector gap_scale; ///< [n]
+};
+
+/// Solves the equations of the states `touch` [n]. Modes that these do not hold are anchored at
+/// `anchor` [m] by weak springs.
+TouchSolution solve_touch(const ScaledFriction& problem, const std::vector<Touch>& touch,
+                          const base::Vector& anchor);
+
+/// The states that follow from a solution: every row whose condition is violated by more than
+/// `tolerance` changes. Returns how many did.
+int change_states(const ScaledFriction& problem, const TouchSolution& s, double tolerance,
+                  std::vector<Touch>& touch);
+
+/// Largest violation of all conditions of the problem (springs do not count), scaled.
+double friction_residual(const ScaledFriction& problem, const TouchSolution& s,
+                         const std::vector<Touch>& touch);
+
+/// The interface in stiffness form, lambda = q + A x with the openings and slips x of all rows in
+/// `rows` (those of the units, normals first), equality rows held, modes anchored.
+struct Interface {
+  std::vector<int> rows;
+  base::Matrix A; ///< [k, k]
+  base::Vector q; ///< [k]
+  bool regular = false;
+};
+Interface interface_stiffness(const ScaledFriction& problem, const base::Vector& anchor);
+
+} // namespace spricka::solve

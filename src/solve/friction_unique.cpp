@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/blas.hpp"
+#include "solve/friction.hpp"
+#include "solve/friction_set.hpp"
+#include "solve/mode_split.hpp"
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace spricka::solve {
+
+namespace {
+
+/// Weights of the test: how |v_i| and |pressure_i| share their product, and how much of the
+/// complementarity of pressure and opening is added. Any will do; good ones prove more.
+struct Weights {
+  base::Vector share;    ///< [unit] kappa
+  base::Vector openings; ///< [unit] a
+};
+
+/// Orthonormal motions of rows when bodies move rigidly, equality rows kept [k, z].
+base::Matrix rigid_openings(const ScaledFriction& problem, const std::vector<int>& rows) {
+  const int m = problem.modes();
+  if (m == 0) {
+    return base::Matrix::Zero(static_cast<Eigen::Index>(rows.size()), 0);
+  }
+  base::Matrix free = base::Matrix::Identity(m, m);
+  if (!problem.fixed.empty()) {
+    base::Matrix B_T(m, static_cast<Eigen::Index>(problem.fixed.size()));
+    for (std::size_t k = 0; k < problem.fixed.size(); ++k) {
+      B_T.col(static_cast<Eigen::Index>(k)) = problem.B.row(problem.fixed[k]).transpose();
+    }
+    Eigen::ColPivHouseholderQR<base::Matrix> qr(B_T.rows(), B_T.cols());
+    qr.setThreshold(1e-9);
+    qr.compute(B_T);
+    const base::Matrix Q = qr.householderQ() * base::Matrix::Identity(m, m);
+    free = Q.rightCols(m - qr.rank());
+  }
+  base::Matrix moved(static_cast<Eigen::Index>(rows.size()), free.cols());
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    moved.row(static_cast<Eigen::Index>(r)) = problem.B.row(rows[r]) * free;
+  }
+  if (moved.size() == 0) {
+    return moved;
+  }
+  const Eigen::JacobiSVD<base::Matrix> svd(moved, Eigen::ComputeThinU);
+  const Eigen::Index rank = (svd.singularValues().array() > 1e-9 * svd.singularValues()(0)).count();
+  return svd.matrixU().leftCols(rank);
+}
+
+/// Whether the form of (solve.27) is positive definite across the rigid motions N.
+bool positive(const ScaledFriction& problem, const Interface& face, const Weights& weights,
+              const base::Matrix& N) {
+  const Eigen::Index units = static_cast<Eigen::Index>(problem.units.size());
+  base::Matrix F = face.A;
+  F.topRows(units) += 0.5 * (weights.openings.asDiagonal() * face.A.topRows(units));
+  F.leftCols(units) += 0.5 * (face.A.leftCols(units) * weights.openings.asDiagonal());
+  base::Matrix pressure = face.A.topRows(units); // of the units with friction, weighted
+  Eigen::Index tangent = units;
+  for (Eigen::Index i = 0; i < units; ++i) {
+    const ScaledFriction::Unit& u = problem.units[static_cast<std::size_t>(i)];
+    const double kappa = weights.share(i);
+    pressure.row(i) *= u.tangent >= 0 ? std::sqrt(0.5 * u.mu / kappa) : 0.0;
+    if (u.tangent >= 0) {
+      F(tangent, tangent) -= 0.5 * u.mu * kappa;
+      ++tangent;
+    }
+  }
+  const int k = static_cast<int>(F.rows());
+  const int m = static_cast<int>(units);
+  blas::gemm({.m = k, .n = k, .k = m, .a = blas::Form::transposed, .alpha = -1.0, .beta = 1.0},
+             {pressure.data(), m}, {pressure.data(), m}, {F.data(), k});
+  if (N.cols() > 0) {
+    F += 1e4 * face.A.diagonal().maxCoeff() * (N * N.transpose());
+  }
+  F.diagonal().array() -= 1e-9 * face.A.diagonal().array();
+  return blas::cholesky(k, {F.data(), k});
+}
+
+Weights weights_of(const ScaledFriction& problem, const Interface& face, double share,
+                   double openings) {
+  const Eigen::Index units = static_cast<Eigen::Index>(problem.units.size());
+  Weights w{base::Vector::Ones(units), base::Vector::Constant(units, openings)};
+  Eigen::Index tangent = units;
+  for (Eigen::Index i = 0; i < units; ++i) {
+    const ScaledFriction::Unit& u = problem.units[static_cast<std::size_t>(i)];
+    if (u.tangent < 0) {
+      continue;
+    }
+    const double own = face.A(tangent, tangent);
+    if (share > 0.0) {
+      w.share(i) = share * own;
+    } else { // exact for a row by itself
+      w.share(i) = std::max(std::abs(face.A(i, tangent)), 0.05 * own);
+      w.openings(i) = std::max(u.mu * face.A(i, i) / w.share(i) - 2.0, 0.0);
+    }
+    ++tangent;
+  }
+  return w;
+}
+
+} // namespace
+
+Uniqueness unique_increment(const FrictionProblem& problem) {
+  blas::single_thread();
+  Uniqueness found;
+  const ModeSplit split = split_modes(problem.contact.B, problem.contact.opening_scale);
+  const HeldProblem held = held_problem(problem.contact, split);
+  const ScaledFriction scaled = scaled_friction(held, problem.friction, problem.contact.load_scale);
+  const bool rubs = std::any_of(scaled.units.begin(), scaled.units.end(),
+                                [](const auto& u) { return u.tangent >= 0; });
+  if (!rubs) {
+    found = {true, scaled.modes() > 0};
+    return found;
+  }
+  const Interface face = interface_stiffness(scaled, base::Vector::Zero(scaled.modes()));
+  if (!face.regular) {
+    return found;
+  }
+  const base::Matrix N = rigid_openings(scaled, face.rows);
+  found.apart_from_motions = N.cols() > 0;
+  constexpr std::array<std::array<double, 2>, 7> trials{
+      {{0.5, 0.0}, {0.0, 0.0}, {1.0, 0.0}, {0.5, 1.0}, {1.0, 1.0}, {0.25, 2.0}, {0.5, 4.0}}};
+  for (const auto& [share, openings] : trials) {
+    if (positive(scaled, face, weights_of(scaled, face, share, openings), N)) {
+      found.certain = true;
+      break;
+    }
+  }
+  return found;
+}
+
+} // namespace spricka::solve
