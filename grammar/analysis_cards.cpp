@@ -36,7 +36,7 @@ constexpr std::array contact_keys{
          "overlap along the normal (on the radius), used exactly"),
     real("DIAMETRAL", length, at_least(0), "overlap on the diameter: twice INTERFERENCE"),
     real("GAP", length, at_least(0), "normal gap, used exactly; 0: a net fit"),
-    preset(later(real("MU", number, at_least(0), "Coulomb friction"), ">0"), "0"),
+    preset(real("MU", number, at_least(0), "coefficient of Coulomb friction"), "0"),
     preset(word("PAIRING", "NODE|SEGMENT", "SEGMENT: any two meshes; NODE: matching nodes"),
            "SEGMENT"),
     preset(word("RECOVERY", "LUMPED|CONSISTENT", "how pressure follows from NODE forces"),

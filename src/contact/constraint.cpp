@@ -59,11 +59,11 @@ PairRows pair_rows(const model::Model& model, const model::Mesh& mesh,
   }
   pair.contact = std::move(slave);
   pair.target = std::move(master);
-  const bool bonded = contact.type == model::ContactType::bonded;
+  const bool tangents = contact.type == model::ContactType::bonded || contact.mu > 0.0;
   if (contact.pairing == model::Pairing::node) {
-    node_rows(pair, contact.gap, bonded);
+    node_rows(pair, contact.gap, tangents);
   } else {
-    segment_rows(pair, contact.gap, bonded);
+    segment_rows(pair, contact.gap, tangents);
   }
   return pair;
 }

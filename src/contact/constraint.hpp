@@ -18,7 +18,8 @@ struct RowEntry {
   base::Vec3 weight = base::Vec3::Zero(); ///< [area]
 };
 
-/// g = gap + sum weight . u >= 0 (normal row) or = 0 (bonded rows).
+/// g = gap + sum weight . u >= 0 (normal row) or = 0 (bonded rows); with friction the slip v of a
+/// tangential row obeys Coulomb's law with the pressure of its normal row.
 struct ConstraintRow {
   std::vector<RowEntry> entries; ///< ascending by node, each node once
   double gap = 0.0;              ///< weighted initial gap [length * area]
@@ -30,8 +31,9 @@ struct ConstraintRow {
 /// The rows of one contact pair.
 struct PairRows {
   std::vector<ConstraintRow> normal;
-  std::vector<ConstraintRow> tangent; ///< bonded pairs only
-  Surface contact;                    ///< side that carries the multipliers
+  std::vector<ConstraintRow>
+      tangent;     ///< bonded pairs and those with friction, one behind each normal row
+  Surface contact; ///< side that carries the multipliers
   Surface target;
   bool swapped = false;  ///< the deck's master carries the multipliers
   bool segments = false; ///< rows are weighted by hats on half edges, else by single nodes

@@ -75,7 +75,7 @@ std::optional<base::NodeId> partner(const SurfaceNode& node, const Vec2& n,
 
 } // namespace
 
-void node_rows(PairRows& pair, std::optional<double> declared_gap, bool bonded) {
+void node_rows(PairRows& pair, std::optional<double> declared_gap, bool tangents) {
   const double thickness = std::min(pair.contact.thickness, pair.target.thickness);
   const SurfaceNodes nodes = collect(pair.contact, thickness);
   const SurfaceNodes targets = collect(pair.target, thickness);
@@ -96,7 +96,7 @@ void node_rows(PairRows& pair, std::optional<double> declared_gap, bool bonded) 
     row.gap = node.area * gap;
     row.area = node.area;
     pair.normal.push_back(row.finish(id, false));
-    if (bonded) {
+    if (tangents) {
       const Vec2 t(-n.y(), n.x());
       RowBuilder slip;
       slip.add(id, -node.area * t);

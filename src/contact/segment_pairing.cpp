@@ -32,7 +32,7 @@ struct Point {
   double gap;
 };
 
-void add_point(const Point& p, bool bonded, Builders& rows) {
+void add_point(const Point& p, bool tangents, Builders& rows) {
   const std::array<double, 3> phi = edge_hats(p.edge, p.xi);
   const std::array<double, 3> N = edge_N(p.edge, p.xi);
   const std::array<double, 3> M = edge_N(p.target, p.eta);
@@ -46,7 +46,7 @@ void add_point(const Point& p, bool bonded, Builders& rows) {
     RowBuilder& row = rows.normal[p.edge.nodes[at]];
     row.gap += c * p.gap;
     row.area += c;
-    RowBuilder* slip = bonded ? &rows.tangent[p.edge.nodes[at]] : nullptr;
+    RowBuilder* slip = tangents ? &rows.tangent[p.edge.nodes[at]] : nullptr;
     if (slip != nullptr) {
       slip->area += c;
     }
@@ -69,7 +69,7 @@ void add_point(const Point& p, bool bonded, Builders& rows) {
 
 // False if a point of the segment finds no target: its area would be lost.
 bool add_segment(const PairRows& pair, const Edge& edge, const Edge& target, const Segment& s,
-                 const std::optional<double>& declared, bool bonded, Builders& rows) {
+                 const std::optional<double>& declared, bool tangents, Builders& rows) {
   const double thickness = std::min(pair.contact.thickness, pair.target.thickness);
   for (std::size_t g = 0; g < gauss_r.size(); ++g) {
     const double xi = 0.5 * ((s.to + s.from) + (s.to - s.from) * gauss_r[g]);
@@ -81,7 +81,7 @@ bool add_segment(const PairRows& pair, const Edge& edge, const Edge& target, con
     }
     const double w = 0.5 * (s.to - s.from) * gauss_w[g] * tangent_on(edge, xi).norm() * thickness;
     const double gap = declared ? *declared : (point_on(target, *eta) - x).dot(n);
-    add_point({edge, target, xi, *eta, w, n, gap}, bonded, rows);
+    add_point({edge, target, xi, *eta, w, n, gap}, tangents, rows);
   }
   return true;
 }
@@ -117,7 +117,7 @@ std::vector<base::NodeId> ordered_nodes(const EdgeChain& chain) {
 }
 
 // A sliver of cover makes a row that weighs next to nothing: its function joins the neighbour's.
-void merge_slivers(const EdgeChain& chain, bool bonded, Builders& rows, int& merged) {
+void merge_slivers(const EdgeChain& chain, bool tangents, Builders& rows, int& merged) {
   const std::vector<base::NodeId> nodes = ordered_nodes(chain);
   const std::size_t n = nodes.size();
   const auto covered = [&](std::size_t i) {
@@ -148,7 +148,7 @@ void merge_slivers(const EdgeChain& chain, bool bonded, Builders& rows, int& mer
     }
     if (to < n) {
       rows.normal[nodes[to]].add(rows.normal[nodes[i]]);
-      if (bonded) {
+      if (tangents) {
         rows.tangent[nodes[to]].add(rows.tangent[nodes[i]]);
       }
       ++merged;
@@ -180,7 +180,7 @@ std::vector<const Edge*> all_edges(const Surface& surface) {
 
 } // namespace
 
-void segment_rows(PairRows& pair, std::optional<double> declared_gap, bool bonded) {
+void segment_rows(PairRows& pair, std::optional<double> declared_gap, bool tangents) {
   const std::vector<Segment> segments = find_segments(pair.contact, pair.target);
   if (covered_twice(segments)) {
     pair.trouble = "the surfaces face each other twice at one place (folded or cornered surfaces "
@@ -196,8 +196,8 @@ void segment_rows(PairRows& pair, std::optional<double> declared_gap, bool bonde
     add_support(*edge, std::min(pair.contact.thickness, pair.target.thickness), rows);
   }
   for (const Segment& s : segments) {
-    if (!add_segment(pair, *edges[s.contact_edge], *targets[s.target_edge], s, declared_gap, bonded,
-                     rows)) {
+    if (!add_segment(pair, *edges[s.contact_edge], *targets[s.target_edge], s, declared_gap,
+                     tangents, rows)) {
       pair.trouble =
           "the normals of one surface miss the other within a stretch that faces it (too "
           "strongly curved for its edges?)";
@@ -205,11 +205,11 @@ void segment_rows(PairRows& pair, std::optional<double> declared_gap, bool bonde
     }
   }
   for (const EdgeChain& chain : pair.contact.chains) {
-    merge_slivers(chain, bonded, rows, pair.merged);
+    merge_slivers(chain, tangents, rows, pair.merged);
     for (const base::NodeId node : ordered_nodes(chain)) {
       if (rows.normal[node].area > 0.0) {
         pair.normal.push_back(rows.normal[node].finish(node, false));
-        if (bonded) {
+        if (tangents) {
           pair.tangent.push_back(rows.tangent[node].finish(node, true));
         }
       }

@@ -122,8 +122,7 @@ std::size_t ContactSystem::body_of_mode(Eigen::Index mode) const {
   return b;
 }
 
-ContactSystem::Answer ContactSystem::solve(const Demand& demand,
-                                           const solve::ContactSettings& settings) const {
+solve::ContactProblem ContactSystem::condensed(const Demand& demand) const {
   const auto n = static_cast<Eigen::Index>(demand.rows.size());
   std::vector<base::Vector> u(bodies_.size());
   solve::ContactProblem problem;
@@ -147,14 +146,31 @@ ContactSystem::Answer ContactSystem::solve(const Demand& demand,
   }
   problem.equality = demand.equality;
   problem.load_scale = demand.load_scale;
+  return problem;
+}
 
-  Answer answer{solve::solve_contact(problem, settings, demand.start), {}};
+solve::Uniqueness ContactSystem::unique(const Demand& demand) const {
+  return solve::unique_increment({condensed(demand), demand.friction, {}});
+}
+
+ContactSystem::Answer ContactSystem::solve(const Demand& demand,
+                                           const solve::ContactSettings& settings) const {
+  Answer answer;
+  if (demand.friction.empty()) {
+    answer.solution = solve::solve_contact(condensed(demand), settings, demand.start);
+  } else {
+    solve::FrictionSolution found = solve::solve_friction(
+        {condensed(demand), demand.friction, demand.alpha}, settings, demand.touch);
+    answer.solution = std::move(found.contact);
+    answer.touch = std::move(found.touch);
+    answer.slides = found.slides;
+  }
   const solve::ContactSolution& s = answer.solution;
   if (s.status != solve::ContactStatus::solved) {
     return answer;
   }
   std::vector<base::Vector> force = demand.load;
-  for (Eigen::Index i = 0; i < n; ++i) {
+  for (Eigen::Index i = 0; i < s.lambda.size(); ++i) {
     for (const Entry& e : rows_[demand.rows[static_cast<std::size_t>(i)]]) {
       force[e.body][e.at] += s.lambda[i] * e.weight;
     }

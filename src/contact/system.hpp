@@ -4,6 +4,7 @@
 #include "contact/constraint.hpp"
 #include "solve/contact_qp.hpp"
 #include "solve/dense_cholesky.hpp"
+#include "solve/friction.hpp"
 
 #include <vector>
 
@@ -47,13 +48,21 @@ public:
     base::Vector gap;               ///< [rows in force] g at zero displacement, weighted
     std::vector<base::Vector> load; ///< [body][m] condensed loads
     double load_scale = 0.0;
-    std::vector<bool> start; ///< [rows in force] closed; empty: all
+    std::vector<bool> start;                  ///< [rows in force] closed; empty: all
+    std::vector<solve::FrictionRow> friction; ///< by places in `rows`; empty: nothing rubs
+    std::vector<solve::Touch> touch;          ///< [rows in force] with friction, instead of `start`
+    base::Vector alpha; ///< with friction: where bodies that nothing holds stay; empty: at zero
   };
   struct Answer {
     solve::ContactSolution solution; ///< lambda, gap, closed by rows in force
+    std::vector<solve::Touch> touch; ///< [rows in force] with friction; else empty
+    bool slides = false;             ///< the mode that is not held would be held by more friction
     std::vector<base::Vector> u;     ///< [body][m] external displacements
   };
   [[nodiscard]] Answer solve(const Demand& demand, const solve::ContactSettings& settings) const;
+
+  /// Whether a sufficient test finds that an increment with these rows has only one solution.
+  [[nodiscard]] solve::Uniqueness unique(const Demand& demand) const;
 
   /// sum weight . u for a row, from external displacements; other freedoms count as zero.
   [[nodiscard]] double opening(std::size_t row, const std::vector<base::Vector>& u) const;
@@ -62,6 +71,8 @@ public:
   [[nodiscard]] Eigen::Index first_mode(std::size_t body) const { return mode_start_[body]; }
 
 private:
+  [[nodiscard]] solve::ContactProblem condensed(const Demand& demand) const;
+
   struct Entry {
     std::size_t body = 0;
     Eigen::Index at = 0;

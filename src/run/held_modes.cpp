@@ -3,6 +3,7 @@
 
 #include "run/rigid_motion.hpp"
 #include "run/step_factors.hpp"
+#include "solve/friction.hpp"
 #include "solve/mode_split.hpp"
 
 #include <algorithm>
@@ -160,12 +161,17 @@ std::vector<Refusal> unheld_loads(const model::Model& model, const Scene& scene,
     apply_actions(step, factors);
     std::vector<std::size_t> rows;
     std::vector<bool> equality;
+    std::vector<solve::FrictionRow> friction;
     for (std::size_t c = 0; c < model.contacts.size(); ++c) {
       for (std::size_t r = scene.table.first[c]; factors.mounted[c] && r < scene.table.first[c + 1];
            ++r) {
         rows.push_back(r);
-        equality.push_back(scene.table.rows[r]->tangential ||
-                           model.contacts[c].type == model::ContactType::bonded);
+        equality.push_back(model.contacts[c].type == model::ContactType::bonded);
+        if (scene.table.rows[r]->tangential && !equality.back()) {
+          const int at = static_cast<int>(rows.size()) - 1;
+          friction.push_back(
+              {at - static_cast<int>(scene.pairs[c].normal.size()), at, model.contacts[c].mu});
+        }
       }
     }
     const base::Matrix B = modes.openings(rows);
@@ -180,15 +186,22 @@ std::vector<Refusal> unheld_loads(const model::Model& model, const Scene& scene,
     if (motion.size() == 0) {
       // Stiffness plays no part in whether rows can take the loads.
       const base::Matrix none;
-      const solve::HeldProblem held{none,
-                                    B * split.felt,
-                                    base::Vector::Zero(B.rows()),
-                                    split.felt.transpose() * h,
-                                    equality,
-                                    0.0,
-                                    {}};
-      motion = solve::opening_motion(split, solve::hold_loads(held),
+      const auto opening = [&] {
+        const solve::HeldProblem held{none,
+                                      solve::friction_cones(B, equality, friction).B * split.felt,
+                                      base::Vector::Zero(B.rows()),
+                                      split.felt.transpose() * h,
+                                      equality,
+                                      0.0,
+                                      {}};
+        return solve::opening_motion(split, solve::hold_loads(held),
                                      solve::rest_load * std::max(scale, held.h.norm()));
+      };
+      motion = opening();
+      if (motion.size() > 0) { // where it slides, friction does not lift it
+        std::ranges::for_each(friction, [](solve::FrictionRow& f) { f.mu = 0.0; });
+        motion = opening();
+      }
     }
     if (motion.size() > 0) {
       Eigen::Index most = 0;

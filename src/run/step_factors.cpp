@@ -32,6 +32,17 @@ StepFactors first_factors(const model::Model& model, Eigen::Index columns) {
   return factors;
 }
 
+StepFactors part_way(const StepFactors& from, const StepFactors& to, double part) {
+  StepFactors factors = to;
+  if (part < 1.0) {
+    factors.case_factor = from.case_factor + part * (to.case_factor - from.case_factor);
+    for (std::size_t c = 0; c < to.fit.size(); ++c) {
+      factors.fit[c] = from.fit[c] + part * (to.fit[c] - from.fit[c]);
+    }
+  }
+  return factors;
+}
+
 MountChanges apply_actions(const model::Step& step, StepFactors& factors) {
   MountChanges changes;
   for (const model::Action& action : step.actions) {

@@ -18,6 +18,9 @@ struct StepFactors {
 /// some step names it. `columns` are those of Scene::case_load.
 StepFactors first_factors(const model::Model& model, Eigen::Index columns);
 
+/// A part of the way from one set of factors to another, 1: all of it; contacts as at its end.
+StepFactors part_way(const StepFactors& from, const StepFactors& to, double part);
+
 /// The contacts that a step mounts or dismounts.
 struct MountChanges {
   std::vector<std::size_t> mounted;

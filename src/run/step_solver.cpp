@@ -4,6 +4,7 @@
 #include "fe/assemble.hpp"
 #include "fe/thermal.hpp"
 #include "run/rigid_motion.hpp"
+#include "run/step_walk.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,17 +20,6 @@ namespace {
 // Forces left over at free freedoms above this share of the force scale are not an answer.
 constexpr double worst_imbalance = 1e-6;
 
-double row_opening(const contact::ConstraintRow& row, int dim, const base::Vector& u) {
-  double sum = 0.0;
-  for (const contact::RowEntry& entry : row.entries) {
-    const auto at = static_cast<Eigen::Index>(entry.node.index()) * dim;
-    for (int c = 0; c < dim; ++c) {
-      sum += entry.weight[c] * u[at + c];
-    }
-  }
-  return sum;
-}
-
 } // namespace
 
 StepSolver::StepSolver(const model::Model& model, const Scene& scene,
@@ -38,7 +28,8 @@ StepSolver::StepSolver(const model::Model& model, const Scene& scene,
       factors_(first_factors(model, scene.case_load.cols())),
       offset_(base::Vector::Zero(static_cast<Eigen::Index>(scene.table.rows.size()))),
       u_(base::Vector::Zero(static_cast<Eigen::Index>(scene.cracked.mesh.node_count()) *
-                            scene.cracked.mesh.dim)) {
+                            scene.cracked.mesh.dim)),
+      history_(model, scene) {
   std::vector<const contact::CondensedBody*> condensed;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     if (bodies[b].condensed) {
@@ -61,6 +52,7 @@ void StepSolver::mount(std::size_t contact) {
     offset_[static_cast<Eigen::Index>(r)] =
         taken ? -row_opening(row, scene_.cracked.mesh.dim, u_) : 0.0;
   }
+  history_.begin(contact);
   closed_.clear();
 }
 
@@ -91,7 +83,7 @@ contact::ContactSystem::Demand StepSolver::demand() const {
     for (std::size_t r = scene_.table.first[c]; r < scene_.table.first[c + 1]; ++r) {
       const contact::ConstraintRow& row = *scene_.table.rows[r];
       d.rows.push_back(r);
-      d.equality.push_back(row.tangential || contact.type == model::ContactType::bonded);
+      d.equality.push_back(contact.type == model::ContactType::bonded);
       gap.push_back((contact.gap ? factors_.fit[c] : 1.0) * row.gap +
                     offset_[static_cast<Eigen::Index>(r)] + row_opening(row, dim, fixed));
       if (!closed_.empty()) {
@@ -104,18 +96,16 @@ contact::ContactSystem::Demand StepSolver::demand() const {
     d.load.emplace_back(bodies_[b].external_load * factors_.case_factor);
   }
   d.load_scale = (scene_.case_load * factors_.case_factor).lpNorm<1>();
+  history_.add_to(d);
   return d;
 }
 
-bool StepSolver::accept(const contact::ContactSystem::Answer& answer,
-                        const contact::ContactSystem::Demand& demand, StepState& state,
-                        Refusal& refusal) {
+// Sets the refusal where the answer is none.
+bool StepSolver::refuse(const contact::ContactSystem::Answer& answer, Refusal& refusal) const {
   const solve::ContactSolution& s = answer.solution;
-  state.iterations = s.block_iterations;
-  state.pivots = s.pivots;
   switch (s.status) {
   case solve::ContactStatus::solved:
-    break;
+    return false;
   case solve::ContactStatus::unheld_mode: {
     Eigen::Index most = 0;
     s.unheld.cwiseAbs().maxCoeff(&most);
@@ -132,20 +122,32 @@ bool StepSolver::accept(const contact::ContactSystem::Answer& answer,
     const base::Vector shape =
         body.condensed->modes() * s.unheld.segment(first, body.condensed->modes().cols());
     const base::Vector mix = at_externals.colPivHouseholderQr().solve(shape);
-    refusal = {4,
-               fmt::format("body {} is loaded but not held: {}", body.name,
-                           describe_motion(scene_.cracked.mesh, body.body, body.free_modes * mix)),
-               {}};
-    return false;
+    refusal = {
+        4,
+        fmt::format("body {} {}: {}", body.name,
+                    answer.slides ? "slides, friction does not hold it" : "is loaded but not held",
+                    describe_motion(scene_.cracked.mesh, body.body, body.free_modes * mix)),
+        {}};
+    return true;
   }
   case solve::ContactStatus::inconsistent:
     refusal = {4, "bonded contacts contradict each other", {}};
-    return false;
+    return true;
   case solve::ContactStatus::max_iterations:
     refusal = {5,
                fmt::format("the contact solution did not end ({} iterations, {} pivots)",
                            s.block_iterations, s.pivots),
                {}};
+    return true;
+  }
+  return true;
+}
+
+bool StepSolver::accept(const contact::ContactSystem::Answer& answer,
+                        const contact::ContactSystem::Demand& demand, StepState& state,
+                        Refusal& refusal) {
+  const solve::ContactSolution& s = answer.solution;
+  if (refuse(answer, refusal)) {
     return false;
   }
   if (s.resting_modes > 0) {
@@ -169,6 +171,9 @@ bool StepSolver::accept(const contact::ContactSystem::Answer& answer,
       state.pair_closed[c][local] = s.closed[i];
     }
     closed_[row] = s.closed[i];
+  }
+  for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
+    state.friction.push_back(history_.pair(c));
   }
   return true;
 }
@@ -235,6 +240,7 @@ base::Vector StepSolver::tie_forces(const base::Vector& left_over) const {
 }
 
 std::optional<StepState> StepSolver::solve(const model::Step& step, Refusal& refusal) {
+  const StepFactors before = factors_;
   act(step);
   StepState state;
   state.case_factor = factors_.case_factor;
@@ -252,16 +258,13 @@ std::optional<StepState> StepSolver::solve(const model::Step& step, Refusal& ref
   state.u = prescribed();
   std::vector<base::Vector> external(bodies_.size());
   if (system_) {
-    const contact::ContactSystem::Demand wanted = demand();
-    solve::ContactSettings settings;
-    settings.max_block_iterations = model_.control.max_iterations;
-    contact::ContactSystem::Answer answer = system_->solve(wanted, settings);
-    if (!accept(answer, wanted, state, refusal)) {
+    std::optional<contact::ContactSystem::Answer> answer = walk(before, step, state, refusal);
+    if (!answer) {
       refusal.span = step.span;
       return std::nullopt;
     }
     for (std::size_t i = 0; i < condensed_.size(); ++i) {
-      external[condensed_[i]] = std::move(answer.u[i]);
+      external[condensed_[i]] = std::move(answer->u[i]);
     }
   }
   for (std::size_t b = 0; b < bodies_.size(); ++b) {

@@ -3,12 +3,14 @@
 #include "contact/recovery.hpp"
 #include "contact/system.hpp"
 #include "run/condense_bodies.hpp"
+#include "run/friction_history.hpp"
 #include "run/scene.hpp"
 #include "run/step_factors.hpp"
 #include "solve/contact_qp.hpp"
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// Processor CONTACT: walks the steps on the condensed bodies.
@@ -30,6 +32,7 @@ struct StepState {
   std::vector<base::Vector> pair_gap;         ///< [contact][normal row] weighted
   std::vector<std::vector<bool>> pair_closed; ///< [contact][normal row]
   std::vector<bool> mounted;                  ///< [contact]
+  std::vector<PairFriction> friction;         ///< [contact]
   base::Vector force;                         ///< [dim * node] applied loads
   base::Vector contact;                       ///< [dim * node] contact forces
   base::Vector reaction;                      ///< [dim * node] support forces
@@ -37,6 +40,7 @@ struct StepState {
   std::vector<double> energy; ///< [element] strain energy
   double imbalance = 0.0;     ///< largest force left over at a free freedom, over the force scale
   int iterations = 0, pivots = 0;
+  int increments = 1; ///< solved in this step; more than 1 only where contacts rub
   std::vector<std::string> notes;
 };
 
@@ -52,6 +56,21 @@ private:
   void mount(std::size_t contact);
   [[nodiscard]] contact::ContactSystem::Demand demand() const;
   [[nodiscard]] base::Vector prescribed() const;
+  /// The answer at the end of the step, in increments from the factors `from` where contacts rub;
+  /// none: refused.
+  std::optional<contact::ContactSystem::Answer>
+  walk(const StepFactors& from, const model::Step& step, StepState& state, Refusal& refusal);
+  struct Walk {
+    StepFactors from, to;
+    contact::ContactSystem::Demand demand; ///< of the last increment
+    contact::ContactSystem::Answer answer;
+    int increments = 0, iterations = 0, pivots = 0;
+  };
+  /// One increment between two parts of the step, halved where it does not converge.
+  bool advance(Walk& walk, std::pair<double, double> part, int halvings);
+  void remember(const Walk& walk);
+  void note_uniqueness(const contact::ContactSystem::Demand& demand, StepState& state);
+  bool refuse(const contact::ContactSystem::Answer& answer, Refusal& refusal) const;
   [[nodiscard]] bool accept(const contact::ContactSystem::Answer& answer,
                             const contact::ContactSystem::Demand& demand, StepState& state,
                             Refusal& refusal);
@@ -67,6 +86,8 @@ private:
   base::Vector offset_;      ///< [row] gap taken on at MOUNT
   base::Vector u_;           ///< [dim * node] end of the last step
   std::vector<bool> closed_; ///< [row] end of the last step
+  FrictionHistory history_;
+  std::vector<bool> tested_; ///< contacts in force when uniqueness was tested last
 };
 
 } // namespace spricka::run

@@ -188,6 +188,13 @@ HeldProblem force_cones(const HeldProblem& held, const std::vector<FrictionRow>&
   return {none, cones.B, base::Vector::Zero(cones.B.rows()), held.h, cones.equality, 0.0, {}};
 }
 
+std::vector<FrictionRow> without_mu(std::vector<FrictionRow> friction) {
+  for (FrictionRow& f : friction) {
+    f.mu = 0.0;
+  }
+  return friction;
+}
+
 /// Rigid motions that no row in contact hinders.
 int loose_motions(const ScaledFriction& problem, const std::vector<Touch>& touch) {
   std::vector<int> rows = problem.fixed;
@@ -353,8 +360,14 @@ FrictionSolution solve_friction(const FrictionProblem& problem, const ContactSet
   c.unheld = unfelt_motion(split, contact.h, rest_load * scale);
   HeldProblem held = held_problem(contact, split);
   if (c.unheld.size() == 0) {
+    const double least = rest_load * std::max(scale, held.h.norm());
     const Holding holding = hold_loads(force_cones(held, problem.friction));
-    c.unheld = opening_motion(split, holding, rest_load * std::max(scale, held.h.norm()));
+    c.unheld = opening_motion(split, holding, least);
+    if (c.unheld.size() > 0) { // it slides where it would without friction, which does not lift it
+      answer.slides = true;
+      c.unheld =
+          opening_motion(split, hold_loads(force_cones(held, without_mu(problem.friction))), least);
+    }
     if (holding.remainder.size() > 0) {
       held.h -= holding.remainder;
     }

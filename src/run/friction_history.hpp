@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "contact/system.hpp"
+#include "run/scene.hpp"
+
+#include <vector>
+
+/// What contacts with friction remember from increment to increment.
+namespace spricka::run {
+
+/// What friction did to one pair so far; empty without friction. Slips are weighted and those of
+/// the contact side against the target: with their sign, and all ways added up.
+struct PairFriction {
+  std::vector<solve::Touch> touch; ///< [normal row]
+  base::Vector slip;               ///< [normal row] while in contact, since the pair was mounted
+  base::Vector path;               ///< [normal row]
+  double work = 0.0;               ///< taken by friction [force * length]
+};
+
+class FrictionHistory {
+public:
+  FrictionHistory(const model::Model& model, const Scene& scene);
+
+  /// Whether this row of the table is the slip of a pair with friction.
+  [[nodiscard]] bool rubs(std::size_t row) const { return normal_of_[row] >= 0; }
+
+  /// Adds to a demand whose rows are there what friction needs: pairs of rows and first states.
+  void add_to(contact::ContactSystem::Demand& demand) const;
+
+  /// Takes a solved increment: states, slips, work of friction.
+  void take(const contact::ContactSystem::Demand& demand,
+            const contact::ContactSystem::Answer& answer);
+
+  /// A pair is mounted or leaves: what its rows have slipped counts from here.
+  void begin(std::size_t contact);
+
+  [[nodiscard]] PairFriction pair(std::size_t contact) const;
+
+private:
+  const Scene& scene_;
+  std::vector<std::ptrdiff_t> normal_of_; ///< [table row] of a slip with friction, else -1
+  std::vector<std::size_t> contact_of_;   ///< [table row]
+  std::vector<double> mu_;                ///< [contact]
+  std::vector<solve::Touch> touch_;       ///< [table row]
+  std::vector<double> slip_, path_;       ///< [table row]
+  std::vector<double> work_;              ///< [contact]
+  base::Vector alpha_;                    ///< rigid motions at the end of the last increment
+};
+
+} // namespace spricka::run

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/step_walk.hpp"
+
+#include "run/step_solver.hpp"
+
+#include <fmt/format.h>
+
+namespace spricka::run {
+
+namespace {
+
+// An increment with friction that does not converge is halved so often.
+constexpr int most_halvings = 6;
+
+solve::ContactSettings settings_of(const model::Model& model) {
+  solve::ContactSettings settings;
+  settings.max_block_iterations = model.control.max_iterations;
+  return settings;
+}
+
+} // namespace
+
+double row_opening(const contact::ConstraintRow& row, int dim, const base::Vector& u) {
+  double sum = 0.0;
+  for (const contact::RowEntry& entry : row.entries) {
+    const auto at = static_cast<Eigen::Index>(entry.node.index()) * dim;
+    for (int c = 0; c < dim; ++c) {
+      sum += entry.weight[c] * u[at + c];
+    }
+  }
+  return sum;
+}
+
+std::optional<contact::ContactSystem::Answer> StepSolver::walk(const StepFactors& from,
+                                                               const model::Step& step,
+                                                               StepState& state, Refusal& refusal) {
+  Walk way{from, factors_, demand(), {}};
+  const bool rubs = !way.demand.friction.empty();
+  if (rubs) {
+    note_uniqueness(way.demand, state);
+    for (int k = 0; k < step.substeps; ++k) {
+      const double n = step.substeps;
+      if (advance(way, {k / n, (k + 1) / n}, 0)) {
+        continue;
+      }
+      refuse(way.answer, refusal);
+      refusal.why = fmt::format("substep {} of {}: {}", k + 1, step.substeps, refusal.why);
+      return std::nullopt;
+    }
+  } else {
+    way.answer = system_->solve(way.demand, settings_of(model_));
+    way.iterations = way.answer.solution.block_iterations;
+    way.pivots = way.answer.solution.pivots;
+    way.increments = 1;
+  }
+  state.iterations = way.iterations;
+  state.pivots = way.pivots;
+  state.increments = way.increments;
+  if (!accept(way.answer, way.demand, state, refusal)) {
+    return std::nullopt;
+  }
+  return std::move(way.answer);
+}
+
+bool StepSolver::advance(Walk& walk, std::pair<double, double> part, int halvings) {
+  factors_ = part_way(walk.from, walk.to, part.second);
+  walk.demand = demand();
+  walk.answer = system_->solve(walk.demand, settings_of(model_));
+  const solve::ContactSolution& s = walk.answer.solution;
+  walk.iterations += s.block_iterations;
+  walk.pivots += s.pivots;
+  if (s.status == solve::ContactStatus::solved) {
+    ++walk.increments;
+    remember(walk);
+    return true;
+  }
+  if (s.status != solve::ContactStatus::max_iterations || halvings == most_halvings) {
+    return false;
+  }
+  const double middle = 0.5 * (part.first + part.second);
+  return advance(walk, {part.first, middle}, halvings + 1) &&
+         advance(walk, {middle, part.second}, halvings + 1);
+}
+
+// Where rows stand tangentially now: slip counts from here.
+void StepSolver::remember(const Walk& walk) {
+  history_.take(walk.demand, walk.answer);
+  const base::Vector fixed = prescribed();
+  for (const std::size_t row : walk.demand.rows) {
+    if (history_.rubs(row)) {
+      offset_[static_cast<Eigen::Index>(row)] =
+          -system_->opening(row, walk.answer.u) -
+          row_opening(*scene_.table.rows[row], scene_.cracked.mesh.dim, fixed);
+    }
+  }
+}
+
+void StepSolver::note_uniqueness(const contact::ContactSystem::Demand& demand, StepState& state) {
+  if (tested_ == factors_.mounted) {
+    return;
+  }
+  tested_ = factors_.mounted;
+  if (!system_->unique(demand).certain) {
+    state.notes.emplace_back(
+        "warning: with this much friction the increments may have other solutions (a test that is "
+        "sufficient only did not rule them out)");
+  }
+}
+
+} // namespace spricka::run
