@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/recovery.hpp"
 
+#include "contact/arc.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -122,71 +124,14 @@ void mark_lips(const Surface& surface, std::vector<Place>& places) {
   }
 }
 
-// End of contact between a closed and an open neighbour: p^2 falls linearly (square-root law).
-double contact_end(double s_inner, double p_inner, double s_last, double p_last, double s_open) {
-  const double fall = p_inner * p_inner - p_last * p_last;
-  if (fall <= 0.0) {
-    return 0.5 * (s_last + s_open);
-  }
-  const double end = s_last + (s_last - s_inner) * p_last * p_last / fall;
-  return std::clamp(end, std::min(s_last, s_open), std::max(s_last, s_open));
-}
-
-struct Arc {
-  double from = 0.0, to = 0.0;
-};
-
-// Longest run of closed nodes along s; `turn` > 0 closes the circle.
-Arc longest_arc(const std::vector<NodePressure>& nodes, bool round) {
-  std::vector<const NodePressure*> p;
-  p.reserve(nodes.size());
+// Coordinates along the surface: the angle on a circle.
+std::vector<ArcNode> arc_nodes(const std::vector<NodePressure>& nodes, bool round) {
+  std::vector<ArcNode> arc;
+  arc.reserve(nodes.size());
   for (const NodePressure& n : nodes) {
-    p.push_back(&n);
+    arc.push_back({round ? n.theta : n.arc, n.closed, n.p_lumped});
   }
-  const auto s = [&](const NodePressure& n) { return round ? n.theta : n.arc; };
-  std::stable_sort(p.begin(), p.end(),
-                   [&](const NodePressure* a, const NodePressure* b) { return s(*a) < s(*b); });
-  const std::size_t n = p.size();
-  const auto closed = static_cast<std::size_t>(
-      std::count_if(p.begin(), p.end(), [](const NodePressure* q) { return q->closed; }));
-  constexpr double pi = std::numbers::pi;
-  if (closed == n && n > 0) {
-    return round && n > 2 && s(*p[n - 1]) - s(*p[0]) > 1.5 * pi ? Arc{-pi, pi}
-                                                                : Arc{s(*p[0]), s(*p[n - 1])};
-  }
-  const auto coordinate = [&](std::size_t i) {
-    return s(*p[i % n]) + 2.0 * pi * static_cast<double>(round ? i / n : 0);
-  };
-  Arc best;
-  std::size_t longest = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const bool begins = p[i]->closed && (i > 0 ? !p[i - 1]->closed : !(round && p[n - 1]->closed));
-    if (!begins) {
-      continue;
-    }
-    std::size_t j = i;
-    while ((round || j + 1 < n) && p[(j + 1) % n]->closed) {
-      ++j;
-    }
-    if (j - i + 1 <= longest) {
-      continue;
-    }
-    longest = j - i + 1;
-    best = {coordinate(i), coordinate(j)};
-    if (j > i && (round || i > 0)) {
-      const double open = i > 0 ? coordinate(i - 1) : s(*p[n - 1]) - 2.0 * pi;
-      best.from = contact_end(coordinate(i + 1), p[(i + 1) % n]->p_lumped, coordinate(i),
-                              p[i]->p_lumped, open);
-    }
-    if (j > i && (round || j + 1 < n)) {
-      best.to = contact_end(coordinate(j - 1), p[(j - 1) % n]->p_lumped, coordinate(j),
-                            p[j % n]->p_lumped, coordinate(j + 1));
-    }
-  }
-  if (round && best.to > pi && best.from > 0.0 && best.from >= pi) {
-    best = {best.from - 2.0 * pi, best.to - 2.0 * pi};
-  }
-  return best;
+  return arc;
 }
 
 // Nodal force vectors of the contact side, and the total on it.
@@ -217,6 +162,7 @@ SideForce side_force(const PairRows& pair, const base::Vector& lambda, const Num
 
 struct NodalPressure {
   base::Vector lumped, consistent;
+  base::Vector shear_lumped, shear_consistent;
 };
 
 // The corner function of a quadratic edge has no first moment about its node, so the lumped
@@ -226,20 +172,34 @@ NodalPressure recover(const PairRows& pair, const base::Vector& lambda, const Si
   const double thickness = std::min(pair.contact.thickness, pair.target.thickness);
   const Eigen::SparseMatrix<double> C = surface_mass(pair.contact, thickness, number);
   base::Vector R = base::Vector::Zero(C.rows());
+  base::Vector T = base::Vector::Zero(C.rows()); // along the tangent, normal turned to the left
   for (const Place& p : places) {
     const auto at = force.node.find(p.at.node.value);
     if (at != force.node.end()) {
       R[number.at(p.at.node)] = -at->second.head<2>().dot(p.normal);
+      T[number.at(p.at.node)] = at->second.head<2>().dot(Vec2(-p.normal.y(), p.normal.x()));
     }
   }
   const base::Vector lump = C * base::Vector::Ones(C.cols());
-  NodalPressure p{R.cwiseQuotient(lump), base::Vector::Zero(C.rows())};
+  NodalPressure p{R.cwiseQuotient(lump), base::Vector::Zero(C.rows()), base::Vector::Zero(C.rows()),
+                  base::Vector::Zero(C.rows())};
+  if (!pair.tangent.empty()) {
+    p.shear_lumped = T.cwiseQuotient(lump);
+  }
   if (pair.segments) {
     for (std::size_t i = 0; i < pair.normal.size(); ++i) {
       p.consistent[number.at(pair.normal[i].node)] = lambda[static_cast<Eigen::Index>(i)];
     }
+    for (std::size_t i = 0; i < pair.tangent.size(); ++i) {
+      p.shear_consistent[number.at(pair.tangent[i].node)] =
+          -lambda[static_cast<Eigen::Index>(pair.normal.size() + i)];
+    }
   } else {
-    p.consistent = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>(C).solve(R);
+    const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factor(C);
+    p.consistent = factor.solve(R);
+    if (!pair.tangent.empty()) {
+      p.shear_consistent = factor.solve(T);
+    }
   }
   return p;
 }
@@ -277,14 +237,18 @@ PairPressure recover_pressure(const PairRows& pair, const base::Vector& lambda,
     const Eigen::Index k = number.at(place.at.node);
     place.at.p_lumped = p.lumped[k];
     place.at.p_consistent = p.consistent[k];
+    place.at.q_lumped = p.shear_lumped[k];
+    place.at.q_consistent = p.shear_consistent[k];
     const auto row = row_of.find(place.at.node);
     if (row != row_of.end()) {
+      place.at.row = static_cast<int>(row->second);
       place.at.closed = closed[row->second];
       place.at.gap = gap[static_cast<Eigen::Index>(row->second)] / pair.normal[row->second].area;
     }
     result.nodes.push_back(place.at);
   }
-  const Arc arc = longest_arc(result.nodes, pair.contact.circle.has_value());
+  const bool round = pair.contact.circle.has_value();
+  const Arc arc = longest_arc(arc_nodes(result.nodes, round), round);
   result.arc_from = arc.from;
   result.arc_to = arc.to;
   return result;

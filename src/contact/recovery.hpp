@@ -16,7 +16,12 @@ struct NodePressure {
   double arc = 0.0;          ///< length along its chain
   double p_lumped = 0.0;     ///< R_i over the row sum of C [stress]
   double p_consistent = 0.0; ///< NODE: of C p = R; SEGMENT: the multiplier
-  double gap = 0.0;          ///< row gap over row area [length]
+  /// Shear traction on the slave along its surface, its body on the left [stress]: of the
+  /// tangential forces as p_lumped and p_consistent of the normal ones; 0 where there are none.
+  double q_lumped = 0.0;
+  double q_consistent = 0.0;
+  int row = -1;     ///< normal row of the node, -1: not paired
+  double gap = 0.0; ///< row gap over row area [length]
   bool closed = false;
   int lip = 0; ///< +1 and -1 at the two ends of a chain that meet in one point
 };

@@ -4,12 +4,32 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 #include <numbers>
+#include <string_view>
 
 // fmt writes the shortest decimal number that reads back to the same bits, whatever the locale.
 
 namespace spricka::report {
+
+namespace {
+
+std::string_view state_name(results::ContactState state) {
+  switch (state) {
+  case results::ContactState::open:
+    return "open";
+  case results::ContactState::closed:
+    return "closed";
+  case results::ContactState::stick:
+    return "stick";
+  case results::ContactState::slip:
+    break;
+  }
+  return "slip";
+}
+
+} // namespace
 
 void write_k_csv(const std::filesystem::path& file, const model::Model& model,
                  const results::Run& run) {
@@ -32,10 +52,17 @@ void write_k_csv(const std::filesystem::path& file, const model::Model& model,
 
 void write_pressure_csv(const std::filesystem::path& file, const model::Model& model,
                         const results::Run& run) {
+  const bool rubs = std::any_of(model.contacts.begin(), model.contacts.end(),
+                                [](const model::Contact& c) { return c.mu > 0.0; });
   std::string text =
-      fmt::format("# units: x y [{}], theta [deg], p_lumped p_consistent [{}], increment [1]\n"
-                  "increment,step,contact,x,y,theta,p_lumped,p_consistent\n",
-                  model.units.length_name, model.units.stress_name());
+      rubs ? fmt::format("# units: x y slip slip_path [{0}], theta [deg], p_lumped p_consistent "
+                         "q_lumped q_consistent [{1}], increment [1]\n"
+                         "increment,step,contact,x,y,theta,p_lumped,p_consistent,q_lumped,"
+                         "q_consistent,slip,slip_path,state\n",
+                         model.units.length_name, model.units.stress_name())
+           : fmt::format("# units: x y [{}], theta [deg], p_lumped p_consistent [{}], increment "
+                         "[1]\nincrement,step,contact,x,y,theta,p_lumped,p_consistent\n",
+                         model.units.length_name, model.units.stress_name());
   auto out = std::back_inserter(text);
   constexpr double degree = 180.0 / std::numbers::pi;
   for (const results::Increment& increment : run.increments) {
@@ -45,9 +72,14 @@ void write_pressure_csv(const std::filesystem::path& file, const model::Model& m
           continue; // absent, not open: it has no pressure
         }
         for (const results::ContactPoint& point : contact.points) {
-          fmt::format_to(out, "{},{},{},{},{},{},{},{}\n", increment.number, step.step,
-                         contact.name, point.x[0], point.x[1], point.theta * degree, point.p_lumped,
+          fmt::format_to(out, "{},{},{},{},{},{},{},{}", increment.number, step.step, contact.name,
+                         point.x[0], point.x[1], point.theta * degree, point.p_lumped,
                          point.p_consistent);
+          if (rubs) {
+            fmt::format_to(out, ",{},{},{},{},{}", point.q_lumped, point.q_consistent, point.slip,
+                           point.slip_path, state_name(point.state));
+          }
+          text += '\n';
         }
       }
     }

@@ -64,6 +64,9 @@ void add_contacts(Page& page, const model::Model& model, const results::Run& run
       table.title = fmt::format("Contact at a = {:.4g} {}", increment.a, model.units.length_name);
     }
     page.table(table);
+    if (const Table friction = friction_table(model, increment); !friction.rows.empty()) {
+      page.table(friction);
+    }
   }
 }
 

@@ -69,6 +69,12 @@ private:
       row(place(p.node), "P_LUMPED", p.p_lumped);
       row(place(p.node), "P_CONSISTENT", p.p_consistent);
       row(place(p.node), "GAP", p.gap);
+      if (contact->rubs) {
+        row(place(p.node), "Q_LUMPED", p.q_lumped);
+        row(place(p.node), "Q_CONSISTENT", p.q_consistent);
+        row(place(p.node), "SLIP", p.slip);
+        row(place(p.node), "SLIP_PATH", p.slip_path);
+      }
     }
   }
 

@@ -168,6 +168,43 @@ Table contact_table(const model::Model& model, const results::Increment& increme
   return table;
 }
 
+Table friction_table(const model::Model& model, const results::Increment& increment) {
+  const base::UnitSystem& units = model.units;
+  Table table{"Friction",
+              {{"step", "", true},
+               {"contact", "", true},
+               {"stick", "", false},
+               {"slip", "", false},
+               {"open", "", false},
+               {"|q|/(mu p)", "", false},
+               {"q min", units.stress_name(), false},
+               {"q max", units.stress_name(), false},
+               {"slip path", units.length_name, false},
+               {"work", units.force_name + "*" + units.length_name, false},
+               {"increments", "", false}},
+              {}};
+  for (const results::StepResult& step : increment.steps) {
+    for (const results::ContactResult& contact : step.contacts) {
+      if (!contact.rubs) {
+        continue;
+      }
+      double least = 0.0;
+      double most = 0.0;
+      for (const results::ContactPoint& point : contact.points) {
+        least = std::min(least, point.q_lumped);
+        most = std::max(most, point.q_lumped);
+      }
+      table.rows.push_back({step.step, contact.name, fmt::format("{}", contact.sticking),
+                            fmt::format("{}", contact.slipping),
+                            fmt::format("{}", contact.rows - contact.sticking - contact.slipping),
+                            fmt::format("{:.4f}", contact.shear_ratio), number(least), number(most),
+                            small(contact.max_slip), small(contact.friction_work),
+                            fmt::format("{}", step.increments)});
+    }
+  }
+  return table;
+}
+
 namespace {
 
 /// Resultants and energies of bodies or of nets, as `part` of a step says.

@@ -18,6 +18,9 @@ Table k_history_table(const model::Model& model, const results::Run& run, std::s
 /// Penetration, pressures, closed rows, force, arc and iterations for each step and contact.
 Table contact_table(const model::Model& model, const results::Increment& increment);
 
+/// What friction did, by step and contact; empty without friction.
+Table friction_table(const model::Model& model, const results::Increment& increment);
+
 /// Applied loads, reactions, contact forces and, where there are any, forces of ties of each body,
 /// what is left of their sum, and strain energy.
 Table balance_table(const model::Model& model, const results::Increment& increment);

@@ -27,6 +27,9 @@ struct TipResult {
   base::Vec3 direction = base::Vec3::Zero(); ///< unit, the way the crack grows; zero: unknown
 };
 
+/// What a contact surface does at a node; stick and slip only where there is friction.
+enum class ContactState : char { open, closed, stick, slip };
+
 /// One node of a contact surface at the end of a step.
 struct ContactPoint {
   base::NodeId node;
@@ -35,6 +38,11 @@ struct ContactPoint {
   double arc = 0.0;   ///< along the surface, chain by chain [length]
   double p_lumped = 0.0;
   double p_consistent = 0.0;
+  double q_lumped = 0.0; ///< shear on the slave along its surface, its body on the left
+  double q_consistent = 0.0;
+  double slip = 0.0;      ///< of the slave along the same, while in contact [length]
+  double slip_path = 0.0; ///< all its ways added up [length]
+  ContactState state = ContactState::open;
   double gap = 0.0; ///< normal gap in the end, pressed: 0 [length]
   bool closed = false;
   int lip = 0; ///< +1, -1 on the two lips of a crack mouth, else 0
@@ -53,6 +61,15 @@ struct ContactResult {
   double arc_to = 0.0;
   int closed = 0;
   int rows = 0;
+  bool sheared = false; ///< it has tangential forces: bonded, or with friction
+  bool rubs = false;    ///< it has friction, and what follows
+  int sticking = 0;
+  int slipping = 0;
+  double shear_ratio = 0.0; ///< largest |q| / (mu p) of the multipliers, at most 1
+  double max_slip = 0.0;    ///< longest slip path [length]
+  double stick_from = 0.0;  ///< longest sticking part, like arc_from
+  double stick_to = 0.0;
+  double friction_work = 0.0; ///< taken by friction since the pair was mounted [force * length]
 };
 
 /// Force balance and energy of one body or of one net.
@@ -86,6 +103,8 @@ struct StepResult {
   std::vector<Balance> nets;    ///< by net, in deck order, those with elements
   bool tied = false;            ///< ties stand between freedoms
   double energy = 0.0;          ///< strain energy
+  double friction_work = 0.0;   ///< taken by friction so far [force * length]
+  int increments = 1;           ///< solved in the step
   int iterations = 0;           ///< block iterations of the contact solution
   int pivots = 0;
   std::vector<std::string> notes;

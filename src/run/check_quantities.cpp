@@ -41,31 +41,39 @@ const results::ContactResult& contact_of(const results::StepResult& step,
   return *found;
 }
 
-double recovered(const results::ContactPoint& p, bool consistent) {
-  return consistent ? p.p_consistent : p.p_lumped;
+// The value at a point that a quantity is about.
+using PointValue = double results::ContactPoint::*;
+
+PointValue value_of(const std::string& quantity, bool consistent) {
+  if (quantity.starts_with("SHEAR.")) {
+    return consistent ? &results::ContactPoint::q_consistent : &results::ContactPoint::q_lumped;
+  }
+  return consistent ? &results::ContactPoint::p_consistent : &results::ContactPoint::p_lumped;
 }
 
-double extreme_pressure(const results::ContactResult& contact, bool consistent, bool largest) {
+double extreme(const results::ContactResult& contact, PointValue value, bool largest) {
   if (contact.points.empty()) {
     throw Missing("the contact has no surface");
   }
-  double found = recovered(contact.points.front(), consistent);
+  double found = contact.points.front().*value;
   for (const results::ContactPoint& p : contact.points) {
-    const double value = recovered(p, consistent);
-    found = largest ? std::max(found, value) : std::min(found, value);
+    found = largest ? std::max(found, p.*value) : std::min(found, p.*value);
   }
   return found;
 }
 
-// Between the two points next to theta; lips are met from their own side.
-double pressure_at(const results::ContactResult& contact, bool consistent, double theta) {
+// Between the two points next to theta, or at a distance along a straight surface; lips are met
+// from their own side.
+double value_at(const results::ContactResult& contact, PointValue value, double place) {
   constexpr double turn = 2.0 * std::numbers::pi;
+  const bool round =
+      std::ranges::any_of(contact.points, [](const auto& p) { return p.theta != 0.0; });
   const results::ContactPoint* below = nullptr;
   const results::ContactPoint* above = nullptr;
   double down = std::numeric_limits<double>::infinity();
   double up = down;
   for (const results::ContactPoint& p : contact.points) {
-    const double d = std::remainder(p.theta - theta, turn);
+    const double d = round ? std::remainder(p.theta - place, turn) : p.arc - place;
     if (d <= 0.0 && -d < down) {
       down = -d;
       below = &p;
@@ -75,11 +83,32 @@ double pressure_at(const results::ContactResult& contact, bool consistent, doubl
       above = &p;
     }
   }
-  if (below == nullptr || above == nullptr || up + down > 1.0) {
-    throw Missing("no contact surface at that angle");
+  if (below == nullptr || above == nullptr || (round && up + down > 1.0)) {
+    throw Missing(round ? "no contact surface at that angle"
+                        : "no contact surface at that distance");
   }
   const double t = up + down > 0.0 ? down / (up + down) : 0.0;
-  return (1.0 - t) * recovered(*below, consistent) + t * recovered(*above, consistent);
+  return (1.0 - t) * (below->*value) + t * (above->*value);
+}
+
+double friction_quantity(const std::string& quantity, const results::ContactResult& contact) {
+  if (!contact.rubs) {
+    throw Missing(fmt::format("contact {} has no friction in that step", contact.name));
+  }
+  if (quantity == "SLIP.MAX") {
+    return contact.max_slip;
+  }
+  if (quantity == "FRICTION.WORK") {
+    return contact.friction_work;
+  }
+  if (contact.sticking == 0) {
+    throw Missing("nothing sticks");
+  }
+  return quantity == "STICK.FROM" ? contact.stick_from : contact.stick_to;
+}
+
+bool of_friction(const std::string& quantity) {
+  return quantity.starts_with("STICK.") || quantity == "SLIP.MAX" || quantity == "FRICTION.WORK";
 }
 
 double contact_quantity(const model::Model& model, const std::string& quantity, Arguments& args,
@@ -88,7 +117,7 @@ double contact_quantity(const model::Model& model, const std::string& quantity, 
   const std::string step = args.name("a step");
   std::optional<double> theta;
   int component = 0;
-  if (quantity == "CPRESS.AT") {
+  if (quantity == "CPRESS.AT" || quantity == "SHEAR.AT") {
     theta = args.needed("an angle");
   } else if (quantity == "SUM") {
     const std::string axis = args.name("X, Y or Z");
@@ -100,14 +129,21 @@ double contact_quantity(const model::Model& model, const std::string& quantity, 
                                  [&](const model::Contact& c) { return c.name == name; });
   const bool consistent =
       card != model.contacts.end() && card->recovery == model::Recovery::consistent;
+  if (quantity.starts_with("SHEAR.") && !contact.sheared) {
+    throw Missing(fmt::format("contact {} has no shear: neither MU nor TYPE=BONDED", name));
+  }
   if (theta) {
-    return pressure_at(contact, consistent, *theta);
+    return value_at(contact, value_of(quantity, consistent), *theta);
   }
   if (quantity == "SUM") {
     return contact.force_on_slave[component];
   }
-  if (quantity == "CPRESS.MIN" || quantity == "CPRESS.MAX") {
-    return extreme_pressure(contact, consistent, quantity == "CPRESS.MAX");
+  if (quantity != "CPRESS.MEAN" &&
+      (quantity.starts_with("CPRESS.") || quantity.starts_with("SHEAR."))) {
+    return extreme(contact, value_of(quantity, consistent), quantity.ends_with(".MAX"));
+  }
+  if (of_friction(quantity)) {
+    return friction_quantity(quantity, contact);
   }
   if (quantity == "ARC.FROM") {
     return contact.arc_from;
@@ -150,7 +186,8 @@ double evaluate(const model::Model& model, const model::Check& check, const resu
   if (q == "K" || q == "K1" || q == "K2" || q == "G") {
     return tip_quantity(q, args, run);
   }
-  if (q.starts_with("CPRESS.") || q.starts_with("ARC.") || q == "SUM") {
+  if (q.starts_with("CPRESS.") || q.starts_with("ARC.") || q.starts_with("SHEAR.") ||
+      of_friction(q) || q == "SUM") {
     return contact_quantity(model, q, args, run);
   }
   if (q == "ENERGY") {

@@ -80,6 +80,7 @@ PairFriction FrictionHistory::pair(std::size_t contact) const {
     pair.path[at] = path_[first + normals + i];
   }
   pair.work = work_[contact];
+  pair.mu = mu_[contact];
   return pair;
 }
 

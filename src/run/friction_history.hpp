@@ -15,6 +15,7 @@ struct PairFriction {
   base::Vector slip;               ///< [normal row] while in contact, since the pair was mounted
   base::Vector path;               ///< [normal row]
   double work = 0.0;               ///< taken by friction [force * length]
+  double mu = 0.0;
 };
 
 class FrictionHistory {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/gather.hpp"
 
+#include "contact/arc.hpp"
 #include "crack/stress_intensity.hpp"
 #include "run/body_force.hpp"
 
@@ -70,6 +71,42 @@ void gather_tips(const model::Model& model, const Scene& scene, const StepState&
   }
 }
 
+// Stick, slip and shear of a pair with friction; slips are told of the slave, which is one side or
+// the other of the rows, along its own surface: both turn the sign.
+void gather_friction(const Scene& scene, const StepState& state, std::size_t c,
+                     const contact::PairPressure& p, results::ContactResult& result) {
+  const contact::PairRows& pair = scene.pairs[c];
+  const PairFriction& friction = state.friction[c];
+  const auto normals = static_cast<Eigen::Index>(pair.normal.size());
+  const bool round = pair.contact.circle.has_value();
+  std::vector<contact::ArcNode> arc;
+  result.rubs = true;
+  for (std::size_t i = 0; i < result.points.size(); ++i) {
+    results::ContactPoint& point = result.points[i];
+    contact::ArcNode node{round ? point.theta : point.arc, false, 0.0};
+    if (p.nodes[i].row >= 0 && point.closed) {
+      const auto row = static_cast<Eigen::Index>(p.nodes[i].row);
+      const double area = pair.normal[static_cast<std::size_t>(row)].area;
+      const double limit = friction.mu * state.pair_lambda[c][row];
+      const double shear = std::abs(state.pair_lambda[c][normals + row]);
+      point.state = friction.touch[static_cast<std::size_t>(row)] == solve::Touch::stick
+                        ? results::ContactState::stick
+                        : results::ContactState::slip;
+      point.slip = -friction.slip[row] / area;
+      point.slip_path = friction.path[row] / area;
+      node = {node.s, point.state == results::ContactState::stick, limit - shear};
+      (node.in ? result.sticking : result.slipping) += 1;
+      result.shear_ratio = std::max(result.shear_ratio, limit > 0.0 ? shear / limit : 0.0);
+      result.max_slip = std::max(result.max_slip, point.slip_path);
+    }
+    arc.push_back(node);
+  }
+  const contact::Arc stick = contact::longest_arc(std::move(arc), round);
+  result.stick_from = stick.from;
+  result.stick_to = stick.to;
+  result.friction_work = friction.work;
+}
+
 void gather_contacts(const model::Model& model, const Scene& scene, const StepState& state,
                      results::StepResult& out) {
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
@@ -96,10 +133,18 @@ void gather_contacts(const model::Model& model, const Scene& scene, const StepSt
       point.arc = n.arc;
       point.p_lumped = n.p_lumped;
       point.p_consistent = n.p_consistent;
+      point.q_lumped = n.q_lumped;
+      point.q_consistent = n.q_consistent;
+      point.state = n.closed ? results::ContactState::closed : results::ContactState::open;
       point.gap = n.gap;
       point.closed = n.closed;
       point.lip = n.lip;
       result.points.push_back(point);
+    }
+    result.sheared = !pair.tangent.empty();
+    if (!state.friction.empty() && !state.friction[c].touch.empty() && result.mounted) {
+      gather_friction(scene, state, c, p, result);
+      out.friction_work += result.friction_work;
     }
     out.contacts.push_back(std::move(result));
   }
@@ -175,6 +220,7 @@ results::StepResult gather_step(const model::Model& model, const Scene& scene,
   out.temperature = state.temperature;
   out.energy = std::accumulate(state.energy.begin(), state.energy.end(), 0.0);
   out.tied = state.tie.size() > 0;
+  out.increments = state.increments;
   out.iterations = state.iterations;
   out.pivots = state.pivots;
   out.notes = state.notes;
