@@ -186,21 +186,20 @@ std::vector<Refusal> unheld_loads(const model::Model& model, const Scene& scene,
     if (motion.size() == 0) {
       // Stiffness plays no part in whether rows can take the loads.
       const base::Matrix none;
-      const auto opening = [&] {
-        const solve::HeldProblem held{none,
-                                      solve::friction_cones(B, equality, friction).B * split.felt,
-                                      base::Vector::Zero(B.rows()),
-                                      split.felt.transpose() * h,
-                                      equality,
-                                      0.0,
-                                      {}};
-        return solve::opening_motion(split, solve::hold_loads(held),
-                                     solve::rest_load * std::max(scale, held.h.norm()));
-      };
-      motion = opening();
-      if (motion.size() > 0) { // where it slides, friction does not lift it
-        std::ranges::for_each(friction, [](solve::FrictionRow& f) { f.mu = 0.0; });
-        motion = opening();
+      const solve::HeldProblem plain{none,
+                                     B * split.felt,
+                                     base::Vector::Zero(B.rows()),
+                                     split.felt.transpose() * h,
+                                     equality,
+                                     0.0,
+                                     {}};
+      solve::HeldProblem cones = plain;
+      cones.B = solve::friction_cones(plain.B, equality, friction).B;
+      const solve::Holding holding = solve::hold_loads(cones);
+      motion =
+          solve::opening_motion(split, holding, solve::rest_load * std::max(scale, plain.h.norm()));
+      if (motion.size() > 0 && !friction.empty()) {
+        motion = solve::sliding_motion(split, plain, friction, holding);
       }
     }
     if (motion.size() > 0) {

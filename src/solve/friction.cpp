@@ -18,6 +18,7 @@ namespace {
 
 constexpr double loose_tolerance = 1e-9;   ///< of signs where rows hang in the balance
 constexpr double accepted_residual = 1e-7; ///< above it the answer is none
+constexpr double at_rest = 1e-10;          ///< of the gap scale: no slip
 constexpr int anchorings = 12;             ///< of bodies that nothing holds, before they slide
 
 struct Search {
@@ -182,10 +183,12 @@ Search settle(const ScaledFriction& problem, const base::Vector& anchor,
 }
 
 /// What rows can push the modes with: generators of the cones of all forces, as rows of B.
-HeldProblem force_cones(const HeldProblem& held, const std::vector<FrictionRow>& friction) {
+HeldProblem force_cones(const base::Matrix& B, const base::Vector& h,
+                        const std::vector<bool>& equality,
+                        const std::vector<FrictionRow>& friction) {
   static const base::Matrix none;
-  const FrictionCones cones = friction_cones(held.B, held.equality, friction);
-  return {none, cones.B, base::Vector::Zero(cones.B.rows()), held.h, cones.equality, 0.0, {}};
+  const FrictionCones cones = friction_cones(B, equality, friction);
+  return {none, cones.B, base::Vector::Zero(cones.B.rows()), h, cones.equality, 0.0, {}};
 }
 
 std::vector<FrictionRow> without_mu(std::vector<FrictionRow> friction) {
@@ -246,7 +249,11 @@ void take_solution(const ScaledFriction& scaled, const HeldProblem& held, const 
       close(u.tangent, closed);
       const double limit = u.mu * lambda(u.normal);
       lambda(u.tangent) = std::clamp(lambda(u.tangent), -limit, limit);
-      gap(u.tangent) = state == Touch::stick ? 0.0 : gap(u.tangent);
+      if (closed && std::abs(gap(u.tangent)) <= at_rest * s.gap_scale(u.tangent)) {
+        answer.touch[std::size_t(u.normal)] = Touch::stick; // at the limit, but it does not move
+        answer.touch[std::size_t(u.tangent)] = Touch::stick;
+      }
+      gap(u.tangent) = answer.touch[std::size_t(u.tangent)] == Touch::stick ? 0.0 : gap(u.tangent);
     }
   }
   for (int i = 0; i < held.rows(); ++i) {
@@ -322,6 +329,19 @@ void walk_to_rest(const ScaledFriction& scaled, const HeldProblem& held, const M
 
 } // namespace
 
+base::Vector sliding_motion(const ModeSplit& split, const HeldProblem& held,
+                            const std::vector<FrictionRow>& friction, const Holding& holding) {
+  // what the cones leave lifts the body off the rows it slides on: they keep it there
+  std::vector<bool> kept = held.equality;
+  for (const FrictionRow& f : friction) {
+    kept[std::size_t(f.normal)] = true;
+  }
+  const Holding level =
+      hold_loads(force_cones(held.B, holding.remainder, kept, without_mu(friction)));
+  const bool lifts = !(level.remainder.norm() > 1e-9 * holding.remainder.norm());
+  return opening_motion(split, lifts ? holding : level, 0.0);
+}
+
 FrictionCones friction_cones(const base::Matrix& B, const std::vector<bool>& equality,
                              const std::vector<FrictionRow>& friction) {
   std::vector<int> normal_of(equality.size(), -1); // of tangents
@@ -361,12 +381,12 @@ FrictionSolution solve_friction(const FrictionProblem& problem, const ContactSet
   HeldProblem held = held_problem(contact, split);
   if (c.unheld.size() == 0) {
     const double least = rest_load * std::max(scale, held.h.norm());
-    const Holding holding = hold_loads(force_cones(held, problem.friction));
+    const Holding holding =
+        hold_loads(force_cones(held.B, held.h, held.equality, problem.friction));
     c.unheld = opening_motion(split, holding, least);
-    if (c.unheld.size() > 0) { // it slides where it would without friction, which does not lift it
+    if (c.unheld.size() > 0) {
       answer.slides = true;
-      c.unheld =
-          opening_motion(split, hold_loads(force_cones(held, without_mu(problem.friction))), least);
+      c.unheld = sliding_motion(split, held, problem.friction, holding);
     }
     if (holding.remainder.size() > 0) {
       held.h -= holding.remainder;

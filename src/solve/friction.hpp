@@ -50,6 +50,15 @@ struct FrictionCones {
 FrictionCones friction_cones(const base::Matrix& B, const std::vector<bool>& equality,
                              const std::vector<FrictionRow>& friction);
 
+struct HeldProblem;
+struct ModeSplit;
+struct Holding;
+
+/// The motion [m] in which bodies slide, from what the cones cannot hold (`holding`): along rows,
+/// not off them.
+base::Vector sliding_motion(const ModeSplit& split, const HeldProblem& held,
+                            const std::vector<FrictionRow>& friction, const Holding& holding);
+
 /// Whether a sufficient test finds that an increment has one solution whatever its loads and gaps
 /// (manual, solve.27).
 struct Uniqueness {
