@@ -88,9 +88,13 @@ constexpr std::array advice{
     ErrorCode{"E428", "Refine the net there, or give a smaller RADIUS on $TIPNET."},
     ErrorCode{"E429", "Refine the net near the crack or give RADIUS and SIZE on $TIPNET."},
     ErrorCode{"E500", "The deck is right, but there is no analysis for this yet: exit code 4."},
-    ErrorCode{"E510", "The message names the body and the direction that nothing holds, or the "
-                      "crack that cannot be placed. Add a support or a contact: exit code 4."},
-    ErrorCode{"E520", "Please report it, with the deck: exit code 5."},
+    ErrorCode{"E510",
+              "The message names the body and the direction that nothing holds, or the "
+              "crack that cannot be placed. Add a support or a contact; a body that slides needs "
+              "more friction, more pressure or less load: exit code 4."},
+    ErrorCode{"E520",
+              "With friction: more SUBSTEPS, or a smaller MU, as with much of it there may be no "
+              "solution. Without: please report it, with the deck. Exit code 5."},
     ErrorCode{"E530", "Is the path right, may you read and write there, is the disk full? A folder "
                       "that is no run folder is never overwritten: exit code 7."},
     ErrorCode{"E540", "Write .msh or .vtu for the mesh alone: exit code 4."},
@@ -103,8 +107,10 @@ constexpr std::array advice{
     ErrorCode{"W503",
               "Ties at points pass constant stress exactly only where every side of the fine "
               "mesh lies on one face of the coarse one."},
-    ErrorCode{"W502", "The faces of a crack overlap (K1 is negative), or a finite SHIFT of $VCE is "
-                      "too large. The listing says the same."},
+    ErrorCode{"W502",
+              "The faces of a crack overlap (K1 is negative), a finite SHIFT of $VCE is too "
+              "large, or a cheap test could not show that friction leaves one solution only: "
+              "then see whether other SUBSTEPS change the answer. The listing says the same."},
 };
 
 } // namespace

@@ -183,8 +183,7 @@ TEST(ExitCode, BearingLoadThatMissesTheBoreIsRefused) {
 TEST(ExitCode, CardOfALaterVersionIsRefused) {
   const Folder folder;
   const Outcome outcome =
-      run_text(folder, plates(side_support, "$CONTACT NAME=FACE SLAVE=TOP.YMIN MASTER=LOW.YMAX "
-                                            "MU=0.2\n"));
+      run_text(folder, plates(side_support, face, "$RESTART WRITE='later.rst'\n"));
   EXPECT_EQ(outcome.exit_code, 4);
   EXPECT_NE(outcome.messages.find("not available in this version"), std::string::npos);
 }
