@@ -19,6 +19,7 @@ namespace {
 constexpr double loose_tolerance = 1e-9;   ///< of signs where rows hang in the balance
 constexpr double accepted_residual = 1e-7; ///< above it the answer is none
 constexpr double at_rest = 1e-10;          ///< of the gap scale: no slip
+constexpr int coverings = 2;               ///< tried by the fallback
 constexpr int anchorings = 12;             ///< of bodies that nothing holds, before they slide
 
 struct Search {
@@ -132,9 +133,16 @@ std::vector<Touch> pivoted(const ScaledFriction& problem, const base::Vector& an
   }
   const Complementarity lcp = complementarity(problem, face);
   const double scale = lcp.q.size() > 0 ? lcp.q.cwiseAbs().maxCoeff() : 0.0;
-  const LemkeResult result =
-      lemke(lcp.M, scale > 0.0 ? base::Vector(lcp.q / scale) : lcp.q, max_pivots - pivots);
-  pivots += result.pivots;
+  const base::Vector q = scale > 0.0 ? base::Vector(lcp.q / scale) : lcp.q;
+  LemkeResult result;
+  for (int turn = 0; turn < coverings && !result.solved; ++turn) { // a ray depends on the covering
+    base::Vector cover = base::Vector::Ones(q.size());
+    for (Eigen::Index i = 0; i < q.size(); ++i) {
+      cover(i) += turn * std::fmod(0.6180339887498949 * static_cast<double>(i * turn + 1), 1.0);
+    }
+    result = lemke(lcp.M, q, cover, max_pivots - pivots);
+    pivots += result.pivots;
+  }
   if (!result.solved) {
     return {};
   }

@@ -81,12 +81,13 @@ void pivot(Dictionary& t, int r, int c) {
   t.column[std::size_t(t.basic[std::size_t(r)])] = -1;
 }
 
-Dictionary first_dictionary(const base::Matrix& M, const base::Vector& q) {
+Dictionary first_dictionary(const base::Matrix& M, const base::Vector& q,
+                            const base::Vector& cover) {
   const int n = static_cast<int>(q.size());
   Dictionary t;
   t.D.resize(n, n + 1);
   t.D.leftCols(n) = M;
-  t.D.col(n).setOnes();
+  t.D.col(n) = cover;
   t.q = q;
   t.column.assign(2 * std::size_t(n) + 1, -1);
   for (int i = 0; i < n; ++i) {
@@ -101,7 +102,8 @@ Dictionary first_dictionary(const base::Matrix& M, const base::Vector& q) {
 
 } // namespace
 
-LemkeResult lemke(const base::Matrix& M, const base::Vector& q, int max_pivots) {
+LemkeResult lemke(const base::Matrix& M, const base::Vector& q, const base::Vector& cover,
+                  int max_pivots) {
   const int n = static_cast<int>(q.size());
   LemkeResult result;
   result.basic.assign(std::size_t(n), false);
@@ -109,11 +111,11 @@ LemkeResult lemke(const base::Matrix& M, const base::Vector& q, int max_pivots) 
   if (result.solved) {
     return result;
   }
-  Dictionary t = first_dictionary(M, q);
+  Dictionary t = first_dictionary(M, q, cover);
   int entering = n;
   int leaving = 0;
   for (int i = 1; i < n; ++i) { // of equal ones the last is disturbed least
-    leaving = q(i) <= q(leaving) ? i : leaving;
+    leaving = q(i) / cover(i) <= q(leaving) / cover(leaving) ? i : leaving;
   }
   while (result.pivots < max_pivots) {
     pivot(t, leaving, entering);

@@ -13,8 +13,9 @@ struct LemkeResult {
   int pivots = 0;
 };
 
-/// Lemke's complementary pivoting (Lemke 1965) with the covering vector of ones; ties are broken
+/// Lemke's complementary pivoting (Lemke 1965) with a covering vector `cover` > 0; ties are broken
 /// lexicographically, so that it ends (Cottle, Pang and Stone 1992, section 4.9).
-LemkeResult lemke(const base::Matrix& M, const base::Vector& q, int max_pivots);
+LemkeResult lemke(const base::Matrix& M, const base::Vector& q, const base::Vector& cover,
+                  int max_pivots);
 
 } // namespace spricka::solve
