@@ -21,7 +21,9 @@ double tip_quantity(const std::string& quantity, Arguments& args, const results:
   const Place at = find_place(run, step, args.number());
   const results::TipResult* found = results::find_tip(*at.step, tip);
   if (found == nullptr) {
-    throw Missing(fmt::format("no tip {}", tip));
+    const bool two = results::find_tip(*at.step, tip + ".1") != nullptr;
+    throw Missing(two ? fmt::format("crack {0} has two tips: {0}.1 and {0}.2", tip)
+                      : fmt::format("no tip {}", tip));
   }
   if (!found->doubt.empty()) {
     throw Missing(found->doubt);
