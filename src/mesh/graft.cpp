@@ -195,6 +195,7 @@ private:
         }
       }
       const std::vector<bool> old_member = member;
+      std::vector<bool> replaced(host_.node_count(), false);
       const auto join = [&](NodeId n) {
         if (!member[n.index()]) {
           member[n.index()] = true;
@@ -205,6 +206,11 @@ private:
         const Edge edge = edge_of(host_, face);
         if (old_member[edge.a.index()] && old_member[edge.b.index()] &&
             (!edge.mid.valid() || old_member[edge.mid.index()])) {
+          for (const NodeId n : {edge.a, edge.b, edge.mid}) {
+            if (n.valid()) {
+              replaced[n.index()] = true;
+            }
+          }
           for (const model::Face& piece : pieces) {
             const Edge part = edge_of(result_.mesh, piece);
             join(part.a);
@@ -216,6 +222,17 @@ private:
       for (const Graft& g : grafts_) {
         if (covers(old_member, g.cavity)) {
           std::for_each(g.node.begin(), g.node.end(), join);
+          for (const ElementId e : g.cavity.elements) {
+            for (const NodeId n : host_.nodes_of(e)) {
+              replaced[n.index()] = true;
+            }
+          }
+        }
+      }
+      result_.lost.emplace_back();
+      for (const NodeId n : old.nodes) {
+        if (had[n.index()] && !used_[n.index()] && !replaced[n.index()]) {
+          result_.lost.back().push_back(n);
         }
       }
       result_.mesh.node_sets.push_back(std::move(set));

@@ -68,6 +68,9 @@ struct CrackedMesh {
     std::vector<base::NodeId> right;
   };
   std::vector<Lips> lips;
+  /// [node set] members that a cavity took and nothing stands in for: single nodes, as the new
+  /// nodes of whole sides and of cavities take their place. Empty where no patch was cut.
+  std::vector<std::vector<base::NodeId>> lost;
   std::vector<std::string> notes; ///< what was chosen, for the listing
 };
 

@@ -79,6 +79,9 @@ constexpr std::array advice{
                       "on, within a tenth of a face."},
     ErrorCode{"E416", "Ties say more than once, and differently, where a freedom goes: leave one "
                       "out, or let a support or prescribed value follow the tie."},
+    ErrorCode{"E418",
+              "Each node of the set carries the force of its line. Tie a loose node by $MPC; "
+              "near a crack use TRACTION or RESULTANT on a face set."},
     ErrorCode{"E421", "The first point of a free crack lies on the boundary of its net; the "
                       "message names the nearest one."},
     ErrorCode{"E423", "RADIUS of $TIPNET must be smaller than the room named, SIZE smaller than "
