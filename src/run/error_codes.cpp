@@ -97,6 +97,8 @@ constexpr std::array advice{
     ErrorCode{"E530", "Is the path right, may you read and write there, is the disk full? A folder "
                       "that is no run folder is never overwritten: exit code 7."},
     ErrorCode{"E540", "Write .msh or .vtu for the mesh alone: exit code 4."},
+    ErrorCode{"W307", "The element's stiffness is sound, as the Jacobian is positive where it is "
+                      "integrated; but some places in that corner belong to it twice."},
     ErrorCode{"W336", "Refine where bending or near incompressibility made you choose the special "
                       "form."},
     ErrorCode{"W337", "The moduli must be in deck units already."},
