@@ -146,6 +146,17 @@ double energy(Arguments& args, const results::Run& run) {
   return found->energy;
 }
 
+double estimated_error(Arguments& args, const results::Run& run) {
+  const std::string net = args.name("a net or *");
+  const std::string step = args.name("a step");
+  const results::StepResult& at = *find_place(run, step, args.number()).step;
+  const auto found = std::ranges::find(at.errors, net, &results::NetError::net);
+  if (found == at.errors.end()) {
+    throw Missing(fmt::format("net {} has no elements outside crack patches", net));
+  }
+  return found->part;
+}
+
 double evaluate(const model::Model& model, const model::Check& check, const results::Run& run) {
   Arguments args(check);
   const std::string& q = check.quantity;
@@ -157,6 +168,9 @@ double evaluate(const model::Model& model, const model::Check& check, const resu
   }
   if (q == "ENERGY") {
     return energy(args, run);
+  }
+  if (q == "ERROR") {
+    return estimated_error(args, run);
   }
   if (q == "REACTION") {
     return reaction(args, run);

@@ -108,6 +108,11 @@ constexpr std::array advice{
     ErrorCode{"W503",
               "Ties at points pass constant stress exactly only where every side of the fine "
               "mesh lies on one face of the coarse one."},
+    ErrorCode{"W504",
+              "Refine near the elements named, or use quadratic elements: linear ones and few "
+              "distorted ones are stiff in bending. Sharp inner corners, edges of contact and "
+              "single forces have errors that refinement moves but does not end; if stresses "
+              "there are not wanted, the estimate can be left at that."},
     ErrorCode{"W502", "The faces of a crack overlap (K1 is negative), or a finite SHIFT of $VCE is "
                       "too large. The listing says the same."},
 };

@@ -57,6 +57,7 @@ inline constexpr std::array later_codes{
     ErrorCode{"W501", "linear triangles, tetrahedra or wedges of a nearly incompressible material"},
     ErrorCode{"W502", "a result of a step that needs a second look"},
     ErrorCode{"W503", "a TRANSITION between meshes that do not nest"},
+    ErrorCode{"W504", "a mesh whose estimated error is large"},
     ErrorCode{"W540", "a converted deck of which only the first step is written"},
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck_parts.hpp"
 #include "run_text.hpp"
 
 // What only the mesh of a crack length shows: forces that nothing takes, ties that do not pass
@@ -7,10 +8,14 @@ namespace spricka {
 namespace {
 
 using test::Folder;
+using test::head;
+using test::held;
+using test::load;
+using test::net;
 using test::Outcome;
+using test::property;
 using test::run_text;
-
-const std::string head = "$DECK VERSION=1 LENGTH=mm FORCE=N\n$MATERIAL NAME=M E=1000 NU=0.25\n";
+using test::tied;
 
 bool has(const Outcome& outcome, const std::string& text) {
   return outcome.messages.find(text) != std::string::npos;
@@ -18,10 +23,7 @@ bool has(const Outcome& outcome, const std::string& text) {
 
 // A cantilever and a node beside it, which carries the load.
 std::string beam(const std::string& tie) {
-  return head + R"($NET NAME=A
-  $MESH SHAPE=BLOCK TYPE=QUAMC8 LX=10 LY=2 NX=5 NY=2
-$ENDNET
-$COOR NSET=GRIP DIM=2
+  return head + net("A", "TYPE=QUAMC8 LX=10 LY=2 NX=5 NY=2") + R"($COOR NSET=GRIP DIM=2
   1001 13 1
 $PROPERTY ESET=A.BODY MATERIAL=M STATE=STRESS
 $FREEDOM CLASS=SUPPRESSED DOF=XY
@@ -112,19 +114,15 @@ TEST(Scene, ASupportOnANodeThatAPatchReplacedIsRefused) {
 // Two blocks on top of each other under pressure; the upper has n elements on the lower's 4.
 Outcome stacked(const std::string& n, bool solid) {
   const std::string type =
-      solid ? "TYPE=HEXEC20 LX=4 LY=1 LZ=1 NY=1 NZ=1" : "TYPE=QUAMC8 LX=4 LY=1 NY=1";
+      solid ? "TYPE=HEXEC20 LX=4 LY=1 LZ=1 NY=1 NZ=1 NX=" : "TYPE=QUAMC8 LX=4 LY=1 NY=1 NX=";
   const std::string up = solid ? "Z" : "Y";
   const std::string state = solid ? "SOLID" : "STRESS";
   const Folder folder;
-  return run_text(folder, head + "$NET NAME=LOW\n $MESH SHAPE=BLOCK " + type +
-                              " NX=4\n$ENDNET\n$NET NAME=TOP\n $MESH SHAPE=BLOCK " + type +
-                              " NX=" + n + " " + up + "0=1\n$ENDNET\n" +
-                              "$PROPERTY ESET=LOW.BODY MATERIAL=M STATE=" + state +
-                              "\n$PROPERTY ESET=TOP.BODY MATERIAL=M STATE=" + state +
-                              "\n$FREEDOM CLASS=SUPPRESSED DOF=" + (solid ? "XYZ" : "XY") +
-                              "\n LOW." + up + "MIN\n$MPC TYPE=TRANSITION SLAVE=TOP." + up +
-                              "MIN MASTER=LOW." + up + "MAX\n$LOAD CASE=P TYPE=PRESSURE\n TOP." +
-                              up + "MAX 5\n$STEP NAME=S\n LOAD P 1\n$END\n");
+  return run_text(folder, head + net("LOW", type + "4") + net("TOP", type + n + " " + up + "0=1") +
+                              property("LOW.BODY", state) + property("TOP.BODY", state) +
+                              held("LOW." + up + "MIN", solid ? "XYZ" : "XY") +
+                              tied("TOP." + up + "MIN", "LOW." + up + "MAX") +
+                              load("PRESSURE", "TOP." + up + "MAX 5") + "$END\n");
 }
 
 TEST(Scene, TransitionsBetweenMeshesThatDoNotNestAreTold) {
