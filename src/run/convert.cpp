@@ -115,10 +115,13 @@ private:
         refuse(from.span, "a $STEP that mounts, dismounts or fits");
         continue;
       }
-      const model::LoadCase& load_case = model_.cases[load->load_case.index()];
+      const model::LoadCase& with_heat = model_.cases[load->load_case.index()];
+      model::LoadCase load_case = with_heat; // nodal_load holds the forces of heat as well
+      std::erase_if(load_case.loads,
+                    [](const model::Load& l) { return l.type == model::LoadType::temperature; });
       f += load->factor * fe::nodal_load(model_, mesh, load_case);
       u += load->factor * fe::prescribed_displacement(model_, mesh, load_case);
-      heat(load_case, load->factor, T);
+      heat(with_heat, load->factor, T);
     }
     mesh::InpStep step;
     step.name = from.name;

@@ -121,7 +121,9 @@ TEST(Convert, TemperaturesBelongToNodes) {
   EXPECT_EQ(deck(" ALPHA=1e-6", "  L (10*x)\n  R (5*x + 5)\n").exit_code, 0);
   const std::string text = test::slurp(folder.path() / "h.inp");
   EXPECT_NE(text.find("*INITIAL CONDITIONS, TYPE=TEMPERATURE\n1, 0\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("*TEMPERATURE\n1, 0\n2, 30\n3, 45\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("*TEMPERATURE\n1, 0\n2, 30\n3, 30\n4, 0\n5, 45\n6, 45\n"), std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("*CLOAD"), std::string::npos); // heat is not written twice
   const Outcome jump = deck(" ALPHA=1e-6", "  L 10\n");
   EXPECT_EQ(jump.exit_code, 4);
   EXPECT_NE(jump.messages.find("a temperature that jumps between elements"), std::string::npos);
