@@ -171,13 +171,13 @@ ErrorEstimate estimate_error(const model::Model& model, const model::Mesh& mesh,
   Recovery recovery(mesh);
   sample(model, field, recovery);
   std::vector<StressPatch> smooth;
-  smooth.reserve(recovery.points.node.size());
+  std::vector<std::size_t> patch_of(recovery.points.node.size(), 0); // mid nodes have none
   Patches patches(recovery);
-  const StressSample nothing;
-  const std::array<const StressSample*, 1> none{&nothing};
-  for (std::size_t p = 0; p < recovery.points.node.size(); ++p) { // mid nodes have none
-    smooth.push_back(recovery.elements.of(p).empty() ? StressPatch(none, mesh.dim, 0)
-                                                     : patches.patch(p));
+  for (std::size_t p = 0; p < patch_of.size(); ++p) {
+    if (!recovery.elements.of(p).empty()) {
+      patch_of[p] = smooth.size();
+      smooth.push_back(patches.patch(p));
+    }
   }
   ErrorEstimate estimate;
   estimate.energy.assign(mesh.element_count(), 0.0);
@@ -194,7 +194,7 @@ ErrorEstimate estimate_error(const model::Model& model, const model::Mesh& mesh,
         const CornerValues<S> L = Linear<S>::N(point.r);
         Stress off = -element.from(at, point.r);
         for (int c = 0; c < corners<S>(); ++c) {
-          off += L[c] * smooth[recovery.point_of(e, static_cast<std::size_t>(c))].at(x);
+          off += L[c] * smooth[patch_of[recovery.point_of(e, static_cast<std::size_t>(c))]].at(x);
         }
         estimate.energy[e] += w * complementary_energy(off, element.law);
         volume += w;
