@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "solve/friction_set.hpp"
+
+#include <vector>
+
+namespace spricka::solve {
+
+struct Search {
+  bool settled = false;
+  std::vector<Touch> touch;
+  TouchSolution solution;
+};
+
+/// States of all rows in which no condition is violated, with modes that nothing holds anchored at
+/// `anchor`: Newton from `start`, Lemke's pivoting, and Newton from other starts. Iterations and
+/// pivots are added to `figures`.
+Search settle(const ScaledFriction& problem, const base::Vector& anchor,
+              const std::vector<Touch>& start, const ContactSettings& settings,
+              ContactSolution& figures);
+
+} // namespace spricka::solve
