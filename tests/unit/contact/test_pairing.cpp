@@ -115,5 +115,35 @@ TEST(Pairing, SurfacesThatLookAwayAreNotFound) {
   EXPECT_FALSE(pair.found);
 }
 
+// With friction there is a slip row behind each normal row, that of a bonded pair; the turn of one
+// ring slips it by area times angle times radius.
+TEST(Pairing, FrictionHasTheSlipRowsOfABondedPair) {
+  model::Model model = test::two_rings(16, 21, ElementType::quamc8);
+  model::Contact contact = model.contacts[0];
+  EXPECT_TRUE(contact::pair_rows(model, model.mesh, contact).tangent.empty());
+  contact.mu = 0.3;
+  const contact::PairRows rubs = contact::pair_rows(model, model.mesh, contact);
+  contact.mu = 0.0;
+  contact.type = model::ContactType::bonded;
+  const contact::PairRows bonded = contact::pair_rows(model, model.mesh, contact);
+  ASSERT_EQ(rubs.tangent.size(), rubs.normal.size());
+  ASSERT_EQ(rubs.tangent.size(), bonded.tangent.size());
+  for (std::size_t i = 0; i < rubs.tangent.size(); ++i) {
+    const contact::ConstraintRow& row = rubs.tangent[i];
+    EXPECT_TRUE(row.tangential);
+    EXPECT_EQ(row.node, rubs.normal[i].node);
+    EXPECT_EQ(row.area, rubs.normal[i].area);
+    const auto turn = [&](const base::Vec3& x, base::NodeId n) -> base::Vec3 {
+      const bool inner = model.mesh.node_net[n.index()].index() == 0;
+      return inner ? base::Vec3(-x.y(), x.x(), 0.0) : base::Vec3::Zero();
+    };
+    // whichever side carries the rows, its tangent is its normal turned to the left
+    EXPECT_NEAR(std::abs(opening(row, model.mesh, turn)), 2.0 * row.area, 1e-3 * row.area);
+    for (std::size_t k = 0; k < row.entries.size(); ++k) {
+      EXPECT_EQ((row.entries[k].weight - bonded.tangent[i].entries[k].weight).norm(), 0.0);
+    }
+  }
+}
+
 } // namespace
 } // namespace spricka
