@@ -18,6 +18,8 @@ constexpr std::array<double, 4> gauss_r{-0.8611363115940526, -0.3399810435848563
 constexpr std::array<double, 4> gauss_w{0.3478548451374538, 0.6521451548625461, 0.6521451548625461,
                                         0.3478548451374538};
 
+constexpr double covered = 1e-4; // of a hat's area: what integration may miss
+
 using Numbering = std::map<base::NodeId, Eigen::Index>;
 
 // Surface mass matrix C = sum over edges of integral N N^T, times thickness.
@@ -219,27 +221,99 @@ struct NodalPressure {
   base::Vector lumped, consistent;
 };
 
+// Integrals over each node's edges: of its shape function times the cosine between the normal there
+// and the node's own, and of its hat.
+struct NodeArea {
+  base::Vector facing, hat;
+};
+
+NodeArea node_areas(const Surface& surface, double thickness, const std::vector<Place>& places,
+                    const Numbering& number) {
+  const auto n = static_cast<Eigen::Index>(number.size());
+  NodeArea area{base::Vector::Zero(n), base::Vector::Zero(n)};
+  std::vector<Vec2> normal(number.size());
+  for (const Place& p : places) {
+    normal[static_cast<std::size_t>(number.at(p.at.node))] = p.normal;
+  }
+  const auto add = [&](const Edge& edge, double xi, double weight) {
+    const std::array<double, 3> N = edge_N(edge, xi);
+    const std::array<double, 3> hat = edge_hats(edge, xi);
+    const Vec2 here = surface_normal(surface, edge, xi);
+    const double w = weight * tangent_on(edge, xi).norm() * thickness;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(edge.count); ++i) {
+      const Eigen::Index k = number.at(edge.nodes[i]);
+      area.facing[k] += w * N[i] * here.dot(normal[static_cast<std::size_t>(k)]);
+      area.hat[k] += w * hat[i];
+    }
+  };
+  for (const EdgeChain& chain : surface.chains) {
+    for (const Edge& edge : chain.edges) {
+      for (const double half : {-0.5, 0.5}) {
+        for (std::size_t g = 0; g < gauss_r.size(); ++g) {
+          add(edge, half + 0.5 * gauss_r[g], 0.5 * gauss_w[g]);
+        }
+      }
+    }
+  }
+  return area;
+}
+
+// Nodes all of whose edges face the other surface with their whole length.
+std::vector<bool> wholly_paired(const PairRows& pair, const base::Vector& hat,
+                                const Numbering& number) {
+  base::Vector paired = base::Vector::Zero(hat.size());
+  for (const ConstraintRow& row : pair.normal) {
+    paired[number.at(row.node)] = row.area;
+  }
+  std::vector<bool> whole(number.size(), true);
+  for (const EdgeChain& chain : pair.contact.chains) {
+    for (const Edge& edge : chain.edges) {
+      const auto count = static_cast<std::size_t>(edge.count);
+      const bool all =
+          std::all_of(edge.nodes.begin(), edge.nodes.begin() + edge.count, [&](base::NodeId node) {
+            const Eigen::Index k = number.at(node);
+            return std::abs(paired[k] - hat[k]) <= covered * hat[k];
+          });
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto k = static_cast<std::size_t>(number.at(edge.nodes[i]));
+        whole[k] = whole[k] && all;
+      }
+    }
+  }
+  return whole;
+}
+
 // The corner function of a quadratic edge has no first moment about its node, so the lumped
-// pressure is right to second order even where edges of different length meet.
+// pressure is right to second order even where edges of different length meet; the second moment
+// meets the turn of the normal, which the facing areas count. A node at the rim of the paired part
+// has the pressure of its row: its force belongs to a part of its area only.
 NodalPressure recover(const PairRows& pair, const base::Vector& lambda, const SideForce& force,
                       const std::vector<Place>& places, const Numbering& number) {
   const double thickness = std::min(pair.contact.thickness, pair.target.thickness);
-  const Eigen::SparseMatrix<double> C = surface_mass(pair.contact, thickness, number);
-  base::Vector R = base::Vector::Zero(C.rows());
+  const auto n = static_cast<Eigen::Index>(number.size());
+  base::Vector R = base::Vector::Zero(n);
   for (const Place& p : places) {
     const auto at = force.node.find(p.at.node.value);
     if (at != force.node.end()) {
       R[number.at(p.at.node)] = -at->second.head<2>().dot(p.normal);
     }
   }
-  const base::Vector lump = C * base::Vector::Ones(C.cols());
-  NodalPressure p{R.cwiseQuotient(lump), base::Vector::Zero(C.rows())};
-  if (pair.segments) {
-    for (std::size_t i = 0; i < pair.normal.size(); ++i) {
-      p.consistent[number.at(pair.normal[i].node)] = lambda[static_cast<Eigen::Index>(i)];
+  const NodeArea area = node_areas(pair.contact, thickness, places, number);
+  NodalPressure p{R.cwiseQuotient(area.facing), base::Vector::Zero(n)};
+  if (!pair.segments) {
+    const Eigen::SparseMatrix<double> C = surface_mass(pair.contact, thickness, number);
+    const base::Vector even = p.lumped.cwiseProduct(C * base::Vector::Ones(n));
+    p.consistent = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>(C).solve(even);
+    return p;
+  }
+  for (std::size_t i = 0; i < pair.normal.size(); ++i) {
+    p.consistent[number.at(pair.normal[i].node)] = lambda[static_cast<Eigen::Index>(i)];
+  }
+  const std::vector<bool> whole = wholly_paired(pair, area.hat, number);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    if (!whole[static_cast<std::size_t>(k)]) {
+      p.lumped[k] = p.consistent[k];
     }
-  } else {
-    p.consistent = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>(C).solve(R);
   }
   return p;
 }
