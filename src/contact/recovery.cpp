@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/recovery.hpp"
 
+#include "contact/arc.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <unordered_map>
 
 #include <Eigen/SparseCholesky>
@@ -122,73 +123,6 @@ void mark_lips(const Surface& surface, std::vector<Place>& places) {
       }
     }
   }
-}
-
-// End of contact between a closed and an open neighbour: p^2 falls linearly (square-root law).
-double contact_end(double s_inner, double p_inner, double s_last, double p_last, double s_open) {
-  const double fall = p_inner * p_inner - p_last * p_last;
-  if (fall <= 0.0) {
-    return 0.5 * (s_last + s_open);
-  }
-  const double end = s_last + (s_last - s_inner) * p_last * p_last / fall;
-  return std::clamp(end, std::min(s_last, s_open), std::max(s_last, s_open));
-}
-
-struct Arc {
-  double from = 0.0, to = 0.0;
-};
-
-// Longest run of closed nodes along s; `turn` > 0 closes the circle.
-Arc longest_arc(const std::vector<NodePressure>& nodes, bool round) {
-  std::vector<const NodePressure*> p;
-  p.reserve(nodes.size());
-  for (const NodePressure& n : nodes) {
-    p.push_back(&n);
-  }
-  const auto s = [&](const NodePressure& n) { return round ? n.theta : n.arc; };
-  std::stable_sort(p.begin(), p.end(),
-                   [&](const NodePressure* a, const NodePressure* b) { return s(*a) < s(*b); });
-  const std::size_t n = p.size();
-  const auto closed = static_cast<std::size_t>(
-      std::count_if(p.begin(), p.end(), [](const NodePressure* q) { return q->closed; }));
-  constexpr double pi = std::numbers::pi;
-  if (closed == n && n > 0) {
-    return round && n > 2 && s(*p[n - 1]) - s(*p[0]) > 1.5 * pi ? Arc{-pi, pi}
-                                                                : Arc{s(*p[0]), s(*p[n - 1])};
-  }
-  const auto coordinate = [&](std::size_t i) {
-    return s(*p[i % n]) + 2.0 * pi * static_cast<double>(round ? i / n : 0);
-  };
-  Arc best;
-  std::size_t longest = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const bool begins = p[i]->closed && (i > 0 ? !p[i - 1]->closed : !(round && p[n - 1]->closed));
-    if (!begins) {
-      continue;
-    }
-    std::size_t j = i;
-    while ((round || j + 1 < n) && p[(j + 1) % n]->closed) {
-      ++j;
-    }
-    if (j - i + 1 <= longest) {
-      continue;
-    }
-    longest = j - i + 1;
-    best = {coordinate(i), coordinate(j)};
-    if (j > i && (round || i > 0)) {
-      const double open = i > 0 ? coordinate(i - 1) : s(*p[n - 1]) - 2.0 * pi;
-      best.from = contact_end(coordinate(i + 1), p[(i + 1) % n]->p_lumped, coordinate(i),
-                              p[i]->p_lumped, open);
-    }
-    if (j > i && (round || j + 1 < n)) {
-      best.to = contact_end(coordinate(j - 1), p[(j - 1) % n]->p_lumped, coordinate(j),
-                            p[j % n]->p_lumped, coordinate(j + 1));
-    }
-  }
-  if (round && best.to > pi && best.from > 0.0 && best.from >= pi) {
-    best = {best.from - 2.0 * pi, best.to - 2.0 * pi};
-  }
-  return best;
 }
 
 // Nodal force vectors of the contact side, and the total on it.
@@ -358,7 +292,7 @@ PairPressure recover_pressure(const PairRows& pair, const base::Vector& lambda,
     }
     result.nodes.push_back(place.at);
   }
-  const Arc arc = longest_arc(result.nodes, pair.contact.circle.has_value());
+  const Arc arc = longest_arc(pair.contact, result.nodes);
   result.arc_from = arc.from;
   result.arc_to = arc.to;
   return result;

@@ -100,5 +100,48 @@ TEST(Recovery, ArcEndsFollowTheSquareRootLaw) {
   EXPECT_NEAR(p.arc_from, -c, 0.6 * spacing);
 }
 
+// Half a ring with the load on its symmetry line: the surface's end is no end of contact to be
+// found between nodes, and the open end on the other side does not touch this one.
+TEST(Recovery, ArcEndsWhereTheSurfaceEnds) {
+  model::Model model = test::two_rings(36, 36, base::ElementType::quamc8);
+  std::vector<model::Face>& inner = model.mesh.face_sets[model.contacts[0].slave.index()].faces;
+  inner.erase(inner.begin() + 18, inner.end()); // 0 to 180 degrees stay
+  for (const bool flipped : {false, true}) {
+    const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+    ASSERT_FALSE(pair.swapped);
+    const double c = 1.234;
+    base::Vector lambda = base::Vector::Zero(static_cast<Eigen::Index>(pair.normal.size()));
+    std::vector<bool> closed;
+    for (const contact::ConstraintRow& row : pair.normal) {
+      const base::Vec3& x = model.mesh.x[row.node.index()];
+      double theta = std::atan2(x.y(), x.x());
+      theta = flipped ? std::numbers::pi - theta : theta;
+      closed.push_back(theta < c);
+      if (closed.back()) {
+        lambda[static_cast<Eigen::Index>(closed.size()) - 1] =
+            std::sqrt(1.0 - theta * theta / (c * c));
+      }
+    }
+    const contact::PairPressure p =
+        contact::recover_pressure(pair, lambda, base::Vector::Zero(lambda.size()), closed);
+    const double spacing = 2.0 * std::numbers::pi / 72.0;
+    EXPECT_NEAR(flipped ? std::numbers::pi - p.arc_to : p.arc_from, 0.0, 1e-12);
+    EXPECT_NEAR(flipped ? std::numbers::pi - p.arc_from : p.arc_to, c, 0.6 * spacing);
+  }
+}
+
+// A pair that is open all along has no arc, whatever gap is left.
+TEST(Recovery, OpenPairHasNoArc) {
+  const model::Model model = test::two_rings(24, 31, base::ElementType::quamc8);
+  const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  const auto n = static_cast<Eigen::Index>(pair.normal.size());
+  const contact::PairPressure p =
+      contact::recover_pressure(pair, base::Vector::Zero(n), base::Vector::Constant(n, 1.0),
+                                std::vector<bool>(pair.normal.size(), false));
+  EXPECT_EQ(p.arc_from, 0.0);
+  EXPECT_EQ(p.arc_to, 0.0);
+  EXPECT_EQ(p.closed, 0);
+}
+
 } // namespace
 } // namespace spricka
