@@ -58,17 +58,31 @@ double way(const Surface& surface, const NodePressure& a, const NodePressure& b)
   return surface.circle ? std::remainder(b.theta - a.theta, 2.0 * pi) : (b.x - a.x).norm();
 }
 
-// How far contact reaches beyond its last closed node, `inner` the one before it and `open` the
-// first open one: p^2 falls linearly (square-root law).
-double beyond(const Surface& surface, const NodePressure& inner, const NodePressure& last,
-              const NodePressure& open) {
-  const double gap = way(surface, last, open);
-  const double fall = inner.p_lumped * inner.p_lumped - last.p_lumped * last.p_lumped;
-  if (fall <= 0.0) {
+// The end of contact behind the closed nodes `last`, running to the first open one: the place where
+// c sqrt(L - t) with the force and the moment of the last pressures ends, L = 5/2 M1/M0
+// (contact.11). The way from the last closed node.
+double beyond(const Surface& surface, const std::vector<NodePressure>& nodes, bool multipliers,
+              const std::vector<std::size_t>& last) {
+  const auto pressure = [&](std::size_t i) {
+    return std::max(0.0, multipliers ? nodes[i].p_consistent : nodes[i].p_lumped);
+  };
+  double t = 0.0;
+  double force = 0.0;
+  double moment = 0.0;
+  for (std::size_t i = 0; i + 1 < last.size(); ++i) {
+    const double h = way(surface, nodes[last[i]], nodes[last[i + 1]]);
+    const double p = pressure(last[i]);
+    const double q = i + 2 < last.size() ? pressure(last[i + 1]) : 0.0;
+    force += 0.5 * h * (p + q);
+    moment += h * (0.5 * t * (p + q) + h * (p + 2.0 * q) / 6.0);
+    t += h;
+  }
+  const double gap = way(surface, nodes[last[last.size() - 2]], nodes[last.back()]);
+  if (force == 0.0) {
     return 0.5 * gap;
   }
-  const double on = way(surface, inner, last) * last.p_lumped * last.p_lumped / fall;
-  return std::clamp(on, std::min(0.0, gap), std::max(0.0, gap));
+  const double on = 2.5 * moment / force - (t - gap);
+  return std::clamp(on, std::min(0.0, 1.5 * gap), std::max(0.0, 1.5 * gap));
 }
 
 // The stretch of closed nodes that begins at `start`; where it begins and how far it runs.
@@ -78,37 +92,40 @@ struct Stretch {
 };
 
 Stretch stretch_from(const Surface& surface, const std::vector<NodePressure>& nodes,
-                     const Links& links, std::size_t start) {
+                     bool multipliers, const Links& links, std::size_t start) {
   Stretch s;
   s.begin = surface.circle ? nodes[start].theta : nodes[start].arc;
-  std::size_t end = start;
-  std::size_t inner = start;
-  while (links.next[end] && nodes[*links.next[end]].closed) {
-    inner = end;
-    end = *links.next[end];
-    s.run += way(surface, nodes[inner], nodes[end]);
+  std::vector<std::size_t> closed{start};
+  while (links.next[closed.back()] && nodes[*links.next[closed.back()]].closed) {
+    const std::size_t next = *links.next[closed.back()];
+    s.run += way(surface, nodes[closed.back()], nodes[next]);
+    closed.push_back(next);
   }
-  if (end == start) {
+  if (closed.size() == 1) {
     return s;
   }
-  if (links.next[end]) {
-    s.run += beyond(surface, nodes[inner], nodes[end], nodes[*links.next[end]]);
+  const auto count = static_cast<std::ptrdiff_t>(std::min<std::size_t>(closed.size(), 3));
+  const std::optional<std::size_t> behind = links.next[closed.back()];
+  const std::optional<std::size_t> before = links.last[start];
+  if (behind) {
+    std::vector<std::size_t> last(closed.end() - count, closed.end());
+    last.push_back(*behind);
+    s.run += beyond(surface, nodes, multipliers, last);
   }
-  if (links.last[start]) {
-    const NodePressure& second = nodes[*links.next[start]];
-    const NodePressure& open = nodes[*links.last[start]];
-    // along the chain the way from the first closed node back to the open one
-    const double back = surface.circle ? beyond(surface, second, nodes[start], open)
-                                       : -beyond(surface, second, nodes[start], open);
-    s.begin += back;
-    s.run -= back;
+  if (before) {
+    std::vector<std::size_t> first(closed.begin(), closed.begin() + count);
+    std::reverse(first.begin(), first.end());
+    first.push_back(*before);
+    const double back = beyond(surface, nodes, multipliers, first);
+    s.begin += surface.circle ? back : -back; // lengths have no sign, angles turn with the chain
+    s.run += surface.circle ? -back : back;
   }
   return s;
 }
 
 } // namespace
 
-Arc longest_arc(const Surface& surface, const std::vector<NodePressure>& nodes) {
+Arc longest_arc(const Surface& surface, const std::vector<NodePressure>& nodes, bool multipliers) {
   const Links links = links_of(surface, nodes);
   const bool round = surface.circle.has_value();
   std::optional<Stretch> longest;
@@ -116,7 +133,7 @@ Arc longest_arc(const Surface& surface, const std::vector<NodePressure>& nodes) 
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     any = any || nodes[i].closed;
     if (nodes[i].closed && !(links.last[i] && nodes[*links.last[i]].closed)) {
-      const Stretch s = stretch_from(surface, nodes, links, i);
+      const Stretch s = stretch_from(surface, nodes, multipliers, links, i);
       if (!longest || std::abs(s.run) > std::abs(longest->run)) {
         longest = s;
       }

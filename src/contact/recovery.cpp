@@ -292,7 +292,7 @@ PairPressure recover_pressure(const PairRows& pair, const base::Vector& lambda,
     }
     result.nodes.push_back(place.at);
   }
-  const Arc arc = longest_arc(pair.contact, result.nodes);
+  const Arc arc = longest_arc(pair.contact, result.nodes, pair.segments);
   result.arc_from = arc.from;
   result.arc_to = arc.to;
   return result;
