@@ -108,8 +108,8 @@ TEST(Recovery, ArcEndsFollowTheSquareRootLaw) {
   const contact::PairPressure p =
       contact::recover_pressure(pair, lambda, base::Vector::Zero(lambda.size()), closed);
   const double spacing = 2.0 * std::numbers::pi / 144.0;
-  EXPECT_NEAR(p.arc_to, c, 0.2 * spacing);
-  EXPECT_NEAR(p.arc_from, -c, 0.2 * spacing);
+  EXPECT_NEAR(p.arc_to, c, 0.3 * spacing);
+  EXPECT_NEAR(p.arc_from, -c, 0.3 * spacing);
 }
 
 // Half a ring with the load on its symmetry line: the surface's end is no end of contact to be
@@ -138,7 +138,7 @@ TEST(Recovery, ArcEndsWhereTheSurfaceEnds) {
         contact::recover_pressure(pair, lambda, base::Vector::Zero(lambda.size()), closed);
     const double spacing = 2.0 * std::numbers::pi / 72.0;
     EXPECT_NEAR(flipped ? std::numbers::pi - p.arc_to : p.arc_from, 0.0, 1e-12);
-    EXPECT_NEAR(flipped ? std::numbers::pi - p.arc_from : p.arc_to, c, 0.2 * spacing);
+    EXPECT_NEAR(flipped ? std::numbers::pi - p.arc_from : p.arc_to, c, 0.3 * spacing);
   }
 }
 
