@@ -2,6 +2,7 @@
 #include "contact/recovery.hpp"
 
 #include "contact/arc.hpp"
+#include "contact/smooth.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,8 +21,6 @@ constexpr std::array<double, 4> gauss_w{0.3478548451374538, 0.6521451548625461, 
                                         0.3478548451374538};
 
 constexpr double covered = 1e-4; // of a hat's area: what integration may miss
-
-using Numbering = std::map<base::NodeId, Eigen::Index>;
 
 // Surface mass matrix C = sum over edges of integral N N^T, times thickness.
 Eigen::SparseMatrix<double> surface_mass(const Surface& surface, double thickness,
@@ -151,6 +150,12 @@ SideForce side_force(const PairRows& pair, const base::Vector& lambda, const Num
   return force;
 }
 
+// Of the normal rows first, then of tangents.
+struct Multipliers {
+  const base::Vector& lambda;
+  const std::vector<bool>& closed;
+};
+
 struct NodalPressure {
   base::Vector lumped, consistent;
 };
@@ -192,36 +197,47 @@ NodeArea node_areas(const Surface& surface, double thickness, const std::vector<
   return area;
 }
 
-// Nodes all of whose edges face the other surface with their whole length.
-std::vector<bool> wholly_paired(const PairRows& pair, const base::Vector& hat,
-                                const Numbering& number) {
-  base::Vector paired = base::Vector::Zero(hat.size());
-  for (const ConstraintRow& row : pair.normal) {
-    paired[number.at(row.node)] = row.area;
+// Edges that face the other surface with their whole length and, if asked, are closed at every
+// node, chain by chain.
+std::vector<bool> whole_edges(const PairRows& pair, const base::Vector& hat,
+                              const Numbering& number, const std::vector<bool>* closed) {
+  std::vector<bool> good(number.size(), false);
+  for (std::size_t i = 0; i < pair.normal.size(); ++i) {
+    const Eigen::Index k = number.at(pair.normal[i].node);
+    good[static_cast<std::size_t>(k)] =
+        std::abs(pair.normal[i].area - hat[k]) <= covered * hat[k] && (!closed || (*closed)[i]);
   }
-  std::vector<bool> whole(number.size(), true);
+  std::vector<bool> whole;
   for (const EdgeChain& chain : pair.contact.chains) {
     for (const Edge& edge : chain.edges) {
-      const auto count = static_cast<std::size_t>(edge.count);
-      const bool all =
+      whole.push_back(
           std::all_of(edge.nodes.begin(), edge.nodes.begin() + edge.count, [&](base::NodeId node) {
-            const Eigen::Index k = number.at(node);
-            return std::abs(paired[k] - hat[k]) <= covered * hat[k];
-          });
-      for (std::size_t i = 0; i < count; ++i) {
-        const auto k = static_cast<std::size_t>(number.at(edge.nodes[i]));
-        whole[k] = whole[k] && all;
-      }
+            return good[static_cast<std::size_t>(number.at(node))];
+          }));
     }
   }
   return whole;
 }
 
+// A node at the rim of the paired part has the pressure of its row: its force belongs to a part of
+// its area only.
+void rim_pressure(const PairRows& pair, const Numbering& number, const std::vector<bool>& whole,
+                  const base::Vector& lambda, base::Vector& pressure) {
+  std::size_t e = 0;
+  for (const EdgeChain& chain : pair.contact.chains) {
+    for (const Edge& edge : chain.edges) {
+      for (std::size_t i = 0; i < static_cast<std::size_t>(edge.count) && !whole[e]; ++i) {
+        pressure[number.at(edge.nodes[i])] = lambda[number.at(edge.nodes[i])];
+      }
+      ++e;
+    }
+  }
+}
+
 // The corner function of a quadratic edge has no first moment about its node, so the lumped
 // pressure is right to second order even where edges of different length meet; the second moment
-// meets the turn of the normal, which the facing areas count. A node at the rim of the paired part
-// has the pressure of its row: its force belongs to a part of its area only.
-NodalPressure recover(const PairRows& pair, const base::Vector& lambda, const SideForce& force,
+// meets the turn of the normal, which the facing areas count.
+NodalPressure recover(const PairRows& pair, const Multipliers& row, const SideForce& force,
                       const std::vector<Place>& places, const Numbering& number) {
   const double thickness = std::min(pair.contact.thickness, pair.target.thickness);
   const auto n = static_cast<Eigen::Index>(number.size());
@@ -241,14 +257,11 @@ NodalPressure recover(const PairRows& pair, const base::Vector& lambda, const Si
     return p;
   }
   for (std::size_t i = 0; i < pair.normal.size(); ++i) {
-    p.consistent[number.at(pair.normal[i].node)] = lambda[static_cast<Eigen::Index>(i)];
+    p.consistent[number.at(pair.normal[i].node)] = row.lambda[static_cast<Eigen::Index>(i)];
   }
-  const std::vector<bool> whole = wholly_paired(pair, area.hat, number);
-  for (Eigen::Index k = 0; k < n; ++k) {
-    if (!whole[static_cast<std::size_t>(k)]) {
-      p.lumped[k] = p.consistent[k];
-    }
-  }
+  rim_pressure(pair, number, whole_edges(pair, area.hat, number, nullptr), p.consistent, p.lumped);
+  smooth_pressure(pair.contact, number, whole_edges(pair, area.hat, number, &row.closed),
+                  p.consistent, p.lumped);
   return p;
 }
 
@@ -263,7 +276,7 @@ PairPressure recover_pressure(const PairRows& pair, const base::Vector& lambda,
     number.try_emplace(p.at.node, static_cast<Eigen::Index>(number.size()));
   }
   const SideForce force = side_force(pair, lambda, number);
-  const NodalPressure p = recover(pair, lambda, force, places, number);
+  const NodalPressure p = recover(pair, {lambda, closed}, force, places, number);
 
   PairPressure result;
   result.force_on_slave = pair.swapped ? base::Vec3(-force.total) : force.total;

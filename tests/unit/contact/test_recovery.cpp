@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/recovery.hpp"
+#include "contact/smooth.hpp"
 #include "two_rings.hpp"
 
 #include <numbers>
@@ -153,6 +154,53 @@ TEST(Recovery, OpenPairHasNoArc) {
   EXPECT_EQ(p.arc_from, 0.0);
   EXPECT_EQ(p.arc_to, 0.0);
   EXPECT_EQ(p.closed, 0);
+}
+
+// Waves between corners and middles do next to no work on triangles: they are not reported. What is
+// linear along the surface stays, on edges of any lengths.
+TEST(Recovery, WavesBetweenCornersAndMiddlesAreLeftOut) {
+  contact::Surface surface;
+  contact::EdgeChain chain;
+  contact::Numbering number;
+  std::vector<double> place;
+  const auto node = [&](double s) {
+    number.try_emplace(base::NodeId(place.size()), static_cast<Eigen::Index>(place.size()));
+    place.push_back(s);
+    return base::NodeId(place.size() - 1);
+  };
+  double s = 0.0;
+  base::NodeId last = node(s);
+  for (const double length : {1.0, 0.4, 0.7, 2.0, 0.3}) {
+    contact::Edge edge;
+    edge.count = 3;
+    edge.length = length;
+    edge.nodes = {last, base::NodeId(), base::NodeId()};
+    edge.nodes[2] = node(s + 0.5 * length);
+    edge.nodes[1] = node(s + length);
+    s += length;
+    last = edge.nodes[1];
+    chain.edges.push_back(edge);
+  }
+  surface.chains.push_back(chain);
+  base::Vector lambda(static_cast<Eigen::Index>(place.size()));
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    lambda[static_cast<Eigen::Index>(i)] = 3.0 - 0.5 * place[i];
+  }
+  base::Vector plain = base::Vector::Zero(lambda.size());
+  contact::smooth_pressure(surface, number, std::vector<bool>(5, true), lambda, plain);
+  EXPECT_LT((plain - lambda).cwiseAbs().maxCoeff(), 1e-14);
+  base::Vector wave = lambda;
+  for (Eigen::Index i = 0; i < wave.size(); ++i) {
+    wave[i] += i % 2 == 0 ? 0.1 : -0.1;
+  }
+  base::Vector without = base::Vector::Zero(lambda.size());
+  contact::smooth_pressure(surface, number, std::vector<bool>(5, true), wave, without);
+  EXPECT_LT((without - plain).cwiseAbs().maxCoeff(), 1e-14);
+  base::Vector open = base::Vector::Constant(lambda.size(), -1.0); // edge 2 is open
+  contact::smooth_pressure(surface, number, {true, true, false, true, true}, wave, open);
+  for (const Eigen::Index i : {4, 5, 6}) {
+    EXPECT_EQ(open[i], -1.0);
+  }
 }
 
 } // namespace
