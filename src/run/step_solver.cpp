@@ -4,6 +4,7 @@
 #include "fe/assemble.hpp"
 #include "fe/thermal.hpp"
 #include "run/rigid_motion.hpp"
+#include "solve/mode_split.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -152,6 +153,12 @@ bool StepSolver::accept(const contact::ContactSystem::Answer& answer,
     state.notes.push_back(
         fmt::format("{} rigid mode(s) that no contact touches and nothing loads stay at rest",
                     s.resting_modes));
+  }
+  if (s.left_over > solve::rest_load) {
+    state.notes.push_back(fmt::format("{:.1e} of the load acts on motions that no contact touches "
+                                      "(its moment about the axis of the meshed body) and is left "
+                                      "over",
+                                      s.left_over));
   }
   if (s.redundant > 0) {
     state.notes.push_back(fmt::format("{} redundant contact row(s) left out", s.redundant));
