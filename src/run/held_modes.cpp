@@ -188,7 +188,7 @@ std::vector<Refusal> unheld_loads(const model::Model& model, const Scene& scene,
                                     0.0,
                                     {}};
       motion = solve::opening_motion(split, solve::hold_loads(held),
-                                     solve::rest_load * std::max(scale, held.h.norm()));
+                                     solve::rest_load * std::max(scale, h.norm()));
     }
     if (motion.size() > 0) {
       Eigen::Index most = 0;

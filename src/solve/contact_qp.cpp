@@ -229,7 +229,7 @@ ContactSolution solve_contact(const ContactProblem& problem, const ContactSettin
   // 2. loads that the rows cannot take: the motion that opens them all
   HeldProblem held = held_problem(problem, split);
   const Holding holding = hold_loads(held);
-  answer.unheld = opening_motion(split, holding, rest_load * std::max(scale, held.h.norm()));
+  answer.unheld = opening_motion(split, holding, rest_load * std::max(scale, problem.h.norm()));
   if (answer.unheld.size() > 0) {
     answer.status = ContactStatus::unheld_mode;
     return answer;

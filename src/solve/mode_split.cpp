@@ -170,7 +170,12 @@ base::Vector unfelt_motion(const ModeSplit& split, const base::Vector& h, double
 }
 
 base::Vector opening_motion(const ModeSplit& split, const Holding& holding, double least) {
-  if (holding.remainder.size() == 0 || !(holding.remainder.norm() > least)) {
+  if (holding.remainder.size() == 0) {
+    return {};
+  }
+  // in units of h: the columns of felt have a unit of their own
+  const base::Vector per_unit = split.felt.colwise().norm().cwiseInverse().transpose();
+  if (!(holding.remainder.cwiseProduct(per_unit).norm() > least)) {
     return {};
   }
   return (split.felt * holding.remainder).normalized();

@@ -52,11 +52,14 @@ def numbers(path):
 class Run:
     """One run of a deck: exit code, messages, tables."""
 
-    def __init__(self, program, text, definitions=(), threads=1):
+    def __init__(self, program, text, definitions=(), threads=1, files=None):
         self.folder = tempfile.TemporaryDirectory()
         place = pathlib.Path(self.folder.name)
         for file in list(DECKS.glob("*.geo")) + list(DECKS.glob("*.inc")):
-            (place / file.name).symlink_to(file)
+            if file.name in (files or {}):
+                (place / file.name).write_text(files[file.name], encoding="utf-8")
+            else:
+                (place / file.name).symlink_to(file)
         deck = place / "case.deck"
         deck.write_text(text, encoding="utf-8")
         self.out = place / "out"
