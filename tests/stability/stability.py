@@ -23,6 +23,7 @@ SWEEPS = {
     "S07": ("contrast of moduli and units", sweeps_contact.contrast),
     "S10": ("bodies held by contact only", sweeps_held.floating),
     "S11": ("redundant constraints", sweeps_held.redundant),
+    "ASM": ("assembly in steps and undone (K1, pressures)", sweeps_held.assembly),
     "LUG": ("pairings, mirrors, turns and units of the lug (K1)", sweeps_lug.lug),
 }
 

@@ -114,3 +114,47 @@ def redundant(program, _full):
         run = Run(program, changed(tied, ("$FSET NAME=TOP", card)))
         rows.append(Row("S11", case, run, ok=run.code in (3, 4) and "E41" in run.refusal()))
     return rows
+
+
+ASSEMBLY = """$DECK VERSION=1 LENGTH=mm FORCE=N TITLE='Assembly undone'
+$INCLUDE FILE='lug_model.inc'
+$CONTACT NAME=BUSH SLAVE=SLEEVE.OUTER MASTER=LUG.BORE     DIAMETRAL=0.084
+$CONTACT NAME=PIN  SLAVE=SHAFT.OUTER  MASTER=SLEEVE.INNER TYPE=BONDED GAP=0
+$STEP NAME=PRESS SUBSTEPS={parts}
+  FIT BUSH 1
+$STEP NAME=ASSEMBLE
+  MOUNT PIN
+$STEP NAME=LOAD SUBSTEPS={parts}
+  LOAD SHAFTLOAD 1
+$STEP NAME=UNLOAD
+  LOAD SHAFTLOAD 0
+$STEP NAME=APART
+  DISMOUNT PIN
+$STEP NAME=SECOND
+  MOUNT PIN
+$STEP NAME=RELOAD
+  LOAD SHAFTLOAD 1
+$CRACK NAME=TOP NET=LUG A0=(0.3*R) ANGLE=90[deg] STATE=STRESS
+  0  (R)
+$END
+"""
+
+
+def assembly(program, _full):
+    """Sleeve first, shaft mounted, loaded, and all undone: the first state comes back."""
+    rows = []
+    run = Run(program, ASSEMBLY.format(parts=1))
+    if run.code != 0:
+        return [Row("ASM", "assembly of the lug", run, ok=False)]
+    k = run.stress_intensity()
+    for step, first in (("ASSEMBLE", "PRESS"), ("UNLOAD", "ASSEMBLE"), ("APART", "PRESS"), ("SECOND", "PRESS"),
+                        ("RELOAD", "LOAD")):
+        error = max(difference(run.column("BUSH", step), run.column("BUSH", first)),
+                    abs(k[step, "TOP"] / k[first, "TOP"] - 1.0))
+        rows.append(Row("ASM", f"{step} is {first}: pressures and K1", run, number=error, reference=0.0,
+                        allowed=1e-10, error=error))
+    parts = Run(program, ASSEMBLY.format(parts=7))
+    error = difference(parts.column("BUSH", "LOAD"), run.column("BUSH", "LOAD"))
+    rows.append(Row("ASM", "fit and load in seven parts", parts, number=error, reference=0.0, allowed=1e-10,
+                    error=error))
+    return rows
