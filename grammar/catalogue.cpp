@@ -69,6 +69,7 @@ constexpr std::array quantities{
     ResultQuantity{"S.P3.AT", "aazs?a", stress, "third principal stress at a point"},
     ResultQuantity{"REACTION", "nsd?a", force, "force of the supports on a set"},
     ResultQuantity{"ENERGY", "es?a", energy, "strain energy of a net, of all with *"},
+    ResultQuantity{"ERROR", "es?a", number, "estimated error of a net in the energy norm, 0 to 1"},
     ResultQuantity{"N", "a", number, "cycles at a crack length (not in this version)"},
     ResultQuantity{"LIFE", "", number, "cycles to the end (not in this version)"},
 };

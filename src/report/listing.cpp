@@ -81,8 +81,9 @@ std::string increment_text(const model::Model& model, const results::Increment& 
       out += fmt::format("note: step {}: {}\n", step.step, note);
     }
   }
-  for (const Table& table : {balance_table(model, increment), net_balance_table(model, increment),
-                             contact_table(model, increment), k_table(model, increment)}) {
+  for (const Table& table :
+       {balance_table(model, increment), net_balance_table(model, increment),
+        error_table(increment), contact_table(model, increment), k_table(model, increment)}) {
     if (!table.rows.empty()) {
       (out += '\n') += to_text(table);
     }

@@ -16,6 +16,7 @@ import sweeps_lug
 from program import TOP
 
 SWEEPS = {
+    "LAW": ("pressure along the surface against closed forms (L2)", sweeps_contact.pressure_laws),
     "S02": ("no penalty: settings change nothing", sweeps_contact.no_penalty),
     "S03": ("clearance through zero into interference (half angle of contact, degrees)",
             sweeps_contact.clearance),

@@ -165,3 +165,42 @@ def in_units(text, words, stress, length):
     text = changed(text, ("LENGTH=mm FORCE=N", words))
     text = re.sub(r"(\b(?:RI|RO|X0|THICK|INTERFERENCE|DIAMETRAL|GAP)=)(-?[0-9.]+)", scaled, text)
     return re.sub(r"( E=)([0-9.e]+)", lambda m: f"{m.group(1)}{float(m.group(2)) * stress:.17g}", text)
+
+
+def law_error(places, found, exact):
+    """L2 norm of found - exact over that of exact, trapezes between `places`."""
+    def norm(values):
+        return math.sqrt(sum(0.5 * (a * a + b * b) * (t - s) for s, t, a, b in
+                             zip(places, places[1:], values, values[1:])))
+    wanted = [exact(s) for s in places]
+    return norm([f - w for f, w in zip(found, wanted)]) / norm(wanted)
+
+
+def pressure_laws(program, full):
+    """Pressures along the surface against closed forms, L2."""
+    rows = []
+    a = math.sqrt(4.0 * 500.0 * 10.0 / (math.pi * 210000.0 / (1.0 - 0.09) / 2.0))
+    peak = 2.0 * 500.0 / (math.pi * a)
+    for n, elements, allowed in ((1.0, 24, 0.02), (0.5, 12, 0.04), (2.0, 47, 0.01)) if full else ((1.0, 24, 0.02),):
+        run = Run(program, without_checks(text_of("hertz_line")), [f"n={n}"])
+        part = [r for r in run.pressures("LINE", "PRESS") if float(r["x"]) < 1.2 * a]
+        error = law_error([float(r["x"]) for r in part], [float(r["p_lumped"]) for r in part],
+                          lambda x: peak * math.sqrt(max(0.0, 1.0 - (x / a) ** 2)))
+        rows.append(Row("LAW", f"C03 Hertz, {elements} elements over the half width", run, number=error,
+                        reference=0.0, allowed=allowed, error=error))
+    run = Run(program, without_checks(text_of("lame_strain")))
+    points = run.pressures("FITC", "PRESS")
+    error = law_error([-math.radians(float(r["theta"])) for r in points],
+                      [float(r["p_lumped"]) for r in points], lambda _: 25.080902)
+    rows.append(Row("LAW", "Lame, triangles of 6 mm, plane strain", run, number=error, reference=0.0,
+                    allowed=2e-3, error=error))
+    for n, allowed in ((1, 2e-3), (4, 1e-4)) if full else ((1, 2e-3),):
+        run = Run(program, without_checks(text_of("contact_rings")), [f"n={n}"])
+        for contact in ("FEW", "GEO"):
+            for step, wanted in (("A", 0.8), ("B", 0.2)):
+                points = run.pressures(contact, step)
+                error = law_error([math.radians(float(r["theta"])) for r in points],
+                                  [float(r["p_lumped"]) for r in points], lambda _, w=wanted: w)
+                rows.append(Row("LAW", f"C02 {step}, pair {contact}, {16 * n} elements round", run, number=error,
+                                reference=0.0, allowed=allowed, error=error))
+    return rows
