@@ -5,9 +5,11 @@ warning, or a refusal that names its cause.
 
     tests/stability/stability.py PROGRAM [--full] [--write] [SWEEP ..]
 
---full (or SPRICKA_FULL in the environment) runs all rows; --write makes manual/stability.md.
+--full (or SPRICKA_FULL in the environment) runs all rows; --write makes manual/stability.md, or makes the
+sections of the sweeps named anew.
 """
 import os
+import re
 import sys
 
 import sweeps_contact
@@ -53,20 +55,29 @@ def table(rows):
     return "".join(out)
 
 
+def write(parts):
+    """Puts sections [name] into manual/stability.md, beside those it has, in the order of SWEEPS."""
+    path = TOP / "manual" / "stability.md"
+    old = path.read_text(encoding="utf-8") if path.exists() else ""
+    for section in re.split(r"^(?=## )", old, flags=re.M)[1:]:
+        parts.setdefault(section[3:6], section.rstrip() + "\n\n")
+    text = HEAD + "".join(parts[name] for name in SWEEPS if name in parts)
+    path.write_text(text.rstrip() + "\n", encoding="utf-8")
+
+
 def main():
     words = [w for w in sys.argv[2:] if not w.startswith("--")]
     full = "--full" in sys.argv or "SPRICKA_FULL" in os.environ
-    text, wrong = HEAD, 0
+    parts, wrong = {}, 0
     for name, (title, sweep) in SWEEPS.items():
         if words and name not in words:
             continue
         rows = sweep(sys.argv[1], full)
         wrong += sum(not row.ok for row in rows)
-        part = f"## {name}: {title}\n\n{table(rows)}\n"
-        print(part)
-        text += part
+        parts[name] = f"## {name}: {title}\n\n{table(rows)}\n"
+        print(parts[name])
     if "--write" in sys.argv:
-        (TOP / "manual" / "stability.md").write_text(text.rstrip() + "\n", encoding="utf-8")
+        write(parts)
     print(f"{wrong} wrong")
     return 1 if wrong else 0
 

@@ -29,7 +29,19 @@ def pairings(program, full):
             found = k["LOAD", tip]
             rows.append(Row("LUG", f"{case}, {tip}", run, number=found, reference=first["LOAD", tip],
                             allowed=2e-4))
-    return rows
+    return worst(rows) if full else rows
+
+
+def worst(rows, size=40):
+    """Of each `size` rows the one with the largest error, and all that are wrong."""
+    kept = [row for row in rows if not row.ok]
+    for first in range(0, len(rows), size):
+        part = [row for row in rows[first:first + size] if row.ok]
+        if part:
+            row = max(part, key=lambda r: r.error)
+            row.case = f"worst of {len(part) // 2}: {row.case}"
+            kept.append(row)
+    return kept
 
 
 def directions(program, _full):
