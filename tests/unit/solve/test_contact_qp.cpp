@@ -65,6 +65,12 @@ TEST(ContactQp, ModeThatNoRowTouchesRestsOrIsNamed) {
   EXPECT_EQ(s.status, ContactStatus::solved);
   EXPECT_EQ(s.resting_modes, 1);
   EXPECT_EQ(s.alpha(2), 0.0);
+  p.h(2) = 1e-9; // the moment of a meshed shape: told, and nothing of the force is lost to it
+  const ContactSolution turned = solve(p);
+  EXPECT_EQ(turned.status, ContactStatus::solved);
+  EXPECT_NEAR(turned.left_over, 1e-7, 1e-12);
+  EXPECT_NEAR(p.B.col(0).dot(turned.lambda), -0.01, 1e-15);
+  EXPECT_EQ(turned.alpha(2), 0.0);
   p.h(2) = 1e-6;
   const ContactSolution loaded = solve(p);
   EXPECT_EQ(loaded.status, ContactStatus::unheld_mode);
