@@ -1,23 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "contact/recovery.hpp"
+
 #include <vector>
 
 namespace spricka::contact {
-
-/// A node of a contact surface: whether it belongs to the part that is looked for (closed, or
-/// sticking), and what falls to zero at the end of that part (pressure, or what the shear lacks).
-struct ArcNode {
-  double s = 0.0; ///< along the surface; an angle [rad] where it is round
-  bool in = false;
-  double strength = 0.0;
-};
 
 struct Arc {
   double from = 0.0, to = 0.0;
 };
 
-/// The longest run of nodes of that part. Its ends lie where strength^2 of the last two nodes,
-/// carried on linearly, is zero (square-root law; manual, contact.11). `round`: s closes on itself.
-Arc longest_arc(std::vector<ArcNode> nodes, bool round);
+/// The longest closed stretch of a surface: angles about its circle's centre [rad], `from` between
+/// -pi and pi, a whole circle -pi .. pi; on straight surfaces lengths along the chain. `nodes` are
+/// those of the chains, in order; `multipliers`: p_consistent holds the pressure, else p_lumped. A
+/// stretch ends where a pressure like a square root with the force and moment of the last three
+/// closed nodes does (contact.11), or with its surface; it goes on across a crack's mouth.
+Arc longest_arc(const Surface& surface, const std::vector<NodePressure>& nodes, bool multipliers);
 
 } // namespace spricka::contact

@@ -2,11 +2,11 @@
 #include "contact/recovery.hpp"
 
 #include "contact/arc.hpp"
+#include "contact/smooth.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <unordered_map>
 
 #include <Eigen/SparseCholesky>
@@ -20,7 +20,7 @@ constexpr std::array<double, 4> gauss_r{-0.8611363115940526, -0.3399810435848563
 constexpr std::array<double, 4> gauss_w{0.3478548451374538, 0.6521451548625461, 0.6521451548625461,
                                         0.3478548451374538};
 
-using Numbering = std::map<base::NodeId, Eigen::Index>;
+constexpr double covered = 1e-4; // of a hat's area: what integration may miss
 
 // Surface mass matrix C = sum over edges of integral N N^T, times thickness.
 Eigen::SparseMatrix<double> surface_mass(const Surface& surface, double thickness,
@@ -124,16 +124,6 @@ void mark_lips(const Surface& surface, std::vector<Place>& places) {
   }
 }
 
-// Coordinates along the surface: the angle on a circle.
-std::vector<ArcNode> arc_nodes(const std::vector<NodePressure>& nodes, bool round) {
-  std::vector<ArcNode> arc;
-  arc.reserve(nodes.size());
-  for (const NodePressure& n : nodes) {
-    arc.push_back({round ? n.theta : n.arc, n.closed, n.p_lumped});
-  }
-  return arc;
-}
-
 // Nodal force vectors of the contact side, and the total on it.
 struct SideForce {
   std::unordered_map<std::int32_t, base::Vec3> node;
@@ -160,19 +150,100 @@ SideForce side_force(const PairRows& pair, const base::Vector& lambda, const Num
   return force;
 }
 
+// Of the normal rows first, then of tangents.
+struct Multipliers {
+  const base::Vector& lambda;
+  const std::vector<bool>& closed;
+};
+
 struct NodalPressure {
   base::Vector lumped, consistent;
   base::Vector shear_lumped, shear_consistent;
 };
 
+// Integrals over each node's edges: of its shape function times the cosine between the normal there
+// and the node's own, and of its hat.
+struct NodeArea {
+  base::Vector facing, hat;
+};
+
+NodeArea node_areas(const Surface& surface, double thickness, const std::vector<Place>& places,
+                    const Numbering& number) {
+  const auto n = static_cast<Eigen::Index>(number.size());
+  NodeArea area{base::Vector::Zero(n), base::Vector::Zero(n)};
+  std::vector<Vec2> normal(number.size());
+  for (const Place& p : places) {
+    normal[static_cast<std::size_t>(number.at(p.at.node))] = p.normal;
+  }
+  const auto add = [&](const Edge& edge, double xi, double weight) {
+    const std::array<double, 3> N = edge_N(edge, xi);
+    const std::array<double, 3> hat = edge_hats(edge, xi);
+    const Vec2 here = surface_normal(surface, edge, xi);
+    const double w = weight * tangent_on(edge, xi).norm() * thickness;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(edge.count); ++i) {
+      const Eigen::Index k = number.at(edge.nodes[i]);
+      area.facing[k] += w * N[i] * here.dot(normal[static_cast<std::size_t>(k)]);
+      area.hat[k] += w * hat[i];
+    }
+  };
+  for (const EdgeChain& chain : surface.chains) {
+    for (const Edge& edge : chain.edges) {
+      for (const double half : {-0.5, 0.5}) {
+        for (std::size_t g = 0; g < gauss_r.size(); ++g) {
+          add(edge, half + 0.5 * gauss_r[g], 0.5 * gauss_w[g]);
+        }
+      }
+    }
+  }
+  return area;
+}
+
+// Edges that face the other surface with their whole length and, if asked, are closed at every
+// node, chain by chain.
+std::vector<bool> whole_edges(const PairRows& pair, const base::Vector& hat,
+                              const Numbering& number, const std::vector<bool>* closed) {
+  std::vector<bool> good(number.size(), false);
+  for (std::size_t i = 0; i < pair.normal.size(); ++i) {
+    const Eigen::Index k = number.at(pair.normal[i].node);
+    good[static_cast<std::size_t>(k)] =
+        std::abs(pair.normal[i].area - hat[k]) <= covered * hat[k] && (!closed || (*closed)[i]);
+  }
+  std::vector<bool> whole;
+  for (const EdgeChain& chain : pair.contact.chains) {
+    for (const Edge& edge : chain.edges) {
+      whole.push_back(
+          std::all_of(edge.nodes.begin(), edge.nodes.begin() + edge.count, [&](base::NodeId node) {
+            return good[static_cast<std::size_t>(number.at(node))];
+          }));
+    }
+  }
+  return whole;
+}
+
+// A node at the rim of the paired part has the pressure of its row: its force belongs to a part of
+// its area only.
+void rim_pressure(const PairRows& pair, const Numbering& number, const std::vector<bool>& whole,
+                  const base::Vector& lambda, base::Vector& pressure) {
+  std::size_t e = 0;
+  for (const EdgeChain& chain : pair.contact.chains) {
+    for (const Edge& edge : chain.edges) {
+      for (std::size_t i = 0; i < static_cast<std::size_t>(edge.count) && !whole[e]; ++i) {
+        pressure[number.at(edge.nodes[i])] = lambda[number.at(edge.nodes[i])];
+      }
+      ++e;
+    }
+  }
+}
+
 // The corner function of a quadratic edge has no first moment about its node, so the lumped
-// pressure is right to second order even where edges of different length meet.
-NodalPressure recover(const PairRows& pair, const base::Vector& lambda, const SideForce& force,
+// pressure is right to second order even where edges of different length meet; the second moment
+// meets the turn of the normal, which the facing areas count.
+NodalPressure recover(const PairRows& pair, const Multipliers& row, const SideForce& force,
                       const std::vector<Place>& places, const Numbering& number) {
   const double thickness = std::min(pair.contact.thickness, pair.target.thickness);
-  const Eigen::SparseMatrix<double> C = surface_mass(pair.contact, thickness, number);
-  base::Vector R = base::Vector::Zero(C.rows());
-  base::Vector T = base::Vector::Zero(C.rows()); // along the tangent, normal turned to the left
+  const auto n = static_cast<Eigen::Index>(number.size());
+  base::Vector R = base::Vector::Zero(n);
+  base::Vector T = base::Vector::Zero(n); // along the tangent, normal turned to the left
   for (const Place& p : places) {
     const auto at = force.node.find(p.at.node.value);
     if (at != force.node.end()) {
@@ -180,26 +251,33 @@ NodalPressure recover(const PairRows& pair, const base::Vector& lambda, const Si
       T[number.at(p.at.node)] = at->second.head<2>().dot(Vec2(-p.normal.y(), p.normal.x()));
     }
   }
-  const base::Vector lump = C * base::Vector::Ones(C.cols());
-  NodalPressure p{R.cwiseQuotient(lump), base::Vector::Zero(C.rows()), base::Vector::Zero(C.rows()),
-                  base::Vector::Zero(C.rows())};
-  if (!pair.tangent.empty()) {
-    p.shear_lumped = T.cwiseQuotient(lump);
-  }
-  if (pair.segments) {
-    for (std::size_t i = 0; i < pair.normal.size(); ++i) {
-      p.consistent[number.at(pair.normal[i].node)] = lambda[static_cast<Eigen::Index>(i)];
+  const NodeArea area = node_areas(pair.contact, thickness, places, number);
+  NodalPressure p{R.cwiseQuotient(area.facing), base::Vector::Zero(n), T.cwiseQuotient(area.facing),
+                  base::Vector::Zero(n)};
+  if (!pair.segments) {
+    const Eigen::SparseMatrix<double> C = surface_mass(pair.contact, thickness, number);
+    const base::Vector lump = C * base::Vector::Ones(n);
+    const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factor(C);
+    p.consistent = factor.solve(p.lumped.cwiseProduct(lump));
+    if (!pair.tangent.empty()) {
+      p.shear_consistent = factor.solve(p.shear_lumped.cwiseProduct(lump));
     }
+    return p;
+  }
+  for (std::size_t i = 0; i < pair.normal.size(); ++i) {
+    p.consistent[number.at(pair.normal[i].node)] = row.lambda[static_cast<Eigen::Index>(i)];
+  }
+  const std::vector<bool> paired = whole_edges(pair, area.hat, number, nullptr);
+  const std::vector<bool> sound = whole_edges(pair, area.hat, number, &row.closed);
+  rim_pressure(pair, number, paired, p.consistent, p.lumped);
+  smooth_pressure(pair.contact, number, sound, p.consistent, p.lumped);
+  if (!pair.tangent.empty()) { // shear is treated as pressure, so that their ratio keeps its bound
     for (std::size_t i = 0; i < pair.tangent.size(); ++i) {
       p.shear_consistent[number.at(pair.tangent[i].node)] =
-          -lambda[static_cast<Eigen::Index>(pair.normal.size() + i)];
+          -row.lambda[static_cast<Eigen::Index>(pair.normal.size() + i)];
     }
-  } else {
-    const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factor(C);
-    p.consistent = factor.solve(R);
-    if (!pair.tangent.empty()) {
-      p.shear_consistent = factor.solve(T);
-    }
+    rim_pressure(pair, number, paired, p.shear_consistent, p.shear_lumped);
+    smooth_pressure(pair.contact, number, sound, p.shear_consistent, p.shear_lumped);
   }
   return p;
 }
@@ -215,7 +293,7 @@ PairPressure recover_pressure(const PairRows& pair, const base::Vector& lambda,
     number.try_emplace(p.at.node, static_cast<Eigen::Index>(number.size()));
   }
   const SideForce force = side_force(pair, lambda, number);
-  const NodalPressure p = recover(pair, lambda, force, places, number);
+  const NodalPressure p = recover(pair, {lambda, closed}, force, places, number);
 
   PairPressure result;
   result.force_on_slave = pair.swapped ? base::Vec3(-force.total) : force.total;
@@ -247,8 +325,7 @@ PairPressure recover_pressure(const PairRows& pair, const base::Vector& lambda,
     }
     result.nodes.push_back(place.at);
   }
-  const bool round = pair.contact.circle.has_value();
-  const Arc arc = longest_arc(arc_nodes(result.nodes, round), round);
+  const Arc arc = longest_arc(pair.contact, result.nodes, pair.segments);
   result.arc_from = arc.from;
   result.arc_to = arc.to;
   return result;

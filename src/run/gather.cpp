@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/gather.hpp"
 
-#include "contact/arc.hpp"
+#include "contact/marked_arc.hpp"
 #include "crack/stress_intensity.hpp"
 #include "run/body_force.hpp"
 #include "run/tip_name.hpp"
@@ -102,7 +102,7 @@ void gather_friction(const Scene& scene, const StepState& state, std::size_t c,
     }
     arc.push_back(node);
   }
-  const contact::Arc stick = contact::longest_arc(std::move(arc), round);
+  const contact::Arc stick = contact::marked_arc(std::move(arc), round);
   result.stick_from = stick.from;
   result.stick_to = stick.to;
   result.friction_work = friction.work;

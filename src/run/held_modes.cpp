@@ -182,7 +182,7 @@ std::vector<Refusal> unheld_loads(const model::Model& model, const Scene& scene,
     const double scale =
         std::max((scene.case_load * factors.case_factor).lpNorm<1>(), h.cwiseAbs().maxCoeff());
     const solve::ModeSplit split = solve::split_modes(B, 0.0);
-    base::Vector motion = solve::unfelt_motion(split, h, solve::rest_load * scale);
+    base::Vector motion = solve::unfelt_motion(split, h, solve::resting_load * scale);
     if (motion.size() == 0) {
       // Stiffness plays no part in whether rows can take the loads.
       const base::Matrix none;
@@ -196,8 +196,7 @@ std::vector<Refusal> unheld_loads(const model::Model& model, const Scene& scene,
       solve::HeldProblem cones = plain;
       cones.B = solve::friction_cones(plain.B, equality, friction).B;
       const solve::Holding holding = solve::hold_loads(cones);
-      motion =
-          solve::opening_motion(split, holding, solve::rest_load * std::max(scale, plain.h.norm()));
+      motion = solve::opening_motion(split, holding, solve::rest_load * std::max(scale, h.norm()));
       if (motion.size() > 0 && !friction.empty()) {
         motion = solve::sliding_motion(split, plain, friction, holding);
       }

@@ -107,7 +107,8 @@ inline int pivoted_cholesky(int n, Block A, double tolerance, std::vector<int>& 
   return rank;
 }
 
-/// A [n, n] <- its LU factors with partial pivoting, order [n] of the rows; false when a pivot is 0.
+/// A [n, n] <- its LU factors with partial pivoting, order [n] of the rows; false when a pivot is
+/// 0.
 inline bool lu(int n, Block A, std::vector<int>& order) {
   int info = 0;
   order.resize(static_cast<std::size_t>(n));

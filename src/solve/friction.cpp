@@ -213,10 +213,10 @@ FrictionSolution solve_friction(const FrictionProblem& problem, const ContactSet
   // 1. modes that no row touches, and loads that no force within the cones can take
   const ModeSplit split = split_modes(contact.B, contact.opening_scale);
   c.resting_modes = static_cast<int>(split.unfelt.cols());
-  c.unheld = unfelt_motion(split, contact.h, rest_load * scale);
+  c.unheld = unfelt_motion(split, contact.h, resting_load * scale);
   HeldProblem held = held_problem(contact, split);
   if (c.unheld.size() == 0) {
-    const double least = rest_load * std::max(scale, held.h.norm());
+    const double least = rest_load * std::max(scale, contact.h.norm());
     const Holding holding =
         hold_loads(force_cones(held.B, held.h, held.equality, problem.friction));
     c.unheld = opening_motion(split, holding, least);
