@@ -16,6 +16,9 @@ namespace {
 
 constexpr double off_normal = 1e-3; // of the mean edge length
 constexpr double far_share = 0.2;   // of the contact surface's extent
+// About an axis the corner of a quadratic edge that lies on the axis has no area: no force acts
+// there, and its row would say nothing. Share of the square of the mean edge length.
+constexpr double no_area = 1e-9;
 
 // A node with the sum of its edges' normals and its share of their area.
 struct SurfaceNode {
@@ -30,14 +33,29 @@ struct SurfaceNodes {
   std::vector<base::NodeId> order;
 };
 
-SurfaceNodes collect(const Surface& surface, double thickness) {
+// Integral of each shape function over an edge times the depth there: what a uniform pressure puts
+// on the nodes. Three Gauss points: exact on straight edges, about an axis as well.
+std::array<double, 3> nodal_areas(const Edge& edge, const PairRows& pair) {
+  constexpr std::array<double, 3> gauss_r{-0.7745966692414834, 0.0, 0.7745966692414834};
+  constexpr std::array<double, 3> gauss_w{5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
+  std::array<double, 3> area{};
+  for (std::size_t g = 0; g < gauss_r.size(); ++g) {
+    const std::array<double, 3> N = edge_N(edge, gauss_r[g]);
+    const double w = gauss_w[g] * tangent_on(edge, gauss_r[g]).norm() *
+                     depth_at(pair.contact, pair.target, point_on(edge, gauss_r[g]));
+    for (std::size_t i = 0; i < area.size(); ++i) {
+      area[i] += w * N[i];
+    }
+  }
+  return area;
+}
+
+SurfaceNodes collect(const Surface& surface, const PairRows& pair) {
   SurfaceNodes all;
   for (const EdgeChain& chain : surface.chains) {
     for (const Edge& edge : chain.edges) {
-      const bool curved = edge.count == 3;
       const std::array<double, 3> xi{-1.0, 1.0, 0.0};
-      const std::array<double, 3> share =
-          curved ? std::array{1.0 / 6.0, 1.0 / 6.0, 4.0 / 6.0} : std::array{0.5, 0.5, 0.0};
+      const std::array<double, 3> area = nodal_areas(edge, pair);
       for (const std::size_t i : {std::size_t{0}, std::size_t{2}, std::size_t{1}}) {
         if (static_cast<int>(i) >= edge.count) {
           continue;
@@ -48,7 +66,7 @@ SurfaceNodes collect(const Surface& surface, double thickness) {
         }
         at->second.x = edge.x[i];
         at->second.normal += surface_normal(surface, edge, xi[i]);
-        at->second.area += share[i] * edge.length * thickness;
+        at->second.area += area[i];
       }
     }
   }
@@ -76,9 +94,8 @@ std::optional<base::NodeId> partner(const SurfaceNode& node, const Vec2& n,
 } // namespace
 
 void node_rows(PairRows& pair, std::optional<double> declared_gap, bool bonded) {
-  const double thickness = std::min(pair.contact.thickness, pair.target.thickness);
-  const SurfaceNodes nodes = collect(pair.contact, thickness);
-  const SurfaceNodes targets = collect(pair.target, thickness);
+  const SurfaceNodes nodes = collect(pair.contact, pair);
+  const SurfaceNodes targets = collect(pair.target, pair);
   int lonely = 0;
   for (const base::NodeId id : nodes.order) {
     const SurfaceNode& node = nodes.node.at(id);
@@ -89,6 +106,10 @@ void node_rows(PairRows& pair, std::optional<double> declared_gap, bool bonded) 
       continue;
     }
     pair.found = true;
+    if (pair.contact.axial &&
+        node.area <= no_area * pair.contact.mean_length * pair.contact.mean_length) {
+      continue;
+    }
     const double gap = declared_gap ? *declared_gap : (targets.node.at(*other).x - node.x).dot(n);
     RowBuilder row;
     row.add(id, -node.area * n);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/recovery.hpp"
 
+#include "contact/arc.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <unordered_map>
 
 #include <Eigen/SparseCholesky>
@@ -20,20 +21,20 @@ constexpr std::array<double, 4> gauss_w{0.3478548451374538, 0.6521451548625461, 
 
 using Numbering = std::map<base::NodeId, Eigen::Index>;
 
-// Surface mass matrix C = sum over edges of integral N N^T, times thickness.
-Eigen::SparseMatrix<double> surface_mass(const Surface& surface, double thickness,
-                                         const Numbering& number) {
+// Surface mass matrix C = sum over edges of integral N N^T, times the depth.
+Eigen::SparseMatrix<double> surface_mass(const PairRows& pair, const Numbering& number) {
   std::vector<Eigen::Triplet<double>> entries;
   const auto add = [&](const Edge& edge, double xi, double weight) {
     const std::array<double, 3> N = edge_N(edge, xi);
-    const double w = weight * tangent_on(edge, xi).norm() * thickness;
+    const double w = weight * tangent_on(edge, xi).norm() *
+                     depth_at(pair.contact, pair.target, point_on(edge, xi));
     for (std::size_t i = 0; i < static_cast<std::size_t>(edge.count); ++i) {
       for (std::size_t j = 0; j < static_cast<std::size_t>(edge.count); ++j) {
         entries.emplace_back(number.at(edge.nodes[i]), number.at(edge.nodes[j]), w * N[i] * N[j]);
       }
     }
   };
-  for (const EdgeChain& chain : surface.chains) {
+  for (const EdgeChain& chain : pair.contact.chains) {
     for (const Edge& edge : chain.edges) {
       for (std::size_t g = 0; g < gauss_r.size(); ++g) {
         add(edge, gauss_r[g], gauss_w[g]);
@@ -122,73 +123,6 @@ void mark_lips(const Surface& surface, std::vector<Place>& places) {
   }
 }
 
-// End of contact between a closed and an open neighbour: p^2 falls linearly (square-root law).
-double contact_end(double s_inner, double p_inner, double s_last, double p_last, double s_open) {
-  const double fall = p_inner * p_inner - p_last * p_last;
-  if (fall <= 0.0) {
-    return 0.5 * (s_last + s_open);
-  }
-  const double end = s_last + (s_last - s_inner) * p_last * p_last / fall;
-  return std::clamp(end, std::min(s_last, s_open), std::max(s_last, s_open));
-}
-
-struct Arc {
-  double from = 0.0, to = 0.0;
-};
-
-// Longest run of closed nodes along s; `turn` > 0 closes the circle.
-Arc longest_arc(const std::vector<NodePressure>& nodes, bool round) {
-  std::vector<const NodePressure*> p;
-  p.reserve(nodes.size());
-  for (const NodePressure& n : nodes) {
-    p.push_back(&n);
-  }
-  const auto s = [&](const NodePressure& n) { return round ? n.theta : n.arc; };
-  std::stable_sort(p.begin(), p.end(),
-                   [&](const NodePressure* a, const NodePressure* b) { return s(*a) < s(*b); });
-  const std::size_t n = p.size();
-  const auto closed = static_cast<std::size_t>(
-      std::count_if(p.begin(), p.end(), [](const NodePressure* q) { return q->closed; }));
-  constexpr double pi = std::numbers::pi;
-  if (closed == n && n > 0) {
-    return round && n > 2 && s(*p[n - 1]) - s(*p[0]) > 1.5 * pi ? Arc{-pi, pi}
-                                                                : Arc{s(*p[0]), s(*p[n - 1])};
-  }
-  const auto coordinate = [&](std::size_t i) {
-    return s(*p[i % n]) + 2.0 * pi * static_cast<double>(round ? i / n : 0);
-  };
-  Arc best;
-  std::size_t longest = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const bool begins = p[i]->closed && (i > 0 ? !p[i - 1]->closed : !(round && p[n - 1]->closed));
-    if (!begins) {
-      continue;
-    }
-    std::size_t j = i;
-    while ((round || j + 1 < n) && p[(j + 1) % n]->closed) {
-      ++j;
-    }
-    if (j - i + 1 <= longest) {
-      continue;
-    }
-    longest = j - i + 1;
-    best = {coordinate(i), coordinate(j)};
-    if (j > i && (round || i > 0)) {
-      const double open = i > 0 ? coordinate(i - 1) : s(*p[n - 1]) - 2.0 * pi;
-      best.from = contact_end(coordinate(i + 1), p[(i + 1) % n]->p_lumped, coordinate(i),
-                              p[i]->p_lumped, open);
-    }
-    if (j > i && (round || j + 1 < n)) {
-      best.to = contact_end(coordinate(j - 1), p[(j - 1) % n]->p_lumped, coordinate(j),
-                            p[j % n]->p_lumped, coordinate(j + 1));
-    }
-  }
-  if (round && best.to > pi && best.from > 0.0 && best.from >= pi) {
-    best = {best.from - 2.0 * pi, best.to - 2.0 * pi};
-  }
-  return best;
-}
-
 // Nodal force vectors of the contact side, and the total on it.
 struct SideForce {
   std::unordered_map<std::int32_t, base::Vec3> node;
@@ -219,21 +153,70 @@ struct NodalPressure {
   base::Vector lumped, consistent;
 };
 
+// Calls `mend(end, mid, next)` for the ends of chains next to the axis on quadratic edges. There
+// the corner function's area, l r / 6, is next to nothing beside its first moment: force over area
+// has no bound. The edge's other two nodes tell the pressure, which is even in r.
+template <class Mend> void for_axis_ends(const Surface& surface, Mend&& mend) {
+  const auto look = [&](const Edge& edge, std::size_t end, std::size_t next) {
+    const double reach = edge.x[next].x() - edge.x[end].x();
+    if (edge.count == 3 && edge.x[end].x() < 0.5 * reach) {
+      mend(edge, end, next);
+    }
+  };
+  for (const EdgeChain& chain : surface.chains) {
+    if (!chain.closed) {
+      look(chain.edges.front(), 0, 1);
+      look(chain.edges.back(), 1, 0);
+    }
+  }
+}
+
+void mend_axis_ends(const Surface& surface, const Numbering& number, base::Vector& p) {
+  for_axis_ends(surface, [&](const Edge& edge, std::size_t end, std::size_t next) {
+    const auto square = [&](std::size_t i) { return edge.x[i].x() * edge.x[i].x(); };
+    const double p_mid = p[number.at(edge.nodes[2])];
+    const double p_next = p[number.at(edge.nodes[next])];
+    p[number.at(edge.nodes[end])] =
+        p_mid + (p_mid - p_next) * (square(2) - square(end)) / (square(next) - square(2));
+  });
+}
+
+// A NODE pair has no row where the axis leaves a corner no area: the node does as its neighbour.
+void copy_to_axis_ends(const PairRows& pair, const std::map<base::NodeId, std::size_t>& row_of,
+                       std::vector<NodePressure>& nodes) {
+  if (!pair.contact.axial || pair.segments) {
+    return;
+  }
+  const auto at = [&](base::NodeId id) {
+    return std::find_if(nodes.begin(), nodes.end(),
+                        [&](const NodePressure& n) { return n.node == id; });
+  };
+  for_axis_ends(pair.contact, [&](const Edge& edge, std::size_t end, std::size_t) {
+    if (!row_of.contains(edge.nodes[end])) {
+      const auto neighbour = at(edge.nodes[2]);
+      at(edge.nodes[end])->closed = neighbour->closed;
+      at(edge.nodes[end])->gap = neighbour->gap;
+    }
+  });
+}
+
 // The corner function of a quadratic edge has no first moment about its node, so the lumped
 // pressure is right to second order even where edges of different length meet.
 NodalPressure recover(const PairRows& pair, const base::Vector& lambda, const SideForce& force,
                       const std::vector<Place>& places, const Numbering& number) {
-  const double thickness = std::min(pair.contact.thickness, pair.target.thickness);
-  const Eigen::SparseMatrix<double> C = surface_mass(pair.contact, thickness, number);
+  const Eigen::SparseMatrix<double> C = surface_mass(pair, number);
   base::Vector R = base::Vector::Zero(C.rows());
   for (const Place& p : places) {
     const auto at = force.node.find(p.at.node.value);
     if (at != force.node.end()) {
-      R[number.at(p.at.node)] = -at->second.head<2>().dot(p.normal);
+      R[number.at(p.at.node)] = 0.0 - at->second.head<2>().dot(p.normal);
     }
   }
   const base::Vector lump = C * base::Vector::Ones(C.cols());
   NodalPressure p{R.cwiseQuotient(lump), base::Vector::Zero(C.rows())};
+  if (pair.contact.axial) {
+    mend_axis_ends(pair.contact, number, p.lumped);
+  }
   if (pair.segments) {
     for (std::size_t i = 0; i < pair.normal.size(); ++i) {
       p.consistent[number.at(pair.normal[i].node)] = lambda[static_cast<Eigen::Index>(i)];
@@ -284,7 +267,8 @@ PairPressure recover_pressure(const PairRows& pair, const base::Vector& lambda,
     }
     result.nodes.push_back(place.at);
   }
-  const Arc arc = longest_arc(result.nodes, pair.contact.circle.has_value());
+  copy_to_axis_ends(pair, row_of, result.nodes);
+  const Arc arc = longest_arc(pair.contact, result.nodes);
   result.arc_from = arc.from;
   result.arc_to = arc.to;
   return result;

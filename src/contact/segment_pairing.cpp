@@ -23,7 +23,7 @@ struct Builders {
   std::map<base::NodeId, RowBuilder> tangent;
 };
 
-// Adds one integration point: weight w includes the line element and the thickness.
+// Adds one integration point: weight w includes the line element and the depth.
 struct Point {
   const Edge& edge;
   const Edge& target;
@@ -70,7 +70,6 @@ void add_point(const Point& p, bool bonded, Builders& rows) {
 // False if a point of the segment finds no target: its area would be lost.
 bool add_segment(const PairRows& pair, const Edge& edge, const Edge& target, const Segment& s,
                  const std::optional<double>& declared, bool bonded, Builders& rows) {
-  const double thickness = std::min(pair.contact.thickness, pair.target.thickness);
   for (std::size_t g = 0; g < gauss_r.size(); ++g) {
     const double xi = 0.5 * ((s.to + s.from) + (s.to - s.from) * gauss_r[g]);
     const Vec2 n = surface_normal(pair.contact, edge, xi);
@@ -79,7 +78,8 @@ bool add_segment(const PairRows& pair, const Edge& edge, const Edge& target, con
     if (!eta) {
       return false;
     }
-    const double w = 0.5 * (s.to - s.from) * gauss_w[g] * tangent_on(edge, xi).norm() * thickness;
+    const double w = 0.5 * (s.to - s.from) * gauss_w[g] * tangent_on(edge, xi).norm() *
+                     depth_at(pair.contact, pair.target, x);
     const double gap = declared ? *declared : (point_on(target, *eta) - x).dot(n);
     add_point({edge, target, xi, *eta, w, n, gap}, bonded, rows);
   }
@@ -87,12 +87,13 @@ bool add_segment(const PairRows& pair, const Edge& edge, const Edge& target, con
 }
 
 // What each function would weigh if its whole support were paired.
-void add_support(const Edge& edge, double thickness, Builders& rows) {
+void add_support(const PairRows& pair, const Edge& edge, Builders& rows) {
   for (const double half : {-0.5, 0.5}) {
     for (std::size_t g = 0; g < gauss_r.size(); ++g) {
       const double xi = half + 0.5 * gauss_r[g];
       const std::array<double, 3> phi = edge_hats(edge, xi);
-      const double w = 0.5 * gauss_w[g] * tangent_on(edge, xi).norm() * thickness;
+      const double w = 0.5 * gauss_w[g] * tangent_on(edge, xi).norm() *
+                       depth_at(pair.contact, pair.target, point_on(edge, xi));
       for (int i = 0; i < edge.count; ++i) {
         rows.normal[edge.nodes[static_cast<std::size_t>(i)]].whole +=
             w * phi[static_cast<std::size_t>(i)];
@@ -193,7 +194,7 @@ void segment_rows(PairRows& pair, std::optional<double> declared_gap, bool bonde
   const std::vector<const Edge*> targets = all_edges(pair.target);
   Builders rows;
   for (const Edge* edge : edges) {
-    add_support(*edge, std::min(pair.contact.thickness, pair.target.thickness), rows);
+    add_support(pair, *edge, rows);
   }
   for (const Segment& s : segments) {
     if (!add_segment(pair, *edges[s.contact_edge], *targets[s.target_edge], s, declared_gap, bonded,

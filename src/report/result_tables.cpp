@@ -21,8 +21,10 @@ std::string number(double value) {
 std::string small(double value) {
   return fmt::format("{:.2e}", value);
 }
-std::string degrees(double radians) {
-  return fmt::format("{:.1f}", radians * 180.0 / std::numbers::pi);
+/// Where contact begins or ends: an angle on a circle, else a length.
+std::string arc(const results::ContactResult& contact, double at, const base::UnitSystem& units) {
+  return contact.round ? fmt::format("{:.1f} deg", at * 180.0 / std::numbers::pi)
+                       : fmt::format("{:.4g} {}", at, units.length_name);
 }
 
 /// Directions that a resultant has: about an axis radial forces balance, whatever they are.
@@ -89,7 +91,7 @@ ContactScale contact_scale(const results::Increment& increment) {
 }
 
 Row contact_row(const results::StepResult& step, const results::ContactResult& contact,
-                const Directions& along, const ContactScale& scale) {
+                const Directions& along, const ContactScale& scale, const base::UnitSystem& units) {
   Row row{step.step, contact.name};
   if (!contact.mounted) {
     row.push_back("absent");
@@ -102,8 +104,8 @@ Row contact_row(const results::StepResult& step, const results::ContactResult& c
   row.push_back(rounded(contact.mean_pressure, scale.pressure));
   row.push_back(rounded(contact.max_pressure, scale.pressure));
   add_cells(row, contact.force_on_slave, along, scale.force);
-  row.push_back(degrees(contact.arc_from));
-  row.push_back(degrees(contact.arc_to));
+  row.push_back(arc(contact, contact.arc_from, units));
+  row.push_back(arc(contact, contact.arc_to, units));
   row.push_back(fmt::format("{}", step.iterations));
   return row;
 }
@@ -156,13 +158,13 @@ Table contact_table(const model::Model& model, const results::Increment& increme
               {}};
   const Directions along = directions(model, increment);
   add_columns(table, "force", along, units.force_name);
-  table.columns.push_back({"arc from", "deg", false});
-  table.columns.push_back({"to", "deg", false});
+  table.columns.push_back({"arc from", "", false});
+  table.columns.push_back({"to", "", false});
   table.columns.push_back({"iterations", "", false});
   const ContactScale scale = contact_scale(increment);
   for (const results::StepResult& step : increment.steps) {
     for (const results::ContactResult& contact : step.contacts) {
-      table.rows.push_back(contact_row(step, contact, along, scale));
+      table.rows.push_back(contact_row(step, contact, along, scale, units));
     }
   }
   return table;

@@ -49,7 +49,8 @@ struct ContactResult {
   double max_pressure = 0.0;
   double mean_pressure = 0.0;   ///< force magnitude integral / area in contact surface
   double max_penetration = 0.0; ///< largest negative weighted gap [length]
-  double arc_from = 0.0;        ///< contact arc on a bore [rad]; full circle: -pi .. pi
+  bool round = false;           ///< the surface lies on a circle
+  double arc_from = 0.0; ///< on a circle [rad], whole: -pi .. pi; else along the chain [length]
   double arc_to = 0.0;
   int closed = 0;
   int rows = 0;

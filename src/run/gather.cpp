@@ -83,6 +83,7 @@ void gather_contacts(const model::Model& model, const Scene& scene, const StepSt
     result.force_on_slave = p.force_on_slave;
     result.mean_pressure = p.mean_pressure;
     result.max_penetration = p.max_penetration;
+    result.round = pair.contact.circle.has_value();
     result.arc_from = p.arc_from;
     result.arc_to = p.arc_to;
     result.closed = p.closed;
