@@ -208,7 +208,6 @@ constexpr std::array cards{
     CardSpec{.name = "RIGID",
              .group = "contact",
              .keys = rigid_keys,
-             .available = false,
              .when = rigid_when,
              .doc = "A rigid target in 2D, usable as MASTER."},
     CardSpec{.name = "CRACK",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/node_pairing.hpp"
 
+#include "contact/rigid_target.hpp"
 #include "contact/row_builder.hpp"
 
 #include <algorithm>
@@ -73,10 +74,27 @@ SurfaceNodes collect(const Surface& surface, const PairRows& pair) {
   return all;
 }
 
-std::optional<base::NodeId> partner(const SurfaceNode& node, const Vec2& n,
-                                    const SurfaceNodes& targets, const Surface& contact) {
+// What a node has opposite: a node, or a point of a rigid target.
+struct Partner {
+  base::NodeId node; ///< invalid on a rigid target
+  Vec2 normal = Vec2::Zero();
+  double gap = 0.0;
+};
+
+std::optional<Partner> rigid_partner(const SurfaceNode& node, const PairRows& pair) {
+  const std::optional<RigidFoot> foot = foot_on(*pair.rigid, node.x);
+  if (!foot || foot->beyond || node.normal.dot(foot->normal) <= 0.0 ||
+      std::abs(foot->gap) > far_share * pair.contact.extent) {
+    return std::nullopt;
+  }
+  return Partner{base::NodeId(), foot->normal, foot->gap};
+}
+
+std::optional<Partner> partner(const SurfaceNode& node, const SurfaceNodes& targets,
+                               const Surface& contact) {
+  const Vec2 n = node.normal.normalized();
   double best = std::numeric_limits<double>::infinity();
-  std::optional<base::NodeId> found;
+  std::optional<Partner> found;
   for (const base::NodeId id : targets.order) {
     const SurfaceNode& other = targets.node.at(id);
     const Vec2 d = other.x - node.x;
@@ -85,7 +103,7 @@ std::optional<base::NodeId> partner(const SurfaceNode& node, const Vec2& n,
     if (other.normal.dot(n) < 0.0 && across <= off_normal * contact.mean_length &&
         std::abs(along) <= far_share * contact.extent && std::abs(along) < best) {
       best = std::abs(along);
-      found = id;
+      found = Partner{id, n, along};
     }
   }
   return found;
@@ -99,29 +117,33 @@ void node_rows(PairRows& pair, std::optional<double> declared_gap, bool bonded) 
   int lonely = 0;
   for (const base::NodeId id : nodes.order) {
     const SurfaceNode& node = nodes.node.at(id);
-    const Vec2 n = node.normal.normalized();
-    const std::optional<base::NodeId> other = partner(node, n, targets, pair.contact);
+    const std::optional<Partner> other =
+        pair.rigid ? rigid_partner(node, pair) : partner(node, targets, pair.contact);
     if (!other) {
-      ++lonely;
+      lonely += pair.rigid ? 0 : 1; // beyond a rigid target there is nothing
       continue;
     }
     pair.found = true;
+    const Vec2& n = other->normal;
     if (pair.contact.axial &&
         node.area <= no_area * pair.contact.mean_length * pair.contact.mean_length) {
       continue;
     }
-    const double gap = declared_gap ? *declared_gap : (targets.node.at(*other).x - node.x).dot(n);
     RowBuilder row;
     row.add(id, -node.area * n);
-    row.add(*other, node.area * n);
-    row.gap = node.area * gap;
+    if (other->node.valid()) {
+      row.add(other->node, node.area * n);
+    }
+    row.gap = node.area * declared_gap.value_or(other->gap);
     row.area = node.area;
     pair.normal.push_back(row.finish(id, false));
     if (bonded) {
       const Vec2 t(-n.y(), n.x());
       RowBuilder slip;
       slip.add(id, -node.area * t);
-      slip.add(*other, node.area * t);
+      if (other->node.valid()) {
+        slip.add(other->node, node.area * t);
+      }
       slip.area = node.area;
       pair.tangent.push_back(slip.finish(id, true));
     }

@@ -172,7 +172,7 @@ Table contact_table(const model::Model& model, const results::Increment& increme
 
 namespace {
 
-/// Resultants and energies of bodies or of nets, as `part` of a step says.
+/// Resultants and energies of bodies or of nets, as `part` of a step says; rigid targets last.
 Table resultants(const model::Model& model, const results::Increment& increment, Table table,
                  std::vector<results::Balance> results::StepResult::*part) {
   const Directions along = directions(model, increment);
@@ -190,13 +190,17 @@ Table resultants(const model::Model& model, const results::Increment& increment,
   double most = 0.0;
   for (const results::StepResult& step : increment.steps) {
     most = std::max(most, std::abs(step.energy));
-    for (const results::Balance& b : step.*part) {
-      scale =
-          std::max({scale, b.applied.norm(), b.reaction.norm(), b.contact.norm(), b.tie.norm()});
+    for (const std::vector<results::Balance>* const list : {&(step.*part), &step.targets}) {
+      for (const results::Balance& b : *list) {
+        scale =
+            std::max({scale, b.applied.norm(), b.reaction.norm(), b.contact.norm(), b.tie.norm()});
+      }
     }
   }
   for (const results::StepResult& step : increment.steps) {
-    for (const results::Balance& b : step.*part) {
+    std::vector<results::Balance> all = step.*part;
+    all.insert(all.end(), step.targets.begin(), step.targets.end());
+    for (const results::Balance& b : all) {
       Row row{step.step, b.body};
       add_cells(row, b.applied, along, scale);
       add_cells(row, b.reaction, along, scale);
