@@ -50,7 +50,8 @@ constexpr std::array contact_when{
 constexpr std::array rigid_keys{
     required(defines("NAME", rigid, "called by this on $CONTACT")),
     required(word("SHAPE", "LINE|ARC", "a straight or a round target")),
-    real("X0", length, anything, "first point of a LINE, centre of an ARC"),
+    real("X0", length, anything,
+         "first point of a LINE, centre of an ARC; about an axis the radius"),
     real("Y0", length, anything, "see X0"),
     real("X1", length, anything, "second point of a LINE; the body is on the left"),
     real("Y1", length, anything, "see X1"),
@@ -209,7 +210,7 @@ constexpr std::array cards{
              .group = "contact",
              .keys = rigid_keys,
              .when = rigid_when,
-             .doc = "A rigid target in 2D, usable as MASTER."},
+             .doc = "A rigid line or circle in 2D or about an axis, usable as MASTER."},
     CardSpec{.name = "CRACK",
              .group = "crack",
              .keys = crack_keys,
