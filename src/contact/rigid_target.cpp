@@ -20,8 +20,8 @@ RigidFoot foot_on_line(const model::Rigid& line, const Vec2& x) {
   const Vec2 t = chord / length;
   const double along = (x - first).dot(t);
   RigidFoot foot;
-  foot.normal = {t.y(), -t.x()}; // the body is on the left
-  foot.gap = -(x - first).dot(foot.normal);
+  foot.normal = {t.y(), -t.x()};                 // the body is on the left
+  foot.gap = 0.0 - (x - first).dot(foot.normal); // never -0
   foot.point = x + foot.gap * foot.normal;
   foot.beyond = along < -snap * length || along > (1.0 + snap) * length;
   return foot;

@@ -32,7 +32,7 @@ std::optional<std::pair<double, double>> shown(const Vec2& first, const Vec2& ch
       to = x < low || x > high ? from - 1.0 : to;
       return;
     }
-    const auto [enter, leave] = std::minmax((low - x) / step, (high - x) / step);
+    const auto [enter, leave] = std::minmax({(low - x) / step, (high - x) / step});
     from = std::max(from, enter);
     to = std::min(to, leave);
   };
