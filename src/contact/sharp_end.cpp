@@ -13,61 +13,28 @@ namespace {
 
 constexpr double at_node = 1e-6; // in xi, or of an edge's length
 
-struct Place {
-  std::size_t edge = 0;
-  std::size_t target = 0;
-  double xi = 0.0;
-};
-
 // Where the edges of a surface meet no other edge of it.
 struct EdgeEnds {
   const Edge* edge = nullptr;
   bool open_first = false; ///< xi = -1 ends the chain
   bool open_last = false;
-  std::size_t before = 0, after = 0; ///< neighbours in the chain
 };
 
 std::vector<EdgeEnds> edges_with_ends(const Surface& surface) {
   std::vector<EdgeEnds> all;
   for (const EdgeChain& chain : surface.chains) {
-    const std::size_t first = all.size();
     const std::size_t count = chain.edges.size();
     for (std::size_t i = 0; i < count; ++i) {
-      all.push_back({&chain.edges[i], !chain.closed && i == 0, !chain.closed && i + 1 == count,
-                     first + (i + count - 1) % count, first + (i + 1) % count});
+      all.push_back({&chain.edges[i], !chain.closed && i == 0, !chain.closed && i + 1 == count});
     }
   }
   return all;
 }
 
-bool covered_at(const std::vector<Segment>& segments, std::size_t edge, double xi) {
-  return std::any_of(segments.begin(), segments.end(), [&](const Segment& s) {
-    return s.contact_edge == edge && s.from - at_node <= xi && xi <= s.to + at_node;
-  });
-}
-
-// Whether the stretch next to an end of a segment is paired, too.
-bool goes_on(const std::vector<Segment>& segments, const std::vector<EdgeEnds>& edges,
-             const Segment& s, bool upward) {
-  const double xi = upward ? s.to : s.from;
-  const bool inside = std::abs(xi) < 1.0 - at_node;
-  if (inside) {
-    return std::any_of(segments.begin(), segments.end(), [&](const Segment& other) {
-      return &other != &s && other.contact_edge == s.contact_edge &&
-             std::abs((upward ? other.from : other.to) - xi) < at_node;
-    });
-  }
-  const EdgeEnds& own = edges[s.contact_edge];
-  if (upward ? own.open_last : own.open_first) {
-    return false;
-  }
-  return covered_at(segments, upward ? own.after : own.before, upward ? -1.0 : 1.0);
-}
-
 // Whether the target's surface ends opposite a point of a contact edge.
 bool target_ends(const PairRows& pair, const std::vector<EdgeEnds>& targets, const Edge& edge,
-                 const Place& at) {
-  const Vec2 x = point_on(edge, at.xi);
+                 const Segment& s, double xi) {
+  const Vec2 x = point_on(edge, xi);
   if (pair.rigid) {
     const std::optional<RigidFoot> foot = foot_on(*pair.rigid, x);
     const double near = at_node * edge.length;
@@ -75,9 +42,8 @@ bool target_ends(const PairRows& pair, const std::vector<EdgeEnds>& targets, con
            std::min((foot->point - pair.rigid->first.head<2>()).norm(),
                     (foot->point - pair.rigid->second.head<2>()).norm()) < near;
   }
-  const EdgeEnds& target = targets[at.target];
-  const std::optional<double> eta =
-      hit_on(*target.edge, x, surface_normal(pair.contact, edge, at.xi));
+  const EdgeEnds& target = targets[s.target_edge];
+  const std::optional<double> eta = hit_on(*target.edge, x, surface_normal(pair.contact, edge, xi));
   return eta && ((target.open_first && std::abs(*eta + 1.0) < 10.0 * at_node) ||
                  (target.open_last && std::abs(*eta - 1.0) < 10.0 * at_node));
 }
@@ -93,6 +59,18 @@ std::vector<base::NodeId> nodes_at(const Edge& edge, double xi) {
   return nodes;
 }
 
+// The two lips of a mouth are one place.
+void add_end(std::vector<SharpEnd>& ends, const Surface& contact, const SharpEnd& end) {
+  const auto same = std::find_if(ends.begin(), ends.end(), [&](const SharpEnd& other) {
+    return (other.x - end.x).norm() < at_node * contact.mean_length;
+  });
+  if (same == ends.end()) {
+    ends.push_back(end);
+  } else {
+    same->nodes.insert(same->nodes.end(), end.nodes.begin(), end.nodes.end());
+  }
+}
+
 } // namespace
 
 std::vector<SharpEnd> sharp_ends(const PairRows& pair) {
@@ -104,18 +82,15 @@ std::vector<SharpEnd> sharp_ends(const PairRows& pair) {
   for (const Segment& s : segments) {
     const EdgeEnds& own = edges[s.contact_edge];
     for (const bool upward : {false, true}) {
-      if (goes_on(segments, edges, s, upward)) {
-        continue;
-      }
       const double xi = upward ? s.to : s.from;
       const bool own_ends = (upward ? own.open_last : own.open_first) &&
                             std::abs(xi - (upward ? 1.0 : -1.0)) < at_node;
-      const bool other_ends =
-          target_ends(pair, targets, *own.edge, {s.contact_edge, s.target_edge, xi});
-      // What ends by distance or by turning away is open there; a body's corner on a rigid target
-      // is one of a right angle or less.
+      const bool other_ends = target_ends(pair, targets, *own.edge, s, xi);
+      // A target that ends where another begins is a crack mouth. What ends by distance or by
+      // turning away is open there; a body's corner on a rigid target is one of a right angle or
+      // less.
       if (own_ends ? !other_ends && !pair.rigid : other_ends) {
-        ends.push_back({point_on(*own.edge, xi), nodes_at(*own.edge, xi)});
+        add_end(ends, pair.contact, {point_on(*own.edge, xi), nodes_at(*own.edge, xi)});
       }
     }
   }

@@ -99,8 +99,8 @@ std::string unbounded_note(const results::ContactResult& contact) {
   if (contact.unbounded.size() > most) {
     places.push_back(fmt::format("{} more", contact.unbounded.size() - most));
   }
-  return fmt::format("{} is pressed up to an edge, where the pressure has no bound: its largest "
-                     "value belongs to the mesh ({})",
+  return fmt::format("{} is pressed up to an edge of one surface, where pressure in general has "
+                     "no bound: its largest value belongs to the mesh ({})",
                      contact.name, fmt::join(places, ", "));
 }
 

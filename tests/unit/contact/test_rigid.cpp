@@ -6,6 +6,7 @@
 #include "two_blocks.hpp"
 #include "two_rings.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -224,6 +225,38 @@ TEST(SharpEnd, IsWhereOneSurfaceEndsAndTheOtherGoesOn) {
     const std::vector<double> edge = places(test::two_blocks(spec));
     ASSERT_EQ(edge.size(), 1U);
     EXPECT_NEAR(edge[0], 0.55, 1e-12);
+  }
+}
+
+// The mouth of a crack in either surface: a double node where a closed circle is cut open.
+TEST(SharpEnd, IsAlsoTheMouthOfACrack) {
+  for (const bool inner : {true, false}) {
+    model::Model model = test::two_rings(16, 20, ElementType::quamc8, inner ? 1.0 : 0.1);
+    model::Mesh& mesh = model.mesh;
+    const model::FaceSet& set =
+        mesh.set(inner ? model.contacts[0].slave : model.contacts[0].master);
+    const std::size_t e = set.faces.front().element.index();
+    const base::NodeId shared = [&] { // of the first face's element and the next one's, on r = 2
+      for (const base::NodeId n : mesh.nodes_of(base::ElementId(e))) {
+        const auto next = mesh.nodes_of(set.faces[1].element);
+        if (std::abs(mesh.x[n.index()].norm() - 2.0) < 1e-9 &&
+            std::find(next.begin(), next.end(), n) != next.end()) {
+          return n;
+        }
+      }
+      return base::NodeId();
+    }();
+    ASSERT_TRUE(shared.valid());
+    const base::NodeId twin =
+        model::add_node(mesh, mesh.x[shared.index()], 9999, mesh.node_net[shared.index()]);
+    std::replace(mesh.nodes.begin() + mesh.first[e], mesh.nodes.begin() + mesh.first[e + 1], shared,
+                 twin);
+    const contact::PairRows pair = pair_of(model);
+    ASSERT_TRUE(pair.found);
+    EXPECT_EQ(pair.swapped, !inner);
+    const std::vector<contact::SharpEnd> ends = contact::sharp_ends(pair);
+    ASSERT_EQ(ends.size(), 1U);
+    EXPECT_LT((ends[0].x - mesh.x[shared.index()].head<2>()).norm(), 1e-3);
   }
 }
 

@@ -229,5 +229,68 @@ $END
   EXPECT_NEAR(solved->u(lo).y(), -100.0 / 1e5 * 2.5, 1e-12);
 }
 
+// Discs glued together on meshes that do not match are one disc: pulled, pressed, the same pressure
+// (negative: tension) comes through.
+TEST(AxialContact, BondedDiscsCarryTension) {
+  for (const char* pairing : {"SEGMENT", "NODE"}) {
+    const auto solved = solve_text(fmt::format(R"($DECK VERSION=1 LENGTH=mm FORCE=N
+$NET NAME=LO
+  $MESH SHAPE=BLOCK TYPE=QUAMC8 LX=10 LY=5 NX={} NY=2
+$ENDNET
+$NET NAME=UP
+  $MESH SHAPE=BLOCK TYPE=QUAMC8 Y0=5 LX=10 LY=5 NX=4 NY=2
+$ENDNET
+$MATERIAL NAME=M E=1e5 NU=0.3
+$PROPERTY ESET=LO.BODY MATERIAL=M STATE=AXI
+$PROPERTY ESET=UP.BODY MATERIAL=M STATE=AXI
+$FREEDOM CLASS=SUPPRESSED DOF=Y
+  LO.YMIN
+$CONTACT NAME=GLUE SLAVE=UP.YMIN MASTER=LO.YMAX TYPE=BONDED PAIRING={}
+$LOAD CASE=L TYPE=PRESSURE
+  UP.YMAX -100
+$STEP NAME=S
+  LOAD L 1
+$END
+)",
+                                               pairing == std::string("NODE") ? 4 : 7, pairing));
+    ASSERT_TRUE(solved);
+    const results::ContactResult& c = solved->step().contacts[0];
+    for (const results::ContactPoint& p : c.points) {
+      EXPECT_NEAR(p.p_lumped, -100.0, 1e-8) << pairing << " at " << p.x.x();
+    }
+    EXPECT_NEAR(solved->u(solved->node_at({10.0, 10.0, 0.0})).x(), -0.3 * 100.0 / 1e5 * 10.0,
+                1e-11);
+    EXPECT_NEAR(solved->u(solved->node_at({0.0, 10.0, 0.0})).y(), 100.0 / 1e5 * 10.0, 1e-11);
+  }
+}
+
+// A bore with a crack round a rigid pin: the bore's surface stays one through the mouth, the load
+// goes into the pin, and the places without bound are told.
+TEST(RigidTarget, PinInACrackedLug) {
+  const auto solved = solve_text(R"($DECK VERSION=1 LENGTH=mm FORCE=N
+$NET NAME=LUG
+  $MESH SHAPE=LUG TYPE=QUAMC8 RI=20 W=80 L=100 NR=6 NT=48
+$ENDNET
+$MATERIAL NAME=AL E=70000 NU=0.33
+$PROPERTY ESET=LUG.BODY MATERIAL=AL STATE=STRESS THICK=10
+$RIGID NAME=PIN SHAPE=ARC X0=0 Y0=0 R=20
+$CONTACT NAME=C SLAVE=LUG.BORE MASTER=PIN GAP=0
+$CRACK NAME=TOP NET=LUG ANGLE=90[deg] A0=4
+  0 20
+$LOAD CASE=L TYPE=RESULTANT
+  LUG.END -10000 0
+$STEP NAME=S
+  LOAD L 1
+$END
+)");
+  ASSERT_TRUE(solved);
+  const results::StepResult& step = solved->step();
+  EXPECT_NEAR(step.contacts[0].force_on_slave.x(), 10000.0, 1e-6);
+  ASSERT_EQ(step.targets.size(), 1U);
+  EXPECT_NEAR(step.targets[0].reaction.x(), 10000.0, 1e-6);
+  EXPECT_GT(step.tips[0].K1, 0.0);
+  EXPECT_LT(step.contacts[0].max_penetration, 1e-12);
+}
+
 } // namespace
 } // namespace spricka
