@@ -82,7 +82,8 @@ std::vector<base::Vec3> pressed_edges(const contact::PairRows& pair,
              std::ranges::find(end.nodes, n.node) != end.nodes.end();
     });
     if (pressed) {
-      places.emplace_back(end.x.x(), end.x.y(), 0.0);
+      const auto clean = [&](double c) { return std::abs(c) < 1e-9 * end.x.norm() ? 0.0 : c; };
+      places.emplace_back(clean(end.x.x()), clean(end.x.y()), 0.0);
     }
   }
   return places;
