@@ -5,6 +5,7 @@
 #include "contact/surface.hpp"
 #include "model/model.hpp"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -31,11 +32,11 @@ struct ConstraintRow {
 /// The rows of one contact pair.
 struct PairRows {
   std::vector<ConstraintRow> normal;
-  std::vector<ConstraintRow>
-      tangent;     ///< bonded pairs and those with friction, one behind each normal row
-  Surface contact; ///< side that carries the multipliers
-  Surface target;
-  bool swapped = false;  ///< the deck's master carries the multipliers
+  std::vector<ConstraintRow> tangent; ///< bonded pairs and those with friction
+  Surface contact;                    ///< side that carries the multipliers
+  Surface target;                     ///< no edges where `rigid` stands in its place
+  std::optional<model::Rigid> rigid;  ///< rows then weigh nodes of the contact side only
+  bool swapped = false;               ///< the deck's master carries the multipliers
   bool segments = false; ///< rows are weighted by hats on half edges, else by single nodes
   bool found = false;    ///< the surfaces face each other somewhere
   std::string trouble;   ///< why there are no rows (node pairing that does not match)
@@ -46,7 +47,8 @@ struct PairRows {
 /// Builds the rows of a pair on a mesh. SEGMENT: mortar with hat functions on half edges, weighted
 /// by exact segment integration (Puso and Laursen 2004 in the plane); the multipliers are
 /// non-negative functions that contain constants. NODE: nodes that lie opposite each other.
-/// Declared gaps replace the measured ones; normals are radial on circles.
+/// Declared gaps replace the measured ones; normals are radial on circles, and those of the target
+/// where that is rigid: there the slave carries the multipliers, and the rows are exact.
 PairRows pair_rows(const model::Model& model, const model::Mesh& mesh,
                    const model::Contact& contact);
 
