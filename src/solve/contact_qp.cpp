@@ -34,31 +34,6 @@ double load_scale(const ContactProblem& problem) {
   return scale;
 }
 
-/// Rigid bodies have no compliance to compare with: what makes forces and gaps alike.
-double rigid_compliance(const HeldProblem& held) {
-  const double load = held.h.cwiseAbs().maxCoeff();
-  const double gap = held.b.cwiseAbs().maxCoeff();
-  return load > 0.0 && gap > 0.0 ? gap / load : 1.0;
-}
-
-HeldProblem held_problem(const ContactProblem& problem, const ModeSplit& split) {
-  HeldProblem held{.W = problem.W,
-                   .B = problem.B * split.felt,
-                   .b = problem.b,
-                   .h = split.felt.transpose() * problem.h,
-                   .equality = problem.equality,
-                   .tau = 0.0,
-                   .d = {}};
-  held.equality.resize(static_cast<std::size_t>(held.rows()), false);
-  const base::Vector border = held.B.rowwise().squaredNorm();
-  if (held.modes() > 0) {
-    const double compliance = problem.W.trace();
-    held.tau = compliance > 0.0 ? compliance / border.sum() : rigid_compliance(held);
-  }
-  held.d = (problem.W.diagonal() + held.tau * border).cwiseMax(0.0).cwiseSqrt();
-  return held;
-}
-
 struct Search {
   bool settled = false;
   std::vector<int> best; ///< closed rows of the best regular set met
@@ -172,6 +147,7 @@ double residual_of(const HeldProblem& problem, const SetSolution& s,
 void take_solution(const HeldProblem& problem, const ModeSplit& split, const BorderedFactor& factor,
                    double scale, ContactSolution& answer) {
   SetSolution s = solve_set(problem, factor, true);
+  answer.basis = factor.rows();
   for (const int i : factor.rows()) {
     answer.closed[std::size_t(i)] = true;
   }
@@ -223,7 +199,7 @@ ContactSolution solve_contact(const ContactProblem& problem, const ContactSettin
   }
 
   // 2. loads that the rows cannot take: the motion that opens them all
-  HeldProblem held = held_problem(problem, split);
+  HeldProblem held = held_problem(problem, split.felt);
   const Holding holding = hold_loads(held);
   answer.unheld = opening_motion(split, holding, rest_load * std::max(scale, held.h.norm()));
   if (answer.unheld.size() > 0) {

@@ -21,6 +21,11 @@ struct HeldProblem {
   [[nodiscard]] int modes() const { return static_cast<int>(h.size()); }
 };
 
+struct ContactProblem;
+
+/// The problem on the modes alpha = felt a. `problem` must outlive the answer.
+HeldProblem held_problem(const ContactProblem& problem, const base::Matrix& felt);
+
 /// Rows whose pivot, over the diagonal, is below this are combinations of the rows before them.
 inline constexpr double redundancy = 1e-11;
 
