@@ -122,8 +122,7 @@ std::size_t ContactSystem::body_of_mode(Eigen::Index mode) const {
   return b;
 }
 
-ContactSystem::Answer ContactSystem::solve(const Demand& demand,
-                                           const solve::ContactSettings& settings) const {
+solve::ContactProblem ContactSystem::pose(const Demand& demand) const {
   const auto n = static_cast<Eigen::Index>(demand.rows.size());
   std::vector<base::Vector> u(bodies_.size());
   solve::ContactProblem problem;
@@ -147,8 +146,13 @@ ContactSystem::Answer ContactSystem::solve(const Demand& demand,
   }
   problem.equality = demand.equality;
   problem.load_scale = demand.load_scale;
+  return problem;
+}
 
-  Answer answer{solve::solve_contact(problem, settings, demand.start), {}};
+ContactSystem::Answer ContactSystem::solve(const Demand& demand,
+                                           const solve::ContactSettings& settings) const {
+  const auto n = static_cast<Eigen::Index>(demand.rows.size());
+  Answer answer{solve::solve_contact(pose(demand), settings, demand.start), {}};
   const solve::ContactSolution& s = answer.solution;
   if (s.status != solve::ContactStatus::solved) {
     return answer;

@@ -201,6 +201,16 @@ struct Step {
   base::Span span;
 };
 
+/// A straight path through loads and fits: (1 - t) times those at the end of step `from` and t
+/// times those of step `to`, t from 0 to `beyond`. Nothing is mounted or dismounted in between.
+struct LoadPath {
+  std::string name;
+  base::StepId from;
+  base::StepId to;
+  double beyond = 1.0;
+  base::Span span;
+};
+
 enum class GrowthLaw { increment, paris, walker, forman, nasgro, table };
 enum class GrowthDirection { path, hoop, k2_zero };
 enum class History { restart, carry_on };
@@ -311,6 +321,7 @@ struct Model {
   std::vector<TipNet> tip_nets; ///< at most one for each crack
   std::vector<Vce> vces;        ///< at most one for each crack
   std::vector<Step> steps;
+  std::vector<LoadPath> load_paths;
   std::optional<Growth> growth;
   std::vector<Output> outputs;
   std::vector<Check> checks;

@@ -18,6 +18,9 @@ struct StepFactors {
 /// some step names it. `columns` are those of Scene::case_load.
 StepFactors first_factors(const model::Model& model, Eigen::Index columns);
 
+/// Whether some step sets the factor of a contact's fit.
+bool fit_is_named(const model::Model& model, base::ContactId contact);
+
 /// The contacts that a step mounts or dismounts.
 struct MountChanges {
   std::vector<std::size_t> mounted;

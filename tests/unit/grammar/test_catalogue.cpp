@@ -20,7 +20,7 @@ TEST(Catalogue, HoldsTheWholeLanguage) {
   for (const char* name :
        {"DECK",    "PARAMETER", "INCLUDE", "NET",   "ENDNET",   "IMPORT",   "MESH",    "COOR",
         "ELEMENT", "NSET",      "ESET",    "FSET",  "MATERIAL", "PROPERTY", "FREEDOM", "MPC",
-        "LOAD",    "CONTACT",   "RIGID",   "CRACK", "TIPNET",   "VCE",      "STEP",    "GROW",
+        "LOAD",    "CONTACT",   "RIGID",   "CRACK", "TIPNET",   "VCE",      "STEP",    "LOADPATH", "GROW",
         "SWEEP",   "CONTROL",   "RESTART", "TASK",  "OUTPUT",   "CHECK",    "END"}) {
     EXPECT_NE(find_card(name), nullptr) << name;
   }
