@@ -321,7 +321,6 @@ struct Model {
   std::vector<TipNet> tip_nets; ///< at most one for each crack
   std::vector<Vce> vces;        ///< at most one for each crack
   std::vector<Step> steps;
-  std::vector<LoadPath> load_paths;
   std::optional<Growth> growth;
   std::vector<Output> outputs;
   std::vector<Check> checks;
@@ -331,6 +330,7 @@ struct Model {
   std::vector<std::string> tasks; ///< empty: the default chain
   std::vector<Unavailable> unavailable;
   std::vector<std::string> imported_files; ///< paths of what $IMPORT brought in
+  std::vector<LoadPath> load_paths;
 
   [[nodiscard]] const Property& property_of(const Mesh& m, base::ElementId e) const {
     return properties[m.property[e.index()].index()];

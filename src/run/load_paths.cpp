@@ -230,7 +230,7 @@ solve::ParametricProblem LoadPaths::problem(const End& from, const End& to,
   p.at_zero.load_scale = std::max(from.demand.load_scale, to.demand.load_scale);
   const auto n = static_cast<Eigen::Index>(from.demand.rows.size());
   p.of_force.resize(p.f0.size(), n);
-  p.of_mode = rows_.of_mode;
+  p.of_mode = rows_->of_mode;
   if (p.f0.size() == 0) {
     p.of_mode.resize(0, p.dh.size());
   }
@@ -353,14 +353,21 @@ void LoadPaths::contacts(const solve::SolutionPath& found, const End& end,
   std::ranges::stable_sort(path.changes, {}, &results::PathChange::t);
 }
 
-results::LoadPath LoadPaths::path(const model::LoadPath& card, const StepSolver& solver) const {
+solve::ParametricProblem LoadPaths::pose(const model::LoadPath& card, const StepSolver& solver) {
+  if (!rows_) {
+    rows_ = functionals(solver);
+  }
+  return problem(ends_.at(card.from.index()), ends_.at(card.to.index()), solver);
+}
+
+results::LoadPath LoadPaths::path(const model::LoadPath& card, const StepSolver& solver) {
   const End& from = ends_.at(card.from.index());
   const End& to = ends_.at(card.to.index());
   results::LoadPath out;
   out.name = card.name;
   out.from = model_.steps[card.from.index()].name;
   out.to = model_.steps[card.to.index()].name;
-  const solve::ParametricProblem posed = problem(from, to, solver);
+  const solve::ParametricProblem posed = pose(card, solver);
   solve::SolutionPath found;
   if (posed.db.size() > 0 || posed.dh.size() > 0) {
     solve::PathSettings settings;
@@ -390,10 +397,6 @@ results::LoadPath LoadPaths::path(const model::LoadPath& card, const StepSolver&
 
 std::vector<results::LoadPath> LoadPaths::follow(const StepSolver& solver) {
   std::vector<results::LoadPath> out;
-  if (model_.load_paths.empty()) {
-    return out;
-  }
-  rows_ = functionals(solver);
   for (const model::LoadPath& card : model_.load_paths) {
     out.push_back(path(card, solver));
   }

@@ -22,6 +22,9 @@ public:
   void keep(std::size_t step, const StepSolver& solver, const results::StepResult& result);
   /// All paths of the model, once the steps are done.
   [[nodiscard]] std::vector<results::LoadPath> follow(const StepSolver& solver);
+  /// The parametric problem of one path; functionals K1 and K2 of each tip.
+  [[nodiscard]] solve::ParametricProblem pose(const model::LoadPath& card,
+                                              const StepSolver& solver);
 
 private:
   /// Loads and gaps at the end of a step.
@@ -39,7 +42,7 @@ private:
   [[nodiscard]] base::Vector free_intensities(const base::Vector& case_factor) const;
   [[nodiscard]] solve::ParametricProblem problem(const End& from, const End& to,
                                                  const StepSolver& solver) const;
-  [[nodiscard]] results::LoadPath path(const model::LoadPath& card, const StepSolver& solver) const;
+  [[nodiscard]] results::LoadPath path(const model::LoadPath& card, const StepSolver& solver);
   void contacts(const solve::SolutionPath& found, const End& end, results::LoadPath& path) const;
   void tips(const solve::SolutionPath& found, const End& from, const End& to,
             results::LoadPath& path) const;
@@ -49,7 +52,7 @@ private:
   const Scene& scene_;
   const std::vector<BodyNet>& bodies_;
   std::map<std::size_t, End> ends_; ///< by step
-  Functionals rows_;
+  std::optional<Functionals> rows_; ///< made once
 };
 
 } // namespace spricka::run
