@@ -236,7 +236,7 @@ solve::ParametricProblem LoadPaths::problem(const End& from, const End& to,
   }
   for (Eigen::Index i = 0; i < n && p.f0.size() > 0; ++i) {
     p.of_force.col(i) =
-        rows_.of_row.col(static_cast<Eigen::Index>(from.demand.rows[static_cast<std::size_t>(i)]));
+        rows_->of_row.col(static_cast<Eigen::Index>(from.demand.rows[static_cast<std::size_t>(i)]));
   }
   return p;
 }
