@@ -18,7 +18,8 @@ namespace {
 constexpr double no_pivot = 1e-9;    ///< a scaled diagonal below this is none
 constexpr int tied_rows = 4;         ///< more rows at zero that want to move: ask for the direction
 constexpr std::size_t together = 16; ///< columns made at once
-constexpr int shortest_list = 3;     ///< pivots between factorisations, when drift shows
+constexpr std::array<double, 2> look_ahead{1e-6, 1e-9}; ///< of the path
+constexpr int shortest_list = 3; ///< pivots between factorisations, when drift shows
 
 base::Vector at(const base::Vector& v, const base::Vector& d, double t) {
   return v + t * d;
@@ -107,33 +108,80 @@ private:
     return true;
   }
 
-  /// The rows at zero that want to move at the very start: many at once are a contact problem of
-  /// their own, for the direction of the solution (all rows of a net fit, no load yet).
   bool set_out() {
     reported_ = matrix_.closed();
-    int tied = 0;
-    for (int i = 0; i < rows(); ++i) {
-      tied += free_to_change(i) && zero(i) && falls(i) ? 1 : 0;
-    }
-    if (tied > tied_rows) {
-      std::vector<int> taking_part;
-      const ContactSolution direction = solve_direction(taking_part);
-      if (direction.status == ContactStatus::unheld_mode) {
-        path_.unheld = direction.unheld;
-        return stop(PathStatus::unheld_mode);
-      }
-      if (direction.status == ContactStatus::solved) {
-        std::vector<bool> closed(std::size_t(rows()), false);
-        for (const int k : direction.basis) {
-          closed[std::size_t(taking_part[std::size_t(k)])] = true;
-        }
-        if (!begin(closed)) {
-          return false;
-        }
-      }
-    }
     mark();
-    return true;
+    return tied() <= tied_rows || turn();
+  }
+
+  /// Rows at zero that want to move.
+  [[nodiscard]] int tied() const {
+    int count = 0;
+    for (int i = 0; i < rows(); ++i) {
+      count += free_to_change(i) && zero(i) && falls(i) ? 1 : 0;
+    }
+    return count;
+  }
+
+  /// Many rows that tie are not exchanged one by one. They are a contact problem of their own, for
+  /// the direction of the solution (all rows of a net fit, no load yet). If that has no answer,
+  /// bodies are free to jump here: then the solution a little further on shows the way, provided
+  /// that it reaches back to this t.
+  bool turn() {
+    const std::vector<bool> before = matrix_.closed();
+    std::vector<int> taking_part;
+    const ContactSolution direction = solve_direction(taking_part);
+    if (direction.status == ContactStatus::solved) {
+      std::vector<bool> closed(std::size_t(rows()), false);
+      for (const int k : direction.basis) {
+        closed[std::size_t(taking_part[std::size_t(k)])] = true;
+      }
+      return take(closed) || begin(before);
+    }
+    const base::Vector f = at(v_, d_, t_).tail(problem_.f0.size());
+    base::Vector unheld;
+    for (const double step : look_ahead) {
+      const ContactSolution next = solve_at(t_ + step * (to_ - from_), before);
+      unheld = next.unheld;
+      if (next.status != ContactStatus::solved) {
+        continue;
+      }
+      std::vector<bool> closed(std::size_t(rows()), false);
+      for (const int i : next.basis) {
+        closed[std::size_t(i)] = true;
+      }
+      if (take(closed) && reaches_back(f)) {
+        return true;
+      }
+    }
+    if (unheld.size() > 0) {
+      path_.unheld = unheld;
+      return stop(PathStatus::unheld_mode);
+    }
+    return begin(before);
+  }
+
+  bool take(const std::vector<bool>& closed) {
+    const PathStatus before = path_.status;
+    if (begin(closed)) {
+      mark();
+      return true;
+    }
+    path_.status = before;
+    return false;
+  }
+
+  /// Whether the closed rows are right at t already, with the same functionals f.
+  [[nodiscard]] bool reaches_back(const base::Vector& f) const {
+    for (int i = 0; i < rows(); ++i) {
+      if (free_to_change(i) && y(i) < -1e3 * tolerance_(i)) {
+        return false;
+      }
+    }
+    const base::Vector now = at(v_, d_, t_).tail(f.size());
+    const double size =
+        (now.cwiseAbs() + (to_ - from_) * d_.tail(f.size()).cwiseAbs() + f.cwiseAbs()).sum();
+    return f.size() == 0 || (now - f).cwiseAbs().maxCoeff() <= 1e-8 * size;
   }
 
   /// Closed rows that press are equalities, open rows with a gap stay out, the others choose.
@@ -170,6 +218,14 @@ private:
     int here = 0; // pivots at this t
     for (;;) {
       const int i = first_bad();
+      if (i >= 0 && here == 0 && tied() > tied_rows) {
+        here = 1;
+        const double t = t_;
+        if ((matrix_.pivots() > 0 && !refresh()) || (t_ == t && !turn())) {
+          return;
+        }
+        continue;
+      }
       if (i >= 0) {
         if (++here > 20 * rows() + 200) {
           stop(PathStatus::unfinished);

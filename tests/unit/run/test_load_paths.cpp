@@ -187,8 +187,9 @@ $CRACK NAME=C NET=HUB ANGLE=90[deg] A0=4
   }
 }
 
-TEST(LoadPaths, WithoutContactKIsOneLine) {
-  const std::optional<Solved> solved = solve_text(R"($DECK VERSION=1 LENGTH=mm FORCE=N
+// An edge-cracked block pulled by a factor at the first step and another at the second.
+std::string block(double from, double to, const std::string& more) {
+  return fmt::format(R"($DECK VERSION=1 LENGTH=mm FORCE=N
 $MESH SHAPE=BLOCK TYPE=QUAMC8 LX=20 LY=40 NX=8 NY=16
 $MATERIAL NAME=S E=210000 NU=0.3
 $PROPERTY ESET=BODY MATERIAL=S STATE=STRESS
@@ -196,15 +197,20 @@ $FREEDOM CLASS=SUPPRESSED DOF=XY
   YMIN
 $LOAD CASE=PULL TYPE=TRACTION
   YMAX 0 100
-$STEP NAME=NONE
-  LOAD PULL 0
-$STEP NAME=LOAD
-  LOAD PULL 1
-$LOADPATH NAME=UP FROM=NONE TO=LOAD BEYOND=3
+$STEP NAME=A
+  LOAD PULL ({})
+$STEP NAME=B
+  LOAD PULL ({})
 $CRACK NAME=C ANGLE=0 A0=5
   0 20
-$END
-)");
+{}$END
+)",
+                     from, to, more);
+}
+
+TEST(LoadPaths, WithoutContactKIsOneLine) {
+  const std::optional<Solved> solved =
+      solve_text(block(0.0, 1.0, "$LOADPATH NAME=UP FROM=A TO=B BEYOND=3\n"));
   ASSERT_TRUE(solved);
   const results::LoadPath& path = solved->run.increments.front().paths.front();
   EXPECT_EQ(path.t.size(), 2U);
@@ -214,24 +220,20 @@ $END
 
 TEST(LoadPaths, ClosedCracksCarryTheirDoubt) {
   const Folder folder;
-  const std::string deck = rings(press_fit, R"($STEP NAME=PRESS
-  FIT FIT 1
-$STEP NAME=SHUT
-  FIT FIT 0
-  LOAD PULL -1
-$LOADPATH NAME=P FROM=PRESS TO=SHUT
-$CRACK NAME=C NET=HUB ANGLE=0 A0=4
-  20 0
+  const test::Outcome outcome = run_text(folder, block(1.0, -1.0, R"($LOADPATH NAME=P FROM=A TO=B
 $CHECK
-  PATH.K1(C,P,0) = 1 ABS 1e9
-  PATH.K1(C,P,1) = 1 ABS 1e9
+  PATH.K1(C,P,0.25) = 1 ABS 1e9
+  PATH.K1(C,P,0.75) = 1 ABS 1e9
   PATH.K1(C,P,1.5) = 1 ABS 1e9
-)");
-  const test::Outcome outcome = run_text(folder, deck);
+)"));
   EXPECT_EQ(outcome.exit_code, 1); // the last two have no value
   const std::string listing = test::slurp(folder.path() / "out" / "listing.txt");
-  EXPECT_NE(listing.find("K1 is negative"), std::string::npos) << listing;
+  EXPECT_NE(listing.find("C: K1 is negative on a part of the path"), std::string::npos);
+  EXPECT_NE(listing.find("K1 is negative there"), std::string::npos);
   EXPECT_NE(listing.find("goes from t = 0 to 1"), std::string::npos);
+  EXPECT_NE(listing.find("1 of 3 passed"), std::string::npos);
+  const std::vector<double> t = test::column(folder.path() / "out" / "load_path.csv", "t");
+  EXPECT_EQ(t, std::vector<double>({0.0, 1.0}));
 }
 
 TEST(PiecewiseLinear, FindsItsSegmentsHoweverTheyCrowd) {
