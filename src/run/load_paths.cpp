@@ -388,6 +388,11 @@ results::LoadPath LoadPaths::path(const model::LoadPath& card, const StepSolver&
   if (found.segments.empty()) {
     return out;
   }
+  for (const double t : found.jumps) {
+    out.notes.push_back(fmt::format("at t = {:.6g} nothing holds a body: it moves until contact "
+                                    "stops it, which changes no K",
+                                    t));
+  }
   out.t = knots_of(found);
   out.homogeneous = homogeneous(from, to, solver);
   tips(found, from, to, out);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double no_pivot = 1e-9;    ///< a scaled diagonal below this is none
 constexpr int tied_rows = 4;         ///< more rows at zero that want to move: ask for the direction
-constexpr std::size_t together = 16; ///< columns made at once
+constexpr std::size_t together = 64; ///< columns made at once
 constexpr std::array<double, 2> look_ahead{1e-6, 1e-9}; ///< of the path
 constexpr int shortest_list = 3; ///< pivots between factorisations, when drift shows
 
@@ -151,6 +151,7 @@ private:
         closed[std::size_t(i)] = true;
       }
       if (take(closed) && reaches_back(f)) {
+        path_.jumps.push_back(t_);
         return true;
       }
     }
@@ -322,6 +323,9 @@ private:
     if (j < 0) {
       return no_way_on(i, x);
     }
+    if (closed(i) && y(j) > 1e3 * tolerance_(j)) {
+      path_.jumps.push_back(t_);
+    }
     base::Vector partner = column(j);
     matrix_.pivot({i, j}, {std::move(x), std::move(partner)}, states);
     return true;
@@ -432,6 +436,7 @@ private:
     reported_ = mark_.reported;
     path_.segments.resize(mark_.segments);
     path_.changes.resize(mark_.changes);
+    std::erase_if(path_.jumps, [&](double t) { return t >= t_; });
     if (interval_ <= shortest_list) {
       return stop(PathStatus::drift);
     }

@@ -49,6 +49,7 @@ struct SolutionPath {
   std::vector<PathSegment> segments;
   std::vector<RowChange> changes; ///< by segment, then by row; none for the first segment
   base::Vector unheld;            ///< [m] direction of the mode that is not held, else empty
+  std::vector<double> jumps; ///< t at which a body that nothing held moved until it was stopped
   int pivots = 0;
   int factorisations = 0;
   double residual = 0.0; ///< largest violation of equations (scaled) wherever they were checked
@@ -56,7 +57,7 @@ struct SolutionPath {
 
 struct PathSettings {
   ContactSettings start;
-  int refactor = 100;       ///< pivots after which the closed rows are factorised afresh
+  int refactor = 250;       ///< pivots after which the closed rows are factorised afresh
   double tolerance = 1e-11; ///< of zero, over the scale of forces and gaps
   double allowed_drift = 1e-9;
 };

@@ -161,30 +161,70 @@ $CRACK NAME=C NET=HUB ANGLE=90[deg] A0=4
               0.2);
 }
 
-TEST(LoadPaths, ALoadThatTurnsAwayIsNamed) {
-  // in a clearance the load goes to zero at t = 0.5 and pulls the other way behind it; there the
-  // body is caught again, but between it hangs on a single pair that gives way
+TEST(LoadPaths, ABodyInAClearanceJumpsWhereItsLoadTurns) {
+  // at t = 0.5 all forces are zero and the pin crosses over to the other side
   const std::optional<Solved> solved =
       solve_text(rings("$CONTACT NAME=FIT SLAVE=PIN.OUTER MASTER=HUB.INNER GAP=0.01\n",
-                       R"($STEP NAME=THERE
+                       R"($STEP NAME=NONE
+  LOAD PULL 0
+$STEP NAME=THERE
   LOAD PULL 1
 $STEP NAME=BACK
   LOAD PULL -1
+$STEP NAME=LITTLE
+  LOAD PULL 0.125
 $LOADPATH NAME=THROUGH FROM=THERE TO=BACK
+$LOADPATH NAME=UP FROM=NONE TO=THERE BEYOND=2
 $CRACK NAME=C NET=HUB ANGLE=90[deg] A0=4
   0 20
 )"));
   ASSERT_TRUE(solved);
+  const results::Increment& increment = solved->run.increments.front();
+  const results::LoadPath& through = increment.paths[0];
+  const results::PathTip& tip = through.tips.front();
+  EXPECT_TRUE(through.stopped.empty()) << through.stopped;
+  EXPECT_LT(through.mismatch, 1e-11);
+  EXPECT_NEAR(tip.K1(0.5), 0.0, 1e-9 * tip.K1.highest());
+  ASSERT_FALSE(through.notes.empty());
+  EXPECT_NE(through.notes.front().find("at t = 0.5 nothing holds a body"), std::string::npos);
+  // a pin that rests somewhere until it is loaded
+  const results::LoadPath& up = increment.paths[1];
+  EXPECT_TRUE(up.stopped.empty()) << up.stopped;
+  EXPECT_LT(up.mismatch, 1e-11);
+  EXPECT_NEAR(up.tips[0].K1(0.125), increment.steps[3].tips[0].K1, 1e-11 * tip.K1.highest());
+}
+
+TEST(LoadPaths, ABodyThatComesLooseEndsThePath) {
+  const std::optional<Solved> solved = solve_text(R"($DECK VERSION=1 LENGTH=mm FORCE=N
+$NET NAME=LOWER
+  $MESH SHAPE=BLOCK TYPE=QUAMC8 LX=4 LY=1 NX=4 NY=2
+$ENDNET
+$NET NAME=UPPER
+  $MESH SHAPE=BLOCK TYPE=QUAMC8 LX=4 Y0=1 LY=1 NX=3 NY=2
+$ENDNET
+$MATERIAL NAME=S E=210000 NU=0.3
+$PROPERTY ESET=LOWER.BODY MATERIAL=S STATE=STRESS
+$PROPERTY ESET=UPPER.BODY MATERIAL=S STATE=STRESS
+$FREEDOM CLASS=SUPPRESSED DOF=XY
+  LOWER.YMIN
+$FREEDOM CLASS=SUPPRESSED DOF=X
+  UPPER.XMIN
+$CONTACT NAME=FACE SLAVE=UPPER.YMIN MASTER=LOWER.YMAX GAP=0
+$LOAD CASE=PUSH TYPE=PRESSURE
+  UPPER.YMAX 100
+$STEP NAME=ALL
+  LOAD PUSH 1
+$STEP NAME=HALF
+  LOAD PUSH 0.5
+$LOADPATH NAME=OFF FROM=ALL TO=HALF BEYOND=3
+$END
+)");
+  ASSERT_TRUE(solved);
   const results::LoadPath& path = solved->run.increments.front().paths.front();
-  const results::PathTip& tip = path.tips.front();
-  if (path.stopped.empty()) {
-    EXPECT_LT(path.mismatch, 1e-11);
-    EXPECT_NEAR(tip.K1(0.5), 0.0, 1e-9 * tip.K1.highest());
-  } else {
-    EXPECT_GT(path.t.back(), 0.45);
-    EXPECT_NE(path.stopped.find("PIN"), std::string::npos);
-    EXPECT_TRUE(std::isnan(tip.K1(0.9))); // nothing is extrapolated
-  }
+  EXPECT_NEAR(path.t.back(), 2.0, 1e-9);
+  EXPECT_NE(path.stopped.find("body UPPER is loaded but not held"), std::string::npos)
+      << path.stopped;
+  EXPECT_GT(path.contacts.front().closed.front(), 0);
 }
 
 // An edge-cracked block pulled by a factor at the first step and another at the second.
