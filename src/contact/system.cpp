@@ -122,7 +122,7 @@ std::size_t ContactSystem::body_of_mode(Eigen::Index mode) const {
   return b;
 }
 
-solve::ContactProblem ContactSystem::pose(const Demand& demand) const {
+solve::ContactProblem ContactSystem::condensed(const Demand& demand) const {
   const auto n = static_cast<Eigen::Index>(demand.rows.size());
   std::vector<base::Vector> u(bodies_.size());
   solve::ContactProblem problem;
@@ -152,7 +152,7 @@ solve::ContactProblem ContactSystem::pose(const Demand& demand) const {
 ContactSystem::Answer ContactSystem::solve(const Demand& demand,
                                            const solve::ContactSettings& settings) const {
   const auto n = static_cast<Eigen::Index>(demand.rows.size());
-  Answer answer{solve::solve_contact(pose(demand), settings, demand.start), {}};
+  Answer answer{solve::solve_contact(condensed(demand), settings, demand.start), {}};
   const solve::ContactSolution& s = answer.solution;
   if (s.status != solve::ContactStatus::solved) {
     return answer;

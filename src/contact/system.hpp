@@ -55,7 +55,7 @@ public:
   };
   [[nodiscard]] Answer solve(const Demand& demand, const solve::ContactSettings& settings) const;
   /// The small problem of a demand.
-  [[nodiscard]] solve::ContactProblem pose(const Demand& demand) const;
+  [[nodiscard]] solve::ContactProblem condensed(const Demand& demand) const;
 
   /// sum weight . u for a row, from external displacements; other freedoms count as zero.
   [[nodiscard]] double opening(std::size_t row, const std::vector<base::Vector>& u) const;

@@ -223,8 +223,8 @@ solve::ParametricProblem LoadPaths::problem(const End& from, const End& to,
     p.of_mode.resize(p.f0.size(), 0);
     return p;
   }
-  p.at_zero = solver.system()->pose(from.demand);
-  const solve::ContactProblem at_one = solver.system()->pose(to.demand);
+  p.at_zero = solver.system()->condensed(from.demand);
+  const solve::ContactProblem at_one = solver.system()->condensed(to.demand);
   p.db = at_one.b - p.at_zero.b;
   p.dh = at_one.h - p.at_zero.h;
   p.at_zero.load_scale = std::max(from.demand.load_scale, to.demand.load_scale);

@@ -20,20 +20,6 @@ constexpr double pivot_tolerance = 1e-9;   ///< of signs while the tableau gathe
 constexpr double accepted_residual = 1e-7; ///< above it the answer is none
 constexpr int repeats = 5;                 ///< of the tableau, each from a clean start
 
-/// Force that a gap of the size of b needs, and loads on modes: which loads count as round-off.
-double load_scale(const ContactProblem& problem) {
-  double scale = problem.load_scale;
-  if (problem.h.size() > 0) {
-    scale = std::max(scale, problem.h.cwiseAbs().maxCoeff());
-  }
-  const double stiffest = problem.b.size() > 0 ? problem.W.diagonal().maxCoeff() : 0.0;
-  if (stiffest > 0.0 && problem.B.size() > 0) {
-    scale = std::max(scale,
-                     problem.B.cwiseAbs().maxCoeff() * problem.b.cwiseAbs().maxCoeff() / stiffest);
-  }
-  return scale;
-}
-
 struct Search {
   bool settled = false;
   std::vector<int> best; ///< closed rows of the best regular set met
@@ -199,7 +185,7 @@ ContactSolution solve_contact(const ContactProblem& problem, const ContactSettin
   }
 
   // 2. loads that the rows cannot take: the motion that opens them all
-  HeldProblem held = held_problem(problem, split.felt);
+  HeldProblem held = held_problem(problem, split);
   const Holding holding = hold_loads(held);
   answer.unheld = opening_motion(split, holding, rest_load * std::max(scale, held.h.norm()));
   if (answer.unheld.size() > 0) {

@@ -1,25 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/held_problem.hpp"
+
 #include "solve/contact_qp.hpp"
+#include "solve/mode_split.hpp"
+
+#include <algorithm>
 
 namespace spricka::solve {
+
+/// Force that a gap of the size of b needs, and loads on modes: which loads count as round-off.
+double load_scale(const ContactProblem& problem) {
+  double scale = problem.load_scale;
+  if (problem.h.size() > 0) {
+    scale = std::max(scale, problem.h.cwiseAbs().maxCoeff());
+  }
+  const double stiffest = problem.b.size() > 0 ? problem.W.diagonal().maxCoeff() : 0.0;
+  if (stiffest > 0.0 && problem.B.size() > 0) {
+    scale = std::max(scale,
+                     problem.B.cwiseAbs().maxCoeff() * problem.b.cwiseAbs().maxCoeff() / stiffest);
+  }
+  return scale;
+}
 
 namespace {
 
 /// Rigid bodies have no compliance to compare with: what makes forces and gaps alike.
 double rigid_compliance(const HeldProblem& held) {
   const double load = held.h.cwiseAbs().maxCoeff();
-  const double gap = held.b.size() > 0 ? held.b.cwiseAbs().maxCoeff() : 0.0;
+  const double gap = held.b.cwiseAbs().maxCoeff();
   return load > 0.0 && gap > 0.0 ? gap / load : 1.0;
 }
 
 } // namespace
 
-HeldProblem held_problem(const ContactProblem& problem, const base::Matrix& felt) {
+HeldProblem held_problem(const ContactProblem& problem, const ModeSplit& split) {
   HeldProblem held{.W = problem.W,
-                   .B = problem.B * felt,
+                   .B = problem.B * split.felt,
                    .b = problem.b,
-                   .h = felt.transpose() * problem.h,
+                   .h = split.felt.transpose() * problem.h,
                    .equality = problem.equality,
                    .tau = 0.0,
                    .d = {}};

@@ -6,6 +6,9 @@
 
 namespace spricka::solve {
 
+struct ContactProblem;
+struct ModeSplit;
+
 /// The contact problem without the modes that no row touches; modes scaled so that the largest
 /// entry of each column of B is 1.
 struct HeldProblem {
@@ -21,10 +24,11 @@ struct HeldProblem {
   [[nodiscard]] int modes() const { return static_cast<int>(h.size()); }
 };
 
-struct ContactProblem;
+/// Which loads on modes count: the loads themselves, and the force that a gap of the size of b needs.
+double load_scale(const ContactProblem& problem);
 
-/// The problem on the modes alpha = felt a. `problem` must outlive the answer.
-HeldProblem held_problem(const ContactProblem& problem, const base::Matrix& felt);
+/// The problem on the modes that some row feels; `problem` must outlive it.
+HeldProblem held_problem(const ContactProblem& problem, const ModeSplit& split);
 
 /// Rows whose pivot, over the diagonal, is below this are combinations of the rows before them.
 inline constexpr double redundancy = 1e-11;

@@ -37,7 +37,7 @@ public:
   Walk(const ParametricProblem& problem, const ModeSplit& split, double from, double to,
        const PathSettings& settings)
       : problem_(problem), split_(split), settings_(settings),
-        held_(held_problem(problem.at_zero, split.felt)), dh_(split.felt.transpose() * problem.dh),
+        held_(held_problem(problem.at_zero, split)), dh_(split.felt.transpose() * problem.dh),
         matrix_(held_, problem.of_force, problem.of_mode * split.felt), t_(from), from_(from),
         to_(to), interval_(settings.refactor) {}
 
