@@ -69,6 +69,9 @@ constexpr std::array crack_keys{
     real("A0", length, above(0), "first length, from the mouth or from the middle"),
     real("ANGLE", angle, between(-6.2832, 6.2832),
          "direction of a free crack of one point, from +x; in radians, or 45[deg]"),
+    preset(word("LINE", "STRAIGHT|SMOOTH",
+                "how a free crack runs from point to point: straight, or on a smooth curve"),
+           "STRAIGHT"),
     later(refers("FRONT", set, "ordered nodes of a 3D front"), "*"),
     preset(word("NORMAL", "X|Y|Z", "normal of the plane of a 3D crack"), "Y"),
     preset(word("STATE", "STRESS|STRAIN|AUTO",
@@ -83,6 +86,7 @@ constexpr std::array crack_when{
     When{"FRONT", "", "", "PATH ANGLE A0"},
     When{"ANGLE", "", "A0", "PATH FRONT"},
     When{"NET", "", "", "PATH FRONT"},
+    When{"LINE", "SMOOTH", "", "PATH FRONT ANGLE"},
     When{"NORMAL", "", "FRONT", ""},
     When{"FACES", "FREE", "", "MU"},
 };

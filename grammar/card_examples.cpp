@@ -135,9 +135,10 @@ constexpr std::array texts{
     CardText{
         "CRACK",
         "A free crack is a point on the boundary of NET, its direction ANGLE and its length A0, "
-        "or a line through several points; the program cuts it into the mesh. (A crack between "
-        "two points inside the body, with tips NAME.1 and NAME.2, is not available in this "
-        "version.) "
+        "or a line through several points; the program cuts it into the mesh. If the first point "
+        "lies inside the body both ends are tips, NAME.1 at the first point and NAME.2 at the "
+        "last, and the crack's length a is half of the line's. LINE=SMOOTH draws a spline through "
+        "the points (straight lines between points of an arc would bend K with each kink). "
         "A crack with PATH follows element edges; on a symmetry line the nodes behind the tip "
         "are released and K counts both halves. Two sides of a bore are two cards. In this version "
         "a crack stands in a plane model, neither in 3D nor with STATE=AXI, and not with "

@@ -69,6 +69,7 @@ constexpr std::array quantities{
     ResultQuantity{"S.P3.AT", "aazs?a", stress, "third principal stress at a point"},
     ResultQuantity{"REACTION", "nsd?a", force, "force of the supports on a set"},
     ResultQuantity{"ENERGY", "es?a", energy, "strain energy of a net, of all with *"},
+    ResultQuantity{"ERROR", "es?a", number, "estimated error of a net in the energy norm, 0 to 1"},
     ResultQuantity{"PATH.K1", "cla?a", stress_intensity, "K1 at a place t of a load path"},
     ResultQuantity{"PATH.K2", "cla?a", stress_intensity, "K2 at a place t of a load path"},
     ResultQuantity{"PATH.SLOPE", "cla?a", stress_intensity, "dK1/dt there, behind a breakpoint"},

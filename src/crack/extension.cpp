@@ -17,8 +17,10 @@ namespace {
 std::vector<bool> movable(const mesh::CrackedMesh& cracked, const mesh::Tip& tip,
                           std::vector<bool> boundary) {
   for (const mesh::CrackedMesh::Lips& lips : cracked.lips) {
+    const bool embedded = !lips.left.empty() && !lips.right.empty() &&
+                          lips.left.front() == lips.right.front(); // no mouth, a tip
     for (const std::vector<base::NodeId>* lip : {&lips.left, &lips.right}) {
-      for (std::size_t i = 1; i < lip->size(); ++i) {
+      for (std::size_t i = embedded ? 0 : 1; i < lip->size(); ++i) {
         boundary[(*lip)[i].index()] = false;
       }
     }

@@ -105,6 +105,7 @@ void crack(Context& c, const BoundCard& card) {
   crack.state = card.is("STATE", "STRESS")   ? model::CrackState::stress
                 : card.is("STATE", "STRAIN") ? model::CrackState::strain
                                              : model::CrackState::automatic;
+  crack.smooth = card.is("LINE", "SMOOTH");
   crack.faces_in_contact = card.is("FACES", "CONTACT");
   crack.mu = card.number("MU");
   crack.normal = card.word("NORMAL").front() - 'X';

@@ -67,6 +67,29 @@ void report_bad(Context& c, const std::vector<mesh::BadElement>& bad) {
                                 : "corners of the first side run clockwise, seen from outside");
 }
 
+// One message for each card, about its worst corner.
+void tell_corners(Context& c, const std::vector<mesh::FoldedCorner>& corners) {
+  const model::Mesh& mesh = c.model.mesh;
+  for (std::size_t i = 0; i < corners.size();) {
+    const ElementOrigin& origin = origin_of(c, corners[i].element.index());
+    std::size_t j = i;
+    mesh::FoldedCorner worst = corners[i];
+    for (; j < corners.size() && corners[j].element.index() < origin.first + origin.count; ++j) {
+      worst = corners[j].part < worst.part ? corners[j] : worst;
+    }
+    c.diagnostics.warning(
+        place_of(c, worst.element.index()), "W307",
+        fmt::format("element {} folds over in its corner at node {}{}: its Jacobian there is "
+                    "{:.2g} % of the mean, though positive at all integration points; stresses at "
+                    "that node are those of the element's middle",
+                    mesh.element_label[worst.element.index()], mesh.node_label[worst.node.index()],
+                    j - i > 1 ? fmt::format(" (and {} more less so)", j - i - 1) : "",
+                    100.0 * worst.part),
+        "move the node away from the element's middle");
+    i = std::max(j, i + 1);
+  }
+}
+
 void one_space(Context& c) {
   const model::Mesh& mesh = c.model.mesh;
   if (mesh.dim != 2) {
@@ -103,7 +126,9 @@ void check_mesh(Context& context) {
     return;
   }
   one_space(context);
-  report_bad(context, mesh::bad_elements(mesh));
+  const mesh::MeshFaults faults = mesh::mesh_faults(mesh);
+  report_bad(context, faults.bad);
+  tell_corners(context, faults.corners);
   if (context.property_sound) {
     std::vector<std::size_t> open;
     for (std::size_t e = 0; e < mesh.element_count(); ++e) {

@@ -65,6 +65,7 @@ inline constexpr std::array error_codes{
     ErrorCode{"E319", "a displacement where no freedom is prescribed"},
     ErrorCode{"E320", "a step that says the same thing twice"},
     ErrorCode{"E321", "a mesh too large to be made"},
+    ErrorCode{"W307", "a solid element that folds over slightly in a corner"},
     ErrorCode{"W312", "a load with fewer values than directions"},
     ErrorCode{"W313", "a heated material without ALPHA"},
     ErrorCode{"E322", "an output file with the name of one that every run writes"},

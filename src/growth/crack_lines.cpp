@@ -2,6 +2,7 @@
 #include "growth/crack_lines.hpp"
 
 #include "fe/dof_map.hpp"
+#include "growth/smooth_line.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -46,6 +47,20 @@ std::vector<base::Vec3> truncate(const std::vector<base::Vec3>& points, double a
     left -= length;
   }
   return cut;
+}
+
+// An embedded polyline made longer or shorter by `more` at either end.
+std::vector<base::Vec3> prolong_both(std::vector<base::Vec3> points, double more) {
+  for (int end = 0; end < 2; ++end) {
+    if (more > 0.0) {
+      const base::Vec3 d = (points.back() - points[points.size() - 2]).normalized();
+      points.back() += more * d;
+    } else {
+      points = truncate(points, polyline_length(points) + more);
+    }
+    std::reverse(points.begin(), points.end());
+  }
+  return points;
 }
 
 // Corner and mid nodes of a straight path collapse to its two ends, so that a patch sees one
@@ -105,17 +120,33 @@ struct Builder {
                                            double a) {
     line.net = crack.net;
     line.points = crack.points;
+    line.embedded = !line.points.empty() && mesh::crack_start(model.mesh, line.points.front(),
+                                                              line.net) == mesh::CrackStart::inside;
     if (crack.angle && line.points.size() == 1) {
-      line.points.push_back(line.points.front() +
-                            a * base::Vec3(std::cos(*crack.angle), std::sin(*crack.angle), 0.0));
+      const base::Vec3 along(std::cos(*crack.angle), std::sin(*crack.angle), 0.0);
+      line.points.push_back(line.points.front() + (line.embedded ? 2.0 : 1.0) * a * along);
     }
     if (line.points.size() < 2) {
       diagnostics.error(crack.span, "E401",
                         fmt::format("crack {}: one point needs ANGLE and A0", crack.name));
       return std::nullopt;
     }
-    // Beyond its last point a free crack goes straight on.
+    if (crack.smooth && line.points.size() > 2) {
+      const SmoothCurve curve(line.points);
+      const double more = line.embedded ? a - 0.5 * curve.length() : 0.0;
+      line.points =
+          as_polyline(curve, -more, line.embedded ? curve.length() + more : a, line.embedded);
+      return line;
+    }
+    // Beyond its last point a free crack goes straight on; an embedded one at both ends.
     const double given = polyline_length(line.points);
+    if (line.embedded) {
+      const double more = a - 0.5 * given;
+      if (std::abs(more) > same_place * a) {
+        line.points = prolong_both(line.points, more);
+      }
+      return line;
+    }
     if (a > given * (1.0 + same_place)) {
       const base::Vec3 last = line.points.back();
       const base::Vec3 d = (last - line.points[line.points.size() - 2]).normalized();
@@ -124,11 +155,20 @@ struct Builder {
     return line;
   }
 
+  // Length of the crack that the points draw; of an embedded one, half of it.
+  [[nodiscard]] double own_length(const model::Crack& crack) const {
+    const bool inside =
+        mesh::crack_start(model.mesh, crack.points.front(), crack.net) == mesh::CrackStart::inside;
+    const bool curved = crack.smooth && crack.points.size() > 2;
+    return (inside ? 0.5 : 1.0) *
+           (curved ? SmoothCurve(crack.points).length() : polyline_length(crack.points));
+  }
+
   std::optional<mesh::CrackLine> line(std::size_t number, double a) {
     const model::Crack& crack = model.cracks[number];
     if (!grows(model, number) || a <= 0.0) {
       a = crack.a0.value_or(crack.kind == model::CrackKind::free && crack.points.size() > 1
-                                ? polyline_length(crack.points)
+                                ? own_length(crack)
                                 : 0.0);
     }
     if (a <= 0.0) {
@@ -144,6 +184,10 @@ struct Builder {
         crack.kind == model::CrackKind::path ? path_line(crack, start) : free_line(crack, start, a);
     if (!line) {
       return line;
+    }
+    if (line->embedded || (crack.smooth && crack.points.size() > 2)) {
+      line->points = without_middles(line->points);
+      return line; // has its length already
     }
     if (polyline_length(line->points) < a * (1.0 - same_place)) {
       diagnostics.error(crack.span, "E403",

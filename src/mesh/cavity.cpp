@@ -34,13 +34,13 @@ public:
   Finder(const Host& host, const Placement& placement, std::vector<std::size_t>& owner,
          std::size_t self)
       : host_(host), mesh_(host.mesh()), place_(placement), owner_(owner), self_(self),
-        seed_(placement.mouth.face.element) {}
+        seed_(placement.seed) {}
 
   /// Takes what the crack needs; returns the cavity that has some of it already, or none.
   std::size_t take_core() {
     std::vector<ElementId> front{seed_};
-    if (place_.mouth.node.valid()) {
-      const auto around = host_.around(place_.mouth.node);
+    if (place_.mouth && place_.mouth->node.valid()) {
+      const auto around = host_.around(place_.mouth->node);
       std::copy_if(around.begin(), around.end(), std::back_inserter(front),
                    [&](ElementId e) { return allowed(e); });
     }
@@ -136,13 +136,17 @@ private:
   [[nodiscard]] bool near(ElementId e) const {
     const std::vector<Vec2> shape = polygon(mesh_, e, place_.frame);
     return distance(shape, place_.line) < reach_of_line + same ||
-           distance(shape, {place_.tip(), place_.tip()}) < reach_of_tip * place_.radius + same;
+           std::ranges::any_of(place_.tips, [&](const TipPlace& tip) {
+             return distance(shape, {tip.at, tip.at}) < reach_of_tip * place_.radius + same;
+           });
   }
   [[nodiscard]] bool is_long(const Edge& edge) const {
     const Vec2 a = place_.frame.local(mesh_.x[edge.a.index()]);
     const Vec2 b = place_.frame.local(mesh_.x[edge.b.index()]);
-    const double room =
-        std::min(distance({a, b, a}, place_.line), distance(place_.tip(), a, b) - place_.radius);
+    double room = distance({a, b, a}, place_.line);
+    for (const TipPlace& tip : place_.tips) {
+      room = std::min(room, distance(tip.at, a, b) - place_.radius);
+    }
     return room < edge_room * (b - a).norm() - same;
   }
   [[nodiscard]] std::vector<ElementId> elements() const {
@@ -242,10 +246,10 @@ bool starts_inside(const Host& host, const Placement& placement, const Cavity& c
 }
 
 bool leaves_body(const Host& host, const Placement& placement, const Cavity& cavity) {
-  if (!starts_inside(host, placement, cavity)) {
+  if (placement.mouth && !starts_inside(host, placement, cavity)) {
     return true;
   }
-  const std::vector<Vec2> line = without_mouth(placement.line);
+  const std::vector<Vec2> line = placement.mouth ? without_mouth(placement.line) : placement.line;
   for (const std::vector<OutlineEdge>& loop : cavity.loops) {
     for (const OutlineEdge& edge : loop) {
       const std::vector<Vec2> curve = fine_curve(host.mesh(), edge.edge, placement);
@@ -277,8 +281,10 @@ std::optional<ElementId> foreign_element(const Host& host, const Placement& plac
   }
   for (const ElementId e : others) {
     const std::vector<Vec2> shape = polygon(mesh, e, placement.frame);
-    if (distance(shape, placement.line) < same ||
-        distance(shape, {placement.tip(), placement.tip()}) < 1.1 * placement.radius) {
+    const bool near_tip = std::ranges::any_of(placement.tips, [&](const TipPlace& tip) {
+      return distance(shape, {tip.at, tip.at}) < 1.1 * placement.radius;
+    });
+    if (distance(shape, placement.line) < same || near_tip) {
       return e;
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/graft.hpp"
 
+#include "mesh/boundary.hpp"
 #include "mesh/numbering.hpp"
 #include "shape/topology.hpp"
 
@@ -180,6 +181,41 @@ private:
     });
   }
 
+  /// Members that are gone, but for those of whole sides of the boundary and of whole cavities.
+  [[nodiscard]] std::vector<NodeId> lost_nodes(const model::NodeSet& old,
+                                               const std::vector<bool>& member,
+                                               const std::vector<bool>& had) const {
+    std::vector<NodeId> lost;
+    for (const NodeId n : old.nodes) {
+      if (had[n.index()] && !used_[n.index()]) {
+        lost.push_back(n);
+      }
+    }
+    if (lost.empty()) {
+      return lost;
+    }
+    std::vector<bool> replaced(host_.node_count(), false);
+    for (const model::Face& face : boundary_faces(host_)) {
+      const Edge edge = edge_of(host_, face);
+      if (!kept_[face.element.index()].valid() && member[edge.a.index()] &&
+          member[edge.b.index()] && (!edge.mid.valid() || member[edge.mid.index()])) {
+        replaced[edge.a.index()] = true;
+        replaced[edge.b.index()] = true;
+        replaced[edge.mid.valid() ? edge.mid.index() : edge.a.index()] = true;
+      }
+    }
+    for (const Graft& g : grafts_) {
+      for (const ElementId e :
+           covers(member, g.cavity) ? g.cavity.elements : std::vector<ElementId>()) {
+        for (const NodeId n : host_.nodes_of(e)) {
+          replaced[n.index()] = true;
+        }
+      }
+    }
+    std::erase_if(lost, [&](NodeId n) { return replaced[n.index()]; });
+    return lost;
+  }
+
   void inherit_node_sets() {
     std::vector<bool> had(host_.node_count(), false);
     for (const NodeId n : host_.nodes) {
@@ -218,6 +254,7 @@ private:
           std::for_each(g.node.begin(), g.node.end(), join);
         }
       }
+      result_.lost.push_back(lost_nodes(old, old_member, had));
       result_.mesh.node_sets.push_back(std::move(set));
     }
   }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/inp_import.hpp"
 
-#include "mesh/inp_reader.hpp"
-#include "mesh/label_index.hpp"
+#include "mesh/inp_physics.hpp"
 #include "mesh/numbering.hpp"
 #include "mesh/set_name.hpp"
 
@@ -23,7 +22,7 @@ class Import {
 public:
   Import(model::Mesh& mesh, const ImportRequest& request, base::Diagnostics& diagnostics)
       : mesh_(mesh), request_(request), diagnostics_(diagnostics),
-        errors_(diagnostics.error_count()) {}
+        errors_(diagnostics.error_count()), words_(request, data_, diagnostics) {}
 
   ImportedPhysics run() {
     std::vector<InpComplaint> complaints;
@@ -44,7 +43,8 @@ public:
     first_element_ = mesh_.element_count();
     const Ends before{mesh_.node_sets.size(), mesh_.element_sets.size(), mesh_.face_sets.size()};
     add_sets();
-    physics();
+    ImportedPhysics physics = read_physics(
+        data_, request_, mesh_, {*node_index_, node_, set_of_name_, first_element_, dim_}, words_);
     if (!sound()) {
       mesh_.node_sets.resize(before.nodes);
       mesh_.element_sets.resize(before.elements);
@@ -52,8 +52,8 @@ public:
       return {};
     }
     add_mesh();
-    warn();
-    return std::move(physics_);
+    warn(!physics.materials.empty());
+    return physics;
   }
 
 private:
@@ -62,19 +62,8 @@ private:
   };
 
   [[nodiscard]] bool sound() const { return diagnostics_.error_count() == errors_; }
-  [[nodiscard]] std::string place(InpPlace at) const {
-    const std::string own = request_.file.filename().string();
-    const std::string name = at.file < data_.files.size()
-                                 ? std::filesystem::path(data_.files[at.file]).filename().string()
-                                 : own;
-    return at.line > 0 ? fmt::format("{}:{}", name, at.line) : own;
-  }
   void error(InpPlace at, std::string code, std::string text, std::string hint = {}) {
-    diagnostics_.error(request_.span, std::move(code), fmt::format("{}: {}", place(at), text),
-                       std::move(hint));
-  }
-  void warning(InpPlace at, std::string code, const std::string& text) {
-    diagnostics_.warning(request_.span, std::move(code), fmt::format("{}: {}", place(at), text));
+    words_.error(at, std::move(code), std::move(text), std::move(hint));
   }
 
   /// Labels of nodes become places in the file's list, those of no element drop out.
@@ -247,101 +236,6 @@ private:
     return faces;
   }
 
-  void physics() {
-    std::map<std::string, std::size_t> index;
-    for (const InpData::Material& m : data_.materials) {
-      if (!m.elastic) {
-        error(m.place, "E336", fmt::format("material {} has no *ELASTIC", m.name));
-      }
-      if (!index.try_emplace(upper(m.name), physics_.materials.size()).second) {
-        error(m.place, "E302", fmt::format("material {} is defined twice", m.name));
-      }
-      model::Material material;
-      material.name = request_.prefix + set_name(m.name);
-      material.E = m.E;
-      material.nu = m.nu;
-      material.rho = m.rho;
-      material.alpha = m.alpha;
-      material.span = request_.span;
-      physics_.materials.push_back(std::move(material));
-    }
-    std::vector<bool> taken(data_.element.size(), false);
-    for (const InpData::Section& section : data_.sections) {
-      const auto material = index.find(upper(section.material));
-      const auto set = set_of_name_.find(upper(section.elements));
-      if (material == index.end() || set == set_of_name_.end()) {
-        error(section.place, "E301",
-              material == index.end()
-                  ? fmt::format("there is no material {}", section.material)
-                  : fmt::format("there is no element set {}", section.elements));
-        continue;
-      }
-      add_property(section, base::ElementSetId(set->second), base::MaterialId(material->second),
-                   taken);
-    }
-    physics_.files = data_.files;
-    for (const InpData::Equation& equation : data_.equations) {
-      add_equation(equation);
-    }
-  }
-
-  void add_equation(const InpData::Equation& from) {
-    model::Equation equation;
-    equation.span = request_.span;
-    for (const InpData::Equation::Term& term : from.terms) {
-      const auto at = node_index_->find(term.node);
-      if (!at || !node_[*at].valid() || term.dof >= dim_) {
-        error(from.place, "E303",
-              fmt::format("an *EQUATION names freedom {} of node {}, which no element has",
-                          term.dof + 1, term.node));
-        return;
-      }
-      auto& terms = equation.terms;
-      const auto same = std::find_if(terms.begin(), terms.end(), [&](const auto& t) {
-        return t.node == node_[*at] && t.dof == term.dof;
-      });
-      if (same != terms.end()) {
-        same->coefficient += term.coefficient;
-      } else {
-        terms.push_back({term.coefficient, node_[*at], term.dof});
-      }
-    }
-    std::erase_if(equation.terms, [](const auto& term) { return term.coefficient == 0.0; });
-    if (!equation.terms.empty()) {
-      physics_.equations.push_back(std::move(equation));
-    }
-  }
-
-  void add_property(const InpData::Section& section, base::ElementSetId set,
-                    base::MaterialId material, std::vector<bool>& taken) {
-    const std::vector<ElementId>& elements = mesh_.set(set).elements;
-    if (elements.empty()) {
-      return;
-    }
-    model::Property property;
-    property.elements = set;
-    property.material = material;
-    property.thickness = request_.scale * section.thickness;
-    property.span = request_.span;
-    property.state = data_.type[elements[0].index() - first_element_].state;
-    for (const ElementId e : elements) {
-      const std::size_t i = e.index() - first_element_;
-      if (data_.type[i].state != property.state) {
-        error(section.place, "E313",
-              fmt::format("set {} mixes plane stress, plane strain or axial symmetry",
-                          section.elements));
-        return;
-      }
-      if (taken[i]) {
-        error(section.place, "E306",
-              fmt::format("element {} has a *SOLID SECTION already", data_.element[i]));
-        return;
-      }
-      taken[i] = true;
-    }
-    physics_.properties.push_back(property);
-  }
-
   void add_mesh() {
     mesh_.dim = std::max(mesh_.dim, dim_);
     const base::Label node_offset = next_node_label(mesh_, request_.net) - 1;
@@ -364,15 +258,17 @@ private:
     }
   }
 
-  void warn() {
-    if (request_.scale != 1.0 && !physics_.materials.empty()) {
-      warning({}, "W337", "SCALE is for lengths; moduli are taken as they stand in the file");
+  void warn(bool has_moduli) {
+    if (request_.scale != 1.0 && has_moduli) {
+      words_.warning({}, "W337",
+                     "SCALE is for lengths; moduli are taken as they stand in the file");
     }
     for (const auto& [name, at] : data_.special) {
-      warning(at, "W336",
-              fmt::format("{} stands for a special form (reduced integration, incompatible modes, "
-                          "hybrid or modified); here its nodes make a fully integrated element",
-                          name));
+      words_.warning(
+          at, "W336",
+          fmt::format("{} stands for a special form (reduced integration, incompatible modes, "
+                      "hybrid or modified); here its nodes make a fully integrated element",
+                      name));
     }
   }
 
@@ -381,7 +277,7 @@ private:
   base::Diagnostics& diagnostics_;
   std::size_t errors_;
   InpData data_;
-  ImportedPhysics physics_;
+  InpWords words_;
   int dim_ = 2;
   std::size_t first_element_ = 0;
   std::optional<LabelIndex> node_index_;

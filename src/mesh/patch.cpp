@@ -25,17 +25,6 @@ using base::Vec3;
 constexpr double radius_part = 0.4;
 constexpr double ring_growth = 1.5;
 
-CrackFrame frame_of(const CrackLine& line) {
-  CrackFrame frame;
-  frame.origin = line.points.front();
-  frame.e1 = (line.points[1] - line.points[0]).normalized();
-  frame.a = 0.0;
-  for (std::size_t i = 1; i < line.points.size(); ++i) {
-    frame.a += (line.points[i] - line.points[i - 1]).norm();
-  }
-  return frame;
-}
-
 /// The worst element of a patch, empty if all are good.
 std::optional<BadElement> worst_element(const Patch& patch) {
   model::Mesh mesh;
@@ -176,14 +165,14 @@ private:
       }
       if (work.line->symmetric_half) {
         add_half_lip(work);
-      } else if (auto lips = split_along(result_.mesh, work.path, twins)) {
+      } else if (auto lips = split_along(result_.mesh, work.path, work.line->embedded, twins)) {
         result_.lips.push_back(std::move(*lips));
       } else {
         diagnostics_.error(work.span, "E427",
                            fmt::format("{} does not start on the boundary", work.line->title()));
         return false;
       }
-      add_tip(work);
+      add_tips(work);
     }
     add_twins(result_.mesh, twins);
     return true;
@@ -203,39 +192,48 @@ private:
     return base::info(mesh_.type[around.front().index()]).quadratic ? 2 : 1;
   }
 
-  void add_tip(const Work& work) {
+  void add_tips(const Work& work) {
     Tip tip;
     tip.crack = work.line->crack;
-    tip.node = work.path.back();
     tip.a = frame_of(*work.line).a;
     tip.symmetric_half = work.line->symmetric_half;
-    std::string note;
-    if (work.tip->patch) {
-      const CrackFrame& frame = placements_[work.graft].frame;
-      const double t = placements_[work.graft].direction;
-      tip.direction = (frame.global(Vec2(std::cos(t), std::sin(t))) - frame.origin).normalized();
-      tip.size = work.tip->size;
-      tip.radius = work.tip->radius;
-      const Graft& g = grafts_[work.graft];
-      note =
-          fmt::format("{}: a = {:.6g}, patch of {} elements for {} of the net, rosette of radius "
-                      "{:.6g} with {} rings of {} sectors, tip elements {:.6g}",
-                      work.line->title(), tip.a, g.patch.elements.size(), g.cavity.elements.size(),
-                      tip.radius, work.tip->rings, work.tip->sectors, tip.size);
-    } else {
-      const std::size_t before = work.path.size() - 1 - path_step(work);
-      const Vec3 last = mesh_.x[tip.node.index()] - mesh_.x[work.path[before].index()];
-      tip.direction = last.normalized();
-      tip.size = last.norm();
-      tip.radius = tip.size;
-      const int moved = work.tip->quarter_point ? move_quarter_points(result_.mesh, tip.node) : 0;
-      note = fmt::format("{}: a = {:.6g}, tip at node {} of the net, elements of {:.6g}, {}",
-                         work.line->title(), tip.a, mesh_.node_label[tip.node.index()], tip.size,
-                         moved > 0 ? "quarter points moved" : "no quarter points");
+    result_.notes.push_back(work.tip->patch ? add_patch_tips(work, tip) : add_own_tip(work, tip));
+  }
+
+  std::string add_patch_tips(const Work& work, Tip tip) {
+    const Placement& placement = placements_[work.graft];
+    const CrackFrame& frame = placement.frame;
+    tip.size = work.tip->size;
+    tip.radius = work.tip->radius;
+    for (std::size_t i = 0; i < placement.tips.size(); ++i) {
+      tip.number = static_cast<int>(i) + 1;
+      tip.node = i + 1 == placement.tips.size() ? work.path.back() : work.path.front();
+      tip.x = result_.mesh.x[tip.node.index()];
+      tip.direction = (frame.global(placement.tips[i].ahead()) - frame.origin).normalized();
+      result_.tips.push_back(tip);
     }
+    const Graft& g = grafts_[work.graft];
+    return fmt::format("{}: a = {:.6g}{}, patch of {} elements for {} of the net, {} of radius "
+                       "{:.6g} with {} rings of {} sectors, tip elements {:.6g}",
+                       work.line->title(), tip.a, work.line->embedded ? " (half its length)" : "",
+                       g.patch.elements.size(), g.cavity.elements.size(),
+                       placement.tips.size() > 1 ? "rosettes" : "rosette", tip.radius,
+                       work.tip->rings, work.tip->sectors, tip.size);
+  }
+
+  std::string add_own_tip(const Work& work, Tip tip) {
+    tip.node = work.path.back();
+    const std::size_t before = work.path.size() - 1 - path_step(work);
+    const Vec3 last = mesh_.x[tip.node.index()] - mesh_.x[work.path[before].index()];
+    tip.direction = last.normalized();
+    tip.size = last.norm();
+    tip.radius = tip.size;
+    const int moved = work.tip->quarter_point ? move_quarter_points(result_.mesh, tip.node) : 0;
     tip.x = result_.mesh.x[tip.node.index()];
     result_.tips.push_back(tip);
-    result_.notes.push_back(std::move(note));
+    return fmt::format("{}: a = {:.6g}, tip at node {} of the net, elements of {:.6g}, {}",
+                       work.line->title(), tip.a, mesh_.node_label[tip.node.index()], tip.size,
+                       moved > 0 ? "quarter points moved" : "no quarter points");
   }
 
   const model::Mesh& mesh_;
@@ -266,9 +264,15 @@ TipMesh choose_tip_mesh(const model::Mesh& host, const CrackLine& line,
     for (const Vec3& p : line.points) {
       local.push_back(frame.local(p));
     }
-    const double room = tip_clearance(Host(host), frame, local, line.symmetric_half, line.net);
-    const double last = (local.back() - local[local.size() - 2]).norm();
-    tip.radius = radius_part * frame.a * std::min({1.0, room, 1.5 * last});
+    const Host neighbours(host);
+    double room = 1.0;
+    for (int end = 0; end < (line.embedded ? 2 : 1); ++end) {
+      const double last = (local.back() - local[local.size() - 2]).norm();
+      room = std::min({room, tip_clearance(neighbours, frame, local, line.symmetric_half, line.net),
+                       1.5 * last / (line.embedded && local.size() == 2 ? 2.0 : 1.0)});
+      std::reverse(local.begin(), local.end());
+    }
+    tip.radius = radius_part * frame.a * room;
   }
   if (wishes != nullptr && wishes->size) {
     tip.size = *wishes->size;

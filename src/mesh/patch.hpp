@@ -14,11 +14,13 @@
 namespace spricka::mesh {
 
 /// A crack of one length, as a polyline in the plane, mouth first, tip last. A crack along a
-/// symmetry line is a half: the body lies on one side of it and only that side is meshed.
+/// symmetry line is a half: the body lies on one side of it and only that side is meshed. Both ends
+/// of an embedded crack are tips; its `a` is half its length.
 struct CrackLine {
   base::CrackId crack;
-  std::vector<base::Vec3> points; ///< [>= 2]; its length is a
+  std::vector<base::Vec3> points; ///< [>= 2]; its length is a, or 2 a
   base::NetId net;
+  bool embedded = false;          ///< starts inside the body
   bool symmetric_half = false;    ///< the line lies on the boundary, held by symmetry
   std::vector<base::NodeId> path; ///< kind path: the ordered host nodes it runs along
   std::string name;               ///< for messages; empty: "crack 2" by its number
@@ -45,7 +47,7 @@ struct Tip {
   base::NodeId node;
   base::Vec3 x = base::Vec3::Zero();
   base::Vec3 direction = base::Vec3::Zero(); ///< unit, the way the crack grows
-  double a = 0.0;                            ///< crack length
+  double a = 0.0;                            ///< crack length, half of it if embedded
   double size = 0.0;                         ///< radial length of the tip elements
   double radius = 0.0;                       ///< of the rosette
   bool symmetric_half = false;
@@ -59,15 +61,23 @@ struct CrackedMesh {
   model::Mesh mesh;
   std::vector<Tip> tips;
   std::vector<base::ElementId> host; ///< [element] the host element it is, or invalid if new
-  /// [crack line] the two lips, ordered from the mouth to the tip (tip included in both); one lip
+  /// [crack line] the two lips, ordered from the mouth to the tip (tips included in both); one lip
   /// for a symmetric half (the other is empty). Left lip first, seen along the crack.
   struct Lips {
     std::vector<base::NodeId> left;
     std::vector<base::NodeId> right;
   };
   std::vector<Lips> lips;
+  /// [node set] members that a cavity took and nothing stands in for: single nodes, as the new
+  /// nodes of whole sides and of cavities take their place. Empty where no patch was cut.
+  std::vector<std::vector<base::NodeId>> lost;
   std::vector<std::string> notes; ///< what was chosen, for the listing
 };
+
+/// Where the first point of a free crack lies: on the boundary of the net (any net if invalid),
+/// inside it, or neither.
+enum class CrackStart { boundary, inside, outside };
+CrackStart crack_start(const model::Mesh& host, const base::Vec3& point, base::NetId net);
 
 /// Sizes where the deck is silent: from the crack's length, the ligament ahead of the tip and the
 /// size of the nearest contact surface. What the deck gives is taken as it is.

@@ -60,7 +60,9 @@ public:
       : host_(host), place_(placement), cavity_(cavity), net_(host.mesh(), placement.frame) {}
 
   Patch build(const TipMesh& tip, double fineness) {
-    rosette_ = add_rosette(net_, place_, tip);
+    for (const TipPlace& at : place_.tips) {
+      rosettes_.push_back(add_rosette(net_, place_, at, tip));
+    }
     set_sizes(fineness);
     add_loops();
     add_crack();
@@ -90,8 +92,8 @@ private:
            std::max(local(edge.edge, -1.0).x(), local(edge.edge, 1.0).x()) > same;
   }
   [[nodiscard]] bool has_mouth(const OutlineEdge& edge) const {
-    return edge.face == place_.mouth.face &&
-           (!place_.mouth.node.valid() || place_.mouth.node == edge.edge.mid);
+    return place_.mouth && edge.face == place_.mouth->face &&
+           (!place_.mouth->node.valid() || place_.mouth->node == edge.edge.mid);
   }
 
   /// Where on an edge the mouth is; 1 if it is elsewhere.
@@ -99,15 +101,19 @@ private:
     if (!has_mouth(edge)) {
       return 1.0;
     }
-    return place_.mouth.node.valid() ? 0.0 : place_.mouth.xi;
+    return place_.mouth->node.valid() ? 0.0 : place_.mouth->xi;
   }
 
   void set_sizes(double fineness) {
-    const std::size_t rim = rosette_.rim.size();
-    for (std::size_t j = 0; j + (place_.half != 0 ? 1 : 0) < rim; ++j) {
-      add_source(size_, rosette_.rim[j], rosette_.rim[(j + 1) % rim]);
+    for (const Rosette& rosette : rosettes_) {
+      const std::size_t rim = rosette.rim.size();
+      for (std::size_t j = 0; j + (place_.half != 0 ? 1 : 0) < rim; ++j) {
+        add_source(size_, rosette.rim[j], rosette.rim[(j + 1) % rim]);
+      }
     }
-    size_.add({0.0, 0.0}, mouth_size / fineness);
+    if (place_.mouth) {
+      size_.add({0.0, 0.0}, mouth_size / fineness);
+    }
     for (const auto& loop : cavity_.loops) {
       for (const OutlineEdge& edge : loop) {
         const double length = (local(edge.edge, 1.0) - local(edge.edge, -1.0)).norm();
@@ -142,8 +148,8 @@ private:
       }
       loops_.push_back(std::move(nodes));
     }
-    if (place_.mouth.node.valid() && !mouth_inside_) {
-      mouth_ = net_.host_node(place_.mouth.node);
+    if (place_.mouth && place_.mouth->node.valid() && !mouth_inside_) {
+      mouth_ = net_.host_node(place_.mouth->node);
     }
   }
 
@@ -210,17 +216,22 @@ private:
     return nodes;
   }
 
-  /// Corner nodes of the crack from the mouth to the rosette, then through it to the tip.
+  /// Corner nodes of the crack from the mouth, or out of the first rosette, to the last one, then
+  /// through it to the tip.
   void add_crack() {
-    std::vector<int> lip{mouth_};
-    const Vec2 back(std::cos(place_.direction), std::sin(place_.direction));
-    const Vec2 end = place_.tip() - place_.radius * back;
+    const Rosette& last_rosette = rosettes_.back();
+    const auto rim_point = [&](const TipPlace& tip) {
+      return Vec2(tip.at - place_.radius * tip.ahead());
+    };
+    std::vector<int> lip{place_.mouth ? mouth_ : rosettes_.front().behind.back()};
+    Vec2 from = place_.mouth ? place_.line.front() : rim_point(place_.tips.front());
     for (std::size_t k = 1; k < place_.line.size(); ++k) {
       const bool last = k + 1 == place_.line.size();
-      const Vec2 to = last ? end : place_.line[k];
-      const std::vector<int> inner = add_stretch(place_.line[k - 1], to);
+      const Vec2 to = last ? rim_point(place_.tips.back()) : place_.line[k];
+      const std::vector<int> inner = add_stretch(from, to);
       lip.insert(lip.end(), inner.begin(), inner.end());
-      lip.push_back(last ? rosette_.behind.back() : net_.new_node(to));
+      lip.push_back(last ? last_rosette.behind.back() : net_.new_node(to));
+      from = to;
     }
     for (std::size_t i = 0; i + 1 < lip.size(); ++i) {
       add_source(fill_size_, lip[i], lip[i + 1]);
@@ -230,9 +241,15 @@ private:
     } else {
       lip_ = lip;
     }
-    std::vector<int> corners = lip;
-    corners.insert(corners.end(), rosette_.behind.rbegin() + 1, rosette_.behind.rend());
-    corners.push_back(rosette_.tip);
+    std::vector<int> corners;
+    if (!place_.mouth) {
+      corners.push_back(rosettes_.front().tip);
+      corners.insert(corners.end(), rosettes_.front().behind.begin(),
+                     rosettes_.front().behind.end() - 1);
+    }
+    corners.insert(corners.end(), lip.begin(), lip.end());
+    corners.insert(corners.end(), last_rosette.behind.rbegin() + 1, last_rosette.behind.rend());
+    corners.push_back(last_rosette.tip);
     for (std::size_t i = 0; i < corners.size(); ++i) {
       if (i > 0) {
         patch_.path.push_back(net_.mid(corners[i - 1], corners[i]));
@@ -243,6 +260,7 @@ private:
 
   /// A half: crack, rosette and ligament take the place of the host's edges on the line.
   void add_half_line(const std::vector<int>& lip) {
+    const Rosette& rosette = rosettes_.front();
     double x1 = 0.0;
     NodeId end;
     for (const OutlineEdge& edge : line_) {
@@ -258,7 +276,7 @@ private:
       patch_.trouble = "the symmetry line ends inside the rosette";
       return;
     }
-    std::vector<int> ligament{rosette_.ahead.back()};
+    std::vector<int> ligament{rosette.ahead.back()};
     const std::vector<int> inner = add_stretch(net_.local(ligament[0]), {x1, 0.0});
     ligament.insert(ligament.end(), inner.begin(), inner.end());
     ligament.push_back(net_.host_node(end));
@@ -267,17 +285,17 @@ private:
     }
     // the whole line in the direction of growth, with the edges of the rosette on it
     std::vector<int> line = lip;
-    line.insert(line.end(), rosette_.behind.rbegin() + 1, rosette_.behind.rend());
-    line.push_back(rosette_.tip);
-    line.insert(line.end(), rosette_.ahead.begin(), rosette_.ahead.end());
+    line.insert(line.end(), rosette.behind.rbegin() + 1, rosette.behind.rend());
+    line.push_back(rosette.tip);
+    line.insert(line.end(), rosette.ahead.begin(), rosette.ahead.end());
     line.insert(line.end(), ligament.begin() + 1, ligament.end());
     inherit_line(line);
     // what the filling sees: over the rosette
     std::vector<int> contour(lip.begin(), lip.end() - 1);
     if (place_.half > 0) { // rim runs from ahead to behind
-      contour.insert(contour.end(), rosette_.rim.rbegin(), rosette_.rim.rend());
+      contour.insert(contour.end(), rosette.rim.rbegin(), rosette.rim.rend());
     } else {
-      contour.insert(contour.end(), rosette_.rim.begin(), rosette_.rim.end());
+      contour.insert(contour.end(), rosette.rim.begin(), rosette.rim.end());
     }
     contour.insert(contour.end(), ligament.begin() + 1, ligament.end());
     if (place_.half < 0) {
@@ -346,11 +364,15 @@ private:
     for (const std::vector<int>& loop : loops_) {
       region.loops.push_back(points(loop));
     }
-    for (std::size_t j = 0; j + 1 < rosette_.rim.size(); ++j) {
-      add_source(fill_size_, rosette_.rim[j], rosette_.rim[j + 1]);
+    for (const Rosette& rosette : rosettes_) {
+      for (std::size_t j = 0; j + 1 < rosette.rim.size(); ++j) {
+        add_source(fill_size_, rosette.rim[j], rosette.rim[j + 1]);
+      }
+      if (place_.half == 0) {
+        region.loops.push_back(points({rosette.rim.rbegin(), rosette.rim.rend()}));
+      }
     }
     if (place_.half == 0) {
-      region.loops.push_back(points({rosette_.rim.rbegin(), rosette_.rim.rend()}));
       region.embedded.push_back(points(lip_));
     }
     const Filling filling = fill(region, fill_size_);
@@ -372,9 +394,9 @@ private:
   const Cavity& cavity_;
   PatchNet net_;
   Patch patch_;
-  Rosette rosette_;
-  Grading size_;      ///< along curves, before they are divided
-  Grading fill_size_; ///< in the region, from the edges that were made
+  std::vector<Rosette> rosettes_; ///< [tip]
+  Grading size_;                  ///< along curves, before they are divided
+  Grading fill_size_;             ///< in the region, from the edges that were made
   std::vector<std::vector<int>> loops_;
   std::vector<OutlineEdge> line_;
   std::vector<int> lip_;

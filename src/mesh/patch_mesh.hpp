@@ -27,7 +27,7 @@ struct PatchElement {
 struct Patch {
   std::vector<PatchNode> nodes;
   std::vector<PatchElement> elements;
-  std::vector<int> path; ///< nodes of the crack from the mouth to the tip, mid nodes too
+  std::vector<int> path; ///< nodes of the crack from the mouth to the (last) tip, mid nodes too
   /// Edges of the cavity that belonged to its elements, and the edges (from, to) that take the
   /// place of each, in its direction.
   std::vector<std::pair<model::Face, std::vector<std::pair<int, int>>>> edges;
@@ -77,6 +77,7 @@ struct Rosette {
   std::vector<int> behind;
   std::vector<int> ahead;
 };
-Rosette add_rosette(PatchNet& net, const Placement& placement, const TipMesh& tip);
+Rosette add_rosette(PatchNet& net, const Placement& placement, const TipPlace& at,
+                    const TipMesh& tip);
 
 } // namespace spricka::mesh

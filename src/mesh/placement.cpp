@@ -21,14 +21,9 @@ using base::Vec3;
 constexpr double on_boundary = 1e-3;
 /// A mouth this near to a node is at the node.
 constexpr double at_node = 1e-6;
-
-double length_of(const std::vector<Vec3>& points) {
-  double length = 0.0;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    length += (points[i] - points[i - 1]).norm();
-  }
-  return length;
-}
+/// A start inside the body that is nearer to the boundary than this part of the crack's length was
+/// meant to be on it.
+constexpr double short_of_boundary = 0.01;
 
 bool in_net(const Host& host, const model::Face& face, base::NetId net) {
   return !net.valid() || host.mesh().element_net[face.element.index()] == net;
@@ -42,12 +37,11 @@ struct Found {
   double chord = 0.0;
 };
 
-Found find_mouth(const Host& host, const CrackLine& line) {
+Found find_mouth(const Host& host, const Vec3& start, base::NetId net) {
   const model::Mesh& mesh = host.mesh();
-  const Vec3& start = line.points.front();
   Found found;
   for (const model::Face& face : host.boundary()) {
-    if (!in_net(host, face, line.net)) {
+    if (!in_net(host, face, net)) {
       continue;
     }
     const Edge edge = edge_of(mesh, face);
@@ -70,6 +64,23 @@ Found find_mouth(const Host& host, const CrackLine& line) {
     }
   }
   return found;
+}
+
+/// The element of the net that a point lies in, or an invalid one.
+base::ElementId element_at(const model::Mesh& mesh, const Vec3& point, base::NetId net) {
+  for (std::size_t i = 0; i < mesh.element_count(); ++i) {
+    const base::ElementId e(i);
+    if (net.valid() && mesh.element_net[i] != net) {
+      continue;
+    }
+    const Vec3& first = mesh.x[mesh.nodes_of(e).front().index()];
+    const double size = (mesh.x[mesh.nodes_of(e)[1].index()] - first).norm();
+    const std::vector<Vec2> shape = polygon(mesh, e, {point, Vec3::UnitX(), size});
+    if (distance(shape, {Vec2::Zero(), Vec2::Zero()}) < same) {
+      return e;
+    }
+  }
+  return {};
 }
 
 bool on_axis(const Vec2& p) {
@@ -114,35 +125,114 @@ double tip_clearance(const Host& host, const CrackFrame& frame, const std::vecto
 // Room for the tip, as a part of the crack's length, below which it counts as on the boundary.
 constexpr double through = 1e-9;
 
+CrackFrame frame_of(const CrackLine& line) {
+  CrackFrame frame;
+  frame.origin = line.points.front();
+  frame.e1 = (line.points[1] - line.points[0]).normalized();
+  frame.a = 0.0;
+  for (std::size_t i = 1; i < line.points.size(); ++i) {
+    frame.a += (line.points[i] - line.points[i - 1]).norm();
+  }
+  if (line.embedded) {
+    frame.a *= 0.5;
+  }
+  return frame;
+}
+
+CrackStart crack_start(const model::Mesh& host, const Vec3& point, base::NetId net) {
+  const Host neighbours(host);
+  const Found found = find_mouth(neighbours, point, net);
+  if (found.distance <= on_boundary * found.chord) {
+    return CrackStart::boundary;
+  }
+  return element_at(host, point, net).valid() ? CrackStart::inside : CrackStart::outside;
+}
+
+namespace {
+
+std::string text(const Vec3& p) {
+  return fmt::format("({:.6g}, {:.6g})", p.x(), p.y());
+}
+
+/// Finds where the crack starts and moves its frame there.
+bool put_start(const Host& host, const CrackLine& line, Placement& result,
+               base::Diagnostics& diagnostics, base::Span span) {
+  const Vec3& start = line.points.front();
+  const Found found = find_mouth(host, start, line.net);
+  const bool mouth = found.distance <= on_boundary * found.chord;
+  if (mouth && !line.embedded) {
+    result.mouth = found.mouth;
+    result.seed = found.mouth.face.element;
+    result.frame.origin = found.at;
+    return true;
+  }
+  result.seed = element_at(host.mesh(), start, line.net);
+  if (!mouth && line.embedded && result.seed.valid() &&
+      found.distance > short_of_boundary * result.frame.a) {
+    return true;
+  }
+  const std::string hint = found.chord > 0.0
+                               ? fmt::format("the nearest boundary point is {}", text(found.at))
+                               : "the net has no boundary there";
+  if (!mouth && line.embedded && result.seed.valid()) {
+    diagnostics.error(
+        span, "E421",
+        fmt::format("{} starts at {}, {:.3g} short of the boundary: neither on it nor "
+                    "inside the body",
+                    line.title(), text(start), found.distance),
+        hint);
+    return false;
+  }
+  diagnostics.error(span, "E421",
+                    fmt::format("{} starts at {}, which is neither on the boundary nor inside the "
+                                "body",
+                                line.title(), text(start)),
+                    hint);
+  return false;
+}
+
+double angle_of(const Vec2& v) {
+  return std::atan2(v.y(), v.x());
+}
+
+/// The tips of a line, each with its direction of growth.
+std::vector<TipPlace> tips_of(const std::vector<Vec2>& line, bool embedded) {
+  const bool straight = line.size() == 2; // then the angles are exact
+  const Vec2 last = line.back() - line[line.size() - 2];
+  const TipPlace end{line.back(), straight ? 0.0 : angle_of(last)};
+  if (!embedded) {
+    return {end};
+  }
+  return {{line.front(), straight ? std::numbers::pi : angle_of(line[0] - line[1])}, end};
+}
+
+/// Room for a rosette at the last point of a line: to the boundary, along the last stretch.
+double room_at_end(const Host& host, const Placement& placement, const std::vector<Vec2>& line,
+                   base::NetId net) {
+  const double last = (line.back() - line[line.size() - 2]).norm();
+  const bool shared = placement.tips.size() > 1 && line.size() == 2; // with the other tip
+  return std::min(tip_clearance(host, placement.frame, line, placement.half != 0, net),
+                  shared ? 0.5 * last : last);
+}
+
+} // namespace
+
 std::optional<Placement> place(const Host& host, const CrackLine& line, const TipMesh& tip,
                                base::Span span, base::Diagnostics& diagnostics) {
   Placement result;
-  const Found found = find_mouth(host, line);
-  if (!(found.distance <= on_boundary * found.chord)) {
-    diagnostics.error(span, "E421",
-                      fmt::format("{} starts at ({:.6g}, {:.6g}), which is not on the boundary; a "
-                                  "crack inside the body is not available in this version",
-                                  line.title(), line.points[0].x(), line.points[0].y()),
-                      found.chord > 0.0
-                          ? fmt::format("the nearest boundary point is ({:.6g}, {:.6g})",
-                                        found.at.x(), found.at.y())
-                          : "the net has no boundary there");
+  CrackFrame& frame = result.frame;
+  frame = frame_of(line);
+  if (!put_start(host, line, result, diagnostics, span)) {
     return std::nullopt;
   }
-  result.mouth = found.mouth;
-  CrackFrame& frame = result.frame;
-  frame.origin = found.at;
-  frame.a = length_of(line.points);
-  frame.e1 = (line.points[1] - line.points[0]).normalized();
   for (const Vec3& p : line.points) {
-    result.line.push_back(frame.exact(p - line.points[0] + found.at));
+    result.line.push_back(frame.exact(p - line.points[0] + frame.origin));
   }
   result.line[0].setZero();
   if (result.line.size() == 2) {
-    result.line[1] = {1.0, 0.0};
+    result.line[1] = {line.embedded ? 2.0 : 1.0, 0.0};
   }
-  const Vec2 last = result.line.back() - result.line[result.line.size() - 2];
-  result.direction = result.line.size() == 2 ? 0.0 : std::atan2(last.y(), last.x());
+  result.tips = tips_of(result.line, line.embedded);
   result.radius = tip.radius / frame.a;
   result.size = tip.size / frame.a;
   if (line.symmetric_half) {
@@ -155,15 +245,17 @@ std::optional<Placement> place(const Host& host, const CrackLine& line, const Ti
       return std::nullopt;
     }
   }
-  const double room =
-      std::min(tip_clearance(host, frame, result.line, result.half != 0, line.net), last.norm());
+  double room = room_at_end(host, result, result.line, line.net);
+  if (line.embedded) {
+    const std::vector<Vec2> reversed(result.line.rbegin(), result.line.rend());
+    room = std::min(room, room_at_end(host, result, reversed, line.net));
+  }
   if (room < through) {
-    diagnostics.error(
-        span, "E423",
-        fmt::format("{}: with a = {:.6g} the tip lies on the boundary: the crack cuts "
-                    "the body through, or its line is neither inside the body nor "
-                    "held as a line of symmetry",
-                    line.title(), frame.a));
+    diagnostics.error(span, "E423",
+                      fmt::format("{}: with a = {:.6g} a tip lies on the boundary: the crack cuts "
+                                  "the body through, or its line is neither inside the body nor "
+                                  "held as a line of symmetry",
+                                  line.title(), frame.a));
     return std::nullopt;
   }
   if (result.radius > 0.9 * room || result.size >= result.radius || !(result.size > 0.0)) {

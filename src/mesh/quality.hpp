@@ -6,8 +6,9 @@
 
 namespace spricka::mesh {
 
-/// An element whose Jacobian determinant is not positive at an integration point or a node (the
-/// tip node of a quarter-point element, where it is zero by intent, is left out).
+/// An element that must not be used: its Jacobian determinant is not positive at an integration
+/// point, negative at a node of a plane element, or at a node of a solid by more than a tenth
+/// of its mean. (The tip node of a quarter-point element, where it is zero by intent, is left out.)
 struct BadElement {
   base::ElementId element;
   double jacobian = 0.0;              ///< the smallest determinant met
@@ -15,8 +16,25 @@ struct BadElement {
   bool turned = false; ///< negative at all points met: the nodes run the wrong way round
 };
 
-/// All bad elements, ascending. Zero determinants at single nodes of quarter-point or collapsed
-/// elements are accepted; negative ones nowhere.
+/// A solid whose determinant is negative at a node, by less than a tenth of its mean, and
+/// positive at all integration points: its stiffness is sound, its map is not one to one in that
+/// corner.
+struct FoldedCorner {
+  base::ElementId element;
+  base::NodeId node;
+  double part = 0.0; ///< determinant at the node over the mean, -0.1 to 0
+};
+
+struct MeshFaults {
+  std::vector<BadElement> bad;       ///< ascending
+  std::vector<FoldedCorner> corners; ///< ascending; of several in an element the worst
+};
+
+/// Looks at every element. Zero determinants at single nodes of quarter-point or collapsed elements
+/// are accepted.
+MeshFaults mesh_faults(const model::Mesh& mesh);
+
+/// The bad elements alone.
 std::vector<BadElement> bad_elements(const model::Mesh& mesh);
 
 } // namespace spricka::mesh

@@ -37,7 +37,8 @@ std::vector<double> ring_radii(double size, double radius, int rings) {
 
 } // namespace
 
-Rosette add_rosette(PatchNet& net, const Placement& placement, const TipMesh& tip) {
+Rosette add_rosette(PatchNet& net, const Placement& placement, const TipPlace& at,
+                    const TipMesh& tip) {
   constexpr double pi = std::numbers::pi;
   const bool half = placement.half != 0;
   const auto sectors = static_cast<std::size_t>(half ? (tip.sectors + 1) / 2 : tip.sectors);
@@ -47,24 +48,25 @@ Rosette add_rosette(PatchNet& net, const Placement& placement, const TipMesh& ti
   const std::vector<double> radii = ring_radii(placement.size, placement.radius, tip.rings);
 
   Rosette result;
-  result.tip = net.new_node(placement.tip());
+  result.tip = net.new_node(at.at);
+  const bool backward = std::abs(at.direction) == pi; // along the axis, too
   std::vector<std::vector<int>> corner(radii.size(), std::vector<int>(rays));
   for (std::size_t k = 0; k < radii.size(); ++k) {
     for (std::size_t j = 0; j < rays; ++j) {
       const double t = start + turn * static_cast<double>(j) / static_cast<double>(sectors);
-      const double angle = placement.direction + t;
-      const bool axis =
-          placement.direction == 0.0 && (std::abs(t) < same || std::abs(std::abs(t) - pi) < same);
-      const base::Vec2 unit = axis ? base::Vec2(std::abs(t) < same ? 1.0 : -1.0, 0.0)
+      const double angle = at.direction + t;
+      const bool axis = (at.direction == 0.0 || backward) &&
+                        (std::abs(t) < same || std::abs(std::abs(t) - pi) < same);
+      const base::Vec2 unit = axis ? base::Vec2((std::abs(t) < same) != backward ? 1.0 : -1.0, 0.0)
                                    : base::Vec2(std::cos(angle), std::sin(angle));
-      corner[k][j] = net.new_node(base::Vec2(placement.tip() + radii[k] * unit));
+      corner[k][j] = net.new_node(base::Vec2(at.at + radii[k] * unit));
     }
   }
   for (std::size_t j = 0; j < rays; ++j) {
     const double part = tip.quarter_point ? 0.25 : 0.5;
     const base::Vec3& x = net.x(result.tip);
-    const base::Vec3 at = x + part * (net.x(corner[0][j]) - x);
-    net.set_mid(result.tip, corner[0][j], net.new_node(at));
+    const base::Vec3 quarter = x + part * (net.x(corner[0][j]) - x);
+    net.set_mid(result.tip, corner[0][j], net.new_node(quarter));
   }
   for (std::size_t j = 0; j < sectors; ++j) {
     const std::size_t next = (j + 1) % rays;

@@ -90,6 +90,7 @@ private:
 } // namespace
 
 std::optional<CrackedMesh::Lips> split_along(model::Mesh& mesh, const std::vector<NodeId>& path,
+                                             bool embedded,
                                              std::vector<std::pair<NodeId, NodeId>>& twins) {
   std::map<NodeId, std::vector<ElementId>> around;
   for (const NodeId n : path) {
@@ -123,7 +124,8 @@ std::optional<CrackedMesh::Lips> split_along(model::Mesh& mesh, const std::vecto
     }
   }
   std::vector<std::vector<ElementId>> right;
-  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+  const std::size_t first = embedded ? 1 : 0; // tips stay single
+  for (std::size_t i = first; i + 1 < path.size(); ++i) {
     Fan fan(mesh, around[path[i]]);
     fan.part(path[i], cut);
     std::optional<std::vector<ElementId>> elements = fan.right();
@@ -133,12 +135,15 @@ std::optional<CrackedMesh::Lips> split_along(model::Mesh& mesh, const std::vecto
     right.push_back(std::move(*elements));
   }
   CrackedMesh::Lips lips{path, {}};
+  if (embedded) {
+    lips.right.push_back(path.front());
+  }
   const base::NetId net = mesh.node_net[path[0].index()];
   base::Label label = next_node_label(mesh, net);
-  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+  for (std::size_t i = first; i + 1 < path.size(); ++i) {
     const base::Vec3 x = mesh.x[path[i].index()];
     const NodeId twin = model::add_node(mesh, x, label++, net);
-    for (const ElementId e : right[i]) {
+    for (const ElementId e : right[i - first]) {
       const auto begin = mesh.nodes.begin() + mesh.first[e.index()];
       std::replace(begin, mesh.nodes.begin() + mesh.first[e.index() + 1], path[i], twin);
     }

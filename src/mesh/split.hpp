@@ -8,12 +8,12 @@
 
 namespace spricka::mesh {
 
-/// Opens a path of element edges: its nodes, all but the last one, the tip, are doubled, and the
-/// elements on the right of the path get the new ones. `path` holds mid nodes too. `twins` grows by
-/// (old, new). Empty if the elements on both sides hang together round a node of the path, as they
-/// do when it does not start on the boundary.
+/// Opens a path of element edges: its nodes, all but the last one, the tip (of an embedded crack
+/// the first one, too), are doubled, and the elements on the right of the path get the new ones.
+/// `path` holds mid nodes too. `twins` grows by (old, new). Empty if the elements on both sides
+/// hang together round a node of the path, as they do when it does not start on the boundary.
 std::optional<CrackedMesh::Lips>
-split_along(model::Mesh& mesh, const std::vector<base::NodeId>& path,
+split_along(model::Mesh& mesh, const std::vector<base::NodeId>& path, bool embedded,
             std::vector<std::pair<base::NodeId, base::NodeId>>& twins);
 
 /// Moves the mid nodes of all edges that leave a tip to their quarter points. Returns how many.

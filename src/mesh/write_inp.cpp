@@ -167,7 +167,19 @@ private:
     }
   }
 
+  template <class Value> void temperatures(const InpStep& step, const Value& value) {
+    for (std::size_t n = 0; n < step.temperature.size(); ++n) {
+      if (used_[n]) {
+        put("{}, {}\n", node_[n], number(value(step.temperature[n])));
+      }
+    }
+  }
+
   void write_step(const InpStep& step) {
+    if (!step.temperature.empty()) { // strains count from it
+      put("*INITIAL CONDITIONS, TYPE=TEMPERATURE\n");
+      temperatures(step, [](double /*T*/) { return 0.0; });
+    }
     put("*STEP\n*STATIC\n");
     if (!step.fixed.empty()) {
       put("*BOUNDARY\n");
@@ -184,6 +196,10 @@ private:
           headed = true;
         }
       }
+    }
+    if (!step.temperature.empty()) {
+      put("*TEMPERATURE\n");
+      temperatures(step, [](double T) { return T; });
     }
     put("*NODE FILE\nU, RF\n*EL FILE\nS\n*END STEP\n");
   }

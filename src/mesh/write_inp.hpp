@@ -17,17 +17,19 @@ struct InpStep {
   };
   std::string name;
   std::vector<Fixed> fixed;
-  std::vector<base::Vec3> force; ///< [node]; empty: none
+  std::vector<base::Vec3> force;   ///< [node]; empty: none
+  std::vector<double> temperature; ///< [node] above that of no strain; empty: none
 };
 
 /// Types of the model that Abaqus and CalculiX have no name for, as the deck calls them.
 std::vector<std::string> types_without_inp(const model::Mesh& mesh);
 
 /// A model as the text of an Abaqus or CalculiX input file: nodes, elements, sets, faces as
-/// *SURFACE, materials and sections, and, with a step, supports, nodal forces and requests for
-/// displacements and stresses. Dots in names become underscores. Coordinates have as many digits as
-/// it takes to read the same bits back, up to the 20 characters that CalculiX reads. Nodes of no
-/// element are left out; deck numbers stay where they are unique. All types must have a name there.
+/// *SURFACE, materials and sections, and, with a step, supports, nodal forces, nodal temperatures
+/// and requests for displacements and stresses. Dots in names become underscores. Coordinates have
+/// as many digits as it takes to read the same bits back, up to the 20 characters that CalculiX
+/// reads. Nodes of no element are left out; deck numbers stay where they are unique. All types must
+/// have a name there.
 std::string inp_text(const model::Model& model, const InpStep* step);
 
 } // namespace spricka::mesh

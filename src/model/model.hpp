@@ -146,6 +146,7 @@ struct Crack {
   base::NodeSetId path;           ///< ordered nodes: from the mouth (path), of the front (front)
   base::NetId net;                ///< the net a free crack cuts
   std::vector<base::Vec3> points; ///< free crack: from the mouth (or first tip) on
+  bool smooth = false;            ///< free crack: a smooth curve through the points
   std::optional<double> angle;    ///< free crack with one point [rad], from +x
   std::optional<double> a0;       ///< first length [length]
   int normal = 1;                 ///< of the plane of a 3D crack: 0 x, 1 y, 2 z

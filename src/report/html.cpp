@@ -149,6 +149,7 @@ std::string html_report(const base::Sources& sources, const model::Model& model,
     }
     page.table(untitled(balance_table(model, run.increments.back())));
     page.table(net_balance_table(model, run.increments.back()));
+    page.table(error_table(run.increments.back()));
   }
   if (!run.checks.empty()) {
     page.heading("Checks");

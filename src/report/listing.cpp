@@ -87,9 +87,10 @@ std::string increment_text(const model::Model& model, const results::Increment& 
       out += fmt::format("note: load path {}: {}\n", path.name, note);
     }
   }
-  for (const Table& table : {balance_table(model, increment), net_balance_table(model, increment),
-                             contact_table(model, increment), k_table(model, increment),
-                             load_path_table(model, increment), opening_table(increment)}) {
+  for (const Table& table :
+       {balance_table(model, increment), net_balance_table(model, increment),
+        error_table(increment), contact_table(model, increment), k_table(model, increment),
+        load_path_table(model, increment), opening_table(increment)}) {
     if (!table.rows.empty()) {
       (out += '\n') += to_text(table);
     }

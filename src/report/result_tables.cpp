@@ -228,6 +228,33 @@ Table net_balance_table(const model::Model& model, const results::Increment& inc
   return same ? table : resultants(model, increment, table, &results::StepResult::nets);
 }
 
+Table error_table(const results::Increment& increment) {
+  Table table{"Estimated energy error",
+              {{"step", "", true},
+               {"net", "", true},
+               {"error", "%", false},
+               {"most of it in elements", "", true},
+               {"share", "%", false}},
+              {}};
+  for (const results::StepResult& step : increment.steps) {
+    for (const results::NetError& error : step.errors) {
+      if (error.net == "*" && step.errors.size() == 2) {
+        continue; // of one net
+      }
+      std::string labels;
+      for (const base::ElementId e : error.worst) {
+        labels +=
+            fmt::format("{}{}", labels.empty() ? "" : " ", increment.mesh.element_label[e.index()]);
+      }
+      const bool all = error.net == "*";
+      table.rows.push_back({step.step, all ? "all" : error.net,
+                            fmt::format("{:.1f}", 100.0 * error.part), all ? "" : labels,
+                            all ? "" : fmt::format("{:.0f}", 100.0 * error.worst_share)});
+    }
+  }
+  return table;
+}
+
 std::string direction_note(const model::Model& model) {
   return model::axisymmetric(model)
              ? "forces and energies are of the full circumference; radial forces balance round it "

@@ -25,6 +25,10 @@ Table balance_table(const model::Model& model, const results::Increment& increme
 /// The same of each net; no rows where every net is one body.
 Table net_balance_table(const model::Model& model, const results::Increment& increment);
 
+/// Estimated error of each net in the energy norm and the elements with most of it, for the steps
+/// whose stresses were recovered.
+Table error_table(const results::Increment& increment);
+
 /// What a reader of forces has to know of the model; may be empty.
 std::string direction_note(const model::Model& model);
 

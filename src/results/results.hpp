@@ -66,6 +66,15 @@ struct Balance {
   double energy = 0.0;                 ///< strain energy [force * length]
 };
 
+/// What the mesh of one net, or of all together, is estimated to miss (fe/error_estimate.hpp).
+struct NetError {
+  std::string net;   ///< as in Balance, "*": all
+  double part = 0.0; ///< sqrt(error energy / (strain energy + error energy))
+  /// Where most of it sits, at most three, and their share of the error's energy.
+  std::vector<base::ElementId> worst;
+  double worst_share = 0.0;
+};
+
 /// A face of the outer surface of a solid mesh: its outline, mid nodes between the corners.
 struct SurfaceFace {
   base::ElementId element;
@@ -85,6 +94,7 @@ struct StepResult {
   std::vector<ContactResult> contacts;
   std::vector<Balance> balance; ///< by body
   std::vector<Balance> nets;    ///< by net, in deck order, those with elements
+  std::vector<NetError> errors; ///< by net, then "*"; empty: not estimated
   bool tied = false;            ///< ties stand between freedoms
   double energy = 0.0;          ///< strain energy
   int iterations = 0;           ///< block iterations of the contact solution

@@ -22,7 +22,9 @@ double tip_quantity(const std::string& quantity, Arguments& args, const results:
   const Place at = find_place(run, step, args.number());
   const results::TipResult* found = results::find_tip(*at.step, tip);
   if (found == nullptr) {
-    throw Missing(fmt::format("no tip {}", tip));
+    const bool two = results::find_tip(*at.step, tip + ".1") != nullptr;
+    throw Missing(two ? fmt::format("crack {0} has two tips: {0}.1 and {0}.2", tip)
+                      : fmt::format("no tip {}", tip));
   }
   if (!found->doubt.empty()) {
     throw Missing(found->doubt);
@@ -145,6 +147,17 @@ double energy(Arguments& args, const results::Run& run) {
   return found->energy;
 }
 
+double estimated_error(Arguments& args, const results::Run& run) {
+  const std::string net = args.name("a net or *");
+  const std::string step = args.name("a step");
+  const results::StepResult& at = *find_place(run, step, args.number()).step;
+  const auto found = std::ranges::find(at.errors, net, &results::NetError::net);
+  if (found == at.errors.end()) {
+    throw Missing(fmt::format("net {} has no elements outside crack patches", net));
+  }
+  return found->part;
+}
+
 double evaluate(const model::Model& model, const model::Check& check, const results::Run& run) {
   Arguments args(check);
   const std::string& q = check.quantity;
@@ -159,6 +172,9 @@ double evaluate(const model::Model& model, const model::Check& check, const resu
   }
   if (q == "ENERGY") {
     return energy(args, run);
+  }
+  if (q == "ERROR") {
+    return estimated_error(args, run);
   }
   if (q == "REACTION") {
     return reaction(args, run);

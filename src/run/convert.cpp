@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <optional>
 #include <string_view>
@@ -107,20 +108,24 @@ private:
     const auto size = static_cast<Eigen::Index>(dim * mesh.node_count());
     base::Vector f = base::Vector::Zero(size);
     base::Vector u = base::Vector::Zero(size);
+    base::Vector T; // [connectivity index]
     for (const model::Action& action : from.actions) {
       const auto* load = std::get_if<model::ApplyLoad>(&action);
       if (load == nullptr) {
         refuse(from.span, "a $STEP that mounts, dismounts or fits");
         continue;
       }
-      const model::LoadCase& load_case = model_.cases[load->load_case.index()];
-      if (can_load(load_case)) {
-        f += load->factor * fe::nodal_load(model_, mesh, load_case);
-        u += load->factor * fe::prescribed_displacement(model_, mesh, load_case);
-      }
+      const model::LoadCase& with_heat = model_.cases[load->load_case.index()];
+      model::LoadCase load_case = with_heat; // nodal_load holds the forces of heat as well
+      std::erase_if(load_case.loads,
+                    [](const model::Load& l) { return l.type == model::LoadType::temperature; });
+      f += load->factor * fe::nodal_load(model_, mesh, load_case);
+      u += load->factor * fe::prescribed_displacement(model_, mesh, load_case);
+      heat(with_heat, load->factor, T);
     }
     mesh::InpStep step;
     step.name = from.name;
+    step.temperature = at_nodes(T);
     step.force.assign(mesh.node_count(), base::Vec3::Zero());
     const std::vector<model::FreedomClass> cls = fe::classify_freedoms(model_, mesh);
     for (std::size_t i = 0; i < cls.size(); ++i) {
@@ -136,20 +141,48 @@ private:
     return step;
   }
 
-  /// In space only loads that are given at nodes have their nodal values here.
-  bool can_load(const model::LoadCase& load_case) {
-    using model::LoadType;
-    bool ok = true;
+  // Adds the temperatures of a case, by connectivity index as elements at a node may differ.
+  void heat(const model::LoadCase& load_case, double factor, base::Vector& T) const {
+    const model::Mesh& mesh = model_.mesh;
     for (const model::Load& load : load_case.loads) {
-      const bool nodal = load.type == LoadType::force || load.type == LoadType::displacement;
-      const bool thermal = load.type == LoadType::temperature;
-      if (thermal || (model_.mesh.dim == 3 && !nodal)) {
-        refuse(load.span,
-               thermal ? "$LOAD TYPE=TEMPERATURE" : "a $LOAD in space other than FORCE and DISP");
-        ok = false;
+      if (load.type != model::LoadType::temperature) {
+        continue;
+      }
+      if (T.size() == 0) {
+        T = base::Vector::Zero(static_cast<Eigen::Index>(mesh.nodes.size()));
+      }
+      for (const base::ElementId e : mesh.set(load.elements).elements) {
+        Eigen::Index k = mesh.first[e.index()];
+        for (const base::NodeId n : mesh.nodes_of(e)) {
+          T[k++] += factor * load.value.front()(mesh.x[n.index()]);
+        }
       }
     }
-    return ok;
+  }
+
+  /// Temperatures belong to nodes there: elements that expand must agree on them. [node]
+  std::vector<double> at_nodes(const base::Vector& T) {
+    const model::Mesh& mesh = model_.mesh;
+    std::vector<double> node(T.size() > 0 ? mesh.node_count() : 0, 0.0);
+    std::vector<bool> known(node.size(), false);
+    const double tolerance = T.size() > 0 ? 1e-9 * T.lpNorm<Eigen::Infinity>() : 0.0;
+    for (std::size_t e = 0; e < mesh.element_count() && !node.empty(); ++e) {
+      Eigen::Index k = mesh.first[e];
+      const bool expands = model_.material_of(mesh, base::ElementId(e)).alpha != 0.0;
+      for (const base::NodeId n : mesh.nodes_of(base::ElementId(e))) {
+        const double here = T[k++];
+        if (!expands) {
+          continue;
+        }
+        if (known[n.index()] && std::abs(node[n.index()] - here) > tolerance) {
+          refuse(model_.steps.front().span, "a temperature that jumps between elements");
+          return {};
+        }
+        node[n.index()] = here;
+        known[n.index()] = true;
+      }
+    }
+    return node;
   }
 
   const model::Model& model_;

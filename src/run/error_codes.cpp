@@ -82,6 +82,9 @@ constexpr std::array advice{
                       "on, within a tenth of a face."},
     ErrorCode{"E416", "Ties say more than once, and differently, where a freedom goes: leave one "
                       "out, or let a support or prescribed value follow the tie."},
+    ErrorCode{"E418",
+              "Each node of the set carries the force of its line. Tie a loose node by $MPC; "
+              "near a crack use TRACTION or RESULTANT on a face set."},
     ErrorCode{"E421", "The first point of a free crack lies on the boundary of its net; the "
                       "message names the nearest one."},
     ErrorCode{"E423", "RADIUS of $TIPNET must be smaller than the room named, SIZE smaller than "
@@ -97,6 +100,8 @@ constexpr std::array advice{
     ErrorCode{"E530", "Is the path right, may you read and write there, is the disk full? A folder "
                       "that is no run folder is never overwritten: exit code 7."},
     ErrorCode{"E540", "Write .msh or .vtu for the mesh alone: exit code 4."},
+    ErrorCode{"W307", "The element's stiffness is sound, as the Jacobian is positive where it is "
+                      "integrated; but some places in that corner belong to it twice."},
     ErrorCode{"W336", "Refine where bending or near incompressibility made you choose the special "
                       "form."},
     ErrorCode{"W337", "The moduli must be in deck units already."},
@@ -106,6 +111,11 @@ constexpr std::array advice{
     ErrorCode{"W503",
               "Ties at points pass constant stress exactly only where every side of the fine "
               "mesh lies on one face of the coarse one."},
+    ErrorCode{"W504",
+              "Refine near the elements named, or use quadratic elements: linear ones and few "
+              "distorted ones are stiff in bending. Sharp inner corners, edges of contact and "
+              "single forces have errors that refinement moves but does not end; if stresses "
+              "there are not wanted, the estimate can be left at that."},
     ErrorCode{"W502", "The faces of a crack overlap (K1 is negative), or a finite SHIFT of $VCE is "
                       "too large. The listing says the same."},
 };

@@ -32,7 +32,8 @@ inline constexpr std::array later_codes{
     ErrorCode{"E415", "an $MPC whose slave nodes do not lie on the master faces"},
     ErrorCode{"E416", "$MPC cards that contradict each other or supports"},
     ErrorCode{"E417", "a load on the faces of a crack"},
-    ErrorCode{"E418", "a force on a node that no element has"},
+    ErrorCode{"E418", "a force on a node that no element has, or that a crack cut out or added"},
+    ErrorCode{"E419", "a support on a node that a crack has cut out"},
     ErrorCode{"E421", "a crack that does not start on the boundary"},
     ErrorCode{"E422", "a crack on a symmetry line that is no straight part of the boundary"},
     ErrorCode{"E423", "a rosette that does not fit"},
@@ -56,6 +57,7 @@ inline constexpr std::array later_codes{
     ErrorCode{"W501", "linear triangles, tetrahedra or wedges of a nearly incompressible material"},
     ErrorCode{"W502", "a result of a step that needs a second look"},
     ErrorCode{"W503", "a TRANSITION between meshes that do not nest"},
+    ErrorCode{"W504", "a mesh whose estimated error is large"},
     ErrorCode{"W540", "a converted deck of which only the first step is written"},
 };
 

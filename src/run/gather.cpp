@@ -3,6 +3,7 @@
 
 #include "crack/stress_intensity.hpp"
 #include "run/body_force.hpp"
+#include "run/tip_name.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +38,7 @@ void gather_tips(const model::Model& model, const Scene& scene, const StepState&
         crack::stress_intensity(model, scene.cracked, tip, scene.tips[t].fields, request, state.u,
                                 body_force(model, scene, scene.tips[t].fields, state.case_factor));
     results::TipResult result;
-    result.name = tip.number > 1 ? fmt::format("{}.{}", crack.name, tip.number) : crack.name;
+    result.name = tip_name(model, scene.cracked, tip);
     result.a = tip.a;
     result.x = tip.x;
     result.direction = tip.direction;

@@ -4,6 +4,7 @@
 #include "base/clock.hpp"
 #include "fe/law.hpp"
 #include "run/check_quantities.hpp"
+#include "run/estimate.hpp"
 #include "run/solve_run.hpp"
 
 #include <algorithm>
@@ -84,6 +85,10 @@ void collect_warnings(const base::Diagnostics& reading, results::Run& run, const
         }
       }
     }
+  }
+  for (const std::string& coarse : coarse_nets(run)) {
+    run.warnings.push_back(coarse);
+    log.message(base::Severity::warning, "W504", coarse);
   }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/preview_model.hpp"
 
+#include "run/tip_name.hpp"
+
 #include "contact/survey.hpp"
 #include "mesh/measure_quality.hpp"
 
@@ -162,10 +164,7 @@ results::LengthPreview preview_length(const model::Model& model, const Scene& sc
   length.notes = scene.notes;
   for (const mesh::Tip& tip : cracked.tips) {
     results::TipPreview preview;
-    const std::string& name = model.cracks[tip.crack.index()].name;
-    const bool two = std::count_if(cracked.tips.begin(), cracked.tips.end(),
-                                   [&](const auto& t) { return t.crack == tip.crack; }) > 1;
-    preview.name = two ? fmt::format("{}.{}", name, tip.number) : name;
+    preview.name = tip_name(model, cracked, tip);
     const mesh::CrackedMesh::Lips& lips = cracked.lips[tip.crack.index()];
     const std::vector<base::NodeId>& lip = lips.left.empty() ? lips.right : lips.left;
     if (!lip.empty()) {

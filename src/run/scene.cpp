@@ -5,6 +5,7 @@
 #include "fe/dof_map.hpp"
 #include "fe/thermal.hpp"
 #include "growth/crack_lines.hpp"
+#include "run/scene_nodes.hpp"
 #include "run/scene_ties.hpp"
 #include "shape/topology.hpp"
 
@@ -214,38 +215,6 @@ bool arrives(const model::Model& model, const model::Mesh& mesh, const model::Lo
                      [](const base::Expression& v) { return v(base::Vec3::Zero()) == 0.0; });
 }
 
-// A force on a node that neither an element nor a tie holds goes nowhere.
-bool forces_are_taken(const model::Model& model, const Scene& scene,
-                      base::Diagnostics& diagnostics) {
-  const model::Mesh& mesh = scene.cracked.mesh;
-  std::vector<bool> taken = model::nodes_in_use(mesh);
-  for (const fe::Dependence::Row& row : scene.ties->rows()) {
-    taken[static_cast<std::size_t>(row.freedom / mesh.dim)] = true;
-    for (const fe::Term& t : row.terms) {
-      taken[static_cast<std::size_t>(t.freedom / mesh.dim)] = true;
-    }
-  }
-  for (const model::LoadCase& load_case : model.cases) {
-    for (const model::Load& load : load_case.loads) {
-      if (load.type != model::LoadType::force) {
-        continue;
-      }
-      for (const base::NodeId n : mesh.set(load.nodes).nodes) {
-        if (!taken[n.index()]) {
-          diagnostics.error(load.span, "E418",
-                            fmt::format("load case {}: no element has node {}, which it loads",
-                                        load_case.name, mesh.node_label[n.index()]),
-                            model.cracks.empty() ? "tie the node by $MPC, or load one of the body"
-                                                 : "a crack's patch may have taken its place: use "
-                                                   "TRACTION or RESULTANT on a face set");
-          return false;
-        }
-      }
-    }
-  }
-  return true;
-}
-
 bool make_loads(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics) {
   const model::Mesh& mesh = scene.cracked.mesh;
   bool good = true;
@@ -320,7 +289,8 @@ std::optional<Scene> make_scene(const model::Model& model, double a, const Regio
   const bool pairs = make_pairs(model, scene, diagnostics);
   const bool tips = make_tips(model, scene, diagnostics);
   const bool lips = lips_are_free(model, scene, lines, diagnostics);
-  if (!ties || !pairs || !tips || !lips) {
+  const bool held = supports_are_kept(model, scene, diagnostics);
+  if (!ties || !pairs || !tips || !lips || !held) {
     return std::nullopt;
   }
   reduce_rows(scene);

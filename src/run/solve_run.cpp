@@ -6,6 +6,7 @@
 #include "growth/crack_lines.hpp"
 #include "mesh/boundary.hpp"
 #include "report/report.hpp"
+#include "run/estimate.hpp"
 #include "run/gather.hpp"
 #include "run/load_paths.hpp"
 #include "shape/topology.hpp"
@@ -32,7 +33,7 @@ private:
 };
 
 // Stresses are recovered where something shows them: at KMAX of a growth run, else at the last
-// step, and where an output asks for pictures or stresses.
+// step, and where an output asks for pictures or stresses or a check for their error.
 std::vector<bool> pictured_steps(const model::Model& model, bool last_increment) {
   std::vector<bool> pictured(model.steps.size(), false);
   if (model.growth && model.growth->kmax.valid()) {
@@ -47,6 +48,12 @@ std::vector<bool> pictured_steps(const model::Model& model, bool last_increment)
       for (const std::size_t s : report::wanted_steps(model, output, last_increment)) {
         pictured[s] = true;
       }
+    }
+  }
+  for (const model::Check& check : model.checks) {
+    for (std::size_t s = 0; check.quantity == "ERROR" && s < model.steps.size(); ++s) {
+      const auto* step = std::get_if<std::string>(&check.arguments.at(1));
+      pictured[s] = pictured[s] || (step != nullptr && *step == model.steps[s].name);
     }
   }
   return pictured;
@@ -218,11 +225,15 @@ private:
                           state->iterations, state->pivots, state->imbalance));
       increment.steps.push_back(gather_step(model_, scene, bodies, step, *state));
       paths.keep(s, solver, increment.steps.back());
-      if (pictured[s]) {
-        add_stress(model_, scene.cracked.mesh, increment.steps.back());
-      }
       log.add("VCE", fmt::format("step {}: {} tips, pressures, balance", step.name,
                                  scene.cracked.tips.size()));
+      if (pictured[s]) {
+        add_stress(model_, scene.cracked.mesh, increment.steps.back());
+        log.add("RECOVER", fmt::format("step {}: stresses", step.name));
+        add_errors(model_, scene, state->energy, increment.steps.back());
+        log.add("ESTIMATE", fmt::format("step {}: energy error {:.1f} %", step.name,
+                                        100.0 * increment.steps.back().errors.back().part));
+      }
     }
     increment.paths = paths.follow(solver);
     for (const results::LoadPath& path : increment.paths) {

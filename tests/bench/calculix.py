@@ -21,7 +21,7 @@ STIFFNESS = 1.0e7         # of the contact [N/mm^3]
 
 
 class Deck:
-    def __init__(self, mesh):
+    def __init__(self, mesh, element="CPS6"):
         self.mesh = mesh
         self.lines = ["*NODE, NSET=ALL"]
         self.lines += [f"{i},{x:.12g},{y:.12g},0." for i, (x, y) in enumerate(mesh.nodes, 1)]
@@ -29,7 +29,7 @@ class Deck:
         number = 1
         for name, triangles in mesh.bodies.items():
             self.first[name] = number
-            self.lines.append(f"*ELEMENT, TYPE=CPS6, ELSET={name}")
+            self.lines.append(f"*ELEMENT, TYPE={element}, ELSET={name}")
             for t in triangles:
                 self.lines.append(f"{number}," + ",".join(str(v + 1) for v in t))
                 number += 1

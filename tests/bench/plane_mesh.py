@@ -93,6 +93,9 @@ class Geo:
     def body(self, name, surfaces):
         self.lines.append(f'Physical Surface("{name}") = {{{", ".join(map(str, surfaces))}}};')
 
+    def edge(self, name, curve):
+        self.lines.append(f'Physical Curve("{name}") = {{{curve}}};')
+
     def sizes(self, rules):
         for i, rule in enumerate(rules, 1):
             self.lines += [f"Field[{i}] = MathEval;", f'Field[{i}].F = "{rule}";']

@@ -113,5 +113,28 @@ TEST(Meshes, WhatAnInputFileMayNotSayIsToldAtTheCard) {
   EXPECT_EQ(raised.codes(), "E110") << raised.messages();
 }
 
+// Element 4 of the solid patch of MacNeal and Harder, as printed and with its node 13 moved.
+TEST(Meshes, ASlightlyFoldedCornerOfASolidIsTold) {
+  const Folder folder;
+  const auto brick = [&](const std::string& y) {
+    return Reading(folder, "$DECK VERSION=1 LENGTH=mm FORCE=N\n$COOR\n 1 0 0 0\n 2 1 0 0\n"
+                           " 5 0 0 1\n 6 1 0 1\n 9 0.249 0.342 0.192\n 10 0.826 0.288 0.288\n"
+                           " 13 0.320 " +
+                               y +
+                               " 0.643\n 14 0.677 0.305 0.683\n"
+                               "$ELEMENT TYPE=HEXE8 ESET=E\n 4 1 2 10 9 5 6 14 13\n"
+                               "$MATERIAL NAME=M E=1 NU=0\n$PROPERTY ESET=E MATERIAL=M "
+                               "STATE=SOLID\n$END\n");
+  };
+  const Reading printed = brick("0.186");
+  EXPECT_TRUE(printed.model);
+  EXPECT_NE(printed.messages().find("W307: element 4 folds over in its corner at node 13: its "
+                                    "Jacobian there is -8.3 % of the mean"),
+            std::string::npos)
+      << printed.messages();
+  EXPECT_EQ(brick("0.286").messages(), "");
+  EXPECT_EQ(brick("0.17").codes(), "E307");
+}
+
 } // namespace
 } // namespace spricka::deck

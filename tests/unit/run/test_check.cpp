@@ -1,45 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "run_text.hpp"
+#include "check_text.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include <nlohmann/json.hpp>
-#include <sys/resource.h>
-#include <sys/wait.h>
-
 namespace spricka {
 namespace {
 
 using nlohmann::json;
+using test::check_text;
+using test::Checked;
 using test::Folder;
+using test::growing_crack;
 using test::Outcome;
 using test::run_text;
-
-// NOLINTNEXTLINE(bugprone-exception-escape): moving json checks itself by assertions that may throw
-struct Checked {
-  Outcome outcome;
-  json found; ///< null when nothing could be shown
-};
-
-Checked check_text(const Folder& folder, const std::string& deck, int threads = 1) {
-  const std::filesystem::path file = folder.path() / "test.deck";
-  std::ofstream(file) << deck;
-  run::RunOptions options;
-  options.deck = file;
-  options.threads = threads;
-  options.check_only = true;
-  options.json = true;
-  testing::internal::CaptureStderr();
-  testing::internal::CaptureStdout();
-  Checked checked;
-  checked.outcome.exit_code = run::run_deck(options);
-  const std::string text = testing::internal::GetCapturedStdout();
-  checked.outcome.messages = testing::internal::GetCapturedStderr();
-  checked.found = text.empty() ? json() : json::parse(text);
-  return checked;
-}
 
 // A pin in a hub, the pin's centre off by `off`; radii 20 and 20.5.
 std::string rings(double off, const std::string& gap) {
@@ -92,27 +67,6 @@ $LOAD CASE=SIDE TYPE=RESULTANT
 }
 
 const std::string press = "$STEP NAME=PRESS\n  LOAD PUSH 1\n";
-
-// Plate with an edge crack that grows.
-std::string plate(int n, const std::string& lengths) {
-  const std::string count = std::to_string(n);
-  return R"($DECK VERSION=1 LENGTH=mm FORCE=N
-$MESH SHAPE=BLOCK TYPE=QUAMC8 LX=10 LY=20 NX=)" +
-         count + " NY=" + count + R"(
-$MATERIAL NAME=M E=1000 NU=0.3
-$PROPERTY ESET=BODY MATERIAL=M STATE=STRESS
-$FREEDOM CLASS=SUPPRESSED DOF=XY
-  YMIN
-$LOAD CASE=PULL TYPE=TRACTION
-  YMAX 0 1
-$CRACK NAME=C A0=1 ANGLE=0
-  0 10
-$STEP NAME=PULL
-  LOAD PULL 1
-$GROW LAW=INCREMENT KMAX=PULL
-  )" + lengths +
-         "\n$END\n";
-}
 
 TEST(Check, GapOfConcentricRings) {
   const Folder folder;
@@ -196,7 +150,7 @@ TEST(Check, MistakesOfCardsAreThree) {
   EXPECT_EQ(apart.outcome.exit_code, 3);
   EXPECT_NE(apart.outcome.messages.find("E411"), std::string::npos) << apart.outcome.messages;
   // only the third length runs out of the plate
-  const Checked long_crack = check_text(folder, plate(6, "1 2 12"));
+  const Checked long_crack = check_text(folder, growing_crack(6, "1 2 12"));
   EXPECT_EQ(long_crack.outcome.exit_code, 3) << long_crack.outcome.messages;
   EXPECT_NE(long_crack.outcome.messages.find("test.deck:"), std::string::npos);
 }
@@ -242,7 +196,7 @@ $END
 
 TEST(Check, GrowthPlanShowsEveryLength) {
   const Folder folder;
-  const Checked c = check_text(folder, plate(40, "1 2 3.5"));
+  const Checked c = check_text(folder, growing_crack(40, "1 2 3.5"));
   ASSERT_EQ(c.outcome.exit_code, 0) << c.outcome.messages;
   const json& lengths = c.found["lengths"];
   ASSERT_EQ(lengths.size(), 3U);
@@ -253,99 +207,9 @@ TEST(Check, GrowthPlanShowsEveryLength) {
   EXPECT_EQ(lengths[1]["nets_reused"], 1); // what no length touches is factorised once
 }
 
-// Flops of the listing, length by length, as it prints them.
-std::vector<std::string> flops_of(const std::string& listing) {
-  std::vector<std::string> found;
-  for (std::size_t at = listing.find(" flops;"); at != std::string::npos;
-       at = listing.find(" flops;", at + 1)) {
-    const std::size_t begin = listing.rfind(' ', at - 1) + 1;
-    found.push_back(listing.substr(begin, at - begin));
-  }
-  return found;
-}
-
-TEST(Check, FlopsAreExactlyThoseOfTheRun) {
-  const Folder folder;
-  const std::string deck = plate(16, "1 2 3.5");
-  const Checked c = check_text(folder, deck);
-  ASSERT_EQ(run_text(folder, deck).exit_code, 0);
-  const std::vector<std::string> flops =
-      flops_of(test::slurp(folder.path() / "out" / "listing.txt"));
-  ASSERT_EQ(flops.size(), 3U);
-  for (std::size_t i = 0; i < 3; ++i) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.3g", c.found["lengths"][i]["flops"].get<double>());
-    EXPECT_EQ(text.data(), flops[i]);
-  }
-}
-
-// Runs the program itself, as memory belongs to a process; returns its standard output.
-std::string run_program(const std::vector<std::string>& arguments, const Folder& folder,
-                        double& peak_memory) {
-  const std::filesystem::path output = folder.path() / "stdout.txt";
-  const pid_t child = fork();
-  if (child == 0) {
-    if (std::freopen(output.c_str(), "w", stdout) == nullptr) {
-      _exit(126);
-    }
-    std::vector<std::string> words = arguments;
-    words.insert(words.begin(), SPRICKA);
-    std::vector<char*> argv;
-    argv.reserve(words.size() + 1);
-    for (std::string& word : words) {
-      argv.push_back(word.data());
-    }
-    argv.push_back(nullptr);
-    execv(SPRICKA, argv.data());
-    _exit(127);
-  }
-  int status = 0;
-  rusage usage{};
-  wait4(child, &status, 0, &usage);
-  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
-  peak_memory = 1024.0 * static_cast<double>(usage.ru_maxrss);
-  return test::slurp(output);
-}
-
-std::string cube() {
-  return R"($DECK VERSION=1 LENGTH=mm FORCE=N
-$MESH SHAPE=BLOCK TYPE=TET10 LX=1 LY=1 LZ=1 NX=9 NY=9 NZ=9
-$MATERIAL NAME=M E=1000 NU=0.3
-$PROPERTY ESET=BODY MATERIAL=M STATE=SOLID
-$FREEDOM CLASS=SUPPRESSED DOF=XYZ
-  ZMIN
-$FREEDOM CLASS=EXTERNAL DOF=XYZ
-  ZMAX
-$LOAD CASE=PULL TYPE=TRACTION
-  ZMAX 0 0 1
-$STEP NAME=PULL
-  LOAD PULL 1
-$END
-)";
-}
-
-TEST(Check, MemoryIsForetoldWithinAFifth) {
-#ifdef __SANITIZE_ADDRESS__
-  GTEST_SKIP() << "the sanitizer's own memory counts in";
-#endif
-  const std::string texts[] = {plate(30, "1 2"), plate(100, "1 2"), cube()};
-  for (const std::string& text : texts) {
-    const Folder folder;
-    const std::string deck = (folder.path() / "test.deck").string();
-    std::ofstream(deck) << text;
-    double used = 0.0;
-    const json found =
-        json::parse(run_program({"check", deck, "--json", "--threads", "1"}, folder, used));
-    const double memory = found["forecast"]["memory"];
-    run_program({"run", deck, "--threads", "1", "--quiet", "--out", (folder.path() / "o").string()},
-                folder, used);
-    EXPECT_NEAR(memory / used, 1.0, 0.2) << memory << " foretold, " << used << text;
-  }
-}
-
 TEST(Check, PointsOfASweepAreLookedAt) {
   const Folder folder;
-  std::string deck = plate(6, "1 (last)");
+  std::string deck = growing_crack(6, "1 (last)");
   deck.replace(deck.find("$MESH"), 5,
                "$PARAMETER\n  last = 2\n$SWEEP PARAMETER=last\n  2 12\n$MESH");
   const Checked c = check_text(folder, deck);

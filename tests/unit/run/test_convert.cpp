@@ -80,6 +80,56 @@ TEST(Convert, TheFirstStepOfADeckBecomesNodalForcesAndSupports) {
   EXPECT_NE(back.messages.find("*STEP is not imported"), std::string::npos);
 }
 
+// A solid bar of 2 x 3 x 10: the resultants of a traction, a pressure, a body force and a bearing.
+TEST(Convert, LoadsInSpaceBecomeNodalForces) {
+  const Folder folder;
+  const auto sum = [&](const std::string& load) {
+    write(folder, "b.deck",
+          "$DECK VERSION=1 LENGTH=mm FORCE=N\n"
+          "$MESH SHAPE=BLOCK TYPE=HEXEC20 LX=2 LY=3 LZ=10 NX=2 NY=2 NZ=3\n"
+          "$MATERIAL NAME=M E=1000 NU=0.3 ALPHA=1e-5\n"
+          "$PROPERTY ESET=BODY MATERIAL=M STATE=SOLID\n"
+          "$FREEDOM CLASS=SUPPRESSED DOF=XYZ\n  ZMIN\n$LOAD CASE=F TYPE=" +
+              load + "\n$STEP NAME=S\n  LOAD F 2\n$END\n");
+    const Outcome outcome = convert(folder, "b.deck", "b.inp");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
+    return sum_of_loads(test::slurp(folder.path() / "b.inp"));
+  };
+  EXPECT_NEAR(sum("TRACTION\n  ZMAX 5 0 0"), 2.0 * 5.0 * 6.0, 1e-11);
+  EXPECT_NEAR(sum("PRESSURE\n  XMAX 5"), -2.0 * 5.0 * 30.0, 1e-10);
+  EXPECT_NEAR(sum("BODY\n  BODY 0.5 0 0"), 2.0 * 0.5 * 60.0, 1e-11);
+  EXPECT_NEAR(sum("RESULTANT\n  BODY 7 0 0"), 14.0, 1e-11);
+}
+
+TEST(Convert, TemperaturesBelongToNodes) {
+  const Folder folder;
+  const auto deck = [&](const std::string& alpha, const std::string& lines) {
+    write(folder, "h.deck",
+          "$DECK VERSION=1 LENGTH=mm FORCE=N\n"
+          "$MESH SHAPE=BLOCK TYPE=QUAM4 LX=2 LY=1 NX=2 NY=1\n"
+          "$ESET NAME=L WHERE=(x < 1.1)\n$ESET NAME=R WHERE=(x > 0.9)\n"
+          "$MATERIAL NAME=M E=1000 NU=0.3 ALPHA=1e-5\n"
+          "$MATERIAL NAME=N E=1000 NU=0.3" +
+              alpha +
+              "\n$PROPERTY ESET=L MATERIAL=M STATE=STRESS\n"
+              "$PROPERTY ESET=R MATERIAL=N STATE=STRESS\n"
+              "$FREEDOM CLASS=SUPPRESSED DOF=XY\n  XMIN\n"
+              "$LOAD CASE=T TYPE=TEMPERATURE\n" +
+              lines + "$STEP NAME=S\n  LOAD T 3\n$END\n");
+    return convert(folder, "h.deck", "h.inp");
+  };
+  EXPECT_EQ(deck(" ALPHA=1e-6", "  L (10*x)\n  R (5*x + 5)\n").exit_code, 0);
+  const std::string text = test::slurp(folder.path() / "h.inp");
+  EXPECT_NE(text.find("*INITIAL CONDITIONS, TYPE=TEMPERATURE\n1, 0\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("*TEMPERATURE\n1, 0\n2, 30\n3, 30\n4, 0\n5, 45\n6, 45\n"), std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("*CLOAD"), std::string::npos); // heat is not written twice
+  const Outcome jump = deck(" ALPHA=1e-6", "  L 10\n");
+  EXPECT_EQ(jump.exit_code, 4);
+  EXPECT_NE(jump.messages.find("a temperature that jumps between elements"), std::string::npos);
+  EXPECT_EQ(deck("", "  L 10\n").exit_code, 0); // the other part does not expand
+}
+
 TEST(Convert, WhatTheFormatCannotSayIsNamedAndNothingIsWritten) {
   const Folder folder;
   write(folder, "a.deck",

@@ -168,7 +168,8 @@ $END
   std::map<std::string, std::vector<double>> rows;
   bool inside = false;
   for (std::string line; std::getline(listing, line);) {
-    inside = inside || line.find("Force balance by net") != std::string::npos;
+    inside = (inside || line.find("Force balance by net") != std::string::npos) &&
+             line.find("Estimated") == std::string::npos;
     std::istringstream words(line);
     std::string step;
     std::string net;

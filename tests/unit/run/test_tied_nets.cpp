@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck_parts.hpp"
 #include "solved_text.hpp"
 
 #include <cmath>
@@ -11,26 +12,14 @@ namespace {
 using base::NodeId;
 using base::Vec3;
 using test::Folder;
+using test::head;
+using test::held;
+using test::load;
+using test::net;
+using test::property;
 using test::solve_text;
 using test::Solved;
-
-const std::string head = "$DECK VERSION=1 LENGTH=mm FORCE=N\n$MATERIAL NAME=M E=1000 NU=0.25\n";
-
-std::string net(const std::string& name, const std::string& mesh) {
-  return "$NET NAME=" + name + "\n  $MESH SHAPE=BLOCK " + mesh + "\n$ENDNET\n";
-}
-std::string property(const std::string& set, const std::string& state = "STRESS") {
-  return "$PROPERTY ESET=" + set + " MATERIAL=M STATE=" + state + "\n";
-}
-std::string held(const std::string& set, const std::string& dof = "XY") {
-  return "$FREEDOM CLASS=SUPPRESSED DOF=" + dof + "\n  " + set + "\n";
-}
-std::string tied(const std::string& slave, const std::string& master) {
-  return "$MPC TYPE=TRANSITION SLAVE=" + slave + " MASTER=" + master + "\n";
-}
-std::string load(const std::string& type, const std::string& line) {
-  return "$LOAD CASE=F TYPE=" + type + "\n  " + line + "\n$STEP NAME=S\n  LOAD F 1\n";
-}
+using test::tied;
 
 // Displacements and reactions of the whole, node by node, against those of the pieces.
 void expect_same(const Solved& whole, const Solved& pieces, double tolerance) {

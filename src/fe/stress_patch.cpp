@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fe/stress_patch.hpp"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+namespace spricka::fe {
+
+namespace {
+
+// Samples spread by less than this part of their elements, root mean square, lie in one layer that
+// is bent at most; two layers of middles have 0.5, the two points across one layer 0.29.
+constexpr double least_spread = 0.15;
+// Part of a term's square that earlier terms must leave over.
+constexpr double least_pivot = 0.02;
+
+int term_count(int dim, int degree) {
+  return degree == 0 ? 1 : (degree == 1 ? dim + 1 : (dim + 1) * (dim + 2) / 2);
+}
+
+} // namespace
+
+StressPatch::StressPatch(std::span<const StressSample* const> samples, int dim, int degree)
+    : dim_(dim), count_(term_count(dim, degree)) {
+  choose_axes(samples);
+  fit(samples);
+}
+
+void StressPatch::choose_axes(std::span<const StressSample* const> samples) {
+  const double share = 1.0 / static_cast<double>(samples.size());
+  for (const StressSample* s : samples) {
+    centre_ += share * s->x;
+  }
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const StressSample* s : samples) {
+    spread += share * (s->x - centre_) * (s->x - centre_).transpose();
+  }
+  const auto along = [&](const base::Vec3& axis, double square, int row) {
+    double extent = 0.0;
+    for (const StressSample* s : samples) {
+      extent += share * (s->extent.transpose() * axis).lpNorm<1>();
+    }
+    if (square > 0.0 && std::sqrt(square) > least_spread * extent) {
+      axes_.row(row) = axis.transpose() / std::sqrt(square);
+    }
+  };
+  if (dim_ == 2) {
+    const Eigen::Matrix2d flat = spread.topLeftCorner<2, 2>();
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
+    solver.computeDirect(flat);
+    for (int i = 0; i < 2; ++i) {
+      base::Vec3 axis = base::Vec3::Zero();
+      axis.head<2>() = solver.eigenvectors().col(i);
+      along(axis, axis.dot(spread * axis), i);
+    }
+  } else {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
+    for (int i = 0; i < 3; ++i) {
+      const base::Vec3 axis = solver.eigenvectors().col(i);
+      along(axis, axis.dot(spread * axis), i);
+    }
+  }
+}
+
+StressPatch::Terms StressPatch::terms(const base::Vec3& x) const {
+  const base::Vec3 d = axes_ * (x - centre_);
+  Terms t = Terms::Zero();
+  if (dim_ == 2) {
+    t.head<6>() << 1.0, d.x(), d.y(), d.x() * d.y(), d.x() * d.x(), d.y() * d.y();
+  } else {
+    t << 1.0, d.x(), d.y(), d.z(), d.x() * d.y(), d.y() * d.z(), d.z() * d.x(), d.x() * d.x(),
+        d.y() * d.y(), d.z() * d.z();
+  }
+  return t;
+}
+
+// Normal equations by Cholesky's method in the order of the terms.
+void StressPatch::fit(std::span<const StressSample* const> samples) {
+  Eigen::Matrix<double, most, most> A = Eigen::Matrix<double, most, most>::Zero();
+  Eigen::Matrix<double, most, 6> b = Eigen::Matrix<double, most, 6>::Zero();
+  for (const StressSample* s : samples) {
+    const Terms t = terms(s->x);
+    A.noalias() += t * t.transpose();
+    b.noalias() += t * s->stress.transpose();
+  }
+  const Terms own = A.diagonal();
+  std::array<bool, most> used{};
+  std::size_t left = samples.size(); // no more terms than samples
+  for (int k = 0; k < count_; ++k) {
+    const bool carried = left > 0 && own[k] > 0.0 && A(k, k) > least_pivot * own[k];
+    used[static_cast<std::size_t>(k)] = carried;
+    complete_ = complete_ && carried;
+    if (!carried) {
+      continue;
+    }
+    --left;
+    for (int i = k + 1; i < count_; ++i) {
+      const double factor = A(i, k) / A(k, k);
+      A.row(i).segment(k, count_ - k) -= factor * A.row(k).segment(k, count_ - k);
+      b.row(i) -= factor * b.row(k);
+    }
+  }
+  for (int k = count_ - 1; k >= 0; --k) {
+    if (!used[static_cast<std::size_t>(k)]) {
+      continue;
+    }
+    coefficient_.col(k) = b.row(k).transpose();
+    for (int i = k + 1; i < count_; ++i) {
+      coefficient_.col(k) -= A(k, i) * coefficient_.col(i);
+    }
+    coefficient_.col(k) /= A(k, k);
+  }
+}
+
+Stress StressPatch::at(const base::Vec3& x) const {
+  return coefficient_ * terms(x); // zero where no term is
+}
+
+} // namespace spricka::fe

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/estimate.hpp"
+
+#include "fe/error_estimate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include <fmt/format.h>
+
+namespace spricka::run {
+
+namespace {
+
+constexpr std::size_t most_named = 3;
+
+std::vector<bool> singular_elements(const Scene& scene) {
+  const model::Mesh& mesh = scene.cracked.mesh;
+  std::vector<bool> tip(mesh.node_count(), false);
+  for (const mesh::Tip& t : scene.cracked.tips) {
+    tip[t.node.index()] = true;
+  }
+  std::vector<bool> singular(mesh.element_count(), false);
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const auto nodes = mesh.nodes_of(base::ElementId(e));
+    singular[e] =
+        !scene.cracked.host[e].valid() ||
+        std::any_of(nodes.begin(), nodes.end(), [&](base::NodeId n) { return tip[n.index()]; });
+  }
+  return singular;
+}
+
+results::NetError error_of(const std::string& name, std::vector<base::ElementId> elements,
+                           const fe::ErrorEstimate& estimate, const std::vector<double>& energy) {
+  results::NetError found;
+  found.net = name;
+  double error = 0.0;
+  double strain = 0.0;
+  double noise = 0.0;
+  for (const base::ElementId e : elements) {
+    error += estimate.energy[e.index()];
+    strain += std::max(energy[e.index()], 0.0);
+    noise += estimate.noise[e.index()];
+  }
+  if (!(error + strain > noise)) {
+    return found; // nothing but round-off
+  }
+  found.part = std::sqrt(error / (error + strain));
+  const auto named = static_cast<std::ptrdiff_t>(std::min(most_named, elements.size()));
+  std::partial_sort(elements.begin(), elements.begin() + named, elements.end(),
+                    [&](base::ElementId a, base::ElementId b) {
+                      const double x = estimate.energy[a.index()];
+                      const double y = estimate.energy[b.index()];
+                      return x > y || (x == y && a < b);
+                    });
+  found.worst.assign(elements.begin(), elements.begin() + named);
+  for (const base::ElementId e : found.worst) {
+    found.worst_share += error > 0.0 ? estimate.energy[e.index()] / error : 0.0;
+  }
+  return found;
+}
+
+} // namespace
+
+void add_errors(const model::Model& model, const Scene& scene, const std::vector<double>& energy,
+                results::StepResult& step) {
+  const model::Mesh& mesh = scene.cracked.mesh;
+  const fe::ErrorEstimate estimate = fe::estimate_error(model, mesh, {step.u, step.temperature});
+  const std::vector<bool> singular = singular_elements(scene);
+  std::vector<std::vector<base::ElementId>> by_net(model.nets.size());
+  std::vector<base::ElementId> all;
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    if (!singular[e]) {
+      by_net[mesh.element_net[e].index()].emplace_back(e);
+      all.emplace_back(e);
+    }
+  }
+  for (std::size_t n = 0; n < by_net.size(); ++n) {
+    if (!by_net[n].empty()) {
+      step.errors.push_back(error_of(model.nets[n].name.empty() ? "(deck)" : model.nets[n].name,
+                                     std::move(by_net[n]), estimate, energy));
+    }
+  }
+  step.errors.push_back(error_of("*", std::move(all), estimate, energy));
+}
+
+std::vector<std::string> coarse_nets(const results::Run& run) {
+  struct Worst {
+    const results::NetError* error = nullptr;
+    const results::Increment* increment = nullptr;
+    const results::StepResult* step = nullptr;
+  };
+  std::map<std::string, Worst> by_net;
+  for (const results::Increment& increment : run.increments) {
+    for (const results::StepResult& step : increment.steps) {
+      for (const results::NetError& error : step.errors) {
+        Worst& worst = by_net[error.net];
+        if (error.net != "*" && error.part > coarse_mesh &&
+            (worst.error == nullptr || error.part > worst.error->part)) {
+          worst = {&error, &increment, &step};
+        }
+      }
+    }
+  }
+  std::vector<std::string> told;
+  for (const auto& [net, worst] : by_net) {
+    if (worst.error == nullptr) {
+      continue;
+    }
+    std::string labels;
+    for (const base::ElementId e : worst.error->worst) {
+      labels += fmt::format("{}{}", labels.empty() ? "" : ", ",
+                            worst.increment->mesh.element_label[e.index()]);
+    }
+    told.push_back(fmt::format(
+        "net {}: the mesh is coarse for step {}{}: estimated energy error {:.1f} %, which is about "
+        "how far stresses are off on the whole; it is too stiff by {:.1f} %. {:.0f} % of that "
+        "stems "
+        "from the elements {}",
+        net, worst.step->step,
+        run.increments.size() > 1 ? fmt::format(", increment {}", worst.increment->number) : "",
+        100.0 * worst.error->part, 100.0 * worst.error->part * worst.error->part,
+        100.0 * worst.error->worst_share, labels));
+  }
+  return told;
+}
+
+} // namespace spricka::run
