@@ -3,11 +3,10 @@
 
 #include "crack/stress_intensity.hpp"
 #include "run/body_force.hpp"
+#include "run/closed_run.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <numeric>
 #include <unordered_map>
 #include <utility>
 
@@ -34,63 +33,6 @@ bool shifted(const model::Model& model, base::CrackId crack) {
     return vce.crack == crack && vce.shift.has_value();
   });
 }
-
-// The longest run of closed pairs in their order along the surface.
-class ClosedRun {
-public:
-  ClosedRun(std::vector<double> place, bool round) : place_(std::move(place)), round_(round) {
-    order_.resize(place_.size());
-    std::iota(order_.begin(), order_.end(), std::size_t{0});
-    std::ranges::stable_sort(order_, {}, [&](std::size_t i) { return place_[i]; });
-  }
-
-  /// Places of its first and last pair; on a circle the last may lie behind pi.
-  [[nodiscard]] std::pair<double, double> find(const std::vector<bool>& closed) const {
-    const std::size_t n = order_.size();
-    const auto is_closed = [&](std::size_t i) { return closed[order_[i % n]]; };
-    std::size_t open = 0;
-    while (open < n && is_closed(open)) {
-      ++open;
-    }
-    if (n == 0) {
-      return {0.0, 0.0};
-    }
-    if (open == n) {
-      return round_ ? std::pair(-std::numbers::pi, std::numbers::pi)
-                    : std::pair(place_[order_[0]], place_[order_[n - 1]]);
-    }
-    // begin behind an open pair of a circle, at the end of a line
-    const std::size_t first = round_ ? open + 1 : 0;
-    std::size_t best = 0;
-    std::size_t length = 0;
-    std::size_t run = 0;
-    for (std::size_t k = 0; k < n; ++k) {
-      run = is_closed(first + k) ? run + 1 : 0;
-      if (run > length) {
-        length = run;
-        best = first + k + 1 - run;
-      }
-    }
-    if (length == 0) {
-      return {0.0, 0.0};
-    }
-    const double from = at(best);
-    const double to = at(best + length - 1);
-    const double turn = from >= std::numbers::pi ? 2.0 * std::numbers::pi : 0.0;
-    return {from - turn, to - turn};
-  }
-
-private:
-  [[nodiscard]] double at(std::size_t i) const {
-    const std::size_t n = order_.size();
-    return place_[order_[i % n]] +
-           (round_ ? 2.0 * std::numbers::pi * static_cast<double>(i / n) : 0.0);
-  }
-
-  std::vector<double> place_;
-  std::vector<std::size_t> order_;
-  bool round_;
-};
 
 std::vector<double> knots_of(const solve::SolutionPath& found) {
   std::vector<double> t;

@@ -2,6 +2,7 @@
 #include "solve/parametric.hpp"
 #include "solve/blas.hpp"
 #include "solve/mode_split.hpp"
+#include "solve/path_parts.hpp"
 #include "solve/swept_matrix.hpp"
 
 #include <algorithm>
@@ -192,26 +193,13 @@ private:
         taking_part.push_back(i);
       }
     }
-    const auto k = static_cast<Eigen::Index>(taking_part.size());
-    ContactProblem rate;
-    rate.W.resize(k, k);
-    rate.B.resize(k, problem_.at_zero.B.cols());
-    rate.b.resize(k);
-    rate.h = problem_.dh;
-    rate.load_scale = problem_.at_zero.load_scale / std::max(to_ - from_, 1e-300);
-    rate.opening_scale =
-        problem_.at_zero.B.size() > 0 ? problem_.at_zero.B.cwiseAbs().maxCoeff() : 0.0;
+    std::vector<bool> pressing;
     std::vector<bool> start;
-    for (Eigen::Index c = 0; c < k; ++c) {
-      const int i = taking_part[std::size_t(c)];
-      for (Eigen::Index r = 0; r < k; ++r) {
-        rate.W(r, c) = held_.W(taking_part[std::size_t(r)], i);
-      }
-      rate.B.row(c) = problem_.at_zero.B.row(i);
-      rate.b(c) = problem_.db(i);
-      rate.equality.push_back(!free_to_change(i) || (closed(i) && !zero(i)));
+    for (const int i : taking_part) {
+      pressing.push_back(!free_to_change(i) || (closed(i) && !zero(i)));
       start.push_back(closed(i));
     }
+    const ContactProblem rate = rate_problem(problem_, taking_part, pressing, to_ - from_);
     return solve_contact(rate, settings_.start, start);
   }
 
@@ -382,31 +370,11 @@ private:
   /// Whether forces and gaps satisfy the equations they came from: gaps b + W lambda + B alpha and
   /// the loads on the modes, scaled.
   bool sound() {
-    const base::Vector now = at(v_, d_, t_);
-    const base::Vector lambda = matrix_.forces(now);
-    const base::Vector alpha = matrix_.modes(now);
-    const base::Vector told = matrix_.gaps(now);
-    const base::Vector b = held_.b + t_ * problem_.db;
-    const base::Vector gap = b + held_.W * lambda + held_.B * alpha;
-    double worst = 0.0;
-    for (int i = 0; i < rows(); ++i) {
-      const double d = held_.d(i) > 0.0 ? held_.d(i) : 1.0;
-      const double scale = size_ + level_(i);
-      worst = std::max(worst, scale > 0.0 ? std::abs(gap(i) - told(i)) / d / scale : 0.0);
-      if (!free_to_change(i) && scale > 0.0) {
-        worst = std::max(worst, std::abs(gap(i)) / d / scale); // left out as redundant
-      }
-      const double wrong = -std::min(now(i), 0.0);
-      worst = std::max(worst, free_to_change(i) && scale > 0.0 ? wrong / scale : 0.0);
-    }
-    const base::Vector h = held_.h + t_ * dh_;
-    const base::Vector balance = h + held_.B.transpose() * lambda;
-    const base::Vector terms = (held_.h + from_ * dh_).cwiseAbs() +
-                               (held_.h + to_ * dh_).cwiseAbs() +
-                               held_.B.cwiseAbs().transpose() * lambda.cwiseAbs();
-    for (Eigen::Index j = 0; j < h.size(); ++j) {
-      worst = std::max(worst, terms(j) > 0.0 ? std::abs(balance(j)) / terms.maxCoeff() : 0.0);
-    }
+    HeldProblem here = held_;
+    here.b += t_ * problem_.db;
+    here.h += t_ * dh_;
+    const base::Vector ends = (held_.h + from_ * dh_).cwiseAbs() + (held_.h + to_ * dh_).cwiseAbs();
+    const double worst = path_residual(here, matrix_, at(v_, d_, t_), {size_, level_, ends});
     const bool good = worst <= settings_.allowed_drift;
     if (good) {
       path_.residual = std::max(path_.residual, worst);
