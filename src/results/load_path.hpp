@@ -58,8 +58,8 @@ const PathTip* find_tip(const LoadPath& path, std::string_view tip);
 const PathContact* find_contact(const LoadPath& path, std::string_view contact);
 
 /// K1 (mode 1) or K2 under a times the loads and fits of `from` plus b times those of `to`, by
-/// homogeneity from the path of one parameter. Empty outside what it covers: a + b <= 0, the ratio
-/// beyond the path, or a path that is not homogeneous unless a + b = 1.
+/// homogeneity (manual, solve.26) from the path of one parameter. Empty outside what it covers: a +
+/// b <= 0, the ratio beyond the path, or a path that is not homogeneous unless a + b = 1.
 std::optional<double> k_of_two(const LoadPath& path, const PathTip& tip, int mode, double a,
                                double b);
 

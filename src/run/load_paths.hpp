@@ -33,7 +33,8 @@ private:
     base::Vector case_factor;
     results::StepResult result; ///< without its fields
   };
-  /// K1 and K2 of all tips by contact forces and rigid modes: one back-substitution for each.
+  /// K1 and K2 of all tips by contact forces and rigid modes (manual, solve.25): one
+  /// back-substitution for each.
   struct Functionals {
     base::Matrix of_row;  ///< [2 tip + mode - 1, row of the table]
     base::Matrix of_mode; ///< [2 tip + mode - 1, mode of the system]

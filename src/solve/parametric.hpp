@@ -7,8 +7,9 @@
 
 namespace spricka::solve {
 
-/// A contact problem whose gaps and loads are linear in t: b(t) = b + t db, h(t) = h + t dh; and
-/// linear functionals of its solution, f(t) = f0 + t df + of_force lambda(t) + of_mode alpha(t).
+/// A contact problem whose gaps and loads are linear in t (manual, solve.21): b(t) = b + t db, h(t)
+/// = h + t dh; and linear functionals of its solution, f(t) = f0 + t df + of_force lambda(t) +
+/// of_mode alpha(t).
 struct ParametricProblem {
   ContactProblem at_zero;
   base::Vector db;       ///< [n]
@@ -62,7 +63,8 @@ struct PathSettings {
   double allowed_drift = 1e-9;
 };
 
-/// Follows the solution from t = from to t = to > from by principal pivots (parametric linear
+/// Follows the solution from t = from to t = to > from by principal pivots (manual, solve.21 to 24;
+/// parametric linear
 /// complementarity: Cottle 1972; Cottle, Pang, Stone 1992, section 4.5), exactly: a row whose force
 /// or gap reaches zero is exchanged, ties by least index (Murty 1974), where a row has no pivot of
 /// its own together with the one that blocks it. `start` [n] or empty: a guess of the closed rows.

@@ -79,6 +79,7 @@ private:
 
   [[nodiscard]] double time_of(int i) const { return t_ + std::max(y(i), 0.0) / -d_(i); }
 
+  /// (manual, solve.24)
   [[nodiscard]] double next_event() const;
 
   /// Rows that will soon be exchanged, as things stand.

@@ -10,7 +10,8 @@
 
 namespace spricka::solve {
 
-/// The matrix [W B; B^T 0] of a contact problem swept on its closed rows and all modes:
+/// The matrix [W B; B^T 0] of a contact problem swept on its closed rows and all modes (manual,
+/// solve.22 and 23):
 ///   y = c + T z,
 /// y_i the force of a closed row or the gap of an open one, z_i the other of the two; rows are in
 /// units of d, so that all y have one unit. Below the n rows stand the modes [m] and further linear
