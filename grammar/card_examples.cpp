@@ -161,8 +161,9 @@ constexpr std::array texts{
         "STEP",
         "LOAD case factor sets a case's factor, FIT contact factor that of a fit. MOUNT puts a "
         "contact in: until then it is absent, and its gap or interference counts from the "
-        "deformed bodies as they are at that moment (mounting without force). Steps run in deck "
-        "order, as in the workshop: press, mount, load, unload.",
+        "deformed bodies as they are at that moment (mounting without force); DISMOUNT takes it "
+        "out "
+        "again. Steps run in deck order, as in the workshop: press, mount, load, unload.",
         "$STEP NAME=PRESS\n"
         "  FIT BUSH 1\n"
         "$STEP NAME=ASSEMBLE\n"

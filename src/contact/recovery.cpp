@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/recovery.hpp"
 
+#include "contact/arc.hpp"
+#include "contact/smooth.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <unordered_map>
 
 #include <Eigen/SparseCholesky>
@@ -18,7 +20,7 @@ constexpr std::array<double, 4> gauss_r{-0.8611363115940526, -0.3399810435848563
 constexpr std::array<double, 4> gauss_w{0.3478548451374538, 0.6521451548625461, 0.6521451548625461,
                                         0.3478548451374538};
 
-using Numbering = std::map<base::NodeId, Eigen::Index>;
+constexpr double covered = 1e-4; // of a hat's area: what integration may miss
 
 // Surface mass matrix C = sum over edges of integral N N^T, times thickness.
 Eigen::SparseMatrix<double> surface_mass(const Surface& surface, double thickness,
@@ -122,73 +124,6 @@ void mark_lips(const Surface& surface, std::vector<Place>& places) {
   }
 }
 
-// End of contact between a closed and an open neighbour: p^2 falls linearly (square-root law).
-double contact_end(double s_inner, double p_inner, double s_last, double p_last, double s_open) {
-  const double fall = p_inner * p_inner - p_last * p_last;
-  if (fall <= 0.0) {
-    return 0.5 * (s_last + s_open);
-  }
-  const double end = s_last + (s_last - s_inner) * p_last * p_last / fall;
-  return std::clamp(end, std::min(s_last, s_open), std::max(s_last, s_open));
-}
-
-struct Arc {
-  double from = 0.0, to = 0.0;
-};
-
-// Longest run of closed nodes along s; `turn` > 0 closes the circle.
-Arc longest_arc(const std::vector<NodePressure>& nodes, bool round) {
-  std::vector<const NodePressure*> p;
-  p.reserve(nodes.size());
-  for (const NodePressure& n : nodes) {
-    p.push_back(&n);
-  }
-  const auto s = [&](const NodePressure& n) { return round ? n.theta : n.arc; };
-  std::stable_sort(p.begin(), p.end(),
-                   [&](const NodePressure* a, const NodePressure* b) { return s(*a) < s(*b); });
-  const std::size_t n = p.size();
-  const auto closed = static_cast<std::size_t>(
-      std::count_if(p.begin(), p.end(), [](const NodePressure* q) { return q->closed; }));
-  constexpr double pi = std::numbers::pi;
-  if (closed == n && n > 0) {
-    return round && n > 2 && s(*p[n - 1]) - s(*p[0]) > 1.5 * pi ? Arc{-pi, pi}
-                                                                : Arc{s(*p[0]), s(*p[n - 1])};
-  }
-  const auto coordinate = [&](std::size_t i) {
-    return s(*p[i % n]) + 2.0 * pi * static_cast<double>(round ? i / n : 0);
-  };
-  Arc best;
-  std::size_t longest = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const bool begins = p[i]->closed && (i > 0 ? !p[i - 1]->closed : !(round && p[n - 1]->closed));
-    if (!begins) {
-      continue;
-    }
-    std::size_t j = i;
-    while ((round || j + 1 < n) && p[(j + 1) % n]->closed) {
-      ++j;
-    }
-    if (j - i + 1 <= longest) {
-      continue;
-    }
-    longest = j - i + 1;
-    best = {coordinate(i), coordinate(j)};
-    if (j > i && (round || i > 0)) {
-      const double open = i > 0 ? coordinate(i - 1) : s(*p[n - 1]) - 2.0 * pi;
-      best.from = contact_end(coordinate(i + 1), p[(i + 1) % n]->p_lumped, coordinate(i),
-                              p[i]->p_lumped, open);
-    }
-    if (j > i && (round || j + 1 < n)) {
-      best.to = contact_end(coordinate(j - 1), p[(j - 1) % n]->p_lumped, coordinate(j),
-                            p[j % n]->p_lumped, coordinate(j + 1));
-    }
-  }
-  if (round && best.to > pi && best.from > 0.0 && best.from >= pi) {
-    best = {best.from - 2.0 * pi, best.to - 2.0 * pi};
-  }
-  return best;
-}
-
 // Nodal force vectors of the contact side, and the total on it.
 struct SideForce {
   std::unordered_map<std::int32_t, base::Vec3> node;
@@ -215,32 +150,118 @@ SideForce side_force(const PairRows& pair, const base::Vector& lambda, const Num
   return force;
 }
 
+// Of the normal rows first, then of tangents.
+struct Multipliers {
+  const base::Vector& lambda;
+  const std::vector<bool>& closed;
+};
+
 struct NodalPressure {
   base::Vector lumped, consistent;
 };
 
+// Integrals over each node's edges: of its shape function times the cosine between the normal there
+// and the node's own, and of its hat.
+struct NodeArea {
+  base::Vector facing, hat;
+};
+
+NodeArea node_areas(const Surface& surface, double thickness, const std::vector<Place>& places,
+                    const Numbering& number) {
+  const auto n = static_cast<Eigen::Index>(number.size());
+  NodeArea area{base::Vector::Zero(n), base::Vector::Zero(n)};
+  std::vector<Vec2> normal(number.size());
+  for (const Place& p : places) {
+    normal[static_cast<std::size_t>(number.at(p.at.node))] = p.normal;
+  }
+  const auto add = [&](const Edge& edge, double xi, double weight) {
+    const std::array<double, 3> N = edge_N(edge, xi);
+    const std::array<double, 3> hat = edge_hats(edge, xi);
+    const Vec2 here = surface_normal(surface, edge, xi);
+    const double w = weight * tangent_on(edge, xi).norm() * thickness;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(edge.count); ++i) {
+      const Eigen::Index k = number.at(edge.nodes[i]);
+      area.facing[k] += w * N[i] * here.dot(normal[static_cast<std::size_t>(k)]);
+      area.hat[k] += w * hat[i];
+    }
+  };
+  for (const EdgeChain& chain : surface.chains) {
+    for (const Edge& edge : chain.edges) {
+      for (const double half : {-0.5, 0.5}) {
+        for (std::size_t g = 0; g < gauss_r.size(); ++g) {
+          add(edge, half + 0.5 * gauss_r[g], 0.5 * gauss_w[g]);
+        }
+      }
+    }
+  }
+  return area;
+}
+
+// Edges that face the other surface with their whole length and, if asked, are closed at every
+// node, chain by chain.
+std::vector<bool> whole_edges(const PairRows& pair, const base::Vector& hat,
+                              const Numbering& number, const std::vector<bool>* closed) {
+  std::vector<bool> good(number.size(), false);
+  for (std::size_t i = 0; i < pair.normal.size(); ++i) {
+    const Eigen::Index k = number.at(pair.normal[i].node);
+    good[static_cast<std::size_t>(k)] =
+        std::abs(pair.normal[i].area - hat[k]) <= covered * hat[k] && (!closed || (*closed)[i]);
+  }
+  std::vector<bool> whole;
+  for (const EdgeChain& chain : pair.contact.chains) {
+    for (const Edge& edge : chain.edges) {
+      whole.push_back(
+          std::all_of(edge.nodes.begin(), edge.nodes.begin() + edge.count, [&](base::NodeId node) {
+            return good[static_cast<std::size_t>(number.at(node))];
+          }));
+    }
+  }
+  return whole;
+}
+
+// A node at the rim of the paired part has the pressure of its row: its force belongs to a part of
+// its area only.
+void rim_pressure(const PairRows& pair, const Numbering& number, const std::vector<bool>& whole,
+                  const base::Vector& lambda, base::Vector& pressure) {
+  std::size_t e = 0;
+  for (const EdgeChain& chain : pair.contact.chains) {
+    for (const Edge& edge : chain.edges) {
+      for (std::size_t i = 0; i < static_cast<std::size_t>(edge.count) && !whole[e]; ++i) {
+        pressure[number.at(edge.nodes[i])] = lambda[number.at(edge.nodes[i])];
+      }
+      ++e;
+    }
+  }
+}
+
 // The corner function of a quadratic edge has no first moment about its node, so the lumped
-// pressure is right to second order even where edges of different length meet.
-NodalPressure recover(const PairRows& pair, const base::Vector& lambda, const SideForce& force,
+// pressure is right to second order even where edges of different length meet; the second moment
+// meets the turn of the normal, which the facing areas count.
+NodalPressure recover(const PairRows& pair, const Multipliers& row, const SideForce& force,
                       const std::vector<Place>& places, const Numbering& number) {
   const double thickness = std::min(pair.contact.thickness, pair.target.thickness);
-  const Eigen::SparseMatrix<double> C = surface_mass(pair.contact, thickness, number);
-  base::Vector R = base::Vector::Zero(C.rows());
+  const auto n = static_cast<Eigen::Index>(number.size());
+  base::Vector R = base::Vector::Zero(n);
   for (const Place& p : places) {
     const auto at = force.node.find(p.at.node.value);
     if (at != force.node.end()) {
       R[number.at(p.at.node)] = -at->second.head<2>().dot(p.normal);
     }
   }
-  const base::Vector lump = C * base::Vector::Ones(C.cols());
-  NodalPressure p{R.cwiseQuotient(lump), base::Vector::Zero(C.rows())};
-  if (pair.segments) {
-    for (std::size_t i = 0; i < pair.normal.size(); ++i) {
-      p.consistent[number.at(pair.normal[i].node)] = lambda[static_cast<Eigen::Index>(i)];
-    }
-  } else {
-    p.consistent = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>(C).solve(R);
+  const NodeArea area = node_areas(pair.contact, thickness, places, number);
+  NodalPressure p{R.cwiseQuotient(area.facing), base::Vector::Zero(n)};
+  if (!pair.segments) {
+    const Eigen::SparseMatrix<double> C = surface_mass(pair.contact, thickness, number);
+    const base::Vector even = p.lumped.cwiseProduct(C * base::Vector::Ones(n));
+    p.consistent = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>(C).solve(even);
+    return p;
   }
+  for (std::size_t i = 0; i < pair.normal.size(); ++i) {
+    p.consistent[number.at(pair.normal[i].node)] = row.lambda[static_cast<Eigen::Index>(i)];
+  }
+  rim_pressure(pair, number, whole_edges(pair, area.hat, number, nullptr), p.consistent, p.lumped);
+  smooth_pressure(pair.contact, number, whole_edges(pair, area.hat, number, &row.closed),
+                  p.consistent, p.lumped);
   return p;
 }
 
@@ -255,7 +276,7 @@ PairPressure recover_pressure(const PairRows& pair, const base::Vector& lambda,
     number.try_emplace(p.at.node, static_cast<Eigen::Index>(number.size()));
   }
   const SideForce force = side_force(pair, lambda, number);
-  const NodalPressure p = recover(pair, lambda, force, places, number);
+  const NodalPressure p = recover(pair, {lambda, closed}, force, places, number);
 
   PairPressure result;
   result.force_on_slave = pair.swapped ? base::Vec3(-force.total) : force.total;
@@ -284,7 +305,7 @@ PairPressure recover_pressure(const PairRows& pair, const base::Vector& lambda,
     }
     result.nodes.push_back(place.at);
   }
-  const Arc arc = longest_arc(result.nodes, pair.contact.circle.has_value());
+  const Arc arc = longest_arc(pair.contact, result.nodes, pair.segments);
   result.arc_from = arc.from;
   result.arc_to = arc.to;
   return result;

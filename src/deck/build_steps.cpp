@@ -41,7 +41,7 @@ bool says_twice(Context& c, const grammar::Row& row, const model::Step& step, st
 }
 
 // The name and factor behind LOAD and FIT, the name behind MOUNT and DISMOUNT.
-void action(Context& c, const BoundCard& card, const grammar::Row& row, model::Step& step) {
+void action(Context& c, const grammar::Row& row, model::Step& step) {
   const Field& verb = row.fields.front();
   const bool loads = verb.text == "LOAD";
   const bool factored = loads || verb.text == "FIT";
@@ -71,7 +71,6 @@ void action(Context& c, const BoundCard& card, const grammar::Row& row, model::S
     step.actions.emplace_back(model::Mount{base::ContactId(found->index)});
   } else {
     step.actions.emplace_back(model::Dismount{base::ContactId(found->index)});
-    c.unavailable(fmt::format("${} DISMOUNT", card.spec->name), row.span);
   }
 }
 
@@ -85,7 +84,7 @@ void step(Context& c, const BoundCard& card) {
     const bool known = verb.kind == Field::Kind::name &&
                        std::find(k_actions.begin(), k_actions.end(), verb.text) != k_actions.end();
     if (known) {
-      action(c, card, row, step);
+      action(c, row, step);
     } else {
       c.error(verb.span, "E115", fmt::format("a step has no '{}'", c.sources.text(verb.span)),
               base::suggest(verb.text, k_actions));

@@ -74,10 +74,12 @@ void add_k_cells(Row& row, const results::TipResult& tip) {
 struct ContactScale {
   double force = 0.0;
   double pressure = 0.0;
+  std::string length; ///< unit: arcs of straight surfaces are lengths
 };
 
-ContactScale contact_scale(const results::Increment& increment) {
+ContactScale contact_scale(const model::Model& model, const results::Increment& increment) {
   ContactScale scale;
+  scale.length = model.units.length_name;
   for (const results::StepResult& step : increment.steps) {
     for (const results::ContactResult& contact : step.contacts) {
       scale.force = std::max(scale.force, contact.force_on_slave.norm());
@@ -102,8 +104,13 @@ Row contact_row(const results::StepResult& step, const results::ContactResult& c
   row.push_back(rounded(contact.mean_pressure, scale.pressure));
   row.push_back(rounded(contact.max_pressure, scale.pressure));
   add_cells(row, contact.force_on_slave, along, scale.force);
-  row.push_back(degrees(contact.arc_from));
-  row.push_back(degrees(contact.arc_to));
+  const bool round = std::ranges::any_of(
+      contact.points, [](const results::ContactPoint& p) { return p.theta != 0.0; });
+  for (const double end : {contact.arc_from, contact.arc_to}) {
+    row.push_back(contact.closed == 0 ? ""
+                  : round             ? degrees(end)
+                                      : fmt::format("{:.4g} {}", end, scale.length));
+  }
   row.push_back(fmt::format("{}", step.iterations));
   return row;
 }
@@ -159,7 +166,7 @@ Table contact_table(const model::Model& model, const results::Increment& increme
   table.columns.push_back({"arc from", "deg", false});
   table.columns.push_back({"to", "deg", false});
   table.columns.push_back({"iterations", "", false});
-  const ContactScale scale = contact_scale(increment);
+  const ContactScale scale = contact_scale(model, increment);
   for (const results::StepResult& step : increment.steps) {
     for (const results::ContactResult& contact : step.contacts) {
       table.rows.push_back(contact_row(step, contact, along, scale));

@@ -176,7 +176,7 @@ std::vector<Refusal> unheld_loads(const model::Model& model, const Scene& scene,
     const double scale =
         std::max((scene.case_load * factors.case_factor).lpNorm<1>(), h.cwiseAbs().maxCoeff());
     const solve::ModeSplit split = solve::split_modes(B, 0.0);
-    base::Vector motion = solve::unfelt_motion(split, h, solve::rest_load * scale);
+    base::Vector motion = solve::unfelt_motion(split, h, solve::resting_load * scale);
     if (motion.size() == 0) {
       // Stiffness plays no part in whether rows can take the loads.
       const base::Matrix none;
@@ -188,7 +188,7 @@ std::vector<Refusal> unheld_loads(const model::Model& model, const Scene& scene,
                                     0.0,
                                     {}};
       motion = solve::opening_motion(split, solve::hold_loads(held),
-                                     solve::rest_load * std::max(scale, held.h.norm()));
+                                     solve::rest_load * std::max(scale, h.norm()));
     }
     if (motion.size() > 0) {
       Eigen::Index most = 0;

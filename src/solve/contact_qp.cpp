@@ -178,16 +178,20 @@ ContactSolution solve_contact(const ContactProblem& problem, const ContactSettin
   // 1. modes that no row touches rest, or nothing holds them
   const ModeSplit split = split_modes(problem.B, problem.opening_scale);
   answer.resting_modes = static_cast<int>(split.unfelt.cols());
-  answer.unheld = unfelt_motion(split, problem.h, rest_load * scale);
+  answer.unheld = unfelt_motion(split, problem.h, resting_load * scale);
   if (answer.unheld.size() > 0) {
     answer.status = ContactStatus::unheld_mode;
     return answer;
   }
 
+  if (split.unfelt.cols() > 0 && scale > 0.0) {
+    answer.left_over = (split.unfelt.transpose() * problem.h).cwiseAbs().maxCoeff() / scale;
+  }
+
   // 2. loads that the rows cannot take: the motion that opens them all
   HeldProblem held = held_problem(problem, split);
   const Holding holding = hold_loads(held);
-  answer.unheld = opening_motion(split, holding, rest_load * std::max(scale, held.h.norm()));
+  answer.unheld = opening_motion(split, holding, rest_load * std::max(scale, problem.h.norm()));
   if (answer.unheld.size() > 0) {
     answer.status = ContactStatus::unheld_mode;
     return answer;

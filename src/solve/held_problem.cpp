@@ -24,11 +24,15 @@ double load_scale(const ContactProblem& problem) {
 
 namespace {
 
-/// Rigid bodies have no compliance to compare with: what makes forces and gaps alike.
+/// Rigid bodies have no compliance to compare with: what makes forces and gaps alike. Without gaps
+/// there is no length at all: next to none, lest round-off of forces show as motions.
 double rigid_compliance(const HeldProblem& held) {
   const double load = held.h.cwiseAbs().maxCoeff();
   const double gap = held.b.cwiseAbs().maxCoeff();
-  return load > 0.0 && gap > 0.0 ? gap / load : 1.0;
+  if (load > 0.0) {
+    return gap > 0.0 ? gap / load : 1e-50 / load;
+  }
+  return 1.0;
 }
 
 } // namespace

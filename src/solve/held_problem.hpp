@@ -24,7 +24,8 @@ struct HeldProblem {
   [[nodiscard]] int modes() const { return static_cast<int>(h.size()); }
 };
 
-/// Which loads on modes count: the loads themselves, and the force that a gap of the size of b needs.
+/// Which loads on modes count: the loads themselves, and the force that a gap of the size of b
+/// needs.
 double load_scale(const ContactProblem& problem);
 
 /// The problem on the modes that some row feels; `problem` must outlive it.

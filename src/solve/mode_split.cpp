@@ -5,6 +5,7 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace spricka::solve {
@@ -35,6 +36,33 @@ RightVectors right_vectors(const base::Matrix& A) {
   R.topRows(top) = base::Matrix(qr.matrixQR().topRows(top)).triangularView<Eigen::Upper>();
   const Eigen::JacobiSVD<base::Matrix> svd(R, Eigen::ComputeFullV);
   return {svd.matrixV(), svd.singularValues()};
+}
+
+/// As many rows of U [k, r] as it has columns, those that tell its columns apart best (full
+/// pivoting), the last of equals.
+std::vector<bool> pivot_rows(base::Matrix U) {
+  std::vector<bool> taken(static_cast<std::size_t>(U.rows()), false);
+  for (Eigen::Index c = 0; c < U.cols(); ++c) {
+    Eigen::Index row = -1;
+    Eigen::Index col = -1;
+    double most = 0.0;
+    for (Eigen::Index i = 0; i < U.rows(); ++i) {
+      for (Eigen::Index j = 0; j < U.cols(); ++j) {
+        if (!taken[std::size_t(i)] && std::abs(U(i, j)) >= most * (1.0 - 1e-6)) {
+          most = std::max(most, std::abs(U(i, j)));
+          row = i;
+          col = j;
+        }
+      }
+    }
+    taken[std::size_t(row)] = true;
+    const base::Vector pivot = U.col(col) / U(row, col);
+    for (Eigen::Index j = 0; j < U.cols(); ++j) {
+      U.col(j) -= U(row, j) * pivot;
+    }
+    U.col(col).setZero();
+  }
+  return taken;
 }
 
 /// The rows that are in the cone's face so far, orthonormal [m, r], grown one row at a time.
@@ -91,9 +119,19 @@ ModeSplit split_modes(const base::Matrix& B, double opening_scale) {
     const auto [V, s] = right_vectors(B * scale);
     const Eigen::Index rank = (s.array() > untouched * s(0)).count();
     if (rank < k) {
-      felt = scale * V.leftCols(rank);
       for (Eigen::Index c = rank; c < k; ++c) {
         add_unfelt(scale * V.col(c));
+      }
+      // Beside them stand the given modes themselves: what a load on an unfelt one leaves over is
+      // then a load on modes left out here, a couple but no force if those are rotations.
+      const std::vector<bool> out = pivot_rows(orthonormal(scale * V.rightCols(k - rank)));
+      felt = base::Matrix(m, rank);
+      Eigen::Index to = 0;
+      for (Eigen::Index c = 0; c < k; ++c) {
+        const Eigen::Index j = touched[static_cast<std::size_t>(c)];
+        if (!out[std::size_t(j)]) {
+          felt.col(to++) = scale.col(c);
+        }
       }
     }
     for (Eigen::Index c = 0; c < rank; ++c) {
@@ -136,7 +174,12 @@ base::Vector unfelt_motion(const ModeSplit& split, const base::Vector& h, double
 }
 
 base::Vector opening_motion(const ModeSplit& split, const Holding& holding, double least) {
-  if (holding.remainder.size() == 0 || !(holding.remainder.norm() > least)) {
+  if (holding.remainder.size() == 0) {
+    return {};
+  }
+  // in units of h: the columns of felt have a unit of their own
+  const base::Vector per_unit = split.felt.colwise().norm().cwiseInverse().transpose();
+  if (!(holding.remainder.cwiseProduct(per_unit).norm() > least)) {
     return {};
   }
   return (split.felt * holding.remainder).normalized();

@@ -28,6 +28,10 @@ Holding hold_loads(const HeldProblem& problem);
 /// Loads on modes below this share of the load scale are round-off.
 inline constexpr double rest_load = 1e-9;
 
+/// A motion that no row feels rests under loads up to this share of the load scale: the moment of a
+/// load about a round shaft's axis is that of its meshed shape.
+inline constexpr double resting_load = 1e-6;
+
 /// Of the loads h [m] on the modes, the motion that no row feels and h drives, normalised; empty if
 /// there is none (loads below `least`).
 base::Vector unfelt_motion(const ModeSplit& split, const base::Vector& h, double least);

@@ -33,10 +33,12 @@ int rest_free_motions(const HeldProblem& problem, const ModeSplit& split,
   if (problem.modes() == 0) {
     return 0;
   }
+  const Eigen::RowVectorXd per_unit = split.felt.colwise().norm().cwiseInverse();
   std::vector<int> fixed;
   std::vector<int> others;
   for (int i = 0; i < problem.rows(); ++i) {
-    const double force = lambda(i) * problem.B.row(i).cwiseAbs().maxCoeff();
+    // in units of h: the columns of B are those of felt, whose size carries a unit of its own
+    const double force = lambda(i) * problem.B.row(i).cwiseAbs().cwiseProduct(per_unit).maxCoeff();
     (problem.equality[std::size_t(i)] || force > least ? fixed : others).push_back(i);
   }
   const base::Matrix Z = free_directions(problem, fixed);
@@ -63,16 +65,17 @@ int rest_free_motions(const HeldProblem& problem, const ModeSplit& split,
   }
   base::Vector v = base::Vector::Zero(z);
   const double size = k > 0 ? f.maxCoeff() : 0.0;
+  const double reach = k > 0 ? E.cwiseAbs().maxCoeff() : 0.0; // openings by a unit of v
   if (size > 0.0) { // else nothing stops the modes from resting at zero
     base::Matrix A(z + 1, k);
-    A.topRows(z) = E.transpose();
+    A.topRows(z) = E.transpose() / reach;
     A.bottomRows(1) = f.transpose() / size;
     const base::Vector t = base::Vector::Unit(z + 1, z);
     const base::Vector r = A * non_negative_least_squares(A, t).x - t;
     if (!(r(z) < 0.0)) {
       return static_cast<int>(z);
     }
-    v = -(size / r(z)) * r.head(z);
+    v = -(size / (reach * r(z))) * r.head(z);
   }
   alpha += ZR * (v - shift);
   return static_cast<int>(z);

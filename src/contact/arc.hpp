@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "contact/recovery.hpp"
+
+#include <vector>
+
+namespace spricka::contact {
+
+struct Arc {
+  double from = 0.0, to = 0.0;
+};
+
+/// The longest closed stretch of a surface: angles about its circle's centre [rad], `from` between
+/// -pi and pi, a whole circle -pi .. pi; on straight surfaces lengths along the chain. `nodes` are
+/// those of the chains, in order; `multipliers`: p_consistent holds the pressure, else p_lumped. A
+/// stretch ends where a pressure like a square root with the force and moment of the last three
+/// closed nodes does (contact.11), or with its surface; it goes on across a crack's mouth.
+Arc longest_arc(const Surface& surface, const std::vector<NodePressure>& nodes, bool multipliers);
+
+} // namespace spricka::contact
