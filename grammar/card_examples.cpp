@@ -128,10 +128,25 @@ constexpr std::array texts{
         "diameter (twice as much): a drawing that says 72.084 in 72 means DIAMETRAL=0.084. "
         "Which surface is SLAVE makes no difference to what holds; SEGMENT pairs need no "
         "matching nodes. Fits are switched on by FIT and MOUNT of $STEP; a fit that no step "
-        "names is always on. In this version both bodies are plane: none in 3D or with STATE=AXI.",
+        "names is always on. With STATE=AXI forces, areas and mean pressures are those of the "
+        "whole circumference. Where the contact is pressed up to an edge of one surface, the "
+        "pressure has no bound; the listing says so. In this version there is no contact in 3D.",
         "$CONTACT NAME=BUSH SLAVE=SLEEVE.OUTER MASTER=LUG.BORE DIAMETRAL=0.084\n"
         "$CONTACT NAME=PIN SLAVE=SHAFT.OUTER MASTER=SLEEVE.INNER GAP=0\n"},
-    CardText{"RIGID", "", "$RIGID NAME=FLOOR SHAPE=LINE X0=-50 Y0=0 X1=50 Y1=0\n"},
+    CardText{
+        "RIGID",
+        "A rigid target has no mesh and does not move: the other body is moved or loaded. Seen "
+        "from "
+        "the first point of a LINE to the second, the body is on the left; what lies beyond the "
+        "ends faces nothing, so that a LINE shorter than the surface is a flat punch with sharp "
+        "edges. An ARC is a whole circle: a shaft that bodies lie round, or with negative R a bore "
+        "that they lie in. Distances and normals are exact; GAP, INTERFERENCE and DIAMETRAL of "
+        "$CONTACT replace the distances. The SLAVE carries the multipliers, PAIRING=NODE takes its "
+        "nodes one by one. With STATE=AXI a LINE is a cylinder, a cone or a plane, an ARC a sphere "
+        "or a torus. The listing's force balance shows the reaction that holds the target.",
+        "$RIGID NAME=FLOOR SHAPE=LINE X0=-50 Y0=0 X1=50 Y1=0\n"
+        "$RIGID NAME=PIN SHAPE=ARC X0=0 Y0=0 R=20\n"
+        "$CONTACT NAME=FOOT SLAVE=PLATE.YMIN MASTER=FLOOR\n"},
     CardText{
         "CRACK",
         "A free crack is a point on the boundary of NET, its direction ANGLE and its length A0, "

@@ -80,7 +80,7 @@ std::string number_name(const ResultQuantity& quantity, std::size_t before, bool
   if (quantity.name == "CPRESS.AT") {
     return "theta";
   }
-  if (quantity.name.ends_with(".AT")) {
+  if (quantity.name.ends_with(".AT") || quantity.name.ends_with(".NEAR")) {
     return before == 0 ? "x" : "y";
   }
   return "a";

@@ -42,14 +42,24 @@ Choice choose_side(const Surface& slave, const Surface& master) {
 PairRows pair_rows(const model::Model& model, const model::Mesh& mesh,
                    const model::Contact& contact) {
   PairRows pair;
+  const bool bonded = contact.type == model::ContactType::bonded;
+  const bool nodes = contact.pairing == model::Pairing::node;
   Surface slave = make_surface(model, mesh, contact.slave);
+  if (contact.rigid.valid()) {
+    pair.contact = std::move(slave);
+    pair.target.thickness = pair.contact.thickness;
+    pair.rigid = model.rigids[contact.rigid.index()];
+    pair.choice = "slave side: the master is rigid";
+    nodes ? node_rows(pair, contact.gap, bonded) : segment_rows(pair, contact.gap, bonded);
+    return pair;
+  }
   Surface master = make_surface(model, mesh, contact.master);
   if (slave.chains.empty() || master.chains.empty()) {
     pair.trouble = "a surface has no edges";
     return pair;
   }
   Choice choice = choose_side(slave, master);
-  if (contact.pairing == model::Pairing::node) {
+  if (nodes) {
     choice = {false, "slave side: node pairs"};
   }
   pair.swapped = choice.swap;
@@ -59,19 +69,16 @@ PairRows pair_rows(const model::Model& model, const model::Mesh& mesh,
   }
   pair.contact = std::move(slave);
   pair.target = std::move(master);
-  const bool bonded = contact.type == model::ContactType::bonded;
-  if (contact.pairing == model::Pairing::node) {
-    node_rows(pair, contact.gap, bonded);
-  } else {
-    segment_rows(pair, contact.gap, bonded);
-  }
+  nodes ? node_rows(pair, contact.gap, bonded) : segment_rows(pair, contact.gap, bonded);
   return pair;
 }
 
 std::vector<base::NodeId> surface_nodes(const model::Mesh& mesh, const model::Contact& contact) {
   std::vector<model::Face> faces = mesh.set(contact.slave).faces;
-  const std::vector<model::Face>& other = mesh.set(contact.master).faces;
-  faces.insert(faces.end(), other.begin(), other.end());
+  if (contact.master.valid()) {
+    const std::vector<model::Face>& other = mesh.set(contact.master).faces;
+    faces.insert(faces.end(), other.begin(), other.end());
+  }
   return mesh::nodes_of_faces(mesh, faces);
 }
 

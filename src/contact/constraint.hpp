@@ -5,6 +5,7 @@
 #include "contact/surface.hpp"
 #include "model/model.hpp"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -32,8 +33,9 @@ struct PairRows {
   std::vector<ConstraintRow> normal;
   std::vector<ConstraintRow> tangent; ///< bonded pairs only
   Surface contact;                    ///< side that carries the multipliers
-  Surface target;
-  bool swapped = false;  ///< the deck's master carries the multipliers
+  Surface target;                     ///< no edges where `rigid` stands in its place
+  std::optional<model::Rigid> rigid;  ///< rows then weigh nodes of the contact side only
+  bool swapped = false;               ///< the deck's master carries the multipliers
   bool segments = false; ///< rows are weighted by hats on half edges, else by single nodes
   bool found = false;    ///< the surfaces face each other somewhere
   std::string trouble;   ///< why there are no rows (node pairing that does not match)
@@ -44,7 +46,8 @@ struct PairRows {
 /// Builds the rows of a pair on a mesh. SEGMENT: mortar with hat functions on half edges, weighted
 /// by exact segment integration (Puso and Laursen 2004 in the plane); the multipliers are
 /// non-negative functions that contain constants. NODE: nodes that lie opposite each other.
-/// Declared gaps replace the measured ones; normals are radial on circles.
+/// Declared gaps replace the measured ones; normals are radial on circles, and those of the target
+/// where that is rigid: there the slave carries the multipliers, and the rows are exact.
 PairRows pair_rows(const model::Model& model, const model::Mesh& mesh,
                    const model::Contact& contact);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/node_pairing.hpp"
 
+#include "contact/rigid_target.hpp"
 #include "contact/row_builder.hpp"
 
 #include <algorithm>
@@ -16,6 +17,9 @@ namespace {
 
 constexpr double off_normal = 1e-3; // of the mean edge length
 constexpr double far_share = 0.2;   // of the contact surface's extent
+// About an axis the corner of a quadratic edge that lies on the axis has no area: no force acts
+// there, and its row would say nothing. Share of the square of the mean edge length.
+constexpr double no_area = 1e-9;
 
 // A node with the sum of its edges' normals and its share of their area.
 struct SurfaceNode {
@@ -30,14 +34,29 @@ struct SurfaceNodes {
   std::vector<base::NodeId> order;
 };
 
-SurfaceNodes collect(const Surface& surface, double thickness) {
+// Integral of each shape function over an edge times the depth there: what a uniform pressure puts
+// on the nodes. Three Gauss points: exact on straight edges, about an axis as well.
+std::array<double, 3> nodal_areas(const Edge& edge, const PairRows& pair) {
+  constexpr std::array<double, 3> gauss_r{-0.7745966692414834, 0.0, 0.7745966692414834};
+  constexpr std::array<double, 3> gauss_w{5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
+  std::array<double, 3> area{};
+  for (std::size_t g = 0; g < gauss_r.size(); ++g) {
+    const std::array<double, 3> N = edge_N(edge, gauss_r[g]);
+    const double w = gauss_w[g] * tangent_on(edge, gauss_r[g]).norm() *
+                     depth_at(pair.contact, pair.target, point_on(edge, gauss_r[g]));
+    for (std::size_t i = 0; i < area.size(); ++i) {
+      area[i] += w * N[i];
+    }
+  }
+  return area;
+}
+
+SurfaceNodes collect(const Surface& surface, const PairRows& pair) {
   SurfaceNodes all;
   for (const EdgeChain& chain : surface.chains) {
     for (const Edge& edge : chain.edges) {
-      const bool curved = edge.count == 3;
       const std::array<double, 3> xi{-1.0, 1.0, 0.0};
-      const std::array<double, 3> share =
-          curved ? std::array{1.0 / 6.0, 1.0 / 6.0, 4.0 / 6.0} : std::array{0.5, 0.5, 0.0};
+      const std::array<double, 3> area = nodal_areas(edge, pair);
       for (const std::size_t i : {std::size_t{0}, std::size_t{2}, std::size_t{1}}) {
         if (static_cast<int>(i) >= edge.count) {
           continue;
@@ -48,17 +67,34 @@ SurfaceNodes collect(const Surface& surface, double thickness) {
         }
         at->second.x = edge.x[i];
         at->second.normal += surface_normal(surface, edge, xi[i]);
-        at->second.area += share[i] * edge.length * thickness;
+        at->second.area += area[i];
       }
     }
   }
   return all;
 }
 
-std::optional<base::NodeId> partner(const SurfaceNode& node, const Vec2& n,
-                                    const SurfaceNodes& targets, const Surface& contact) {
+// What a node has opposite: a node, or a point of a rigid target.
+struct Partner {
+  base::NodeId node; ///< invalid on a rigid target
+  Vec2 normal = Vec2::Zero();
+  double gap = 0.0;
+};
+
+std::optional<Partner> rigid_partner(const SurfaceNode& node, const PairRows& pair) {
+  const std::optional<RigidFoot> foot = foot_on(*pair.rigid, node.x);
+  if (!foot || foot->beyond || node.normal.dot(foot->normal) <= 0.0 ||
+      std::abs(foot->gap) > far_share * pair.contact.extent) {
+    return std::nullopt;
+  }
+  return Partner{base::NodeId(), foot->normal, foot->gap};
+}
+
+std::optional<Partner> partner(const SurfaceNode& node, const SurfaceNodes& targets,
+                               const Surface& contact) {
+  const Vec2 n = node.normal.normalized();
   double best = std::numeric_limits<double>::infinity();
-  std::optional<base::NodeId> found;
+  std::optional<Partner> found;
   for (const base::NodeId id : targets.order) {
     const SurfaceNode& other = targets.node.at(id);
     const Vec2 d = other.x - node.x;
@@ -67,7 +103,7 @@ std::optional<base::NodeId> partner(const SurfaceNode& node, const Vec2& n,
     if (other.normal.dot(n) < 0.0 && across <= off_normal * contact.mean_length &&
         std::abs(along) <= far_share * contact.extent && std::abs(along) < best) {
       best = std::abs(along);
-      found = id;
+      found = Partner{id, n, along};
     }
   }
   return found;
@@ -76,31 +112,38 @@ std::optional<base::NodeId> partner(const SurfaceNode& node, const Vec2& n,
 } // namespace
 
 void node_rows(PairRows& pair, std::optional<double> declared_gap, bool bonded) {
-  const double thickness = std::min(pair.contact.thickness, pair.target.thickness);
-  const SurfaceNodes nodes = collect(pair.contact, thickness);
-  const SurfaceNodes targets = collect(pair.target, thickness);
+  const SurfaceNodes nodes = collect(pair.contact, pair);
+  const SurfaceNodes targets = collect(pair.target, pair);
   int lonely = 0;
   for (const base::NodeId id : nodes.order) {
     const SurfaceNode& node = nodes.node.at(id);
-    const Vec2 n = node.normal.normalized();
-    const std::optional<base::NodeId> other = partner(node, n, targets, pair.contact);
+    const std::optional<Partner> other =
+        pair.rigid ? rigid_partner(node, pair) : partner(node, targets, pair.contact);
     if (!other) {
-      ++lonely;
+      lonely += pair.rigid ? 0 : 1; // beyond a rigid target there is nothing
       continue;
     }
     pair.found = true;
-    const double gap = declared_gap ? *declared_gap : (targets.node.at(*other).x - node.x).dot(n);
+    const Vec2& n = other->normal;
+    if (pair.contact.axial &&
+        node.area <= no_area * pair.contact.mean_length * pair.contact.mean_length) {
+      continue;
+    }
     RowBuilder row;
     row.add(id, -node.area * n);
-    row.add(*other, node.area * n);
-    row.gap = node.area * gap;
+    if (other->node.valid()) {
+      row.add(other->node, node.area * n);
+    }
+    row.gap = node.area * declared_gap.value_or(other->gap);
     row.area = node.area;
     pair.normal.push_back(row.finish(id, false));
     if (bonded) {
       const Vec2 t(-n.y(), n.x());
       RowBuilder slip;
       slip.add(id, -node.area * t);
-      slip.add(*other, node.area * t);
+      if (other->node.valid()) {
+        slip.add(other->node, node.area * t);
+      }
       slip.area = node.area;
       pair.tangent.push_back(slip.finish(id, true));
     }

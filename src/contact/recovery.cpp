@@ -2,6 +2,7 @@
 #include "contact/recovery.hpp"
 
 #include "contact/arc.hpp"
+#include "contact/axis_ends.hpp"
 #include "contact/smooth.hpp"
 
 #include <algorithm>
@@ -22,20 +23,20 @@ constexpr std::array<double, 4> gauss_w{0.3478548451374538, 0.6521451548625461, 
 
 constexpr double covered = 1e-4; // of a hat's area: what integration may miss
 
-// Surface mass matrix C = sum over edges of integral N N^T, times thickness.
-Eigen::SparseMatrix<double> surface_mass(const Surface& surface, double thickness,
-                                         const Numbering& number) {
+// Surface mass matrix C = sum over edges of integral N N^T, times the depth.
+Eigen::SparseMatrix<double> surface_mass(const PairRows& pair, const Numbering& number) {
   std::vector<Eigen::Triplet<double>> entries;
   const auto add = [&](const Edge& edge, double xi, double weight) {
     const std::array<double, 3> N = edge_N(edge, xi);
-    const double w = weight * tangent_on(edge, xi).norm() * thickness;
+    const double w = weight * tangent_on(edge, xi).norm() *
+                     depth_at(pair.contact, pair.target, point_on(edge, xi));
     for (std::size_t i = 0; i < static_cast<std::size_t>(edge.count); ++i) {
       for (std::size_t j = 0; j < static_cast<std::size_t>(edge.count); ++j) {
         entries.emplace_back(number.at(edge.nodes[i]), number.at(edge.nodes[j]), w * N[i] * N[j]);
       }
     }
   };
-  for (const EdgeChain& chain : surface.chains) {
+  for (const EdgeChain& chain : pair.contact.chains) {
     for (const Edge& edge : chain.edges) {
       for (std::size_t g = 0; g < gauss_r.size(); ++g) {
         add(edge, gauss_r[g], gauss_w[g]);
@@ -166,8 +167,9 @@ struct NodeArea {
   base::Vector facing, hat;
 };
 
-NodeArea node_areas(const Surface& surface, double thickness, const std::vector<Place>& places,
+NodeArea node_areas(const PairRows& pair, const std::vector<Place>& places,
                     const Numbering& number) {
+  const Surface& surface = pair.contact;
   const auto n = static_cast<Eigen::Index>(number.size());
   NodeArea area{base::Vector::Zero(n), base::Vector::Zero(n)};
   std::vector<Vec2> normal(number.size());
@@ -178,7 +180,8 @@ NodeArea node_areas(const Surface& surface, double thickness, const std::vector<
     const std::array<double, 3> N = edge_N(edge, xi);
     const std::array<double, 3> hat = edge_hats(edge, xi);
     const Vec2 here = surface_normal(surface, edge, xi);
-    const double w = weight * tangent_on(edge, xi).norm() * thickness;
+    const double w =
+        weight * tangent_on(edge, xi).norm() * depth_at(surface, pair.target, point_on(edge, xi));
     for (std::size_t i = 0; i < static_cast<std::size_t>(edge.count); ++i) {
       const Eigen::Index k = number.at(edge.nodes[i]);
       area.facing[k] += w * N[i] * here.dot(normal[static_cast<std::size_t>(k)]);
@@ -239,19 +242,21 @@ void rim_pressure(const PairRows& pair, const Numbering& number, const std::vect
 // meets the turn of the normal, which the facing areas count.
 NodalPressure recover(const PairRows& pair, const Multipliers& row, const SideForce& force,
                       const std::vector<Place>& places, const Numbering& number) {
-  const double thickness = std::min(pair.contact.thickness, pair.target.thickness);
   const auto n = static_cast<Eigen::Index>(number.size());
   base::Vector R = base::Vector::Zero(n);
   for (const Place& p : places) {
     const auto at = force.node.find(p.at.node.value);
     if (at != force.node.end()) {
-      R[number.at(p.at.node)] = -at->second.head<2>().dot(p.normal);
+      R[number.at(p.at.node)] = 0.0 - at->second.head<2>().dot(p.normal);
     }
   }
-  const NodeArea area = node_areas(pair.contact, thickness, places, number);
+  const NodeArea area = node_areas(pair, places, number);
   NodalPressure p{R.cwiseQuotient(area.facing), base::Vector::Zero(n)};
+  if (pair.contact.axial) {
+    mend_axis_ends(pair.contact, number, p.lumped);
+  }
   if (!pair.segments) {
-    const Eigen::SparseMatrix<double> C = surface_mass(pair.contact, thickness, number);
+    const Eigen::SparseMatrix<double> C = surface_mass(pair, number);
     const base::Vector even = p.lumped.cwiseProduct(C * base::Vector::Ones(n));
     p.consistent = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>(C).solve(even);
     return p;
@@ -305,6 +310,7 @@ PairPressure recover_pressure(const PairRows& pair, const base::Vector& lambda,
     }
     result.nodes.push_back(place.at);
   }
+  copy_to_axis_ends(pair, row_of, result.nodes);
   const Arc arc = longest_arc(pair.contact, result.nodes, pair.segments);
   result.arc_from = arc.from;
   result.arc_to = arc.to;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/segment_pairing.hpp"
 
+#include "contact/rigid_target.hpp"
 #include "contact/row_builder.hpp"
 #include "contact/segment.hpp"
 
@@ -23,7 +24,7 @@ struct Builders {
   std::map<base::NodeId, RowBuilder> tangent;
 };
 
-// Adds one integration point: weight w includes the line element and the thickness.
+// Adds one integration point: weight w includes the line element and the depth.
 struct Point {
   const Edge& edge;
   const Edge& target;
@@ -67,32 +68,51 @@ void add_point(const Point& p, bool bonded, Builders& rows) {
   }
 }
 
+// What a point of a contact edge sees on its normal, or on that of a rigid target.
+struct Opposite {
+  double eta = 0.0;
+  Vec2 normal = Vec2::Zero();
+  double gap = 0.0;
+};
+
+std::optional<Opposite> opposite(const PairRows& pair, const Edge& edge, const Edge& target,
+                                 double xi) {
+  const Vec2 x = point_on(edge, xi);
+  if (pair.rigid) {
+    const std::optional<RigidFoot> foot = foot_on(*pair.rigid, x);
+    return foot ? std::optional(Opposite{0.0, foot->normal, foot->gap}) : std::nullopt;
+  }
+  const Vec2 n = surface_normal(pair.contact, edge, xi);
+  const std::optional<double> eta = hit_on(target, x, n);
+  return eta ? std::optional(Opposite{*eta, n, (point_on(target, *eta) - x).dot(n)}) : std::nullopt;
+}
+
 // False if a point of the segment finds no target: its area would be lost.
 bool add_segment(const PairRows& pair, const Edge& edge, const Edge& target, const Segment& s,
                  const std::optional<double>& declared, bool bonded, Builders& rows) {
-  const double thickness = std::min(pair.contact.thickness, pair.target.thickness);
   for (std::size_t g = 0; g < gauss_r.size(); ++g) {
     const double xi = 0.5 * ((s.to + s.from) + (s.to - s.from) * gauss_r[g]);
-    const Vec2 n = surface_normal(pair.contact, edge, xi);
     const Vec2 x = point_on(edge, xi);
-    const std::optional<double> eta = hit_on(target, x, n);
-    if (!eta) {
+    const std::optional<Opposite> other = opposite(pair, edge, target, xi);
+    if (!other) {
       return false;
     }
-    const double w = 0.5 * (s.to - s.from) * gauss_w[g] * tangent_on(edge, xi).norm() * thickness;
-    const double gap = declared ? *declared : (point_on(target, *eta) - x).dot(n);
-    add_point({edge, target, xi, *eta, w, n, gap}, bonded, rows);
+    const double w = 0.5 * (s.to - s.from) * gauss_w[g] * tangent_on(edge, xi).norm() *
+                     depth_at(pair.contact, pair.target, x);
+    const double gap = declared.value_or(other->gap);
+    add_point({edge, target, xi, other->eta, w, other->normal, gap}, bonded, rows);
   }
   return true;
 }
 
 // What each function would weigh if its whole support were paired.
-void add_support(const Edge& edge, double thickness, Builders& rows) {
+void add_support(const PairRows& pair, const Edge& edge, Builders& rows) {
   for (const double half : {-0.5, 0.5}) {
     for (std::size_t g = 0; g < gauss_r.size(); ++g) {
       const double xi = half + 0.5 * gauss_r[g];
       const std::array<double, 3> phi = edge_hats(edge, xi);
-      const double w = 0.5 * gauss_w[g] * tangent_on(edge, xi).norm() * thickness;
+      const double w = 0.5 * gauss_w[g] * tangent_on(edge, xi).norm() *
+                       depth_at(pair.contact, pair.target, point_on(edge, xi));
       for (int i = 0; i < edge.count; ++i) {
         rows.normal[edge.nodes[static_cast<std::size_t>(i)]].whole +=
             w * phi[static_cast<std::size_t>(i)];
@@ -181,7 +201,8 @@ std::vector<const Edge*> all_edges(const Surface& surface) {
 } // namespace
 
 void segment_rows(PairRows& pair, std::optional<double> declared_gap, bool bonded) {
-  const std::vector<Segment> segments = find_segments(pair.contact, pair.target);
+  const std::vector<Segment> segments = pair.rigid ? find_segments(pair.contact, *pair.rigid)
+                                                   : find_segments(pair.contact, pair.target);
   if (covered_twice(segments)) {
     pair.trouble = "the surfaces face each other twice at one place (folded or cornered surfaces "
                    "are not available in this version)";
@@ -190,10 +211,12 @@ void segment_rows(PairRows& pair, std::optional<double> declared_gap, bool bonde
   pair.found = !segments.empty();
   pair.segments = true;
   const std::vector<const Edge*> edges = all_edges(pair.contact);
-  const std::vector<const Edge*> targets = all_edges(pair.target);
+  const Edge nothing{{}, 0, {}, 0.0}; // a rigid target has no nodes
+  const std::vector<const Edge*> targets =
+      pair.rigid ? std::vector{&nothing} : all_edges(pair.target);
   Builders rows;
   for (const Edge* edge : edges) {
-    add_support(*edge, std::min(pair.contact.thickness, pair.target.thickness), rows);
+    add_support(pair, *edge, rows);
   }
   for (const Segment& s : segments) {
     if (!add_segment(pair, *edges[s.contact_edge], *targets[s.target_edge], s, declared_gap, bonded,

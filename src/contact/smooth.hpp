@@ -11,7 +11,7 @@ namespace spricka::contact {
 using Numbering = std::map<base::NodeId, Eigen::Index>;
 
 /// Pressures from multipliers on half edges without what alternates between corners and middles
-/// (contact.12): such waves do next to no work on quadratic triangles. `sound` [edges, chain by
+/// (contact.15): such waves do next to no work on quadratic triangles. `sound` [edges, chain by
 /// chain]: wholly paired and closed; only these are smoothed, and corners where such edges meet or
 /// where the surface ends. `lambda` and `pressure` [node, as numbered]; linear edges stay as they
 /// are.

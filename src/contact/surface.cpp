@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include <Eigen/LU>
 
@@ -113,8 +114,16 @@ Vec2 outer_normal(const Edge& edge, double xi) {
   return {t.y(), -t.x()};
 }
 
+double depth_at(const Surface& contact, const Surface& target, const Vec2& x) {
+  if (contact.axial) {
+    return 2.0 * std::numbers::pi * std::max(0.0, x.x()); // round-off at the axis
+  }
+  return std::min(contact.thickness, target.thickness);
+}
+
 Surface make_surface(const model::Model& model, const model::Mesh& mesh, base::FaceSetId set) {
   Surface surface;
+  surface.axial = model::axisymmetric(model);
   std::vector<Vec2> points;
   Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
   Vec2 high = -low;

@@ -52,7 +52,12 @@ struct Surface {
   double mean_length = 0.0; ///< of the edges
   double stiffness = 0.0;   ///< Young's modulus behind the surface
   double thickness = 0.0;
+  bool axial = false; ///< a meridian: x is the radius, the surface goes round the axis
 };
+
+/// What a unit of length at a point of the section stands for: the smaller thickness, about an axis
+/// the whole circumference there.
+double depth_at(const Surface& contact, const Surface& target, const Vec2& x);
 
 /// Strings the faces of a set into chains and looks whether they lie on one circle (deviation
 /// below 1e-4 of the radius, radius below 1e3 extents).

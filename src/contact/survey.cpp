@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/survey.hpp"
 
+#include "contact/rigid_target.hpp"
 #include "contact/segment.hpp"
 
 #include <algorithm>
@@ -31,11 +32,15 @@ double angle_between(const Vec2& a, const Vec2& b) {
   return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
 }
 
-} // namespace
+struct Sight {
+  double gap = 0.0;
+  double angle = 0.0; ///< between one normal and the other reversed
+};
 
-Survey survey(const Surface& from, const Surface& to) {
+// Samples the segments; `look(segment, edge, xi)` tells what is seen there, if anything.
+template <class Look>
+Survey sample(const Surface& from, const std::vector<Segment>& segments, Look&& look) {
   const std::vector<const Edge*> edges = all_edges(from);
-  const std::vector<const Edge*> targets = all_edges(to);
   Survey found;
   found.edges = edges.size();
   for (const Edge* edge : edges) {
@@ -43,27 +48,22 @@ Survey survey(const Surface& from, const Surface& to) {
   }
   std::vector<bool> faces(edges.size(), false);
   bool first = true;
-  for (const Segment& s : find_segments(from, to)) {
+  for (const Segment& s : segments) {
     const Edge& edge = *edges[s.contact_edge];
-    const Edge& target = *targets[s.target_edge];
     for (std::size_t i = 0; i < sample_r.size(); ++i) {
       const double xi = 0.5 * ((s.to + s.from) + (s.to - s.from) * sample_r[i]);
-      const Vec2 n = surface_normal(from, edge, xi);
-      const Vec2 x = point_on(edge, xi);
-      const std::optional<double> eta = hit_on(target, x, n);
-      if (!eta) {
+      const std::optional<Sight> sight = look(s, edge, xi);
+      if (!sight) {
         continue;
       }
       faces[s.contact_edge] = true;
-      const double gap = (point_on(target, *eta) - x).dot(n);
+      const double gap = sight->gap;
       const double w = 0.5 * (s.to - s.from) * sample_w[i] * tangent_on(edge, xi).norm();
       found.seen += w;
       found.gap_mean += w * gap;
       found.gap_low = first ? gap : std::min(found.gap_low, gap);
       found.gap_high = first ? gap : std::max(found.gap_high, gap);
-      found.angle_high =
-          std::max(found.angle_high,
-                   angle_between(n, -surface_normal(to, target, std::clamp(*eta, -1.0, 1.0))));
+      found.angle_high = std::max(found.angle_high, sight->angle);
       first = false;
     }
   }
@@ -71,6 +71,36 @@ Survey survey(const Surface& from, const Surface& to) {
   found.gap_mean = found.seen > 0.0 ? found.gap_mean / found.seen : 0.0;
   found.seen = std::min(found.seen, found.length); // round-off
   return found;
+}
+
+} // namespace
+
+Survey survey(const Surface& from, const Surface& to) {
+  const std::vector<const Edge*> targets = all_edges(to);
+  return sample(from, find_segments(from, to),
+                [&](const Segment& s, const Edge& edge, double xi) -> std::optional<Sight> {
+                  const Edge& target = *targets[s.target_edge];
+                  const Vec2 n = surface_normal(from, edge, xi);
+                  const Vec2 x = point_on(edge, xi);
+                  const std::optional<double> eta = hit_on(target, x, n);
+                  if (!eta) {
+                    return std::nullopt;
+                  }
+                  const Vec2 back = surface_normal(to, target, std::clamp(*eta, -1.0, 1.0));
+                  return Sight{(point_on(target, *eta) - x).dot(n), angle_between(n, -back)};
+                });
+}
+
+Survey survey(const Surface& from, const model::Rigid& to) {
+  return sample(from, find_segments(from, to),
+                [&](const Segment&, const Edge& edge, double xi) -> std::optional<Sight> {
+                  const std::optional<RigidFoot> foot = foot_on(to, point_on(edge, xi));
+                  if (!foot) {
+                    return std::nullopt;
+                  }
+                  const Vec2 n = surface_normal(from, edge, xi);
+                  return Sight{foot->gap, angle_between(n, foot->normal)};
+                });
 }
 
 } // namespace spricka::contact

@@ -24,4 +24,7 @@ struct Survey {
 /// Surveys the segments that pairing uses: at their ends and at Gauss points between.
 Survey survey(const Surface& from, const Surface& to);
 
+/// The same for a rigid target, along its normals.
+Survey survey(const Surface& from, const model::Rigid& to);
+
 } // namespace spricka::contact

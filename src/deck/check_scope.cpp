@@ -119,11 +119,9 @@ void check_scope(Context& context) {
   cracks_in_reach(context);
   loads_in_reach(context);
   heated_materials_expand(context);
-  const bool space = context.model.mesh.dim == 3;
-  if (space || model::axisymmetric(context.model)) {
+  if (context.model.mesh.dim == 3) {
     for (const model::Contact& contact : context.model.contacts) {
-      context.unavailable(fmt::format("$CONTACT {}", space ? "in 3D" : "with STATE=AXI"),
-                          contact.span);
+      context.unavailable("$CONTACT in 3D", contact.span);
     }
   }
 }

@@ -57,6 +57,9 @@ json of(const results::PairPreview& c) {
       {"choice", c.choice},
       {"rows", c.rows},
       {"merged", c.merged}};
+  if (c.rigid) {
+    out["master"] = "rigid";
+  }
   if (c.declared) {
     out["declared_gap"] = c.declared_gap;
   }

@@ -107,8 +107,9 @@ Table pairs(const Preview& p) {
     table.rows.push_back({c.name, number(c.gap_low), number(c.gap_mean), number(c.gap_high),
                           c.declared ? number(c.declared_gap) : "measured",
                           fmt::format("{:.2f}", c.angle), faces(c.slave_facing, c.slave_edges),
-                          faces(c.master_facing, c.master_edges), percent(c.slave_overhang),
-                          percent(c.master_overhang), count(c.rows), c.choice});
+                          c.rigid ? "rigid" : faces(c.master_facing, c.master_edges),
+                          percent(c.slave_overhang), c.rigid ? "" : percent(c.master_overhang),
+                          count(c.rows), c.choice});
   }
   return table;
 }

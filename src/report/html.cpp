@@ -138,6 +138,7 @@ std::string html_report(const base::Sources& sources, const model::Model& model,
   page.table(net_table(model));
   page.table(property_table(model));
   page.table(contact_pair_table(model));
+  page.table(rigid_table(model));
   for (const Figure& figure : mesh_figures(model, run)) {
     page.figure(figure);
   }

@@ -47,6 +47,9 @@ std::string model_summary(const model::Model& model) {
   if (!contacts.rows.empty()) {
     (out += '\n') += to_text(contacts);
   }
+  if (!model.rigids.empty()) {
+    (out += '\n') += to_text(rigid_table(model));
+  }
   if (!model.steps.empty()) {
     out += "\nSteps:";
     for (const model::Step& step : model.steps) {

@@ -114,7 +114,9 @@ Figure whole_mesh(const model::Model& model, const results::Increment& increment
     view.low = {std::min(view.low.x, x[0]), std::min(view.low.y, x[1])};
     view.high = {std::max(view.high.x, x[0]), std::max(view.high.y, x[1])};
   }
-  const double margin = 0.02 * std::max(view.high.x - view.low.x, view.high.y - view.low.y);
+  view.rigids = model.rigids;
+  const double share = model.rigids.empty() ? 0.02 : 0.05; // room for the hatches
+  const double margin = share * std::max(view.high.x - view.low.x, view.high.y - view.low.y);
   view.low = {view.low.x - margin, view.low.y - margin};
   view.high = {view.high.x + margin, view.high.y + margin};
   const double slender = (view.high.y - view.low.y) / (view.high.x - view.low.x);
@@ -132,8 +134,9 @@ Figure whole_mesh(const model::Model& model, const results::Increment& increment
   return {{draw(view)},
           "",
           fmt::format("The mesh, {} elements, one tint for each net{}. Heavy lines are edges of "
-                      "one element only: outlines and crack lips.",
-                      mesh.element_count(), cracks)};
+                      "one element only: outlines and crack lips.{}",
+                      mesh.element_count(), cracks,
+                      model.rigids.empty() ? "" : " Hatched lines: rigid targets.")};
 }
 
 /// First and last length, then the last tip from near by.

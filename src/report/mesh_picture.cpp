@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/mesh_picture.hpp"
 
+#include "report/rigid_picture.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -162,6 +164,10 @@ std::string draw(const MeshView& view) {
     svg.path(drawn.areas[net], {tint, 0.6, tint, ""}); // the stroke hides the seams
   }
   draw_edges(svg, project, drawn.edges);
+  for (const model::Rigid& rigid : view.rigids) {
+    draw_rigid(svg, rigid,
+               {view.low, view.high, project.scale(), [&](const Point& p) { return project(p); }});
+  }
   for (const auto& [at, words] : view.labels) {
     const Point p = project(at);
     svg.circle(p, 2.6, {"#d55e00", 1.2, "#d55e00", ""});

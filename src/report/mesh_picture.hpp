@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "base/vec.hpp"
-#include "model/mesh.hpp"
+#include "model/model.hpp"
 #include "report/svg.hpp"
 
 #include <string>
@@ -23,6 +23,7 @@ struct MeshView {
   double magnify = 1.0;
   base::Vec2 rest = base::Vec2::Zero(); ///< the displacement that stays where it is
   std::vector<std::pair<Point, std::string>> labels;
+  std::vector<model::Rigid> rigids; ///< targets to be drawn
   std::string length_name;
   double width = 320.0; ///< [px]
 };

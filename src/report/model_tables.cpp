@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 
 namespace spricka::report {
 
@@ -65,6 +66,15 @@ Table property_table(const model::Model& model) {
   return table;
 }
 
+namespace {
+
+const std::string& master_name(const model::Model& model, const model::Contact& contact) {
+  return contact.rigid.valid() ? model.rigids[contact.rigid.index()].name
+                               : model.mesh.set(contact.master).name;
+}
+
+} // namespace
+
 Table contact_pair_table(const model::Model& model) {
   Table table{"Contacts",
               {{"contact", "", true},
@@ -76,11 +86,32 @@ Table contact_pair_table(const model::Model& model) {
                {"mu", "", false}},
               {}};
   for (const model::Contact& c : model.contacts) {
-    table.rows.push_back({c.name, model.mesh.set(c.slave).name, model.mesh.set(c.master).name,
+    table.rows.push_back({c.name, model.mesh.set(c.slave).name, master_name(model, c),
                           c.type == model::ContactType::bonded ? "bonded" : "unilateral",
                           c.pairing == model::Pairing::node ? "node" : "segment",
                           c.gap ? fmt::format("{:.6g}", *c.gap) : "measured",
                           fmt::format("{:.4g}", c.mu)});
+  }
+  return table;
+}
+
+Table rigid_table(const model::Model& model) {
+  const std::string& unit = model.units.length_name;
+  Table table{"Rigid targets",
+              {{"target", "", true},
+               {"shape", "", true},
+               {"from or centre", unit, true},
+               {"to", unit, true},
+               {"radius", unit, false}},
+              {}};
+  const auto place = [](const base::Vec3& x) {
+    return fmt::format("({:.6g}, {:.6g})", x[0], x[1]);
+  };
+  for (const model::Rigid& r : model.rigids) {
+    const bool line = r.shape == model::RigidShape::line;
+    table.rows.push_back({r.name, line ? "line" : (r.radius > 0.0 ? "arc" : "arc, a bore"),
+                          place(r.first), line ? place(r.second) : "",
+                          line ? "" : fmt::format("{:.6g}", std::abs(r.radius))});
   }
   return table;
 }

@@ -14,5 +14,6 @@ Table property_table(const model::Model& model);
 
 /// The contact pairs as declared.
 Table contact_pair_table(const model::Model& model);
+Table rigid_table(const model::Model& model);
 
 } // namespace spricka::report

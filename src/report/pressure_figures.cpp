@@ -19,13 +19,17 @@ double pressure(const model::Contact& contact, const ContactPoint& point) {
   return contact.recovery == model::Recovery::consistent ? point.p_consistent : point.p_lumped;
 }
 
-bool on_bore(const results::ContactResult& contact) {
-  return std::any_of(contact.points.begin(), contact.points.end(),
-                     [](const ContactPoint& p) { return p.theta != 0.0; });
-}
-
 double turn(const ContactPoint& from, const ContactPoint& to) {
   return std::abs(std::remainder(to.theta - from.theta, 2.0 * std::numbers::pi));
+}
+
+/// A circle, or so much of one that a polar plot shows more than a needle.
+bool on_bore(const results::ContactResult& contact) {
+  double round = 0.0;
+  for (std::size_t i = 1; i < contact.points.size(); ++i) {
+    round += turn(contact.points[i - 1], contact.points[i]);
+  }
+  return contact.round && round > 0.5 * std::numbers::pi;
 }
 
 double typical_turn(const std::vector<ContactPoint>& points) {
@@ -152,9 +156,25 @@ Figure polar_figure(const model::Model& model, const results::Run& run,
   return figure;
 }
 
+/// Next to an edge the pressure has no bound: a twentieth of the part in contact is left out.
+bool at_edge(const results::ContactResult& contact, const ContactPoint& point) {
+  if (contact.unbounded.empty()) {
+    return false;
+  }
+  double length = 0.0; // of the surface's closed part
+  for (std::size_t i = 1; i < contact.points.size(); ++i) {
+    const ContactPoint& a = contact.points[i - 1];
+    const ContactPoint& b = contact.points[i];
+    length += a.closed && b.closed && b.arc > a.arc ? b.arc - a.arc : 0.0;
+  }
+  return std::any_of(contact.unbounded.begin(), contact.unbounded.end(),
+                     [&](const base::Vec3& x) { return (x - point.x).norm() < 0.05 * length; });
+}
+
 Figure straight_figure(const model::Model& model, const results::Run& run,
                        const model::Contact& contact) {
   Figure figure;
+  bool edges = false;
   for (const results::Increment* const increment : chosen_increments(run, 9)) {
     Plot plot{contact.name,
               fmt::format("distance along the surface  [{}]", model.units.length_name),
@@ -171,16 +191,23 @@ Figure straight_figure(const model::Model& model, const results::Run& run,
       series.colour = colour(s);
       series.dash = dash(s);
       for (const ContactPoint& point : result->points) {
-        series.points.push_back({point.arc, pressure(contact, point)});
+        if (!at_edge(*result, point)) {
+          series.points.push_back({point.arc, pressure(contact, point)});
+        }
       }
+      edges = edges || !result->unbounded.empty();
       plot.series.push_back(series);
     }
     if (!plot.series.empty()) {
       figure.drawings.push_back(draw(plot));
     }
   }
-  figure.caption = fmt::format("Pressure of contact {} at the ends of the steps ({} recovery).",
-                               contact.name, recovery_text(contact));
+  figure.caption = fmt::format(
+      "Pressure of contact {} at the ends of the steps ({} recovery).{}", contact.name,
+      recovery_text(contact),
+      edges ? " Next to edges up to which it is pressed values are left out: there the pressure "
+              "has no bound."
+            : "");
   return figure;
 }
 

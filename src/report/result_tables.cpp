@@ -21,8 +21,10 @@ std::string number(double value) {
 std::string small(double value) {
   return fmt::format("{:.2e}", value);
 }
-std::string degrees(double radians) {
-  return fmt::format("{:.1f}", radians * 180.0 / std::numbers::pi);
+/// Where contact begins or ends: an angle on a circle, else a length.
+std::string arc(const results::ContactResult& contact, double at, const base::UnitSystem& units) {
+  return contact.round ? fmt::format("{:.1f} deg", at * 180.0 / std::numbers::pi)
+                       : fmt::format("{:.4g} {}", at, units.length_name);
 }
 
 /// Directions that a resultant has: about an axis radial forces balance, whatever they are.
@@ -74,12 +76,10 @@ void add_k_cells(Row& row, const results::TipResult& tip) {
 struct ContactScale {
   double force = 0.0;
   double pressure = 0.0;
-  std::string length; ///< unit: arcs of straight surfaces are lengths
 };
 
-ContactScale contact_scale(const model::Model& model, const results::Increment& increment) {
+ContactScale contact_scale(const results::Increment& increment) {
   ContactScale scale;
-  scale.length = model.units.length_name;
   for (const results::StepResult& step : increment.steps) {
     for (const results::ContactResult& contact : step.contacts) {
       scale.force = std::max(scale.force, contact.force_on_slave.norm());
@@ -91,7 +91,7 @@ ContactScale contact_scale(const model::Model& model, const results::Increment& 
 }
 
 Row contact_row(const results::StepResult& step, const results::ContactResult& contact,
-                const Directions& along, const ContactScale& scale) {
+                const Directions& along, const ContactScale& scale, const base::UnitSystem& units) {
   Row row{step.step, contact.name};
   if (!contact.mounted) {
     row.push_back("absent");
@@ -104,12 +104,8 @@ Row contact_row(const results::StepResult& step, const results::ContactResult& c
   row.push_back(rounded(contact.mean_pressure, scale.pressure));
   row.push_back(rounded(contact.max_pressure, scale.pressure));
   add_cells(row, contact.force_on_slave, along, scale.force);
-  const bool round = std::ranges::any_of(
-      contact.points, [](const results::ContactPoint& p) { return p.theta != 0.0; });
   for (const double end : {contact.arc_from, contact.arc_to}) {
-    row.push_back(contact.closed == 0 ? ""
-                  : round             ? degrees(end)
-                                      : fmt::format("{:.4g} {}", end, scale.length));
+    row.push_back(contact.closed == 0 ? "" : arc(contact, end, units));
   }
   row.push_back(fmt::format("{}", step.iterations));
   return row;
@@ -163,13 +159,13 @@ Table contact_table(const model::Model& model, const results::Increment& increme
               {}};
   const Directions along = directions(model, increment);
   add_columns(table, "force", along, units.force_name);
-  table.columns.push_back({"arc from", "deg", false});
-  table.columns.push_back({"to", "deg", false});
+  table.columns.push_back({"arc from", "", false});
+  table.columns.push_back({"to", "", false});
   table.columns.push_back({"iterations", "", false});
-  const ContactScale scale = contact_scale(model, increment);
+  const ContactScale scale = contact_scale(increment);
   for (const results::StepResult& step : increment.steps) {
     for (const results::ContactResult& contact : step.contacts) {
-      table.rows.push_back(contact_row(step, contact, along, scale));
+      table.rows.push_back(contact_row(step, contact, along, scale, units));
     }
   }
   return table;
@@ -177,7 +173,7 @@ Table contact_table(const model::Model& model, const results::Increment& increme
 
 namespace {
 
-/// Resultants and energies of bodies or of nets, as `part` of a step says.
+/// Resultants and energies of bodies or of nets, as `part` of a step says; rigid targets last.
 Table resultants(const model::Model& model, const results::Increment& increment, Table table,
                  std::vector<results::Balance> results::StepResult::*part) {
   const Directions along = directions(model, increment);
@@ -195,13 +191,17 @@ Table resultants(const model::Model& model, const results::Increment& increment,
   double most = 0.0;
   for (const results::StepResult& step : increment.steps) {
     most = std::max(most, std::abs(step.energy));
-    for (const results::Balance& b : step.*part) {
-      scale =
-          std::max({scale, b.applied.norm(), b.reaction.norm(), b.contact.norm(), b.tie.norm()});
+    for (const std::vector<results::Balance>* const list : {&(step.*part), &step.targets}) {
+      for (const results::Balance& b : *list) {
+        scale =
+            std::max({scale, b.applied.norm(), b.reaction.norm(), b.contact.norm(), b.tie.norm()});
+      }
     }
   }
   for (const results::StepResult& step : increment.steps) {
-    for (const results::Balance& b : step.*part) {
+    std::vector<results::Balance> all = step.*part;
+    all.insert(all.end(), step.targets.begin(), step.targets.end());
+    for (const results::Balance& b : all) {
       Row row{step.step, b.body};
       add_cells(row, b.applied, along, scale);
       add_cells(row, b.reaction, along, scale);

@@ -36,6 +36,7 @@ struct QualityPreview {
 
 struct PairPreview {
   std::string name;
+  bool rigid = false; ///< the master is: it has no faces
   bool declared = false;
   double declared_gap = 0.0; ///< of a declared one, negative for a fit [length]
   double gap_low = 0.0;      ///< measured along the normals of the side with the multipliers

@@ -50,10 +50,13 @@ struct ContactResult {
   double max_pressure = 0.0;
   double mean_pressure = 0.0;   ///< force magnitude integral / area in contact surface
   double max_penetration = 0.0; ///< largest negative weighted gap [length]
-  double arc_from = 0.0;        ///< contact arc on a bore [rad]; full circle: -pi .. pi
+  bool round = false;           ///< the surface lies on a circle
+  double arc_from = 0.0; ///< on a circle [rad], whole: -pi .. pi; else along the chain [length]
   double arc_to = 0.0;
   int closed = 0;
   int rows = 0;
+  /// Edges up to which the contact is pressed: there the pressure has no bound.
+  std::vector<base::Vec3> unbounded;
 };
 
 /// Force balance and energy of one body or of one net.
@@ -95,6 +98,7 @@ struct StepResult {
   std::vector<Balance> balance; ///< by body
   std::vector<Balance> nets;    ///< by net, in deck order, those with elements
   std::vector<NetError> errors; ///< by net, then "*"; empty: not estimated
+  std::vector<Balance> targets; ///< by rigid target that a contact names: the reaction holds it
   bool tied = false;            ///< ties stand between freedoms
   double energy = 0.0;          ///< strain energy
   int iterations = 0;           ///< block iterations of the contact solution

@@ -85,9 +85,38 @@ double pressure_at(const results::ContactResult& contact, bool consistent, doubl
   return (1.0 - t) * recovered(*below, consistent) + t * recovered(*above, consistent);
 }
 
+// The pressure at the place of the surface that is nearest to a point, between two nodes that
+// follow one another.
+double pressure_near(const results::ContactResult& contact, bool consistent, const base::Vec2& x) {
+  if (contact.points.empty()) {
+    throw Missing("the contact has no surface");
+  }
+  double best = std::numeric_limits<double>::infinity();
+  double found = 0.0;
+  for (std::size_t i = 0; i < contact.points.size(); ++i) {
+    const results::ContactPoint& a = contact.points[i];
+    const bool last = i + 1 == contact.points.size() || contact.points[i + 1].arc <= a.arc;
+    const results::ContactPoint& b = last ? a : contact.points[i + 1];
+    const base::Vec2 chord = (b.x - a.x).head<2>();
+    const base::Vec2 from = x - a.x.head<2>();
+    const double t = last ? 0.0 : std::clamp(from.dot(chord) / chord.squaredNorm(), 0.0, 1.0);
+    const double distance = (from - t * chord).norm();
+    if (distance < best) {
+      best = distance;
+      found = (1.0 - t) * recovered(a, consistent) + t * recovered(b, consistent);
+    }
+  }
+  return found;
+}
+
 double contact_quantity(const model::Model& model, const std::string& quantity, Arguments& args,
                         const results::Run& run) {
   const std::string name = args.name("a contact");
+  std::optional<base::Vec2> place;
+  if (quantity == "CPRESS.NEAR") {
+    const double x = args.needed("x");
+    place = base::Vec2(x, args.needed("y"));
+  }
   const std::string step = args.name("a step");
   std::optional<double> theta;
   int component = 0;
@@ -103,6 +132,12 @@ double contact_quantity(const model::Model& model, const std::string& quantity, 
                                  [&](const model::Contact& c) { return c.name == name; });
   const bool consistent =
       card != model.contacts.end() && card->recovery == model::Recovery::consistent;
+  if (place) {
+    return pressure_near(contact, consistent, *place);
+  }
+  if (theta && !contact.round) {
+    throw Missing("the contact surface is no circle: CPRESS.NEAR takes a place");
+  }
   if (theta) {
     return pressure_at(contact, consistent, *theta);
   }

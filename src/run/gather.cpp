@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/gather.hpp"
 
+#include "contact/sharp_end.hpp"
 #include "crack/stress_intensity.hpp"
 #include "run/body_force.hpp"
 #include "run/tip_name.hpp"
@@ -71,6 +72,39 @@ void gather_tips(const model::Model& model, const Scene& scene, const StepState&
   }
 }
 
+// Edges of one surface against the other that are pressed.
+std::vector<base::Vec3> pressed_edges(const contact::PairRows& pair,
+                                      const std::vector<contact::NodePressure>& nodes) {
+  std::vector<base::Vec3> places;
+  for (const contact::SharpEnd& end : contact::sharp_ends(pair)) {
+    const bool pressed = std::ranges::any_of(nodes, [&](const contact::NodePressure& n) {
+      return n.closed && n.p_consistent > 0.0 &&
+             std::ranges::find(end.nodes, n.node) != end.nodes.end();
+    });
+    if (pressed) {
+      const auto clean = [&](double c) { return std::abs(c) < 1e-9 * end.x.norm() ? 0.0 : c; };
+      places.emplace_back(clean(end.x.x()), clean(end.x.y()), 0.0);
+    }
+  }
+  return places;
+}
+
+std::string unbounded_note(const results::ContactResult& contact) {
+  constexpr std::size_t most = 4;
+  std::vector<std::string> places;
+  for (const base::Vec3& x : contact.unbounded) {
+    if (places.size() < most) {
+      places.push_back(fmt::format("({:.6g}, {:.6g})", x.x(), x.y()));
+    }
+  }
+  if (contact.unbounded.size() > most) {
+    places.push_back(fmt::format("{} more", contact.unbounded.size() - most));
+  }
+  return fmt::format("{} is pressed up to an edge of one surface, where pressure in general has "
+                     "no bound: its largest value belongs to the mesh ({})",
+                     contact.name, fmt::join(places, ", "));
+}
+
 void gather_contacts(const model::Model& model, const Scene& scene, const StepState& state,
                      results::StepResult& out) {
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
@@ -83,6 +117,7 @@ void gather_contacts(const model::Model& model, const Scene& scene, const StepSt
     result.force_on_slave = p.force_on_slave;
     result.mean_pressure = p.mean_pressure;
     result.max_penetration = p.max_penetration;
+    result.round = pair.contact.circle.has_value();
     result.arc_from = p.arc_from;
     result.arc_to = p.arc_to;
     result.closed = p.closed;
@@ -101,6 +136,10 @@ void gather_contacts(const model::Model& model, const Scene& scene, const StepSt
       point.closed = n.closed;
       point.lip = n.lip;
       result.points.push_back(point);
+    }
+    result.unbounded = pressed_edges(pair, p.nodes);
+    if (!result.unbounded.empty()) {
+      out.notes.push_back(unbounded_note(result));
     }
     out.contacts.push_back(std::move(result));
   }
@@ -138,6 +177,29 @@ void gather_bodies(const model::Model& model, const Scene& scene,
       drop_radial(balance);
     }
     out.balance.push_back(balance);
+  }
+}
+
+// What presses on a rigid target has to be taken by whatever holds it.
+void gather_targets(const model::Model& model, const results::StepResult& found,
+                    std::vector<results::Balance>& targets) {
+  for (std::size_t r = 0; r < model.rigids.size(); ++r) {
+    results::Balance balance;
+    balance.body = model.rigids[r].name;
+    bool used = false;
+    for (std::size_t c = 0; c < model.contacts.size(); ++c) {
+      if (model.contacts[c].rigid == base::RigidId(r)) {
+        balance.contact -= found.contacts[c].force_on_slave;
+        used = true;
+      }
+    }
+    balance.reaction = -balance.contact;
+    if (model::axisymmetric(model)) {
+      drop_radial(balance);
+    }
+    if (used) {
+      targets.push_back(balance);
+    }
   }
 }
 
@@ -183,6 +245,7 @@ results::StepResult gather_step(const model::Model& model, const Scene& scene,
   gather_contacts(model, scene, state, out);
   gather_bodies(model, scene, bodies, state, out);
   gather_nets(model, scene, state, out);
+  gather_targets(model, out, out.targets);
   return out;
 }
 

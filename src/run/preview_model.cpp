@@ -124,12 +124,15 @@ std::vector<results::PairPreview> preview_pairs(const model::Model& model, const
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     const contact::PairRows& pair = scene.pairs[c];
     const model::Contact& card = model.contacts[c];
-    const contact::Survey own = contact::survey(pair.contact, pair.target);
-    const contact::Survey other = contact::survey(pair.target, pair.contact);
+    const contact::Survey own = pair.rigid ? contact::survey(pair.contact, *pair.rigid)
+                                           : contact::survey(pair.contact, pair.target);
+    const contact::Survey other =
+        pair.rigid ? contact::Survey() : contact::survey(pair.target, pair.contact);
     const contact::Survey& slave = pair.swapped ? other : own;
     const contact::Survey& master = pair.swapped ? own : other;
     results::PairPreview preview;
     preview.name = card.name;
+    preview.rigid = pair.rigid.has_value();
     preview.declared = card.gap.has_value();
     preview.declared_gap = card.gap.value_or(0.0);
     preview.gap_low = own.gap_low;

@@ -133,7 +133,10 @@ bool make_pairs(const model::Model& model, Scene& scene, base::Diagnostics& diag
     } else if (!pair.found) {
       diagnostics.error(contact.span, "E411",
                         fmt::format("contact {}: the surfaces never face each other", contact.name),
-                        "look at the sets and at the side their elements lie on");
+                        contact.rigid.valid()
+                            ? "the body is on the left of a LINE, round an ARC, or inside it where "
+                              "R is negative; what lies beyond the ends of a LINE faces nothing"
+                            : "look at the sets and at the side their elements lie on");
       good = false;
     }
   }

@@ -121,7 +121,7 @@ TEST(Scope, APinPushesNoRing) {
   EXPECT_EQ(codes("STRESS"), "");
 }
 
-TEST(Scope, ContactIsOfThePlane) {
+TEST(Scope, ContactIsNotOfSpace) {
   const Folder folder;
   const auto pair = [&](const std::string& mesh, const std::string& shift, const std::string& state,
                         const std::string& low, const std::string& high) {
@@ -133,6 +133,7 @@ TEST(Scope, ContactIsOfThePlane) {
   using Notes = std::vector<std::string>;
   EXPECT_EQ(pair(solid, " Z0=1", "SOLID", "ZMIN", "ZMAX"), Notes{"$CONTACT in 3D"});
   EXPECT_EQ(pair(plane, " Y0=2", "STRESS", "YMIN", "YMAX"), Notes{});
+  EXPECT_EQ(pair(plane, " Y0=2", "AXI", "YMIN", "YMAX"), Notes{});
 }
 
 TEST(Scope, CracksAreOfThePlane) {

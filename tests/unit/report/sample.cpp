@@ -153,6 +153,7 @@ results::ContactResult make_contact(const model::Mesh& mesh, double factor, doub
   results::ContactResult contact;
   contact.name = "BUSH";
   contact.force_on_slave = {0.0, -97100.0 * factor, 0.0};
+  contact.round = true;
   contact.arc_from = -2.0 * pi / 3.0;
   contact.arc_to = 2.0 * pi / 3.0;
   contact.rows = 2 * sectors;

@@ -1,0 +1,42 @@
+// Meridian of a block with a spherical end of radius R (above) on a flat block (below), both of
+// radius and height L, about the axis x = 0. Elements of size h on the first `fine` of the contact
+// surfaces, growing from there on.
+DefineConstant[ R = 20, L = 4, fine = 0.75, h = 0.05 ];
+Mesh.ElementOrder = 2;
+Mesh.SecondOrderIncomplete = 1;
+Mesh.MeshSizeExtendFromBoundary = 1;
+coarse = 0.5;
+Point(1) = {0, R, 0}; // centre of the sphere
+Point(2) = {0, 0, 0, h};
+Point(3) = {fine, R - Sqrt(R * R - fine * fine), 0, h};
+Point(4) = {L, R - Sqrt(R * R - L * L), 0, coarse};
+Point(5) = {L, L, 0, coarse};
+Point(6) = {0, L, 0, coarse};
+Circle(1) = {2, 1, 3};
+Circle(2) = {3, 1, 4};
+Line(3) = {4, 5};
+Line(4) = {5, 6};
+Line(5) = {6, 2};
+Curve Loop(1) = {1, 2, 3, 4, 5};
+Plane Surface(1) = {1};
+Point(12) = {0, 0, 0, h};
+Point(13) = {fine, 0, 0, h};
+Point(14) = {L, 0, 0, coarse};
+Point(15) = {L, -L, 0, coarse};
+Point(16) = {0, -L, 0, coarse};
+Line(11) = {12, 13};
+Line(12) = {13, 14};
+Line(13) = {14, 15};
+Line(14) = {15, 16};
+Line(15) = {16, 12};
+Curve Loop(2) = {11, 12, 13, 14, 15};
+Plane Surface(2) = {-2};
+Transfinite Curve{1} = Round(fine / h) + 1;
+Transfinite Curve{11} = Round(1.1 * fine / h) + 1; // nodes do not match
+Physical Surface("SPHERE") = {1};
+Physical Surface("FLOOR") = {2};
+Physical Curve("CAP") = {1, 2};
+Physical Curve("FLAT") = {11, 12};
+Physical Curve("UPTOP") = {4};
+Physical Curve("UPSIDE") = {3};
+Physical Curve("REMOTE") = {13, 14};
