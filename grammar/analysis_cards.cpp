@@ -121,6 +121,13 @@ constexpr std::array step_keys{
     preset(integer("SUBSTEPS", between(1, 1000000), "equal parts the step is run in"), "1"),
 };
 
+constexpr std::array load_path_keys{
+    required(defines("NAME", path, "called by this in results")),
+    required(refers("FROM", step, "loads and fits at t = 0: those this step ends with")),
+    required(refers("TO", step, "loads and fits at t = 1")),
+    preset(real("BEYOND", number, between(1, 1e6), "the last t"), "1"),
+};
+
 constexpr std::array grow_keys{
     required(later(word("LAW", "INCREMENT|PARIS|WALKER|FORMAN|NASGRO|TABLE",
                         "INCREMENT: the crack lengths are given"),
@@ -233,6 +240,10 @@ constexpr std::array cards{
              .data = Data::rows,
              .data_form = "LOAD case factor, FIT contact factor, MOUNT contact, DISMOUNT contact",
              .doc = "Sets factors of loads and fits; those not named keep theirs."},
+    CardSpec{.name = "LOADPATH",
+             .group = "loads",
+             .keys = load_path_keys,
+             .doc = "K and contact for all loads on the line between two steps, exact."},
     CardSpec{.name = "GROW",
              .group = "crack",
              .keys = grow_keys,

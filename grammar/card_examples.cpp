@@ -187,6 +187,12 @@ constexpr std::array texts{
         "  LOAD SHAFTLOAD 1\n"
         "$STEP NAME=UNLOAD\n"
         "  LOAD SHAFTLOAD 0\n"},
+    CardText{"LOADPATH",
+             "Loads and fits run from those of step FROM to those of step TO and on in a straight "
+             "line, (1-t) FROM + t TO. Without friction K is piecewise linear in t: every "
+             "breakpoint, where a pair opens or closes, is found. Nothing may be mounted or "
+             "dismounted between the two steps.",
+             "$LOADPATH NAME=UP FROM=PRESS TO=LOAD BEYOND=1.5\n"},
     CardText{"GROW",
              "All steps are run for every crack length. With LAW=INCREMENT the data lines are the "
              "lengths. KMAX and KMIN name the steps whose K is the largest and the smallest of a "

@@ -83,6 +83,13 @@ constexpr std::array quantities{
     ResultQuantity{"REACTION", "nsd?a", force, "force of the supports on a set"},
     ResultQuantity{"ENERGY", "es?a", energy, "strain energy of a net, of all with *"},
     ResultQuantity{"ERROR", "es?a", number, "estimated error of a net in the energy norm, 0 to 1"},
+    ResultQuantity{"PATH.K1", "cla?a", stress_intensity, "K1 at a place t of a load path"},
+    ResultQuantity{"PATH.K2", "cla?a", stress_intensity, "K2 at a place t of a load path"},
+    ResultQuantity{"PATH.SLOPE", "cla?a", stress_intensity, "dK1/dt there, behind a breakpoint"},
+    ResultQuantity{"PATH.K1.SUM", "claa?a", stress_intensity,
+                   "K1 under x times FROM plus y times TO of a load path"},
+    ResultQuantity{"PATH.OPENING", "pl?a", number, "t at which a load path opens the first pair"},
+    ResultQuantity{"PATH.KNOTS", "l?a", number, "breakpoints of a load path"},
     ResultQuantity{"N", "a", number, "cycles at a crack length (not in this version)"},
     ResultQuantity{"LIFE", "", number, "cycles to the end (not in this version)"},
 };
@@ -117,6 +124,8 @@ std::string_view word_of(Kind kind) {
     return "parameter";
   case Kind::rigid:
     return "rigid target";
+  case Kind::path:
+    return "load path";
   case Kind::surface:
     return "set or rigid target";
   case Kind::none:

@@ -71,6 +71,12 @@ std::string number_name(const ResultQuantity& quantity, std::size_t before, bool
   if (optional) {
     return before == 0 ? "a" : "angle";
   }
+  if (quantity.name == "PATH.K1.SUM") {
+    return before == 0 ? "x" : "y";
+  }
+  if (quantity.name.starts_with("PATH.")) {
+    return "t";
+  }
   if (quantity.name == "CPRESS.AT") {
     return "theta";
   }
@@ -89,6 +95,8 @@ std::string argument_name(const ResultQuantity& quantity, char letter, std::size
     return "contact";
   case 's':
     return "step";
+  case 'l':
+    return "path";
   case 'n':
     return "set";
   case 'e':

@@ -60,6 +60,8 @@ public:
     std::vector<base::Vector> u;     ///< [body][m] external displacements
   };
   [[nodiscard]] Answer solve(const Demand& demand, const solve::ContactSettings& settings) const;
+  /// The small problem of a demand.
+  [[nodiscard]] solve::ContactProblem condensed(const Demand& demand) const;
 
   /// Whether a sufficient test finds that an increment with these rows has only one solution.
   [[nodiscard]] solve::Uniqueness unique(const Demand& demand) const;

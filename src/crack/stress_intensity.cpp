@@ -187,7 +187,73 @@ void summarise(StressIntensity& result) {
   result.G_from_K = K * K / result.E_effective;
 }
 
+// s(u) : A + (H e1) . (s(v) grad q) with A = (H_v e1) (x) grad q - (e1 . grad q) H_v is e1 . T grad
+// q of the interaction; D is symmetric, so s(u) : A = H_u : s(A).
+template <shape::ElementShape S>
+void add_element_rows(const Setting& set, base::ElementId e,
+                      const std::map<base::NodeId, double>& q, double factor, base::Matrix& rows) {
+  const fe::NodeVectors<S> X = fe::coordinates<S>(set.mesh, e);
+  const fe::Elasticity<2> D = fe::elasticity<2>(set.material, set.state);
+  const std::span<const base::NodeId> nodes = set.mesh.nodes_of(e);
+  Eigen::Matrix<double, S::nodes, 1> moved = Eigen::Matrix<double, S::nodes, 1>::Zero();
+  for (int n = 0; n < S::nodes; ++n) {
+    const auto at = q.find(nodes[static_cast<std::size_t>(n)]);
+    moved[n] = at == q.end() ? 0.0 : at->second;
+  }
+  const auto stress = [&](const Tensor& H) -> Tensor {
+    const fe::Strain<2> sigma = D * fe::strain<2>(H);
+    return fe::stress_tensor<2>(sigma);
+  };
+  for (const auto& point : shape::quadrature<S>(domain_degree)) {
+    const fe::Jacobian<S> at = fe::jacobian<S>(X, point.r);
+    const double w = factor * point.weight * at.det;
+    const base::Vec2 x = X * S::N(point.r);
+    const base::Vec2 grad = at.dNdx.transpose() * moved;
+    for (int mode = 1; mode <= 2; ++mode) {
+      const Tensor Hv = auxiliary_gradient(set.tip, x, mode, set.material, set.state);
+      const Tensor A = Hv * set.tip.e1 * grad.transpose() - set.tip.e1.dot(grad) * Hv;
+      const Tensor M = stress(A) + stress(Hv) * grad * set.tip.e1.transpose();
+      for (int n = 0; n < S::nodes; ++n) {
+        const auto freedom =
+            2 * static_cast<Eigen::Index>(nodes[static_cast<std::size_t>(n)].index());
+        rows.col(mode - 1).segment<2>(freedom) += w * (M * at.dNdx.row(n).transpose());
+      }
+    }
+  }
+}
+
 } // namespace
+
+base::Matrix intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
+                            const mesh::Tip& tip, const std::vector<ExtensionField>& fields,
+                            model::CrackState state) {
+  base::Matrix rows = base::Matrix::Zero(
+      static_cast<Eigen::Index>(cracked.mesh.node_count()) * cracked.mesh.dim, 2);
+  if (fields.empty()) {
+    return rows;
+  }
+  const base::ElementId near = fields.front().elements.front();
+  const model::Property& property = model.property_of(cracked.mesh, near);
+  const model::Material& material = model.material_of(cracked.mesh, near);
+  const Setting set{cracked.mesh, material, property.state, frame_of(tip), {}};
+  const double E_own = fe::effective_modulus(material, property.state);
+  const double restate = std::sqrt(crack_modulus(material, property.state, state) / E_own);
+  const double halves = tip.symmetric_half ? 2.0 : 1.0;
+  const double factor = 0.5 * E_own * restate * halves / static_cast<double>(fields.size());
+  for (const ExtensionField& field : fields) {
+    const std::map<base::NodeId, double> q(field.q.begin(), field.q.end());
+    fe::for_plane_blocks(cracked.mesh, field.elements,
+                         [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
+                           for (const base::ElementId e : block) {
+                             add_element_rows<S>(set, e, q, factor, rows);
+                           }
+                         });
+  }
+  if (tip.symmetric_half) {
+    rows.col(1).setZero();
+  }
+  return rows;
+}
 
 StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedMesh& cracked,
                                  const mesh::Tip& tip, const std::vector<ExtensionField>& fields,

@@ -48,4 +48,10 @@ StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedM
                                  const VceRequest& request, const base::Vector& u,
                                  const BodyForce& body_force);
 
+/// K1 and K2 as linear functionals of u: rows^T u is what stress_intensity finds for u without body
+/// forces by the analytic derivative. [dim * node, 2]
+base::Matrix intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
+                            const mesh::Tip& tip, const std::vector<ExtensionField>& fields,
+                            model::CrackState state);
+
 } // namespace spricka::crack

@@ -242,6 +242,50 @@ void grow(Context& c, const BoundCard& card) {
   c.model.growth = std::move(growth);
 }
 
+// Where a MOUNT or DISMOUNT lies between two steps, in deck order.
+bool changes_contacts(const model::Step& step) {
+  return std::any_of(step.actions.begin(), step.actions.end(), [](const model::Action& action) {
+    return std::holds_alternative<model::Mount>(action) ||
+           std::holds_alternative<model::Dismount>(action);
+  });
+}
+
+// Steps must be complete.
+void load_path(Context& c, const BoundCard& card) {
+  model::LoadPath path;
+  path.name = card.word("NAME");
+  path.from = step_id(c, card, "FROM");
+  path.to = step_id(c, card, "TO");
+  path.beyond = card.number("BEYOND");
+  path.span = card.span;
+  const std::vector<model::Step>& steps = c.model.steps;
+  const bool known = path.from.valid() && path.to.valid() && path.from.index() < steps.size() &&
+                     path.to.index() < steps.size();
+  if (known && path.from == path.to) {
+    c.error(card.find("TO")->span, "E323", "FROM and TO name the same step");
+  }
+  for (std::size_t s = std::min(path.from.index(), path.to.index()) + 1;
+       known && s <= std::max(path.from.index(), path.to.index()); ++s) {
+    if (changes_contacts(steps[s])) {
+      c.error(card.span, "E323",
+              fmt::format("step {} mounts or dismounts a contact between {} and {}", steps[s].name,
+                          steps[path.from.index()].name, steps[path.to.index()].name),
+              "let the path begin behind that step, or end before it");
+      break;
+    }
+  }
+  for (const model::Contact& contact : c.model.contacts) {
+    if (contact.mu > 0.0) {
+      c.error(card.span, "E324",
+              fmt::format("contact {} has friction: what happens on the path depends on how it is "
+                          "walked",
+                          contact.name),
+              "MU=0, or steps with SUBSTEPS");
+    }
+  }
+  c.model.load_paths.push_back(std::move(path));
+}
+
 } // namespace
 
 void build_steps(Context& context) {
@@ -250,6 +294,11 @@ void build_steps(Context& context) {
       step(context, card);
     } else if (card.spec->name == "GROW" && !card.bad) {
       grow(context, card);
+    }
+  }
+  for (const BoundCard& card : context.cards) {
+    if (card.spec->name == "LOADPATH" && !card.bad) {
+      load_path(context, card);
     }
   }
 }

@@ -206,6 +206,8 @@ private:
       return "contact";
     case 's':
       return "step";
+    case 'l':
+      return "load path";
     case 'n':
       return "set";
     case 'd':
@@ -251,6 +253,8 @@ private:
       return look_up(c_, Kind::contact, reference) != nullptr;
     case 's':
       return look_up(c_, Kind::step, reference) != nullptr;
+    case 'l':
+      return look_up(c_, Kind::path, reference) != nullptr;
     case 'e':
       return name == "*" || look_up(c_, Kind::net, {name, span, {}}) != nullptr;
     case 'n': {

@@ -81,7 +81,7 @@ void build_loads(Context& context);
 /// $RIGID, $CONTACT, $CRACK, $TIPNET, $VCE.
 void build_contacts(Context& context);
 void build_cracks(Context& context);
-/// $STEP, $GROW.
+/// $STEP, $LOADPATH, $GROW.
 void build_steps(Context& context);
 /// $OUTPUT, $CHECK, $CONTROL, $RESTART, $SWEEP, $TASK.
 void build_requests(Context& context);

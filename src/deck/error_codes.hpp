@@ -69,6 +69,8 @@ inline constexpr std::array error_codes{
     ErrorCode{"W312", "a load with fewer values than directions"},
     ErrorCode{"W313", "a heated material without ALPHA"},
     ErrorCode{"E322", "an output file with the name of one that every run writes"},
+    ErrorCode{"E323", "a load path between steps that no straight line joins"},
+    ErrorCode{"E324", "a load path with friction"},
     ErrorCode{"E390", "a parameter is swept and given with -D"},
     ErrorCode{"E391", "a parameter is swept twice"},
 };

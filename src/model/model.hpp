@@ -202,6 +202,16 @@ struct Step {
   base::Span span;
 };
 
+/// A straight path through loads and fits: (1 - t) times those at the end of step `from` and t
+/// times those of step `to`, t from 0 to `beyond`. Nothing is mounted or dismounted in between.
+struct LoadPath {
+  std::string name;
+  base::StepId from;
+  base::StepId to;
+  double beyond = 1.0;
+  base::Span span;
+};
+
 enum class GrowthLaw { increment, paris, walker, forman, nasgro, table };
 enum class GrowthDirection { path, hoop, k2_zero };
 enum class History { restart, carry_on };
@@ -321,6 +331,7 @@ struct Model {
   std::vector<std::string> tasks; ///< empty: the default chain
   std::vector<Unavailable> unavailable;
   std::vector<std::string> imported_files; ///< paths of what $IMPORT brought in
+  std::vector<LoadPath> load_paths;
 
   [[nodiscard]] const Property& property_of(const Mesh& m, base::ElementId e) const {
     return properties[m.property[e.index()].index()];

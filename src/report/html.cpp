@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/figures.hpp"
+#include "report/load_paths.hpp"
 #include "report/model_tables.hpp"
 #include "report/page.hpp"
 #include "report/report.hpp"
@@ -50,6 +51,26 @@ void add_cracks(Page& page, const model::Model& model, const results::Run& run) 
   page.table(reference_table(model, run));
 }
 
+void add_paths(Page& page, const model::Model& model, const results::Run& run) {
+  if (model.load_paths.empty() || run.increments.empty()) {
+    return;
+  }
+  page.heading("Load paths");
+  for (const Figure& figure : load_path_figures(model, run)) {
+    page.figure(figure);
+  }
+  for (const results::Increment& increment : run.increments) {
+    for (Table table : {load_path_table(model, increment), opening_table(increment)}) {
+      if (run.increments.size() > 1) {
+        table.title += fmt::format(" at a = {:.4g} {}", increment.a, model.units.length_name);
+      }
+      if (!table.rows.empty()) {
+        page.table(table);
+      }
+    }
+  }
+}
+
 void add_contacts(Page& page, const model::Model& model, const results::Run& run) {
   if (model.contacts.empty() || run.increments.empty()) {
     return;
@@ -78,6 +99,12 @@ void add_notes(Page& page, const results::Run& run) {
   for (const results::Increment& increment : run.increments) {
     for (const std::string& note : increment.notes) {
       items += fmt::format("<li>Increment {}: {}</li>\n", increment.number, escape(note));
+    }
+    for (const results::LoadPath& path : increment.paths) {
+      for (const std::string& note : path.notes) {
+        items += fmt::format("<li>Increment {}, load path {}: {}</li>\n", increment.number,
+                             escape(path.name), escape(note));
+      }
     }
     for (const results::StepResult& step : increment.steps) {
       for (const std::string& note : step.notes) {
@@ -109,6 +136,7 @@ std::string html_report(const base::Sources& sources, const model::Model& model,
   add_head(page, title, sources, model);
   add_verdict(page, run);
   add_cracks(page, model, run);
+  add_paths(page, model, run);
   page.heading("Model");
   page.table(net_table(model));
   page.table(property_table(model));

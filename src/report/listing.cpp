@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/load_paths.hpp"
 #include "report/model_tables.hpp"
 #include "report/report.hpp"
 #include "report/result_tables.hpp"
@@ -84,9 +85,15 @@ std::string increment_text(const model::Model& model, const results::Increment& 
       out += fmt::format("note: step {}: {}\n", step.step, note);
     }
   }
-  for (const Table& table : {balance_table(model, increment), net_balance_table(model, increment),
-                             error_table(increment), contact_table(model, increment),
-                             friction_table(model, increment), k_table(model, increment)}) {
+  for (const results::LoadPath& path : increment.paths) {
+    for (const std::string& note : path.notes) {
+      out += fmt::format("note: load path {}: {}\n", path.name, note);
+    }
+  }
+  for (const Table& table :
+       {balance_table(model, increment), net_balance_table(model, increment),
+        error_table(increment), contact_table(model, increment), friction_table(model, increment),
+        k_table(model, increment), load_path_table(model, increment), opening_table(increment)}) {
     if (!table.rows.empty()) {
       (out += '\n') += to_text(table);
     }

@@ -2,6 +2,7 @@
 #pragma once
 #include "base/vec.hpp"
 #include "model/mesh.hpp"
+#include "results/load_path.hpp"
 #include "results/stress_invariants.hpp"
 
 #include <array>
@@ -131,6 +132,7 @@ struct Increment {
   model::Mesh mesh;
   std::vector<SurfaceFace> surface; ///< of solids; empty in the plane
   std::vector<StepResult> steps;
+  std::vector<LoadPath> paths; ///< in deck order
   std::vector<std::string> notes;
 };
 
@@ -168,6 +170,7 @@ struct Run {
 const StepResult* find_step(const Increment& increment, std::string_view step);
 const TipResult* find_tip(const StepResult& step, std::string_view tip);
 const ContactResult* find_contact(const StepResult& step, std::string_view contact);
+const LoadPath* find_path(const Increment& increment, std::string_view path);
 
 /// The tip of that name at the end of that step where its crack has the length nearest to `a`
 /// [length]; null if no increment has both.

@@ -2,6 +2,7 @@
 #include "run/check_quantities.hpp"
 
 #include "run/field_quantities.hpp"
+#include "run/path_quantities.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -234,6 +235,9 @@ double evaluate(const model::Model& model, const model::Check& check, const resu
   const std::string& q = check.quantity;
   if (q == "K" || q == "K1" || q == "K2" || q == "G") {
     return tip_quantity(q, args, run);
+  }
+  if (q.starts_with("PATH.")) {
+    return path_quantity(q, args, run);
   }
   if (q.starts_with("CPRESS.") || q.starts_with("ARC.") || q.starts_with("SHEAR.") ||
       of_friction(q) || q == "SUM") {

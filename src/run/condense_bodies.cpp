@@ -111,24 +111,33 @@ void forget_unused(const std::vector<Task>& parts, const std::vector<Task>& regi
 }
 
 void condense_loads(const CondenseRequest& request, BodyNet& body) {
-  body.region_load = rows_of(request.case_load, body.region.map.freedom);
+  BodyLoad load = condense_load(body, *request.ties, request.case_load);
+  body.part_load = std::move(load.part);
+  body.region_load = std::move(load.region);
+  body.external_load = std::move(load.external);
+}
+
+} // namespace
+
+BodyLoad condense_load(const BodyNet& body, const fe::Dependence& ties, const base::Matrix& nodal) {
+  BodyLoad out;
+  out.region = rows_of(nodal, body.region.map.freedom);
   const auto add = [&](std::int32_t freedom, double c, const Eigen::RowVectorXd& load) {
     const std::int32_t row = body.region.map.row[static_cast<std::size_t>(freedom)];
     if (row >= 0) {
-      body.region_load.row(row) += c * load;
+      out.region.row(row) += c * load;
     }
   };
   for (const std::unique_ptr<Net>& part : body.parts) {
     // What the part's locals hand over to its externals; their own loads are in already.
-    const base::Matrix& load =
-        body.part_load.emplace_back(rows_of(request.case_load, part->map.freedom));
+    const base::Matrix& load = out.part.emplace_back(rows_of(nodal, part->map.freedom));
     const base::Matrix condensed = part->factor->condense_load(load);
     const std::vector<std::int32_t>& freedom = part->map.freedom;
     const auto locals = static_cast<std::size_t>(part->map.locals);
     for (std::size_t i = locals; i < freedom.size(); ++i) {
       const Eigen::RowVectorXd more = condensed.row(static_cast<Eigen::Index>(i - locals)) -
                                       load.row(static_cast<Eigen::Index>(i));
-      const fe::Dependence::Row* tie = request.ties->row_of(freedom[i]);
+      const fe::Dependence::Row* tie = ties.row_of(freedom[i]);
       if (tie == nullptr) {
         add(freedom[i], 1.0, more);
         continue;
@@ -138,10 +147,9 @@ void condense_loads(const CondenseRequest& request, BodyNet& body) {
       }
     }
   }
-  body.external_load = body.region.factor->condense_load(body.region_load);
+  out.external = body.region.factor->condense_load(out.region);
+  return out;
 }
-
-} // namespace
 
 std::vector<BodyNet> condense_bodies(const CondenseRequest& request, CondensationCache& cache,
                                      CondenseLog& log) {

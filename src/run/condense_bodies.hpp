@@ -83,6 +83,16 @@ std::vector<NetKeys> hash_bodies(const CondenseRequest& request,
 std::vector<BodyNet> condense_bodies(const CondenseRequest& request, CondensationCache& cache,
                                      CondenseLog& log);
 
+/// Loads on the unknowns of a body's nets, and what they come to at its externals.
+struct BodyLoad {
+  std::vector<base::Matrix> part; ///< [part][unknowns of the part, k]
+  base::Matrix region;            ///< [unknowns of the region, k], the parts' added in
+  base::Matrix external;          ///< [externals, k]
+};
+/// nodal [dim * node, k], on independent freedoms. Any other linear functional of the displacements
+/// is condensed by the same.
+BodyLoad condense_load(const BodyNet& body, const fe::Dependence& ties, const base::Matrix& nodal);
+
 /// Writes the displacements of one body into a nodal vector that holds the prescribed ones: from
 /// its external displacements and the case factors.
 void recover_body(const BodyNet& body, const base::Vector& u_external,

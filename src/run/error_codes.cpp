@@ -61,6 +61,9 @@ constexpr std::array advice{
     ErrorCode{"E320",
               "A step says how it ends: one LOAD for a case, one FIT or MOUNT for a contact."},
     ErrorCode{"E321", "Look at the numbers of elements, NX NY NZ or NR NT, for a digit too many."},
+    ErrorCode{"E323", "Take two different steps with no MOUNT or DISMOUNT between them: it changes "
+                      "where gaps count from. Paths before and behind it are two cards."},
+    ErrorCode{"E324", "With friction K depends on the order of loads: run steps with SUBSTEPS."},
     ErrorCode{"E331", "The words are gmsh's. Try the file in gmsh itself."},
     ErrorCode{"E332", "Give curves and surfaces their names with Physical in the .geo file."},
     ErrorCode{"E336",

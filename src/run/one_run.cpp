@@ -92,6 +92,20 @@ void collect_warnings(const base::Diagnostics& reading, results::Run& run, const
   }
 }
 
+void collect_path_warnings(results::Run& run, const Log& log) {
+  for (const results::Increment& increment : run.increments) {
+    for (const results::LoadPath& path : increment.paths) {
+      for (const std::string& note : path.notes) {
+        if (note.starts_with("warning: ")) {
+          run.warnings.push_back(fmt::format("increment {}, load path {}: {}", increment.number,
+                                             path.name, note.substr(9)));
+          log.message(base::Severity::warning, "W502", run.warnings.back());
+        }
+      }
+    }
+  }
+}
+
 // "lug.deck:12:18: E108: text" of the first error; empty without one.
 std::string first_error(const base::Sources& sources, const base::Diagnostics& diagnostics) {
   for (const base::Diagnostic& d : diagnostics.all()) {
@@ -170,6 +184,7 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
   }
   log.diagnostics(deck.sources, diagnostics);
   collect_warnings(deck.diagnostics, *run, log);
+  collect_path_warnings(*run, log);
   run->checks = evaluate_checks(model, *run);
   run->cpu += cpu_before;
   folder.write(deck.sources, model, *run);

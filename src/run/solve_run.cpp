@@ -8,6 +8,7 @@
 #include "report/report.hpp"
 #include "run/estimate.hpp"
 #include "run/gather.hpp"
+#include "run/load_paths.hpp"
 #include "shape/topology.hpp"
 
 #include <algorithm>
@@ -208,6 +209,7 @@ private:
   bool walk_steps(const Scene& scene, const std::vector<BodyNet>& bodies,
                   const std::vector<bool>& pictured, Log& log, results::Increment& increment) {
     StepSolver solver(model_, scene, bodies);
+    LoadPaths paths(model_, scene, bodies);
     log.add("CONTACT", "compliances of the contact rows");
     for (std::size_t s = 0; s < model_.steps.size(); ++s) {
       const model::Step& step = model_.steps[s];
@@ -222,6 +224,7 @@ private:
               fmt::format("step {}: {} iterations, {} pivots, imbalance {:.1e}", step.name,
                           state->iterations, state->pivots, state->imbalance));
       increment.steps.push_back(gather_step(model_, scene, bodies, step, *state));
+      paths.keep(s, solver, increment.steps.back());
       log.add("VCE", fmt::format("step {}: {} tips, pressures, balance", step.name,
                                  scene.cracked.tips.size()));
       if (pictured[s]) {
@@ -231,6 +234,15 @@ private:
         log.add("ESTIMATE", fmt::format("step {}: energy error {:.1f} %", step.name,
                                         100.0 * increment.steps.back().errors.back().part));
       }
+    }
+    increment.paths = paths.follow(solver);
+    for (const results::LoadPath& path : increment.paths) {
+      log.add(
+          "LOADPATH",
+          fmt::format("path {}: {} breakpoints, {} pivots, {} factorisations, residual {:.1e}, K "
+                      "of its steps to {:.1e}",
+                      path.name, path.t.size() < 2 ? 0 : path.t.size() - 2, path.pivots,
+                      path.factorisations, path.residual, path.mismatch));
     }
     return true;
   }

@@ -21,6 +21,10 @@ template <class ActionType> bool names(const model::Model& model, base::ContactI
 
 } // namespace
 
+bool fit_is_named(const model::Model& model, base::ContactId contact) {
+  return names<model::ApplyFit>(model, contact);
+}
+
 StepFactors first_factors(const model::Model& model, Eigen::Index columns) {
   StepFactors factors;
   factors.case_factor = base::Vector::Ones(columns);

@@ -21,6 +21,9 @@ StepFactors first_factors(const model::Model& model, Eigen::Index columns);
 /// A part of the way from one set of factors to another, 1: all of it; contacts as at its end.
 StepFactors part_way(const StepFactors& from, const StepFactors& to, double part);
 
+/// Whether some step sets the factor of a contact's fit.
+bool fit_is_named(const model::Model& model, base::ContactId contact);
+
 /// The contacts that a step mounts or dismounts.
 struct MountChanges {
   std::vector<std::size_t> mounted;

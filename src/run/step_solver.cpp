@@ -120,36 +120,51 @@ contact::ContactSystem::Demand StepSolver::demand() const {
   return d;
 }
 
+base::Vector StepSolver::unscaled_gap(const std::vector<std::size_t>& rows) const {
+  base::Vector rest(static_cast<Eigen::Index>(rows.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::size_t r = rows[i];
+    const auto c = static_cast<std::size_t>(
+        std::upper_bound(scene_.table.first.begin(), scene_.table.first.end(), r) -
+        scene_.table.first.begin() - 1);
+    const base::ContactId contact(c);
+    const bool scaled = model_.contacts[c].gap && fit_is_named(model_, contact);
+    rest[static_cast<Eigen::Index>(i)] =
+        offset_[static_cast<Eigen::Index>(r)] + (scaled ? 0.0 : scene_.table.rows[r]->gap);
+  }
+  return rest;
+}
+
+std::string StepSolver::unheld(const base::Vector& mode, bool slides) const {
+  Eigen::Index most = 0;
+  mode.cwiseAbs().maxCoeff(&most);
+  const std::size_t at = system_->body_of_mode(most);
+  const BodyNet& body = bodies_[condensed_[at]];
+  const Eigen::Index first = system_->first_mode(at);
+  // The condensed body's orthonormal modes are combinations of the free rigid modes: the same
+  // combination on all nodes tells which way it goes.
+  const std::vector<std::int32_t>& freedom = body.condensed->freedom();
+  base::Matrix at_externals(static_cast<Eigen::Index>(freedom.size()), body.free_modes.cols());
+  for (std::size_t i = 0; i < freedom.size(); ++i) {
+    at_externals.row(static_cast<Eigen::Index>(i)) = body.free_modes.row(freedom[i]);
+  }
+  const base::Vector shape =
+      body.condensed->modes() * mode.segment(first, body.condensed->modes().cols());
+  const base::Vector mix = at_externals.colPivHouseholderQr().solve(shape);
+  return fmt::format("body {} {}: {}", body.name,
+                     slides ? "slides, friction does not hold it" : "is loaded but not held",
+                     describe_motion(scene_.cracked.mesh, body.body, body.free_modes * mix));
+}
+
 // Sets the refusal where the answer is none.
 bool StepSolver::refuse(const contact::ContactSystem::Answer& answer, Refusal& refusal) const {
   const solve::ContactSolution& s = answer.solution;
   switch (s.status) {
   case solve::ContactStatus::solved:
     return false;
-  case solve::ContactStatus::unheld_mode: {
-    Eigen::Index most = 0;
-    s.unheld.cwiseAbs().maxCoeff(&most);
-    const std::size_t at = system_->body_of_mode(most);
-    const BodyNet& body = bodies_[condensed_[at]];
-    const Eigen::Index first = system_->first_mode(at);
-    // The condensed body's orthonormal modes are combinations of the free rigid modes: the same
-    // combination on all nodes tells which way it goes.
-    const std::vector<std::int32_t>& freedom = body.condensed->freedom();
-    base::Matrix at_externals(static_cast<Eigen::Index>(freedom.size()), body.free_modes.cols());
-    for (std::size_t i = 0; i < freedom.size(); ++i) {
-      at_externals.row(static_cast<Eigen::Index>(i)) = body.free_modes.row(freedom[i]);
-    }
-    const base::Vector shape =
-        body.condensed->modes() * s.unheld.segment(first, body.condensed->modes().cols());
-    const base::Vector mix = at_externals.colPivHouseholderQr().solve(shape);
-    refusal = {
-        4,
-        fmt::format("body {} {}: {}", body.name,
-                    answer.slides ? "slides, friction does not hold it" : "is loaded but not held",
-                    describe_motion(scene_.cracked.mesh, body.body, body.free_modes * mix)),
-        {}};
+  case solve::ContactStatus::unheld_mode:
+    refusal = {4, unheld(s.unheld, answer.slides), {}};
     return true;
-  }
   case solve::ContactStatus::inconsistent:
     refusal = {4, "bonded contacts contradict each other", {}};
     return true;

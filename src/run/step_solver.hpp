@@ -51,10 +51,22 @@ public:
   /// Carries out the actions of a step and solves for its end. Steps are called in deck order.
   std::optional<StepState> solve(const model::Step& step, Refusal& refusal);
 
+  /// What the last step asked of the contact system, with the closed rows it ended with.
+  [[nodiscard]] contact::ContactSystem::Demand demand() const;
+  /// Null when no body has externals; its bodies are `condensed()`, indices of the solver's.
+  [[nodiscard]] const contact::ContactSystem* system() const {
+    return system_ ? &*system_ : nullptr;
+  }
+  [[nodiscard]] const std::vector<std::size_t>& condensed() const { return condensed_; }
+  /// The part of the gaps of these rows [rows] that neither fits nor loads scale.
+  [[nodiscard]] base::Vector unscaled_gap(const std::vector<std::size_t>& rows) const;
+  /// Which body moves how by a combination of modes [m] that is loaded and not held.
+  [[nodiscard]] std::string unheld(const base::Vector& mode, bool slides = false) const;
+  [[nodiscard]] const StepFactors& factors() const { return factors_; }
+
 private:
   void act(const model::Step& step);
   void mount(std::size_t contact);
-  [[nodiscard]] contact::ContactSystem::Demand demand() const;
   [[nodiscard]] base::Vector prescribed() const;
   /// The answer at the end of the step, in increments from the factors `from` where contacts rub;
   /// none: refused.

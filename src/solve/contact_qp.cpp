@@ -133,6 +133,7 @@ double residual_of(const HeldProblem& problem, const SetSolution& s,
 void take_solution(const HeldProblem& problem, const ModeSplit& split, const BorderedFactor& factor,
                    double scale, ContactSolution& answer) {
   SetSolution s = solve_set(problem, factor, true);
+  answer.basis = factor.rows();
   for (const int i : factor.rows()) {
     answer.closed[std::size_t(i)] = true;
   }

@@ -37,6 +37,7 @@ struct ContactSolution {
   base::Vector alpha;       ///< [m] rigid modes; unloaded untouched modes rest (minimum norm)
   base::Vector gap;         ///< [n]
   std::vector<bool> closed; ///< [n] rows that hold; redundant ones are not among them
+  std::vector<int> basis;   ///< independent rows that hold all felt modes: closed, or at rest
   base::Vector unheld;      ///< [m] direction of the mode that is not held, else empty
   int resting_modes = 0;    ///< motions that no row stops and nothing loads
   double left_over = 0.0;   ///< load on them over the load scale, at most 1e-6

@@ -149,11 +149,15 @@ Holding hold_loads(const HeldProblem& problem) {
       fixed.add(problem.B.row(i).transpose());
     }
   }
-  // A x = t: what inequality rows give and what they must carry, seen across the equality rows
+  // A x = t: what inequality rows give and what they must carry, seen across the equality rows;
+  // a row that stands along them gives nothing, whatever direction its round-off has
   base::Matrix A = base::Matrix::Zero(problem.modes(), n);
   for (int i = 0; i < n; ++i) {
     if (!problem.equality[std::size_t(i)]) {
-      A.col(i) = fixed.across(problem.B.row(i).transpose());
+      const base::Vector across = fixed.across(problem.B.row(i).transpose());
+      if (across.norm() > untouched * problem.B.row(i).norm()) {
+        A.col(i) = across;
+      }
     }
   }
   const base::Vector t = -fixed.across(problem.h);

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "results/load_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spricka::results {
+
+const PathTip* find_tip(const LoadPath& path, std::string_view tip) {
+  const auto it = std::ranges::find(path.tips, tip, &PathTip::name);
+  return it == path.tips.end() ? nullptr : &*it;
+}
+
+const PathContact* find_contact(const LoadPath& path, std::string_view contact) {
+  const auto it = std::ranges::find(path.contacts, contact, &PathContact::name);
+  return it == path.contacts.end() ? nullptr : &*it;
+}
+
+std::optional<double> k_of_two(const LoadPath& path, const PathTip& tip, int mode, double a,
+                               double b) {
+  const double sum = a + b;
+  if (!(sum > 0.0) || (!path.homogeneous && std::abs(sum - 1.0) > 1e-12)) {
+    return std::nullopt;
+  }
+  const double K = (mode == 2 ? tip.K2 : tip.K1)(b / sum);
+  return std::isnan(K) ? std::nullopt : std::optional(sum * K);
+}
+
+} // namespace spricka::results

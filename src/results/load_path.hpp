@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/id.hpp"
+#include "base/piecewise_linear.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// K and contact along straight paths between the loads and fits of two steps.
+namespace spricka::results {
+
+/// K of one tip by t, exact between all knots.
+struct PathTip {
+  std::string name; ///< as TipResult
+  double a = 0.0;
+  base::PiecewiseLinear K1, K2; ///< [stress * length^0.5]
+};
+
+/// One contact at the breakpoints: the longest run of closed pairs.
+struct PathContact {
+  std::string name;
+  std::optional<double> opening; ///< t at which the first closed pair opens; empty: none does
+  bool round = false;            ///< angles [rad], else length along the surface
+  std::vector<double> from, to;  ///< [knot] first and last closed pair behind the knot
+  std::vector<int> closed;       ///< [knot] pairs closed behind the knot
+  int rows = 0;
+};
+
+struct PathChange {
+  double t = 0.0;
+  std::string contact;
+  base::NodeId node;
+  double place = 0.0; ///< angle [rad] or length along the surface
+  bool closes = false;
+};
+
+/// Loads and fits (1 - t) of step `from` and t of step `to`.
+struct LoadPath {
+  std::string name, from, to;
+  std::vector<double> t; ///< [knot] first, breakpoints, last
+  std::vector<PathTip> tips;
+  std::vector<PathContact> contacts;
+  std::vector<PathChange> changes;
+  std::string stopped; ///< why it ends before its time; empty: it does not
+  /// All gaps, loads and temperatures of both steps scale with their factors, so that a times
+  /// `from` and b times `to` together are (a + b) times the path at b / (a + b).
+  bool homogeneous = false;
+  int pivots = 0, factorisations = 0;
+  double residual = 0.0; ///< largest violation of the contact conditions, scaled
+  double mismatch = 0.0; ///< largest difference of K to the steps' own, over the largest K
+  std::vector<std::string> notes;
+};
+
+/// The entries of that name, or null.
+const PathTip* find_tip(const LoadPath& path, std::string_view tip);
+const PathContact* find_contact(const LoadPath& path, std::string_view contact);
+
+/// K1 (mode 1) or K2 under a times the loads and fits of `from` plus b times those of `to`, by
+/// homogeneity (manual, solve.33) from the path of one parameter. Empty outside what it covers: a +
+/// b <= 0, the ratio beyond the path, or a path that is not homogeneous unless a + b = 1.
+std::optional<double> k_of_two(const LoadPath& path, const PathTip& tip, int mode, double a,
+                               double b);
+
+} // namespace spricka::results

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/parametric.hpp"
+#include "solve/blas.hpp"
+#include "solve/mode_split.hpp"
+#include "solve/path_walk.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace spricka::solve {
+
+namespace {
+
+/// Modes that no row feels must not be loaded anywhere on the path.
+base::Vector unfelt_on_path(const ParametricProblem& problem, const ModeSplit& split, double from,
+                            double to) {
+  const base::Vector first = problem.at_zero.h + from * problem.dh;
+  const base::Vector last = problem.at_zero.h + to * problem.dh;
+  double scale = problem.at_zero.load_scale;
+  for (const base::Vector* h : {&first, &last}) {
+    scale = h->size() > 0 ? std::max(scale, h->cwiseAbs().maxCoeff()) : scale;
+  }
+  return unfelt_motion(split, last, rest_load * scale);
+}
+
+} // namespace
+
+SolutionPath follow_path(const ParametricProblem& problem, double from, double to,
+                         const PathSettings& settings, const std::vector<bool>& start) {
+  assert(to > from);
+  blas::single_thread();
+  const ModeSplit split = split_modes(problem.at_zero.B, problem.at_zero.opening_scale);
+  const base::Vector unfelt = unfelt_on_path(problem, split, from, to);
+  if (unfelt.size() > 0) {
+    SolutionPath path;
+    path.status = PathStatus::unheld_mode;
+    path.unheld = unfelt;
+    path.end = from;
+    return path;
+  }
+  return PathWalk(problem, split, from, to, settings).run(start);
+}
+
+} // namespace spricka::solve

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/path_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spricka::solve {
+
+ContactProblem rate_problem(const ParametricProblem& problem, const std::vector<int>& rows,
+                            const std::vector<bool>& pressing, double length) {
+  const ContactProblem& whole = problem.at_zero;
+  const auto k = static_cast<Eigen::Index>(rows.size());
+  ContactProblem rate;
+  rate.W.resize(k, k);
+  rate.B.resize(k, whole.B.cols());
+  rate.b.resize(k);
+  rate.h = problem.dh;
+  rate.load_scale = whole.load_scale / length;
+  rate.opening_scale = whole.B.size() > 0 ? whole.B.cwiseAbs().maxCoeff() : 0.0;
+  rate.equality = pressing;
+  for (Eigen::Index c = 0; c < k; ++c) {
+    const int i = rows[std::size_t(c)];
+    for (Eigen::Index r = 0; r < k; ++r) {
+      rate.W(r, c) = whole.W(rows[std::size_t(r)], i);
+    }
+    rate.B.row(c) = whole.B.row(i);
+    rate.b(c) = problem.db(i);
+  }
+  return rate;
+}
+
+double path_residual(const HeldProblem& problem, const SweptMatrix& matrix,
+                     const base::Vector& state, const PathScale& scale) {
+  const base::Vector lambda = matrix.forces(state);
+  const base::Vector told = matrix.gaps(state);
+  const base::Vector gap = problem.b + problem.W * lambda + problem.B * matrix.modes(state);
+  double worst = 0.0;
+  for (int i = 0; i < problem.rows(); ++i) {
+    const double size = scale.size + scale.level(i);
+    if (!(size > 0.0)) {
+      continue;
+    }
+    const double d = (problem.d(i) > 0.0 ? problem.d(i) : 1.0) * size;
+    worst = std::max(worst, std::abs(gap(i) - told(i)) / d);
+    // equality rows left out as redundant must hold all the same
+    worst = std::max(worst, problem.equality[std::size_t(i)] ? std::abs(gap(i)) / d
+                                                             : std::max(-state(i), 0.0) / size);
+  }
+  const base::Vector balance = problem.h + problem.B.transpose() * lambda;
+  const base::Vector terms = scale.load + problem.B.cwiseAbs().transpose() * lambda.cwiseAbs();
+  const double largest = terms.size() > 0 ? terms.maxCoeff() : 0.0;
+  return largest > 0.0 ? std::max(worst, balance.cwiseAbs().maxCoeff() / largest) : worst;
+}
+
+} // namespace spricka::solve

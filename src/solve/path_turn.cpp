@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/path_parts.hpp"
+#include "solve/path_walk.hpp"
+
+#include <array>
+#include <cmath>
+
+// Where many rows tie: at the beginning of a path, and where all forces vanish.
+namespace spricka::solve {
+
+namespace {
+
+constexpr std::array<double, 2> look_ahead{1e-6, 1e-9}; ///< of the path
+
+} // namespace
+
+bool PathWalk::set_out() {
+  reported_ = matrix_.closed();
+  mark();
+  return tied() <= tied_rows || turn();
+}
+
+int PathWalk::tied() const {
+  int count = 0;
+  for (int i = 0; i < rows(); ++i) {
+    count += free_to_change(i) && zero(i) && falls(i) ? 1 : 0;
+  }
+  return count;
+}
+
+bool PathWalk::turn() {
+  const std::vector<bool> before = matrix_.closed();
+  std::vector<int> taking_part;
+  const ContactSolution direction = solve_direction(taking_part);
+  if (direction.status == ContactStatus::solved) {
+    std::vector<bool> closed(std::size_t(rows()), false);
+    for (const int k : direction.basis) {
+      closed[std::size_t(taking_part[std::size_t(k)])] = true;
+    }
+    return take(closed) || begin(before);
+  }
+  const base::Vector f = state().tail(problem_.f0.size());
+  base::Vector unheld;
+  for (const double step : look_ahead) {
+    const ContactSolution next = solve_at(t_ + step * (to_ - from_), before);
+    unheld = next.unheld;
+    if (next.status != ContactStatus::solved) {
+      continue;
+    }
+    std::vector<bool> closed(std::size_t(rows()), false);
+    for (const int i : next.basis) {
+      closed[std::size_t(i)] = true;
+    }
+    if (take(closed) && reaches_back(f)) {
+      path_.jumps.push_back(t_);
+      return true;
+    }
+  }
+  if (unheld.size() > 0) {
+    path_.unheld = unheld;
+    return stop(PathStatus::unheld_mode);
+  }
+  return begin(before);
+}
+
+bool PathWalk::take(const std::vector<bool>& closed) {
+  const PathStatus before = path_.status;
+  if (begin(closed)) {
+    mark();
+    return true;
+  }
+  path_.status = before;
+  return false;
+}
+
+bool PathWalk::reaches_back(const base::Vector& f) const {
+  for (int i = 0; i < rows(); ++i) {
+    if (free_to_change(i) && y(i) < -1e3 * tolerance_(i)) {
+      return false;
+    }
+  }
+  const base::Vector now = state().tail(f.size());
+  const double size =
+      (now.cwiseAbs() + (to_ - from_) * d_.tail(f.size()).cwiseAbs() + f.cwiseAbs()).sum();
+  return f.size() == 0 || (now - f).cwiseAbs().maxCoeff() <= 1e-8 * size;
+}
+
+ContactSolution PathWalk::solve_direction(std::vector<int>& taking_part) const {
+  for (int i = 0; i < rows(); ++i) {
+    if (closed(i) || !free_to_change(i) || zero(i)) {
+      taking_part.push_back(i);
+    }
+  }
+  std::vector<bool> pressing;
+  std::vector<bool> start;
+  for (const int i : taking_part) {
+    pressing.push_back(!free_to_change(i) || (closed(i) && !zero(i)));
+    start.push_back(closed(i));
+  }
+  const ContactProblem rate = rate_problem(problem_, taking_part, pressing, to_ - from_);
+  return solve_contact(rate, settings_.start, start);
+}
+
+} // namespace spricka::solve

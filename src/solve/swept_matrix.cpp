@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/swept_matrix.hpp"
+#include "solve/blas.hpp"
+#include "solve/set_solution.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <Eigen/LU>
+
+namespace spricka::solve {
+
+SweptMatrix::SweptMatrix(const HeldProblem& problem, base::Matrix of_force, base::Matrix of_mode)
+    : problem_(problem), n_(problem.rows()), m_(problem.modes()), of_force_(std::move(of_force)),
+      of_mode_(std::move(of_mode)), factor_(problem) {}
+
+// Forces are multiplied by d, gaps divided by it.
+double SweptMatrix::unit(int i, bool closed) const {
+  const double d = problem_.d(i) > 0.0 ? problem_.d(i) : 1.0;
+  return closed ? d : 1.0 / d;
+}
+
+bool SweptMatrix::begin(const std::vector<bool>& closed) {
+  closed_ = closed;
+  first_closed_ = closed;
+  list_.clear();
+  made_.assign(static_cast<std::size_t>(n_), base::Vector());
+  std::vector<int> A;
+  open_.clear();
+  for (int i = 0; i < n_; ++i) {
+    (closed[std::size_t(i)] ? A : open_).push_back(i);
+  }
+  W_open_.resize(static_cast<Eigen::Index>(open_.size()), n_);
+  for (Eigen::Index k = 0; k < W_open_.rows(); ++k) {
+    W_open_.row(k) = problem_.W.col(open_[std::size_t(k)]); // symmetric
+  }
+  return factor_.factorise(std::move(A)) && factor_.left_out().empty();
+}
+
+base::Vector SweptMatrix::state(const base::Vector& b, const base::Vector& h) const {
+  HeldProblem at = problem_;
+  at.b = b;
+  at.h = h;
+  const SetSolution s = solve_set(at, factor_, true);
+  base::Vector c(size());
+  for (int i = 0; i < n_; ++i) {
+    const bool closed = first_closed_[std::size_t(i)];
+    c(i) = (closed ? s.lambda(i) : s.gap(i)) * unit(i, closed);
+  }
+  c.segment(n_, m_) = s.alpha;
+  c.tail(of_force_.rows()) = of_force_ * s.lambda + of_mode_ * s.alpha;
+  return c;
+}
+
+// T at begin: a gap of a closed row, or a force on an open one, is answered by the forces of the
+// closed rows and the modes, and these open the others.
+void SweptMatrix::make_columns(const std::vector<int>& rows) {
+  const std::vector<int>& A = factor_.rows();
+  const auto a = static_cast<Eigen::Index>(A.size());
+  const auto k = static_cast<Eigen::Index>(rows.size());
+  base::Matrix top = base::Matrix::Zero(a, k);
+  base::Matrix bottom = base::Matrix::Zero(m_, k);
+  for (Eigen::Index c = 0; c < k; ++c) {
+    const int i = rows[std::size_t(c)];
+    if (first_closed_[std::size_t(i)]) {
+      top(std::lower_bound(A.begin(), A.end(), i) - A.begin(), c) = 1.0;
+      continue;
+    }
+    for (Eigen::Index r = 0; r < a; ++r) {
+      top(r, c) = -problem_.W(A[std::size_t(r)], i);
+    }
+    bottom.col(c) = -problem_.B.row(i).transpose();
+  }
+  factor_.solve(top, bottom);
+  base::Matrix force = base::Matrix::Zero(n_, k);
+  for (Eigen::Index c = 0; c < k; ++c) {
+    for (Eigen::Index r = 0; r < a; ++r) {
+      force(A[std::size_t(r)], c) = top(r, c);
+    }
+    if (!first_closed_[std::size_t(rows[std::size_t(c)])]) {
+      force(rows[std::size_t(c)], c) = 1.0;
+    }
+  }
+  const int open = static_cast<int>(open_.size());
+  const int columns = static_cast<int>(k);
+  const int n = static_cast<int>(n_);
+  base::Matrix gap(open, k);
+  blas::gemm({.m = open, .n = columns, .k = n}, {W_open_.data(), open}, {force.data(), n},
+             {gap.data(), open});
+  for (Eigen::Index r = 0; r < open; ++r) {
+    gap.row(r) += problem_.B.row(open_[std::size_t(r)]) * bottom;
+  }
+  const base::Matrix more = of_force_ * force + of_mode_ * bottom;
+  for (Eigen::Index c = 0; c < k; ++c) {
+    const int i = rows[std::size_t(c)];
+    const double own = unit(i, first_closed_[std::size_t(i)]);
+    base::Vector column(size());
+    for (Eigen::Index r = 0; r < a; ++r) {
+      column(A[std::size_t(r)]) = top(r, c) * own * unit(A[std::size_t(r)], true);
+    }
+    for (Eigen::Index r = 0; r < open; ++r) {
+      column(open_[std::size_t(r)]) = gap(r, c) * own * unit(open_[std::size_t(r)], false);
+    }
+    column.segment(n_, m_) = bottom.col(c) * own;
+    column.tail(more.rows()) = more.col(c) * own;
+    made_[std::size_t(i)] = std::move(column);
+  }
+}
+
+base::Vector SweptMatrix::column(int i, std::span<const int> likely) {
+  std::size_t from = list_.size();
+  while (from > 0) {
+    const Pivot& p = list_[from - 1];
+    if (std::find(p.rows.begin(), p.rows.end(), i) != p.rows.end()) {
+      break;
+    }
+    --from;
+  }
+  base::Vector x;
+  if (from > 0) {
+    x = own_column(list_[from - 1], i);
+  } else {
+    if (made_[std::size_t(i)].size() == 0) {
+      std::vector<int> rows{i};
+      for (const int j : likely) {
+        if (j != i && made_[std::size_t(j)].size() == 0) {
+          rows.push_back(j);
+        }
+      }
+      make_columns(rows);
+    }
+    x = made_[std::size_t(i)];
+  }
+  for (; from < list_.size(); ++from) {
+    apply(list_[from], x);
+  }
+  return x;
+}
+
+// x_P leaves, z_P = -inverse x_P enters.
+void SweptMatrix::apply(const Pivot& pivot, base::Vector& x) {
+  if (pivot.rows.size() == 1) {
+    const double z = x(pivot.rows[0]) * pivot.inverse(0, 0);
+    if (z != 0.0) {
+      x.noalias() -= z * pivot.columns.col(0);
+    }
+    x(pivot.rows[0]) = -z;
+    return;
+  }
+  const Eigen::Vector2d z = pivot.inverse * Eigen::Vector2d(x(pivot.rows[0]), x(pivot.rows[1]));
+  x.noalias() -= pivot.columns * z;
+  x(pivot.rows[0]) = -z(0);
+  x(pivot.rows[1]) = -z(1);
+}
+
+// The column of a row that has just been exchanged.
+base::Vector SweptMatrix::own_column(const Pivot& pivot, int i) {
+  const Eigen::Index k = pivot.rows[0] == i ? 0 : 1;
+  base::Vector x = pivot.columns * pivot.inverse.col(k);
+  for (std::size_t r = 0; r < pivot.rows.size(); ++r) {
+    x(pivot.rows[r]) = pivot.inverse(static_cast<Eigen::Index>(r), k);
+  }
+  return x;
+}
+
+void SweptMatrix::exchange(Pivot pivot, std::span<base::Vector* const> states) {
+  const auto p = static_cast<Eigen::Index>(pivot.rows.size());
+  base::Matrix core(p, p);
+  for (Eigen::Index r = 0; r < p; ++r) {
+    core.row(r) = pivot.columns.row(pivot.rows[std::size_t(r)]);
+  }
+  pivot.inverse = core.inverse();
+  for (base::Vector* state : states) {
+    apply(pivot, *state);
+  }
+  for (const int i : pivot.rows) {
+    closed_[std::size_t(i)] = !closed_[std::size_t(i)];
+  }
+  list_.push_back(std::move(pivot));
+}
+
+void SweptMatrix::pivot(int i, base::Vector column, std::span<base::Vector* const> states) {
+  exchange({{i}, std::move(column), {}}, states);
+}
+
+void SweptMatrix::pivot(std::array<int, 2> rows, std::array<base::Vector, 2> columns,
+                        std::span<base::Vector* const> states) {
+  base::Matrix both(size(), 2);
+  both.col(0) = columns[0];
+  both.col(1) = columns[1];
+  exchange({{rows[0], rows[1]}, std::move(both), {}}, states);
+}
+
+base::Vector SweptMatrix::forces(const base::Vector& state) const {
+  base::Vector lambda = base::Vector::Zero(n_);
+  for (int i = 0; i < n_; ++i) {
+    if (closed_[std::size_t(i)]) {
+      lambda(i) = state(i) / unit(i, true);
+    }
+  }
+  return lambda;
+}
+
+base::Vector SweptMatrix::gaps(const base::Vector& state) const {
+  base::Vector gap = base::Vector::Zero(n_);
+  for (int i = 0; i < n_; ++i) {
+    if (!closed_[std::size_t(i)]) {
+      gap(i) = state(i) / unit(i, false);
+    }
+  }
+  return gap;
+}
+
+base::Vector SweptMatrix::modes(const base::Vector& state) const {
+  return state.segment(n_, m_);
+}
+
+} // namespace spricka::solve

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the map of K over a load path costs, and a later K from it. Usage: bench_load_path DECK
+// [REPEATS]: the first length and the first $LOADPATH of the deck.
+#include "base/clock.hpp"
+#include "base/diagnostics.hpp"
+#include "deck/read_deck.hpp"
+#include "growth/crack_lines.hpp"
+#include "run/condense_bodies.hpp"
+#include "run/gather.hpp"
+#include "run/load_paths.hpp"
+#include "run/scene.hpp"
+#include "run/step_solver.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <random>
+
+#include <fmt/format.h>
+
+namespace {
+
+using namespace spricka;
+
+template <class Work> double best_of(int repeats, Work&& work) {
+  double best = 1e30;
+  for (int i = 0; i < repeats; ++i) {
+    const base::Stopwatch watch;
+    work();
+    best = std::min(best, watch.cpu());
+  }
+  return best;
+}
+
+void measure_path(const solve::ParametricProblem& problem, double end,
+                  const std::vector<bool>& start, int repeats) {
+  solve::SolutionPath path;
+  const double whole = best_of(
+      repeats, [&] { path = solve::follow_path(problem, 0.0, end, solve::PathSettings{}, start); });
+  const double first = path.segments.front().to;
+  solve::SolutionPath none;
+  const double begin = best_of(repeats, [&] {
+    none = solve::follow_path(problem, 0.0, 0.5 * first, solve::PathSettings{}, start);
+  });
+  const auto kinks = static_cast<double>(path.segments.size() - 1);
+  fmt::print("{} rows, {} breakpoints, {} pivots, {} factorisations, residual {:.1e}\n",
+             problem.db.size(), path.segments.size() - 1, path.pivots, path.factorisations,
+             path.residual);
+  fmt::print("whole path {:.1f} ms, of that its beginning {:.1f} ms; {:.0f} us for each further "
+             "breakpoint\n",
+             1e3 * whole, 1e3 * begin, 1e6 * (whole - begin) / kinks);
+}
+
+void measure_values(const results::LoadPath& path, int repeats) {
+  constexpr std::size_t count = 1 << 16;
+  std::mt19937 engine(1);
+  std::uniform_real_distribution<double> place(path.t.front(), path.t.back());
+  std::vector<double> t(count);
+  for (double& x : t) {
+    x = place(engine);
+  }
+  double sum = 0.0;
+  const base::PiecewiseLinear& K = path.tips.front().K1;
+  const double time = best_of(repeats, [&] {
+    for (const double x : t) {
+      sum += K(x);
+    }
+  });
+  fmt::print("a K1 at any t: {:.1f} ns (mean K1 {:.6g})\n", 1e9 * time / count,
+             sum / static_cast<double>(count) / repeats);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 2) {
+    fmt::print(stderr, "usage: bench_load_path DECK [REPEATS]\n");
+    return 2;
+  }
+  const int repeats = argc > 2 ? std::atoi(argv[2]) : 5;
+  base::Sources sources;
+  base::Diagnostics diagnostics;
+  const std::optional<model::Model> model = deck::read_deck(argv[1], {}, sources, diagnostics);
+  if (!model || diagnostics.has_errors() || model->load_paths.empty()) {
+    fmt::print(stderr, "no deck with a $LOADPATH\n");
+    return 2;
+  }
+  const std::vector<double> lengths = growth::crack_lengths(*model);
+  const run::RegionPlan plan = run::plan_region(*model, lengths, diagnostics);
+  const std::optional<run::Scene> scene =
+      run::make_scene(*model, lengths.front(), plan, diagnostics);
+  if (!scene) {
+    fmt::print(stderr, "the deck has mistakes\n");
+    return 2;
+  }
+  run::CondensationCache cache;
+  run::CondenseLog log;
+  const std::vector<run::BodyNet> bodies =
+      run::condense_bodies({*model, scene->cracked.mesh, scene->cls, scene->ties,
+                            scene->rest_element, run::loads_with_supports(*model, *scene), 1},
+                           cache, log);
+  run::StepSolver solver(*model, *scene, bodies);
+  run::LoadPaths paths(*model, *scene, bodies);
+  for (std::size_t s = 0; s < model->steps.size(); ++s) {
+    run::Refusal why;
+    const auto state = solver.solve(model->steps[s], why);
+    if (!state) {
+      fmt::print(stderr, "{}\n", why.why);
+      return 4;
+    }
+    paths.keep(s, solver, run::gather_step(*model, *scene, bodies, model->steps[s], *state));
+  }
+  const model::LoadPath& card = model->load_paths.front();
+  const base::Stopwatch posing;
+  const solve::ParametricProblem problem = paths.pose(card, solver);
+  fmt::print("functionals of K and the problem {:.1f} ms\n", 1e3 * posing.cpu());
+  measure_path(problem, card.beyond, {}, repeats);
+  std::vector<results::LoadPath> found;
+  const double all = best_of(repeats, [&] { found = paths.follow(solver); });
+  fmt::print("all of it, K of its ends and contact arcs included: {:.1f} ms\n", 1e3 * all);
+  measure_values(found.front(), repeats);
+  return 0;
+}
