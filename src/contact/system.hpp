@@ -73,8 +73,6 @@ public:
   [[nodiscard]] Eigen::Index first_mode(std::size_t body) const { return mode_start_[body]; }
 
 private:
-  [[nodiscard]] solve::ContactProblem condensed(const Demand& demand) const;
-
   struct Entry {
     std::size_t body = 0;
     Eigen::Index at = 0;
