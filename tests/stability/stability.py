@@ -13,6 +13,7 @@ import re
 import sys
 
 import sweeps_contact
+import sweeps_friction
 import sweeps_held
 import sweeps_lug
 from program import TOP
@@ -22,6 +23,7 @@ SWEEPS = {
     "S02": ("no penalty: settings change nothing", sweeps_contact.no_penalty),
     "S03": ("clearance through zero into interference (half angle of contact, degrees)",
             sweeps_contact.clearance),
+    "S04": ("friction from zero to far beyond one", sweeps_friction.friction),
     "C07": ("net fit: the load does not matter", sweeps_contact.load_independence),
     "S07": ("contrast of moduli and units", sweeps_contact.contrast),
     "S10": ("bodies held by contact only", sweeps_held.floating),
