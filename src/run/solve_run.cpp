@@ -208,7 +208,8 @@ private:
 
   bool walk_steps(const Scene& scene, const std::vector<BodyNet>& bodies,
                   const std::vector<bool>& pictured, Log& log, results::Increment& increment) {
-    StepSolver solver(model_, scene, bodies);
+    const bool keep = model_.growth && model_.growth->mounted == model::Mounted::first;
+    StepSolver solver(model_, scene, bodies, keep ? &mounted_ : nullptr);
     LoadPaths paths(model_, scene, bodies);
     log.add("CONTACT", "compliances of the contact rows");
     for (std::size_t s = 0; s < model_.steps.size(); ++s) {
@@ -253,6 +254,7 @@ private:
   std::optional<Refusal>& refusal_;
   RegionPlan plan_;
   CondensationCache cache_;
+  MountMemory mounted_;
   results::Run run_;
 };
 

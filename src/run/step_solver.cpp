@@ -43,13 +43,16 @@ double round_off_force(const model::Model& model, const model::Mesh& mesh) {
 } // namespace
 
 StepSolver::StepSolver(const model::Model& model, const Scene& scene,
-                       const std::vector<BodyNet>& bodies)
+                       const std::vector<BodyNet>& bodies, MountMemory* memory)
     : model_(model), scene_(scene), bodies_(bodies),
       factors_(first_factors(model, scene.case_load.cols())),
       offset_(base::Vector::Zero(static_cast<Eigen::Index>(scene.table.rows.size()))),
       u_(base::Vector::Zero(static_cast<Eigen::Index>(scene.cracked.mesh.node_count()) *
                             scene.cracked.mesh.dim)),
-      history_(model, scene) {
+      history_(model, scene), memory_(memory) {
+  if (memory_ != nullptr) {
+    memory_->restart();
+  }
   std::vector<const contact::CondensedBody*> condensed;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     if (bodies[b].condensed) {
@@ -63,7 +66,7 @@ StepSolver::StepSolver(const model::Model& model, const Scene& scene,
   }
 }
 
-void StepSolver::mount(std::size_t contact) {
+bool StepSolver::mount(std::size_t contact) {
   const bool declared = model_.contacts[contact].gap.has_value();
   for (std::size_t r = scene_.table.first[contact]; r < scene_.table.first[contact + 1]; ++r) {
     const contact::ConstraintRow& row = *scene_.table.rows[r];
@@ -74,16 +77,26 @@ void StepSolver::mount(std::size_t contact) {
   }
   history_.begin(contact);
   closed_.clear();
+  return memory_ == nullptr ||
+         memory_->keep_or_take(scene_, contact, model_.contacts[contact].mu > 0.0, offset_);
 }
 
-void StepSolver::act(const model::Step& step) {
+bool StepSolver::act(const model::Step& step, Refusal& refusal) {
   const MountChanges changes = apply_actions(step, factors_);
   for (const std::size_t contact : changes.mounted) {
-    mount(contact);
+    if (!mount(contact)) {
+      refusal = {4,
+                 fmt::format("MOUNTED=FIRST: the surfaces of contact {} are meshed differently at "
+                             "this length, so that what it took on at the first one cannot be kept",
+                             model_.contacts[contact].name),
+                 step.span};
+      return false;
+    }
   }
   if (!changes.dismounted.empty()) {
     closed_.clear();
   }
+  return true;
 }
 
 base::Vector StepSolver::prescribed() const {
@@ -282,7 +295,9 @@ base::Vector StepSolver::tie_forces(const base::Vector& left_over) const {
 
 std::optional<StepState> StepSolver::solve(const model::Step& step, Refusal& refusal) {
   const StepFactors before = factors_;
-  act(step);
+  if (!act(step, refusal)) {
+    return std::nullopt;
+  }
   StepState state;
   state.case_factor = factors_.case_factor;
   state.mounted = factors_.mounted;

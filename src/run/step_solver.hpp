@@ -4,6 +4,7 @@
 #include "contact/system.hpp"
 #include "run/condense_bodies.hpp"
 #include "run/friction_history.hpp"
+#include "run/mount_memory.hpp"
 #include "run/scene.hpp"
 #include "run/step_factors.hpp"
 #include "solve/contact_qp.hpp"
@@ -46,7 +47,9 @@ struct StepState {
 
 class StepSolver {
 public:
-  StepSolver(const model::Model& model, const Scene& scene, const std::vector<BodyNet>& bodies);
+  /// `memory`: of what was mounted at the first length, or null: each length mounts anew.
+  StepSolver(const model::Model& model, const Scene& scene, const std::vector<BodyNet>& bodies,
+             MountMemory* memory = nullptr);
 
   /// Carries out the actions of a step and solves for its end. Steps are called in deck order.
   std::optional<StepState> solve(const model::Step& step, Refusal& refusal);
@@ -65,8 +68,8 @@ public:
   [[nodiscard]] const StepFactors& factors() const { return factors_; }
 
 private:
-  void act(const model::Step& step);
-  void mount(std::size_t contact);
+  bool act(const model::Step& step, Refusal& refusal);
+  [[nodiscard]] bool mount(std::size_t contact);
   [[nodiscard]] base::Vector prescribed() const;
   /// The answer at the end of the step, in increments from the factors `from` where contacts rub;
   /// none: refused.
@@ -99,6 +102,7 @@ private:
   base::Vector u_;           ///< [dim * node] end of the last step
   std::vector<bool> closed_; ///< [row] end of the last step
   FrictionHistory history_;
+  MountMemory* memory_ = nullptr;
   std::vector<bool> tested_; ///< contacts in force when uniqueness was tested last
 };
 
