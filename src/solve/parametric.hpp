@@ -63,7 +63,7 @@ struct PathSettings {
   double allowed_drift = 1e-9;
 };
 
-/// Follows the solution from t = from to t = to > from by principal pivots (manual, solve.28 to 24;
+/// Follows the solution from t = from to t = to > from by principal pivots (manual, solve.28 to 31;
 /// parametric linear
 /// complementarity: Cottle 1972; Cottle, Pang, Stone 1992, section 4.5), exactly: a row whose force
 /// or gap reaches zero is exchanged, ties by least index (Murty 1974), where a row has no pivot of

@@ -24,7 +24,9 @@ bool SweptMatrix::begin(const std::vector<bool>& closed) {
   closed_ = closed;
   first_closed_ = closed;
   list_.clear();
+  block_ = {.sound = true, .rows = {}, .columns = base::Matrix(size(), 0), .core = {}};
   made_.assign(static_cast<std::size_t>(n_), base::Vector());
+  age_.assign(static_cast<std::size_t>(n_), 0);
   std::vector<int> A;
   open_.clear();
   for (int i = 0; i < n_; ++i) {
@@ -50,6 +52,46 @@ base::Vector SweptMatrix::state(const base::Vector& b, const base::Vector& h) co
   c.segment(n_, m_) = s.alpha;
   c.tail(of_force_.rows()) = of_force_ * s.lambda + of_mode_ * s.alpha;
   return c;
+}
+
+void SweptMatrix::add_to_block(const Pivot& pivot) {
+  const int i = pivot.rows[0];
+  block_.sound = block_.sound && pivot.rows.size() == 1 &&
+                 std::find(block_.rows.begin(), block_.rows.end(), i) == block_.rows.end();
+  if (!block_.sound) {
+    return;
+  }
+  const auto l = static_cast<Eigen::Index>(block_.rows.size());
+  if (l == block_.columns.cols()) {
+    const Eigen::Index more = 2 * l + 64;
+    block_.columns.conservativeResize(Eigen::NoChange, more);
+    block_.core.conservativeResize(more, more);
+  }
+  block_.core.row(l).head(l) = block_.columns.row(i).head(l);
+  block_.core(l, l) = pivot.columns(i, 0);
+  block_.columns.row(i).head(l).setZero();
+  block_.columns.col(l) = pivot.columns.col(0);
+  block_.columns(i, l) = 0.0;
+  block_.rows.push_back(i);
+}
+
+void SweptMatrix::advance(base::Matrix& columns) const {
+  const auto l = static_cast<Eigen::Index>(block_.rows.size());
+  base::Matrix s(l, columns.cols());
+  for (Eigen::Index j = 0; j < l; ++j) {
+    s.row(j) = columns.row(block_.rows[std::size_t(j)]);
+    columns.row(block_.rows[std::size_t(j)]).setZero();
+  }
+  block_.core.topLeftCorner(l, l).triangularView<Eigen::Lower>().solveInPlace(s);
+  base::Matrix change(columns.rows(), columns.cols());
+  const auto length = static_cast<int>(columns.rows());
+  const auto count = static_cast<int>(l);
+  blas::gemm({.m = length, .n = static_cast<int>(columns.cols()), .k = count},
+             {block_.columns.data(), length}, {s.data(), count}, {change.data(), length});
+  columns -= change;
+  for (Eigen::Index j = 0; j < l; ++j) {
+    columns.row(block_.rows[std::size_t(j)]) -= s.row(j);
+  }
 }
 
 // T at begin: a gap of a closed row, or a force on an open one, is answered by the forces of the
@@ -91,10 +133,11 @@ void SweptMatrix::make_columns(const std::vector<int>& rows) {
     gap.row(r) += problem_.B.row(open_[std::size_t(r)]) * bottom;
   }
   const base::Matrix more = of_force_ * force + of_mode_ * bottom;
+  base::Matrix all(size(), k);
   for (Eigen::Index c = 0; c < k; ++c) {
     const int i = rows[std::size_t(c)];
     const double own = unit(i, first_closed_[std::size_t(i)]);
-    base::Vector column(size());
+    auto column = all.col(c);
     for (Eigen::Index r = 0; r < a; ++r) {
       column(A[std::size_t(r)]) = top(r, c) * own * unit(A[std::size_t(r)], true);
     }
@@ -103,7 +146,14 @@ void SweptMatrix::make_columns(const std::vector<int>& rows) {
     }
     column.segment(n_, m_) = bottom.col(c) * own;
     column.tail(more.rows()) = more.col(c) * own;
-    made_[std::size_t(i)] = std::move(column);
+  }
+  const bool at_once = block_.sound && !list_.empty();
+  if (at_once) {
+    advance(all);
+  }
+  for (Eigen::Index c = 0; c < k; ++c) {
+    made_[std::size_t(rows[std::size_t(c)])] = all.col(c);
+    age_[std::size_t(rows[std::size_t(c)])] = at_once ? list_.size() : 0;
   }
 }
 
@@ -130,6 +180,7 @@ base::Vector SweptMatrix::column(int i, std::span<const int> likely) {
       make_columns(rows);
     }
     x = made_[std::size_t(i)];
+    from = age_[std::size_t(i)];
   }
   for (; from < list_.size(); ++from) {
     apply(list_[from], x);
@@ -176,6 +227,7 @@ void SweptMatrix::exchange(Pivot pivot, std::span<base::Vector* const> states) {
   for (const int i : pivot.rows) {
     closed_[std::size_t(i)] = !closed_[std::size_t(i)];
   }
+  add_to_block(pivot);
   list_.push_back(std::move(pivot));
 }
 

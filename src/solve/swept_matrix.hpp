@@ -11,7 +11,7 @@
 namespace spricka::solve {
 
 /// The matrix [W B; B^T 0] of a contact problem swept on its closed rows and all modes (manual,
-/// solve.29 and 23):
+/// solve.29 and 30):
 ///   y = c + T z,
 /// y_i the force of a closed row or the gap of an open one, z_i the other of the two; rows are in
 /// units of d, so that all y have one unit. Below the n rows stand the modes [m] and further linear
@@ -54,7 +54,18 @@ private:
     base::Matrix columns;  ///< [size, rows] before the exchange
     base::Matrix inverse;  ///< of their common part
   };
+  /// The pivots since begin as one step for many columns: with x_P the entries of a column in the
+  /// exchanged rows, core s = x_P (lower triangular), x <- x - columns s, x_P <- -s + what later
+  /// pivots do to it. Holds while every pivot is of one row and no row has two.
+  struct Block {
+    bool sound = true;
+    std::vector<int> rows;
+    base::Matrix columns; ///< [size, n] entries that a later exchange of their row overwrites are 0
+    base::Matrix core;    ///< [n, n]
+  };
   void exchange(Pivot pivot, std::span<base::Vector* const> states);
+  void add_to_block(const Pivot& pivot);
+  void advance(base::Matrix& columns) const;
   static void apply(const Pivot& pivot, base::Vector& x);
   [[nodiscard]] static base::Vector own_column(const Pivot& pivot, int i);
   void make_columns(const std::vector<int>& rows);
@@ -67,8 +78,10 @@ private:
   std::vector<bool> closed_, first_closed_; ///< now; at begin
   std::vector<int> open_;                   ///< rows open at begin
   base::Matrix W_open_;                     ///< [open, n]
-  std::vector<base::Vector> made_;          ///< [n] columns at begin, or empty
+  std::vector<base::Vector> made_;          ///< [n] columns, or empty
+  std::vector<std::size_t> age_;            ///< [n] how many pivots a column has been through
   std::vector<Pivot> list_;
+  Block block_;
 };
 
 } // namespace spricka::solve
