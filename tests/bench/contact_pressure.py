@@ -130,7 +130,7 @@ def pressures_of_csv(path):
     """x, y, pressure of all nodes of the contact side at the end."""
     with open(path) as text:
         rows = list(csv.DictReader(line for line in text if not line.startswith("#")))
-    return np.array([[float(r["x"]), float(r["y"]), float(r["p_consistent"])] for r in rows])
+    return np.array([[float(r["x"]), float(r["y"]), float(r["p_lumped"])] for r in rows])
 
 
 def along(s, p):
