@@ -11,9 +11,9 @@ namespace spricka::solve {
 
 namespace {
 
-constexpr double no_pivot = 1e-9;    ///< a scaled diagonal below this is none
+constexpr double no_pivot = 1e-9;     ///< a scaled diagonal below this is none
 constexpr std::size_t together = 128; ///< columns made at once
-constexpr int shortest_list = 3;     ///< pivots between factorisations, when drift shows
+constexpr int shortest_list = 3;      ///< pivots between factorisations, when drift shows
 
 } // namespace
 
