@@ -157,12 +157,13 @@ void merge_slivers(const EdgeChain& chain, bool tangents, Builders& rows, int& m
     const std::size_t next = (i + 1) % n;
     const std::size_t last = (i + n - 1) % n;
     std::size_t to = n;
-    if (has_next && whole[next]) {
+    // a narrow target before coarse edges has no whole neighbour: its slivers become one row
+    const bool no_whole = !(has_next && whole[next]) && !(has_last && whole[last]);
+    const bool onward = has_next && next > i && rows.normal[nodes[next]].area > 0.0;
+    if ((has_next && whole[next]) || (no_whole && onward)) {
       to = next;
-    } else if (has_last && whole[last]) {
+    } else if (!no_whole) {
       to = last;
-    } else if (has_next && next > i && rows.normal[nodes[next]].area > 0.0) {
-      to = next; // a narrow target before coarse edges: its slivers become one row
     } else if (rows.normal[nodes[i]].area > 1e-9 * rows.normal[nodes[i]].whole) {
       continue; // no neighbour is any better: what is covered must hold
     }

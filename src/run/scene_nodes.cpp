@@ -21,8 +21,7 @@ bool is_nothing(const model::Load& load) {
 
 std::vector<base::NodeId> sorted(std::vector<base::NodeId> nodes) {
   std::ranges::sort(nodes);
-  const auto tail = std::ranges::unique(nodes);
-  nodes.erase(tail.begin(), tail.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   return nodes;
 }
 

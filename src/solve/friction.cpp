@@ -136,7 +136,8 @@ void walk_to_rest(const ScaledFriction& scaled, const HeldProblem& held, const M
                   std::pair<base::Vector, Search> state, const ContactSettings& settings,
                   FrictionSolution& answer) {
   ContactSolution& c = answer.contact;
-  auto& [anchor, search] = state;
+  base::Vector anchor = std::move(state.first);
+  Search search = std::move(state.second);
   base::Vector drive = base::Vector::Zero(scaled.modes());
   for (int turn = 0; turn < anchorings; ++turn) {
     search = settle(scaled, anchor, search.touch, settings, c);

@@ -93,7 +93,7 @@ Dictionary first_dictionary(const base::Matrix& M, const base::Vector& q,
   for (int i = 0; i < n; ++i) {
     t.basic.push_back(i);
     t.nonbasic.push_back(n + i);
-    t.column[std::size_t(n + i)] = i;
+    t.column[std::size_t(n) + std::size_t(i)] = i;
   }
   t.nonbasic.push_back(2 * n);
   t.column[2 * std::size_t(n)] = n;
@@ -132,7 +132,7 @@ LemkeResult lemke(const base::Matrix& M, const base::Vector& q, const base::Vect
     }
   }
   for (int i = 0; i < n; ++i) {
-    result.basic[std::size_t(i)] = t.column[std::size_t(n + i)] < 0;
+    result.basic[std::size_t(i)] = t.column[std::size_t(n) + std::size_t(i)] < 0;
   }
   return result;
 }

@@ -231,8 +231,8 @@ void SweptMatrix::exchange(Pivot pivot, std::span<base::Vector* const> states) {
   list_.push_back(std::move(pivot));
 }
 
-void SweptMatrix::pivot(int i, base::Vector column, std::span<base::Vector* const> states) {
-  exchange({{i}, std::move(column), {}}, states);
+void SweptMatrix::pivot(int i, const base::Vector& column, std::span<base::Vector* const> states) {
+  exchange({{i}, column, {}}, states);
 }
 
 void SweptMatrix::pivot(std::array<int, 2> rows, std::array<base::Vector, 2> columns,

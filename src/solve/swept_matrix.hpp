@@ -37,7 +37,7 @@ public:
   /// Whether that needs no solution with the factor any more.
   [[nodiscard]] bool made(int i) const { return made_[static_cast<std::size_t>(i)].size() > 0; }
   /// Exchanges y and z of row i, whose column is given, in the matrix and in states.
-  void pivot(int i, base::Vector column, std::span<base::Vector* const> states);
+  void pivot(int i, const base::Vector& column, std::span<base::Vector* const> states);
   /// The same for two rows at once, of which neither need have a pivot alone.
   void pivot(std::array<int, 2> rows, std::array<base::Vector, 2> columns,
              std::span<base::Vector* const> states);
