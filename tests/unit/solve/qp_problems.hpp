@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "dice.hpp"
 #include "solve/contact_qp.hpp"
 
 #include <Eigen/QR>
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -60,22 +60,6 @@ inline double violation(const ContactProblem& p, const ContactSolution& s, doubl
   }
   return worst;
 }
-
-class Dice {
-public:
-  explicit Dice(unsigned seed) : engine_(seed) {}
-  int whole(int from, int to) { return std::uniform_int_distribution<int>(from, to)(engine_); }
-  bool chance(double p) { return real(0.0, 1.0) < p; }
-  double real(double from, double to) {
-    return std::uniform_real_distribution<double>(from, to)(engine_);
-  }
-  Matrix matrix(Eigen::Index r, Eigen::Index c) {
-    return Matrix::NullaryExpr(r, c, [this] { return real(-1.0, 1.0); });
-  }
-
-private:
-  std::mt19937 engine_;
-};
 
 inline void check_unheld(const ContactProblem& p, const Vector& d) {
   ASSERT_EQ(d.size(), p.h.size());

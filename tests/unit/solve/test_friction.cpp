@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "dice.hpp"
 #include "solve/friction.hpp"
 #include "solve/lemke.hpp"
 
@@ -8,7 +9,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <gtest/gtest.h>
-#include <random>
 #include <vector>
 
 namespace spricka::solve {
@@ -16,6 +16,7 @@ namespace {
 
 using base::Matrix;
 using base::Vector;
+using test::Dice;
 
 std::size_t at(Eigen::Index i) {
   return static_cast<std::size_t>(i);
@@ -156,22 +157,6 @@ std::vector<Found> enumerate(const FrictionProblem& p) {
   }
   return all;
 }
-
-class Dice {
-public:
-  explicit Dice(unsigned seed) : engine_(seed) {}
-  int whole(int from, int to) { return std::uniform_int_distribution<int>(from, to)(engine_); }
-  bool chance(double p) { return real(0.0, 1.0) < p; }
-  double real(double from, double to) {
-    return std::uniform_real_distribution<double>(from, to)(engine_);
-  }
-  Matrix matrix(Eigen::Index r, Eigen::Index c) {
-    return Matrix::NullaryExpr(r, c, [this] { return real(-1.0, 1.0); });
-  }
-
-private:
-  std::mt19937 engine_;
-};
 
 /// Random bodies: elastic freedoms, rigid modes, contacts with and without friction, bonded rows.
 FrictionProblem random_problem(Dice& dice) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "dice.hpp"
 #include "solve/parametric.hpp"
 
 #include <cmath>
 #include <cstdlib>
 #include <gtest/gtest.h>
-#include <random>
 #include <vector>
 
 namespace spricka::solve {
@@ -12,26 +12,11 @@ namespace {
 
 using base::Matrix;
 using base::Vector;
+using test::Dice;
 
 std::size_t at(Eigen::Index i) {
   return static_cast<std::size_t>(i);
 }
-
-class Dice {
-public:
-  explicit Dice(unsigned seed) : engine_(seed) {}
-  int whole(int from, int to) { return std::uniform_int_distribution<int>(from, to)(engine_); }
-  bool chance(double p) { return real(0.0, 1.0) < p; }
-  double real(double from, double to) {
-    return std::uniform_real_distribution<double>(from, to)(engine_);
-  }
-  Matrix matrix(Eigen::Index r, Eigen::Index c) {
-    return Matrix::NullaryExpr(r, c, [this] { return real(-1.0, 1.0); });
-  }
-
-private:
-  std::mt19937 engine_;
-};
 
 /// Elastic freedoms with compliance C = F F^T, rows G, loads f + t df, rigid modes felt by B. The
 /// functionals are elastic displacements, which are unique however redundant the rows are.
