@@ -16,6 +16,7 @@ struct PathTip {
   std::string name; ///< as TipResult
   double a = 0.0;
   base::PiecewiseLinear K1, K2; ///< [stress * length^0.5]
+  std::string doubt;            ///< why none of it is an answer; empty: it is one where K1 > 0
 };
 
 /// One contact at the breakpoints: the longest run of closed pairs.

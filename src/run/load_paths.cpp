@@ -214,6 +214,14 @@ void LoadPaths::tips(const solve::SolutionPath& found, const End& from, const En
                       "K is not an answer",
                       tip.name));
     }
+    for (const End* end : {&from, &to}) {
+      const results::TipResult& own = end->result.tips[t];
+      if (own.K1 >= 0.0 && !own.doubt.empty() && tip.doubt.empty()) {
+        tip.doubt = own.doubt;
+        path.notes.push_back(
+            fmt::format("warning: {}: at an end of the path {}", tip.name, own.doubt));
+      }
+    }
     if (shifted(model_, scene_.cracked.tips[t].crack)) {
       path.notes.push_back(fmt::format("{}: K on the path is the analytic one, without the SHIFT "
                                        "of $VCE",

@@ -28,6 +28,9 @@ const results::PathTip& tip_of(const results::LoadPath& path, const std::string&
   if (tip == nullptr) {
     throw Missing(fmt::format("no tip {}", name));
   }
+  if (!tip->doubt.empty()) {
+    throw Missing(tip->doubt);
+  }
   return *tip;
 }
 

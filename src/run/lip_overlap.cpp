@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/lip_overlap.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spricka::run {
+
+double lip_overlap(const mesh::CrackedMesh& cracked, std::size_t line, const base::Vector& u) {
+  const mesh::CrackedMesh::Lips& lips = cracked.lips[line];
+  const std::vector<base::NodeId>& path = lips.left.empty() ? lips.right : lips.left;
+  const auto displacement = [&](const std::vector<base::NodeId>& lip, std::size_t i) -> base::Vec2 {
+    // the other face of a half model mirrors this one: what moves off the line opens
+    return lip.empty() ? base::Vec2::Zero()
+                       : base::Vec2(u.segment<2>(2 * static_cast<Eigen::Index>(lip[i].index())));
+  };
+  double overlap = 0.0;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const base::Vec3& before = cracked.mesh.x[path[i == 0 ? 0 : i - 1].index()];
+    const base::Vec3& after = cracked.mesh.x[path[std::min(i + 1, path.size() - 1)].index()];
+    const base::Vec3 along = (after - before).normalized();
+    const base::Vec2 left(-along.y(), along.x());
+    const base::Vec2 apart = displacement(lips.left, i) - displacement(lips.right, i);
+    // along the line of a half both faces go together
+    const bool half = lips.left.empty() || lips.right.empty();
+    largest = std::max(largest, half ? std::abs(apart.dot(left)) : apart.norm());
+    overlap = std::max(overlap, -apart.dot(left));
+  }
+  return largest > 0.0 ? overlap / largest : 0.0;
+}
+
+} // namespace spricka::run

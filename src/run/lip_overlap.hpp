@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/vec.hpp"
+#include "mesh/patch.hpp"
+
+namespace spricka::run {
+
+/// How far the faces of a crack run into each other somewhere, over the largest displacement of one
+/// against the other; 0: they are open everywhere. u [dim * node], `line` as CrackedMesh::lips.
+double lip_overlap(const mesh::CrackedMesh& cracked, std::size_t line, const base::Vector& u);
+
+} // namespace spricka::run
