@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solved_text.hpp"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -72,6 +73,66 @@ TEST(Friction, ThinBarSlipsAsFarAsItsPullReaches) {
       EXPECT_LE(std::abs(point.q_lumped), 0.1 * point.p_lumped * (1.0 + 1e-9));
       if (point.state == ContactState::slip) { // shear stops the slip
         EXPECT_LE(point.q_lumped * point.slip, 0.0);
+      }
+    }
+  }
+}
+
+// A thin tube shrunk onto a mandrel (rigid, or a solid one that is held), pulled at its upper end:
+// where mu p 2 pi R has taken up the pull the tube rests.
+std::string tube(const std::string& mandrel) {
+  return fmt::format(R"($DECK VERSION=1 LENGTH=mm FORCE=N
+$NET NAME=TUBE
+$MESH SHAPE=BLOCK TYPE=QUAM4 X0=50 LX=0.5 LY=100 NX=2 NY=100
+$ENDNET
+$MATERIAL NAME=M E=10000 NU=0
+$PROPERTY ESET=TUBE.BODY MATERIAL=M STATE=AXI
+{}
+$LOAD CASE=T TYPE=TRACTION
+  TUBE.YMAX 0 10
+$STEP NAME=SHRINK
+  FIT C 1
+$STEP NAME=PULL SUBSTEPS=5
+  LOAD T 1
+$STEP NAME=BACK SUBSTEPS=5
+  LOAD T 0
+$END
+)",
+                     mandrel);
+}
+
+TEST(Friction, TubeIsPulledFromItsMandrelAsFarAsThePullReaches) {
+  const std::array<std::string, 2> mandrels{
+      "$RIGID NAME=CORE SHAPE=LINE X0=50 Y0=110 X1=50 Y1=-10\n"
+      "$CONTACT NAME=C SLAVE=TUBE.XMIN MASTER=CORE INTERFERENCE=0.5 MU=0.1\n",
+      "$NET NAME=CORE\n$MESH SHAPE=BLOCK TYPE=QUAM4 X0=49 LX=1 LY=100 NX=1 NY=120\n$ENDNET\n"
+      "$PROPERTY ESET=CORE.BODY MATERIAL=M STATE=AXI\n"
+      "$FREEDOM CLASS=SUPPRESSED DOF=XY\n  CORE.XMIN  CORE.XMAX\n"
+      "$CONTACT NAME=C SLAVE=TUBE.XMIN MASTER=CORE.XMAX INTERFERENCE=0.5 MU=0.1\n"};
+  for (const std::string& mandrel : mandrels) {
+    SCOPED_TRACE(mandrel);
+    const auto s = test::solve_text(tube(mandrel));
+    ASSERT_TRUE(s);
+    constexpr double E = 10000.0, mu = 0.1, ri = 50.0, ro = 50.5;
+    constexpr double p = 0.5 / ri * E * (ro * ro - ri * ri) / (ro * ro + ri * ri); // Lame, nu = 0
+    constexpr double wall = (ro * ro - ri * ri) / (2.0 * ri); // area over the bore's perimeter
+    constexpr double l = 10.0 * wall / (mu * p);
+    constexpr double u = mu * p * l * l / (2.0 * E * wall);
+    const results::ContactResult& pulled = s->step(1).contacts[0];
+    const results::ContactResult& back = s->step(2).contacts[0];
+    EXPECT_NEAR(pulled.mean_pressure, p, 0.01 * p);
+    EXPECT_NEAR(pulled.force_on_slave.y(), -10.0 * std::numbers::pi * (ro * ro - ri * ri), 1e-7);
+    EXPECT_NEAR(back.force_on_slave.y(), 0.0, 1e-7);
+    const base::NodeId end = s->node_at({50.25, 100.0, 0.0});
+    EXPECT_NEAR(s->vector(s->step(1).u, end).y(), u, 0.03 * u);
+    EXPECT_NEAR(s->vector(s->step(2).u, end).y(), 0.5 * u, 0.04 * u);
+    for (const results::ContactPoint& point : pulled.points) {
+      EXPECT_LE(std::abs(point.q_lumped), mu * point.p_lumped * (1.0 + 1e-9));
+      const double from_end = 100.0 - point.x.y();
+      if (from_end > 3.0 && from_end < l - 5.0) {
+        EXPECT_EQ(point.state, ContactState::slip);
+      } else if (from_end > l + 5.0) {
+        EXPECT_EQ(point.state, ContactState::stick);
       }
     }
   }
