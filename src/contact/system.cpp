@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/system.hpp"
 
-#include "solve/held_rows.hpp"
-
 #include <algorithm>
 #include <utility>
 
@@ -127,77 +125,52 @@ std::size_t ContactSystem::body_of_mode(Eigen::Index mode) const {
 solve::ContactProblem ContactSystem::condensed(const Demand& demand) const {
   const auto n = static_cast<Eigen::Index>(demand.rows.size());
   std::vector<base::Vector> u(bodies_.size());
-  solve::ContactProblem problem;
-  problem.h = base::Vector::Zero(mode_start_.back());
+  solve::ContactProblem problem = compliance(demand.rows);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     u[b] = bodies_[b]->displacement(demand.load[b]);
     problem.h.segment(mode_start_[b], bodies_[b]->modes().cols()) =
         bodies_[b]->modes().transpose() * demand.load[b];
   }
-  problem.W.resize(n, n);
-  problem.B.resize(n, B_.cols());
-  problem.b.resize(n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const std::size_t row = demand.rows[static_cast<std::size_t>(i)];
-    for (Eigen::Index k = 0; k < n; ++k) {
-      problem.W(k, i) = W_(static_cast<Eigen::Index>(demand.rows[static_cast<std::size_t>(k)]),
-                           static_cast<Eigen::Index>(row));
-    }
-    problem.B.row(i) = B_.row(static_cast<Eigen::Index>(row));
-    problem.b[i] = demand.gap[i] + opening(row, u);
+    problem.b[i] = demand.gap[i] + opening(demand.rows[static_cast<std::size_t>(i)], u);
   }
   problem.equality = demand.equality;
   problem.load_scale = demand.load_scale;
   return problem;
 }
 
-ContactSystem::Held ContactSystem::hold(const std::vector<std::size_t>& rows,
-                                        const std::vector<base::Matrix>& load) const {
+solve::ContactProblem ContactSystem::compliance(const std::vector<std::size_t>& rows) const {
   const auto n = static_cast<Eigen::Index>(rows.size());
-  const Eigen::Index k = load.empty() ? 0 : load.front().cols();
   solve::ContactProblem problem;
   problem.W.resize(n, n);
   problem.B.resize(n, B_.cols());
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto row = static_cast<Eigen::Index>(rows[static_cast<std::size_t>(i)]);
+    for (Eigen::Index k = 0; k < n; ++k) {
+      problem.W(k, i) = W_(static_cast<Eigen::Index>(rows[static_cast<std::size_t>(k)]), row);
+    }
+    problem.B.row(i) = B_.row(row);
+  }
   problem.b = base::Vector::Zero(n);
   problem.h = base::Vector::Zero(B_.cols());
   problem.equality.assign(rows.size(), true);
-  base::Matrix opened = base::Matrix::Zero(n, k);
-  base::Matrix on_modes = base::Matrix::Zero(B_.cols(), k);
-  Held held;
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    held.u.push_back(bodies_[b]->displacement(load[b]));
-    const base::Matrix& Q = bodies_[b]->modes();
-    on_modes.middleRows(mode_start_[b], Q.cols()) = Q.transpose() * load[b];
+  return problem;
+}
+
+Eigen::RowVectorXd ContactSystem::openings(std::size_t row,
+                                           const std::vector<base::Matrix>& u) const {
+  Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(u.empty() ? 0 : u.front().cols());
+  for (const Entry& e : rows_[row]) {
+    sum += e.weight * u[e.body].row(e.at);
   }
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const auto row = static_cast<Eigen::Index>(rows[static_cast<std::size_t>(i)]);
-    for (Eigen::Index j = 0; j < n; ++j) {
-      problem.W(j, i) = W_(static_cast<Eigen::Index>(rows[static_cast<std::size_t>(j)]), row);
-    }
-    problem.B.row(i) = B_.row(row);
-    for (const Entry& e : rows_[static_cast<std::size_t>(row)]) {
-      opened.row(i) += e.weight * held.u[e.body].row(e.at);
-    }
+  return sum;
+}
+
+void ContactSystem::add_force(std::size_t row, const Eigen::RowVectorXd& force,
+                              std::vector<base::Matrix>& load) const {
+  for (const Entry& e : rows_[row]) {
+    load[e.body].row(e.at) += e.weight * force;
   }
-  const solve::HeldRows found = solve::hold_rows(problem, opened, on_modes);
-  held.ok = found.ok;
-  held.force = found.lambda;
-  held.left_over = found.left_over;
-  if (!held.ok) {
-    return held;
-  }
-  std::vector<base::Matrix> force = load;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    for (const Entry& e : rows_[rows[static_cast<std::size_t>(i)]]) {
-      force[e.body].row(e.at) += e.weight * held.force.row(i);
-    }
-  }
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const base::Matrix& Q = bodies_[b]->modes();
-    held.u[b] =
-        bodies_[b]->displacement(force[b]) + Q * found.alpha.middleRows(mode_start_[b], Q.cols());
-  }
-  return held;
 }
 
 solve::Uniqueness ContactSystem::unique(const Demand& demand) const {

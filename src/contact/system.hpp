@@ -63,22 +63,21 @@ public:
   /// The small problem of a demand.
   [[nodiscard]] solve::ContactProblem condensed(const Demand& demand) const;
 
-  /// Rows held at zero gap whatever the sign of their forces, all others away.
-  struct Held {
-    bool ok = false;
-    base::Matrix force;          ///< [held row, k]
-    std::vector<base::Matrix> u; ///< [body][m, k] external displacements
-    double left_over = 0.0;      ///< largest load on motions that no held row feels: they rest
-  };
-  /// What condensed loads [body][m, k] do then; not ok: the held rows contradict each other.
-  [[nodiscard]] Held hold(const std::vector<std::size_t>& rows,
-                          const std::vector<base::Matrix>& load) const;
+  /// W and B of some rows, b and h zero, all of them equalities.
+  [[nodiscard]] solve::ContactProblem compliance(const std::vector<std::size_t>& rows) const;
 
   /// Whether a sufficient test finds that an increment with these rows has only one solution.
   [[nodiscard]] solve::Uniqueness unique(const Demand& demand) const;
 
   /// sum weight . u for a row, from external displacements; other freedoms count as zero.
   [[nodiscard]] double opening(std::size_t row, const std::vector<base::Vector>& u) const;
+  /// The same for several displacements [body][m, k].
+  [[nodiscard]] Eigen::RowVectorXd openings(std::size_t row,
+                                            const std::vector<base::Matrix>& u) const;
+  /// Adds what forces [k] of a row load the bodies with [body][m, k].
+  void add_force(std::size_t row, const Eigen::RowVectorXd& force,
+                 std::vector<base::Matrix>& load) const;
+  [[nodiscard]] const std::vector<const CondensedBody*>& bodies() const { return bodies_; }
   /// Which body and which combination of its modes an entry of alpha belongs to.
   [[nodiscard]] std::size_t body_of_mode(Eigen::Index mode) const;
   [[nodiscard]] Eigen::Index first_mode(std::size_t body) const { return mode_start_[body]; }

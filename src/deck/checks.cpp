@@ -206,6 +206,10 @@ private:
       return "contact";
     case 's':
       return "step";
+    case 'o':
+      return "load case";
+    case 'm':
+      return "material";
     case 'l':
       return "load path";
     case 'n':
@@ -253,6 +257,10 @@ private:
       return look_up(c_, Kind::contact, reference) != nullptr;
     case 's':
       return look_up(c_, Kind::step, reference) != nullptr;
+    case 'o':
+      return look_up(c_, Kind::load_case, reference) != nullptr;
+    case 'm':
+      return look_up(c_, Kind::material, reference) != nullptr;
     case 'l':
       return look_up(c_, Kind::path, reference) != nullptr;
     case 'e':

@@ -5,6 +5,7 @@
 #include "report/page.hpp"
 #include "report/report.hpp"
 #include "report/result_tables.hpp"
+#include "report/sensitivity.hpp"
 
 #include <fmt/format.h>
 
@@ -49,6 +50,9 @@ void add_cracks(Page& page, const model::Model& model, const results::Run& run) 
     page.figure(*figure);
   }
   page.table(reference_table(model, run));
+  for (const Figure& figure : sensitivity_figures(model, run)) {
+    page.figure(figure);
+  }
 }
 
 void add_paths(Page& page, const model::Model& model, const results::Run& run) {

@@ -3,6 +3,7 @@
 #include "report/model_tables.hpp"
 #include "report/report.hpp"
 #include "report/result_tables.hpp"
+#include "report/sensitivity.hpp"
 
 #include <fmt/format.h>
 
@@ -93,7 +94,8 @@ std::string increment_text(const model::Model& model, const results::Increment& 
   for (const Table& table :
        {balance_table(model, increment), net_balance_table(model, increment),
         error_table(increment), contact_table(model, increment), friction_table(model, increment),
-        k_table(model, increment), load_path_table(model, increment), opening_table(increment)}) {
+        k_table(model, increment), sensitivity_table(model, increment),
+        load_path_table(model, increment), opening_table(increment)}) {
     if (!table.rows.empty()) {
       (out += '\n') += to_text(table);
     }

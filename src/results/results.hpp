@@ -3,6 +3,7 @@
 #include "base/vec.hpp"
 #include "model/mesh.hpp"
 #include "results/load_path.hpp"
+#include "results/sensitivity.hpp"
 #include "results/stress_invariants.hpp"
 
 #include <array>
@@ -24,6 +25,7 @@ struct TipResult {
   double spread = 0.0;   ///< (max - min of K1 over domains) / hypot(K1, K2)
   std::vector<double> K1_domain;
   std::string doubt;                         ///< why this K is not an answer; empty: it is one
+  Sensitivities sensitivities;
   base::Vec3 x = base::Vec3::Zero();         ///< the tip, undeformed
   base::Vec3 direction = base::Vec3::Zero(); ///< unit, the way the crack grows; zero: unknown
 };

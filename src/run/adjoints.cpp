@@ -54,66 +54,74 @@ void Adjoints::condense_rows() {
   }
 }
 
-std::vector<estimate::Adjoint> Adjoints::solve(const StepSolver& solver,
-                                               const std::vector<bool>& closed) const {
-  std::vector<estimate::Adjoint> out(rows_.size());
-  const Eigen::Index columns = 2 * static_cast<Eigen::Index>(rows_.size());
-  std::vector<std::size_t> held;
-  for (std::size_t r = 0; r < closed.size(); ++r) {
-    if (closed[r]) {
-      held.push_back(r);
-    }
+std::vector<estimate::Adjoint> Adjoints::of_set(const StepSolver& solver,
+                                                const std::vector<bool>& closed,
+                                                const contact::HeldContact* held) {
+  if (rows_.empty()) {
+    condense_rows();
   }
+  const Eigen::Index columns = 2 * static_cast<Eigen::Index>(rows_.size());
   std::vector<base::Matrix> external(bodies_.size());
   base::Matrix force(0, columns);
   std::string why_not;
-  if (solver.system() != nullptr) {
+  if (held != nullptr && !held->ok()) {
+    why_not = "the closed contacts contradict each other";
+  } else if (held != nullptr) {
     std::vector<base::Matrix> load;
     double size = 0.0;
     for (const std::size_t b : solver.condensed()) {
       load.push_back(condensed_[b].external);
       size = std::max(size, load.back().cwiseAbs().maxCoeff());
     }
-    contact::ContactSystem::Held found = solver.system()->hold(held, load);
-    if (!found.ok) {
-      why_not = "the closed contacts contradict each other";
-    } else if (found.left_over > felt_motion * size) {
+    const auto n = static_cast<Eigen::Index>(held->rows().size());
+    contact::HeldContact::Response found = held->respond(load, base::Matrix::Zero(n, columns));
+    if (found.left_over > felt_motion * size) {
       why_not = "K feels a motion that no closed contact holds";
-    } else {
-      force = std::move(found.force);
-      for (std::size_t i = 0; i < solver.condensed().size(); ++i) {
-        external[solver.condensed()[i]] = std::move(found.u[i]);
-      }
+    }
+    force = std::move(found.force);
+    for (std::size_t i = 0; i < solver.condensed().size(); ++i) {
+      external[solver.condensed()[i]] = std::move(found.u[i]);
     }
   }
   base::Matrix z = base::Matrix::Zero(rows_.front().rows(), columns);
   for (std::size_t b = 0; b < bodies_.size() && why_not.empty(); ++b) {
     recover_body(bodies_[b], external[b], condensed_[b], 0.0, z);
   }
+  std::vector<estimate::Adjoint> out(rows_.size());
   for (std::size_t t = 0; t < rows_.size(); ++t) {
     const Eigen::Index first = 2 * static_cast<Eigen::Index>(t);
     out[t].why_not = why_not;
     out[t].rows = rows_[t];
     out[t].closed = closed;
-    if (why_not.empty()) {
-      out[t].z = z.middleCols(first, 2);
-      out[t].w = base::Matrix::Zero(static_cast<Eigen::Index>(closed.size()), 2);
-      for (std::size_t i = 0; i < held.size(); ++i) {
-        out[t].w.row(static_cast<Eigen::Index>(held[i])) =
-            force.row(static_cast<Eigen::Index>(i)).segment(first, 2);
-      }
+    if (!why_not.empty()) {
+      continue;
+    }
+    out[t].z = z.middleCols(first, 2);
+    out[t].w = base::Matrix::Zero(static_cast<Eigen::Index>(closed.size()), 2);
+    for (Eigen::Index i = 0; i < force.rows(); ++i) {
+      out[t].w.row(static_cast<Eigen::Index>(held->rows()[static_cast<std::size_t>(i)])) =
+          force.row(i).segment(first, 2);
     }
   }
   return out;
 }
 
+std::unique_ptr<contact::HeldContact> hold(const StepSolver& solver,
+                                           const std::vector<bool>& closed) {
+  if (solver.system() == nullptr) {
+    return nullptr;
+  }
+  std::vector<std::size_t> rows;
+  for (std::size_t r = 0; r < closed.size(); ++r) {
+    if (closed[r]) {
+      rows.push_back(r);
+    }
+  }
+  return std::make_unique<contact::HeldContact>(*solver.system(), std::move(rows));
+}
+
 const std::vector<estimate::Adjoint>& Adjoints::of_last_step(const StepSolver& solver) {
-  if (scene_.cracked.tips.empty()) {
-    return last_;
-  }
-  if (rows_.empty()) {
-    condense_rows();
-  }
+  const std::size_t tips = scene_.cracked.tips.size();
   std::vector<bool> closed(scene_.table.rows.size(), false);
   bool rubs = false;
   if (solver.system() != nullptr) {
@@ -124,13 +132,14 @@ const std::vector<estimate::Adjoint>& Adjoints::of_last_step(const StepSolver& s
     }
   }
   if (rubs) {
-    last_.assign(rows_.size(), {});
-    for (std::size_t t = 0; t < rows_.size(); ++t) {
-      last_[t].why_not = "contacts rub: what K changes by depends on the way there";
-      last_[t].rows = rows_[t];
+    held_.reset();
+    last_.assign(tips, {});
+    for (estimate::Adjoint& adjoint : last_) {
+      adjoint.why_not = "contacts rub: what K changes by depends on the way there";
     }
-  } else if (last_.empty() || !last_.front().ok() || last_.front().closed != closed) {
-    last_ = solve(solver, closed);
+  } else if (tips > 0 && (last_.empty() || !last_.front().ok() || last_.front().closed != closed)) {
+    held_ = hold(solver, closed);
+    last_ = of_set(solver, closed, held_.get());
   }
   return last_;
 }

@@ -230,11 +230,53 @@ double estimated_error(Arguments& args, const results::Run& run) {
   return found->part;
 }
 
+results::Cause cause_of(const std::string& quantity) {
+  if (quantity.ends_with(".LOAD")) {
+    return results::Cause::load;
+  }
+  if (quantity.ends_with(".FIT")) {
+    return results::Cause::fit;
+  }
+  return quantity.ends_with(".E") ? results::Cause::modulus : results::Cause::length;
+}
+
+// Value times derivative. At a change of contact there are two derivatives and no answer.
+double derivative(const std::string& quantity, Arguments& args, const results::Run& run) {
+  const results::Cause cause = cause_of(quantity);
+  const std::string tip = args.name("a crack");
+  const std::string step = args.name("a step");
+  const std::string name = cause == results::Cause::length ? tip : args.name("a name");
+  const results::TipResult* found =
+      results::find_tip(*find_place(run, step, args.number()).step, tip);
+  if (found == nullptr) {
+    throw Missing(fmt::format("no tip {}", tip));
+  }
+  const results::Sensitivities& all = found->sensitivities;
+  const auto it = std::ranges::find_if(
+      all.of, [&](const results::Sensitivity& s) { return s.cause == cause && s.name == name; });
+  if (it == all.of.end()) {
+    throw Missing(all.notes.empty() ? fmt::format("{} has no value in that step", name)
+                                    : all.notes.front());
+  }
+  const std::size_t k = quantity.starts_with("DK1") ? 0 : 1;
+  if (!it->below || !it->above) {
+    throw Missing("on one side of this state nothing holds a body");
+  }
+  if (!it->slope()) {
+    throw Missing(fmt::format("the contact changes at this very state: {:.7g} below, {:.7g} above",
+                              it->value * (*it->below)[k], it->value * (*it->above)[k]));
+  }
+  return it->value * (*it->slope())[k];
+}
+
 double evaluate(const model::Model& model, const model::Check& check, const results::Run& run) {
   Arguments args(check);
   const std::string& q = check.quantity;
   if (q == "K" || q == "K1" || q == "K2" || q == "G") {
     return tip_quantity(q, args, run);
+  }
+  if (q.starts_with("DK1.") || q.starts_with("DK2.")) {
+    return derivative(q, args, run);
   }
   if (q.starts_with("PATH.")) {
     return path_quantity(q, args, run);

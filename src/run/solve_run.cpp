@@ -9,6 +9,7 @@
 #include "run/estimate.hpp"
 #include "run/gather.hpp"
 #include "run/load_paths.hpp"
+#include "run/sensitivities.hpp"
 #include "shape/topology.hpp"
 
 #include <algorithm>
@@ -211,6 +212,8 @@ private:
     const bool keep = model_.growth && model_.growth->mounted == model::Mounted::first;
     StepSolver solver(model_, scene, bodies, keep ? &mounted_ : nullptr);
     LoadPaths paths(model_, scene, bodies);
+    Adjoints adjoints(model_, scene, bodies);
+    Sensitivities sensitivities(model_, scene, bodies);
     log.add("CONTACT", "compliances of the contact rows");
     for (std::size_t s = 0; s < model_.steps.size(); ++s) {
       const model::Step& step = model_.steps[s];
@@ -228,6 +231,12 @@ private:
       paths.keep(s, solver, increment.steps.back());
       log.add("VCE", fmt::format("step {}: {} tips, pressures, balance", step.name,
                                  scene.cracked.tips.size()));
+      if (!scene.cracked.tips.empty()) {
+        adjoints.of_last_step(solver);
+        log.add("ADJOINT", fmt::format("step {}: K as a function of loads and gaps", step.name));
+        sensitivities.add(solver, *state, adjoints, increment.steps.back());
+        log.add("SENSITIVITY", fmt::format("step {}: loads, fits, moduli, lengths", step.name));
+      }
       if (pictured[s]) {
         add_stress(model_, scene.cracked.mesh, increment.steps.back());
         log.add("RECOVER", fmt::format("step {}: stresses", step.name));

@@ -66,6 +66,7 @@ public:
   /// Which body moves how by a combination of modes [m] that is loaded and not held.
   [[nodiscard]] std::string unheld(const base::Vector& mode, bool slides = false) const;
   [[nodiscard]] const StepFactors& factors() const { return factors_; }
+  [[nodiscard]] const base::Vector& offset() const { return offset_; } ///< [row] since MOUNT
 
 private:
   bool act(const model::Step& step, Refusal& refusal);

@@ -2,50 +2,47 @@
 #include "solve/held_rows.hpp"
 
 #include "solve/blas.hpp"
-#include "solve/bordered_factor.hpp"
-#include "solve/mode_split.hpp"
 
 #include <numeric>
 #include <utility>
 
 namespace spricka::solve {
 
-HeldRows hold_rows(const ContactProblem& rows, const base::Matrix& b, const base::Matrix& h) {
+HeldRows::HeldRows(ContactProblem rows)
+    : rows_(std::move(rows)), split_(split_modes(rows_.B, rows_.opening_scale)),
+      held_(held_problem(rows_, split_)), factor_(held_) {
   blas::single_thread();
-  HeldRows out;
-  const Eigen::Index n = b.rows();
-  out.lambda = base::Matrix::Zero(n, b.cols());
-  const ModeSplit split = split_modes(rows.B, rows.opening_scale);
-  if (split.unfelt.cols() > 0 && h.cols() > 0) {
-    out.left_over = (split.unfelt.transpose() * h).cwiseAbs().maxCoeff();
-  }
-  const HeldProblem held = held_problem(rows, split);
-  BorderedFactor factor(held);
-  std::vector<int> all(static_cast<std::size_t>(n));
+  std::vector<int> all(static_cast<std::size_t>(held_.rows()));
   std::iota(all.begin(), all.end(), 0);
-  out.ok = factor.factorise(std::move(all));
-  if (!out.ok) {
-    return out;
+  ok_ = factor_.factorise(std::move(all));
+}
+
+HeldRows::Response HeldRows::respond(const base::Matrix& b, const base::Matrix& h) const {
+  blas::single_thread();
+  Response out;
+  out.lambda = base::Matrix::Zero(b.rows(), b.cols());
+  if (split_.unfelt.cols() > 0 && h.cols() > 0) {
+    out.left_over = (split_.unfelt.transpose() * h).cwiseAbs().maxCoeff();
   }
-  base::Matrix felt = base::Matrix::Zero(held.modes(), b.cols());
-  const base::Matrix load = split.felt.transpose() * h;
-  const std::vector<int>& A = factor.rows();
+  base::Matrix felt = base::Matrix::Zero(held_.modes(), b.cols());
+  const base::Matrix load = split_.felt.transpose() * h;
+  const std::vector<int>& A = factor_.rows();
   // once more with what the first solution leaves over
   for (int turn = 0; turn < 2; ++turn) {
-    const base::Matrix left = b + rows.W * out.lambda + held.B * felt;
+    const base::Matrix left = b + rows_.W * out.lambda + held_.B * felt;
     base::Matrix top(static_cast<Eigen::Index>(A.size()), b.cols());
     for (std::size_t r = 0; r < A.size(); ++r) {
       top.row(static_cast<Eigen::Index>(r)) = -left.row(A[r]);
     }
-    base::Matrix bottom = -(load + held.B.transpose() * out.lambda);
-    factor.solve(top, bottom);
+    base::Matrix bottom = -(load + held_.B.transpose() * out.lambda);
+    factor_.solve(top, bottom);
     for (std::size_t r = 0; r < A.size(); ++r) {
       out.lambda.row(A[r]) += top.row(static_cast<Eigen::Index>(r));
     }
     felt += bottom;
   }
-  out.alpha = split.felt * felt;
-  out.alpha -= split.unfelt * (split.unfelt.transpose() * out.alpha);
+  out.alpha = split_.felt * felt;
+  out.alpha -= split_.unfelt * (split_.unfelt.transpose() * out.alpha);
   return out;
 }
 

@@ -1,20 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "solve/bordered_factor.hpp"
 #include "solve/contact_qp.hpp"
+#include "solve/mode_split.hpp"
 
 namespace spricka::solve {
 
-/// Forces on rows that are held whatever their sign, and the modes.
-struct HeldRows {
-  bool ok = false;
-  base::Matrix lambda;    ///< [n, k] zero on redundant rows
-  base::Matrix alpha;     ///< [m, k] modes that no row feels rest
-  double left_over = 0.0; ///< largest load on those modes
-};
+/// Contact rows that are held whatever the sign of their forces, factorised once (manual,
+/// sensitivity.3): W lambda + B alpha = -b, B^T lambda = -h.
+class HeldRows {
+public:
+  /// W and B of `rows` for all its rows; its b and h are left aside.
+  explicit HeldRows(ContactProblem rows);
+  HeldRows(const HeldRows&) = delete;
+  HeldRows& operator=(const HeldRows&) = delete;
 
-/// Solves W lambda + B alpha = -b, B^T lambda = -h for several b [n, k] and h [m, k]: the contact
-/// problem of `rows` with all its rows closed and its own b and h left aside (manual,
-/// sensitivity.3). Not ok: W is singular beyond redundant rows.
-HeldRows hold_rows(const ContactProblem& rows, const base::Matrix& b, const base::Matrix& h);
+  /// Whether there is an answer; redundant rows are left out and have no force.
+  [[nodiscard]] bool ok() const { return ok_; }
+
+  struct Response {
+    base::Matrix lambda;    ///< [n, k]
+    base::Matrix alpha;     ///< [m, k] motions that no row feels rest
+    double left_over = 0.0; ///< largest load on those
+  };
+  /// For gaps b [n, k] and loads h [m, k] on the modes; ok() must hold.
+  [[nodiscard]] Response respond(const base::Matrix& b, const base::Matrix& h) const;
+
+private:
+  ContactProblem rows_;
+  ModeSplit split_;
+  HeldProblem held_;
+  BorderedFactor factor_;
+  bool ok_ = false;
+};
 
 } // namespace spricka::solve

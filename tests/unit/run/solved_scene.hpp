@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "run/adjoints.hpp"
+#include "run/gather.hpp"
 #include "run/one_run.hpp"
+#include "run/sensitivities.hpp"
 #include "run_text.hpp"
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -11,14 +13,21 @@ namespace spricka::test {
 
 /// A deck given as text, its steps walked one by one: what the processors leave is open to look at.
 struct SolvedScene {
+  /// Changes to the model as it was read, or to the scene as it was made.
+  struct Changes {
+    std::function<void(model::Model&)> model;
+    std::function<void(run::Scene&)> scene;
+  };
+
   run::ReadyDeck deck;
   std::optional<run::Scene> scene;
   run::CondensationCache cache;
   std::vector<run::BodyNet> bodies;
   std::unique_ptr<run::StepSolver> solver;
   std::unique_ptr<run::Adjoints> adjoints;
+  std::unique_ptr<run::Sensitivities> sensitivities;
 
-  explicit SolvedScene(const std::string& text) {
+  explicit SolvedScene(const std::string& text, const Changes& changes = {}) {
     const Folder folder;
     const std::filesystem::path file = folder.path() / "test.deck";
     std::ofstream(file) << text;
@@ -26,6 +35,9 @@ struct SolvedScene {
     base::Diagnostics diagnostics;
     if (!deck.model) {
       return;
+    }
+    if (changes.model) {
+      changes.model(*deck.model);
     }
     const run::RegionPlan plan = run::plan_region(*deck.model, {0.0}, diagnostics);
     scene = run::make_scene(*deck.model, 0.0, plan, diagnostics);
@@ -35,6 +47,9 @@ struct SolvedScene {
       }
       return;
     }
+    if (changes.scene) {
+      changes.scene(*scene);
+    }
     run::CondenseLog log;
     bodies = run::condense_bodies({*deck.model, scene->cracked.mesh, scene->cls, scene->ties,
                                    scene->rest_element,
@@ -42,6 +57,7 @@ struct SolvedScene {
                                   cache, log);
     solver = std::make_unique<run::StepSolver>(*deck.model, *scene, bodies);
     adjoints = std::make_unique<run::Adjoints>(*deck.model, *scene, bodies);
+    sensitivities = std::make_unique<run::Sensitivities>(*deck.model, *scene, bodies);
   }
   [[nodiscard]] const model::Model& model() const { return *deck.model; }
 
@@ -56,6 +72,18 @@ struct SolvedScene {
       ADD_FAILURE() << "not solved: " << refusal.why;
     }
     return state;
+  }
+
+  /// The same with K and its derivatives.
+  std::optional<results::StepResult> found(std::size_t step) {
+    const std::optional<run::StepState> state = solve(step);
+    if (!state) {
+      return std::nullopt;
+    }
+    results::StepResult out =
+        run::gather_step(model(), *scene, bodies, model().steps.at(step), *state);
+    sensitivities->add(*solver, *state, *adjoints, out);
+    return out;
   }
 
   /// What z and w turn into K, at the end of the last step.

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/tip_advance.hpp"
+
+#include "crack/stress_intensity.hpp"
+#include "fe/assemble.hpp"
+#include "run/body_force.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace spricka::run {
+
+namespace {
+
+// The field one ring beyond the tip's domains moves all of them rigidly; where it does not fit, the
+// largest domain moves itself.
+crack::ExtensionField widest_field(const Scene& scene, std::size_t t) {
+  const std::vector<crack::ExtensionField>& own = scene.tips[t].fields;
+  const auto largest = std::ranges::max_element(own, {}, &crack::ExtensionField::rings);
+  std::vector<int> left_out;
+  const crack::Neighbourhood around(scene.cracked.mesh);
+  std::vector<crack::ExtensionField> wider =
+      around.fields(scene.cracked, scene.cracked.tips[t], {largest->rings + 1}, left_out);
+  return wider.empty() ? *largest : std::move(wider.front());
+}
+
+base::Matrix rows_of(const model::Model& model, const Scene& scene, std::size_t t) {
+  const mesh::Tip& tip = scene.cracked.tips[t];
+  return crack::intensity_rows(model, scene.cracked, tip, scene.tips[t].fields,
+                               model.cracks[tip.crack.index()].state);
+}
+
+} // namespace
+
+base::Matrix intensity_of_loads(const model::Model& model, const Scene& scene, std::size_t t) {
+  const auto cases = static_cast<Eigen::Index>(model.cases.size());
+  const mesh::Tip& tip = scene.cracked.tips[t];
+  base::Matrix out = base::Matrix::Zero(2, cases);
+  crack::VceRequest request;
+  request.state = model.cracks[tip.crack.index()].state;
+  const base::Vector none = base::Vector::Zero(
+      static_cast<Eigen::Index>(scene.cracked.mesh.node_count()) * scene.cracked.mesh.dim);
+  for (Eigen::Index c = 0; c < cases; ++c) {
+    const crack::BodyForce force =
+        body_force(model, scene, scene.tips[t].fields, base::Vector::Unit(cases, c));
+    if (force) {
+      const crack::StressIntensity K = crack::stress_intensity(
+          model, scene.cracked, tip, scene.tips[t].fields, request, none, force);
+      out.col(c) = base::Vec2(K.K1, K.K2);
+    }
+  }
+  return out;
+}
+
+TipAdvance::TipAdvance(const model::Model& model, const Scene& scene, std::size_t tip)
+    : model_(model), scene_(scene),
+      motion_(estimate::tip_motion(scene.cracked, tip, widest_field(scene, tip))),
+      strained_(motion_.field.elements), why_not_(hindrance()) {
+  if (!why_not_.empty()) {
+    return;
+  }
+  for (auto* side : {&ahead_, &behind_}) {
+    *side = std::make_unique<Scene>();
+    (*side)->cracked = estimate::moved(scene.cracked, motion_, side == &ahead_ ? 1.0 : -1.0);
+    (*side)->tips = scene.tips;
+  }
+  move_loads();
+  row_rate_.resize(scene.tips.size());
+  for (std::size_t t = 0; t < scene.tips.size(); ++t) {
+    if (!estimate::moves_as_one(scene.cracked.mesh, motion_, scene.tips[t].fields)) {
+      row_rate_[t] =
+          (rows_of(model, *ahead_, t) - rows_of(model, *behind_, t)) / (2.0 * motion_.step);
+    }
+  }
+}
+
+// Rows of contacts and ties are not moved along.
+std::string TipAdvance::hindrance() const {
+  const int dim = scene_.cracked.mesh.dim;
+  std::vector<bool> moves(scene_.cracked.mesh.node_count(), false);
+  for (const auto& [node, q] : motion_.field.q) {
+    moves[node.index()] = true;
+  }
+  for (const contact::ConstraintRow* row : scene_.table.rows) {
+    if (std::ranges::any_of(row->entries,
+                            [&](const contact::RowEntry& e) { return moves[e.node.index()]; })) {
+      return "contact rows lie on what moves with the tip";
+    }
+  }
+  const auto tied = [&](std::int32_t freedom) {
+    return moves[static_cast<std::size_t>(freedom / dim)];
+  };
+  for (const fe::Dependence::Row& row : scene_.ties->rows()) {
+    if (tied(row.freedom) ||
+        std::ranges::any_of(row.terms, [&](const fe::Term& t) { return tied(t.freedom); })) {
+      return "ties hold what moves with the tip";
+    }
+  }
+  return {};
+}
+
+void TipAdvance::move_loads() {
+  const auto cases = static_cast<Eigen::Index>(model_.cases.size());
+  base::Matrix rate(scene_.case_load.rows(), cases);
+  for (Eigen::Index c = 0; c < cases; ++c) {
+    const model::LoadCase& load_case = model_.cases[static_cast<std::size_t>(c)];
+    rate.col(c) = (fe::nodal_load(model_, ahead_->cracked.mesh, load_case) -
+                   fe::nodal_load(model_, behind_->cracked.mesh, load_case)) /
+                  (2.0 * motion_.step);
+  }
+  if ((rate.array() != 0.0).any()) {
+    load_rate_ = std::move(rate);
+  }
+}
+
+base::Vector TipAdvance::load(const base::Vector& u, const base::Vector& case_factor) const {
+  base::Vector ahead = base::Vector::Zero(u.size());
+  base::Vector behind = ahead;
+  fe::add_internal_force(model_, ahead_->cracked.mesh, strained_, u, ahead);
+  fe::add_internal_force(model_, behind_->cracked.mesh, strained_, u, behind);
+  base::Vector out = (behind - ahead) / (2.0 * motion_.step);
+  if (load_rate_.size() > 0) {
+    out += load_rate_ * case_factor.head(load_rate_.cols());
+  }
+  return out;
+}
+
+base::Vec2 TipAdvance::direct(std::size_t tip, const base::Vector& u,
+                              const base::Vector& case_factor) const {
+  base::Vec2 out = base::Vec2::Zero();
+  if (row_rate_[tip].size() > 0) {
+    out += row_rate_[tip].transpose() * u;
+  }
+  if (load_rate_.size() > 0) {
+    const base::Matrix rate =
+        (intensity_of_loads(model_, *ahead_, tip) - intensity_of_loads(model_, *behind_, tip)) /
+        (2.0 * motion_.step);
+    out += rate * case_factor.head(rate.cols());
+  }
+  return out;
+}
+
+} // namespace spricka::run
