@@ -7,6 +7,15 @@
 
 namespace spricka::contact {
 
+/// What loads do to bodies that nothing presses: openings of all rows and loads on the modes.
+struct FreeResponse {
+  std::vector<base::Matrix> u; ///< [body][m, k] external displacements
+  base::Matrix opening;        ///< [row, k]
+  base::Matrix on_mode;        ///< [mode, k]
+};
+/// Of condensed loads [body][m, k].
+FreeResponse free_response(const ContactSystem& system, const std::vector<base::Matrix>& load);
+
 /// A contact system with some rows held at zero gap, whatever the sign of their forces, and all
 /// others away: linear, factorised once.
 class HeldContact {
@@ -18,13 +27,16 @@ public:
   [[nodiscard]] bool ok() const { return held_.ok(); } ///< false: the rows contradict each other
 
   struct Response {
-    base::Matrix force;          ///< [held row, k]
-    std::vector<base::Matrix> u; ///< [body][m, k] external displacements
-    double left_over = 0.0;      ///< largest load on motions that no held row feels: they rest
+    base::Matrix force;     ///< [row, k] zero where not held
+    base::Matrix mode;      ///< [mode, k]
+    base::Matrix gap;       ///< [row, k]
+    double left_over = 0.0; ///< largest load on motions that no held row feels: they rest
   };
-  /// To condensed loads [body][m, k] and gaps [held row, k] at zero displacement.
-  [[nodiscard]] Response respond(const std::vector<base::Matrix>& load,
-                                 const base::Matrix& gap) const;
+  /// To gaps of all rows before they press [row, k] and loads on the modes [mode, k].
+  [[nodiscard]] Response respond(const base::Matrix& gap, const base::Matrix& on_mode) const;
+  /// External displacements [body][m, k] under condensed loads and a response to them.
+  [[nodiscard]] std::vector<base::Matrix> displacement(const std::vector<base::Matrix>& load,
+                                                       const Response& response) const;
 
 private:
   const ContactSystem& system_;

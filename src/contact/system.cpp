@@ -157,13 +157,15 @@ solve::ContactProblem ContactSystem::compliance(const std::vector<std::size_t>& 
   return problem;
 }
 
-Eigen::RowVectorXd ContactSystem::openings(std::size_t row,
-                                           const std::vector<base::Matrix>& u) const {
-  Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(u.empty() ? 0 : u.front().cols());
-  for (const Entry& e : rows_[row]) {
-    sum += e.weight * u[e.body].row(e.at);
+base::Matrix ContactSystem::openings(const std::vector<base::Matrix>& u) const {
+  base::Matrix out =
+      base::Matrix::Zero(static_cast<Eigen::Index>(rows_.size()), u.empty() ? 0 : u.front().cols());
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    for (const Entry& e : rows_[r]) {
+      out.row(static_cast<Eigen::Index>(r)) += e.weight * u[e.body].row(e.at);
+    }
   }
-  return sum;
+  return out;
 }
 
 void ContactSystem::add_force(std::size_t row, const Eigen::RowVectorXd& force,

@@ -71,9 +71,10 @@ public:
 
   /// sum weight . u for a row, from external displacements; other freedoms count as zero.
   [[nodiscard]] double opening(std::size_t row, const std::vector<base::Vector>& u) const;
-  /// The same for several displacements [body][m, k].
-  [[nodiscard]] Eigen::RowVectorXd openings(std::size_t row,
-                                            const std::vector<base::Matrix>& u) const;
+  /// The same of all rows for several displacements [body][m, k]: [row, k].
+  [[nodiscard]] base::Matrix openings(const std::vector<base::Matrix>& u) const;
+  [[nodiscard]] const base::Matrix& W() const { return W_; } ///< [row, row] compliance
+  [[nodiscard]] const base::Matrix& B() const { return B_; } ///< [row, mode]
   /// Adds what forces [k] of a row load the bodies with [body][m, k].
   void add_force(std::size_t row, const Eigen::RowVectorXd& force,
                  std::vector<base::Matrix>& load) const;

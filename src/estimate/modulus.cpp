@@ -1,33 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "estimate/modulus.hpp"
 
-#include "fe/assemble.hpp"
 #include "fe/thermal.hpp"
 
 #include <vector>
 
 namespace spricka::estimate {
 
-base::Matrix modulus_loads(const model::Model& model, const model::Mesh& mesh,
-                           const fe::StateField& state) {
-  std::vector<std::vector<base::ElementId>> elements(model.materials.size());
+base::Matrix thermal_loads(const model::Model& model, const model::Mesh& mesh,
+                           const base::Vector& temperature) {
+  std::vector<base::Vector> own(model.materials.size(), base::Vector::Zero(temperature.size()));
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    elements[model.property_of(mesh, base::ElementId(e)).material.index()].emplace_back(e);
+    const std::size_t m = model.property_of(mesh, base::ElementId(e)).material.index();
+    const auto first = static_cast<Eigen::Index>(mesh.first[e]);
+    const auto count = static_cast<Eigen::Index>(mesh.nodes_of(base::ElementId(e)).size());
+    own[m].segment(first, count) = temperature.segment(first, count);
   }
-  base::Matrix out(state.u.size(), static_cast<Eigen::Index>(elements.size()));
-  for (std::size_t m = 0; m < elements.size(); ++m) {
-    base::Vector force = base::Vector::Zero(state.u.size());
-    fe::add_internal_force(model, mesh, elements[m], state.u, force);
-    if (state.temperature != nullptr) {
-      base::Vector own = base::Vector::Zero(state.temperature->size());
-      for (const base::ElementId e : elements[m]) {
-        const auto first = static_cast<Eigen::Index>(mesh.first[e.index()]);
-        const auto count = static_cast<Eigen::Index>(mesh.nodes_of(e).size());
-        own.segment(first, count) = state.temperature->segment(first, count);
-      }
-      force -= fe::thermal_load(model, mesh, own);
-    }
-    out.col(static_cast<Eigen::Index>(m)) = -force;
+  base::Matrix out(static_cast<Eigen::Index>(mesh.node_count()) * mesh.dim,
+                   static_cast<Eigen::Index>(own.size()));
+  for (std::size_t m = 0; m < own.size(); ++m) {
+    out.col(static_cast<Eigen::Index>(m)) = fe::thermal_load(model, mesh, own[m]);
   }
   return out;
 }

@@ -91,6 +91,9 @@ std::string increment_text(const model::Model& model, const results::Increment& 
       out += fmt::format("note: load path {}: {}\n", path.name, note);
     }
   }
+  for (const std::string& note : sensitivity_notes(model, increment)) {
+    out += fmt::format("note: sensitivities: {}\n", note);
+  }
   for (const Table& table :
        {balance_table(model, increment), net_balance_table(model, increment),
         error_table(increment), contact_table(model, increment), friction_table(model, increment),

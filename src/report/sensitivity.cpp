@@ -180,11 +180,22 @@ Table sensitivity_table(const model::Model& model, const results::Increment& inc
     for (const Sensitivity* s : sorted(model, tip)) {
       table.rows.push_back(row_of(model, tip, *s));
     }
-    for (const std::string& note : tip.sensitivities.notes) {
-      table.rows.push_back({tip.name, note, "", "", "", "", "", "", ""});
-    }
   }
   return table;
+}
+
+std::vector<std::string> sensitivity_notes(const model::Model& model,
+                                           const results::Increment& increment) {
+  std::vector<std::string> notes;
+  const results::StepResult* found = results::find_step(increment, leading_step(model));
+  for (std::size_t t = 0; found != nullptr && t < found->tips.size(); ++t) {
+    for (const std::string& note : found->tips[t].sensitivities.notes) {
+      if (std::ranges::find(notes, note) == notes.end()) {
+        notes.push_back(note);
+      }
+    }
+  }
+  return notes;
 }
 
 std::vector<Figure> sensitivity_figures(const model::Model& model, const results::Run& run) {

@@ -6,6 +6,7 @@
 #include "results/results.hpp"
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 /// How K answers to loads, fits, moduli and crack lengths: file, table and pictures. A small change
@@ -19,8 +20,11 @@ namespace spricka::report {
 void write_sensitivity_csv(const std::filesystem::path& file, const model::Model& model,
                            const results::Run& run);
 
-/// The leading step of one increment, strongest first, tip by tip; or why there is nothing.
+/// The leading step of one increment, strongest first, tip by tip.
 Table sensitivity_table(const model::Model& model, const results::Increment& increment);
+/// What is not given there and why, each note once.
+std::vector<std::string> sensitivity_notes(const model::Model& model,
+                                           const results::Increment& increment);
 
 /// A tornado of K1 for each tip of the leading step, at three crack lengths at most.
 std::vector<Figure> sensitivity_figures(const model::Model& model, const results::Run& run);

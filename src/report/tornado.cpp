@@ -11,7 +11,7 @@
 namespace spricka::report {
 namespace {
 
-constexpr double names_width = 150.0;
+constexpr double letter_width = 7.2;
 constexpr double half_width = 110.0;
 constexpr double number_width = 62.0;
 constexpr double row_height = 22.0;
@@ -27,10 +27,19 @@ double largest(const Tornado& tornado) {
   return most > 0.0 ? most : 1.0;
 }
 
+double names_width(const Tornado& tornado) {
+  std::size_t letters = 12;
+  for (const Tornado::Bar& bar : tornado.bars) {
+    letters = std::max(letters, bar.name.size());
+  }
+  return letter_width * static_cast<double>(letters) + 10.0;
+}
+
 } // namespace
 
 std::string draw(const Tornado& tornado) {
-  const double middle = names_width + number_width + half_width;
+  const double names = names_width(tornado);
+  const double middle = names + number_width + half_width;
   const double height = row_height * static_cast<double>(tornado.bars.size());
   const double most = largest(tornado);
   const auto at = [&](double value) { return middle + half_width * value / most; };
@@ -53,7 +62,7 @@ std::string draw(const Tornado& tornado) {
     };
     block(bar.less, {ink, 0.9, "#fff", ""});
     block(bar.more, {ink, 0.9, ink, ""});
-    svg.text({names_width - 6.0, y + 4.0}, bar.name, {Anchor::end, 12.0});
+    svg.text({names - 6.0, y + 4.0}, bar.name, {Anchor::end, 12.0});
     const bool right = bar.more >= 0.0;
     const double end = right ? std::max(at(bar.more), at(bar.less)) + 5.0
                              : std::min(at(bar.more), at(bar.less)) - 5.0;

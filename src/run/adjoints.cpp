@@ -62,25 +62,29 @@ std::vector<estimate::Adjoint> Adjoints::of_set(const StepSolver& solver,
   }
   const Eigen::Index columns = 2 * static_cast<Eigen::Index>(rows_.size());
   std::vector<base::Matrix> external(bodies_.size());
-  base::Matrix force(0, columns);
+  base::Matrix w = base::Matrix::Zero(static_cast<Eigen::Index>(closed.size()), columns);
   std::string why_not;
   if (held != nullptr && !held->ok()) {
     why_not = "the closed contacts contradict each other";
   } else if (held != nullptr) {
-    std::vector<base::Matrix> load;
-    double size = 0.0;
-    for (const std::size_t b : solver.condensed()) {
-      load.push_back(condensed_[b].external);
-      size = std::max(size, load.back().cwiseAbs().maxCoeff());
+    if (free_.u.empty()) {
+      for (const std::size_t b : solver.condensed()) {
+        external_.push_back(condensed_[b].external);
+      }
+      free_ = contact::free_response(*solver.system(), external_);
     }
-    const auto n = static_cast<Eigen::Index>(held->rows().size());
-    contact::HeldContact::Response found = held->respond(load, base::Matrix::Zero(n, columns));
+    const contact::HeldContact::Response found = held->respond(free_.opening, free_.on_mode);
+    double size = 0.0;
+    for (const base::Matrix& load : external_) {
+      size = std::max(size, load.cwiseAbs().maxCoeff());
+    }
     if (found.left_over > felt_motion * size) {
       why_not = "K feels a motion that no closed contact holds";
     }
-    force = std::move(found.force);
-    for (std::size_t i = 0; i < solver.condensed().size(); ++i) {
-      external[solver.condensed()[i]] = std::move(found.u[i]);
+    w = found.force;
+    std::vector<base::Matrix> u = held->displacement(external_, found);
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      external[solver.condensed()[i]] = std::move(u[i]);
     }
   }
   base::Matrix z = base::Matrix::Zero(rows_.front().rows(), columns);
@@ -97,11 +101,7 @@ std::vector<estimate::Adjoint> Adjoints::of_set(const StepSolver& solver,
       continue;
     }
     out[t].z = z.middleCols(first, 2);
-    out[t].w = base::Matrix::Zero(static_cast<Eigen::Index>(closed.size()), 2);
-    for (Eigen::Index i = 0; i < force.rows(); ++i) {
-      out[t].w.row(static_cast<Eigen::Index>(held->rows()[static_cast<std::size_t>(i)])) =
-          force.row(i).segment(first, 2);
-    }
+    out[t].w = w.middleCols(first, 2);
   }
   return out;
 }

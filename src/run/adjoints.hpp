@@ -39,6 +39,8 @@ private:
   const std::vector<BodyNet>& bodies_;
   std::vector<base::Matrix> rows_;  ///< [tip][dim * node, 2]
   std::vector<BodyLoad> condensed_; ///< [body] columns: K1 and K2 of the first tip, of the next ..
+  std::vector<base::Matrix> external_; ///< [body of the contact system] the same at externals
+  contact::FreeResponse free_;         ///< to those, where there is a contact system
   std::unique_ptr<contact::HeldContact> held_;
   std::vector<estimate::Adjoint> last_;
 };

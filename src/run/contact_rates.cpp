@@ -75,15 +75,8 @@ std::optional<std::vector<bool>> FrozenContact::closed_beyond(const Rates& rates
 
 std::vector<std::array<double, 2>> FrozenContact::reach(const contact::HeldContact& held,
                                                         const Rates& rates) const {
-  const auto n = static_cast<Eigen::Index>(held.rows().size());
-  base::Matrix gap(n, rates.gap.cols());
-  std::vector<Eigen::Index> place(static_cast<std::size_t>(rates.gap.rows()), -1);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const std::size_t row = held.rows()[static_cast<std::size_t>(i)];
-    gap.row(i) = rates.gap.row(static_cast<Eigen::Index>(row));
-    place[row] = i;
-  }
-  const contact::HeldContact::Response rate = held.respond(rates.load, gap);
+  const contact::HeldContact::Response rate =
+      held.respond(rates.gap + rates.free.opening, rates.free.on_mode);
   constexpr double never = std::numeric_limits<double>::infinity();
   std::vector<std::array<double, 2>> out(static_cast<std::size_t>(rates.gap.cols()),
                                          {-never, never});
@@ -91,13 +84,8 @@ std::vector<std::array<double, 2>> FrozenContact::reach(const contact::HeldConta
     if (row.equality || row.weak) {
       continue;
     }
-    const Eigen::Index at = place[row.row];
-    Eigen::RowVectorXd by = Eigen::RowVectorXd::Zero(gap.cols());
-    if (!row.closed) {
-      by = rates.gap.row(static_cast<Eigen::Index>(row.row)) + system_.openings(row.row, rate.u);
-    } else if (at >= 0) {
-      by = rate.force.row(at);
-    }
+    const Eigen::RowVectorXd by =
+        (row.closed ? rate.force : rate.gap).row(static_cast<Eigen::Index>(row.row));
     const double value = row.closed ? row.force : row.gap;
     for (Eigen::Index k = 0; k < by.size(); ++k) {
       auto& [down, up] = out[static_cast<std::size_t>(k)];

@@ -13,7 +13,8 @@ namespace spricka::run {
 /// Loads and gaps per unit of something; condensed as the contact system takes them.
 struct Rates {
   std::vector<base::Matrix> load; ///< [body][m, k]
-  base::Matrix gap;               ///< [table row, k]
+  contact::FreeResponse free;     ///< to them
+  base::Matrix gap;               ///< [table row, k] that come on top
   base::Vector load_scale;        ///< [k] a typical force
 };
 
@@ -28,12 +29,12 @@ public:
   [[nodiscard]] bool at_a_change() const { return weak_ > 0; }
 
   /// Rows of the table that stay closed when column k of the rates sets in, `sign` +1 or -1:
-  /// the small ones choose (the contact problem for the direction; manual, sensitivity.10). Empty:
+  /// the small ones choose (the contact problem for the direction; manual, sensitivity.12). Empty:
   /// nothing would hold a body.
   [[nodiscard]] std::optional<std::vector<bool>> closed_beyond(const Rates& rates, Eigen::Index k,
                                                                double sign) const;
 
-  /// How far each column can go on, down and up, until a row changes (manual, sensitivity.9);
+  /// How far each column can go on, down and up, until a row changes (manual, sensitivity.11);
   /// infinite where none does. Small ones do not count. [k]
   [[nodiscard]] std::vector<std::array<double, 2>> reach(const contact::HeldContact& held,
                                                          const Rates& rates) const;

@@ -178,6 +178,14 @@ bool make_tips(const model::Model& model, Scene& scene, base::Diagnostics& diagn
   for (const mesh::Tip& tip : scene.cracked.tips) {
     TipScene ring;
     ring.fields = around.fields(scene.cracked, tip, domains_of(model, tip.crack), ring.left_out);
+    if (!ring.fields.empty()) {
+      std::vector<int> ignored;
+      std::vector<crack::ExtensionField> wider =
+          around.fields(scene.cracked, tip, {ring.fields.back().rings + 1}, ignored);
+      if (!wider.empty()) {
+        ring.beyond = std::move(wider.front());
+      }
+    }
     const model::Crack& crack = model.cracks[tip.crack.index()];
     if (ring.fields.empty()) {
       diagnostics.error(crack.span, "E412",

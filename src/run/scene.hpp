@@ -27,7 +27,8 @@ struct RowTable {
 
 struct TipScene {
   std::vector<crack::ExtensionField> fields;
-  std::vector<int> left_out; ///< domains that could not be used
+  std::vector<int> left_out;                   ///< domains that could not be used
+  std::optional<crack::ExtensionField> beyond; ///< one ring more than the largest, if it fits
 };
 
 struct Scene {

@@ -115,8 +115,10 @@ void Sensitivities::add_fits(const StepSolver& solver, std::vector<KCause>& caus
 void Sensitivities::add_moduli(const StepState& state,
                                const std::vector<estimate::Adjoint>& adjoints,
                                std::vector<KCause>& causes) const {
-  const base::Matrix loads =
-      estimate::modulus_loads(model_, scene_.cracked.mesh, {state.u, state.temperature});
+  base::Matrix loads = -state.internal;
+  if (state.temperature.size() > 0) {
+    loads += estimate::thermal_loads(model_, scene_.cracked.mesh, state.temperature);
+  }
   for (std::size_t m = 0; m < model_.materials.size(); ++m) {
     const double E = model_.materials[m].E;
     KCause one = cause(results::Cause::modulus, model_.materials[m].name, E);
@@ -154,27 +156,54 @@ void Sensitivities::add_lengths(const StepState& state, results::StepResult& res
   }
 }
 
+// Loads and fits come first; what load cases do to the bodies alone is the same for all steps.
 Rates Sensitivities::rates(const StepSolver& solver, const std::vector<KCause>& causes,
-                           std::size_t count) const {
+                           std::size_t count) {
+  const auto cases = static_cast<Eigen::Index>(model_.cases.size());
+  if (of_cases_.u.empty()) {
+    for (const std::size_t b : solver.condensed()) {
+      case_externals_.emplace_back(bodies_[b].external_load.leftCols(cases));
+    }
+    of_cases_ = contact::free_response(*solver.system(), case_externals_);
+  }
   const auto k = static_cast<Eigen::Index>(count);
+  const auto rows = static_cast<Eigen::Index>(scene_.table.rows.size());
   Rates out;
-  out.gap = base::Matrix::Zero(static_cast<Eigen::Index>(scene_.table.rows.size()), k);
+  out.gap = base::Matrix::Zero(rows, k);
   out.load_scale = base::Vector::Zero(k);
-  base::Matrix nodal = base::Matrix::Zero(case_load_.rows(), k);
+  out.free.opening = base::Matrix::Zero(rows, k);
+  out.free.on_mode = base::Matrix::Zero(of_cases_.on_mode.rows(), k);
+  out.free.opening.leftCols(cases) = of_cases_.opening;
+  out.free.on_mode.leftCols(cases) = of_cases_.on_mode;
   for (std::size_t i = 0; i < count; ++i) {
     const auto at = static_cast<Eigen::Index>(i);
     if (causes[i].gap.size() > 0) {
       out.gap.col(at) = causes[i].gap;
     }
     if (causes[i].load.size() > 0) {
-      nodal.col(at) = causes[i].load;
       out.load_scale[at] = causes[i].load.lpNorm<1>();
     }
   }
-  scene_.ties->reduce(nodal);
-  for (const std::size_t b : solver.condensed()) {
-    out.load.push_back(condense_load(bodies_[b], *scene_.ties, nodal).external);
+  return out;
+}
+
+// The loads of all causes on top, as the contact problem of a direction takes them.
+Rates Sensitivities::all_rates(const StepSolver& solver, const std::vector<KCause>& causes) {
+  Rates out = rates(solver, causes, causes.size());
+  const auto k = static_cast<Eigen::Index>(causes.size());
+  base::Matrix nodal = base::Matrix::Zero(case_load_.rows(), k);
+  for (std::size_t i = model_.cases.size(); i < causes.size(); ++i) {
+    if (causes[i].load.size() > 0) {
+      nodal.col(static_cast<Eigen::Index>(i)) = causes[i].load;
+    }
   }
+  scene_.ties->reduce(nodal);
+  for (std::size_t b = 0; b < solver.condensed().size(); ++b) {
+    base::Matrix load = condense_load(bodies_[solver.condensed()[b]], *scene_.ties, nodal).external;
+    load.leftCols(case_externals_[b].cols()) = case_externals_[b];
+    out.load.push_back(std::move(load));
+  }
+  out.free = contact::free_response(*solver.system(), out.load);
   return out;
 }
 
@@ -182,8 +211,8 @@ Rates Sensitivities::rates(const StepSolver& solver, const std::vector<KCause>& 
 // chance or because nothing is loaded yet.
 void Sensitivities::one_sided(const StepSolver& solver, const FrozenContact& contact,
                               Adjoints& adjoints, std::vector<KCause>& causes,
-                              results::StepResult& result) const {
-  const Rates all = rates(solver, causes, causes.size());
+                              results::StepResult& result) {
+  const Rates all = all_rates(solver, causes);
   struct Side {
     std::unique_ptr<contact::HeldContact> held;
     std::vector<estimate::Adjoint> adjoint;

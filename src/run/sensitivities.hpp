@@ -39,15 +39,18 @@ private:
   void add_lengths(const StepState& state, results::StepResult& result,
                    std::vector<KCause>& causes) const;
   [[nodiscard]] KCause cause(results::Cause kind, std::string name, double value) const;
-  [[nodiscard]] Rates rates(const StepSolver& solver, const std::vector<KCause>& causes,
-                            std::size_t count) const;
+  /// Of the first causes, loads and fits only.
+  Rates rates(const StepSolver& solver, const std::vector<KCause>& causes, std::size_t count);
+  Rates all_rates(const StepSolver& solver, const std::vector<KCause>& causes);
   void one_sided(const StepSolver& solver, const FrozenContact& contact, Adjoints& adjoints,
-                 std::vector<KCause>& causes, results::StepResult& result) const;
+                 std::vector<KCause>& causes, results::StepResult& result);
 
   const model::Model& model_;
   const Scene& scene_;
   const std::vector<BodyNet>& bodies_;
-  base::Matrix case_load_;              ///< [dim * node, case] with the pull of supports
+  base::Matrix case_load_;                   ///< [dim * node, case] with the pull of supports
+  std::vector<base::Matrix> case_externals_; ///< [body of the contact system] condensed
+  contact::FreeResponse of_cases_;
   std::vector<base::Matrix> of_loads_;  ///< [tip][2, case]
   std::vector<base::Matrix> of_moduli_; ///< [tip][2, case] E d/dE of those, E of the tip's material
   std::vector<std::unique_ptr<TipAdvance>> advances_; ///< [tip]

@@ -248,12 +248,17 @@ void StepSolver::balance(StepState& state) const {
       }
     }
   }
-  base::Vector internal = base::Vector::Zero(state.u.size());
-  std::vector<base::ElementId> all;
+  std::vector<std::vector<base::ElementId>> elements(model_.materials.size());
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    all.emplace_back(e);
+    elements[model_.property_of(mesh, base::ElementId(e)).material.index()].emplace_back(e);
   }
-  fe::add_internal_force(model_, mesh, all, state.u, internal);
+  state.internal.resize(state.u.size(), static_cast<Eigen::Index>(elements.size()));
+  for (std::size_t m = 0; m < elements.size(); ++m) {
+    base::Vector force = base::Vector::Zero(state.u.size());
+    fe::add_internal_force(model_, mesh, elements[m], state.u, force);
+    state.internal.col(static_cast<Eigen::Index>(m)) = force;
+  }
+  const base::Vector internal = state.internal.rowwise().sum();
   state.energy = fe::element_energy(model_, mesh, state.u);
   if (state.temperature.size() > 0) {
     fe::add_thermal_energy(model_, mesh, state.temperature, state.u, state.energy);

@@ -13,18 +13,6 @@ namespace spricka::run {
 
 namespace {
 
-// The field one ring beyond the tip's domains moves all of them rigidly; where it does not fit, the
-// largest domain moves itself.
-crack::ExtensionField widest_field(const Scene& scene, std::size_t t) {
-  const std::vector<crack::ExtensionField>& own = scene.tips[t].fields;
-  const auto largest = std::ranges::max_element(own, {}, &crack::ExtensionField::rings);
-  std::vector<int> left_out;
-  const crack::Neighbourhood around(scene.cracked.mesh);
-  std::vector<crack::ExtensionField> wider =
-      around.fields(scene.cracked, scene.cracked.tips[t], {largest->rings + 1}, left_out);
-  return wider.empty() ? *largest : std::move(wider.front());
-}
-
 base::Matrix rows_of(const model::Model& model, const Scene& scene, std::size_t t) {
   const mesh::Tip& tip = scene.cracked.tips[t];
   return crack::intensity_rows(model, scene.cracked, tip, scene.tips[t].fields,
@@ -55,7 +43,10 @@ base::Matrix intensity_of_loads(const model::Model& model, const Scene& scene, s
 
 TipAdvance::TipAdvance(const model::Model& model, const Scene& scene, std::size_t tip)
     : model_(model), scene_(scene),
-      motion_(estimate::tip_motion(scene.cracked, tip, widest_field(scene, tip))),
+      // one ring beyond the tip's domains moves all of them as one; where it does not fit, the
+      // largest domain moves itself
+      motion_(estimate::tip_motion(scene.cracked, tip,
+                                   scene.tips[tip].beyond.value_or(scene.tips[tip].fields.back()))),
       strained_(motion_.field.elements), why_not_(hindrance()) {
   if (!why_not_.empty()) {
     return;

@@ -18,7 +18,7 @@ public:
   /// Why dK/da is not given; empty: it is.
   [[nodiscard]] const std::string& why_not() const { return why_not_; }
 
-  /// d(f - K u)/da with f of all cases [dim * node], u kept (manual, sensitivity.6).
+  /// d(f - K u)/da with f of all cases [dim * node], u kept (manual, sensitivity.9).
   [[nodiscard]] base::Vector load(const base::Vector& u, const base::Vector& case_factor) const;
   /// dK/da of a tip at u kept: of its rows and of what its loads add.
   [[nodiscard]] base::Vec2 direct(std::size_t tip, const base::Vector& u,
