@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/result_tables.hpp"
 #include "report/sensitivity.hpp"
 #include "report/tornado.hpp"
 #include "sample.hpp"
@@ -15,11 +16,13 @@ namespace {
 using results::Cause;
 using results::Sensitivity;
 
-// A load, a net fit and a modulus at the end of the last step; the fit at a corner.
+// A load, a net fit and a modulus at the end of the leading step; the fit at a corner.
 test::Sample with_sensitivities() {
   test::Sample sample = test::make_sample();
   for (results::Increment& increment : sample.run.increments) {
-    results::TipResult& tip = increment.steps.back().tips.front();
+    const auto step =
+        std::ranges::find(increment.steps, leading_step(sample.model), &results::StepResult::step);
+    results::TipResult& tip = step->tips.front();
     tip.K1 = 500.0;
     Sensitivity weak{Cause::modulus, "AL", 70000.0, {{{1e-3, 0.0}}}, {{{1e-3, 0.0}}}, {}};
     constexpr double never = std::numeric_limits<double>::infinity();
