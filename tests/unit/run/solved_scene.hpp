@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 
 namespace spricka::test {
 
@@ -16,7 +17,7 @@ struct SolvedScene {
   /// Changes to the model as it was read, or to the scene as it was made.
   struct Changes {
     std::function<void(model::Model&)> model;
-    std::function<void(run::Scene&)> scene;
+    std::function<void(run::Scene&, const model::Model&)> scene;
   };
 
   run::ReadyDeck deck;
@@ -34,7 +35,7 @@ struct SolvedScene {
     deck = run::read_ready(file, {}, run::Log(run::LogFormat::text));
     base::Diagnostics diagnostics;
     if (!deck.model) {
-      return;
+      throw std::invalid_argument("the deck is refused");
     }
     if (changes.model) {
       changes.model(*deck.model);
@@ -48,7 +49,7 @@ struct SolvedScene {
       return;
     }
     if (changes.scene) {
-      changes.scene(*scene);
+      changes.scene(*scene, *deck.model);
     }
     run::CondenseLog log;
     bodies = run::condense_bodies({*deck.model, scene->cracked.mesh, scene->cls, scene->ties,

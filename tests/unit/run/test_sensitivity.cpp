@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "fe/assemble.hpp"
 #include "solved_scene.hpp"
 #include "solved_text.hpp"
 
@@ -147,9 +148,9 @@ $END
                      DECKS_DIR, factor);
 }
 
-// An edge crack in a strip that is pulled by a load and bent by displacements.
-std::string strip(double a, const std::string& head = "") {
-  return "$DECK VERSION=1 LENGTH=mm FORCE=N\n" + head +
+// An edge crack in a strip that is pulled, bent by displacements and heavy.
+std::string strip(double a) {
+  return "$DECK VERSION=1 LENGTH=mm FORCE=N\n" +
          fmt::format(R"($MESH SHAPE=BLOCK TYPE=QUAMC8 LX=20 LY=60 NX=8 NY=24
 $MATERIAL NAME=M E=70000 NU=0.3 ALPHA=2e-5
 $PROPERTY ESET=BODY MATERIAL=M STATE=STRAIN
@@ -164,11 +165,14 @@ $LOAD CASE=PULL TYPE=TRACTION
   YMAX 5 100
 $LOAD CASE=BEND TYPE=DISP
   XMAX 0 (0.0005*y)
+$LOAD CASE=WEIGHT TYPE=BODY
+  BODY 0 (1 + 0.1*x)
 $CRACK NAME=C ANGLE=0 A0={}
   0 30
 $STEP NAME=S
   LOAD PULL 1
   LOAD BEND 0.7
+  LOAD WEIGHT 2
 $END
 )",
                      a);
@@ -229,16 +233,16 @@ void compare_with_moved_nodes(const std::string& deck) {
       crack::Neighbourhood(solved.scene->cracked.mesh)
           .fields(solved.scene->cracked, solved.scene->cracked.tips[0], {wide}, left_out)
           .at(0));
-  const double h = 10.0; // steps of the motion
-  const base::Vec2 wanted =
-      difference(deck, h,
-                 [&](double by) {
-                   return SolvedScene::Changes{{}, [&motion, by](run::Scene& scene) {
-                                                 scene.cracked =
-                                                     estimate::moved(scene.cracked, motion, by);
-                                               }};
-                 }) /
-      motion.step;
+  const auto moved = [&motion](double by) {
+    return SolvedScene::Changes{{}, [&motion, by](run::Scene& scene, const model::Model& model) {
+                                  scene.cracked = estimate::moved(scene.cracked, motion, by);
+                                  for (std::size_t c = 0; c < model.cases.size(); ++c) {
+                                    scene.case_load.col(static_cast<Eigen::Index>(c)) =
+                                        fe::nodal_load(model, scene.cracked.mesh, model.cases[c]);
+                                  }
+                                }};
+  };
+  const base::Vec2 wanted = difference(deck, 10.0, moved) / motion.step; // ten steps of the motion
   expect_slope(find(tip, Cause::length, "C"), wanted, 1e-5);
 }
 
@@ -269,13 +273,13 @@ TEST(Sensitivity, ByLengthAgreesWithNewPatches) {
   EXPECT_NEAR(by_length(lug_of(10.8)), ahead - behind, 0.005 * (ahead - behind));
 }
 
-TEST(Sensitivity, WithPrescribedDisplacementsAgreesWithDifferences) {
+TEST(Sensitivity, WithDisplacementsAndWeightAgreesWithDifferences) {
   const std::string deck = strip(7.0);
   SolvedScene solved(deck);
   const std::optional<results::StepResult> last = solved.found(0);
   ASSERT_TRUE(last);
   const results::TipResult& tip = last->tips[0];
-  for (const std::size_t a : {0U, 1U}) {
+  for (const std::size_t a : {0U, 1U, 2U}) {
     const auto& action = std::get<model::ApplyLoad>(solved.model().steps[0].actions[a]);
     const base::Vec2 wanted = difference(deck, 1e-3, [a](double by) {
       return SolvedScene::Changes{[a, by](model::Model& m) {
