@@ -84,20 +84,27 @@ std::string bound(double value) {
   return std::isfinite(value) ? fmt::format("{:.5g}", value) : std::string("any");
 }
 
+// What is left of a change of K by round-off is none.
+std::optional<double> clean(std::optional<double> value, double scale) {
+  return value && std::abs(*value) < 1e-9 * scale ? std::optional(0.0) : value;
+}
+
 std::vector<std::string> row_of(const model::Model& model, const results::TipResult& tip,
                                 const Sensitivity& s) {
+  const double K = std::hypot(tip.K1, tip.K2);
   const auto times_value = [&](bool up) {
     const Side& side = up ? s.above : s.below;
-    return side ? std::optional(s.value * (*side)[0]) : std::nullopt;
+    return clean(side ? std::optional(s.value * (*side)[0]) : std::nullopt, K);
   };
   const auto percent = [&](bool up) {
     const std::optional<double> dK = effect(model, s, 0, up);
     const double sign = up ? 100.0 : -100.0; // of the change upwards
-    return dK && tip.K1 != 0.0 ? std::optional(sign * *dK / std::abs(tip.K1)) : std::nullopt;
+    return clean(dK && tip.K1 != 0.0 ? std::optional(sign * *dK / std::abs(tip.K1)) : std::nullopt,
+                 K > 0.0 ? 1.0 : 0.0);
   };
   const auto of_mode_2 = [&](bool up) {
     const std::optional<double> dK = effect(model, s, 1, up);
-    return dK ? std::optional(up ? *dK : -*dK) : std::nullopt;
+    return clean(dK ? std::optional(up ? *dK : -*dK) : std::nullopt, K);
   };
   return {tip.name,
           words_of(s),
@@ -118,8 +125,8 @@ Tornado tornado_of(const model::Model& model, const results::TipResult& tip, std
   Tornado out;
   out.title = std::move(title);
   for (const Sensitivity* s : sorted(model, tip)) {
-    const double up = effect(model, *s, 0, true).value_or(0.0);
-    const double down = effect(model, *s, 0, false).value_or(0.0);
+    const double up = clean(effect(model, *s, 0, true), tip.K1).value_or(0.0);
+    const double down = clean(effect(model, *s, 0, false), tip.K1).value_or(0.0);
     if (up == 0.0 && down == 0.0) {
       continue;
     }

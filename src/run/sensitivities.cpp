@@ -155,14 +155,14 @@ void Sensitivities::add_moduli(const StepState& state,
   }
 }
 
-void Sensitivities::add_lengths(const StepState& state, results::StepResult& result,
-                                std::vector<KCause>& causes) const {
+void Sensitivities::add_lengths(const StepState& state, const std::vector<bool>& closed,
+                                results::StepResult& result, std::vector<KCause>& causes) const {
   for (std::size_t t = 0; t < scene_.tips.size(); ++t) {
     const std::string name = result.tips[t].name;
-    if (!advances_[t]->why_not().empty()) {
+    if (const std::string why_not = advances_[t]->why_not(closed); !why_not.empty()) {
       for (results::TipResult& tip : result.tips) {
         tip.sensitivities.notes.push_back("no derivative by the length of " + name + ": " +
-                                          advances_[t]->why_not());
+                                          why_not);
       }
       continue;
     }
@@ -294,7 +294,7 @@ void Sensitivities::add(const StepSolver& solver, const StepState& state, Adjoin
     }
   } else {
     add_moduli(state, adjoint, causes);
-    add_lengths(state, result, causes);
+    add_lengths(state, adjoint.front().closed, result, causes);
   }
   for (std::size_t t = 0; t < result.tips.size(); ++t) {
     for (const KCause& one : causes) {

@@ -36,8 +36,8 @@ private:
   void add_fits(const StepSolver& solver, std::vector<KCause>& causes) const;
   void add_moduli(const StepState& state, const std::vector<estimate::Adjoint>& adjoints,
                   std::vector<KCause>& causes) const;
-  void add_lengths(const StepState& state, results::StepResult& result,
-                   std::vector<KCause>& causes) const;
+  void add_lengths(const StepState& state, const std::vector<bool>& closed,
+                   results::StepResult& result, std::vector<KCause>& causes) const;
   [[nodiscard]] KCause cause(results::Cause kind, std::string name, double value) const;
   /// Of the first causes, loads and fits only.
   Rates rates(const StepSolver& solver, const std::vector<KCause>& causes, std::size_t count);

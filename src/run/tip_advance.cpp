@@ -47,10 +47,8 @@ TipAdvance::TipAdvance(const model::Model& model, const Scene& scene, std::size_
       // largest domain moves itself
       motion_(estimate::tip_motion(scene.cracked, tip,
                                    scene.tips[tip].beyond.value_or(scene.tips[tip].fields.back()))),
-      strained_(motion_.field.elements), why_not_(hindrance()) {
-  if (!why_not_.empty()) {
-    return;
-  }
+      strained_(motion_.field.elements) {
+  find_hindrances();
   for (auto* side : {&ahead_, &behind_}) {
     *side = std::make_unique<Scene>();
     (*side)->cracked = estimate::moved(scene.cracked, motion_, side == &ahead_ ? 1.0 : -1.0);
@@ -66,27 +64,34 @@ TipAdvance::TipAdvance(const model::Model& model, const Scene& scene, std::size_
   }
 }
 
-// Rows of contacts and ties are not moved along.
-std::string TipAdvance::hindrance() const {
+void TipAdvance::find_hindrances() {
   const int dim = scene_.cracked.mesh.dim;
   std::vector<bool> moves(scene_.cracked.mesh.node_count(), false);
   for (const auto& [node, q] : motion_.field.q) {
     moves[node.index()] = true;
   }
-  for (const contact::ConstraintRow* row : scene_.table.rows) {
-    if (std::ranges::any_of(row->entries,
+  for (std::size_t r = 0; r < scene_.table.rows.size(); ++r) {
+    if (std::ranges::any_of(scene_.table.rows[r]->entries,
                             [&](const contact::RowEntry& e) { return moves[e.node.index()]; })) {
-      return "contact rows lie on what moves with the tip";
+      rows_.push_back(r);
     }
   }
   const auto tied = [&](std::int32_t freedom) {
     return moves[static_cast<std::size_t>(freedom / dim)];
   };
   for (const fe::Dependence::Row& row : scene_.ties->rows()) {
-    if (tied(row.freedom) ||
-        std::ranges::any_of(row.terms, [&](const fe::Term& t) { return tied(t.freedom); })) {
-      return "ties hold what moves with the tip";
-    }
+    tied_ = tied_ || tied(row.freedom) ||
+            std::ranges::any_of(row.terms, [&](const fe::Term& t) { return tied(t.freedom); });
+  }
+}
+
+// Rows of contacts and ties are not moved along; open rows have no part in K.
+std::string TipAdvance::why_not(const std::vector<bool>& closed) const {
+  if (tied_) {
+    return "ties hold what moves with the tip";
+  }
+  if (std::ranges::any_of(rows_, [&](std::size_t r) { return closed[r]; })) {
+    return "closed contacts lie on what moves with the tip";
   }
   return {};
 }

@@ -15,8 +15,8 @@ class TipAdvance {
 public:
   TipAdvance(const model::Model& model, const Scene& scene, std::size_t tip);
 
-  /// Why dK/da is not given; empty: it is.
-  [[nodiscard]] const std::string& why_not() const { return why_not_; }
+  /// Why dK/da is not given while these rows of the table are closed; empty: it is.
+  [[nodiscard]] std::string why_not(const std::vector<bool>& closed) const;
 
   /// d(f - K u)/da with f of all cases [dim * node], u kept (manual, sensitivity.9).
   [[nodiscard]] base::Vector load(const base::Vector& u, const base::Vector& case_factor) const;
@@ -25,7 +25,7 @@ public:
                                   const base::Vector& case_factor) const;
 
 private:
-  [[nodiscard]] std::string hindrance() const;
+  void find_hindrances();
   void move_loads();
 
   const model::Model& model_;
@@ -35,7 +35,8 @@ private:
   std::vector<base::ElementId> strained_; ///< elements whose stiffness changes
   base::Matrix load_rate_;                ///< [dim * node, case]; empty: no load moves
   std::vector<base::Matrix> row_rate_;    ///< [tip][dim * node, 2]; empty: they move as one
-  std::string why_not_;
+  std::vector<std::size_t> rows_;         ///< of the table, on nodes that move
+  bool tied_ = false;                     ///< ties hold nodes that move
 };
 
 /// K1 and K2 of a tip that its loads add to rows^T u. [2, case]
