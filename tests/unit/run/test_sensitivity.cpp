@@ -334,6 +334,29 @@ $LOADPATH NAME=UP FROM=PRESS TO=PULLED
   EXPECT_NEAR((*corner.range)[1], path.t[k + 1], 1e-7);
 }
 
+// What is not given says why, also to a check.
+TEST(Sensitivity, ThatIsNotGivenSaysWhy) {
+  const auto messages = [](const std::string& deck) {
+    const test::Folder folder;
+    const test::Outcome outcome = test::run_text(folder, deck);
+    EXPECT_EQ(outcome.exit_code, 1);
+    return outcome.messages;
+  };
+  std::string rubbing = rings(press_and_pull + "$CHECK\n  DK1.LOAD(C, PULLED, PULL) = 1 ABS 1e9\n");
+  rubbing.replace(rubbing.find("INTERFERENCE=0.01"), 17, "INTERFERENCE=0.01 MU=0.2");
+  EXPECT_NE(messages(rubbing).find("contacts rub"), std::string::npos);
+  const std::string late = rings(R"($LOAD CASE=SIDE TYPE=TRACTION
+  HUB.OUTER 1 0
+$STEP NAME=FIRST
+  LOAD SIDE 1
+$STEP NAME=THEN
+  MOUNT FIT
+$CHECK
+  DK1.E(C, THEN, S) = 1 ABS 1e9
+)");
+  EXPECT_NE(messages(late).find("mounted on deformed"), std::string::npos);
+}
+
 // Before anything is loaded every row is at a change: the directions differ.
 TEST(Sensitivity, OfANetFitBeforeItIsLoaded) {
   std::string deck = rings("$STEP NAME=NONE\n  LOAD PULL 0\n");
