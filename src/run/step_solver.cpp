@@ -248,9 +248,11 @@ void StepSolver::balance(StepState& state) const {
       }
     }
   }
-  std::vector<std::vector<base::ElementId>> elements(model_.materials.size());
+  const bool cracked = !scene_.cracked.tips.empty();
+  std::vector<std::vector<base::ElementId>> elements(cracked ? model_.materials.size() : 1);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    elements[model_.property_of(mesh, base::ElementId(e)).material.index()].emplace_back(e);
+    const base::MaterialId material = model_.property_of(mesh, base::ElementId(e)).material;
+    elements[cracked ? material.index() : 0].emplace_back(e);
   }
   state.internal.resize(state.u.size(), static_cast<Eigen::Index>(elements.size()));
   for (std::size_t m = 0; m < elements.size(); ++m) {

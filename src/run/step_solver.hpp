@@ -37,7 +37,7 @@ struct StepState {
   base::Vector force;                         ///< [dim * node] applied loads
   base::Vector contact;                       ///< [dim * node] contact forces
   base::Vector reaction;                      ///< [dim * node] support forces
-  base::Matrix internal;      ///< [dim * node, material] internal forces K u of its elements
+  base::Matrix internal;      ///< [dim * node, material] internal forces K u; without cracks of all
   base::Vector tie;           ///< [dim * node] forces of ties; empty: there are none
   std::vector<double> energy; ///< [element] strain energy
   double imbalance = 0.0;     ///< largest force left over at a free freedom, over the force scale
