@@ -251,6 +251,9 @@ double derivative(const std::string& quantity, Arguments& args, const results::R
   if (found == nullptr) {
     throw Missing(fmt::format("no tip {}", tip));
   }
+  if (!found->doubt.empty()) {
+    throw Missing(found->doubt);
+  }
   const results::Sensitivities& all = found->sensitivities;
   const auto it = std::ranges::find_if(
       all.of, [&](const results::Sensitivity& s) { return s.cause == cause && s.name == name; });
