@@ -3,6 +3,7 @@
 
 #include "crack/stress_intensity.hpp"
 #include "fe/assemble.hpp"
+#include "fe/thermal.hpp"
 #include "run/body_force.hpp"
 
 #include <algorithm>
@@ -104,6 +105,16 @@ void TipAdvance::move_loads() {
     rate.col(c) = (fe::nodal_load(model_, ahead_->cracked.mesh, load_case) -
                    fe::nodal_load(model_, behind_->cracked.mesh, load_case)) /
                   (2.0 * motion_.step);
+  }
+  for (Scene* side : {ahead_.get(), behind_.get()}) {
+    side->case_temperature = scene_.case_temperature;
+    for (Eigen::Index c = 0; c < cases && scene_.case_temperature.size() > 0; ++c) {
+      const base::Vector T = fe::element_temperature(model_, side->cracked.mesh,
+                                                     model_.cases[static_cast<std::size_t>(c)]);
+      if (T.size() > 0) {
+        side->case_temperature.col(c) = T;
+      }
+    }
   }
   if ((rate.array() != 0.0).any()) {
     load_rate_ = std::move(rate);
