@@ -99,9 +99,9 @@ constexpr std::array tipnet_keys{
     preset(integer("RINGS", between(2, 200), "number of element rings round the tip"), "5"),
     preset(integer("SECTORS", between(6, 1000), "elements round a full circle"), "24"),
     preset(word("QUARTER", "YES|NO", "quarter-point tip elements"), "YES"),
-    preset(
-        later(word("JOIN", "CONFORMING|TRANSITION", "how the patch meets the host"), "TRANSITION"),
-        "CONFORMING"),
+    preset(word("JOIN", "CONFORMING|TRANSITION",
+                "how the patch meets the host: edge to edge, or finer and tied to its edges"),
+           "CONFORMING"),
     preset(word("PATCH", "YES|NO", "NO: the deck's own elements stay"), "YES"),
     later(real("TOL", number, above(0), "refine until the error bar of K is below TOL*K"), "*"),
 };

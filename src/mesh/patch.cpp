@@ -5,6 +5,7 @@
 #include "mesh/path.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/split.hpp"
+#include "shape/shape.hpp"
 
 #include <fmt/format.h>
 
@@ -73,6 +74,7 @@ public:
       return std::nullopt;
     }
     result_ = graft(mesh_, grafts_);
+    tie_rims();
     if (!open_cracks()) {
       return std::nullopt;
     }
@@ -154,6 +156,22 @@ private:
     return false;
   }
 
+  void tie_rims() {
+    for (const Work& work : work_) {
+      if (!work.tip->patch) {
+        continue;
+      }
+      const Graft& g = grafts_[work.graft];
+      for (const Patch::Tied& tied : g.patch.tied) {
+        const Eigen::Vector3d N = shape::Line3::N(shape::Point<1>(tied.xi));
+        result_.ties.push_back({g.node[static_cast<std::size_t>(tied.node)],
+                                {tied.edge.a, tied.edge.b, tied.edge.mid},
+                                {N[0], N[1], N[2]},
+                                work.line->crack});
+      }
+    }
+  }
+
   bool open_cracks() {
     std::vector<std::pair<NodeId, NodeId>> twins;
     for (Work& work : work_) {
@@ -214,11 +232,14 @@ private:
     }
     const Graft& g = grafts_[work.graft];
     return fmt::format("{}: a = {:.6g}{}, patch of {} elements for {} of the net, {} of radius "
-                       "{:.6g} with {} rings of {} sectors, tip elements {:.6g}",
+                       "{:.6g} with {} rings of {} sectors, tip elements {:.6g}{}",
                        work.line->title(), tip.a, work.line->embedded ? " (half its length)" : "",
                        g.patch.elements.size(), g.cavity.elements.size(),
                        placement.tips.size() > 1 ? "rosettes" : "rosette", tip.radius,
-                       work.tip->rings, work.tip->sectors, tip.size);
+                       work.tip->rings, work.tip->sectors, tip.size,
+                       g.patch.tied.empty()
+                           ? ""
+                           : fmt::format(", {} nodes of its rim tied", g.patch.tied.size()));
   }
 
   std::string add_own_tip(const Work& work, Tip tip) {
@@ -255,6 +276,7 @@ TipMesh choose_tip_mesh(const model::Mesh& host, const CrackLine& line,
     tip.sectors = wishes->sectors;
     tip.quarter_point = wishes->quarter_point;
     tip.patch = wishes->patch;
+    tip.transition = wishes->join == model::Join::transition;
   }
   const CrackFrame frame = frame_of(line);
   if (wishes != nullptr && wishes->radius) {

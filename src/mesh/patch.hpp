@@ -4,6 +4,7 @@
 #include "model/mesh.hpp"
 #include "model/model.hpp"
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -38,6 +39,17 @@ struct TipMesh {
   int sectors = 24;    ///< of a full circle
   bool quarter_point = true;
   bool patch = true; ///< false: double nodes of the deck's own mesh along the path
+  /// The patch's rim is finer than the host's edges and tied to them (else edge to edge).
+  bool transition = false;
+};
+
+/// A node on the rim of a patch that is finer than its host: it takes the displacement of its place
+/// on the host's edge, by the shape functions of that edge.
+struct RimTie {
+  base::NodeId slave;
+  std::array<base::NodeId, 3> master; ///< ends and middle of the edge
+  std::array<double, 3> weight{};
+  base::CrackId crack;
 };
 
 /// Where a tip ended up in the mesh.
@@ -68,6 +80,7 @@ struct CrackedMesh {
     std::vector<base::NodeId> right;
   };
   std::vector<Lips> lips;
+  std::vector<RimTie> ties; ///< of patches with a transition
   /// [node set] members that a cavity took and nothing stands in for: single nodes, as the new
   /// nodes of whole sides and of cavities take their place. Empty where no patch was cut.
   std::vector<std::vector<base::NodeId>> lost;

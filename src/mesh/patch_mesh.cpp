@@ -24,6 +24,7 @@ public:
       : host_(host), place_(placement), cavity_(cavity), net_(host.mesh(), placement.frame) {}
 
   Patch build(const TipMesh& tip, double fineness) {
+    transition_ = tip.transition;
     for (const TipPlace& at : place_.tips) {
       rosettes_.push_back(add_rosette(net_, place_, at, tip));
     }
@@ -81,7 +82,9 @@ private:
     for (const auto& loop : cavity_.loops) {
       for (const OutlineEdge& edge : loop) {
         const double length = (local(edge.edge, 1.0) - local(edge.edge, -1.0)).norm();
-        size_.add(local(edge.edge, 0.0), edge.free ? length / fineness : length);
+        if (edge.free || !transition_) { // an edge that is tied asks for nothing
+          size_.add(local(edge.edge, 0.0), edge.free ? length / fineness : length);
+        }
         if (has_mouth(edge)) { // the shorter part may be short indeed
           const double xi = split_at(edge);
           size_.add(local(edge.edge, 0.5 * (xi - 1.0)), 0.5 * (1.0 + xi) * length);
@@ -131,7 +134,27 @@ private:
       }
       return add_parts(edge, xi, split);
     }
-    return add_parts(edge, xi, 1.0);
+    return transition_ ? add_tied_parts(edge) : add_parts(edge, xi, 1.0);
+  }
+
+  /// At least two parts, the middle node of the host's edge between them: the rim follows the
+  /// host's displacements exactly, as both are parabolas on each part.
+  std::vector<int> add_tied_parts(const OutlineEdge& edge) {
+    const auto curve = [&](double t) { return local(edge.edge, t); };
+    std::vector<double> xi = divide(curve, -1.0, 0.0, size_);
+    const std::vector<double> rest = divide(curve, 0.0, 1.0, size_);
+    xi.insert(xi.end(), rest.begin() + 1, rest.end());
+    const std::vector<int> inner = add_parts(edge, xi, 1.0);
+    const std::vector<Pair>& pieces = patch_.edges.back().second;
+    for (std::size_t i = 1; i < xi.size(); ++i) {
+      const Pair& piece = pieces[i - 1];
+      patch_.tied.push_back(
+          {net_.mid(piece.first, piece.second), edge.edge, 0.5 * (xi[i - 1] + xi[i])});
+      if (i + 1 < xi.size() && xi[i] != 0.0) {
+        patch_.tied.push_back({piece.second, edge.edge, xi[i]});
+      }
+    }
+    return inner;
   }
 
   std::vector<int> add_parts(const OutlineEdge& edge, const std::vector<double>& xi, double split) {
@@ -366,6 +389,7 @@ private:
   std::vector<int> lip_;
   int mouth_ = -1;
   bool mouth_inside_ = false;
+  bool transition_ = false;
 };
 
 } // namespace

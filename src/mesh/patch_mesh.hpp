@@ -31,6 +31,13 @@ struct Patch {
   /// Edges of the cavity that belonged to its elements, and the edges (from, to) that take the
   /// place of each, in its direction.
   std::vector<std::pair<model::Face, std::vector<std::pair<int, int>>>> edges;
+  /// Nodes inside edges that the host keeps, and where on them; their ties, with a transition.
+  struct Tied {
+    int node = 0;
+    Edge edge;
+    double xi = 0.0;
+  };
+  std::vector<Tied> tied;
   std::string trouble; ///< why there is no patch
 };
 

@@ -17,7 +17,30 @@ namespace {
 using model::FreedomClass;
 
 base::Span span_of(const model::Model& model, std::size_t mpc) {
+  if (mpc >= model.mpcs.size()) { // the rim of a crack's patch
+    return model.cracks[mpc - model.mpcs.size()].span;
+  }
   return std::visit([](const auto& m) { return m.span; }, model.mpcs[mpc]);
+}
+
+// Ties of patches that are finer than their host; they count on behind those of the deck.
+void add_rims(const model::Model& model, const mesh::CrackedMesh& cracked,
+              std::vector<fe::Tie>& ties) {
+  const int dim = cracked.mesh.dim;
+  for (const mesh::RimTie& rim : cracked.ties) {
+    for (int c = 0; c < dim; ++c) {
+      const auto freedom = [&](base::NodeId n) {
+        return static_cast<std::int32_t>(n.index()) * dim + c;
+      };
+      fe::Tie tie;
+      tie.mpc = model.mpcs.size() + rim.crack.index();
+      tie.terms.push_back({freedom(rim.slave), 1.0});
+      for (std::size_t i = 0; i < rim.master.size(); ++i) {
+        tie.terms.push_back({freedom(rim.master[i]), -rim.weight[i]});
+      }
+      ties.push_back(std::move(tie));
+    }
+  }
 }
 
 std::string freedom_name(const model::Mesh& mesh, std::int32_t freedom) {
@@ -77,7 +100,7 @@ void make_external(std::size_t freedom, const fe::Dependence& ties,
 
 bool make_scene_ties(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics) {
   std::vector<fe::TieTrouble> troubles;
-  const std::vector<fe::Tie> ties = fe::make_ties(model, scene.cracked.mesh, troubles);
+  std::vector<fe::Tie> ties = fe::make_ties(model, scene.cracked.mesh, troubles);
   bool good = keep_their_nodes(model, scene, ties, diagnostics);
   for (const fe::TieTrouble& trouble : troubles) {
     if (trouble.severity == fe::TieSeverity::warning) {
@@ -91,6 +114,7 @@ bool make_scene_ties(const model::Model& model, Scene& scene, base::Diagnostics&
       scene.notes.push_back(fmt::format("$MPC: {}", trouble.why));
     }
   }
+  add_rims(model, scene.cracked, ties);
   scene.ties = std::make_shared<const fe::Dependence>(ties, scene.cls);
   for (const fe::Dependence::Row& row : scene.ties->rows()) {
     const auto freedom = static_cast<std::size_t>(row.freedom);
