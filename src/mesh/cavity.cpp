@@ -31,18 +31,21 @@ constexpr double at_mouth = 0.05;
 class Finder {
 public:
   /// `owner` tells of each element which cavity has it; `self` is the number of this one.
-  Finder(const Host& host, const Placement& placement, std::vector<std::size_t>& owner,
-         std::size_t self)
-      : host_(host), mesh_(host.mesh()), place_(placement), owner_(owner), self_(self),
-        seed_(placement.seed) {}
+  Finder(const Host& host, std::vector<const Placement*> placements,
+         std::vector<std::size_t>& owner, std::size_t self)
+      : host_(host), mesh_(host.mesh()), places_(std::move(placements)), owner_(owner), self_(self),
+        seed_(places_.front()->seed) {}
 
-  /// Takes what the crack needs; returns the cavity that has some of it already, or none.
+  /// Takes what the cracks need; returns the cavity that has some of it already, or none.
   std::size_t take_core() {
-    std::vector<ElementId> front{seed_};
-    if (place_.mouth && place_.mouth->node.valid()) {
-      const auto around = host_.around(place_.mouth->node);
-      std::copy_if(around.begin(), around.end(), std::back_inserter(front),
-                   [&](ElementId e) { return allowed(e); });
+    std::vector<ElementId> front;
+    for (const Placement* place : places_) {
+      front.push_back(place->seed);
+      if (place->mouth && place->mouth->node.valid()) {
+        const auto around = host_.around(place->mouth->node);
+        std::copy_if(around.begin(), around.end(), std::back_inserter(front),
+                     [&](ElementId e) { return allowed(e); });
+      }
     }
     std::size_t other = none;
     for (const ElementId e : front) {
@@ -75,20 +78,27 @@ public:
   }
 
   /// Takes in what lies beyond edges that are long against their distance from the crack: triangles
-  /// on them would come out flat, or, as they are seen as straight, reach over the crack.
-  void take_beyond_long_edges() {
+  /// on them would come out flat, or, as they are seen as straight, reach over the crack. Returns
+  /// the cavity that has some of it already, or none.
+  std::size_t take_beyond_long_edges() {
+    std::size_t other = none;
     for (bool more = true; more;) {
       more = false;
       for (const model::Face& face : outline()) {
         const auto next = host_.beyond(face);
-        more = (next && allowed(*next) && is_long(edge_of(mesh_, face)) && take(*next)) || more;
+        if (next && allowed(*next) && is_long(edge_of(mesh_, face))) {
+          const bool taken = take(*next);
+          other = taken ? other : owner_[next->index()];
+          more = more || taken;
+        }
       }
     }
+    return other;
   }
 
   /// A loop that meets itself at a node could not be meshed: takes in what lies round such nodes.
-  /// False if some of it belongs to another cavity.
-  bool take_pinched() {
+  /// Returns the cavity that has some of it already, or none.
+  std::size_t take_pinched() {
     for (bool more = true; more;) {
       std::map<NodeId, int> leaving;
       for (const model::Face& face : outline()) {
@@ -98,13 +108,13 @@ public:
       for (const auto& [node, count] : leaving) {
         if (count > 1) {
           if (!take_around(node)) {
-            return false;
+            return other_around(node);
           }
           more = true;
         }
       }
     }
-    return true;
+    return none;
   }
 
   [[nodiscard]] Cavity cavity() const {
@@ -134,20 +144,24 @@ private:
            mesh_.property[e.index()] == mesh_.property[seed_.index()];
   }
   [[nodiscard]] bool near(ElementId e) const {
-    const std::vector<Vec2> shape = polygon(mesh_, e, place_.frame);
-    return distance(shape, place_.line) < reach_of_line + same ||
-           std::ranges::any_of(place_.tips, [&](const TipPlace& tip) {
-             return distance(shape, {tip.at, tip.at}) < reach_of_tip * place_.radius + same;
-           });
+    return std::ranges::any_of(places_, [&](const Placement* place) {
+      const std::vector<Vec2> shape = polygon(mesh_, e, place->frame);
+      return distance(shape, place->line) < reach_of_line + same ||
+             std::ranges::any_of(place->tips, [&](const TipPlace& tip) {
+               return distance(shape, {tip.at, tip.at}) < reach_of_tip * place->radius + same;
+             });
+    });
   }
   [[nodiscard]] bool is_long(const Edge& edge) const {
-    const Vec2 a = place_.frame.local(mesh_.x[edge.a.index()]);
-    const Vec2 b = place_.frame.local(mesh_.x[edge.b.index()]);
-    double room = distance({a, b, a}, place_.line);
-    for (const TipPlace& tip : place_.tips) {
-      room = std::min(room, distance(tip.at, a, b) - place_.radius);
-    }
-    return room < edge_room * (b - a).norm() - same;
+    return std::ranges::any_of(places_, [&](const Placement* place) {
+      const Vec2 a = place->frame.local(mesh_.x[edge.a.index()]);
+      const Vec2 b = place->frame.local(mesh_.x[edge.b.index()]);
+      double room = distance({a, b, a}, place->line);
+      for (const TipPlace& tip : place->tips) {
+        room = std::min(room, distance(tip.at, a, b) - place->radius);
+      }
+      return room < edge_room * (b - a).norm() - same;
+    });
   }
   [[nodiscard]] std::vector<ElementId> elements() const {
     std::vector<ElementId> result;
@@ -168,6 +182,15 @@ private:
     return more;
   }
 
+  [[nodiscard]] std::size_t other_around(NodeId n) const {
+    for (const ElementId e : host_.around(n)) {
+      if (!has(e) && owner_[e.index()] != none) {
+        return owner_[e.index()];
+      }
+    }
+    return none;
+  }
+
   [[nodiscard]] std::vector<model::Face> outline() const {
     std::vector<model::Face> result;
     for (const ElementId e : elements()) {
@@ -184,11 +207,30 @@ private:
 
   const Host& host_;
   const model::Mesh& mesh_;
-  const Placement& place_;
+  std::vector<const Placement*> places_;
   std::vector<std::size_t>& owner_;
   std::size_t self_;
   ElementId seed_;
 };
+
+/// Every cavity takes what it wants; returns two that want the same, if there are.
+std::optional<std::pair<std::size_t, std::size_t>> take_all(std::vector<Finder>& finders) {
+  for (std::size_t i = 0; i < finders.size(); ++i) {
+    if (const std::size_t other = finders[i].take_core(); other != Finder::none) {
+      return std::pair(other, i);
+    }
+  }
+  for (std::size_t i = 0; i < finders.size(); ++i) {
+    finders[i].take_layer();
+    if (const std::size_t other = finders[i].take_beyond_long_edges(); other != Finder::none) {
+      return std::pair(other, i);
+    }
+    if (const std::size_t other = finders[i].take_pinched(); other != Finder::none) {
+      return std::pair(other, i);
+    }
+  }
+  return std::nullopt;
+}
 
 /// The crack without its first part.
 std::vector<Vec2> without_mouth(const std::vector<Vec2>& line) {
@@ -306,28 +348,57 @@ std::vector<Vec2> polygon(const model::Mesh& mesh, ElementId e, const CrackFrame
 }
 
 Cavities find_cavities(const Host& host, std::span<const Placement> placements) {
-  Cavities result;
-  std::vector<std::size_t> owner(host.mesh().element_count(), Finder::none);
+  std::vector<std::vector<std::size_t>> groups;
+  for (std::size_t i = 0; i < placements.size(); ++i) {
+    groups.push_back({i});
+  }
   std::vector<Finder> finders;
-  for (std::size_t i = 0; i < placements.size(); ++i) {
-    finders.emplace_back(host, placements[i], owner, i);
-  }
-  for (std::size_t i = 0; i < placements.size(); ++i) {
-    const std::size_t other = finders[i].take_core();
-    if (other != Finder::none) {
-      result.clash = {other, i};
+  std::vector<std::size_t> owner;
+  for (bool more = true; more;) { // until no two of them want the same elements
+    owner.assign(host.mesh().element_count(), Finder::none);
+    finders.clear();
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      std::vector<const Placement*> members;
+      for (const std::size_t i : groups[g]) {
+        members.push_back(&placements[i]);
+      }
+      finders.emplace_back(host, std::move(members), owner, g);
+    }
+    const auto clash = take_all(finders);
+    more = clash.has_value();
+    if (clash) {
+      const auto [a, b] = std::minmax(clash->first, clash->second);
+      groups[a].insert(groups[a].end(), groups[b].begin(), groups[b].end());
+      std::sort(groups[a].begin(), groups[a].end());
+      groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(b));
     }
   }
-  for (std::size_t i = 0; i < placements.size(); ++i) {
-    finders[i].take_layer();
-    finders[i].take_beyond_long_edges();
-    if (!finders[i].take_pinched() && placements.size() > 1) {
-      result.clash = {i == 0 ? 1 : 0, i};
-    }
-  }
+  Cavities result;
   for (const Finder& finder : finders) {
     result.each.push_back(finder.cavity());
   }
+  result.cracks = std::move(groups);
+  return result;
+}
+
+Placement seen_from(const Placement& placement, const CrackFrame& frame) {
+  Placement result = placement;
+  const CrackFrame& own = placement.frame;
+  if (own.origin == frame.origin && own.e1 == frame.e1 && own.a == frame.a) {
+    return result;
+  }
+  const double turn =
+      std::atan2(frame.e1.x() * own.e1.y() - frame.e1.y() * own.e1.x(), frame.e1.dot(own.e1));
+  for (Vec2& p : result.line) {
+    p = frame.exact(own.global(p));
+  }
+  for (TipPlace& tip : result.tips) {
+    tip.at = frame.exact(own.global(tip.at));
+    tip.direction += turn;
+  }
+  result.radius *= own.a / frame.a;
+  result.size *= own.a / frame.a;
+  result.frame = frame;
   return result;
 }
 

@@ -69,19 +69,21 @@ struct Cavity {
   std::vector<std::vector<OutlineEdge>> loops;
 };
 
-/// Elements that cracks and rosettes touch or come near, and as much as one layer more: for each
-/// placement one connected cavity of one property without pinched nodes. Cavities share no element;
-/// where they would, the layers give way. Two whose cracks come too near to each other for that
-/// are returned as a pair of their numbers.
+/// Elements that cracks and rosettes touch or come near, and as much as one layer more: connected
+/// cavities of one property without pinched nodes. Cavities share no element: where they would, the
+/// layers give way; cracks too near to each other for that have one cavity together.
 struct Cavities {
   std::vector<Cavity> each;
-  std::optional<std::pair<std::size_t, std::size_t>> clash;
+  std::vector<std::vector<std::size_t>> cracks; ///< [cavity] numbers of its placements, ascending
 };
 Cavities find_cavities(const Host& host, std::span<const Placement> placements);
 
 /// Whether the crack stays inside its cavity, in one material; errors at `span`.
 bool check_cavity(const Host& host, const Placement& placement, const Cavity& cavity,
                   base::Span span, base::Diagnostics& diagnostics);
+
+/// The same crack in another frame; unchanged in its own.
+Placement seen_from(const Placement& placement, const CrackFrame& frame);
 
 /// Corner and mid nodes of an element in the crack's frame, in order round it.
 std::vector<base::Vec2> polygon(const model::Mesh& mesh, base::ElementId e,

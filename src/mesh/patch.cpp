@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/patch.hpp"
 
+#include "mesh/crack_check.hpp"
 #include "mesh/graft.hpp"
 #include "mesh/path.hpp"
 #include "mesh/quality.hpp"
@@ -49,12 +50,24 @@ std::optional<BadElement> worst_element(const Patch& patch) {
   });
 }
 
+/// Room that other cracks and its own folds leave at the tips of a crack [deck length].
+double least_room(const CrackLine& line, std::span<const CrackLine> all) {
+  double room = room_beside_cracks(line, line.points, all);
+  if (line.embedded) {
+    room =
+        std::min(room, room_beside_cracks(line, {line.points.rbegin(), line.points.rend()}, all));
+  }
+  return room;
+}
+
 /// Everything about one crack on its way into the mesh.
 struct Work {
   const CrackLine* line = nullptr;
   const TipMesh* tip = nullptr;
   base::Span span;
-  std::size_t graft = 0; ///< number of its placement and graft, with a patch
+  std::size_t place = 0;  ///< with a patch: number of its placement,
+  std::size_t graft = 0;  ///< of the graft it is in
+  std::size_t member = 0; ///< and which one of that graft's cracks it is
   std::vector<NodeId> path;
 };
 
@@ -65,12 +78,12 @@ public:
 
   std::optional<CrackedMesh> insert(std::span<const CrackLine> lines, std::span<const TipMesh> tips,
                                     std::span<const base::Span> spans) {
-    bool good = true;
+    bool good = lines_are_sound(lines, spans, diagnostics_);
     for (std::size_t i = 0; i < lines.size(); ++i) {
-      Work& work = work_.emplace_back(Work{&lines[i], &tips[i], spans[i], 0, {}});
+      Work& work = work_.emplace_back(Work{&lines[i], &tips[i], spans[i], 0, 0, 0, {}});
       good = (tips[i].patch ? find_place(work) : find_path(work)) && good;
     }
-    if (!good || !cut() || !make_patches()) {
+    if (!good || !rosettes_are_apart() || !cut() || !make_patches()) {
       return std::nullopt;
     }
     result_ = graft(mesh_, grafts_);
@@ -93,54 +106,100 @@ private:
   bool find_place(Work& work) {
     auto placement = place(host_, *work.line, *work.tip, work.span, diagnostics_);
     if (placement) {
-      work.graft = placements_.size();
+      work.place = placements_.size();
       placements_.push_back(std::move(*placement));
     }
     return placement.has_value();
   }
 
-  bool cut() {
-    Cavities cavities = find_cavities(host_, placements_);
-    std::vector<const Work*> with_patch;
+  /// Sizes that the deck gives may let rosettes reach other cracks or each other.
+  bool rosettes_are_apart() {
+    std::vector<CrackLine> lines;
     for (const Work& work : work_) {
-      if (work.tip->patch) {
-        with_patch.push_back(&work);
-      }
-    }
-    if (cavities.clash) {
-      const Work& work = *with_patch[cavities.clash->second];
-      diagnostics_.error(work.span, "E428",
-                         fmt::format("the patches of {} and {} meet",
-                                     with_patch[cavities.clash->first]->line->title(),
-                                     work.line->title()),
-                         "refine the net there, or give a smaller RADIUS on $TIPNET");
-      return false;
+      lines.push_back(*work.line);
     }
     bool good = true;
-    for (const Work* work : with_patch) {
-      Cavity& cavity = cavities.each[work->graft];
-      good =
-          check_cavity(host_, placements_[work->graft], cavity, work->span, diagnostics_) && good;
-      grafts_.push_back({{}, std::move(cavity), placements_[work->graft].frame, {}});
+    for (const Work& work : work_) {
+      const double room = work.tip->patch ? least_room(*work.line, lines) : work.tip->radius;
+      if (work.tip->patch && work.tip->radius > 0.45 * room) {
+        diagnostics_.error(
+            work.span, "E423",
+            fmt::format(
+                "{}: a rosette of radius {:.6g} does not fit, another crack or another part "
+                "of this one is {:.6g} from a tip",
+                work.line->title(), work.tip->radius, room),
+            "RADIUS of $TIPNET must be smaller than 0.45 of that");
+        good = false;
+      }
     }
     return good;
   }
 
+  bool cut() {
+    Cavities cavities = find_cavities(host_, placements_);
+    std::vector<Work*> with_patch;
+    for (Work& work : work_) {
+      if (work.tip->patch) {
+        with_patch.push_back(&work);
+      }
+    }
+    bool good = true;
+    for (std::size_t c = 0; c < cavities.each.size(); ++c) {
+      const std::vector<std::size_t>& members = cavities.cracks[c];
+      for (std::size_t m = 0; m < members.size(); ++m) {
+        Work& work = *with_patch[members[m]];
+        work.graft = c;
+        work.member = m;
+        good = (members.size() == 1 || can_share(*with_patch[members.front()], work)) && good;
+        good = check_cavity(host_, placements_[work.place], cavities.each[c], work.span,
+                            diagnostics_) &&
+               good;
+      }
+      grafts_.push_back({{}, std::move(cavities.each[c]), placements_[members.front()].frame, {}});
+    }
+    return good;
+  }
+
+  /// A line of symmetry is meshed for one crack.
+  bool can_share(const Work& first, const Work& work) {
+    if (!work.line->symmetric_half && !first.line->symmetric_half) {
+      return true;
+    }
+    if (&first != &work) {
+      diagnostics_.error(
+          work.span, "E428",
+          fmt::format("the patches of {} and {} meet, on a line of symmetry", first.line->title(),
+                      work.line->title()),
+          "refine the net there, give a smaller RADIUS on $TIPNET, or model the body "
+          "on both sides of the line");
+    }
+    return false;
+  }
+
   bool make_patches() {
     bool good = true;
-    for (const Work& work : work_) {
-      if (work.tip->patch) {
-        good = make_patch(work, grafts_[work.graft]) && good;
-      }
+    for (std::size_t g = 0; g < grafts_.size(); ++g) {
+      good = make_patch(g) && good;
     }
     return good;
   }
 
   /// Finer edges bend less: the remedy for elements that the host's curves fold.
-  bool make_patch(const Work& work, Graft& graft) {
+  bool make_patch(std::size_t g) {
+    Graft& graft = grafts_[g];
+    std::vector<PatchCrack> cracks;
+    std::string names;
+    base::Span span;
+    for (const Work& work : work_) {
+      if (work.tip->patch && work.graft == g) {
+        cracks.push_back({seen_from(placements_[work.place], graft.frame), work.tip});
+        span = names.empty() ? work.span : span;
+        names += (names.empty() ? "" : ", ") + work.line->title();
+      }
+    }
     std::string trouble;
     for (const double fineness : {1.0, 2.0, 4.0}) {
-      graft.patch = build_patch(host_, placements_[work.graft], graft.cavity, *work.tip, fineness);
+      graft.patch = build_patch(host_, cracks, graft.cavity, fineness);
       trouble = graft.patch.trouble;
       if (trouble.empty()) {
         const auto bad = worst_element(graft.patch);
@@ -150,15 +209,14 @@ private:
         trouble = fmt::format("an element at ({:.6g}, {:.6g}) is folded", bad->at.x(), bad->at.y());
       }
     }
-    diagnostics_.error(
-        work.span, "E429",
-        fmt::format("no patch could be made round {}: {}", work.line->title(), trouble));
+    diagnostics_.error(span, "E429",
+                       fmt::format("no patch could be made round {}: {}", names, trouble));
     return false;
   }
 
   void tie_rims() {
     for (const Work& work : work_) {
-      if (!work.tip->patch) {
+      if (!work.tip->patch || work.member != 0) {
         continue;
       }
       const Graft& g = grafts_[work.graft];
@@ -177,7 +235,7 @@ private:
     for (Work& work : work_) {
       if (work.tip->patch) {
         const Graft& g = grafts_[work.graft];
-        for (const int n : g.patch.path) {
+        for (const int n : g.patch.paths[work.member]) {
           work.path.push_back(g.node[static_cast<std::size_t>(n)]);
         }
       }
@@ -199,7 +257,7 @@ private:
   void add_half_lip(const Work& work) {
     CrackedMesh::Lips lips;
     const bool left = work.tip->patch
-                          ? placements_[work.graft].half > 0
+                          ? placements_[work.place].half > 0
                           : body_on_left(host_, work.path[0], work.path[path_step(work)]);
     (left ? lips.left : lips.right) = work.path;
     result_.lips.push_back(std::move(lips));
@@ -219,7 +277,7 @@ private:
   }
 
   std::string add_patch_tips(const Work& work, Tip tip) {
-    const Placement& placement = placements_[work.graft];
+    const Placement& placement = placements_[work.place];
     const CrackFrame& frame = placement.frame;
     tip.size = work.tip->size;
     tip.radius = work.tip->radius;
@@ -236,10 +294,19 @@ private:
                        work.line->title(), tip.a, work.line->embedded ? " (half its length)" : "",
                        g.patch.elements.size(), g.cavity.elements.size(),
                        placement.tips.size() > 1 ? "rosettes" : "rosette", tip.radius,
-                       work.tip->rings, work.tip->sectors, tip.size,
-                       g.patch.tied.empty()
-                           ? ""
-                           : fmt::format(", {} nodes of its rim tied", g.patch.tied.size()));
+                       work.tip->rings, work.tip->sectors, tip.size, more_about(work));
+  }
+
+  /// The cracks that share a patch, and its rim.
+  [[nodiscard]] std::string more_about(const Work& work) const {
+    std::string text;
+    for (const Work& other : work_) {
+      if (&other != &work && other.tip->patch && other.graft == work.graft) {
+        text += (text.empty() ? ", one patch with " : ", ") + other.line->title();
+      }
+    }
+    const std::size_t tied = grafts_[work.graft].patch.tied.size();
+    return text + (tied == 0 ? "" : fmt::format(", {} nodes of its rim tied", tied));
   }
 
   std::string add_own_tip(const Work& work, Tip tip) {
@@ -268,8 +335,8 @@ private:
 
 } // namespace
 
-TipMesh choose_tip_mesh(const model::Mesh& host, const CrackLine& line,
-                        const model::TipNet* wishes) {
+TipMesh choose_tip_mesh(const model::Mesh& host, const CrackLine& line, const model::TipNet* wishes,
+                        std::span<const CrackLine> all) {
   TipMesh tip;
   if (wishes != nullptr) {
     tip.rings = wishes->rings;
@@ -287,7 +354,7 @@ TipMesh choose_tip_mesh(const model::Mesh& host, const CrackLine& line,
       local.push_back(frame.local(p));
     }
     const Host neighbours(host);
-    double room = 1.0;
+    double room = std::min(1.0, least_room(line, all) / frame.a);
     for (int end = 0; end < (line.embedded ? 2 : 1); ++end) {
       const double last = (local.back() - local[local.size() - 2]).norm();
       room = std::min({room, tip_clearance(neighbours, frame, local, line.symmetric_half, line.net),
@@ -317,22 +384,26 @@ std::vector<ElementId> crack_region(const model::Mesh& host, std::span<const Cra
   const Host neighbours(host);
   std::vector<bool> in(host.element_count(), false);
   base::Diagnostics ignored; // insert_cracks reports
+  std::vector<Placement> placements;
+  std::vector<ElementId> core;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    std::vector<ElementId> core;
     if (tips[i].patch) {
-      if (const auto placement = place(neighbours, lines[i], tips[i], {}, ignored)) {
-        core = find_cavities(neighbours, {&*placement, 1}).each.front().elements;
+      if (auto placement = place(neighbours, lines[i], tips[i], {}, ignored)) {
+        placements.push_back(std::move(*placement));
       }
     } else if (const auto path = path_nodes(neighbours, lines[i], {}, ignored)) {
       for (const NodeId n : *path) {
         core.insert(core.end(), neighbours.around(n).begin(), neighbours.around(n).end());
       }
     }
-    for (const ElementId e : core) {
-      for (const NodeId n : host.nodes_of(e)) {
-        for (const ElementId next : neighbours.around(n)) {
-          in[next.index()] = true;
-        }
+  }
+  for (const Cavity& cavity : find_cavities(neighbours, placements).each) {
+    core.insert(core.end(), cavity.elements.begin(), cavity.elements.end());
+  }
+  for (const ElementId e : core) {
+    for (const NodeId n : host.nodes_of(e)) {
+      for (const ElementId next : neighbours.around(n)) {
+        in[next.index()] = true;
       }
     }
   }

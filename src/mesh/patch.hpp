@@ -92,10 +92,11 @@ struct CrackedMesh {
 enum class CrackStart { boundary, inside, outside };
 CrackStart crack_start(const model::Mesh& host, const base::Vec3& point, base::NetId net);
 
-/// Sizes where the deck is silent: from the crack's length, the ligament ahead of the tip and the
-/// size of the nearest contact surface. What the deck gives is taken as it is.
-TipMesh choose_tip_mesh(const model::Mesh& host, const CrackLine& line,
-                        const model::TipNet* wishes);
+/// Sizes where the deck is silent: from the crack's length and its last straight part, and the
+/// distance of a tip to the nearest boundary (the ligament, a hole, a contact surface), to other
+/// cracks in `all` and to earlier parts of its own. What the deck gives is taken as it is.
+TipMesh choose_tip_mesh(const model::Mesh& host, const CrackLine& line, const model::TipNet* wishes,
+                        std::span<const CrackLine> all = {});
 
 /// Cuts the cracks into the host. Cracks that cannot be placed (touch no element, leave the body,
 /// cross a material boundary) are reported at the crack's card (`span[i]`) and give an empty

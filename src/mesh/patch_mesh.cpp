@@ -2,9 +2,11 @@
 #include "mesh/patch_mesh.hpp"
 
 #include "mesh/fill.hpp"
+#include "mesh/patch_gaps.hpp"
 #include "shape/shape.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace spricka::mesh {
@@ -20,17 +22,26 @@ constexpr double mouth_size = 0.25;
 
 class Builder {
 public:
-  Builder(const Host& host, const Placement& placement, const Cavity& cavity)
-      : host_(host), place_(placement), cavity_(cavity), net_(host.mesh(), placement.frame) {}
+  Builder(const Host& host, const std::vector<PatchCrack>& cracks, const Cavity& cavity)
+      : host_(host), frame_(cracks.front().place.frame), half_(cracks.front().place.half),
+        cavity_(cavity), net_(host.mesh(), frame_) {
+    for (const PatchCrack& crack : cracks) {
+      cracks_.push_back({&crack.place, crack.tip, {}, -1});
+      transition_ = transition_ || crack.tip->transition;
+    }
+  }
 
-  Patch build(const TipMesh& tip, double fineness) {
-    transition_ = tip.transition;
-    for (const TipPlace& at : place_.tips) {
-      rosettes_.push_back(add_rosette(net_, place_, at, tip));
+  Patch build(double fineness) {
+    for (Crack& crack : cracks_) {
+      for (const TipPlace& at : crack.place->tips) {
+        crack.rosettes.push_back(add_rosette(net_, *crack.place, at, *crack.tip));
+      }
     }
     set_sizes(fineness);
     add_loops();
-    add_crack();
+    for (const Crack& crack : cracks_) {
+      add_crack(crack);
+    }
     if (patch_.trouble.empty()) {
       fill_rest();
     }
@@ -41,43 +52,56 @@ public:
 
 private:
   using Pair = std::pair<int, int>;
+  struct Crack {
+    const Placement* place = nullptr;
+    const TipMesh* tip = nullptr;
+    std::vector<Rosette> rosettes; ///< [tip]
+    int mouth = -1;
+  };
 
   [[nodiscard]] Vec2 local(const Edge& edge, double xi) const {
-    const Vec2 a = place_.frame.local(host_.mesh().x[edge.a.index()]);
-    const Vec2 b = place_.frame.local(host_.mesh().x[edge.b.index()]);
-    const Vec2 m = place_.frame.local(host_.mesh().x[edge.mid.index()]);
+    const Vec2 a = frame_.local(host_.mesh().x[edge.a.index()]);
+    const Vec2 b = frame_.local(host_.mesh().x[edge.b.index()]);
+    const Vec2 m = frame_.local(host_.mesh().x[edge.mid.index()]);
     const Eigen::Vector3d N = shape::Line3::N(shape::Point<1>(xi));
     return N[0] * a + N[1] * b + N[2] * m;
   }
   /// An edge of the host along which a half crack and its ligament run.
   [[nodiscard]] bool on_line(const OutlineEdge& edge) const {
-    return place_.half != 0 && edge.free && std::abs(local(edge.edge, -1.0).y()) < same &&
+    return half_ != 0 && edge.free && std::abs(local(edge.edge, -1.0).y()) < same &&
            std::abs(local(edge.edge, 0.0).y()) < same &&
            std::abs(local(edge.edge, 1.0).y()) < same &&
            std::max(local(edge.edge, -1.0).x(), local(edge.edge, 1.0).x()) > same;
   }
-  [[nodiscard]] bool has_mouth(const OutlineEdge& edge) const {
-    return place_.mouth && edge.face == place_.mouth->face &&
-           (!place_.mouth->node.valid() || place_.mouth->node == edge.edge.mid);
+  [[nodiscard]] static bool has_mouth(const Placement& place, const OutlineEdge& edge) {
+    return place.mouth && edge.face == place.mouth->face &&
+           (!place.mouth->node.valid() || place.mouth->node == edge.edge.mid);
   }
 
-  /// Where on an edge the mouth is; 1 if it is elsewhere.
-  [[nodiscard]] double split_at(const OutlineEdge& edge) const {
-    if (!has_mouth(edge)) {
-      return 1.0;
+  /// Where on an edge mouths are, in order, with the cracks they belong to.
+  [[nodiscard]] std::vector<std::pair<double, Crack*>> mouths_on(const OutlineEdge& edge) {
+    std::vector<std::pair<double, Crack*>> result;
+    for (Crack& crack : cracks_) {
+      if (has_mouth(*crack.place, edge)) {
+        const Mouth& mouth = *crack.place->mouth;
+        result.emplace_back(mouth.node.valid() ? 0.0 : mouth.xi, &crack);
+      }
     }
-    return place_.mouth->node.valid() ? 0.0 : place_.mouth->xi;
+    std::ranges::sort(result, {}, &std::pair<double, Crack*>::first);
+    return result;
   }
 
   void set_sizes(double fineness) {
-    for (const Rosette& rosette : rosettes_) {
-      const std::size_t rim = rosette.rim.size();
-      for (std::size_t j = 0; j + (place_.half != 0 ? 1 : 0) < rim; ++j) {
-        add_source(size_, rosette.rim[j], rosette.rim[(j + 1) % rim]);
+    for (const Crack& crack : cracks_) {
+      for (const Rosette& rosette : crack.rosettes) {
+        const std::size_t rim = rosette.rim.size();
+        for (std::size_t j = 0; j + (half_ != 0 ? 1 : 0) < rim; ++j) {
+          add_source(size_, rosette.rim[j], rosette.rim[(j + 1) % rim]);
+        }
       }
-    }
-    if (place_.mouth) {
-      size_.add({0.0, 0.0}, mouth_size / fineness);
+      if (crack.place->mouth) {
+        size_.add(crack.place->line.front(), mouth_size * own_length(*crack.place) / fineness);
+      }
     }
     for (const auto& loop : cavity_.loops) {
       for (const OutlineEdge& edge : loop) {
@@ -85,13 +109,35 @@ private:
         if (edge.free || !transition_) { // an edge that is tied asks for nothing
           size_.add(local(edge.edge, 0.0), edge.free ? length / fineness : length);
         }
-        if (has_mouth(edge)) { // the shorter part may be short indeed
-          const double xi = split_at(edge);
-          size_.add(local(edge.edge, 0.5 * (xi - 1.0)), 0.5 * (1.0 + xi) * length);
-          size_.add(local(edge.edge, 0.5 * (xi + 1.0)), 0.5 * (1.0 - xi) * length);
+        std::vector<double> ends{-1.0};
+        for (const auto& [xi, crack] : mouths_on(edge)) {
+          ends.push_back(xi);
+        }
+        ends.push_back(1.0);
+        for (std::size_t i = 1; i < ends.size() && ends.size() > 2; ++i) {
+          const double part = 0.5 * (ends[i] - ends[i - 1]); // may be short indeed
+          size_.add(local(edge.edge, 0.5 * (ends[i - 1] + ends[i])), part * length);
         }
       }
     }
+    add_gaps();
+  }
+  /// Between cracks and what runs beside them elements are no longer than the gap is wide.
+  void add_gaps() {
+    std::vector<const Placement*> places;
+    for (const Crack& crack : cracks_) {
+      places.push_back(crack.place);
+    }
+    std::vector<std::array<Vec2, 3>> boundary;
+    for (const auto& loop : cavity_.loops) {
+      for (const OutlineEdge& edge : loop) {
+        if (edge.free && half_ == 0) {
+          boundary.push_back(
+              {local(edge.edge, -1.0), local(edge.edge, 0.0), local(edge.edge, 1.0)});
+        }
+      }
+    }
+    add_gap_sizes(places, boundary, size_);
   }
   void add_source(Grading& grading, int a, int b) const {
     const Vec2 p = net_.local(a);
@@ -115,26 +161,30 @@ private:
       }
       loops_.push_back(std::move(nodes));
     }
-    if (place_.mouth && place_.mouth->node.valid() && !mouth_inside_) {
-      mouth_ = net_.host_node(place_.mouth->node);
+    for (Crack& crack : cracks_) {
+      const auto& mouth = crack.place->mouth;
+      if (mouth && mouth->node.valid() && crack.mouth < 0) {
+        crack.mouth = net_.host_node(mouth->node);
+      }
     }
   }
 
   /// Nodes inside one edge of the outline, after it has been divided.
   std::vector<int> add_edge(const OutlineEdge& edge) {
-    const Edge& e = edge.edge;
-    std::vector<double> xi{-1.0, 1.0};
-    if (edge.free) {
-      const auto curve = [&](double t) { return local(e, t); };
-      const double split = split_at(edge);
-      xi = divide(curve, -1.0, split, size_);
-      if (split < 1.0) {
-        const std::vector<double> rest = divide(curve, split, 1.0, size_);
-        xi.insert(xi.end(), rest.begin() + 1, rest.end());
-      }
-      return add_parts(edge, xi, split);
+    if (!edge.free) {
+      return transition_ ? add_tied_parts(edge) : add_parts(edge, {-1.0, 1.0});
     }
-    return transition_ ? add_tied_parts(edge) : add_parts(edge, xi, 1.0);
+    const auto curve = [&](double t) { return local(edge.edge, t); };
+    std::vector<double> xi{-1.0};
+    const auto divide_to = [&](double end) {
+      const std::vector<double> part = divide(curve, xi.back(), end, size_);
+      xi.insert(xi.end(), part.begin() + 1, part.end());
+    };
+    for (const auto& [at, crack] : mouths_on(edge)) {
+      divide_to(at);
+    }
+    divide_to(1.0);
+    return add_parts(edge, xi);
   }
 
   /// At least two parts, the middle node of the host's edge between them: the rim follows the
@@ -144,7 +194,7 @@ private:
     std::vector<double> xi = divide(curve, -1.0, 0.0, size_);
     const std::vector<double> rest = divide(curve, 0.0, 1.0, size_);
     xi.insert(xi.end(), rest.begin() + 1, rest.end());
-    const std::vector<int> inner = add_parts(edge, xi, 1.0);
+    const std::vector<int> inner = add_parts(edge, xi);
     const std::vector<Pair>& pieces = patch_.edges.back().second;
     for (std::size_t i = 1; i < xi.size(); ++i) {
       const Pair& piece = pieces[i - 1];
@@ -157,8 +207,9 @@ private:
     return inner;
   }
 
-  std::vector<int> add_parts(const OutlineEdge& edge, const std::vector<double>& xi, double split) {
+  std::vector<int> add_parts(const OutlineEdge& edge, const std::vector<double>& xi) {
     const Edge& e = edge.edge;
+    const auto mouths = edge.free ? mouths_on(edge) : std::vector<std::pair<double, Crack*>>();
     std::vector<int> inner;
     std::vector<Pair> pieces;
     int from = net_.host_node(e.a);
@@ -178,9 +229,8 @@ private:
       pieces.emplace_back(from, to);
       if (!last) {
         inner.push_back(to);
-        if (xi[i] == split) {
-          mouth_ = to;
-          mouth_inside_ = true;
+        for (const auto& [at, crack] : mouths) {
+          crack->mouth = xi[i] == at ? to : crack->mouth;
         }
       }
       from = to;
@@ -205,16 +255,17 @@ private:
 
   /// Corner nodes of the crack from the mouth, or out of the first rosette, to the last one, then
   /// through it to the tip.
-  void add_crack() {
-    const Rosette& last_rosette = rosettes_.back();
+  void add_crack(const Crack& crack) {
+    const Placement& place = *crack.place;
+    const Rosette& last_rosette = crack.rosettes.back();
     const auto rim_point = [&](const TipPlace& tip) {
-      return Vec2(tip.at - place_.radius * tip.ahead());
+      return Vec2(tip.at - place.radius * tip.ahead());
     };
-    std::vector<int> lip{place_.mouth ? mouth_ : rosettes_.front().behind.back()};
-    Vec2 from = place_.mouth ? place_.line.front() : rim_point(place_.tips.front());
-    for (std::size_t k = 1; k < place_.line.size(); ++k) {
-      const bool last = k + 1 == place_.line.size();
-      const Vec2 to = last ? rim_point(place_.tips.back()) : place_.line[k];
+    std::vector<int> lip{place.mouth ? crack.mouth : crack.rosettes.front().behind.back()};
+    Vec2 from = place.mouth ? place.line.front() : rim_point(place.tips.front());
+    for (std::size_t k = 1; k < place.line.size(); ++k) {
+      const bool last = k + 1 == place.line.size();
+      const Vec2 to = last ? rim_point(place.tips.back()) : place.line[k];
       const std::vector<int> inner = add_stretch(from, to);
       lip.insert(lip.end(), inner.begin(), inner.end());
       lip.push_back(last ? last_rosette.behind.back() : net_.new_node(to));
@@ -223,43 +274,44 @@ private:
     for (std::size_t i = 0; i + 1 < lip.size(); ++i) {
       add_source(fill_size_, lip[i], lip[i + 1]);
     }
-    if (place_.half != 0) {
-      add_half_line(lip);
+    if (half_ != 0) {
+      add_half_line(crack, lip);
     } else {
-      lip_ = lip;
+      lips_.push_back(lip);
     }
     std::vector<int> corners;
-    if (!place_.mouth) {
-      corners.push_back(rosettes_.front().tip);
-      corners.insert(corners.end(), rosettes_.front().behind.begin(),
-                     rosettes_.front().behind.end() - 1);
+    if (!place.mouth) {
+      const Rosette& first = crack.rosettes.front();
+      corners.push_back(first.tip);
+      corners.insert(corners.end(), first.behind.begin(), first.behind.end() - 1);
     }
     corners.insert(corners.end(), lip.begin(), lip.end());
     corners.insert(corners.end(), last_rosette.behind.rbegin() + 1, last_rosette.behind.rend());
     corners.push_back(last_rosette.tip);
+    std::vector<int>& path = patch_.paths.emplace_back();
     for (std::size_t i = 0; i < corners.size(); ++i) {
       if (i > 0) {
-        patch_.path.push_back(net_.mid(corners[i - 1], corners[i]));
+        path.push_back(net_.mid(corners[i - 1], corners[i]));
       }
-      patch_.path.push_back(corners[i]);
+      path.push_back(corners[i]);
     }
   }
 
   /// A half: crack, rosette and ligament take the place of the host's edges on the line.
-  void add_half_line(const std::vector<int>& lip) {
-    const Rosette& rosette = rosettes_.front();
+  void add_half_line(const Crack& crack, const std::vector<int>& lip) {
+    const Rosette& rosette = crack.rosettes.front();
     double x1 = 0.0;
     NodeId end;
     for (const OutlineEdge& edge : line_) {
       for (const NodeId n : {edge.edge.a, edge.edge.b}) {
-        const double x = place_.frame.local(host_.mesh().x[n.index()]).x();
+        const double x = frame_.local(host_.mesh().x[n.index()]).x();
         if (x > x1) {
           x1 = x;
           end = n;
         }
       }
     }
-    if (x1 < 1.0 + place_.radius + same) {
+    if (x1 < 1.0 + crack.place->radius + same) {
       patch_.trouble = "the symmetry line ends inside the rosette";
       return;
     }
@@ -279,13 +331,13 @@ private:
     inherit_line(line);
     // what the filling sees: over the rosette
     std::vector<int> contour(lip.begin(), lip.end() - 1);
-    if (place_.half > 0) { // rim runs from ahead to behind
+    if (half_ > 0) { // rim runs from ahead to behind
       contour.insert(contour.end(), rosette.rim.rbegin(), rosette.rim.rend());
     } else {
       contour.insert(contour.end(), rosette.rim.begin(), rosette.rim.end());
     }
     contour.insert(contour.end(), ligament.begin() + 1, ligament.end());
-    if (place_.half < 0) {
+    if (half_ < 0) {
       std::reverse(contour.begin(), contour.end());
     }
     replace_line(contour);
@@ -351,16 +403,18 @@ private:
     for (const std::vector<int>& loop : loops_) {
       region.loops.push_back(points(loop));
     }
-    for (const Rosette& rosette : rosettes_) {
-      for (std::size_t j = 0; j + 1 < rosette.rim.size(); ++j) {
-        add_source(fill_size_, rosette.rim[j], rosette.rim[j + 1]);
-      }
-      if (place_.half == 0) {
-        region.loops.push_back(points({rosette.rim.rbegin(), rosette.rim.rend()}));
+    for (const Crack& crack : cracks_) {
+      for (const Rosette& rosette : crack.rosettes) {
+        for (std::size_t j = 0; j + 1 < rosette.rim.size(); ++j) {
+          add_source(fill_size_, rosette.rim[j], rosette.rim[j + 1]);
+        }
+        if (half_ == 0) {
+          region.loops.push_back(points({rosette.rim.rbegin(), rosette.rim.rend()}));
+        }
       }
     }
-    if (place_.half == 0) {
-      region.embedded.push_back(points(lip_));
+    for (const std::vector<int>& lip : lips_) {
+      region.embedded.push_back(points(lip));
     }
     const Filling filling = fill(region, fill_size_);
     if (!filling.trouble.empty()) {
@@ -377,26 +431,25 @@ private:
   }
 
   const Host& host_;
-  const Placement& place_;
+  CrackFrame frame_;
+  int half_;
   const Cavity& cavity_;
   PatchNet net_;
   Patch patch_;
-  std::vector<Rosette> rosettes_; ///< [tip]
-  Grading size_;                  ///< along curves, before they are divided
-  Grading fill_size_;             ///< in the region, from the edges that were made
+  std::vector<Crack> cracks_;
+  Grading size_;      ///< along curves, before they are divided
+  Grading fill_size_; ///< in the region, from the edges that were made
   std::vector<std::vector<int>> loops_;
   std::vector<OutlineEdge> line_;
-  std::vector<int> lip_;
-  int mouth_ = -1;
-  bool mouth_inside_ = false;
+  std::vector<std::vector<int>> lips_;
   bool transition_ = false;
 };
 
 } // namespace
 
-Patch build_patch(const Host& host, const Placement& placement, const Cavity& cavity,
-                  const TipMesh& tip, double fineness) {
-  return Builder(host, placement, cavity).build(tip, fineness);
+Patch build_patch(const Host& host, const std::vector<PatchCrack>& cracks, const Cavity& cavity,
+                  double fineness) {
+  return Builder(host, cracks, cavity).build(fineness);
 }
 
 } // namespace spricka::mesh

@@ -27,7 +27,8 @@ struct PatchElement {
 struct Patch {
   std::vector<PatchNode> nodes;
   std::vector<PatchElement> elements;
-  std::vector<int> path; ///< nodes of the crack from the mouth to the (last) tip, mid nodes too
+  /// [crack] its nodes from the mouth, or the first tip, to the (last) tip, mid nodes too.
+  std::vector<std::vector<int>> paths;
   /// Edges of the cavity that belonged to its elements, and the edges (from, to) that take the
   /// place of each, in its direction.
   std::vector<std::pair<model::Face, std::vector<std::pair<int, int>>>> edges;
@@ -41,10 +42,16 @@ struct Patch {
   std::string trouble; ///< why there is no patch
 };
 
-/// Meshes a cavity round its crack: a rosette at the tip, graded triangles in the rest. `fineness`
+/// A crack of a cavity, in the frame that all of them share, and its mesh.
+struct PatchCrack {
+  Placement place;
+  const TipMesh* tip = nullptr;
+};
+
+/// Meshes a cavity round its cracks: rosettes at the tips, graded triangles in the rest. `fineness`
 /// divides the wanted sizes along the boundary of the host.
-Patch build_patch(const Host& host, const Placement& placement, const Cavity& cavity,
-                  const TipMesh& tip, double fineness);
+Patch build_patch(const Host& host, const std::vector<PatchCrack>& cracks, const Cavity& cavity,
+                  double fineness);
 
 /// Collects nodes and quadratic elements of a patch; an edge gets its mid node when first met.
 class PatchNet {

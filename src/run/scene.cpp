@@ -32,7 +32,7 @@ std::vector<mesh::TipMesh> tip_meshes(const model::Model& model,
   std::vector<mesh::TipMesh> tips;
   tips.reserve(lines.size());
   for (const mesh::CrackLine& line : lines) {
-    tips.push_back(mesh::choose_tip_mesh(model.mesh, line, tip_net_of(model, line.crack)));
+    tips.push_back(mesh::choose_tip_mesh(model.mesh, line, tip_net_of(model, line.crack), lines));
   }
   return tips;
 }
