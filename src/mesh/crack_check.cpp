@@ -34,35 +34,6 @@ double length_of(const CrackLine& line) {
   return length;
 }
 
-struct Meeting {
-  Vec2 at = Vec2::Zero();
-  double distance = std::numeric_limits<double>::max();
-};
-
-/// Where two segments come nearest to each other, on the first.
-Meeting nearest(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
-  Meeting best;
-  const auto look = [&](const Vec2& p, double t) {
-    const double away = distance(p, c, d);
-    if (t >= 0.0 && t <= 1.0 && away < best.distance) {
-      best = {p, away};
-    }
-  };
-  const Vec2 along = b - a;
-  const double turn = cross(along, d - c);
-  look(a, 0.0);
-  look(b, 1.0);
-  if (turn != 0.0) {
-    const double t = cross(c - a, d - c) / turn;
-    look(a + t * along, t);
-  }
-  for (const Vec2& end : {c, d}) {
-    const double t = (end - a).dot(along) / along.squaredNorm();
-    look(a + t * along, t);
-  }
-  return best;
-}
-
 std::string place(const Vec2& p) {
   return fmt::format("({:.6g}, {:.6g})", p.x(), p.y());
 }
@@ -133,8 +104,11 @@ bool lines_are_sound(std::span<const CrackLine> lines, std::span<const base::Spa
   return good;
 }
 
-double room_beside_cracks(const CrackLine& line, const std::vector<Vec3>& points,
-                          std::span<const CrackLine> all) {
+namespace {
+
+/// The same for the tip at the last of the points.
+double room_at_end(const CrackLine& line, const std::vector<Vec3>& points,
+                   std::span<const CrackLine> all) {
   const Vec2 tip = flat(points.back());
   double room = std::numeric_limits<double>::max();
   for (const CrackLine& other : all) {
@@ -152,6 +126,15 @@ double room_beside_cracks(const CrackLine& line, const std::vector<Vec3>& points
     along += (points[i] - points[i - 1]).norm();
   }
   return room;
+}
+
+} // namespace
+
+double room_beside_cracks(const CrackLine& line, std::span<const CrackLine> all) {
+  const double room = room_at_end(line, line.points, all);
+  return line.embedded
+             ? std::min(room, room_at_end(line, {line.points.rbegin(), line.points.rend()}, all))
+             : room;
 }
 
 } // namespace spricka::mesh

@@ -13,9 +13,8 @@ namespace spricka::mesh {
 bool lines_are_sound(std::span<const CrackLine> lines, std::span<const base::Span> spans,
                      base::Diagnostics& diagnostics);
 
-/// Room for a rosette at the last point of a line as far as other cracks, and the crack's own
-/// earlier parts, leave it: the distance to them [deck length]. Infinite where there are none.
-double room_beside_cracks(const CrackLine& line, const std::vector<base::Vec3>& points,
-                          std::span<const CrackLine> all);
+/// Room for a rosette at the tips of a crack as far as other cracks, and the crack's own earlier
+/// parts, leave it: the distance to them [deck length]. Infinite where there are none.
+double room_beside_cracks(const CrackLine& line, std::span<const CrackLine> all);
 
 } // namespace spricka::mesh

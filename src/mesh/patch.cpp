@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 
 namespace spricka::mesh {
 namespace {
@@ -21,11 +20,6 @@ using base::ElementId;
 using base::NodeId;
 using base::Vec2;
 using base::Vec3;
-
-/// Rosette radius, as a part of the crack's length or of the room round its tip, and growth of its
-/// rings from the tip outward.
-constexpr double radius_part = 0.4;
-constexpr double ring_growth = 1.5;
 
 /// The worst element of a patch, empty if all are good.
 std::optional<BadElement> worst_element(const Patch& patch) {
@@ -50,16 +44,6 @@ std::optional<BadElement> worst_element(const Patch& patch) {
   });
 }
 
-/// Room that other cracks and its own folds leave at the tips of a crack [deck length].
-double least_room(const CrackLine& line, std::span<const CrackLine> all) {
-  double room = room_beside_cracks(line, line.points, all);
-  if (line.embedded) {
-    room =
-        std::min(room, room_beside_cracks(line, {line.points.rbegin(), line.points.rend()}, all));
-  }
-  return room;
-}
-
 /// Everything about one crack on its way into the mesh.
 struct Work {
   const CrackLine* line = nullptr;
@@ -78,7 +62,10 @@ public:
 
   std::optional<CrackedMesh> insert(std::span<const CrackLine> lines, std::span<const TipMesh> tips,
                                     std::span<const base::Span> spans) {
-    bool good = lines_are_sound(lines, spans, diagnostics_);
+    if (!lines_are_sound(lines, spans, diagnostics_)) {
+      return std::nullopt;
+    }
+    bool good = true;
     for (std::size_t i = 0; i < lines.size(); ++i) {
       Work& work = work_.emplace_back(Work{&lines[i], &tips[i], spans[i], 0, 0, 0, {}});
       good = (tips[i].patch ? find_place(work) : find_path(work)) && good;
@@ -120,7 +107,8 @@ private:
     }
     bool good = true;
     for (const Work& work : work_) {
-      const double room = work.tip->patch ? least_room(*work.line, lines) : work.tip->radius;
+      const double room =
+          work.tip->patch ? room_beside_cracks(*work.line, lines) : work.tip->radius;
       if (work.tip->patch && work.tip->radius > 0.45 * room) {
         diagnostics_.error(
             work.span, "E423",
@@ -335,85 +323,12 @@ private:
 
 } // namespace
 
-TipMesh choose_tip_mesh(const model::Mesh& host, const CrackLine& line, const model::TipNet* wishes,
-                        std::span<const CrackLine> all) {
-  TipMesh tip;
-  if (wishes != nullptr) {
-    tip.rings = wishes->rings;
-    tip.sectors = wishes->sectors;
-    tip.quarter_point = wishes->quarter_point;
-    tip.patch = wishes->patch;
-    tip.transition = wishes->join == model::Join::transition;
-  }
-  const CrackFrame frame = frame_of(line);
-  if (wishes != nullptr && wishes->radius) {
-    tip.radius = *wishes->radius;
-  } else {
-    std::vector<Vec2> local;
-    for (const Vec3& p : line.points) {
-      local.push_back(frame.local(p));
-    }
-    const Host neighbours(host);
-    double room = std::min(1.0, least_room(line, all) / frame.a);
-    for (int end = 0; end < (line.embedded ? 2 : 1); ++end) {
-      const double last = (local.back() - local[local.size() - 2]).norm();
-      room = std::min({room, tip_clearance(neighbours, frame, local, line.symmetric_half, line.net),
-                       1.5 * last / (line.embedded && local.size() == 2 ? 2.0 : 1.0)});
-      std::reverse(local.begin(), local.end());
-    }
-    tip.radius = radius_part * frame.a * room;
-  }
-  if (wishes != nullptr && wishes->size) {
-    tip.size = *wishes->size;
-  } else {
-    tip.size = tip.radius * (ring_growth - 1.0) / (std::pow(ring_growth, tip.rings) - 1.0);
-  }
-  return tip;
-}
-
 std::optional<CrackedMesh> insert_cracks(const model::Mesh& host, std::span<const CrackLine> lines,
                                          std::span<const TipMesh> tips,
                                          std::span<const base::Span> spans,
                                          base::Diagnostics& diagnostics) {
   assert(lines.size() == tips.size() && lines.size() == spans.size());
   return Inserter(host, diagnostics).insert(lines, tips, spans);
-}
-
-std::vector<ElementId> crack_region(const model::Mesh& host, std::span<const CrackLine> lines,
-                                    std::span<const TipMesh> tips) {
-  const Host neighbours(host);
-  std::vector<bool> in(host.element_count(), false);
-  base::Diagnostics ignored; // insert_cracks reports
-  std::vector<Placement> placements;
-  std::vector<ElementId> core;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (tips[i].patch) {
-      if (auto placement = place(neighbours, lines[i], tips[i], {}, ignored)) {
-        placements.push_back(std::move(*placement));
-      }
-    } else if (const auto path = path_nodes(neighbours, lines[i], {}, ignored)) {
-      for (const NodeId n : *path) {
-        core.insert(core.end(), neighbours.around(n).begin(), neighbours.around(n).end());
-      }
-    }
-  }
-  for (const Cavity& cavity : find_cavities(neighbours, placements).each) {
-    core.insert(core.end(), cavity.elements.begin(), cavity.elements.end());
-  }
-  for (const ElementId e : core) {
-    for (const NodeId n : host.nodes_of(e)) {
-      for (const ElementId next : neighbours.around(n)) {
-        in[next.index()] = true;
-      }
-    }
-  }
-  std::vector<ElementId> result;
-  for (std::size_t e = 0; e < in.size(); ++e) {
-    if (in[e]) {
-      result.emplace_back(e);
-    }
-  }
-  return result;
 }
 
 } // namespace spricka::mesh

@@ -122,8 +122,8 @@ double tip_clearance(const Host& host, const CrackFrame& frame, const std::vecto
   return least / frame.a;
 }
 
-// Room for the tip, as a part of the crack's length, below which it counts as on the boundary.
-constexpr double through = 1e-9;
+// Room for the tip, as a part of the crack's length, below which nothing is left of the ligament.
+constexpr double through = 1e-4;
 
 CrackFrame frame_of(const CrackLine& line) {
   CrackFrame frame;
@@ -195,6 +195,30 @@ double angle_of(const Vec2& v) {
   return std::atan2(v.y(), v.x());
 }
 
+/// A tip on the boundary: the whole crack may lie there.
+void report_lost_section(const Host& host, const CrackLine& line, const CrackFrame& frame,
+                         double room, base::Diagnostics& diagnostics, base::Span span) {
+  const Vec3 middle = 0.5 * (line.points[0] + line.points[1]);
+  if (find_mouth(host, middle, line.net).distance < 1e-6 * frame.a) {
+    const bool path = !line.path.empty();
+    diagnostics.error(
+        span, "E423",
+        fmt::format("{} runs along the boundary{}", line.title(),
+                    path ? ", but not all nodes of PATH are suppressed across it" : ""),
+        path ? "on a line of symmetry every node of PATH is in a $FREEDOM CLASS=SUPPRESSED of the "
+               "direction across; the crack's part is set free by the program"
+             : "a crack on a line of symmetry is given by PATH, its nodes all suppressed across "
+               "that line");
+    return;
+  }
+  diagnostics.error(span, "E423",
+                    fmt::format("{}: with a = {:.6g} the net section is lost: a tip is {:.3g} from "
+                                "the boundary",
+                                line.title(), frame.a, room * frame.a),
+                    "a crack needs a ligament of at least 1e-4 of its length; a body cut through "
+                    "is two nets");
+}
+
 /// The tips of a line, each with its direction of growth.
 std::vector<TipPlace> tips_of(const std::vector<Vec2>& line, bool embedded) {
   const bool straight = line.size() == 2; // then the angles are exact
@@ -251,11 +275,7 @@ std::optional<Placement> place(const Host& host, const CrackLine& line, const Ti
     room = std::min(room, room_at_end(host, result, reversed, line.net));
   }
   if (room < through) {
-    diagnostics.error(span, "E423",
-                      fmt::format("{}: with a = {:.6g} a tip lies on the boundary: the crack cuts "
-                                  "the body through, or its line is neither inside the body nor "
-                                  "held as a line of symmetry",
-                                  line.title(), frame.a));
+    report_lost_section(host, line, frame, room, diagnostics, span);
     return std::nullopt;
   }
   if (result.radius > 0.9 * room || result.size >= result.radius || !(result.size > 0.0)) {

@@ -29,6 +29,29 @@ double distance(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
                   std::min(distance(c, a, b), distance(d, a, b)));
 }
 
+Meeting nearest(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  Meeting best;
+  const auto look = [&](const Vec2& p, double t) {
+    const double away = distance(p, c, d);
+    if (t >= 0.0 && t <= 1.0 && away < best.distance) {
+      best = {p, away};
+    }
+  };
+  const Vec2 along = b - a;
+  const double turn = cross(along, d - c);
+  look(a, 0.0);
+  look(b, 1.0);
+  if (turn != 0.0) {
+    const double t = cross(c - a, d - c) / turn;
+    look(a + t * along, t);
+  }
+  for (const Vec2& end : {c, d}) {
+    const double t = (end - a).dot(along) / along.squaredNorm();
+    look(a + t * along, t);
+  }
+  return best;
+}
+
 bool inside(const Vec2& p, const std::vector<Vec2>& polygon) {
   bool in = false;
   for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {

@@ -2,6 +2,7 @@
 #pragma once
 #include "base/vec.hpp"
 
+#include <limits>
 #include <vector>
 
 /// Plane geometry of points, segments and polygons, for decisions on rounded coordinates.
@@ -16,6 +17,13 @@ double distance(const base::Vec2& p, const base::Vec2& a, const base::Vec2& b);
 
 /// Distance between two segments; 0 if they meet.
 double distance(const base::Vec2& a, const base::Vec2& b, const base::Vec2& c, const base::Vec2& d);
+
+/// Where two segments come nearest to each other, on the first.
+struct Meeting {
+  base::Vec2 at = base::Vec2::Zero();
+  double distance = std::numeric_limits<double>::max();
+};
+Meeting nearest(const base::Vec2& a, const base::Vec2& b, const base::Vec2& c, const base::Vec2& d);
 
 /// Whether a point lies in a polygon (even-odd rule).
 bool inside(const base::Vec2& p, const std::vector<base::Vec2>& polygon);

@@ -71,7 +71,7 @@ inline std::optional<mesh::CrackedMesh> insert(const model::Mesh& host,
   std::vector<mesh::TipMesh> tips;
   tips.reserve(lines.size());
   for (const mesh::CrackLine& line : lines) {
-    tips.push_back(mesh::choose_tip_mesh(host, line, wishes));
+    tips.push_back(mesh::choose_tip_mesh(host, line, wishes, lines));
   }
   return mesh::insert_cracks(host, lines, tips, std::vector<base::Span>(lines.size()), diagnostics);
 }

@@ -155,9 +155,11 @@ TEST(CrackErrors, AreReported) {
   model::TipNet wide;
   wide.radius = 3.5;
   EXPECT_EQ(code({test::crack({{0, 4, 0}, {3, 4, 0}})}, &wide), "E423");
-  EXPECT_EQ(
-      code({test::crack({{0, 4, 0}, {3, 4, 0}}), test::crack({{0, 5, 0}, {3, 5, 0}}, 1)}, nullptr),
-      "E428");
+  // half cracks from both ends of a line of symmetry, whose patches would meet
+  mesh::CrackLine left = test::crack({{0, 0, 0}, {4, 0, 0}});
+  mesh::CrackLine right = test::crack({{10, 0, 0}, {6, 0, 0}}, 1);
+  left.symmetric_half = right.symmetric_half = true;
+  EXPECT_EQ(code({left, right}, nullptr), "E428");
 }
 
 TEST(CrackErrors, LinearHost) {
