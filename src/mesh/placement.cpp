@@ -124,6 +124,8 @@ double tip_clearance(const Host& host, const CrackFrame& frame, const std::vecto
 
 // Room for the tip, as a part of the crack's length, below which nothing is left of the ligament.
 constexpr double through = 1e-4;
+// The same for the straight part at a tip.
+constexpr double shortest_part = 1e-5;
 
 CrackFrame frame_of(const CrackLine& line) {
   CrackFrame frame;
@@ -193,6 +195,17 @@ bool put_start(const Host& host, const CrackLine& line, Placement& result,
 
 double angle_of(const Vec2& v) {
   return std::atan2(v.y(), v.x());
+}
+
+/// The least distance of a tip from the boundary [a].
+double ligament_of(const Host& host, const Placement& placement, base::NetId net) {
+  const bool half = placement.half != 0;
+  double least = tip_clearance(host, placement.frame, placement.line, half, net);
+  if (placement.tips.size() > 1) {
+    const std::vector<Vec2> reversed(placement.line.rbegin(), placement.line.rend());
+    least = std::min(least, tip_clearance(host, placement.frame, reversed, half, net));
+  }
+  return least;
 }
 
 /// A tip on the boundary: the whole crack may lie there.
@@ -274,8 +287,17 @@ std::optional<Placement> place(const Host& host, const CrackLine& line, const Ti
     const std::vector<Vec2> reversed(result.line.rbegin(), result.line.rend());
     room = std::min(room, room_at_end(host, result, reversed, line.net));
   }
-  if (room < through) {
-    report_lost_section(host, line, frame, room, diagnostics, span);
+  if (const double ligament = ligament_of(host, result, line.net); ligament < through) {
+    report_lost_section(host, line, frame, ligament, diagnostics, span);
+    return std::nullopt;
+  }
+  if (room < shortest_part) {
+    diagnostics.error(
+        span, "E423",
+        fmt::format("{}: its last straight part, {:.3g} long, is too short for a tip: "
+                    "at least 1e-5 of a = {:.6g}",
+                    line.title(), room * frame.a, frame.a),
+        "leave out the point before the tip");
     return std::nullopt;
   }
   if (result.radius > 0.9 * room || result.size >= result.radius || !(result.size > 0.0)) {
