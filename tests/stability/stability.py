@@ -13,6 +13,7 @@ import re
 import sys
 
 import sweeps_contact
+import sweeps_crack
 import sweeps_friction
 import sweeps_held
 import sweeps_lug
@@ -29,6 +30,10 @@ SWEEPS = {
     "S10": ("bodies held by contact only", sweeps_held.floating),
     "S11": ("redundant constraints", sweeps_held.redundant),
     "ASM": ("assembly in steps and undone (K1, pressures)", sweeps_held.assembly),
+    "S01": ("cracks in distorted, turned and stretched meshes (K)", sweeps_crack.distortion),
+    "S08": ("thin ligaments (F = K / sqrt(pi a))", sweeps_crack.ligament),
+    "S09": ("cracks shorter than an element (F)", sweeps_crack.short_crack),
+    "S12": ("elements at the tip (F)", sweeps_crack.tip_mesh),
     "LUG": ("pairings, mirrors, turns and units of the lug (K1)", sweeps_lug.lug),
 }
 
