@@ -13,15 +13,24 @@ class Grid:
         self.corner = {(i, j): [self.x0 + (self.x1 - self.x0) * i / nx, self.y0 + (self.y1 - self.y0) * j / ny]
                        for i in range(nx + 1) for j in range(ny + 1)}
 
-    def shake(self, d, seed):
-        """Moves inner corners by up to `d` of their elements' sides."""
+    def shake(self, d, seed, fold=False):
+        """Moves inner corners by up to `d` of their elements' sides, anew where an element would fold over."""
         dice = random.Random(seed)
         hx, hy = (self.x1 - self.x0) / self.nx, (self.y1 - self.y0) / self.ny
         for (i, j), x in self.corner.items():
-            if 0 < i < self.nx and 0 < j < self.ny:
-                x[0] += d * hx * dice.uniform(-1.0, 1.0)
-                x[1] += d * hy * dice.uniform(-1.0, 1.0)
+            home = tuple(x)
+            while 0 < i < self.nx and 0 < j < self.ny:
+                x[:] = (home[0] + d * hx * dice.uniform(-1.0, 1.0), home[1] + d * hy * dice.uniform(-1.0, 1.0))
+                if fold or all(self.convex(k, m) for k in (i - 1, i) for m in (j - 1, j)):
+                    break
         return self
+
+    def convex(self, i, j):
+        """Whether all corners of an element turn the same way, by a tenth of its area at least."""
+        p = [self.corner[q] for q in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1))]
+        least = 0.1 * (self.x1 - self.x0) * (self.y1 - self.y0) / self.nx / self.ny
+        return all((p[k][0] - p[k - 1][0]) * (p[(k + 1) % 4][1] - p[k][1])
+                   - (p[k][1] - p[k - 1][1]) * (p[(k + 1) % 4][0] - p[k][0]) > least for k in range(4))
 
     def cards(self, angle=0.0):
         """$COOR, $ELEMENT and the node sets of its four sides and two lower corners."""
