@@ -164,7 +164,9 @@ constexpr std::array texts{
         "TIPNET",
         "The patch round a tip holds rings of quarter-point elements (the rosette) and a graded "
         "mesh that meets the net. It moves with the tip. Without this card sizes follow the "
-        "crack's length and what is near; the listing names them. Smaller SIZE: finer.",
+        "crack's length and what is near: boundaries, contact surfaces, other cracks; the listing "
+        "names them. Smaller SIZE: finer. JOIN=TRANSITION divides the patch's rim into finer edges "
+        "that follow those of the net: for nets that are coarse round the crack.",
         "$TIPNET CRACK=TOP RADIUS=0.5 SIZE=0.02 RINGS=6\n"},
     CardText{
         "VCE",

@@ -149,13 +149,7 @@ private:
   }
   [[nodiscard]] bool is_long(const Edge& edge) const {
     return std::ranges::any_of(places_, [&](const Placement* place) {
-      const Vec2 a = place->frame.local(mesh_.x[edge.a.index()]);
-      const Vec2 b = place->frame.local(mesh_.x[edge.b.index()]);
-      double room = distance({a, b, a}, place->line);
-      for (const TipPlace& tip : place->tips) {
-        room = std::min(room, distance(tip.at, a, b) - place->radius);
-      }
-      return room < edge_room * (b - a).norm() - same;
+      return mesh::is_long(mesh_, *place, edge, 1.0 / edge_room);
     });
   }
   [[nodiscard]] std::vector<ElementId> elements() const {
@@ -228,6 +222,16 @@ std::optional<std::pair<std::size_t, std::size_t>> take_all(std::vector<Finder>&
 }
 
 } // namespace
+
+bool is_long(const model::Mesh& mesh, const Placement& placement, const Edge& edge, double part) {
+  const Vec2 a = placement.frame.local(mesh.x[edge.a.index()]);
+  const Vec2 b = placement.frame.local(mesh.x[edge.b.index()]);
+  double room = distance({a, b, a}, placement.line);
+  for (const TipPlace& tip : placement.tips) {
+    room = std::min(room, distance(tip.at, a, b) - placement.radius);
+  }
+  return part * room < (b - a).norm() - same;
+}
 
 std::vector<Vec2> polygon(const model::Mesh& mesh, ElementId e, const CrackFrame& frame) {
   std::vector<Vec2> result;

@@ -48,10 +48,18 @@ struct Placement {
 std::optional<Placement> place(const Host& host, const CrackLine& line, const TipMesh& tip,
                                base::Span span, base::Diagnostics& diagnostics);
 
-/// Distance from the last point of a line to the net's boundary, but for the line itself of a
+/// Distance from the last point of a line to some faces of its net, but for the line itself of a
 /// symmetric half [a].
 double tip_clearance(const Host& host, const CrackFrame& frame, const std::vector<base::Vec2>& line,
-                     bool half, base::NetId net);
+                     bool half, base::NetId net, const std::vector<model::Face>& faces);
+
+/// The same to the net's boundary and to borders of other properties.
+double tip_room(const Host& host, const CrackFrame& frame, const std::vector<base::Vec2>& line,
+                bool half, base::NetId net);
+
+/// Whether an edge is longer than its room, times `part`: its distance from the crack and from the
+/// rosettes.
+bool is_long(const model::Mesh& mesh, const Placement& placement, const Edge& edge, double part);
 
 /// Frame of a crack from its first point on; `a` is half the length of an embedded one.
 CrackFrame frame_of(const CrackLine& line);

@@ -20,6 +20,8 @@ constexpr double at_mouth = 0.05;
 /// rosette.
 constexpr double beside_boundary = 0.002;
 constexpr double beside_tip = 0.4;
+/// Edges of a material boundary, which a patch cannot divide, over their distance from the crack.
+constexpr double longest_border = 3.0;
 
 /// The crack without its first part.
 std::vector<Vec2> without_mouth(const std::vector<Vec2>& line) {
@@ -135,9 +137,23 @@ bool check_cavity(const Host& host, const Placement& placement, const Cavity& ca
                       fmt::format("the crack or its rosette meets a material boundary at element "
                                   "{}",
                                   mesh.element_label[e->index()]),
-                      "a patch has one property; give a smaller RADIUS on $TIPNET or move the "
-                      "crack");
+                      "a patch has one property: end the crack before the boundary, or give a "
+                      "smaller RADIUS on $TIPNET");
     return false;
+  }
+  for (const std::vector<OutlineEdge>& loop : cavity.loops) {
+    for (const OutlineEdge& edge : loop) {
+      if (!edge.free && is_long(mesh, placement, edge.edge, longest_border)) {
+        const base::Vec3& at = mesh.x[edge.edge.a.index()];
+        diagnostics.error(
+            span, "E424",
+            fmt::format("edges of a material boundary near ({:.6g}, {:.6g}) are too long for the "
+                        "crack beside them",
+                        at.x(), at.y()),
+            "refine the net there: edges of three times the distance from the crack at most");
+        return false;
+      }
+    }
   }
   if (placement.half == 0) {
     if (const auto out = way_out(host, placement, cavity)) {

@@ -75,8 +75,11 @@ Host::Host(const model::Mesh& mesh) : mesh_(mesh), start_(mesh.node_count() + 1,
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     for (int s = 0; s < base::info(mesh.type[e]).sides; ++s) {
       const model::Face face{base::ElementId(e), s};
-      if (!beyond(face)) {
+      const auto across = beyond(face);
+      if (!across) {
         boundary_.push_back(face);
+      } else if (mesh.property[across->index()] != mesh.property[e]) {
+        borders_.push_back(face);
       }
     }
   }

@@ -43,12 +43,15 @@ public:
   [[nodiscard]] std::optional<base::ElementId> beyond(const model::Face& face) const;
   /// Edges of one element only.
   [[nodiscard]] const std::vector<model::Face>& boundary() const { return boundary_; }
+  /// Edges with another property beyond them.
+  [[nodiscard]] const std::vector<model::Face>& borders() const { return borders_; }
 
 private:
   const model::Mesh& mesh_;
   std::vector<std::size_t> start_;
   std::vector<base::ElementId> elements_;
   std::vector<model::Face> boundary_;
+  std::vector<model::Face> borders_;
 };
 
 } // namespace spricka::mesh

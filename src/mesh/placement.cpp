@@ -104,7 +104,7 @@ int side_of_body(const Host& host, const CrackFrame& frame) {
 } // namespace
 
 double tip_clearance(const Host& host, const CrackFrame& frame, const std::vector<Vec2>& line,
-                     bool half, base::NetId net) {
+                     bool half, base::NetId net, const std::vector<model::Face>& faces) {
   const model::Mesh& mesh = host.mesh();
   const Vec3 tip = frame.global(line.back());
   const Vec2 along = (line.back() - line[line.size() - 2]).normalized();
@@ -113,13 +113,19 @@ double tip_clearance(const Host& host, const CrackFrame& frame, const std::vecto
            std::abs(cross(along, frame.exact(mesh.x[edge.b.index()]) - line.back())) < same;
   };
   double least = std::numeric_limits<double>::max();
-  for (const model::Face& face : host.boundary()) {
+  for (const model::Face& face : faces) {
     const Edge edge = edge_of(mesh, face);
     if (in_net(host, face, net) && !is_beyond(mesh, edge, tip, least) && !(half && on_line(edge))) {
       least = std::min(least, nearest_on(mesh, edge, tip).distance);
     }
   }
   return least / frame.a;
+}
+
+double tip_room(const Host& host, const CrackFrame& frame, const std::vector<Vec2>& line, bool half,
+                base::NetId net) {
+  return std::min(tip_clearance(host, frame, line, half, net, host.boundary()),
+                  tip_clearance(host, frame, line, half, net, host.borders()));
 }
 
 // Room for the tip, as a part of the crack's length, below which nothing is left of the ligament.
@@ -200,10 +206,11 @@ double angle_of(const Vec2& v) {
 /// The least distance of a tip from the boundary [a].
 double ligament_of(const Host& host, const Placement& placement, base::NetId net) {
   const bool half = placement.half != 0;
-  double least = tip_clearance(host, placement.frame, placement.line, half, net);
+  const auto& faces = host.boundary();
+  double least = tip_clearance(host, placement.frame, placement.line, half, net, faces);
   if (placement.tips.size() > 1) {
     const std::vector<Vec2> reversed(placement.line.rbegin(), placement.line.rend());
-    least = std::min(least, tip_clearance(host, placement.frame, reversed, half, net));
+    least = std::min(least, tip_clearance(host, placement.frame, reversed, half, net, faces));
   }
   return least;
 }
@@ -248,7 +255,7 @@ double room_at_end(const Host& host, const Placement& placement, const std::vect
                    base::NetId net) {
   const double last = (line.back() - line[line.size() - 2]).norm();
   const bool shared = placement.tips.size() > 1 && line.size() == 2; // with the other tip
-  return std::min(tip_clearance(host, placement.frame, line, placement.half != 0, net),
+  return std::min(tip_room(host, placement.frame, line, placement.half != 0, net),
                   shared ? 0.5 * last : last);
 }
 
@@ -291,13 +298,12 @@ std::optional<Placement> place(const Host& host, const CrackLine& line, const Ti
     report_lost_section(host, line, frame, ligament, diagnostics, span);
     return std::nullopt;
   }
-  if (room < shortest_part) {
-    diagnostics.error(
-        span, "E423",
-        fmt::format("{}: its last straight part, {:.3g} long, is too short for a tip: "
-                    "at least 1e-5 of a = {:.6g}",
-                    line.title(), room * frame.a, frame.a),
-        "leave out the point before the tip");
+  if (room < shortest_part) { // of the crack, or up to a material boundary
+    diagnostics.error(span, "E423",
+                      fmt::format("{}: a tip has {:.3g} of room to a material boundary or to the "
+                                  "point before it: at least 1e-5 of a = {:.6g}",
+                                  line.title(), room * frame.a, frame.a),
+                      "end the crack before the boundary, or leave out the point before the tip");
     return std::nullopt;
   }
   if (result.radius > 0.9 * room || result.size >= result.radius || !(result.size > 0.0)) {

@@ -19,6 +19,8 @@ using base::Vec3;
 /// rings from the tip outward.
 constexpr double radius_part = 0.4;
 constexpr double ring_growth = 1.5;
+/// The smallest tip element, as a part of the radius: more rings than 17 grow more slowly.
+constexpr double smallest_part = 5e-4;
 
 } // namespace
 
@@ -44,7 +46,7 @@ TipMesh choose_tip_mesh(const model::Mesh& host, const CrackLine& line, const mo
     double room = std::min(1.0, room_beside_cracks(line, all) / frame.a);
     for (int end = 0; end < (line.embedded ? 2 : 1); ++end) {
       const double last = (local.back() - local[local.size() - 2]).norm();
-      room = std::min({room, tip_clearance(neighbours, frame, local, line.symmetric_half, line.net),
+      room = std::min({room, tip_room(neighbours, frame, local, line.symmetric_half, line.net),
                        1.5 * last / (line.embedded && local.size() == 2 ? 2.0 : 1.0)});
       std::reverse(local.begin(), local.end());
     }
@@ -53,7 +55,8 @@ TipMesh choose_tip_mesh(const model::Mesh& host, const CrackLine& line, const mo
   if (wishes != nullptr && wishes->size) {
     tip.size = *wishes->size;
   } else {
-    tip.size = tip.radius * (ring_growth - 1.0) / (std::pow(ring_growth, tip.rings) - 1.0);
+    tip.size = tip.radius * std::max(smallest_part, (ring_growth - 1.0) /
+                                                        (std::pow(ring_growth, tip.rings) - 1.0));
   }
   return tip;
 }
