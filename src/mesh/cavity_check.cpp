@@ -134,9 +134,9 @@ bool check_cavity(const Host& host, const Placement& placement, const Cavity& ca
   const model::Mesh& mesh = host.mesh();
   if (const auto e = foreign_element(host, placement, cavity)) {
     diagnostics.error(span, "E424",
-                      fmt::format("the crack or its rosette meets a material boundary at element "
-                                  "{}",
-                                  mesh.element_label[e->index()]),
+                      fmt::format("with a = {:.6g} the crack or its rosette meets a material "
+                                  "boundary at element {}",
+                                  placement.frame.a, mesh.element_label[e->index()]),
                       "a patch has one property: end the crack before the boundary, or give a "
                       "smaller RADIUS on $TIPNET");
     return false;
@@ -159,9 +159,9 @@ bool check_cavity(const Host& host, const Placement& placement, const Cavity& ca
     if (const auto out = way_out(host, placement, cavity)) {
       const base::Vec3 at = placement.frame.global(*out);
       diagnostics.error(span, "E425",
-                        fmt::format("the crack leaves its body or runs along the boundary at "
-                                    "({:.6g}, {:.6g})",
-                                    at.x(), at.y()),
+                        fmt::format("with a = {:.6g} the crack leaves its body or runs along the "
+                                    "boundary at ({:.6g}, {:.6g})",
+                                    placement.frame.a, at.x(), at.y()),
                         placement.mouth
                             ? "from its first point on it runs inside: is that point on the right "
                               "boundary, is the direction that into the body, the length less than "

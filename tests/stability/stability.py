@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sweeps in which contact methods fail: every row is an answer within its accuracy, an answer with a
+"""Sweeps in which contact and crack methods fail: every row is an answer within its accuracy, an answer with a
 warning, or a refusal that names its cause.
 
     tests/stability/stability.py PROGRAM [--full] [--write] [SWEEP ..]
@@ -34,12 +34,13 @@ SWEEPS = {
     "S08": ("thin ligaments (F = K / sqrt(pi a))", sweeps_crack.ligament),
     "S09": ("cracks shorter than an element (F)", sweeps_crack.short_crack),
     "S12": ("elements at the tip (F)", sweeps_crack.tip_mesh),
+    "X01": ("square lug, sleeve and shaft: mean pressures and separation", sweeps_crack.square_lug),
     "LUG": ("pairings, mirrors, turns and units of the lug (K1)", sweeps_lug.lug),
 }
 
 HEAD = """# Stability
 
-Sweeps in which contact methods are known to fail, made by `tests/stability/stability.py PROGRAM --full
+Sweeps in which contact and crack methods are known to fail, made by `tests/stability/stability.py PROGRAM --full
 --write`; the tests run a part of them daily and all with `tests/run --full`. Each row is an answer (with its
 error and what is allowed), an answer with a warning, or a refusal that says why. A wrong answer without
 a word is a failure of the test. Times are wall seconds of one run, one thread.

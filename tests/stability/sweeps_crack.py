@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Cracks in bad meshes, thin ligaments, cracks shorter than elements, tip meshes."""
 import math
+import re
 import statistics
 
 from cracked_meshes import Grid, deck
@@ -249,7 +250,6 @@ def short_crack(program, full):
 
 def shorts(program, full, text):
     """Lengths from half an element down to a hundredth of one; mouths at nodes and anywhere."""
-    import re
     text = re.sub(r"\$GROW.*?(?=^\$)", "", text, flags=re.M | re.S)
     text = re.sub(r"WEST WHERE=.*", "WEST WHERE=(abs(x+W*cos(turn)) < 1e-6 and abs(y+W*sin(turn)) < 1e-6)", text)
     rows = []
@@ -282,4 +282,40 @@ def tip_mesh(program, full):
         rows.append(row_of("S12", f"F01, {rings} rings", run, f, a, 3e-3))
     run = Run(program, deck(Grid(STRIP, 12, 48), [(0.0, 0.0), (0.5, 0.0)], tipnet="$TIPNET CRACK=C QUARTER=NO"))
     rows.append(row_of("S12", "F01, middle nodes in the middle, 5 rings", run, f, a, 1e-2))
+    return rows
+
+
+def mean_pressure(run, contact, increment, first, last):
+    """Mean of the pressure over an arc, degrees, by the trapezoidal rule on its own points."""
+    points = sorted((float(row["theta"]) % 360.0, float(row["p_lumped"])) for row in run.pressures(contact, "LOAD")
+                    if row["increment"] == str(increment))
+    points = [(t - 360.0, p) for t, p in points[-3:]] + points  # round the circle
+    area = 0.0
+    for (t, p), (u, q) in zip(points, points[1:]):
+        low, high = max(t, first), min(u, last)
+        if low < high:
+            at = [p + (q - p) * (x - t) / (u - t) for x in (low, high)]
+            area += 0.5 * (at[0] + at[1]) * (high - low)
+    return area / (last - first)
+
+
+def square_lug(program, full):
+    """X01: means over arcs counted from +x, the load at 90 degrees."""
+    text = without_checks(text_of("square_lug"))
+    whole = re.sub(r"^\$(CRACK|GROW).*?(?=^\$)", "", text, flags=re.M | re.S)
+    rows = []
+    for case, deck_text, increment, means in (("a = 0", whole, 1, (89.08, 95.3, 114.217)),
+                                              ("a = 10.8", text, 2, (99.62, 95.14, 114.255)))[:2 if full else 1]:
+        run = Run(program, deck_text, ["fine=2"])
+        for (contact, first, last), mean in zip((("BUSH", 0, 30), ("BUSH", 60, 120), ("PINS", 60, 120)), means):
+            found = mean_pressure(run, contact, increment, first, last) if run.code == 0 else None
+            rows.append(Row("X01", f"{case}: mean pressure of {contact}, {first} to {last} deg", run, number=found,
+                            reference=mean, allowed=3e-3))
+    run = Run(program, changed(whole, ("$END", "$CHECK\n  ARC.FROM(BUSH,LOAD) = 0 ABS 1e9\n  CPRESS.MAX(PINS,LOAD) = 0 "
+                                       "ABS 1e9\n$END")))
+    separated = 180.0 + 2.0 * run.asked("ARC.FROM") * (180.0 / math.pi if abs(run.asked("ARC.FROM")) < 3.2 else 1.0)
+    rows.append(Row("X01", "a = 0: separation of lug and sleeve, degrees", run, number=separated, reference=144.0,
+                    allowed=1e-2))
+    rows.append(Row("X01", "a = 0: largest pressure on the shaft", run, number=run.asked("CPRESS.MAX"),
+                    reference=124.85, allowed=1e-2))
     return rows
