@@ -34,6 +34,7 @@ SWEEPS = {
     "S08": ("thin ligaments (F = K / sqrt(pi a))", sweeps_crack.ligament),
     "S09": ("cracks shorter than an element (F)", sweeps_crack.short_crack),
     "S12": ("elements at the tip (F)", sweeps_crack.tip_mesh),
+    "ANY": ("random cracks in three nets, both joins (spread of K)", sweeps_crack.any_crack),
     "X01": ("square lug, sleeve and shaft: mean pressures and separation", sweeps_crack.square_lug),
     "LUG": ("pairings, mirrors, turns and units of the lug (K1)", sweeps_lug.lug),
 }

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Cracks in bad meshes, thin ligaments, cracks shorter than elements, tip meshes."""
 import math
+import random
 import re
 import statistics
 
@@ -318,4 +319,70 @@ def square_lug(program, full):
                     allowed=1e-2))
     rows.append(Row("X01", "a = 0: largest pressure on the shaft", run, number=run.asked("CPRESS.MAX"),
                     reference=124.85, allowed=1e-2))
+    return rows
+
+
+PLATE_DECK = """$DECK VERSION=1 LENGTH=mm FORCE=N TITLE='Random cracks'
+$PARAMETER
+  n = 10
+$MESH SHAPE=BLOCK TYPE=QUAMC8 LX=10 LY=10 NX=(n) NY=(n)
+$MATERIAL NAME=M E=1000 NU=0.3
+$PROPERTY ESET=BODY MATERIAL=M STATE=STRAIN
+$NSET NAME=P WHERE=(abs(x) < 1e-9 and abs(y) < 1e-9)
+$NSET NAME=Q WHERE=(abs(x-10) < 1e-9 and abs(y) < 1e-9)
+$FREEDOM CLASS=SUPPRESSED DOF=XY
+  P
+$FREEDOM CLASS=SUPPRESSED DOF=Y
+  Q
+$LOAD CASE=T TYPE=TRACTION
+  YMAX 0 1
+  YMIN 0 -1
+  XMAX 1 0
+  XMIN -1 0
+$STEP NAME=PULL
+  LOAD T 1
+"""
+
+
+def random_cracks(dice):
+    """Up to three cracks, from 0.006 to more than the plate, from an edge or inside, bent and smooth."""
+    cards = ""
+    for name in "ABC"[:dice.choice((1, 1, 2, 3))]:
+        size = 10.0 ** dice.uniform(-1.5, 0.6)
+        edge = dice.random() < 0.5
+        x, y = (0.0, dice.uniform(0.5, 9.5)) if edge else (dice.uniform(1.0, 9.0), dice.uniform(1.0, 9.0))
+        turn = dice.uniform(-1.2, 1.2) if edge else dice.uniform(-3.1, 3.1)
+        points = [(x, y)]
+        for _ in range(dice.choice((1, 1, 1, 2, 3, 5))):
+            step = size * dice.uniform(0.2, 1.0)
+            x, y = x + step * math.cos(turn), y + step * math.sin(turn)
+            points.append((x, y))
+            turn += dice.uniform(-1.3, 1.3)
+        smooth = " LINE=SMOOTH" if dice.random() < 0.25 and len(points) > 2 else ""
+        cards += f"$CRACK NAME={name}{smooth}\n" + "".join(f"  {p:.17g}  {q:.17g}\n" for p, q in points)
+    return cards
+
+
+def any_crack(program, full):
+    """Random cracks in three hosts and with both joins: one answer, or the same refusal."""
+    dice = random.Random(2026)
+    rows = []
+    for number in range(60 if full else 4):
+        cards = random_cracks(dice)
+        names = re.findall(r"CRACK NAME=(\w)", cards)
+        tied = "".join(f"$TIPNET CRACK={name} JOIN=TRANSITION\n" for name in names)
+        runs = [Run(program, PLATE_DECK + cards + more + "$END\n", [f"n={n}"])
+                for n, more in ((10, ""), (17, ""), (7, tied))]
+        case = f"set {number + 1}, {len(names)} crack{'s' if len(names) > 1 else ''}"
+        if any(run.code != 0 for run in runs):
+            said = {run.refusal().split()[0] for run in runs}
+            rows.append(Row("ANY", f"{case}: the same in all nets", runs[0],
+                            ok=said in ({"E423"}, {"E425"}, {"E430"})))
+            continue
+        first, *others = ({row["crack"]: (float(row["K1"]), float(row["K2"])) for row in numbers(run.out / "k.csv")}
+                          for run in runs)
+        error = max(math.hypot(first[tip][0] - other[tip][0], first[tip][1] - other[tip][1]) / math.hypot(*first[tip])
+                    for other in others for tip in first)
+        rows.append(Row("ANY", f"{case}: spread of K over three nets and both joins", runs[0], number=error,
+                        reference=0.0, allowed=3e-3, error=error))
     return rows
