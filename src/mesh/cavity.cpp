@@ -21,7 +21,7 @@ using base::Vec2;
 constexpr double reach_of_line = 0.3;
 constexpr double reach_of_tip = 2.5;
 /// Least distance of an edge that stays from the crack and the rosette, in its own lengths.
-constexpr double edge_room = 0.8;
+constexpr double edge_room = 1.2;
 
 class Finder {
 public:

@@ -21,7 +21,7 @@ constexpr double at_mouth = 0.05;
 constexpr double beside_boundary = 0.002;
 constexpr double beside_tip = 0.4;
 /// Edges of a material boundary, which a patch cannot divide, over their distance from the crack.
-constexpr double longest_border = 3.0;
+constexpr double longest_border = 2.0;
 
 /// The crack without its first part.
 std::vector<Vec2> without_mouth(const std::vector<Vec2>& line) {
@@ -150,7 +150,7 @@ bool check_cavity(const Host& host, const Placement& placement, const Cavity& ca
             fmt::format("edges of a material boundary near ({:.6g}, {:.6g}) are too long for the "
                         "crack beside them",
                         at.x(), at.y()),
-            "refine the net there: edges of three times the distance from the crack at most");
+            "refine the net there: edges of twice the distance from the crack at most");
         return false;
       }
     }

@@ -154,6 +154,29 @@ std::optional<CrackedMesh::Lips> split_along(model::Mesh& mesh, const std::vecto
   return lips;
 }
 
+double odd_middle(const model::Mesh& mesh, NodeId tip) {
+  double odd = 0.5;
+  const auto off = [](double part) {
+    return std::min(std::abs(part - 0.25), std::abs(part - 0.5));
+  };
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const auto nodes = mesh.nodes_of(ElementId(e));
+    if (std::find(nodes.begin(), nodes.end(), tip) == nodes.end()) {
+      continue;
+    }
+    for (int s = 0; s < base::info(mesh.type[e]).sides; ++s) {
+      const Edge edge = edge_of(mesh, {ElementId(e), s});
+      if (edge.mid.valid() && (edge.a == tip || edge.b == tip)) {
+        const base::Vec3& x = mesh.x[tip.index()];
+        const base::Vec3 side = mesh.x[(edge.a == tip ? edge.b : edge.a).index()] - x;
+        const double part = (mesh.x[edge.mid.index()] - x).dot(side) / side.squaredNorm();
+        odd = off(part) > off(odd) ? part : odd;
+      }
+    }
+  }
+  return odd;
+}
+
 int move_quarter_points(model::Mesh& mesh, NodeId tip) {
   int moved = 0;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {

@@ -19,4 +19,8 @@ split_along(model::Mesh& mesh, const std::vector<base::NodeId>& path, bool embed
 /// Moves the mid nodes of all edges that leave a tip to their quarter points. Returns how many.
 int move_quarter_points(model::Mesh& mesh, base::NodeId tip);
 
+/// Where the middle node of an edge at the tip lies, as a part of the edge from the tip: of the one
+/// that is farthest from being a quarter point or a middle.
+double odd_middle(const model::Mesh& mesh, base::NodeId tip);
+
 } // namespace spricka::mesh

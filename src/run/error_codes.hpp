@@ -59,6 +59,7 @@ inline constexpr std::array later_codes{
     ErrorCode{"W502", "a result of a step that needs a second look"},
     ErrorCode{"W503", "a TRANSITION between meshes that do not nest"},
     ErrorCode{"W504", "a mesh whose estimated error is large"},
+    ErrorCode{"W505", "middle nodes at a tip that are neither quarter points nor middles"},
     ErrorCode{"W540", "a converted deck of which only the first step is written"},
 };
 

@@ -17,6 +17,7 @@ import sweeps_crack
 import sweeps_friction
 import sweeps_held
 import sweeps_lug
+import sweeps_tip
 from program import TOP
 
 SWEEPS = {
@@ -33,9 +34,9 @@ SWEEPS = {
     "S01": ("cracks in distorted, turned and stretched meshes (K)", sweeps_crack.distortion),
     "S08": ("thin ligaments (F = K / sqrt(pi a))", sweeps_crack.ligament),
     "S09": ("cracks shorter than an element (F)", sweeps_crack.short_crack),
-    "S12": ("elements at the tip (F)", sweeps_crack.tip_mesh),
+    "S12": ("elements at the tip (F)", sweeps_tip.tip_mesh),
     "ANY": ("random cracks in three nets, both joins (spread of K)", sweeps_crack.any_crack),
-    "X01": ("square lug, sleeve and shaft: mean pressures and separation", sweeps_crack.square_lug),
+    "X01": ("square lug, sleeve and shaft: mean pressures and separation", sweeps_tip.square_lug),
     "LUG": ("pairings, mirrors, turns and units of the lug (K1)", sweeps_lug.lug),
 }
 

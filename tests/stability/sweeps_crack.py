@@ -270,58 +270,6 @@ def shorts(program, full, text):
     return rows
 
 
-def tip_mesh(program, full):
-    """S12: fans, rings and middle nodes of the tip elements."""
-    f, a = SENT_HALF, 0.5
-    rows = []
-    for sectors, allowed in ((4, None), (6, 2e-2), (8, 3e-3), (12, 3e-3), (16, 3e-3), (24, 1e-3), (48, 1e-3)):
-        run = Run(program, deck(Grid(STRIP, 12, 48), [(0.0, 0.0), (0.5, 0.0)], tipnet=f"$TIPNET CRACK=C SECTORS={sectors}"))
-        case = f"F01, fan of {sectors} elements"
-        rows.append(refused("S12", case, run, "SECTORS") if allowed is None else row_of("S12", case, run, f, a, allowed))
-    for rings in (2, 3, 5, 10) if full else (2,):
-        run = Run(program, deck(Grid(STRIP, 12, 48), [(0.0, 0.0), (0.5, 0.0)], tipnet=f"$TIPNET CRACK=C RINGS={rings}"))
-        rows.append(row_of("S12", f"F01, {rings} rings", run, f, a, 3e-3))
-    run = Run(program, deck(Grid(STRIP, 12, 48), [(0.0, 0.0), (0.5, 0.0)], tipnet="$TIPNET CRACK=C QUARTER=NO"))
-    rows.append(row_of("S12", "F01, middle nodes in the middle, 5 rings", run, f, a, 1e-2))
-    return rows
-
-
-def mean_pressure(run, contact, increment, first, last):
-    """Mean of the pressure over an arc, degrees, by the trapezoidal rule on its own points."""
-    points = sorted((float(row["theta"]) % 360.0, float(row["p_lumped"])) for row in run.pressures(contact, "LOAD")
-                    if row["increment"] == str(increment))
-    points = [(t - 360.0, p) for t, p in points[-3:]] + points  # round the circle
-    area = 0.0
-    for (t, p), (u, q) in zip(points, points[1:]):
-        low, high = max(t, first), min(u, last)
-        if low < high:
-            at = [p + (q - p) * (x - t) / (u - t) for x in (low, high)]
-            area += 0.5 * (at[0] + at[1]) * (high - low)
-    return area / (last - first)
-
-
-def square_lug(program, full):
-    """X01: means over arcs counted from +x, the load at 90 degrees."""
-    text = without_checks(text_of("square_lug"))
-    whole = re.sub(r"^\$(CRACK|GROW).*?(?=^\$)", "", text, flags=re.M | re.S)
-    rows = []
-    for case, deck_text, increment, means in (("a = 0", whole, 1, (89.08, 95.3, 114.217)),
-                                              ("a = 10.8", text, 2, (99.62, 95.14, 114.255)))[:2 if full else 1]:
-        run = Run(program, deck_text, ["fine=2"])
-        for (contact, first, last), mean in zip((("BUSH", 0, 30), ("BUSH", 60, 120), ("PINS", 60, 120)), means):
-            found = mean_pressure(run, contact, increment, first, last) if run.code == 0 else None
-            rows.append(Row("X01", f"{case}: mean pressure of {contact}, {first} to {last} deg", run, number=found,
-                            reference=mean, allowed=3e-3))
-    run = Run(program, changed(whole, ("$END", "$CHECK\n  ARC.FROM(BUSH,LOAD) = 0 ABS 1e9\n  CPRESS.MAX(PINS,LOAD) = 0 "
-                                       "ABS 1e9\n$END")))
-    separated = 180.0 + 2.0 * run.asked("ARC.FROM") * (180.0 / math.pi if abs(run.asked("ARC.FROM")) < 3.2 else 1.0)
-    rows.append(Row("X01", "a = 0: separation of lug and sleeve, degrees", run, number=separated, reference=144.0,
-                    allowed=1e-2))
-    rows.append(Row("X01", "a = 0: largest pressure on the shaft", run, number=run.asked("CPRESS.MAX"),
-                    reference=124.85, allowed=1e-2))
-    return rows
-
-
 PLATE_DECK = """$DECK VERSION=1 LENGTH=mm FORCE=N TITLE='Random cracks'
 $PARAMETER
   n = 10
