@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/system.hpp"
 
+#include "solve/held_rows.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -147,6 +149,55 @@ solve::ContactProblem ContactSystem::condensed(const Demand& demand) const {
   problem.equality = demand.equality;
   problem.load_scale = demand.load_scale;
   return problem;
+}
+
+ContactSystem::Held ContactSystem::hold(const std::vector<std::size_t>& rows,
+                                        const std::vector<base::Matrix>& load) const {
+  const auto n = static_cast<Eigen::Index>(rows.size());
+  const Eigen::Index k = load.empty() ? 0 : load.front().cols();
+  solve::ContactProblem problem;
+  problem.W.resize(n, n);
+  problem.B.resize(n, B_.cols());
+  problem.b = base::Vector::Zero(n);
+  problem.h = base::Vector::Zero(B_.cols());
+  problem.equality.assign(rows.size(), true);
+  base::Matrix opened = base::Matrix::Zero(n, k);
+  base::Matrix on_modes = base::Matrix::Zero(B_.cols(), k);
+  Held held;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    held.u.push_back(bodies_[b]->displacement(load[b]));
+    const base::Matrix& Q = bodies_[b]->modes();
+    on_modes.middleRows(mode_start_[b], Q.cols()) = Q.transpose() * load[b];
+  }
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto row = static_cast<Eigen::Index>(rows[static_cast<std::size_t>(i)]);
+    for (Eigen::Index j = 0; j < n; ++j) {
+      problem.W(j, i) = W_(static_cast<Eigen::Index>(rows[static_cast<std::size_t>(j)]), row);
+    }
+    problem.B.row(i) = B_.row(row);
+    for (const Entry& e : rows_[static_cast<std::size_t>(row)]) {
+      opened.row(i) += e.weight * held.u[e.body].row(e.at);
+    }
+  }
+  const solve::HeldRows found = solve::hold_rows(problem, opened, on_modes);
+  held.ok = found.ok;
+  held.force = found.lambda;
+  held.left_over = found.left_over;
+  if (!held.ok) {
+    return held;
+  }
+  std::vector<base::Matrix> force = load;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (const Entry& e : rows_[rows[static_cast<std::size_t>(i)]]) {
+      force[e.body].row(e.at) += e.weight * held.force.row(i);
+    }
+  }
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const base::Matrix& Q = bodies_[b]->modes();
+    held.u[b] =
+        bodies_[b]->displacement(force[b]) + Q * found.alpha.middleRows(mode_start_[b], Q.cols());
+  }
+  return held;
 }
 
 solve::Uniqueness ContactSystem::unique(const Demand& demand) const {

@@ -63,6 +63,17 @@ public:
   /// The small problem of a demand.
   [[nodiscard]] solve::ContactProblem condensed(const Demand& demand) const;
 
+  /// Rows held at zero gap whatever the sign of their forces, all others away.
+  struct Held {
+    bool ok = false;
+    base::Matrix force;          ///< [held row, k]
+    std::vector<base::Matrix> u; ///< [body][m, k] external displacements
+    double left_over = 0.0;      ///< largest load on motions that no held row feels: they rest
+  };
+  /// What condensed loads [body][m, k] do then; not ok: the held rows contradict each other.
+  [[nodiscard]] Held hold(const std::vector<std::size_t>& rows,
+                          const std::vector<base::Matrix>& load) const;
+
   /// Whether a sufficient test finds that an increment with these rows has only one solution.
   [[nodiscard]] solve::Uniqueness unique(const Demand& demand) const;
 
