@@ -188,10 +188,11 @@ void summarise(StressIntensity& result) {
 }
 
 // s(u) : A + (H e1) . (s(v) grad q) with A = (H_v e1) (x) grad q - (e1 . grad q) H_v is e1 . T grad
-// q of the interaction; D is symmetric, so s(u) : A = H_u : s(A).
-template <shape::ElementShape S>
-void add_element_rows(const Setting& set, base::ElementId e,
-                      const std::map<base::NodeId, double>& q, double factor, base::Matrix& rows) {
+// q of the interaction; D is symmetric, so s(u) : A = H_u : s(A). Calls visit(r, map, M) with what
+// the displacement gradient is contracted with at each point, for both modes.
+template <shape::ElementShape S, class Visit>
+void for_element_points(const Setting& set, base::ElementId e,
+                        const std::map<base::NodeId, double>& q, double factor, Visit&& visit) {
   const fe::NodeVectors<S> X = fe::coordinates<S>(set.mesh, e);
   const fe::Elasticity<2> D = fe::elasticity<2>(set.material, set.state);
   const std::span<const base::NodeId> nodes = set.mesh.nodes_of(e);
@@ -209,28 +210,23 @@ void add_element_rows(const Setting& set, base::ElementId e,
     const double w = factor * point.weight * at.det;
     const base::Vec2 x = X * S::N(point.r);
     const base::Vec2 grad = at.dNdx.transpose() * moved;
+    std::array<Tensor, 2> M;
     for (int mode = 1; mode <= 2; ++mode) {
       const Tensor Hv = auxiliary_gradient(set.tip, x, mode, set.material, set.state);
       const Tensor A = Hv * set.tip.e1 * grad.transpose() - set.tip.e1.dot(grad) * Hv;
-      const Tensor M = stress(A) + stress(Hv) * grad * set.tip.e1.transpose();
-      for (int n = 0; n < S::nodes; ++n) {
-        const auto freedom =
-            2 * static_cast<Eigen::Index>(nodes[static_cast<std::size_t>(n)].index());
-        rows.col(mode - 1).segment<2>(freedom) += w * (M * at.dNdx.row(n).transpose());
-      }
+      M[static_cast<std::size_t>(mode) - 1] =
+          w * (stress(A) + stress(Hv) * grad * set.tip.e1.transpose());
     }
+    visit(point.r, at, M);
   }
 }
 
-} // namespace
-
-base::Matrix intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
-                            const mesh::Tip& tip, const std::vector<ExtensionField>& fields,
-                            model::CrackState state) {
-  base::Matrix rows = base::Matrix::Zero(
-      static_cast<Eigen::Index>(cracked.mesh.node_count()) * cracked.mesh.dim, 2);
+// The same for all elements of all domains: visit(e, r, map, M).
+template <class Visit>
+void for_points(const model::Model& model, const mesh::CrackedMesh& cracked, const mesh::Tip& tip,
+                const std::vector<ExtensionField>& fields, model::CrackState state, Visit&& visit) {
   if (fields.empty()) {
-    return rows;
+    return;
   }
   const base::ElementId near = fields.front().elements.front();
   const model::Property& property = model.property_of(cracked.mesh, near);
@@ -245,14 +241,52 @@ base::Matrix intensity_rows(const model::Model& model, const mesh::CrackedMesh& 
     fe::for_plane_blocks(cracked.mesh, field.elements,
                          [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
                            for (const base::ElementId e : block) {
-                             add_element_rows<S>(set, e, q, factor, rows);
+                             for_element_points<S>(set, e, q, factor,
+                                                   [&](const shape::Point<2>& r,
+                                                       const fe::Jacobian<S>& at,
+                                                       std::array<Tensor, 2>& M) {
+                                                     if (tip.symmetric_half) {
+                                                       M[1].setZero();
+                                                     }
+                                                     visit(e, r, at, M);
+                                                   });
                            }
                          });
   }
-  if (tip.symmetric_half) {
-    rows.col(1).setZero();
-  }
+}
+
+} // namespace
+
+base::Matrix intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
+                            const mesh::Tip& tip, const std::vector<ExtensionField>& fields,
+                            model::CrackState state) {
+  base::Matrix rows = base::Matrix::Zero(
+      static_cast<Eigen::Index>(cracked.mesh.node_count()) * cracked.mesh.dim, 2);
+  for_points(model, cracked, tip, fields, state,
+             [&](base::ElementId e, const shape::Point<2>& /*r*/, const auto& at,
+                 const std::array<Tensor, 2>& M) {
+               const std::span<const base::NodeId> nodes = cracked.mesh.nodes_of(e);
+               for (std::size_t n = 0; n < nodes.size(); ++n) {
+                 const auto freedom = 2 * static_cast<Eigen::Index>(nodes[n].index());
+                 const base::Vec2 grad = at.dNdx.row(static_cast<Eigen::Index>(n));
+                 rows.col(0).segment<2>(freedom) += M[0] * grad;
+                 rows.col(1).segment<2>(freedom) += M[1] * grad;
+               }
+             });
   return rows;
+}
+
+std::vector<IntensityPoint> intensity_points(const model::Model& model,
+                                             const mesh::CrackedMesh& cracked, const mesh::Tip& tip,
+                                             const std::vector<ExtensionField>& fields,
+                                             model::CrackState state) {
+  std::vector<IntensityPoint> points;
+  for_points(model, cracked, tip, fields, state,
+             [&](base::ElementId e, const shape::Point<2>& r, const auto& /*at*/,
+                 const std::array<Tensor, 2>& M) {
+               points.push_back({e, r, M});
+             });
+  return points;
 }
 
 StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedMesh& cracked,

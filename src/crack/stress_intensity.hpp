@@ -4,7 +4,9 @@
 #include "crack/williams.hpp"
 #include "mesh/patch.hpp"
 #include "model/model.hpp"
+#include "shape/shape.hpp"
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -53,5 +55,17 @@ StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedM
 base::Matrix intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
                             const mesh::Tip& tip, const std::vector<ExtensionField>& fields,
                             model::CrackState state);
+
+/// The same functional of any displacement gradient, also of functions that are not the mesh's: K_m
+/// is the sum over the points of M_m : grad u (row i: gradient of u_i).
+struct IntensityPoint {
+  base::ElementId element;
+  shape::Point<2> r = shape::Point<2>::Zero(); ///< in the element's reference coordinates
+  std::array<Eigen::Matrix2d, 2> M;            ///< by mode, integration weight included
+};
+std::vector<IntensityPoint> intensity_points(const model::Model& model,
+                                             const mesh::CrackedMesh& cracked, const mesh::Tip& tip,
+                                             const std::vector<ExtensionField>& fields,
+                                             model::CrackState state);
 
 } // namespace spricka::crack
