@@ -200,6 +200,56 @@ ContactSystem::Held ContactSystem::hold(const std::vector<std::size_t>& rows,
   return held;
 }
 
+base::Vector ContactSystem::pivots(const std::vector<std::size_t>& held,
+                                   const std::vector<std::size_t>& candidates) const {
+  const auto n = static_cast<Eigen::Index>(held.size());
+  const auto k = static_cast<Eigen::Index>(candidates.size());
+  solve::ContactProblem problem;
+  problem.W.resize(n, n);
+  problem.B.resize(n, B_.cols());
+  problem.b = base::Vector::Zero(n);
+  problem.h = base::Vector::Zero(B_.cols());
+  problem.equality.assign(held.size(), true);
+  base::Matrix gap = base::Matrix::Zero(n, k);
+  base::Matrix on_modes = base::Matrix::Zero(B_.cols(), k);
+  std::vector<Eigen::Index> place(candidates.size(), -1); // among the held
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto row = static_cast<Eigen::Index>(held[static_cast<std::size_t>(i)]);
+    for (Eigen::Index j = 0; j < n; ++j) {
+      problem.W(j, i) = W_(static_cast<Eigen::Index>(held[static_cast<std::size_t>(j)]), row);
+    }
+    problem.B.row(i) = B_.row(row);
+    for (std::size_t c = 0; c < candidates.size(); ++c) {
+      place[c] = held[static_cast<std::size_t>(i)] == candidates[c] ? i : place[c];
+      gap(i, static_cast<Eigen::Index>(c)) = W_(row, static_cast<Eigen::Index>(candidates[c]));
+    }
+  }
+  for (std::size_t c = 0; c < candidates.size(); ++c) {
+    const auto at = static_cast<Eigen::Index>(c);
+    if (place[c] >= 0) {
+      gap.col(at) = base::Vector::Unit(n, place[c]);
+    } else {
+      on_modes.col(at) = B_.row(static_cast<Eigen::Index>(candidates[c])).transpose();
+    }
+  }
+  const solve::HeldRows found = solve::hold_rows(problem, gap, on_modes);
+  if (!found.ok) {
+    return {};
+  }
+  base::Vector pivot(k);
+  for (std::size_t c = 0; c < candidates.size(); ++c) {
+    const auto at = static_cast<Eigen::Index>(c);
+    if (place[c] >= 0) {
+      pivot[at] = -found.lambda(place[c], at);
+    } else {
+      const auto row = static_cast<Eigen::Index>(candidates[c]);
+      pivot[at] = W_(row, row) + gap.col(at).dot(found.lambda.col(at)) +
+                  B_.row(row).dot(found.alpha.col(at));
+    }
+  }
+  return pivot;
+}
+
 solve::Uniqueness ContactSystem::unique(const Demand& demand) const {
   return solve::unique_increment({condensed(demand), demand.friction, {}});
 }

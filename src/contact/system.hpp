@@ -74,6 +74,13 @@ public:
   [[nodiscard]] Held hold(const std::vector<std::size_t>& rows,
                           const std::vector<base::Matrix>& load) const;
 
+  /// Pivots of single rows while the rows `held` keep their gaps [candidate]: of a row that is not
+  /// held the gap that a unit of its own force opens, of a held one the force that a unit of its
+  /// gap takes (manual, solve.29). Zero where there is none: redundant rows; empty: held rows
+  /// contradict.
+  [[nodiscard]] base::Vector pivots(const std::vector<std::size_t>& held,
+                                    const std::vector<std::size_t>& candidates) const;
+
   /// Whether a sufficient test finds that an increment with these rows has only one solution.
   [[nodiscard]] solve::Uniqueness unique(const Demand& demand) const;
 

@@ -2,6 +2,7 @@
 #pragma once
 #include "base/vec.hpp"
 #include "model/mesh.hpp"
+#include "results/k_bar.hpp"
 #include "results/load_path.hpp"
 #include "results/stress_invariants.hpp"
 
@@ -23,6 +24,8 @@ struct TipResult {
   double G_from_K = 0.0; ///< (K1^2 + K2^2) / E'
   double spread = 0.0;   ///< (max - min of K1 over domains) / hypot(K1, K2)
   std::vector<double> K1_domain;
+  std::array<KBar, 2> bar;                   ///< of K1 and K2, where `no_bar` is empty
+  std::string no_bar;                        ///< why there is no error bar
   std::string doubt;                         ///< why this K is not an answer; empty: it is one
   base::Vec3 x = base::Vec3::Zero();         ///< the tip, undeformed
   base::Vec3 direction = base::Vec3::Zero(); ///< unit, the way the crack grows; zero: unknown

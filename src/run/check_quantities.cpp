@@ -29,6 +29,13 @@ double tip_quantity(const std::string& quantity, Arguments& args, const results:
   if (!found->doubt.empty()) {
     throw Missing(found->doubt);
   }
+  if (quantity.find('.') != std::string::npos) {
+    if (!found->no_bar.empty()) {
+      throw Missing("no error bar: " + found->no_bar);
+    }
+    const results::KBar& bar = found->bar[quantity.starts_with("K2") ? 1 : 0];
+    return quantity.ends_with(".BEST") ? bar.best : bar.size();
+  }
   if (quantity == "K2") {
     return found->K2;
   }
@@ -233,7 +240,8 @@ double estimated_error(Arguments& args, const results::Run& run) {
 double evaluate(const model::Model& model, const model::Check& check, const results::Run& run) {
   Arguments args(check);
   const std::string& q = check.quantity;
-  if (q == "K" || q == "K1" || q == "K2" || q == "G") {
+  if (q == "K" || q == "K1" || q == "K2" || q == "G" || q.starts_with("K1.") ||
+      q.starts_with("K2.")) {
     return tip_quantity(q, args, run);
   }
   if (q.starts_with("PATH.")) {

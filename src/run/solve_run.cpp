@@ -6,6 +6,8 @@
 #include "growth/crack_lines.hpp"
 #include "mesh/boundary.hpp"
 #include "report/report.hpp"
+#include "run/adjoints.hpp"
+#include "run/error_bars.hpp"
 #include "run/estimate.hpp"
 #include "run/gather.hpp"
 #include "run/load_paths.hpp"
@@ -211,6 +213,8 @@ private:
     const bool keep = model_.growth && model_.growth->mounted == model::Mounted::first;
     StepSolver solver(model_, scene, bodies, keep ? &mounted_ : nullptr);
     LoadPaths paths(model_, scene, bodies);
+    Adjoints adjoints(model_, scene, bodies);
+    ErrorBars bars(model_, scene);
     log.add("CONTACT", "compliances of the contact rows");
     for (std::size_t s = 0; s < model_.steps.size(); ++s) {
       const model::Step& step = model_.steps[s];
@@ -225,9 +229,10 @@ private:
               fmt::format("step {}: {} iterations, {} pivots, imbalance {:.1e}", step.name,
                           state->iterations, state->pivots, state->imbalance));
       increment.steps.push_back(gather_step(model_, scene, bodies, step, *state));
-      paths.keep(s, solver, increment.steps.back());
       log.add("VCE", fmt::format("step {}: {} tips, pressures, balance", step.name,
                                  scene.cracked.tips.size()));
+      paths.keep(s, solver, increment.steps.back());
+      add_bars(adjoints.of_last_step(solver), solver, *state, bars, log, increment.steps.back());
       if (pictured[s]) {
         add_stress(model_, scene.cracked.mesh, increment.steps.back());
         log.add("RECOVER", fmt::format("step {}: stresses", step.name));
@@ -246,6 +251,17 @@ private:
                       path.factorisations, path.residual, path.mismatch));
     }
     return true;
+  }
+
+  static void add_bars(const std::vector<estimate::Adjoint>& adjoints, const StepSolver& solver,
+                       const StepState& state, ErrorBars& bars, Log& log,
+                       results::StepResult& step) {
+    if (adjoints.empty()) {
+      return;
+    }
+    log.add("ADJOINT", fmt::format("step {}: {} tips", step.step, adjoints.size()));
+    bars.add(solver, state, adjoints, step);
+    log.add("ESTIMATE", fmt::format("step {}: error bars of K", step.step));
   }
 
   const model::Model& model_;
