@@ -37,7 +37,8 @@ void write_k_csv(const std::filesystem::path& file, const model::Model& model,
   std::string text =
       fmt::format("# units: a [{0}], K1 K2 and what follows them [{1}], G [{2}/{0}], increment and "
                   "spread [1]\n"
-                  "increment,step,crack,a,K1,K2,G,spread,K1_bar,K1_best,K2_bar,K2_best\n",
+                  "increment,step,crack,a,K1,K2,G,spread,K1_bar,K1_best,K1_eta,K1_sum,K1_flip,"
+                  "K2_bar,K2_best,K2_eta,K2_sum,K2_flip\n",
                   units.length_name, units.stress_intensity_name(), units.force_name);
   auto out = std::back_inserter(text);
   for (const results::Increment& increment : run.increments) {
@@ -46,7 +47,9 @@ void write_k_csv(const std::filesystem::path& file, const model::Model& model,
         fmt::format_to(out, "{},{},{},{},{},{},{},{}", increment.number, step.step, tip.name, tip.a,
                        tip.K1, tip.K2, tip.G, tip.spread);
         for (const results::KBar& bar : tip.bar) { // empty cells: there is no bar
-          text += tip.no_bar.empty() ? fmt::format(",{},{}", bar.size(), bar.best) : ",,";
+          text += tip.no_bar.empty() ? fmt::format(",{},{},{},{},{}", bar.size(), bar.best, bar.eta,
+                                                   bar.sum, bar.flip)
+                                     : ",,,,,";
         }
         text += '\n';
       }

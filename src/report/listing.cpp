@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/k_bars.hpp"
 #include "report/load_paths.hpp"
 #include "report/model_tables.hpp"
 #include "report/report.hpp"
@@ -97,6 +98,9 @@ std::string increment_text(const model::Model& model, const results::Increment& 
     if (!table.rows.empty()) {
       (out += '\n') += to_text(table);
     }
+  }
+  if (const std::string bars = k_bar_lines(increment); !bars.empty()) {
+    out += "\nStress intensity factors with the error of the mesh (not that of the model)\n" + bars;
   }
   return out;
 }

@@ -203,8 +203,12 @@ void print_summary(const model::Model& model, const results::Run& run,
   for (const results::Increment& increment : run.increments) {
     for (const results::StepResult& step : increment.steps) {
       for (const results::TipResult& tip : step.tips) {
-        fmt::print("{:<12} {:<8} a = {:<10.6g} K1 = {:<12.7g} K2 = {:<12.7g} {}\n", step.step,
-                   tip.name, tip.a, tip.K1, tip.K2, model.units.stress_intensity_name());
+        const auto bar = [&](std::size_t k) {
+          return tip.no_bar.empty() ? fmt::format(" +- {:<8.2g}", tip.bar[k].size()) : "";
+        };
+        fmt::print("{:<12} {:<8} a = {:<10.6g} K1 = {:<12.7g}{} K2 = {:<12.7g}{} {}\n", step.step,
+                   tip.name, tip.a, tip.K1, bar(0), tip.K2, bar(1),
+                   model.units.stress_intensity_name());
       }
     }
   }
