@@ -96,13 +96,13 @@ $END
 """
 
 
-def tip_card(crack, a, dice):
+def tip_card(crack, a, dice, room=math.inf):
     """Sizes of a patch by chance; in a third of the meshes the program chooses."""
     if dice.random() < 1 / 3:
         return ""
     size = a * math.exp(dice.uniform(math.log(0.03), math.log(0.25)))
     rings = dice.randint(3, 6)
-    radius = min(0.45 * a, size * dice.uniform(1.2, 2.0) * rings)
+    radius = min(0.45 * a, room, size * dice.uniform(1.2, 2.0) * rings)
     return (f"$TIPNET CRACK={crack} SIZE={min(size, 0.5 * radius):.6g} RADIUS={radius:.6g} RINGS={rings} "
             f"SECTORS={dice.choice((12, 16, 20, 24))}\n")
 
@@ -113,7 +113,7 @@ def strip(case, dice):
     nx = dice.randint(3, 14)
     ny = max(4, round(4 * nx * dice.uniform(0.5, 1.2)))
     return STRIP_DECK.format(type=dice.choice(TYPES), nx=nx, ny=ny, a=a, slant=math.radians(slant),
-                             y0=0, tip=tip_card("C", a, dice))
+                             y0=0, tip=tip_card("C", a, dice, 0.8 * (1 - a)))
 
 
 def strip_fine(case):
@@ -207,15 +207,16 @@ def measure(program, seed, count, jobs):
         for (family, case, text), (rows, why) in zip(tasks, pool.map(lambda t: rows_of(program, t[2]), tasks)):
             refused += not rows
             if not rows:
-                print(f"refused: {family} {case}: {why.strip()[:300]}", file=sys.stderr)
+                print(f"refused: {family} {case}: {why.strip()[:300]}\n{text}", file=sys.stderr)
             for key, row in rows.items():
                 size = math.hypot(*known[family, case][key])
                 for k in (1, 2):
                     if f"K{k}_bar" not in row:
                         continue
                     exact = known[family, case][key][k - 1]
+                    match = len(set(re.findall(r"TYPE=.*NT=(\d+)", text))) <= 1
                     host = re.search(r"TYPE=(TRIMC6|QUAMC[89])", text).group(1)
-                    records.append({"seed": seed, "family": family, "case": str(case), "host": host, "step": key[0],
+                    records.append({"seed": seed, "family": family, "case": str(case), "host": host, "match": int(match), "step": key[0],
                                     "tip": key[1], "k": k, "truth": exact, "size": size, "K": row[f"K{k}"],
                                     **{n: row[f"K{k}_{n}"] for n in ("bar", "best", "eta", "sum", "flip")}})
     return records, refused
@@ -240,6 +241,8 @@ def table(records):
     groups = [("all", lambda r: True)]
     groups += [(name, lambda r, n=name: r["family"] == n) for name in FAMILIES]
     groups += [(name, lambda r, n=name: r["host"] == n) for name in TYPES]
+    groups += [("lug, matching meshes", lambda r: r["family"] == "lug" and r["match"]),
+               ("lug, other meshes", lambda r: r["family"] == "lug" and not r["match"])]
     groups += [(f"K{k}", lambda r, n=k: r["k"] == n) for k in (1, 2)]
     for name, chosen in groups:
         s = summary([r for r in records if chosen(r)])

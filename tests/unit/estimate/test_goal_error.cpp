@@ -225,7 +225,10 @@ std::vector<std::int32_t> freedoms_of_straight_elements(const model::Mesh& mesh,
     const base::ElementId e(i);
     const auto nodes = mesh.nodes_of(e);
     const auto corners = static_cast<std::size_t>(base::info(mesh.type[i]).corners);
-    bool bent = false;
+    // Eight nodes hold quadratics on parallelograms only.
+    bool bent = corners == 4 && (mesh.x[nodes[0].index()] + mesh.x[nodes[2].index()] -
+                                 mesh.x[nodes[1].index()] - mesh.x[nodes[3].index()])
+                                        .norm() > 1e-12;
     for (std::size_t s = 0; s < corners; ++s) {
       const base::Vec3 middle =
           0.5 * (mesh.x[nodes[s].index()] + mesh.x[nodes[(s + 1) % corners].index()]);
@@ -298,7 +301,7 @@ TEST_P(GoalError, IsNothingWhereTheMeshIsExact) {
     ++counted;
     EXPECT_LT(std::abs(r(freedom, 0)), 1e-11 * size);
   }
-  EXPECT_GT(counted, modes.freedoms() / 3);
+  EXPECT_GT(counted, modes.freedoms() / 10);
 }
 
 // Turned, in other units and with nodes numbered the other way round, the parts of K are the same.
