@@ -26,16 +26,6 @@ EdgeIndex index_of(const EdgeTable& table) {
   return index;
 }
 
-std::vector<const contact::Edge*> edges_of(const contact::Surface& surface) {
-  std::vector<const contact::Edge*> edges;
-  for (const contact::EdgeChain& chain : surface.chains) {
-    for (const contact::Edge& edge : chain.edges) {
-      edges.push_back(&edge);
-    }
-  }
-  return edges;
-}
-
 std::optional<std::size_t> find(const EdgeIndex& index, const contact::Edge& edge) {
   if (edge.count < 3) {
     return std::nullopt;
@@ -61,6 +51,16 @@ bool match(const contact::Edge& a, const contact::Edge& b, const contact::Surfac
 
 } // namespace
 
+std::vector<const contact::Edge*> edges_of(const contact::Surface& surface) {
+  std::vector<const contact::Edge*> edges;
+  for (const contact::EdgeChain& chain : surface.chains) {
+    for (const contact::Edge& edge : chain.edges) {
+      edges.push_back(&edge);
+    }
+  }
+  return edges;
+}
+
 std::vector<ContactEdge> contact_edges(const EdgeTable& table, const contact::PairRows& pair) {
   const EdgeIndex index = index_of(table);
   std::map<base::NodeId, std::size_t> row_of;
@@ -77,6 +77,7 @@ std::vector<ContactEdge> contact_edges(const EdgeTable& table, const contact::Pa
     if (const std::optional<std::size_t> at = find(index, edge)) {
       known[i] = true;
       result[i].edge = *at;
+      result[i].shape = &edge;
       result[i].target_side = target;
     }
     for (int n = 0; n < edge.count && !target; ++n) {

@@ -11,6 +11,7 @@ namespace spricka::estimate {
 /// An edge of a contact surface in the edge table, and what lies opposite.
 struct ContactEdge {
   std::size_t edge = 0;
+  const contact::Edge* shape = nullptr; ///< in the pair
   std::vector<std::size_t> rows; ///< normal rows of the pair that decide whether it is closed
   /// The edge of the other surface that lies exactly opposite, and 1 where both run (from the lower
   /// to the higher of their ends) the same way, else -1; only given on the contact side.
@@ -20,8 +21,11 @@ struct ContactEdge {
   bool covered = false; ///< faces the other surface along its whole length
 };
 
-/// The edges of both surfaces of a pair. Edges that match end to end to a hundredth of their length
-/// are opposite each other.
+/// All edges of a surface, chain by chain.
+std::vector<const contact::Edge*> edges_of(const contact::Surface& surface);
+
+/// The edges of both surfaces of a pair, which they point into. Edges that match end to end to a
+/// hundredth of their length are opposite each other.
 std::vector<ContactEdge> contact_edges(const EdgeTable& table, const contact::PairRows& pair);
 
 /// A closed edge: all its rows are.

@@ -25,7 +25,7 @@ struct TipResult {
   double spread = 0.0;   ///< (max - min of K1 over domains) / hypot(K1, K2)
   std::vector<double> K1_domain;
   std::array<KBar, 2> bar;                   ///< of K1 and K2, where `no_bar` is empty
-  std::string no_bar;                        ///< why there is no error bar
+  std::string no_bar = "not estimated";      ///< why there is no error bar; empty: there is one
   std::string doubt;                         ///< why this K is not an answer; empty: it is one
   base::Vec3 x = base::Vec3::Zero();         ///< the tip, undeformed
   base::Vec3 direction = base::Vec3::Zero(); ///< unit, the way the crack grows; zero: unknown

@@ -3,6 +3,7 @@
 
 #include "crack/stress_intensity.hpp"
 #include "estimate/error_bar.hpp"
+#include "estimate/followed_modes.hpp"
 #include "estimate/mode_load.hpp"
 #include "run/contact_flip.hpp"
 
@@ -32,6 +33,12 @@ void ErrorBars::prepare() {
     }
   }
   enrichment_.emplace(model_, mesh, std::move(edges), std::move(framed));
+  for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
+    const bool bonded = model_.contacts[c].type == model::ContactType::bonded;
+    followed_.push_back(
+        bonded ? std::vector<estimate::FollowedMode>()
+               : estimate::followed_modes(*enrichment_, contact_edges_[c], scene_.pairs[c]));
+  }
   supports_ = estimate::mode_supports(*enrichment_, scene_.cls, *scene_.ties);
   case_load_.resize(model_.cases.size());
   goals_.resize(enrichment_->freedoms(), 2 * static_cast<Eigen::Index>(scene_.cracked.tips.size()));
@@ -70,6 +77,35 @@ estimate::ModeMap ErrorBars::modes(const StepState& state) const {
     }
   }
   return estimate::mode_map(*enrichment_, supports_, closed);
+}
+
+std::vector<estimate::GoalRequest::Followed>
+ErrorBars::followed(const StepState& state, const std::vector<estimate::Adjoint>& adjoints) const {
+  std::vector<estimate::GoalRequest::Followed> pairs;
+  for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
+    if (!state.mounted[c] || followed_[c].empty()) {
+      continue;
+    }
+    estimate::GoalRequest::Followed pair;
+    pair.modes = &followed_[c];
+    pair.closed = &state.pair_closed[c];
+    pair.force_u = base::Vector::Zero(state.u.size());
+    pair.force_z = base::Matrix::Zero(state.u.size(), goals_.cols());
+    for (std::size_t r = 0; r < scene_.pairs[c].normal.size(); ++r) {
+      const auto row = static_cast<Eigen::Index>(scene_.table.first[c] + r);
+      for (const contact::RowEntry& entry : scene_.pairs[c].normal[r].entries) {
+        const auto at = 2 * static_cast<Eigen::Index>(entry.node.index());
+        const base::Vec2 weight = entry.weight.head<2>();
+        pair.force_u.segment<2>(at) += state.pair_lambda[c][static_cast<Eigen::Index>(r)] * weight;
+        for (std::size_t t = 0; t < adjoints.size(); ++t) {
+          pair.force_z.block<2, 2>(at, 2 * static_cast<Eigen::Index>(t)) +=
+              weight * adjoints[t].w.row(row);
+        }
+      }
+    }
+    pairs.push_back(std::move(pair));
+  }
+  return pairs;
 }
 
 // Pairs of a contact that the crack feels stand further apart than half its length.
@@ -128,8 +164,9 @@ void ErrorBars::add(const StepSolver& solver, const StepState& state,
     for (std::size_t t = 0; t < adjoints.size(); ++t) {
       z.middleCols(2 * static_cast<Eigen::Index>(t), 2) = adjoints[t].z;
     }
-    errors = estimate::goal_errors(*enrichment_, modes(state),
-                                   {state.u, z, load(state.case_factor), goals_});
+    errors = estimate::goal_errors(
+        *enrichment_, modes(state),
+        {state.u, z, load(state.case_factor), goals_, followed(state, adjoints)});
     flips = contact_flips(scene_, solver, state, adjoints);
   }
   for (std::size_t t = 0; t < step.tips.size(); ++t) {
