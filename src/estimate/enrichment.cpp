@@ -60,6 +60,7 @@ Enrichment::Enrichment(const model::Model& model, const model::Mesh& mesh, EdgeT
     ep_.insert(ep_.end(), K.ep.data(), K.ep.data() + K.ep.size());
   });
   freedoms_ = next;
+  sum_diagonal();
 }
 
 SideState Enrichment::sides(base::ElementId e) const {
@@ -93,18 +94,17 @@ base::Vector Enrichment::product(const base::Vector& x) const {
   return y;
 }
 
-std::vector<base::Vec3> Enrichment::diagonal() const {
-  std::vector<base::Vec3> blocks(static_cast<std::size_t>(freedoms_ / 2), base::Vec3::Zero());
+void Enrichment::sum_diagonal() {
+  diagonal_.assign(static_cast<std::size_t>(freedoms_ / 2), base::Vec3::Zero());
   for_elements(mesh_, [&]<shape::PlaneShape S>(S, base::ElementId e) {
     constexpr int m = mode_freedoms<S>;
     const Eigen::Map<const Eigen::Matrix<double, m, m>> K(ee_.data() + at_ee_[e.index()]);
     const std::span<const std::int32_t> freedom = of_element(e);
     for (int i = 0; i < m; i += 2) {
-      blocks[static_cast<std::size_t>(freedom[static_cast<std::size_t>(i)]) / 2] +=
+      diagonal_[static_cast<std::size_t>(freedom[static_cast<std::size_t>(i)]) / 2] +=
           base::Vec3(K(i, i), K(i + 1, i), K(i + 1, i + 1));
     }
   });
-  return blocks;
 }
 
 void Enrichment::take_nodal(const base::Matrix& u, base::Matrix& r) const {

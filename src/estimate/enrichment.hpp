@@ -40,13 +40,15 @@ public:
   [[nodiscard]] base::Vector product(const base::Vector& x) const;
   /// Diagonal blocks of K_ee: for each direction pair 2 i, 2 i + 1 the entries (0,0), (1,0), (1,1).
   /// [freedoms / 2]
-  [[nodiscard]] std::vector<base::Vec3> diagonal() const;
+  [[nodiscard]] const std::vector<base::Vec3>& diagonal() const { return diagonal_; }
   /// r - K_ep u, by columns. u [dim * node, k], r [freedoms, k]
   void take_nodal(const base::Matrix& u, base::Matrix& r) const;
   /// The functional of some points on the modes. [freedoms, 2]
   [[nodiscard]] base::Matrix functional(const std::vector<crack::IntensityPoint>& points) const;
 
 private:
+  void sum_diagonal();
+
   const model::Model& model_;
   const model::Mesh& mesh_;
   EdgeTable edges_;
@@ -58,6 +60,7 @@ private:
   std::vector<std::size_t> at_ep_;    ///< [element] into ep_
   std::vector<double> ee_;            ///< element matrices, one after another
   std::vector<double> ep_;
+  std::vector<base::Vec3> diagonal_;
 };
 
 } // namespace spricka::estimate

@@ -91,7 +91,7 @@ std::vector<FollowedMode> followed_modes(const Enrichment& enrichment,
     facing[own[s.contact_edge]].insert(s.target_edge);
     facing[others[s.target_edge]].insert(s.contact_edge);
   }
-  const std::vector<base::Vec3> diagonal = enrichment.diagonal();
+  const std::vector<base::Vec3>& diagonal = enrichment.diagonal();
   for (const ContactEdge& lead : edges) {
     if (matched[lead.edge] || !lead.covered) {
       continue;

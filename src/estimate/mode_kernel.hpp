@@ -92,10 +92,20 @@ template <class Derived> auto strains_of(const Eigen::MatrixBase<Derived>& G) {
 
 /// Stiffness of the modes with themselves and with the nodes' displacements (manual, estimate.8).
 template <shape::PlaneShape S> struct EnrichedStiffness {
+  static constexpr int modes = Modes<S>::count;
   Eigen::Matrix<double, mode_freedoms<S>, mode_freedoms<S>> ee;
   Eigen::Matrix<double, mode_freedoms<S>, 2 * S::nodes> ep;
 
   EnrichedStiffness(const fe::NodeVectors<S>& X, const fe::Law& law, const SideState& sides) {
+    if (sides.any_framed()) {
+      by_strains(X, law, sides);
+    } else {
+      by_moments(X, law, sides);
+    }
+  }
+
+private:
+  void by_strains(const fe::NodeVectors<S>& X, const fe::Law& law, const SideState& sides) {
     Eigen::Matrix3d D = Eigen::Matrix3d::Zero();
     D.topLeftCorner<2, 2>().setConstant(law.lambda);
     D.diagonal().array() += law.mu;
@@ -109,6 +119,60 @@ template <shape::PlaneShape S> struct EnrichedStiffness {
       const Eigen::Matrix<double, 3, mode_freedoms<S>> DB = (w * D) * B;
       ee.noalias() += B.transpose() * DB;
       ep.noalias() += DB.transpose() * fe::strain_matrix<S>(at.dNdx);
+    }
+  }
+
+  // As fe::element_stiffness: with the moments M_pq = integral of d_p d_q^T dV of the gradients the
+  // block of directions a, b is lambda M_ab + mu M_ba + mu delta_ab sum_p M_pp.
+  void by_moments(const fe::NodeVectors<S>& X, const fe::Law& law, const SideState& sides) {
+    using Square = Eigen::Matrix<double, modes, modes>;
+    using Mixed = Eigen::Matrix<double, modes, S::nodes>;
+    std::array<std::array<Square, 2>, 2> E;
+    std::array<std::array<Mixed, 2>, 2> P;
+    for (std::size_t p = 0; p < 2; ++p) {
+      for (std::size_t q = 0; q < 2; ++q) {
+        E[p][q].setZero();
+        P[p][q].setZero();
+      }
+    }
+    for (const auto& point : shape::quadrature<S>(Modes<S>::degree)) {
+      const fe::Jacobian<S> at = fe::jacobian<S>(X, point.r);
+      Eigen::Matrix<double, modes, 2> d = Modes<S>::dpsi(point.r) * at.J.inverse();
+      for (int s = 0; s < Modes<S>::sides; ++s) {
+        d.row(s) *= sides.sign[static_cast<std::size_t>(s)];
+      }
+      const Eigen::Matrix<double, modes, 2> weighted = (point.weight * at.det * law.thickness) * d;
+      for (int p = 0; p < 2; ++p) {
+        for (int q = 0; q < 2; ++q) {
+          const auto i = static_cast<std::size_t>(p);
+          const auto j = static_cast<std::size_t>(q);
+          P[i][j].noalias() += weighted.col(p) * at.dNdx.col(q).transpose();
+          if (p <= q) {
+            E[i][j].noalias() += weighted.col(p) * d.col(q).transpose();
+          }
+        }
+      }
+    }
+    E[1][0] = E[0][1].transpose();
+    for (int a = 0; a < 2; ++a) {
+      for (int b = 0; b < 2; ++b) {
+        const auto i = static_cast<std::size_t>(a);
+        const auto j = static_cast<std::size_t>(b);
+        Square e = law.lambda * E[i][j] + law.mu * E[j][i];
+        Mixed m = law.lambda * P[i][j] + law.mu * P[j][i];
+        if (a == b) {
+          e += law.mu * (E[0][0] + E[1][1]);
+          m += law.mu * (P[0][0] + P[1][1]);
+        }
+        for (int k = 0; k < modes; ++k) {
+          for (int l = 0; l < modes; ++l) {
+            ee(2 * k + a, 2 * l + b) = e(k, l);
+          }
+          for (int l = 0; l < S::nodes; ++l) {
+            ep(2 * k + a, 2 * l + b) = m(k, l);
+          }
+        }
+      }
     }
   }
 };

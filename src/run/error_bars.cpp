@@ -17,6 +17,21 @@ namespace spricka::run {
 ErrorBars::ErrorBars(const model::Model& model, const Scene& scene)
     : model_(model), scene_(scene) {}
 
+bool ErrorBars::is_bonded(std::size_t contact) const {
+  return contact < model_.contacts.size() &&
+         model_.contacts[contact].type == model::ContactType::bonded;
+}
+
+// K has terms of the forces between faces, which the adjoint does not have.
+bool ErrorBars::faces_touch(const StepState& state) const {
+  for (std::size_t c = model_.contacts.size(); c < scene_.pairs.size(); ++c) {
+    if (std::ranges::count(state.pair_closed[c], true) > 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
 void ErrorBars::prepare() {
   prepared_ = true;
   const model::Mesh& mesh = scene_.cracked.mesh;
@@ -34,7 +49,7 @@ void ErrorBars::prepare() {
   }
   enrichment_.emplace(model_, mesh, std::move(edges), std::move(framed));
   for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
-    const bool bonded = model_.contacts[c].type == model::ContactType::bonded;
+    const bool bonded = is_bonded(c);
     followed_.push_back(
         bonded ? std::vector<estimate::FollowedMode>()
                : estimate::followed_modes(*enrichment_, contact_edges_[c], scene_.pairs[c]));
@@ -69,7 +84,7 @@ estimate::ModeMap ErrorBars::modes(const StepState& state) const {
   std::vector<estimate::ClosedEdge> closed;
   for (std::size_t c = 0; c < contact_edges_.size(); ++c) {
     if (state.mounted[c]) {
-      const bool bonded = model_.contacts[c].type == model::ContactType::bonded;
+      const bool bonded = is_bonded(c);
       estimate::add_closed(contact_edges_[c],
                            bonded ? std::vector<bool>(state.pair_closed[c].size(), true)
                                   : state.pair_closed[c],
@@ -156,6 +171,9 @@ void ErrorBars::add(const StepSolver& solver, const StepState& state,
   std::string why_not = why_not_;
   for (const estimate::Adjoint& adjoint : adjoints) {
     why_not = why_not.empty() ? adjoint.why_not : why_not;
+  }
+  if (why_not.empty() && faces_touch(state)) {
+    why_not = "crack faces touch";
   }
   std::vector<estimate::GoalError> errors;
   std::vector<base::Vec2> flips;

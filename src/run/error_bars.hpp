@@ -24,6 +24,8 @@ public:
 
 private:
   void prepare();
+  [[nodiscard]] bool is_bonded(std::size_t contact) const;
+  [[nodiscard]] bool faces_touch(const StepState& state) const;
   [[nodiscard]] base::Vector load(const base::Vector& case_factor);
   /// Contact forces of the pairs whose meshes do not match.
   [[nodiscard]] std::vector<estimate::GoalRequest::Followed>

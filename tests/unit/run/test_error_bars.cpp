@@ -98,6 +98,31 @@ TEST_P(Bars, HoldTheTruthOfAFinerMesh) {
   }
 }
 
+// The same where the upper piece lies on the lower one without friction and is pressed on it at its
+// right, so that the joint gapes at its left.
+TEST_P(Bars, HoldTheTruthOfAPressedJoint) {
+  const std::string joint = "$CONTACT NAME=J SLAVE=TOP.YMIN MASTER=LOW.YMAX GAP=0\n"
+                            "$FREEDOM CLASS=SUPPRESSED DOF=X\n  TOP.YMAX\n";
+  const auto bent = [&](int top) {
+    std::string text = strip(GetParam(), top, joint);
+    return text.replace(text.find("0.2  1"), 6, "0  (1-6*x)");
+  };
+  std::string fine = bent(24);
+  fine.replace(fine.find("NX=4 NY=8"), 9, "NX=24 NY=48");
+  fine.insert(fine.find("$LOAD"), "$TIPNET CRACK=C SIZE=0.005 RADIUS=0.1 RINGS=12 SECTORS=48\n");
+  const auto truth = solve_text(fine);
+  ASSERT_TRUE(truth);
+  for (const int top : {3, 4, 9}) {
+    const auto found = solve_text(bent(top));
+    ASSERT_TRUE(found);
+    const results::TipResult& tip = tip_of(*found);
+    ASSERT_EQ(tip.no_bar, "");
+    EXPECT_GT(tip.bar[0].edge, 0.0);
+    EXPECT_LT(std::abs(tip.K1 - tip_of(*truth).bar[0].best), tip.bar[0].size()) << top;
+    EXPECT_LT(std::abs(tip.K2 - tip_of(*truth).bar[1].best), tip.bar[1].size()) << top;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Types, Bars, testing::Values("TRIMC6", "QUAMC8", "QUAMC9"));
 
 TEST(ErrorBars, AreTheSameOnAnyNumberOfThreads) {
