@@ -8,7 +8,7 @@ namespace spricka::estimate {
 
 namespace {
 
-constexpr double share_of_flip = 0.25;
+constexpr double share_of_flip = 0.1;
 constexpr double floor_share = 1e-4; // of hypot(K1, K2)
 constexpr double cancelled = 0.2;    // |eta| below this share of the sum says little
 constexpr double share_of_sum = 0.4;
@@ -16,12 +16,12 @@ constexpr double share_of_sum = 0.4;
 // Measured by tests/stability/coverage.py on its calibration half (manual, error_bar.md).
 BarConstants of_type(base::ElementType type) {
   switch (type) {
-  case base::ElementType::quamc8:
-    return {2.0, 1.25};
   case base::ElementType::quamc9:
-    return {2.0, 1.25};
+    return {1.8, 1.15};
+  case base::ElementType::quamc8:
+    return {1.8, 1.2};
   default:
-    return {2.0, 1.25};
+    return {1.8, 1.2};
   }
 }
 

@@ -19,8 +19,8 @@ struct ErrorBar {
 
 /// What eta is multiplied by, found by comparison with known values (manual, error_bar.md).
 struct BarConstants {
-  double bar = 2.0;
-  double best = 1.25;
+  double bar = 1.8;
+  double best = 1.2;
 };
 /// The constants of a mesh: those of its element types, by their share of sum |eta_e|.
 BarConstants bar_constants(const model::Mesh& mesh, const GoalError& error);

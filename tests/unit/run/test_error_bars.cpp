@@ -105,7 +105,7 @@ TEST_P(Bars, HoldTheTruthOfAPressedJoint) {
                             "$FREEDOM CLASS=SUPPRESSED DOF=X\n  TOP.YMAX\n";
   const auto bent = [&](int top) {
     std::string text = strip(GetParam(), top, joint);
-    return text.replace(text.find("0.2  1"), 6, "0  (1-6*x)");
+    return text.replace(text.find("0.2  1"), 6, "0  (1.4-4.8*x)");
   };
   std::string fine = bent(24);
   fine.replace(fine.find("NX=4 NY=8"), 9, "NX=24 NY=48");
@@ -158,7 +158,7 @@ TEST(ErrorBars, AreRefusedWithTheirReasonOnce) {
   EXPECT_EQ(told(*found), 1);
   std::string rubs =
       strip("QUAMC8", 4, "$CONTACT NAME=J SLAVE=TOP.YMIN MASTER=LOW.YMAX MU=0.5 GAP=0\n");
-  rubs.replace(rubs.find("0.2  1"), 6, "0  (1-6*x)"); // bends the crack open
+  rubs.replace(rubs.find("0.2  1"), 6, "0  (1.4-4.8*x)"); // bends the crack open
   const auto rubbing = solve_text(rubs);
   ASSERT_TRUE(rubbing);
   EXPECT_GT(tip_of(*rubbing).K1, 0.0);
