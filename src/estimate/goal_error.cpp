@@ -107,17 +107,6 @@ std::vector<GoalError> goal_errors(const Enrichment& enrichment, const ModeMap& 
   const base::Matrix r_z = map.reduce(g);
   const base::Vector x = solve_modes(enrichment, map, map.reduce(f).col(0), r_z);
 
-  base::Matrix edge_part =
-      base::Matrix::Zero(static_cast<Eigen::Index>(enrichment.edges().edges.size()), r_z.cols());
-  for (const GoalRequest::Followed& pair : request.followed) {
-    const base::Matrix parts =
-        followed_parts(*pair.modes, *pair.closed, {f.col(0), g, pair.force_u, pair.force_z});
-    for (std::size_t m = 0; m < pair.modes->size(); ++m) {
-      edge_part.row(static_cast<Eigen::Index>((*pair.modes)[m].edge)) +=
-          parts.row(static_cast<Eigen::Index>(m));
-    }
-  }
-
   // An unknown's part of eta goes to all elements that have it, in equal shares.
   const model::Mesh& mesh = enrichment.mesh();
   std::vector<int> users(static_cast<std::size_t>(map.unknowns), 0);
@@ -136,9 +125,6 @@ std::vector<GoalError> goal_errors(const Enrichment& enrichment, const ModeMap& 
     for (std::size_t e = 0; e < mesh.element_count(); ++e) {
       for (const std::int32_t freedom : enrichment.of_element(base::ElementId(e))) {
         const std::int32_t u = map.unknown[static_cast<std::size_t>(freedom)];
-        if (freedom % 2 == 0 && freedom < 2 * edge_part.rows()) { // contact edges have one element
-          error.of_element[e] += edge_part(freedom / 2, static_cast<Eigen::Index>(k));
-        }
         if (u >= 0) {
           error.of_element[e] +=
               r_z(u, static_cast<Eigen::Index>(k)) * x[u] / users[static_cast<std::size_t>(u)];

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "estimate/followed_modes.hpp"
 #include "estimate/mode_map.hpp"
 
 #include <vector>
@@ -21,20 +20,11 @@ struct GoalRequest {
                              ///< closed rows, loaded by the functionals
   const base::Vector& load;  ///< [freedoms of modes] loads on the modes
   const base::Matrix& goals; ///< [freedoms of modes, goals] functionals on the modes
-  /// Pairs whose meshes do not match.
-  struct Followed {
-    const std::vector<FollowedMode>* modes = nullptr;
-    const std::vector<bool>* closed = nullptr; ///< [normal row of the pair]
-    base::Vector force_u;                      ///< [dim * node] of the pair's normal rows
-    base::Matrix force_z;                      ///< [dim * node, goals]
-  };
-  std::vector<Followed> followed;
 };
 
 /// eta = r_z^T K_ee^-1 r_u with r_u = f_e - K_ep u and r_z = g_e - K_ep z (manual, estimate.4), by
 /// conjugate gradients on the modes, preconditioned by the diagonal blocks of the direction pairs:
-/// at most 8 steps, fewer where another one changes no eta by more than 0.3 %; followed modes add
-/// theirs.
+/// at most 8 steps, fewer where another one changes no eta by more than 0.3 %.
 std::vector<GoalError> goal_errors(const Enrichment& enrichment, const ModeMap& map,
                                    const GoalRequest& request);
 

@@ -3,7 +3,6 @@
 
 #include "crack/stress_intensity.hpp"
 #include "estimate/error_bar.hpp"
-#include "estimate/followed_modes.hpp"
 #include "estimate/mode_load.hpp"
 #include "run/contact_flip.hpp"
 
@@ -48,12 +47,6 @@ void ErrorBars::prepare() {
     }
   }
   enrichment_.emplace(model_, mesh, std::move(edges), std::move(framed));
-  for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
-    const bool bonded = is_bonded(c);
-    followed_.push_back(
-        bonded ? std::vector<estimate::FollowedMode>()
-               : estimate::followed_modes(*enrichment_, contact_edges_[c], scene_.pairs[c]));
-  }
   supports_ = estimate::mode_supports(*enrichment_, scene_.cls, *scene_.ties);
   case_load_.resize(model_.cases.size());
   goals_.resize(enrichment_->freedoms(), 2 * static_cast<Eigen::Index>(scene_.cracked.tips.size()));
@@ -94,35 +87,6 @@ estimate::ModeMap ErrorBars::modes(const StepState& state) const {
   return estimate::mode_map(*enrichment_, supports_, closed);
 }
 
-std::vector<estimate::GoalRequest::Followed>
-ErrorBars::followed(const StepState& state, const std::vector<estimate::Adjoint>& adjoints) const {
-  std::vector<estimate::GoalRequest::Followed> pairs;
-  for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
-    if (!state.mounted[c] || followed_[c].empty()) {
-      continue;
-    }
-    estimate::GoalRequest::Followed pair;
-    pair.modes = &followed_[c];
-    pair.closed = &state.pair_closed[c];
-    pair.force_u = base::Vector::Zero(state.u.size());
-    pair.force_z = base::Matrix::Zero(state.u.size(), goals_.cols());
-    for (std::size_t r = 0; r < scene_.pairs[c].normal.size(); ++r) {
-      const auto row = static_cast<Eigen::Index>(scene_.table.first[c] + r);
-      for (const contact::RowEntry& entry : scene_.pairs[c].normal[r].entries) {
-        const auto at = 2 * static_cast<Eigen::Index>(entry.node.index());
-        const base::Vec2 weight = entry.weight.head<2>();
-        pair.force_u.segment<2>(at) += state.pair_lambda[c][static_cast<Eigen::Index>(r)] * weight;
-        for (std::size_t t = 0; t < adjoints.size(); ++t) {
-          pair.force_z.block<2, 2>(at, 2 * static_cast<Eigen::Index>(t)) +=
-              weight * adjoints[t].w.row(row);
-        }
-      }
-    }
-    pairs.push_back(std::move(pair));
-  }
-  return pairs;
-}
-
 // Pairs of a contact that the crack feels stand further apart than half its length.
 bool ErrorBars::coarse_contact(const StepState& state, const mesh::Tip& tip) const {
   for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
@@ -143,22 +107,41 @@ bool ErrorBars::coarse_contact(const StepState& state, const mesh::Tip& tip) con
   return false;
 }
 
-void ErrorBars::tell(const results::TipResult& tip, results::StepResult& step) {
-  const auto once = [&](const std::string& text) {
-    if (std::ranges::find(told_, text) == told_.end()) {
-      told_.push_back(text);
-      step.notes.push_back(text);
+void ErrorBars::tell_once(const std::string& text, results::StepResult& step) {
+  if (std::ranges::find(told_, text) == told_.end()) {
+    told_.push_back(text);
+    step.notes.push_back(text);
+  }
+}
+
+// Without edges opposite each other what the mesh misses of the normal displacement is not seen.
+void ErrorBars::tell_of_meshes(const StepState& state, results::StepResult& step) {
+  for (std::size_t c = 0; c < contact_edges_.size() && c < model_.contacts.size(); ++c) {
+    const bool apart = std::ranges::any_of(contact_edges_[c], [](const estimate::ContactEdge& e) {
+      return !e.target_side && e.covered && !e.opposite;
+    });
+    if (state.mounted[c] && apart && !scene_.pairs[c].rigid) {
+      tell_once(
+          fmt::format("the meshes of contact {} do not match: error bars of K have only a part "
+                      "of the error of its pressures",
+                      model_.contacts[c].name),
+          step);
     }
-  };
+  }
+}
+
+void ErrorBars::tell(const results::TipResult& tip, results::StepResult& step) {
   if (!tip.no_bar.empty()) {
-    once(fmt::format("K of {} has no error bar: {}", tip.name, tip.no_bar));
+    tell_once(fmt::format("K of {} has no error bar: {}", tip.name, tip.no_bar), step);
     return;
   }
   for (std::size_t k = 0; k < 2; ++k) {
     if (tip.bar[k].cancels) {
-      once(fmt::format("warning: K{} of {}: errors of opposite sign cancel in it; its error bar "
-                       "takes them without their signs",
-                       k + 1, tip.name));
+      tell_once(
+          fmt::format("warning: K{} of {}: errors of opposite sign cancel in it; its error bar "
+                      "takes them without their signs",
+                      k + 1, tip.name),
+          step);
     }
   }
 }
@@ -182,10 +165,10 @@ void ErrorBars::add(const StepSolver& solver, const StepState& state,
     for (std::size_t t = 0; t < adjoints.size(); ++t) {
       z.middleCols(2 * static_cast<Eigen::Index>(t), 2) = adjoints[t].z;
     }
-    errors = estimate::goal_errors(
-        *enrichment_, modes(state),
-        {state.u, z, load(state.case_factor), goals_, followed(state, adjoints)});
+    errors = estimate::goal_errors(*enrichment_, modes(state),
+                                   {state.u, z, load(state.case_factor), goals_});
     flips = contact_flips(scene_, solver, state, adjoints);
+    tell_of_meshes(state, step);
   }
   for (std::size_t t = 0; t < step.tips.size(); ++t) {
     results::TipResult& tip = step.tips[t];
@@ -196,10 +179,12 @@ void ErrorBars::add(const StepSolver& solver, const StepState& state,
     if (tip.no_bar.empty()) {
       const bool coarse = coarse_contact(state, scene_.cracked.tips[t]);
       if (coarse) {
-        step.notes.push_back(fmt::format(
-            "warning: {}: nodes of a contact surface near the crack stand further apart than half "
-            "the crack's length; the error bar takes errors without their signs",
-            tip.name));
+        tell_once(
+            fmt::format(
+                "warning: {}: nodes of a contact surface near the crack stand further apart "
+                "than half the crack's length; the error bar takes errors without their signs",
+                tip.name),
+            step);
       }
       const std::array<const estimate::GoalError*, 2> own{&errors[2 * t], &errors[2 * t + 1]};
       const std::array<double, 2> K{tip.K1, tip.K2};

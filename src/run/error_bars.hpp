@@ -27,12 +27,11 @@ private:
   [[nodiscard]] bool is_bonded(std::size_t contact) const;
   [[nodiscard]] bool faces_touch(const StepState& state) const;
   [[nodiscard]] base::Vector load(const base::Vector& case_factor);
-  /// Contact forces of the pairs whose meshes do not match.
-  [[nodiscard]] std::vector<estimate::GoalRequest::Followed>
-  followed(const StepState& state, const std::vector<estimate::Adjoint>& adjoints) const;
   [[nodiscard]] estimate::ModeMap modes(const StepState& state) const;
   [[nodiscard]] bool coarse_contact(const StepState& state, const mesh::Tip& tip) const;
   void tell(const results::TipResult& tip, results::StepResult& step);
+  void tell_once(const std::string& text, results::StepResult& step);
+  void tell_of_meshes(const StepState& state, results::StepResult& step);
 
   const model::Model& model_;
   const Scene& scene_;
@@ -41,7 +40,6 @@ private:
   std::optional<estimate::Enrichment> enrichment_;
   estimate::ModeSupports supports_;
   std::vector<std::vector<estimate::ContactEdge>> contact_edges_; ///< [contact]
-  std::vector<std::vector<estimate::FollowedMode>> followed_;     ///< [contact]
   std::vector<std::optional<base::Vector>> case_load_;            ///< [case] on the modes
   base::Matrix goals_;                                            ///< [freedoms of modes, 2 tips]
   std::vector<std::string> told_;

@@ -162,7 +162,7 @@ Found estimate_of(const Strip& s, const model::LoadCase& load) {
   const base::Vector u = s.nodal(factor.solve(F)).col(0);
   const base::Matrix z = s.nodal(factor.solve(G));
   Found found;
-  found.errors = estimate::goal_errors(modes, map, {u, z, f_e, g_e, {}});
+  found.errors = estimate::goal_errors(modes, map, {u, z, f_e, g_e});
   found.K = g.transpose() * u;
 
   // all together
