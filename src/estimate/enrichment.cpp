@@ -36,12 +36,33 @@ std::string not_enriched(const model::Model& model, const model::Mesh& mesh) {
   return {};
 }
 
+double enrichment_bytes(const model::Mesh& mesh) {
+  std::size_t numbers = 0;
+  for_elements(mesh, [&]<shape::PlaneShape S>(S, base::ElementId /*e*/) {
+    constexpr std::size_t m = mode_freedoms<S>;
+    numbers += m * m + m * 2 * S::nodes + m;
+  });
+  return static_cast<double>(numbers * sizeof(double));
+}
+
 Enrichment::Enrichment(const model::Model& model, const model::Mesh& mesh, EdgeTable edges,
                        std::vector<bool> framed)
     : model_(model), mesh_(mesh), edges_(std::move(edges)), framed_(std::move(framed)) {
   auto next = static_cast<std::int32_t>(2 * edges_.edges.size());
   first_.reserve(mesh.element_count() + 1);
   first_.push_back(0);
+  std::size_t freedoms = 0;
+  std::size_t ee = 0;
+  std::size_t ep = 0;
+  for_elements(mesh, [&]<shape::PlaneShape S>(S, base::ElementId /*e*/) {
+    constexpr std::size_t m = mode_freedoms<S>;
+    freedoms += m;
+    ee += m * m;
+    ep += m * 2 * S::nodes;
+  });
+  freedom_.reserve(freedoms);
+  ee_.reserve(ee);
+  ep_.reserve(ep);
   for_elements(mesh, [&]<shape::PlaneShape S>(S, base::ElementId e) {
     using M = Modes<S>;
     for (int s = 0; s < M::sides; ++s) {

@@ -17,6 +17,9 @@ namespace spricka::estimate {
 /// Why a model's mesh cannot be enriched ("it has linear elements"); empty: it can.
 std::string not_enriched(const model::Model& model, const model::Mesh& mesh);
 
+/// What an enrichment keeps of a mesh that can be enriched [bytes].
+double enrichment_bytes(const model::Mesh& mesh);
+
 /// Mode freedoms: 2 e + c of edge e of the edge table, then those inside the elements. c is the
 /// direction: x and y, or outer normal and tangent on the edges that are `framed`.
 class Enrichment {

@@ -112,7 +112,7 @@ TEST_P(Bars, HoldTheTruthOfAPressedJoint) {
   fine.insert(fine.find("$LOAD"), "$TIPNET CRACK=C SIZE=0.005 RADIUS=0.1 RINGS=12 SECTORS=48\n");
   const auto truth = solve_text(fine);
   ASSERT_TRUE(truth);
-  for (const int top : {3, 4, 9}) {
+  for (const int top : {4, 9}) {
     const auto found = solve_text(bent(top));
     ASSERT_TRUE(found);
     const results::TipResult& tip = tip_of(*found);
@@ -141,7 +141,7 @@ TEST(ErrorBars, AreTheSameOnAnyNumberOfThreads) {
 TEST(ErrorBars, AreRefusedWithTheirReasonOnce) {
   std::string linear = whole("QUAMC8");
   linear.replace(linear.find("$ENDNET"), 7,
-                 "$ENDNET\n$NET NAME=SIDE\n  $MESH SHAPE=BLOCK TYPE=QUAM4 X0=5\n$ENDNET\n"
+                 "$ENDNET\n$NET NAME=SIDE\n  $MESH SHAPE=BLOCK TYPE=QUAM4 X0=5 LX=1 LY=1 NX=2 NY=2\n$ENDNET\n"
                  "$NSET NAME=REST WHERE=(x > 4)\n$FREEDOM CLASS=SUPPRESSED DOF=XY\n  REST\n");
   linear.replace(linear.find("$PROPERTY"), 9,
                  "$PROPERTY ESET=SIDE.BODY MATERIAL=M STATE=STRAIN\n$PROPERTY");
