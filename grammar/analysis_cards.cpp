@@ -79,7 +79,7 @@ constexpr std::array crack_keys{
                 "plane state that turns G into K; AUTO: the property's"),
            "AUTO"),
     preset(word("FACES", "CONTACT|FREE", "whether the faces may touch"), "CONTACT"),
-    preset(later(real("MU", number, at_least(0), "friction of the faces"), ">0"), "0"),
+    preset(real("MU", number, at_least(0), "friction of the faces"), "0"),
 };
 
 constexpr std::array crack_when{

@@ -285,6 +285,16 @@ StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedM
         }
       }
     }
+    double of_lips = 0.0; // of G
+    if (request.lips != nullptr) {
+      const std::array<double, 3> more =
+          lip_term(cracked.mesh, {set.tip, tip.node, material, property.state, property.thickness},
+                   field, *request.lips, u);
+      for (std::size_t k = 0; k < more.size(); ++k) {
+        sum[k] += halves * more[k];
+      }
+      of_lips = halves * more[0];
+    }
     DomainValue value{field.rings, 0.5 * E_own * sum[1], 0.5 * E_own * sum[2], sum[0]};
     if (tip.symmetric_half) {
       value.K2 = 0.0;
@@ -292,7 +302,8 @@ StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedM
     if (request.shift) {
       const double s = *request.shift * tip.size;
       const double G =
-          halves * (shifted_energy(set, field, 0.0, u) - shifted_energy(set, field, s, u)) / s;
+          halves * (shifted_energy(set, field, 0.0, u) - shifted_energy(set, field, s, u)) / s +
+          of_lips;
       shifted += G;
       analytic += value.G;
       const double scale = G > 0.0 && value.G > 0.0 ? std::sqrt(G / value.G) : 1.0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "crack/extension.hpp"
+#include "crack/lip_term.hpp"
 #include "crack/williams.hpp"
 #include "mesh/patch.hpp"
 #include "model/model.hpp"
@@ -34,6 +35,7 @@ struct StressIntensity {
 struct VceRequest {
   std::optional<double> shift; ///< finite shift in tip element sizes; empty: analytic
   model::CrackState state = model::CrackState::automatic;
+  const LipForces* lips = nullptr; ///< between the faces of the tip's crack; null: there are none
 };
 
 /// K1, K2 and G from nodal displacements u [dim * node]:

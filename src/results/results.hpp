@@ -23,8 +23,9 @@ struct TipResult {
   double G_from_K = 0.0; ///< (K1^2 + K2^2) / E'
   double spread = 0.0;   ///< (max - min of K1 over domains) / hypot(K1, K2)
   std::vector<double> K1_domain;
-  std::string doubt;                         ///< why this K is not an answer; empty: it is one
-  base::Vec3 x = base::Vec3::Zero();         ///< the tip, undeformed
+  bool closed = false;               ///< its crack's faces touch at the tip, so that K1 is 0
+  std::string doubt;                 ///< why this K is not an answer; empty: it is one
+  base::Vec3 x = base::Vec3::Zero(); ///< the tip, undeformed
   base::Vec3 direction = base::Vec3::Zero(); ///< unit, the way the crack grows; zero: unknown
 };
 

@@ -5,6 +5,7 @@
 #include "contact/sharp_end.hpp"
 #include "crack/stress_intensity.hpp"
 #include "run/body_force.hpp"
+#include "run/lip_contact.hpp"
 #include "run/lip_overlap.hpp"
 #include "run/tip_name.hpp"
 
@@ -27,23 +28,53 @@ const model::Vce* vce_of(const model::Model& model, base::CrackId crack) {
   return nullptr;
 }
 
-// Faces that overlap by less, over their largest displacement, do so by round-off; by more than the
-// second, K is no answer any more.
-constexpr double overlap_of_round_off = 1e-6;
-constexpr double overlap_that_counts = 1e-3;
+// Fewer open nodes than these between the tip and the closed part of the faces: two elements.
+constexpr int least_open_nodes = 4;
+// K1 of the rings at a closed tip should be what the mesh cannot tell from 0, over the K of the tip
+// and of the pressure there.
+constexpr double worst_closed_K1 = 0.05;
 
-// A tip may be open and its K wrong all the same: faces that overlap elsewhere do not bear on each
-// other there, which closing would make them do (benchmark F11: K 9 % low at the open tip).
-void doubt_overlap(const model::Crack& crack, double part, results::TipResult& result,
-                   results::StepResult& out) {
-  const std::string what =
-      fmt::format("the crack faces overlap over a part of the crack, by {:.1e} of their largest "
-                  "displacement; contact between crack faces is not available in this version",
-                  part);
-  if (crack.faces_in_contact && part > overlap_that_counts) {
-    result.doubt = what + ", so this K is not an answer";
+// FACES=FREE: what overlaps is told, and K1 < 0 is no answer even so.
+void tell_overlap(const Scene& scene, const mesh::Tip& tip, const StepState& state,
+                  results::TipResult& result, results::StepResult& out) {
+  if (result.K1 < 0.0 && std::abs(result.K1) > 1e-9 * std::abs(result.K2)) {
+    result.doubt = "K1 is negative: the crack faces overlap, which FACES=FREE lets them, so this K "
+                   "is not an answer";
+    out.notes.push_back(fmt::format("warning: {}: {}", result.name, result.doubt));
+  } else if (const double part = lip_overlap(scene.cracked, tip.crack.index(), state.u);
+             part > overlap_of_round_off) {
+    out.notes.push_back(
+        fmt::format("warning: {}: the crack faces overlap over a part of the crack, "
+                    "by {:.1e} of their largest displacement, which FACES=FREE "
+                    "lets them",
+                    result.name, part));
   }
-  out.notes.push_back(fmt::format("warning: {}: {}", result.name, what));
+}
+
+// Where the faces touch at the tip they do not part there: K1 is 0, and so is K2 where they have
+// not slipped either. What the rings find instead is the error of the mesh.
+void close_tip(const TipFaces& faces, results::TipResult& result, results::StepResult& out) {
+  const double K1 = result.K1;
+  if (faces.closed) {
+    result.closed = true;
+    result.K1 = 0.0;
+    const double all = K1 * K1 + result.K2 * result.K2;
+    result.K2 = faces.held ? 0.0 : result.K2;
+    result.G = faces.held ? 0.0 : result.G;
+    result.G_from_K *= all > 0.0 ? result.K2 * result.K2 / all : 0.0;
+    out.notes.push_back(
+        fmt::format("{}: the crack faces touch at the tip{}", result.name,
+                    faces.held ? " and have not slipped: K1 = K2 = 0" : ": K1 = 0"));
+  } else if (faces.open_nodes > 0 && faces.open_nodes < least_open_nodes) {
+    out.notes.push_back(fmt::format("warning: {}: the crack faces are open at the tip over less "
+                                    "than two elements; K is that of the mesh",
+                                    result.name));
+  }
+  if (!faces.closed && K1 < 0.0 && std::abs(K1) > 1e-9 * std::abs(result.K2)) {
+    result.doubt = "K1 is negative though the crack faces do not overlap: the mesh at the tip is "
+                   "too coarse, so this K is not an answer";
+    out.notes.push_back(fmt::format("warning: {}: {}", result.name, result.doubt));
+  }
 }
 
 void gather_tips(const model::Model& model, const Scene& scene, const StepState& state,
@@ -56,6 +87,8 @@ void gather_tips(const model::Model& model, const Scene& scene, const StepState&
     if (const model::Vce* vce = vce_of(model, tip.crack)) {
       request.shift = vce->shift;
     }
+    const std::optional<crack::LipForces> lips = lip_forces(scene, tip, state);
+    request.lips = lips ? &*lips : nullptr;
     const crack::StressIntensity K =
         crack::stress_intensity(model, scene.cracked, tip, scene.tips[t].fields, request, state.u,
                                 body_force(model, scene, scene.tips[t].fields, state.case_factor));
@@ -84,13 +117,11 @@ void gather_tips(const model::Model& model, const Scene& scene, const StepState&
           "large or lost in round-off",
           result.name, *K.shift_error));
     }
-    if (K.K1 < 0.0 && std::abs(K.K1) > 1e-9 * std::abs(K.K2)) {
-      result.doubt = "K1 is negative: the crack faces overlap; contact between crack faces is not "
-                     "available in this version, so this K is not an answer";
-      out.notes.push_back(fmt::format("warning: {}: {}", result.name, result.doubt));
-    } else if (const double part = lip_overlap(scene.cracked, tip.crack.index(), state.u);
-               part > overlap_of_round_off) {
-      doubt_overlap(crack, part, result, out);
+    const TipFaces faces = tip_faces(scene, tip, state);
+    if (crack.faces_in_contact) {
+      close_tip(faces, result, out);
+    } else {
+      tell_overlap(scene, tip, state, result, out);
     }
     out.tips.push_back(std::move(result));
   }
@@ -165,14 +196,13 @@ std::string unbounded_note(const results::ContactResult& contact) {
                      contact.name, fmt::join(places, ", "));
 }
 
-void gather_contacts(const model::Model& model, const Scene& scene, const StepState& state,
-                     results::StepResult& out) {
+void gather_contacts(const Scene& scene, const StepState& state, results::StepResult& out) {
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     const contact::PairRows& pair = scene.pairs[c];
     const contact::PairPressure p = contact::recover_pressure(
         pair, state.pair_lambda[c], state.pair_gap[c], state.pair_closed[c]);
     results::ContactResult result;
-    result.name = model.contacts[c].name;
+    result.name = scene.contacts[c].name;
     result.mounted = state.mounted[c];
     result.force_on_slave = p.force_on_slave;
     result.mean_pressure = p.mean_pressure;
@@ -311,7 +341,7 @@ results::StepResult gather_step(const model::Model& model, const Scene& scene,
   out.pivots = state.pivots;
   out.notes = state.notes;
   gather_tips(model, scene, state, out);
-  gather_contacts(model, scene, state, out);
+  gather_contacts(scene, state, out);
   gather_bodies(model, scene, bodies, state, out);
   gather_nets(model, scene, state, out);
   gather_targets(model, out, out.targets);

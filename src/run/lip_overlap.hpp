@@ -5,6 +5,9 @@
 
 namespace spricka::run {
 
+/// Faces that overlap by less, over their largest displacement, do so by round-off.
+inline constexpr double overlap_of_round_off = 1e-6;
+
 /// How far the faces of a crack run into each other somewhere, over the largest displacement of one
 /// against the other; 0: they are open everywhere. u [dim * node], `line` as CrackedMesh::lips.
 double lip_overlap(const mesh::CrackedMesh& cracked, std::size_t line, const base::Vector& u);

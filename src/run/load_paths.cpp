@@ -260,7 +260,7 @@ void LoadPaths::contacts(const solve::SolutionPath& found, const End& end,
       continue; // not mounted
     }
     results::PathContact contact;
-    contact.name = model_.contacts[c].name;
+    contact.name = scene_.contacts[c].name;
     contact.round = pair.contact.circle.has_value();
     contact.rows = static_cast<int>(normal);
     std::unordered_map<std::int32_t, double> place_of;

@@ -123,6 +123,8 @@ bool lips_are_free(const model::Model& model, const Scene& scene,
 bool make_pairs(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics) {
   const model::Mesh& mesh = scene.cracked.mesh;
   bool good = true;
+  scene.contacts = model.contacts;
+  scene.lip_pairs.resize(scene.cracked.lips.size());
   for (const model::Contact& contact : model.contacts) {
     scene.pairs.push_back(contact::pair_rows(model, mesh, contact));
     const contact::PairRows& pair = scene.pairs.back();
@@ -140,16 +142,6 @@ bool make_pairs(const model::Model& model, Scene& scene, base::Diagnostics& diag
       good = false;
     }
   }
-  for (const contact::PairRows& pair : scene.pairs) {
-    scene.table.first.push_back(scene.table.rows.size());
-    for (const contact::ConstraintRow& row : pair.normal) {
-      scene.table.rows.push_back(&row);
-    }
-    for (const contact::ConstraintRow& row : pair.tangent) {
-      scene.table.rows.push_back(&row);
-    }
-  }
-  scene.table.first.push_back(scene.table.rows.size());
   return good;
 }
 
@@ -275,6 +267,21 @@ RegionPlan plan_region(const model::Model& model, const std::vector<double>& len
   return plan;
 }
 
+void make_table(Scene& scene) {
+  scene.table = {};
+  for (const contact::PairRows& pair : scene.pairs) {
+    scene.table.first.push_back(scene.table.rows.size());
+    for (const contact::ConstraintRow& row : pair.normal) {
+      scene.table.rows.push_back(&row);
+    }
+    for (const contact::ConstraintRow& row : pair.tangent) {
+      scene.table.rows.push_back(&row);
+    }
+  }
+  scene.table.first.push_back(scene.table.rows.size());
+  reduce_rows(scene);
+}
+
 std::optional<Scene> make_scene(const model::Model& model, double a, const RegionPlan& plan,
                                 base::Diagnostics& diagnostics) {
   Scene scene;
@@ -296,7 +303,7 @@ std::optional<Scene> make_scene(const model::Model& model, double a, const Regio
   if (!ties || !pairs || !tips || !lips || !held) {
     return std::nullopt;
   }
-  reduce_rows(scene);
+  make_table(scene);
   const auto dim = static_cast<std::size_t>(mesh.dim);
   for (const model::Contact& contact : model.contacts) {
     for (const base::NodeId n : contact::surface_nodes(mesh, contact)) {
