@@ -250,7 +250,7 @@ private:
       return look_up(c_, Kind::crack, {name.substr(0, dot), span, {}}) != nullptr;
     }
     case 'p':
-      return look_up(c_, Kind::contact, reference) != nullptr;
+      return look_up_pair(c_, reference);
     case 's':
       return look_up(c_, Kind::step, reference) != nullptr;
     case 'l':

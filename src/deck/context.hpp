@@ -62,6 +62,10 @@ struct Context {
 /// poisoned.
 const Definition* look_up(Context& context, Kind kind, const Reference& reference);
 
+/// Whether a reference means a contact, or with CRACK.FACES the faces of a crack; else an error is
+/// reported as by look_up.
+bool look_up_pair(Context& context, const Reference& reference);
+
 // The stages, in their order. Each takes its cards from the context and leaves its part of the
 // model there; mistakes go to the diagnostics.
 

@@ -52,8 +52,11 @@ void write_k_csv(const std::filesystem::path& file, const model::Model& model,
 
 void write_pressure_csv(const std::filesystem::path& file, const model::Model& model,
                         const results::Run& run) {
-  const bool rubs = std::any_of(model.contacts.begin(), model.contacts.end(),
-                                [](const model::Contact& c) { return c.mu > 0.0; });
+  const bool rubs =
+      std::any_of(model.contacts.begin(), model.contacts.end(),
+                  [](const model::Contact& c) { return c.mu > 0.0; }) ||
+      std::any_of(model.cracks.begin(), model.cracks.end(),
+                  [](const model::Crack& c) { return c.faces_in_contact && c.mu > 0.0; });
   std::string text =
       rubs ? fmt::format("# units: x y slip slip_path [{0}], theta [deg], p_lumped p_consistent "
                          "q_lumped q_consistent [{1}], increment [1]\n"

@@ -72,7 +72,11 @@ void add_paths(Page& page, const model::Model& model, const results::Run& run) {
 }
 
 void add_contacts(Page& page, const model::Model& model, const results::Run& run) {
-  if (model.contacts.empty() || run.increments.empty()) {
+  const bool any = std::ranges::any_of(run.increments, [](const results::Increment& increment) {
+    return std::ranges::any_of(
+        increment.steps, [](const results::StepResult& step) { return !step.contacts.empty(); });
+  });
+  if (!any) {
     return;
   }
   page.heading("Contact");

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -196,6 +197,24 @@ std::string unbounded_note(const results::ContactResult& contact) {
                      contact.name, fmt::join(places, ", "));
 }
 
+// The only face of a half model runs with its body on the left, which may be from the tip on: its
+// places count from the mouth.
+void count_from_mouth(const Scene& scene, std::size_t pair, results::ContactResult& result) {
+  for (std::size_t i = 0; i < scene.lip_pairs.size(); ++i) {
+    if (scene.lip_pairs[i] && scene.lip_pairs[i]->pair == pair &&
+        scene.cracked.lips[i].left.empty() && !result.points.empty()) {
+      const double length = result.points.back().arc;
+      std::ranges::reverse(result.points);
+      for (results::ContactPoint& point : result.points) {
+        point.arc = length - point.arc;
+      }
+      if (result.closed > 0) {
+        result.arc_from = length - std::exchange(result.arc_to, length - result.arc_from);
+      }
+    }
+  }
+}
+
 void gather_contacts(const Scene& scene, const StepState& state, results::StepResult& out) {
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     const contact::PairRows& pair = scene.pairs[c];
@@ -235,6 +254,7 @@ void gather_contacts(const Scene& scene, const StepState& state, results::StepRe
       gather_friction(scene, state, c, p, result);
       out.friction_work += result.friction_work;
     }
+    count_from_mouth(scene, c, result);
     result.unbounded = pressed_edges(pair, p.nodes);
     if (!result.unbounded.empty()) {
       out.notes.push_back(unbounded_note(result));
