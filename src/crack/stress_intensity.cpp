@@ -255,6 +255,35 @@ base::Matrix intensity_rows(const model::Model& model, const mesh::CrackedMesh& 
   return rows;
 }
 
+base::Matrix lip_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
+                                const mesh::Tip& tip, const std::vector<ExtensionField>& fields,
+                                model::CrackState state, const std::vector<model::Face>& faces) {
+  base::Matrix rows = base::Matrix::Zero(
+      static_cast<Eigen::Index>(cracked.mesh.node_count()) * cracked.mesh.dim, 2);
+  if (fields.empty()) {
+    return rows;
+  }
+  const base::ElementId near = fields.front().elements.front();
+  const model::Property& property = model.property_of(cracked.mesh, near);
+  const model::Material& material = model.material_of(cracked.mesh, near);
+  const double E_own = fe::effective_modulus(material, property.state);
+  const double restate = std::sqrt(crack_modulus(material, property.state, state) / E_own);
+  const double halves = tip.symmetric_half ? 2.0 : 1.0;
+  const double factor = 0.5 * E_own * restate * halves / static_cast<double>(fields.size());
+  const TipPlace place{frame_of(tip), tip.node, material, property.state, property.thickness};
+  for (const ExtensionField& field : fields) {
+    for (const auto& [node, weight] : lip_weights(cracked.mesh, place, field, faces)) {
+      const auto at = 2 * static_cast<Eigen::Index>(node.index());
+      rows.col(0).segment<2>(at) += factor * weight[0];
+      rows.col(1).segment<2>(at) += factor * weight[1];
+    }
+  }
+  if (tip.symmetric_half) {
+    rows.col(1).setZero();
+  }
+  return rows;
+}
+
 StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedMesh& cracked,
                                  const mesh::Tip& tip, const std::vector<ExtensionField>& fields,
                                  const VceRequest& request, const base::Vector& u,

@@ -56,4 +56,10 @@ base::Matrix intensity_rows(const model::Model& model, const mesh::CrackedMesh& 
                             const mesh::Tip& tip, const std::vector<ExtensionField>& fields,
                             model::CrackState state);
 
+/// The same for forces between the faces: rows^T f is what those of VceRequest add to K1 and K2.
+/// [dim * node, 2]
+base::Matrix lip_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
+                                const mesh::Tip& tip, const std::vector<ExtensionField>& fields,
+                                model::CrackState state, const std::vector<model::Face>& faces);
+
 } // namespace spricka::crack

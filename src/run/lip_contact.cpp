@@ -41,6 +41,12 @@ std::vector<base::NodeId> from_tip(const mesh::CrackedMesh::Lips& lips, base::No
   return nodes;
 }
 
+// Of the pair's normal rows, that of a node.
+std::size_t row_of(const contact::PairRows& pair, base::NodeId node) {
+  const auto at = std::ranges::find(pair.normal, node, &contact::ConstraintRow::node);
+  return static_cast<std::size_t>(at - pair.normal.begin());
+}
+
 } // namespace
 
 std::vector<std::size_t> touching_lines(const model::Model& model, const Scene& scene,
@@ -88,13 +94,9 @@ TipFaces tip_faces(const Scene& scene, const mesh::Tip& tip, const StepState& st
   faces.in_contact = true;
   const contact::PairRows& pair = scene.pairs[lip->pair];
   const std::vector<bool>& closed = state.pair_closed[lip->pair];
-  const auto row_of = [&](base::NodeId n) {
-    const auto at = std::ranges::find(pair.normal, n, &contact::ConstraintRow::node);
-    return static_cast<std::size_t>(at - pair.normal.begin());
-  };
   bool met = false;
   for (const base::NodeId n : from_tip(scene.cracked.lips[tip.crack.index()], tip.node)) {
-    const std::size_t row = row_of(n);
+    const std::size_t row = row_of(pair, n);
     met = met || (row < closed.size() && closed[row]);
     faces.open_nodes += met ? 0 : 1;
   }
@@ -102,7 +104,7 @@ TipFaces tip_faces(const Scene& scene, const mesh::Tip& tip, const StepState& st
   faces.open_nodes = met ? faces.open_nodes : 0;
   if (faces.closed && !pair.tangent.empty()) {
     const base::NodeId next = from_tip(scene.cracked.lips[tip.crack.index()], tip.node).front();
-    const contact::ConstraintRow& slip = pair.tangent[row_of(next)];
+    const contact::ConstraintRow& slip = pair.tangent[row_of(pair, next)];
     double size = 0.0;
     double jump = 0.0;
     for (const contact::RowEntry& entry : slip.entries) {
@@ -113,6 +115,16 @@ TipFaces tip_faces(const Scene& scene, const mesh::Tip& tip, const StepState& st
     faces.held = std::abs(jump) <= slip_of_round_off * size;
   }
   return faces;
+}
+
+std::optional<std::size_t> row_at_tip(const Scene& scene, const mesh::Tip& tip) {
+  const std::optional<LipPair>& lip = scene.lip_pairs[tip.crack.index()];
+  if (!lip) {
+    return std::nullopt;
+  }
+  return scene.table.first[lip->pair] +
+         row_of(scene.pairs[lip->pair],
+                from_tip(scene.cracked.lips[tip.crack.index()], tip.node).front());
 }
 
 std::optional<crack::LipForces> lip_forces(const Scene& scene, const mesh::Tip& tip,

@@ -28,6 +28,9 @@ struct TipFaces {
 };
 TipFaces tip_faces(const Scene& scene, const mesh::Tip& tip, const StepState& state);
 
+/// The row of the table of the two nodes next to a tip; none where the faces are no pair.
+std::optional<std::size_t> row_at_tip(const Scene& scene, const mesh::Tip& tip);
+
 /// Forces between the faces of the tip's crack; none without a pair.
 std::optional<crack::LipForces> lip_forces(const Scene& scene, const mesh::Tip& tip,
                                            const StepState& state);

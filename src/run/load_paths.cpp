@@ -132,6 +132,7 @@ LoadPaths::Functionals LoadPaths::functionals(const StepSolver& solver) const {
       out.of_row(k, r) = system.opening(static_cast<std::size_t>(r), u);
     }
   }
+  add_lip_forces(out.of_row);
   return out;
 }
 
@@ -207,11 +208,14 @@ void LoadPaths::tips(const solve::SolutionPath& found, const End& from, const En
     tip.K1 = functional(found, k);
     tip.K2 = functional(found, k + 1);
     size = std::max({size, std::abs(tip.K1.lowest()), std::abs(tip.K1.highest())});
+    if (close_tip(t, from, found, tip.K1)) {
+      path.notes.push_back(fmt::format(
+          "{}: the crack faces touch at the tip on a part of the path: K1 = 0 there", tip.name));
+    }
     if (tip.K1.lowest() < -1e-9 * tip.K1.highest()) {
       path.notes.push_back(
-          fmt::format("warning: {}: K1 is negative on a part of the path: the crack faces overlap; "
-                      "contact between crack faces is not available in this version, so there this "
-                      "K is not an answer",
+          fmt::format("warning: {}: K1 is negative on a part of the path: there this K is not an "
+                      "answer (the crack faces overlap, or the mesh at the tip is too coarse)",
                       tip.name));
     }
     for (const End* end : {&from, &to}) {

@@ -22,6 +22,10 @@ public:
   void keep(std::size_t step, const StepSolver& solver, const results::StepResult& result);
   /// All paths of the model, once the steps are done.
   [[nodiscard]] std::vector<results::LoadPath> follow(const StepSolver& solver);
+  /// Crack lines whose faces would overlap somewhere on these paths, at their knots, and that have
+  /// no pair yet (run/lip_contact.hpp).
+  [[nodiscard]] std::vector<std::size_t>
+  touching(const StepSolver& solver, const std::vector<results::LoadPath>& paths) const;
   /// The parametric problem of one path; functionals K1 and K2 of each tip.
   [[nodiscard]] solve::ParametricProblem pose(const model::LoadPath& card,
                                               const StepSolver& solver);
@@ -47,6 +51,11 @@ private:
   void contacts(const solve::SolutionPath& found, const End& end, results::LoadPath& path) const;
   void tips(const solve::SolutionPath& found, const End& from, const End& to,
             results::LoadPath& path) const;
+  /// What contact forces between the faces of cracks add to K themselves, to of_row.
+  void add_lip_forces(base::Matrix& of_row) const;
+  /// Sets K1 of tip t to 0 on the segments on which its faces touch; whether there are any.
+  bool close_tip(std::size_t t, const End& end, const solve::SolutionPath& found,
+                 base::PiecewiseLinear& K1) const;
   [[nodiscard]] bool homogeneous(const End& from, const End& to, const StepSolver& solver) const;
 
   const model::Model& model_;

@@ -273,6 +273,10 @@ private:
       }
     }
     increment.paths = paths.follow(solver);
+    touching = paths.touching(solver, increment.paths);
+    if (!touching.empty()) {
+      return true;
+    }
     for (const results::LoadPath& path : increment.paths) {
       log.add(
           "LOADPATH",
