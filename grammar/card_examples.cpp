@@ -155,7 +155,11 @@ constexpr std::array texts{
         "last, and the crack's length a is half of the line's. LINE=SMOOTH draws a spline through "
         "the points (straight lines between points of an arc would bend K with each kink). "
         "A crack with PATH follows element edges; on a symmetry line the nodes behind the tip "
-        "are released and K counts both halves. Two sides of a bore are two cards. In this version "
+        "are released and K counts both halves. Two sides of a bore are two cards. With "
+        "FACES=CONTACT the faces of a crack touch where they would overlap, slip with MU against "
+        "friction and part again; K1 is 0 at a tip where they touch. Where they do, they are a "
+        "contact NAME.FACES of the listing, of CPRESS and of $CHECK, with places along the crack "
+        "from its mouth or first point. FACES=FREE lets them overlap and says so. In this version "
         "a crack stands in a plane model, neither in 3D nor with STATE=AXI, and not with "
         "TYPE=TEMPERATURE loads.",
         "$CRACK NAME=TOP NET=LUG A0=1.8 ANGLE=90[deg]\n"

@@ -27,15 +27,16 @@ struct TipPlace {
   double thickness = 1.0;
 };
 
-/// The terms by which integrals over a domain miss the tip's value (crack.18), for tractions t on
-/// the faces, per unit thickness: of G, - integral q t1 u1,1 ds (normal tractions act where the
-/// faces do not part, and the tangential ones have no other component), and of the interaction
-/// with the near-tip fields of modes 1 and 2, - integral q t . v_m,1 ds.
+/// The terms by which integrals over a domain miss the tip's value (crack.31, crack.32), for
+/// tractions t on the faces, per unit thickness: of G, - integral q t1 u1,1 ds (normal tractions
+/// act where the faces do not part, and the tangential ones have no other component), and of the
+/// interaction with the near-tip fields of modes 1 and 2, - integral q t . v_m,1 ds.
 std::array<double, 3> lip_term(const model::Mesh& mesh, const TipPlace& tip,
                                const ExtensionField& field, const LipForces& lips,
                                const base::Vector& u);
 
-/// The interaction terms as sums over nodal forces, [mode - 1] by node: sum of weight . force.
+/// The interaction terms as sums over nodal forces (crack.33), [mode - 1] by node: sum of weight .
+/// force.
 using LipWeights = std::map<base::NodeId, std::array<base::Vec2, 2>>;
 LipWeights lip_weights(const model::Mesh& mesh, const TipPlace& tip, const ExtensionField& field,
                        const std::vector<model::Face>& faces);

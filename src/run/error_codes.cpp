@@ -121,7 +121,8 @@ constexpr std::array advice{
               "single forces have errors that refinement moves but does not end; if stresses "
               "there are not wanted, the estimate can be left at that."},
     ErrorCode{"W502",
-              "The faces of a crack overlap (K1 is negative), a finite SHIFT of $VCE is too "
+              "The faces of a crack overlap that FACES=FREE lets (K1 is negative), or are open at "
+              "a tip over less than its mesh resolves; a finite SHIFT of $VCE is too "
               "large, or a cheap test could not show that friction leaves one solution only: "
               "then see whether other SUBSTEPS change the answer. The listing says the same."},
 };

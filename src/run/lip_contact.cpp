@@ -94,6 +94,10 @@ TipFaces tip_faces(const Scene& scene, const mesh::Tip& tip, const StepState& st
   faces.in_contact = true;
   const contact::PairRows& pair = scene.pairs[lip->pair];
   const std::vector<bool>& closed = state.pair_closed[lip->pair];
+  if (!pair.normal.empty()) {
+    faces.pressure =
+        state.pair_lambda[lip->pair].head(static_cast<Eigen::Index>(pair.normal.size())).maxCoeff();
+  }
   bool met = false;
   for (const base::NodeId n : from_tip(scene.cracked.lips[tip.crack.index()], tip.node)) {
     const std::size_t row = row_of(pair, n);

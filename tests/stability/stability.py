@@ -12,6 +12,7 @@ import os
 import re
 import sys
 
+import sweeps_closure
 import sweeps_contact
 import sweeps_friction
 import sweeps_held
@@ -24,6 +25,8 @@ SWEEPS = {
     "S03": ("clearance through zero into interference (half angle of contact, degrees)",
             sweeps_contact.clearance),
     "S04": ("friction from zero to far beyond one", sweeps_friction.friction),
+    "S05": ("crack tips and mouths near the edge of a contact (F = K over that of uniform tension; K1)",
+            sweeps_closure.closure),
     "C07": ("net fit: the load does not matter", sweeps_contact.load_independence),
     "S07": ("contrast of moduli and units", sweeps_contact.contrast),
     "S10": ("bodies held by contact only", sweeps_held.floating),
