@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -35,6 +36,9 @@ constexpr int least_open_nodes = 4;
 // and of the pressure there.
 constexpr double worst_closed_K1 = 0.05;
 
+// Faces that do not overlap have no negative K1; where one is found it is 0 but for so much.
+constexpr double small_K1 = 1e-3;
+
 // FACES=FREE: what overlaps is told, and K1 < 0 is no answer even so.
 void tell_overlap(const Scene& scene, const mesh::Tip& tip, const StepState& state,
                   results::TipResult& result, results::StepResult& out) {
@@ -54,8 +58,11 @@ void tell_overlap(const Scene& scene, const mesh::Tip& tip, const StepState& sta
 
 // Where the faces touch at the tip they do not part there: K1 is 0, and so is K2 where they have
 // not slipped either. What the rings find instead is the error of the mesh.
-void close_tip(const TipFaces& faces, results::TipResult& result, results::StepResult& out) {
+void close_tip(const TipFaces& faces, double round_off, results::TipResult& result,
+               results::StepResult& out) {
   const double K1 = result.K1;
+  const double scale =
+      std::hypot(result.K2, faces.pressure * std::sqrt(std::numbers::pi * result.a));
   if (faces.closed) {
     result.closed = true;
     result.K1 = 0.0;
@@ -63,6 +70,12 @@ void close_tip(const TipFaces& faces, results::TipResult& result, results::StepR
     result.K2 = faces.held ? 0.0 : result.K2;
     result.G = faces.held ? 0.0 : result.G;
     result.G_from_K *= all > 0.0 ? result.K2 * result.K2 / all : 0.0;
+    if (std::abs(K1) > worst_closed_K1 * scale + round_off) {
+      out.notes.push_back(
+          fmt::format("warning: {}: the crack faces touch at the tip, but the rings "
+                      "find K1 = {:.3g}: the mesh there is too coarse",
+                      result.name, K1));
+    }
     out.notes.push_back(
         fmt::format("{}: the crack faces touch at the tip{}", result.name,
                     faces.held ? " and have not slipped: K1 = K2 = 0" : ": K1 = 0"));
@@ -71,7 +84,9 @@ void close_tip(const TipFaces& faces, results::TipResult& result, results::StepR
                                     "than two elements; K is that of the mesh",
                                     result.name));
   }
-  if (!faces.closed && K1 < 0.0 && std::abs(K1) > 1e-9 * std::abs(result.K2)) {
+  if (!faces.closed && K1 < 0.0 && std::abs(K1) <= small_K1 * scale + round_off) {
+    result.K1 = 0.0;
+  } else if (!faces.closed && K1 < 0.0) {
     result.doubt = "K1 is negative though the crack faces do not overlap: the mesh at the tip is "
                    "too coarse, so this K is not an answer";
     out.notes.push_back(fmt::format("warning: {}: {}", result.name, result.doubt));
@@ -120,7 +135,9 @@ void gather_tips(const model::Model& model, const Scene& scene, const StepState&
     }
     const TipFaces faces = tip_faces(scene, tip, state);
     if (crack.faces_in_contact) {
-      close_tip(faces, result, out);
+      const double round_off =
+          1e-9 * K.E_effective * state.u.lpNorm<Eigen::Infinity>() / std::sqrt(tip.a);
+      close_tip(faces, round_off, result, out);
     } else {
       tell_overlap(scene, tip, state, result, out);
     }

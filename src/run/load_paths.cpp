@@ -234,7 +234,9 @@ void LoadPaths::tips(const solve::SolutionPath& found, const End& from, const En
       for (const auto& [at, end] : {std::pair(0.0, &from), std::pair(1.0, &to)}) {
         if (found.end >= at) {
           const results::TipResult& own = end->result.tips[t];
-          apart = std::max({apart, std::abs(tip.K1(at) - own.K1), std::abs(tip.K2(at) - own.K2)});
+          // what is below 0 has been told already
+          const double K1 = own.K1 == 0.0 ? std::max(0.0, tip.K1(at)) : tip.K1(at);
+          apart = std::max({apart, std::abs(K1 - own.K1), std::abs(tip.K2(at) - own.K2)});
           size = std::max(size, std::abs(own.K1));
         }
       }
