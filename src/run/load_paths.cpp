@@ -18,6 +18,8 @@ namespace {
 
 // K on the path and K of the steps come from the same numbers by different ways.
 constexpr double worst_mismatch = 1e-6;
+// Functionals that are condensed at a time.
+constexpr Eigen::Index most_columns = 64;
 
 crack::StressIntensity intensity(const model::Model& model, const Scene& scene, std::size_t t,
                                  const base::Vector& u, const base::Vector& case_factor) {
@@ -75,7 +77,7 @@ std::string why_stopped(const solve::SolutionPath& found, const StepSolver& solv
 
 LoadPaths::LoadPaths(const model::Model& model, const Scene& scene,
                      const std::vector<BodyNet>& bodies)
-    : model_(model), scene_(scene), bodies_(bodies) {}
+    : model_(model), scene_(scene), bodies_(bodies), watches_(watch_faces(model, scene)) {}
 
 void LoadPaths::keep(std::size_t step, const StepSolver& solver,
                      const results::StepResult& result) {
@@ -95,49 +97,48 @@ void LoadPaths::keep(std::size_t step, const StepSolver& solver,
 }
 
 LoadPaths::Functionals LoadPaths::functionals(const StepSolver& solver) const {
-  const auto count = 2 * static_cast<Eigen::Index>(scene_.cracked.tips.size());
+  const Eigen::Index count = functional_count();
   Functionals out;
   if (solver.system() == nullptr || count == 0) {
     return out;
   }
   const contact::ContactSystem& system = *solver.system();
-  base::Matrix nodal = base::Matrix::Zero(
-      static_cast<Eigen::Index>(scene_.cracked.mesh.node_count()) * scene_.cracked.mesh.dim, count);
-  for (std::size_t t = 0; t < scene_.cracked.tips.size(); ++t) {
-    const mesh::Tip& tip = scene_.cracked.tips[t];
-    nodal.middleCols(2 * static_cast<Eigen::Index>(t), 2) = crack::intensity_rows(
-        model_, scene_.cracked, tip, scene_.tips[t].fields, model_.cracks[tip.crack.index()].state);
-  }
-  scene_.ties->reduce(nodal);
-  std::vector<base::Matrix> external;
-  std::vector<base::Matrix> moved;
   Eigen::Index modes = 0;
   for (const std::size_t b : solver.condensed()) {
-    external.push_back(condense_load(bodies_[b], *scene_.ties, nodal).external);
-    moved.push_back(bodies_[b].condensed->displacement(external.back()));
     modes += bodies_[b].condensed->modes().cols();
   }
   const auto rows = static_cast<Eigen::Index>(scene_.table.rows.size());
   out.of_row.resize(count, rows);
   out.of_mode.resize(count, modes);
-  for (Eigen::Index k = 0; k < count; ++k) {
-    std::vector<base::Vector> u;
-    for (std::size_t i = 0; i < moved.size(); ++i) {
-      u.emplace_back(moved[i].col(k));
-      const base::Matrix& Q = bodies_[solver.condensed()[i]].condensed->modes();
-      out.of_mode.row(k).segment(system.first_mode(i), Q.cols()) =
-          external[i].col(k).transpose() * Q;
+  for (Eigen::Index first = 0; first < count;) {
+    base::Matrix nodal = functional_columns(first, most_columns);
+    scene_.ties->reduce(nodal);
+    std::vector<base::Matrix> external;
+    std::vector<base::Matrix> moved;
+    for (const std::size_t b : solver.condensed()) {
+      external.push_back(condense_load(bodies_[b], *scene_.ties, nodal).external);
+      moved.push_back(bodies_[b].condensed->displacement(external.back()));
     }
-    for (Eigen::Index r = 0; r < rows; ++r) {
-      out.of_row(k, r) = system.opening(static_cast<std::size_t>(r), u);
+    for (Eigen::Index k = 0; k < nodal.cols(); ++k) {
+      std::vector<base::Vector> u;
+      for (std::size_t i = 0; i < moved.size(); ++i) {
+        u.emplace_back(moved[i].col(k));
+        const base::Matrix& Q = bodies_[solver.condensed()[i]].condensed->modes();
+        out.of_mode.row(first + k).segment(system.first_mode(i), Q.cols()) =
+            external[i].col(k).transpose() * Q;
+      }
+      for (Eigen::Index r = 0; r < rows; ++r) {
+        out.of_row(first + k, r) = system.opening(static_cast<std::size_t>(r), u);
+      }
     }
+    first += nodal.cols();
   }
   add_lip_forces(out.of_row);
   return out;
 }
 
-// K of the bodies alone, without contact forces and rigid motions.
-base::Vector LoadPaths::free_intensities(const base::Vector& case_factor) const {
+// K and faces of the bodies alone, without contact forces and rigid motions.
+base::Vector LoadPaths::free_values(const base::Vector& case_factor) const {
   base::Vector u = scene_.case_displacement * case_factor;
   for (const BodyNet& body : bodies_) {
     base::Vector external;
@@ -146,19 +147,20 @@ base::Vector LoadPaths::free_intensities(const base::Vector& case_factor) const 
     }
     recover_body(body, external, case_factor, u);
   }
-  base::Vector K(2 * static_cast<Eigen::Index>(scene_.cracked.tips.size()));
+  base::Vector values(functional_count());
   for (std::size_t t = 0; t < scene_.cracked.tips.size(); ++t) {
     const crack::StressIntensity found = intensity(model_, scene_, t, u, case_factor);
-    K.segment<2>(2 * static_cast<Eigen::Index>(t)) = base::Vec2(found.K1, found.K2);
+    values.segment<2>(2 * static_cast<Eigen::Index>(t)) = base::Vec2(found.K1, found.K2);
   }
-  return K;
+  values.tail(2 * static_cast<Eigen::Index>(watches_.size())) = watched(u);
+  return values;
 }
 
 solve::ParametricProblem LoadPaths::problem(const End& from, const End& to,
                                             const StepSolver& solver) const {
   solve::ParametricProblem p;
-  p.f0 = free_intensities(from.case_factor);
-  p.df = free_intensities(to.case_factor) - p.f0;
+  p.f0 = free_values(from.case_factor);
+  p.df = free_values(to.case_factor) - p.f0;
   if (solver.system() == nullptr) {
     p.at_zero.W.resize(0, 0);
     p.at_zero.B.resize(0, 0);
@@ -351,6 +353,7 @@ results::LoadPath LoadPaths::path(const model::LoadPath& card, const StepSolver&
   }
   out.t = knots_of(found);
   out.homogeneous = homogeneous(from, to, solver);
+  look_at_faces(found);
   tips(found, from, to, out);
   contacts(found, from, out);
   return out;

@@ -1,56 +1,103 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/load_paths.hpp"
 
+#include "contact/lip_pairing.hpp"
 #include "crack/stress_intensity.hpp"
 #include "run/lip_contact.hpp"
+#include "run/lip_overlap.hpp"
+#include "run/step_walk.hpp"
 
 #include <algorithm>
 
 /// Faces of cracks on load paths.
 namespace spricka::run {
 
-std::vector<std::size_t> LoadPaths::touching(const StepSolver& solver,
-                                             const std::vector<results::LoadPath>& paths) const {
-  std::vector<std::size_t> lines;
-  if (scene_.cracked.lips.empty()) {
-    return lines;
+std::vector<LoadPaths::Watch> LoadPaths::watch_faces(const model::Model& model,
+                                                     const Scene& scene) {
+  std::vector<Watch> watches;
+  for (std::size_t i = 0; i < scene.cracked.lips.size() && !model.load_paths.empty(); ++i) {
+    if (!model.cracks[i].faces_in_contact || scene.lip_pairs[i]) {
+      continue;
+    }
+    contact::PairRows pair =
+        contact::lip_rows(model, scene.cracked.mesh, scene.cracked.lips[i], true);
+    for (std::size_t r = 0; r < pair.normal.size(); ++r) {
+      Watch& watch = watches.emplace_back(Watch{i, std::move(pair.normal[r]), {}});
+      if (!pair.tangent.empty()) {
+        watch.along = std::move(pair.tangent[r]);
+      }
+    }
   }
-  const auto look = [&](const base::Vector& u) {
-    for (const std::size_t line : touching_lines(model_, scene_, u)) {
-      if (std::ranges::find(lines, line) == lines.end()) {
-        lines.push_back(line);
+  return watches;
+}
+
+base::Matrix LoadPaths::functional_columns(Eigen::Index first, Eigen::Index most) const {
+  const auto size =
+      static_cast<Eigen::Index>(scene_.cracked.mesh.node_count()) * scene_.cracked.mesh.dim;
+  const auto K = 2 * static_cast<Eigen::Index>(scene_.cracked.tips.size());
+  if (first < K) { // all K at once
+    base::Matrix nodal = base::Matrix::Zero(size, K);
+    for (std::size_t t = 0; t < scene_.cracked.tips.size(); ++t) {
+      const mesh::Tip& tip = scene_.cracked.tips[t];
+      nodal.middleCols(2 * static_cast<Eigen::Index>(t), 2) =
+          crack::intensity_rows(model_, scene_.cracked, tip, scene_.tips[t].fields,
+                                model_.cracks[tip.crack.index()].state);
+    }
+    return nodal;
+  }
+  const Eigen::Index columns = std::min(most, functional_count() - first);
+  base::Matrix nodal = base::Matrix::Zero(size, columns);
+  for (Eigen::Index c = 0; c < columns; ++c) {
+    const Watch& watch = watches_[static_cast<std::size_t>((first + c - K) / 2)];
+    const bool along = (first + c - K) % 2 == 1;
+    if (along && !watch.along) {
+      continue;
+    }
+    const contact::ConstraintRow& row = along ? *watch.along : watch.apart;
+    for (const contact::RowEntry& entry : row.entries) {
+      nodal.col(c).segment<2>(2 * static_cast<Eigen::Index>(entry.node.index())) +=
+          entry.weight.head<2>() / row.area;
+    }
+  }
+  return nodal;
+}
+
+base::Vector LoadPaths::watched(const base::Vector& u) const {
+  base::Vector values = base::Vector::Zero(2 * static_cast<Eigen::Index>(watches_.size()));
+  for (std::size_t w = 0; w < watches_.size(); ++w) {
+    const Watch& watch = watches_[w];
+    const auto at = 2 * static_cast<Eigen::Index>(w);
+    values[at] = row_opening(watch.apart, 2, u) / watch.apart.area;
+    if (watch.along) {
+      values[at + 1] = row_opening(*watch.along, 2, u) / watch.along->area;
+    }
+  }
+  return values;
+}
+
+// Between knots all is linear: the largest overlaps are at knots.
+void LoadPaths::look_at_faces(const solve::SolutionPath& found) {
+  const auto K = 2 * static_cast<Eigen::Index>(scene_.cracked.tips.size());
+  const auto look = [&](const base::Vector& value) {
+    for (std::size_t w = 0; w < watches_.size();) {
+      const std::size_t line = watches_[w].line;
+      double overlap = 0.0;
+      double largest = 0.0;
+      for (; w < watches_.size() && watches_[w].line == line; ++w) {
+        const base::Vec2 apart = value.segment<2>(K + 2 * static_cast<Eigen::Index>(w));
+        overlap = std::max(overlap, -apart[0]);
+        largest = std::max(largest, apart.norm());
+      }
+      if (overlap > overlap_of_round_off * largest &&
+          std::ranges::find(touching_, line) == touching_.end()) {
+        touching_.push_back(line);
       }
     }
   };
-  for (std::size_t p = 0; p < paths.size(); ++p) {
-    const End& from = ends_.at(model_.load_paths[p].from.index());
-    const End& to = ends_.at(model_.load_paths[p].to.index());
-    for (const double t : paths[p].t) {
-      const base::Vector factor = (1.0 - t) * from.case_factor + t * to.case_factor;
-      std::vector<base::Vector> external(bodies_.size());
-      if (solver.system() != nullptr) {
-        contact::ContactSystem::Demand demand = from.demand;
-        demand.gap = (1.0 - t) * from.demand.gap + t * to.demand.gap;
-        for (std::size_t b = 0; b < demand.load.size(); ++b) {
-          demand.load[b] = (1.0 - t) * from.demand.load[b] + t * to.demand.load[b];
-        }
-        contact::ContactSystem::Answer answer = solver.system()->solve(demand, {});
-        if (answer.solution.status != solve::ContactStatus::solved) {
-          continue; // where nothing holds a body any more the path has ended
-        }
-        for (std::size_t i = 0; i < answer.u.size(); ++i) {
-          external[solver.condensed()[i]] = std::move(answer.u[i]);
-        }
-      }
-      base::Vector u = scene_.case_displacement * factor;
-      for (std::size_t b = 0; b < bodies_.size(); ++b) {
-        recover_body(bodies_[b], external[b], factor, u);
-      }
-      look(u);
-    }
+  for (const solve::PathSegment& s : found.segments) {
+    look(s.value);
+    look(s.value + (s.to - s.from) * s.slope);
   }
-  std::ranges::sort(lines);
-  return lines;
 }
 
 void LoadPaths::add_lip_forces(base::Matrix& of_row) const {

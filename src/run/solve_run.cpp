@@ -273,7 +273,7 @@ private:
       }
     }
     increment.paths = paths.follow(solver);
-    touching = paths.touching(solver, increment.paths);
+    touching = paths.touching();
     if (!touching.empty()) {
       return true;
     }
