@@ -32,8 +32,7 @@ const model::Vce* vce_of(const model::Model& model, base::CrackId crack) {
 
 // Fewer open nodes than these between the tip and the closed part of the faces: two elements.
 constexpr int least_open_nodes = 4;
-// K1 of the rings at a closed tip should be what the mesh cannot tell from 0, over the K of the tip
-// and of the pressure there.
+// K1 of the rings at a closed tip should be what the mesh cannot tell from 0, over that of k_scale.
 constexpr double worst_closed_K1 = 0.05;
 
 // Faces that do not overlap have no negative K1; where one is found it is 0 but for so much.
@@ -58,11 +57,9 @@ void tell_overlap(const Scene& scene, const mesh::Tip& tip, const StepState& sta
 
 // Where the faces touch at the tip they do not part there: K1 is 0, and so is K2 where they have
 // not slipped either. What the rings find instead is the error of the mesh.
-void close_tip(const TipFaces& faces, double round_off, results::TipResult& result,
+void close_tip(const TipFaces& faces, double scale, results::TipResult& result,
                results::StepResult& out) {
   const double K1 = result.K1;
-  const double scale =
-      std::hypot(result.K2, faces.pressure * std::sqrt(std::numbers::pi * result.a));
   if (faces.closed) {
     result.closed = true;
     result.K1 = 0.0;
@@ -70,7 +67,7 @@ void close_tip(const TipFaces& faces, double round_off, results::TipResult& resu
     result.K2 = faces.held ? 0.0 : result.K2;
     result.G = faces.held ? 0.0 : result.G;
     result.G_from_K *= all > 0.0 ? result.K2 * result.K2 / all : 0.0;
-    if (std::abs(K1) > worst_closed_K1 * scale + round_off) {
+    if (std::abs(K1) > worst_closed_K1 * scale) {
       out.notes.push_back(
           fmt::format("warning: {}: the crack faces touch at the tip, but the rings "
                       "find K1 = {:.3g}: the mesh there is too coarse",
@@ -84,13 +81,24 @@ void close_tip(const TipFaces& faces, double round_off, results::TipResult& resu
                                     "than two elements; K is that of the mesh",
                                     result.name));
   }
-  if (!faces.closed && K1 < 0.0 && std::abs(K1) <= small_K1 * scale + round_off) {
+  if (!faces.closed && K1 < 0.0 && std::abs(K1) <= small_K1 * scale) {
     result.K1 = 0.0;
   } else if (!faces.closed && K1 < 0.0) {
     result.doubt = "K1 is negative though the crack faces do not overlap: the mesh at the tip is "
                    "too coarse, so this K is not an answer";
     out.notes.push_back(fmt::format("warning: {}: {}", result.name, result.doubt));
   }
+}
+
+// K of the size that pressure between the faces, or their largest displacement against each other,
+// has at a crack of this length under uniform stress; no less than what round-off makes of it.
+double k_scale(const Scene& scene, const mesh::Tip& tip, const StepState& state,
+               const TipFaces& faces, const crack::StressIntensity& K) {
+  const double pressed = faces.pressure * std::sqrt(std::numbers::pi * tip.a);
+  const double jump = lip_jump(scene.cracked, tip.crack.index(), state.u);
+  const double open = 0.25 * K.E_effective * jump * std::sqrt(std::numbers::pi / tip.a);
+  const double least = 1e-6 * K.E_effective * state.u.lpNorm<Eigen::Infinity>() / std::sqrt(tip.a);
+  return std::max({pressed, open, least});
 }
 
 void gather_tips(const model::Model& model, const Scene& scene, const StepState& state,
@@ -135,9 +143,7 @@ void gather_tips(const model::Model& model, const Scene& scene, const StepState&
     }
     const TipFaces faces = tip_faces(scene, tip, state);
     if (crack.faces_in_contact) {
-      const double round_off =
-          1e-9 * K.E_effective * state.u.lpNorm<Eigen::Infinity>() / std::sqrt(tip.a);
-      close_tip(faces, round_off, result, out);
+      close_tip(faces, k_scale(scene, tip, state, faces, K), result, out);
     } else {
       tell_overlap(scene, tip, state, result, out);
     }

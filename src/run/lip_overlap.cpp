@@ -6,7 +6,14 @@
 
 namespace spricka::run {
 
-double lip_overlap(const mesh::CrackedMesh& cracked, std::size_t line, const base::Vector& u) {
+namespace {
+
+struct Jump {
+  double overlap = 0.0;
+  double largest = 0.0;
+};
+
+Jump look(const mesh::CrackedMesh& cracked, std::size_t line, const base::Vector& u) {
   const mesh::CrackedMesh::Lips& lips = cracked.lips[line];
   const std::vector<base::NodeId>& path = lips.left.empty() ? lips.right : lips.left;
   const auto displacement = [&](const std::vector<base::NodeId>& lip, std::size_t i) -> base::Vec2 {
@@ -14,8 +21,7 @@ double lip_overlap(const mesh::CrackedMesh& cracked, std::size_t line, const bas
     return lip.empty() ? base::Vec2::Zero()
                        : base::Vec2(u.segment<2>(2 * static_cast<Eigen::Index>(lip[i].index())));
   };
-  double overlap = 0.0;
-  double largest = 0.0;
+  Jump jump;
   for (std::size_t i = 0; i < path.size(); ++i) {
     const base::Vec3& before = cracked.mesh.x[path[i == 0 ? 0 : i - 1].index()];
     const base::Vec3& after = cracked.mesh.x[path[std::min(i + 1, path.size() - 1)].index()];
@@ -24,10 +30,23 @@ double lip_overlap(const mesh::CrackedMesh& cracked, std::size_t line, const bas
     const base::Vec2 apart = displacement(lips.left, i) - displacement(lips.right, i);
     // along the line of a half both faces go together
     const bool half = lips.left.empty() || lips.right.empty();
-    largest = std::max(largest, half ? std::abs(apart.dot(left)) : apart.norm());
-    overlap = std::max(overlap, -apart.dot(left));
+    jump.largest = std::max(jump.largest, half ? std::abs(apart.dot(left)) : apart.norm());
+    jump.overlap = std::max(jump.overlap, -apart.dot(left));
   }
-  return largest > 0.0 ? overlap / largest : 0.0;
+  return jump;
+}
+
+} // namespace
+
+double lip_overlap(const mesh::CrackedMesh& cracked, std::size_t line, const base::Vector& u) {
+  const Jump jump = look(cracked, line, u);
+  return jump.largest > 0.0 ? jump.overlap / jump.largest : 0.0;
+}
+
+double lip_jump(const mesh::CrackedMesh& cracked, std::size_t line, const base::Vector& u) {
+  const mesh::CrackedMesh::Lips& lips = cracked.lips[line];
+  const bool half = lips.left.empty() || lips.right.empty();
+  return (half ? 2.0 : 1.0) * look(cracked, line, u).largest;
 }
 
 } // namespace spricka::run

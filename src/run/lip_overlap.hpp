@@ -12,4 +12,7 @@ inline constexpr double overlap_of_round_off = 1e-6;
 /// against the other; 0: they are open everywhere. u [dim * node], `line` as CrackedMesh::lips.
 double lip_overlap(const mesh::CrackedMesh& cracked, std::size_t line, const base::Vector& u);
 
+/// The largest displacement of one face against the other; in a half model twice that off the line.
+double lip_jump(const mesh::CrackedMesh& cracked, std::size_t line, const base::Vector& u);
+
 } // namespace spricka::run

@@ -101,8 +101,9 @@ def turning_load(program, full):
     rows = []
     for part in (0.02, 0.1, 0.3, 0.6, 1.0) if full else (0.3,):
         text = asking(ending(TURNING, steps), f"SUM(BUSH,A{angles[0]},X)")
-        run = Run(program, text, [f"a={36.0 * part}"], files={"lug.geo": SQUARE})
-        case = f"X01, a = {part} R, load at 60 to 120 degrees by {step}"
+        fine = 2 if part < 0.05 else 1  # elements of 1.2 or 2.4 mm on the bore
+        run = Run(program, text, [f"a={36.0 * part}", f"fine={fine}"], files={"lug.geo": SQUARE})
+        case = f"X01, a = {part} R, elements of {2.4 / fine} mm, load at 60 to 120 degrees by {step}"
         if run.code not in (0, 1):
             rows.append(Row("S05", case, run, ok=False))
             continue

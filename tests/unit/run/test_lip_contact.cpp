@@ -423,5 +423,121 @@ $LOADPATH NAME=P FROM=FIRST TO=LAST BEYOND={}
   }
 }
 
+// The mouth of a closed crack in the middle of a contact surface (S11): blocks under pressure from
+// all sides do not feel the crack, whatever the pairing of their own contact.
+TEST(LipContact, MouthInAnotherContact) {
+  for (const std::string pairing : {"SLAVE=TOP.YMIN MASTER=LOW.YMAX PAIRING=SEGMENT",
+                                    "SLAVE=LOW.YMAX MASTER=TOP.YMIN PAIRING=SEGMENT",
+                                    "SLAVE=TOP.YMIN MASTER=LOW.YMAX PAIRING=NODE",
+                                    "SLAVE=LOW.YMAX MASTER=TOP.YMIN PAIRING=NODE"}) {
+    for (const std::string mu : {"0", "0.4"}) {
+      const std::optional<Solved> solved =
+          solve_text(fmt::format(R"($DECK VERSION=1 LENGTH=mm FORCE=N
+$NET NAME=LOW
+  $MESH SHAPE=BLOCK TYPE=QUAMC8 X0=0 Y0=0 LX=8 LY=6 NX=8 NY=6
+  $NSET NAME=DOWN WHERE=(abs(x-4) < 1e-9) ORDER=(-y)
+$ENDNET
+$NET NAME=TOP
+  $MESH SHAPE=BLOCK TYPE=QUAMC8 X0=0 Y0=6 LX=8 LY=3 NX=8 NY=3
+$ENDNET
+$MATERIAL NAME=M E=1000 NU=0.3
+$PROPERTY ESET=LOW.BODY MATERIAL=M STATE=STRESS
+$PROPERTY ESET=TOP.BODY MATERIAL=M STATE=STRESS
+$FREEDOM CLASS=SUPPRESSED DOF=Y
+  LOW.YMIN
+$FREEDOM CLASS=SUPPRESSED DOF=X
+  LOW.XMIN
+  TOP.XMIN
+$CONTACT NAME=PRESSED {}
+$CRACK NAME=C PATH=LOW.DOWN A0=3 MU={}
+$TIPNET CRACK=C PATCH=NO
+$LOAD CASE=F TYPE=PRESSURE
+  TOP.YMAX 2
+  TOP.XMAX 2
+  LOW.XMAX 2
+$STEP NAME=S
+  LOAD F 1
+$END
+)",
+                                 pairing, mu));
+      ASSERT_TRUE(solved) << pairing;
+      const double strain = -2.0 * 0.7 / 1000.0;
+      for (std::size_t n = 0; n < solved->mesh().node_count(); ++n) {
+        const base::Vec3& x = solved->mesh().x[n];
+        const base::Vec3 u = solved->u(base::NodeId(n));
+        EXPECT_NEAR(u.x(), strain * x.x(), 1e-9 * std::abs(strain) * 9.0);
+        EXPECT_NEAR(u.y(), strain * x.y(), 1e-9 * std::abs(strain) * 9.0);
+      }
+      EXPECT_NEAR(faces(*solved).min_pressure, 2.0, 1e-7);
+      EXPECT_NEAR(faces(*solved).max_pressure, 2.0, 1e-7);
+      EXPECT_EQ(solved->step().tips[0].K1, 0.0);
+    }
+  }
+}
+
+// A block with a crack that bending closes in part; then another block is mounted on it, and
+// pressed.
+std::string mounted_on(const std::string& length, const std::string& growth) {
+  return fmt::format(R"($DECK VERSION=1 LENGTH=mm FORCE=N
+$NET NAME=LOW
+  $MESH SHAPE=BLOCK TYPE=QUAMC8 X0=0 Y0=0 LX=20 LY=12 NX=20 NY=12
+$ENDNET
+$NET NAME=TOP
+  $MESH SHAPE=BLOCK TYPE=QUAMC8 X0=4 Y0=12 LX=3 LY=3 NX=3 NY=3
+$ENDNET
+$MATERIAL NAME=M E=1000 NU=0.3
+$PROPERTY ESET=LOW.BODY MATERIAL=M STATE=STRESS
+$PROPERTY ESET=TOP.BODY MATERIAL=M STATE=STRESS
+$NSET NAME=HELD WHERE=(x < 1e-9)
+$FREEDOM CLASS=SUPPRESSED DOF=XY
+  HELD
+$FREEDOM CLASS=SUPPRESSED DOF=X
+  TOP.XMIN
+$CONTACT NAME=ON SLAVE=TOP.YMIN MASTER=LOW.YMAX GAP=0
+$CRACK NAME=C NET=LOW A0={} ANGLE=90[deg]
+  10 0
+$LOAD CASE=BEND TYPE=TRACTION
+  LOW.XMAX (y-4) 0
+$LOAD CASE=PRESS TYPE=PRESSURE
+  TOP.YMAX 1
+$STEP NAME=FIRST
+  LOAD BEND 1
+$STEP NAME=SECOND
+  MOUNT ON
+$STEP NAME=THIRD
+  LOAD PRESS 1
+{}$END
+)",
+                     length, growth);
+}
+
+// Each length of a growing crack finds its own contact; what is mounted at the first one keeps what
+// it took on there.
+TEST(LipContact, GrowsWithMountedParts) {
+  for (const std::string mounted : {"EACH", "FIRST"}) {
+    const std::optional<Solved> grown = solve_text(
+        mounted_on("5", "$GROW LAW=INCREMENT KMAX=THIRD MOUNTED=" + mounted + "\n  5 6.5\n"));
+    ASSERT_TRUE(grown);
+    for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+      if (i == 1 && mounted == "FIRST") {
+        continue;
+      }
+      const std::optional<Solved> alone = solve_text(mounted_on(i == 0 ? "5" : "6.5", ""));
+      ASSERT_TRUE(alone);
+      ASSERT_EQ(alone->step(0).contacts.size(), 2U);
+      EXPECT_GT(alone->step(0).contacts[1].closed, 2);
+      for (const std::size_t s : {std::size_t{0}, std::size_t{2}}) {
+        const results::StepResult& step = grown->run.increments[i].steps[s];
+        const double K1 = alone->step(s).tips[0].K1;
+        EXPECT_GT(K1, 0.1);
+        EXPECT_NEAR(step.tips[0].K1, K1, 1e-7 * K1) << i << ' ' << s;
+        EXPECT_NEAR(step.contacts[0].force_on_slave.y(),
+                    alone->step(s).contacts[0].force_on_slave.y(), 1e-7);
+        EXPECT_EQ(step.contacts[1].closed, alone->step(s).contacts[1].closed);
+      }
+    }
+  }
+}
+
 } // namespace
 } // namespace spricka
