@@ -46,7 +46,8 @@ def bent_rows(run, r):
     found = run.asked("ARC.TO(C.FACES,BENT)")
     rows.append(Row("S05", f"F11, r = {r}: closed length over a", run, number=found, reference=closed,
                     allowed=3e-2, error=abs(found - closed)))
-    said = ("touch at the tip" in run.listing()) != is_open
+    told = "touch at the tip" in run.listing()
+    said = told if closed > 0.01 else not (told and is_open)  # between them the tip element decides
     rows[-1].ok = rows[-1].ok and said and run.asked("CPRESS.MIN(C.FACES,BENT)") >= 0.0
     return rows
 
