@@ -336,6 +336,16 @@ TEST(LipContact, RemembersSlip) {
   }
 }
 
+TEST(LipContact, ThreadsChangeNoBit) {
+  const std::string deck = plate(slant(0.6, "MU=0.2"), stressed(0.3, -1.0, 0.1));
+  const std::optional<Solved> one = solve_text(deck, 1);
+  const std::optional<Solved> four = solve_text(deck, 4);
+  ASSERT_TRUE(one && four);
+  EXPECT_TRUE(was_closed(*one));
+  EXPECT_TRUE(one->step().u == four->step().u);
+  EXPECT_EQ(one->step().tips[0].K2, four->step().tips[0].K2);
+}
+
 // Two cracks of which one closes: the other is left as it is.
 TEST(LipContact, OnlyFacesThatMeetAreAPair) {
   const std::string cracks = "$CRACK NAME=UP\n  -1 8\n  1 8\n$CRACK NAME=ACROSS\n  0 -9\n  0 -7\n";
