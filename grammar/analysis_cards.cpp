@@ -13,10 +13,8 @@ using enum Quantity;
 
 constexpr std::array load_keys{
     required(defines("CASE", load_case, "the case this adds to")),
-    required(
-        later(word("TYPE", "FORCE|RESULTANT|TRACTION|PRESSURE|BODY|BEARING|DISP|TEMPERATURE|FACES",
-                   "what the values are and what they act on"),
-              "FACES")),
+    required(word("TYPE", "FORCE|RESULTANT|TRACTION|PRESSURE|BODY|BEARING|DISP|TEMPERATURE|FACES",
+                  "what the values are and what they act on")),
     preset(word("SHAPE", "UNIFORM|COSINE", "how the pressure of a BEARING is spread"), "COSINE"),
 };
 
@@ -114,6 +112,8 @@ constexpr std::array vce_keys{
     required(refers("CRACK", crack, "whose K")),
     real("SHIFT", number, between(1e-12, 1e-1), "finite shift in tip element sizes"),
     of_type(KeyType::integers, "DOMAINS", none, "how many rings move rigidly, a K for each"),
+    preset(word("CHECK", "NONE|OPENING", "K from the opening of the faces, printed beside K"),
+           "NONE"),
 };
 
 constexpr std::array step_keys{

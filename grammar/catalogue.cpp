@@ -20,7 +20,7 @@ constexpr std::array quantities{
     ResultQuantity{"K1", "cs?aa", stress_intensity, "stress intensity of mode I"},
     ResultQuantity{"K2", "cs?aa", stress_intensity, "stress intensity of mode II"},
     ResultQuantity{"G", "cs?aa", energy_release, "energy release rate"},
-    ResultQuantity{"T", "cs?aa", stress, "T stress (not in this version)"},
+    ResultQuantity{"T", "cs?aa", stress, "stress along the crack at the tip"},
     ResultQuantity{"CPRESS.MIN", "ps?a", stress, "smallest contact pressure"},
     ResultQuantity{"CPRESS.MAX", "ps?a", stress, "largest contact pressure"},
     ResultQuantity{"CPRESS.MEAN", "ps?a", stress, "mean pressure over the part in contact"},

@@ -103,7 +103,7 @@ private:
       unknown(quantity);
       return false;
     }
-    if (spec->name == "T" || spec->name == "N" || spec->name == "LIFE") {
+    if (spec->name == "N" || spec->name == "LIFE") {
       c_.unavailable(fmt::format("{} in $CHECK", spec->name), quantity.span);
     }
     if ((spec->name == "N" || spec->name == "LIFE") && !counts_cycles()) {

@@ -130,12 +130,6 @@ void add_load(const model::Model& model, const model::Mesh& mesh, const model::L
   case model::LoadType::pressure:
     add_pressure(model, mesh, load, f);
     return;
-  case model::LoadType::crack_faces:
-    // Without faces: the lips of this crack are not in the mesh (yet).
-    if (load.faces.valid()) {
-      add_pressure(model, mesh, load, f);
-    }
-    return;
   case model::LoadType::body:
     add_body_load(
         model, mesh, mesh.set(load.elements).elements,

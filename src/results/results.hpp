@@ -6,6 +6,7 @@
 #include "results/stress_invariants.hpp"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,9 +22,12 @@ struct TipResult {
   double K2 = 0.0;
   double G = 0.0;        ///< energy release rate [force/length]
   double G_from_K = 0.0; ///< (K1^2 + K2^2) / E'
+  double T = 0.0;        ///< stress along the crack at the tip that K leaves [stress]
   double spread = 0.0;   ///< (max - min of K1 over domains) / hypot(K1, K2)
+  std::optional<std::array<double, 2>> K_opening; ///< K1, K2 of the faces' opening, on request
   std::vector<double> K1_domain;
   std::string doubt;                         ///< why this K is not an answer; empty: it is one
+  bool two_materials = false;                ///< on both sides of the crack: G only, K and T are 0
   base::Vec3 x = base::Vec3::Zero();         ///< the tip, undeformed
   base::Vec3 direction = base::Vec3::Zero(); ///< unit, the way the crack grows; zero: unknown
 };

@@ -26,11 +26,14 @@ double tip_quantity(const std::string& quantity, Arguments& args, const results:
     throw Missing(two ? fmt::format("crack {0} has two tips: {0}.1 and {0}.2", tip)
                       : fmt::format("no tip {}", tip));
   }
-  if (!found->doubt.empty()) {
+  if (!found->doubt.empty() && !(found->two_materials && quantity == "G")) {
     throw Missing(found->doubt);
   }
   if (quantity == "K2") {
     return found->K2;
+  }
+  if (quantity == "T") {
+    return found->T;
   }
   return quantity == "G" ? found->G : found->K1;
 }

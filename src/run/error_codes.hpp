@@ -31,7 +31,7 @@ inline constexpr std::array later_codes{
     ErrorCode{"E414", "an $MPC with a node that a crack has cut out"},
     ErrorCode{"E415", "an $MPC whose slave nodes do not lie on the master faces"},
     ErrorCode{"E416", "$MPC cards that contradict each other or supports"},
-    ErrorCode{"E417", "a load on the faces of a crack"},
+    ErrorCode{"E417", "a total load on faces of a crack"},
     ErrorCode{"E418", "a force on a node that no element has, or that a crack cut out or added"},
     ErrorCode{"E419", "a support on a node that a crack has cut out"},
     ErrorCode{"E421", "a crack that does not start on the boundary"},

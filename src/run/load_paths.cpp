@@ -2,8 +2,8 @@
 #include "run/load_paths.hpp"
 
 #include "crack/stress_intensity.hpp"
-#include "run/body_force.hpp"
 #include "run/closed_run.hpp"
+#include "run/tip_loads.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@ crack::StressIntensity intensity(const model::Model& model, const Scene& scene, 
   crack::VceRequest request; // without SHIFT: linear in u
   request.state = model.cracks[tip.crack.index()].state;
   return crack::stress_intensity(model, scene.cracked, tip, scene.tips[t].fields, request, u,
-                                 body_force(model, scene, scene.tips[t].fields, case_factor));
+                                 tip_loads(model, scene, scene.tips[t].fields, case_factor));
 }
 
 bool shifted(const model::Model& model, base::CrackId crack) {

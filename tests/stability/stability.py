@@ -16,6 +16,7 @@ import sweeps_contact
 import sweeps_friction
 import sweeps_held
 import sweeps_lug
+import sweeps_vce
 from program import TOP
 
 SWEEPS = {
@@ -29,6 +30,7 @@ SWEEPS = {
     "S10": ("bodies held by contact only", sweeps_held.floating),
     "S11": ("redundant constraints", sweeps_held.redundant),
     "ASM": ("assembly in steps and undone (K1, pressures)", sweeps_held.assembly),
+    "S06": ("step of the virtual crack extension (K1 against the analytic derivative)", sweeps_vce.shifts),
     "LUG": ("pairings, mirrors, turns and units of the lug (K1)", sweeps_lug.lug),
 }
 

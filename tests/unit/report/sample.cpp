@@ -200,6 +200,7 @@ results::StepResult make_step(const model::Mesh& mesh, const std::string& name, 
   tip.G = (tip.K1 * tip.K1 + tip.K2 * tip.K2) / youngs;
   tip.G_from_K = tip.G;
   tip.spread = 1e-4;
+  tip.T = -0.3 * tip.K1;
   tip.x = {0.0, bore + a, 0.0};
   tip.direction = base::Vec3::UnitY();
   step.tips = {tip};

@@ -54,8 +54,8 @@ TEST_F(Writers, KTableHasOneRowForEachStepEndAndReadsBackToTheBit) {
   const auto rows = read_csv(folder / "k.csv");
   ASSERT_EQ(rows.size(), 2U + 2U * 3U);
   EXPECT_EQ(rows[0][0].substr(0, 8), "# units:");
-  const std::vector<std::string> names{"increment", "step", "crack", "a",
-                                       "K1",        "K2",   "G",     "spread"};
+  const std::vector<std::string> names{"increment", "step", "crack",  "a", "K1",
+                                       "K2",        "G",    "spread", "T"};
   EXPECT_EQ(rows[1], names);
   std::size_t row = 2;
   for (const results::Increment& increment : sample.run.increments) {
@@ -71,6 +71,7 @@ TEST_F(Writers, KTableHasOneRowForEachStepEndAndReadsBackToTheBit) {
       EXPECT_EQ(number(cells[5]), tip.K2);
       EXPECT_EQ(number(cells[6]), tip.G);
       EXPECT_EQ(number(cells[7]), tip.spread);
+      EXPECT_EQ(number(cells[8]), tip.T);
     }
   }
 }
