@@ -14,14 +14,14 @@ double shear_modulus(const model::Material& m) {
 
 } // namespace
 
-// u1 = ((kappa + 1) ln r + 2 sin^2 theta) / (8 pi mu),
-// u2 = ((kappa - 1) theta - 2 sin theta cos theta) / (8 pi mu) along e1 and e2.
+// u1 = -((kappa + 1) ln r + 2 sin^2 theta) / (8 pi mu),
+// u2 = -((kappa - 1) theta - 2 sin theta cos theta) / (8 pi mu) along e1 and e2.
 base::Vec2 point_force_displacement(const TipFrame& tip, const Polar& at, double unit,
                                     const model::Material& material, model::State state) {
   const double kappa = kolosov(material.nu, state);
   const double C = std::cos(at.theta);
   const double S = std::sin(at.theta);
-  const double scale = 1.0 / (8.0 * std::numbers::pi * shear_modulus(material));
+  const double scale = -1.0 / (8.0 * std::numbers::pi * shear_modulus(material));
   const double u1 = scale * ((kappa + 1.0) * std::log(at.r / unit) + 2.0 * S * S);
   const double u2 = scale * ((kappa - 1.0) * at.theta - 2.0 * S * C);
   return u1 * tip.e1 + u2 * tip.e2;
@@ -32,7 +32,7 @@ Eigen::Matrix2d point_force_gradient(const TipFrame& tip, const Polar& at,
   const double kappa = kolosov(material.nu, state);
   const double C = std::cos(at.theta);
   const double S = std::sin(at.theta);
-  const double scale = 1.0 / (8.0 * std::numbers::pi * shear_modulus(material) * at.r);
+  const double scale = -1.0 / (8.0 * std::numbers::pi * shear_modulus(material) * at.r);
   const base::Vec2 of_r((kappa + 1.0), 0.0);                                     // r u_,r
   const base::Vec2 of_theta(4.0 * S * C, (kappa - 1.0) - 2.0 * (C * C - S * S)); // u_,theta
   Eigen::Matrix2d local;

@@ -236,7 +236,7 @@ double estimated_error(Arguments& args, const results::Run& run) {
 double evaluate(const model::Model& model, const model::Check& check, const results::Run& run) {
   Arguments args(check);
   const std::string& q = check.quantity;
-  if (q == "K" || q == "K1" || q == "K2" || q == "G") {
+  if (q == "K" || q == "K1" || q == "K2" || q == "G" || q == "T") {
     return tip_quantity(q, args, run);
   }
   if (q.starts_with("PATH.")) {

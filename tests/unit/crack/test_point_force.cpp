@@ -50,8 +50,8 @@ TEST_P(PointForce, GradientIsTheDerivativeOfTheDisplacement) {
   }
 }
 
-// Radial stress cos(theta) / (pi r) alone: the lips are free, and what a circle carries is the unit
-// force.
+// Radial stress -cos(theta) / (pi r) alone: the lips are free, and what a circle carries holds the
+// unit force.
 TEST_P(PointForce, CarriesAUnitForceAndLeavesTheLipsFree) {
   const TipFrame tip = turned(-0.4);
   base::Vec2 sum = base::Vec2::Zero();
@@ -61,12 +61,12 @@ TEST_P(PointForce, CarriesAUnitForceAndLeavesTheLipsFree) {
     const base::Vec2 n = std::cos(theta) * tip.e1 + std::sin(theta) * tip.e2;
     const double r = 0.6;
     const Eigen::Matrix2d s = stress(tip, tip.x + r * n);
-    EXPECT_NEAR(n.dot(s * n), std::cos(theta) / (std::numbers::pi * r), 1e-12);
+    EXPECT_NEAR(n.dot(s * n), -std::cos(theta) / (std::numbers::pi * r), 1e-12);
     const base::Vec2 along(-n.y(), n.x());
     EXPECT_LT((s * along).norm(), 1e-12);
     sum += (s * n) * (2.0 * std::numbers::pi * r / count);
   }
-  EXPECT_NEAR(sum.dot(tip.e1), 1.0, 1e-12);
+  EXPECT_NEAR(sum.dot(tip.e1), -1.0, 1e-12);
   EXPECT_NEAR(sum.dot(tip.e2), 0.0, 1e-12);
 }
 

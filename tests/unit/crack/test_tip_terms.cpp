@@ -150,11 +150,13 @@ TEST_P(TipTerm, IsTheDerivativeOfTheEnergy) {
         crack::stress_intensity(plate.model, plate.cracked, plate.tip(), {f}, {}, plate.u, loads);
     const crack::StressIntensity bare =
         crack::stress_intensity(plate.model, plate.cracked, plate.tip(), {f}, {}, plate.u, {});
-    // The stiffness itself takes fewer points than G: what it misses is no matter of the loads.
+    // The stiffness itself takes fewer points than G: what it misses is no matter of the loads, but
+    // for elements that expand freely.
     const double s = 1e-4 * plate.tip().size;
     const double difference = crack::shifted_release_rate(set, f, s, plate.u) -
                               crack::shifted_release_rate(unloaded, f, s, plate.u);
-    EXPECT_NEAR(K.G - bare.G, difference, 1e-6 * std::abs(K.G - bare.G));
+    EXPECT_NEAR(K.G - bare.G, difference,
+                (what == What::temperature ? 2e-4 : 1e-6) * std::abs(K.G - bare.G));
     EXPECT_GT(std::abs(K.G - bare.G), 1e-4 * std::abs(bare.G)); // the term is there
   }
 }
