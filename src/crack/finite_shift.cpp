@@ -79,7 +79,8 @@ template <shape::PlaneShape S> double element_energy(const Shift& shift, base::E
   const TipSetting& set = shift.set;
   const fe::NodeVectors<S> X = shift.moved<S>(e);
   const fe::NodeVectors<S> U = fe::gather<S>(set.mesh, e, shift.u);
-  const fe::Law law = fe::law_of(set.model, set.mesh, e);
+  fe::Law law = fe::law_of(set.model, set.mesh, e);
+  law.thickness = 1.0; // G counts per unit of it
   const double strain = set.loads.temperature.size() > 0
                             ? heated_energy<S>(shift, e, X, law)
                             : 0.5 * U.cwiseProduct(fe::element_force<S>(X, law, U)).sum();

@@ -48,7 +48,7 @@ struct Plate {
     mesh::generate_block(model.mesh, net, "", spec);
     model.materials = {{"M", 1000.0, 0.3, 0.0, 1e-3, {}}};
     model.properties = {
-        {base::ElementSetId(std::size_t{0}), base::MaterialId(std::size_t{0}), state, 1.0, {}}};
+        {base::ElementSetId(std::size_t{0}), base::MaterialId(std::size_t{0}), state, 2.5, {}}};
     model.mesh.property.assign(model.mesh.element_count(), base::PropertyId(std::size_t{0}));
     mesh::CrackLine line;
     line.crack = base::CrackId(std::size_t{0});
