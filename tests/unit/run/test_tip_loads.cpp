@@ -187,8 +187,8 @@ $LOAD CASE=PULL TYPE=RESULTANT
   const double largest = std::max(path->tips[0].K1.highest(), -path->tips[0].K1.lowest());
   for (int k = 0; k <= 4; ++k) {
     const results::TipResult& point = tip(*solved, fmt::format("S{}", k), "C");
-    EXPECT_NEAR(path->tips[0].K1(0.25 * k), point.K1, 1e-10 * largest) << k;
-    EXPECT_NEAR(path->tips[0].K2(0.25 * k), point.K2, 1e-10 * largest) << k;
+    EXPECT_NEAR(path->tips[0].K1(0.25 * k), point.K1, 1e-11 * largest) << k;
+    EXPECT_NEAR(path->tips[0].K2(0.25 * k), point.K2, 1e-11 * largest) << k;
   }
 }
 
