@@ -13,10 +13,8 @@ using enum Quantity;
 
 constexpr std::array load_keys{
     required(defines("CASE", load_case, "the case this adds to")),
-    required(
-        later(word("TYPE", "FORCE|RESULTANT|TRACTION|PRESSURE|BODY|BEARING|DISP|TEMPERATURE|FACES",
-                   "what the values are and what they act on"),
-              "FACES")),
+    required(word("TYPE", "FORCE|RESULTANT|TRACTION|PRESSURE|BODY|BEARING|DISP|TEMPERATURE|FACES",
+                  "what the values are and what they act on")),
     preset(word("SHAPE", "UNIFORM|COSINE", "how the pressure of a BEARING is spread"), "COSINE"),
 };
 
@@ -79,7 +77,7 @@ constexpr std::array crack_keys{
                 "plane state that turns G into K; AUTO: the property's"),
            "AUTO"),
     preset(word("FACES", "CONTACT|FREE", "whether the faces may touch"), "CONTACT"),
-    preset(later(real("MU", number, at_least(0), "friction of the faces"), ">0"), "0"),
+    preset(real("MU", number, at_least(0), "friction of the faces"), "0"),
 };
 
 constexpr std::array crack_when{
@@ -103,7 +101,7 @@ constexpr std::array tipnet_keys{
                 "how the patch meets the host: edge to edge, or finer and tied to its edges"),
            "CONFORMING"),
     preset(word("PATCH", "YES|NO", "NO: the deck's own elements stay"), "YES"),
-    later(real("TOL", number, above(0), "refine until the error bar of K is below TOL*K"), "*"),
+    real("TOL", number, above(0), "refine until the error bars of K1 and K2 are below TOL*K"),
 };
 
 constexpr std::array tipnet_when{
@@ -114,6 +112,8 @@ constexpr std::array vce_keys{
     required(refers("CRACK", crack, "whose K")),
     real("SHIFT", number, between(1e-12, 1e-1), "finite shift in tip element sizes"),
     of_type(KeyType::integers, "DOMAINS", none, "how many rings move rigidly, a K for each"),
+    preset(word("CHECK", "NONE|OPENING", "K from the opening of the faces, printed beside K"),
+           "NONE"),
 };
 
 constexpr std::array step_keys{

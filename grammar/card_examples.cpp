@@ -111,7 +111,9 @@ constexpr std::array texts{
         "LOAD",
         "Several cards with one CASE add up; $STEP applies a case with a factor. FORCE: on each "
         "node of the set. RESULTANT: a total, spread over faces or elements. TRACTION: force "
-        "per area, x y z. PRESSURE: normal, positive pushes. BODY: force per volume. BEARING: "
+        "per area, x y z. PRESSURE: normal, positive pushes. FACES: a pressure that opens a crack, "
+        "named in the place of a set; C1.LEFT and C1.RIGHT are its two faces, seen from the mouth, "
+        "for PRESSURE and TRACTION (at every crack length anew). BODY: force per volume. BEARING: "
         "the pressure of a pin that is not modelled, given by its resultant. DISP: values of "
         "PRESCRIBED freedoms. TEMPERATURE: degrees above the state without stress, of elements "
         "whose "
@@ -120,7 +122,9 @@ constexpr std::array texts{
         "$LOAD CASE=TENSION TYPE=TRACTION\n"
         "  PLATE.YMAX  0  (100[MPa]*(1 - x/40))\n"
         "$LOAD CASE=PIN TYPE=BEARING SHAPE=COSINE\n"
-        "  LUG.BORE  97.1[kN]  0\n"},
+        "  LUG.BORE  97.1[kN]  0\n"
+        "$LOAD CASE=LEAK TYPE=FACES\n"
+        "  TOP  5[MPa]\n"},
     CardText{
         "CONTACT",
         "The surfaces cannot pass into each other and can always part, without penalty and "
@@ -155,9 +159,12 @@ constexpr std::array texts{
         "last, and the crack's length a is half of the line's. LINE=SMOOTH draws a spline through "
         "the points (straight lines between points of an arc would bend K with each kink). "
         "A crack with PATH follows element edges; on a symmetry line the nodes behind the tip "
-        "are released and K counts both halves. Two sides of a bore are two cards. In this version "
-        "a crack stands in a plane model, neither in 3D nor with STATE=AXI, and not with "
-        "TYPE=TEMPERATURE loads.",
+        "are released and K counts both halves. Two sides of a bore are two cards. With "
+        "FACES=CONTACT the faces of a crack touch where they would overlap, slip with MU against "
+        "friction and part again; K1 is 0 at a tip where they touch. Where they do, they are a "
+        "contact NAME.FACES of the listing, of CPRESS and of $CHECK, with places along the crack "
+        "from its mouth or first point. FACES=FREE lets them overlap and says so. In this version "
+        "a crack stands in a plane model, neither in 3D nor with STATE=AXI.",
         "$CRACK NAME=TOP NET=LUG A0=1.8 ANGLE=90[deg]\n"
         "  0  36\n"},
     CardText{
@@ -172,7 +179,8 @@ constexpr std::array texts{
         "VCE",
         "K comes from the derivative of the energy for a virtual motion of the tip. Each number "
         "of DOMAINS is a count of rings that move rigidly; the spread of K between them checks "
-        "the method (not the mesh).",
+        "the method (not the mesh). CHECK=OPENING prints K1 and K2 of the opening behind the tip "
+        "beside them, a coarser value by another way; nothing uses it.",
         "$VCE CRACK=TOP DOMAINS=2,3,4\n"},
     CardText{
         "STEP",

@@ -95,6 +95,10 @@ std::string argument_name(const ResultQuantity& quantity, char letter, std::size
     return "contact";
   case 's':
     return "step";
+  case 'o':
+    return "case";
+  case 'm':
+    return "material";
   case 'l':
     return "path";
   case 'n':

@@ -37,6 +37,25 @@ Choice choose_side(const Surface& slave, const Surface& master) {
                                                     : "slave side: alike in size and stiffness"};
 }
 
+// Whether two chains of the surface end in one place: a crack opens there.
+bool has_mouth(const Surface& surface) {
+  std::vector<Vec2> ends;
+  for (const EdgeChain& chain : surface.chains) {
+    if (!chain.closed) {
+      ends.push_back(chain.edges.front().x[0]);
+      ends.push_back(chain.edges.back().x[1]);
+    }
+  }
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    for (std::size_t k = i + 1; k < ends.size(); ++k) {
+      if ((ends[i] - ends[k]).norm() < 1e-9 * surface.extent) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 } // namespace
 
 PairRows pair_rows(const model::Model& model, const model::Mesh& mesh,
@@ -60,7 +79,10 @@ PairRows pair_rows(const model::Model& model, const model::Mesh& mesh,
   }
   Choice choice = choose_side(slave, master);
   if (nodes) {
-    choice = {false, "slave side: node pairs"};
+    // both lips of a mouth need their row
+    choice = has_mouth(master) && !has_mouth(slave)
+                 ? Choice{true, "master side: node pairs, a crack opens into it"}
+                 : Choice{false, "slave side: node pairs"};
   }
   pair.swapped = choice.swap;
   pair.choice = std::move(choice.why);

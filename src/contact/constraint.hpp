@@ -38,6 +38,7 @@ struct PairRows {
   std::optional<model::Rigid> rigid;  ///< rows then weigh nodes of the contact side only
   bool swapped = false;               ///< the deck's master carries the multipliers
   bool segments = false; ///< rows are weighted by hats on half edges, else by single nodes
+  bool faces = false;    ///< of a crack: they end together at its mouth and its tips
   bool found = false;    ///< the surfaces face each other somewhere
   std::string trouble;   ///< why there are no rows (node pairing that does not match)
   std::string choice;    ///< which side carries the multipliers and why, for the listing

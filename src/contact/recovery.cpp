@@ -22,6 +22,7 @@ constexpr std::array<double, 4> gauss_w{0.3478548451374538, 0.6521451548625461, 
                                         0.3478548451374538};
 
 constexpr double covered = 1e-4; // of a hat's area: what integration may miss
+constexpr double no_area = 1e-9; // of a hat's area
 
 // Surface mass matrix C = sum over edges of integral N N^T, times the depth.
 Eigen::SparseMatrix<double> surface_mass(const PairRows& pair, const Numbering& number) {
@@ -253,7 +254,11 @@ NodalPressure recover(const PairRows& pair, const Multipliers& row, const SideFo
       T[number.at(p.at.node)] = at->second.head<2>().dot(Vec2(-p.normal.y(), p.normal.x()));
     }
   }
-  const NodeArea area = node_areas(pair, places, number);
+  NodeArea area = node_areas(pair, places, number);
+  for (Eigen::Index k = 0; pair.faces && k < n; ++k) {
+    // at a crack's tip, beside a quarter point, the corner's function has no area
+    area.facing[k] = area.facing[k] > no_area * area.hat[k] ? area.facing[k] : area.hat[k];
+  }
   NodalPressure p{R.cwiseQuotient(area.facing), base::Vector::Zero(n), T.cwiseQuotient(area.facing),
                   base::Vector::Zero(n)};
   if (pair.contact.axial) {
@@ -286,6 +291,20 @@ NodalPressure recover(const PairRows& pair, const Multipliers& row, const SideFo
     smooth_pressure(pair.contact, number, sound, p.shear_consistent, p.shear_lumped);
   }
   return p;
+}
+
+// A crack's tip has no row: it is as closed and as pressed as the node next to it.
+void close_tips(std::vector<NodePressure>& nodes) {
+  const std::size_t n = nodes.size();
+  for (const auto& [tip, next] :
+       {std::pair(std::size_t{0}, std::size_t{1}), std::pair(n - 1, n - 2)}) {
+    if (n > 1 && nodes[tip].row < 0) {
+      NodePressure& at = nodes[tip];
+      at.closed = nodes[next].closed;
+      at.p_lumped = nodes[next].p_lumped;
+      at.q_lumped = nodes[next].q_lumped;
+    }
+  }
 }
 
 } // namespace
@@ -332,6 +351,9 @@ PairPressure recover_pressure(const PairRows& pair, const base::Vector& lambda,
     result.nodes.push_back(place.at);
   }
   copy_to_axis_ends(pair, row_of, result.nodes);
+  if (pair.faces) {
+    close_tips(result.nodes);
+  }
   const Arc arc = longest_arc(pair.contact, result.nodes, pair.segments);
   result.arc_from = arc.from;
   result.arc_to = arc.to;

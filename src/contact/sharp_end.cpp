@@ -74,6 +74,9 @@ void add_end(std::vector<SharpEnd>& ends, const Surface& contact, const SharpEnd
 } // namespace
 
 std::vector<SharpEnd> sharp_ends(const PairRows& pair) {
+  if (pair.faces) {
+    return {};
+  }
   const std::vector<Segment> segments = pair.rigid ? find_segments(pair.contact, *pair.rigid)
                                                    : find_segments(pair.contact, pair.target);
   const std::vector<EdgeEnds> edges = edges_with_ends(pair.contact);

@@ -122,13 +122,18 @@ double depth_at(const Surface& contact, const Surface& target, const Vec2& x) {
 }
 
 Surface make_surface(const model::Model& model, const model::Mesh& mesh, base::FaceSetId set) {
+  return make_surface(model, mesh, mesh.set(set).faces);
+}
+
+Surface make_surface(const model::Model& model, const model::Mesh& mesh,
+                     const std::vector<model::Face>& faces) {
   Surface surface;
   surface.axial = model::axisymmetric(model);
   std::vector<Vec2> points;
   Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
   Vec2 high = -low;
   std::size_t count = 0;
-  for (const mesh::Chain& chain : mesh::chains(mesh, mesh.set(set).faces)) {
+  for (const mesh::Chain& chain : mesh::chains(mesh, faces)) {
     EdgeChain edges;
     edges.closed = chain.closed;
     for (const model::Face face : chain.faces) {

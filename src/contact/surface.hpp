@@ -62,6 +62,8 @@ double depth_at(const Surface& contact, const Surface& target, const Vec2& x);
 /// Strings the faces of a set into chains and looks whether they lie on one circle (deviation
 /// below 1e-4 of the radius, radius below 1e3 extents).
 Surface make_surface(const model::Model& model, const model::Mesh& mesh, base::FaceSetId set);
+Surface make_surface(const model::Model& model, const model::Mesh& mesh,
+                     const std::vector<model::Face>& faces);
 
 /// Unit normal of the surface at a point of an edge: radial where the surface is a circle.
 Vec2 surface_normal(const Surface& surface, const Edge& edge, double xi);

@@ -125,28 +125,54 @@ std::size_t ContactSystem::body_of_mode(Eigen::Index mode) const {
 solve::ContactProblem ContactSystem::condensed(const Demand& demand) const {
   const auto n = static_cast<Eigen::Index>(demand.rows.size());
   std::vector<base::Vector> u(bodies_.size());
-  solve::ContactProblem problem;
-  problem.h = base::Vector::Zero(mode_start_.back());
+  solve::ContactProblem problem = compliance(demand.rows);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     u[b] = bodies_[b]->displacement(demand.load[b]);
     problem.h.segment(mode_start_[b], bodies_[b]->modes().cols()) =
         bodies_[b]->modes().transpose() * demand.load[b];
   }
-  problem.W.resize(n, n);
-  problem.B.resize(n, B_.cols());
-  problem.b.resize(n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const std::size_t row = demand.rows[static_cast<std::size_t>(i)];
-    for (Eigen::Index k = 0; k < n; ++k) {
-      problem.W(k, i) = W_(static_cast<Eigen::Index>(demand.rows[static_cast<std::size_t>(k)]),
-                           static_cast<Eigen::Index>(row));
-    }
-    problem.B.row(i) = B_.row(static_cast<Eigen::Index>(row));
-    problem.b[i] = demand.gap[i] + opening(row, u);
+    problem.b[i] = demand.gap[i] + opening(demand.rows[static_cast<std::size_t>(i)], u);
   }
   problem.equality = demand.equality;
   problem.load_scale = demand.load_scale;
   return problem;
+}
+
+solve::ContactProblem ContactSystem::compliance(const std::vector<std::size_t>& rows) const {
+  const auto n = static_cast<Eigen::Index>(rows.size());
+  solve::ContactProblem problem;
+  problem.W.resize(n, n);
+  problem.B.resize(n, B_.cols());
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto row = static_cast<Eigen::Index>(rows[static_cast<std::size_t>(i)]);
+    for (Eigen::Index k = 0; k < n; ++k) {
+      problem.W(k, i) = W_(static_cast<Eigen::Index>(rows[static_cast<std::size_t>(k)]), row);
+    }
+    problem.B.row(i) = B_.row(row);
+  }
+  problem.b = base::Vector::Zero(n);
+  problem.h = base::Vector::Zero(B_.cols());
+  problem.equality.assign(rows.size(), true);
+  return problem;
+}
+
+base::Matrix ContactSystem::openings(const std::vector<base::Matrix>& u) const {
+  base::Matrix out =
+      base::Matrix::Zero(static_cast<Eigen::Index>(rows_.size()), u.empty() ? 0 : u.front().cols());
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    for (const Entry& e : rows_[r]) {
+      out.row(static_cast<Eigen::Index>(r)) += e.weight * u[e.body].row(e.at);
+    }
+  }
+  return out;
+}
+
+void ContactSystem::add_force(std::size_t row, const Eigen::RowVectorXd& force,
+                              std::vector<base::Matrix>& load) const {
+  for (const Entry& e : rows_[row]) {
+    load[e.body].row(e.at) += e.weight * force;
+  }
 }
 
 solve::Uniqueness ContactSystem::unique(const Demand& demand) const {

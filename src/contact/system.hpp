@@ -63,11 +63,22 @@ public:
   /// The small problem of a demand.
   [[nodiscard]] solve::ContactProblem condensed(const Demand& demand) const;
 
+  /// W and B of some rows, b and h zero, all of them equalities.
+  [[nodiscard]] solve::ContactProblem compliance(const std::vector<std::size_t>& rows) const;
+
   /// Whether a sufficient test finds that an increment with these rows has only one solution.
   [[nodiscard]] solve::Uniqueness unique(const Demand& demand) const;
 
   /// sum weight . u for a row, from external displacements; other freedoms count as zero.
   [[nodiscard]] double opening(std::size_t row, const std::vector<base::Vector>& u) const;
+  /// The same of all rows for several displacements [body][m, k]: [row, k].
+  [[nodiscard]] base::Matrix openings(const std::vector<base::Matrix>& u) const;
+  [[nodiscard]] const base::Matrix& W() const { return W_; } ///< [row, row] compliance
+  [[nodiscard]] const base::Matrix& B() const { return B_; } ///< [row, mode]
+  /// Adds what forces [k] of a row load the bodies with [body][m, k].
+  void add_force(std::size_t row, const Eigen::RowVectorXd& force,
+                 std::vector<base::Matrix>& load) const;
+  [[nodiscard]] const std::vector<const CondensedBody*>& bodies() const { return bodies_; }
   /// Which body and which combination of its modes an entry of alpha belongs to.
   [[nodiscard]] std::size_t body_of_mode(Eigen::Index mode) const;
   [[nodiscard]] Eigen::Index first_mode(std::size_t body) const { return mode_start_[body]; }

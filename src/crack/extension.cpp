@@ -5,6 +5,7 @@
 #include "shape/topology.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 
@@ -77,6 +78,7 @@ ExtensionField Neighbourhood::field(base::NodeId tip, int rings) const {
   ExtensionField result;
   result.rings = rings;
   result.elements.assign(rim.begin(), rim.end());
+  result.inside.assign(inside.begin(), inside.end());
   std::map<base::NodeId, double> q;
   for (const base::NodeId n : rigid) {
     q[n] = 1.0;
@@ -105,14 +107,38 @@ ExtensionField Neighbourhood::field(base::NodeId tip, int rings) const {
 std::vector<ExtensionField> Neighbourhood::fields(const mesh::CrackedMesh& cracked,
                                                   const mesh::Tip& tip,
                                                   const std::vector<int>& rings,
-                                                  std::vector<int>& left_out) const {
+                                                  std::vector<int>& left_out,
+                                                  const DomainLimits& limits) const {
   std::vector<bool> fixed = movable(cracked, tip, boundary_);
   for (const mesh::Tip& other : cracked.tips) {
     if (other.node != tip.node) {
       fixed[other.node.index()] = true;
     }
   }
-  const base::PropertyId property = mesh_.property[elements_[tip.node.index()].front().index()];
+  for (std::size_t n = 0; n < limits.node.size(); ++n) {
+    fixed[n] = fixed[n] || limits.node[n];
+  }
+  // One zone on each side of the tip's line; between two materials they differ.
+  const auto zone = [&](base::ElementId e) -> std::int64_t {
+    return limits.zone.empty() ? mesh_.property[e.index()].value : limits.zone[e.index()];
+  };
+  const auto on_left = [&](base::ElementId e) {
+    base::Vec3 middle = base::Vec3::Zero();
+    for (const base::NodeId n : mesh_.nodes_of(e)) {
+      middle += mesh_.x[n.index()] - tip.x;
+    }
+    return tip.direction.x() * middle.y() - tip.direction.y() * middle.x() > 0.0;
+  };
+  std::array<std::int64_t, 2> side{-1, -1}; // right, left
+  bool split = false;
+  for (const base::ElementId e : elements_[tip.node.index()]) {
+    std::int64_t& own = side[on_left(e) ? 1 : 0];
+    split = split || (own >= 0 && own != zone(e));
+    own = zone(e);
+  }
+  const auto beyond = [&](base::ElementId e) {
+    return split || zone(e) != side[on_left(e) ? 1 : 0];
+  };
   std::vector<ExtensionField> result;
   for (const int count : rings) {
     ExtensionField f = field(tip.node, count);
@@ -120,8 +146,7 @@ std::vector<ExtensionField> Neighbourhood::fields(const mesh::CrackedMesh& crack
                                          [&](const auto& nq) { return fixed[nq.first.index()]; });
     const bool leaves = std::any_of(f.q.begin(), f.q.end(), [&](const auto& nq) {
       const std::vector<base::ElementId>& around = elements_[nq.first.index()];
-      return std::any_of(around.begin(), around.end(),
-                         [&](base::ElementId e) { return mesh_.property[e.index()] != property; });
+      return std::any_of(around.begin(), around.end(), beyond);
     });
     if (moves_fixed || leaves || f.elements.empty()) {
       left_out.push_back(count);

@@ -4,6 +4,7 @@
 #include "mesh/patch.hpp"
 #include "model/mesh.hpp"
 
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,15 @@ struct ExtensionField {
   int rings = 1;
   std::vector<std::pair<base::NodeId, double>> q; ///< nodes with q > 0, ascending
   std::vector<base::ElementId> elements;          ///< where q is not constant, ascending
+  std::vector<base::ElementId> inside;            ///< where q is 1, ascending
+};
+
+/// What domains must keep clear of, beside what the mesh says; empty: nothing.
+struct DomainLimits {
+  std::vector<bool> node; ///< [node] must not move
+  /// [element] not negative: a domain stays in one, on each side of the tip's line; empty: the
+  /// element's property
+  std::vector<std::int64_t> zone;
 };
 
 /// Nodes and elements round the tips, found once for each mesh.
@@ -25,11 +35,11 @@ public:
 
   /// Fields for the ring counts asked for. A domain that would move a node of the outer boundary
   /// (the crack's own lips behind the tip and, for a half model, the symmetry line excepted), reach
-  /// another tip or leave the tip's property is left out and named in `left_out`.
-  [[nodiscard]] std::vector<ExtensionField> fields(const mesh::CrackedMesh& cracked,
-                                                   const mesh::Tip& tip,
-                                                   const std::vector<int>& rings,
-                                                   std::vector<int>& left_out) const;
+  /// another tip, a node of the limits, or leave the tip's property or zone is left out and named
+  /// in `left_out`.
+  [[nodiscard]] std::vector<ExtensionField>
+  fields(const mesh::CrackedMesh& cracked, const mesh::Tip& tip, const std::vector<int>& rings,
+         std::vector<int>& left_out, const DomainLimits& limits = {}) const;
 
 private:
   [[nodiscard]] ExtensionField field(base::NodeId tip, int rings) const;

@@ -1,163 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crack/stress_intensity.hpp"
 
-#include "fe/element.hpp"
+#include "crack/domain_integral.hpp"
+#include "crack/face_term.hpp"
+#include "crack/finite_shift.hpp"
+#include "crack/opening.hpp"
+#include "crack/thermal_term.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 
 namespace spricka::crack {
 
 namespace {
-
-// In the elements where q varies the auxiliary field behaves like r^-1/2 but is smooth; degree 9
-// leaves 1e-7 of it.
-constexpr int domain_degree = 9;
-
-using Tensor = Eigen::Matrix2d;
-
-/// Configurational nodal forces per unit thickness: of u with itself and with the two near-tip
-/// fields.
-struct NodalForces {
-  std::map<base::NodeId, std::array<base::Vec2, 3>> at;
-};
-
-struct Setting {
-  const model::Mesh& mesh;
-  const model::Material& material;
-  model::State state;
-  TipFrame tip;
-  const BodyForce& body_force;
-};
-
-// Bilinear energy-momentum: s(u) : grad v + s(v) : grad u - s(u) : eps(v) I, as a tensor that
-// multiplies grad q (component k of q along e_k, derivative j): T_kj = s_ij v_i,k + ...
-Tensor momentum(const Tensor& Hu, const Tensor& su, const Tensor& Hv, const Tensor& sv) {
-  Tensor T = Hv.transpose() * su + Hu.transpose() * sv;
-  T.diagonal().array() -= (su.cwiseProduct(Hv)).sum();
-  return T;
-}
-
-template <shape::ElementShape S>
-void add_element(const Setting& set, base::ElementId e, const base::Vector& u, NodalForces& out) {
-  const fe::NodeVectors<S> X = fe::coordinates<S>(set.mesh, e);
-  const fe::NodeVectors<S> U = fe::gather<S>(set.mesh, e, u);
-  const fe::Elasticity<2> D = fe::elasticity<2>(set.material, set.state);
-  const std::span<const base::NodeId> nodes = set.mesh.nodes_of(e);
-  const auto stress = [&](const Tensor& H) -> Tensor {
-    const fe::Strain<2> sigma = D * fe::strain<2>(H);
-    return fe::stress_tensor<2>(sigma);
-  };
-  for (const auto& point : shape::quadrature<S>(domain_degree)) {
-    const fe::Jacobian<S> at = fe::jacobian<S>(X, point.r);
-    const double w = point.weight * at.det;
-    const base::Vec2 x = X * S::N(point.r);
-    const Tensor Hu = U * at.dNdx;
-    const Tensor su = stress(Hu);
-    base::Vec2 b = base::Vec2::Zero();
-    base::Vec2 value = base::Vec2::Zero();
-    if (set.body_force) {
-      b = set.body_force(e, x);
-      value = U * S::N(point.r);
-    }
-    std::array<Tensor, 3> T;
-    T[0] = 0.5 * momentum(Hu, su, Hu, su);
-    T[0].diagonal().array() += b.dot(value);
-    for (int mode = 1; mode <= 2; ++mode) {
-      const Tensor Hv = auxiliary_gradient(set.tip, x, mode, set.material, set.state);
-      Tensor& M = T[static_cast<std::size_t>(mode)];
-      M = momentum(Hu, su, Hv, stress(Hv));
-      if (set.body_force) {
-        M.diagonal().array() +=
-            b.dot(auxiliary_displacement(set.tip, x, mode, set.material, set.state));
-      }
-    }
-    for (int n = 0; n < S::nodes; ++n) {
-      std::array<base::Vec2, 3>& P = out.at[nodes[static_cast<std::size_t>(n)]];
-      for (std::size_t k = 0; k < 3; ++k) {
-        P[k] += w * (T[k] * at.dNdx.row(n).transpose());
-      }
-    }
-  }
-}
-
-// Work of the body force on the displacements U of an element at nodes X.
-template <shape::PlaneShape S>
-double body_work(const Setting& set, base::ElementId e, const fe::NodeVectors<S>& X,
-                 const fe::NodeVectors<S>& U) {
-  double work = 0.0;
-  for (const auto& point : shape::quadrature<S>(domain_degree)) {
-    const Eigen::Matrix<double, S::nodes, 1> N = S::N(point.r);
-    const base::Vec2 x = X * N;
-    const base::Vec2 value = U * N;
-    work += point.weight * fe::jacobian<S>(X, point.r).det * set.body_force(e, x).dot(value);
-  }
-  return work;
-}
-
-// Potential energy of the elements of a field with all nodes moved by s q e1, displacements kept:
-// strain energy less the work of body forces.
-double shifted_energy(const Setting& set, const ExtensionField& field, double s,
-                      const base::Vector& u) {
-  std::map<base::NodeId, double> q(field.q.begin(), field.q.end());
-  model::Property property;
-  property.state = set.state;
-  double energy = 0.0;
-  fe::for_plane_blocks(set.mesh, field.elements,
-                       [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
-                         const fe::Law law = fe::law_of(set.material, property, S::type);
-                         for (const base::ElementId e : block) {
-                           fe::NodeVectors<S> X = fe::coordinates<S>(set.mesh, e);
-                           const std::span<const base::NodeId> nodes = set.mesh.nodes_of(e);
-                           for (int n = 0; n < S::nodes; ++n) {
-                             const auto moved = q.find(nodes[static_cast<std::size_t>(n)]);
-                             if (moved != q.end()) {
-                               X.col(n) += s * moved->second * set.tip.e1;
-                             }
-                           }
-                           const fe::NodeVectors<S> U = fe::gather<S>(set.mesh, e, u);
-                           energy += 0.5 * U.cwiseProduct(fe::element_force<S>(X, law, U)).sum();
-                           energy -= set.body_force ? body_work<S>(set, e, X, U) : 0.0;
-                         }
-                       });
-  return energy;
-}
-
-NodalForces configurational_forces(const Setting& set, const std::vector<ExtensionField>& fields,
-                                   const base::Vector& u) {
-  std::vector<base::ElementId> elements;
-  for (const ExtensionField& f : fields) {
-    elements.insert(elements.end(), f.elements.begin(), f.elements.end());
-  }
-  std::sort(elements.begin(), elements.end());
-  elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
-  // Elements of different domains must not mix: q is constant outside its own elements, and there
-  // the sums of dN over an element vanish, so one vector per node serves all domains.
-  NodalForces forces;
-  for (const base::ElementId e : elements) {
-    for (const base::NodeId n : set.mesh.nodes_of(e)) {
-      forces.at.try_emplace(
-          n, std::array<base::Vec2, 3>{base::Vec2::Zero(), base::Vec2::Zero(), base::Vec2::Zero()});
-    }
-  }
-  fe::for_plane_blocks(set.mesh, elements,
-                       [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
-                         for (const base::ElementId e : block) {
-                           add_element<S>(set, e, u, forces);
-                         }
-                       });
-  return forces;
-}
-
-TipFrame frame_of(const mesh::Tip& tip) {
-  TipFrame frame;
-  frame.x = tip.x.head<2>();
-  frame.e1 = tip.direction.head<2>();
-  frame.e2 = {-frame.e1.y(), frame.e1.x()};
-  return frame;
-}
 
 double crack_modulus(const model::Material& material, model::State own, model::CrackState wish) {
   switch (wish) {
@@ -171,6 +27,25 @@ double crack_modulus(const model::Material& material, model::State own, model::C
   return fe::effective_modulus(material, own);
 }
 
+/// Factors that turn sums over nodes into G, K and T.
+struct Factors {
+  double E_own = 0.0;  ///< E' of the property
+  double E_used = 0.0; ///< E' that K belongs to
+  double halves = 1.0; ///< 2: one half of the body is in the model
+
+  [[nodiscard]] double restate() const { return std::sqrt(E_used / E_own); }
+  [[nodiscard]] double K() const { return 0.5 * E_own * halves * restate(); }
+  [[nodiscard]] double T() const { return E_own * halves; }
+};
+
+Factors factors_of(const TipSetting& set, const mesh::Tip& tip, model::CrackState wish) {
+  Factors f;
+  f.E_own = fe::effective_modulus(set.material, set.state());
+  f.E_used = crack_modulus(set.material, set.state(), wish);
+  f.halves = tip.symmetric_half ? 2.0 : 1.0;
+  return f;
+}
+
 void summarise(StressIntensity& result) {
   double low = result.domains.front().K1;
   double high = low;
@@ -179,75 +54,227 @@ void summarise(StressIntensity& result) {
     result.K1 += d.K1 / count;
     result.K2 += d.K2 / count;
     result.G += d.G / count;
+    result.T += d.T / count;
     low = std::min(low, d.K1);
     high = std::max(high, d.K1);
   }
   const double K = std::hypot(result.K1, result.K2);
   result.spread = K > 0.0 ? (high - low) / K : 0.0;
-  result.G_from_K = K * K / result.E_effective;
+  result.G_from_K = result.two_materials ? result.G : K * K / result.E_effective;
 }
 
+// All terms of G, K and T: each adds to the forces of the nodes it touches.
+NodalForces configurational_forces(const TipSetting& set, const std::vector<ExtensionField>& fields,
+                                   const base::Vector& u) {
+  NodalForces forces;
+  add_domain_terms(set, fields, u, forces);
+  add_face_terms(set, u, forces);
+  return forces;
+}
+
+// G of the finite shift instead of the analytic one, K to the same.
+void take_shift(DomainValue& value, double G) {
+  const double scale = G > 0.0 && value.G > 0.0 ? std::sqrt(G / value.G) : 1.0;
+  value.K1 *= scale;
+  value.K2 *= scale;
+  value.G = G;
+}
+
+// What the displacement gradient is contracted with at the points of an element, for one partner:
 // s(u) : A + (H e1) . (s(v) grad q) with A = (H_v e1) (x) grad q - (e1 . grad q) H_v is e1 . T grad
-// q of the interaction; D is symmetric, so s(u) : A = H_u : s(A).
-template <shape::ElementShape S>
-void add_element_rows(const Setting& set, base::ElementId e,
-                      const std::map<base::NodeId, double>& q, double factor, base::Matrix& rows) {
+// q of the interaction; D is symmetric, so s(u) : A = H_u : s(A). Calls visit(r, map, M), the
+// weight of the point in M.
+template <shape::ElementShape S, class Visit>
+void for_element_points(const TipSetting& set, base::ElementId e,
+                        const std::map<base::NodeId, double>& q, std::size_t partner,
+                        Visit&& visit) {
   const fe::NodeVectors<S> X = fe::coordinates<S>(set.mesh, e);
-  const fe::Elasticity<2> D = fe::elasticity<2>(set.material, set.state);
-  const std::span<const base::NodeId> nodes = set.mesh.nodes_of(e);
-  Eigen::Matrix<double, S::nodes, 1> moved = Eigen::Matrix<double, S::nodes, 1>::Zero();
-  for (int n = 0; n < S::nodes; ++n) {
-    const auto at = q.find(nodes[static_cast<std::size_t>(n)]);
-    moved[n] = at == q.end() ? 0.0 : at->second;
-  }
-  const auto stress = [&](const Tensor& H) -> Tensor {
-    const fe::Strain<2> sigma = D * fe::strain<2>(H);
-    return fe::stress_tensor<2>(sigma);
-  };
+  const fe::Elasticity<2> D = set.elasticity(e);
+  const Eigen::Matrix<double, S::nodes, 1> moved = extension_at<S>(set.mesh, e, q);
+  const base::Vec2& e1 = set.tip.e1;
   for (const auto& point : shape::quadrature<S>(domain_degree)) {
     const fe::Jacobian<S> at = fe::jacobian<S>(X, point.r);
-    const double w = factor * point.weight * at.det;
-    const base::Vec2 x = X * S::N(point.r);
+    const double w = point.weight * at.det;
     const base::Vec2 grad = at.dNdx.transpose() * moved;
-    for (int mode = 1; mode <= 2; ++mode) {
-      const Tensor Hv = auxiliary_gradient(set.tip, x, mode, set.material, set.state);
-      const Tensor A = Hv * set.tip.e1 * grad.transpose() - set.tip.e1.dot(grad) * Hv;
-      const Tensor M = stress(A) + stress(Hv) * grad * set.tip.e1.transpose();
-      for (int n = 0; n < S::nodes; ++n) {
-        const auto freedom =
-            2 * static_cast<Eigen::Index>(nodes[static_cast<std::size_t>(n)].index());
-        rows.col(mode - 1).segment<2>(freedom) += w * (M * at.dNdx.row(n).transpose());
-      }
-    }
+    const Polar place = polar(set.tip, X * S::N(point.r));
+    const Eigen::Matrix2d Hv = partner_gradient(set, place, partner);
+    const Eigen::Matrix2d A = Hv * e1 * grad.transpose() - e1.dot(grad) * Hv;
+    const Eigen::Matrix2d M = stress_of(D, A) + stress_of(D, Hv) * grad * e1.transpose();
+    visit(point.r, at, Eigen::Matrix2d(w * M));
   }
+}
+
+// The same for all elements of all domains, averaged over these: visit(e, r, map, M).
+template <class Visit>
+void for_points(const TipSetting& set, const std::vector<ExtensionField>& fields,
+                std::size_t partner, Visit&& visit) {
+  const double part = 1.0 / static_cast<double>(fields.size());
+  for (const ExtensionField& field : fields) {
+    const std::map<base::NodeId, double> q(field.q.begin(), field.q.end());
+    fe::for_plane_blocks(set.mesh, field.elements,
+                         [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
+                           for (const base::ElementId e : block) {
+                             for_element_points<S>(
+                                 set, e, q, partner,
+                                 [&](const shape::Point<2>& r, const fe::Jacobian<S>& at,
+                                     const Eigen::Matrix2d& M) { visit(e, r, at, part * M); });
+                           }
+                         });
+  }
+}
+
+base::Vector partner_row(const TipSetting& set, const std::vector<ExtensionField>& fields,
+                         std::size_t partner) {
+  base::Vector row = base::Vector::Zero(2 * static_cast<Eigen::Index>(set.mesh.node_count()));
+  for_points(set, fields, partner,
+             [&](base::ElementId e, const shape::Point<2>& /*r*/, const auto& at,
+                 const Eigen::Matrix2d& M) {
+               const std::span<const base::NodeId> nodes = set.mesh.nodes_of(e);
+               for (std::size_t n = 0; n < nodes.size(); ++n) {
+                 const auto freedom = 2 * static_cast<Eigen::Index>(nodes[n].index());
+                 row.segment<2>(freedom) +=
+                     M * at.dNdx.row(static_cast<Eigen::Index>(n)).transpose();
+               }
+             });
+  return row;
+}
+
+TipPlace tip_place(const TipSetting& set, const mesh::Tip& tip) {
+  return {set.tip, tip.node, set.material, set.state(), set.property.thickness};
+}
+
+Eigen::Index freedoms(const mesh::CrackedMesh& cracked) {
+  return static_cast<Eigen::Index>(cracked.mesh.node_count()) * cracked.mesh.dim;
 }
 
 } // namespace
 
+StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedMesh& cracked,
+                                 const mesh::Tip& tip, const std::vector<ExtensionField>& fields,
+                                 const VceRequest& request, const base::Vector& u,
+                                 const TipLoads& loads) {
+  StressIntensity result;
+  if (fields.empty()) {
+    return result;
+  }
+  const TipSetting set = tip_setting(model, cracked, tip, fields, loads);
+  const Factors factors = factors_of(set, tip, request.state);
+  result.E_effective = factors.E_used;
+  result.two_materials = std::ranges::any_of(
+      fields, [&](const ExtensionField& f) { return between_materials(set, f); });
+  const NodalForces forces = configurational_forces(set, fields, u);
+  const double T_of_tip = stress_on_lips_at_tip(set, tip) - thermal_stress_at_tip(set, tip) +
+                          (request.lips != nullptr ? request.lips->at_tip : 0.0);
+  double shifted = 0.0;
+  double analytic = 0.0;
+  for (const ExtensionField& field : fields) {
+    std::array<double, partners> sum = forces.along(field, set.tip.e1);
+    double of_lips = 0.0; // of G
+    if (request.lips != nullptr) {
+      const std::array<double, 3> more =
+          lip_term(cracked.mesh, tip_place(set, tip), field, *request.lips, u);
+      for (std::size_t k = 0; k < more.size(); ++k) {
+        sum[k] += more[k];
+      }
+      of_lips = factors.halves * more[0];
+    }
+    DomainValue value{field.rings, factors.K() * sum[1],
+                      tip.symmetric_half ? 0.0 : factors.K() * sum[2], factors.halves * sum[0],
+                      factors.T() * sum[3] + T_of_tip};
+    if (request.shift) {
+      const double G =
+          factors.halves * shifted_release_rate(set, field, *request.shift * tip.size, u) + of_lips;
+      shifted += G;
+      analytic += value.G;
+      take_shift(value, G);
+    }
+    if (result.two_materials) {
+      value.K1 = value.K2 = value.T = 0.0;
+    }
+    result.domains.push_back(value);
+  }
+  if (request.shift && analytic != 0.0) {
+    result.shift_error = shifted / analytic - 1.0;
+  }
+  if (request.opening) {
+    result.opening = opening_intensity(set, cracked, tip, u);
+    if (result.opening) {
+      (*result.opening)[0] *= factors.restate();
+      (*result.opening)[1] *= factors.restate();
+    }
+  }
+  summarise(result);
+  return result;
+}
+
 base::Matrix intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
                             const mesh::Tip& tip, const std::vector<ExtensionField>& fields,
                             model::CrackState state) {
-  base::Matrix rows = base::Matrix::Zero(
-      static_cast<Eigen::Index>(cracked.mesh.node_count()) * cracked.mesh.dim, 2);
+  base::Matrix rows = base::Matrix::Zero(freedoms(cracked), 2);
   if (fields.empty()) {
     return rows;
   }
-  const base::ElementId near = fields.front().elements.front();
-  const model::Property& property = model.property_of(cracked.mesh, near);
-  const model::Material& material = model.material_of(cracked.mesh, near);
-  const Setting set{cracked.mesh, material, property.state, frame_of(tip), {}};
-  const double E_own = fe::effective_modulus(material, property.state);
-  const double restate = std::sqrt(crack_modulus(material, property.state, state) / E_own);
-  const double halves = tip.symmetric_half ? 2.0 : 1.0;
-  const double factor = 0.5 * E_own * restate * halves / static_cast<double>(fields.size());
+  const TipLoads none;
+  const TipSetting set = tip_setting(model, cracked, tip, fields, none);
+  if (between_materials(set, fields.front())) {
+    return rows;
+  }
+  const double factor = factors_of(set, tip, state).K();
+  rows.col(0) = factor * partner_row(set, fields, 1);
+  if (!tip.symmetric_half) {
+    rows.col(1) = factor * partner_row(set, fields, 2);
+  }
+  return rows;
+}
+
+std::vector<IntensityPoint> intensity_points(const model::Model& model,
+                                             const mesh::CrackedMesh& cracked, const mesh::Tip& tip,
+                                             const std::vector<ExtensionField>& fields,
+                                             model::CrackState state) {
+  std::vector<IntensityPoint> points;
+  const TipLoads none;
+  if (fields.empty()) {
+    return points;
+  }
+  const TipSetting set = tip_setting(model, cracked, tip, fields, none);
+  if (between_materials(set, fields.front())) {
+    return points;
+  }
+  const double factor = factors_of(set, tip, state).K();
+  const auto visit = [&](std::size_t partner, auto&& take) {
+    for_points(set, fields, partner,
+               [&](base::ElementId e, const shape::Point<2>& r, const auto& /*at*/,
+                   const Eigen::Matrix2d& M) { take(e, r, Eigen::Matrix2d(factor * M)); });
+  };
+  visit(1, [&](base::ElementId e, const shape::Point<2>& r, const Eigen::Matrix2d& M) {
+    points.push_back({e, r, {M, Eigen::Matrix2d::Zero()}});
+  });
+  if (!tip.symmetric_half) { // the points come in the same order
+    std::size_t i = 0;
+    visit(2, [&](base::ElementId, const shape::Point<2>&, const Eigen::Matrix2d& M) {
+      points[i++].M[1] = M;
+    });
+  }
+  return points;
+}
+
+base::Matrix lip_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
+                                const mesh::Tip& tip, const std::vector<ExtensionField>& fields,
+                                model::CrackState state, const std::vector<model::Face>& faces) {
+  base::Matrix rows = base::Matrix::Zero(freedoms(cracked), 2);
+  if (fields.empty()) {
+    return rows;
+  }
+  const TipLoads none;
+  const TipSetting set = tip_setting(model, cracked, tip, fields, none);
+  const double factor = factors_of(set, tip, state).K() / static_cast<double>(fields.size());
   for (const ExtensionField& field : fields) {
-    const std::map<base::NodeId, double> q(field.q.begin(), field.q.end());
-    fe::for_plane_blocks(cracked.mesh, field.elements,
-                         [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
-                           for (const base::ElementId e : block) {
-                             add_element_rows<S>(set, e, q, factor, rows);
-                           }
-                         });
+    for (const auto& [node, weight] :
+         lip_weights(cracked.mesh, tip_place(set, tip), field, faces)) {
+      const auto at = 2 * static_cast<Eigen::Index>(node.index());
+      rows.col(0).segment<2>(at) += factor * weight[0];
+      rows.col(1).segment<2>(at) += factor * weight[1];
+    }
   }
   if (tip.symmetric_half) {
     rows.col(1).setZero();
@@ -255,58 +282,25 @@ base::Matrix intensity_rows(const model::Model& model, const mesh::CrackedMesh& 
   return rows;
 }
 
-StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedMesh& cracked,
-                                 const mesh::Tip& tip, const std::vector<ExtensionField>& fields,
-                                 const VceRequest& request, const base::Vector& u,
-                                 const BodyForce& body_force) {
-  StressIntensity result;
+base::Vector t_stress_row(const model::Model& model, const mesh::CrackedMesh& cracked,
+                          const mesh::Tip& tip, const std::vector<ExtensionField>& fields) {
   if (fields.empty()) {
-    return result;
+    return base::Vector::Zero(freedoms(cracked));
   }
-  const base::ElementId near = fields.front().elements.front();
-  const model::Property& property = model.property_of(cracked.mesh, near);
-  const model::Material& material = model.material_of(cracked.mesh, near);
-  const Setting set{cracked.mesh, material, property.state, frame_of(tip), body_force};
-  const double E_own = fe::effective_modulus(material, property.state);
-  result.E_effective = crack_modulus(material, property.state, request.state);
-  const double restate = std::sqrt(result.E_effective / E_own);
-  const double halves = tip.symmetric_half ? 2.0 : 1.0;
+  const TipLoads none;
+  const TipSetting set = tip_setting(model, cracked, tip, fields, none);
+  return factors_of(set, tip, model::CrackState::automatic).T() * partner_row(set, fields, 3);
+}
 
-  const NodalForces forces = configurational_forces(set, fields, u);
-  double shifted = 0.0;
-  double analytic = 0.0;
-  for (const ExtensionField& field : fields) {
-    std::array<double, 3> sum{};
-    for (const auto& [node, q] : field.q) {
-      const auto P = forces.at.find(node);
-      if (P != forces.at.end()) {
-        for (std::size_t k = 0; k < 3; ++k) {
-          sum[k] += halves * q * set.tip.e1.dot(P->second[k]);
-        }
-      }
-    }
-    DomainValue value{field.rings, 0.5 * E_own * sum[1], 0.5 * E_own * sum[2], sum[0]};
-    if (tip.symmetric_half) {
-      value.K2 = 0.0;
-    }
-    if (request.shift) {
-      const double s = *request.shift * tip.size;
-      const double G =
-          halves * (shifted_energy(set, field, 0.0, u) - shifted_energy(set, field, s, u)) / s;
-      shifted += G;
-      analytic += value.G;
-      const double scale = G > 0.0 && value.G > 0.0 ? std::sqrt(G / value.G) : 1.0;
-      value = {field.rings, scale * value.K1, scale * value.K2, G};
-    }
-    value.K1 *= restate;
-    value.K2 *= restate;
-    result.domains.push_back(value);
-  }
-  if (request.shift && analytic != 0.0) {
-    result.shift_error = shifted / analytic - 1.0;
-  }
-  summarise(result);
-  return result;
+IntensityConstant intensity_constant(const model::Model& model, const mesh::CrackedMesh& cracked,
+                                     const mesh::Tip& tip,
+                                     const std::vector<ExtensionField>& fields,
+                                     model::CrackState state, const TipLoads& loads) {
+  VceRequest request;
+  request.state = state;
+  const StressIntensity K = stress_intensity(model, cracked, tip, fields, request,
+                                             base::Vector::Zero(freedoms(cracked)), loads);
+  return {K.K1, K.K2, K.T};
 }
 
 } // namespace spricka::crack

@@ -26,9 +26,12 @@ Angular angular(double theta, int mode, double kappa) {
           {0.5 * c * (kappa + 2.0 + C) - s * S, 0.5 * s * (kappa - 2.0 + C) + c * S}};
 }
 
-struct Polar {
-  double r, theta;
-};
+double amplitude(double r, const model::Material& m) {
+  const double shear = m.E / (2.0 * (1.0 + m.nu));
+  return std::sqrt(r / (2.0 * std::numbers::pi)) / (2.0 * shear);
+}
+
+} // namespace
 
 Polar polar(const TipFrame& tip, const base::Vec2& at) {
   const base::Vec2 d = at - tip.x;
@@ -37,20 +40,18 @@ Polar polar(const TipFrame& tip, const base::Vec2& at) {
   return {std::hypot(x1, x2), std::atan2(x2, x1)};
 }
 
-double amplitude(double r, const model::Material& m) {
-  const double shear = m.E / (2.0 * (1.0 + m.nu));
-  return std::sqrt(r / (2.0 * std::numbers::pi)) / (2.0 * shear);
+Polar polar_on_face(const TipFrame& tip, const base::Vec2& at, const base::Vec2& n) {
+  const Polar p = polar(tip, at);
+  return {p.r, std::copysign(p.theta, -n.dot(tip.e2))};
 }
-
-} // namespace
 
 double kolosov(double nu, model::State state) {
   return state == model::State::plane_stress ? (3.0 - nu) / (1.0 + nu) : 3.0 - 4.0 * nu;
 }
 
-Eigen::Matrix2d auxiliary_gradient(const TipFrame& tip, const base::Vec2& at, int mode,
+Eigen::Matrix2d auxiliary_gradient(const TipFrame& tip, const Polar& at, int mode,
                                    const model::Material& material, model::State state) {
-  const auto [r, theta] = polar(tip, at);
+  const auto [r, theta] = at;
   const Angular f = angular(theta, mode, kolosov(material.nu, state));
   const double a = amplitude(r, material) / r;
   const double C = std::cos(theta);
@@ -64,9 +65,9 @@ Eigen::Matrix2d auxiliary_gradient(const TipFrame& tip, const base::Vec2& at, in
   return Q * local * Q.transpose();
 }
 
-base::Vec2 auxiliary_displacement(const TipFrame& tip, const base::Vec2& at, int mode,
+base::Vec2 auxiliary_displacement(const TipFrame& tip, const Polar& at, int mode,
                                   const model::Material& material, model::State state) {
-  const auto [r, theta] = polar(tip, at);
+  const auto [r, theta] = at;
   const Angular f = angular(theta, mode, kolosov(material.nu, state));
   const base::Vec2 u = amplitude(r, material) * f.g;
   return u.x() * tip.e1 + u.y() * tip.e2;

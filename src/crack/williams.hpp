@@ -13,16 +13,35 @@ struct TipFrame {
   base::Vec2 e2 = base::Vec2::UnitY();
 };
 
+/// A point seen from the tip, theta from e1 in -pi .. pi.
+struct Polar {
+  double r = 0.0, theta = 0.0;
+};
+Polar polar(const TipFrame& tip, const base::Vec2& at);
+/// The same of a point of a face whose outer normal is n: round-off does not take a point of one
+/// lip to the other.
+Polar polar_on_face(const TipFrame& tip, const base::Vec2& at, const base::Vec2& n);
+
 /// Kolosov's constant: 3 - 4 nu in plane strain, (3 - nu)/(1 + nu) in plane stress.
 double kolosov(double nu, model::State state);
 
 /// Displacement gradient du_i/dx_j in global axes of the near-tip field with K = 1 in `mode` 1 or
 /// 2 (Williams 1957), at a point off the tip.
-Eigen::Matrix2d auxiliary_gradient(const TipFrame& tip, const base::Vec2& at, int mode,
+Eigen::Matrix2d auxiliary_gradient(const TipFrame& tip, const Polar& at, int mode,
                                    const model::Material& material, model::State state);
 
+inline Eigen::Matrix2d auxiliary_gradient(const TipFrame& tip, const base::Vec2& at, int mode,
+                                          const model::Material& material, model::State state) {
+  return auxiliary_gradient(tip, polar(tip, at), mode, material, state);
+}
+
 /// The displacement itself, global axes.
-base::Vec2 auxiliary_displacement(const TipFrame& tip, const base::Vec2& at, int mode,
+base::Vec2 auxiliary_displacement(const TipFrame& tip, const Polar& at, int mode,
                                   const model::Material& material, model::State state);
+
+inline base::Vec2 auxiliary_displacement(const TipFrame& tip, const base::Vec2& at, int mode,
+                                         const model::Material& material, model::State state) {
+  return auxiliary_displacement(tip, polar(tip, at), mode, material, state);
+}
 
 } // namespace spricka::crack

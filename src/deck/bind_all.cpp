@@ -346,6 +346,16 @@ const Definition* look_up(Context& context, Kind kind, const Reference& referenc
   return nullptr;
 }
 
+bool look_up_pair(Context& context, const Reference& reference) {
+  constexpr std::string_view faces = ".FACES";
+  if (!reference.name.ends_with(faces)) {
+    return look_up(context, Kind::contact, reference) != nullptr;
+  }
+  Reference crack = reference;
+  crack.name.resize(crack.name.size() - faces.size());
+  return look_up(context, Kind::crack, crack) != nullptr;
+}
+
 void check_references(Context& context) {
   for (const BoundCard& card : context.cards) {
     for (const BoundValue& value : card.values) {

@@ -97,6 +97,13 @@ void free_crack(Context& c, const BoundCard& card, model::Crack& crack) {
   }
 }
 
+// An empty face set for a lip; what names it is the load, see build_loads.
+base::FaceSetId lip(Context& c, const model::Crack& crack, std::string_view side) {
+  std::vector<model::FaceSet>& sets = c.model.mesh.face_sets;
+  sets.push_back({fmt::format("{}.{}", crack.name, side), {}, crack.span});
+  return base::FaceSetId(sets.size() - 1);
+}
+
 void crack(Context& c, const BoundCard& card) {
   model::Crack crack;
   crack.name = card.word("NAME");
@@ -125,6 +132,8 @@ void crack(Context& c, const BoundCard& card) {
   if ((card.has("PATH") || card.has("FRONT")) && !card.rows.empty()) {
     c.error(card.rows.front().span, "E110", "points mean nothing with PATH or FRONT");
   }
+  crack.left = lip(c, crack, "LEFT");
+  crack.right = lip(c, crack, "RIGHT");
   c.model.cracks.push_back(std::move(crack));
 }
 
@@ -163,6 +172,7 @@ void vce(Context& c, const BoundCard& card, std::set<std::size_t>& seen) {
   model::Vce vce;
   vce.crack = crack_of(c, card, seen);
   vce.shift = card.optional("SHIFT");
+  vce.opening = card.is("CHECK", "OPENING");
   vce.span = card.span;
   if (card.has("DOMAINS")) {
     for (const double rings : card.find("DOMAINS")->numbers) {

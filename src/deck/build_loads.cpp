@@ -19,6 +19,7 @@ struct LoadForm {
   LoadType type;
   bool per_direction; ///< one value for each direction, else a single one
   std::string_view values;
+  bool of_crack = false; ///< acts on both faces of a crack
 };
 
 constexpr std::array<LoadForm, 9> forms{{
@@ -30,7 +31,7 @@ constexpr std::array<LoadForm, 9> forms{{
     {"BEARING", LoadType::bearing, true, "the resultant for each direction"},
     {"DISP", LoadType::displacement, true, "a displacement for each direction"},
     {"TEMPERATURE", LoadType::temperature, false, "a temperature"},
-    {"FACES", LoadType::crack_faces, false, "a pressure"},
+    {"FACES", LoadType::pressure, false, "a pressure", true},
 }};
 
 const LoadForm& form_of(std::string_view word) {
@@ -47,7 +48,6 @@ std::optional<base::Dimension> dimension_of(LoadType type) {
     return base::Dimension{0.0, 1.0, 0.0};
   case LoadType::traction:
   case LoadType::pressure:
-  case LoadType::crack_faces:
     return base::Dimension{-2.0, 1.0, 0.0};
   case LoadType::body:
     return base::Dimension{-3.0, 1.0, 0.0};
@@ -57,6 +57,29 @@ std::optional<base::Dimension> dimension_of(LoadType type) {
     break;
   }
   return base::Dimension{};
+}
+
+// The face set of CRACK.LEFT or CRACK.RIGHT, invalid where the name means a set as well; none: not
+// of that form.
+std::optional<base::FaceSetId> lip_set(Context& c, const Reference& reference) {
+  const std::size_t dot = reference.name.rfind('.');
+  const std::string side = dot == std::string::npos ? "" : reference.name.substr(dot + 1);
+  if (side != "LEFT" && side != "RIGHT") {
+    return std::nullopt;
+  }
+  const std::string name = reference.name.substr(0, dot);
+  const Definition* crack = c.names.find({Kind::crack}, name, {});
+  if (crack == nullptr || crack->poisoned || crack->index >= c.model.cracks.size()) {
+    return std::nullopt;
+  }
+  if (c.names.find(meanings(Kind::any_set), reference.name, reference.net) != nullptr) {
+    c.error(reference.span, "E302",
+            fmt::format("{} is a set as well as the face of crack {}", reference.name, name),
+            "rename the crack");
+    return base::FaceSetId();
+  }
+  const model::Crack& found = c.model.cracks[crack->index];
+  return side == "LEFT" ? found.left : found.right;
 }
 
 bool load_set(Context& c, const Reference& reference, model::Load& load) {
@@ -75,11 +98,13 @@ bool load_set(Context& c, const Reference& reference, model::Load& load) {
       return true;
     }
     return false;
-  case LoadType::crack_faces: {
-    const Definition* crack = look_up(c, Kind::crack, reference);
-    load.crack = crack == nullptr ? base::CrackId() : base::CrackId(crack->index);
-    return crack != nullptr;
-  }
+  case LoadType::traction:
+  case LoadType::pressure:
+    if (const auto lip = lip_set(c, reference)) {
+      load.faces = *lip;
+      return lip->valid();
+    }
+    break;
   case LoadType::resultant: {
     const auto known = c.names.find({Kind::face_set, Kind::node_set, Kind::element_set},
                                     reference.name, reference.net);
@@ -134,7 +159,9 @@ void load_row(Context& c, const BoundCard& card, const grammar::Row& row,
       card.is("SHAPE", "UNIFORM") ? model::BearingShape::uniform : model::BearingShape::cosine;
   load.span = row.span;
   const auto reference = set_field(c, card, row.fields.front());
-  bool ok = reference && load_set(c, *reference, load);
+  const Definition* crack =
+      reference && form.of_crack ? look_up(c, Kind::crack, *reference) : nullptr;
+  bool ok = reference && (form.of_crack ? crack != nullptr : load_set(c, *reference, load));
   const std::size_t given = row.fields.size() - 1;
   const auto most = static_cast<std::size_t>(form.per_direction ? c.model.mesh.dim : 1);
   if (given == 0 || (given > most && c.mesh_sound)) {
@@ -156,6 +183,14 @@ void load_row(Context& c, const BoundCard& card, const grammar::Row& row,
   }
   while (load.value.size() < most) { // what is left out is zero
     load.value.push_back(base::Expression::constant(0.0));
+  }
+  if (ok && crack != nullptr) {
+    ok = crack->index < c.model.cracks.size(); // else its card is wrong
+  }
+  if (ok && crack != nullptr) {
+    load.faces = c.model.cracks[crack->index].left;
+    load_case.loads.push_back(load);
+    load.faces = c.model.cracks[crack->index].right;
   }
   if (ok) {
     load_case.loads.push_back(std::move(load));

@@ -164,14 +164,19 @@ void generate(Context& c, const BoundCard& card) {
   const base::ElementType type = element_type(card.word("TYPE"));
   const std::string prefix = card.net.empty() ? "" : card.net + ".";
   model::Mesh& mesh = c.model.mesh;
+  const Refinement* finer = c.refinement(card.net);
+  const int times = finer == nullptr ? 1 : finer->counts;
+  if (times > 1) {
+    c.remeshed.insert(card.net);
+  }
   if (card.is("SHAPE", "BLOCK")) {
     mesh::BlockSpec spec;
     spec.type = type;
     spec.origin = {card.number("X0"), card.number("Y0"), card.number("Z0")};
     spec.size = {card.number("LX"), card.number("LY"), card.number("LZ")};
-    spec.nx = card.integer("NX");
-    spec.ny = card.integer("NY");
-    spec.nz = card.integer("NZ");
+    spec.nx = times * card.integer("NX");
+    spec.ny = times * card.integer("NY");
+    spec.nz = times * card.integer("NZ");
     spec.bias = card.number("BIAS");
     const bool solid = base::info(type).dim == 3;
     (solid ? mesh::generate_solid_block : mesh::generate_block)(mesh, card.net_id, prefix, spec);
@@ -184,8 +189,8 @@ void generate(Context& c, const BoundCard& card) {
     spec.ro = card.number("RO");
     spec.t0 = card.number("T0");
     spec.t1 = card.number("T1");
-    spec.nr = card.integer("NR");
-    spec.nt = card.integer("NT");
+    spec.nr = times * card.integer("NR");
+    spec.nt = times * card.integer("NT");
     spec.bias = card.number("BIAS");
     mesh::generate_ring(mesh, card.net_id, prefix, spec);
   } else {
@@ -196,8 +201,8 @@ void generate(Context& c, const BoundCard& card) {
     spec.ri = card.number("RI");
     spec.width = card.number("W");
     spec.length = card.number("L");
-    spec.nr = card.integer("NR");
-    spec.nt = card.integer("NT");
+    spec.nr = times * card.integer("NR");
+    spec.nt = times * card.integer("NT");
     mesh::generate_lug(mesh, card.net_id, prefix, spec);
   }
 }

@@ -27,9 +27,9 @@ constexpr std::array<Request, 5> requests{{{"U", Kind::any_set},
                                            {"REACTION", Kind::any_set}}};
 
 // Files of every run folder; none is given away.
-constexpr std::array<std::string_view, 8> own_files{"k.csv",         "pressure.csv", "listing.txt",
-                                                    "load_path.csv", "report.html",  "results.pvd",
-                                                    "sweep.csv",     "sweep.html"};
+constexpr std::array<std::string_view, 9> own_files{
+    "k.csv",       "sensitivity.csv", "pressure.csv", "listing.txt", "load_path.csv",
+    "report.html", "results.pvd",     "sweep.csv",    "sweep.html"};
 
 void output(Context& c, const BoundCard& card) {
   model::Output output;
@@ -63,8 +63,9 @@ void output(Context& c, const BoundCard& card) {
     }
     const bool set = it->kind == Kind::any_set;
     const Reference reference{row.fields[1].text, row.fields[1].span, card.net};
-    if (set ? kind_of_set(c, it->kind, reference).has_value()
-            : look_up(c, it->kind, reference) != nullptr) {
+    if (set                         ? kind_of_set(c, it->kind, reference).has_value()
+        : it->kind == Kind::contact ? look_up_pair(c, reference)
+                                    : look_up(c, it->kind, reference) != nullptr) {
       const std::string own = qualify(card.net, reference.name);
       const bool inside = set && c.names.find(meanings(it->kind), own, {}) != nullptr;
       output.requests.push_back({std::string(it->word), inside ? own : reference.name, row.span});

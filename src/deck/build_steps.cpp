@@ -283,6 +283,16 @@ void load_path(Context& c, const BoundCard& card) {
               "MU=0, or steps with SUBSTEPS");
     }
   }
+  for (const model::Crack& crack : c.model.cracks) {
+    if (crack.faces_in_contact && crack.mu > 0.0) {
+      c.error(
+          card.span, "E324",
+          fmt::format("the faces of crack {} have friction: what happens on the path depends on "
+                      "how it is walked",
+                      crack.name),
+          "MU=0, or steps with SUBSTEPS");
+    }
+  }
   c.model.load_paths.push_back(std::move(path));
 }
 

@@ -79,9 +79,6 @@ void loads_in_reach(Context& c) {
       c.error(card.span, "E313",
               "TYPE=BEARING pushes to one side: it means nothing with STATE=AXI");
     }
-    if (card.is("TYPE", "TEMPERATURE") && !c.model.cracks.empty()) {
-      c.unavailable("$LOAD TYPE=TEMPERATURE in a deck with $CRACK", card.span);
-    }
   }
 }
 

@@ -103,7 +103,7 @@ private:
       unknown(quantity);
       return false;
     }
-    if (spec->name == "T" || spec->name == "N" || spec->name == "LIFE") {
+    if (spec->name == "N" || spec->name == "LIFE") {
       c_.unavailable(fmt::format("{} in $CHECK", spec->name), quantity.span);
     }
     if ((spec->name == "N" || spec->name == "LIFE") && !counts_cycles()) {
@@ -206,6 +206,10 @@ private:
       return "contact";
     case 's':
       return "step";
+    case 'o':
+      return "load case";
+    case 'm':
+      return "material";
     case 'l':
       return "load path";
     case 'n':
@@ -250,9 +254,13 @@ private:
       return look_up(c_, Kind::crack, {name.substr(0, dot), span, {}}) != nullptr;
     }
     case 'p':
-      return look_up(c_, Kind::contact, reference) != nullptr;
+      return look_up_pair(c_, reference);
     case 's':
       return look_up(c_, Kind::step, reference) != nullptr;
+    case 'o':
+      return look_up(c_, Kind::load_case, reference) != nullptr;
+    case 'm':
+      return look_up(c_, Kind::material, reference) != nullptr;
     case 'l':
       return look_up(c_, Kind::path, reference) != nullptr;
     case 'e':

@@ -38,13 +38,15 @@ struct Context {
 
   std::vector<mesh::ImportedPhysics> imported{}; ///< by $IMPORT FORMAT=INP, in their order
 
-  std::vector<Labels> node_labels{};    ///< [net]
-  std::vector<Labels> element_labels{}; ///< [net]
-  std::vector<ElementOrigin> origins{}; ///< ascending
-  std::size_t largest_mesh = 0;         ///< see ReadOptions
-  bool mesh_sound = true;               ///< no mistake while nodes and elements were made
-  bool property_sound = true;           ///< no mistake in $PROPERTY and what it names
-  bool freedom_sound = true;            ///< no mistake in $FREEDOM
+  std::vector<Labels> node_labels{};                         ///< [net]
+  std::vector<Labels> element_labels{};                      ///< [net]
+  std::vector<ElementOrigin> origins{};                      ///< ascending
+  std::size_t largest_mesh = 0;                              ///< see ReadOptions
+  const std::map<std::string, Refinement>* refine = nullptr; ///< see ReadOptions
+  std::set<std::string> remeshed{}; ///< nets whose cards took their refinement themselves
+  bool mesh_sound = true;           ///< no mistake while nodes and elements were made
+  bool property_sound = true;       ///< no mistake in $PROPERTY and what it names
+  bool freedom_sound = true;        ///< no mistake in $FREEDOM
   std::optional<std::vector<model::Face>> boundary{}; ///< of the finished mesh, found once
   std::vector<std::size_t> building{}; ///< cards of sets being built, outermost first
   std::map<std::size_t, base::NodeSetId> nodes_of_faces{}; ///< face sets that stood for node sets
@@ -52,6 +54,12 @@ struct Context {
 
   void error(base::Span span, std::string code, std::string text, std::string hint = {}) {
     diagnostics.error(span, std::move(code), std::move(text), std::move(hint));
+  }
+  /// Of the net that a card stands in; null: as the deck has it.
+  [[nodiscard]] const Refinement* refinement(const std::string& net) const {
+    const auto found =
+        refine == nullptr ? std::map<std::string, Refinement>::const_iterator() : refine->find(net);
+    return refine == nullptr || found == refine->end() ? nullptr : &found->second;
   }
   void unavailable(std::string what, base::Span span) {
     model.unavailable.push_back({std::move(what), span});
@@ -61,6 +69,10 @@ struct Context {
 /// The definition a reference means. Empty after an error, which is reported unless the name is
 /// poisoned.
 const Definition* look_up(Context& context, Kind kind, const Reference& reference);
+
+/// Whether a reference means a contact, or with CRACK.FACES the faces of a crack; else an error is
+/// reported as by look_up.
+bool look_up_pair(Context& context, const Reference& reference);
 
 // The stages, in their order. Each takes its cards from the context and leaves its part of the
 // model there; mistakes go to the diagnostics.

@@ -55,6 +55,13 @@ void import_card(Context& c, const BoundCard& card) {
   request.net = card.net_id;
   request.parameters = c.parameters;
   request.span = card.span;
+  const Refinement* finer = c.refinement(card.net);
+  if (request.format == mesh::ImportFormat::geo && finer != nullptr && finer->size) {
+    c.remeshed.insert(card.net);
+    request.size = [size = finer->size, scale = request.scale](double x, double y) {
+      return size(x * scale, y * scale) / scale;
+    };
+  }
   for (const grammar::Row& row : card.rows) {
     using FieldKind = grammar::Field::Kind;
     const auto named = [](const grammar::Field& f) {

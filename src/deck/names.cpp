@@ -87,8 +87,9 @@ bool Names::is_poisoned(const std::vector<Kind>& kinds, const std::string& name,
       words_.contains(name)) {
     return true;
   }
-  const std::string own(net_of(name));
-  return nets_.contains(own) || (own.empty() && !net.empty() && nets_.contains(net));
+  const std::string own(net_of(name)); // or the crack whose face it is
+  return nets_.contains(own) || (!own.empty() && words_.contains(own)) ||
+         (own.empty() && !net.empty() && nets_.contains(net));
 }
 
 std::string Names::other_meaning(const std::vector<Kind>& kinds, const std::string& name) const {

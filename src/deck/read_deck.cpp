@@ -3,16 +3,39 @@
 
 #include "deck/context.hpp"
 #include "deck/load.hpp"
+#include "mesh/subdivide.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace spricka::deck {
+
+namespace {
+
+void divide_elements(Context& context) {
+  model::Model& model = context.model;
+  for (int round = 0;; ++round) {
+    std::vector<bool> nets(model.nets.size(), false);
+    for (std::size_t n = 0; n < nets.size(); ++n) {
+      const std::string& name = model.nets[n].name;
+      const Refinement* wish = context.refinement(name);
+      nets[n] = wish != nullptr && wish->splits > round && !context.remeshed.contains(name);
+    }
+    if (std::none_of(nets.begin(), nets.end(), [](bool divided) { return divided; })) {
+      return;
+    }
+    mesh::subdivide(model.mesh, nets);
+  }
+}
+
+} // namespace
 
 std::optional<model::Model> read_deck(const std::filesystem::path& deck, const ReadOptions& options,
                                       base::Sources& sources, base::Diagnostics& diagnostics) {
   const LoadedDeck loaded = load_deck(deck, sources, diagnostics);
   Context context{sources, diagnostics};
   context.largest_mesh = options.largest_mesh;
+  context.refine = &options.refine;
   if (loaded.incomplete) {
     context.names.poison_everything();
     context.scope.incomplete = true;
@@ -35,6 +58,7 @@ std::optional<model::Model> read_deck(const std::filesystem::path& deck, const R
   if (diagnostics.has_errors()) {
     return std::nullopt;
   }
+  divide_elements(context);
   return std::move(context.model);
 }
 

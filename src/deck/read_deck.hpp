@@ -5,12 +5,22 @@
 #include "model/model.hpp"
 
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace spricka::deck {
+
+/// How much finer than its cards say a net is meshed, in the plane.
+struct Refinement {
+  /// Size of elements wanted at a point [length], for $IMPORT FORMAT=GEO; empty: as its script has.
+  std::function<double(double x, double y)> size = {};
+  int counts = 1; ///< numbers of elements of $MESH times this
+  int splits = 0; ///< how often all other elements are divided into four
+};
 
 /// What the command line adds to a deck, and what is too large to try.
 struct ReadOptions {
@@ -19,6 +29,7 @@ struct ReadOptions {
   std::size_t largest_mesh = 500'000'000;
   /// One point of the deck's $SWEEP: these parameters take these values.
   std::vector<std::pair<std::string, double>> sweep_values = {};
+  std::map<std::string, Refinement> refine = {}; ///< by net; "" is what stands in no net
 };
 
 /// Reads a deck with its includes and imports, checks it in four passes and builds the model. All

@@ -57,22 +57,15 @@ struct Pin {
   model::BearingShape shape = model::BearingShape::cosine;
 };
 
-// Nodal vectors of the two unit pressures: p = cos(theta) or 1, and p = sin(theta).
-struct UnitLoads {
-  Vector main;
-  Vector across;
-  Eigen::Matrix2d total = Eigen::Matrix2d::Zero(); ///< column 0: sum of main, 1: of across
-};
-
-template <shape::Shape Side>
-void add_piece(const Pin& pin, const SideNodes<Side>& X,
-               const std::array<base::NodeId, Side::nodes>& nodes, double from, double to,
-               double thickness, UnitLoads& loads) {
+// Calls visit(t, main, across) at points of a piece of an edge: the forces of the two unit
+// pressures p = cos(theta) or 1, and p = sin(theta).
+template <shape::Shape Side, class Visit>
+void for_piece(const Pin& pin, const SideNodes<Side>& X, double from, double to, double thickness,
+               Visit&& visit) {
   const Vec2 across(-pin.d.y(), pin.d.x());
   for (const auto& point : shape::quadrature<Side>(pressure_degree)) {
     const shape::Point<1> r(0.5 * (from + to) + 0.5 * (to - from) * point.r[0]);
-    const Eigen::Matrix<double, Side::nodes, 1> N = Side::N(r);
-    const Vec2 arm = (X * N).template head<2>() - pin.bore.centre;
+    const Vec2 arm = (X * Side::N(r)).template head<2>() - pin.bore.centre;
     const Vec2 tangent = (X * Side::dN(r)).template head<2>();
     const double distance = arm.norm();
     const Vec2 m = (pin.bore.side / distance) * arm; // the way the pressure pushes
@@ -85,21 +78,12 @@ void add_piece(const Pin& pin, const SideNodes<Side>& X,
     }
     const double p = pin.shape == model::BearingShape::cosine ? cosine : 1.0;
     const Vec2 force = point.weight * thickness * ds * m;
-    loads.total.col(0) += p * force;
-    loads.total.col(1) += m.dot(across) * force;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      const auto row = 2 * static_cast<Eigen::Index>(nodes[i].index());
-      const Vec2 share = N[static_cast<Eigen::Index>(i)] * force;
-      loads.main.segment<2>(row) += p * share;
-      loads.across.segment<2>(row) += m.dot(across) * share;
-    }
+    visit(r[0], Vec2(p * force), Vec2(m.dot(across) * force));
   }
 }
 
-template <shape::Shape Side>
-void add_edge(const Pin& pin, const SideNodes<Side>& X,
-              const std::array<base::NodeId, Side::nodes>& nodes, double thickness,
-              UnitLoads& loads) {
+template <shape::Shape Side, class Visit>
+void for_edge(const Pin& pin, const SideNodes<Side>& X, double thickness, Visit&& visit) {
   const auto distance = [&](double r) {
     const Vec2 x = (X * Side::N(shape::Point<1>(r))).template head<2>();
     return (x - pin.bore.centre).dot(pin.d);
@@ -107,7 +91,7 @@ void add_edge(const Pin& pin, const SideNodes<Side>& X,
   const Cuts cuts = cut_edge(distance(-1.0), distance(0.0), distance(1.0));
   for (std::size_t k = 0; k + 1 < cuts.count; ++k) {
     if (pin.bore.side * distance(0.5 * (cuts.at[k] + cuts.at[k + 1])) > 0.0) {
-      add_piece<Side>(pin, X, nodes, cuts.at[k], cuts.at[k + 1], thickness, loads);
+      for_piece<Side>(pin, X, cuts.at[k], cuts.at[k + 1], thickness, visit);
     }
   }
 }
@@ -141,8 +125,8 @@ Bore fit_bore(const model::Mesh& mesh, const std::vector<model::Face>& faces) {
   return bore;
 }
 
-bool add_bearing(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
-                 Vector& f) {
+bool for_bearing_points(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
+                        const BearingVisit& visit) {
   assert(mesh.dim == 2);
   assert(load.value.size() >= 2);
   const std::vector<model::Face>& faces = mesh.set(load.faces).faces;
@@ -151,20 +135,47 @@ bool add_bearing(const model::Model& model, const model::Mesh& mesh, const model
     return true;
   }
   const Pin pin{fit_bore(mesh, faces), F.normalized(), load.shape};
-  UnitLoads loads{Vector::Zero(f.size()), Vector::Zero(f.size())};
-  for_edges(mesh, faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
-    if constexpr (Side::dim == 1) {
-      add_edge<Side>(pin, side_coordinates<Side>(mesh, face), nodes_of_face<Side>(mesh, face),
-                     model.property_of(mesh, face.element).thickness, loads);
-    }
+  const auto for_points = [&](auto&& point) {
+    for_edges(mesh, faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
+      if constexpr (Side::dim == 1) {
+        for_edge<Side>(
+            pin, side_coordinates<Side>(mesh, face),
+            model.property_of(mesh, face.element).thickness,
+            [&](double t, const Vec2& main, const Vec2& across) { point(face, t, main, across); });
+      }
+    });
+  };
+  Eigen::Matrix2d total = Eigen::Matrix2d::Zero(); // column 0: sum of main, 1: of across
+  for_points([&](const model::Face& /*face*/, double /*t*/, const Vec2& main, const Vec2& across) {
+    total.col(0) += main;
+    total.col(1) += across;
   });
-  const Eigen::FullPivLU<Eigen::Matrix2d> lu(loads.total);
+  const Eigen::FullPivLU<Eigen::Matrix2d> lu(total);
   if (!lu.isInvertible()) {
     return false;
   }
   const Vec2 p = lu.solve(F);
-  f += p[0] * loads.main + p[1] * loads.across;
+  for_points([&](const model::Face& face, double t, const Vec2& main, const Vec2& across) {
+    visit(face, t, p[0] * main + p[1] * across);
+  });
   return true;
+}
+
+bool add_bearing(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
+                 Vector& f) {
+  return for_bearing_points(
+      model, mesh, load, [&](const model::Face& face, double t, const Vec2& force) {
+        for_edges(mesh, {face}, [&]<shape::Shape Side>(Side, const model::Face&) {
+          if constexpr (Side::dim == 1) {
+            const std::array<base::NodeId, Side::nodes> nodes = nodes_of_face<Side>(mesh, face);
+            const Eigen::Matrix<double, Side::nodes, 1> N = Side::N(shape::Point<1>(t));
+            for (std::size_t i = 0; i < nodes.size(); ++i) {
+              f.segment<2>(2 * static_cast<Eigen::Index>(nodes[i].index())) +=
+                  N[static_cast<Eigen::Index>(i)] * force;
+            }
+          }
+        });
+      });
 }
 
 } // namespace spricka::fe

@@ -3,6 +3,8 @@
 #include "base/vec.hpp"
 #include "model/model.hpp"
 
+#include <functional>
+
 namespace spricka::fe {
 
 /// The circle through the nodes of some edges and the side on which the body lies.
@@ -24,6 +26,12 @@ Bore fit_bore(const model::Mesh& mesh, const std::vector<model::Face>& faces);
 /// have no part in the loaded half.
 bool add_bearing(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
                  base::Vector& f);
+
+/// The same pressure as forces at points: the face, where on it from -1 to 1, the force. Their sum
+/// over any partition of unity on the faces is the resultant to round-off.
+using BearingVisit = std::function<void(const model::Face&, double, const base::Vec2&)>;
+bool for_bearing_points(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
+                        const BearingVisit& visit);
 
 /// The same on the faces of a cylinder in space, Fx Fy Fz across its axis, which is found from the
 /// normals. The pressure is even along the axis. The loaded half ends inside faces where they fall

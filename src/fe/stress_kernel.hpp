@@ -16,11 +16,7 @@ template <shape::ElementShape S> struct StressElement {
   StressElement(const model::Model& model, const model::Mesh& mesh, base::ElementId e,
                 const StateField& field)
       : X(coordinates<S>(mesh, e)), U(gather<S>(mesh, e, field.u)), law(law_of(model, mesh, e)),
-        change(X, law, U),
-        thermal(X, law,
-                field.temperature == nullptr ? CornerValues<S>(CornerValues<S>::Zero())
-                                             : corner_temperature<S>(mesh, e, *field.temperature)) {
-  }
+        change(X, law, U), thermal(X, law, held_temperature(mesh, e, field)) {}
   StressElement(const StressElement&) = delete; // its members point at its law
   StressElement& operator=(const StressElement&) = delete;
 
@@ -51,6 +47,22 @@ template <shape::ElementShape S> struct StressElement {
   }
 
 private:
+  // What stays of the temperature once bent elements have expanded freely.
+  CornerValues<S> held_temperature(const model::Mesh& mesh, base::ElementId e,
+                                   const StateField& field) {
+    if (field.temperature == nullptr) {
+      return CornerValues<S>::Zero();
+    }
+    const CornerValues<S> T = corner_temperature<S>(mesh, e, *field.temperature);
+    if constexpr (plane_quadratic<S>) {
+      if (FreeExpansion<S>::wanted(X, law)) {
+        U -= FreeExpansion<S>(X, law, T).at_nodes(X);
+        return CornerValues<S>::Zero();
+      }
+    }
+    return T;
+  }
+
   // u / x, and on the axis its limit du/dx.
   [[nodiscard]] double hoop_strain(const Eigen::Matrix<double, S::dim, S::dim>& H,
                                    const shape::Point<S::dim>& r) const {

@@ -3,57 +3,19 @@
 
 #include "fe/thermal_kernel.hpp"
 
-#include <Eigen/Cholesky>
-
 namespace spricka::fe {
 
 namespace {
 
-// The field of one load at the corners of an element.
-template <shape::ElementShape S>
-CornerValues<S> project(const NodeVectors<S>& X, const Law& law, const base::Expression& field) {
-  Eigen::Matrix<double, corners<S>(), corners<S>()> G;
-  G.setZero();
-  CornerValues<S> right = CornerValues<S>::Zero();
-  double volume = 0.0;
-  double total = 0.0;
-  for (const auto& point : stiffness_rule<S>(law)) {
-    const Jacobian<S> at = jacobian<S>(X, point.r);
-    base::Vec3 x = base::Vec3::Zero();
-    x.template head<S::dim>() = X * S::N(point.r);
-    const double w = point.weight * at.det * law.depth(x.x());
-    const CornerValues<S> N = Linear<S>::N(point.r);
-    const double T = field(x);
-    G.noalias() += (w * N) * N.transpose();
-    right += (w * T) * N;
-    volume += w;
-    total += w * T;
-  }
-  if constexpr (!base::info(S::type).quadratic) {
-    return CornerValues<S>::Constant(total / volume);
-  } else {
-    return G.ldlt().solve(right);
-  }
-}
-
-// Consistent forces of an element's temperatures.
-template <shape::ElementShape S>
-NodeVectors<S> element_load(const NodeVectors<S>& X, const Law& law, const CornerValues<S>& T) {
-  const ThermalStress<S> stress(X, law, T);
-  NodeVectors<S> F = NodeVectors<S>::Zero();
-  for (const auto& point : stiffness_rule<S>(law)) {
-    const Jacobian<S> at = jacobian<S>(X, point.r);
-    const Hoop<S> hoop(X, law, point.r);
-    const double w = point.weight * at.det * law.depth(hoop.x) * stress.at(point.r);
-    F.noalias() += w * at.dNdx.transpose();
-    F.row(0) += w * hoop.h.transpose();
-  }
-  return F;
-}
-
 // Energy of an element whose thermal strain is held back altogether.
 template <shape::ElementShape S>
 double held_energy(const NodeVectors<S>& X, const Law& law, const CornerValues<S>& T) {
+  if constexpr (plane_quadratic<S>) {
+    if (FreeExpansion<S>::wanted(X, law)) {
+      const NodeVectors<S> U = FreeExpansion<S>(X, law, T).at_nodes(X);
+      return 0.5 * element_force<S>(X, law, U).cwiseProduct(U).sum();
+    }
+  }
   const ThermalStress<S> stress(X, law, T);
   const double directions = law.heated_directions();
   double energy = 0.0;
@@ -97,8 +59,14 @@ base::Vector element_temperature(const model::Model& model, const model::Mesh& m
     for_blocks(mesh, mesh.set(load.elements).elements,
                [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
                  for (const base::ElementId e : block) {
-                   temperature.segment<corners<S>()>(mesh.first[e.index()]) += project<S>(
-                       coordinates<S>(mesh, e), law_of(model, mesh, e), load.value.front());
+                   const auto field = [&](const Eigen::Matrix<double, S::dim, 1>& x) {
+                     base::Vec3 at = base::Vec3::Zero();
+                     at.template head<S::dim>() = x;
+                     return load.value.front()(at);
+                   };
+                   temperature.segment<corners<S>()>(mesh.first[e.index()]) +=
+                       project_temperature<S>(coordinates<S>(mesh, e), law_of(model, mesh, e),
+                                              field);
                  }
                });
   }
@@ -109,7 +77,7 @@ base::Vector thermal_load(const model::Model& model, const model::Mesh& mesh,
                           const base::Vector& temperature) {
   base::Vector f = base::Vector::Zero(mesh.dim * static_cast<Eigen::Index>(mesh.node_count()));
   for_heated(mesh, temperature, [&]<shape::ElementShape S>(S, base::ElementId e, const auto& T) {
-    const NodeVectors<S> F = element_load<S>(coordinates<S>(mesh, e), law_of(model, mesh, e), T);
+    const NodeVectors<S> F = thermal_forces<S>(coordinates<S>(mesh, e), law_of(model, mesh, e), T);
     Eigen::Index i = 0;
     for (const base::NodeId n : mesh.nodes_of(e)) {
       f.segment<S::dim>(S::dim * static_cast<Eigen::Index>(n.index())) += F.col(i++);
@@ -134,7 +102,7 @@ void add_thermal_energy(const model::Model& model, const model::Mesh& mesh,
     const NodeVectors<S> X = coordinates<S>(mesh, e);
     const Law law = law_of(model, mesh, e);
     energy[e.index()] += held_energy<S>(X, law, T) -
-                         element_load<S>(X, law, T).cwiseProduct(gather<S>(mesh, e, u)).sum();
+                         thermal_forces<S>(X, law, T).cwiseProduct(gather<S>(mesh, e, u)).sum();
   });
 }
 

@@ -133,6 +133,9 @@ private:
     };
     find_dim();
     if (numbers_.dim == 0 && request_.format == ImportFormat::geo) {
+      if (request_.size) {
+        wish_for_sizes(request_.size);
+      }
       gmsh::model::mesh::generate(std::max(2, gmsh::model::getDimension()));
       find_dim();
     }

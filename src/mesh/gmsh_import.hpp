@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "base/diagnostics.hpp"
+#include "mesh/gmsh_sizes.hpp"
 #include "model/mesh.hpp"
 
 #include <filesystem>
@@ -21,7 +22,8 @@ struct ImportRequest {
   base::NetId net;
   std::vector<std::pair<std::string, std::string>> renames; ///< physical group -> set name
   std::vector<std::pair<std::string, double>> parameters;   ///< for DefineConstant of a .geo
-  base::Span span;                                          ///< the $IMPORT card
+  SizeWish size;   ///< for a .geo, in its own coordinates; empty: as the script has it
+  base::Span span; ///< the $IMPORT card
 };
 
 /// Meshes a gmsh geometry script (.geo) or reads a .msh (2.2, 4.1) through the gmsh library and

@@ -13,7 +13,9 @@ class Grading {
 public:
   /// Growth of the size with distance. From 0.5 to 0.3 the errors of stress intensity factors halve
   /// for a twentieth more freedoms; below, the rosette and the host have the larger part.
-  static constexpr double growth = 0.3;
+  static constexpr double usual_growth = 0.3;
+
+  explicit Grading(double growth = usual_growth) : growth_(growth) {}
 
   void add(const base::Vec2& at, double size) { sources_.push_back({at, size}); }
   [[nodiscard]] double operator()(const base::Vec2& p) const;
@@ -23,6 +25,7 @@ private:
     base::Vec2 at;
     double size;
   };
+  double growth_; ///< of the size for each unit of distance
   std::vector<Source> sources_;
 };
 

@@ -92,6 +92,11 @@ private:
   }
 
   void set_sizes(double fineness) {
+    double finer = 1.0;
+    for (const Crack& crack : cracks_) {
+      finer = std::max(finer, crack.tip->finer);
+    }
+    size_ = fill_size_ = Grading(Grading::usual_growth / finer);
     for (const Crack& crack : cracks_) {
       for (const Rosette& rosette : crack.rosettes) {
         const std::size_t rim = rosette.rim.size();
@@ -100,7 +105,8 @@ private:
         }
       }
       if (crack.place->mouth) {
-        size_.add(crack.place->line.front(), mouth_size * own_length(*crack.place) / fineness);
+        size_.add(crack.place->line.front(),
+                  mouth_size * own_length(*crack.place) / (fineness * finer));
       }
     }
     for (const auto& loop : cavity_.loops) {

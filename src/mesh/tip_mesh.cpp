@@ -27,9 +27,10 @@ constexpr double smallest_part = 5e-4;
 TipMesh choose_tip_mesh(const model::Mesh& host, const CrackLine& line, const model::TipNet* wishes,
                         std::span<const CrackLine> all) {
   TipMesh tip;
+  const double finer = wishes == nullptr ? 1.0 : wishes->finer;
   if (wishes != nullptr) {
-    tip.rings = wishes->rings;
-    tip.sectors = wishes->sectors;
+    tip.rings = static_cast<int>(std::lround(finer * wishes->rings));
+    tip.sectors = static_cast<int>(std::lround(finer * wishes->sectors));
     tip.quarter_point = wishes->quarter_point;
     tip.patch = wishes->patch;
     tip.transition = wishes->join == model::Join::transition;
@@ -53,11 +54,13 @@ TipMesh choose_tip_mesh(const model::Mesh& host, const CrackLine& line, const mo
     tip.radius = radius_part * frame.a * room;
   }
   if (wishes != nullptr && wishes->size) {
-    tip.size = *wishes->size;
+    tip.size = *wishes->size / finer;
   } else {
-    tip.size = tip.radius * std::max(smallest_part, (ring_growth - 1.0) /
-                                                        (std::pow(ring_growth, tip.rings) - 1.0));
+    const double q = std::pow(ring_growth, 1.0 / finer);
+    tip.size =
+        tip.radius * std::max(smallest_part / finer, (q - 1.0) / (std::pow(q, tip.rings) - 1.0));
   }
+  tip.finer = finer;
   return tip;
 }
 

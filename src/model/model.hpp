@@ -86,18 +86,16 @@ enum class LoadType {
   body,         ///< per volume of an element set [force/length^3]
   bearing,      ///< pin on a bore given by its resultant [force]
   displacement, ///< values of prescribed freedoms [length]
-  temperature,  ///< [K]
-  crack_faces   ///< pressure on crack faces [stress]
+  temperature   ///< [K]
 };
 enum class BearingShape { uniform, cosine };
 
 struct Load {
   LoadType type = LoadType::force;
   BearingShape shape = BearingShape::uniform;
-  base::NodeSetId nodes; ///< exactly one of the three sets is valid, or `crack`
+  base::NodeSetId nodes; ///< exactly one of the three sets is valid
   base::ElementSetId elements;
   base::FaceSetId faces;
-  base::CrackId crack;                 ///< whose faces type crack_faces loads
   std::vector<base::Expression> value; ///< 1 to 3 components, fields of x y z
   base::Span span;
 };
@@ -153,6 +151,9 @@ struct Crack {
   CrackState state = CrackState::automatic;
   bool faces_in_contact = true;
   double mu = 0.0;
+  /// Its lips, "C1.LEFT" and "C1.RIGHT", seen along the crack: empty in the host, filled in the
+  /// mesh of each length. One of them stays empty on a symmetry line.
+  base::FaceSetId left, right;
   base::Span span;
 };
 
@@ -168,7 +169,8 @@ struct TipNet {
   bool quarter_point = true;
   Join join = Join::conforming;
   bool patch = true;
-  std::optional<double> tolerance;
+  std::optional<double> tolerance; ///< of K, as a part of it
+  double finer = 1.0;              ///< divides the sizes of the patch's elements
   base::Span span;
 };
 
@@ -176,6 +178,7 @@ struct Vce {
   base::CrackId crack;
   std::optional<double> shift; ///< finite shift in tip element sizes; empty: analytic derivative
   std::vector<int> domains;    ///< rings that move rigidly, one value of K each; empty: default
+  bool opening = false;        ///< K from the opening of the faces beside it, as a check
   base::Span span;
 };
 

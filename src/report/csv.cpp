@@ -34,16 +34,38 @@ std::string_view state_name(results::ContactState state) {
 void write_k_csv(const std::filesystem::path& file, const model::Model& model,
                  const results::Run& run) {
   const base::UnitSystem& units = model.units;
-  std::string text =
-      fmt::format("# units: a [{0}], K1 K2 [{1}], G [{2}/{0}], increment and spread [1]\n"
-                  "increment,step,crack,a,K1,K2,G,spread\n",
-                  units.length_name, units.stress_intensity_name(), units.force_name);
+  const bool opening = std::any_of(model.vces.begin(), model.vces.end(),
+                                   [](const model::Vce& vce) { return vce.opening; });
+  std::string text = fmt::format(
+      "# units: a [{0}], K1 K2 and what begins with them [{1}], G [{2}/{0}], T [{3}], increment "
+      "and "
+      "spread [1]\n"
+      "increment,step,crack,a,K1,K2,G,spread,T,K1_bar,K1_best,K1_eta,K1_sum,K1_flip,K2_bar,K2_best,"
+      "K2_eta,K2_sum,K2_flip{4}\n",
+      units.length_name, units.stress_intensity_name(), units.force_name, units.stress_name(),
+      opening ? ",K1_opening,K2_opening" : "");
   auto out = std::back_inserter(text);
   for (const results::Increment& increment : run.increments) {
     for (const results::StepResult& step : increment.steps) {
       for (const results::TipResult& tip : step.tips) {
-        fmt::format_to(out, "{},{},{},{},{},{},{},{}\n", increment.number, step.step, tip.name,
-                       tip.a, tip.K1, tip.K2, tip.G, tip.spread);
+        fmt::format_to(out, "{},{},{},{},", increment.number, step.step, tip.name, tip.a);
+        if (tip.two_materials) {
+          fmt::format_to(out, ",,{},,", tip.G);
+        } else {
+          fmt::format_to(out, "{},{},{},{},{}", tip.K1, tip.K2, tip.G, tip.spread,
+                         tip.has_T ? fmt::format("{}", tip.T) : "");
+        }
+        for (const results::KBar& bar : tip.bar) { // empty cells: there is no bar
+          text += tip.no_bar.empty() ? fmt::format(",{},{},{},{},{}", bar.size(), bar.best, bar.eta,
+                                                   bar.sum, bar.flip)
+                                     : ",,,,,";
+        }
+        if (opening && tip.K_opening) {
+          fmt::format_to(out, ",{},{}", (*tip.K_opening)[0], (*tip.K_opening)[1]);
+        } else if (opening) {
+          text += ",,";
+        }
+        text += '\n';
       }
     }
   }
@@ -52,8 +74,11 @@ void write_k_csv(const std::filesystem::path& file, const model::Model& model,
 
 void write_pressure_csv(const std::filesystem::path& file, const model::Model& model,
                         const results::Run& run) {
-  const bool rubs = std::any_of(model.contacts.begin(), model.contacts.end(),
-                                [](const model::Contact& c) { return c.mu > 0.0; });
+  const bool rubs =
+      std::any_of(model.contacts.begin(), model.contacts.end(),
+                  [](const model::Contact& c) { return c.mu > 0.0; }) ||
+      std::any_of(model.cracks.begin(), model.cracks.end(),
+                  [](const model::Crack& c) { return c.faces_in_contact && c.mu > 0.0; });
   std::string text =
       rubs ? fmt::format("# units: x y slip slip_path [{0}], theta [deg], p_lumped p_consistent "
                          "q_lumped q_consistent [{1}], increment [1]\n"

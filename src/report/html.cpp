@@ -5,6 +5,8 @@
 #include "report/page.hpp"
 #include "report/report.hpp"
 #include "report/result_tables.hpp"
+#include "report/rounds_table.hpp"
+#include "report/sensitivity.hpp"
 
 #include <fmt/format.h>
 
@@ -49,6 +51,9 @@ void add_cracks(Page& page, const model::Model& model, const results::Run& run) 
     page.figure(*figure);
   }
   page.table(reference_table(model, run));
+  for (const Figure& figure : sensitivity_figures(model, run)) {
+    page.figure(figure);
+  }
 }
 
 void add_paths(Page& page, const model::Model& model, const results::Run& run) {
@@ -72,7 +77,11 @@ void add_paths(Page& page, const model::Model& model, const results::Run& run) {
 }
 
 void add_contacts(Page& page, const model::Model& model, const results::Run& run) {
-  if (model.contacts.empty() || run.increments.empty()) {
+  const bool any = std::ranges::any_of(run.increments, [](const results::Increment& increment) {
+    return std::ranges::any_of(
+        increment.steps, [](const results::StepResult& step) { return !step.contacts.empty(); });
+  });
+  if (!any) {
     return;
   }
   page.heading("Contact");
@@ -154,6 +163,10 @@ std::string html_report(const base::Sources& sources, const model::Model& model,
     page.table(untitled(balance_table(model, run.increments.back())));
     page.table(net_balance_table(model, run.increments.back()));
     page.table(error_table(run.increments.back()));
+  }
+  if (const Table rounds = rounds_table(run); !rounds.rows.empty()) {
+    page.heading("K to a tolerance");
+    page.table(untitled(rounds));
   }
   if (!run.checks.empty()) {
     page.heading("Checks");

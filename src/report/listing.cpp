@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/k_bars.hpp"
 #include "report/load_paths.hpp"
 #include "report/model_tables.hpp"
 #include "report/report.hpp"
 #include "report/result_tables.hpp"
+#include "report/rounds_table.hpp"
+#include "report/sensitivity.hpp"
 
 #include <fmt/format.h>
 
@@ -90,13 +93,20 @@ std::string increment_text(const model::Model& model, const results::Increment& 
       out += fmt::format("note: load path {}: {}\n", path.name, note);
     }
   }
+  for (const std::string& note : sensitivity_notes(model, increment)) {
+    out += fmt::format("note: sensitivities: {}\n", note);
+  }
   for (const Table& table :
        {balance_table(model, increment), net_balance_table(model, increment),
         error_table(increment), contact_table(model, increment), friction_table(model, increment),
-        k_table(model, increment), load_path_table(model, increment), opening_table(increment)}) {
+        k_table(model, increment), sensitivity_table(model, increment),
+        load_path_table(model, increment), opening_table(increment)}) {
     if (!table.rows.empty()) {
       (out += '\n') += to_text(table);
     }
+  }
+  if (const std::string bars = k_bar_lines(increment); !bars.empty()) {
+    out += "\nStress intensity factors with the error of the mesh (not that of the model)\n" + bars;
   }
   return out;
 }
@@ -122,6 +132,9 @@ std::string listing(const base::Sources& sources, const model::Model& model,
                     const results::Run& run) {
   std::string out = "spricka " SPRICKA_VERSION "\n";
   out += echo(sources) + model_summary(model) + log_text(run);
+  if (const Table rounds = rounds_table(run); !rounds.rows.empty()) {
+    out += heading("K to a tolerance") + to_text(untitled(rounds));
+  }
   for (const results::Increment& increment : run.increments) {
     out += increment_text(model, increment);
   }

@@ -42,8 +42,8 @@ std::string changes_at(const results::LoadPath& path, double t) {
   return text;
 }
 
-void add_row(std::string& text, const model::Model& model, const results::LoadPath& path,
-             std::size_t k, const std::vector<std::string>& tips) {
+void add_row(std::string& text, const std::vector<std::string>& contacts,
+             const results::LoadPath& path, std::size_t k, const std::vector<std::string>& tips) {
   auto out = std::back_inserter(text);
   for (const std::string& name : tips) {
     const results::PathTip* tip = results::find_tip(path, name);
@@ -55,8 +55,8 @@ void add_row(std::string& text, const model::Model& model, const results::LoadPa
                    tip->K1.slope_before(k), tip->K1.slope_after(k), tip->K2.slope_before(k),
                    tip->K2.slope_after(k));
   }
-  for (const model::Contact& card : model.contacts) {
-    const results::PathContact* contact = results::find_contact(path, card.name);
+  for (const std::string& name : contacts) {
+    const results::PathContact* contact = results::find_contact(path, name);
     if (contact == nullptr) {
       text += ",,,";
       continue;
@@ -79,6 +79,24 @@ std::vector<std::string> tip_names(const results::Run& run) {
       for (const results::PathTip& tip : path.tips) {
         if (std::ranges::find(names, tip.name) == names.end()) {
           names.push_back(tip.name);
+        }
+      }
+    }
+  }
+  return names;
+}
+
+// The deck's contacts, and the faces of its cracks where they touch.
+std::vector<std::string> contact_names(const model::Model& model, const results::Run& run) {
+  std::vector<std::string> names;
+  for (const model::Contact& contact : model.contacts) {
+    names.push_back(contact.name);
+  }
+  for (const results::Increment& increment : run.increments) {
+    for (const results::LoadPath& path : increment.paths) {
+      for (const results::PathContact& contact : path.contacts) {
+        if (std::ranges::find(names, contact.name) == names.end()) {
+          names.push_back(contact.name);
         }
       }
     }
@@ -207,8 +225,9 @@ void write_load_path_csv(const std::filesystem::path& file, const model::Model& 
     text += fmt::format(",{0}.K1,{0}.K2,{0}.dK1_before,{0}.dK1_after,{0}.dK2_before,{0}.dK2_after",
                         tip);
   }
-  for (const model::Contact& contact : model.contacts) {
-    text += fmt::format(",{0}.closed,{0}.from,{0}.to", contact.name);
+  const std::vector<std::string> contacts = contact_names(model, run);
+  for (const std::string& contact : contacts) {
+    text += fmt::format(",{0}.closed,{0}.from,{0}.to", contact);
   }
   text += '\n';
   for (const results::Increment& increment : run.increments) {
@@ -216,7 +235,7 @@ void write_load_path_csv(const std::filesystem::path& file, const model::Model& 
       for (std::size_t k = 0; k < path.t.size(); ++k) {
         text += fmt::format("{},{},{},{}", increment.number, path.name, path.t[k],
                             changes_at(path, path.t[k]));
-        add_row(text, model, path, k, tips);
+        add_row(text, contacts, path, k, tips);
       }
     }
   }

@@ -213,9 +213,28 @@ Figure straight_figure(const model::Model& model, const results::Run& run,
 
 } // namespace
 
+namespace {
+
+/// The deck's contacts, and the faces of its cracks where they touch.
+std::vector<model::Contact> shown_contacts(const model::Model& model, const results::Run& run) {
+  std::vector<model::Contact> shown = model.contacts;
+  for (const results::Increment& increment : run.increments) {
+    for (const results::StepResult& step : increment.steps) {
+      for (const results::ContactResult& contact : step.contacts) {
+        if (std::ranges::find(shown, contact.name, &model::Contact::name) == shown.end()) {
+          shown.emplace_back().name = contact.name;
+        }
+      }
+    }
+  }
+  return shown;
+}
+
+} // namespace
+
 std::vector<Figure> pressure_figures(const model::Model& model, const results::Run& run) {
   std::vector<Figure> figures;
-  for (const model::Contact& contact : model.contacts) {
+  for (const model::Contact& contact : shown_contacts(model, run)) {
     bool bore = false;
     for (const results::Increment& increment : run.increments) {
       for (const results::StepResult& step : increment.steps) {

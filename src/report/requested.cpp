@@ -56,6 +56,12 @@ private:
         row(nowhere(), "K1", tip.K1);
         row(nowhere(), "K2", tip.K2);
         row(nowhere(), "G", tip.G);
+        if (tip.no_bar.empty()) {
+          row(nowhere(), "K1_BAR", tip.bar[0].size());
+          row(nowhere(), "K1_BEST", tip.bar[0].best);
+          row(nowhere(), "K2_BAR", tip.bar[1].size());
+          row(nowhere(), "K2_BEST", tip.bar[1].best);
+        }
       }
     }
   }

@@ -56,7 +56,12 @@ void add_cells(Row& row, const base::Vec3& force, const Directions& along, doubl
   }
 }
 
-void add_k_columns(Table& table, const base::UnitSystem& units) {
+bool shows_opening(const model::Model& model) {
+  return std::ranges::any_of(model.vces, [](const model::Vce& vce) { return vce.opening; });
+}
+
+void add_k_columns(Table& table, const model::Model& model) {
+  const base::UnitSystem& units = model.units;
   const std::string g_unit = units.force_name + "/" + units.length_name;
   table.columns.push_back({"tip", "", true});
   table.columns.push_back({"a", units.length_name, false});
@@ -65,11 +70,25 @@ void add_k_columns(Table& table, const base::UnitSystem& units) {
   table.columns.push_back({"G", g_unit, false});
   table.columns.push_back({"(K1^2+K2^2)/E'", g_unit, false});
   table.columns.push_back({"spread", "", false});
+  table.columns.push_back({"T", units.stress_name(), false});
+  for (const char* name : {"K1 by opening", "K2 by opening"}) {
+    if (shows_opening(model)) {
+      table.columns.push_back({name, units.stress_intensity_name(), false});
+    }
+  }
 }
 
-void add_k_cells(Row& row, const results::TipResult& tip) {
-  row.insert(row.end(), {tip.name, number(tip.a), number(tip.K1), number(tip.K2), number(tip.G),
-                         number(tip.G_from_K), small(tip.spread)});
+void add_k_cells(Row& row, const model::Model& model, const results::TipResult& tip) {
+  if (tip.two_materials) {
+    row.insert(row.end(), {tip.name, number(tip.a), "", "", number(tip.G), "", "", ""});
+  } else {
+    row.insert(row.end(),
+               {tip.name, number(tip.a), number(tip.K1), number(tip.K2), number(tip.G),
+                number(tip.G_from_K), small(tip.spread), tip.has_T ? number(tip.T) : ""});
+  }
+  for (std::size_t mode = 0; mode < 2 && shows_opening(model); ++mode) {
+    row.push_back(tip.K_opening ? number((*tip.K_opening)[mode]) : "");
+  }
 }
 
 /// The largest force and the largest pressure of an increment's contacts.
@@ -115,11 +134,11 @@ Row contact_row(const results::StepResult& step, const results::ContactResult& c
 
 Table k_table(const model::Model& model, const results::Increment& increment) {
   Table table{"Stress intensity factors", {{"step", "", true}}, {}};
-  add_k_columns(table, model.units);
+  add_k_columns(table, model);
   for (const results::StepResult& step : increment.steps) {
     for (const results::TipResult& tip : step.tips) {
       Row row{step.step};
-      add_k_cells(row, tip);
+      add_k_cells(row, model, tip);
       table.rows.push_back(std::move(row));
     }
   }
@@ -130,7 +149,7 @@ Table k_history_table(const model::Model& model, const results::Run& run, std::s
   Table table{fmt::format("Stress intensity factors at the end of step {}", step),
               {{"increment", "", false}},
               {}};
-  add_k_columns(table, model.units);
+  add_k_columns(table, model);
   for (const results::Increment& increment : run.increments) {
     const results::StepResult* const at = results::find_step(increment, step);
     if (at == nullptr) {
@@ -138,7 +157,7 @@ Table k_history_table(const model::Model& model, const results::Run& run, std::s
     }
     for (const results::TipResult& tip : at->tips) {
       Row row{fmt::format("{}", increment.number)};
-      add_k_cells(row, tip);
+      add_k_cells(row, model, tip);
       table.rows.push_back(std::move(row));
     }
   }

@@ -99,6 +99,13 @@ void write_vtu(const std::filesystem::path& file, const model::Model& /*model*/,
     }
     arrays.write(document, "element_");
   }
+  for (const results::TipResult& tip : step.tips) {
+    for (std::size_t k = 0; k < 2 && tip.no_bar.empty(); ++k) {
+      const std::vector<double>& eta = tip.bar[k].of_element; // where the error of K comes from
+      document.add(escape(fmt::format("eta_K{}_{}", k + 1, tip.name)), "Float32", 1,
+                   std::vector<float>(eta.begin(), eta.end()));
+    }
+  }
   document.line("      </CellData>");
   add_point_data(document, mesh, points, step);
   write_file(file, vtu_end(document));

@@ -2,10 +2,14 @@
 #pragma once
 #include "base/vec.hpp"
 #include "model/mesh.hpp"
+#include "results/k_bar.hpp"
 #include "results/load_path.hpp"
+#include "results/sensitivity.hpp"
 #include "results/stress_invariants.hpp"
+#include "results/tolerance_round.hpp"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,9 +25,17 @@ struct TipResult {
   double K2 = 0.0;
   double G = 0.0;        ///< energy release rate [force/length]
   double G_from_K = 0.0; ///< (K1^2 + K2^2) / E'
+  double T = 0.0;        ///< stress along the crack at the tip that K leaves [stress]
+  bool has_T = true;     ///< not where the faces bear on each other near the tip
   double spread = 0.0;   ///< (max - min of K1 over domains) / hypot(K1, K2)
+  std::optional<std::array<double, 2>> K_opening; ///< K1, K2 of the faces' opening, on request
   std::vector<double> K1_domain;
-  std::string doubt;                         ///< why this K is not an answer; empty: it is one
+  std::array<KBar, 2> bar;              ///< of K1 and K2, where `no_bar` is empty
+  std::string no_bar = "not estimated"; ///< why there is no error bar; empty: there is one
+  bool closed = false;                  ///< its crack's faces touch at the tip, so that K1 is 0
+  std::string doubt;                    ///< why this K is not an answer; empty: it is one
+  bool two_materials = false;           ///< on both sides of the crack: G only, K and T are 0
+  Sensitivities sensitivities;
   base::Vec3 x = base::Vec3::Zero();         ///< the tip, undeformed
   base::Vec3 direction = base::Vec3::Zero(); ///< unit, the way the crack grows; zero: unknown
 };
@@ -130,6 +142,7 @@ struct Increment {
   int number = 0;
   double a = 0.0; ///< of the first growing crack; 0 without cracks
   model::Mesh mesh;
+  std::size_t kept = 0;             ///< elements of the host, before those of patches
   std::vector<SurfaceFace> surface; ///< of solids; empty in the plane
   std::vector<StepResult> steps;
   std::vector<LoadPath> paths; ///< in deck order
@@ -161,6 +174,7 @@ struct Run {
   std::vector<LogLine> log;
   std::vector<CheckResult> checks;
   std::vector<std::string> warnings;
+  std::vector<ToleranceRound> rounds; ///< where $TIPNET has TOL; this run is the last
   double cpu = 0.0;
   double wall = 0.0;
   std::size_t peak_memory = 0; ///< [bytes]

@@ -70,7 +70,7 @@ private:
     preview.nets = preview_nets(model_, scene);
     preview.quality = preview_quality(model_, scene);
     preview.inside_out = mesh::bad_elements(scene.cracked.mesh).size();
-    preview.pairs = preview_pairs(model_, scene);
+    preview.pairs = preview_pairs(scene);
     preview.bodies = held_modes(model_, scene, bodies);
     refusals = unheld_loads(model_, scene, bodies);
   }

@@ -26,22 +26,45 @@ double tip_quantity(const std::string& quantity, Arguments& args, const results:
     throw Missing(two ? fmt::format("crack {0} has two tips: {0}.1 and {0}.2", tip)
                       : fmt::format("no tip {}", tip));
   }
-  if (!found->doubt.empty()) {
+  if (!found->doubt.empty() && !(found->two_materials && quantity == "G")) {
     throw Missing(found->doubt);
+  }
+  if (quantity.find('.') != std::string::npos) {
+    if (!found->no_bar.empty()) {
+      throw Missing("no error bar: " + found->no_bar);
+    }
+    const results::KBar& bar = found->bar[quantity.starts_with("K2") ? 1 : 0];
+    return quantity.ends_with(".BEST") ? bar.best : bar.size();
   }
   if (quantity == "K2") {
     return found->K2;
   }
+  if (quantity == "T") {
+    if (!found->has_T) {
+      throw Missing("T is not known where the faces of the crack meet");
+    }
+    return found->T;
+  }
   return quantity == "G" ? found->G : found->K1;
 }
 
-const results::ContactResult& contact_of(const results::StepResult& step,
-                                         const std::string& contact) {
-  const results::ContactResult* found = results::find_contact(step, contact);
-  if (found == nullptr) {
-    throw Missing(fmt::format("no contact {}", contact));
+// Faces of a crack that touch nowhere are no pair: they have no pressure and no closed part.
+results::ContactResult open_faces(const model::Model& model, const std::string& contact) {
+  for (const model::Crack& crack : model.cracks) {
+    if (contact == crack.name + ".FACES" && crack.faces_in_contact) {
+      results::ContactResult open;
+      open.name = contact;
+      open.sheared = open.rubs = crack.mu > 0.0;
+      return open;
+    }
   }
-  return *found;
+  throw Missing(fmt::format("no contact {}", contact));
+}
+
+results::ContactResult contact_of(const model::Model& model, const results::StepResult& step,
+                                  const std::string& contact) {
+  const results::ContactResult* found = results::find_contact(step, contact);
+  return found != nullptr ? *found : open_faces(model, contact);
 }
 
 // The value at a point that a quantity is about.
@@ -56,7 +79,7 @@ PointValue value_of(const std::string& quantity, bool consistent) {
 
 double extreme(const results::ContactResult& contact, PointValue value, bool largest) {
   if (contact.points.empty()) {
-    throw Missing("the contact has no surface");
+    return 0.0; // open_faces
   }
   double found = contact.points.front().*value;
   for (const results::ContactPoint& p : contact.points) {
@@ -157,7 +180,7 @@ double contact_quantity(const model::Model& model, const std::string& quantity, 
     component = axis == "Z" ? 2 : (axis == "Y" ? 1 : 0);
   }
   const Place at = find_place(run, step, args.number());
-  const results::ContactResult& contact = contact_of(*at.step, name);
+  const results::ContactResult contact = contact_of(model, *at.step, name);
   const auto card = std::find_if(model.contacts.begin(), model.contacts.end(),
                                  [&](const model::Contact& c) { return c.name == name; });
   const bool consistent =
@@ -230,11 +253,57 @@ double estimated_error(Arguments& args, const results::Run& run) {
   return found->part;
 }
 
+results::Cause cause_of(const std::string& quantity) {
+  if (quantity.ends_with(".LOAD")) {
+    return results::Cause::load;
+  }
+  if (quantity.ends_with(".FIT")) {
+    return results::Cause::fit;
+  }
+  return quantity.ends_with(".E") ? results::Cause::modulus : results::Cause::length;
+}
+
+// Value times derivative. At a change of contact there are two derivatives and no answer.
+double derivative(const std::string& quantity, Arguments& args, const results::Run& run) {
+  const results::Cause cause = cause_of(quantity);
+  const std::string tip = args.name("a crack");
+  const std::string step = args.name("a step");
+  const std::string name = cause == results::Cause::length ? tip : args.name("a name");
+  const results::TipResult* found =
+      results::find_tip(*find_place(run, step, args.number()).step, tip);
+  if (found == nullptr) {
+    throw Missing(fmt::format("no tip {}", tip));
+  }
+  if (!found->doubt.empty()) {
+    throw Missing(found->doubt);
+  }
+  const results::Sensitivities& all = found->sensitivities;
+  const auto it = std::ranges::find_if(
+      all.of, [&](const results::Sensitivity& s) { return s.cause == cause && s.name == name; });
+  if (it == all.of.end()) {
+    throw Missing(all.notes.empty() ? fmt::format("{} has no value in that step", name)
+                                    : all.notes.front());
+  }
+  const std::size_t k = quantity.starts_with("DK1") ? 0 : 1;
+  if (!it->below || !it->above) {
+    throw Missing("on one side of this state nothing holds a body");
+  }
+  if (!it->slope()) {
+    throw Missing(fmt::format("the contact changes at this very state: {:.7g} below, {:.7g} above",
+                              it->value * (*it->below)[k], it->value * (*it->above)[k]));
+  }
+  return it->value * (*it->slope())[k];
+}
+
 double evaluate(const model::Model& model, const model::Check& check, const results::Run& run) {
   Arguments args(check);
   const std::string& q = check.quantity;
-  if (q == "K" || q == "K1" || q == "K2" || q == "G") {
+  if (q == "K" || q == "K1" || q == "K2" || q == "G" || q == "T" || q.starts_with("K1.") ||
+      q.starts_with("K2.")) {
     return tip_quantity(q, args, run);
+  }
+  if (q.starts_with("DK1.") || q.starts_with("DK2.")) {
+    return derivative(q, args, run);
   }
   if (q.starts_with("PATH.")) {
     return path_quantity(q, args, run);

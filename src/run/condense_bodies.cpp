@@ -217,34 +217,50 @@ std::vector<BodyNet> condense_bodies(const CondenseRequest& request, Condensatio
   return bodies;
 }
 
-void recover_body(const BodyNet& body, const base::Vector& u_external,
-                  const base::Vector& case_factors, base::Vector& u) {
-  const base::Matrix f = body.region_load * case_factors;
-  const base::Matrix own = body.region.factor->recover(u_external, f);
+void recover_body(const BodyNet& body, const base::Matrix& u_external, const BodyLoad& load,
+                  double constant, base::Matrix& u) {
+  const base::Matrix own = body.region.factor->recover(u_external, load.region);
   for (std::size_t i = 0; i < body.region.map.freedom.size(); ++i) {
-    u[body.region.map.freedom[i]] = own(static_cast<Eigen::Index>(i), 0);
+    u.row(body.region.map.freedom[i]) = own.row(static_cast<Eigen::Index>(i));
   }
   // Dependent freedoms as prescribed ones and constants alone move them: the loads of a part have
   // this in them already (loads_with_supports).
-  const base::Vector given = body.parts.empty() ? base::Vector() : u;
+  const base::Matrix given = body.parts.empty() ? base::Matrix() : u;
   if (body.region.map.ties) {
-    body.region.map.ties->follow(u, case_factors.size() > 0 ? case_factors.tail(1)[0] : 0.0);
+    for (Eigen::Index k = 0; k < u.cols(); ++k) {
+      body.region.map.ties->follow(u.col(k), constant);
+    }
   }
   for (std::size_t p = 0; p < body.parts.size(); ++p) {
     const Net& part = *body.parts[p];
     const std::vector<std::int32_t>& freedom = part.map.freedom;
     const auto locals = static_cast<std::size_t>(part.map.locals);
-    base::Matrix rim(static_cast<Eigen::Index>(freedom.size() - locals), 1);
+    base::Matrix rim(static_cast<Eigen::Index>(freedom.size() - locals), u.cols());
     for (std::size_t i = locals; i < freedom.size(); ++i) {
-      const bool follows = body.region.map.ties && body.region.map.ties->row_of(freedom[i]);
-      rim(static_cast<Eigen::Index>(i - locals), 0) =
-          u[freedom[i]] - (follows ? given[freedom[i]] : 0.0);
+      const auto row = static_cast<Eigen::Index>(i - locals);
+      rim.row(row) = u.row(freedom[i]);
+      if (body.region.map.ties && body.region.map.ties->row_of(freedom[i]) != nullptr) {
+        rim.row(row) -= given.row(freedom[i]);
+      }
     }
-    const base::Matrix all = part.factor->recover(rim, body.part_load[p] * case_factors);
+    const base::Matrix all = part.factor->recover(rim, load.part[p]);
     for (std::size_t i = 0; i < locals; ++i) {
-      u[freedom[i]] = all(static_cast<Eigen::Index>(i), 0);
+      u.row(freedom[i]) = all.row(static_cast<Eigen::Index>(i));
     }
   }
+}
+
+void recover_body(const BodyNet& body, const base::Vector& u_external,
+                  const base::Vector& case_factors, base::Vector& u) {
+  BodyLoad load;
+  load.region = body.region_load * case_factors;
+  for (const base::Matrix& part : body.part_load) {
+    load.part.emplace_back(part * case_factors);
+  }
+  base::Matrix all = u;
+  recover_body(body, u_external, load, case_factors.size() > 0 ? case_factors.tail(1)[0] : 0.0,
+               all);
+  u = all.col(0);
 }
 
 } // namespace spricka::run

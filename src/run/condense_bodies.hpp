@@ -93,6 +93,11 @@ struct BodyLoad {
 /// is condensed by the same.
 BodyLoad condense_load(const BodyNet& body, const fe::Dependence& ties, const base::Matrix& nodal);
 
+/// Writes what a load moves in one body into u [dim * node, k]: from its external displacements
+/// [externals, k]. u holds the prescribed displacements; constants of ties count `constant` times.
+void recover_body(const BodyNet& body, const base::Matrix& u_external, const BodyLoad& load,
+                  double constant, base::Matrix& u);
+
 /// Writes the displacements of one body into a nodal vector that holds the prescribed ones: from
 /// its external displacements and the case factors.
 void recover_body(const BodyNet& body, const base::Vector& u_external,

@@ -116,13 +116,17 @@ constexpr std::array advice{
     ErrorCode{"W503",
               "Ties at points pass constant stress exactly only where every side of the fine "
               "mesh lies on one face of the coarse one."},
+    ErrorCode{"W506",
+              "The table of rounds in the listing says what was tried and how far K came. A looser "
+              "TOL, or a deck whose own mesh can be made finer where the errors are: exit code 5."},
     ErrorCode{"W504",
               "Refine near the elements named, or use quadratic elements: linear ones and few "
               "distorted ones are stiff in bending. Sharp inner corners, edges of contact and "
               "single forces have errors that refinement moves but does not end; if stresses "
               "there are not wanted, the estimate can be left at that."},
     ErrorCode{"W502",
-              "The faces of a crack overlap (K1 is negative), a finite SHIFT of $VCE is too "
+              "The faces of a crack overlap that FACES=FREE lets (K1 is negative), or are open at "
+              "a tip over less than its mesh resolves; a finite SHIFT of $VCE is too "
               "large, or a cheap test could not show that friction leaves one solution only: "
               "then see whether other SUBSTEPS change the answer. The listing says the same."},
 };

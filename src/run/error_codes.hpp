@@ -31,7 +31,7 @@ inline constexpr std::array later_codes{
     ErrorCode{"E414", "an $MPC with a node that a crack has cut out"},
     ErrorCode{"E415", "an $MPC whose slave nodes do not lie on the master faces"},
     ErrorCode{"E416", "$MPC cards that contradict each other or supports"},
-    ErrorCode{"E417", "a load on the faces of a crack"},
+    ErrorCode{"E417", "a total load on faces of a crack"},
     ErrorCode{"E418", "a force on a node that no element has, or that a crack cut out or added"},
     ErrorCode{"E419", "a support on a node that a crack has cut out"},
     ErrorCode{"E421", "a crack that does not start on the boundary"},
@@ -60,6 +60,7 @@ inline constexpr std::array later_codes{
     ErrorCode{"W503", "a TRANSITION between meshes that do not nest"},
     ErrorCode{"W504", "a mesh whose estimated error is large"},
     ErrorCode{"W505", "middle nodes at a tip that are neither quarter points nor middles"},
+    ErrorCode{"W506", "K that is not within the tolerance asked for"},
     ErrorCode{"W540", "a converted deck of which only the first step is written"},
 };
 

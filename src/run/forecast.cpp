@@ -2,6 +2,7 @@
 #include "run/forecast.hpp"
 
 #include "base/clock.hpp"
+#include "estimate/enrichment.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -142,7 +143,13 @@ void Forecast::add(const CondenseRequest& request, const std::vector<BodyNet>& b
       std::min(needs.passing.size(), static_cast<std::size_t>(std::max(1, threads_)));
   const double factorising = std::accumulate(
       needs.passing.begin(), needs.passing.begin() + static_cast<std::ptrdiff_t>(at_once), 0.0);
-  const double solving = contact_bytes + 12.0 * n;
+  // Error bars of K: element matrices of the modes, adjoints and what they are made of.
+  const auto tips = static_cast<double>(scene.cracked.tips.size());
+  const bool barred =
+      tips > 0.0 && estimate::not_enriched(request.model, scene.cracked.mesh).empty();
+  const double estimating =
+      barred ? estimate::enrichment_bytes(scene.cracked.mesh) + 8.0 * tips * n : 0.0;
+  const double solving = contact_bytes + 12.0 * n + estimating;
   kept_results_ += results_bytes(scene.cracked.mesh, model_.steps.size());
 
   length.condensed = needs.condensed;

@@ -6,7 +6,7 @@
 
 namespace spricka::run {
 
-FrictionHistory::FrictionHistory(const model::Model& model, const Scene& scene)
+FrictionHistory::FrictionHistory(const Scene& scene)
     : scene_(scene), normal_of_(scene.table.rows.size(), -1),
       contact_of_(scene.table.rows.size(), 0), touch_(scene.table.rows.size(), solve::Touch::stick),
       slip_(scene.table.rows.size(), 0.0), path_(scene.table.rows.size(), 0.0),
@@ -14,7 +14,7 @@ FrictionHistory::FrictionHistory(const model::Model& model, const Scene& scene)
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     const std::size_t first = scene.table.first[c];
     const std::size_t normals = scene.pairs[c].normal.size();
-    mu_.push_back(model.contacts[c].mu);
+    mu_.push_back(scene.contacts[c].mu);
     for (std::size_t r = first; r < scene.table.first[c + 1]; ++r) {
       contact_of_[r] = c;
       if (mu_[c] > 0.0 && r >= first + normals) {

@@ -20,7 +20,7 @@ struct PairFriction {
 
 class FrictionHistory {
 public:
-  FrictionHistory(const model::Model& model, const Scene& scene);
+  explicit FrictionHistory(const Scene& scene);
 
   /// Whether this row of the table is the slip of a pair with friction.
   [[nodiscard]] bool rubs(std::size_t row) const { return normal_of_[row] >= 0; }

@@ -4,13 +4,16 @@
 #include "contact/marked_arc.hpp"
 #include "contact/sharp_end.hpp"
 #include "crack/stress_intensity.hpp"
-#include "run/body_force.hpp"
+#include "run/lip_contact.hpp"
 #include "run/lip_overlap.hpp"
+#include "run/tip_loads.hpp"
 #include "run/tip_name.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -27,23 +30,93 @@ const model::Vce* vce_of(const model::Model& model, base::CrackId crack) {
   return nullptr;
 }
 
-// Faces that overlap by less, over their largest displacement, do so by round-off; by more than the
-// second, K is no answer any more.
-constexpr double overlap_of_round_off = 1e-6;
-constexpr double overlap_that_counts = 1e-3;
+// Fewer open nodes than these between the tip and the closed part of the faces: two elements.
+constexpr int least_open_nodes = 4;
+// K1 of the rings at a closed tip should be what the mesh cannot tell from 0, over that of k_scale.
+constexpr double worst_closed_K1 = 0.05;
 
-// A tip may be open and its K wrong all the same: faces that overlap elsewhere do not bear on each
-// other there, which closing would make them do (benchmark F11: K 9 % low at the open tip).
-void doubt_overlap(const model::Crack& crack, double part, results::TipResult& result,
-                   results::StepResult& out) {
-  const std::string what =
-      fmt::format("the crack faces overlap over a part of the crack, by {:.1e} of their largest "
-                  "displacement; contact between crack faces is not available in this version",
-                  part);
-  if (crack.faces_in_contact && part > overlap_that_counts) {
-    result.doubt = what + ", so this K is not an answer";
+// Faces that do not overlap have no negative K1; where one is found it is 0 but for so much.
+constexpr double small_K1 = 1e-3;
+
+// FACES=FREE: what overlaps is told, and K1 < 0 is no answer even so.
+void tell_overlap(const Scene& scene, const mesh::Tip& tip, const StepState& state,
+                  results::TipResult& result, results::StepResult& out) {
+  if (result.K1 < 0.0 && std::abs(result.K1) > 1e-9 * std::abs(result.K2)) {
+    result.doubt = "K1 is negative: the crack faces overlap, which FACES=FREE lets them, so this K "
+                   "is not an answer";
+    out.notes.push_back(fmt::format("warning: {}: {}", result.name, result.doubt));
+  } else if (const double part = lone_overlap(scene.cracked, tip.crack.index(), state.u);
+             part > overlap_of_round_off) {
+    out.notes.push_back(
+        fmt::format("warning: {}: the crack faces overlap over a part of the crack, "
+                    "by {:.1e} of their largest displacement, which FACES=FREE "
+                    "lets them",
+                    result.name, part));
   }
-  out.notes.push_back(fmt::format("warning: {}: {}", result.name, what));
+}
+
+// Less than an element that overlaps is no contact (lip_overlap).
+void tell_lone_overlap(const Scene& scene, const mesh::Tip& tip, const StepState& state,
+                       const results::TipResult& result, results::StepResult& out) {
+  const double part = lone_overlap(scene.cracked, tip.crack.index(), state.u);
+  if (part > overlap_of_round_off) {
+    out.notes.push_back(fmt::format(
+        "warning: {}: the crack faces overlap at single nodes, by {:.1e} of their largest "
+        "displacement: less than the mesh resolves, and left open",
+        result.name, part));
+  }
+}
+
+// Where the faces touch at the tip they do not part there: K1 is 0, and so is K2 where they have
+// not slipped either. What the rings find instead is the error of the mesh.
+void close_tip(const TipFaces& faces, double scale, results::TipResult& result,
+               results::StepResult& out) {
+  const double K1 = result.K1;
+  if (faces.closed) {
+    result.closed = true;
+    result.K1 = 0.0;
+    const double all = K1 * K1 + result.K2 * result.K2;
+    result.K2 = faces.held ? 0.0 : result.K2;
+    result.G = faces.held ? 0.0 : result.G;
+    result.G_from_K *= all > 0.0 ? result.K2 * result.K2 / all : 0.0;
+    if (std::abs(K1) > worst_closed_K1 * scale) {
+      out.notes.push_back(
+          fmt::format("warning: {}: the crack faces touch at the tip, but the rings "
+                      "find K1 = {:.3g}: the mesh there is too coarse",
+                      result.name, K1));
+    }
+    out.notes.push_back(
+        fmt::format("{}: the crack faces touch at the tip{}", result.name,
+                    faces.held ? " and have not slipped: K1 = K2 = 0" : ": K1 = 0"));
+  } else if (faces.open_nodes > 0 && faces.open_nodes < least_open_nodes) {
+    out.notes.push_back(fmt::format("warning: {}: the crack faces are open at the tip over less "
+                                    "than two elements; K is that of the mesh",
+                                    result.name));
+  }
+  if (!faces.closed && K1 < 0.0 && std::abs(K1) <= small_K1 * scale) {
+    result.K1 = 0.0;
+  } else if (!faces.closed && K1 < 0.0) {
+    result.doubt = "K1 is negative though the crack faces do not overlap: the mesh at the tip is "
+                   "too coarse, so this K is not an answer";
+    out.notes.push_back(fmt::format("warning: {}: {}", result.name, result.doubt));
+  }
+}
+
+// Whether K is nothing but the round-off of displacements that a crack is carried along with.
+bool is_round_off(const crack::StressIntensity& K, const mesh::Tip& tip, const base::Vector& u) {
+  const double scale = K.E_effective * u.cwiseAbs().maxCoeff() / std::sqrt(tip.a);
+  return std::hypot(K.K1, K.K2) <= 1e-9 * scale;
+}
+
+// K of the size that pressure between the faces, or their largest displacement against each other,
+// has at a crack of this length under uniform stress; no less than what round-off makes of it.
+double k_scale(const Scene& scene, const mesh::Tip& tip, const StepState& state,
+               const TipFaces& faces, const crack::StressIntensity& K) {
+  const double pressed = faces.pressure * std::sqrt(std::numbers::pi * tip.a);
+  const double jump = lip_jump(scene.cracked, tip.crack.index(), state.u);
+  const double open = 0.25 * K.E_effective * jump * std::sqrt(std::numbers::pi / tip.a);
+  const double least = 1e-6 * K.E_effective * state.u.lpNorm<Eigen::Infinity>() / std::sqrt(tip.a);
+  return std::max({pressed, open, least});
 }
 
 void gather_tips(const model::Model& model, const Scene& scene, const StepState& state,
@@ -55,10 +128,13 @@ void gather_tips(const model::Model& model, const Scene& scene, const StepState&
     request.state = crack.state;
     if (const model::Vce* vce = vce_of(model, tip.crack)) {
       request.shift = vce->shift;
+      request.opening = vce->opening;
     }
+    const std::optional<crack::LipForces> lips = lip_forces(scene, tip, state);
+    request.lips = lips ? &*lips : nullptr;
     const crack::StressIntensity K =
         crack::stress_intensity(model, scene.cracked, tip, scene.tips[t].fields, request, state.u,
-                                body_force(model, scene, scene.tips[t].fields, state.case_factor));
+                                tip_loads(model, scene, scene.tips[t].fields, state.case_factor));
     results::TipResult result;
     result.name = tip_name(model, scene.cracked, tip);
     result.a = tip.a;
@@ -69,28 +145,32 @@ void gather_tips(const model::Model& model, const Scene& scene, const StepState&
     result.G = K.G;
     result.G_from_K = K.G_from_K;
     result.spread = K.spread;
+    result.has_T = !K.two_materials;
+    result.T = result.has_T ? K.T : 0.0;
+    result.K_opening = K.opening;
     for (const crack::DomainValue& d : K.domains) {
       result.K1_domain.push_back(d.K1);
     }
-    if (body_force_varies(model, scene, scene.tips[t].fields, state.case_factor)) {
-      out.notes.push_back(
-          fmt::format("warning: {}: a body force varies near the tip; K takes it as "
-                      "if it moved along with the crack",
-                      result.name));
-    }
-    if (K.shift_error && std::abs(*K.shift_error) > 1e-4) {
+    if (K.shift_error && std::abs(*K.shift_error) > 2e-5) {
       out.notes.push_back(fmt::format(
           "warning: {}: G by the finite shift is {:+.2g} of the analytic one off; the shift is too "
           "large or lost in round-off",
           result.name, *K.shift_error));
     }
-    if (K.K1 < 0.0 && std::abs(K.K1) > 1e-9 * std::abs(K.K2)) {
-      result.doubt = "K1 is negative: the crack faces overlap; contact between crack faces is not "
-                     "available in this version, so this K is not an answer";
+    result.two_materials = K.two_materials;
+    const TipFaces faces = tip_faces(scene, tip, state);
+    if (K.two_materials) {
+      result.doubt =
+          "the tip lies between two materials, where stresses oscillate: it has no K1 and "
+          "K2, only G";
       out.notes.push_back(fmt::format("warning: {}: {}", result.name, result.doubt));
-    } else if (const double part = lip_overlap(scene.cracked, tip.crack.index(), state.u);
-               part > overlap_of_round_off) {
-      doubt_overlap(crack, part, result, out);
+    } else if (crack.faces_in_contact) {
+      close_tip(faces, k_scale(scene, tip, state, faces, K), result, out);
+    } else if (!is_round_off(K, tip, state.u)) {
+      tell_overlap(scene, tip, state, result, out);
+    }
+    if (crack.faces_in_contact && !scene.lip_pairs[tip.crack.index()]) {
+      tell_lone_overlap(scene, tip, state, result, out);
     }
     out.tips.push_back(std::move(result));
   }
@@ -165,14 +245,31 @@ std::string unbounded_note(const results::ContactResult& contact) {
                      contact.name, fmt::join(places, ", "));
 }
 
-void gather_contacts(const model::Model& model, const Scene& scene, const StepState& state,
-                     results::StepResult& out) {
+// The only face of a half model runs with its body on the left, which may be from the tip on: its
+// places count from the mouth.
+void count_from_mouth(const Scene& scene, std::size_t pair, results::ContactResult& result) {
+  for (std::size_t i = 0; i < scene.lip_pairs.size(); ++i) {
+    if (scene.lip_pairs[i] && scene.lip_pairs[i]->pair == pair &&
+        scene.cracked.lips[i].left.empty() && !result.points.empty()) {
+      const double length = result.points.back().arc;
+      std::ranges::reverse(result.points);
+      for (results::ContactPoint& point : result.points) {
+        point.arc = length - point.arc;
+      }
+      if (result.closed > 0) {
+        result.arc_from = length - std::exchange(result.arc_to, length - result.arc_from);
+      }
+    }
+  }
+}
+
+void gather_contacts(const Scene& scene, const StepState& state, results::StepResult& out) {
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     const contact::PairRows& pair = scene.pairs[c];
     const contact::PairPressure p = contact::recover_pressure(
         pair, state.pair_lambda[c], state.pair_gap[c], state.pair_closed[c]);
     results::ContactResult result;
-    result.name = model.contacts[c].name;
+    result.name = scene.contacts[c].name;
     result.mounted = state.mounted[c];
     result.force_on_slave = p.force_on_slave;
     result.mean_pressure = p.mean_pressure;
@@ -205,6 +302,7 @@ void gather_contacts(const model::Model& model, const Scene& scene, const StepSt
       gather_friction(scene, state, c, p, result);
       out.friction_work += result.friction_work;
     }
+    count_from_mouth(scene, c, result);
     result.unbounded = pressed_edges(pair, p.nodes);
     if (!result.unbounded.empty()) {
       out.notes.push_back(unbounded_note(result));
@@ -311,7 +409,7 @@ results::StepResult gather_step(const model::Model& model, const Scene& scene,
   out.pivots = state.pivots;
   out.notes = state.notes;
   gather_tips(model, scene, state, out);
-  gather_contacts(model, scene, state, out);
+  gather_contacts(scene, state, out);
   gather_bodies(model, scene, bodies, state, out);
   gather_nets(model, scene, state, out);
   gather_targets(model, out, out.targets);

@@ -156,21 +156,21 @@ std::vector<Refusal> unheld_loads(const model::Model& model, const Scene& scene,
   const AllModes modes(scene, bodies);
   const base::Matrix pull = loads_with_supports(model, scene);
   std::vector<Refusal> refusals;
-  StepFactors factors = first_factors(model, scene.case_load.cols());
+  StepFactors factors = first_factors(model, scene.case_load.cols(), scene.contacts.size());
   for (const model::Step& step : model.steps) {
     apply_actions(step, factors);
     std::vector<std::size_t> rows;
     std::vector<bool> equality;
     std::vector<solve::FrictionRow> friction;
-    for (std::size_t c = 0; c < model.contacts.size(); ++c) {
+    for (std::size_t c = 0; c < scene.contacts.size(); ++c) {
       for (std::size_t r = scene.table.first[c]; factors.mounted[c] && r < scene.table.first[c + 1];
            ++r) {
         rows.push_back(r);
-        equality.push_back(model.contacts[c].type == model::ContactType::bonded);
+        equality.push_back(scene.contacts[c].type == model::ContactType::bonded);
         if (scene.table.rows[r]->tangential && !equality.back()) {
           const int at = static_cast<int>(rows.size()) - 1;
           friction.push_back(
-              {at - static_cast<int>(scene.pairs[c].normal.size()), at, model.contacts[c].mu});
+              {at - static_cast<int>(scene.pairs[c].normal.size()), at, scene.contacts[c].mu});
         }
       }
     }

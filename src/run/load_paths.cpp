@@ -2,8 +2,8 @@
 #include "run/load_paths.hpp"
 
 #include "crack/stress_intensity.hpp"
-#include "run/body_force.hpp"
 #include "run/closed_run.hpp"
+#include "run/tip_loads.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +18,8 @@ namespace {
 
 // K on the path and K of the steps come from the same numbers by different ways.
 constexpr double worst_mismatch = 1e-6;
+// Functionals that are condensed at a time.
+constexpr Eigen::Index most_columns = 64;
 
 crack::StressIntensity intensity(const model::Model& model, const Scene& scene, std::size_t t,
                                  const base::Vector& u, const base::Vector& case_factor) {
@@ -25,7 +27,7 @@ crack::StressIntensity intensity(const model::Model& model, const Scene& scene, 
   crack::VceRequest request; // without SHIFT: linear in u
   request.state = model.cracks[tip.crack.index()].state;
   return crack::stress_intensity(model, scene.cracked, tip, scene.tips[t].fields, request, u,
-                                 body_force(model, scene, scene.tips[t].fields, case_factor));
+                                 tip_loads(model, scene, scene.tips[t].fields, case_factor));
 }
 
 bool shifted(const model::Model& model, base::CrackId crack) {
@@ -75,7 +77,7 @@ std::string why_stopped(const solve::SolutionPath& found, const StepSolver& solv
 
 LoadPaths::LoadPaths(const model::Model& model, const Scene& scene,
                      const std::vector<BodyNet>& bodies)
-    : model_(model), scene_(scene), bodies_(bodies) {}
+    : model_(model), scene_(scene), bodies_(bodies), watches_(watch_faces(model, scene)) {}
 
 void LoadPaths::keep(std::size_t step, const StepSolver& solver,
                      const results::StepResult& result) {
@@ -95,48 +97,48 @@ void LoadPaths::keep(std::size_t step, const StepSolver& solver,
 }
 
 LoadPaths::Functionals LoadPaths::functionals(const StepSolver& solver) const {
-  const auto count = 2 * static_cast<Eigen::Index>(scene_.cracked.tips.size());
+  const Eigen::Index count = functional_count();
   Functionals out;
   if (solver.system() == nullptr || count == 0) {
     return out;
   }
   const contact::ContactSystem& system = *solver.system();
-  base::Matrix nodal = base::Matrix::Zero(
-      static_cast<Eigen::Index>(scene_.cracked.mesh.node_count()) * scene_.cracked.mesh.dim, count);
-  for (std::size_t t = 0; t < scene_.cracked.tips.size(); ++t) {
-    const mesh::Tip& tip = scene_.cracked.tips[t];
-    nodal.middleCols(2 * static_cast<Eigen::Index>(t), 2) = crack::intensity_rows(
-        model_, scene_.cracked, tip, scene_.tips[t].fields, model_.cracks[tip.crack.index()].state);
-  }
-  scene_.ties->reduce(nodal);
-  std::vector<base::Matrix> external;
-  std::vector<base::Matrix> moved;
   Eigen::Index modes = 0;
   for (const std::size_t b : solver.condensed()) {
-    external.push_back(condense_load(bodies_[b], *scene_.ties, nodal).external);
-    moved.push_back(bodies_[b].condensed->displacement(external.back()));
     modes += bodies_[b].condensed->modes().cols();
   }
   const auto rows = static_cast<Eigen::Index>(scene_.table.rows.size());
   out.of_row.resize(count, rows);
   out.of_mode.resize(count, modes);
-  for (Eigen::Index k = 0; k < count; ++k) {
-    std::vector<base::Vector> u;
-    for (std::size_t i = 0; i < moved.size(); ++i) {
-      u.emplace_back(moved[i].col(k));
-      const base::Matrix& Q = bodies_[solver.condensed()[i]].condensed->modes();
-      out.of_mode.row(k).segment(system.first_mode(i), Q.cols()) =
-          external[i].col(k).transpose() * Q;
+  for (Eigen::Index first = 0; first < count;) {
+    base::Matrix nodal = functional_columns(first, most_columns);
+    scene_.ties->reduce(nodal);
+    std::vector<base::Matrix> external;
+    std::vector<base::Matrix> moved;
+    for (const std::size_t b : solver.condensed()) {
+      external.push_back(condense_load(bodies_[b], *scene_.ties, nodal).external);
+      moved.push_back(bodies_[b].condensed->displacement(external.back()));
     }
-    for (Eigen::Index r = 0; r < rows; ++r) {
-      out.of_row(k, r) = system.opening(static_cast<std::size_t>(r), u);
+    for (Eigen::Index k = 0; k < nodal.cols(); ++k) {
+      std::vector<base::Vector> u;
+      for (std::size_t i = 0; i < moved.size(); ++i) {
+        u.emplace_back(moved[i].col(k));
+        const base::Matrix& Q = bodies_[solver.condensed()[i]].condensed->modes();
+        out.of_mode.row(first + k).segment(system.first_mode(i), Q.cols()) =
+            external[i].col(k).transpose() * Q;
+      }
+      for (Eigen::Index r = 0; r < rows; ++r) {
+        out.of_row(first + k, r) = system.opening(static_cast<std::size_t>(r), u);
+      }
     }
+    first += nodal.cols();
   }
+  add_lip_forces(out.of_row);
   return out;
 }
 
-// K of the bodies alone, without contact forces and rigid motions.
-base::Vector LoadPaths::free_intensities(const base::Vector& case_factor) const {
+// K and faces of the bodies alone, without contact forces and rigid motions.
+base::Vector LoadPaths::free_values(const base::Vector& case_factor) const {
   base::Vector u = scene_.case_displacement * case_factor;
   for (const BodyNet& body : bodies_) {
     base::Vector external;
@@ -145,19 +147,20 @@ base::Vector LoadPaths::free_intensities(const base::Vector& case_factor) const 
     }
     recover_body(body, external, case_factor, u);
   }
-  base::Vector K(2 * static_cast<Eigen::Index>(scene_.cracked.tips.size()));
+  base::Vector values(functional_count());
   for (std::size_t t = 0; t < scene_.cracked.tips.size(); ++t) {
     const crack::StressIntensity found = intensity(model_, scene_, t, u, case_factor);
-    K.segment<2>(2 * static_cast<Eigen::Index>(t)) = base::Vec2(found.K1, found.K2);
+    values.segment<2>(2 * static_cast<Eigen::Index>(t)) = base::Vec2(found.K1, found.K2);
   }
-  return K;
+  values.tail(2 * static_cast<Eigen::Index>(watches_.size())) = watched(u);
+  return values;
 }
 
 solve::ParametricProblem LoadPaths::problem(const End& from, const End& to,
                                             const StepSolver& solver) const {
   solve::ParametricProblem p;
-  p.f0 = free_intensities(from.case_factor);
-  p.df = free_intensities(to.case_factor) - p.f0;
+  p.f0 = free_values(from.case_factor);
+  p.df = free_values(to.case_factor) - p.f0;
   if (solver.system() == nullptr) {
     p.at_zero.W.resize(0, 0);
     p.at_zero.B.resize(0, 0);
@@ -207,11 +210,14 @@ void LoadPaths::tips(const solve::SolutionPath& found, const End& from, const En
     tip.K1 = functional(found, k);
     tip.K2 = functional(found, k + 1);
     size = std::max({size, std::abs(tip.K1.lowest()), std::abs(tip.K1.highest())});
+    if (close_tip(t, from, found, tip.K1)) {
+      path.notes.push_back(fmt::format(
+          "{}: the crack faces touch at the tip on a part of the path: K1 = 0 there", tip.name));
+    }
     if (tip.K1.lowest() < -1e-9 * tip.K1.highest()) {
       path.notes.push_back(
-          fmt::format("warning: {}: K1 is negative on a part of the path: the crack faces overlap; "
-                      "contact between crack faces is not available in this version, so there this "
-                      "K is not an answer",
+          fmt::format("warning: {}: K1 is negative on a part of the path: there this K is not an "
+                      "answer (the crack faces overlap, or the mesh at the tip is too coarse)",
                       tip.name));
     }
     for (const End* end : {&from, &to}) {
@@ -230,7 +236,9 @@ void LoadPaths::tips(const solve::SolutionPath& found, const End& from, const En
       for (const auto& [at, end] : {std::pair(0.0, &from), std::pair(1.0, &to)}) {
         if (found.end >= at) {
           const results::TipResult& own = end->result.tips[t];
-          apart = std::max({apart, std::abs(tip.K1(at) - own.K1), std::abs(tip.K2(at) - own.K2)});
+          // what is below 0 has been told already
+          const double K1 = own.K1 == 0.0 ? std::max(0.0, tip.K1(at)) : tip.K1(at);
+          apart = std::max({apart, std::abs(K1 - own.K1), std::abs(tip.K2(at) - own.K2)});
           size = std::max(size, std::abs(own.K1));
         }
       }
@@ -260,7 +268,7 @@ void LoadPaths::contacts(const solve::SolutionPath& found, const End& end,
       continue; // not mounted
     }
     results::PathContact contact;
-    contact.name = model_.contacts[c].name;
+    contact.name = scene_.contacts[c].name;
     contact.round = pair.contact.circle.has_value();
     contact.rows = static_cast<int>(normal);
     std::unordered_map<std::int32_t, double> place_of;
@@ -345,6 +353,7 @@ results::LoadPath LoadPaths::path(const model::LoadPath& card, const StepSolver&
   }
   out.t = knots_of(found);
   out.homogeneous = homogeneous(from, to, solver);
+  look_at_faces(found);
   tips(found, from, to, out);
   contacts(found, from, out);
   return out;

@@ -6,6 +6,7 @@
 #include "run/check_quantities.hpp"
 #include "run/estimate.hpp"
 #include "run/solve_run.hpp"
+#include "run/tolerance.hpp"
 
 #include <algorithm>
 #include <system_error>
@@ -133,6 +134,7 @@ RunOutcome refused(const base::Sources& sources, const base::Diagnostics& list, 
 ReadyDeck read_ready(const std::filesystem::path& deck, const deck::ReadOptions& options,
                      const Log& log) {
   ReadyDeck ready;
+  ready.options = options;
   std::optional<model::Model> model =
       deck::read_deck(deck, options, ready.sources, ready.diagnostics);
   if (model) {
@@ -163,38 +165,110 @@ int thread_count(const RunOptions& options, const model::Model& model) {
   return wanted > 0 ? wanted : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
+namespace {
+
+// A deck that has been read before, with its meshes finer: nothing new to tell of it.
+ReadyDeck read_silently(const std::filesystem::path& deck, const deck::ReadOptions& options) {
+  ReadyDeck ready;
+  ready.options = options;
+  std::optional<model::Model> model =
+      deck::read_deck(deck, options, ready.sources, ready.diagnostics);
+  if (!model || ready.diagnostics.has_errors()) {
+    ready.refusal.error = first_error(ready.sources, ready.diagnostics);
+  } else {
+    ready.model = std::move(model);
+  }
+  return ready;
+}
+
+struct Solved {
+  std::optional<results::Run> run;
+  std::optional<Refusal> refusal;
+  std::optional<ReadyDeck> finer; ///< what was solved, where it is not the deck as given
+  std::string why_not;            ///< why K is not within its tolerance
+};
+
+// Once, or as often as K needs to come within its tolerance.
+Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, base::Diagnostics& diagnostics,
+                  const Log& log) {
+  SolveOptions solve;
+  solve.threads = thread_count(options, *deck.model);
+  solve.progress = log.progress(options.quiet);
+  Solved out;
+  bool first = true;
+  const auto once = [&](const model::Model& model, std::string& why) {
+    base::Diagnostics own;
+    std::optional<Refusal> refusal;
+    std::optional<results::Run> run = solve_run(model, solve, own, refusal);
+    if (run || first) {
+      diagnostics = std::move(own);
+      out.refusal = refusal;
+    } else {
+      why = refusal ? refusal->why : first_error(deck.sources, own);
+    }
+    first = false;
+    return run;
+  };
+  if (!wants_tolerance(*deck.model)) {
+    std::string why;
+    out.run = once(*deck.model, why);
+    return out;
+  }
+  const auto read_finer = [&](const std::map<std::string, deck::Refinement>& refine) {
+    deck::ReadOptions finer = deck.options;
+    finer.refine = refine;
+    return read_silently(options.deck, finer);
+  };
+  ToleratedRun found = solve_to_tolerance(deck, read_finer, once);
+  out.run = std::move(found.run);
+  out.finer = std::move(found.deck);
+  out.why_not = std::move(found.why_not);
+  return out;
+}
+
+void tell_rounds(const Solved& solved, results::Run& run, const Log& log) {
+  if (solved.why_not.empty()) {
+    return;
+  }
+  run.warnings.push_back(fmt::format("K is not within its tolerance: {}", solved.why_not));
+  log.message(base::Severity::warning, "W506", run.warnings.back());
+}
+
+} // namespace
+
 RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, RunFolder& folder,
                            const Log& log) {
   const double cpu_before = base::cpu_seconds();
-  const model::Model& model = *deck.model;
   base::Diagnostics diagnostics;
-  std::optional<Refusal> refusal;
-  SolveOptions solve;
-  solve.threads = thread_count(options, model);
-  solve.progress = log.progress(options.quiet);
-  std::optional<results::Run> run = solve_run(model, solve, diagnostics, refusal);
-  if (refusal) {
-    diagnostics.error(refusal->span,
-                      refusal->exit_code == exit_code::not_converged ? "E520" : "E510",
-                      refusal->why);
+  Solved solved = solve_deck(options, deck, diagnostics, log);
+  if (solved.refusal) {
+    diagnostics.error(solved.refusal->span,
+                      solved.refusal->exit_code == exit_code::not_converged ? "E520" : "E510",
+                      solved.refusal->why);
   }
-  if (!run) {
-    return refused(deck.sources, diagnostics, refusal ? refusal->exit_code : exit_code::deck_error,
-                   log);
+  if (!solved.run) {
+    return refused(deck.sources, diagnostics,
+                   solved.refusal ? solved.refusal->exit_code : exit_code::deck_error, log);
   }
+  const ReadyDeck& used = solved.finer ? *solved.finer : deck;
+  results::Run& run = *solved.run;
   log.diagnostics(deck.sources, diagnostics);
-  collect_warnings(deck.diagnostics, *run, log);
-  collect_path_warnings(*run, log);
-  run->checks = evaluate_checks(model, *run);
-  run->cpu += cpu_before;
-  folder.write(deck.sources, model, *run);
-  const int failed = report_checks(*run, log);
+  collect_warnings(deck.diagnostics, run, log);
+  collect_path_warnings(run, log);
+  tell_rounds(solved, run, log);
+  run.checks = evaluate_checks(*used.model, run);
+  run.cpu += cpu_before;
+  folder.write(deck.sources, *used.model, run);
+  const int failed = report_checks(run, log);
   RunOutcome outcome;
   if (failed > 0) {
     outcome.exit_code = exit_code::check_failed;
-    outcome.error = fmt::format("{} of {} checks failed", failed, run->checks.size());
+    outcome.error = fmt::format("{} of {} checks failed", failed, run.checks.size());
+  } else if (!solved.why_not.empty()) {
+    outcome.exit_code = exit_code::not_converged;
+    outcome.error = run.warnings.back();
   }
-  outcome.run = std::move(run);
+  outcome.run = std::move(solved.run);
   return outcome;
 }
 
@@ -203,8 +277,12 @@ void print_summary(const model::Model& model, const results::Run& run,
   for (const results::Increment& increment : run.increments) {
     for (const results::StepResult& step : increment.steps) {
       for (const results::TipResult& tip : step.tips) {
-        fmt::print("{:<12} {:<8} a = {:<10.6g} K1 = {:<12.7g} K2 = {:<12.7g} {}\n", step.step,
-                   tip.name, tip.a, tip.K1, tip.K2, model.units.stress_intensity_name());
+        const auto bar = [&](std::size_t k) {
+          return tip.no_bar.empty() ? fmt::format(" +- {:<8.2g}", tip.bar[k].size()) : "";
+        };
+        fmt::print("{:<12} {:<8} a = {:<10.6g} K1 = {:<12.7g}{} K2 = {:<12.7g}{} {}\n", step.step,
+                   tip.name, tip.a, tip.K1, bar(0), tip.K2, bar(1),
+                   model.units.stress_intensity_name());
       }
     }
   }

@@ -25,6 +25,7 @@ struct RunOutcome {
 struct ReadyDeck {
   base::Sources sources;
   base::Diagnostics diagnostics; ///< of reading
+  deck::ReadOptions options;     ///< as it was read
   std::optional<model::Model> model;
   RunOutcome refusal; ///< without a model
 };

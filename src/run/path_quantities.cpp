@@ -37,8 +37,8 @@ const results::PathTip& tip_of(const results::LoadPath& path, const std::string&
 // K1 < 0 is no answer, as at the end of a step.
 void refuse_closed(double K1, double K2) {
   if (K1 < 0.0 && std::abs(K1) > 1e-9 * std::abs(K2)) {
-    throw Missing("K1 is negative there: the crack faces overlap; contact between crack faces is "
-                  "not available in this version");
+    throw Missing("K1 is negative there: the crack faces overlap, or the mesh at the tip is too "
+                  "coarse");
   }
 }
 

@@ -119,11 +119,11 @@ std::vector<results::QualityPreview> preview_quality(const model::Model& model,
   return list;
 }
 
-std::vector<results::PairPreview> preview_pairs(const model::Model& model, const Scene& scene) {
+std::vector<results::PairPreview> preview_pairs(const Scene& scene) {
   std::vector<results::PairPreview> list;
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     const contact::PairRows& pair = scene.pairs[c];
-    const model::Contact& card = model.contacts[c];
+    const model::Contact& card = scene.contacts[c];
     const contact::Survey own = pair.rigid ? contact::survey(pair.contact, *pair.rigid)
                                            : contact::survey(pair.contact, pair.target);
     const contact::Survey other =

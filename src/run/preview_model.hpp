@@ -16,7 +16,7 @@ std::vector<results::NetPreview> preview_nets(const model::Model& model, const S
 std::vector<results::QualityPreview> preview_quality(const model::Model& model, const Scene& scene);
 
 /// What the surfaces of each pair see of each other.
-std::vector<results::PairPreview> preview_pairs(const model::Model& model, const Scene& scene);
+std::vector<results::PairPreview> preview_pairs(const Scene& scene);
 
 /// Mesh, tips and patches of one length; forecasts stay empty.
 results::LengthPreview preview_length(const model::Model& model, const Scene& scene);

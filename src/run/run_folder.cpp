@@ -4,6 +4,7 @@
 #include "base/clock.hpp"
 #include "report/load_paths.hpp"
 #include "report/report.hpp"
+#include "report/sensitivity.hpp"
 
 #include <fstream>
 #include <system_error>
@@ -92,6 +93,7 @@ RunFolder::~RunFolder() {
 void RunFolder::write(const base::Sources& sources, const model::Model& model, results::Run& run) {
   const base::Stopwatch watch;
   report::write_k_csv(part_ / "k.csv", model, run);
+  report::write_sensitivity_csv(part_ / "sensitivity.csv", model, run);
   report::write_pressure_csv(part_ / "pressure.csv", model, run);
   report::write_load_path_csv(part_ / "load_path.csv", model, run);
   write_pictures(part_, model, run);

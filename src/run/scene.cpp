@@ -7,7 +7,7 @@
 #include "growth/crack_lines.hpp"
 #include "run/scene_nodes.hpp"
 #include "run/scene_ties.hpp"
-#include "shape/topology.hpp"
+#include "run/tip_loads.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -84,45 +84,11 @@ void release_lips(const Scene& scene, const std::vector<mesh::CrackLine>& lines,
   }
 }
 
-// Pressure on the faces of a crack opens it, but K has no term for it yet. Only on a symmetry line
-// can a set of the deck hold such faces.
-bool lips_are_free(const model::Model& model, const Scene& scene,
-                   const std::vector<mesh::CrackLine>& lines, base::Diagnostics& diagnostics) {
-  const model::Mesh& mesh = scene.cracked.mesh;
-  std::vector<std::size_t> lip_of(mesh.node_count(), lines.size());
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    for (const auto* lip : {&scene.cracked.lips[i].left, &scene.cracked.lips[i].right}) {
-      for (const base::NodeId n : *lip) {
-        lip_of[n.index()] = i;
-      }
-    }
-  }
-  bool good = true;
-  for (const model::LoadCase& load_case : model.cases) {
-    for (const model::Load& load : load_case.loads) {
-      const auto on_lip = [&](const model::Face& face) {
-        const auto nodes = mesh.nodes_of(face.element);
-        const auto side = shape::side_nodes(mesh.type[face.element.index()], face.side);
-        return std::ranges::all_of(side, [&](int k) {
-          return lip_of[nodes[static_cast<std::size_t>(k)].index()] < lines.size();
-        });
-      };
-      if (load.faces.valid() && std::ranges::any_of(mesh.set(load.faces).faces, on_lip)) {
-        diagnostics.error(load.span, "E417",
-                          fmt::format("load case {} acts on the faces of a crack: K does not take "
-                                      "account of that in this version",
-                                      load_case.name),
-                          "leave the crack's part of the symmetry line out of the set");
-        good = false;
-      }
-    }
-  }
-  return good;
-}
-
 bool make_pairs(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics) {
   const model::Mesh& mesh = scene.cracked.mesh;
   bool good = true;
+  scene.contacts = model.contacts;
+  scene.lip_pairs.resize(scene.cracked.lips.size());
   for (const model::Contact& contact : model.contacts) {
     scene.pairs.push_back(contact::pair_rows(model, mesh, contact));
     const contact::PairRows& pair = scene.pairs.back();
@@ -140,16 +106,6 @@ bool make_pairs(const model::Model& model, Scene& scene, base::Diagnostics& diag
       good = false;
     }
   }
-  for (const contact::PairRows& pair : scene.pairs) {
-    scene.table.first.push_back(scene.table.rows.size());
-    for (const contact::ConstraintRow& row : pair.normal) {
-      scene.table.rows.push_back(&row);
-    }
-    for (const contact::ConstraintRow& row : pair.tangent) {
-      scene.table.rows.push_back(&row);
-    }
-  }
-  scene.table.first.push_back(scene.table.rows.size());
   return good;
 }
 
@@ -177,12 +133,23 @@ bool make_tips(const model::Model& model, Scene& scene, base::Diagnostics& diagn
   const crack::Neighbourhood around(scene.cracked.mesh);
   for (const mesh::Tip& tip : scene.cracked.tips) {
     TipScene ring;
-    ring.fields = around.fields(scene.cracked, tip, domains_of(model, tip.crack), ring.left_out);
+    const crack::DomainLimits limits = domain_limits(model, scene, tip);
+    ring.fields =
+        around.fields(scene.cracked, tip, domains_of(model, tip.crack), ring.left_out, limits);
+    if (!ring.fields.empty()) {
+      std::vector<int> ignored;
+      std::vector<crack::ExtensionField> wider =
+          around.fields(scene.cracked, tip, {ring.fields.back().rings + 1}, ignored, limits);
+      if (!wider.empty()) {
+        ring.beyond = std::move(wider.front());
+      }
+    }
     const model::Crack& crack = model.cracks[tip.crack.index()];
     if (ring.fields.empty()) {
       diagnostics.error(crack.span, "E412",
                         fmt::format("crack {}: no ring domain fits round the tip at a = {:.6g} (it "
-                                    "would leave the body or reach another tip)",
+                                    "would leave the body, or reach another tip, another "
+                                    "material, a support, a force or the rim of what is heated)",
                                     crack.name, tip.a),
                         "give a smaller RADIUS on $TIPNET or other DOMAINS on $VCE");
       good = false;
@@ -275,6 +242,21 @@ RegionPlan plan_region(const model::Model& model, const std::vector<double>& len
   return plan;
 }
 
+void make_table(Scene& scene) {
+  scene.table = {};
+  for (const contact::PairRows& pair : scene.pairs) {
+    scene.table.first.push_back(scene.table.rows.size());
+    for (const contact::ConstraintRow& row : pair.normal) {
+      scene.table.rows.push_back(&row);
+    }
+    for (const contact::ConstraintRow& row : pair.tangent) {
+      scene.table.rows.push_back(&row);
+    }
+  }
+  scene.table.first.push_back(scene.table.rows.size());
+  reduce_rows(scene);
+}
+
 std::optional<Scene> make_scene(const model::Model& model, double a, const RegionPlan& plan,
                                 base::Diagnostics& diagnostics) {
   Scene scene;
@@ -284,6 +266,7 @@ std::optional<Scene> make_scene(const model::Model& model, double a, const Regio
     return std::nullopt;
   }
   scene.cracked = std::move(*cracked);
+  fill_lip_sets(model, scene.cracked);
   scene.notes = scene.cracked.notes;
   const model::Mesh& mesh = scene.cracked.mesh;
   scene.cls = fe::classify_freedoms(model, mesh);
@@ -291,12 +274,12 @@ std::optional<Scene> make_scene(const model::Model& model, double a, const Regio
   const bool ties = make_scene_ties(model, scene, diagnostics);
   const bool pairs = make_pairs(model, scene, diagnostics);
   const bool tips = make_tips(model, scene, diagnostics);
-  const bool lips = lips_are_free(model, scene, lines, diagnostics);
+  const bool lips = lips_carry_no_totals(model, scene, diagnostics);
   const bool held = supports_are_kept(model, scene, diagnostics);
   if (!ties || !pairs || !tips || !lips || !held) {
     return std::nullopt;
   }
-  reduce_rows(scene);
+  make_table(scene);
   const auto dim = static_cast<std::size_t>(mesh.dim);
   for (const model::Contact& contact : model.contacts) {
     for (const base::NodeId n : contact::surface_nodes(mesh, contact)) {

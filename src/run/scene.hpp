@@ -27,14 +27,23 @@ struct RowTable {
 
 struct TipScene {
   std::vector<crack::ExtensionField> fields;
-  std::vector<int> left_out; ///< domains that could not be used
+  std::vector<int> left_out;                   ///< domains that could not be used
+  std::optional<crack::ExtensionField> beyond; ///< one ring more than the largest, if it fits
+};
+
+/// Contact between the faces of a crack, once they have been found to touch (run/lip_contact.hpp).
+struct LipPair {
+  std::size_t pair = 0;           ///< of the scene
+  std::vector<model::Face> sides; ///< of the elements on both faces
 };
 
 struct Scene {
   mesh::CrackedMesh cracked;
   std::vector<model::FreedomClass> cls; ///< [dim * node]
   std::shared_ptr<const fe::Dependence> ties;
-  std::vector<contact::PairRows> pairs; ///< [contact]
+  std::vector<model::Contact> contacts;          ///< the deck's, then those between faces of cracks
+  std::vector<contact::PairRows> pairs;          ///< [contact]
+  std::vector<std::optional<LipPair>> lip_pairs; ///< [crack line] empty: its faces are open
   RowTable table;
   std::vector<TipScene> tips;     ///< [tip]
   std::vector<bool> rest_element; ///< [element] no crack of the run touches it
@@ -60,6 +69,9 @@ RegionPlan plan_region(const model::Model& model, const std::vector<double>& len
 /// other) go to `diagnostics` at their card and give an empty result.
 std::optional<Scene> make_scene(const model::Model& model, double a, const RegionPlan& plan,
                                 base::Diagnostics& diagnostics);
+
+/// Strings the rows of all pairs into the table and reduces them to independent freedoms.
+void make_table(Scene& scene);
 
 /// Loads of all cases on independent freedoms [dim * node, case], T^T (f - K g): prescribed
 /// displacements g load the others by their pull.

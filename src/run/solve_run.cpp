@@ -6,9 +6,13 @@
 #include "growth/crack_lines.hpp"
 #include "mesh/boundary.hpp"
 #include "report/report.hpp"
+#include "run/adjoints.hpp"
+#include "run/error_bars.hpp"
 #include "run/estimate.hpp"
 #include "run/gather.hpp"
+#include "run/lip_contact.hpp"
 #include "run/load_paths.hpp"
+#include "run/sensitivities.hpp"
 #include "shape/topology.hpp"
 
 #include <algorithm>
@@ -172,16 +176,24 @@ private:
             fmt::format("{}{} nodes, {} elements, {} contact rows, {} tips", length,
                         scene->cracked.mesh.node_count(), scene->cracked.mesh.element_count(),
                         scene->table.rows.size(), scene->cracked.tips.size()));
-    const std::optional<std::vector<BodyNet>> bodies = condense(*scene, log);
-    if (!bodies) {
-      return std::nullopt;
-    }
     results::Increment increment;
-    increment.a = a > 0.0 || scene->cracked.tips.empty() ? a : scene->cracked.tips.front().a;
-    increment.notes = scene->notes;
-    if (!walk_steps(*scene, *bodies, pictured_steps(model_, last), log, increment)) {
-      return std::nullopt;
-    }
+    std::vector<std::size_t> touching;
+    do {
+      const std::optional<std::vector<BodyNet>> bodies = condense(*scene, log);
+      if (!bodies) {
+        return std::nullopt;
+      }
+      increment = {};
+      increment.a = a > 0.0 || scene->cracked.tips.empty() ? a : scene->cracked.tips.front().a;
+      increment.notes = scene->notes;
+      touching.clear();
+      if (!walk_steps({*scene, *bodies, pictured_steps(model_, last)}, log, increment, touching)) {
+        return std::nullopt;
+      }
+      close_faces(touching, *scene, log);
+    } while (!touching.empty());
+    increment.kept = static_cast<std::size_t>(
+        std::ranges::count_if(scene->cracked.host, [](base::ElementId e) { return e.valid(); }));
     increment.mesh = std::move(scene->cracked.mesh);
     increment.surface = outer_surface(increment.mesh);
     add_face_nodes(model_, increment.mesh);
@@ -206,11 +218,39 @@ private:
     return bodies;
   }
 
-  bool walk_steps(const Scene& scene, const std::vector<BodyNet>& bodies,
-                  const std::vector<bool>& pictured, Log& log, results::Increment& increment) {
+  // Faces that would overlap are a pair from now on, and all steps are solved anew.
+  void close_faces(const std::vector<std::size_t>& lines, Scene& scene, Log& log) {
+    if (lines.empty()) {
+      return;
+    }
+    add_lip_pairs(model_, lines, scene);
+    for (const std::size_t i : lines) {
+      log.add("TOPOLOGY",
+              fmt::format("the faces of {} meet: solved anew with contact between them, {} rows",
+                          model_.cracks[i].name,
+                          scene.pairs[scene.lip_pairs[i]->pair].normal.size()));
+    }
+    if (run_.increments.empty()) {
+      mounted_ = MountMemory(); // of steps that do not count
+    }
+  }
+
+  struct Way {
+    const Scene& scene;
+    const std::vector<BodyNet>& bodies;
+    std::vector<bool> pictured; ///< [step]
+  };
+
+  // Stops at the first step with faces that would overlap: `touching` says which.
+  bool walk_steps(const Way& way, Log& log, results::Increment& increment,
+                  std::vector<std::size_t>& touching) {
+    const auto& [scene, bodies, pictured] = way;
     const bool keep = model_.growth && model_.growth->mounted == model::Mounted::first;
     StepSolver solver(model_, scene, bodies, keep ? &mounted_ : nullptr);
     LoadPaths paths(model_, scene, bodies);
+    Adjoints adjoints(model_, scene, bodies);
+    ErrorBars bars(model_, scene);
+    Sensitivities sensitivities(model_, scene, bodies);
     log.add("CONTACT", "compliances of the contact rows");
     for (std::size_t s = 0; s < model_.steps.size(); ++s) {
       const model::Step& step = model_.steps[s];
@@ -224,10 +264,22 @@ private:
       log.add("CONTACT",
               fmt::format("step {}: {} iterations, {} pivots, imbalance {:.1e}", step.name,
                           state->iterations, state->pivots, state->imbalance));
+      touching = touching_lines(model_, scene, state->u);
+      if (!touching.empty()) {
+        return true;
+      }
       increment.steps.push_back(gather_step(model_, scene, bodies, step, *state));
-      paths.keep(s, solver, increment.steps.back());
       log.add("VCE", fmt::format("step {}: {} tips, pressures, balance", step.name,
                                  scene.cracked.tips.size()));
+      paths.keep(s, solver, increment.steps.back());
+      if (!scene.cracked.tips.empty()) {
+        const std::vector<estimate::Adjoint>& of_K = adjoints.of_last_step(solver);
+        log.add("ADJOINT", fmt::format("step {}: {} tips", step.name, of_K.size()));
+        bars.add(*state, of_K, adjoints.held(), increment.steps.back());
+        log.add("ESTIMATE", fmt::format("step {}: error bars of K", step.name));
+        sensitivities.add(solver, *state, adjoints, increment.steps.back());
+        log.add("SENSITIVITY", fmt::format("step {}: loads, fits, moduli, lengths", step.name));
+      }
       if (pictured[s]) {
         add_stress(model_, scene.cracked.mesh, increment.steps.back());
         log.add("RECOVER", fmt::format("step {}: stresses", step.name));
@@ -237,6 +289,10 @@ private:
       }
     }
     increment.paths = paths.follow(solver);
+    touching = paths.touching();
+    if (!touching.empty()) {
+      return true;
+    }
     for (const results::LoadPath& path : increment.paths) {
       log.add(
           "LOADPATH",

@@ -25,11 +25,11 @@ bool fit_is_named(const model::Model& model, base::ContactId contact) {
   return names<model::ApplyFit>(model, contact);
 }
 
-StepFactors first_factors(const model::Model& model, Eigen::Index columns) {
+StepFactors first_factors(const model::Model& model, Eigen::Index columns, std::size_t contacts) {
   StepFactors factors;
   factors.case_factor = base::Vector::Ones(columns);
   factors.case_factor.head(static_cast<Eigen::Index>(model.cases.size())).setZero();
-  for (std::size_t c = 0; c < model.contacts.size(); ++c) {
+  for (std::size_t c = 0; c < contacts; ++c) {
     factors.fit.push_back(names<model::ApplyFit>(model, base::ContactId(c)) ? 0.0 : 1.0);
     factors.mounted.push_back(!names<model::Mount>(model, base::ContactId(c)));
   }

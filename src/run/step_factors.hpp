@@ -15,8 +15,9 @@ struct StepFactors {
 };
 
 /// Before the first step: no loads; a contact is absent if some step mounts it, its fit is 0 if
-/// some step names it. `columns` are those of Scene::case_load.
-StepFactors first_factors(const model::Model& model, Eigen::Index columns);
+/// some step names it. `columns` are those of Scene::case_load; `contacts` behind the deck's are in
+/// force from the first step on.
+StepFactors first_factors(const model::Model& model, Eigen::Index columns, std::size_t contacts);
 
 /// A part of the way from one set of factors to another, 1: all of it; contacts as at its end.
 StepFactors part_way(const StepFactors& from, const StepFactors& to, double part);

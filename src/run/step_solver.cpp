@@ -45,11 +45,11 @@ double round_off_force(const model::Model& model, const model::Mesh& mesh) {
 StepSolver::StepSolver(const model::Model& model, const Scene& scene,
                        const std::vector<BodyNet>& bodies, MountMemory* memory)
     : model_(model), scene_(scene), bodies_(bodies),
-      factors_(first_factors(model, scene.case_load.cols())),
+      factors_(first_factors(model, scene.case_load.cols(), scene.contacts.size())),
       offset_(base::Vector::Zero(static_cast<Eigen::Index>(scene.table.rows.size()))),
       u_(base::Vector::Zero(static_cast<Eigen::Index>(scene.cracked.mesh.node_count()) *
                             scene.cracked.mesh.dim)),
-      history_(model, scene), memory_(memory) {
+      history_(scene), memory_(memory) {
   if (memory_ != nullptr) {
     memory_->restart();
   }
@@ -67,7 +67,7 @@ StepSolver::StepSolver(const model::Model& model, const Scene& scene,
 }
 
 bool StepSolver::mount(std::size_t contact) {
-  const bool declared = model_.contacts[contact].gap.has_value();
+  const bool declared = scene_.contacts[contact].gap.has_value();
   for (std::size_t r = scene_.table.first[contact]; r < scene_.table.first[contact + 1]; ++r) {
     const contact::ConstraintRow& row = *scene_.table.rows[r];
     // Measured from the deformed state: what the bodies have moved so far no longer counts.
@@ -78,7 +78,7 @@ bool StepSolver::mount(std::size_t contact) {
   history_.begin(contact);
   closed_.clear();
   return memory_ == nullptr ||
-         memory_->keep_or_take(scene_, contact, model_.contacts[contact].mu > 0.0, offset_);
+         memory_->keep_or_take(scene_, contact, scene_.contacts[contact].mu > 0.0, offset_);
 }
 
 bool StepSolver::act(const model::Step& step, Refusal& refusal) {
@@ -88,7 +88,7 @@ bool StepSolver::act(const model::Step& step, Refusal& refusal) {
       refusal = {4,
                  fmt::format("MOUNTED=FIRST: the surfaces of contact {} are meshed differently at "
                              "this length, so that what it took on at the first one cannot be kept",
-                             model_.contacts[contact].name),
+                             scene_.contacts[contact].name),
                  step.span};
       return false;
     }
@@ -108,11 +108,11 @@ contact::ContactSystem::Demand StepSolver::demand() const {
   const base::Vector fixed = prescribed();
   const int dim = scene_.cracked.mesh.dim;
   std::vector<double> gap;
-  for (std::size_t c = 0; c < model_.contacts.size(); ++c) {
+  for (std::size_t c = 0; c < scene_.contacts.size(); ++c) {
     if (!factors_.mounted[c]) {
       continue;
     }
-    const model::Contact& contact = model_.contacts[c];
+    const model::Contact& contact = scene_.contacts[c];
     for (std::size_t r = scene_.table.first[c]; r < scene_.table.first[c + 1]; ++r) {
       const contact::ConstraintRow& row = *scene_.table.rows[r];
       d.rows.push_back(r);
@@ -141,7 +141,7 @@ base::Vector StepSolver::unscaled_gap(const std::vector<std::size_t>& rows) cons
         std::upper_bound(scene_.table.first.begin(), scene_.table.first.end(), r) -
         scene_.table.first.begin() - 1);
     const base::ContactId contact(c);
-    const bool scaled = model_.contacts[c].gap && fit_is_named(model_, contact);
+    const bool scaled = scene_.contacts[c].gap && fit_is_named(model_, contact);
     rest[static_cast<Eigen::Index>(i)] =
         offset_[static_cast<Eigen::Index>(r)] + (scaled ? 0.0 : scene_.table.rows[r]->gap);
   }
@@ -248,12 +248,19 @@ void StepSolver::balance(StepState& state) const {
       }
     }
   }
-  base::Vector internal = base::Vector::Zero(state.u.size());
-  std::vector<base::ElementId> all;
+  const bool cracked = !scene_.cracked.tips.empty();
+  std::vector<std::vector<base::ElementId>> elements(cracked ? model_.materials.size() : 1);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    all.emplace_back(e);
+    const base::MaterialId material = model_.property_of(mesh, base::ElementId(e)).material;
+    elements[cracked ? material.index() : 0].emplace_back(e);
   }
-  fe::add_internal_force(model_, mesh, all, state.u, internal);
+  state.internal.resize(state.u.size(), static_cast<Eigen::Index>(elements.size()));
+  for (std::size_t m = 0; m < elements.size(); ++m) {
+    base::Vector force = base::Vector::Zero(state.u.size());
+    fe::add_internal_force(model_, mesh, elements[m], state.u, force);
+    state.internal.col(static_cast<Eigen::Index>(m)) = force;
+  }
+  const base::Vector internal = state.internal.rowwise().sum();
   state.energy = fe::element_energy(model_, mesh, state.u);
   if (state.temperature.size() > 0) {
     fe::add_thermal_energy(model_, mesh, state.temperature, state.u, state.energy);

@@ -37,6 +37,7 @@ struct StepState {
   base::Vector force;                         ///< [dim * node] applied loads
   base::Vector contact;                       ///< [dim * node] contact forces
   base::Vector reaction;                      ///< [dim * node] support forces
+  base::Matrix internal;      ///< [dim * node, material] internal forces K u; without cracks of all
   base::Vector tie;           ///< [dim * node] forces of ties; empty: there are none
   std::vector<double> energy; ///< [element] strain energy
   double imbalance = 0.0;     ///< largest force left over at a free freedom, over the force scale
@@ -66,6 +67,7 @@ public:
   /// Which body moves how by a combination of modes [m] that is loaded and not held.
   [[nodiscard]] std::string unheld(const base::Vector& mode, bool slides = false) const;
   [[nodiscard]] const StepFactors& factors() const { return factors_; }
+  [[nodiscard]] const base::Vector& offset() const { return offset_; } ///< [row] since MOUNT
 
 private:
   bool act(const model::Step& step, Refusal& refusal);

@@ -4,6 +4,7 @@
 
     tests/decks/verification.py PROGRAM
 """
+import json
 import pathlib
 import re
 import subprocess
@@ -38,6 +39,25 @@ def title(deck):
     return found.group(1) if found else deck.stem
 
 
+def points(run):
+    """The listing of a run; of a sweep those of its points, with the values of its parameters."""
+    if (run / "listing.txt").exists():
+        yield "", run / "listing.txt"
+    for folder in sorted(run.glob("*/")):
+        if (folder / "point.json").exists() and (folder / "listing.txt").exists():
+            values = json.loads((folder / "point.json").read_text(encoding="utf-8"))["parameters"]
+            yield "".join(f", {name} = {value:.6g}" for name, value in values.items()), folder / "listing.txt"
+
+
+def table(rows):
+    out = ["| check | found | wanted | error | allowed | source |\n|---|---|---|---|---|---|\n"]
+    for row in rows:
+        source = row[6] if len(row) > 6 else ""
+        failed = " **failed**" if row[5] == "FAILED" else ""
+        out.append(f"| `{row[0]}` | {row[1]} | {row[2]} | {row[3]}{failed} | {row[4]} | {source} |\n")
+    return "".join(out)
+
+
 def main():
     program = sys.argv[1]
     out = [HEAD]
@@ -46,17 +66,10 @@ def main():
             run = pathlib.Path(folder) / deck.stem
             subprocess.run([program, "run", str(deck), "--quiet", "--out", str(run)], check=False,
                            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-            listing = run / "listing.txt"
-            rows = checks(listing.read_text(encoding="utf-8")) if listing.exists() else []
-            if not rows:
-                continue
-            out.append(f"## {title(deck)} (`{deck.name}`)\n\n")
-            out.append("| check | found | wanted | error | allowed | source |\n|---|---|---|---|---|---|\n")
-            for row in rows:
-                source = row[6] if len(row) > 6 else ""
-                failed = " **failed**" if row[5] == "FAILED" else ""
-                out.append(f"| `{row[0]}` | {row[1]} | {row[2]} | {row[3]}{failed} | {row[4]} | {source} |\n")
-            out.append("\n")
+            for point, listing in points(run):
+                rows = checks(listing.read_text(encoding="utf-8"))
+                if rows:
+                    out.append(f"## {title(deck)}{point} (`{deck.name}`)\n\n{table(rows)}\n")
     (TOP / "manual" / "verification.md").write_text("".join(out).rstrip() + "\n", encoding="utf-8")
 
 

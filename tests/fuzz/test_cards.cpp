@@ -94,7 +94,7 @@ TEST(Cards, GrowthAndRestartAreInTheModel) {
   EXPECT_EQ(m.restart->write, "b.rst");
   EXPECT_EQ(m.restart->every, 2);
   EXPECT_EQ(m.cases.back().loads.size(), 1U);
-  EXPECT_EQ(m.cases[3].loads[0].crack, base::CrackId(0));
+  EXPECT_TRUE(m.cases[3].loads[0].faces.valid()); // FACES: those of the crack
   EXPECT_TRUE(m.cases[2].loads[0].elements.valid());
 }
 

@@ -12,12 +12,14 @@ import os
 import re
 import sys
 
+import sweeps_closure
 import sweeps_contact
 import sweeps_crack
 import sweeps_friction
 import sweeps_held
 import sweeps_lug
 import sweeps_tip
+import sweeps_vce
 from program import TOP
 
 SWEEPS = {
@@ -26,6 +28,8 @@ SWEEPS = {
     "S03": ("clearance through zero into interference (half angle of contact, degrees)",
             sweeps_contact.clearance),
     "S04": ("friction from zero to far beyond one", sweeps_friction.friction),
+    "S05": ("crack tips and mouths near the edge of a contact (F = K over that of uniform tension; K1)",
+            sweeps_closure.closure),
     "C07": ("net fit: the load does not matter", sweeps_contact.load_independence),
     "S07": ("contrast of moduli and units", sweeps_contact.contrast),
     "S10": ("bodies held by contact only", sweeps_held.floating),
@@ -35,6 +39,7 @@ SWEEPS = {
     "S08": ("thin ligaments (F = K / sqrt(pi a))", sweeps_crack.ligament),
     "S09": ("cracks shorter than an element (F)", sweeps_crack.short_crack),
     "S12": ("elements at the tip (F)", sweeps_tip.tip_mesh),
+    "S06": ("step of the virtual crack extension (K1 against the analytic derivative)", sweeps_vce.shifts),
     "ANY": ("random cracks in three nets, both joins (spread of K)", sweeps_crack.any_crack),
     "X01": ("square lug, sleeve and shaft: mean pressures and separation", sweeps_tip.square_lug),
     "LUG": ("pairings, mirrors, turns and units of the lug (K1)", sweeps_lug.lug),

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/held_contact.hpp"
 #include "contact/system.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <random>
 
 #include <Eigen/LU>
@@ -68,6 +71,47 @@ TEST(ContactSystem, FloatingBodiesAreHeldByContactAlone) {
   EXPECT_NEAR(pressed.u[0][0], 0.5, 1e-13);
   demand.load[0][0] = -2.0; // pulls away: nothing holds the left mass
   EXPECT_EQ(system.solve(demand, {}).solution.status, solve::ContactStatus::unheld_mode);
+}
+
+// Three springs in a row between walls, pairs between them: a pivot is the compliance of a row as
+// long as others hold, and what holding the row itself takes is the inverse of that.
+TEST(ContactSystem, PivotsOfHeldRowsAreInversesOfThoseOfOpenOnes) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> value(-1.0, 1.0);
+  const base::Matrix A = base::Matrix::NullaryExpr(6, 9, [&] { return value(random); });
+  const contact::CondensedBody body({0, 1, 2, 3, 4, 5}, A * A.transpose(), base::Matrix(6, 0));
+  const contact::CondensedBody other(
+      {6, 8}, (base::Matrix(2, 2) << 3.0, -3.0, -3.0, 3.0).finished(), base::Matrix::Ones(2, 1));
+  std::vector<contact::ConstraintRow> rows(4);
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    rows[r].entries = {{base::NodeId(r % 3), {value(random), value(random), 0.0}},
+                       {base::NodeId(3 + r % 2), {value(random), 0.0, 0.0}}};
+  }
+  const contact::ContactSystem system({&body, &other}, {&rows[0], &rows[1], &rows[2], &rows[3]}, 2,
+                                      10);
+  const std::vector<std::size_t> held{0, 1, 3};
+  for (const std::size_t i : {std::size_t{1}, std::size_t{3}}) {
+    std::vector<std::size_t> without;
+    std::ranges::copy_if(held, std::back_inserter(without), [&](std::size_t r) { return r != i; });
+    const base::Vector closed = contact::HeldContact(system, held).pivots({i});
+    const base::Vector open = contact::HeldContact(system, without).pivots({i});
+    ASSERT_EQ(closed.size(), 1);
+    ASSERT_EQ(open.size(), 1);
+    EXPECT_GT(open[0], 0.0);
+    EXPECT_NEAR(closed[0] * open[0], 1.0, 1e-10);
+  }
+  // A unit force of the open row moves it by its pivot.
+  base::Matrix force = base::Matrix::Zero(6, 1);
+  force.col(0).segment<2>(4) = rows[2].entries[0].weight.head<2>();
+  base::Matrix on_other = base::Matrix::Zero(2, 1);
+  on_other(0, 0) = rows[2].entries[1].weight.x();
+  const contact::HeldContact fixed(system, held);
+  ASSERT_TRUE(fixed.ok());
+  const std::vector<base::Matrix> load{force, on_other};
+  const contact::FreeResponse free = contact::free_response(system, load);
+  const std::vector<base::Matrix> moved =
+      fixed.displacement(load, fixed.respond(free.opening, free.on_mode));
+  EXPECT_NEAR(system.opening(2, {moved[0].col(0), moved[1].col(0)}), fixed.pivots({2})[0], 1e-12);
 }
 
 } // namespace

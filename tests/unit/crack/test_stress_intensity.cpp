@@ -90,21 +90,21 @@ TEST_P(NearTipField, ConvergesToItsOwnK) {
   EXPECT_LT(error[1], error[0] / 6.0);
 }
 
-// The finite shift goes to the analytic derivative linearly with the shift.
+// The finite shift goes to the analytic derivative with the square of the shift.
 TEST_P(NearTipField, FiniteShiftTendsToTheAnalyticDerivative) {
   const auto [state, type] = GetParam();
   const Annulus a(4, 32, state, type);
   double error[2];
   for (int i = 0; i < 2; ++i) {
     crack::VceRequest request;
-    request.shift = i == 0 ? 1e-3 : 1e-4;
+    request.shift = i == 0 ? 1e-2 : 1e-3;
     const crack::StressIntensity K =
         crack::stress_intensity(a.model, a.cracked, a.tip, a.fields, request, a.u, {});
     ASSERT_TRUE(K.shift_error.has_value());
     error[i] = std::abs(*K.shift_error);
   }
   EXPECT_LT(error[0], 1e-2);
-  EXPECT_NEAR(error[0] / error[1], 10.0, 0.5);
+  EXPECT_NEAR(error[0] / error[1], 100.0, 5.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(

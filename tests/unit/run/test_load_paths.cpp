@@ -258,22 +258,36 @@ TEST(LoadPaths, WithoutContactKIsOneLine) {
   EXPECT_NEAR(path.tips[0].K1(2.5), 2.5 * solved->step(1).tips[0].K1, 1e-10 * path.tips[0].K1(2.5));
 }
 
-TEST(LoadPaths, ClosedCracksCarryTheirDoubt) {
-  const Folder folder;
-  const test::Outcome outcome = run_text(folder, block(1.0, -1.0, R"($LOADPATH NAME=P FROM=A TO=B
+TEST(LoadPaths, ClosedCracksHaveNoK1) {
+  const auto run = [](const Folder& folder, const std::string& faces) {
+    std::string deck = block(1.0, -1.0, R"($LOADPATH NAME=P FROM=A TO=B
 $CHECK
   PATH.K1(C,P,0.25) = 1 ABS 1e9
-  PATH.K1(C,P,0.75) = 1 ABS 1e9
+  PATH.K1(C,P,0.75) = 0 ABS 1e-12
   PATH.K1(C,P,1.5) = 1 ABS 1e9
-)"));
-  EXPECT_EQ(outcome.exit_code, 1); // the last two have no value
-  const std::string listing = test::slurp(folder.path() / "out" / "listing.txt");
-  EXPECT_NE(listing.find("C: K1 is negative on a part of the path"), std::string::npos);
-  EXPECT_NE(listing.find("K1 is negative there"), std::string::npos);
-  EXPECT_NE(listing.find("goes from t = 0 to 1"), std::string::npos);
-  EXPECT_NE(listing.find("1 of 3 passed"), std::string::npos);
-  const std::vector<double> t = test::column(folder.path() / "out" / "load_path.csv", "t");
-  EXPECT_EQ(t, std::vector<double>({0.0, 1.0}));
+)");
+    deck.replace(deck.find("NAME=C "), 7, "NAME=C " + faces + " ");
+    EXPECT_EQ(run_text(folder, deck).exit_code, 1); // the last has no value
+    return test::slurp(folder.path() / "out" / "listing.txt");
+  };
+  const Folder free;
+  const std::string overlapping = run(free, "FACES=FREE");
+  EXPECT_NE(overlapping.find("C: K1 is negative on a part of the path"), std::string::npos);
+  EXPECT_NE(overlapping.find("K1 is negative there"), std::string::npos);
+  EXPECT_NE(overlapping.find("goes from t = 0 to 1"), std::string::npos);
+  EXPECT_NE(overlapping.find("1 of 3 passed"), std::string::npos);
+  EXPECT_EQ(test::column(free.path() / "out" / "load_path.csv", "t"),
+            std::vector<double>({0.0, 1.0}));
+  const Folder contact;
+  const std::string closed = run(contact, "");
+  EXPECT_NE(closed.find("C: the crack faces touch at the tip on a part of the path"),
+            std::string::npos);
+  EXPECT_NE(closed.find("2 of 3 passed"), std::string::npos);
+  const std::vector<double> t = test::column(contact.path() / "out" / "load_path.csv", "t");
+  ASSERT_GE(t.size(), 3U);
+  for (std::size_t k = 1; k + 1 < t.size(); ++k) {
+    EXPECT_NEAR(t[k], 0.5, 1e-9);
+  }
 }
 
 TEST(PiecewiseLinear, FindsItsSegmentsHoweverTheyCrowd) {

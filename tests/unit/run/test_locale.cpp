@@ -4,6 +4,7 @@
 #include "deck/read_deck.hpp"
 
 #include <array>
+#include <cctype>
 #include <clocale>
 #include <cmath>
 #include <cstdio>
@@ -136,7 +137,12 @@ TEST(Locale, ADecimalCommaChangesNoResult) {
   }
   const std::string listing = test::slurp(folder.path() / "out" / "listing.txt");
   EXPECT_NE(listing.find("1234.5"), std::string::npos);
-  EXPECT_EQ(listing.find("0,"), std::string::npos) << listing;
+  const auto digit = [&](std::size_t i) {
+    return std::isdigit(static_cast<unsigned char>(listing[i]));
+  };
+  for (std::size_t i = 1; i + 1 < listing.size(); ++i) {
+    EXPECT_FALSE(listing[i] == ',' && digit(i - 1) && digit(i + 1)) << listing.substr(i - 1, 40);
+  }
 }
 
 TEST(Locale, CoordinatesComeBackBitwise) {

@@ -1,0 +1,33 @@
+// One half (x > 0) of a plate of two materials, of half width W, with a crack of half length a between
+// them: elements of size h at its tip, growing outwards.
+DefineConstant[ W = 30, a = 1, h = 0.02 ];
+Mesh.ElementOrder = 2;
+Mesh.SecondOrderIncomplete = 1;
+Mesh.MeshSizeExtendFromBoundary = 1;
+Point(1) = {0, 0, 0, a / 8};
+Point(2) = {a, 0, 0, h};
+Point(3) = {W, 0, 0, W / 6};
+Point(4) = {W, W, 0, W / 6};
+Point(5) = {0, W, 0, W / 6};
+Point(6) = {0, -W, 0, W / 6};
+Point(7) = {W, -W, 0, W / 6};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 5};
+Line(5) = {5, 1};
+Line(6) = {1, 6};
+Line(7) = {6, 7};
+Line(8) = {7, 3};
+Curve Loop(1) = {1, 2, 3, 4, 5};
+Plane Surface(1) = {1};
+Curve Loop(2) = {6, 7, 8, -2, -1};
+Plane Surface(2) = {2};
+Physical Surface("UPPER") = {1};
+Physical Surface("LOWER") = {2};
+Physical Curve("LINE") = {1, 2};
+Physical Curve("MIRROR") = {5, 6};
+Physical Curve("TOP") = {4};
+Physical Curve("BOTTOM") = {7};
+Physical Curve("SIDE1") = {3};
+Physical Curve("SIDE2") = {8};

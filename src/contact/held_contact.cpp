@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/held_contact.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace spricka::contact {
+
+FreeResponse free_response(const ContactSystem& system, const std::vector<base::Matrix>& load) {
+  const std::vector<const CondensedBody*>& bodies = system.bodies();
+  FreeResponse out;
+  out.on_mode.resize(system.B().cols(), load.empty() ? 0 : load.front().cols());
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    out.u.push_back(bodies[b]->displacement(load[b]));
+    const base::Matrix& Q = bodies[b]->modes();
+    out.on_mode.middleRows(system.first_mode(b), Q.cols()) = Q.transpose() * load[b];
+  }
+  out.opening = system.openings(out.u);
+  return out;
+}
+
+HeldContact::HeldContact(const ContactSystem& system, std::vector<std::size_t> rows)
+    : system_(system), rows_(std::move(rows)), held_(system.compliance(rows_)) {}
+
+HeldContact::Response HeldContact::respond(const base::Matrix& gap,
+                                           const base::Matrix& on_mode) const {
+  base::Matrix before(static_cast<Eigen::Index>(rows_.size()), gap.cols());
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    before.row(static_cast<Eigen::Index>(i)) = gap.row(static_cast<Eigen::Index>(rows_[i]));
+  }
+  solve::HeldRows::Response found = held_.respond(before, on_mode);
+  Response out;
+  out.left_over = found.left_over;
+  out.mode = std::move(found.alpha);
+  out.force = base::Matrix::Zero(gap.rows(), gap.cols());
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    out.force.row(static_cast<Eigen::Index>(rows_[i])) =
+        found.lambda.row(static_cast<Eigen::Index>(i));
+  }
+  out.gap = gap + system_.W() * out.force + system_.B() * out.mode;
+  return out;
+}
+
+std::vector<base::Matrix> HeldContact::displacement(const std::vector<base::Matrix>& load,
+                                                    const Response& response) const {
+  std::vector<base::Matrix> force = load;
+  for (const std::size_t row : rows_) {
+    system_.add_force(row, response.force.row(static_cast<Eigen::Index>(row)), force);
+  }
+  std::vector<base::Matrix> u;
+  for (std::size_t b = 0; b < force.size(); ++b) {
+    const base::Matrix& Q = system_.bodies()[b]->modes();
+    u.push_back(system_.bodies()[b]->displacement(force[b]) +
+                Q * response.mode.middleRows(system_.first_mode(b), Q.cols()));
+  }
+  return u;
+}
+
+base::Vector HeldContact::pivots(const std::vector<std::size_t>& candidates) const {
+  const auto count = static_cast<Eigen::Index>(candidates.size());
+  const base::Matrix& W = system_.W();
+  const base::Matrix& B = system_.B();
+  base::Matrix gap = base::Matrix::Zero(W.rows(), count);
+  base::Matrix on_mode = base::Matrix::Zero(B.cols(), count);
+  std::vector<bool> is_held(candidates.size());
+  for (std::size_t c = 0; c < candidates.size(); ++c) {
+    const auto at = static_cast<Eigen::Index>(c);
+    const auto row = static_cast<Eigen::Index>(candidates[c]);
+    is_held[c] = std::ranges::find(rows_, candidates[c]) != rows_.end();
+    if (is_held[c]) {
+      gap(row, at) = 1.0;
+    } else {
+      gap.col(at) = W.col(row);
+      on_mode.col(at) = B.row(row).transpose();
+    }
+  }
+  const Response response = respond(gap, on_mode);
+  base::Vector pivot(count);
+  for (std::size_t c = 0; c < candidates.size(); ++c) {
+    const auto at = static_cast<Eigen::Index>(c);
+    const auto row = static_cast<Eigen::Index>(candidates[c]);
+    pivot[at] = is_held[c] ? -response.force(row, at) : response.gap(row, at);
+  }
+  return pivot;
+}
+
+} // namespace spricka::contact

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "contact/system.hpp"
+#include "solve/held_rows.hpp"
+
+#include <vector>
+
+namespace spricka::contact {
+
+/// What loads do to bodies that nothing presses: openings of all rows and loads on the modes.
+struct FreeResponse {
+  std::vector<base::Matrix> u; ///< [body][m, k] external displacements
+  base::Matrix opening;        ///< [row, k]
+  base::Matrix on_mode;        ///< [mode, k]
+};
+/// Of condensed loads [body][m, k].
+FreeResponse free_response(const ContactSystem& system, const std::vector<base::Matrix>& load);
+
+/// A contact system with some rows held at zero gap, whatever the sign of their forces, and all
+/// others away: linear, factorised once.
+class HeldContact {
+public:
+  /// `system` must outlive it; `rows` of the system, each once.
+  HeldContact(const ContactSystem& system, std::vector<std::size_t> rows);
+
+  [[nodiscard]] const std::vector<std::size_t>& rows() const { return rows_; }
+  [[nodiscard]] bool ok() const { return held_.ok(); } ///< false: the rows contradict each other
+
+  struct Response {
+    base::Matrix force;     ///< [row, k] zero where not held
+    base::Matrix mode;      ///< [mode, k]
+    base::Matrix gap;       ///< [row, k]
+    double left_over = 0.0; ///< largest load on motions that no held row feels: they rest
+  };
+  /// To gaps of all rows before they press [row, k] and loads on the modes [mode, k].
+  [[nodiscard]] Response respond(const base::Matrix& gap, const base::Matrix& on_mode) const;
+  /// External displacements [body][m, k] under condensed loads and a response to them.
+  [[nodiscard]] std::vector<base::Matrix> displacement(const std::vector<base::Matrix>& load,
+                                                       const Response& response) const;
+
+  /// Pivots of single rows of the system [candidate]: of a row that is not held the gap that a unit
+  /// of its own force opens, of a held one the force that a unit of its gap takes (manual,
+  /// solve.29). Zero where there is none: redundant rows. ok() must hold.
+  [[nodiscard]] base::Vector pivots(const std::vector<std::size_t>& candidates) const;
+
+private:
+  const ContactSystem& system_;
+  std::vector<std::size_t> rows_;
+  solve::HeldRows held_;
+};
+
+} // namespace spricka::contact

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/lip_pairing.hpp"
+
+#include "contact/row_builder.hpp"
+#include "mesh/boundary.hpp"
+
+#include <array>
+#include <map>
+
+namespace spricka::contact {
+
+namespace {
+
+// Exact for straight edges with a quarter point: shape function times Jacobian is of degree 3.
+constexpr std::array<double, 3> gauss_r{-0.7745966692414834, 0.0, 0.7745966692414834};
+constexpr std::array<double, 3> gauss_w{5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
+
+// What a unit pressure on the face puts on its nodes, and their order along it.
+struct FaceNodes {
+  std::map<base::NodeId, Vec2> push; ///< along the outer normal [area]
+  std::vector<base::NodeId> order;
+};
+
+FaceNodes face_nodes(const Surface& surface, double depth) {
+  FaceNodes nodes;
+  for (const EdgeChain& chain : surface.chains) {
+    for (const Edge& edge : chain.edges) {
+      for (const std::size_t i : {std::size_t{0}, std::size_t{2}, std::size_t{1}}) {
+        if (static_cast<int>(i) >= edge.count) {
+          continue;
+        }
+        const auto [at, fresh] = nodes.push.try_emplace(edge.nodes[i], Vec2::Zero());
+        if (fresh) {
+          nodes.order.push_back(edge.nodes[i]);
+        }
+        for (std::size_t g = 0; g < gauss_r.size(); ++g) {
+          const Vec2 t = tangent_on(edge, gauss_r[g]);
+          at->second += depth * gauss_w[g] * edge_N(edge, gauss_r[g])[i] * Vec2(t.y(), -t.x());
+        }
+      }
+    }
+  }
+  return nodes;
+}
+
+Surface face_surface(const model::Model& model, const model::Mesh& mesh,
+                     const std::vector<base::NodeId>& lip) {
+  Surface surface = make_surface(model, mesh, mesh::faces_within(mesh, lip));
+  surface.circle.reset(); // places along a face are lengths, also where it is an arc
+  return surface;
+}
+
+} // namespace
+
+PairRows lip_rows(const model::Model& model, const model::Mesh& mesh,
+                  const mesh::CrackedMesh::Lips& lips, bool friction) {
+  const bool half = lips.left.empty() || lips.right.empty();
+  const std::vector<base::NodeId>& own = lips.left.empty() ? lips.right : lips.left;
+  PairRows pair;
+  pair.faces = true;
+  pair.found = true;
+  pair.choice = half ? "the face of a half model, against its line" : "left face: node pairs";
+  pair.contact = face_surface(model, mesh, own);
+  if (half) {
+    pair.target.thickness = pair.contact.thickness;
+  } else {
+    pair.target = face_surface(model, mesh, lips.right);
+  }
+  std::map<base::NodeId, base::NodeId> opposite; // the tips are left out
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    if (half ? i + 1 < own.size() : own[i] != lips.right[i]) {
+      opposite[own[i]] = half ? base::NodeId() : lips.right[i];
+    }
+  }
+  const FaceNodes nodes = face_nodes(
+      pair.contact, depth_at(pair.contact, pair.target, mesh.x[own.front().index()].head<2>()));
+  for (const base::NodeId id : nodes.order) {
+    const auto other = opposite.find(id);
+    if (other == opposite.end()) {
+      continue;
+    }
+    const Vec2& push = nodes.push.at(id);
+    const auto add = [&](const Vec2& along, bool tangential, std::vector<ConstraintRow>& rows) {
+      RowBuilder row;
+      row.add(id, -along);
+      if (other->second.valid()) {
+        row.add(other->second, along);
+      }
+      row.area = push.norm();
+      rows.push_back(row.finish(id, tangential));
+    };
+    add(push, false, pair.normal);
+    if (friction && !half) {
+      add(Vec2(-push.y(), push.x()), true, pair.tangent);
+    }
+  }
+  return pair;
+}
+
+} // namespace spricka::contact

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "crack/domain_integral.hpp"
+
+#include "fe/thermal_kernel.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace spricka::crack {
+
+namespace {
+
+using Tensor = Eigen::Matrix2d;
+
+/// The solution at a point of an element.
+struct Here {
+  Tensor nodal;                      ///< gradient of the nodes' displacement
+  Tensor H;                          ///< of the displacement: what expands freely is in
+  Tensor sigma;                      ///< stress, thermal part in
+  Tensor strained;                   ///< gradient that has this stress, where some expands freely
+  double beta_T = 0.0;               ///< stress that the temperature takes out
+  base::Vec2 beta_grad_T{0.0, 0.0};  ///< and its gradient
+  double free_strain = 0.0;          ///< alpha T as the state has it
+  base::Vec2 b = base::Vec2::Zero(); ///< force per volume
+};
+
+// s(u) : grad v + s(v) : grad u - s(u) : eps(v) I, as a tensor that multiplies grad q (component k
+// of q along e_k, derivative j): T_kj = s_ij v_i,k + ...
+Tensor momentum(const Here& u, const Tensor& Hv, const Tensor& sv) {
+  Tensor T = Hv.transpose() * u.sigma + u.H.transpose() * sv;
+  T.diagonal().array() -= u.sigma.cwiseProduct(Hv).sum();
+  return T;
+}
+
+/// One element. Where a part of its temperature expands it freely (fe::FreeExpansion) the nodes'
+/// displacement less that of the expansion at the nodes strains it; both ways of writing the energy
+/// leave out the same that does not depend on u.
+template <shape::ElementShape S> class ElementTerms {
+public:
+  ElementTerms(const TipSetting& set, base::ElementId e, const base::Vector& u)
+      : set_(set), e_(e), X_(fe::coordinates<S>(set.mesh, e)), U_(fe::gather<S>(set.mesh, e, u)),
+        D_(set.elasticity(e)), law_(fe::law_of(set.model, set.mesh, e)),
+        T_(set.loads.temperature.size() > 0
+               ? fe::corner_temperature<S>(set.mesh, e, set.loads.temperature)
+               : fe::CornerValues<S>(fe::CornerValues<S>::Zero())) {
+    if constexpr (fe::plane_quadratic<S>) {
+      if ((T_.array() != 0.0).any() && fe::FreeExpansion<S>::wanted(X_, law_)) {
+        free_.emplace(X_, law_, T_);
+      }
+    }
+  }
+
+  void add(NodalForces& out, bool strained, bool filled) const {
+    const std::span<const base::NodeId> nodes = set_.mesh.nodes_of(e_);
+    for (const auto& point : shape::quadrature<S>(domain_degree)) {
+      const fe::Jacobian<S> at = fe::jacobian<S>(X_, point.r);
+      const Eigen::Matrix<double, S::nodes, 1> N = S::N(point.r);
+      const double w = point.weight * at.det;
+      const base::Vec2 x = X_ * N;
+      const Polar place = polar(set_.tip, x);
+      const Here here = solution(at, point.r, x, filled);
+      for (std::size_t k = 0; k < partners; ++k) {
+        const Tensor Hv = k == 0 ? here.nodal : partner_gradient(set_, place, k);
+        Tensor T = Tensor::Zero();
+        if (strained) {
+          T = k == 0 ? own_momentum(here) : momentum(here, Hv, stress_of(D_, Hv));
+        }
+        base::Vec2 c = base::Vec2::Zero();
+        if (filled) {
+          const double work = k == 0 && free_ ? 2.0 * here.free_strain : Hv.trace();
+          c = work * here.beta_grad_T - Hv.transpose() * here.b;
+        }
+        for (int n = 0; n < S::nodes; ++n) {
+          base::Vec2& P = out[nodes[static_cast<std::size_t>(n)]][k];
+          const base::Vec2 gradient = at.dNdx.row(n);
+          P += w * (T * gradient + N[n] * c);
+          if (k == 0 && free_) { // nodes carried through the free expansion
+            P += w * (free_->gradient(X_.col(n)).transpose() * (here.sigma * gradient));
+          }
+        }
+      }
+    }
+  }
+
+private:
+  [[nodiscard]] Here solution(const fe::Jacobian<S>& at, const shape::Point<2>& r,
+                              const base::Vec2& x, bool filled) const {
+    Here here;
+    here.nodal = here.H = here.strained = U_ * at.dNdx;
+    if (filled) {
+      heat(at, r, x, here);
+      here.b = body_force(set_.loads, e_, x);
+    }
+    here.sigma = stress_of(D_, here.H);
+    here.sigma.diagonal().array() -= here.beta_T;
+    return here;
+  }
+
+  void heat(const fe::Jacobian<S>& at, const shape::Point<2>& r, const base::Vec2& x,
+            Here& here) const {
+    const double beta = law_.expansion * (law_.heated_directions() * law_.lambda + 2.0 * law_.mu);
+    if (free_) {
+      const Tensor expansion = free_->gradient(x);
+      here.beta_T = beta * free_->temperature(x);
+      here.beta_grad_T = beta * free_->slope();
+      here.free_strain = expansion(0, 0);
+      here.strained -= free_->at_nodes(X_) * at.dNdx;
+      here.H = here.strained + expansion;
+      return;
+    }
+    using Linear = fe::Linear<S>;
+    here.beta_T = beta * T_.dot(Linear::N(r));
+    here.beta_grad_T = beta * at.J.transpose().inverse() * Linear::dN(r).transpose() * T_;
+  }
+
+  // Of u with itself, halved: W is half of (sigma - beta T) : eps.
+  [[nodiscard]] Tensor own_momentum(const Here& u) const {
+    const Tensor& H = free_ ? u.strained : u.H;
+    const double thermal = free_ ? 2.0 * u.free_strain : H.trace();
+    Tensor T = H.transpose() * u.sigma;
+    T.diagonal().array() -= 0.5 * (u.sigma.cwiseProduct(H).sum() - u.beta_T * thermal);
+    return T;
+  }
+
+  const TipSetting& set_;
+  base::ElementId e_;
+  fe::NodeVectors<S> X_;
+  fe::NodeVectors<S> U_;
+  fe::Elasticity<2> D_;
+  fe::Law law_;
+  fe::CornerValues<S> T_;
+  std::optional<fe::FreeExpansion<S>> free_;
+};
+
+using Elements = std::vector<base::ElementId>;
+
+Elements united(const std::vector<ExtensionField>& fields, Elements ExtensionField::*member) {
+  Elements all;
+  for (const ExtensionField& f : fields) {
+    all.insert(all.end(), (f.*member).begin(), (f.*member).end());
+  }
+  std::ranges::sort(all);
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+} // namespace
+
+// Elements of different domains must not mix: q is constant outside its own elements, and there the
+// sums of dN over an element vanish, so one vector per node serves all domains.
+void add_domain_terms(const TipSetting& set, const std::vector<ExtensionField>& fields,
+                      const base::Vector& u, NodalForces& out) {
+  const bool filled = set.loads.fill_elements();
+  const Elements strained = united(fields, &ExtensionField::elements);
+  Elements rigid;
+  if (filled) {
+    std::ranges::set_difference(united(fields, &ExtensionField::inside), strained,
+                                std::back_inserter(rigid));
+  }
+  for (const Elements* elements : {&strained, static_cast<const Elements*>(&rigid)}) {
+    fe::for_plane_blocks(set.mesh, *elements,
+                         [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
+                           for (const base::ElementId e : block) {
+                             ElementTerms<S>(set, e, u).add(out, elements == &strained, filled);
+                           }
+                         });
+  }
+}
+
+} // namespace spricka::crack

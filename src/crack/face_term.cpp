@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "crack/face_term.hpp"
+
+#include "fe/face.hpp"
+
+namespace spricka::crack {
+
+namespace {
+
+template <shape::Shape Side>
+Eigen::Matrix<double, 2, Side::nodes> displacements(const std::array<base::NodeId, Side::nodes>& at,
+                                                    const base::Vector& u) {
+  Eigen::Matrix<double, 2, Side::nodes> U;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    U.col(static_cast<Eigen::Index>(i)) =
+        u.segment<2>(2 * static_cast<Eigen::Index>(at[i].index()));
+  }
+  return U;
+}
+
+// t . u,1 needs no gradient of the element: along the face u,1 ds is the derivative of u by the
+// reference coordinate, and finite where a quarter-point element's gradients are not.
+template <shape::Shape Side>
+void add_face(const TipSetting& set, const ActingLoad& acting, const model::Face& face,
+              const base::Vector& u, NodalForces& out) {
+  const fe::SideNodes<Side> X = fe::side_coordinates<Side>(set.mesh, face);
+  const auto nodes = fe::nodes_of_face<Side>(set.mesh, face);
+  const Eigen::Matrix<double, 2, Side::nodes> U = displacements<Side>(nodes, u);
+  for (const auto& point : shape::quadrature<Side>(fe::load_degree)) {
+    const auto dN = Side::dN(point.r);
+    const auto N = Side::N(point.r);
+    const base::Vec2 x = (X * N).template head<2>();
+    const base::Vec2 along = (X * dN).template head<2>(); // dx/dr, the body on the left
+    const base::Vec2 tangent = along.normalized();
+    const base::Vec2 normal(tangent.y(), -tangent.x());
+    const base::Vec2 t = traction(acting, x, normal);
+    const Polar place = polar_on_face(set.tip, x, normal);
+    for (std::size_t k = 0; k < partners; ++k) {
+      const base::Vec2 du =
+          k == 0 ? base::Vec2(U * dN) : base::Vec2(partner_gradient(set, place, k) * along);
+      const base::Vec2 work = -point.weight * t.dot(du) * tangent;
+      for (std::size_t i = 0; i < nodes.size(); ++i) {
+        out[nodes[i]][k] += N[static_cast<Eigen::Index>(i)] * work;
+      }
+    }
+  }
+}
+
+} // namespace
+
+void add_face_terms(const TipSetting& set, const base::Vector& u, NodalForces& out) {
+  for (const ActingLoad& acting : set.loads.loads) {
+    fe::for_edges(set.mesh, acting.faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
+      add_face<Side>(set, acting, face, u, out);
+    });
+  }
+}
+
+double stress_on_lips_at_tip(const TipSetting& set, const mesh::Tip& tip) {
+  double sum = 0.0;
+  for (const ActingLoad& acting : set.loads.loads) {
+    fe::for_edges(set.mesh, acting.faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
+      const auto nodes = fe::nodes_of_face<Side>(set.mesh, face);
+      const fe::SideNodes<Side> X = fe::side_coordinates<Side>(set.mesh, face);
+      const base::Vec2 along = (X.col(1) - X.col(0)).template head<2>().normalized();
+      const base::Vec2 middle = 0.5 * (X.col(0) + X.col(1)).template head<2>();
+      const base::Vec2 normal(along.y(), -along.x());
+      const bool behind = (middle - set.tip.x).dot(set.tip.e1) < 0.0; // a half model has more
+      if (behind && (nodes[0] == tip.node || nodes[1] == tip.node)) {
+        sum += normal.dot(traction(acting, set.tip.x, normal));
+      }
+    });
+  }
+  return tip.symmetric_half ? sum : 0.5 * sum;
+}
+
+} // namespace spricka::crack

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "crack/opening.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace spricka::crack {
+
+namespace {
+
+using Lip = std::vector<base::NodeId>;
+
+// The k-th node behind the tip.
+base::NodeId behind(const Lip& lip, base::NodeId tip, std::size_t k) {
+  return lip.back() == tip ? lip[lip.size() - 1 - k] : lip[k];
+}
+
+base::Vec2 at(const base::Vector& u, base::NodeId n) {
+  return u.segment<2>(2 * static_cast<Eigen::Index>(n.index()));
+}
+
+} // namespace
+
+std::optional<std::array<double, 2>> opening_intensity(const TipSetting& set,
+                                                       const mesh::CrackedMesh& cracked,
+                                                       const mesh::Tip& tip,
+                                                       const base::Vector& u) {
+  if (tip.crack.index() >= cracked.lips.size()) {
+    return std::nullopt;
+  }
+  const mesh::CrackedMesh::Lips& lips = cracked.lips[tip.crack.index()];
+  const bool half = tip.symmetric_half;
+  const Lip& one = lips.left.empty() ? lips.right : lips.left;
+  if (one.size() < 3 || (!half && lips.right.size() != one.size())) {
+    return std::nullopt;
+  }
+  std::array<double, 2> r{};
+  std::array<base::Vec2, 2> apart;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const base::NodeId n = behind(one, tip.node, k + 1);
+    r[k] = (cracked.mesh.x[n.index()] - tip.x).norm();
+    if (half) { // the other half is its mirror image
+      const double up = lips.left.empty() ? -1.0 : 1.0;
+      const base::Vec2 opening = 2.0 * up * at(u, n);
+      apart[k] = {0.0, opening.dot(set.tip.e2)};
+    } else {
+      // The tips of an embedded crack see its lips from opposite ends.
+      const double turn = one.back() == tip.node ? 1.0 : -1.0;
+      const base::Vec2 d = turn * (at(u, n) - at(u, behind(lips.right, tip.node, k + 1)));
+      apart[k] = {d.dot(set.tip.e1), d.dot(set.tip.e2)};
+    }
+  }
+  // Of A sqrt(r) + B r the A.
+  const double denominator = std::sqrt(r[0]) * r[1] - std::sqrt(r[1]) * r[0];
+  const base::Vec2 A = (apart[0] * r[1] - apart[1] * r[0]) / denominator;
+  const double shear = set.material.E / (2.0 * (1.0 + set.material.nu));
+  const double factor =
+      shear * std::sqrt(2.0 * std::numbers::pi) / (kolosov(set.material.nu, set.state()) + 1.0);
+  return std::array<double, 2>{factor * A.y(), factor * A.x()};
+}
+
+} // namespace spricka::crack

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "crack/tip_loads.hpp"
+
+#include <algorithm>
+
+namespace spricka::crack {
+
+namespace {
+
+bool acts_on(const ActingLoad& acting, base::ElementId e) {
+  return std::ranges::binary_search(acting.elements, e);
+}
+
+bool heats(const ActingLoad& acting) {
+  return acting.load->type == model::LoadType::temperature;
+}
+
+base::Vec2 components(const model::Load& load, const base::Vec2& x) {
+  const base::Vec3 at(x.x(), x.y(), 0.0);
+  base::Vec2 value = base::Vec2::Zero();
+  for (std::size_t k = 0; k < std::min<std::size_t>(2, load.value.size()); ++k) {
+    value[static_cast<Eigen::Index>(k)] = load.value[k](at);
+  }
+  return value;
+}
+
+} // namespace
+
+bool TipLoads::fill_elements() const {
+  return temperature.size() > 0 ||
+         std::ranges::any_of(loads, [](const ActingLoad& a) { return !a.elements.empty(); });
+}
+
+base::Vec2 body_force(const TipLoads& loads, base::ElementId e, const base::Vec2& x) {
+  base::Vec2 b = base::Vec2::Zero();
+  for (const ActingLoad& acting : loads.loads) {
+    if (!heats(acting) && acts_on(acting, e)) {
+      b += acting.factor * components(*acting.load, x);
+    }
+  }
+  return b;
+}
+
+base::Vec2 traction(const ActingLoad& acting, const base::Vec2& x, const base::Vec2& n) {
+  const base::Vec2 value = components(*acting.load, x);
+  return acting.load->type == model::LoadType::pressure ? base::Vec2(-acting.factor * value.x() * n)
+                                                        : base::Vec2(acting.factor * value);
+}
+
+} // namespace spricka::crack

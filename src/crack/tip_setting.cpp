@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "crack/tip_setting.hpp"
+
+#include "crack/point_force.hpp"
+
+#include <algorithm>
+
+namespace spricka::crack {
+
+namespace {
+
+TipFrame frame_of(const mesh::Tip& tip) {
+  TipFrame frame;
+  frame.x = tip.x.head<2>();
+  frame.e1 = tip.direction.head<2>();
+  frame.e2 = {-frame.e1.y(), frame.e1.x()};
+  return frame;
+}
+
+} // namespace
+
+TipSetting tip_setting(const model::Model& model, const mesh::CrackedMesh& cracked,
+                       const mesh::Tip& tip, const std::vector<ExtensionField>& fields,
+                       const TipLoads& loads) {
+  const base::ElementId near = fields.front().elements.front();
+  return {model,
+          cracked.mesh,
+          model.material_of(cracked.mesh, near),
+          model.property_of(cracked.mesh, near),
+          frame_of(tip),
+          loads};
+}
+
+bool between_materials(const TipSetting& set, const ExtensionField& field) {
+  const auto differs = [&](base::ElementId e) {
+    const model::Material& m = set.model.material_of(set.mesh, e);
+    return m.E != set.material.E || m.nu != set.material.nu ||
+           set.model.property_of(set.mesh, e).state != set.state();
+  };
+  return std::ranges::any_of(field.elements, differs) || std::ranges::any_of(field.inside, differs);
+}
+
+std::array<base::Vec2, partners>& NodalForces::operator[](base::NodeId n) {
+  const auto [place, fresh] = at.try_emplace(n);
+  if (fresh) {
+    place->second.fill(base::Vec2::Zero());
+  }
+  return place->second;
+}
+
+std::array<double, partners> NodalForces::along(const ExtensionField& field,
+                                                const base::Vec2& e1) const {
+  std::array<double, partners> sum{};
+  for (const auto& [node, q] : field.q) {
+    const auto P = at.find(node);
+    if (P != at.end()) {
+      for (std::size_t k = 0; k < partners; ++k) {
+        sum[k] += q * e1.dot(P->second[k]);
+      }
+    }
+  }
+  return sum;
+}
+
+Eigen::Matrix2d partner_gradient(const TipSetting& set, const Polar& at, std::size_t partner) {
+  return partner == 3 ? point_force_gradient(set.tip, at, set.material, set.state())
+                      : auxiliary_gradient(set.tip, at, static_cast<int>(partner), set.material,
+                                           set.state());
+}
+
+} // namespace spricka::crack

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "crack/extension.hpp"
+#include "crack/tip_loads.hpp"
+#include "crack/williams.hpp"
+#include "fe/element.hpp"
+#include "mesh/patch.hpp"
+
+#include <array>
+#include <map>
+
+/// What the terms of G, K and T have in common.
+namespace spricka::crack {
+
+/// Everything the kernels need of one tip. Material and property are those of the partners; of a
+/// tip between two materials, which has none, the ones on one side.
+struct TipSetting {
+  const model::Model& model;
+  const model::Mesh& mesh;
+  const model::Material& material;
+  const model::Property& property;
+  TipFrame tip;
+  const TipLoads& loads;
+
+  [[nodiscard]] model::State state() const { return property.state; }
+  /// Of an element's own.
+  [[nodiscard]] fe::Elasticity<2> elasticity(base::ElementId e) const {
+    return fe::elasticity<2>(model.material_of(mesh, e), model.property_of(mesh, e).state);
+  }
+};
+TipSetting tip_setting(const model::Model& model, const mesh::CrackedMesh& cracked,
+                       const mesh::Tip& tip, const std::vector<ExtensionField>& fields,
+                       const TipLoads& loads);
+
+/// Whether the elements of a field have more than one material or state.
+bool between_materials(const TipSetting& set, const ExtensionField& field);
+
+/// Partners of the solution: itself (G), the near-tip fields of K1 = 1 and K2 = 1, and the field of
+/// a unit force along the crack at the tip (T).
+inline constexpr std::size_t partners = 4;
+
+/// Derivatives of the energy with respect to where nodes are, per unit thickness [force/length]: of
+/// the solution with each partner. Terms add to them; G, K and T are their product with q e1.
+struct NodalForces {
+  std::map<base::NodeId, std::array<base::Vec2, partners>> at;
+
+  std::array<base::Vec2, partners>& operator[](base::NodeId n);
+  /// Sum over nodes of q e1 . P, of each partner.
+  [[nodiscard]] std::array<double, partners> along(const ExtensionField& field,
+                                                   const base::Vec2& e1) const;
+};
+
+/// Displacement gradient of partner 1 to 3 at a point off the tip.
+Eigen::Matrix2d partner_gradient(const TipSetting& set, const Polar& at, std::size_t partner);
+
+/// The q of a field at the nodes of an element.
+template <shape::PlaneShape S>
+Eigen::Matrix<double, S::nodes, 1> extension_at(const model::Mesh& mesh, base::ElementId e,
+                                                const std::map<base::NodeId, double>& q) {
+  const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
+  Eigen::Matrix<double, S::nodes, 1> moved = Eigen::Matrix<double, S::nodes, 1>::Zero();
+  for (int n = 0; n < S::nodes; ++n) {
+    const auto at = q.find(nodes[static_cast<std::size_t>(n)]);
+    moved[n] = at == q.end() ? 0.0 : at->second;
+  }
+  return moved;
+}
+
+/// In the elements where q varies the partners behave like r^-1/2 or r^-1 but are smooth; degree 9
+/// leaves 1e-7 of them.
+inline constexpr int domain_degree = 9;
+
+/// Stress of a displacement gradient.
+inline Eigen::Matrix2d stress_of(const fe::Elasticity<2>& D, const Eigen::Matrix2d& H) {
+  const fe::Strain<2> sigma = D * fe::strain<2>(H);
+  return fe::stress_tensor<2>(sigma);
+}
+
+} // namespace spricka::crack

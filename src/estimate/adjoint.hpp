@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/vec.hpp"
+
+#include <string>
+#include <vector>
+
+/// The adjoint of K and what follows from it.
+namespace spricka::estimate {
+
+/// K1 and K2 (columns) of one tip at the end of one step as functions of loads and gaps while the
+/// contact stays as it is: what is closed stays closed, what is open stays open (manual,
+/// sensitivity.1 to 5).
+struct Adjoint {
+  std::string why_not; ///< why there is none; empty: there is one
+  base::Matrix rows;   ///< [dim * node, 2] K = rows^T u, crack::intensity_rows
+  base::Matrix z;      ///< [dim * node, 2] displacements under the load `rows`, closed rows held
+                       ///< at zero gap, open ones free; zero on supports, tied where u is
+  base::Matrix w;      ///< [contact row, 2] their contact forces, dK/dgap; zero on open rows
+  std::vector<bool> closed; ///< [contact row] what was held; rows that are not in force: false
+
+  [[nodiscard]] bool ok() const { return why_not.empty(); }
+};
+
+/// What K is a sum of (manual, sensitivity.5): loads [dim * node] on independent freedoms, less
+/// what prescribed displacements [dim * node] (zero elsewhere) pull; gaps [contact row] at those.
+struct Causes {
+  const base::Vector& load;
+  const base::Vector& prescribed;
+  const base::Vector& gap;
+};
+
+/// z^T load + rows^T prescribed + w^T gap: equals rows^T u for K1 and K2.
+base::Vec2 intensity_of(const Adjoint& adjoint, const Causes& causes);
+
+} // namespace spricka::estimate

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "contact/constraint.hpp"
+#include "estimate/edges.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace spricka::estimate {
+
+/// An edge of a contact surface in the edge table, and what lies opposite.
+struct ContactEdge {
+  std::size_t edge = 0;
+  const contact::Edge* shape = nullptr; ///< in the pair
+  std::vector<std::size_t> rows; ///< normal rows of the pair that decide whether it is closed
+  /// The edge of the other surface that lies exactly opposite, and 1 where both run (from the lower
+  /// to the higher of their ends) the same way, else -1; only given on the contact side.
+  std::optional<std::size_t> opposite;
+  double same_way = 1.0;
+  bool target_side = false;
+  bool covered = false; ///< faces the other surface along its whole length
+};
+
+/// All edges of a surface, chain by chain.
+std::vector<const contact::Edge*> edges_of(const contact::Surface& surface);
+
+/// The edges of both surfaces of a pair, which they point into. Edges that match end to end to a
+/// hundredth of their length are opposite each other.
+std::vector<ContactEdge> contact_edges(const EdgeTable& table, const contact::PairRows& pair);
+
+/// A closed edge: all its rows are.
+struct ClosedEdge {
+  const ContactEdge* at = nullptr;
+  bool bonded = false;
+};
+/// closed [normal row of the pair]; appended to `result`, which keeps pointers into `edges`.
+void add_closed(const std::vector<ContactEdge>& edges, const std::vector<bool>& closed, bool bonded,
+                std::vector<ClosedEdge>& result);
+
+} // namespace spricka::estimate

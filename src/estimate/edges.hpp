@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "model/mesh.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+/// The edges of quadratic plane elements: modes of a side belong to all elements that share it.
+namespace spricka::estimate {
+
+struct Edge {
+  std::array<base::NodeId, 3> nodes; ///< end, end, middle; the ends ascending
+  std::int32_t elements = 0;         ///< how many share it
+};
+
+/// All edges of a mesh of elements that have modes, in the order of their first element.
+struct EdgeTable {
+  std::vector<Edge> edges;
+  std::vector<std::int32_t> first;   ///< [element + 1] into `of_element`
+  std::vector<std::int32_t> of_side; ///< edges of all elements, side by side
+
+  [[nodiscard]] std::size_t edge(base::ElementId e, int side) const {
+    return static_cast<std::size_t>(of_side[static_cast<std::size_t>(first[e.index()] + side)]);
+  }
+};
+EdgeTable find_edges(const model::Mesh& mesh);
+
+/// 1 where a side runs from the lower to the higher of its corners, else -1: the sign of a side's
+/// mode in the edge's.
+inline double side_sign(base::NodeId from, base::NodeId to) {
+  return from < to ? 1.0 : -1.0;
+}
+
+} // namespace spricka::estimate

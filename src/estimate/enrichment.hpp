@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/vec.hpp"
+#include "crack/stress_intensity.hpp"
+#include "estimate/edges.hpp"
+#include "estimate/mode_kernel.hpp"
+#include "model/model.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+/// The cubic modes of a whole mesh and their stiffness, element by element (manual, estimate.5 to
+/// 8). Nothing is assembled: products with element matrices are all that the estimate needs.
+namespace spricka::estimate {
+
+/// Why a model's mesh cannot be enriched ("it has linear elements"); empty: it can.
+std::string not_enriched(const model::Model& model, const model::Mesh& mesh);
+
+/// What an enrichment keeps of a mesh that can be enriched [bytes].
+double enrichment_bytes(const model::Mesh& mesh);
+
+/// Mode freedoms: 2 e + c of edge e of the edge table, then those inside the elements. c is the
+/// direction: x and y, or outer normal and tangent on the edges that are `framed`.
+class Enrichment {
+public:
+  /// framed [edge]: edges of one element only. Model and mesh must outlive the enrichment.
+  Enrichment(const model::Model& model, const model::Mesh& mesh, EdgeTable edges,
+             std::vector<bool> framed);
+
+  [[nodiscard]] const model::Model& model() const { return model_; }
+  [[nodiscard]] const model::Mesh& mesh() const { return mesh_; }
+  [[nodiscard]] const EdgeTable& edges() const { return edges_; }
+  [[nodiscard]] bool framed(std::size_t edge) const { return framed_[edge]; }
+  [[nodiscard]] Eigen::Index freedoms() const { return freedoms_; }
+  /// Mode freedoms of an element, in the order of its kernels.
+  [[nodiscard]] std::span<const std::int32_t> of_element(base::ElementId e) const {
+    return {freedom_.data() + first_[e.index()], freedom_.data() + first_[e.index() + 1]};
+  }
+  [[nodiscard]] SideState sides(base::ElementId e) const;
+
+  /// y = K_ee x. [freedoms]
+  [[nodiscard]] base::Vector product(const base::Vector& x) const;
+  /// Diagonal blocks of K_ee: for each direction pair 2 i, 2 i + 1 the entries (0,0), (1,0), (1,1).
+  /// [freedoms / 2]
+  [[nodiscard]] const std::vector<base::Vec3>& diagonal() const { return diagonal_; }
+  /// r - K_ep u, by columns. u [dim * node, k], r [freedoms, k]
+  void take_nodal(const base::Matrix& u, base::Matrix& r) const;
+  /// The functional of some points on the modes. [freedoms, 2]
+  [[nodiscard]] base::Matrix functional(const std::vector<crack::IntensityPoint>& points) const;
+
+private:
+  void sum_diagonal();
+
+  const model::Model& model_;
+  const model::Mesh& mesh_;
+  EdgeTable edges_;
+  std::vector<bool> framed_;
+  Eigen::Index freedoms_ = 0;
+  std::vector<std::size_t> first_;    ///< [element + 1] into freedom_
+  std::vector<std::int32_t> freedom_; ///< of all elements
+  std::vector<std::size_t> at_ee_;    ///< [element] into ee_
+  std::vector<std::size_t> at_ep_;    ///< [element] into ep_
+  std::vector<double> ee_;            ///< element matrices, one after another
+  std::vector<double> ep_;
+  std::vector<base::Vec3> diagonal_;
+};
+
+} // namespace spricka::estimate

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "estimate/goal_error.hpp"
+
+#include <array>
+
+namespace spricka::estimate {
+
+/// K1 and K2 of one tip with their error bars (manual, estimate.11 and 12).
+struct ErrorBar {
+  double mesh = 0.0;    ///< from the modes [stress intensity]
+  double edge = 0.0;    ///< from where contact ends
+  double floor = 0.0;   ///< below this signs of eta are noise
+  double best = 0.0;    ///< K with its estimated error taken out
+  bool cancels = false; ///< the parts of eta cancel: its size says little
+
+  [[nodiscard]] double size() const { return mesh + edge + floor; }
+};
+
+/// What eta is multiplied by, found by comparison with known values (manual, error_bar.md).
+struct BarConstants {
+  double bar = 1.8;
+  double best = 1.2;
+};
+/// The constants of a mesh: those of its element types, by their share of sum |eta_e|.
+BarConstants bar_constants(const model::Mesh& mesh, const GoalError& error);
+
+/// K and flip by mode: flip is the largest change of K when a pair beside the end of a contact is
+/// opened or closed. `coarse`: a contact is too coarse for eta to be trusted.
+std::array<ErrorBar, 2> error_bars(const model::Mesh& mesh, const std::array<double, 2>& K,
+                                   const std::array<const GoalError*, 2>& errors,
+                                   const std::array<double, 2>& flip, bool coarse);
+
+} // namespace spricka::estimate

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "estimate/goal_error.hpp"
+
+#include <cmath>
+
+namespace spricka::estimate {
+
+namespace {
+
+constexpr int most_steps = 8;
+constexpr double small_change = 3e-3;
+
+/// Inverse of the diagonal blocks of K_ee on the unknowns. Directions x and y of a mode go
+/// together, so that the result does not depend on the axes; those of a frame turn with the body
+/// anyhow.
+class Preconditioner {
+public:
+  Preconditioner(const Enrichment& enrichment, const ModeMap& map)
+      : map_(map), diagonal_(base::Vector::Zero(map.unknowns)) {
+    const std::vector<base::Vec3>& blocks = enrichment.diagonal();
+    const std::size_t edges = enrichment.edges().edges.size();
+    std::vector<int> users(static_cast<std::size_t>(map.unknowns), 0);
+    for (const std::int32_t u : map.unknown) {
+      if (u >= 0) {
+        ++users[static_cast<std::size_t>(u)];
+      }
+    }
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      const std::int32_t x = map.unknown[2 * i];
+      const std::int32_t y = map.unknown[2 * i + 1];
+      if (x >= 0) {
+        diagonal_[x] += blocks[i][0];
+      }
+      if (y >= 0) {
+        diagonal_[y] += blocks[i][2];
+      }
+      const bool own = x >= 0 && y >= 0 && users[static_cast<std::size_t>(x)] == 1 &&
+                       users[static_cast<std::size_t>(y)] == 1;
+      if (own && !(i < edges && enrichment.framed(i))) {
+        pairs_.push_back({x, y, blocks[i][1]});
+      }
+    }
+  }
+
+  [[nodiscard]] base::Vector solve(const base::Vector& r) const {
+    base::Vector y = r.cwiseQuotient(diagonal_);
+    for (const Pair& p : pairs_) {
+      const double a = diagonal_[p.x];
+      const double c = diagonal_[p.y];
+      const double determinant = a * c - p.off * p.off;
+      y[p.x] = (c * r[p.x] - p.off * r[p.y]) / determinant;
+      y[p.y] = (a * r[p.y] - p.off * r[p.x]) / determinant;
+    }
+    return y;
+  }
+
+private:
+  struct Pair {
+    std::int32_t x, y;
+    double off;
+  };
+  const ModeMap& map_;
+  base::Vector diagonal_;
+  std::vector<Pair> pairs_;
+};
+
+bool settled(const base::Vector& change, const base::Vector& eta) {
+  return (change.array().abs() <= small_change * eta.array().abs()).all();
+}
+
+// K_ee^-1 r as far as the functionals r_z see it.
+base::Vector solve_modes(const Enrichment& enrichment, const ModeMap& map, const base::Vector& r_u,
+                         const base::Matrix& r_z) {
+  const Preconditioner preconditioner(enrichment, map);
+  base::Vector x = base::Vector::Zero(map.unknowns);
+  base::Vector r = r_u;
+  base::Vector s = preconditioner.solve(r);
+  base::Vector p = s;
+  double rs = r.dot(s);
+  base::Vector eta = base::Vector::Zero(r_z.cols());
+  for (int step = 0; step < most_steps && rs > 0.0; ++step) {
+    const base::Vector Kp = map.reduce(enrichment.product(map.expand(p))).col(0);
+    const double alpha = rs / p.dot(Kp);
+    x += alpha * p;
+    r -= alpha * Kp;
+    const base::Vector change = alpha * (r_z.transpose() * p);
+    eta += change;
+    if (step > 0 && settled(change, eta)) {
+      break;
+    }
+    s = preconditioner.solve(r);
+    const double next = r.dot(s);
+    p = s + (next / rs) * p;
+    rs = next;
+  }
+  return x;
+}
+
+} // namespace
+
+std::vector<GoalError> goal_errors(const Enrichment& enrichment, const ModeMap& map,
+                                   const GoalRequest& request) {
+  base::Matrix f = request.load;
+  enrichment.take_nodal(request.u, f);
+  base::Matrix g = request.goals;
+  enrichment.take_nodal(request.z, g);
+  const base::Matrix r_z = map.reduce(g);
+  const base::Vector x = solve_modes(enrichment, map, map.reduce(f).col(0), r_z);
+
+  // An unknown's part of eta goes to all elements that have it, in equal shares.
+  const model::Mesh& mesh = enrichment.mesh();
+  std::vector<int> users(static_cast<std::size_t>(map.unknowns), 0);
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    for (const std::int32_t freedom : enrichment.of_element(base::ElementId(e))) {
+      const std::int32_t u = map.unknown[static_cast<std::size_t>(freedom)];
+      if (u >= 0) {
+        ++users[static_cast<std::size_t>(u)];
+      }
+    }
+  }
+  std::vector<GoalError> errors(static_cast<std::size_t>(r_z.cols()));
+  for (std::size_t k = 0; k < errors.size(); ++k) {
+    GoalError& error = errors[k];
+    error.of_element.assign(mesh.element_count(), 0.0);
+    for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+      for (const std::int32_t freedom : enrichment.of_element(base::ElementId(e))) {
+        const std::int32_t u = map.unknown[static_cast<std::size_t>(freedom)];
+        if (u >= 0) {
+          error.of_element[e] +=
+              r_z(u, static_cast<Eigen::Index>(k)) * x[u] / users[static_cast<std::size_t>(u)];
+        }
+      }
+      error.eta += error.of_element[e];
+      error.sum += std::abs(error.of_element[e]);
+    }
+  }
+  return errors;
+}
+
+} // namespace spricka::estimate

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "estimate/enrichment.hpp"
+
+namespace spricka::estimate {
+
+/// Consistent loads of one load case on the modes [freedoms]: tractions, pressures, totals,
+/// bearings and body forces at the points that nodal_load takes them at, and what its temperatures
+/// press. Forces at nodes do no work there.
+base::Vector mode_load(const Enrichment& enrichment, const model::LoadCase& load_case);
+
+} // namespace spricka::estimate

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "estimate/tip_motion.hpp"
+
+#include "shape/topology.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace spricka::estimate {
+
+namespace {
+
+constexpr double share = 1e-4; ///< of a side: leaves 1e-8 of the derivative
+
+double shortest_side(const model::Mesh& mesh, const std::vector<base::ElementId>& elements) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const base::ElementId e : elements) {
+    const base::ElementType type = mesh.type[e.index()];
+    const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
+    for (int s = 0; s < base::info(type).sides; ++s) {
+      const std::span<const int> side = shape::side_nodes(type, s);
+      const base::Vec3 chord = mesh.x[nodes[static_cast<std::size_t>(side[1])].index()] -
+                               mesh.x[nodes[static_cast<std::size_t>(side[0])].index()];
+      shortest = std::min(shortest, chord.norm());
+    }
+  }
+  return shortest;
+}
+
+} // namespace
+
+TipMotion tip_motion(const mesh::CrackedMesh& cracked, std::size_t tip,
+                     crack::ExtensionField field) {
+  const double step = share * shortest_side(cracked.mesh, field.elements);
+  return {tip, std::move(field), step};
+}
+
+mesh::CrackedMesh moved(const mesh::CrackedMesh& cracked, const TipMotion& motion, double by) {
+  mesh::CrackedMesh out = cracked;
+  mesh::Tip& tip = out.tips[motion.tip];
+  for (const auto& [node, q] : motion.field.q) {
+    out.mesh.x[node.index()] += (by * motion.step * q) * tip.direction;
+  }
+  tip.x += (by * motion.step) * tip.direction;
+  tip.a += by * motion.step;
+  return out;
+}
+
+bool moves_as_one(const model::Mesh& mesh, const TipMotion& motion,
+                  const std::vector<crack::ExtensionField>& fields) {
+  const std::map<base::NodeId, double> q(motion.field.q.begin(), motion.field.q.end());
+  bool all = true;
+  bool none = true;
+  for (const crack::ExtensionField& field : fields) {
+    for (const base::ElementId e : field.elements) {
+      for (const base::NodeId n : mesh.nodes_of(e)) {
+        const auto at = q.find(n);
+        all = all && at != q.end() && at->second == 1.0;
+        none = none && at == q.end();
+      }
+    }
+  }
+  return all || none;
+}
+
+} // namespace spricka::estimate

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "crack/extension.hpp"
+#include "mesh/patch.hpp"
+
+#include <vector>
+
+/// The mesh round a tip moves on along with it: K of the moved mesh is K of a longer crack.
+namespace spricka::estimate {
+
+/// A field that moves the nodes of one tip, and how far for a central difference.
+struct TipMotion {
+  std::size_t tip = 0;
+  crack::ExtensionField field;
+  double step = 0.0; ///< [length] 1e-4 of the shortest side of an element that is strained
+};
+
+TipMotion tip_motion(const mesh::CrackedMesh& cracked, std::size_t tip,
+                     crack::ExtensionField field);
+
+/// The mesh with the nodes of the motion moved by `by` steps along the tip's direction, the tip
+/// along with them. Connectivity and sets stay.
+mesh::CrackedMesh moved(const mesh::CrackedMesh& cracked, const TipMotion& motion, double by);
+
+/// Whether the motion carries all nodes of these fields' elements along as one piece, or none.
+bool moves_as_one(const model::Mesh& mesh, const TipMotion& motion,
+                  const std::vector<crack::ExtensionField>& fields);
+
+} // namespace spricka::estimate

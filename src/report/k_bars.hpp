@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "results/results.hpp"
+
+#include <string>
+
+namespace spricka::report {
+
+/// "630.44 +- 0.47 (mesh 0.39, contact edge 0.02, floor 0.06); best 630.68": as many decimals as
+/// the bar has meaning.
+std::string k_with_bar(double K, const results::KBar& bar);
+
+/// A line for K1 and one for K2 of every tip and step; empty without bars.
+std::string k_bar_lines(const results::Increment& increment);
+
+} // namespace spricka::report

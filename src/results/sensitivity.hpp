@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace spricka::results {
+
+/// What K depends on; the names are those of the deck.
+enum class Cause : char {
+  load,    ///< factor of a load case
+  fit,     ///< normal interference of a contact, a gap counts negative [length]
+  modulus, ///< Young's modulus of a material [stress]
+  length   ///< crack length at a tip [length]
+};
+
+/// Derivatives of K1 and K2 of one tip at the end of one step by one value, everything else kept.
+struct Sensitivity {
+  Cause cause = Cause::load;
+  std::string name;   ///< load case, contact, material or tip
+  double value = 0.0; ///< at the end of the step
+  /// Below and above the value; different where a contact is about to change there. Empty: on that
+  /// side nothing holds a body.
+  std::optional<std::array<double, 2>> below, above;
+  /// Values between which the contact stays as it is, infinite where it always does; empty: not
+  /// known for this cause.
+  std::optional<std::array<double, 2>> range;
+
+  /// Where both sides agree; else empty.
+  [[nodiscard]] std::optional<std::array<double, 2>> slope() const {
+    return below && above && *below == *above ? below : std::nullopt;
+  }
+};
+
+/// Of one tip at the end of one step.
+struct Sensitivities {
+  std::vector<Sensitivity> of;
+  std::vector<std::string> notes; ///< why some or all are not given
+};
+
+/// "LOAD", "FIT", "E", "A".
+std::string word_of(Cause cause);
+
+} // namespace spricka::results

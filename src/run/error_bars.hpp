@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "contact/held_contact.hpp"
+#include "estimate/adjoint.hpp"
+#include "estimate/goal_error.hpp"
+#include "results/results.hpp"
+#include "run/scene.hpp"
+#include "run/step_solver.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Processor ESTIMATE: error bars of K at the ends of the steps of one crack length.
+namespace spricka::run {
+
+class ErrorBars {
+public:
+  /// Both must outlive it; nothing is computed before the first step that needs it.
+  ErrorBars(const model::Model& model, const Scene& scene);
+
+  /// Gives the tips of a step, which was solved last, their bars, or says why they have none.
+  /// `held`: the contact that the adjoints keep, null where there is none.
+  void add(const StepState& state, const std::vector<estimate::Adjoint>& adjoints,
+           const contact::HeldContact* held, results::StepResult& step);
+
+private:
+  void prepare();
+  [[nodiscard]] bool is_bonded(std::size_t contact) const;
+  [[nodiscard]] bool faces_touch(const StepState& state) const;
+  [[nodiscard]] base::Vector load(const base::Vector& case_factor);
+  [[nodiscard]] estimate::ModeMap modes(const StepState& state) const;
+  [[nodiscard]] bool coarse_contact(const StepState& state, const mesh::Tip& tip) const;
+  void tell(const results::TipResult& tip, results::StepResult& step);
+  void tell_once(const std::string& text, results::StepResult& step);
+  void tell_of_meshes(const StepState& state, results::StepResult& step);
+
+  const model::Model& model_;
+  const Scene& scene_;
+  bool prepared_ = false;
+  std::string why_not_; ///< of the whole mesh
+  std::optional<estimate::Enrichment> enrichment_;
+  estimate::ModeSupports supports_;
+  std::vector<std::vector<estimate::ContactEdge>> contact_edges_; ///< [contact]
+  std::vector<std::optional<base::Vector>> case_load_;            ///< [case] on the modes
+  base::Matrix goals_;                                            ///< [freedoms of modes, 2 tips]
+  std::vector<std::string> told_;
+};
+
+} // namespace spricka::run

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/load_paths.hpp"
+
+#include "contact/lip_pairing.hpp"
+#include "crack/stress_intensity.hpp"
+#include "run/lip_contact.hpp"
+#include "run/lip_overlap.hpp"
+#include "run/step_walk.hpp"
+
+#include <algorithm>
+
+/// Faces of cracks on load paths.
+namespace spricka::run {
+
+std::vector<LoadPaths::Watch> LoadPaths::watch_faces(const model::Model& model,
+                                                     const Scene& scene) {
+  std::vector<Watch> watches;
+  for (std::size_t i = 0; i < scene.cracked.lips.size() && !model.load_paths.empty(); ++i) {
+    if (!model.cracks[i].faces_in_contact || scene.lip_pairs[i]) {
+      continue;
+    }
+    contact::PairRows pair =
+        contact::lip_rows(model, scene.cracked.mesh, scene.cracked.lips[i], true);
+    for (std::size_t r = 0; r < pair.normal.size(); ++r) {
+      Watch& watch = watches.emplace_back(Watch{i, std::move(pair.normal[r]), {}});
+      if (!pair.tangent.empty()) {
+        watch.along = std::move(pair.tangent[r]);
+      }
+    }
+  }
+  return watches;
+}
+
+base::Matrix LoadPaths::functional_columns(Eigen::Index first, Eigen::Index most) const {
+  const auto size =
+      static_cast<Eigen::Index>(scene_.cracked.mesh.node_count()) * scene_.cracked.mesh.dim;
+  const auto K = 2 * static_cast<Eigen::Index>(scene_.cracked.tips.size());
+  if (first < K) { // all K at once
+    base::Matrix nodal = base::Matrix::Zero(size, K);
+    for (std::size_t t = 0; t < scene_.cracked.tips.size(); ++t) {
+      const mesh::Tip& tip = scene_.cracked.tips[t];
+      nodal.middleCols(2 * static_cast<Eigen::Index>(t), 2) =
+          crack::intensity_rows(model_, scene_.cracked, tip, scene_.tips[t].fields,
+                                model_.cracks[tip.crack.index()].state);
+    }
+    return nodal;
+  }
+  const Eigen::Index columns = std::min(most, functional_count() - first);
+  base::Matrix nodal = base::Matrix::Zero(size, columns);
+  for (Eigen::Index c = 0; c < columns; ++c) {
+    const Watch& watch = watches_[static_cast<std::size_t>((first + c - K) / 2)];
+    const bool along = (first + c - K) % 2 == 1;
+    if (along && !watch.along) {
+      continue;
+    }
+    const contact::ConstraintRow& row = along ? *watch.along : watch.apart;
+    for (const contact::RowEntry& entry : row.entries) {
+      nodal.col(c).segment<2>(2 * static_cast<Eigen::Index>(entry.node.index())) +=
+          entry.weight.head<2>() / row.area;
+    }
+  }
+  return nodal;
+}
+
+base::Vector LoadPaths::watched(const base::Vector& u) const {
+  base::Vector values = base::Vector::Zero(2 * static_cast<Eigen::Index>(watches_.size()));
+  for (std::size_t w = 0; w < watches_.size(); ++w) {
+    const Watch& watch = watches_[w];
+    const auto at = 2 * static_cast<Eigen::Index>(w);
+    values[at] = row_opening(watch.apart, 2, u) / watch.apart.area;
+    if (watch.along) {
+      values[at + 1] = row_opening(*watch.along, 2, u) / watch.along->area;
+    }
+  }
+  return values;
+}
+
+// Between knots all is linear: the largest overlaps are at knots.
+void LoadPaths::look_at_faces(const solve::SolutionPath& found) {
+  const auto K = 2 * static_cast<Eigen::Index>(scene_.cracked.tips.size());
+  const auto look = [&](const base::Vector& value) {
+    for (std::size_t w = 0; w < watches_.size();) {
+      const std::size_t line = watches_[w].line;
+      double overlap = 0.0;
+      double largest = 0.0;
+      for (; w < watches_.size() && watches_[w].line == line; ++w) {
+        const base::Vec2 apart = value.segment<2>(K + 2 * static_cast<Eigen::Index>(w));
+        overlap = std::max(overlap, -apart[0]);
+        largest = std::max(largest, apart.norm());
+      }
+      if (overlap > overlap_of_round_off * largest &&
+          std::ranges::find(touching_, line) == touching_.end()) {
+        touching_.push_back(line);
+      }
+    }
+  };
+  for (const solve::PathSegment& s : found.segments) {
+    look(s.value);
+    look(s.value + (s.to - s.from) * s.slope);
+  }
+}
+
+void LoadPaths::add_lip_forces(base::Matrix& of_row) const {
+  for (std::size_t t = 0; t < scene_.cracked.tips.size(); ++t) {
+    const mesh::Tip& tip = scene_.cracked.tips[t];
+    const std::optional<LipPair>& lip = scene_.lip_pairs[tip.crack.index()];
+    if (!lip) {
+      continue;
+    }
+    const base::Matrix weight =
+        crack::lip_intensity_rows(model_, scene_.cracked, tip, scene_.tips[t].fields,
+                                  model_.cracks[tip.crack.index()].state, lip->sides);
+    for (std::size_t r = scene_.table.first[lip->pair]; r < scene_.table.first[lip->pair + 1];
+         ++r) {
+      for (const contact::RowEntry& entry : scene_.table.rows[r]->entries) {
+        const auto at = 2 * static_cast<Eigen::Index>(entry.node.index());
+        of_row.col(static_cast<Eigen::Index>(r)).segment<2>(2 * static_cast<Eigen::Index>(t)) +=
+            weight.middleRows<2>(at).transpose() * entry.weight.head<2>();
+      }
+    }
+  }
+}
+
+bool LoadPaths::close_tip(std::size_t t, const End& end, const solve::SolutionPath& found,
+                          base::PiecewiseLinear& K1) const {
+  const std::optional<std::size_t> row = row_at_tip(scene_, scene_.cracked.tips[t]);
+  const auto at = row ? std::ranges::find(end.demand.rows, *row) : end.demand.rows.end();
+  if (at == end.demand.rows.end()) {
+    return false;
+  }
+  const auto place = at - end.demand.rows.begin();
+  bool closed = found.closed[static_cast<std::size_t>(place)];
+  bool any = false;
+  std::vector<double> value;
+  std::vector<double> slope;
+  auto change = found.changes.begin();
+  for (std::size_t s = 0; s < found.segments.size(); ++s) {
+    for (; change != found.changes.end() && change->segment == s; ++change) {
+      closed = change->row == place ? change->closes : closed;
+    }
+    any = any || closed;
+    value.push_back(closed ? 0.0 : K1.at_knot(s));
+    slope.push_back(closed ? 0.0 : K1.slope(s));
+  }
+  K1 = base::PiecewiseLinear(K1.knots(), std::move(value), std::move(slope));
+  return any;
+}
+
+} // namespace spricka::run

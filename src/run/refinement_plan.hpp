@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "deck/read_deck.hpp"
+#include "mesh/size_map.hpp"
+#include "model/model.hpp"
+#include "results/results.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace spricka::run {
+
+/// Where error bars stand against what $TIPNET TOL asks for.
+struct Shortfall {
+  double ratio = 0.0;       ///< largest bar over what is allowed; at most 1: all are inside
+  double bar = 0.0;         ///< there, over hypot(K1, K2)
+  double wanted = 0.0;      ///< TOL there
+  std::string where;        ///< "K1 of C1, step LOAD, a = 10.8"
+  bool below_floor = false; ///< some TOL is smaller than the floor of its bar: no mesh helps
+  std::string no_bar;       ///< of a tip with TOL: why it has no bar; empty: all have one
+};
+Shortfall shortfall(const model::Model& model, const results::Run& run);
+
+/// What to mesh finer, so that the error bars of K shrink to what is asked for: grows from round to
+/// round, never back (manual, tolerance.1 to 4).
+class RefinementPlan {
+public:
+  explicit RefinementPlan(const model::Model& model) : finer_(model.cracks.size(), 1.0) {}
+
+  /// Takes the errors of a solution into account. Returns what is made finer, in words; empty if
+  /// nothing is left that would help.
+  std::string refine(const model::Model& model, const results::Run& run);
+
+  /// For deck::read_deck.
+  [[nodiscard]] const std::map<std::string, deck::Refinement>& nets() const { return nets_; }
+  /// Writes what patches are to have into a model that was read anew.
+  void apply(model::Model& model) const;
+
+private:
+  std::map<std::string, deck::Refinement> nets_;
+  std::vector<double> finer_; ///< [crack] divides the element sizes of its patch
+};
+
+} // namespace spricka::run

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/held_rows.hpp"
+
+#include "solve/blas.hpp"
+
+#include <numeric>
+#include <utility>
+
+namespace spricka::solve {
+
+HeldRows::HeldRows(ContactProblem rows)
+    : rows_(std::move(rows)), split_(split_modes(rows_.B, rows_.opening_scale)),
+      held_(held_problem(rows_, split_)), factor_(held_) {
+  blas::single_thread();
+  std::vector<int> all(static_cast<std::size_t>(held_.rows()));
+  std::iota(all.begin(), all.end(), 0);
+  ok_ = factor_.factorise(std::move(all));
+}
+
+HeldRows::Response HeldRows::respond(const base::Matrix& b, const base::Matrix& h) const {
+  blas::single_thread();
+  Response out;
+  out.lambda = base::Matrix::Zero(b.rows(), b.cols());
+  if (split_.unfelt.cols() > 0 && h.cols() > 0) {
+    out.left_over = (split_.unfelt.transpose() * h).cwiseAbs().maxCoeff();
+  }
+  base::Matrix felt = base::Matrix::Zero(held_.modes(), b.cols());
+  const base::Matrix load = split_.felt.transpose() * h;
+  const std::vector<int>& A = factor_.rows();
+  // once more with what the first solution leaves over
+  for (int turn = 0; turn < 2; ++turn) {
+    const base::Matrix left = b + rows_.W * out.lambda + held_.B * felt;
+    base::Matrix top(static_cast<Eigen::Index>(A.size()), b.cols());
+    for (std::size_t r = 0; r < A.size(); ++r) {
+      top.row(static_cast<Eigen::Index>(r)) = -left.row(A[r]);
+    }
+    base::Matrix bottom = -(load + held_.B.transpose() * out.lambda);
+    factor_.solve(top, bottom);
+    for (std::size_t r = 0; r < A.size(); ++r) {
+      out.lambda.row(A[r]) += top.row(static_cast<Eigen::Index>(r));
+    }
+    felt += bottom;
+  }
+  out.alpha = split_.felt * felt;
+  out.alpha -= split_.unfelt * (split_.unfelt.transpose() * out.alpha);
+  return out;
+}
+
+} // namespace spricka::solve

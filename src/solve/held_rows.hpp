@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "solve/bordered_factor.hpp"
+#include "solve/contact_qp.hpp"
+#include "solve/mode_split.hpp"
+
+namespace spricka::solve {
+
+/// Contact rows that are held whatever the sign of their forces, factorised once (manual,
+/// sensitivity.3): W lambda + B alpha = -b, B^T lambda = -h.
+class HeldRows {
+public:
+  /// W and B of `rows` for all its rows; its b and h are left aside.
+  explicit HeldRows(ContactProblem rows);
+  HeldRows(const HeldRows&) = delete;
+  HeldRows& operator=(const HeldRows&) = delete;
+
+  /// Whether there is an answer; redundant rows are left out and have no force.
+  [[nodiscard]] bool ok() const { return ok_; }
+
+  struct Response {
+    base::Matrix lambda;    ///< [n, k]
+    base::Matrix alpha;     ///< [m, k] motions that no row feels rest
+    double left_over = 0.0; ///< largest load on those
+  };
+  /// For gaps b [n, k] and loads h [m, k] on the modes; ok() must hold.
+  [[nodiscard]] Response respond(const base::Matrix& b, const base::Matrix& h) const;
+
+private:
+  ContactProblem rows_;
+  ModeSplit split_;
+  HeldProblem held_;
+  BorderedFactor factor_;
+  bool ok_ = false;
+};
+
+} // namespace spricka::solve

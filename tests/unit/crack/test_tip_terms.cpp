@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "crack/finite_shift.hpp"
+#include "crack/stress_intensity.hpp"
+#include "mesh/generate.hpp"
+#include "mesh/lip_faces.hpp"
+
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace spricka {
+namespace {
+
+using base::Op;
+
+const base::Instruction x{Op::x, 0.0};
+const base::Instruction y{Op::y, 0.0};
+const base::Instruction plus{Op::add, 0.0};
+const base::Instruction times{Op::multiply, 0.0};
+base::Instruction number(double v) {
+  return {Op::number, v};
+}
+
+/// 1 + a x + b y + c x y, as the deck would give it.
+base::Expression field(double a, double b, double c) {
+  return {{number(1.0), number(a), x, times, plus, number(b), y, times, plus, number(c), x, y,
+           times, times, plus}};
+}
+
+/// A plate with an oblique edge crack, its patch and rough displacements: the derivative of the
+/// energy must be right for any.
+struct Plate {
+  model::Model model;
+  mesh::CrackedMesh cracked;
+  mesh::LipFaces lips;
+  std::vector<crack::ExtensionField> fields;
+  base::Vector u;
+
+  explicit Plate(model::State state) {
+    const base::NetId net(std::size_t{0});
+    mesh::BlockSpec spec;
+    spec.type = base::ElementType::quamc8;
+    spec.size = {4.0, 4.0, 1.0};
+    spec.nx = 10;
+    spec.ny = 10;
+    model.nets = {{"", {}}};
+    mesh::generate_block(model.mesh, net, "", spec);
+    model.materials = {{"M", 1000.0, 0.3, 0.0, 1e-3, {}}};
+    model.properties = {
+        {base::ElementSetId(std::size_t{0}), base::MaterialId(std::size_t{0}), state, 2.5, {}}};
+    model.mesh.property.assign(model.mesh.element_count(), base::PropertyId(std::size_t{0}));
+    mesh::CrackLine line;
+    line.crack = base::CrackId(std::size_t{0});
+    line.net = net;
+    line.points = {{0.0, 2.0, 0.0}, {1.5, 2.4, 0.0}};
+    base::Diagnostics diagnostics;
+    const std::vector<mesh::TipMesh> tips{mesh::choose_tip_mesh(model.mesh, line, nullptr)};
+    cracked =
+        mesh::insert_cracks(model.mesh, {&line, 1}, tips, std::vector<base::Span>(1), diagnostics)
+            .value();
+    lips = mesh::lip_faces(cracked.mesh, cracked.lips.front());
+    std::vector<int> left_out;
+    fields = crack::Neighbourhood(cracked.mesh).fields(cracked, tip(), {2, 4}, left_out);
+    u.resize(2 * static_cast<Eigen::Index>(cracked.mesh.node_count()));
+    for (Eigen::Index i = 0; i < u.size(); ++i) {
+      u[i] = std::sin(1.7 * static_cast<double>(i * i % 97));
+    }
+  }
+  [[nodiscard]] const mesh::Tip& tip() const { return cracked.tips.front(); }
+  [[nodiscard]] std::vector<base::ElementId> all() const {
+    std::vector<base::ElementId> elements;
+    for (std::size_t e = 0; e < cracked.mesh.element_count(); ++e) {
+      elements.emplace_back(e);
+    }
+    return elements;
+  }
+};
+
+enum class What { body, pressure, traction, temperature };
+
+model::Load load_of(What what) {
+  model::Load load;
+  switch (what) {
+  case What::body:
+    load.type = model::LoadType::body;
+    load.value = {field(2.0, -1.0, 0.7), field(-0.5, 3.0, 1.1)};
+    break;
+  case What::pressure:
+    load.type = model::LoadType::pressure;
+    load.value = {field(0.8, 0.3, -0.4)};
+    break;
+  case What::traction:
+    load.type = model::LoadType::traction;
+    load.value = {field(0.4, -0.3, 0.9), field(1.4, 0.2, 0.1)};
+    break;
+  case What::temperature:
+    load.type = model::LoadType::temperature;
+    load.value = {field(0.6, -1.3, 0.0)};
+    break;
+  }
+  return load;
+}
+
+/// The load on all that it can act on; of tractions only one lip, which leaves a force at the tip.
+crack::TipLoads acting(const Plate& plate, const model::Load& load, double factor) {
+  crack::ActingLoad a{&load, factor, {}, {}};
+  if (load.type == model::LoadType::pressure || load.type == model::LoadType::traction) {
+    a.faces = plate.lips.left;
+    if (load.type == model::LoadType::pressure) {
+      a.faces.insert(a.faces.end(), plate.lips.right.begin(), plate.lips.right.end());
+    }
+  } else {
+    a.elements = plate.all();
+  }
+  crack::TipLoads loads{{a}, {}};
+  if (load.type == model::LoadType::temperature) {
+    loads.temperature =
+        base::Vector::Zero(static_cast<Eigen::Index>(plate.cracked.mesh.nodes.size()));
+    for (std::size_t e = 0; e < plate.cracked.mesh.element_count(); ++e) {
+      const auto nodes = plate.cracked.mesh.nodes_of(base::ElementId(e));
+      const int corners = base::info(plate.cracked.mesh.type[e]).corners;
+      for (int i = 0; i < corners; ++i) { // linear: what the projection finds
+        loads.temperature[plate.cracked.mesh.first[e] + i] =
+            factor *
+            load.value[0](plate.cracked.mesh.x[nodes[static_cast<std::size_t>(i)].index()]);
+      }
+    }
+  }
+  return loads;
+}
+
+class TipTerm : public testing::TestWithParam<std::tuple<model::State, What>> {};
+
+// G against the energy itself, differenced on both sides: with every load, also with one whose
+// force at the tip is not balanced by the other lip's.
+TEST_P(TipTerm, IsTheDerivativeOfTheEnergy) {
+  const auto [state, what] = GetParam();
+  const Plate plate(state);
+  const model::Load load = load_of(what);
+  const crack::TipLoads loads = acting(plate, load, 1e3);
+  const crack::TipSetting set =
+      crack::tip_setting(plate.model, plate.cracked, plate.tip(), plate.fields, loads);
+  const crack::TipLoads none;
+  const crack::TipSetting unloaded =
+      crack::tip_setting(plate.model, plate.cracked, plate.tip(), plate.fields, none);
+  ASSERT_EQ(plate.fields.size(), 2U);
+  for (const crack::ExtensionField& f : plate.fields) {
+    const crack::StressIntensity K =
+        crack::stress_intensity(plate.model, plate.cracked, plate.tip(), {f}, {}, plate.u, loads);
+    const crack::StressIntensity bare =
+        crack::stress_intensity(plate.model, plate.cracked, plate.tip(), {f}, {}, plate.u, {});
+    // The stiffness itself takes fewer points than G: what it misses is no matter of the loads, but
+    // for elements that expand freely.
+    const double s = 1e-4 * plate.tip().size;
+    const double difference = crack::shifted_release_rate(set, f, s, plate.u) -
+                              crack::shifted_release_rate(unloaded, f, s, plate.u);
+    EXPECT_NEAR(K.G - bare.G, difference,
+                (what == What::temperature ? 2e-4 : 1e-6) * std::abs(K.G - bare.G));
+    EXPECT_GT(std::abs(K.G - bare.G), 1e-4 * std::abs(bare.G)); // the term is there
+  }
+}
+
+// K1, K2 and T are their rows times u and a constant of the loads.
+TEST_P(TipTerm, IsTheConstantOfK) {
+  const auto [state, what] = GetParam();
+  const Plate plate(state);
+  const model::Load load = load_of(what);
+  const crack::TipLoads loads = acting(plate, load, 1e3);
+  const auto& [model, cracked, lips, fields, u] = plate;
+  for (const model::CrackState wish : {model::CrackState::automatic, model::CrackState::stress}) {
+    crack::VceRequest request;
+    request.state = wish;
+    const crack::StressIntensity K =
+        crack::stress_intensity(model, cracked, plate.tip(), fields, request, u, loads);
+    const base::Matrix rows = crack::intensity_rows(model, cracked, plate.tip(), fields, wish);
+    const base::Vector row = crack::t_stress_row(model, cracked, plate.tip(), fields);
+    const crack::IntensityConstant c =
+        crack::intensity_constant(model, cracked, plate.tip(), fields, wish, loads);
+    const double size = rows.cwiseAbs().transpose().row(0).dot(u.cwiseAbs());
+    EXPECT_NEAR(rows.col(0).dot(u) + c.K1, K.K1, 1e-12 * size);
+    EXPECT_NEAR(rows.col(1).dot(u) + c.K2, K.K2, 1e-12 * size);
+    EXPECT_NEAR(row.dot(u) + c.T, K.T, 1e-12 * row.cwiseAbs().dot(u.cwiseAbs()));
+    EXPECT_GT(std::abs(c.K1), 0.0);
+  }
+}
+
+std::string name_of(const testing::TestParamInfo<std::tuple<model::State, What>>& info) {
+  const auto [state, what] = info.param;
+  const std::string names[] = {"Body", "Pressure", "Traction", "Temperature"};
+  return names[static_cast<std::size_t>(what)] +
+         (state == model::State::plane_stress ? "Stress" : "Strain");
+}
+
+INSTANTIATE_TEST_SUITE_P(Loads, TipTerm,
+                         testing::Combine(testing::Values(model::State::plane_stress,
+                                                          model::State::plane_strain),
+                                          testing::Values(What::body, What::pressure,
+                                                          What::traction, What::temperature)),
+                         name_of);
+
+// Lips of the plate: as many sides on each, opposite each other, ending at the tip.
+TEST(LipFaces, LieOppositeEachOther) {
+  const Plate plate(model::State::plane_stress);
+  ASSERT_EQ(plate.lips.left.size(), plate.lips.right.size());
+  EXPECT_EQ(2 * plate.lips.left.size() + 1, plate.cracked.lips.front().left.size());
+  double length = 0.0;
+  for (const model::Face& face : plate.lips.left) {
+    const auto nodes = plate.cracked.mesh.nodes_of(face.element);
+    const auto corners =
+        static_cast<std::size_t>(base::info(plate.cracked.mesh.type[face.element.index()]).corners);
+    const auto i = static_cast<std::size_t>(face.side);
+    const base::Vec3 d = plate.cracked.mesh.x[nodes[(i + 1) % corners].index()] -
+                         plate.cracked.mesh.x[nodes[i].index()];
+    EXPECT_GT(d.dot(plate.tip().direction), 0.0); // the body on its left, towards the tip
+    length += d.norm();
+  }
+  EXPECT_NEAR(length, std::hypot(1.5, 0.4), 1e-12);
+}
+
+} // namespace
+} // namespace spricka

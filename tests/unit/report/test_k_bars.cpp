@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/k_bars.hpp"
+
+#include <gtest/gtest.h>
+
+namespace spricka {
+namespace {
+
+results::KBar bar_of(double mesh, double edge, double floor, double best) {
+  results::KBar bar;
+  bar.mesh = mesh;
+  bar.edge = edge;
+  bar.floor = floor;
+  bar.best = best;
+  return bar;
+}
+
+TEST(KBars, HaveAsManyDecimalsAsTheyMean) {
+  EXPECT_EQ(report::k_with_bar(630.4412, bar_of(0.39, 0.02, 0.063, 630.683)),
+            "630.44 +- 0.47 (mesh 0.39, contact edge 0.02, floor 0.06); best 630.68");
+  EXPECT_EQ(report::k_with_bar(630441.2, bar_of(390.0, 20.0, 63.0, 630683.0)),
+            "630441 +- 473 (mesh 390, contact edge 20, floor 63); best 630683");
+  EXPECT_EQ(report::k_with_bar(-1e-9, bar_of(0.0, 0.0, 0.063, 0.0)),
+            "0.000 +- 0.063 (mesh 0.000, contact edge 0.000, floor 0.063); best 0.000");
+  EXPECT_EQ(report::k_with_bar(0.0, bar_of(0.0, 0.0, 0.0, 0.0)), "0 +- 0; best 0");
+}
+
+TEST(KBars, AreListedForTipsThatHaveThem) {
+  results::Increment increment;
+  results::StepResult step;
+  step.step = "LOAD";
+  results::TipResult tip;
+  tip.name = "C.1";
+  step.tips.push_back(tip); // not estimated
+  tip.name = "C";
+  tip.no_bar.clear();
+  tip.K1 = 10.0;
+  tip.bar = {bar_of(0.1, 0.0, 0.01, 10.05), bar_of(0.0, 0.0, 0.01, 0.0)};
+  step.tips.push_back(tip);
+  increment.steps.push_back(step);
+  EXPECT_EQ(report::k_bar_lines(increment),
+            "  LOAD  C    K1 = 10.00 +- 0.11 (mesh 0.10, contact edge 0.00, floor 0.01); best "
+            "10.05\n"
+            "  LOAD  C    K2 = 0.000 +- 0.010 (mesh 0.000, contact edge 0.000, floor 0.010); best "
+            "0.000\n");
+}
+
+} // namespace
+} // namespace spricka
