@@ -4,7 +4,6 @@
 #include "fe/thermal_kernel.hpp"
 
 #include <algorithm>
-#include <optional>
 
 namespace spricka::crack {
 
@@ -45,7 +44,8 @@ public:
                : fe::CornerValues<S>(fe::CornerValues<S>::Zero())) {
     if constexpr (fe::plane_quadratic<S>) {
       if ((T_.array() != 0.0).any() && fe::FreeExpansion<S>::wanted(X_, law_)) {
-        free_.emplace(X_, law_, T_);
+        free_ = fe::FreeExpansion<S>(X_, law_, T_);
+        carried_ = true;
       }
     }
   }
@@ -67,15 +67,15 @@ public:
         }
         base::Vec2 c = base::Vec2::Zero();
         if (filled) {
-          const double work = k == 0 && free_ ? 2.0 * here.free_strain : Hv.trace();
+          const double work = k == 0 && carried_ ? 2.0 * here.free_strain : Hv.trace();
           c = work * here.beta_grad_T - Hv.transpose() * here.b;
         }
         for (int n = 0; n < S::nodes; ++n) {
           base::Vec2& P = out[nodes[static_cast<std::size_t>(n)]][k];
           const base::Vec2 gradient = at.dNdx.row(n);
           P += w * (T * gradient + N[n] * c);
-          if (k == 0 && free_) { // nodes carried through the free expansion
-            P += w * (free_->gradient(X_.col(n)).transpose() * (here.sigma * gradient));
+          if (k == 0 && carried_) { // nodes carried through the free expansion
+            P += w * (free_.gradient(X_.col(n)).transpose() * (here.sigma * gradient));
           }
         }
       }
@@ -99,12 +99,12 @@ private:
   void heat(const fe::Jacobian<S>& at, const shape::Point<2>& r, const base::Vec2& x,
             Here& here) const {
     const double beta = law_.expansion * (law_.heated_directions() * law_.lambda + 2.0 * law_.mu);
-    if (free_) {
-      const Tensor expansion = free_->gradient(x);
-      here.beta_T = beta * free_->temperature(x);
-      here.beta_grad_T = beta * free_->slope();
+    if (carried_) {
+      const Tensor expansion = free_.gradient(x);
+      here.beta_T = beta * free_.temperature(x);
+      here.beta_grad_T = beta * free_.slope();
       here.free_strain = expansion(0, 0);
-      here.strained -= free_->at_nodes(X_) * at.dNdx;
+      here.strained -= free_.at_nodes(X_) * at.dNdx;
       here.H = here.strained + expansion;
       return;
     }
@@ -115,8 +115,8 @@ private:
 
   // Of u with itself, halved: W is half of (sigma - beta T) : eps.
   [[nodiscard]] Tensor own_momentum(const Here& u) const {
-    const Tensor& H = free_ ? u.strained : u.H;
-    const double thermal = free_ ? 2.0 * u.free_strain : H.trace();
+    const Tensor& H = carried_ ? u.strained : u.H;
+    const double thermal = carried_ ? 2.0 * u.free_strain : H.trace();
     Tensor T = H.transpose() * u.sigma;
     T.diagonal().array() -= 0.5 * (u.sigma.cwiseProduct(H).sum() - u.beta_T * thermal);
     return T;
@@ -129,7 +129,8 @@ private:
   fe::Elasticity<2> D_;
   fe::Law law_;
   fe::CornerValues<S> T_;
-  std::optional<fe::FreeExpansion<S>> free_;
+  bool carried_ = false; ///< the nodes, through the free expansion
+  fe::FreeExpansion<S> free_;
 };
 
 using Elements = std::vector<base::ElementId>;

@@ -56,6 +56,7 @@ template <shape::ElementShape S> bool holds_quadratics(const NodeVectors<S>& X) 
 /// nodes bear the rest, which leaves no stress of a linear temperature in any element.
 template <shape::ElementShape S> class FreeExpansion {
 public:
+  FreeExpansion() = default; ///< of nothing
   /// Of corner values that lie on a plane, or of the plane nearest to them.
   FreeExpansion(const NodeVectors<S>& X, const Law& law, const CornerValues<S>& T)
       : centre_(X.template leftCols<corners<S>()>().rowwise().mean()),
@@ -103,9 +104,9 @@ public:
   }
 
 private:
-  base::Vec2 centre_;
+  base::Vec2 centre_ = base::Vec2::Zero();
   double strain_ = 0.0; ///< of a temperature of 1
-  Eigen::Vector3d plane_;
+  Eigen::Vector3d plane_ = Eigen::Vector3d::Zero();
 };
 
 /// What a temperature T takes out of the normal stresses of an element: a body held all round
