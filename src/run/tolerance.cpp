@@ -43,6 +43,21 @@ results::ToleranceRound look_at(const model::Model& model, const results::Run& r
   return round;
 }
 
+// A force per node adds up to another total where its set has gained nodes: the case's name.
+std::string case_that_grew(const model::Model& given, const model::Model& finer) {
+  for (std::size_t c = 0; c < given.cases.size(); ++c) {
+    for (std::size_t l = 0; l < given.cases[c].loads.size(); ++l) {
+      const model::Load& load = given.cases[c].loads[l];
+      if (load.type == model::LoadType::force &&
+          given.mesh.set(load.nodes).nodes.size() !=
+              finer.mesh.set(finer.cases[c].loads[l].nodes).nodes.size()) {
+        return given.cases[c].name;
+      }
+    }
+  }
+  return {};
+}
+
 } // namespace
 
 bool wants_tolerance(const model::Model& model) {
@@ -82,6 +97,13 @@ ToleratedRun solve_to_tolerance(const ReadyDeck& deck, const ReadFiner& read_fin
     finer = read_finer(plan.nets());
     if (!finer->model) {
       out.why_not = "the deck can't be meshed finer: " + finer->refusal.error;
+      break;
+    }
+    if (const std::string grew = case_that_grew(*deck.model, *finer->model); !grew.empty()) {
+      out.why_not =
+          fmt::format("forces of load case {} stand on single nodes, of which a finer mesh "
+                      "has more: use TYPE=RESULTANT or TRACTION",
+                      grew);
       break;
     }
     plan.apply(*finer->model);

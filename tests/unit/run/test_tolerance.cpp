@@ -149,6 +149,21 @@ TEST(Tolerance, OtherMeshesAreDivided) {
   EXPECT_GE(rounds(folder).size(), 2U);
 }
 
+// A force for each node of a set would grow with its nodes.
+TEST(Tolerance, ForcesOnSingleNodesAreNotMultiplied) {
+  const Folder folder;
+  std::string text = strip(block, "0.00012");
+  const std::string traction = "$LOAD CASE=PULL TYPE=TRACTION\n  YMAX 0 100\n  YMIN 0 -100\n";
+  const std::size_t at = text.find(traction);
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, traction.size(), "$LOAD CASE=PULL TYPE=FORCE\n  YMAX 0 10\n  YMIN 0 -10\n");
+  const Outcome outcome = run_text(folder, text);
+  EXPECT_EQ(outcome.exit_code, 5);
+  EXPECT_NE(outcome.messages.find("forces of load case PULL stand on single nodes"),
+            std::string::npos)
+      << outcome.messages;
+}
+
 // Below what the floor of the bar allows no mesh helps: said, with exit 5, and the results stand.
 TEST(Tolerance, WhatNoMeshCanGiveIsSaid) {
   const Folder folder;
