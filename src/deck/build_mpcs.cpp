@@ -100,6 +100,10 @@ private:
   }
 
   std::optional<base::NodeId> find(const Field& field, base::NetId net, base::Label label) {
+    if (c_.remeshed.contains(c_.model.nets[net.index()].name)) {
+      c_.error(field.span, "E303", "node numbers mean other places where the net is meshed finer");
+      return std::nullopt;
+    }
     const Labels& labels = c_.node_labels[net.index()];
     const auto found = labels.find(label);
     if (!found && labels.complete) {

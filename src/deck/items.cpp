@@ -42,6 +42,14 @@ public:
 
 private:
   void item(const Field& field, Collection& collection) {
+    if (field.kind != Field::Kind::name && field.kind != Field::Kind::minus_name &&
+        c_.remeshed.contains(card_.net)) {
+      c_.error(field.span, "E303",
+               fmt::format("{} numbers mean other places where the net is meshed finer", thing()),
+               "name a set, or choose by WHERE");
+      ok_ = false;
+      return;
+    }
     switch (field.kind) {
     case Field::Kind::number:
     case Field::Kind::expression:

@@ -52,8 +52,7 @@ void write_k_csv(const std::filesystem::path& file, const model::Model& model,
         if (tip.two_materials) {
           fmt::format_to(out, ",,{},,", tip.G);
         } else {
-          fmt::format_to(out, "{},{},{},{},{}", tip.K1, tip.K2, tip.G, tip.spread,
-                         tip.has_T ? fmt::format("{}", tip.T) : "");
+          fmt::format_to(out, "{},{},{},{},{}", tip.K1, tip.K2, tip.G, tip.spread, tip.T);
         }
         for (const results::KBar& bar : tip.bar) { // empty cells: there is no bar
           text += tip.no_bar.empty() ? fmt::format(",{},{},{},{},{}", bar.size(), bar.best, bar.eta,

@@ -82,9 +82,8 @@ void add_k_cells(Row& row, const model::Model& model, const results::TipResult& 
   if (tip.two_materials) {
     row.insert(row.end(), {tip.name, number(tip.a), "", "", number(tip.G), "", "", ""});
   } else {
-    row.insert(row.end(),
-               {tip.name, number(tip.a), number(tip.K1), number(tip.K2), number(tip.G),
-                number(tip.G_from_K), small(tip.spread), tip.has_T ? number(tip.T) : ""});
+    row.insert(row.end(), {tip.name, number(tip.a), number(tip.K1), number(tip.K2), number(tip.G),
+                           number(tip.G_from_K), small(tip.spread), number(tip.T)});
   }
   for (std::size_t mode = 0; mode < 2 && shows_opening(model); ++mode) {
     row.push_back(tip.K_opening ? number((*tip.K_opening)[mode]) : "");

@@ -26,7 +26,6 @@ struct TipResult {
   double G = 0.0;        ///< energy release rate [force/length]
   double G_from_K = 0.0; ///< (K1^2 + K2^2) / E'
   double T = 0.0;        ///< stress along the crack at the tip that K leaves [stress]
-  bool has_T = true;     ///< not where the faces bear on each other near the tip
   double spread = 0.0;   ///< (max - min of K1 over domains) / hypot(K1, K2)
   std::optional<std::array<double, 2>> K_opening; ///< K1, K2 of the faces' opening, on request
   std::vector<double> K1_domain;

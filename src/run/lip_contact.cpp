@@ -54,7 +54,7 @@ std::vector<std::size_t> touching_lines(const model::Model& model, const Scene& 
   std::vector<std::size_t> lines;
   for (std::size_t i = 0; i < scene.cracked.lips.size(); ++i) {
     if (model.cracks[i].faces_in_contact && !scene.lip_pairs[i] &&
-        lip_overlap(scene.cracked, i, u) > overlap_of_round_off) {
+        lip_overlap(scene.cracked, i, u).resolved > overlap_of_round_off) {
       lines.push_back(i);
     }
   }
@@ -99,10 +99,15 @@ TipFaces tip_faces(const Scene& scene, const mesh::Tip& tip, const StepState& st
         state.pair_lambda[lip->pair].head(static_cast<Eigen::Index>(pair.normal.size())).maxCoeff();
   }
   bool met = false;
+  std::vector<bool> along; // closed, from the tip on
   for (const base::NodeId n : from_tip(scene.cracked.lips[tip.crack.index()], tip.node)) {
     const std::size_t row = row_of(pair, n);
-    met = met || (row < closed.size() && closed[row]);
+    along.push_back(row < closed.size() && closed[row]);
+    met = met || along.back();
     faces.open_nodes += met ? 0 : 1;
+  }
+  for (std::size_t i = 2; i + 3 < along.size(); ++i) {
+    faces.lone = faces.lone || (along[i] && !along[i - 1] && !along[i + 1]);
   }
   faces.closed = met && faces.open_nodes == 0;
   faces.open_nodes = met ? faces.open_nodes : 0;

@@ -24,6 +24,7 @@ struct TipFaces {
   bool in_contact = false; ///< the crack's faces are a pair; else nothing below is known
   bool closed = false;     ///< the two nodes next to the tip touch
   bool held = false;       ///< closed, and they have not slipped
+  bool lone = false;       ///< somewhere inside a single node touches, its neighbours do not
   double pressure = 0.0;   ///< largest between the faces [stress]
   int open_nodes = 0;      ///< open pairs from the tip to the first closed one; all open: 0
 };

@@ -81,14 +81,14 @@ void LoadPaths::look_at_faces(const solve::SolutionPath& found) {
   const auto look = [&](const base::Vector& value) {
     for (std::size_t w = 0; w < watches_.size();) {
       const std::size_t line = watches_[w].line;
-      double overlap = 0.0;
+      std::vector<double> overlap; // along the face
       double largest = 0.0;
       for (; w < watches_.size() && watches_[w].line == line; ++w) {
         const base::Vec2 apart = value.segment<2>(K + 2 * static_cast<Eigen::Index>(w));
-        overlap = std::max(overlap, -apart[0]);
+        overlap.push_back(std::max(0.0, -apart[0]));
         largest = std::max(largest, apart.norm());
       }
-      if (overlap > overlap_of_round_off * largest &&
+      if (resolved_overlap(overlap) > overlap_of_round_off * largest &&
           std::ranges::find(touching_, line) == touching_.end()) {
         touching_.push_back(line);
       }

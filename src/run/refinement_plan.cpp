@@ -59,12 +59,24 @@ std::optional<double> tolerance_of(const model::Model& model, base::CrackId crac
   return std::nullopt;
 }
 
+// K below this part of the largest of the run is what round-off leaves of unloaded steps.
+constexpr double no_K = 1e-9;
+
 template <class F> void for_each_tip(const model::Model& model, const results::Run& run, F&& f) {
+  double largest = 0.0;
+  for (const results::Increment& increment : run.increments) {
+    for (const results::StepResult& step : increment.steps) {
+      for (const results::TipResult& tip : step.tips) {
+        largest = std::max(largest, std::hypot(tip.K1, tip.K2));
+      }
+    }
+  }
   for (const results::Increment& increment : run.increments) {
     for (const results::StepResult& step : increment.steps) {
       for (const results::TipResult& tip : step.tips) {
         const std::optional<double> tolerance = tolerance_of(model, crack_of(model, tip.name));
-        if (tolerance && tip.doubt.empty()) {
+        const bool loaded = std::hypot(tip.K1, tip.K2) > no_K * largest || !tip.doubt.empty();
+        if (tolerance && loaded) {
           f(increment, step, tip, *tolerance);
         }
       }

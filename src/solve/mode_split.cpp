@@ -12,7 +12,7 @@ namespace spricka::solve {
 
 namespace {
 
-constexpr double untouched = 1e-9; ///< of the largest entry, and of the largest singular value
+constexpr double dependent = 1e-9; ///< of the largest singular value
 
 base::Matrix orthonormal(const base::Matrix& A) {
   if (A.cols() == 0) {
@@ -94,7 +94,7 @@ private:
 ModeSplit split_modes(const base::Matrix& B, double opening_scale) {
   const Eigen::Index m = B.cols();
   const double largest = B.size() == 0 ? 0.0 : B.cwiseAbs().maxCoeff();
-  const double floor = untouched * (opening_scale > 0.0 ? opening_scale : largest);
+  const double floor = unfelt_opening * (opening_scale > 0.0 ? opening_scale : largest);
   std::vector<Eigen::Index> touched;
   base::Matrix unfelt(m, 0);
   const auto add_unfelt = [&unfelt](const base::Vector& direction) {
@@ -117,7 +117,13 @@ ModeSplit split_modes(const base::Matrix& B, double opening_scale) {
   base::Matrix felt = scale;
   if (k > 0) {
     const auto [V, s] = right_vectors(B * scale);
-    const Eigen::Index rank = (s.array() > untouched * s(0)).count();
+    Eigen::Index rank = (s.array() > dependent * s(0)).count();
+    // a column as small as the floor is scaled up with its round-off: what a unit motion opens
+    // tells
+    while (rank > 0 && (B * (scale * V.col(rank - 1))).cwiseAbs().maxCoeff() <=
+                           floor * (scale * V.col(rank - 1)).norm()) {
+      --rank;
+    }
     if (rank < k) {
       for (Eigen::Index c = rank; c < k; ++c) {
         add_unfelt(scale * V.col(c));
@@ -155,7 +161,7 @@ Holding hold_loads(const HeldProblem& problem) {
   for (int i = 0; i < n; ++i) {
     if (!problem.equality[std::size_t(i)]) {
       const base::Vector across = fixed.across(problem.B.row(i).transpose());
-      if (across.norm() > untouched * problem.B.row(i).norm()) {
+      if (across.norm() > dependent * problem.B.row(i).norm()) {
         A.col(i) = across;
       }
     }

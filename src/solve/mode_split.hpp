@@ -13,7 +13,12 @@ struct ModeSplit {
   base::Matrix unfelt; ///< [m, m0] orthonormal, B unfelt = 0
 };
 
-/// Entries of B [n, m] below 1e-9 of `opening_scale` (0: the largest of B) count as zero.
+/// A unit motion that opens less than this share of `opening_scale` moves no row: the centres of
+/// round surfaces are no better known than their meshes (nodes of a refined bore lie on its edges).
+inline constexpr double unfelt_opening = 1e-7;
+
+/// Motions that open no row of B [n, m] by unfelt_opening of `opening_scale` (0: the largest of B)
+/// a unit are unfelt. Columns of B have comparable lengths (rigid modes of unit norm).
 ModeSplit split_modes(const base::Matrix& B, double opening_scale);
 
 /// How rows hold the loads on the modes: min |h + B^T lambda| over lambda >= 0 on inequality rows,

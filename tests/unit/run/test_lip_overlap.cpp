@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/lip_overlap.hpp"
 #include "solved_text.hpp"
 
 #include <gtest/gtest.h>
@@ -54,6 +55,18 @@ TEST(LipOverlap, OfFacesThatMayNotTouchIsOnlyTold) {
   ASSERT_TRUE(solved);
   EXPECT_TRUE(solved->step().tips[1].doubt.empty());
   EXPECT_FALSE(solved->step().notes.empty());
+}
+
+// Two neighbours, or one of the last two at either end; a lone node inside is its mesh's error.
+TEST(LipOverlap, IsResolvedByTwoNeighboursOrAtTheEnds) {
+  const auto of = [](std::vector<double> overlap) { return run::resolved_overlap(overlap); };
+  EXPECT_EQ(of({}), 0.0);
+  EXPECT_EQ(of({3.0}), 3.0);
+  EXPECT_EQ(of({0, 2.0, 0, 0, 0, 0}), 2.0);
+  EXPECT_EQ(of({0, 0, 0, 0, 2.0, 0}), 2.0);
+  EXPECT_EQ(of({0, 0, 2.0, 0, 0, 0}), 0.0);
+  EXPECT_EQ(of({0, 0, 2.0, 1.0, 0, 0}), 1.0);
+  EXPECT_EQ(of({0.5, 0, 9.0, 0, 9.0, 0, 0}), 0.5);
 }
 
 } // namespace

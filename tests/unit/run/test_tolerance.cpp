@@ -164,6 +164,32 @@ TEST(Tolerance, ForcesOnSingleNodesAreNotMultiplied) {
       << outcome.messages;
 }
 
+// A node of that number stands elsewhere in a finer block: the answer would be another.
+TEST(Tolerance, NumbersOfNodesDoNotOutliveTheirMesh) {
+  const Folder folder;
+  std::string text = strip(block, "0.00012");
+  const std::string set = "$NSET NAME=MIDDLE WHERE=(abs(x - 1) < 1e-6 and abs(y) < 1e-6)\n";
+  const std::size_t at = text.find(set);
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, set.size(), "$NSET NAME=MIDDLE\n  49\n");
+  const Outcome outcome = run_text(folder, text);
+  EXPECT_EQ(outcome.exit_code, 5) << outcome.messages;
+  EXPECT_NE(outcome.messages.find("E303"), std::string::npos) << outcome.messages;
+  EXPECT_NE(outcome.messages.find("meshed finer"), std::string::npos) << outcome.messages;
+}
+
+// Faces that run into each other: K is in doubt, so no bar says it is within the tolerance.
+TEST(Tolerance, AKInDoubtIsNotWithinIt) {
+  const Folder folder;
+  std::string text = strip(block, "0.01", "$STEP NAME=PUSH\n  LOAD PULL -1\n");
+  const std::size_t at = text.find("$CRACK NAME=C");
+  ASSERT_NE(at, std::string::npos);
+  text.insert(at + std::string("$CRACK NAME=C").size(), " FACES=FREE");
+  const Outcome outcome = run_text(folder, text);
+  EXPECT_EQ(outcome.exit_code, 5) << outcome.messages;
+  EXPECT_NE(outcome.messages.find("W506"), std::string::npos) << outcome.messages;
+}
+
 // Below what the floor of the bar allows no mesh helps: said, with exit 5, and the results stand.
 TEST(Tolerance, WhatNoMeshCanGiveIsSaid) {
   const Folder folder;
