@@ -70,7 +70,9 @@ private:
     options.read = [this](const Defines& defines) {
       return read_ready(options_.deck.deck, {.defines = defines}, log_);
     };
-    options.threads = thread_count(options_.deck, model::Model{});
+    options.threads = [this](const model::Model& model) {
+      return thread_count(options_.deck, model);
+    };
     const base::Stopwatch watch;
     session_ = std::make_unique<ShellSession>(std::move(options));
     if (const ShellResult trouble = session_->open()) {

@@ -112,6 +112,20 @@ ShellResult ShellSession::evaluate(const model::Check& check, double& value) {
   return {};
 }
 
+std::vector<std::string> ShellSession::new_notes() {
+  std::vector<std::string> warnings;
+  std::vector<std::string> notes;
+  for (const std::string& note : now().notes) {
+    if (note.starts_with("warning: ")) {
+      warnings.push_back(note);
+    } else if (told_.insert(note).second) {
+      notes.push_back("note: " + note);
+    }
+  }
+  warnings.insert(warnings.end(), notes.begin(), notes.end());
+  return warnings;
+}
+
 double ShellSession::length_of(std::size_t crack) const {
   const results::StepResult& at = now();
   for (std::size_t t = 0; t < at.tips.size(); ++t) {

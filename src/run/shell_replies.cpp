@@ -124,10 +124,10 @@ std::string state_reply(const ShellSession& session) {
   return text;
 }
 
-std::string state_notes(const ShellSession& session) {
+std::string state_notes(ShellSession& session) {
   std::string text;
-  for (const std::string& note : session.now().notes) {
-    text += note.starts_with("warning: ") ? note + "\n" : fmt::format("note: {}\n", note);
+  for (const std::string& note : session.new_notes()) {
+    text += note + "\n";
   }
   for (const results::TipResult& tip : session.now().tips) {
     if (!tip.doubt.empty()) {

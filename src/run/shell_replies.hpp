@@ -23,7 +23,7 @@ std::string map_reply(const ShellSession& session);
 std::string sensitivity_reply(const ShellSession& session);
 /// Loads, fits, lengths, parameters, steps.
 std::string show_reply(const ShellSession& session);
-/// Notes of the last solution, warnings first.
-std::string state_notes(const ShellSession& session);
+/// What the last solution has to say: warnings, and notes that were not given before.
+std::string state_notes(ShellSession& session);
 
 } // namespace spricka::run

@@ -130,6 +130,7 @@ ShellResult ShellSession::read_again(const Defines& defines, bool keep) {
     return trouble;
   }
   next.known_ = known_;
+  next.told_ = told_;
   *this = std::move(next);
   return {};
 }

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,9 +18,9 @@ namespace spricka::run {
 using Defines = std::vector<std::pair<std::string, std::string>>;
 
 struct SessionOptions {
-  std::function<ReadyDeck(const Defines&)> read; ///< reads and checks the deck with these
-  Defines defines;                               ///< -D of the command line
-  int threads = 1;
+  std::function<ReadyDeck(const Defines&)> read;   ///< reads and checks the deck with these
+  Defines defines;                                 ///< -D of the command line
+  std::function<int(const model::Model&)> threads; ///< empty: one
   std::function<bool()> stopped; ///< asked between the stages of a computation; may be empty
 };
 
@@ -68,6 +69,8 @@ public:
   ShellResult estimate(); ///< error bars and sensitivities of K, once for a state
   [[nodiscard]] const results::Run& run() const { return bench_->run(); }
   [[nodiscard]] const results::StepResult& now() const { return bench_->now(); }
+  /// Notes of the present state that were not given before, and its warnings, first.
+  std::vector<std::string> new_notes();
   [[nodiscard]] const StepFactors& factors() const { return bench_->factors(); }
   /// A quantity of $CHECK with the value at the present state for the step NOW, at the end of one
   /// of the deck's for another name.
@@ -142,6 +145,7 @@ private:
   };
   std::vector<Known> known_;
   Defines given_; ///< by the command line
+  std::set<std::string> told_;
 };
 
 } // namespace spricka::run
