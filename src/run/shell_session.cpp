@@ -129,8 +129,10 @@ ShellResult ShellSession::read_again(const Defines& defines, bool keep) {
   if (ShellResult trouble = next.open_model()) {
     return trouble;
   }
-  next.known_ = known_;
-  next.told_ = told_;
+  if (keep) { // after a reset the deck may be another one
+    next.known_ = known_;
+    next.told_ = told_;
+  }
   *this = std::move(next);
   return {};
 }
