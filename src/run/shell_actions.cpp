@@ -102,7 +102,8 @@ ShellResult do_fit(const ShellCall& call) {
   if (!declares) {
     return call.session.fit(name_at(call, 1), value);
   }
-  const ShellResult trouble = call.session.interference(name_at(call, 1), value);
+  ShellResult trouble = settle(call.session, call.reply);
+  trouble = trouble ? trouble : call.session.interference(name_at(call, 1), value);
   if (!trouble) {
     tell_state(call);
   }
@@ -123,6 +124,7 @@ ShellResult do_length(const ShellCall& call) {
     return wrong(call);
   }
   ShellResult trouble = number_from(call, 2, Quantity::length, a);
+  trouble = trouble ? trouble : settle(call.session, call.reply);
   trouble = trouble ? trouble : call.session.length(name_at(call, 1), a);
   if (!trouble) {
     const CondenseLog& log = call.session.condensed();
@@ -137,7 +139,8 @@ ShellResult do_set(const ShellCall& call) {
   if (call.words.size() < 4 || call.words[2].text != "=") {
     return wrong(call);
   }
-  const ShellResult trouble = call.session.define(call.words[1].text, rest_from(call, 2));
+  ShellResult trouble = settle(call.session, call.reply);
+  trouble = trouble ? trouble : call.session.define(call.words[1].text, rest_from(call, 2));
   if (!trouble) {
     tell_state(call);
   }

@@ -29,7 +29,7 @@ double attribute(const std::string& svg, const char* name) {
   return value;
 }
 
-// Drawings one below the other as one; tables of a page are left out.
+// Drawings one below the other on white paper; tables of a page are left out.
 std::string stacked(const std::vector<report::Figure>& figures) {
   std::vector<std::string> drawings;
   const auto add = [&](const std::string& text) {
@@ -41,19 +41,17 @@ std::string stacked(const std::vector<report::Figure>& figures) {
     std::ranges::for_each(figure.drawings, add);
     add(figure.legend);
   }
-  if (drawings.size() == 1) {
-    return drawings.front();
-  }
   double width = 0.0;
   double height = 0.0;
   std::string body;
   for (const std::string& drawing : drawings) {
     body += fmt::format("<svg y=\"{:.2f}\"{}", height, drawing.substr(4));
     width = std::max(width, attribute(drawing, "width"));
-    height += attribute(drawing, "height") + 10.0;
+    height += attribute(drawing, "height");
   }
   return fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.2f}\" "
-                     "height=\"{1:.2f}\" viewBox=\"0 0 {0:.2f} {1:.2f}\">\n{2}</svg>\n",
+                     "height=\"{1:.2f}\" viewBox=\"0 0 {0:.2f} {1:.2f}\">\n"
+                     "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n{2}</svg>\n",
                      width, height, body);
 }
 
@@ -112,7 +110,7 @@ ShellResult picture(const ShellSession& session, const std::string& kind, std::s
     if (path == nullptr || path->tips.empty()) {
       return nothing("there is no map at this state", "map CASE 0 1.5, or map LOADPATH");
     }
-    svg = path_picture(session, *path);
+    svg = stacked({{{path_picture(session, *path)}, {}, {}}});
   } else {
     return nothing(fmt::format("there is no picture of '{}'", kind),
                    base::suggest(kind, picture_kinds()));

@@ -126,12 +126,12 @@ ShellResult ShellSession::read_again(const Defines& defines, bool keep) {
         std::ranges::find(next.model_->steps, leading, &model::Step::name) -
         next.model_->steps.begin());
   }
-  if (ShellResult trouble = next.open_model()) {
-    return trouble;
-  }
   if (keep) { // after a reset the deck may be another one
     next.known_ = known_;
     next.told_ = told_;
+  }
+  if (ShellResult trouble = next.open_model()) {
+    return trouble;
   }
   *this = std::move(next);
   return {};
@@ -172,9 +172,9 @@ void ShellSession::set_lengths_on(model::Model& model) const {
 ShellResult ShellSession::make_bench(bool first, std::unique_ptr<ShellBench>& bench) {
   base::Diagnostics diagnostics;
   ShellResult trouble;
-  bench =
-      ShellBench::make({*model_, *cache_, memory_.get(), first, options_.threads, options_.stopped},
-                       plan_, diagnostics, trouble);
+  bench = ShellBench::make({*model_, *cache_, memory_.get(), first,
+                            options_.threads ? options_.threads(*model_) : 1, options_.stopped},
+                           plan_, diagnostics, trouble);
   if (diagnostics.has_errors()) {
     return ShellTrouble{exit_code::deck_error, base::format(deck_->sources, diagnostics), {}, true};
   }
