@@ -297,7 +297,6 @@ bool March::take(std::vector<TipStation> found) {
     const GrowingTip& t = tips_[tip];
     const mesh::CrackLine& line = trial_[t.line];
     TipStation& here = found[tip];
-    const double length = length_of(line.points);
     here.a = state_.stations.empty() ? (line.embedded ? 0.5 : 1.0) * length_of(line.points)
                                      : state_.stations.back().tips[tip].a + advance_[tip];
     here.heading = angle_of(last_part(line, t.at_first)) + here.turn;
