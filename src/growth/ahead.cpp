@@ -2,8 +2,8 @@
 #include "growth/ahead.hpp"
 
 #include "mesh/boundary.hpp"
+#include "mesh/host.hpp"
 #include "mesh/plane.hpp"
-#include "shape/topology.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -50,21 +50,14 @@ Surroundings::Surroundings(const model::Mesh& host) : host_(host) {
     return;
   }
   for (const model::Face& face : mesh::boundary_faces(host)) {
-    const std::span<const int> side = shape::side_nodes(host.type[face.element.index()], face.side);
-    const auto nodes = host.nodes_of(face.element);
-    const auto at = [&](std::size_t i) {
-      return plane(host.x[nodes[static_cast<std::size_t>(side[i])].index()]);
-    };
+    const mesh::Edge edge = mesh::edge_of(host, face);
     const base::NetId net = host.element_net[face.element.index()];
-    Vec2 before = at(0);
-    const int parts = side.size() > 2 ? pieces_of_edge : 1;
-    for (int k = 1; k <= parts; ++k) {
-      const double t = static_cast<double>(k) / parts;
-      const Vec2 bulge = side.size() > 2 ? Vec2(at(2) - 0.5 * (at(0) + at(1))) : Vec2::Zero();
-      const Vec2 next =
-          k == parts ? at(1) : Vec2((1.0 - t) * at(0) + t * at(1) + 4.0 * t * (1.0 - t) * bulge);
-      pieces_.push_back({before, next, net, face});
-      before = next;
+    const int parts = edge.mid.valid() ? pieces_of_edge : 1;
+    for (int k = 0; k < parts; ++k) {
+      const auto at = [&](int i) {
+        return plane(mesh::point_on(host, edge, -1.0 + 2.0 * i / parts));
+      };
+      pieces_.push_back({at(k), at(k + 1), net, face});
     }
   }
 }
@@ -76,12 +69,11 @@ std::string Surroundings::name_of(const Piece& piece, const Vec2& at) const {
     }
   }
   for (const model::NodeSet& set : host_.node_sets) {
-    const auto nodes = host_.nodes_of(piece.face.element);
-    const std::span<const int> side =
-        shape::side_nodes(host_.type[piece.face.element.index()], piece.face.side);
-    const bool all = std::ranges::all_of(side, [&](int i) {
-      return std::ranges::find(set.nodes, nodes[static_cast<std::size_t>(i)]) != set.nodes.end();
-    });
+    const mesh::Edge edge = mesh::edge_of(host_, piece.face);
+    const auto holds = [&](base::NodeId n) {
+      return !n.valid() || std::ranges::find(set.nodes, n) != set.nodes.end();
+    };
+    const bool all = holds(edge.a) && holds(edge.b) && holds(edge.mid);
     if (!set.name.empty() && all) {
       return "edge " + set.name;
     }

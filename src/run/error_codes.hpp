@@ -43,6 +43,7 @@ inline constexpr std::array later_codes{
     ErrorCode{"E427", "a PATH that cannot be followed"},
     ErrorCode{"E428", "crack patches that meet on a line of symmetry"},
     ErrorCode{"E429", "a crack patch that could not be meshed"},
+    ErrorCode{"E430", "a growth by a law that cannot begin"},
     ErrorCode{"E430", "cracks that meet, cross or turn back"},
     ErrorCode{"E500", "a card, key or word that this version does not run"},
     ErrorCode{"E510", "a model that cannot be solved"},

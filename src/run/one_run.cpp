@@ -282,6 +282,11 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
     outcome.exit_code = exit_code::not_converged;
     outcome.error = run.warnings.back();
   }
+  if (outcome.exit_code == exit_code::done && run.growth && run.growth->ended == "MESH") {
+    outcome.exit_code = exit_code::not_solvable;
+    outcome.error = run.growth->reason;
+    log.message(base::Severity::error, "E510", outcome.error);
+  }
   outcome.run = std::move(solved.run);
   return outcome;
 }
