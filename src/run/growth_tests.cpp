@@ -3,10 +3,13 @@
 
 #include "life/inversion.hpp"
 #include "life/spline.hpp"
+#include "run/growth_measure.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -17,37 +20,17 @@ namespace {
 
 constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
 
-life::Law law_of(model::GrowthLaw law) {
-  switch (law) {
-  case model::GrowthLaw::paris:
-    return life::Law::paris;
-  case model::GrowthLaw::walker:
-    return life::Law::walker;
-  case model::GrowthLaw::forman:
-    return life::Law::forman;
-  case model::GrowthLaw::nasgro:
-    return life::Law::nasgro;
-  case model::GrowthLaw::table:
-  case model::GrowthLaw::increment:
-    break;
-  }
-  return life::Law::table;
-}
-
 // The test's own rates, or the law of $GROW.
 life::GrowthLaw reference_of(const model::Model& model, const model::GrowthTest& test) {
-  life::LawConstants constants;
-  if (!test.delta_k.empty()) {
-    constants.delta_k = test.delta_k;
-    constants.growth = test.growth;
-    constants.k_unit = test.k_unit;
-    constants.a_unit = test.a_unit;
-    return {life::Law::table, constants};
+  if (test.delta_k.empty()) {
+    return law_of(*model.growth);
   }
-  const model::LawConstants& own = model.growth->constants;
-  constants = {own.C,         own.m,   own.p,      own.q,      own.alpha,   own.stress_ratio,
-               own.threshold, own.k_c, own.k_unit, own.a_unit, own.delta_k, own.growth};
-  return {law_of(model.growth->law), constants};
+  life::LawConstants constants;
+  constants.delta_k = test.delta_k;
+  constants.growth = test.growth;
+  constants.k_unit = test.k_unit;
+  constants.a_unit = test.a_unit;
+  return {life::Law::table, constants};
 }
 
 // The tip of a crack, the first of two.
