@@ -112,6 +112,7 @@ constexpr std::array quantities{
     ResultQuantity{"TEST.RMS", "t?aa", number, "rms of measured over computed K less 1"},
     ResultQuantity{"TEST.INSIDE", "t?aa", number,
                    "share of points whose scatter band holds the computed K"},
+    ResultQuantity{"TEST.LIFE", "t", number, "cycles by the computed K over those of a test"},
     ResultQuantity{"TEST.SCATTER", "t", length, "standard deviation of the readings of a test"},
     ResultQuantity{"LIFE", "", number, "cycles (or passes of the spectrum) to the end"},
 };

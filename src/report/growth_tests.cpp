@@ -168,7 +168,10 @@ Table test_table(const model::Model& model, const results::Run& run) {
                {"compared", "", false},
                {"K_exp/K", "", false},
                {"rms", "%", false},
-               {"K inside band", "%", false}},
+               {"K inside band", "%", false},
+               {"cycles", "", false},
+               {"computed", "", false},
+               {"+-", "", false}},
               {}};
   for (const results::GrowthTest& test : run.tests) {
     const results::TestComparison c = results::compare(test, 0.0, k_infinite);
@@ -177,7 +180,8 @@ Table test_table(const model::Model& model, const results::Run& run) {
                           fmt::format("{}", test.readings.size()), number(test.scatter),
                           fmt::format("{}", c.points), any ? fmt::format("{:.4f}", c.ratio) : "",
                           any ? fmt::format("{:.2f}", 100.0 * c.rms) : "",
-                          any ? fmt::format("{:.0f}", 100.0 * c.inside) : ""});
+                          any ? fmt::format("{:.0f}", 100.0 * c.inside) : "", number(test.cycles),
+                          number(test.computed_cycles), number(test.cycles_error)});
   }
   return table;
 }

@@ -30,7 +30,14 @@ struct GrowthTest {
   std::vector<TestPoint> points;
   double scatter = 0.0;  ///< standard deviation of the readings [length]
   double freedoms = 0.0; ///< of a spline
+  /// From the first to the last point that has a computed K: cycles of the test, and those that
+  /// the computed K gives by the reference, with their error by the lengths between which K is
+  /// interpolated. Not numbers where there are not.
+  double cycles = 0.0, computed_cycles = 0.0, cycles_error = 0.0;
   std::vector<std::string> notes;
+
+  /// Computed over measured cycles.
+  [[nodiscard]] double life_ratio() const { return computed_cycles / cycles; }
 };
 
 /// Comparison over the points with a in [from, to] that have a K and a computed one.

@@ -2,6 +2,7 @@
 #include "run/growth_tests.hpp"
 
 #include "life/inversion.hpp"
+#include "life/life_curve.hpp"
 #include "life/spline.hpp"
 #include "run/growth_measure.hpp"
 
@@ -78,6 +79,19 @@ public:
   }
 
   [[nodiscard]] const std::string& tip() const { return tip_; }
+  /// The life by these K; empty where some of them do not grow, or have no end.
+  [[nodiscard]] std::optional<life::LifeCurve> curve(const life::GrowthLaw& law) const {
+    std::vector<double> lengths, rates;
+    for (std::size_t i = 0; i < log_a_.size(); ++i) {
+      const double K = std::exp(log_K_[i]);
+      lengths.push_back(std::exp(log_a_[i]));
+      rates.push_back(law.rate(K, R_[i] * K));
+    }
+    const bool grows =
+        std::ranges::all_of(rates, [](double rate) { return rate > 0.0 && std::isfinite(rate); });
+    return grows && rates.size() > 1 ? std::optional(life::LifeCurve(lengths, rates))
+                                     : std::nullopt;
+  }
   [[nodiscard]] double K(double a) const { return at(a) ? std::exp(value(log_K_, a)) : k_nan; }
   [[nodiscard]] double R(double a) const {
     return constant_ ? *constant_ : at(a) ? value(R_, a) : k_nan;
@@ -133,6 +147,30 @@ std::string reference_words(const model::Model& model, const model::GrowthTest& 
              : fmt::format("{} rates of a reference specimen", test.delta_k.size());
 }
 
+// Cycles over the lengths that test and computation share.
+void compare_lives(const ComputedK& computed, const life::GrowthLaw& law,
+                   results::GrowthTest& test) {
+  std::vector<const results::TestPoint*> shared;
+  for (const results::TestPoint& p : test.points) {
+    if (!std::isnan(p.computed) && (shared.empty() || p.a > shared.back()->a)) {
+      shared.push_back(&p);
+    }
+  }
+  const std::optional<life::LifeCurve> curve = computed.curve(law);
+  test.cycles = test.computed_cycles = test.cycles_error = k_nan;
+  if (shared.size() < 2 || !curve) {
+    return;
+  }
+  const auto within = [&](double a) {
+    return std::clamp(a, curve->first_length(), curve->last_length());
+  };
+  const double from = within(shared.front()->a);
+  const double to = within(shared.back()->a);
+  test.cycles = shared.back()->cycles - shared.front()->cycles;
+  test.computed_cycles = curve->cycles(from, to);
+  test.cycles_error = curve->error(from, to);
+}
+
 // What is missing in the points, counted.
 void add_notes(results::GrowthTest& test) {
   const auto count = [&](auto&& condition) {
@@ -176,11 +214,13 @@ results::GrowthTest invert(const model::Model& model, const results::Run& run,
       life::measured_rates(readings, method_of(card.method), card.window);
   test.scatter = rates.scatter;
   test.freedoms = rates.freedoms;
-  for (const life::MeasuredK& k : life::measured_K(rates, reference_of(model, card),
-                                                   [&](double a) { return computed.R(a); })) {
+  const life::GrowthLaw reference = reference_of(model, card);
+  for (const life::MeasuredK& k :
+       life::measured_K(rates, reference, [&](double a) { return computed.R(a); })) {
     test.points.push_back({k.cycles, k.a, k.rate, k.rate_low, k.rate_high, k.R, k.K_max, k.low,
                            k.high, computed.K(k.a), k.covered});
   }
+  compare_lives(computed, reference, test);
   add_notes(test);
   return test;
 }
@@ -215,6 +255,12 @@ double test_quantity(const std::string& quantity, Arguments& args, const results
       throw Missing(fmt::format("test {} has no K at a = {:.6g}", test.name, a));
     }
     return K;
+  }
+  if (quantity == "TEST.LIFE") {
+    if (std::isnan(test.life_ratio())) {
+      throw Missing(fmt::format("test {} shares no lengths with the computed K", test.name));
+    }
+    return test.life_ratio();
   }
   const double from = args.number().value_or(0.0);
   const double to = args.number().value_or(std::numeric_limits<double>::infinity());
