@@ -305,6 +305,10 @@ void print_summary(const model::Model& model, const results::Run& run,
       }
     }
   }
+  if (run.growth) {
+    fmt::print("N = {:.7g} {}, ended by {}\n", run.growth->cycles(),
+               run.growth->unit == "pass" ? "passes" : "cycles", run.growth->ended);
+  }
   if (!run.checks.empty()) {
     const auto passed = std::count_if(run.checks.begin(), run.checks.end(),
                                       [](const auto& check) { return check.passed; });
