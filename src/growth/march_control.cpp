@@ -18,7 +18,9 @@ constexpr double longest_step = 0.7;
 constexpr double shortest_step = 0.02; ///< below it only the scatter of meshes is seen
 /// Solutions whose error is more times the tolerance than this do not count. The error is that of
 /// a polynomial one order below the one that is used.
-constexpr double still_good = 4.0;
+constexpr double still_good = 1.5;
+/// Part of the tolerance that is aimed at: errors of intervals add up.
+constexpr double aimed_part = 0.4;
 constexpr double of_straight_line = 0.15;
 /// Cycles that are few against those so far need no better than this part of the tolerance's due.
 constexpr double small_part = 0.1;
@@ -130,8 +132,8 @@ bool March::good_enough() {
   const double tolerance = rules().tolerance;
   // three stations: the error is that of a straight line, a parabola is used
   const double missed = cycles_missed() * (n > 3 ? 1.0 : of_straight_line);
-  judge(missed, tolerance, still_good * tolerance, n > 3 ? 3.0 : 2.0);
-  judge(drift(), tolerance, still_good * tolerance, n > 2 ? 3.0 : 2.0);
+  judge(missed, aimed_part * tolerance, still_good * tolerance, n > 3 ? 3.0 : 2.0);
+  judge(drift(), aimed_part * tolerance, still_good * tolerance, n > 2 ? 3.0 : 2.0);
   if (turns()) {
     judge(turn_missed(), aimed_miss, largest_miss, n > 2 ? 2.0 : 1.0);
   }

@@ -37,10 +37,7 @@ void GrowthRegion::choose(const std::vector<mesh::CrackLine>& lines, const growt
   for (const mesh::CrackLine& line : lines) {
     longest = std::max(longest, length_of(line));
   }
-  double reach = (farthest - 1.0) * longest;
-  if (model_.growth->last_length) {
-    reach = std::min(reach, *model_.growth->last_length);
-  }
+  const double reach = model_.growth->last_length.value_or((farthest - 1.0) * longest);
   for (int k = 1; k <= looks; ++k) {
     const double part = static_cast<double>(k) / looks;
     add_to_region(model_, march.straight_on(reach * part * part), plan_);
