@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A spectrum of a million reversals on a deck with $LOADPATH and lengths of $GROW: time to count it
 // once, and for the growth of a pass at every length once the maps are known.
-#include "life/spectrum.hpp"
 #include "base/clock.hpp"
 #include "deck/read_deck.hpp"
+#include "life/spectrum.hpp"
 #include "run/solve_run.hpp"
 
 #include <cstdint>
