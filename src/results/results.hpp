@@ -175,7 +175,7 @@ struct Run {
   std::vector<CheckResult> checks;
   std::vector<std::string> warnings;
   std::vector<ToleranceRound> rounds; ///< where $TIPNET has TOL; this run is the last
-  std::optional<Growth> growth;      ///< where $GROW has a law
+  std::optional<Growth> growth;       ///< where $GROW has a law
   double cpu = 0.0;
   double wall = 0.0;
   std::size_t peak_memory = 0; ///< [bytes]
