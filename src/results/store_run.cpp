@@ -203,6 +203,38 @@ Increment read_increment(const StoreGroup& group) {
   return increment;
 }
 
+void write_arrays(const StoreGroup& group, const NamedArrays& arrays) {
+  StoreGroup reals = group.group("reals");
+  for (const auto& [name, values] : arrays.reals) {
+    reals.write(name, values);
+  }
+  StoreGroup integers = group.group("integers");
+  for (const auto& [name, values] : arrays.integers) {
+    integers.write(name, values);
+  }
+}
+
+NamedArrays read_arrays(const StoreGroup& group) {
+  NamedArrays arrays;
+  const StoreGroup reals = group.group("reals");
+  for (const std::string& name : reals.names()) {
+    arrays.reals[name] = reals.reals(name);
+  }
+  const StoreGroup integers = group.group("integers");
+  for (const std::string& name : integers.names()) {
+    arrays.integers[name] = integers.integers(name);
+  }
+  return arrays;
+}
+
+void write_log(const StoreGroup& group, const std::string& name, const std::vector<LogLine>& log) {
+  write_list(group, name, log);
+}
+
+std::vector<LogLine> read_log(const StoreGroup& group, const std::string& name) {
+  return read_list<LogLine>(group, name);
+}
+
 void write_run(const StoreGroup& given, const Run& run, Times times) {
   StoreGroup group = given;
   const StoreGroup all = group.group("increments");

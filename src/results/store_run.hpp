@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "results/named_arrays.hpp"
 #include "results/results.hpp"
 #include "results/store.hpp"
 
@@ -17,6 +18,13 @@ Increment read_increment(const StoreGroup& group);
 /// time, wall time and memory.
 void write_run(const StoreGroup& group, const Run& run, Times times);
 Run read_run(const StoreGroup& group);
+
+void write_arrays(const StoreGroup& group, const NamedArrays& arrays);
+NamedArrays read_arrays(const StoreGroup& group);
+
+/// The lines of a log as the table NAME.
+void write_log(const StoreGroup& group, const std::string& name, const std::vector<LogLine>& log);
+std::vector<LogLine> read_log(const StoreGroup& group, const std::string& name);
 
 /// The tables that people ask for first, of all increments and steps in one piece: k, pressure,
 /// load_path.
