@@ -203,12 +203,22 @@ constexpr std::array texts{
              "breakpoint, where a pair opens or closes, is found. Nothing may be mounted or "
              "dismounted between the two steps.",
              "$LOADPATH NAME=UP FROM=PRESS TO=LOAD BEYOND=1.5\n"},
-    CardText{"GROW",
-             "All steps are run for every crack length. With LAW=INCREMENT the data lines are the "
-             "lengths. KMAX and KMIN name the steps whose K is the largest and the smallest of a "
-             "load cycle.",
-             "$GROW LAW=INCREMENT KMAX=LOAD KMIN=UNLOAD\n"
-             "  1.8  3.6  7.2  10.8  18\n"},
+    CardText{"SPECTRUM",
+             "All loads are places t on a load path. BLOCKS: each line is a number of cycles "
+             "between two t; SEQUENCE: turning points in their order, counted by rainflow (ASTM "
+             "E1049). One pass through all of them is the unit of life. Beyond both ends of the "
+             "load path there is no K: its BEYOND must reach the largest t.",
+             "$SPECTRUM NAME=FLIGHT PATH=UP TYPE=BLOCKS\n"
+             "  0.1  1.0  20\n"
+             "  0.3  0.7  5000\n"},
+    CardText{
+        "GROW",
+        "All steps are run for every crack length. With LAW=INCREMENT the data lines are the "
+        "lengths. KMAX and KMIN name the steps whose K is the largest and the smallest of a "
+        "load cycle. By a law the program chooses the lengths itself, so that the cycles are "
+        "right to TOL, and ends at AMAX, CYCLES, KC, the ligament's plastic limit (SFLOW), an "
+        "edge, another crack, or where nothing grows any more.",
+        "$GROW LAW=PARIS KMAX=LOAD KMIN=UNLOAD C=1e-11 M=3 KUNIT='MPa*m^0.5' AUNIT=m AMAX=30\n"},
     CardText{"SWEEP", "",
              "$PARAMETER\n"
              "  fit = 0.084\n"

@@ -105,8 +105,8 @@ constexpr std::array quantities{
                    "K1 under x times FROM plus y times TO of a load path"},
     ResultQuantity{"PATH.OPENING", "pl?a", number, "t at which a load path opens the first pair"},
     ResultQuantity{"PATH.KNOTS", "l?a", number, "breakpoints of a load path"},
-    ResultQuantity{"N", "a", number, "cycles at a crack length (not in this version)"},
-    ResultQuantity{"LIFE", "", number, "cycles to the end (not in this version)"},
+    ResultQuantity{"N", "a", number, "cycles (or passes of the spectrum) until a crack length"},
+    ResultQuantity{"LIFE", "", number, "cycles (or passes of the spectrum) to the end"},
 };
 
 } // namespace
@@ -141,6 +141,8 @@ std::string_view word_of(Kind kind) {
     return "rigid target";
   case Kind::path:
     return "load path";
+  case Kind::spectrum:
+    return "spectrum";
   case Kind::surface:
     return "set or rigid target";
   case Kind::none:

@@ -42,6 +42,7 @@ enum class Kind {
   parameter,
   rigid,
   path,
+  spectrum,
   surface ///< node or face set, or a rigid target
 };
 

@@ -103,9 +103,6 @@ private:
       unknown(quantity);
       return false;
     }
-    if (spec->name == "N" || spec->name == "LIFE") {
-      c_.unavailable(fmt::format("{} in $CHECK", spec->name), quantity.span);
-    }
     if ((spec->name == "N" || spec->name == "LIFE") && !counts_cycles()) {
       c_.error(quantity.span, "E315",
                fmt::format("{} counts cycles, but the deck has no $GROW with a law of growth",

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/growth_tables.hpp"
 #include "report/k_bars.hpp"
 #include "report/load_paths.hpp"
 #include "report/model_tables.hpp"
@@ -143,6 +144,10 @@ std::string listing(const base::Sources& sources, const model::Model& model,
     if (!table.rows.empty()) {
       out += heading("Crack growth") + to_text(table);
     }
+  }
+  if (run.growth) {
+    out += heading("GROWTH") + life_summary(model, run) + "\n" +
+           to_text(untitled(life_table(model, run)));
   }
   out += check_text(run);
   if (!run.warnings.empty()) {

@@ -11,6 +11,7 @@ namespace spricka::results {
 struct NamedArrays {
   std::map<std::string, std::vector<double>> reals;
   std::map<std::string, std::vector<std::int64_t>> integers;
+  std::map<std::string, std::vector<std::string>> texts;
 };
 
 } // namespace spricka::results

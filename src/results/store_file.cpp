@@ -369,6 +369,9 @@ std::vector<std::string> StoreGroup::texts(const std::string& name) const {
     fail(fmt::format("array {} is of another kind", name));
   }
   const std::size_t size = H5Tget_size(array.type.get());
+  if (array.count == 0) {
+    return {};
+  }
   std::vector<char> bytes(array.count * size);
   good(H5Dread(array.set.get(), array.type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()),
        "read array " + name);

@@ -212,6 +212,10 @@ void write_arrays(const StoreGroup& group, const NamedArrays& arrays) {
   for (const auto& [name, values] : arrays.integers) {
     integers.write(name, values);
   }
+  StoreGroup texts = group.group("texts");
+  for (const auto& [name, values] : arrays.texts) {
+    texts.write(name, values);
+  }
 }
 
 NamedArrays read_arrays(const StoreGroup& group) {
@@ -223,6 +227,10 @@ NamedArrays read_arrays(const StoreGroup& group) {
   const StoreGroup integers = group.group("integers");
   for (const std::string& name : integers.names()) {
     arrays.integers[name] = integers.integers(name);
+  }
+  const StoreGroup texts = group.group("texts");
+  for (const std::string& name : texts.names()) {
+    arrays.texts[name] = texts.texts(name);
   }
   return arrays;
 }

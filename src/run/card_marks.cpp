@@ -58,7 +58,8 @@ std::string canonical(std::string_view text) {
   return out;
 }
 
-using Parameters = std::map<std::string, std::pair<std::string, double>>; // upper case -> as written
+using Parameters =
+    std::map<std::string, std::pair<std::string, double>>; // upper case -> as written
 
 // Parameters whose names stand in a text.
 std::string uses(std::string_view text, const Parameters& parameters) {
@@ -133,8 +134,7 @@ std::vector<CardMark> card_marks(const std::filesystem::path& deck, const model:
     mark.hash = hash_of(text);
     mark.uses = uses(text, parameters);
     mark.file = std::filesystem::path(sources.name(card.name_span.file)).filename().string();
-    mark.line =
-        static_cast<int>(sources.locate(card.name_span.file, card.name_span.begin).line);
+    mark.line = static_cast<int>(sources.locate(card.name_span.file, card.name_span.begin).line);
     mark.span = card.name_span;
     marks.push_back(std::move(mark));
   }
@@ -155,24 +155,23 @@ std::optional<CardDifference> first_difference(const std::vector<CardMark>& befo
                        cards.end(), [&](const CardMark& c) { return same(c, wanted); });
   };
   const base::Span end = now.empty() ? base::Span{} : now.back().span;
-  const bool missing = i == now.size() || (i < before.size() && in(now, before[i]) == false &&
-                                           in(before, now[i]));
+  const bool missing =
+      i == now.size() || (i < before.size() && in(now, before[i]) == false && in(before, now[i]));
   if (missing) {
     return CardDifference{i < now.size() ? now[i].span : end,
                           fmt::format("a ${} is missing here, line {} of the earlier {}",
                                       before[i].name, before[i].line, before[i].file)};
   }
   if (i == before.size() || in(now, before[i])) {
-    return CardDifference{now[i].span,
-                          fmt::format("${} was not in the earlier deck", now[i].name)};
+    return CardDifference{now[i].span, fmt::format("${} was not in the earlier deck", now[i].name)};
   }
   if (before[i].name == now[i].name && before[i].hash == now[i].hash) {
     return CardDifference{now[i].span, of_uses(before[i], now[i])};
   }
-  return CardDifference{now[i].span, fmt::format("${} is not what the earlier deck has, ${} in "
-                                                 "line {} of {}",
-                                                 now[i].name, before[i].name, before[i].line,
-                                                 before[i].file)};
+  return CardDifference{now[i].span,
+                        fmt::format("${} is not what the earlier deck has, ${} in "
+                                    "line {} of {}",
+                                    now[i].name, before[i].name, before[i].line, before[i].file)};
 }
 
 std::vector<CardMark> only(const std::vector<CardMark>& cards,

@@ -6,9 +6,11 @@
 #include "run/safe_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cerrno>
 #include <cstring>
+#include <limits>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -45,10 +47,11 @@ bool our_name(const std::string& name) {
          std::isdigit(static_cast<unsigned char>(name.front())) != 0;
 }
 
-std::string increment_bytes(const KeptIncrement& done) {
-  results::Store store = results::Store::in_memory();
-  results::write_increment(store.root(), done.increment);
-  results::write_arrays(store.root().group("state"), done.state);
+std::string increment_bytes(const results::Increment& increment,
+                            const results::NamedArrays& state) {
+  const results::Store store = results::Store::in_memory();
+  results::write_increment(store.root(), increment);
+  results::write_arrays(store.root().group("state"), state);
   return store.bytes();
 }
 
@@ -147,20 +150,55 @@ std::vector<KeptEntry> entries_from(const results::StoreGroup& group) {
   return entries;
 }
 
-// What of $GROW every increment depends on; the lengths are compared one by one.
+void add(std::string& text, double value) {
+  text += fmt::format(" {:a}", value);
+}
+
+void add(std::string& text, const std::vector<double>& values) {
+  for (const double value : values) {
+    add(text, value);
+  }
+  text += ';';
+}
+
+void add(std::string& text, const std::optional<double>& value) {
+  add(text, value ? std::vector{*value} : std::vector<double>());
+}
+
+// What of $GROW every increment depends on. Lengths of LAW=INCREMENT are compared one by one; AMAX
+// and CYCLES only say where a growth ends.
 std::string growth_text(const model::Model& model) {
   if (!model.growth) {
     return "none";
   }
   const model::Growth& g = *model.growth;
-  std::string text =
-      fmt::format("law {} direction {} history {} mounted {}", static_cast<int>(g.law),
-                  static_cast<int>(g.direction), static_cast<int>(g.history),
-                  static_cast<int>(g.mounted));
+  std::string text = fmt::format("law {} direction {} history {} mounted {}",
+                                 static_cast<int>(g.law), static_cast<int>(g.direction),
+                                 static_cast<int>(g.history), static_cast<int>(g.mounted));
   for (const base::CrackId crack : g.cracks) {
     text += " " + model.cracks[crack.index()].name;
   }
+  if (g.law == model::GrowthLaw::increment) {
+    return text;
+  }
+  const model::LawConstants& c = g.constants;
+  text += fmt::format(" from {} to {} corrected {} law", g.kmin.value, g.kmax.value, g.corrected);
+  add(text, {c.C, c.m, c.p, c.q, c.alpha, c.stress_ratio, c.threshold, c.k_unit, c.a_unit});
+  add(text, c.k_c);
+  add(text, c.delta_k);
+  add(text, c.growth);
+  add(text, g.largest_advance);
+  add(text, g.flow_stress);
+  add(text, g.tolerance);
   return text;
+}
+
+// Where a growth by a law ends: AMAX, CYCLES.
+std::array<double, 2> ends_of(const model::Model& model) {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  return model.growth ? std::array{model.growth->last_length.value_or(never),
+                                   model.growth->cycles.value_or(never)}
+                      : std::array{never, never};
 }
 
 const std::vector<std::string> changeable{"STEP", "GROW", "SPECTRUM"};
@@ -169,8 +207,7 @@ const std::vector<std::string> changeable{"STEP", "GROW", "SPECTRUM"};
 
 Checkpoint::Checkpoint(CheckpointPlace place, const fs::path& deck, const base::Sources& sources,
                        const model::Model& model)
-    : place_(std::move(place)), sources_(sources), model_(model),
-      cards_(card_marks(deck, model)) {
+    : place_(std::move(place)), sources_(sources), model_(model), cards_(card_marks(deck, model)) {
   if (!place_.read.empty()) {
     found_ = read_newest();
   }
@@ -182,6 +219,20 @@ Checkpoint::Checkpoint(CheckpointPlace place, const fs::path& deck, const base::
 Checkpoint::~Checkpoint() {
   if (lock_ >= 0) {
     ::close(lock_);
+  }
+}
+
+void Checkpoint::listen(Listener listener) {
+  listener_ = std::move(listener);
+  for (const auto& [code, text] : told_) {
+    listener_(code, text);
+  }
+}
+
+void Checkpoint::tell(const std::string& code, const std::string& text) {
+  told_.emplace_back(code, text);
+  if (listener_) {
+    listener_(code, text);
   }
 }
 
@@ -226,6 +277,7 @@ Checkpoint::List Checkpoint::read_list(const fs::path& file) const {
     list.cards = cards_from(root.table("cards"));
     list.entries = entries_from(root);
     list.growth = root.text("growth");
+    list.ends = {root.real("amax"), root.real("cycles")};
     return list;
   } catch (const results::StoreError& trouble) {
     throw FileTrouble("E560", fmt::format("{}: {}", file.string(), trouble.what()));
@@ -324,18 +376,21 @@ std::optional<Misfit> Checkpoint::misfit_of_growth() const {
     return std::nullopt;
   }
   const bool lengths = !model_.growth || model_.growth->law == model::GrowthLaw::increment;
-  if (lengths && found_.growth == growth_text(model_)) {
-    return std::nullopt; // only lengths and what is shown of them
+  const std::array<double, 2> ends = ends_of(model_);
+  const bool further = ends[0] >= found_.ends[0] && ends[1] >= found_.ends[1];
+  const bool same_history =
+      !first_difference(only(found_.cards, {"SPECTRUM"}), only(cards_, {"SPECTRUM"}));
+  if (found_.growth == growth_text(model_) && (lengths || (further && same_history))) {
+    return std::nullopt; // other lengths, or a later end
   }
-  return Misfit{"E561", d->span,
-                fmt::format("{}: its cracks grew by other rules: {}", place_.read.string(),
-                            d->text)};
+  return Misfit{
+      "E561", d->span,
+      fmt::format("{}: its cracks grew by other rules: {}", place_.read.string(), d->text)};
 }
 
 const KeptEntry* Checkpoint::find(int number) const {
-  const auto entry = std::ranges::find_if(found_.entries, [&](const KeptEntry& e) {
-    return e.round == round_ && e.number == number;
-  });
+  const auto entry = std::ranges::find_if(
+      found_.entries, [&](const KeptEntry& e) { return e.round == round_ && e.number == number; });
   return entry == found_.entries.end() ? nullptr : &*entry;
 }
 
@@ -347,8 +402,8 @@ double Checkpoint::asked(int number) const {
   return find(number)->asked;
 }
 
-KeptIncrement Checkpoint::take(int number) {
-  const KeptEntry entry = *find(number);
+KeptIncrement Checkpoint::look_at(int number) const {
+  const KeptEntry& entry = *find(number);
   const fs::path file = folder_of(place_.read) / entry.file;
   const std::string bytes = read_framed(file, "increment");
   KeptIncrement kept;
@@ -365,19 +420,30 @@ KeptIncrement Checkpoint::take(int number) {
   for (std::size_t s = 0; s < dropped_steps_ && !kept.increment.steps.empty(); ++s) {
     kept.increment.steps.pop_back();
   }
+  return kept;
+}
+
+// Into another file, or without its last steps, it is written anew.
+void Checkpoint::take(int number) {
+  const KeptEntry& entry = *find(number);
+  std::string bytes;
+  if (writes() && dropped_steps_ > 0) {
+    const KeptIncrement kept = look_at(number);
+    bytes = increment_bytes(kept.increment, kept.state);
+  } else if (writes() && place_.read != place_.write) {
+    bytes = read_framed(folder_of(place_.read) / entry.file, "increment");
+  }
   const std::scoped_lock lock(guard_);
   entries_.push_back(entry);
-  const bool same_place = place_.read == place_.write;
-  if (writes() && (!same_place || dropped_steps_ > 0)) {
-    const std::string own = dropped_steps_ > 0 ? increment_bytes(kept) : bytes;
-    entries_.back().hash = hash_of(own);
-    entries_.back().file = file_name(entry.round, entry.number, entries_.back().hash);
-    pending_.push_back({entries_.back().file, framed("increment", own)});
-    pending_list_ = framed("state", list_bytes());
-  } else {
+  ++taken_;
+  if (bytes.empty()) {
     ++on_disk_;
+    return;
   }
-  return kept;
+  entries_.back().hash = hash_of(bytes);
+  entries_.back().file = file_name(entry.round, entry.number, entries_.back().hash);
+  pending_.push_back({entries_.back().file, framed("increment", bytes)});
+  pending_list_ = framed("state", list_bytes());
 }
 
 void Checkpoint::solve_from(int number, const std::string& why) {
@@ -389,7 +455,7 @@ void Checkpoint::solve_from(int number, const std::string& why) {
                            place_.read.string(), gone, gone == 1 ? " is" : "s are", number, why));
 }
 
-void Checkpoint::keep(double asked, KeptIncrement done) {
+void Checkpoint::keep(double asked, SolvedIncrement done) {
   walls_.push_back(done.wall);
   if (!writes()) {
     return;
@@ -400,7 +466,7 @@ void Checkpoint::keep(double asked, KeptIncrement done) {
   entry.asked = asked;
   entry.cpu = done.cpu;
   entry.wall = done.wall;
-  const std::string bytes = increment_bytes(done);
+  const std::string bytes = increment_bytes(done.increment, done.state);
   entry.log = std::move(done.log);
   entry.hash = hash_of(bytes);
   entry.file = file_name(entry.round, entry.number, entry.hash);
@@ -424,6 +490,10 @@ bool Checkpoint::out_of_time() const {
   return place_.since.wall() + next > place_.seconds;
 }
 
+std::string Checkpoint::limit() const {
+  return fmt::format("--time {:.6g}", place_.seconds);
+}
+
 std::size_t Checkpoint::flush() {
   const std::scoped_lock lock(guard_);
   if (writes() && !pending_.empty()) {
@@ -437,6 +507,8 @@ std::string Checkpoint::list_bytes() const {
   results::StoreGroup root = store.root();
   root.describe("format", "spricka state");
   root.describe("growth", growth_text(model_));
+  root.describe("amax", ends_of(model_)[0]);
+  root.describe("cycles", ends_of(model_)[1]);
   describe_origin(root, model_);
   store_deck(root, sources_, model_);
   root.write("cards", card_table(cards_));
@@ -476,8 +548,7 @@ void Checkpoint::put_on_disk() {
 void Checkpoint::sweep_folder() const {
   std::error_code none;
   std::vector<fs::path> old;
-  for (const fs::directory_entry& entry :
-       fs::directory_iterator(folder_of(place_.write), none)) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_of(place_.write), none)) {
     const std::string name = entry.path().filename().string();
     const bool listed =
         std::ranges::find(before_, name) != before_.end() ||

@@ -7,7 +7,9 @@
 #include "results/results.hpp"
 #include "run/card_marks.hpp"
 
+#include <array>
 #include <filesystem>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -25,6 +27,14 @@ struct KeptIncrement {
   results::NamedArrays state;
   std::vector<results::LogLine> log;
   double cpu = 0.0, wall = 0.0; ///< [s] that it took
+};
+
+/// The same of one that was solved just now.
+struct SolvedIncrement {
+  const results::Increment& increment;
+  results::NamedArrays state;
+  std::vector<results::LogLine> log;
+  double cpu = 0.0, wall = 0.0; ///< [s]
 };
 
 /// How the list knows an increment.
@@ -65,7 +75,10 @@ public:
 
   /// Whether the state fits the deck. To be asked first, once.
   [[nodiscard]] std::optional<Misfit> misfit();
-  /// What was passed over or left out, for stderr and listing, each with its code.
+  using Listener = std::function<void(const std::string& code, const std::string& text)>;
+  /// Called with all that is told, so far and from now on.
+  void listen(Listener listener);
+  /// What was passed over or left out, each with its code.
   [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& told() const {
     return told_;
   }
@@ -77,17 +90,23 @@ public:
   /// The crack length that increment was asked for.
   [[nodiscard]] double asked(int number) const;
   /// The increment of this round, which has(number). Throws FileTrouble.
-  KeptIncrement take(int number);
+  [[nodiscard]] KeptIncrement look_at(int number) const;
+  /// It stands for what a run from the start would have solved: it is listed again.
+  void take(int number);
   /// This increment and all after it will be solved, not taken; says why.
   void solve_from(int number, const std::string& why);
 
   /// Keeps an increment that was solved, on disk when `every` says so. Throws FileTrouble E563.
-  void keep(double asked, KeptIncrement done);
+  void keep(double asked, SolvedIncrement done);
   /// Whether the next increment would probably not be finished in time: as long as the longer of
   /// the last two. Never before one was solved, so that every session gets further.
   [[nodiscard]] bool out_of_time() const;
   /// Puts on disk what is not there yet; from any thread. The number of increments that are kept.
   std::size_t flush();
+  [[nodiscard]] std::size_t taken() const { return taken_; }
+  [[nodiscard]] const std::filesystem::path& taken_from() const { return place_.read; }
+  /// Seconds and increments of the limit in words, for messages.
+  [[nodiscard]] std::string limit() const;
   [[nodiscard]] bool writes() const { return !place_.write.empty(); }
   [[nodiscard]] const std::filesystem::path& file() const { return place_.write; }
 
@@ -95,7 +114,8 @@ private:
   struct List {
     std::vector<CardMark> cards;
     std::vector<KeptEntry> entries;
-    std::string growth; ///< what of $GROW all increments depend on
+    std::string growth;           ///< what of $GROW all increments depend on
+    std::array<double, 2> ends{}; ///< AMAX, CYCLES; infinite where there is none
   };
   struct Pending {
     std::string file, bytes;
@@ -110,25 +130,27 @@ private:
   void put_on_disk();
   void sweep_folder() const;
   [[nodiscard]] const KeptEntry* find(int number) const;
-  void tell(const std::string& code, const std::string& text) { told_.emplace_back(code, text); }
+  void tell(const std::string& code, const std::string& text);
 
   CheckpointPlace place_;
   const base::Sources& sources_;
   const model::Model& model_;
-  std::vector<CardMark> cards_;   ///< of the deck now
-  List found_;                    ///< in the file that is read
+  std::vector<CardMark> cards_; ///< of the deck now
+  List found_;                  ///< in the file that is read
   int round_ = 0;
-  std::vector<double> walls_; ///< [s] of increments solved in this session
+  std::vector<double> walls_;     ///< [s] of increments solved in this session
   std::size_t dropped_steps_ = 0; ///< of the earlier deck, at its end
   std::vector<std::pair<std::string, std::string>> told_;
+  Listener listener_;
 
-  std::mutex guard_;               ///< of all below
-  std::vector<KeptEntry> entries_; ///< to be listed
-  std::vector<Pending> pending_;   ///< listed, not yet on disk
-  std::string pending_list_; ///< that lists them: HDF5 is used by one thread only
-  std::size_t on_disk_ = 0;        ///< entries in the list on disk
+  std::mutex guard_;                ///< of all below
+  std::vector<KeptEntry> entries_;  ///< to be listed
+  std::vector<Pending> pending_;    ///< listed, not yet on disk
+  std::string pending_list_;        ///< that lists them: HDF5 is used by one thread only
+  std::size_t taken_ = 0;           ///< from an earlier run
+  std::size_t on_disk_ = 0;         ///< entries in the list on disk
   std::vector<std::string> before_; ///< files of the list before
-  int lock_ = -1;                  ///< folder, locked against a second run
+  int lock_ = -1;                   ///< folder, locked against a second run
 };
 
 } // namespace spricka::run

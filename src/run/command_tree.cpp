@@ -57,8 +57,8 @@ CLI::Validator positive() {
             double value = 0.0;
             const char* const end = given.data() + given.size();
             const auto read = std::from_chars(given.data(), end, value);
-            const bool good = read.ec == std::errc() && read.ptr == end && value > 0.0 &&
-                              std::isfinite(value);
+            const bool good =
+                read.ec == std::errc() && read.ptr == end && value > 0.0 && std::isfinite(value);
             return good ? std::string() : fmt::format("a number above 0, not '{}'", given);
           },
           ""};

@@ -135,9 +135,10 @@ std::string read_framed(const fs::path& file, std::string_view kind) {
   const std::vector<std::string> line = words(std::string_view(bytes).substr(0, frame_size - 1));
   if (line.size() < line_words || line[2] != std::to_string(format_version) ||
       line[4] != SPRICKA_VERSION) {
-    unusable(file, fmt::format("written by spricka {} in format {}; this is {} with format {}",
-                               line.size() > 4 ? line[4] : "?", line.size() > 2 ? line[2] : "?",
-                               SPRICKA_VERSION, format_version),
+    unusable(file,
+             fmt::format("written by spricka {} in format {}; this is {} with format {}",
+                         line.size() > 4 ? line[4] : "?", line.size() > 2 ? line[2] : "?",
+                         SPRICKA_VERSION, format_version),
              "E565");
   }
   std::size_t size = 0;

@@ -21,7 +21,7 @@ TEST(Catalogue, HoldsTheWholeLanguage) {
        {"DECK",    "PARAMETER", "INCLUDE", "NET",     "ENDNET",   "IMPORT",   "MESH",    "COOR",
         "ELEMENT", "NSET",      "ESET",    "FSET",    "MATERIAL", "PROPERTY", "FREEDOM", "MPC",
         "LOAD",    "CONTACT",   "RIGID",   "CRACK",   "TIPNET",   "VCE",      "STEP",    "LOADPATH",
-        "GROW",    "SWEEP",     "CONTROL", "RESTART", "TASK",     "OUTPUT",   "CHECK",   "END"}) {
+        "SPECTRUM", "GROW",    "SWEEP",     "CONTROL", "RESTART", "TASK",     "OUTPUT",   "CHECK",   "END"}) {
     EXPECT_NE(find_card(name), nullptr) << name;
   }
   EXPECT_EQ(catalogue().size(), 32U);
