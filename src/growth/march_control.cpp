@@ -181,7 +181,7 @@ void March::look_for_end() {
   const Station& here = all.back();
   const double s0 = all.size() > 1 ? all[all.size() - 2].s : here.s;
   const Trajectory between = trajectory();
-  end_ = crossing(between, s0, here.s);
+  end_.reset();
   if (all.size() == 1) {
     for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
       if (rules().constants.k_c && here.tips[tip].K_max >= *rules().constants.k_c) {
@@ -198,6 +198,7 @@ void March::look_for_end() {
     }
     return;
   }
+  end_ = crossing(between, s0, here.s);
   for (std::size_t tip = 0; tip < tips_.size() && rules().last_length && !end_; ++tip) {
     if (here.tips[tip].a >= *rules().last_length * (1.0 - 1e-12)) {
       end_at_station("AMAX", fmt::format("{} has its last length, {:.6g}", tips_[tip].name,

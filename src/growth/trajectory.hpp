@@ -50,7 +50,9 @@ public:
 
 private:
   [[nodiscard]] std::size_t interval(double s) const;
-  template <class Value> double interpolate(std::size_t interval, double s, Value value) const;
+  template <class Value>
+  double interpolate(std::size_t interval, double s, Value value, std::size_t low,
+                     std::size_t high) const;
   [[nodiscard]] double tip_rate(std::size_t tip, std::size_t interval, double s) const;
   [[nodiscard]] double gauss(double s0, double s1) const;
 

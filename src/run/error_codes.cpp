@@ -69,6 +69,8 @@ constexpr std::array advice{
     ErrorCode{"E336",
               "Supports, loads, steps and contact belong into the deck: take them out of the "
               "file."},
+    ErrorCode{"E325", "All t of a spectrum lie between 0 and BEYOND of its load path: let the path "
+                      "begin at the smallest load and go on to the largest."},
     ErrorCode{"E390", "Leave -D out, or the $SWEEP card."},
     ErrorCode{"E401", "A free crack needs two points, or one with ANGLE and A0; a path two nodes."},
     ErrorCode{"E402", "Give A0, points or the lengths of $GROW."},
@@ -93,6 +95,8 @@ constexpr std::array advice{
     ErrorCode{"E426", "Use TRIMC6, QUAMC8 or QUAMC9, or TYPE=QUADRATIC on $IMPORT."},
     ErrorCode{"E428", "Refine the net there, or give a smaller RADIUS on $TIPNET."},
     ErrorCode{"E429", "Refine the net near the crack or give RADIUS and SIZE on $TIPNET."},
+    ErrorCode{"E430", "Give an AMAX that is longer than the crack is at first; leave PATCH=NO to "
+                      "LAW=INCREMENT with lengths that end at nodes."},
     ErrorCode{"E430", "End a crack before it meets another, and bend it by less than 165 degrees."},
     ErrorCode{"E500", "The deck is right, but there is no analysis for this yet: exit code 4."},
     ErrorCode{"E510",
