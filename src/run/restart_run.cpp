@@ -19,11 +19,6 @@ bool is_there(const fs::path& file) {
   return fs::exists(file, unknown) || fs::exists(before, unknown);
 }
 
-RunOutcome wrong_call(const std::string& why, const Log& log) {
-  log.message(base::Severity::error, "E567", why);
-  return {exit_code::usage, why, {}};
-}
-
 CheckpointPlace place_of(const RunOptions& options, const model::Restart& card,
                          const fs::path& folder) {
   const fs::path beside = folder.empty() ? options.deck.parent_path() : folder;
@@ -50,17 +45,21 @@ CheckpointPlace place_of(const RunOptions& options, const model::Restart& card,
 
 } // namespace
 
+bool has_no_place(const RunOptions& options, const model::Model& model, const Log& log) {
+  const bool writes = model.restart && !model.restart->write.empty();
+  if (writes || (!options.restart && options.seconds <= 0.0)) {
+    return false;
+  }
+  log.message(base::Severity::error, "E567",
+              fmt::format("{} needs a card $RESTART WRITE='file.rst' in the deck",
+                          options.restart ? "--restart" : "--time"));
+  return true;
+}
+
 OpenCheckpoint open_checkpoint(const RunOptions& options, const ReadyDeck& deck,
                                const fs::path& folder, const Log& log) {
   OpenCheckpoint out;
   const std::optional<model::Restart>& card = deck.model->restart;
-  const bool writes = card && !card->write.empty();
-  if (!writes && (options.restart || options.seconds > 0.0)) {
-    out.refusal = wrong_call(fmt::format("{} needs a card $RESTART WRITE='file.rst' in the deck",
-                                         options.restart ? "--restart" : "--time"),
-                             log);
-    return out;
-  }
   if (!card) {
     return out;
   }

@@ -10,9 +10,12 @@
 /// What $RESTART, --restart and --time ask for.
 namespace spricka::run {
 
+/// Whether --restart or --time is given for a deck that keeps no state; it is told.
+bool has_no_place(const RunOptions& options, const model::Model& model, const Log& log);
+
 struct OpenCheckpoint {
   std::unique_ptr<Checkpoint> checkpoint; ///< null: nothing is asked for
-  std::optional<RunOutcome> refusal;      ///< the deck or the command line is wrong; it is told
+  std::optional<RunOutcome> refusal;      ///< the state does not fit the deck; it is told
 };
 
 /// Opens what deck and command line ask for. Files lie relative to the deck, those of a sweep's

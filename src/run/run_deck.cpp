@@ -57,6 +57,9 @@ int run_deck(const RunOptions& given) {
     if (options.check_only) {
       return check_deck(options, deck, log);
     }
+    if (has_no_place(options, *deck.model, log)) {
+      return exit_code::usage;
+    }
     return deck.model->sweeps.empty() ? run_once(options, deck, log)
                                       : run_sweep(options, deck, log);
   } catch (const FileTrouble& trouble) {
