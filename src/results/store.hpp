@@ -65,8 +65,8 @@ public:
   static Store from_bytes(std::string_view bytes);
 
   [[nodiscard]] StoreGroup root() const;
-  /// What the file would hold; of a store in memory.
-  [[nodiscard]] std::string bytes() const;
+  /// Ends the writing of a store in memory; what the file would hold.
+  [[nodiscard]] std::string bytes();
   /// Ends the writing of a file; throws StoreError if it did not reach the file system.
   void close();
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <cstring>
 #include <utility>
 
@@ -258,6 +259,40 @@ Id file_creation() {
   return list;
 }
 
+/// The bytes of a store in memory, which the library gives away when the file is closed: a file
+/// that is still open has a head with a wrong checksum (H5Fget_file_image of 1.10).
+struct Image {
+  std::string bytes;
+};
+
+void* take_memory(std::size_t size, H5FD_file_image_op_t /*op*/, void* /*image*/) {
+  return std::malloc(size);
+}
+
+void* resize_memory(void* old, std::size_t size, H5FD_file_image_op_t /*op*/, void* /*image*/) {
+  return std::realloc(old, size);
+}
+
+// The length of the file stands in its head, behind the signature and six other fields.
+herr_t give_memory(void* data, H5FD_file_image_op_t op, void* image) {
+  if (op == H5FD_FILE_IMAGE_OP_FILE_CLOSE && data != nullptr) {
+    constexpr std::size_t length_at = 28;
+    std::uint64_t length = 0;
+    std::memcpy(&length, static_cast<const char*>(data) + length_at, sizeof length);
+    static_cast<Image*>(image)->bytes.assign(static_cast<const char*>(data), length);
+  }
+  std::free(data);
+  return 0;
+}
+
+void* same_image(void* image) {
+  return image;
+}
+
+herr_t keep_image(void* /*image*/) {
+  return 0;
+}
+
 constexpr std::size_t growth = 1 << 20; // [bytes] by which memory for a store grows
 
 } // namespace
@@ -268,6 +303,7 @@ struct StoreGroup::Handle {
 
 struct Store::Handle {
   Id id;
+  std::unique_ptr<Image> image{}; ///< of a store that is written in memory
 };
 
 StoreGroup StoreGroup::group(const std::string& name) const {
@@ -440,11 +476,15 @@ Store Store::create(const std::filesystem::path& file) {
 
 Store Store::in_memory() {
   const Id access = file_access();
+  auto image = std::make_unique<Image>();
+  H5FD_file_image_callbacks_t calls{take_memory, nullptr,    resize_memory, give_memory,
+                                    same_image,  keep_image, image.get()};
   good(H5Pset_fapl_core(access.get(), growth, 0), "work in memory");
+  good(H5Pset_file_image_callbacks(access.get(), &calls), "work in memory");
   const Id made = file_creation();
-  return Store(
-      std::make_shared<Handle>(Id(H5Fcreate("memory", H5F_ACC_TRUNC, made.get(), access.get()),
-                                  H5Fclose, "make a store in memory")));
+  Id id(H5Fcreate("memory", H5F_ACC_TRUNC, made.get(), access.get()), H5Fclose,
+        "make a store in memory");
+  return Store(std::make_shared<Handle>(Handle{std::move(id), std::move(image)}));
 }
 
 Store Store::open(const std::filesystem::path& file) {
@@ -468,17 +508,11 @@ StoreGroup Store::root() const {
       Id(H5Gopen2(handle_->id.get(), "/", H5P_DEFAULT), H5Gclose, "open the store")));
 }
 
-std::string Store::bytes() const {
-  good(H5Fflush(handle_->id.get(), H5F_SCOPE_GLOBAL), "collect the store");
-  const ssize_t size = H5Fget_file_image(handle_->id.get(), nullptr, 0);
-  if (size < 0) {
-    fail("cannot collect the store");
+std::string Store::bytes() {
+  if (handle_->id.get() >= 0) {
+    close();
   }
-  std::string bytes(static_cast<std::size_t>(size), '\0');
-  if (H5Fget_file_image(handle_->id.get(), bytes.data(), bytes.size()) != size) {
-    fail("cannot collect the store");
-  }
-  return bytes;
+  return handle_->image->bytes;
 }
 
 void Store::close() {

@@ -49,7 +49,7 @@ bool our_name(const std::string& name) {
 
 std::string increment_bytes(const results::Increment& increment,
                             const results::NamedArrays& state) {
-  const results::Store store = results::Store::in_memory();
+  results::Store store = results::Store::in_memory();
   results::write_increment(store.root(), increment);
   results::write_arrays(store.root().group("state"), state);
   return store.bytes();

@@ -123,7 +123,7 @@ TYPED_TEST(Records, every_member_is_kept) {
 
 // The bytes of a store are those of all it holds: equal bytes, equal records.
 template <class T> std::string bytes_of(const std::vector<T>& list) {
-  const Store store = Store::in_memory();
+  Store store = Store::in_memory();
   write_list(store.root(), "list", list);
   return store.bytes();
 }
@@ -203,7 +203,7 @@ Run random_run() {
 }
 
 std::string bytes_of(const Run& run) {
-  const Store store = Store::in_memory();
+  Store store = Store::in_memory();
   write_run(store.root(), run, Times::kept);
   return store.bytes();
 }
@@ -242,7 +242,7 @@ TEST(Store, a_run_comes_back_to_the_bit) {
 TEST(Store, times_can_be_left_out) {
   Run run = random_run();
   const auto timeless = [&] {
-    const Store store = Store::in_memory();
+    Store store = Store::in_memory();
     write_run(store.root(), run, Times::left_out);
     return store.bytes();
   };
@@ -258,7 +258,7 @@ TEST(Store, times_can_be_left_out) {
 }
 
 TEST(Store, arrays_of_any_size) {
-  const Store store = Store::in_memory();
+  Store store = Store::in_memory();
   StoreGroup root = store.root();
   std::vector<std::vector<double>> all;
   for (const std::size_t n : {0U, 1U, 2047U, 2048U, 2049U, 100001U}) {
@@ -283,7 +283,7 @@ TEST(Store, trouble_is_said) {
   EXPECT_THROW(Store::from_bytes("no store"), StoreError);
   EXPECT_THROW(Store::open("/nowhere/at/all.h5"), StoreError);
   EXPECT_THROW(Store::create("/nowhere/at/all.h5"), StoreError);
-  const Store store = Store::in_memory();
+  Store store = Store::in_memory();
   StoreGroup root = store.root();
   root.write("numbers", std::vector{1.0, 2.0});
   root.describe("word", std::string_view("text"));
