@@ -2,7 +2,6 @@
 #pragma once
 #include "results/table.hpp"
 
-#include <filesystem>
 #include <memory>
 #include <span>
 #include <stdexcept>
@@ -11,7 +10,8 @@
 #include <vector>
 
 /// Files of named arrays and tables in folders (HDF5), as h5py and pandas read them. The same
-/// content always makes the same bytes: no times are kept.
+/// content always makes the same bytes: no times are kept. The library works in memory only, since
+/// it does not survive a full disk; who writes the bytes to a file takes care of that.
 namespace spricka::results {
 
 /// A file that cannot be written or read, or does not hold what it should.
@@ -56,19 +56,14 @@ private:
 
 class Store {
 public:
-  /// A new file, to be written.
-  static Store create(const std::filesystem::path& file);
-  /// A new store in memory, to be written.
+  /// A new store, to be written.
   static Store in_memory();
-  static Store open(const std::filesystem::path& file);
-  /// The bytes of a store in memory.
+  /// One to be read.
   static Store from_bytes(std::string_view bytes);
 
   [[nodiscard]] StoreGroup root() const;
-  /// Ends the writing of a store in memory; what the file would hold.
-  [[nodiscard]] std::string bytes();
-  /// Ends the writing of a file; throws StoreError if it did not reach the file system.
-  void close();
+  /// Ends the writing: the bytes of the file, which live as long as the store.
+  [[nodiscard]] std::string_view bytes();
 
 private:
   struct Handle;

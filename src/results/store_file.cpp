@@ -262,7 +262,8 @@ Id file_creation() {
 /// The bytes of a store in memory, which the library gives away when the file is closed: a file
 /// that is still open has a head with a wrong checksum (H5Fget_file_image of 1.10).
 struct Image {
-  std::string bytes;
+  std::unique_ptr<void, void (*)(void*)> data{nullptr, &std::free};
+  std::size_t length = 0;
 };
 
 void* take_memory(std::size_t size, H5FD_file_image_op_t /*op*/, void* /*image*/) {
@@ -279,7 +280,10 @@ herr_t give_memory(void* data, H5FD_file_image_op_t op, void* image) {
     constexpr std::size_t length_at = 28;
     std::uint64_t length = 0;
     std::memcpy(&length, static_cast<const char*>(data) + length_at, sizeof length);
-    static_cast<Image*>(image)->bytes.assign(static_cast<const char*>(data), length);
+    auto* const kept = static_cast<Image*>(image);
+    kept->data.reset(data);
+    kept->length = length;
+    return 0;
   }
   std::free(data);
   return 0;
@@ -466,14 +470,6 @@ std::string StoreGroup::text(const std::string& name) const {
   return text_from(bytes.data(), bytes.size());
 }
 
-Store Store::create(const std::filesystem::path& file) {
-  const Id access = file_access();
-  const Id made = file_creation();
-  return Store(
-      std::make_shared<Handle>(Id(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, made.get(), access.get()),
-                                  H5Fclose, "write " + file.string())));
-}
-
 Store Store::in_memory() {
   const Id access = file_access();
   auto image = std::make_unique<Image>();
@@ -485,12 +481,6 @@ Store Store::in_memory() {
   Id id(H5Fcreate("memory", H5F_ACC_TRUNC, made.get(), access.get()), H5Fclose,
         "make a store in memory");
   return Store(std::make_shared<Handle>(Handle{std::move(id), std::move(image)}));
-}
-
-Store Store::open(const std::filesystem::path& file) {
-  const Id access = file_access();
-  return Store(std::make_shared<Handle>(
-      Id(H5Fopen(file.c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose, "read " + file.string())));
 }
 
 Store Store::from_bytes(std::string_view bytes) {
@@ -508,16 +498,12 @@ StoreGroup Store::root() const {
       Id(H5Gopen2(handle_->id.get(), "/", H5P_DEFAULT), H5Gclose, "open the store")));
 }
 
-std::string Store::bytes() {
+std::string_view Store::bytes() {
   if (handle_->id.get() >= 0) {
-    close();
+    good(H5Fflush(handle_->id.get(), H5F_SCOPE_GLOBAL), "collect the store");
+    handle_->id.close("close the store");
   }
-  return handle_->image->bytes;
-}
-
-void Store::close() {
-  good(H5Fflush(handle_->id.get(), H5F_SCOPE_GLOBAL), "write the file to its end");
-  handle_->id.close("close the file");
+  return {static_cast<const char*>(handle_->image->data.get()), handle_->image->length};
 }
 
 std::string store_library_version() {

@@ -52,7 +52,7 @@ std::string increment_bytes(const results::Increment& increment,
   results::Store store = results::Store::in_memory();
   results::write_increment(store.root(), increment);
   results::write_arrays(store.root().group("state"), state);
-  return store.bytes();
+  return std::string(store.bytes());
 }
 
 results::Table card_table(const std::vector<CardMark>& cards) {
@@ -286,7 +286,7 @@ Checkpoint::List Checkpoint::read_list(const fs::path& file) const {
 
 // The newest list whose increments are all there and whole; with AT those up to it.
 Checkpoint::List Checkpoint::read_newest() {
-  std::string first_trouble;
+  std::optional<FileTrouble> first_trouble;
   for (const fs::path& file : {place_.read, list_before(place_.read)}) {
     try {
       List list = read_list(file);
@@ -299,18 +299,18 @@ Checkpoint::List Checkpoint::read_newest() {
           throw FileTrouble("E560", part.string() + ": not the one that the list means");
         }
       }
-      if (!first_trouble.empty()) {
-        tell("W560", fmt::format("{}; the list before it is whole and is taken: {}", first_trouble,
-                                 file.string()));
+      if (first_trouble) {
+        tell("W560", fmt::format("{}; the list before it is whole and is taken: {}",
+                                 first_trouble->what(), file.string()));
       }
       return list;
     } catch (const FileTrouble& trouble) {
-      if (first_trouble.empty()) {
-        first_trouble = trouble.what();
+      if (!first_trouble) {
+        first_trouble = trouble;
       }
     }
   }
-  throw FileTrouble("E560", first_trouble);
+  throw FileTrouble(*first_trouble);
 }
 
 std::optional<Misfit> Checkpoint::misfit() {
@@ -513,7 +513,7 @@ std::string Checkpoint::list_bytes() const {
   store_deck(root, sources_, model_);
   root.write("cards", card_table(cards_));
   write_entries(root, entries_);
-  return store.bytes();
+  return std::string(store.bytes());
 }
 
 // Increments first: a list names only what is there. The list before stays until the new one is.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/results_file.hpp"
 
+#include "report/file.hpp"
 #include "results/store_run.hpp"
 #include "run/commands.hpp"
 #include "run/deck_digest.hpp"
@@ -55,17 +56,17 @@ void store_deck(const results::StoreGroup& given, const base::Sources& sources,
 void write_results_file(const std::filesystem::path& file, const base::Sources& sources,
                         const model::Model& model, const results::Run& run) {
   try {
-    results::Store store = results::Store::create(file);
+    results::Store store = results::Store::in_memory();
     {
       results::StoreGroup root = store.root();
-      root.describe("format", "spricka results");
+      root.describe("format", std::string_view("spricka results"));
       root.describe("format_version", format_version);
       describe_origin(root, model);
       store_deck(root, sources, model);
       results::write_reader_tables(root, run);
       results::write_run(root, run, results::Times::left_out);
     }
-    store.close();
+    report::write_file(file, store.bytes());
   } catch (const results::StoreError& trouble) {
     throw std::system_error(std::make_error_code(std::errc::io_error),
                             file.string() + ": " + trouble.what());

@@ -73,7 +73,7 @@ class Files(RestartTest):
         (folder / first).write_bytes((folder / first).read_bytes()[:-1])
         result = self.read(7)
         self.assertIn("error E560", result.stderr)
-        self.assertIn(last, result.stderr)
+        self.assertIn(first, result.stderr)
         self.assertFalse((self.folder / "read.run.part").exists())
 
     def test_every_bit_counts(self):

@@ -12,7 +12,7 @@ def lengths(count):
 
 
 # Slow enough for a signal to meet it.
-LONG = lengths(30).replace("NX=4 NY=2", "NX=60 NY=30")
+LONG = lengths(24).replace("NX=4 NY=2", "NX=40 NY=20")
 
 
 class Stop(RestartTest):

@@ -125,7 +125,7 @@ TYPED_TEST(Records, every_member_is_kept) {
 template <class T> std::string bytes_of(const std::vector<T>& list) {
   Store store = Store::in_memory();
   write_list(store.root(), "list", list);
-  return store.bytes();
+  return std::string(store.bytes());
 }
 
 TYPED_TEST(Records, come_back_to_the_bit) {
@@ -205,7 +205,7 @@ Run random_run() {
 std::string bytes_of(const Run& run) {
   Store store = Store::in_memory();
   write_run(store.root(), run, Times::kept);
-  return store.bytes();
+  return std::string(store.bytes());
 }
 
 bool same_bits(const base::Vector& a, const base::Vector& b) {
@@ -244,7 +244,7 @@ TEST(Store, times_can_be_left_out) {
   const auto timeless = [&] {
     Store store = Store::in_memory();
     write_run(store.root(), run, Times::left_out);
-    return store.bytes();
+    return std::string(store.bytes());
   };
   const std::string before = timeless();
   run.cpu = 77.0;
@@ -281,8 +281,6 @@ TEST(Store, arrays_of_any_size) {
 
 TEST(Store, trouble_is_said) {
   EXPECT_THROW(Store::from_bytes("no store"), StoreError);
-  EXPECT_THROW(Store::open("/nowhere/at/all.h5"), StoreError);
-  EXPECT_THROW(Store::create("/nowhere/at/all.h5"), StoreError);
   Store store = Store::in_memory();
   StoreGroup root = store.root();
   root.write("numbers", std::vector{1.0, 2.0});
