@@ -5,6 +5,7 @@
 #include "base/vec.hpp"
 #include "results/store.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -22,6 +23,11 @@ namespace spricka::results {
 
 template <class T>
 concept WholeNumber = std::is_integral_v<T> || std::is_enum_v<T>;
+
+/// How many numbers a value is that lists keep as a row of them; 0: it is none.
+template <class T> inline constexpr std::size_t row_width = 0;
+template <> inline constexpr std::size_t row_width<base::Vec3> = 3;
+template <std::size_t n> inline constexpr std::size_t row_width<std::array<double, n>> = n;
 
 /// Collects records row by row.
 class Packer {
@@ -110,8 +116,8 @@ public:
       for (const T& v : values) {
         all.push_back(v.value);
       }
-    } else if constexpr (std::is_same_v<T, base::Vec3>) {
-      auto& all = child<std::vector<double>>(name, 3);
+    } else if constexpr (row_width<T> > 0) {
+      auto& all = child<std::vector<double>>(name, row_width<T>);
       for (const T& v : values) {
         append(all, v);
       }
@@ -255,10 +261,11 @@ public:
           values.push_back(whole<T>(v[i]));
         }
       });
-    } else if constexpr (std::is_same_v<T, base::Vec3>) {
-      slice<double>(from, count, 3, [&](const double* v) {
+    } else if constexpr (row_width<T> > 0) {
+      slice<double>(from, count, row_width<T>, [&](const double* v) {
+        values.resize(count);
         for (std::size_t i = 0; i < count; ++i) {
-          values.emplace_back(v[3 * i], v[3 * i + 1], v[3 * i + 2]);
+          std::copy_n(v + row_width<T> * i, row_width<T>, values[i].begin());
         }
       });
     } else if (count > 0) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "results/growth.hpp"
+#include "results/growth_test.hpp"
 #include "results/results.hpp"
 #include "results/store_columns.hpp"
 
@@ -228,6 +229,35 @@ template <class V, Of<Growth> T> void fields(V& v, T& r) {
   v("error", r.error);
   v("corrected", r.corrected);
   v("counted", r.counted);
+}
+
+template <class V, Of<TestPoint> T> void fields(V& v, T& r) {
+  v("cycles", r.cycles);
+  v("a", r.a);
+  v("rate", r.rate);
+  v("rate_low", r.rate_low);
+  v("rate_high", r.rate_high);
+  v("R", r.R);
+  v("K", r.K);
+  v("low", r.low);
+  v("high", r.high);
+  v("computed", r.computed);
+  v("covered", r.covered);
+}
+
+template <class V, Of<GrowthTest> T> void fields(V& v, T& r) {
+  v("name", r.name);
+  v("tip", r.tip);
+  v("method", r.method);
+  v("reference", r.reference);
+  v("readings", r.readings);
+  v("points", r.points);
+  v("scatter", r.scatter);
+  v("freedoms", r.freedoms);
+  v("cycles", r.cycles);
+  v("computed_cycles", r.computed_cycles);
+  v("cycles_error", r.cycles_error);
+  v("notes", r.notes);
 }
 
 template <class V, Of<base::Span> T> void fields(V& v, T& r) {

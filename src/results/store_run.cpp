@@ -259,6 +259,7 @@ void write_run(const StoreGroup& given, const Run& run, Times times) {
   if (run.growth) {
     write_list(group, "growth", std::vector{*run.growth});
   }
+  write_list(group, "tests", run.tests);
   if (times == Times::kept) {
     write_list(group, "log", run.log);
     group.describe("cpu", run.cpu);
@@ -281,6 +282,7 @@ Run read_run(const StoreGroup& group) {
   if (!growth.empty()) {
     run.growth = growth.front();
   }
+  run.tests = read_list<GrowthTest>(group, "tests");
   if (group.integer("times") != 0) {
     run.log = read_list<LogLine>(group, "log");
     run.cpu = group.real("cpu");

@@ -17,8 +17,9 @@ namespace spricka::run {
 
 namespace {
 
-constexpr std::array<std::string_view, 9> no_matter{
-    "OUTPUT", "CHECK", "RESTART", "CONTROL", "TASK", "SWEEP", "PARAMETER", "INCLUDE", "END"};
+constexpr std::array<std::string_view, 10> no_matter{"TEST",    "OUTPUT", "CHECK", "RESTART",
+                                                     "CONTROL", "TASK",   "SWEEP", "PARAMETER",
+                                                     "INCLUDE", "END"};
 
 bool blank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\n';

@@ -21,9 +21,9 @@ struct CardMark {
   base::Span span; ///< in the deck that is read now
 };
 
-/// All cards with their includes' but those that change no result ($OUTPUT, $CHECK, $RESTART,
-/// $CONTROL, $TASK, $SWEEP) or only carry others ($PARAMETER, $INCLUDE, $END). The deck is read
-/// anew. Throws std::system_error where that fails.
+/// All cards with their includes' but those that change no solution ($TEST, $OUTPUT, $CHECK,
+/// $RESTART, $CONTROL, $TASK, $SWEEP) or only carry others ($PARAMETER, $INCLUDE, $END). The deck
+/// is read anew. Throws std::system_error where that fails.
 std::vector<CardMark> card_marks(const std::filesystem::path& deck, const model::Model& model);
 
 /// The first card that is another one, was added or is missing; empty: all are the same.

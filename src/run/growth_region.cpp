@@ -37,10 +37,7 @@ void GrowthRegion::choose(const std::vector<mesh::CrackLine>& lines, const growt
   for (const mesh::CrackLine& line : lines) {
     longest = std::max(longest, length_of(line));
   }
-  double reach = (farthest - 1.0) * longest;
-  if (model_.growth->last_length) {
-    reach = std::min(reach, *model_.growth->last_length);
-  }
+  const double reach = model_.growth->last_length.value_or((farthest - 1.0) * longest);
   for (int k = 1; k <= looks; ++k) {
     const double part = static_cast<double>(k) / looks;
     add_to_region(model_, march.straight_on(reach * part * part), plan_);
@@ -61,12 +58,9 @@ void GrowthRegion::look(const std::vector<mesh::CrackLine>& lines, const growth:
   const bool first = plan_.region.empty();
   choose(lines, march);
   renewed_ = !first;
-  writer.add("GROW", fmt::format("{} of {} elements condensed at every station",
-                                 first ? "region chosen:" : "a crack left its region; a new one:",
-                                 std::ranges::count(plan_.region, true)));
-  for (std::size_t e = 0; e < here.region.size(); ++e) {
-    plan_.region[e] = plan_.region[e] || here.region[e];
-  }
+  writer.add("GROW", fmt::format("{}: {} of {} elements are condensed at every station",
+                                 first ? "region chosen" : "a crack leaves its region, a new one",
+                                 std::ranges::count(plan_.region, true), plan_.region.size()));
 }
 
 void GrowthRegion::tell_cost(std::vector<results::LogLine>& log) {

@@ -6,9 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
-#include <sstream>
 
 #include <fmt/format.h>
 
@@ -161,6 +162,55 @@ TEST(Growth, PathDoesNotDependOnTheAdvance) {
     }
     EXPECT_LT((end[1] - end[0]).norm(), 0.005 * 7.0) << direction; // 7: what each arm has grown
   }
+}
+
+// The deck's crack is drawn into its hole; half the advance moves the path by less than 0.5 %.
+TEST(Growth, PathIntoAHole) {
+  std::vector<std::vector<base::Vec3>> path;
+  for (const std::string da : {"3", "1.5"}) {
+    std::string deck = test::slurp(std::string(DECKS_DIR) + "/hole_path.deck");
+    const auto put = [&](const std::string& old, const std::string& now) {
+      const std::size_t at = deck.find(old);
+      ASSERT_NE(at, std::string::npos) << old;
+      deck.replace(at, old.size(), now);
+    };
+    put("plate_hole.geo", std::string(DECKS_DIR) + "/plate_hole.geo");
+    put("da = 3", "da = " + da);
+    const auto solved = test::solve_text(deck);
+    ASSERT_TRUE(solved && solved->run.growth);
+    EXPECT_EQ(solved->run.growth->ended, "EDGE");
+    EXPECT_NE(solved->run.growth->reason.find("HOLE"), std::string::npos);
+    std::vector<base::Vec3>& x = path.emplace_back();
+    for (const results::GrowthStation& station : solved->run.growth->stations) {
+      x.push_back(station.tips.front().x);
+    }
+  }
+  double apart = 0.0;
+  for (const base::Vec3& x : path[0]) {
+    double least = 1e300;
+    for (std::size_t i = 1; i < path[1].size(); ++i) {
+      const base::Vec3 way = path[1][i] - path[1][i - 1];
+      const double t = std::clamp((x - path[1][i - 1]).dot(way) / way.squaredNorm(), 0.0, 1.0);
+      least = std::min(least, (x - path[1][i - 1] - t * way).norm());
+    }
+    apart = std::max(apart, least);
+  }
+  EXPECT_LT(apart, 0.005 * 36.0); // what the crack grows
+}
+
+// Six tips on a line: the long crack meets a short one; left and right are alike.
+TEST(Growth, CracksOnALineLinkUp) {
+  const auto solved = test::solve_text(test::slurp(std::string(DECKS_DIR) + "/link_up.deck"));
+  ASSERT_TRUE(solved && solved->run.growth);
+  const results::Growth& growth = *solved->run.growth;
+  EXPECT_EQ(growth.ended, "LINK-UP");
+  ASSERT_EQ(growth.tips.size(), 6U);
+  const std::vector<double>& a = growth.curve.back().a; // LONG.1 .2, EAST.1 .2, WEST.1 .2
+  EXPECT_NEAR(a[0] / a[1], 1.0, 1e-3);
+  EXPECT_NEAR(a[2] / a[5], 1.0, 1e-3);
+  EXPECT_NEAR(a[3] / a[4], 1.0, 1e-3);
+  EXPECT_GT(a[2], a[3]);                      // the inner tips see the long crack
+  EXPECT_LT(10.0 - (a[2] - 2.0) - a[1], 0.2); // what is left between
 }
 
 // The life on the lug when K of every load is known, and when one K is scaled with the load or laid
