@@ -297,6 +297,11 @@ herr_t keep_image(void* /*image*/) {
   return 0;
 }
 
+// The library tells open files apart by their names.
+std::string name_of(const Image& image) {
+  return fmt::format("memory at {}", static_cast<const void*>(&image));
+}
+
 constexpr std::size_t growth = 1 << 20; // [bytes] by which memory for a store grows
 
 } // namespace
@@ -306,8 +311,9 @@ struct StoreGroup::Handle {
 };
 
 struct Store::Handle {
+  Handle(Id file, std::unique_ptr<Image> where) : image(std::move(where)), id(std::move(file)) {}
+  std::unique_ptr<Image> image; ///< lives longer than the file
   Id id;
-  std::unique_ptr<Image> image{}; ///< of a store that is written in memory
 };
 
 StoreGroup StoreGroup::group(const std::string& name) const {
@@ -478,9 +484,9 @@ Store Store::in_memory() {
   good(H5Pset_fapl_core(access.get(), growth, 0), "work in memory");
   good(H5Pset_file_image_callbacks(access.get(), &calls), "work in memory");
   const Id made = file_creation();
-  Id id(H5Fcreate("memory", H5F_ACC_TRUNC, made.get(), access.get()), H5Fclose,
+  Id id(H5Fcreate(name_of(*image).c_str(), H5F_ACC_TRUNC, made.get(), access.get()), H5Fclose,
         "make a store in memory");
-  return Store(std::make_shared<Handle>(Handle{std::move(id), std::move(image)}));
+  return Store(std::make_shared<Handle>(std::move(id), std::move(image)));
 }
 
 Store Store::from_bytes(std::string_view bytes) {
@@ -489,8 +495,10 @@ Store Store::from_bytes(std::string_view bytes) {
   // the library copies what it is given
   std::string copy(bytes);
   good(H5Pset_file_image(access.get(), copy.data(), copy.size()), "take over bytes");
-  return Store(std::make_shared<Handle>(
-      Id(H5Fopen("memory", H5F_ACC_RDONLY, access.get()), H5Fclose, "understand its bytes")));
+  auto image = std::make_unique<Image>();
+  Id id(H5Fopen(name_of(*image).c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose,
+        "understand its bytes");
+  return Store(std::make_shared<Handle>(std::move(id), std::move(image)));
 }
 
 StoreGroup Store::root() const {
