@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/figures.hpp"
+#include "report/growth_tables.hpp"
 #include "report/load_paths.hpp"
 #include "report/model_tables.hpp"
 #include "report/page.hpp"
@@ -54,6 +55,18 @@ void add_cracks(Page& page, const model::Model& model, const results::Run& run) 
   for (const Figure& figure : sensitivity_figures(model, run)) {
     page.figure(figure);
   }
+}
+
+void add_growth(Page& page, const model::Model& model, const results::Run& run) {
+  const std::vector<Figure> figures = growth_figures(model, run);
+  if (figures.empty()) {
+    return;
+  }
+  page.heading("Crack growth");
+  for (const Figure& figure : figures) {
+    page.figure(figure);
+  }
+  page.table(untitled(life_table(model, run)));
 }
 
 void add_paths(Page& page, const model::Model& model, const results::Run& run) {
@@ -145,6 +158,7 @@ std::string html_report(const base::Sources& sources, const model::Model& model,
   add_head(page, title, sources, model);
   add_verdict(page, run);
   add_cracks(page, model, run);
+  add_growth(page, model, run);
   add_paths(page, model, run);
   page.heading("Model");
   page.table(net_table(model));
