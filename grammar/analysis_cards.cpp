@@ -182,6 +182,24 @@ constexpr std::array grow_when{
     When{"SPECTRUM", "", "", "KMAX KMIN"},
 };
 
+constexpr std::array test_keys{
+    required(defines("NAME", test, "called by this in results")),
+    required(refers("CRACK", crack, "that was measured")),
+    preset(word("METHOD", "SECANT|POLYNOMIAL|E647|SPLINE", "how rates follow from lengths"),
+           "POLYNOMIAL"),
+    preset(integer("POINTS", between(5, 99), "readings in a parabola, an odd number"), "7"),
+    text("FILE", "lines N a from this file, in place of data lines"),
+    text("REFERENCE", "lines delta_K da/dN from this file, in place of RATE"),
+    real("RATIO", number, between(-100, 0.99), "K_min/K_max; else that of KMIN and KMAX of $GROW"),
+    unit_name("KUNIT", stress_intensity, "unit of delta_K in RATE and REFERENCE; else deck units"),
+    unit_name("AUNIT", length, "unit of da in RATE and REFERENCE; else deck units"),
+};
+
+constexpr std::array test_when{
+    When{"METHOD", "SECANT", "", "POINTS"},
+    When{"METHOD", "SPLINE", "", "POINTS"},
+};
+
 constexpr std::array sweep_keys{
     required(refers("PARAMETER", parameter, "the one that varies")),
     refers("WITH", parameter, "another that varies with it, in pairs"),
@@ -271,6 +289,13 @@ constexpr std::array cards{
              .data_form = "INCREMENT: crack lengths; TABLE: delta_K da/dN",
              .when = grow_when,
              .doc = "Crack growth: runs the steps for every crack length."},
+    CardSpec{.name = "TEST",
+             .group = "crack",
+             .keys = test_keys,
+             .data = Data::rows,
+             .data_form = "N a; or RATE delta_K da/dN",
+             .when = test_when,
+             .doc = "Measured crack growth, turned back into K beside the computed one."},
     CardSpec{.name = "SWEEP",
              .group = "requests",
              .keys = sweep_keys,

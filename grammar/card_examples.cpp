@@ -219,6 +219,24 @@ constexpr std::array texts{
         "right to TOL, and ends at AMAX, CYCLES, KC, the ligament's plastic limit (SFLOW), an "
         "edge, another crack, or where nothing grows any more.",
         "$GROW LAW=PARIS KMAX=LOAD KMIN=UNLOAD C=1e-11 M=3 KUNIT='MPa*m^0.5' AUNIT=m AMAX=30\n"},
+    CardText{
+        "TEST",
+        "Data lines N a are readings of a crack growth test: cycles and length, as $CRACK counts "
+        "it. The rate da/dN at a length is that of a reference at a range of K; so K of the part "
+        "is known. The reference is the law of $GROW, or rates of a specimen: lines RATE delta_K "
+        "da/dN, straight in the logarithms in between. K_min/K_max of each length comes from the "
+        "steps KMIN and KMAX of $GROW. Results are in test.csv with the scatter band; manual, "
+        "inversion.md.",
+        "$TEST NAME=LUG1 CRACK=C1 METHOD=POLYNOMIAL\n"
+        "  0      3.21\n"
+        "  500    3.35\n"
+        "  1000   3.52\n"
+        "  1500   3.71\n"
+        "  2000   3.88\n"
+        "  2500   4.11\n"
+        "  3000   4.30\n"
+        "  RATE  100  4.7e-6\n"
+        "  RATE  900  3.4e-3\n"},
     CardText{"SWEEP", "",
              "$PARAMETER\n"
              "  fit = 0.084\n"

@@ -27,10 +27,10 @@ constexpr std::array<Request, 5> requests{{{"U", Kind::any_set},
                                            {"REACTION", Kind::any_set}}};
 
 // Files of every run folder; none is given away.
-constexpr std::array<std::string_view, 12> own_files{
-    "k.csv",         "sensitivity.csv", "pressure.csv",   "listing.txt",
-    "load_path.csv", "life.csv",        "life_curve.csv", "beta.csv",
-    "report.html",   "results.pvd",     "sweep.csv",      "sweep.html"};
+constexpr std::array<std::string_view, 13> own_files{
+    "k.csv",    "sensitivity.csv", "pressure.csv", "listing.txt", "load_path.csv",
+    "life.csv", "life_curve.csv",  "beta.csv",     "report.html", "results.pvd",
+    "test.csv", "sweep.csv",       "sweep.html"};
 
 void output(Context& c, const BoundCard& card) {
   model::Output output;

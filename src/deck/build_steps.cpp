@@ -324,6 +324,7 @@ void build_steps(Context& context) {
     }
   }
   build_spectra(context);
+  build_tests(context);
 }
 
 } // namespace spricka::deck

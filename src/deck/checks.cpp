@@ -209,6 +209,8 @@ private:
       return "material";
     case 'l':
       return "load path";
+    case 't':
+      return "test";
     case 'n':
       return "set";
     case 'd':
@@ -260,6 +262,8 @@ private:
       return look_up(c_, Kind::material, reference) != nullptr;
     case 'l':
       return look_up(c_, Kind::path, reference) != nullptr;
+    case 't':
+      return look_up(c_, Kind::test, reference) != nullptr;
     case 'e':
       return name == "*" || look_up(c_, Kind::net, {name, span, {}}) != nullptr;
     case 'n': {

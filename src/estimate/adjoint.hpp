@@ -13,10 +13,11 @@ namespace spricka::estimate {
 /// sensitivity.1 to 5).
 struct Adjoint {
   std::string why_not; ///< why there is none; empty: there is one
-  base::Matrix rows;   ///< [dim * node, 2] K = rows^T u, crack::intensity_rows
-  base::Matrix z;      ///< [dim * node, 2] displacements under the load `rows`, closed rows held
-                       ///< at zero gap, open ones free; zero on supports, tied where u is
-  base::Matrix w;      ///< [contact row, 2] their contact forces, dK/dgap; zero on open rows
+  base::Matrix rows;   ///< [dim * node, 2] K = rows^T u + by_force^T lambda, crack::intensity_rows
+  base::Matrix by_force; ///< [contact row, 2] what forces between crack faces add to K themselves
+  base::Matrix z;        ///< [dim * node, 2] displacements under the load `rows`, closed rows held
+                  ///< at the gap -by_force, open ones free; zero on supports, tied where u is
+  base::Matrix w;           ///< [contact row, 2] their contact forces, dK/dgap; zero on open rows
   std::vector<bool> closed; ///< [contact row] what was held; rows that are not in force: false
 
   [[nodiscard]] bool ok() const { return why_not.empty(); }
@@ -30,7 +31,7 @@ struct Causes {
   const base::Vector& gap;
 };
 
-/// z^T load + rows^T prescribed + w^T gap: equals rows^T u for K1 and K2.
+/// z^T load + rows^T prescribed + w^T gap: equals K1 and K2.
 base::Vec2 intensity_of(const Adjoint& adjoint, const Causes& causes);
 
 } // namespace spricka::estimate

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -153,10 +154,28 @@ bool March::plan() {
     }
   }
   advance_.clear();
-  for (const double p : share) {
-    advance_.push_back(p * ds);
+  for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
+    const double by = share[tip] * ds;
+    const double left = length_left(tip);
+    const bool to_the_end = by >= left * (1.0 - 1e-9);
+    const double all = std::clamp(by + here.tips[tip].owed, 0.5 * by, 2.0 * by);
+    advance_.push_back(to_the_end ? left : std::min(all, left));
   }
   return true;
+}
+
+// To AMAX and to the last node of a path.
+double March::length_left(std::size_t tip) const {
+  const mesh::CrackLine& line = lines_[tips_[tip].line];
+  double longest = rules().last_length.value_or(std::numeric_limits<double>::infinity());
+  if (!line.path.empty() && !turns()) {
+    std::vector<base::Vec3> path;
+    for (const base::NodeId n : line.path) {
+      path.push_back(model_.mesh.x[n.index()]);
+    }
+    longest = std::min(longest, length_of(path));
+  }
+  return longest - state_.stations.back().tips[tip].a;
 }
 
 // What a tip lets the advance of all be; false: the growth ends here.
@@ -166,22 +185,12 @@ bool March::limit(std::size_t tip, double share, double& ds) {
   if (rules().largest_advance) {
     ds = std::min(ds, *rules().largest_advance / share);
   }
-  if (rules().last_length) {
-    ds = std::min(ds, (*rules().last_length - here.a) / share);
+  const double left = length_left(tip);
+  if (left <= 1e-9 * here.a) { // AMAX has ended it before
+    end_at_station("PATH END", fmt::format("the path of {} ends at a = {:.6g}", t.name, here.a));
+    return false;
   }
-  const mesh::CrackLine& line = lines_[t.line];
-  if (!line.path.empty() && !turns()) {
-    std::vector<base::Vec3> path;
-    for (const base::NodeId n : line.path) {
-      path.push_back(model_.mesh.x[n.index()]);
-    }
-    const double left = length_of(path) - here.a;
-    if (left <= 1e-9 * here.a) {
-      end_at_station("PATH END", fmt::format("the path of {} ends at a = {:.6g}", t.name, here.a));
-      return false;
-    }
-    ds = std::min(ds, left / share);
-  }
+  ds = std::min(ds, left / share);
   if (turns() && state_.stations.size() > 1) {
     const TipStation& before = state_.stations[state_.stations.size() - 2].tips[tip];
     const double turned = std::remainder(here.heading - before.heading, 2.0 * std::numbers::pi);
@@ -282,10 +291,12 @@ std::vector<mesh::CrackLine> March::straight_on(double advance) const {
     const auto edge = around_.edge_ahead(lines_[tips_[tip].line], heading);
     const double by = edge ? std::min(advance, 0.9 * edge->distance) : advance;
     std::vector<base::Vec3>& points = lines[tips_[tip].line].points;
-    if (tips_[tip].at_first) {
-      points.insert(points.begin(), points.front() + by * heading.direction);
+    const bool at_first = tips_[tip].at_first;
+    const base::Vec3 next = tip_point(lines[tips_[tip].line], at_first) + by * heading.direction;
+    if (last_part(lines[tips_[tip].line], at_first).dot(heading.direction) > 1.0 - 1e-12) {
+      (at_first ? points.front() : points.back()) = next;
     } else {
-      points.push_back(points.back() + by * heading.direction);
+      points.insert(at_first ? points.begin() : points.end(), next);
     }
   }
   return lines;
@@ -306,6 +317,7 @@ bool March::take(std::vector<TipStation> found) {
   }
   station.tips = std::move(found);
   state_.stations.push_back(std::move(station));
+  settle();
   if (!good_enough()) {
     state_.stations.pop_back();
     ++state_.rejected;

@@ -62,6 +62,7 @@ private:
   [[nodiscard]] bool turns() const { return rules().direction != model::GrowthDirection::path; }
   [[nodiscard]] Heading heading_of(std::size_t tip) const;
   [[nodiscard]] std::vector<double> shares() const;
+  [[nodiscard]] double length_left(std::size_t tip) const;
   bool plan();
   bool limit(std::size_t tip, double share, double& ds);
   bool limit_by_obstacles(std::size_t tip, double share, double& ds);
@@ -72,6 +73,7 @@ private:
   [[nodiscard]] double cycles_missed() const;
   [[nodiscard]] double turn_missed() const;
   [[nodiscard]] double drift() const;
+  void settle();
   [[nodiscard]] std::optional<End> crossing(const Trajectory& between, double s0, double s1) const;
   void look_for_end();
   void end_at_station(std::string word, std::string reason);

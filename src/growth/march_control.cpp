@@ -18,7 +18,10 @@ constexpr double longest_step = 0.7;
 constexpr double shortest_step = 0.02; ///< below it only the scatter of meshes is seen
 /// Solutions whose error is more times the tolerance than this do not count. The error is that of
 /// a polynomial one order below the one that is used.
-constexpr double still_good = 4.0;
+constexpr double still_good = 1.5;
+/// Part of the tolerance that is aimed at: errors of intervals add up.
+constexpr double aimed_part = 0.4;
+constexpr double of_straight_line = 0.15;
 /// Cycles that are few against those so far need no better than this part of the tolerance's due.
 constexpr double small_part = 0.1;
 /// Turn by which the heading at the end of an advance is missed [rad].
@@ -74,22 +77,36 @@ double March::turn_missed() const {
   return most;
 }
 
-// Arms that the new rates would have made otherwise, by the trapezoidal rule, as a part of the
-// cycles.
-double March::drift() const {
-  const std::vector<Station>& all = state_.stations;
-  if (all.size() < 2 || tips_.size() < 2 || !(all.back().rate() > 0.0) ||
+// What the rates, the new ones too, make of the last advance: the integral of the shares by the
+// parabola through three stations, or by the trapezoidal rule. The next advance makes up for it.
+void March::settle() {
+  std::vector<Station>& all = state_.stations;
+  const std::size_t n = all.size();
+  if (n < 2 || tips_.size() < 2 || !(all.back().rate() > 0.0) ||
       !std::isfinite(all.back().rate())) {
-    return 0.0;
+    return;
   }
-  const Station& last = all[all.size() - 2];
-  const double ds = all.back().s - last.s;
-  double most = 0.0;
+  const double h = all[n - 1].s - all[n - 2].s;
   for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
-    const double share =
-        0.5 * (last.tips[tip].rate / last.rate() + all.back().tips[tip].rate / all.back().rate());
-    most = std::max(most,
-                    law_of_length * std::abs(share * ds - advance_[tip]) / all.back().tips[tip].a);
+    const auto share = [&](std::size_t k) { return all[k].tips[tip].rate / all[k].rate(); };
+    double made = 0.5 * h * (share(n - 2) + share(n - 1));
+    if (n > 2) {
+      const double before = all[n - 2].s - all[n - 3].s;
+      const double bend =
+          ((share(n - 1) - share(n - 2)) / h - (share(n - 2) - share(n - 3)) / before) /
+          (h + before);
+      made -= h * h * h / 6.0 * bend;
+    }
+    all[n - 1].tips[tip].owed = all[n - 2].tips[tip].owed + made - advance_[tip];
+  }
+}
+
+// What is owed after the last advance, as a part of the cycles.
+double March::drift() const {
+  const Station& here = state_.stations.back();
+  double most = 0.0;
+  for (const TipStation& tip : here.tips) {
+    most = std::max(most, law_of_length * std::abs(tip.owed) / tip.a);
   }
   return most;
 }
@@ -113,8 +130,10 @@ bool March::good_enough() {
     }
   };
   const double tolerance = rules().tolerance;
-  judge(cycles_missed(), tolerance, still_good * tolerance, n > 3 ? 3.0 : 2.0);
-  judge(drift(), tolerance, still_good * tolerance, n > 2 ? 3.0 : 2.0);
+  // three stations: the error is that of a straight line, a parabola is used
+  const double missed = cycles_missed() * (n > 3 ? 1.0 : of_straight_line);
+  judge(missed, aimed_part * tolerance, still_good * tolerance, n > 3 ? 3.0 : 2.0);
+  judge(drift(), aimed_part * tolerance, still_good * tolerance, n > 2 ? 3.0 : 2.0);
   if (turns()) {
     judge(turn_missed(), aimed_miss, largest_miss, n > 2 ? 2.0 : 1.0);
   }
@@ -181,7 +200,7 @@ void March::look_for_end() {
   const Station& here = all.back();
   const double s0 = all.size() > 1 ? all[all.size() - 2].s : here.s;
   const Trajectory between = trajectory();
-  end_ = crossing(between, s0, here.s);
+  end_.reset();
   if (all.size() == 1) {
     for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
       if (rules().constants.k_c && here.tips[tip].K_max >= *rules().constants.k_c) {
@@ -198,6 +217,7 @@ void March::look_for_end() {
     }
     return;
   }
+  end_ = crossing(between, s0, here.s);
   for (std::size_t tip = 0; tip < tips_.size() && rules().last_length && !end_; ++tip) {
     if (here.tips[tip].a >= *rules().last_length * (1.0 - 1e-12)) {
       end_at_station("AMAX", fmt::format("{} has its last length, {:.6g}", tips_[tip].name,

@@ -10,7 +10,7 @@ namespace {
 constexpr std::array tip_values{&TipStation::a,       &TipStation::K_max, &TipStation::K_min,
                                 &TipStation::K2_max,  &TipStation::rate,  &TipStation::turn,
                                 &TipStation::heading, &TipStation::x,     &TipStation::y,
-                                &TipStation::plastic};
+                                &TipStation::plastic, &TipStation::owed};
 
 /// Reads an array from its beginning; whether it held enough is known at the end.
 class Reader {

@@ -41,17 +41,19 @@ std::size_t Trajectory::interval(double s) const {
   return i;
 }
 
-// Lagrange's polynomial in ln s through the stations about an interval.
+// Lagrange's polynomial in ln s through the stations about an interval, of those from `low` to
+// before `high`.
 template <class Value>
-double Trajectory::interpolate(std::size_t interval, double s, Value value) const {
-  const std::size_t before = (points_ - 1) / 2;
-  const std::size_t first =
-      std::min(interval > before ? interval - before : 0, stations_.size() - points_);
+double Trajectory::interpolate(std::size_t interval, double s, Value value, std::size_t low,
+                               std::size_t high) const {
+  const std::size_t points = std::min(points_, high - low);
+  const std::size_t before = (points - 1) / 2;
+  const std::size_t first = std::min(std::max(interval, low + before) - before, high - points);
   const double x = std::log(s);
   double sum = 0.0;
-  for (std::size_t i = first; i < first + points_; ++i) {
+  for (std::size_t i = first; i < first + points; ++i) {
     double weight = 1.0;
-    for (std::size_t k = first; k < first + points_; ++k) {
+    for (std::size_t k = first; k < first + points; ++k) {
       if (k != i) {
         const double other = std::log(stations_[k].s);
         weight *= (x - other) / (std::log(stations_[i].s) - other);
@@ -68,40 +70,51 @@ double Trajectory::K_max(std::size_t tip, double s) const {
       stations_, [&](const Station& station) { return station.tips[tip].K_max > 0.0; });
   if (positive) {
     return std::exp(interpolate(
-        i, s, [&](const Station& station) { return std::log(station.tips[tip].K_max); }));
+        i, s, [&](const Station& station) { return std::log(station.tips[tip].K_max); }, 0,
+        stations_.size()));
   }
-  return interpolate(i, s, [&](const Station& station) { return station.tips[tip].K_max; });
+  return interpolate(
+      i, s, [&](const Station& station) { return station.tips[tip].K_max; }, 0, stations_.size());
 }
 
 double Trajectory::plastic(std::size_t tip, double s) const {
-  return interpolate(interval(s), s,
-                     [&](const Station& station) { return station.tips[tip].plastic; });
+  return interpolate(
+      interval(s), s, [&](const Station& station) { return station.tips[tip].plastic; }, 0,
+      stations_.size());
 }
 
 double Trajectory::tip_rate(std::size_t tip, std::size_t i, double s) const {
   if (law_) {
     const double K = K_max(tip, s);
-    const double R = interpolate(i, s, [&](const Station& station) {
-      const TipStation& t = station.tips[tip];
-      return t.K_max > 0.0 ? t.K_min / t.K_max : 0.0;
-    });
+    const double R = interpolate(
+        i, s,
+        [&](const Station& station) {
+          const TipStation& t = station.tips[tip];
+          return t.K_max > 0.0 ? t.K_min / t.K_max : 0.0;
+        },
+        0, stations_.size());
     return law_(K, R * K);
   }
-  const double here = stations_[i].tips[tip].rate;
-  const double next = stations_[std::min(i + 1, stations_.size() - 1)].tips[tip].rate;
-  const bool usual = std::ranges::all_of(stations_, [&](const Station& station) {
-    const double rate = station.tips[tip].rate;
+  // a spectrum's rates, as far as they are numbers: none at a threshold, no bound at the toughness
+  const auto usual = [&](std::size_t k) {
+    const double rate = stations_[k].tips[tip].rate;
     return rate > 0.0 && std::isfinite(rate);
-  });
-  if (usual) {
-    return std::exp(interpolate(
-        i, s, [&](const Station& station) { return std::log(station.tips[tip].rate); }));
+  };
+  if (!usual(i)) {
+    return stations_[i].tips[tip].rate;
   }
-  if (!std::isfinite(next)) {
-    return here;
+  std::size_t low = i;
+  std::size_t high = i + 1;
+  for (; low > 0 && usual(low - 1); --low) {
   }
-  const double width = stations_[std::min(i + 1, stations_.size() - 1)].s - stations_[i].s;
-  return width > 0.0 ? here + (next - here) * (s - stations_[i].s) / width : here;
+  for (; high < stations_.size() && usual(high); ++high) {
+  }
+  if (high == i + 1 && high < stations_.size() && stations_[high].tips[tip].rate == 0.0) {
+    const double here = stations_[i].tips[tip].rate;
+    return here * (stations_[high].s - s) / (stations_[high].s - stations_[i].s);
+  }
+  return std::exp(interpolate(
+      i, s, [&](const Station& station) { return std::log(station.tips[tip].rate); }, low, high));
 }
 
 double Trajectory::rate(double s) const {

@@ -18,6 +18,7 @@ struct TipStation {
   double turn = 0.0;    ///< the way on against the crack's last part [rad]
   double heading = 0.0; ///< the way on, from +x [rad]
   double x = 0.0, y = 0.0;
+  double owed = 0.0;    ///< what the rates found since would have made of the arm more [length]
   double plastic = 0.0; ///< force and moment over the ligament, over their plastic limit
 };
 
@@ -50,7 +51,9 @@ public:
 
 private:
   [[nodiscard]] std::size_t interval(double s) const;
-  template <class Value> double interpolate(std::size_t interval, double s, Value value) const;
+  template <class Value>
+  double interpolate(std::size_t interval, double s, Value value, std::size_t low,
+                     std::size_t high) const;
   [[nodiscard]] double tip_rate(std::size_t tip, std::size_t interval, double s) const;
   [[nodiscard]] double gauss(double s0, double s1) const;
 

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <tuple>
+#include <utility>
 
 namespace spricka::life {
 
@@ -83,23 +83,27 @@ std::vector<double> values_at(const base::PiecewiseLinear& K1, const std::vector
 } // namespace
 
 Spectrum::Spectrum(const std::vector<LoadCycle>& counted) {
-  levels_.reserve(2 * counted.size());
+  // every load with its place: 2 i is the low one of cycle i, 2 i + 1 the high one
+  std::vector<std::pair<double, std::uint32_t>> loads;
+  loads.reserve(2 * counted.size());
   for (const LoadCycle& cycle : counted) {
-    levels_.push_back(cycle.low);
-    levels_.push_back(cycle.high);
+    loads.emplace_back(cycle.low, static_cast<std::uint32_t>(loads.size()));
+    loads.emplace_back(cycle.high, static_cast<std::uint32_t>(loads.size()));
   }
-  std::sort(levels_.begin(), levels_.end());
-  levels_.erase(std::unique(levels_.begin(), levels_.end()), levels_.end());
-  const auto level = [&](double load) {
-    const auto found = std::lower_bound(levels_.begin(), levels_.end(), load);
-    return static_cast<std::uint32_t>(found - levels_.begin());
-  };
+  std::sort(loads.begin(), loads.end());
+  std::vector<std::uint32_t> level(loads.size());
+  for (const auto& [load, place] : loads) {
+    if (levels_.empty() || load > levels_.back()) {
+      levels_.push_back(load);
+    }
+    level[place] = static_cast<std::uint32_t>(levels_.size() - 1);
+  }
   cycles_.reserve(counted.size());
-  for (const LoadCycle& cycle : counted) {
-    cycles_.push_back({level(cycle.low), level(cycle.high), cycle.count});
+  for (std::size_t i = 0; i < counted.size(); ++i) {
+    cycles_.push_back({level[2 * i], level[2 * i + 1], counted[i].count});
   }
   std::sort(cycles_.begin(), cycles_.end(), [](const IndexedCycle& a, const IndexedCycle& b) {
-    return std::tie(a.low, a.high, a.count) < std::tie(b.low, b.high, b.count);
+    return a.low != b.low ? a.low < b.low : a.high != b.high ? a.high < b.high : a.count < b.count;
   });
   std::size_t kept = 0;
   for (std::size_t i = 1; i < cycles_.size(); ++i) {

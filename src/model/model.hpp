@@ -4,6 +4,7 @@
 #include "base/id.hpp"
 #include "base/source.hpp"
 #include "base/units.hpp"
+#include "model/growth_test.hpp"
 #include "model/mesh.hpp"
 
 #include <array>
@@ -350,6 +351,7 @@ struct Model {
   std::vector<std::string> imported_files; ///< paths of what $IMPORT brought in
   std::vector<LoadPath> load_paths;
   std::vector<Spectrum> spectra;
+  std::vector<GrowthTest> tests;
 
   [[nodiscard]] const Property& property_of(const Mesh& m, base::ElementId e) const {
     return properties[m.property[e.index()].index()];

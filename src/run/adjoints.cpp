@@ -2,6 +2,7 @@
 #include "run/adjoints.hpp"
 
 #include "crack/stress_intensity.hpp"
+#include "run/lip_contact.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -46,6 +47,7 @@ void Adjoints::condense_rows() {
                                           model_.cracks[tip.crack.index()].state));
     nodal.middleCols(2 * static_cast<Eigen::Index>(t), 2) = rows_.back();
   }
+  by_force_ = intensity_of_forces(model_, scene_).transpose();
   scene_.ties->reduce(nodal);
   for (const BodyNet& body : bodies_) {
     condensed_.push_back(touches(body.body, cracked.mesh.dim, nodal)
@@ -73,7 +75,9 @@ std::vector<estimate::Adjoint> Adjoints::of_set(const StepSolver& solver,
       }
       free_ = contact::free_response(*solver.system(), external_);
     }
-    const contact::HeldContact::Response found = held->respond(free_.opening, free_.on_mode);
+    // K has a term of the forces between faces: the gap that z leaves there is less by it
+    const contact::HeldContact::Response found =
+        held->respond(free_.opening + by_force_, free_.on_mode);
     double size = 0.0;
     for (const base::Matrix& load : external_) {
       size = std::max(size, load.cwiseAbs().maxCoeff());
@@ -96,6 +100,7 @@ std::vector<estimate::Adjoint> Adjoints::of_set(const StepSolver& solver,
     const Eigen::Index first = 2 * static_cast<Eigen::Index>(t);
     out[t].why_not = why_not;
     out[t].rows = rows_[t];
+    out[t].by_force = by_force_.middleCols(first, 2);
     out[t].closed = closed;
     if (!why_not.empty()) {
       continue;
@@ -120,20 +125,6 @@ std::unique_ptr<contact::HeldContact> hold(const StepSolver& solver,
   return std::make_unique<contact::HeldContact>(*solver.system(), std::move(rows));
 }
 
-// K is a function of the forces between the faces, too, which `rows` do not hold.
-void Adjoints::tell_of_faces(const std::vector<bool>& closed) {
-  for (std::size_t t = 0; t < last_.size(); ++t) {
-    const auto& lips = scene_.lip_pairs[scene_.cracked.tips[t].crack.index()];
-    const std::size_t first = lips ? scene_.table.first[lips->pair] : 0;
-    const std::size_t rows = lips ? scene_.pairs[lips->pair].normal.size() : 0;
-    for (std::size_t r = first; r < first + rows; ++r) {
-      if (closed[r]) {
-        last_[t].why_not = "the faces of the crack meet";
-      }
-    }
-  }
-}
-
 const std::vector<estimate::Adjoint>& Adjoints::of_last_step(const StepSolver& solver) {
   const std::size_t tips = scene_.cracked.tips.size();
   std::vector<bool> closed(scene_.table.rows.size(), false);
@@ -154,7 +145,6 @@ const std::vector<estimate::Adjoint>& Adjoints::of_last_step(const StepSolver& s
   } else if (tips > 0 && (last_.empty() || !last_.front().ok() || last_.front().closed != closed)) {
     held_ = hold(solver, closed);
     last_ = of_set(solver, closed, held_.get());
-    tell_of_faces(closed);
   }
   return last_;
 }

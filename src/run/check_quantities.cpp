@@ -2,6 +2,7 @@
 #include "run/check_quantities.hpp"
 
 #include "run/field_quantities.hpp"
+#include "run/growth_tests.hpp"
 #include "run/path_quantities.hpp"
 
 #include <algorithm>
@@ -327,6 +328,9 @@ double evaluate(const model::Model& model, const model::Check& check, const resu
   }
   if (q.starts_with("PATH.")) {
     return path_quantity(q, args, run);
+  }
+  if (q.starts_with("TEST.")) {
+    return test_quantity(q, args, run);
   }
   if (q.starts_with("CPRESS.") || q.starts_with("ARC.") || q.starts_with("SHEAR.") ||
       of_friction(q) || q == "SUM") {

@@ -83,6 +83,10 @@ std::vector<base::Vec2> contact_flips(const Scene& scene, const StepState& state
     double& most = largest[candidates[i].closed ? 1 : 0];
     most = std::max(most, pivot[static_cast<Eigen::Index>(i)]);
   }
+  const auto by_force = [&](const Candidate& c, std::size_t t, Eigen::Index k) {
+    return opening(*scene.table.rows[c.row], scene.cracked.mesh.dim, adjoints[t].z, k) +
+           adjoints[t].by_force(static_cast<Eigen::Index>(c.row), k);
+  };
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const Candidate& c = candidates[i];
     const double p = pivot[static_cast<Eigen::Index>(i)];
@@ -94,9 +98,7 @@ std::vector<base::Vec2> contact_flips(const Scene& scene, const StepState& state
       for (Eigen::Index k = 0; k < 2; ++k) {
         const double change = c.closed ? adjoints[t].w(static_cast<Eigen::Index>(c.row), k) *
                                              state.pair_lambda[c.pair][local] / p
-                                       : -state.pair_gap[c.pair][local] / p *
-                                             opening(*scene.table.rows[c.row],
-                                                     scene.cracked.mesh.dim, adjoints[t].z, k);
+                                       : -state.pair_gap[c.pair][local] / p * by_force(c, t, k);
         flips[t][k] = std::max(flips[t][k], std::abs(change));
       }
     }

@@ -29,16 +29,6 @@ bool ErrorBars::is_bonded(std::size_t contact) const {
          model_.contacts[contact].type == model::ContactType::bonded;
 }
 
-// K has terms of the forces between faces, which the adjoint does not have.
-bool ErrorBars::faces_touch(const StepState& state) const {
-  for (std::size_t c = model_.contacts.size(); c < scene_.pairs.size(); ++c) {
-    if (std::ranges::count(state.pair_closed[c], true) > 0) {
-      return true;
-    }
-  }
-  return false;
-}
-
 void ErrorBars::prepare() {
   prepared_ = true;
   const model::Mesh& mesh = scene_.cracked.mesh;
@@ -167,9 +157,6 @@ void ErrorBars::add(const StepState& state, const std::vector<estimate::Adjoint>
   for (const estimate::Adjoint& adjoint : adjoints) {
     why_not = why_not.empty() ? adjoint.why_not : why_not;
   }
-  if (why_not.empty() && faces_touch(state)) {
-    why_not = "crack faces touch";
-  }
   std::vector<estimate::GoalError> errors;
   std::vector<base::Vec2> flips;
   if (why_not.empty()) {
@@ -206,6 +193,10 @@ void ErrorBars::add(const StepState& state, const std::vector<estimate::Adjoint>
         tip.bar[k] = {own[k]->eta,  own[k]->sum,     flips[t][static_cast<Eigen::Index>(k)],
                       bars[k].mesh, bars[k].edge,    bars[k].floor,
                       bars[k].best, bars[k].cancels, own[k]->of_element};
+      }
+      if (tip.closed) {
+        tip.bar[0] = {}; // K1 is 0, whatever the mesh
+        tip.bar[0].of_element.assign(scene_.cracked.mesh.element_count(), 0.0);
       }
     }
     tell(tip, step);

@@ -27,7 +27,6 @@ public:
 private:
   void prepare();
   [[nodiscard]] bool is_bonded(std::size_t contact) const;
-  [[nodiscard]] bool faces_touch(const StepState& state) const;
   [[nodiscard]] base::Vector load(const base::Vector& case_factor);
   [[nodiscard]] estimate::ModeMap modes(const StepState& state) const;
   [[nodiscard]] bool coarse_contact(const StepState& state, const mesh::Tip& tip) const;

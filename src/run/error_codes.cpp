@@ -64,6 +64,8 @@ constexpr std::array advice{
     ErrorCode{"E323", "Take two different steps with no MOUNT or DISMOUNT between them: it changes "
                       "where gaps count from. Paths before and behind it are two cards."},
     ErrorCode{"E324", "With friction K depends on the order of loads: run steps with SUBSTEPS."},
+    ErrorCode{"E326", "A test needs readings N a, a reference of rates (the law of $GROW, or lines "
+                      "RATE), and $GROW with the crack lengths and steps to compare with."},
     ErrorCode{"E331", "The words are gmsh's. Try the file in gmsh itself."},
     ErrorCode{"E332", "Give curves and surfaces their names with Physical in the .geo file."},
     ErrorCode{"E336",

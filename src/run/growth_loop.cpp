@@ -27,27 +27,13 @@ bool wants_bars(const model::Model& model) {
          });
 }
 
-// What an output or a check asks for at every station, beyond the first and the last.
-std::vector<bool> pictured_on_the_way(const model::Model& model) {
-  model::Model asks;
-  asks.steps = model.steps;
-  asks.outputs = model.outputs;
-  asks.checks = model.checks;
-  std::vector<bool> pictured = pictured_steps(asks, false);
-  const bool other = !model.outputs.empty() || !model.checks.empty();
-  if (!pictured.empty() && !other) {
-    pictured.back() = false;
-  }
-  return pictured;
-}
-
 class GrowthLoop {
 public:
   GrowthLoop(const model::Model& model, const SolveOptions& options, base::Diagnostics& diagnostics,
              std::optional<Refusal>& refusal, results::Run& run)
       : model_(model), options_(options), diagnostics_(diagnostics), refusal_(refusal), run_(run),
         measure_(model), solver_(model, options, run.log, trial_, trial_refusal_),
-        on_the_way_(pictured_on_the_way(model)) {}
+        on_the_way_(asked_steps(model, false)) {}
 
   bool run() {
     std::optional<std::vector<mesh::CrackLine>> lines =
@@ -72,7 +58,7 @@ public:
       }
       if (!(next && station(*next, region, march))) {
         if (run_.increments.empty()) {
-          diagnostics_ = trial_;
+          diagnostics_ = std::move(trial_);
           refusal_ = trial_refusal_;
           return false;
         }

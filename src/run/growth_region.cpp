@@ -61,12 +61,9 @@ void GrowthRegion::look(const std::vector<mesh::CrackLine>& lines, const growth:
   const bool first = plan_.region.empty();
   choose(lines, march);
   renewed_ = !first;
-  writer.add("GROW", fmt::format("{} of {} elements condensed at every station",
-                                 first ? "region chosen:" : "a crack left its region; a new one:",
-                                 std::ranges::count(plan_.region, true)));
-  for (std::size_t e = 0; e < here.region.size(); ++e) {
-    plan_.region[e] = plan_.region[e] || here.region[e];
-  }
+  writer.add("GROW", fmt::format("{}: {} of {} elements are condensed at every station",
+                                 first ? "region chosen" : "a crack leaves its region, a new one",
+                                 std::ranges::count(plan_.region, true), plan_.region.size()));
 }
 
 void GrowthRegion::tell_cost(std::vector<results::LogLine>& log) {

@@ -22,12 +22,17 @@
 namespace spricka::run {
 
 std::vector<bool> pictured_steps(const model::Model& model, bool last_increment) {
-  std::vector<bool> pictured(model.steps.size(), false);
+  std::vector<bool> pictured = asked_steps(model, last_increment);
   if (model.growth && model.growth->kmax.valid()) {
     pictured[model.growth->kmax.index()] = true;
   } else if (!pictured.empty()) {
     pictured.back() = true;
   }
+  return pictured;
+}
+
+std::vector<bool> asked_steps(const model::Model& model, bool last_increment) {
+  std::vector<bool> pictured(model.steps.size(), false);
   for (const model::Output& output : model.outputs) {
     const bool stress = std::any_of(output.requests.begin(), output.requests.end(),
                                     [](const auto& request) { return request.quantity == "S"; });
@@ -54,13 +59,6 @@ std::vector<results::Stress> as_results(const std::vector<fe::Stress>& stress) {
     std::copy_n(stress[n].data(), 6, out[n].begin());
   }
   return out;
-}
-
-void add_stress(const model::Model& model, const model::Mesh& mesh, results::StepResult& step) {
-  const fe::StateField field{step.u, step.temperature};
-  step.stress =
-      as_results(fe::nodal_stress(model, mesh, fe::element_node_stress(model, mesh, field)));
-  step.element_stress = as_results(fe::mean_stress(model, mesh, field));
 }
 
 std::vector<results::SurfaceFace> outer_surface(const model::Mesh& mesh) {
@@ -114,6 +112,13 @@ std::size_t unknowns(const std::vector<BodyNet>& bodies) {
 }
 
 } // namespace
+
+void add_stress(const model::Model& model, const model::Mesh& mesh, results::StepResult& step) {
+  const fe::StateField field{step.u, step.temperature};
+  step.stress =
+      as_results(fe::nodal_stress(model, mesh, fe::element_node_stress(model, mesh, field)));
+  step.element_stress = as_results(fe::mean_stress(model, mesh, field));
+}
 
 std::optional<results::Increment> LengthSolver::solve(const LengthRequest& request,
                                                       const RegionPlan& plan) {

@@ -35,6 +35,9 @@ private:
 /// step, and where an output asks for pictures or stresses or a check for their error. [step]
 std::vector<bool> pictured_steps(const model::Model& model, bool last_increment);
 
+/// The same, of outputs and checks alone.
+std::vector<bool> asked_steps(const model::Model& model, bool last_increment);
+
 /// Stresses at nodes and of elements, from the step's own displacements.
 void add_stress(const model::Model& model, const model::Mesh& mesh, results::StepResult& step);
 

@@ -2,6 +2,7 @@
 #include "run/lip_contact.hpp"
 
 #include "contact/lip_pairing.hpp"
+#include "crack/stress_intensity.hpp"
 #include "mesh/boundary.hpp"
 #include "run/lip_overlap.hpp"
 #include "run/scene_ties.hpp"
@@ -134,6 +135,29 @@ std::optional<std::size_t> row_at_tip(const Scene& scene, const mesh::Tip& tip) 
   return scene.table.first[lip->pair] +
          row_of(scene.pairs[lip->pair],
                 from_tip(scene.cracked.lips[tip.crack.index()], tip.node).front());
+}
+
+base::Matrix intensity_of_forces(const model::Model& model, const Scene& scene) {
+  base::Matrix of_row = base::Matrix::Zero(2 * static_cast<Eigen::Index>(scene.cracked.tips.size()),
+                                           static_cast<Eigen::Index>(scene.table.rows.size()));
+  for (std::size_t t = 0; t < scene.cracked.tips.size(); ++t) {
+    const mesh::Tip& tip = scene.cracked.tips[t];
+    const std::optional<LipPair>& lip = scene.lip_pairs[tip.crack.index()];
+    if (!lip) {
+      continue;
+    }
+    const base::Matrix weight =
+        crack::lip_intensity_rows(model, scene.cracked, tip, scene.tips[t].fields,
+                                  model.cracks[tip.crack.index()].state, lip->sides);
+    for (std::size_t r = scene.table.first[lip->pair]; r < scene.table.first[lip->pair + 1]; ++r) {
+      for (const contact::RowEntry& entry : scene.table.rows[r]->entries) {
+        const auto at = 2 * static_cast<Eigen::Index>(entry.node.index());
+        of_row.col(static_cast<Eigen::Index>(r)).segment<2>(2 * static_cast<Eigen::Index>(t)) +=
+            weight.middleRows<2>(at).transpose() * entry.weight.head<2>();
+      }
+    }
+  }
+  return of_row;
 }
 
 std::optional<crack::LipForces> lip_forces(const Scene& scene, const mesh::Tip& tip,

@@ -33,6 +33,10 @@ TipFaces tip_faces(const Scene& scene, const mesh::Tip& tip, const StepState& st
 /// The row of the table of the two nodes next to a tip; none where the faces are no pair.
 std::optional<std::size_t> row_at_tip(const Scene& scene, const mesh::Tip& tip);
 
+/// What a unit of each row's force adds to K1 and K2 itself, beside what it moves: the terms of
+/// forces between the faces of cracks (crack.33). [2 * tip + mode - 1, table row]
+base::Matrix intensity_of_forces(const model::Model& model, const Scene& scene);
+
 /// Forces between the faces of the tip's crack; none without a pair.
 std::optional<crack::LipForces> lip_forces(const Scene& scene, const mesh::Tip& tip,
                                            const StepState& state);

@@ -3,6 +3,7 @@
 
 #include "crack/stress_intensity.hpp"
 #include "run/closed_run.hpp"
+#include "run/lip_contact.hpp"
 #include "run/tip_loads.hpp"
 
 #include <algorithm>
@@ -133,7 +134,8 @@ LoadPaths::Functionals LoadPaths::functionals(const StepSolver& solver) const {
     }
     first += nodal.cols();
   }
-  add_lip_forces(out.of_row);
+  out.of_row.topRows(2 * static_cast<Eigen::Index>(scene_.cracked.tips.size())) +=
+      intensity_of_forces(model_, scene_);
   return out;
 }
 

@@ -68,8 +68,6 @@ private:
   void contacts(const solve::SolutionPath& found, const End& end, results::LoadPath& path) const;
   void tips(const solve::SolutionPath& found, const End& from, const End& to,
             results::LoadPath& path) const;
-  /// What contact forces between the faces of cracks add to K themselves, to of_row.
-  void add_lip_forces(base::Matrix& of_row) const;
   /// Sets K1 of tip t to 0 on the segments on which its faces touch; whether there are any.
   bool close_tip(std::size_t t, const End& end, const solve::SolutionPath& found,
                  base::PiecewiseLinear& K1) const;

@@ -5,6 +5,7 @@
 #include "fe/law.hpp"
 #include "run/check_quantities.hpp"
 #include "run/estimate.hpp"
+#include "run/growth_tests.hpp"
 #include "run/solve_run.hpp"
 #include "run/tolerance.hpp"
 
@@ -102,6 +103,17 @@ void collect_path_warnings(results::Run& run, const Log& log) {
                                              path.name, note.substr(9)));
           log.message(base::Severity::warning, "W502", run.warnings.back());
         }
+      }
+    }
+  }
+}
+
+void collect_test_warnings(results::Run& run, const Log& log) {
+  for (const results::GrowthTest& test : run.tests) {
+    for (const std::string& note : test.notes) {
+      if (note.starts_with("warning: ")) {
+        run.warnings.push_back(fmt::format("test {}: {}", test.name, note.substr(9)));
+        log.message(base::Severity::warning, "W502", run.warnings.back());
       }
     }
   }
@@ -256,6 +268,8 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
   collect_warnings(deck.diagnostics, run, log);
   collect_path_warnings(run, log);
   tell_rounds(solved, run, log);
+  run.tests = invert_tests(*used.model, run);
+  collect_test_warnings(run, log);
   run.checks = evaluate_checks(*used.model, run);
   run.cpu += cpu_before;
   folder.write(deck.sources, *used.model, run);
@@ -290,6 +304,10 @@ void print_summary(const model::Model& model, const results::Run& run,
                    model.units.stress_intensity_name());
       }
     }
+  }
+  if (run.growth) {
+    fmt::print("N = {:.7g} {}, ended by {}\n", run.growth->cycles(),
+               run.growth->unit == "pass" ? "passes" : "cycles", run.growth->ended);
   }
   if (!run.checks.empty()) {
     const auto passed = std::count_if(run.checks.begin(), run.checks.end(),

@@ -100,27 +100,6 @@ void LoadPaths::look_at_faces(const solve::SolutionPath& found) {
   }
 }
 
-void LoadPaths::add_lip_forces(base::Matrix& of_row) const {
-  for (std::size_t t = 0; t < scene_.cracked.tips.size(); ++t) {
-    const mesh::Tip& tip = scene_.cracked.tips[t];
-    const std::optional<LipPair>& lip = scene_.lip_pairs[tip.crack.index()];
-    if (!lip) {
-      continue;
-    }
-    const base::Matrix weight =
-        crack::lip_intensity_rows(model_, scene_.cracked, tip, scene_.tips[t].fields,
-                                  model_.cracks[tip.crack.index()].state, lip->sides);
-    for (std::size_t r = scene_.table.first[lip->pair]; r < scene_.table.first[lip->pair + 1];
-         ++r) {
-      for (const contact::RowEntry& entry : scene_.table.rows[r]->entries) {
-        const auto at = 2 * static_cast<Eigen::Index>(entry.node.index());
-        of_row.col(static_cast<Eigen::Index>(r)).segment<2>(2 * static_cast<Eigen::Index>(t)) +=
-            weight.middleRows<2>(at).transpose() * entry.weight.head<2>();
-      }
-    }
-  }
-}
-
 bool LoadPaths::close_tip(std::size_t t, const End& end, const solve::SolutionPath& found,
                           base::PiecewiseLinear& K1) const {
   const std::optional<std::size_t> row = row_at_tip(scene_, scene_.cracked.tips[t]);

@@ -3,6 +3,7 @@
 
 #include "base/clock.hpp"
 #include "report/growth_tables.hpp"
+#include "report/growth_tests.hpp"
 #include "report/load_paths.hpp"
 #include "report/report.hpp"
 #include "report/sensitivity.hpp"
@@ -100,6 +101,7 @@ void RunFolder::write(const base::Sources& sources, const model::Model& model, r
   report::write_life_csv(part_ / "life.csv", model, run);
   report::write_life_curve_csv(part_ / "life_curve.csv", model, run);
   report::write_beta_csv(part_ / "beta.csv", model, run);
+  report::write_test_csv(part_ / "test.csv", model, run);
   write_pictures(part_, model, run);
   write_requested(part_, model, run);
   write_text(part_ / "report.html", report::html_report(sources, model, run));

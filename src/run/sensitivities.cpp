@@ -2,6 +2,7 @@
 #include "run/sensitivities.hpp"
 
 #include "estimate/modulus.hpp"
+#include "run/lip_contact.hpp"
 #include "run/step_walk.hpp"
 #include "run/tip_name.hpp"
 
@@ -24,7 +25,10 @@ std::size_t tip_material(const model::Model& model, const Scene& scene, std::siz
   return model.property_of(scene.cracked.mesh, near).material.index();
 }
 
-std::array<double, 2> slope(const KCause& cause, const estimate::Adjoint& adjoint, std::size_t t) {
+// K1 stays 0 while the faces touch at the tip.
+std::array<double, 2> slope(const Scene& scene, const KCause& cause,
+                            const estimate::Adjoint& adjoint, std::size_t t) {
+  const std::optional<std::size_t> row = row_at_tip(scene, scene.cracked.tips[t]);
   base::Vec2 dK = cause.direct.col(static_cast<Eigen::Index>(t));
   if (cause.load.size() > 0) {
     dK += adjoint.z.transpose() * cause.load;
@@ -32,7 +36,7 @@ std::array<double, 2> slope(const KCause& cause, const estimate::Adjoint& adjoin
   if (cause.gap.size() > 0) {
     dK += adjoint.w.transpose() * cause.gap;
   }
-  return {dK[0], dK[1]};
+  return {row && adjoint.closed[*row] ? 0.0 : dK[0], dK[1]};
 }
 
 // Sides that differ by round-off only (rows that say what others say choose freely).
@@ -257,7 +261,7 @@ void Sensitivities::one_sided(const StepSolver& solver, const FrozenContact& con
       range[up ? 1 : 0] += contact.reach(*side.held, all)[i][up ? 1 : 0];
       for (std::size_t t = 0; t < result.tips.size(); ++t) {
         Sensitivity& s = result.tips[t].sensitivities.of[i];
-        (up ? s.above : s.below) = slope(causes[i], side.adjoint[t], t);
+        (up ? s.above : s.below) = slope(scene_, causes[i], side.adjoint[t], t);
       }
     }
     for (results::TipResult& tip : result.tips) {
@@ -317,7 +321,7 @@ void Sensitivities::add(const StepSolver& solver, const StepState& state, Adjoin
   for (std::size_t t = 0; t < result.tips.size(); ++t) {
     for (std::size_t i = 0; i < causes.size(); ++i) {
       Sensitivity& s = result.tips[t].sensitivities.of[i];
-      s.below = s.above = slope(causes[i], adjoint[t], t);
+      s.below = s.above = slope(scene_, causes[i], adjoint[t], t);
       if (i < with_range || !contact) {
         s.range = {s.value + reach[i][0], s.value + reach[i][1]};
       }

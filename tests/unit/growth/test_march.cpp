@@ -274,11 +274,11 @@ TEST(March, CracksLinkUp) {
 TEST(March, FollowsACurve) {
   std::vector<double> off;
   for (const double da : {1.0, 0.5}) {
-    Plate plate(0.0, 100.0, 50.0, 20);
-    plate.crack("C", 0.0, 2.0);
+    Plate plate(-18.0, 100.0, 50.0, 20);
+    plate.crack("C", -18.0, 2.0);
     plate.model.growth->direction = model::GrowthDirection::hoop;
     plate.model.growth->largest_advance = da;
-    plate.model.growth->last_length = 22.0;
+    plate.model.growth->last_length = 40.0;
     growth::March march(plate.model, {}, plate.lines(), {});
     run(march, [](const auto&, const auto& lines, auto& tips) {
       // circles about (2, 20): the way on at any point is across its radius
@@ -294,7 +294,7 @@ TEST(March, FollowsACurve) {
     const growth::TipStation& last = march.state().stations.back().tips[0];
     off.push_back(std::abs(std::hypot(last.x - 2.0, last.y - 20.0) - 20.0));
   }
-  EXPECT_LT(off[0], 0.02);
+  EXPECT_LT(off[0], 0.05);
   EXPECT_LT(off[1], 0.3 * off[0]);
 }
 
