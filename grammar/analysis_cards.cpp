@@ -128,23 +128,32 @@ constexpr std::array load_path_keys{
     preset(real("BEYOND", number, between(1, 1e6), "the last t"), "1"),
 };
 
+constexpr std::array spectrum_keys{
+    required(defines("NAME", spectrum, "called by this in $GROW")),
+    required(refers("PATH", path, "the load path whose t the data lines hold")),
+    required(word("TYPE", "BLOCKS|SEQUENCE", "cycles with their counts, or turning points")),
+    text("FILE", "turning points or lines from this file, in place of data lines"),
+    preset(real("FACTOR", number, above(0), "multiplies every t"), "1"),
+};
+
 constexpr std::array grow_keys{
-    required(later(word("LAW", "INCREMENT|PARIS|WALKER|FORMAN|NASGRO|TABLE",
-                        "INCREMENT: the crack lengths are given"),
-                   "PARIS|WALKER|FORMAN|NASGRO|TABLE")),
-    preset(later(word("DIRECTION", "PATH|HOOP|K2ZERO",
-                      "where a crack grows to: along its line, or by K1 and K2"),
-                 "HOOP|K2ZERO"),
+    required(word("LAW", "INCREMENT|PARIS|WALKER|FORMAN|NASGRO|TABLE",
+                  "INCREMENT: the crack lengths are given")),
+    preset(word("DIRECTION", "PATH|HOOP|K2ZERO",
+                "where a crack grows to: along its line, or by K1 and K2"),
            "PATH"),
     of_type(KeyType::references, "CRACKS", crack, "that grow; all when left out"),
-    required(refers("KMAX", step, "the step of the largest K")),
+    refers("KMAX", step, "the step of the largest K"),
     refers("KMIN", step, "the step of the smallest K"),
+    refers("SPECTRUM", spectrum, "the load history of one pass, in place of KMAX and KMIN"),
     preset(later(word("HISTORY", "RESTART|CONTINUE", "CONTINUE carries slip over"), "CONTINUE"),
            "RESTART"),
     preset(word("MOUNTED", "EACH|FIRST",
                 "EACH: every length mounts anew; FIRST: keeps what was mounted at the first"),
            "EACH"),
     real("DA", length, above(0), "largest advance of an increment"),
+    preset(real("TOL", number, between(1e-6, 0.1), "error of the cycles, as a part of them"),
+           "1e-3"),
     real("AMAX", length, above(0), "stops the growth"),
     real("CYCLES", number, above(0), "stops the growth"),
     real("C", number, above(0), "factor of the law, in KUNIT and AUNIT"),
@@ -152,6 +161,8 @@ constexpr std::array grow_keys{
     preset(real("P", number, anything, "exponent of NASGRO"), "0"),
     preset(real("Q", number, anything, "exponent of NASGRO"), "0"),
     real("KC", stress_intensity, above(0), "fracture toughness; stops the growth"),
+    real("SFLOW", stress, above(0), "flow stress: the ligament's plastic limit stops the growth"),
+    preset(word("CORRECT", "YES|NO", "YES: K with the error bar's bias taken out"), "NO"),
     preset(real("DKTH", stress_intensity, at_least(0), "threshold"), "0"),
     preset(real("ALPHA", number, between(1, 3), "constraint factor of NASGRO"), "2"),
     preset(real("SMAX", number, between(0, 1), "stress over flow stress of NASGRO"), "0.3"),
@@ -159,14 +170,34 @@ constexpr std::array grow_keys{
     unit_name("AUNIT", length, "unit of a in the law, 'm' or 'mm/cycle'; else deck units"),
 };
 
-// Every law but INCREMENT works on a range of K and so needs KMIN.
+// Every law but INCREMENT works on a range of K: from KMIN to KMAX, or those of a spectrum.
 constexpr std::array grow_when{
-    When{"LAW", "INCREMENT", "", "DA CYCLES C M P Q DKTH ALPHA SMAX KUNIT AUNIT"},
-    When{"LAW", "PARIS", "C M KMIN", "P Q ALPHA SMAX"},
-    When{"LAW", "WALKER", "C M KMIN", "Q ALPHA SMAX"},
-    When{"LAW", "FORMAN", "C M KC KMIN", "P Q ALPHA SMAX"},
-    When{"LAW", "NASGRO", "C M KC KMIN", ""},
-    When{"LAW", "TABLE", "KMIN", "C M P Q ALPHA SMAX"},
+    When{"LAW", "INCREMENT", "KMAX",
+         "DA CYCLES C M P Q DKTH ALPHA SMAX KUNIT AUNIT SPECTRUM TOL SFLOW CORRECT AMAX KC"},
+    When{"LAW", "PARIS", "C M", "P Q ALPHA SMAX"},
+    When{"LAW", "WALKER", "C M", "Q ALPHA SMAX"},
+    When{"LAW", "FORMAN", "C M KC", "P Q ALPHA SMAX"},
+    When{"LAW", "NASGRO", "C M KC", ""},
+    When{"LAW", "TABLE", "", "C M P Q ALPHA SMAX"},
+    When{"SPECTRUM", "", "", "KMAX KMIN"},
+};
+
+constexpr std::array test_keys{
+    required(defines("NAME", test, "called by this in results")),
+    required(refers("CRACK", crack, "that was measured")),
+    preset(word("METHOD", "SECANT|POLYNOMIAL|E647|SPLINE", "how rates follow from lengths"),
+           "POLYNOMIAL"),
+    preset(integer("POINTS", between(5, 99), "readings in a parabola, an odd number"), "7"),
+    text("FILE", "lines N a from this file, in place of data lines"),
+    text("REFERENCE", "lines delta_K da/dN from this file, in place of RATE"),
+    real("RATIO", number, between(-100, 0.99), "K_min/K_max; else that of KMIN and KMAX of $GROW"),
+    unit_name("KUNIT", stress_intensity, "unit of delta_K in RATE and REFERENCE; else deck units"),
+    unit_name("AUNIT", length, "unit of da in RATE and REFERENCE; else deck units"),
+};
+
+constexpr std::array test_when{
+    When{"METHOD", "SECANT", "", "POINTS"},
+    When{"METHOD", "SPLINE", "", "POINTS"},
 };
 
 constexpr std::array sweep_keys{
@@ -181,9 +212,9 @@ constexpr std::array control_keys{
 };
 
 constexpr std::array restart_keys{
-    text("READ", "continue from this file"),
-    integer("AT", at_least(0), "increment to continue from"),
-    text("WRITE", "write the state after increments into this file"),
+    text("READ", "go on from the state in this file"),
+    integer("AT", at_least(0), "last increment to take over; left out: all of the file"),
+    text("WRITE", "keep the state in this file, in a sweep one for each point"),
     preset(integer("EVERY", at_least(1), "increments between states"), "1"),
 };
 
@@ -244,6 +275,12 @@ constexpr std::array cards{
              .group = "loads",
              .keys = load_path_keys,
              .doc = "K and contact for all loads on the line between two steps, exact."},
+    CardSpec{.name = "SPECTRUM",
+             .group = "loads",
+             .keys = spectrum_keys,
+             .data = Data::rows,
+             .data_form = "BLOCKS: low high count; SEQUENCE: turning points",
+             .doc = "A load history on a load path: the cycles that a crack grows by."},
     CardSpec{.name = "GROW",
              .group = "crack",
              .keys = grow_keys,
@@ -252,6 +289,13 @@ constexpr std::array cards{
              .data_form = "INCREMENT: crack lengths; TABLE: delta_K da/dN",
              .when = grow_when,
              .doc = "Crack growth: runs the steps for every crack length."},
+    CardSpec{.name = "TEST",
+             .group = "crack",
+             .keys = test_keys,
+             .data = Data::rows,
+             .data_form = "N a; or RATE delta_K da/dN",
+             .when = test_when,
+             .doc = "Measured crack growth, turned back into K beside the computed one."},
     CardSpec{.name = "SWEEP",
              .group = "requests",
              .keys = sweep_keys,
@@ -268,9 +312,8 @@ constexpr std::array cards{
              .group = "requests",
              .keys = restart_keys,
              .once = true,
-             .available = false,
              .when = restart_when,
-             .doc = "State per growth increment or step."},
+             .doc = "Keeps the state after increments, and goes on from there."},
     CardSpec{.name = "TASK",
              .group = "requests",
              .data = Data::rows,

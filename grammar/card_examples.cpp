@@ -203,12 +203,40 @@ constexpr std::array texts{
              "breakpoint, where a pair opens or closes, is found. Nothing may be mounted or "
              "dismounted between the two steps.",
              "$LOADPATH NAME=UP FROM=PRESS TO=LOAD BEYOND=1.5\n"},
-    CardText{"GROW",
-             "All steps are run for every crack length. With LAW=INCREMENT the data lines are the "
-             "lengths. KMAX and KMIN name the steps whose K is the largest and the smallest of a "
-             "load cycle.",
-             "$GROW LAW=INCREMENT KMAX=LOAD KMIN=UNLOAD\n"
-             "  1.8  3.6  7.2  10.8  18\n"},
+    CardText{"SPECTRUM",
+             "All loads are places t on a load path. BLOCKS: each line is a number of cycles "
+             "between two t; SEQUENCE: turning points in their order, counted by rainflow (ASTM "
+             "E1049). One pass through all of them is the unit of life. Beyond both ends of the "
+             "load path there is no K: its BEYOND must reach the largest t.",
+             "$SPECTRUM NAME=FLIGHT PATH=UP TYPE=BLOCKS\n"
+             "  0.1  1.0  20\n"
+             "  0.3  0.7  5000\n"},
+    CardText{
+        "GROW",
+        "All steps are run for every crack length. With LAW=INCREMENT the data lines are the "
+        "lengths. KMAX and KMIN name the steps whose K is the largest and the smallest of a "
+        "load cycle. By a law the program chooses the lengths itself, so that the cycles are "
+        "right to TOL, and ends at AMAX, CYCLES, KC, the ligament's plastic limit (SFLOW), an "
+        "edge, another crack, or where nothing grows any more.",
+        "$GROW LAW=PARIS KMAX=LOAD KMIN=UNLOAD C=1e-11 M=3 KUNIT='MPa*m^0.5' AUNIT=m AMAX=30\n"},
+    CardText{
+        "TEST",
+        "Data lines N a are readings of a crack growth test: cycles and length, as $CRACK counts "
+        "it. The rate da/dN at a length is that of a reference at a range of K; so K of the part "
+        "is known. The reference is the law of $GROW, or rates of a specimen: lines RATE delta_K "
+        "da/dN, straight in the logarithms in between. K_min/K_max of each length comes from the "
+        "steps KMIN and KMAX of $GROW. Results are in test.csv with the scatter band; manual, "
+        "inversion.md.",
+        "$TEST NAME=LUG1 CRACK=C1 METHOD=POLYNOMIAL\n"
+        "  0      3.21\n"
+        "  500    3.35\n"
+        "  1000   3.52\n"
+        "  1500   3.71\n"
+        "  2000   3.88\n"
+        "  2500   4.11\n"
+        "  3000   4.30\n"
+        "  RATE  100  4.7e-6\n"
+        "  RATE  900  3.4e-3\n"},
     CardText{"SWEEP", "",
              "$PARAMETER\n"
              "  fit = 0.084\n"
@@ -218,7 +246,12 @@ constexpr std::array texts{
         "CONTROL",
         "Seldom needed. THREADS never changes a result; the command line's --threads goes first.",
         "$CONTROL THREADS=2\n"},
-    CardText{"RESTART", "", "$RESTART WRITE='lug.state' EVERY=2\n"},
+    CardText{"RESTART",
+             "The state is kept after every crack length, so that a run that was stopped goes on "
+             "to the same bits: spricka run DECK --restart. Files lie relative to the deck. A "
+             "state fits a deck whose cards are the same but for $OUTPUT, $CHECK, $CONTROL, $TASK, "
+             "lengths of $GROW and steps taken away at the end.",
+             "$RESTART WRITE='lug.rst'\n"},
     CardText{"TASK",
              "Its names and their order are checked; in this version the chain always follows from "
              "the cards.",

@@ -105,8 +105,16 @@ constexpr std::array quantities{
                    "K1 under x times FROM plus y times TO of a load path"},
     ResultQuantity{"PATH.OPENING", "pl?a", number, "t at which a load path opens the first pair"},
     ResultQuantity{"PATH.KNOTS", "l?a", number, "breakpoints of a load path"},
-    ResultQuantity{"N", "a", number, "cycles at a crack length (not in this version)"},
-    ResultQuantity{"LIFE", "", number, "cycles to the end (not in this version)"},
+    ResultQuantity{"N", "a", number, "cycles (or passes of the spectrum) until a crack length"},
+    ResultQuantity{"LIFE", "", number, "cycles (or passes of the spectrum) to the end"},
+    ResultQuantity{"TEST.K", "ta", stress_intensity, "K that a test had at a crack length"},
+    ResultQuantity{"TEST.RATIO", "t?aa", number,
+                   "mean of measured over computed K of a test, from length to length"},
+    ResultQuantity{"TEST.RMS", "t?aa", number, "rms of measured over computed K less 1"},
+    ResultQuantity{"TEST.INSIDE", "t?aa", number,
+                   "share of points whose scatter band holds the computed K"},
+    ResultQuantity{"TEST.LIFE", "t", number, "cycles by the computed K over those of a test"},
+    ResultQuantity{"TEST.SCATTER", "t", length, "standard deviation of the readings of a test"},
 };
 
 } // namespace
@@ -141,6 +149,10 @@ std::string_view word_of(Kind kind) {
     return "rigid target";
   case Kind::path:
     return "load path";
+  case Kind::spectrum:
+    return "spectrum";
+  case Kind::test:
+    return "test";
   case Kind::surface:
     return "set or rigid target";
   case Kind::none:

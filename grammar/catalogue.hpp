@@ -42,6 +42,8 @@ enum class Kind {
   parameter,
   rigid,
   path,
+  spectrum,
+  test,
   surface ///< node or face set, or a rigid target
 };
 
@@ -130,7 +132,7 @@ const CardSpec* find_card(std::string_view name);
 std::vector<std::string> split_words(std::string_view words);
 
 /// A result that $CHECK and the prompt can name, and what its arguments are: c crack[.tip],
-/// p contact, s step, o load case, m material, l load path, n set, e net or * for all, d direction
+/// p contact, s step, o load case, m material, l load path, t test, n set, e net or * for all, d direction
 /// X|Y|Z, a number; a letter after ? may be left out.
 struct ResultQuantity {
   std::string_view name = {};

@@ -191,16 +191,14 @@ void law_constants(const Context& c, const BoundCard& card, model::LawConstants&
   constants.a_unit = law_unit(c, card, "AUNIT");
 }
 
-// What ends the growth; with given lengths their end does, and the rest has no analysis yet.
-void stops(Context& c, const BoundCard& card, model::Growth& growth) {
+// What ends the growth by a law, and how well it is followed.
+void stops(const BoundCard& card, model::Growth& growth) {
   growth.largest_advance = card.optional("DA");
   growth.last_length = card.optional("AMAX");
   growth.cycles = card.optional("CYCLES");
-  for (const std::string_view key : {"AMAX", "KC"}) {
-    if (growth.law == model::GrowthLaw::increment && card.has(key)) {
-      c.unavailable(fmt::format("$GROW LAW=INCREMENT {}", key), card.find(key)->span);
-    }
-  }
+  growth.tolerance = card.number("TOL");
+  growth.flow_stress = card.optional("SFLOW");
+  growth.corrected = card.is("CORRECT", "YES");
 }
 
 void law(Context& c, const BoundCard& card, model::Growth& growth) {
@@ -213,7 +211,25 @@ void law(Context& c, const BoundCard& card, model::Growth& growth) {
     c.error(card.rows.front().span, "E115",
             fmt::format("LAW={} takes no data lines", card.word("LAW")));
   }
-  stops(c, card, growth);
+  stops(card, growth);
+}
+
+// The loads that a law counts: from step to step, or a spectrum.
+void cycles_of(Context& c, const BoundCard& card, model::Growth& growth) {
+  growth.kmax = step_id(c, card, "KMAX");
+  growth.kmin = step_id(c, card, "KMIN");
+  if (growth.kmin.valid() && growth.kmin == growth.kmax) {
+    c.error(card.find("KMIN")->span, "E110", "KMAX and KMIN name the same step");
+  }
+  if (card.has("SPECTRUM")) {
+    if (const Definition* found = look_up(c, Kind::spectrum, card.reference("SPECTRUM"))) {
+      growth.spectrum = found->index;
+    }
+  } else if (growth.law != model::GrowthLaw::increment && !(card.has("KMAX") && card.has("KMIN"))) {
+    c.error(card.span, "E106",
+            fmt::format("$GROW LAW={} needs KMAX and KMIN, or SPECTRUM", card.word("LAW")),
+            "the steps with the largest and the smallest K of a cycle, or a load history");
+  }
 }
 
 void grow(Context& c, const BoundCard& card) {
@@ -229,15 +245,11 @@ void grow(Context& c, const BoundCard& card) {
       }
     }
   }
-  growth.kmax = step_id(c, card, "KMAX");
-  growth.kmin = step_id(c, card, "KMIN");
   growth.history =
       card.is("HISTORY", "CONTINUE") ? model::History::carry_on : model::History::restart;
   growth.mounted = card.is("MOUNTED", "FIRST") ? model::Mounted::first : model::Mounted::each;
   growth.span = card.span;
-  if (growth.kmin.valid() && growth.kmin == growth.kmax) {
-    c.error(card.find("KMIN")->span, "E110", "KMAX and KMIN name the same step");
-  }
+  cycles_of(c, card, growth);
   law(c, card, growth);
   c.model.growth = std::move(growth);
 }
@@ -311,6 +323,8 @@ void build_steps(Context& context) {
       load_path(context, card);
     }
   }
+  build_spectra(context);
+  build_tests(context);
 }
 
 } // namespace spricka::deck

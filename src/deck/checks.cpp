@@ -103,9 +103,6 @@ private:
       unknown(quantity);
       return false;
     }
-    if (spec->name == "N" || spec->name == "LIFE") {
-      c_.unavailable(fmt::format("{} in $CHECK", spec->name), quantity.span);
-    }
     if ((spec->name == "N" || spec->name == "LIFE") && !counts_cycles()) {
       c_.error(quantity.span, "E315",
                fmt::format("{} counts cycles, but the deck has no $GROW with a law of growth",
@@ -212,6 +209,8 @@ private:
       return "material";
     case 'l':
       return "load path";
+    case 't':
+      return "test";
     case 'n':
       return "set";
     case 'd':
@@ -263,6 +262,8 @@ private:
       return look_up(c_, Kind::material, reference) != nullptr;
     case 'l':
       return look_up(c_, Kind::path, reference) != nullptr;
+    case 't':
+      return look_up(c_, Kind::test, reference) != nullptr;
     case 'e':
       return name == "*" || look_up(c_, Kind::net, {name, span, {}}) != nullptr;
     case 'n': {

@@ -95,6 +95,10 @@ void build_contacts(Context& context);
 void build_cracks(Context& context);
 /// $STEP, $LOADPATH, $GROW.
 void build_steps(Context& context);
+/// $SPECTRUM, once its load paths are there.
+void build_spectra(Context& context);
+/// $TEST, once $GROW is there.
+void build_tests(Context& context);
 /// $OUTPUT, $CHECK, $CONTROL, $RESTART, $SWEEP, $TASK.
 void build_requests(Context& context);
 /// Names that cards with bad headers use: the stages above leave these cards out.

@@ -71,6 +71,8 @@ inline constexpr std::array error_codes{
     ErrorCode{"E322", "an output file with the name of one that every run writes"},
     ErrorCode{"E323", "a load path between steps that no straight line joins"},
     ErrorCode{"E324", "a load path with friction"},
+    ErrorCode{"E325", "a spectrum that leaves its load path, or has no cycle"},
+    ErrorCode{"E326", "a growth test without the readings, reference or lengths it needs"},
     ErrorCode{"E390", "a parameter is swept and given with -D"},
     ErrorCode{"E391", "a parameter is swept twice"},
 };

@@ -15,14 +15,6 @@ namespace {
 
 constexpr double same_place = 1e-9; // of the crack length
 
-bool grows(const model::Model& model, std::size_t crack) {
-  if (!model.growth) {
-    return false;
-  }
-  const std::vector<base::CrackId>& list = model.growth->cracks;
-  return list.empty() || std::find(list.begin(), list.end(), base::CrackId(crack)) != list.end();
-}
-
 double polyline_length(const std::vector<base::Vec3>& points) {
   double length = 0.0;
   for (std::size_t i = 1; i < points.size(); ++i) {
@@ -49,9 +41,10 @@ std::vector<base::Vec3> truncate(const std::vector<base::Vec3>& points, double a
   return cut;
 }
 
-// An embedded polyline made longer or shorter by `more` at either end.
-std::vector<base::Vec3> prolong_both(std::vector<base::Vec3> points, double more) {
-  for (int end = 0; end < 2; ++end) {
+// An embedded polyline made longer or shorter at either end.
+std::vector<base::Vec3> prolong_both(std::vector<base::Vec3> points, double at_first,
+                                     double at_last) {
+  for (const double more : {at_last, at_first}) {
     if (more > 0.0) {
       const base::Vec3 d = (points.back() - points[points.size() - 2]).normalized();
       points.back() += more * d;
@@ -117,14 +110,17 @@ struct Builder {
   }
 
   std::optional<mesh::CrackLine> free_line(const model::Crack& crack, mesh::CrackLine line,
-                                           double a) {
+                                           const Arms& arms) {
+    const double a = arms.last;
     line.net = crack.net;
     line.points = crack.points;
     line.embedded = !line.points.empty() && mesh::crack_start(model.mesh, line.points.front(),
                                                               line.net) == mesh::CrackStart::inside;
     if (crack.angle && line.points.size() == 1) {
       const base::Vec3 along(std::cos(*crack.angle), std::sin(*crack.angle), 0.0);
-      line.points.push_back(line.points.front() + (line.embedded ? 2.0 : 1.0) * a * along);
+      // of given lengths the first tip of an embedded crack stays at the point
+      const double drawn = arms.given ? a : first_length(crack);
+      line.points.push_back(line.points.front() + (line.embedded ? 2.0 * drawn : a) * along);
     }
     if (line.points.size() < 2) {
       diagnostics.error(crack.span, "E401",
@@ -133,17 +129,18 @@ struct Builder {
     }
     if (crack.smooth && line.points.size() > 2) {
       const SmoothCurve curve(line.points);
-      const double more = line.embedded ? a - 0.5 * curve.length() : 0.0;
-      line.points =
-          as_polyline(curve, -more, line.embedded ? curve.length() + more : a, line.embedded);
+      const double half = 0.5 * curve.length();
+      line.points = line.embedded ? as_polyline(curve, half - arms.first, half + a, true)
+                                  : as_polyline(curve, 0.0, a, false);
       return line;
     }
     // Beyond its last point a free crack goes straight on; an embedded one at both ends.
     const double given = polyline_length(line.points);
     if (line.embedded) {
-      const double more = a - 0.5 * given;
-      if (std::abs(more) > same_place * a) {
-        line.points = prolong_both(line.points, more);
+      const double at_first = arms.first - 0.5 * given;
+      const double at_last = a - 0.5 * given;
+      if (std::max(std::abs(at_first), std::abs(at_last)) > same_place * a) {
+        line.points = prolong_both(line.points, at_first, at_last);
       }
       return line;
     }
@@ -164,13 +161,17 @@ struct Builder {
            (curved ? SmoothCurve(crack.points).length() : polyline_length(crack.points));
   }
 
-  std::optional<mesh::CrackLine> line(std::size_t number, double a) {
+  [[nodiscard]] double first_length(const model::Crack& crack) const {
+    return crack.a0.value_or(
+        crack.kind == model::CrackKind::free && crack.points.size() > 1 ? own_length(crack) : 0.0);
+  }
+
+  std::optional<mesh::CrackLine> line(std::size_t number, Arms arms) {
     const model::Crack& crack = model.cracks[number];
-    if (!grows(model, number) || a <= 0.0) {
-      a = crack.a0.value_or(crack.kind == model::CrackKind::free && crack.points.size() > 1
-                                ? own_length(crack)
-                                : 0.0);
+    if (!crack_grows(model, number) || arms.last <= 0.0) {
+      arms.first = arms.last = first_length(crack);
     }
+    const double a = arms.last;
     if (a <= 0.0) {
       diagnostics.error(
           crack.span, "E402",
@@ -180,8 +181,9 @@ struct Builder {
     mesh::CrackLine start;
     start.crack = base::CrackId(number);
     start.name = crack.name;
-    std::optional<mesh::CrackLine> line =
-        crack.kind == model::CrackKind::path ? path_line(crack, start) : free_line(crack, start, a);
+    std::optional<mesh::CrackLine> line = crack.kind == model::CrackKind::path
+                                              ? path_line(crack, start)
+                                              : free_line(crack, start, arms);
     if (!line) {
       return line;
     }
@@ -209,13 +211,27 @@ std::vector<double> crack_lengths(const model::Model& model) {
   return {0.0};
 }
 
+bool crack_grows(const model::Model& model, std::size_t crack) {
+  if (!model.growth) {
+    return false;
+  }
+  const std::vector<base::CrackId>& list = model.growth->cracks;
+  return list.empty() || std::find(list.begin(), list.end(), base::CrackId(crack)) != list.end();
+}
+
 std::optional<std::vector<mesh::CrackLine>> crack_lines(const model::Model& model, double a,
+                                                        base::Diagnostics& diagnostics) {
+  return crack_lines(model, std::vector<Arms>(model.cracks.size(), Arms{a, a, true}), diagnostics);
+}
+
+std::optional<std::vector<mesh::CrackLine>> crack_lines(const model::Model& model,
+                                                        const std::vector<Arms>& arms,
                                                         base::Diagnostics& diagnostics) {
   Builder builder{model, diagnostics, fe::classify_freedoms(model, model.mesh)};
   std::vector<mesh::CrackLine> lines;
   bool complete = true;
   for (std::size_t c = 0; c < model.cracks.size(); ++c) {
-    std::optional<mesh::CrackLine> line = builder.line(c, a);
+    std::optional<mesh::CrackLine> line = builder.line(c, arms[c]);
     complete = complete && line.has_value();
     if (line) {
       lines.push_back(std::move(*line));

@@ -21,4 +21,18 @@ std::vector<double> crack_lengths(const model::Model& model);
 std::optional<std::vector<mesh::CrackLine>> crack_lines(const model::Model& model, double a,
                                                         base::Diagnostics& diagnostics);
 
+/// The lengths of a crack to both of its tips; one from the boundary has `last` only. Those of an
+/// embedded one are its halves, and grow apart by a law [length].
+struct Arms {
+  double first = 0.0, last = 0.0;
+  bool given = false; ///< by the deck, one length for both
+};
+/// The same, each crack with its own lengths [crack]; 0: its first length.
+std::optional<std::vector<mesh::CrackLine>> crack_lines(const model::Model& model,
+                                                        const std::vector<Arms>& arms,
+                                                        base::Diagnostics& diagnostics);
+
+/// Whether $GROW names a crack, or all.
+bool crack_grows(const model::Model& model, std::size_t crack);
+
 } // namespace spricka::growth

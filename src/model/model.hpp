@@ -4,6 +4,7 @@
 #include "base/id.hpp"
 #include "base/source.hpp"
 #include "base/units.hpp"
+#include "model/growth_test.hpp"
 #include "model/mesh.hpp"
 
 #include <array>
@@ -215,6 +216,16 @@ struct LoadPath {
   base::Span span;
 };
 
+/// A history of places t on a load path; one pass through it is the unit of life.
+struct Spectrum {
+  std::string name;
+  std::size_t path = 0;                      ///< of Model::load_paths
+  bool sequence = false;                     ///< turning points; else cycles
+  std::vector<std::array<double, 3>> cycles; ///< low t, high t, count
+  std::vector<double> turning_points;        ///< t, in their order
+  base::Span span;
+};
+
 enum class GrowthLaw { increment, paris, walker, forman, nasgro, table };
 enum class GrowthDirection { path, hoop, k2_zero };
 enum class History { restart, carry_on };
@@ -242,13 +253,17 @@ struct Growth {
   std::vector<base::CrackId> cracks; ///< empty: all
   base::StepId kmax;
   base::StepId kmin;
+  std::optional<std::size_t> spectrum; ///< of Model::spectra, in place of the two steps
   History history = History::restart;
   Mounted mounted = Mounted::each;
   std::vector<double> lengths; ///< law increment [length]
   LawConstants constants;
   std::optional<double> largest_advance; ///< of an increment [length]
   std::optional<double> last_length;     ///< stops the growth [length]
-  std::optional<double> cycles;          ///< stops the growth
+  std::optional<double> cycles;          ///< stops the growth; passes of a spectrum
+  double tolerance = 1e-3;               ///< of the cycles, as a part of them
+  std::optional<double> flow_stress;     ///< of the ligament, whose plastic limit stops the growth
+  bool corrected = false;                ///< K with the error bar's bias taken out
   base::Span span;
 };
 
@@ -335,6 +350,8 @@ struct Model {
   std::vector<Unavailable> unavailable;
   std::vector<std::string> imported_files; ///< paths of what $IMPORT brought in
   std::vector<LoadPath> load_paths;
+  std::vector<Spectrum> spectra;
+  std::vector<GrowthTest> tests;
 
   [[nodiscard]] const Property& property_of(const Mesh& m, base::ElementId e) const {
     return properties[m.property[e.index()].index()];

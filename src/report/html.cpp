@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/figures.hpp"
+#include "report/growth_tables.hpp"
+#include "report/growth_tests.hpp"
 #include "report/load_paths.hpp"
 #include "report/model_tables.hpp"
 #include "report/page.hpp"
@@ -56,6 +58,32 @@ void add_cracks(Page& page, const model::Model& model, const results::Run& run) 
   }
 }
 
+void add_growth(Page& page, const model::Model& model, const results::Run& run) {
+  const std::vector<Figure> figures = growth_figures(model, run);
+  if (figures.empty()) {
+    return;
+  }
+  page.heading("Crack growth");
+  for (const Figure& figure : figures) {
+    page.figure(figure);
+  }
+  page.table(untitled(life_table(model, run)));
+}
+
+void add_tests(Page& page, const model::Model& model, const results::Run& run) {
+  if (run.tests.empty()) {
+    return;
+  }
+  page.heading("Crack growth tests");
+  page.table(untitled(test_table(model, run)));
+  for (const Figure& figure : test_figures(model, run)) {
+    page.figure(figure);
+  }
+  for (const results::GrowthTest& test : run.tests) {
+    page.table(test_points_table(model, test));
+  }
+}
+
 void add_paths(Page& page, const model::Model& model, const results::Run& run) {
   if (model.load_paths.empty() || run.increments.empty()) {
     return;
@@ -105,6 +133,11 @@ void add_notes(Page& page, const results::Run& run) {
   for (const std::string& warning : run.warnings) {
     items += fmt::format("<li><b>Warning:</b> {}</li>\n", escape(warning));
   }
+  for (const results::GrowthTest& test : run.tests) {
+    for (const std::string& note : test.notes) {
+      items += fmt::format("<li>Test {}: {}</li>\n", escape(test.name), escape(note));
+    }
+  }
   for (const results::Increment& increment : run.increments) {
     for (const std::string& note : increment.notes) {
       items += fmt::format("<li>Increment {}: {}</li>\n", increment.number, escape(note));
@@ -145,6 +178,8 @@ std::string html_report(const base::Sources& sources, const model::Model& model,
   add_head(page, title, sources, model);
   add_verdict(page, run);
   add_cracks(page, model, run);
+  add_growth(page, model, run);
+  add_tests(page, model, run);
   add_paths(page, model, run);
   page.heading("Model");
   page.table(net_table(model));

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/growth_tables.hpp"
+#include "report/growth_tests.hpp"
 #include "report/k_bars.hpp"
 #include "report/load_paths.hpp"
 #include "report/model_tables.hpp"
@@ -111,6 +113,20 @@ std::string increment_text(const model::Model& model, const results::Increment& 
   return out;
 }
 
+std::string tests_text(const model::Model& model, const results::Run& run) {
+  if (run.tests.empty()) {
+    return {};
+  }
+  std::string out = heading("Crack growth tests") + to_text(untitled(test_table(model, run)));
+  for (const results::GrowthTest& test : run.tests) {
+    for (const std::string& note : test.notes) {
+      out += fmt::format("note: test {}: {}\n", test.name, note);
+    }
+    (out += '\n') += to_text(test_points_table(model, test));
+  }
+  return out;
+}
+
 std::string check_text(const results::Run& run) {
   if (run.checks.empty()) {
     return {};
@@ -144,6 +160,11 @@ std::string listing(const base::Sources& sources, const model::Model& model,
       out += heading("Crack growth") + to_text(table);
     }
   }
+  if (run.growth) {
+    out += heading("GROWTH") + life_summary(model, run) + "\n" +
+           to_text(untitled(life_table(model, run)));
+  }
+  out += tests_text(model, run);
   out += check_text(run);
   if (!run.warnings.empty()) {
     out += heading("Warnings");

@@ -2,6 +2,8 @@
 #pragma once
 #include "base/vec.hpp"
 #include "model/mesh.hpp"
+#include "results/growth.hpp"
+#include "results/growth_test.hpp"
 #include "results/k_bar.hpp"
 #include "results/load_path.hpp"
 #include "results/sensitivity.hpp"
@@ -174,6 +176,8 @@ struct Run {
   std::vector<CheckResult> checks;
   std::vector<std::string> warnings;
   std::vector<ToleranceRound> rounds; ///< where $TIPNET has TOL; this run is the last
+  std::optional<Growth> growth;       ///< where $GROW has a law
+  std::vector<GrowthTest> tests;      ///< one for each $TEST, in deck order
   double cpu = 0.0;
   double wall = 0.0;
   std::size_t peak_memory = 0; ///< [bytes]

@@ -2,6 +2,7 @@
 #include "run/check_quantities.hpp"
 
 #include "run/field_quantities.hpp"
+#include "run/growth_tests.hpp"
 #include "run/path_quantities.hpp"
 
 #include <algorithm>
@@ -292,6 +293,29 @@ double derivative(const std::string& quantity, Arguments& args, const results::R
   return it->value * (*it->slope())[k];
 }
 
+// Cycles until the first of the growing tips has a length, or to the end.
+double cycles(const std::string& quantity, Arguments& args, const results::Run& run) {
+  if (!run.growth) {
+    throw Missing("no crack grows by a law");
+  }
+  if (run.growth->ended == "MESH") {
+    throw Missing("the growth ended early: " + run.growth->reason);
+  }
+  if (quantity == "LIFE") {
+    return run.growth->cycles();
+  }
+  const std::optional<double> a = args.number();
+  double first = std::numeric_limits<double>::infinity();
+  for (std::size_t tip = 0; a && tip < run.growth->tips.size(); ++tip) {
+    const double at = results::cycles_at(*run.growth, tip, *a);
+    first = at < first ? at : first;
+  }
+  if (!(first < std::numeric_limits<double>::infinity())) {
+    throw Missing("no tip of the growth has that length");
+  }
+  return first;
+}
+
 double evaluate(const model::Model& model, const model::Check& check, const results::Run& run) {
   Arguments args(check);
   const std::string& q = check.quantity;
@@ -305,9 +329,15 @@ double evaluate(const model::Model& model, const model::Check& check, const resu
   if (q.starts_with("PATH.")) {
     return path_quantity(q, args, run);
   }
+  if (q.starts_with("TEST.")) {
+    return test_quantity(q, args, run);
+  }
   if (q.starts_with("CPRESS.") || q.starts_with("ARC.") || q.starts_with("SHEAR.") ||
       of_friction(q) || q == "SUM") {
     return contact_quantity(model, q, args, run);
+  }
+  if (q == "N" || q == "LIFE") {
+    return cycles(q, args, run);
   }
   if (q == "ENERGY") {
     return energy(args, run);

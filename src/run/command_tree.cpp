@@ -4,6 +4,8 @@
 #include "base/diagnostics.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -46,6 +48,18 @@ CLI::Validator whole_number() {
             const bool digits = !given.empty() && given.size() < 7 &&
                                 given.find_first_not_of("0123456789") == std::string::npos;
             return digits ? std::string() : fmt::format("a whole number from 0, not '{}'", given);
+          },
+          ""};
+}
+
+CLI::Validator positive() {
+  return {[](const std::string& given) {
+            double value = 0.0;
+            const char* const end = given.data() + given.size();
+            const auto read = std::from_chars(given.data(), end, value);
+            const bool good =
+                read.ec == std::errc() && read.ptr == end && value > 0.0 && std::isfinite(value);
+            return good ? std::string() : fmt::format("a number above 0, not '{}'", given);
           },
           ""};
 }
@@ -135,13 +149,21 @@ void CommandTree::add_run() {
   CLI::App& command = add("run", "run a deck and write its run folder",
                           "  spricka run lug.deck\n"
                           "  spricka run lug.deck -D 'F=80[kN]' -D fine=2 --out lug_80\n"
-                          "  spricka run lug.deck --threads 4 --log-format json 2> lug.log",
+                          "  spricka run lug.deck --threads 4 --log-format json 2> lug.log\n"
+                          "  spricka run lug.deck --restart --time 3500   in a job queue",
                           [this] { return run_deck(run_); });
   add_deck_options(command);
   command.add_option("--out", run_.out, "run folder (default: the deck's name with .run)")
       ->type_name("FOLDER");
   add_threads(command, "threads, 0: all cores; no result depends on it");
   command.add_flag("--quiet", run_.quiet, "print messages only");
+  command.add_flag("--restart", run_.restart,
+                   "go on from the file of the deck's $RESTART WRITE, if it is there");
+  command
+      .add_option("--time", run_.seconds,
+                  "wall time; no increment is begun that would not fit, exit code 6")
+      ->check(positive())
+      ->type_name("SECONDS");
 }
 
 void CommandTree::add_check() {

@@ -64,11 +64,15 @@ constexpr std::array advice{
     ErrorCode{"E323", "Take two different steps with no MOUNT or DISMOUNT between them: it changes "
                       "where gaps count from. Paths before and behind it are two cards."},
     ErrorCode{"E324", "With friction K depends on the order of loads: run steps with SUBSTEPS."},
+    ErrorCode{"E326", "A test needs readings N a, a reference of rates (the law of $GROW, or lines "
+                      "RATE), and $GROW with the crack lengths and steps to compare with."},
     ErrorCode{"E331", "The words are gmsh's. Try the file in gmsh itself."},
     ErrorCode{"E332", "Give curves and surfaces their names with Physical in the .geo file."},
     ErrorCode{"E336",
               "Supports, loads, steps and contact belong into the deck: take them out of the "
               "file."},
+    ErrorCode{"E325", "All t of a spectrum lie between 0 and BEYOND of its load path: let the path "
+                      "begin at the smallest load and go on to the largest."},
     ErrorCode{"E390", "Leave -D out, or the $SWEEP card."},
     ErrorCode{"E401", "A free crack needs two points, or one with ANGLE and A0; a path two nodes."},
     ErrorCode{"E402", "Give A0, points or the lengths of $GROW."},
@@ -93,6 +97,8 @@ constexpr std::array advice{
     ErrorCode{"E426", "Use TRIMC6, QUAMC8 or QUAMC9, or TYPE=QUADRATIC on $IMPORT."},
     ErrorCode{"E428", "Refine the net there, or give a smaller RADIUS on $TIPNET."},
     ErrorCode{"E429", "Refine the net near the crack or give RADIUS and SIZE on $TIPNET."},
+    ErrorCode{"E430", "Give an AMAX that is longer than the crack is at first; leave PATCH=NO to "
+                      "LAW=INCREMENT with lengths that end at nodes."},
     ErrorCode{"E430", "End a crack before it meets another, and bend it by less than 165 degrees."},
     ErrorCode{"E500", "The deck is right, but there is no analysis for this yet: exit code 4."},
     ErrorCode{"E510",
@@ -113,6 +119,22 @@ constexpr std::array advice{
     ErrorCode{"E550", "sweep.csv has the error of each point; started again, the sweep tries them "
                       "again."},
     ErrorCode{"E551", "Start it again with the same folder: finished points are taken over."},
+    ErrorCode{"E560",
+              "Is the path right? AT= up to an increment that is whole may help; else start "
+              "from the beginning: exit code 7."},
+    ErrorCode{"E561", "Take the deck that wrote the state, or start from the beginning. $OUTPUT, "
+                      "$CHECK, $CONTROL, $TASK and lengths of $GROW may change."},
+    ErrorCode{"E562", "Give an AT that the file holds, or none: exit code 3."},
+    ErrorCode{"E563", "Is the disk full, may you write there, does another run write it? What was "
+                      "kept before is still good: exit code 7."},
+    ErrorCode{"E564",
+              "Give another name; a file that is not ours is never overwritten: exit code 7."},
+    ErrorCode{"E565", "Go on with the version that wrote it, or start from the beginning: only the "
+                      "same program gives the same bits. Exit code 7."},
+    ErrorCode{"E566", "Run it again with --restart."},
+    ErrorCode{"E567", "Put $RESTART WRITE='file.rst' into the deck: exit code 2."},
+    ErrorCode{"W560", "Nothing but the last increments is lost: they are solved again."},
+    ErrorCode{"W561", "The message says which, and why."},
     ErrorCode{"W503",
               "Ties at points pass constant stress exactly only where every side of the fine "
               "mesh lies on one face of the coarse one."},

@@ -5,6 +5,8 @@
 #include "fe/law.hpp"
 #include "run/check_quantities.hpp"
 #include "run/estimate.hpp"
+#include "run/growth_tests.hpp"
+#include "run/restart_run.hpp"
 #include "run/solve_run.hpp"
 #include "run/tolerance.hpp"
 
@@ -107,6 +109,17 @@ void collect_path_warnings(results::Run& run, const Log& log) {
   }
 }
 
+void collect_test_warnings(results::Run& run, const Log& log) {
+  for (const results::GrowthTest& test : run.tests) {
+    for (const std::string& note : test.notes) {
+      if (note.starts_with("warning: ")) {
+        run.warnings.push_back(fmt::format("test {}: {}", test.name, note.substr(9)));
+        log.message(base::Severity::warning, "W502", run.warnings.back());
+      }
+    }
+  }
+}
+
 // "lug.deck:12:18: E108: text" of the first error; empty without one.
 std::string first_error(const base::Sources& sources, const base::Diagnostics& diagnostics) {
   for (const base::Diagnostic& d : diagnostics.all()) {
@@ -189,9 +202,10 @@ struct Solved {
 };
 
 // Once, or as often as K needs to come within its tolerance.
-Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, base::Diagnostics& diagnostics,
-                  const Log& log) {
+Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, Checkpoint* checkpoint,
+                  base::Diagnostics& diagnostics, const Log& log) {
   SolveOptions solve;
+  solve.checkpoint = checkpoint;
   solve.threads = thread_count(options, *deck.model);
   solve.progress = log.progress(options.quiet);
   Solved out;
@@ -200,7 +214,8 @@ Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, base::Diagno
     base::Diagnostics own;
     std::optional<Refusal> refusal;
     std::optional<results::Run> run = solve_run(model, solve, own, refusal);
-    if (run || first) {
+    const bool stopped = refusal && refusal->exit_code == exit_code::stopped;
+    if (run || first || stopped) {
       diagnostics = std::move(own);
       out.refusal = refusal;
     } else {
@@ -220,6 +235,9 @@ Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, base::Diagno
     return read_silently(options.deck, finer);
   };
   ToleratedRun found = solve_to_tolerance(deck, read_finer, once);
+  if (out.refusal && out.refusal->exit_code == exit_code::stopped) {
+    return out; // in a later round: no answer yet
+  }
   out.run = std::move(found.run);
   out.finer = std::move(found.deck);
   out.why_not = std::move(found.why_not);
@@ -237,10 +255,15 @@ void tell_rounds(const Solved& solved, results::Run& run, const Log& log) {
 } // namespace
 
 RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, RunFolder& folder,
-                           const Log& log) {
+                           Checkpoint* checkpoint, const Log& log) {
   const double cpu_before = base::cpu_seconds();
   base::Diagnostics diagnostics;
-  Solved solved = solve_deck(options, deck, diagnostics, log);
+  tell_restart(checkpoint, log);
+  Solved solved = solve_deck(options, deck, checkpoint, diagnostics, log);
+  if (solved.refusal && solved.refusal->exit_code == exit_code::stopped) {
+    const std::string by = solved.refusal->why;
+    return {stop_with_checkpoint(*checkpoint, by, exit_code::stopped, log), "stopped by " + by, {}};
+  }
   if (solved.refusal) {
     diagnostics.error(solved.refusal->span,
                       solved.refusal->exit_code == exit_code::not_converged ? "E520" : "E510",
@@ -256,6 +279,9 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
   collect_warnings(deck.diagnostics, run, log);
   collect_path_warnings(run, log);
   tell_rounds(solved, run, log);
+  finish_restart(checkpoint, run);
+  run.tests = invert_tests(*used.model, run);
+  collect_test_warnings(run, log);
   run.checks = evaluate_checks(*used.model, run);
   run.cpu += cpu_before;
   folder.write(deck.sources, *used.model, run);
@@ -267,6 +293,11 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
   } else if (!solved.why_not.empty()) {
     outcome.exit_code = exit_code::not_converged;
     outcome.error = run.warnings.back();
+  }
+  if (outcome.exit_code == exit_code::done && run.growth && run.growth->ended == "MESH") {
+    outcome.exit_code = exit_code::not_solvable;
+    outcome.error = run.growth->reason;
+    log.message(base::Severity::error, "E510", outcome.error);
   }
   outcome.run = std::move(solved.run);
   return outcome;
@@ -285,6 +316,10 @@ void print_summary(const model::Model& model, const results::Run& run,
                    model.units.stress_intensity_name());
       }
     }
+  }
+  if (run.growth) {
+    fmt::print("N = {:.7g} {}, ended by {}\n", run.growth->cycles(),
+               run.growth->unit == "pass" ? "passes" : "cycles", run.growth->ended);
   }
   if (!run.checks.empty()) {
     const auto passed = std::count_if(run.checks.begin(), run.checks.end(),

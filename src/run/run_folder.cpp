@@ -2,9 +2,12 @@
 #include "run/run_folder.hpp"
 
 #include "base/clock.hpp"
+#include "report/growth_tables.hpp"
+#include "report/growth_tests.hpp"
 #include "report/load_paths.hpp"
 #include "report/report.hpp"
 #include "report/sensitivity.hpp"
+#include "run/results_file.hpp"
 
 #include <fstream>
 #include <system_error>
@@ -96,8 +99,13 @@ void RunFolder::write(const base::Sources& sources, const model::Model& model, r
   report::write_sensitivity_csv(part_ / "sensitivity.csv", model, run);
   report::write_pressure_csv(part_ / "pressure.csv", model, run);
   report::write_load_path_csv(part_ / "load_path.csv", model, run);
+  report::write_life_csv(part_ / "life.csv", model, run);
+  report::write_life_curve_csv(part_ / "life_curve.csv", model, run);
+  report::write_beta_csv(part_ / "beta.csv", model, run);
+  report::write_test_csv(part_ / "test.csv", model, run);
   write_pictures(part_, model, run);
   write_requested(part_, model, run);
+  write_results_file(part_ / results_name, sources, model, run);
   write_text(part_ / "report.html", report::html_report(sources, model, run));
   run.log.push_back({"OUTPUT", "tables, pictures, report", watch.cpu(), watch.wall()});
   run.cpu += watch.cpu();

@@ -46,17 +46,12 @@ mesh::CrackedMesh without_cracks(const model::Mesh& host) {
   return cracked;
 }
 
-std::optional<mesh::CrackedMesh> cracked_mesh(const model::Model& model, double a,
-                                              std::vector<mesh::CrackLine>& lines,
+std::optional<mesh::CrackedMesh> cracked_mesh(const model::Model& model,
+                                              const std::vector<mesh::CrackLine>& lines,
                                               base::Diagnostics& diagnostics) {
   if (model.cracks.empty()) {
     return without_cracks(model.mesh);
   }
-  std::optional<std::vector<mesh::CrackLine>> found = growth::crack_lines(model, a, diagnostics);
-  if (!found) {
-    return std::nullopt;
-  }
-  lines = std::move(*found);
   std::vector<base::Span> spans;
   spans.reserve(lines.size());
   for (const mesh::CrackLine& line : lines) {
@@ -234,12 +229,18 @@ RegionPlan plan_region(const model::Model& model, const std::vector<double>& len
     if (!lines) {
       return plan;
     }
-    for (const base::ElementId e :
-         mesh::crack_region(model.mesh, *lines, tip_meshes(model, *lines))) {
-      plan.region[e.index()] = true;
-    }
+    add_to_region(model, *lines, plan);
   }
   return plan;
+}
+
+void add_to_region(const model::Model& model, const std::vector<mesh::CrackLine>& lines,
+                   RegionPlan& plan) {
+  plan.region.resize(model.mesh.element_count(), false);
+  plan.split = true;
+  for (const base::ElementId e : mesh::crack_region(model.mesh, lines, tip_meshes(model, lines))) {
+    plan.region[e.index()] = true;
+  }
 }
 
 void make_table(Scene& scene) {
@@ -259,9 +260,16 @@ void make_table(Scene& scene) {
 
 std::optional<Scene> make_scene(const model::Model& model, double a, const RegionPlan& plan,
                                 base::Diagnostics& diagnostics) {
+  const std::optional<std::vector<mesh::CrackLine>> lines =
+      growth::crack_lines(model, a, diagnostics);
+  return lines ? make_scene(model, *lines, plan, diagnostics) : std::nullopt;
+}
+
+std::optional<Scene> make_scene(const model::Model& model,
+                                const std::vector<mesh::CrackLine>& lines, const RegionPlan& plan,
+                                base::Diagnostics& diagnostics) {
   Scene scene;
-  std::vector<mesh::CrackLine> lines;
-  std::optional<mesh::CrackedMesh> cracked = cracked_mesh(model, a, lines, diagnostics);
+  std::optional<mesh::CrackedMesh> cracked = cracked_mesh(model, lines, diagnostics);
   if (!cracked) {
     return std::nullopt;
   }

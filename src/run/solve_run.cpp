@@ -2,324 +2,81 @@
 #include "run/solve_run.hpp"
 
 #include "base/clock.hpp"
-#include "fe/stress.hpp"
+#include "base/memory.hpp"
 #include "growth/crack_lines.hpp"
-#include "mesh/boundary.hpp"
-#include "report/report.hpp"
-#include "run/adjoints.hpp"
-#include "run/error_bars.hpp"
-#include "run/estimate.hpp"
-#include "run/gather.hpp"
-#include "run/lip_contact.hpp"
-#include "run/load_paths.hpp"
-#include "run/sensitivities.hpp"
-#include "shape/topology.hpp"
+#include "run/growth_loop.hpp"
+#include "run/length_solver.hpp"
+#include "run/resume.hpp"
 
-#include <algorithm>
-
-#include <fmt/format.h>
+#include <utility>
 
 namespace spricka::run {
 
 namespace {
 
-class Log {
-public:
-  explicit Log(std::vector<results::LogLine>& lines) : lines_(lines) {}
-  void add(const std::string& processor, const std::string& text) {
-    lines_.push_back({processor, text, watch_.cpu(), watch_.wall()});
-    watch_ = base::Stopwatch();
+// The lengths of the deck, one after another.
+bool solve_lengths(const model::Model& model, const SolveOptions& options,
+                   base::Diagnostics& diagnostics, std::optional<Refusal>& refusal,
+                   results::Run& run) {
+  const std::vector<double> lengths = growth::crack_lengths(model);
+  const RegionPlan plan = plan_region(model, lengths, diagnostics);
+  if (diagnostics.has_errors()) {
+    return false;
   }
-
-private:
-  std::vector<results::LogLine>& lines_;
-  base::Stopwatch watch_;
-};
-
-// Stresses are recovered where something shows them: at KMAX of a growth run, else at the last
-// step, and where an output asks for pictures or stresses or a check for their error.
-std::vector<bool> pictured_steps(const model::Model& model, bool last_increment) {
-  std::vector<bool> pictured(model.steps.size(), false);
-  if (model.growth && model.growth->kmax.valid()) {
-    pictured[model.growth->kmax.index()] = true;
-  } else if (!pictured.empty()) {
-    pictured.back() = true;
-  }
-  for (const model::Output& output : model.outputs) {
-    const bool stress = std::any_of(output.requests.begin(), output.requests.end(),
-                                    [](const auto& request) { return request.quantity == "S"; });
-    if (output.format == model::OutputFormat::vtu || stress) {
-      for (const std::size_t s : report::wanted_steps(model, output, last_increment)) {
-        pictured[s] = true;
-      }
+  LengthSolver solver(model, options, run.log, diagnostics, refusal);
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    const int number = static_cast<int>(i) + 1;
+    const std::vector<bool> pictured = pictured_steps(model, i + 1 == lengths.size());
+    if (auto kept = resume(model, options.checkpoint, number, lengths[i], pictured)) {
+      solver.go_on(kept->state);
+      take_over(std::move(*kept), run);
+      continue;
+    }
+    if (stop_here(options.checkpoint, refusal)) {
+      return false;
+    }
+    const IncrementMark mark(run.log);
+    std::optional<std::vector<mesh::CrackLine>> lines =
+        growth::crack_lines(model, lengths[i], diagnostics);
+    if (!lines) {
+      return false;
+    }
+    std::optional<results::Increment> increment =
+        solver.solve({std::move(*lines), lengths[i], pictured}, plan);
+    if (!increment) {
+      return false;
+    }
+    increment->number = number;
+    run.increments.push_back(std::move(*increment));
+    results::NamedArrays state;
+    solver.save(state);
+    mark.keep(options.checkpoint, lengths[i], run.increments.back(), std::move(state));
+    if (options.progress) {
+      options.progress(i + 1, lengths.size());
     }
   }
-  for (const model::Check& check : model.checks) {
-    for (std::size_t s = 0; check.quantity == "ERROR" && s < model.steps.size(); ++s) {
-      const auto* step = std::get_if<std::string>(&check.arguments.at(1));
-      pictured[s] = pictured[s] || (step != nullptr && *step == model.steps[s].name);
-    }
-  }
-  return pictured;
+  return true;
 }
-
-std::vector<results::Stress> as_results(const std::vector<fe::Stress>& stress) {
-  std::vector<results::Stress> out(stress.size());
-  for (std::size_t n = 0; n < stress.size(); ++n) {
-    std::copy_n(stress[n].data(), 6, out[n].begin());
-  }
-  return out;
-}
-
-void add_stress(const model::Model& model, const model::Mesh& mesh, results::StepResult& step) {
-  const fe::StateField field{step.u, step.temperature};
-  step.stress =
-      as_results(fe::nodal_stress(model, mesh, fe::element_node_stress(model, mesh, field)));
-  step.element_stress = as_results(fe::mean_stress(model, mesh, field));
-}
-
-std::vector<results::SurfaceFace> outer_surface(const model::Mesh& mesh) {
-  std::vector<results::SurfaceFace> surface;
-  if (mesh.dim != 3) {
-    return surface;
-  }
-  for (const model::Face& face : mesh::boundary_faces(mesh)) {
-    const base::ElementType type = mesh.type[face.element.index()];
-    const std::span<const int> side = shape::side_nodes(type, face.side);
-    results::SurfaceFace out;
-    out.element = face.element;
-    const std::size_t corners = shape::side_corners(type, face.side);
-    const auto node = [&](std::size_t i) {
-      return mesh.nodes_of(face.element)[static_cast<std::size_t>(side[i])];
-    };
-    for (std::size_t i = 0; i < corners; ++i) {
-      out.outline.push_back(node(i));
-      if (side.size() >= 2 * corners) {
-        out.outline.push_back(node(corners + i));
-      }
-    }
-    surface.push_back(std::move(out));
-  }
-  return surface;
-}
-
-// Reports know nodes of sets but not of faces: face sets that outputs name become node sets of the
-// results' mesh.
-void add_face_nodes(const model::Model& model, model::Mesh& mesh) {
-  for (const model::FaceSet& set : mesh.face_sets) {
-    const bool wanted = std::ranges::any_of(model.outputs, [&](const model::Output& output) {
-      return std::ranges::any_of(output.requests,
-                                 [&](const auto& request) { return request.name == set.name; });
-    });
-    if (wanted && !set.name.empty()) {
-      mesh.node_sets.push_back({set.name, mesh::nodes_of_faces(mesh, set.faces), set.span});
-    }
-  }
-}
-
-std::size_t unknowns(const std::vector<BodyNet>& bodies) {
-  std::size_t n = 0;
-  for (const BodyNet& body : bodies) {
-    n += body.region.map.freedom.size();
-    for (const std::unique_ptr<Net>& part : body.parts) {
-      n += static_cast<std::size_t>(part->map.locals);
-    }
-  }
-  return n;
-}
-
-/// The loop over crack lengths; what one length leaves for the next stays in its members.
-class LengthLoop {
-public:
-  LengthLoop(const model::Model& model, const SolveOptions& options, base::Diagnostics& diagnostics,
-             std::optional<Refusal>& refusal)
-      : model_(model), options_(options), diagnostics_(diagnostics), refusal_(refusal) {}
-
-  std::optional<results::Run> solve() {
-    const base::Stopwatch watch;
-    const std::vector<double> lengths = growth::crack_lengths(model_);
-    plan_ = plan_region(model_, lengths, diagnostics_);
-    if (diagnostics_.has_errors()) {
-      return std::nullopt;
-    }
-    for (std::size_t i = 0; i < lengths.size(); ++i) {
-      std::optional<results::Increment> increment =
-          solve_length(lengths[i], i + 1 == lengths.size());
-      if (!increment) {
-        return std::nullopt;
-      }
-      increment->number = static_cast<int>(i) + 1;
-      run_.increments.push_back(std::move(*increment));
-      if (options_.progress) {
-        options_.progress(i + 1, lengths.size());
-      }
-    }
-    run_.cpu = watch.cpu();
-    run_.wall = watch.wall();
-    run_.peak_memory = base::peak_memory();
-    return std::move(run_);
-  }
-
-private:
-  std::optional<results::Increment> solve_length(double a, bool last) {
-    Log log(run_.log);
-    std::optional<Scene> scene = make_scene(model_, a, plan_, diagnostics_);
-    if (!scene) {
-      return std::nullopt;
-    }
-    base::return_free_memory();
-    const std::string length =
-        scene->cracked.tips.empty()
-            ? ""
-            : fmt::format("a = {:.6g}: ", a > 0.0 ? a : scene->cracked.tips.front().a);
-    log.add("TOPOLOGY",
-            fmt::format("{}{} nodes, {} elements, {} contact rows, {} tips", length,
-                        scene->cracked.mesh.node_count(), scene->cracked.mesh.element_count(),
-                        scene->table.rows.size(), scene->cracked.tips.size()));
-    results::Increment increment;
-    std::vector<std::size_t> touching;
-    do {
-      const std::optional<std::vector<BodyNet>> bodies = condense(*scene, log);
-      if (!bodies) {
-        return std::nullopt;
-      }
-      increment = {};
-      increment.a = a > 0.0 || scene->cracked.tips.empty() ? a : scene->cracked.tips.front().a;
-      increment.notes = scene->notes;
-      touching.clear();
-      if (!walk_steps({*scene, *bodies, pictured_steps(model_, last)}, log, increment, touching)) {
-        return std::nullopt;
-      }
-      close_faces(touching, *scene, log);
-    } while (!touching.empty());
-    increment.kept = static_cast<std::size_t>(
-        std::ranges::count_if(scene->cracked.host, [](base::ElementId e) { return e.valid(); }));
-    increment.mesh = std::move(scene->cracked.mesh);
-    increment.surface = outer_surface(increment.mesh);
-    add_face_nodes(model_, increment.mesh);
-    return increment;
-  }
-
-  std::optional<std::vector<BodyNet>> condense(const Scene& scene, Log& log) {
-    CondenseLog figures;
-    std::vector<BodyNet> bodies =
-        condense_bodies({model_, scene.cracked.mesh, scene.cls, scene.ties, scene.rest_element,
-                         loads_with_supports(model_, scene), options_.threads},
-                        cache_, figures);
-    if (!figures.trouble.empty()) {
-      refusal_ = Refusal{4, figures.trouble, {}};
-      return std::nullopt;
-    }
-    log.add("CONDENSE",
-            fmt::format("{} nets condensed, {} reused, {} unknowns, {:.3g} flops; stiffness {:.3f} "
-                        "s, analysis {:.3f} s, numeric {:.3f} s",
-                        figures.condensed, figures.reused, unknowns(bodies), figures.flops,
-                        figures.stiffness_cpu, figures.analysis_cpu, figures.numeric_cpu));
-    return bodies;
-  }
-
-  // Faces that would overlap are a pair from now on, and all steps are solved anew.
-  void close_faces(const std::vector<std::size_t>& lines, Scene& scene, Log& log) {
-    if (lines.empty()) {
-      return;
-    }
-    add_lip_pairs(model_, lines, scene);
-    for (const std::size_t i : lines) {
-      log.add("TOPOLOGY",
-              fmt::format("the faces of {} meet: solved anew with contact between them, {} rows",
-                          model_.cracks[i].name,
-                          scene.pairs[scene.lip_pairs[i]->pair].normal.size()));
-    }
-    if (run_.increments.empty()) {
-      mounted_ = MountMemory(); // of steps that do not count
-    }
-  }
-
-  struct Way {
-    const Scene& scene;
-    const std::vector<BodyNet>& bodies;
-    std::vector<bool> pictured; ///< [step]
-  };
-
-  // Stops at the first step with faces that would overlap: `touching` says which.
-  bool walk_steps(const Way& way, Log& log, results::Increment& increment,
-                  std::vector<std::size_t>& touching) {
-    const auto& [scene, bodies, pictured] = way;
-    const bool keep = model_.growth && model_.growth->mounted == model::Mounted::first;
-    StepSolver solver(model_, scene, bodies, keep ? &mounted_ : nullptr);
-    LoadPaths paths(model_, scene, bodies);
-    Adjoints adjoints(model_, scene, bodies);
-    ErrorBars bars(model_, scene);
-    Sensitivities sensitivities(model_, scene, bodies);
-    log.add("CONTACT", "compliances of the contact rows");
-    for (std::size_t s = 0; s < model_.steps.size(); ++s) {
-      const model::Step& step = model_.steps[s];
-      Refusal why;
-      const std::optional<StepState> state = solver.solve(step, why);
-      if (!state) {
-        why.why = fmt::format("step {}: {}", step.name, why.why);
-        refusal_ = why;
-        return false;
-      }
-      log.add("CONTACT",
-              fmt::format("step {}: {} iterations, {} pivots, imbalance {:.1e}", step.name,
-                          state->iterations, state->pivots, state->imbalance));
-      touching = touching_lines(model_, scene, state->u);
-      if (!touching.empty()) {
-        return true;
-      }
-      increment.steps.push_back(gather_step(model_, scene, bodies, step, *state));
-      log.add("VCE", fmt::format("step {}: {} tips, pressures, balance", step.name,
-                                 scene.cracked.tips.size()));
-      paths.keep(s, solver, increment.steps.back());
-      if (!scene.cracked.tips.empty()) {
-        const std::vector<estimate::Adjoint>& of_K = adjoints.of_last_step(solver);
-        log.add("ADJOINT", fmt::format("step {}: {} tips", step.name, of_K.size()));
-        bars.add(*state, of_K, adjoints.held(), increment.steps.back());
-        log.add("ESTIMATE", fmt::format("step {}: error bars of K", step.name));
-        sensitivities.add(solver, *state, adjoints, increment.steps.back());
-        log.add("SENSITIVITY", fmt::format("step {}: loads, fits, moduli, lengths", step.name));
-      }
-      if (pictured[s]) {
-        add_stress(model_, scene.cracked.mesh, increment.steps.back());
-        log.add("RECOVER", fmt::format("step {}: stresses", step.name));
-        add_errors(model_, scene, state->energy, increment.steps.back());
-        log.add("ESTIMATE", fmt::format("step {}: energy error {:.1f} %", step.name,
-                                        100.0 * increment.steps.back().errors.back().part));
-      }
-    }
-    increment.paths = paths.follow(solver);
-    touching = paths.touching();
-    if (!touching.empty()) {
-      return true;
-    }
-    for (const results::LoadPath& path : increment.paths) {
-      log.add(
-          "LOADPATH",
-          fmt::format("path {}: {} breakpoints, {} pivots, {} factorisations, residual {:.1e}, K "
-                      "of its steps to {:.1e}",
-                      path.name, path.t.size() < 2 ? 0 : path.t.size() - 2, path.pivots,
-                      path.factorisations, path.residual, path.mismatch));
-    }
-    return true;
-  }
-
-  const model::Model& model_;
-  const SolveOptions& options_;
-  base::Diagnostics& diagnostics_;
-  std::optional<Refusal>& refusal_;
-  RegionPlan plan_;
-  CondensationCache cache_;
-  MountMemory mounted_;
-  results::Run run_;
-};
 
 } // namespace
 
 std::optional<results::Run> solve_run(const model::Model& model, const SolveOptions& options,
                                       base::Diagnostics& diagnostics,
                                       std::optional<Refusal>& refusal) {
-  return LengthLoop(model, options, diagnostics, refusal).solve();
+  const base::Stopwatch watch;
+  results::Run run;
+  if (options.checkpoint != nullptr) {
+    options.checkpoint->begin_round();
+  }
+  const bool done = grows_by_law(model) ? grow_by_law(model, options, diagnostics, refusal, run)
+                                        : solve_lengths(model, options, diagnostics, refusal, run);
+  if (!done) {
+    return std::nullopt;
+  }
+  run.cpu += watch.cpu();
+  run.wall += watch.wall();
+  run.peak_memory = base::peak_memory();
+  return run;
 }
 
 } // namespace spricka::run

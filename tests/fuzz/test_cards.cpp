@@ -98,6 +98,23 @@ TEST(Cards, GrowthAndRestartAreInTheModel) {
   EXPECT_TRUE(m.cases[2].loads[0].elements.valid());
 }
 
+TEST(Cards, AGrowthTestIsInTheModel) {
+  const Outcome outcome = Reader().read(deck_of("cards_plane").text);
+  ASSERT_TRUE(outcome.model) << outcome.messages();
+  ASSERT_EQ(outcome.model->tests.size(), 1U);
+  const model::GrowthTest& test = outcome.model->tests[0];
+  EXPECT_EQ(test.method, model::RateMethod::e647);
+  EXPECT_EQ(test.window, 5);
+  ASSERT_EQ(test.readings.size(), 5U);
+  EXPECT_EQ(test.readings[4][0], 400.0);
+  EXPECT_EQ(test.readings[4][1], 0.96);
+  EXPECT_EQ(test.delta_k, (std::vector<double>{5.0, 20.0, 60.0})); // tests/fuzz/rates.inc
+  EXPECT_EQ(test.growth[2], 1e-5);
+  EXPECT_EQ(test.ratio, 0.1);
+  EXPECT_DOUBLE_EQ(test.k_unit, std::sqrt(1000.0));
+  EXPECT_EQ(test.a_unit, 1000.0);
+}
+
 TEST(Cards, WhatHasNoAnalysisIsNamedWithItsLine) {
   const Outcome outcome = Reader().read(deck_of("cards_plane").text);
   ASSERT_TRUE(outcome.model) << outcome.messages();

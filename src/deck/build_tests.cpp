@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/context.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace spricka::deck {
+
+namespace {
+
+using grammar::Field;
+
+/// Two numbers of a line and the place for messages about it.
+struct Pair {
+  double first = 0.0, second = 0.0;
+  base::Span span;
+  std::string where; ///< "line 17 of 'f.txt': "; empty: the span says it
+};
+
+std::vector<double> numbers_of(std::string_view text, bool& good) {
+  std::vector<double> numbers;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  while (at != end && good) {
+    if (std::string_view(" \t,;\r").find(*at) != std::string_view::npos) {
+      ++at;
+      continue;
+    }
+    double value = 0.0;
+    const auto [behind, trouble] = std::from_chars(at + (*at == '+' ? 1 : 0), end, value);
+    good = trouble == std::errc();
+    numbers.push_back(value);
+    at = behind;
+  }
+  return numbers;
+}
+
+// Readings that a method works on.
+std::size_t fewest_readings(const model::GrowthTest& test) {
+  switch (test.method) {
+  case model::RateMethod::secant:
+    return 2;
+  case model::RateMethod::spline:
+    return 8;
+  case model::RateMethod::polynomial:
+  case model::RateMethod::e647:
+    break;
+  }
+  return static_cast<std::size_t>(test.window);
+}
+
+class TestReader {
+public:
+  TestReader(Context& c, const BoundCard& card) : c_(c), card_(card) {}
+
+  void read() {
+    test_.name = card_.word("NAME");
+    test_.method = card_.is("METHOD", "SECANT")   ? model::RateMethod::secant
+                   : card_.is("METHOD", "E647")   ? model::RateMethod::e647
+                   : card_.is("METHOD", "SPLINE") ? model::RateMethod::spline
+                                                  : model::RateMethod::polynomial;
+    test_.window = card_.integer("POINTS");
+    test_.ratio = card_.optional("RATIO");
+    test_.k_unit = unit("KUNIT");
+    test_.a_unit = unit("AUNIT");
+    test_.span = card_.span;
+    if (const Definition* crack = look_up(c_, Kind::crack, card_.reference("CRACK"))) {
+      test_.crack = base::CrackId(crack->index);
+    }
+    if (test_.window % 2 == 0) {
+      wrong({0, 0, card_.find("POINTS")->span, {}}, "E109",
+            fmt::format("POINTS: {} is even: a parabola has its reading in the middle",
+                        test_.window));
+    }
+    rows();
+    file("FILE", [this](const Pair& pair) { reading(pair); });
+    file("REFERENCE", [this](const Pair& pair) { rate(pair); });
+    if (good_ && !card_.rows_bad) {
+      look_at_the_whole();
+    }
+    c_.model.tests.push_back(std::move(test_));
+  }
+
+private:
+  double unit(std::string_view key) {
+    const auto parsed = base::parse_unit(card_.word(key));
+    return card_.has(key) && parsed ? base::to_deck(*parsed, c_.scope.units) : 1.0;
+  }
+
+  void rows() {
+    for (const grammar::Row& row : card_.rows) {
+      const bool of_reference =
+          row.fields.front().kind == Field::Kind::name && row.fields.front().text == "RATE";
+      const std::string_view other = of_reference ? "REFERENCE" : "FILE";
+      const std::size_t first = of_reference ? 1 : 0;
+      if (row.fields.size() != first + 2) {
+        wrong({0, 0, row.span, {}}, "E115", "a line is N a, or RATE delta_K da/dN");
+        continue;
+      }
+      if (card_.has(other)) {
+        wrong({0, 0, row.span, {}}, "E115",
+              fmt::format("with {} there are no such data lines", other));
+        return;
+      }
+      const auto x =
+          number_of(row.fields[first], grammar::Quantity::number,
+                    of_reference ? "a range of K" : "a number of cycles", c_.scope, c_.diagnostics);
+      const auto y = number_of(row.fields[first + 1],
+                               of_reference ? grammar::Quantity::number : grammar::Quantity::length,
+                               of_reference ? "a growth per cycle" : "a crack length", c_.scope,
+                               c_.diagnostics);
+      good_ = good_ && x && y;
+      if (x && y) {
+        of_reference ? rate({*x, *y, row.span, {}}) : reading({*x, *y, row.span, {}});
+      }
+    }
+  }
+
+  template <class Take> void file(std::string_view key, Take&& take) {
+    if (!card_.has(key)) {
+      return;
+    }
+    const base::Span span = card_.find(key)->span;
+    const std::filesystem::path path =
+        std::filesystem::path(c_.sources.name(card_.span.file)).parent_path() /
+        std::string(card_.word(key));
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream) {
+      wrong({0, 0, span, {}}, "E308", fmt::format("cannot read '{}'", path.string()));
+      return;
+    }
+    c_.model.imported_files.push_back(path.string());
+    std::string line;
+    for (std::size_t number = 1; good_ && std::getline(stream, line); ++number) {
+      const std::string where = fmt::format("line {} of '{}': ", number, path.string());
+      bool sound = true;
+      const auto found =
+          numbers_of(std::string_view(line).substr(0, line.find_first_of("!#")), sound);
+      if (!sound || (found.size() != 2 && !found.empty())) {
+        wrong({0, 0, span, where}, "E115", "a line holds two numbers");
+      } else if (!found.empty()) {
+        take(Pair{found[0], found[1], span, where});
+      }
+    }
+  }
+
+  void reading(const Pair& pair) {
+    if (!test_.readings.empty() && pair.first <= test_.readings.back()[0]) {
+      wrong(pair, "E109",
+            fmt::format("{} cycles do not come after {}", pair.first, test_.readings.back()[0]));
+    } else if (pair.second <= 0.0) {
+      wrong(pair, "E109", fmt::format("{} is no crack length: it is positive", pair.second));
+    } else {
+      test_.readings.push_back({pair.first, pair.second});
+    }
+  }
+
+  void rate(const Pair& pair) {
+    const double last_k = test_.delta_k.empty() ? 0.0 : test_.delta_k.back();
+    const double last_rate = test_.growth.empty() ? 0.0 : test_.growth.back();
+    if (pair.first <= last_k || pair.second <= last_rate) {
+      wrong(pair, "E109", "delta_K and da/dN of a reference are positive and grow line by line");
+    } else {
+      test_.delta_k.push_back(pair.first);
+      test_.growth.push_back(pair.second);
+    }
+  }
+
+  void look_at_the_whole() {
+    const auto lacks = [this](const std::string& text, std::string hint) {
+      c_.error(card_.span, "E326", fmt::format("$TEST {}: {}", test_.name, text), std::move(hint));
+    };
+    if (test_.readings.size() < fewest_readings(test_)) {
+      lacks(fmt::format("{} readings, METHOD={} needs {}", test_.readings.size(),
+                        card_.word("METHOD"), fewest_readings(test_)),
+            "data lines N a, or FILE");
+    }
+    if (test_.delta_k.size() == 1) {
+      lacks("a reference has two or more rates", "RATE delta_K da/dN");
+    }
+    const bool units = card_.has("KUNIT") || card_.has("AUNIT");
+    if (units && test_.delta_k.empty()) {
+      lacks("KUNIT and AUNIT are those of RATE and REFERENCE, and there is neither",
+            "$GROW has units for its own law");
+    }
+    const bool bad_growth = std::ranges::any_of(
+        c_.cards, [](const BoundCard& card) { return card.spec->name == "GROW" && card.bad; });
+    if (!bad_growth) {
+      look_at_the_growth(lacks);
+    }
+  }
+
+  template <class Lacks> void look_at_the_growth(Lacks&& lacks) {
+    const std::optional<model::Growth>& growth = c_.model.growth;
+    if (!growth || !growth->kmax.valid()) {
+      lacks("K is compared over crack lengths, at the step KMAX of $GROW",
+            "$GROW LAW=INCREMENT KMAX=.. KMIN=.. with the lengths of the test");
+      return;
+    }
+    if (!growth->kmin.valid() && !test_.ratio) {
+      lacks("K_min/K_max is not known", "KMIN in $GROW, or RATIO here");
+    }
+    if (test_.delta_k.empty() && growth->law == model::GrowthLaw::increment) {
+      lacks("$GROW has no law that could be the reference",
+            "lines RATE delta_K da/dN, or REFERENCE");
+    }
+  }
+
+  void wrong(const Pair& place, const char* code, const std::string& text) {
+    c_.error(place.span, code, place.where + text);
+    good_ = false;
+  }
+
+  Context& c_;
+  const BoundCard& card_;
+  model::GrowthTest test_;
+  bool good_ = true;
+};
+
+} // namespace
+
+void build_tests(Context& context) {
+  for (const BoundCard& card : context.cards) {
+    if (card.spec->name == "TEST" && !card.bad) {
+      TestReader(context, card).read();
+    }
+  }
+}
+
+} // namespace spricka::deck

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "mesh/patch.hpp"
+#include "model/mesh.hpp"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace spricka::growth {
+
+/// What a tip would run into.
+struct Obstacle {
+  double distance = 0.0; ///< [length]
+  bool crack = false;    ///< another crack, or an earlier part of its own; else the body's edge
+  std::size_t line = 0;  ///< of a crack
+  std::string what;      ///< "edge set PLATE.XMAX", "the edge at (3, 4)", "crack C2"
+};
+
+/// A tip on its way: where it stands and where it heads to.
+struct Heading {
+  base::Vec3 x = base::Vec3::Zero();
+  base::Vec3 direction = base::Vec3::UnitX(); ///< unit
+};
+
+/// Edges of the host in the plane.
+class Surroundings {
+public:
+  explicit Surroundings(const model::Mesh& host);
+
+  /// The nearest edge of the crack's body straight ahead. A crack on a symmetry line runs along the
+  /// edge there and meets the next one.
+  [[nodiscard]] std::optional<Obstacle> edge_ahead(const mesh::CrackLine& line,
+                                                   const Heading& tip) const;
+  /// The nearest other crack: straight ahead, or so near to the tip on either side that the two run
+  /// together. `own` is the tip's line.
+  [[nodiscard]] static std::optional<Obstacle> crack_ahead(std::span<const mesh::CrackLine> lines,
+                                                           std::size_t own, const Heading& tip);
+
+private:
+  struct Piece {
+    base::Vec2 a, b;
+    base::NetId net;
+    model::Face face;
+  };
+  [[nodiscard]] std::string name_of(const Piece& piece, const base::Vec2& at) const;
+
+  const model::Mesh& host_;
+  std::vector<Piece> pieces_;
+};
+
+} // namespace spricka::growth

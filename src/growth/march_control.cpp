@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "growth/march.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <fmt/format.h>
+
+/// How far the march goes at a time, and where it ends.
+namespace spricka::growth {
+
+namespace {
+
+/// Steps are logarithms of the ratio by which an arm grows at most.
+constexpr double longest_step = 0.7;
+constexpr double shortest_step = 0.02; ///< below it only the scatter of meshes is seen
+/// Solutions whose error is more times the tolerance than this do not count. The error is that of
+/// a polynomial one order below the one that is used.
+constexpr double still_good = 1.5;
+/// Part of the tolerance that is aimed at: errors of intervals add up.
+constexpr double aimed_part = 0.4;
+constexpr double of_straight_line = 0.15;
+/// Cycles that are few against those so far need no better than this part of the tolerance's due.
+constexpr double small_part = 0.1;
+/// Turn by which the heading at the end of an advance is missed [rad].
+constexpr double aimed_miss = 0.01;
+constexpr double largest_miss = 0.05;
+/// The place where K reaches the toughness, by two polynomials, agrees to this part of the arms.
+constexpr double same_place = 5e-3;
+/// Growth of an arm follows from that of the law, at most about so much faster.
+constexpr double law_of_length = 3.0;
+/// An end on the very first advance is believed if that is no longer than this step.
+constexpr double first_look = 0.11;
+
+} // namespace
+
+// Of the last interval, as a part of the cycles that count there; not a number with two stations.
+double March::cycles_missed() const {
+  const std::vector<Station>& all = state_.stations;
+  const std::size_t n = all.size();
+  if (n < 3) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const double s0 = all[n - 2].s;
+  const double s1 = all[n - 1].s;
+  const std::size_t points = std::min<std::size_t>(n, 4);
+  const double fine = Trajectory(all, law_, points).cycles(s0, s1);
+  const double coarse = Trajectory(all, law_, points - 1).cycles(s0, s1);
+  const double before = Trajectory(all, law_, 4).cycles(all.front().s, s0);
+  return std::abs(fine - coarse) / std::max(fine, small_part * before);
+}
+
+// What the heading turned more than the advance was bent for; not a number at the first.
+double March::turn_missed() const {
+  const std::vector<Station>& all = state_.stations;
+  double most = 0.0;
+  for (std::size_t tip = 0; all.size() > 1 && tip < tips_.size(); ++tip) {
+    if (advance_[tip] <= 0.0) {
+      continue;
+    }
+    const TipStation& here = all.back().tips[tip];
+    const TipStation& last = all[all.size() - 2].tips[tip];
+    double curvature = 0.0;
+    if (all.size() > 2) {
+      const TipStation& before = all[all.size() - 3].tips[tip];
+      curvature = last.a > before.a
+                      ? std::remainder(last.heading - before.heading, 2.0 * std::numbers::pi) /
+                            (last.a - before.a)
+                      : 0.0;
+    }
+    const double expected = last.heading + curvature * advance_[tip];
+    most =
+        std::max(most, std::abs(std::remainder(here.heading - expected, 2.0 * std::numbers::pi)));
+  }
+  return most;
+}
+
+// What the rates, the new ones too, make of the last advance: the integral of the shares by the
+// parabola through three stations, or by the trapezoidal rule. The next advance makes up for it.
+void March::settle() {
+  std::vector<Station>& all = state_.stations;
+  const std::size_t n = all.size();
+  if (n < 2 || tips_.size() < 2 || !(all.back().rate() > 0.0) ||
+      !std::isfinite(all.back().rate())) {
+    return;
+  }
+  const double h = all[n - 1].s - all[n - 2].s;
+  for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
+    const auto share = [&](std::size_t k) { return all[k].tips[tip].rate / all[k].rate(); };
+    double made = 0.5 * h * (share(n - 2) + share(n - 1));
+    if (n > 2) {
+      const double before = all[n - 2].s - all[n - 3].s;
+      const double bend =
+          ((share(n - 1) - share(n - 2)) / h - (share(n - 2) - share(n - 3)) / before) /
+          (h + before);
+      made -= h * h * h / 6.0 * bend;
+    }
+    all[n - 1].tips[tip].owed = all[n - 2].tips[tip].owed + made - advance_[tip];
+  }
+}
+
+// What is owed after the last advance, as a part of the cycles.
+double March::drift() const {
+  const Station& here = state_.stations.back();
+  double most = 0.0;
+  for (const TipStation& tip : here.tips) {
+    most = std::max(most, law_of_length * std::abs(tip.owed) / tip.a);
+  }
+  return most;
+}
+
+// Judges the last advance and sets the next step.
+bool March::good_enough() {
+  const std::size_t n = state_.stations.size();
+  if (n < 2) {
+    return true;
+  }
+  double step = 0.0;
+  for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
+    step = std::max(step, std::log1p(advance_[tip] / state_.stations[n - 2].tips[tip].a));
+  }
+  double factor = 2.0; // of the step
+  bool good = true;
+  const auto judge = [&](double error, double aim, double limit, double order) {
+    if (std::isfinite(error) && error > 0.0) {
+      factor = std::min(factor, 0.8 * std::pow(aim / error, 1.0 / order));
+      good = good && error <= limit;
+    }
+  };
+  const double tolerance = rules().tolerance;
+  // three stations: the error is that of a straight line, a parabola is used
+  const double missed = cycles_missed() * (n > 3 ? 1.0 : of_straight_line);
+  judge(missed, aimed_part * tolerance, still_good * tolerance, n > 3 ? 3.0 : 2.0);
+  judge(drift(), aimed_part * tolerance, still_good * tolerance, n > 2 ? 3.0 : 2.0);
+  if (turns()) {
+    judge(turn_missed(), aimed_miss, largest_miss, n > 2 ? 2.0 : 1.0);
+  }
+  const Station& last = state_.stations[n - 2];
+  const Station& here = state_.stations[n - 1];
+  const std::optional<End> end = crossing(trajectory(), last.s, here.s);
+  if (end && n > 2) { // the end is on this interval: is its place sure?
+    const Trajectory other(state_.stations, law_, std::min<std::size_t>(n, 4) - 1);
+    const std::optional<End> again = crossing(other, last.s, here.s);
+    good = good && again && std::abs(again->s - end->s) <= same_place * here.s;
+    factor = std::min(factor, std::max(0.3, 1.1 * (end->s - last.s) / (here.s - last.s)));
+  } else if (end) {
+    good = good && step <= first_look;
+    factor = std::min(factor, 0.5);
+  }
+  if (step <= 1.5 * shortest_step) {
+    good = true;
+  }
+  const double next = std::clamp(step * std::clamp(factor, 0.3, 2.0), shortest_step, longest_step);
+  state_.step = good ? next : std::min(next, 0.7 * step);
+  return good;
+}
+
+void March::shorten(const std::string& why) {
+  state_.step *= 0.5;
+  ++state_.rejected;
+  if (state_.step < 0.5 * shortest_step || state_.stations.empty()) {
+    end_at_station("MESH", fmt::format("the next advance could not be meshed: {}", why));
+  }
+}
+
+// The first place between two stations where K reaches the toughness, the ligament its plastic
+// limit, or nothing grows any more.
+std::optional<End> March::crossing(const Trajectory& between, double s0, double s1) const {
+  std::optional<End> first;
+  const auto consider = [&](std::optional<double> s, const char* word, std::string reason) {
+    if (s && (!first || *s < first->s)) {
+      first = End{word, std::move(reason), *s};
+    }
+  };
+  const Station& last = state_.stations.back();
+  for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
+    const TipStation& here = last.tips[tip];
+    if (const auto K_c = rules().constants.k_c; K_c && here.K_max >= *K_c) {
+      consider(first_crossing([&](double s) { return between.K_max(tip, s) - *K_c; }, s0, s1), "KC",
+               fmt::format("K of {} reaches KC", tips_[tip].name));
+    }
+    if (rules().flow_stress && here.plastic >= 1.0) {
+      consider(first_crossing([&](double s) { return between.plastic(tip, s) - 1.0; }, s0, s1),
+               "NET SECTION",
+               fmt::format("the ligament ahead of {} reaches its plastic limit", tips_[tip].name));
+    }
+  }
+  if (!(last.rate() > 0.0)) {
+    consider(first_crossing([&](double s) { return between.rate(s) > 0.0 ? -1.0 : 1.0; }, s0, s1),
+             "THRESHOLD", "no crack grows any more: delta K has fallen to the threshold");
+  }
+  return first;
+}
+
+// Once a station counts: whether the growth has ended at it or before it.
+void March::look_for_end() {
+  const std::vector<Station>& all = state_.stations;
+  const Station& here = all.back();
+  const double s0 = all.size() > 1 ? all[all.size() - 2].s : here.s;
+  const Trajectory between = trajectory();
+  end_.reset();
+  if (all.size() == 1) {
+    for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
+      if (rules().constants.k_c && here.tips[tip].K_max >= *rules().constants.k_c) {
+        end_at_station("KC", fmt::format("K of {} is KC or more from the start", tips_[tip].name));
+      } else if (rules().flow_stress && here.tips[tip].plastic >= 1.0) {
+        end_at_station(
+            "NET SECTION",
+            fmt::format("the ligament ahead of {} is at its plastic limit from the start",
+                        tips_[tip].name));
+      }
+    }
+    if (!end_ && !(here.rate() > 0.0)) {
+      end_at_station("THRESHOLD", "no crack grows: delta K is not above the threshold");
+    }
+    return;
+  }
+  end_ = crossing(between, s0, here.s);
+  for (std::size_t tip = 0; tip < tips_.size() && rules().last_length && !end_; ++tip) {
+    if (here.tips[tip].a >= *rules().last_length * (1.0 - 1e-12)) {
+      end_at_station("AMAX", fmt::format("{} has its last length, {:.6g}", tips_[tip].name,
+                                         *rules().last_length));
+    }
+  }
+  if (rules().cycles) {
+    const double last = end_ ? end_->s : here.s;
+    const double s_first = all.front().s;
+    if (between.cycles(s_first, last) >= *rules().cycles) {
+      if (const auto s = between.after(s_first, *rules().cycles)) {
+        end_ = End{"CYCLES", fmt::format("{:.6g} cycles are over", *rules().cycles), *s};
+      }
+    }
+  }
+}
+
+double March::error() const {
+  const std::vector<Station>& all = state_.stations;
+  const std::size_t points = std::min<std::size_t>(all.size(), 4);
+  if (points < 3) {
+    return all.size() == 1 ? 0.0 : std::numeric_limits<double>::quiet_NaN();
+  }
+  const Trajectory fine(all, law_, points);
+  const Trajectory coarse(all, law_, points - 1);
+  const double last = end_ ? end_->s : all.back().s;
+  double missed = 0.0;
+  for (std::size_t i = 0; i + 1 < all.size() && all[i].s < last; ++i) {
+    const double to = std::min(all[i + 1].s, last);
+    missed += std::abs(fine.cycles(all[i].s, to) - coarse.cycles(all[i].s, to));
+  }
+  return missed / fine.cycles(all.front().s, last);
+}
+
+} // namespace spricka::growth

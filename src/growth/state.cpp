@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "growth/state.hpp"
+
+#include <array>
+
+namespace spricka::growth {
+
+namespace {
+
+constexpr std::array tip_values{&TipStation::a,       &TipStation::K_max, &TipStation::K_min,
+                                &TipStation::K2_max,  &TipStation::rate,  &TipStation::turn,
+                                &TipStation::heading, &TipStation::x,     &TipStation::y,
+                                &TipStation::plastic, &TipStation::owed};
+
+/// Reads an array from its beginning; whether it held enough is known at the end.
+class Reader {
+public:
+  Reader(const Arrays& arrays, const std::string& name) {
+    const auto found = arrays.find(name);
+    values_ = found != arrays.end() ? &found->second : nullptr;
+    good_ = values_ != nullptr;
+  }
+  double next() {
+    good_ = good_ && at_ < values_->size();
+    return good_ ? (*values_)[at_++] : 0.0;
+  }
+  [[nodiscard]] bool finished() const { return good_ && at_ == values_->size(); }
+  [[nodiscard]] std::size_t left() const { return good_ ? values_->size() - at_ : 0; }
+
+private:
+  const std::vector<double>* values_ = nullptr;
+  std::size_t at_ = 0;
+  bool good_ = false;
+};
+
+} // namespace
+
+Arrays to_arrays(const State& state) {
+  Arrays out;
+  std::vector<double>& control = out["control"];
+  control = {static_cast<double>(state.stations.size()),
+             static_cast<double>(state.stations.empty() ? 0 : state.stations.front().tips.size()),
+             state.step, static_cast<double>(state.rejected)};
+  std::vector<double>& stations = out["stations"];
+  for (const Station& station : state.stations) {
+    stations.push_back(station.s);
+    for (const TipStation& tip : station.tips) {
+      for (const auto value : tip_values) {
+        stations.push_back(tip.*value);
+      }
+    }
+  }
+  std::vector<double>& points = out["points"];
+  std::vector<double>& counts = out["line_points"];
+  for (const std::vector<base::Vec3>& line : state.lines) {
+    counts.push_back(static_cast<double>(line.size()));
+    for (const base::Vec3& x : line) {
+      points.insert(points.end(), {x.x(), x.y(), x.z()});
+    }
+  }
+  return out;
+}
+
+std::optional<State> state_of(const Arrays& arrays) {
+  State state;
+  Reader control(arrays, "control");
+  Reader stations(arrays, "stations");
+  Reader counts(arrays, "line_points");
+  Reader points(arrays, "points");
+  const auto count = static_cast<std::size_t>(control.next());
+  const auto tips = static_cast<std::size_t>(control.next());
+  state.step = control.next();
+  state.rejected = static_cast<int>(control.next());
+  if (!control.finished() || stations.left() != count * (1 + tips * tip_values.size())) {
+    return std::nullopt;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    Station station;
+    station.s = stations.next();
+    station.tips.resize(tips);
+    for (TipStation& tip : station.tips) {
+      for (const auto value : tip_values) {
+        tip.*value = stations.next();
+      }
+    }
+    state.stations.push_back(std::move(station));
+  }
+  while (counts.left() > 0) {
+    const auto n = static_cast<std::size_t>(counts.next());
+    if (3 * n > points.left()) {
+      return std::nullopt;
+    }
+    std::vector<base::Vec3>& line = state.lines.emplace_back(n);
+    for (base::Vec3& x : line) {
+      x = {points.next(), points.next(), points.next()};
+    }
+  }
+  if (!stations.finished() || !points.finished()) {
+    return std::nullopt;
+  }
+  return state;
+}
+
+} // namespace spricka::growth

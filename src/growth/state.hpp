@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/vec.hpp"
+#include "growth/trajectory.hpp"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace spricka::growth {
+
+/// All that growth by a law knows between two stations: with it a run goes on as if it had never
+/// stopped, to the bit.
+struct State {
+  std::vector<Station> stations;              ///< so far
+  std::vector<std::vector<base::Vec3>> lines; ///< [crack] at the last station
+  double step = 0.0;                          ///< of the next advance: logarithm of an arm's ratio
+  int rejected = 0;                           ///< solutions that lay too far ahead
+};
+
+/// As named arrays for a restart file, and back; empty if they are not those of a state.
+using Arrays = std::map<std::string, std::vector<double>>;
+Arrays to_arrays(const State& state);
+std::optional<State> state_of(const Arrays& arrays);
+
+} // namespace spricka::growth

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "growth/trajectory.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace spricka::growth {
+
+namespace {
+
+/// Parts of an interval between stations, each with five Gauss points: a law near its toughness or
+/// its threshold bends more than K does.
+constexpr int parts = 24;
+constexpr std::array<std::pair<double, double>, 5> gauss_points{
+    {{0.0, 128.0 / 225.0},
+     {-0.5384693101056831, 0.4786286704993665},
+     {0.5384693101056831, 0.4786286704993665},
+     {-0.9061798459386640, 0.2369268850561891},
+     {0.9061798459386640, 0.2369268850561891}}};
+
+} // namespace
+
+double Station::rate() const {
+  double sum = 0.0;
+  for (const TipStation& tip : tips) {
+    sum += tip.rate;
+  }
+  return sum;
+}
+
+Trajectory::Trajectory(const std::vector<Station>& stations, Law law, std::size_t points)
+    : stations_(stations), law_(std::move(law)), points_(std::min(points, stations.size())) {}
+
+std::size_t Trajectory::interval(double s) const {
+  std::size_t i = 0;
+  while (i + 2 < stations_.size() && s > stations_[i + 1].s) {
+    ++i;
+  }
+  return i;
+}
+
+// Lagrange's polynomial in ln s through the stations about an interval, of those from `low` to
+// before `high`.
+template <class Value>
+double Trajectory::interpolate(std::size_t interval, double s, Value value, std::size_t low,
+                               std::size_t high) const {
+  const std::size_t points = std::min(points_, high - low);
+  const std::size_t before = (points - 1) / 2;
+  const std::size_t first = std::min(std::max(interval, low + before) - before, high - points);
+  const double x = std::log(s);
+  double sum = 0.0;
+  for (std::size_t i = first; i < first + points; ++i) {
+    double weight = 1.0;
+    for (std::size_t k = first; k < first + points; ++k) {
+      if (k != i) {
+        const double other = std::log(stations_[k].s);
+        weight *= (x - other) / (std::log(stations_[i].s) - other);
+      }
+    }
+    sum += weight * value(stations_[i]);
+  }
+  return sum;
+}
+
+double Trajectory::K_max(std::size_t tip, double s) const {
+  const std::size_t i = interval(s);
+  const bool positive = std::ranges::all_of(
+      stations_, [&](const Station& station) { return station.tips[tip].K_max > 0.0; });
+  if (positive) {
+    return std::exp(interpolate(
+        i, s, [&](const Station& station) { return std::log(station.tips[tip].K_max); }, 0,
+        stations_.size()));
+  }
+  return interpolate(
+      i, s, [&](const Station& station) { return station.tips[tip].K_max; }, 0, stations_.size());
+}
+
+double Trajectory::plastic(std::size_t tip, double s) const {
+  return interpolate(
+      interval(s), s, [&](const Station& station) { return station.tips[tip].plastic; }, 0,
+      stations_.size());
+}
+
+double Trajectory::tip_rate(std::size_t tip, std::size_t i, double s) const {
+  if (law_) {
+    const double K = K_max(tip, s);
+    const double R = interpolate(
+        i, s,
+        [&](const Station& station) {
+          const TipStation& t = station.tips[tip];
+          return t.K_max > 0.0 ? t.K_min / t.K_max : 0.0;
+        },
+        0, stations_.size());
+    return law_(K, R * K);
+  }
+  // a spectrum's rates, as far as they are numbers: none at a threshold, no bound at the toughness
+  const auto usual = [&](std::size_t k) {
+    const double rate = stations_[k].tips[tip].rate;
+    return rate > 0.0 && std::isfinite(rate);
+  };
+  if (!usual(i)) {
+    return stations_[i].tips[tip].rate;
+  }
+  std::size_t low = i;
+  std::size_t high = i + 1;
+  for (; low > 0 && usual(low - 1); --low) {
+  }
+  for (; high < stations_.size() && usual(high); ++high) {
+  }
+  if (high == i + 1 && high < stations_.size() && stations_[high].tips[tip].rate == 0.0) {
+    const double here = stations_[i].tips[tip].rate;
+    return here * (stations_[high].s - s) / (stations_[high].s - stations_[i].s);
+  }
+  return std::exp(interpolate(
+      i, s, [&](const Station& station) { return std::log(station.tips[tip].rate); }, low, high));
+}
+
+double Trajectory::rate(double s) const {
+  const std::size_t i = interval(s);
+  double sum = 0.0;
+  for (std::size_t tip = 0; tip < stations_.front().tips.size(); ++tip) {
+    sum += tip_rate(tip, i, s);
+  }
+  return sum;
+}
+
+double Trajectory::arm(std::size_t tip, double s) const {
+  const std::size_t i = interval(s);
+  if (stations_.size() == 1) {
+    return stations_[0].tips[tip].a;
+  }
+  const Station& left = stations_[i];
+  const Station& right = stations_[i + 1];
+  const double h = right.s - left.s;
+  const double t = (s - left.s) / h;
+  const auto share = [&](const Station& station) {
+    const double all = station.rate();
+    return all > 0.0 && std::isfinite(all) ? station.tips[tip].rate / all
+                                           : (right.tips[tip].a - left.tips[tip].a) / h;
+  };
+  // Hermite: the shares of all tips add up to 1, so that their arms add up to s
+  const double difference = right.tips[tip].a - left.tips[tip].a;
+  const double a = share(left) * h - difference;
+  const double b = difference - share(right) * h;
+  return left.tips[tip].a + t * difference + t * (1.0 - t) * ((1.0 - t) * a + t * b);
+}
+
+double Trajectory::gauss(double s0, double s1) const {
+  const double half = 0.5 * (s1 - s0);
+  double sum = 0.0;
+  for (const auto& [xi, weight] : gauss_points) {
+    sum += weight * half / rate(0.5 * (s0 + s1) + xi * half);
+  }
+  return sum;
+}
+
+double Trajectory::cycles(double s0, double s1) const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i + 1 < stations_.size(); ++i) {
+    const double from = std::max(s0, stations_[i].s);
+    const double to = std::min(s1, stations_[i + 1].s);
+    for (int k = 0; k < parts && from < to; ++k) {
+      sum += gauss(from + (to - from) * k / parts, from + (to - from) * (k + 1) / parts);
+    }
+  }
+  return sum;
+}
+
+std::optional<double> Trajectory::after(double s0, double cycles) const {
+  const double last = stations_.back().s;
+  if (this->cycles(s0, last) < cycles) {
+    return std::nullopt;
+  }
+  return first_crossing([&](double s) { return this->cycles(s0, s) - cycles; }, s0, last);
+}
+
+std::optional<double> first_crossing(const std::function<double(double)>& value, double s0,
+                                     double s1) {
+  constexpr int looks = 16;
+  double low = s0;
+  for (int k = 1; k <= looks; ++k) {
+    double high = s0 + (s1 - s0) * k / looks;
+    if (value(high) < 0.0) {
+      low = high;
+      continue;
+    }
+    while (high - low > 1e-12 * s1) {
+      const double middle = 0.5 * (low + high);
+      if (middle <= low || middle >= high) {
+        break;
+      }
+      (value(middle) < 0.0 ? low : high) = middle;
+    }
+    return high;
+  }
+  return std::nullopt;
+}
+
+} // namespace spricka::growth

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+/// Growth between the stations where K is known: interpolated K or rates, cycles by quadrature.
+namespace spricka::growth {
+
+/// What is known of one tip at a station.
+struct TipStation {
+  double a = 0.0;       ///< its arm: first length and all it has grown [length]
+  double K_max = 0.0;   ///< given to the law [stress * length^0.5]
+  double K_min = 0.0;   ///< given to the law
+  double K2_max = 0.0;  ///< before the turn
+  double rate = 0.0;    ///< [length per cycle or per pass]
+  double turn = 0.0;    ///< the way on against the crack's last part [rad]
+  double heading = 0.0; ///< the way on, from +x [rad]
+  double x = 0.0, y = 0.0;
+  double owed = 0.0;    ///< what the rates found since would have made of the arm more [length]
+  double plastic = 0.0; ///< force and moment over the ligament, over their plastic limit
+};
+
+/// All growing tips at one state of the cracks.
+struct Station {
+  double s = 0.0; ///< sum of the arms
+  std::vector<TipStation> tips;
+
+  [[nodiscard]] double rate() const; ///< ds per cycle
+};
+
+/// da/dN at K_max, K_min; where it is empty (a spectrum) the stations' rates are interpolated.
+using Law = std::function<double(double K_max, double K_min)>;
+
+/// Functions of s between stations by polynomials through the nearest of them: ln K_max, K_min over
+/// K_max (or ln rate) over ln s; arms by cubics that take the rates as slopes (manual, growth.3).
+class Trajectory {
+public:
+  /// stations [>= 1], s ascending; `points` of each polynomial, at most as many as there are.
+  Trajectory(const std::vector<Station>& stations, Law law, std::size_t points);
+
+  [[nodiscard]] double rate(double s) const; ///< ds per cycle
+  [[nodiscard]] double K_max(std::size_t tip, double s) const;
+  [[nodiscard]] double plastic(std::size_t tip, double s) const;
+  [[nodiscard]] double arm(std::size_t tip, double s) const;
+  /// Cycles from s0 to s1, both within the stations: Gauss on parts of each interval (growth.4).
+  [[nodiscard]] double cycles(double s0, double s1) const;
+  /// Where so many cycles from s0 lead; empty: beyond the last station.
+  [[nodiscard]] std::optional<double> after(double s0, double cycles) const;
+
+private:
+  [[nodiscard]] std::size_t interval(double s) const;
+  template <class Value>
+  double interpolate(std::size_t interval, double s, Value value, std::size_t low,
+                     std::size_t high) const;
+  [[nodiscard]] double tip_rate(std::size_t tip, std::size_t interval, double s) const;
+  [[nodiscard]] double gauss(double s0, double s1) const;
+
+  const std::vector<Station>& stations_;
+  Law law_;
+  std::size_t points_;
+};
+
+/// First place between s0 and s1 (found to 1e-12 of s1) where `value` is not below 0 any more, if
+/// it is at s1; it is looked at in some places between.
+std::optional<double> first_crossing(const std::function<double(double)>& value, double s0,
+                                     double s1);
+
+} // namespace spricka::growth

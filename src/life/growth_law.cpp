@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "life/growth_law.hpp"
+
+#include "life/root.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace spricka::life {
+
+namespace {
+
+constexpr double k_infinite = std::numeric_limits<double>::infinity();
+constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
+
+// C of the interface: every factor delta K / k_unit of a law is left out of its formula.
+double scaled_constant(Law law, const LawConstants& constants) {
+  const double power = law == Law::forman ? constants.m - 1.0 : constants.m;
+  return constants.C * constants.a_unit / std::pow(constants.k_unit, power);
+}
+
+// y at x on the polyline through (knot, value), straight on beyond its ends.
+double on_polyline(const std::vector<double>& knot, const std::vector<double>& value, double x) {
+  const auto above = std::upper_bound(knot.begin() + 1, knot.end() - 1, x);
+  const auto i = static_cast<std::size_t>(above - knot.begin());
+  const double t = (x - knot[i - 1]) / (knot[i] - knot[i - 1]);
+  return value[i - 1] + t * (value[i] - value[i - 1]);
+}
+
+} // namespace
+
+double growing_range(double K_max, double K_min) {
+  return K_max - std::max(K_min, 0.0);
+}
+
+NewmanClosure::NewmanClosure(double alpha, double stress_ratio) {
+  const double stress = std::cos(0.5 * std::numbers::pi * stress_ratio);
+  A_[0] = (0.825 - 0.34 * alpha + 0.05 * alpha * alpha) * std::pow(stress, 1.0 / alpha);
+  A_[1] = (0.415 - 0.071 * alpha) * stress_ratio;
+  A_[3] = 2.0 * A_[0] + A_[1] - 1.0;
+  A_[2] = 1.0 - A_[0] - A_[1] - A_[3];
+}
+
+double NewmanClosure::operator()(double R) const {
+  if (R < 0.0) {
+    return A_[0] + std::max(R, -2.0) * A_[1];
+  }
+  return std::max(R, A_[0] + R * (A_[1] + R * (A_[2] + R * A_[3])));
+}
+
+GrowthLaw::GrowthLaw(Law law, LawConstants constants)
+    : law_(law), constants_(std::move(constants)), scale_(scaled_constant(law, constants_)),
+      closure_(constants_.alpha, constants_.stress_ratio) {
+  assert((law != Law::forman && law != Law::nasgro) || constants_.k_c);
+  assert(law != Law::table ||
+         (constants_.delta_k.size() >= 2 && constants_.growth.size() == constants_.delta_k.size()));
+  for (std::size_t i = 0; law == Law::table && i < constants_.delta_k.size(); ++i) {
+    log_k_.push_back(std::log(constants_.delta_k[i] * constants_.k_unit));
+    log_rate_.push_back(std::log(constants_.growth[i] * constants_.a_unit));
+  }
+}
+
+double GrowthLaw::rate(double K_max, double K_min) const {
+  const double range = growing_range(K_max, K_min);
+  if (!(range > constants_.threshold) || !(K_max > 0.0)) {
+    return std::isnan(range) ? k_nan : 0.0;
+  }
+  return formula(range, K_min / K_max);
+}
+
+// range above the threshold; R < 1, below 0 too.
+double GrowthLaw::formula(double range, double R) const {
+  const double part = 1.0 - std::max(R, 0.0); // range / K_max
+  switch (law_) {
+  case Law::paris:
+    return scale_ * std::pow(range, constants_.m);
+  case Law::walker:
+    return scale_ * std::pow(range * std::pow(part, constants_.p - 1.0), constants_.m);
+  case Law::forman: {
+    const double left = part * *constants_.k_c - range;
+    return left > 0.0 ? scale_ * std::pow(range, constants_.m) / left : k_infinite;
+  }
+  case Law::nasgro: {
+    const double K_max = range / part;
+    const double left = 1.0 - K_max / *constants_.k_c;
+    if (!(left > 0.0)) {
+      return k_infinite;
+    }
+    return scale_ * std::pow((1.0 - closure_(R)) * K_max, constants_.m) *
+           std::pow(1.0 - constants_.threshold / range, constants_.p) /
+           std::pow(left, constants_.q);
+  }
+  case Law::table:
+    return tabular(range);
+  }
+  return k_nan;
+}
+
+double GrowthLaw::tabular(double range) const {
+  return std::exp(on_polyline(log_k_, log_rate_, std::log(range)));
+}
+
+double GrowthLaw::tabular_range(double rate) const {
+  return std::exp(on_polyline(log_rate_, log_k_, std::log(rate)));
+}
+
+// Forman and NASGRO rise from the threshold (or 0) to the pole at the toughness: one root between.
+double GrowthLaw::by_root(double rate, double R) const {
+  const double end = std::log((1.0 - std::max(R, 0.0)) * *constants_.k_c);
+  const auto excess = [&](double log_range) {
+    const double there = formula(std::exp(log_range), R);
+    return there > 0.0 ? std::log(there / rate) : -k_infinite;
+  };
+  double begin = constants_.threshold > 0.0 ? std::log(constants_.threshold) : end - 1.0;
+  for (double reach = 1.0; constants_.threshold <= 0.0 && !(excess(begin) < 0.0); reach *= 2.0) {
+    if (reach > 1e3) {
+      return k_nan;
+    }
+    begin = end - reach;
+  }
+  const std::optional<double> root = increasing_root(excess, begin, end);
+  return root ? std::exp(*root) : k_nan;
+}
+
+double GrowthLaw::range(double rate, double R) const {
+  if (!(rate > 0.0) || !(R < 1.0) || std::isinf(rate)) {
+    return k_nan;
+  }
+  double found = k_nan;
+  switch (law_) {
+  case Law::paris:
+    found = std::pow(rate / scale_, 1.0 / constants_.m);
+    break;
+  case Law::walker:
+    found = std::pow(rate / scale_, 1.0 / constants_.m) *
+            std::pow(1.0 - std::max(R, 0.0), 1.0 - constants_.p);
+    break;
+  case Law::table:
+    found = std::is_sorted(log_rate_.begin(), log_rate_.end(), std::less_equal<>())
+                ? tabular_range(rate)
+                : k_nan;
+    break;
+  case Law::forman:
+  case Law::nasgro:
+    found = by_root(rate, R);
+    break;
+  }
+  return found > constants_.threshold ? found : k_nan;
+}
+
+bool GrowthLaw::covers(double delta_K) const {
+  if (law_ != Law::table) {
+    return true;
+  }
+  // a row's own delta K, converted and back, still belongs to the table
+  const double room = 1e-12;
+  const double x = std::log(delta_K);
+  return x >= log_k_.front() - room && x <= log_k_.back() + room;
+}
+
+} // namespace spricka::life

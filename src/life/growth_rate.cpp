@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "life/growth_rate.hpp"
+
+#include "life/smoothing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+#include <Eigen/Dense>
+
+namespace spricka::life {
+
+namespace {
+
+// What the second derivative-free contrast of four readings says of their scatter: the weights c
+// that annul every parabola, and c a / |c|, whose standard deviation is that of one reading.
+double pseudo_residual(std::span<const Reading> four) {
+  double sum = 0.0;
+  double square = 0.0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    double product = 1.0;
+    for (std::size_t j = 0; j < 4; ++j) {
+      product *= i == j ? 1.0 : four[i].cycles - four[j].cycles;
+    }
+    sum += four[i].a / product;
+    square += 1.0 / (product * product);
+  }
+  return std::fabs(sum) / std::sqrt(square);
+}
+
+// Standard deviation of the readings by the median of their pseudo-residuals, which the steep end
+// of a test does not move (Gasser, Sroka, Jennen-Steinmetz 1986, with third differences).
+double scatter_of(std::span<const Reading> readings) {
+  std::vector<double> residuals;
+  for (std::size_t i = 0; i + 4 <= readings.size(); ++i) {
+    residuals.push_back(pseudo_residual(readings.subspan(i, 4)));
+  }
+  if (residuals.empty()) {
+    return std::nan("");
+  }
+  const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
+  std::nth_element(residuals.begin(), middle, residuals.end());
+  constexpr double median_of_normal = 0.6744897501960817; // of |x|, x standard normal
+  return *middle / median_of_normal;
+}
+
+MeasuredRates secants(std::span<const Reading> readings) {
+  MeasuredRates found;
+  found.scatter = scatter_of(readings);
+  const double both_ends = std::sqrt(2.0) * found.scatter * student_quantile(1e9);
+  for (std::size_t i = 1; i < readings.size(); ++i) {
+    const Reading& before = readings[i - 1];
+    const Reading& now = readings[i];
+    const double passed = now.cycles - before.cycles;
+    found.points.push_back({0.5 * (before.cycles + now.cycles), 0.5 * (before.a + now.a),
+                            (now.a - before.a) / passed, both_ends / passed});
+  }
+  return found;
+}
+
+// A parabola through the readings of a window by least squares, taken at its middle.
+struct Parabola {
+  double value = 0.0;
+  double slope = 0.0;       ///< by cycles
+  double slope_error = 0.0; ///< standard deviation of slope if the residuals' is 1
+  double square = 0.0;      ///< of the weighted residuals, their sum
+};
+
+Parabola fit(std::span<const Reading> window, bool logarithmic) {
+  const auto n = static_cast<Eigen::Index>(window.size());
+  const double middle = window[window.size() / 2].cycles;
+  const double scale = 0.5 * (window.back().cycles - window.front().cycles);
+  Eigen::MatrixXd X(n, 3);
+  Eigen::VectorXd y(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Reading& reading = window[static_cast<std::size_t>(i)];
+    const double x = (reading.cycles - middle) / scale;
+    const double weight = logarithmic ? reading.a : 1.0;
+    X.row(i) << weight, weight * x, weight * x * x;
+    y[i] = weight * (logarithmic ? std::log(reading.a) : reading.a);
+  }
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(X);
+  const Eigen::Vector3d b = qr.solve(y);
+  const Eigen::Matrix3d R = qr.matrixQR().topRows<3>().triangularView<Eigen::Upper>();
+  const Eigen::Vector3d contrast =
+      R.transpose().triangularView<Eigen::Lower>().solve(Eigen::Vector3d::Unit(1));
+  return {b[0], b[1] / scale, contrast.norm() / scale, (y - X * b).squaredNorm()};
+}
+
+MeasuredRates polynomials(std::span<const Reading> readings, std::size_t window, bool logarithmic) {
+  MeasuredRates found;
+  const double freedoms = static_cast<double>(window) - 3.0;
+  const double quantile = student_quantile(freedoms);
+  double square = 0.0;
+  for (std::size_t i = 0; i + window <= readings.size(); ++i) {
+    const std::span<const Reading> part = readings.subspan(i, window);
+    const Parabola p = fit(part, logarithmic);
+    const double a = logarithmic ? std::exp(p.value) : p.value;
+    const double by_value = logarithmic ? a : 1.0;
+    const double deviation = std::sqrt(p.square / freedoms);
+    found.points.push_back({part[window / 2].cycles, a, by_value * p.slope,
+                            quantile * by_value * p.slope_error * deviation});
+    square += p.square / freedoms;
+  }
+  found.scatter = std::sqrt(square / static_cast<double>(found.points.size()));
+  return found;
+}
+
+MeasuredRates splines(std::span<const Reading> readings) {
+  std::vector<double> x, y, weight;
+  for (const Reading& reading : readings) {
+    x.push_back(reading.cycles);
+    y.push_back(std::log(reading.a));
+    weight.push_back(reading.a);
+  }
+  const SmoothedCurve curve = smooth(x, y, weight);
+  MeasuredRates found;
+  found.scatter = curve.deviation;
+  found.freedoms = curve.freedoms;
+  const double quantile = student_quantile(static_cast<double>(x.size()) - curve.freedoms);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double a = std::exp(curve.value[i]);
+    found.points.push_back({x[i], a, a * curve.slope[i], quantile * a * curve.slope_error[i]});
+  }
+  return found;
+}
+
+} // namespace
+
+std::size_t readings_needed(RateMethod method, int window) {
+  switch (method) {
+  case RateMethod::secant:
+    return 2;
+  case RateMethod::e647:
+  case RateMethod::polynomial:
+    return static_cast<std::size_t>(window);
+  case RateMethod::spline:
+    return 8;
+  }
+  return 0;
+}
+
+MeasuredRates measured_rates(std::span<const Reading> readings, RateMethod method, int window) {
+  assert(readings.size() >= readings_needed(method, window));
+  assert(window >= 5 && window % 2 == 1);
+  switch (method) {
+  case RateMethod::secant:
+    return secants(readings);
+  case RateMethod::e647:
+  case RateMethod::polynomial:
+    return polynomials(readings, static_cast<std::size_t>(window),
+                       method == RateMethod::polynomial);
+  case RateMethod::spline:
+    return splines(readings);
+  }
+  return {};
+}
+
+} // namespace spricka::life

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_math.h>
+
+namespace spricka::life {
+
+/// GSL ends the program at a mistake unless told otherwise: here its return values are looked at.
+inline void quiet_gsl() {
+  [[maybe_unused]] static const gsl_error_handler_t* before = gsl_set_error_handler_off();
+}
+
+/// A callable as GSL takes functions; it must outlive this.
+template <class F> class GslFunction {
+public:
+  explicit GslFunction(const F& f)
+      : function_{[](double x, void* p) { return (*static_cast<const F*>(p))(x); },
+                  const_cast<F*>(&f)} {}
+  [[nodiscard]] const gsl_function* get() const { return &function_; }
+
+private:
+  gsl_function function_;
+};
+
+} // namespace spricka::life

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "life/life_curve.hpp"
+
+#include "life/quadrature.hpp"
+#include "life/root.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace spricka::life {
+
+namespace {
+
+constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double k_cycles_tolerance = 1e-12;
+constexpr double k_error_tolerance = 1e-3;
+
+std::vector<double> logarithms(const std::vector<double>& values) {
+  std::vector<double> logs;
+  for (const double value : values) {
+    assert(value > 0.0);
+    logs.push_back(std::log(value));
+  }
+  return logs;
+}
+
+std::vector<double> without(std::vector<double> values, std::size_t i) {
+  values.erase(values.begin() + static_cast<std::ptrdiff_t>(i));
+  return values;
+}
+
+// The sum over the stretches between stations of work(log a there, its begin, its end).
+template <class Work>
+double over_intervals(const std::vector<double>& a, double a0, double a1, Work&& work) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i + 1 < a.size(); ++i) {
+    const double begin = std::max(a0, a[i]);
+    const double end = std::min(a1, a[i + 1]);
+    if (begin < end) {
+      sum += work(std::log(begin), std::log(end));
+    }
+  }
+  return sum;
+}
+
+} // namespace
+
+LifeCurve::LifeCurve(const std::vector<double>& a, const std::vector<double>& rate)
+    : a_(a), log_rate_(logarithms(a), logarithms(rate)) {
+  const std::vector<double> x = logarithms(a);
+  const std::vector<double> y = logarithms(rate);
+  for (std::size_t i = 1; i + 1 < a.size(); ++i) {
+    without_.emplace_back(without(x, i), without(y, i));
+  }
+  at_.push_back(0.0);
+  for (std::size_t i = 0; i + 1 < a.size(); ++i) {
+    at_.push_back(at_.back() + cycles(a[i], a[i + 1]));
+  }
+}
+
+bool LifeCurve::within(double a0, double a1) const {
+  return a0 >= a_.front() && a0 <= a1 && a1 <= a_.back();
+}
+
+double LifeCurve::rate(double a) const {
+  return within(a, a) ? std::exp(log_rate_(std::log(a))) : k_nan;
+}
+
+double LifeCurve::cycles(double a0, double a1) const {
+  if (!within(a0, a1)) {
+    return k_nan;
+  }
+  const auto cycles_by_log = [&](double x) { return std::exp(x - log_rate_(x)); };
+  return over_intervals(a_, a0, a1, [&](double begin, double end) {
+    return integrate(cycles_by_log, begin, end, k_cycles_tolerance);
+  });
+}
+
+double LifeCurve::length_at(double N) const {
+  if (!(N >= 0.0 && N <= at_.back())) {
+    return k_nan;
+  }
+  const auto above = std::upper_bound(at_.begin() + 1, at_.end() - 1, N);
+  const auto i = static_cast<std::size_t>(above - at_.begin());
+  const double part = (N - at_[i - 1]) / (at_[i] - at_[i - 1]);
+  const auto excess = [&](double a) { return cycles(a_[i - 1], a) / (at_[i] - at_[i - 1]) - part; };
+  // at the last station round-off may leave N a little behind
+  return increasing_root(excess, a_[i - 1], a_[i]).value_or(a_[i]);
+}
+
+// What log_rate_ changes by at x when a station next to it is left out: the larger of two.
+double LifeCurve::miss(double x) const {
+  const std::vector<double>& knots = log_rate_.knots();
+  const auto above = std::upper_bound(knots.begin() + 1, knots.end() - 1, x);
+  const auto i = static_cast<std::size_t>(above - knots.begin()); // the interval i - 1 to i
+  double largest = 0.0;
+  for (const std::size_t station : {i - 1, i}) {
+    if (station > 0 && station + 1 < knots.size()) {
+      largest = std::max(largest, std::fabs(without_[station - 1](x) - log_rate_(x)));
+    }
+  }
+  return largest;
+}
+
+double LifeCurve::error(double a0, double a1) const {
+  if (!within(a0, a1)) {
+    return k_nan;
+  }
+  if (without_.empty()) {
+    return std::numeric_limits<double>::infinity();
+  }
+  const auto missed_by_log = [&](double x) {
+    return std::expm1(miss(x)) * std::exp(x - log_rate_(x));
+  };
+  return over_intervals(a_, a0, a1, [&](double begin, double end) {
+    return integrate(missed_by_log, begin, end, k_error_tolerance);
+  });
+}
+
+} // namespace spricka::life

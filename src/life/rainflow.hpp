@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <span>
+#include <vector>
+
+namespace spricka::life {
+
+/// `count` cycles between two loads: low <= high, a half cycle has count 0.5.
+struct LoadCycle {
+  double low = 0.0, high = 0.0;
+  double count = 1.0;
+};
+
+/// The points where a history turns, its first and its last one; what repeats or lies on the way is
+/// left out.
+std::vector<double> turning_points(std::span<const double> history);
+
+/// Rainflow count of a history of loads (ASTM E1049-85): half cycles where it does not close
+/// (5.4.4), or full cycles only of a history that repeats (5.4.5, begun at its highest peak).
+/// Points that do not turn are dropped; a history without a range has no cycles.
+std::vector<LoadCycle> rainflow(std::span<const double> history, bool repeated);
+
+} // namespace spricka::life

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "life/spectrum.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace spricka::life {
+
+namespace {
+
+constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
+
+// The knots where K1 turns or is level on one side, ascending.
+std::vector<std::size_t> turns(const base::PiecewiseLinear& K1) {
+  std::vector<std::size_t> found;
+  for (std::size_t k = 1; k < K1.segments(); ++k) {
+    if (!(K1.slope_before(k) * K1.slope_after(k) > 0.0)) {
+      found.push_back(k);
+    }
+  }
+  return found;
+}
+
+// K along the way from load to load, with its turns in between.
+class WayOfK {
+public:
+  explicit WayOfK(const base::PiecewiseLinear& K1) : K1_(K1) {
+    for (const std::size_t k : turns(K1)) {
+      t_.push_back(K1.knots()[k]);
+      K_.push_back(K1.at_knot(k));
+    }
+  }
+
+  std::vector<double> operator()(const std::vector<double>& loads) const {
+    std::vector<double> way;
+    for (std::size_t i = 0; i < loads.size(); ++i) {
+      if (i > 0) {
+        between(loads[i - 1], loads[i], way);
+      }
+      way.push_back(K1_(loads[i]));
+    }
+    return way;
+  }
+
+private:
+  void between(double from, double to, std::vector<double>& way) const {
+    const auto [low, high] = std::minmax(from, to);
+    const auto first = std::upper_bound(t_.begin(), t_.end(), low) - t_.begin();
+    const auto last = std::lower_bound(t_.begin(), t_.end(), high) - t_.begin();
+    if (first >= last) {
+      return;
+    }
+    if (from < to) {
+      way.insert(way.end(), K_.begin() + first, K_.begin() + last);
+    } else {
+      way.insert(way.end(), K_.rend() - last, K_.rend() - first);
+    }
+  }
+
+  const base::PiecewiseLinear& K1_;
+  std::vector<double> t_, K_; ///< turns
+};
+
+// K at ascending loads that lie within the knots: one walk.
+std::vector<double> values_at(const base::PiecewiseLinear& K1, const std::vector<double>& loads) {
+  std::vector<double> values;
+  values.reserve(loads.size());
+  const std::vector<double>& knots = K1.knots();
+  std::size_t s = 0;
+  double value = K1.at_knot(0);
+  for (const double t : loads) {
+    while (s + 1 < K1.segments() && knots[s + 1] < t) {
+      value = K1.at_knot(++s);
+    }
+    values.push_back(value + (t - knots[s]) * K1.slope(s));
+  }
+  return values;
+}
+
+} // namespace
+
+Spectrum::Spectrum(const std::vector<LoadCycle>& counted) {
+  // every load with its place: 2 i is the low one of cycle i, 2 i + 1 the high one
+  std::vector<std::pair<double, std::uint32_t>> loads;
+  loads.reserve(2 * counted.size());
+  for (const LoadCycle& cycle : counted) {
+    loads.emplace_back(cycle.low, static_cast<std::uint32_t>(loads.size()));
+    loads.emplace_back(cycle.high, static_cast<std::uint32_t>(loads.size()));
+  }
+  std::sort(loads.begin(), loads.end());
+  std::vector<std::uint32_t> level(loads.size());
+  for (const auto& [load, place] : loads) {
+    if (levels_.empty() || load > levels_.back()) {
+      levels_.push_back(load);
+    }
+    level[place] = static_cast<std::uint32_t>(levels_.size() - 1);
+  }
+  cycles_.reserve(counted.size());
+  for (std::size_t i = 0; i < counted.size(); ++i) {
+    cycles_.push_back({level[2 * i], level[2 * i + 1], counted[i].count});
+  }
+  std::sort(cycles_.begin(), cycles_.end(), [](const IndexedCycle& a, const IndexedCycle& b) {
+    return a.low != b.low ? a.low < b.low : a.high != b.high ? a.high < b.high : a.count < b.count;
+  });
+  std::size_t kept = 0;
+  for (std::size_t i = 1; i < cycles_.size(); ++i) {
+    if (cycles_[i].low == cycles_[kept].low && cycles_[i].high == cycles_[kept].high) {
+      cycles_[kept].count += cycles_[i].count;
+    } else {
+      cycles_[++kept] = cycles_[i];
+    }
+  }
+  cycles_.resize(std::min(cycles_.size(), kept + 1));
+}
+
+Spectrum Spectrum::of_cycles(std::vector<LoadCycle> cycles) {
+  assert(!cycles.empty());
+  for (LoadCycle& cycle : cycles) {
+    if (cycle.high < cycle.low) {
+      std::swap(cycle.low, cycle.high);
+    }
+  }
+  return Spectrum(cycles);
+}
+
+Spectrum Spectrum::of_sequence(std::vector<double> history, bool repeated) {
+  assert(!history.empty());
+  std::vector<LoadCycle> counted = rainflow(history, repeated);
+  if (counted.empty()) { // a constant load
+    counted.push_back({history.front(), history.front(), 0.0});
+  }
+  Spectrum spectrum(counted);
+  if (repeated) {
+    history.push_back(history.front());
+  }
+  spectrum.history_ = turning_points(history);
+  spectrum.repeated_ = repeated;
+  return spectrum;
+}
+
+double Spectrum::count() const {
+  double sum = 0.0;
+  for (const IndexedCycle& cycle : cycles_) {
+    sum += cycle.count;
+  }
+  return sum;
+}
+
+std::vector<LoadCycle> Spectrum::cycles() const {
+  std::vector<LoadCycle> all;
+  all.reserve(cycles_.size());
+  for (const IndexedCycle& cycle : cycles_) {
+    all.push_back({levels_[cycle.low], levels_[cycle.high], cycle.count});
+  }
+  return all;
+}
+
+bool Spectrum::within(const base::PiecewiseLinear& K1) const {
+  return !K1.empty() && lowest() >= K1.knots().front() && highest() <= K1.knots().back();
+}
+
+bool Spectrum::counts_on_K(const base::PiecewiseLinear& K1) const {
+  bool rises = false;
+  bool falls = false;
+  for (std::size_t s = 0; s < K1.segments(); ++s) {
+    if (K1.knots()[s] < highest() && K1.knots()[s + 1] > lowest()) {
+      rises = rises || K1.slope(s) > 0.0;
+      falls = falls || K1.slope(s) < 0.0;
+    }
+  }
+  return rises && falls;
+}
+
+std::pair<double, double> Spectrum::extreme_K(const base::PiecewiseLinear& K1) const {
+  if (!within(K1)) {
+    return {k_nan, k_nan};
+  }
+  const std::vector<double> way = WayOfK(K1)({lowest(), highest()});
+  const auto [low, high] = std::minmax_element(way.begin(), way.end());
+  return {*low, *high};
+}
+
+std::vector<LoadCycle> Spectrum::cycles_of_K(const base::PiecewiseLinear& K1) const {
+  const WayOfK way(K1);
+  if (!history_.empty()) {
+    return rainflow(way(history_), repeated_);
+  }
+  std::vector<LoadCycle> all;
+  for (const IndexedCycle& cycle : cycles_) {
+    const double low = levels_[cycle.low];
+    const double high = levels_[cycle.high];
+    for (LoadCycle part : rainflow(way({low, high, low}), true)) {
+      part.count *= cycle.count;
+      all.push_back(part);
+    }
+  }
+  return all;
+}
+
+double Spectrum::growth(const GrowthLaw& law, const base::PiecewiseLinear& K1) const {
+  if (!within(K1)) {
+    return k_nan;
+  }
+  double sum = 0.0;
+  if (counts_on_K(K1)) {
+    for (const LoadCycle& cycle : cycles_of_K(K1)) {
+      sum += cycle.count * law.rate(cycle.high, cycle.low);
+    }
+    return sum;
+  }
+  const std::vector<double> K = values_at(K1, levels_);
+  for (const IndexedCycle& cycle : cycles_) {
+    const auto [low, high] = std::minmax(K[cycle.low], K[cycle.high]);
+    sum += cycle.count * law.rate(high, low);
+  }
+  return sum;
+}
+
+} // namespace spricka::life

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/piecewise_linear.hpp"
+#include "life/growth_law.hpp"
+#include "life/rainflow.hpp"
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace spricka::life {
+
+/// A pass of variable load along a load path: loads are places t on it. Counted and sorted once;
+/// the growth of a pass is then one walk over the map K(t) of a crack length and one rate for each
+/// different cycle. Loads outside the knots of a map give what is not a number: nothing is
+/// extrapolated. The order of cycles does not matter (no interaction: manual/theory/life.md).
+class Spectrum {
+public:
+  /// Blocks: cycles as they are counted.
+  static Spectrum of_cycles(std::vector<LoadCycle> cycles);
+  /// A history, counted by rainflow; `repeated`: the end of a pass leads to its start.
+  static Spectrum of_sequence(std::vector<double> history, bool repeated = true);
+
+  /// Growth of one pass, da [length], at a fixed length of the crack whose K is K1(t). Where K1
+  /// rises or falls all the way between the lowest and the highest load, cycles of t are cycles of
+  /// K; else the history is counted again on K (`counts_on_K`).
+  [[nodiscard]] double growth(const GrowthLaw& law, const base::PiecewiseLinear& K1) const;
+  /// Whether `growth` counts on K for this map: K1 turns within the loads.
+  [[nodiscard]] bool counts_on_K(const base::PiecewiseLinear& K1) const;
+  /// Smallest and largest K of a pass.
+  [[nodiscard]] std::pair<double, double> extreme_K(const base::PiecewiseLinear& K1) const;
+
+  [[nodiscard]] double lowest() const { return levels_.front(); }
+  [[nodiscard]] double highest() const { return levels_.back(); }
+  [[nodiscard]] double count() const; ///< cycles of a pass, halves included
+  /// The different cycles, sorted by low, then high load.
+  [[nodiscard]] std::vector<LoadCycle> cycles() const;
+
+private:
+  struct IndexedCycle {
+    std::uint32_t low, high; ///< levels
+    double count;
+  };
+  explicit Spectrum(const std::vector<LoadCycle>& counted);
+  [[nodiscard]] bool within(const base::PiecewiseLinear& K1) const;
+  [[nodiscard]] std::vector<LoadCycle> cycles_of_K(const base::PiecewiseLinear& K1) const;
+
+  std::vector<double> levels_; ///< different loads, ascending
+  std::vector<IndexedCycle> cycles_;
+  std::vector<double> history_; ///< of a sequence: its turning points
+  bool repeated_ = true;
+};
+
+} // namespace spricka::life

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/id.hpp"
+#include "base/source.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace spricka::model {
+
+enum class RateMethod { secant, polynomial, e647, spline };
+
+/// Readings of a crack growth test, and the reference that says at what K a crack grows so.
+struct GrowthTest {
+  std::string name;
+  base::CrackId crack;
+  RateMethod method = RateMethod::polynomial;
+  int window = 7;                              ///< readings of a parabola, odd
+  std::vector<std::array<double, 2>> readings; ///< N ascending, a > 0 [length]
+  std::optional<double> ratio;                 ///< K_min / K_max of the test; else from the steps
+  double k_unit = 1.0;                         ///< of delta_k [stress intensity]
+  double a_unit = 1.0;                         ///< of growth [length]
+  /// Rates of the reference, ascending, in those units; empty: the law of $GROW.
+  std::vector<double> delta_k;
+  std::vector<double> growth; ///< [delta_k]
+  base::Span span;
+};
+
+} // namespace spricka::model

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/growth_tables.hpp"
+
+#include "report/file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace spricka::report {
+
+namespace {
+
+constexpr double degree = 180.0 / std::numbers::pi;
+
+std::string number(double value) {
+  return fmt::format("{:.6g}", value);
+}
+
+/// Factors of load cases and fits at the end of a step.
+struct Factors {
+  std::vector<double> of_case, of_fit;
+};
+
+// A fit that no step names is there from the beginning.
+std::vector<Factors> factors_of_steps(const model::Model& model) {
+  Factors now{std::vector<double>(model.cases.size(), 0.0),
+              std::vector<double>(model.contacts.size(), 1.0)};
+  for (const model::Step& step : model.steps) {
+    for (const model::Action& action : step.actions) {
+      if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {
+        now.of_fit[fit->contact.index()] = 0.0;
+      }
+    }
+  }
+  std::vector<Factors> out;
+  for (const model::Step& step : model.steps) {
+    for (const model::Action& action : step.actions) {
+      if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {
+        now.of_fit[fit->contact.index()] = fit->factor;
+      } else if (const auto* load = std::get_if<model::ApplyLoad>(&action)) {
+        now.of_case[load->load_case.index()] = load->factor;
+      }
+    }
+    out.push_back(now);
+  }
+  return out;
+}
+
+Factors between(const Factors& from, const Factors& to, double t) {
+  Factors out = from;
+  for (std::size_t i = 0; i < out.of_case.size(); ++i) {
+    out.of_case[i] += t * (to.of_case[i] - from.of_case[i]);
+  }
+  for (std::size_t i = 0; i < out.of_fit.size(); ++i) {
+    out.of_fit[i] += t * (to.of_fit[i] - from.of_fit[i]);
+  }
+  return out;
+}
+
+std::string factor_cells(const Factors& factors) {
+  std::string text;
+  for (const double f : factors.of_case) {
+    text += fmt::format(",{}", f);
+  }
+  for (const double f : factors.of_fit) {
+    text += fmt::format(",{}", f);
+  }
+  return text;
+}
+
+std::string k_cells(double a, double K1, double K2) {
+  return fmt::format(",{},{},{}\n", K1, K2, K1 / std::sqrt(std::numbers::pi * a));
+}
+
+std::size_t step_index(const model::Model& model, std::string_view name) {
+  const auto found = std::ranges::find(model.steps, name, &model::Step::name);
+  return static_cast<std::size_t>(found - model.steps.begin());
+}
+
+} // namespace
+
+void write_life_csv(const std::filesystem::path& file, const model::Model& model,
+                    const results::Run& run) {
+  if (!run.growth) {
+    return;
+  }
+  const results::Growth& growth = *run.growth;
+  std::string text = fmt::format(
+      "# units: a x y [{0}], K_max K_min delta_K K2_max [{1}], da_dN [{0}/{2}], turn [deg], N "
+      "[{2}]; ended: {3}\n"
+      "increment,N,tip,a,K_max,K_min,delta_K,K2_max,da_dN,turn,x,y\n",
+      model.units.length_name, model.units.stress_intensity_name(), growth.unit, growth.ended);
+  auto out = std::back_inserter(text);
+  for (const results::GrowthStation& station : growth.stations) {
+    for (const results::GrowingTip& tip : station.tips) {
+      fmt::format_to(out, "{},{},{},{},{},{},{},{},{},{},{},{}\n", station.increment,
+                     station.cycles, tip.name, tip.a, tip.K_max, tip.K_min, tip.K_max - tip.K_min,
+                     tip.K2_max, tip.rate, tip.turn * degree, tip.x[0], tip.x[1]);
+    }
+  }
+  write_file(file, text);
+}
+
+void write_life_curve_csv(const std::filesystem::path& file, const model::Model& model,
+                          const results::Run& run) {
+  if (!run.growth) {
+    return;
+  }
+  const results::Growth& growth = *run.growth;
+  std::string text =
+      fmt::format("# units: N [{}], a of each tip [{}]\nN", growth.unit, model.units.length_name);
+  for (const std::string& tip : growth.tips) {
+    text += ",a_" + tip;
+  }
+  text += '\n';
+  for (const results::LifePoint& point : growth.curve) {
+    text += fmt::format("{}", point.cycles);
+    for (const double a : point.a) {
+      text += fmt::format(",{}", a);
+    }
+    text += '\n';
+  }
+  write_file(file, text);
+}
+
+void write_beta_csv(const std::filesystem::path& file, const model::Model& model,
+                    const results::Run& run) {
+  if (model.cracks.empty()) {
+    return;
+  }
+  std::string text = fmt::format(
+      "# units: a [{0}], K1 K2 [{1}], beta [{2}] = K1/sqrt(pi a), factors and t [1]\n"
+      "increment,tip,a,where,t",
+      model.units.length_name, model.units.stress_intensity_name(), model.units.stress_name());
+  for (const model::LoadCase& load_case : model.cases) {
+    text += ",load_" + load_case.name;
+  }
+  for (const model::Contact& contact : model.contacts) {
+    text += ",fit_" + contact.name;
+  }
+  text += ",K1,K2,beta\n";
+  const std::vector<Factors> factors = factors_of_steps(model);
+  for (const results::Increment& increment : run.increments) {
+    for (const results::StepResult& step : increment.steps) {
+      for (const results::TipResult& tip : step.tips) {
+        if (!tip.two_materials) {
+          text += fmt::format("{},{},{},{},{}", increment.number, tip.name, tip.a, step.step, "") +
+                  factor_cells(factors[step_index(model, step.step)]) +
+                  k_cells(tip.a, tip.K1, tip.K2);
+        }
+      }
+    }
+    for (const results::LoadPath& path : increment.paths) {
+      for (const results::PathTip& tip : path.tips) {
+        for (std::size_t k = 0; k < path.t.size(); ++k) {
+          text += fmt::format("{},{},{},{},{}", increment.number, tip.name, tip.a, path.name,
+                              path.t[k]) +
+                  factor_cells(between(factors[step_index(model, path.from)],
+                                       factors[step_index(model, path.to)], path.t[k])) +
+                  k_cells(tip.a, tip.K1.at_knot(k), tip.K2.at_knot(k));
+        }
+      }
+    }
+  }
+  write_file(file, text);
+}
+
+Table life_table(const model::Model& model, const results::Run& run) {
+  const base::UnitSystem& units = model.units;
+  const std::string unit = run.growth ? run.growth->unit : "";
+  const std::string K = units.stress_intensity_name();
+  Table table{"Growth",
+              {{"increment", "", false},
+               {"N", unit, false},
+               {"tip", "", true},
+               {"a", units.length_name, false},
+               {"K max", K, false},
+               {"K min", K, false},
+               {"K2", K, false},
+               {"da/dN", units.length_name + "/" + unit, false},
+               {"turn", "deg", false}},
+              {}};
+  if (!run.growth) {
+    return table;
+  }
+  for (const results::GrowthStation& station : run.growth->stations) {
+    for (const results::GrowingTip& tip : station.tips) {
+      table.rows.push_back({std::to_string(station.increment), number(station.cycles), tip.name,
+                            number(tip.a), number(tip.K_max), number(tip.K_min), number(tip.K2_max),
+                            fmt::format("{:.4g}", tip.rate),
+                            fmt::format("{:.3f}", tip.turn * degree)});
+    }
+  }
+  return table;
+}
+
+std::string life_summary(const model::Model& model, const results::Run& run) {
+  if (!run.growth) {
+    return {};
+  }
+  const results::Growth& growth = *run.growth;
+  std::string out = fmt::format("Ended by {}: {}.\n", growth.ended, growth.reason);
+  out += fmt::format("N = {:.7g} {}", growth.cycles(),
+                     growth.unit == "pass" ? "passes of the spectrum" : "cycles");
+  if (growth.unit == "pass") {
+    out += fmt::format(" of {:.7g} cycles, {:.7g} cycles in all; cycles are counted on {}",
+                       growth.cycles_per_pass, growth.cycles() * growth.cycles_per_pass,
+                       growth.counted);
+  }
+  out += std::isfinite(growth.error)
+             ? fmt::format("; the stations miss some {:.2g} % of them (TOL {:.2g} %)\n",
+                           100.0 * growth.error, 100.0 * model.growth->tolerance)
+             : "; too few stations to tell their error\n";
+  if (!growth.curve.empty()) {
+    for (std::size_t i = 0; i < growth.tips.size(); ++i) {
+      out += fmt::format("{}: a = {:.7g} {} at the end\n", growth.tips[i], growth.curve.back().a[i],
+                         model.units.length_name);
+    }
+  }
+  out += growth.corrected
+             ? "K was given to the law with the error bar's bias taken out (CORRECT=YES).\n"
+             : "K was given to the law as computed; error bars and sensitivities are those of the "
+               "first increment unless the deck asks for more.\n";
+  return out;
+}
+
+} // namespace spricka::report

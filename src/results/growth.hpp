@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/vec.hpp"
+
+#include <string>
+#include <vector>
+
+/// Growth of cracks by a law: lengths over cycles.
+namespace spricka::results {
+
+/// One tip at a station.
+struct GrowingTip {
+  std::string name; ///< as TipResult
+  /// What lies behind the tip: its crack's first length (half of it if embedded) and all it has
+  /// grown since; the two arms of an embedded crack grow apart.
+  double a = 0.0;
+  double K_max = 0.0;  ///< what the law was given: K1, or of a crack that turns the K1 after the
+  double K_min = 0.0;  ///< kink; of a spectrum the extremes of a pass [stress * length^0.5]
+  double K2_max = 0.0; ///< K2 at the largest load, before a kink
+  double rate = 0.0;   ///< growth per cycle, or per pass of the spectrum; 0: below the threshold
+  double turn = 0.0;   ///< the way on against the last part of the crack [rad], left positive
+  base::Vec3 x = base::Vec3::Zero();
+};
+
+/// One finite-element solution of the growth.
+struct GrowthStation {
+  int increment = 0;   ///< Increment::number
+  double cycles = 0.0; ///< or passes
+  std::vector<GrowingTip> tips;
+};
+
+/// A point of the dense curve between and at the stations.
+struct LifePoint {
+  double cycles = 0.0;
+  std::vector<double> a; ///< [tip] as GrowingTip
+};
+
+struct Growth {
+  std::string unit;              ///< of N and per what the rates are: "cycle" or "pass"
+  double cycles_per_pass = 1.0;  ///< of a spectrum
+  std::vector<std::string> tips; ///< those that grow, in the order of all lists
+  std::vector<GrowthStation> stations;
+  std::vector<LifePoint> curve; ///< ascending cycles, ends at the end of the growth
+  std::string ended;            ///< one word: AMAX, CYCLES, KC, NET SECTION, EDGE, ...
+  std::string reason;           ///< the same in a sentence, with the place
+  double error = 0.0;           ///< of the cycles, estimated, as a part of them
+  bool corrected = false;       ///< the law was given K with the error bar's bias taken out
+  std::string counted;          ///< of a spectrum: what its cycles were counted on
+
+  [[nodiscard]] double cycles() const { return curve.empty() ? 0.0 : curve.back().cycles; }
+};
+
+/// Cycles until tip `tip` of the list has length `a` [length]; not a number outside the curve.
+double cycles_at(const Growth& growth, std::size_t tip, double a);
+
+} // namespace spricka::results

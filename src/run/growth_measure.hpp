@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "growth/march.hpp"
+#include "life/growth_law.hpp"
+#include "life/spectrum.hpp"
+#include "mesh/patch.hpp"
+#include "model/model.hpp"
+#include "results/named_arrays.hpp"
+#include "results/results.hpp"
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace spricka::run {
+
+/// The law of $GROW; K and lengths in deck units.
+life::GrowthLaw law_of(const model::Growth& growth);
+
+/// What a solved state of the cracks means for their growth: K at the largest and the smallest
+/// load, the way on, the rate.
+class GrowthMeasure {
+public:
+  explicit GrowthMeasure(const model::Model& model);
+
+  /// By tip. Empty: `trouble` says why there is no growth to be told.
+  [[nodiscard]] std::optional<std::vector<growth::TipStation>>
+  measure(const results::Increment& increment, const std::vector<mesh::Tip>& tips,
+          const std::vector<growth::GrowingTip>& growing,
+          const std::vector<mesh::CrackLine>& lines);
+
+  [[nodiscard]] const std::string& trouble() const { return trouble_; }
+  /// What a reader must not miss, each once.
+  [[nodiscard]] const std::set<std::string>& warnings() const { return warnings_; }
+  [[nodiscard]] const life::GrowthLaw& law() const { return law_; }
+  [[nodiscard]] const std::optional<life::Spectrum>& spectrum() const { return spectrum_; }
+  [[nodiscard]] bool counted_on_K() const { return counted_on_K_; }
+
+  /// What it remembers of earlier states, as arrays for a restart file, and back from there.
+  void save(results::NamedArrays& arrays) const {
+    arrays.texts["growth.warnings"] = {warnings_.begin(), warnings_.end()};
+    arrays.integers["growth.counted_on_K"] = {counted_on_K_ ? 1 : 0};
+  }
+  void load(const results::NamedArrays& arrays) {
+    const std::vector<std::string>& texts = arrays.texts.at("growth.warnings");
+    warnings_ = {texts.begin(), texts.end()};
+    counted_on_K_ = arrays.integers.at("growth.counted_on_K").at(0) != 0;
+  }
+
+private:
+  bool by_steps(const results::Increment& increment, const std::string& tip, bool straight,
+                growth::TipStation& found);
+  bool by_spectrum(const results::Increment& increment, const std::string& tip, bool straight,
+                   growth::TipStation& found);
+  [[nodiscard]] base::Vec2 intensity(const results::TipResult& tip);
+  /// Sets the turn and gives the K to the law: of the crack before the turn, first and second.
+  [[nodiscard]] base::Vec2 turn(const base::Vec2& K, bool straight,
+                                growth::TipStation& found) const;
+  void plastic(const results::Increment& increment, const mesh::Tip& tip,
+               const mesh::CrackLine& line, growth::TipStation& found) const;
+  [[nodiscard]] std::size_t largest_step() const;
+
+  const model::Model& model_;
+  life::GrowthLaw law_;
+  std::optional<life::Spectrum> spectrum_;
+  growth::Surroundings around_;
+  std::string trouble_;
+  std::set<std::string> warnings_;
+  bool counted_on_K_ = false;
+};
+
+} // namespace spricka::run

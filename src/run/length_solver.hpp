@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/clock.hpp"
+#include "base/diagnostics.hpp"
+#include "mesh/patch.hpp"
+#include "model/model.hpp"
+#include "results/results.hpp"
+#include "run/condense_bodies.hpp"
+#include "run/mount_memory.hpp"
+#include "run/scene.hpp"
+#include "run/solve_run.hpp"
+#include "run/step_solver.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace spricka::run {
+
+/// Writes lines of the processor log, each with the time since the one before.
+class LogWriter {
+public:
+  explicit LogWriter(std::vector<results::LogLine>& lines) : lines_(lines) {}
+  void add(const std::string& processor, const std::string& text) {
+    lines_.push_back({processor, text, watch_.cpu(), watch_.wall()});
+    watch_ = base::Stopwatch();
+  }
+
+private:
+  std::vector<results::LogLine>& lines_;
+  base::Stopwatch watch_;
+};
+
+/// Stresses are recovered where something shows them: at KMAX of a growth run, else at the last
+/// step, and where an output asks for pictures or stresses or a check for their error. [step]
+std::vector<bool> pictured_steps(const model::Model& model, bool last_increment);
+
+/// The same, of outputs and checks alone.
+std::vector<bool> asked_steps(const model::Model& model, bool last_increment);
+
+/// Stresses at nodes and of elements, from the step's own displacements.
+void add_stress(const model::Model& model, const model::Mesh& mesh, results::StepResult& step);
+
+/// Face sets that outputs name become node sets of the results' mesh, once.
+void add_face_nodes(const model::Model& model, model::Mesh& mesh);
+
+/// One state of the cracks to be solved.
+struct LengthRequest {
+  std::vector<mesh::CrackLine> lines; ///< [crack]
+  double a = 0.0;                     ///< for the record; 0: that of the first tip
+  std::vector<bool> pictured;         ///< [step] stresses are recovered
+  bool bars = true;                   ///< error bars of K, and sensitivities
+};
+
+/// Solves all steps for one state of the cracks after another; what one leaves for the next (nets
+/// that did not change, what was mounted) stays in its members.
+class LengthSolver {
+public:
+  LengthSolver(const model::Model& model, const SolveOptions& options,
+               std::vector<results::LogLine>& log, base::Diagnostics& diagnostics,
+               std::optional<Refusal>& refusal)
+      : model_(model), options_(options), log_(log), diagnostics_(diagnostics), refusal_(refusal) {}
+
+  /// Empty: a mistake of the deck (in the diagnostics) or a model that cannot be solved (refusal).
+  std::optional<results::Increment> solve(const LengthRequest& request, const RegionPlan& plan);
+
+  /// Of the state that was solved last.
+  [[nodiscard]] const std::vector<mesh::Tip>& tips() const { return tips_; }
+
+  /// What the next state takes over from the last, for a restart file, and back from there.
+  void save(results::NamedArrays& arrays) const { mounted_.save(arrays); }
+  void go_on(const results::NamedArrays& arrays) {
+    mounted_ = MountMemory::load(arrays);
+    first_ = false;
+  }
+
+private:
+  struct Way {
+    const Scene& scene;
+    const std::vector<BodyNet>& bodies;
+    const LengthRequest& request;
+  };
+  std::optional<std::vector<BodyNet>> condense(const Scene& scene, LogWriter& log);
+  void close_faces(const std::vector<std::size_t>& lines, Scene& scene, LogWriter& log);
+  bool walk_steps(const Way& way, LogWriter& log, results::Increment& increment,
+                  std::vector<std::size_t>& touching);
+
+  const model::Model& model_;
+  const SolveOptions& options_;
+  std::vector<results::LogLine>& log_;
+  base::Diagnostics& diagnostics_;
+  std::optional<Refusal>& refusal_;
+  CondensationCache cache_;
+  MountMemory mounted_;
+  std::vector<mesh::Tip> tips_;
+  bool first_ = true;
+};
+
+} // namespace spricka::run
