@@ -100,6 +100,7 @@ CommandTree::CommandTree() : app_(fmt::format("spricka: {}", k_about), "spricka"
   app_.footer(exit_footer());
   add_run();
   add_check();
+  add_shell();
   add_convert();
   add_help();
   add_format();
@@ -177,6 +178,22 @@ void CommandTree::add_check() {
   add_deck_options(command);
   add_threads(command, "threads of the run that is foretold, 0: all cores");
   command.add_flag("--json", run_.json, "print what was found as JSON");
+}
+
+void CommandTree::add_shell() {
+  CLI::App& command = add("shell", "try loads, fits and crack lengths of a deck at a prompt",
+                          "  spricka shell lug.deck\n"
+                          "  printf 'length TOP 0.3*R\\nK\\n' | spricka shell lug.deck\n"
+                          "  spricka shell lug.deck --strict < questions.txt > answers.txt",
+                          [this] {
+                            session_.deck = run_;
+                            return run::shell(session_);
+                          });
+  add_deck_options(command);
+  add_threads(command, "threads, 0: all cores; no result depends on it");
+  command.add_flag("--strict", session_.strict,
+                   "end with the exit code of the first command that fails");
+  command.add_flag("--quiet", run_.quiet, "do not say what an answer took");
 }
 
 void CommandTree::add_convert() {
