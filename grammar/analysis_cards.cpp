@@ -212,9 +212,9 @@ constexpr std::array control_keys{
 };
 
 constexpr std::array restart_keys{
-    text("READ", "continue from this file"),
-    integer("AT", at_least(0), "increment to continue from"),
-    text("WRITE", "write the state after increments into this file"),
+    text("READ", "go on from the state in this file"),
+    integer("AT", at_least(0), "last increment to take over; left out: all of the file"),
+    text("WRITE", "keep the state in this file, in a sweep one for each point"),
     preset(integer("EVERY", at_least(1), "increments between states"), "1"),
 };
 
@@ -312,9 +312,8 @@ constexpr std::array cards{
              .group = "requests",
              .keys = restart_keys,
              .once = true,
-             .available = false,
              .when = restart_when,
-             .doc = "State per growth increment or step."},
+             .doc = "Keeps the state after increments, and goes on from there."},
     CardSpec{.name = "TASK",
              .group = "requests",
              .data = Data::rows,

@@ -246,7 +246,12 @@ constexpr std::array texts{
         "CONTROL",
         "Seldom needed. THREADS never changes a result; the command line's --threads goes first.",
         "$CONTROL THREADS=2\n"},
-    CardText{"RESTART", "", "$RESTART WRITE='lug.state' EVERY=2\n"},
+    CardText{"RESTART",
+             "The state is kept after every crack length, so that a run that was stopped goes on "
+             "to the same bits: spricka run DECK --restart. Files lie relative to the deck. A "
+             "state fits a deck whose cards are the same but for $OUTPUT, $CHECK, $CONTROL, $TASK, "
+             "lengths of $GROW and steps taken away at the end.",
+             "$RESTART WRITE='lug.rst'\n"},
     CardText{"TASK",
              "Its names and their order are checked; in this version the chain always follows from "
              "the cards.",

@@ -106,6 +106,7 @@ constexpr std::array quantities{
     ResultQuantity{"PATH.OPENING", "pl?a", number, "t at which a load path opens the first pair"},
     ResultQuantity{"PATH.KNOTS", "l?a", number, "breakpoints of a load path"},
     ResultQuantity{"N", "a", number, "cycles (or passes of the spectrum) until a crack length"},
+    ResultQuantity{"LIFE", "", number, "cycles (or passes of the spectrum) to the end"},
     ResultQuantity{"TEST.K", "ta", stress_intensity, "K that a test had at a crack length"},
     ResultQuantity{"TEST.RATIO", "t?aa", number,
                    "mean of measured over computed K of a test, from length to length"},
@@ -114,7 +115,6 @@ constexpr std::array quantities{
                    "share of points whose scatter band holds the computed K"},
     ResultQuantity{"TEST.LIFE", "t", number, "cycles by the computed K over those of a test"},
     ResultQuantity{"TEST.SCATTER", "t", length, "standard deviation of the readings of a test"},
-    ResultQuantity{"LIFE", "", number, "cycles (or passes of the spectrum) to the end"},
 };
 
 } // namespace

@@ -68,6 +68,9 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 9> group_tex
 
 // The name of a number among the arguments of a result: a coordinate, an angle or the length.
 std::string number_name(const ResultQuantity& quantity, std::size_t before, bool optional) {
+  if (optional && quantity.name.starts_with("TEST.")) {
+    return before == 0 ? "from" : "to";
+  }
   if (optional) {
     return before == 0 ? "a" : "angle";
   }
@@ -101,6 +104,8 @@ std::string argument_name(const ResultQuantity& quantity, char letter, std::size
     return "material";
   case 'l':
     return "path";
+  case 't':
+    return "test";
   case 'n':
     return "set";
   case 'e':

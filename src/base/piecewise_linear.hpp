@@ -17,6 +17,8 @@ public:
   [[nodiscard]] bool empty() const { return value_.empty(); }
   [[nodiscard]] std::size_t segments() const { return value_.size(); }
   [[nodiscard]] const std::vector<double>& knots() const { return knot_; }
+  [[nodiscard]] const std::vector<double>& values() const { return value_; } ///< [segment]
+  [[nodiscard]] const std::vector<double>& slopes() const { return slope_; } ///< [segment]
   [[nodiscard]] double slope(std::size_t segment) const { return slope_[segment]; }
 
   /// Not a number outside the knots: nothing is extrapolated.

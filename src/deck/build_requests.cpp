@@ -27,10 +27,10 @@ constexpr std::array<Request, 5> requests{{{"U", Kind::any_set},
                                            {"REACTION", Kind::any_set}}};
 
 // Files of every run folder; none is given away.
-constexpr std::array<std::string_view, 13> own_files{
-    "k.csv",    "sensitivity.csv", "pressure.csv", "listing.txt", "load_path.csv",
-    "life.csv", "life_curve.csv",  "beta.csv",     "report.html", "results.pvd",
-    "test.csv", "sweep.csv",       "sweep.html"};
+constexpr std::array<std::string_view, 14> own_files{
+    "k.csv",      "sensitivity.csv", "pressure.csv", "listing.txt", "load_path.csv",
+    "life.csv",   "life_curve.csv",  "beta.csv",     "report.html", "results.pvd",
+    "results.h5", "test.csv",        "sweep.csv",    "sweep.html"};
 
 void output(Context& c, const BoundCard& card) {
   model::Output output;
@@ -99,6 +99,13 @@ void restart(Context& c, const BoundCard& card) {
   }
   if (!card.has("READ") && !card.has("WRITE")) {
     c.error(card.span, "E106", "$RESTART needs READ or WRITE", "WRITE='file.rst' keeps states");
+  }
+  const bool swept = std::any_of(c.cards.begin(), c.cards.end(), [](const BoundCard& other) {
+    return other.spec->name == "SWEEP";
+  });
+  if (swept && card.has("READ")) {
+    c.error(card.find("READ")->span, "E110", "READ and $SWEEP exclude each other",
+            "each point keeps its own state; run --restart goes on with it");
   }
   c.model.restart = std::move(restart);
 }

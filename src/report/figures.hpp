@@ -56,6 +56,10 @@ std::vector<Figure> mesh_figures(const model::Model& model, const results::Run& 
 /// for each crack length, at most nine.
 std::vector<Figure> pressure_figures(const model::Model& model, const results::Run& run);
 
+/// Lengths over cycles, K of the law over the length, the way of the tips; none without growth by a
+/// law.
+std::vector<Figure> growth_figures(const model::Model& model, const results::Run& run);
+
 /// At most `limit` increments, evenly chosen, first and last among them.
 std::vector<const results::Increment*> chosen_increments(const results::Run& run,
                                                          std::size_t limit);

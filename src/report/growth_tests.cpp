@@ -27,6 +27,10 @@ std::string number(double value) {
   return std::isnan(value) ? std::string() : fmt::format("{:.4g}", value);
 }
 
+std::string count(double cycles) {
+  return std::isnan(cycles) ? std::string() : fmt::format("{:.0f}", cycles);
+}
+
 /// How a length and a K stand in the figure: as they are, or over R and sigma sqrt(pi a).
 struct Scale {
   std::optional<Nominal> state;
@@ -180,8 +184,8 @@ Table test_table(const model::Model& model, const results::Run& run) {
                           fmt::format("{}", test.readings.size()), number(test.scatter),
                           fmt::format("{}", c.points), any ? fmt::format("{:.4f}", c.ratio) : "",
                           any ? fmt::format("{:.2f}", 100.0 * c.rms) : "",
-                          any ? fmt::format("{:.0f}", 100.0 * c.inside) : "", number(test.cycles),
-                          number(test.computed_cycles), number(test.cycles_error)});
+                          any ? fmt::format("{:.0f}", 100.0 * c.inside) : "", count(test.cycles),
+                          count(test.computed_cycles), count(test.cycles_error)});
   }
   return table;
 }

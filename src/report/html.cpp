@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/figures.hpp"
+#include "report/growth_tables.hpp"
 #include "report/growth_tests.hpp"
 #include "report/load_paths.hpp"
 #include "report/model_tables.hpp"
@@ -55,6 +56,18 @@ void add_cracks(Page& page, const model::Model& model, const results::Run& run) 
   for (const Figure& figure : sensitivity_figures(model, run)) {
     page.figure(figure);
   }
+}
+
+void add_growth(Page& page, const model::Model& model, const results::Run& run) {
+  const std::vector<Figure> figures = growth_figures(model, run);
+  if (figures.empty()) {
+    return;
+  }
+  page.heading("Crack growth");
+  for (const Figure& figure : figures) {
+    page.figure(figure);
+  }
+  page.table(untitled(life_table(model, run)));
 }
 
 void add_tests(Page& page, const model::Model& model, const results::Run& run) {
@@ -165,6 +178,7 @@ std::string html_report(const base::Sources& sources, const model::Model& model,
   add_head(page, title, sources, model);
   add_verdict(page, run);
   add_cracks(page, model, run);
+  add_growth(page, model, run);
   add_tests(page, model, run);
   add_paths(page, model, run);
   page.heading("Model");

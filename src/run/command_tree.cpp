@@ -4,6 +4,8 @@
 #include "base/diagnostics.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -50,6 +52,18 @@ CLI::Validator whole_number() {
           ""};
 }
 
+CLI::Validator positive() {
+  return {[](const std::string& given) {
+            double value = 0.0;
+            const char* const end = given.data() + given.size();
+            const auto read = std::from_chars(given.data(), end, value);
+            const bool good =
+                read.ec == std::errc() && read.ptr == end && value > 0.0 && std::isfinite(value);
+            return good ? std::string() : fmt::format("a number above 0, not '{}'", given);
+          },
+          ""};
+}
+
 OptionText describe(const CLI::Option& option) {
   OptionText text;
   text.positional = option.get_positional();
@@ -86,6 +100,7 @@ CommandTree::CommandTree() : app_(fmt::format("spricka: {}", k_about), "spricka"
   app_.footer(exit_footer());
   add_run();
   add_check();
+  add_shell();
   add_convert();
   add_help();
   add_format();
@@ -134,13 +149,21 @@ void CommandTree::add_run() {
   CLI::App& command = add("run", "run a deck and write its run folder",
                           "  spricka run lug.deck\n"
                           "  spricka run lug.deck -D 'F=80[kN]' -D fine=2 --out lug_80\n"
-                          "  spricka run lug.deck --threads 4 --log-format json 2> lug.log",
+                          "  spricka run lug.deck --threads 4 --log-format json 2> lug.log\n"
+                          "  spricka run lug.deck --restart --time 3500   in a job queue",
                           [this] { return run_deck(run_); });
   add_deck_options(command);
   command.add_option("--out", run_.out, "run folder (default: the deck's name with .run)")
       ->type_name("FOLDER");
   add_threads(command, "threads, 0: all cores; no result depends on it");
   command.add_flag("--quiet", run_.quiet, "print messages only");
+  command.add_flag("--restart", run_.restart,
+                   "go on from the file of the deck's $RESTART WRITE, if it is there");
+  command
+      .add_option("--time", run_.seconds,
+                  "wall time; no increment is begun that would not fit, exit code 6")
+      ->check(positive())
+      ->type_name("SECONDS");
 }
 
 void CommandTree::add_check() {
@@ -155,6 +178,22 @@ void CommandTree::add_check() {
   add_deck_options(command);
   add_threads(command, "threads of the run that is foretold, 0: all cores");
   command.add_flag("--json", run_.json, "print what was found as JSON");
+}
+
+void CommandTree::add_shell() {
+  CLI::App& command = add("shell", "try loads, fits and crack lengths of a deck at a prompt",
+                          "  spricka shell lug.deck\n"
+                          "  printf 'length TOP 0.3*R\\nK\\n' | spricka shell lug.deck\n"
+                          "  spricka shell lug.deck --strict < questions.txt > answers.txt",
+                          [this] {
+                            session_.deck = run_;
+                            return run::shell(session_);
+                          });
+  add_deck_options(command);
+  add_threads(command, "threads, 0: all cores; no result depends on it");
+  command.add_flag("--strict", session_.strict,
+                   "end with the exit code of the first command that fails");
+  command.add_flag("--quiet", run_.quiet, "do not say what an answer took");
 }
 
 void CommandTree::add_convert() {

@@ -3,6 +3,7 @@
 #include "run/commands.hpp"
 #include "run/convert.hpp"
 #include "run/run_deck.hpp"
+#include "run/shell.hpp"
 
 #include <functional>
 #include <string>
@@ -41,6 +42,7 @@ private:
   void add_threads(CLI::App& command, const std::string& doc);
   void add_run();
   void add_check();
+  void add_shell();
   void add_convert();
   void add_help();
   void add_format();
@@ -50,6 +52,7 @@ private:
   CLI::App app_;
   std::vector<Command> commands_;
   RunOptions run_;
+  ShellOptions session_;
   ConvertOptions convert_;
   HelpOptions help_;
   FormatOptions format_;

@@ -43,17 +43,16 @@ std::vector<fs::path> named_files(const fs::path& script, std::string_view text)
   return files;
 }
 
-void add_import(Hasher& hash, const fs::path& file, std::vector<fs::path>& seen) {
+void add_texts(const fs::path& file, std::vector<fs::path>& seen, std::vector<std::string>& texts) {
   const fs::path canonical = fs::weakly_canonical(file);
   if (std::find(seen.begin(), seen.end(), canonical) != seen.end()) {
     return;
   }
   seen.push_back(canonical);
-  const std::string text = slurp(file);
-  hash.text(text);
+  const std::string& text = texts.emplace_back(slurp(file));
   if (file.extension() == ".geo") {
-    for (const fs::path& named : named_files(file, text)) {
-      add_import(hash, named, seen);
+    for (const fs::path& named : named_files(file, std::string(text))) {
+      add_texts(named, seen, texts);
     }
   }
 }
@@ -70,8 +69,12 @@ std::string deck_digest(const base::Sources& sources, const model::Model& model,
     hash.text(sources.text(f));
   }
   std::vector<fs::path> seen;
+  std::vector<std::string> texts;
   for (const std::string& file : model.imported_files) {
-    add_import(hash, file, seen);
+    add_texts(file, seen, texts);
+  }
+  for (const std::string& text : texts) {
+    hash.text(text);
   }
   for (const auto& [name, value] : sweep_values) {
     hash.text(name);
@@ -79,6 +82,17 @@ std::string deck_digest(const base::Sources& sources, const model::Model& model,
   }
   const auto [high, low] = hash.key();
   return fmt::format("{:016x}{:016x}", high, low);
+}
+
+std::string texts_of_import(const std::string& file) {
+  std::vector<fs::path> seen;
+  std::vector<std::string> texts;
+  add_texts(file, seen, texts);
+  std::string all;
+  for (const std::string& text : texts) {
+    all += text + '\n';
+  }
+  return all;
 }
 
 } // namespace spricka::run

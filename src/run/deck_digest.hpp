@@ -16,4 +16,8 @@ namespace spricka::run {
 std::string deck_digest(const base::Sources& sources, const model::Model& model,
                         const std::vector<std::pair<std::string, double>>& sweep_values);
 
+/// The text of a file that a card brings in, and those that a .geo names between quotes; empty
+/// where there is none.
+std::string texts_of_import(const std::string& file);
+
 } // namespace spricka::run

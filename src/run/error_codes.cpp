@@ -119,6 +119,22 @@ constexpr std::array advice{
     ErrorCode{"E550", "sweep.csv has the error of each point; started again, the sweep tries them "
                       "again."},
     ErrorCode{"E551", "Start it again with the same folder: finished points are taken over."},
+    ErrorCode{"E560",
+              "Is the path right? AT= up to an increment that is whole may help; else start "
+              "from the beginning: exit code 7."},
+    ErrorCode{"E561", "Take the deck that wrote the state, or start from the beginning. $OUTPUT, "
+                      "$CHECK, $CONTROL, $TASK and lengths of $GROW may change."},
+    ErrorCode{"E562", "Give an AT that the file holds, or none: exit code 3."},
+    ErrorCode{"E563", "Is the disk full, may you write there, does another run write it? What was "
+                      "kept before is still good: exit code 7."},
+    ErrorCode{"E564",
+              "Give another name; a file that is not ours is never overwritten: exit code 7."},
+    ErrorCode{"E565", "Go on with the version that wrote it, or start from the beginning: only the "
+                      "same program gives the same bits. Exit code 7."},
+    ErrorCode{"E566", "Run it again with --restart."},
+    ErrorCode{"E567", "Put $RESTART WRITE='file.rst' into the deck: exit code 2."},
+    ErrorCode{"W560", "Nothing but the last increments is lost: they are solved again."},
+    ErrorCode{"W561", "The message says which, and why."},
     ErrorCode{"W503",
               "Ties at points pass constant stress exactly only where every side of the fine "
               "mesh lies on one face of the coarse one."},

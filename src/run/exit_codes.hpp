@@ -32,8 +32,10 @@ inline constexpr std::array exit_texts{
     ExitText{exit_code::not_solvable,
              "the model cannot be solved, or has a card this version does not have"},
     ExitText{exit_code::not_converged, "the solution did not converge"},
-    ExitText{exit_code::stopped, "stopped at a limit, with a checkpoint"},
-    ExitText{exit_code::file_trouble, "trouble with a file: the deck itself, or the run folder"},
+    ExitText{exit_code::stopped,
+             "stopped by --time or a signal, what is finished is kept; run --restart goes on"},
+    ExitText{exit_code::file_trouble,
+             "trouble with a file: the deck itself, the run folder or a restart file"},
     ExitText{exit_code::defect, "a defect of the program: please report it, with the deck"},
 };
 

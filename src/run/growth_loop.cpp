@@ -7,6 +7,8 @@
 #include "run/growth_records.hpp"
 #include "run/growth_region.hpp"
 #include "run/length_solver.hpp"
+#include "run/resume.hpp"
+#include "run/safe_file.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -45,9 +47,17 @@ public:
     if (!measure_.spectrum()) {
       law = [this](double K_max, double K_min) { return measure_.law().rate(K_max, K_min); };
     }
-    growth::March march(model_, law, std::move(*lines), {});
+    const std::optional<results::NamedArrays> kept = take_over_kept();
+    growth::March march(model_, law, std::move(*lines), kept ? state_from(*kept) : growth::State());
     GrowthRegion region(model_, march);
+    if (kept) {
+      region.load(*kept);
+    }
+    mark_.emplace(run_.log);
     while (!march.end()) {
+      if (stop_here(options_.checkpoint, refusal_)) {
+        return false;
+      }
       trial_ = {};
       const std::optional<std::vector<mesh::CrackLine>> next = march.next(trial_);
       if (march.end()) {
@@ -76,6 +86,44 @@ public:
   }
 
 private:
+  // Stations of an earlier run; the state behind the last of them.
+  std::optional<results::NamedArrays> take_over_kept() {
+    std::optional<results::NamedArrays> state;
+    for (int number = 1;; ++number) {
+      std::optional<KeptIncrement> kept =
+          resume(model_, options_.checkpoint, number, 0.0, pictured_at(number));
+      if (!kept) {
+        return state;
+      }
+      state = std::move(kept->state);
+      take_over(std::move(*kept), run_);
+    }
+  }
+
+  growth::State state_from(const results::NamedArrays& arrays) {
+    std::optional<growth::State> state = growth::state_of(arrays.reals);
+    if (!state) {
+      throw FileTrouble("E560", "the restart file holds no state of a growth");
+    }
+    solver_.go_on(arrays);
+    measure_.load(arrays);
+    return std::move(*state);
+  }
+
+  void keep(const growth::March& march, const GrowthRegion& region) {
+    results::NamedArrays state;
+    state.reals = growth::to_arrays(march.state());
+    solver_.save(state);
+    region.save(state);
+    measure_.save(state);
+    mark_->keep(options_.checkpoint, 0.0, run_.increments.back(), std::move(state));
+    mark_.emplace(run_.log);
+  }
+
+  [[nodiscard]] std::vector<bool> pictured_at(int number) const {
+    return number == 1 ? pictured_steps(model_, false) : on_the_way_;
+  }
+
   // Solves, measures, and lets the march judge; false: not solvable there.
   bool station(const std::vector<mesh::CrackLine>& lines, GrowthRegion& region,
                growth::March& march) {
@@ -111,6 +159,7 @@ private:
                         march.state().stations.size(), here.tips.front().a, here.tips.front().K_min,
                         here.tips.front().K_max, here.tips.front().rate,
                         so_far.cycles(march.state().stations.front().s, here.s)));
+    keep(march, region);
     if (options_.progress) {
       options_.progress(run_.increments.size(), run_.increments.size() + 1);
     }
@@ -199,6 +248,7 @@ private:
   GrowthMeasure measure_;
   LengthSolver solver_;
   std::vector<bool> on_the_way_;
+  std::optional<IncrementMark> mark_; ///< where the search for the next station began
 };
 
 } // namespace

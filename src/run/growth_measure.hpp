@@ -5,6 +5,7 @@
 #include "life/spectrum.hpp"
 #include "mesh/patch.hpp"
 #include "model/model.hpp"
+#include "results/named_arrays.hpp"
 #include "results/results.hpp"
 
 #include <optional>
@@ -35,6 +36,17 @@ public:
   [[nodiscard]] const life::GrowthLaw& law() const { return law_; }
   [[nodiscard]] const std::optional<life::Spectrum>& spectrum() const { return spectrum_; }
   [[nodiscard]] bool counted_on_K() const { return counted_on_K_; }
+
+  /// What it remembers of earlier states, as arrays for a restart file, and back from there.
+  void save(results::NamedArrays& arrays) const {
+    arrays.texts["growth.warnings"] = {warnings_.begin(), warnings_.end()};
+    arrays.integers["growth.counted_on_K"] = {counted_on_K_ ? 1 : 0};
+  }
+  void load(const results::NamedArrays& arrays) {
+    const std::vector<std::string>& texts = arrays.texts.at("growth.warnings");
+    warnings_ = {texts.begin(), texts.end()};
+    counted_on_K_ = arrays.integers.at("growth.counted_on_K").at(0) != 0;
+  }
 
 private:
   bool by_steps(const results::Increment& increment, const std::string& tip, bool straight,

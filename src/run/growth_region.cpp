@@ -81,4 +81,19 @@ void GrowthRegion::tell_cost(std::vector<results::LogLine>& log) {
   renewed_ = false;
 }
 
+void GrowthRegion::save(results::NamedArrays& arrays) const {
+  arrays.integers["region"] = {plan_.region.begin(), plan_.region.end()};
+  arrays.integers["region.split"] = {plan_.split ? 1 : 0};
+}
+
+void GrowthRegion::load(const results::NamedArrays& arrays) {
+  const auto region = arrays.integers.find("region");
+  const auto split = arrays.integers.find("region.split");
+  if (region == arrays.integers.end() || split == arrays.integers.end()) {
+    return;
+  }
+  plan_.region.assign(region->second.begin(), region->second.end());
+  plan_.split = split->second.at(0) != 0;
+}
+
 } // namespace spricka::run

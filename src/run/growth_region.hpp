@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "growth/march.hpp"
+#include "results/named_arrays.hpp"
 #include "results/results.hpp"
 #include "run/scene.hpp"
 
@@ -21,6 +22,10 @@ public:
   void tell_cost(std::vector<results::LogLine>& log);
 
   [[nodiscard]] const RegionPlan& plan() const { return plan_; }
+
+  /// As arrays for a restart file, and back from there.
+  void save(results::NamedArrays& arrays) const;
+  void load(const results::NamedArrays& arrays);
 
 private:
   void choose(const std::vector<mesh::CrackLine>& lines, const growth::March& march);

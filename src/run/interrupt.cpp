@@ -26,7 +26,7 @@ void on_signal(int signal) {
 
 } // namespace
 
-Interrupt::Interrupt(std::function<void(int signal)> last_words) {
+Interrupt::Interrupt(std::function<int(int signal)> last_words) {
   sem_init(&woken, 0, 0);
   received = 0;
   watcher_ = std::thread([words = std::move(last_words)] {
@@ -35,9 +35,9 @@ Interrupt::Interrupt(std::function<void(int signal)> last_words) {
     if (received == 0) {
       return;
     }
-    words(received);
+    const int code = words(received);
     std::fflush(nullptr);
-    std::_Exit(128 + received);
+    std::_Exit(code);
   });
   struct sigaction action {};
   action.sa_handler = on_signal;

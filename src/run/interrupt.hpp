@@ -9,10 +9,10 @@ namespace spricka::run {
 
 /// While it lives, SIGINT and SIGTERM end the program in good order, however long the computation
 /// takes at that moment: `last_words` is called with the signal on a thread of its own, then the
-/// program ends with 128 + signal. At most one at a time.
+/// program ends with the code that it returns. At most one at a time.
 class Interrupt {
 public:
-  explicit Interrupt(std::function<void(int signal)> last_words);
+  explicit Interrupt(std::function<int(int signal)> last_words);
   ~Interrupt();
   Interrupt(const Interrupt&) = delete;
   Interrupt& operator=(const Interrupt&) = delete;

@@ -86,20 +86,6 @@ std::vector<results::SurfaceFace> outer_surface(const model::Mesh& mesh) {
   return surface;
 }
 
-// Reports know nodes of sets but not of faces: face sets that outputs name become node sets of the
-// results' mesh.
-void add_face_nodes(const model::Model& model, model::Mesh& mesh) {
-  for (const model::FaceSet& set : mesh.face_sets) {
-    const bool wanted = std::ranges::any_of(model.outputs, [&](const model::Output& output) {
-      return std::ranges::any_of(output.requests,
-                                 [&](const auto& request) { return request.name == set.name; });
-    });
-    if (wanted && !set.name.empty()) {
-      mesh.node_sets.push_back({set.name, mesh::nodes_of_faces(mesh, set.faces), set.span});
-    }
-  }
-}
-
 std::size_t unknowns(const std::vector<BodyNet>& bodies) {
   std::size_t n = 0;
   for (const BodyNet& body : bodies) {
@@ -112,6 +98,21 @@ std::size_t unknowns(const std::vector<BodyNet>& bodies) {
 }
 
 } // namespace
+
+// Reports know nodes of sets but not of faces.
+void add_face_nodes(const model::Model& model, model::Mesh& mesh) {
+  for (const model::FaceSet& set : mesh.face_sets) {
+    const bool wanted = std::ranges::any_of(model.outputs, [&](const model::Output& output) {
+      return std::ranges::any_of(output.requests,
+                                 [&](const auto& request) { return request.name == set.name; });
+    });
+    const bool there = std::ranges::any_of(
+        mesh.node_sets, [&](const model::NodeSet& nodes) { return nodes.name == set.name; });
+    if (wanted && !there && !set.name.empty()) {
+      mesh.node_sets.push_back({set.name, mesh::nodes_of_faces(mesh, set.faces), set.span});
+    }
+  }
+}
 
 void add_stress(const model::Model& model, const model::Mesh& mesh, results::StepResult& step) {
   const fe::StateField field{step.u, step.temperature};

@@ -41,6 +41,9 @@ std::vector<bool> asked_steps(const model::Model& model, bool last_increment);
 /// Stresses at nodes and of elements, from the step's own displacements.
 void add_stress(const model::Model& model, const model::Mesh& mesh, results::StepResult& step);
 
+/// Face sets that outputs name become node sets of the results' mesh, once.
+void add_face_nodes(const model::Model& model, model::Mesh& mesh);
+
 /// One state of the cracks to be solved.
 struct LengthRequest {
   std::vector<mesh::CrackLine> lines; ///< [crack]
@@ -63,6 +66,13 @@ public:
 
   /// Of the state that was solved last.
   [[nodiscard]] const std::vector<mesh::Tip>& tips() const { return tips_; }
+
+  /// What the next state takes over from the last, for a restart file, and back from there.
+  void save(results::NamedArrays& arrays) const { mounted_.save(arrays); }
+  void go_on(const results::NamedArrays& arrays) {
+    mounted_ = MountMemory::load(arrays);
+    first_ = false;
+  }
 
 private:
   struct Way {

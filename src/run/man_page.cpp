@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/exit_codes.hpp"
 #include "run/program_text.hpp"
+#include "run/shell_commands.hpp"
 
 #include <fmt/format.h>
 
@@ -77,6 +78,11 @@ std::string man_page(const ProgramText& program) {
   out += ".SH COMMANDS\n";
   for (const CommandText& command : program.commands) {
     out += command_section(command);
+  }
+  out += ".SH COMMANDS AT THE PROMPT OF SPRICKA SHELL\n";
+  for (const ShellCommand& command : shell_commands()) {
+    out += fmt::format(".TP\n\\fB{}\\fR {}\n{}.\n", roff(command.word), roff(command.arguments),
+                       roff(command.doc));
   }
   out += ".SH EXIT STATUS\n";
   for (const ExitText& exit : exit_texts) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "results/named_arrays.hpp"
 #include "run/scene.hpp"
 
 #include <vector>
@@ -18,6 +19,11 @@ public:
   /// kept for the same mounting. Slips of pairs with friction begin anew at each length. False if
   /// the contact's rows are not those of the first length.
   bool keep_or_take(const Scene& scene, std::size_t contact, bool rubs, base::Vector& offset);
+
+  /// As arrays "mount...", for a restart file.
+  void save(results::NamedArrays& arrays) const;
+  /// From those; what is not there has not been mounted.
+  static MountMemory load(const results::NamedArrays& arrays);
 
 private:
   struct Event {

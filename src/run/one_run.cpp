@@ -6,6 +6,7 @@
 #include "run/check_quantities.hpp"
 #include "run/estimate.hpp"
 #include "run/growth_tests.hpp"
+#include "run/restart_run.hpp"
 #include "run/solve_run.hpp"
 #include "run/tolerance.hpp"
 
@@ -201,9 +202,10 @@ struct Solved {
 };
 
 // Once, or as often as K needs to come within its tolerance.
-Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, base::Diagnostics& diagnostics,
-                  const Log& log) {
+Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, Checkpoint* checkpoint,
+                  base::Diagnostics& diagnostics, const Log& log) {
   SolveOptions solve;
+  solve.checkpoint = checkpoint;
   solve.threads = thread_count(options, *deck.model);
   solve.progress = log.progress(options.quiet);
   Solved out;
@@ -212,7 +214,8 @@ Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, base::Diagno
     base::Diagnostics own;
     std::optional<Refusal> refusal;
     std::optional<results::Run> run = solve_run(model, solve, own, refusal);
-    if (run || first) {
+    const bool stopped = refusal && refusal->exit_code == exit_code::stopped;
+    if (run || first || stopped) {
       diagnostics = std::move(own);
       out.refusal = refusal;
     } else {
@@ -232,6 +235,9 @@ Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, base::Diagno
     return read_silently(options.deck, finer);
   };
   ToleratedRun found = solve_to_tolerance(deck, read_finer, once);
+  if (out.refusal && out.refusal->exit_code == exit_code::stopped) {
+    return out; // in a later round: no answer yet
+  }
   out.run = std::move(found.run);
   out.finer = std::move(found.deck);
   out.why_not = std::move(found.why_not);
@@ -249,10 +255,15 @@ void tell_rounds(const Solved& solved, results::Run& run, const Log& log) {
 } // namespace
 
 RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, RunFolder& folder,
-                           const Log& log) {
+                           Checkpoint* checkpoint, const Log& log) {
   const double cpu_before = base::cpu_seconds();
   base::Diagnostics diagnostics;
-  Solved solved = solve_deck(options, deck, diagnostics, log);
+  tell_restart(checkpoint, log);
+  Solved solved = solve_deck(options, deck, checkpoint, diagnostics, log);
+  if (solved.refusal && solved.refusal->exit_code == exit_code::stopped) {
+    const std::string by = solved.refusal->why;
+    return {stop_with_checkpoint(*checkpoint, by, exit_code::stopped, log), "stopped by " + by, {}};
+  }
   if (solved.refusal) {
     diagnostics.error(solved.refusal->span,
                       solved.refusal->exit_code == exit_code::not_converged ? "E520" : "E510",
@@ -268,6 +279,7 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
   collect_warnings(deck.diagnostics, run, log);
   collect_path_warnings(run, log);
   tell_rounds(solved, run, log);
+  finish_restart(checkpoint, run);
   run.tests = invert_tests(*used.model, run);
   collect_test_warnings(run, log);
   run.checks = evaluate_checks(*used.model, run);

@@ -35,10 +35,13 @@ struct ReadyDeck {
 ReadyDeck read_ready(const std::filesystem::path& deck, const deck::ReadOptions& options,
                      const Log& log);
 
-/// Solves a deck and writes its folder, which is not yet put in place; messages go to the log.
-/// Throws std::system_error when a file cannot be written.
+class Checkpoint;
+
+/// Solves a deck and writes its folder, which is not yet put in place; messages go to the log. With
+/// a checkpoint (or null) what an earlier run has solved is taken over, and increments are kept.
+/// Throws std::system_error or FileTrouble when a file cannot be written.
 RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, RunFolder& folder,
-                           const Log& log);
+                           Checkpoint* checkpoint, const Log& log);
 
 /// The table of results on stdout.
 void print_summary(const model::Model& model, const results::Run& run,

@@ -2,7 +2,10 @@
 #include "run/run_deck.hpp"
 
 #include "run/check_deck.hpp"
+#include "run/interrupt.hpp"
 #include "run/one_run.hpp"
+#include "run/restart_run.hpp"
+#include "run/safe_file.hpp"
 #include "run/sweep.hpp"
 
 #include <system_error>
@@ -14,8 +17,20 @@ namespace spricka::run {
 namespace {
 
 int run_once(const RunOptions& options, const ReadyDeck& deck, const Log& log) {
+  const OpenCheckpoint opened = open_checkpoint(options, deck, {}, log);
+  if (opened.refusal) {
+    return opened.refusal->exit_code;
+  }
   RunFolder folder(options.out);
-  const RunOutcome outcome = solve_and_write(options, deck, folder, log);
+  std::optional<Interrupt> interrupt;
+  if (opened.checkpoint && opened.checkpoint->writes()) {
+    interrupt.emplace([&](int signal) {
+      std::error_code ignored;
+      std::filesystem::remove_all(options.out.string() + ".part", ignored);
+      return stop_with_checkpoint(*opened.checkpoint, signal_name(signal), 128 + signal, log);
+    });
+  }
+  const RunOutcome outcome = solve_and_write(options, deck, folder, opened.checkpoint.get(), log);
   if (!outcome.run) {
     return outcome.exit_code;
   }
@@ -42,8 +57,14 @@ int run_deck(const RunOptions& given) {
     if (options.check_only) {
       return check_deck(options, deck, log);
     }
+    if (has_no_place(options, *deck.model, log)) {
+      return exit_code::usage;
+    }
     return deck.model->sweeps.empty() ? run_once(options, deck, log)
                                       : run_sweep(options, deck, log);
+  } catch (const FileTrouble& trouble) {
+    log.message(base::Severity::error, trouble.code(), trouble.what());
+    return exit_code::file_trouble;
   } catch (const std::system_error& trouble) {
     log.message(base::Severity::error, "E530", trouble.what());
     return exit_code::file_trouble;

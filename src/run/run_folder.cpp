@@ -7,6 +7,7 @@
 #include "report/load_paths.hpp"
 #include "report/report.hpp"
 #include "report/sensitivity.hpp"
+#include "run/results_file.hpp"
 
 #include <fstream>
 #include <system_error>
@@ -104,6 +105,7 @@ void RunFolder::write(const base::Sources& sources, const model::Model& model, r
   report::write_test_csv(part_ / "test.csv", model, run);
   write_pictures(part_, model, run);
   write_requested(part_, model, run);
+  write_results_file(part_ / results_name, sources, model, run);
   write_text(part_ / "report.html", report::html_report(sources, model, run));
   run.log.push_back({"OUTPUT", "tables, pictures, report", watch.cpu(), watch.wall()});
   run.cpu += watch.cpu();

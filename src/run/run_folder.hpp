@@ -12,6 +12,7 @@ namespace spricka::run {
 /// Files by which a folder is known as a run's or a sweep's.
 inline constexpr const char* listing_name = "listing.txt";
 inline constexpr const char* sweep_table_name = "sweep.csv";
+inline constexpr const char* results_name = "results.h5"; ///< whole, for programs
 
 /// The run folder. A folder of an earlier run of spricka is emptied first, so that nothing old can
 /// be taken for a new result; a folder that holds anything else is refused. Everything is written

@@ -10,8 +10,11 @@
 
 namespace spricka::run {
 
+class Checkpoint;
+
 struct SolveOptions {
   int threads = 1;
+  Checkpoint* checkpoint = nullptr; ///< keeps increments, and gives back those of an earlier run
   std::function<void(std::size_t done, std::size_t all)> progress; ///< may be empty
 };
 

@@ -7,14 +7,16 @@
 #include "run/deck_digest.hpp"
 #include "run/interrupt.hpp"
 #include "run/point_record.hpp"
+#include "run/restart_run.hpp"
+#include "run/safe_file.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
 #include <exception>
+#include <mutex>
 #include <system_error>
 
-#include <csignal>
 #include <fmt/format.h>
 
 namespace spricka::run {
@@ -50,13 +52,16 @@ public:
 
   int run() {
     open_folder();
-    const Interrupt interrupt([this](int signal) { last_words(signal); });
+    const Interrupt interrupt([this](int signal) { return last_words(signal); });
     write_tables();
     int worst = 0;
     for (std::size_t i = 0; i < points_.size(); ++i) {
       SweepPoint point = take_over(i);
       if (!point.reused) {
         compute(i, point);
+      }
+      if (point.exit_code == exit_code::stopped) {
+        return exit_code::stopped;
       }
       worst = std::max(worst, point.exit_code);
       tell(point, points_[i]);
@@ -131,10 +136,7 @@ private:
       RunFolder folder(options_.out / point.folder);
       const ReadyDeck deck = read_ready(
           options_.deck, {.defines = options_.defines, .sweep_values = points_[i]}, log_);
-      RunOptions options = options_;
-      options.quiet = true;
-      const RunOutcome outcome =
-          deck.model ? solve_and_write(options, deck, folder, log_) : deck.refusal;
+      const RunOutcome outcome = deck.model ? solve(deck, folder, point) : deck.refusal;
       point.exit_code = outcome.exit_code;
       point.error = outcome.error;
       if (outcome.run) {
@@ -145,6 +147,9 @@ private:
             write_point_record(sweep_, point, deck_digest(deck.sources, *deck.model, points_[i])));
         folder.commit();
       }
+    } catch (const FileTrouble& trouble) {
+      point.exit_code = exit_code::file_trouble;
+      point.error = fmt::format("{}: {}", trouble.code(), trouble.what());
     } catch (const std::system_error& trouble) {
       point.exit_code = exit_code::file_trouble;
       point.error = trouble.what();
@@ -152,6 +157,31 @@ private:
       point.exit_code = exit_code::defect;
       point.error = fmt::format("internal error: {}", defect.what());
     }
+  }
+
+  // Each point keeps its state in a folder of its own, beside its run folder.
+  RunOutcome solve(const ReadyDeck& deck, RunFolder& folder, const SweepPoint& point) {
+    RunOptions options = options_;
+    options.quiet = true;
+    const OpenCheckpoint opened =
+        open_checkpoint(options, deck, options_.out / (point.folder + ".restart"), log_);
+    if (opened.refusal) {
+      return *opened.refusal;
+    }
+    set_current(opened.checkpoint.get());
+    try {
+      RunOutcome outcome = solve_and_write(options, deck, folder, opened.checkpoint.get(), log_);
+      set_current(nullptr);
+      return outcome;
+    } catch (...) {
+      set_current(nullptr);
+      throw;
+    }
+  }
+
+  void set_current(Checkpoint* checkpoint) {
+    const std::scoped_lock lock(current_guard_);
+    current_ = checkpoint;
   }
 
   static void record(const model::Model& model, const results::Run& run, SweepPoint& point) {
@@ -211,13 +241,20 @@ private:
   }
 
   // On the watcher's thread, while the point goes on being computed: only its folder is touched.
-  void last_words(int signal) const {
+  int last_words(int signal) {
     std::error_code ignored;
     fs::remove_all(options_.out / (folder_name(done_) + ".part"), ignored);
+    int code = 128 + signal;
+    {
+      const std::scoped_lock lock(current_guard_);
+      if (current_ != nullptr && current_->writes()) {
+        code = stop_with_checkpoint(*current_, signal_name(signal), code, log_);
+      }
+    }
     log_.message(base::Severity::note, "E551",
                  fmt::format("stopped by {}; {} of {} points are finished, run again to go on",
-                             signal == SIGINT ? "SIGINT" : "SIGTERM", done_.load(),
-                             points_.size()));
+                             signal_name(signal), done_.load(), points_.size()));
+    return code;
   }
 
   const RunOptions& options_;
@@ -226,6 +263,8 @@ private:
   std::vector<PointValues> points_;
   results::Sweep sweep_;
   std::atomic<std::size_t> done_{0};
+  std::mutex current_guard_;
+  Checkpoint* current_ = nullptr; ///< of the point that is computed; guarded
 };
 
 } // namespace

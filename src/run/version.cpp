@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/gmsh_version.hpp"
+#include "results/store.hpp"
 #include "run/commands.hpp"
 #include "solve/library_versions.hpp"
 
@@ -16,6 +17,7 @@ namespace spricka::run {
 std::string version_text() {
   std::vector<std::pair<std::string, std::string>> libraries = solve::library_versions();
   libraries.emplace_back("gmsh", mesh::gmsh_version());
+  libraries.emplace_back("HDF5", results::store_library_version());
   libraries.emplace_back("Eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION,
                                               EIGEN_MINOR_VERSION));
   libraries.emplace_back("Boost", fmt::format("{}.{}.{}", BOOST_VERSION / 100000,

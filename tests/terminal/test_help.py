@@ -6,7 +6,7 @@ import re
 
 from program import ProgramTest, main
 
-COMMANDS = ["run", "check", "help", "format", "schema", "editor", "completion", "man"]
+COMMANDS = ["run", "check", "shell", "help", "format", "schema", "editor", "completion", "man"]
 
 
 class Help(ProgramTest):

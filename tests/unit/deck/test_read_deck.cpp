@@ -228,18 +228,18 @@ TEST(ReadDeck, NetsQualifyNames) {
 
 TEST(ReadDeck, WhatHasNoAnalysisIsNotedNotIgnored) {
   const Folder folder;
-  const Reading r(folder, k_square + "$RESTART WRITE='a.rst'\n"
-                                     "$RIGID NAME=WALL SHAPE=LINE X0=0 Y0=0 X1=1 Y1=0\n"
+  const Reading r(folder, k_square + "$RIGID NAME=WALL SHAPE=LINE X0=0 Y0=0 X1=1 Y1=0\n"
                                      "$FSET NAME=TOP WHERE=(y == 1)\n"
                                      "$CONTACT NAME=C SLAVE=TOP MASTER=WALL MU=0.1\n"
-                                     "$STEP NAME=S\n DISMOUNT C\n$END\n");
+                                     "$STEP NAME=S\n DISMOUNT C\n"
+                                     "$GROW LAW=INCREMENT KMAX=S HISTORY=CONTINUE\n 1\n$END\n");
   ASSERT_TRUE(r.model) << r.messages();
   std::vector<std::string> what;
   for (const model::Unavailable& u : r.model->unavailable) {
     what.push_back(u.what);
     EXPECT_TRUE(u.span.valid());
   }
-  EXPECT_EQ(what, (std::vector<std::string>{"$RESTART"}));
+  EXPECT_EQ(what, (std::vector<std::string>{"$GROW HISTORY=CONTINUE"}));
 }
 
 TEST(ReadDeck, LoadValuesAndPrescribedFreedoms) {

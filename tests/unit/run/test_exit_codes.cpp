@@ -196,8 +196,8 @@ TEST(ExitCode, BearingLoadThatMissesTheBoreIsRefused) {
 
 TEST(ExitCode, CardOfALaterVersionIsRefused) {
   const Folder folder;
-  const Outcome outcome =
-      run_text(folder, plates(side_support, face, "$RESTART WRITE='later.rst'\n"));
+  const Outcome outcome = run_text(
+      folder, plates(side_support, face, "$OUTPUT FILE='later.json' FORMAT=JSON\n  U TOP.YMAX\n"));
   EXPECT_EQ(outcome.exit_code, 4);
   EXPECT_NE(outcome.messages.find("not available in this version"), std::string::npos);
 }

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/figures.hpp"
+#include "report/mesh_picture.hpp"
+#include "report/plot.hpp"
+#include "report/result_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace spricka::report {
+namespace {
+
+using results::Growth;
+using results::GrowthStation;
+
+constexpr std::size_t most_labels = 9; // of a picture
+
+/// Lengths over cycles: the curve as a line, what was solved as marks on it.
+void add_tip_curve(Plot& plot, const Growth& growth, std::size_t tip) {
+  Series line;
+  line.name = growth.tips[tip];
+  line.colour = colour(tip);
+  line.dash = dash(tip);
+  for (const results::LifePoint& point : growth.curve) {
+    line.points.push_back({point.cycles, point.a[tip]});
+  }
+  Series marks;
+  marks.joined = false;
+  marks.marker = closed_marker(tip);
+  marks.colour = line.colour;
+  for (const GrowthStation& station : growth.stations) {
+    marks.points.push_back({station.cycles, station.tips[tip].a});
+  }
+  plot.series.push_back(std::move(line));
+  plot.series.push_back(std::move(marks));
+}
+
+/// Cycles that a $CHECK N(a) compares with.
+void add_checks(Plot& plot, const model::Model& model) {
+  Series marks;
+  marks.name = "reference";
+  marks.joined = false;
+  marks.marker = Marker::plus;
+  for (const model::Check& check : model.checks) {
+    const double* const a = check.quantity == "N" && check.arguments.size() == 1
+                                ? std::get_if<double>(&check.arguments[0])
+                                : nullptr;
+    if (a != nullptr) {
+      marks.points.push_back({check.value, *a});
+    }
+  }
+  if (!marks.points.empty()) {
+    plot.series.push_back(std::move(marks));
+  }
+}
+
+Figure life_figure(const model::Model& model, const Growth& growth) {
+  Plot plot{"Crack length over " + growth.unit + "s",
+            fmt::format("N  [{}s]", growth.unit),
+            fmt::format("a  [{}]", model.units.length_name),
+            {}};
+  for (std::size_t t = 0; t < growth.tips.size(); ++t) {
+    add_tip_curve(plot, growth, t);
+  }
+  add_checks(plot, model);
+  return {
+      {draw(plot)},
+      "",
+      fmt::format(
+          "Crack length over {}s, {:.6g} in all, estimated to be right to {:.2g} % as far as the "
+          "lengths that were solved (marks) are concerned. The growth ended: {}.",
+          growth.unit, growth.cycles(), 100.0 * growth.error, growth.reason)};
+}
+
+/// What the law was given at the stations.
+Figure range_figure(const model::Model& model, const Growth& growth) {
+  Plot plot{"K of the growth law over crack length",
+            fmt::format("a  [{}]", model.units.length_name),
+            fmt::format("K  [{}]", print_unit(model.units.stress_intensity_name())),
+            {}};
+  for (std::size_t t = 0; t < growth.tips.size(); ++t) {
+    for (const bool largest : {true, false}) {
+      Series series;
+      series.name = fmt::format("{}, {}", growth.tips[t], largest ? "largest" : "smallest");
+      series.colour = colour(t);
+      series.dash = dash(largest ? 0 : 1);
+      series.marker = closed_marker(t);
+      for (const GrowthStation& station : growth.stations) {
+        const results::GrowingTip& tip = station.tips[t];
+        series.points.push_back({tip.a, largest ? tip.K_max : tip.K_min});
+      }
+      plot.series.push_back(std::move(series));
+    }
+  }
+  return {
+      {draw(plot)},
+      "",
+      fmt::format(
+          "Largest and smallest K of {} as the growth law was given them, at the lengths that were "
+          "solved.",
+          growth.unit == "pass" ? "a pass of the spectrum" : "a cycle")};
+}
+
+/// A square that holds all places of tips and the cracks behind them, with room round it.
+void set_window(MeshView& view, const Growth& growth) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  base::Vec2 low = base::Vec2::Constant(infinite);
+  base::Vec2 high = -low;
+  double longest = 0.0;
+  for (const GrowthStation& station : growth.stations) {
+    for (const results::GrowingTip& tip : station.tips) {
+      low = low.cwiseMin(tip.x.head<2>());
+      high = high.cwiseMax(tip.x.head<2>());
+      longest = std::max(longest, tip.a);
+    }
+  }
+  const base::Vec2 middle = 0.5 * (low + high);
+  const double half = std::max(0.65 * (high - low).maxCoeff(), 0.8 * longest);
+  view.low = {middle.x() - half, middle.y() - half};
+  view.high = {middle.x() + half, middle.y() + half};
+}
+
+/// The last mesh with the way that the tips took, K beside it.
+std::optional<Figure> path_figure(const model::Model& model, const results::Run& run,
+                                  const Growth& growth) {
+  if (run.increments.empty() || run.increments.back().mesh.dim != 2 ||
+      run.increments.back().mesh.nodes.empty() || growth.stations.empty()) {
+    return std::nullopt;
+  }
+  MeshView view;
+  view.mesh = &run.increments.back().mesh;
+  view.id = "growth-path";
+  view.title = "The way of the cracks";
+  view.length_name = model.units.length_name;
+  view.width = 560.0;
+  set_window(view, growth);
+  const std::size_t count = growth.stations.size();
+  const std::size_t labels = std::min(most_labels, count);
+  for (std::size_t i = 0; i < labels; ++i) {
+    const GrowthStation& station = growth.stations[labels > 1 ? i * (count - 1) / (labels - 1) : 0];
+    for (const results::GrowingTip& tip : station.tips) {
+      view.labels.push_back({{tip.x[0], tip.x[1]}, fmt::format("{:.4g}", tip.K_max)});
+    }
+  }
+  return Figure{
+      {draw(view)},
+      "",
+      fmt::format("The mesh at the last length that was solved, and where the tips were: K at the "
+                  "largest load [{}].",
+                  print_unit(model.units.stress_intensity_name()))};
+}
+
+} // namespace
+
+std::vector<Figure> growth_figures(const model::Model& model, const results::Run& run) {
+  std::vector<Figure> figures;
+  if (!run.growth || run.growth->stations.empty()) {
+    return figures;
+  }
+  figures.push_back(life_figure(model, *run.growth));
+  figures.push_back(range_figure(model, *run.growth));
+  if (std::optional<Figure> path = path_figure(model, run, *run.growth)) {
+    figures.push_back(std::move(*path));
+  }
+  return figures;
+}
+
+} // namespace spricka::report

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "results/table.hpp"
+
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Files of named arrays and tables in folders (HDF5), as h5py and pandas read them. The same
+/// content always makes the same bytes: no times are kept. The library works in memory only, since
+/// it does not survive a full disk; who writes the bytes to a file takes care of that.
+namespace spricka::results {
+
+/// A file that cannot be written or read, or does not hold what it should.
+class StoreError : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A folder in a store. All functions throw StoreError.
+class StoreGroup {
+public:
+  /// The folder of that name: opened, or made if there is none and the store is being written.
+  [[nodiscard]] StoreGroup group(const std::string& name) const;
+  [[nodiscard]] bool has(const std::string& name) const;
+  [[nodiscard]] std::vector<std::string> names() const; ///< ascending
+
+  /// Arrays of rows with `columns` numbers each; one column makes an array of one dimension.
+  void write(const std::string& name, std::span<const double> values, std::size_t columns = 1);
+  void write(const std::string& name, std::span<const std::int64_t> values,
+             std::size_t columns = 1);
+  void write(const std::string& name, std::span<const std::string> values);
+  /// One compound value a row, a member for each column.
+  void write(const std::string& name, const Table& table);
+  void describe(const std::string& name, double value); ///< an attribute
+  void describe(const std::string& name, std::int64_t value);
+  void describe(const std::string& name, std::string_view value);
+
+  [[nodiscard]] std::vector<double> reals(const std::string& name) const;
+  [[nodiscard]] std::vector<std::int64_t> integers(const std::string& name) const;
+  [[nodiscard]] std::vector<std::string> texts(const std::string& name) const;
+  [[nodiscard]] Table table(const std::string& name) const;
+  [[nodiscard]] double real(const std::string& attribute) const;
+  [[nodiscard]] std::int64_t integer(const std::string& attribute) const;
+  [[nodiscard]] std::string text(const std::string& attribute) const;
+
+private:
+  friend class Store;
+  struct Handle;
+  explicit StoreGroup(std::shared_ptr<Handle> handle) : handle_(std::move(handle)) {}
+  std::shared_ptr<Handle> handle_;
+};
+
+class Store {
+public:
+  /// A new store, to be written.
+  static Store in_memory();
+  /// One to be read.
+  static Store from_bytes(std::string_view bytes);
+
+  [[nodiscard]] StoreGroup root() const;
+  /// Ends the writing: the bytes of the file, which live as long as the store.
+  [[nodiscard]] std::string_view bytes();
+
+private:
+  struct Handle;
+  explicit Store(std::shared_ptr<Handle> handle) : handle_(std::move(handle)) {}
+  std::shared_ptr<Handle> handle_;
+};
+
+/// Version of the library behind it.
+std::string store_library_version();
+
+} // namespace spricka::results

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "results/growth.hpp"
+#include "results/growth_test.hpp"
+#include "results/results.hpp"
+#include "results/store_columns.hpp"
+
+#include <concepts>
+
+/// What a file keeps of each record, in this order: all of it. tests/unit/results counts.
+namespace spricka::results {
+
+template <class T, class R>
+concept Of = std::same_as<std::remove_const_t<T>, R>;
+
+template <class V, Of<KBar> T> void fields(V& v, T& r) {
+  v("eta", r.eta);
+  v("sum", r.sum);
+  v("flip", r.flip);
+  v("mesh", r.mesh);
+  v("edge", r.edge);
+  v("floor", r.floor);
+  v("best", r.best);
+  v("cancels", r.cancels);
+  v("of_element", r.of_element);
+}
+
+template <class V, Of<Sensitivity> T> void fields(V& v, T& r) {
+  v("cause", r.cause);
+  v("name", r.name);
+  v("value", r.value);
+  v("below", r.below);
+  v("above", r.above);
+  v("range", r.range);
+}
+
+template <class V, Of<Sensitivities> T> void fields(V& v, T& r) {
+  v("of", r.of);
+  v("notes", r.notes);
+}
+
+template <class V, Of<TipResult> T> void fields(V& v, T& r) {
+  v("name", r.name);
+  v("a", r.a);
+  v("K1", r.K1);
+  v("K2", r.K2);
+  v("G", r.G);
+  v("G_from_K", r.G_from_K);
+  v("T", r.T);
+  v("spread", r.spread);
+  v("K_opening", r.K_opening);
+  v("K1_domain", r.K1_domain);
+  v("bar", r.bar);
+  v("no_bar", r.no_bar);
+  v("closed", r.closed);
+  v("doubt", r.doubt);
+  v("two_materials", r.two_materials);
+  v("sensitivities", r.sensitivities);
+  v("at", r.x);
+  v("direction", r.direction);
+}
+
+template <class V, Of<ContactPoint> T> void fields(V& v, T& r) {
+  v("node", r.node);
+  v("at", r.x);
+  v("theta", r.theta);
+  v("arc", r.arc);
+  v("p_lumped", r.p_lumped);
+  v("p_consistent", r.p_consistent);
+  v("q_lumped", r.q_lumped);
+  v("q_consistent", r.q_consistent);
+  v("slip", r.slip);
+  v("slip_path", r.slip_path);
+  v("state", r.state);
+  v("gap", r.gap);
+  v("closed", r.closed);
+  v("lip", r.lip);
+}
+
+template <class V, Of<ContactResult> T> void fields(V& v, T& r) {
+  v("name", r.name);
+  v("mounted", r.mounted);
+  v("points", r.points);
+  v("force_on_slave", r.force_on_slave);
+  v("min_pressure", r.min_pressure);
+  v("max_pressure", r.max_pressure);
+  v("mean_pressure", r.mean_pressure);
+  v("max_penetration", r.max_penetration);
+  v("round", r.round);
+  v("arc_from", r.arc_from);
+  v("arc_to", r.arc_to);
+  v("closed", r.closed);
+  v("rows", r.rows);
+  v("sheared", r.sheared);
+  v("rubs", r.rubs);
+  v("sticking", r.sticking);
+  v("slipping", r.slipping);
+  v("shear_ratio", r.shear_ratio);
+  v("max_slip", r.max_slip);
+  v("stick_from", r.stick_from);
+  v("stick_to", r.stick_to);
+  v("friction_work", r.friction_work);
+  v("unbounded", r.unbounded);
+}
+
+template <class V, Of<Balance> T> void fields(V& v, T& r) {
+  v("body", r.body);
+  v("applied", r.applied);
+  v("reaction", r.reaction);
+  v("contact", r.contact);
+  v("tie", r.tie);
+  v("energy", r.energy);
+}
+
+template <class V, Of<NetError> T> void fields(V& v, T& r) {
+  v("net", r.net);
+  v("part", r.part);
+  v("worst", r.worst);
+  v("worst_share", r.worst_share);
+}
+
+template <class V, Of<SurfaceFace> T> void fields(V& v, T& r) {
+  v("element", r.element);
+  v("outline", r.outline);
+}
+
+template <class V, Of<PathTip> T> void fields(V& v, T& r) {
+  v("name", r.name);
+  v("a", r.a);
+  v("K1", r.K1);
+  v("K2", r.K2);
+  v("doubt", r.doubt);
+}
+
+template <class V, Of<PathContact> T> void fields(V& v, T& r) {
+  v("name", r.name);
+  v("opening", r.opening);
+  v("round", r.round);
+  v("from", r.from);
+  v("to", r.to);
+  v("closed", r.closed);
+  v("rows", r.rows);
+}
+
+template <class V, Of<PathChange> T> void fields(V& v, T& r) {
+  v("t", r.t);
+  v("contact", r.contact);
+  v("node", r.node);
+  v("place", r.place);
+  v("closes", r.closes);
+}
+
+template <class V, Of<LoadPath> T> void fields(V& v, T& r) {
+  v("name", r.name);
+  v("from", r.from);
+  v("to", r.to);
+  v("t", r.t);
+  v("tips", r.tips);
+  v("contacts", r.contacts);
+  v("changes", r.changes);
+  v("stopped", r.stopped);
+  v("homogeneous", r.homogeneous);
+  v("pivots", r.pivots);
+  v("factorisations", r.factorisations);
+  v("residual", r.residual);
+  v("mismatch", r.mismatch);
+  v("notes", r.notes);
+}
+
+template <class V, Of<LogLine> T> void fields(V& v, T& r) {
+  v("processor", r.processor);
+  v("text", r.text);
+  v("cpu", r.cpu);
+  v("wall", r.wall);
+}
+
+template <class V, Of<CheckResult> T> void fields(V& v, T& r) {
+  v("text", r.text);
+  v("wanted", r.wanted);
+  v("found", r.found);
+  v("error", r.error);
+  v("tolerance", r.tolerance);
+  v("relative", r.relative);
+  v("passed", r.passed);
+  v("source", r.source);
+  v("trouble", r.trouble);
+}
+
+template <class V, Of<ToleranceRound> T> void fields(V& v, T& r) {
+  v("number", r.number);
+  v("unknowns", r.unknowns);
+  v("worst", r.worst);
+  v("bar", r.bar);
+  v("wanted", r.wanted);
+  v("cpu", r.cpu);
+  v("next", r.next);
+}
+
+template <class V, Of<GrowingTip> T> void fields(V& v, T& r) {
+  v("name", r.name);
+  v("a", r.a);
+  v("K_max", r.K_max);
+  v("K_min", r.K_min);
+  v("K2_max", r.K2_max);
+  v("rate", r.rate);
+  v("turn", r.turn);
+  v("at", r.x);
+}
+
+template <class V, Of<GrowthStation> T> void fields(V& v, T& r) {
+  v("increment", r.increment);
+  v("cycles", r.cycles);
+  v("tips", r.tips);
+}
+
+template <class V, Of<LifePoint> T> void fields(V& v, T& r) {
+  v("cycles", r.cycles);
+  v("a", r.a);
+}
+
+template <class V, Of<Growth> T> void fields(V& v, T& r) {
+  v("unit", r.unit);
+  v("cycles_per_pass", r.cycles_per_pass);
+  v("tips", r.tips);
+  v("stations", r.stations);
+  v("curve", r.curve);
+  v("ended", r.ended);
+  v("reason", r.reason);
+  v("error", r.error);
+  v("corrected", r.corrected);
+  v("counted", r.counted);
+}
+
+template <class V, Of<TestPoint> T> void fields(V& v, T& r) {
+  v("cycles", r.cycles);
+  v("a", r.a);
+  v("rate", r.rate);
+  v("rate_low", r.rate_low);
+  v("rate_high", r.rate_high);
+  v("R", r.R);
+  v("K", r.K);
+  v("low", r.low);
+  v("high", r.high);
+  v("computed", r.computed);
+  v("covered", r.covered);
+}
+
+template <class V, Of<GrowthTest> T> void fields(V& v, T& r) {
+  v("name", r.name);
+  v("tip", r.tip);
+  v("method", r.method);
+  v("reference", r.reference);
+  v("readings", r.readings);
+  v("points", r.points);
+  v("scatter", r.scatter);
+  v("freedoms", r.freedoms);
+  v("cycles", r.cycles);
+  v("computed_cycles", r.computed_cycles);
+  v("cycles_error", r.cycles_error);
+  v("notes", r.notes);
+}
+
+template <class V, Of<base::Span> T> void fields(V& v, T& r) {
+  v("file", r.file);
+  v("begin", r.begin);
+  v("end", r.end);
+}
+
+template <class V, Of<model::Face> T> void fields(V& v, T& r) {
+  v("element", r.element);
+  v("side", r.side);
+}
+
+template <class V, Of<model::NodeSet> T> void fields(V& v, T& r) {
+  v("name", r.name);
+  v("nodes", r.nodes);
+  v("span", r.span);
+}
+
+template <class V, Of<model::ElementSet> T> void fields(V& v, T& r) {
+  v("name", r.name);
+  v("elements", r.elements);
+  v("span", r.span);
+}
+
+template <class V, Of<model::FaceSet> T> void fields(V& v, T& r) {
+  v("name", r.name);
+  v("faces", r.faces);
+  v("span", r.span);
+}
+
+} // namespace spricka::results

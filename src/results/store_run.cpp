@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "results/store_run.hpp"
+
+#include "results/store_fields.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace spricka::results {
+
+namespace {
+
+template <class T>
+concept StrongIndex = requires(T t) {
+  t.value;
+};
+
+template <class T> std::vector<std::int64_t> whole(const std::vector<T>& from) {
+  std::vector<std::int64_t> to(from.size());
+  std::ranges::transform(from, to.begin(), [](const T& v) {
+    if constexpr (StrongIndex<T>) {
+      return static_cast<std::int64_t>(v.value);
+    } else {
+      return static_cast<std::int64_t>(v);
+    }
+  });
+  return to;
+}
+
+template <class T> std::vector<T> narrow(const std::vector<std::int64_t>& from) {
+  std::vector<T> to(from.size());
+  std::ranges::transform(from, to.begin(), [](std::int64_t v) {
+    if constexpr (StrongIndex<T>) {
+      T id;
+      id.value = static_cast<std::int32_t>(v);
+      return id;
+    } else {
+      return static_cast<T>(v);
+    }
+  });
+  return to;
+}
+
+// Empty arrays are left out.
+void put(StoreGroup& group, const std::string& name, std::span<const double> values,
+         std::size_t columns = 1) {
+  if (!values.empty()) {
+    group.write(name, values, columns);
+  }
+}
+
+void put(StoreGroup& group, const std::string& name, const std::vector<std::string>& values) {
+  if (!values.empty()) {
+    group.write(name, values);
+  }
+}
+
+std::vector<double> reals(const StoreGroup& group, const std::string& name) {
+  return group.has(name) ? group.reals(name) : std::vector<double>();
+}
+
+std::vector<std::string> texts(const StoreGroup& group, const std::string& name) {
+  return group.has(name) ? group.texts(name) : std::vector<std::string>();
+}
+
+std::span<const double> span_of(const base::Vector& v) {
+  return {v.data(), static_cast<std::size_t>(v.size())};
+}
+
+base::Vector vector(const StoreGroup& group, const std::string& name) {
+  const std::vector<double> values = reals(group, name);
+  return Eigen::Map<const base::Vector>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+// Arrays of fixed-size arrays lie in memory one after another.
+template <class T> std::span<const double> flat(const std::vector<T>& values) {
+  constexpr std::size_t n = sizeof(T) / sizeof(double);
+  return {values.empty() ? nullptr : values.front().data(), n * values.size()};
+}
+
+template <class T> std::vector<T> rows(const std::vector<double>& values) {
+  constexpr std::size_t n = sizeof(T) / sizeof(double);
+  std::vector<T> to(values.size() / n);
+  for (std::size_t i = 0; i < to.size(); ++i) {
+    std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(n * i), n, to[i].data());
+  }
+  return to;
+}
+
+void write_mesh(StoreGroup group, const model::Mesh& mesh) {
+  group.describe("dim", std::int64_t{mesh.dim});
+  put(group, "x", flat(mesh.x), 3);
+  group.write("node_label", mesh.node_label);
+  group.write("node_net", whole(mesh.node_net));
+  group.write("type", whole(mesh.type));
+  group.write("first", whole(mesh.first));
+  group.write("nodes", whole(mesh.nodes));
+  group.write("element_label", mesh.element_label);
+  group.write("element_net", whole(mesh.element_net));
+  group.write("property", whole(mesh.property));
+  write_list(group, "node_sets", mesh.node_sets);
+  write_list(group, "element_sets", mesh.element_sets);
+  write_list(group, "face_sets", mesh.face_sets);
+}
+
+model::Mesh read_mesh(const StoreGroup& group) {
+  model::Mesh mesh;
+  mesh.dim = static_cast<int>(group.integer("dim"));
+  mesh.x = rows<base::Vec3>(reals(group, "x"));
+  mesh.node_label = group.integers("node_label");
+  mesh.node_net = narrow<base::NetId>(group.integers("node_net"));
+  mesh.type = narrow<base::ElementType>(group.integers("type"));
+  mesh.first = narrow<std::int32_t>(group.integers("first"));
+  mesh.nodes = narrow<base::NodeId>(group.integers("nodes"));
+  mesh.element_label = group.integers("element_label");
+  mesh.element_net = narrow<base::NetId>(group.integers("element_net"));
+  mesh.property = narrow<base::PropertyId>(group.integers("property"));
+  mesh.node_sets = read_list<model::NodeSet>(group, "node_sets");
+  mesh.element_sets = read_list<model::ElementSet>(group, "element_sets");
+  mesh.face_sets = read_list<model::FaceSet>(group, "face_sets");
+  return mesh;
+}
+
+void write_step(StoreGroup group, const StepResult& step, std::size_t dim) {
+  put(group, "u", span_of(step.u), dim);
+  put(group, "reaction", span_of(step.reaction), dim);
+  put(group, "temperature", span_of(step.temperature));
+  put(group, "stress", flat(step.stress), 6);
+  put(group, "element_stress", flat(step.element_stress), 6);
+  write_list(group, "tips", step.tips);
+  write_list(group, "contacts", step.contacts);
+  write_list(group, "balance", step.balance);
+  write_list(group, "nets", step.nets);
+  write_list(group, "errors", step.errors);
+  write_list(group, "targets", step.targets);
+  put(group, "notes", step.notes);
+  group.describe("tied", std::int64_t{step.tied});
+  group.describe("energy", step.energy);
+  group.describe("friction_work", step.friction_work);
+  group.describe("increments", std::int64_t{step.increments});
+  group.describe("iterations", std::int64_t{step.iterations});
+  group.describe("pivots", std::int64_t{step.pivots});
+}
+
+StepResult read_step(const StoreGroup& group, const std::string& name) {
+  StepResult step;
+  step.step = name;
+  step.u = vector(group, "u");
+  step.reaction = vector(group, "reaction");
+  step.temperature = vector(group, "temperature");
+  step.stress = rows<Stress>(reals(group, "stress"));
+  step.element_stress = rows<Stress>(reals(group, "element_stress"));
+  step.tips = read_list<TipResult>(group, "tips");
+  step.contacts = read_list<ContactResult>(group, "contacts");
+  step.balance = read_list<Balance>(group, "balance");
+  step.nets = read_list<Balance>(group, "nets");
+  step.errors = read_list<NetError>(group, "errors");
+  step.targets = read_list<Balance>(group, "targets");
+  step.notes = texts(group, "notes");
+  step.tied = group.integer("tied") != 0;
+  step.energy = group.real("energy");
+  step.friction_work = group.real("friction_work");
+  step.increments = static_cast<int>(group.integer("increments"));
+  step.iterations = static_cast<int>(group.integer("iterations"));
+  step.pivots = static_cast<int>(group.integer("pivots"));
+  return step;
+}
+
+} // namespace
+
+void write_increment(const StoreGroup& given, const Increment& increment) {
+  StoreGroup group = given;
+  group.describe("number", std::int64_t{increment.number});
+  group.describe("a", increment.a);
+  group.describe("kept", static_cast<std::int64_t>(increment.kept));
+  write_mesh(group.group("mesh"), increment.mesh);
+  write_list(group, "surface", increment.surface);
+  write_list(group, "paths", increment.paths);
+  put(group, "notes", increment.notes);
+  const StoreGroup steps = group.group("steps");
+  std::vector<std::string> names;
+  for (const StepResult& step : increment.steps) {
+    names.push_back(step.step);
+    write_step(steps.group(step.step), step, static_cast<std::size_t>(increment.mesh.dim));
+  }
+  put(group, "order", names);
+}
+
+Increment read_increment(const StoreGroup& group) {
+  Increment increment;
+  increment.number = static_cast<int>(group.integer("number"));
+  increment.a = group.real("a");
+  increment.kept = static_cast<std::size_t>(group.integer("kept"));
+  increment.mesh = read_mesh(group.group("mesh"));
+  increment.surface = read_list<SurfaceFace>(group, "surface");
+  increment.paths = read_list<LoadPath>(group, "paths");
+  increment.notes = texts(group, "notes");
+  const StoreGroup steps = group.group("steps");
+  for (const std::string& name : texts(group, "order")) {
+    increment.steps.push_back(read_step(steps.group(name), name));
+  }
+  return increment;
+}
+
+void write_arrays(const StoreGroup& group, const NamedArrays& arrays) {
+  StoreGroup reals = group.group("reals");
+  for (const auto& [name, values] : arrays.reals) {
+    reals.write(name, values);
+  }
+  StoreGroup integers = group.group("integers");
+  for (const auto& [name, values] : arrays.integers) {
+    integers.write(name, values);
+  }
+  StoreGroup texts = group.group("texts");
+  for (const auto& [name, values] : arrays.texts) {
+    texts.write(name, values);
+  }
+}
+
+NamedArrays read_arrays(const StoreGroup& group) {
+  NamedArrays arrays;
+  const StoreGroup reals = group.group("reals");
+  for (const std::string& name : reals.names()) {
+    arrays.reals[name] = reals.reals(name);
+  }
+  const StoreGroup integers = group.group("integers");
+  for (const std::string& name : integers.names()) {
+    arrays.integers[name] = integers.integers(name);
+  }
+  const StoreGroup texts = group.group("texts");
+  for (const std::string& name : texts.names()) {
+    arrays.texts[name] = texts.texts(name);
+  }
+  return arrays;
+}
+
+void write_log(const StoreGroup& group, const std::string& name, const std::vector<LogLine>& log) {
+  write_list(group, name, log);
+}
+
+std::vector<LogLine> read_log(const StoreGroup& group, const std::string& name) {
+  return read_list<LogLine>(group, name);
+}
+
+void write_run(const StoreGroup& given, const Run& run, Times times) {
+  StoreGroup group = given;
+  const StoreGroup all = group.group("increments");
+  for (std::size_t i = 0; i < run.increments.size(); ++i) {
+    write_increment(all.group(fmt::format("{:04}", i + 1)), run.increments[i]);
+  }
+  write_list(group, "checks", run.checks);
+  put(group, "warnings", run.warnings);
+  std::vector<ToleranceRound> rounds = run.rounds;
+  if (times == Times::left_out) {
+    std::ranges::for_each(rounds, [](ToleranceRound& round) { round.cpu = 0.0; });
+  }
+  write_list(group, "rounds", rounds);
+  if (run.growth) {
+    write_list(group, "growth", std::vector{*run.growth});
+  }
+  write_list(group, "tests", run.tests);
+  if (times == Times::kept) {
+    write_list(group, "log", run.log);
+    group.describe("cpu", run.cpu);
+    group.describe("wall", run.wall);
+    group.describe("peak_memory", static_cast<std::int64_t>(run.peak_memory));
+  }
+  group.describe("times", std::int64_t{times == Times::kept});
+}
+
+Run read_run(const StoreGroup& group) {
+  Run run;
+  const StoreGroup all = group.group("increments");
+  for (std::size_t i = 0; all.has(fmt::format("{:04}", i + 1)); ++i) {
+    run.increments.push_back(read_increment(all.group(fmt::format("{:04}", i + 1))));
+  }
+  run.checks = read_list<CheckResult>(group, "checks");
+  run.warnings = texts(group, "warnings");
+  run.rounds = read_list<ToleranceRound>(group, "rounds");
+  const std::vector<Growth> growth = read_list<Growth>(group, "growth");
+  if (!growth.empty()) {
+    run.growth = growth.front();
+  }
+  run.tests = read_list<GrowthTest>(group, "tests");
+  if (group.integer("times") != 0) {
+    run.log = read_list<LogLine>(group, "log");
+    run.cpu = group.real("cpu");
+    run.wall = group.real("wall");
+    run.peak_memory = static_cast<std::size_t>(group.integer("peak_memory"));
+  }
+  return run;
+}
+
+} // namespace spricka::results

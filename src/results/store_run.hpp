@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "results/named_arrays.hpp"
+#include "results/results.hpp"
+#include "results/store.hpp"
+
+/// Runs in a store, whole: what is read is what was written, to the bit. manual/results_file.md
+/// names the folders and arrays.
+namespace spricka::results {
+
+enum class Times { kept, left_out };
+
+/// One crack length into a folder: mesh, surface, load paths and steps.
+void write_increment(const StoreGroup& group, const Increment& increment);
+Increment read_increment(const StoreGroup& group);
+
+/// A run: increments/0001, ..., checks, warnings, rounds, growth; with times also the log, CPU
+/// time, wall time and memory.
+void write_run(const StoreGroup& group, const Run& run, Times times);
+Run read_run(const StoreGroup& group);
+
+void write_arrays(const StoreGroup& group, const NamedArrays& arrays);
+NamedArrays read_arrays(const StoreGroup& group);
+
+/// The lines of a log as the table NAME.
+void write_log(const StoreGroup& group, const std::string& name, const std::vector<LogLine>& log);
+std::vector<LogLine> read_log(const StoreGroup& group, const std::string& name);
+
+/// The tables that people ask for first, of all increments and steps in one piece: k, pressure,
+/// load_path.
+void write_reader_tables(StoreGroup group, const Run& run);
+
+} // namespace spricka::results

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Decks that keep their state, and run folders compared to the byte."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "terminal"))
+
+from program import CRACKED, PROGRAM, TOP, ProgramTest, environment, main  # noqa: E402,F401
+
+KEEP = "$RESTART WRITE='state.rst'\n"
+
+
+def keeping(text=CRACKED, card=KEEP):
+    """A deck with a card more, before its end."""
+    return text.replace("$END\n", card + "$END\n")
+
+
+def contents(folder):
+    """Every file of a run folder by name, but for the listing, which tells times."""
+    return {
+        str(f.relative_to(folder)): f.read_bytes()
+        for f in sorted(folder.rglob("*"))
+        if f.is_file() and f.name != "listing.txt"
+    }
+
+
+class RestartTest(ProgramTest):
+    def same_folders(self, one, other):
+        a, b = contents(one), contents(other)
+        self.assertEqual(sorted(a), sorted(b))
+        self.assertGreater(len(a), 4)
+        for name, data in a.items():
+            self.assertEqual(data, b[name], f"{name} differs")
+
+    def start(self, *arguments, **more):
+        """Starts the program and does not wait."""
+        return subprocess.Popen(
+            [PROGRAM, *map(str, arguments)],
+            cwd=self.folder,
+            env=environment(),
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            **more,
+        )
+
+    def increments(self, name="state.rst"):
+        """Files of increments that are kept."""
+        return sorted(f.name for f in (self.folder / (name + ".d")).glob("*.h5"))

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Growth by a law, stopped after every length, goes on to the same bits: straight and curved cracks,
+constant load and spectra; and further than it was asked to at first."""
+
+from run_folders import RestartTest, keeping, main
+
+PLATE = """$DECK VERSION=1 LENGTH=MM FORCE=N TITLE='Growth'
+$MESH SHAPE=BLOCK TYPE=QUAMC8 LX=20 LY=40 NX=8 NY=16
+$MATERIAL NAME=STEEL E=210[GPa] NU=0.3
+$PROPERTY ESET=BODY MATERIAL=STEEL STATE=STRESS
+$FREEDOM CLASS=SUPPRESSED DOF=XY
+  YMIN
+$LOAD CASE=PULL TYPE=TRACTION
+  YMAX  {shear}  100
+$STEP NAME=LOW
+  LOAD PULL 0.1
+$STEP NAME=HIGH
+  LOAD PULL 1
+$LOADPATH NAME=UP FROM=LOW TO=HIGH
+$CRACK NAME=C ANGLE=0 A0=2
+  0  20
+{more}
+$END
+"""
+LAW = "$GROW LAW=PARIS C=1e-13 M=3 AMAX={amax} DA=0.5 "
+STEPS = LAW + "KMAX=HIGH KMIN=LOW"
+SPECTRUM = """$SPECTRUM NAME=FLIGHT PATH=UP TYPE=SEQUENCE
+  0 0.5 0.2 1 0.1 0.8 0
+"""
+
+
+class Growth(RestartTest):
+    def check(self, more, shear=0, sessions=3):
+        deck = self.deck(keeping(PLATE.format(shear=shear, more=more)))
+        self.expect(0, "run", deck, "--out", "whole.run", "--quiet")
+        for f in self.folder.glob("state.rst*"):
+            f.is_file() and f.unlink()
+        stops = 0
+        while True:
+            result = self.run_program("run", deck, "--restart", "--time", "0.001", "--quiet")
+            if result.returncode != 6:
+                break
+            stops += 1
+            self.assertLess(stops, 100)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertGreaterEqual(stops, sessions)
+        self.same_folders(self.folder / "whole.run", self.folder / "test.run")
+
+    def test_straight(self):
+        self.check(STEPS.format(amax=5))
+
+    def test_curved(self):
+        self.check(STEPS.format(amax=4) + " DIRECTION=HOOP", shear=40)
+
+    def test_spectrum(self):
+        self.check(SPECTRUM + LAW.format(amax=4) + "SPECTRUM=FLIGHT")
+
+    def test_further(self):
+        deck = PLATE.format(shear=0, more=STEPS.format(amax=4))
+        self.expect(0, "run", self.deck(keeping(deck)), "--quiet")
+        further = self.deck(keeping(deck.replace("AMAX=4", "AMAX=5")), "further.deck")
+        kept = len(self.increments())
+        self.expect(0, "run", further, "--restart", "--quiet")
+        listing = (self.folder / "further.run" / "listing.txt").read_text(encoding="utf-8")
+        self.assertIn(f"{kept} of {len(self.increments())} increments taken over", listing)
+        self.assertGreater(len(self.increments()), kept)
+        self.expect(0, "run", further, "--out", "new.run", "--quiet")
+        # cycles to the end, from stations of two plans: to the tolerance of $GROW
+        end = [
+            [float(v) for v in (self.folder / run / "life_curve.csv").read_text().split()[-1].split(",")]
+            for run in ("further.run", "new.run")
+        ]
+        self.assertEqual(len(end[0]), len(end[1]))
+        for a, b in zip(*end):
+            self.assertAlmostEqual(a, b, delta=2e-3 * abs(b))
+
+    def test_another_law_is_refused(self):
+        deck = PLATE.format(shear=0, more=STEPS.format(amax=4))
+        self.expect(0, "run", self.deck(keeping(deck)), "--quiet")
+        for old, new in (("M=3", "M=3.1"), ("DA=0.5", "DA=0.6"), ("AMAX=4", "AMAX=3")):
+            other = self.deck(keeping(deck.replace(old, new)), "other.deck")
+            result = self.expect(3, "run", other, "--restart", "--quiet")
+            self.assertIn("error E561", result.stderr)
+            self.assertIn("its cracks grew by other rules", result.stderr)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A growth of the lug that is killed at any moment goes on to the same bits."""
+
+import os
+import random
+import shutil
+import time
+
+from run_folders import TOP, RestartTest, main
+
+KILLS = 100 if os.environ.get("SPRICKA_FULL") else 10
+SEED = 20261
+
+
+class Kill(RestartTest):
+    def lug(self):
+        for name in ("lug_model.inc", "lug.geo", "sleeve.geo", "shaft.geo"):
+            if (TOP / "decks" / name).exists():
+                shutil.copy(TOP / "decks" / name, self.folder)
+        text = (TOP / "decks" / "lug_single.deck").read_text(encoding="utf-8")
+        return self.deck(text.replace("$CHECK", "$RESTART WRITE='lug.rst'\n$CHECK", 1), "lug.deck")
+
+    def test_same_bits_after_a_kill(self):
+        deck = self.lug()
+        begin = time.monotonic()
+        self.expect(0, "run", deck, "--out", "whole.run", "--quiet")
+        whole = time.monotonic() - begin
+        dice = random.Random(SEED)
+        gone_on = 0
+        for attempt in range(KILLS):
+            for name in os.listdir(self.folder):
+                if name.startswith("lug.rst"):
+                    path = self.folder / name
+                    shutil.rmtree(path) if path.is_dir() else path.unlink()
+            for _ in range(1 + attempt % 2):  # some die twice
+                child = self.start("run", deck, "--out", "killed.run", "--quiet", "--restart")
+                time.sleep(dice.uniform(0.0, whole))
+                child.kill()
+                child.communicate()
+            gone_on += (self.folder / "lug.rst").exists()
+            self.expect(0, "run", deck, "--out", "killed.run", "--quiet", "--restart")
+            self.same_folders(self.folder / "whole.run", self.folder / "killed.run")
+        self.assertGreater(gone_on, 0, "no kill left a state: nothing was tested")
+
+
+if __name__ == "__main__":
+    main()
