@@ -16,7 +16,7 @@ namespace {
 using results::Growth;
 using results::GrowthStation;
 
-constexpr std::size_t most_labels = 9; // of a picture
+constexpr double label_room = 0.1; // of a picture's width
 
 /// Lengths over cycles: the curve as a line, what was solved as marks on it.
 void add_tip_curve(Plot& plot, const Growth& growth, std::size_t tip) {
@@ -137,12 +137,15 @@ std::optional<Figure> path_figure(const model::Model& model, const results::Run&
   view.length_name = model.units.length_name;
   view.width = 560.0;
   set_window(view, growth);
-  const std::size_t count = growth.stations.size();
-  const std::size_t labels = std::min(most_labels, count);
-  for (std::size_t i = 0; i < labels; ++i) {
-    const GrowthStation& station = growth.stations[labels > 1 ? i * (count - 1) / (labels - 1) : 0];
-    for (const results::GrowingTip& tip : station.tips) {
-      view.labels.push_back({{tip.x[0], tip.x[1]}, fmt::format("{:.4g}", tip.K_max)});
+  const double apart = label_room * (view.high.x - view.low.x);
+  for (std::size_t t = 0; t < growth.tips.size(); ++t) {
+    std::optional<base::Vec3> last;
+    for (const GrowthStation& station : growth.stations) {
+      const results::GrowingTip& tip = station.tips[t];
+      if (!last || (tip.x - *last).norm() >= apart) {
+        view.labels.push_back({{tip.x[0], tip.x[1]}, fmt::format("{:.4g}", tip.K_max)});
+        last = tip.x;
+      }
     }
   }
   return Figure{
