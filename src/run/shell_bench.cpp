@@ -6,6 +6,7 @@
 #include "run/lip_contact.hpp"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -32,6 +33,36 @@ model::Model model_to_show(const model::Model& model) {
     shown.steps.emplace_back().name = name;
   }
   return shown;
+}
+
+bool same_action(const model::Action& a, const model::Action& b) {
+  const auto* load = std::get_if<model::ApplyLoad>(&a);
+  const auto* fit = std::get_if<model::ApplyFit>(&a);
+  if (a.index() != b.index()) {
+    return false;
+  }
+  if (load != nullptr) {
+    const auto& other = std::get<model::ApplyLoad>(b);
+    return load->load_case == other.load_case && load->factor == other.factor;
+  }
+  if (fit != nullptr) {
+    const auto& other = std::get<model::ApplyFit>(b);
+    return fit->contact == other.contact && fit->factor == other.factor;
+  }
+  const auto* on = std::get_if<model::Mount>(&a);
+  return on != nullptr
+             ? on->contact == std::get<model::Mount>(b).contact
+             : std::get<model::Dismount>(a).contact == std::get<model::Dismount>(b).contact;
+}
+
+// Whether a way is another one and a single step more.
+bool is_one_further(const std::vector<model::Step>& way, const std::vector<model::Step>& than) {
+  return way.size() == than.size() + 1 &&
+         std::ranges::equal(than, std::span(way).first(than.size()),
+                            [](const model::Step& a, const model::Step& b) {
+                              return a.substeps == b.substeps &&
+                                     std::ranges::equal(a.actions, b.actions, same_action);
+                            });
 }
 
 } // namespace
@@ -233,13 +264,23 @@ ShellResult ShellBench::follow(const model::LoadPath& card, const std::vector<mo
   own.to = base::StepId(path_to);
   std::vector<results::LoadPath> found;
   ShellResult trouble;
+  const auto to_end = [&](const std::vector<model::Step>& way, Reached& reached) {
+    if (solver_ && is_one_further(way, now)) {
+      reached = {std::make_unique<StepSolver>(*solver_), {}, {}};
+      ShellResult stuck = advance({way.back()}, reached);
+      if (stuck || reached.touching.empty()) {
+        return stuck;
+      }
+    }
+    return reach(way, reached);
+  };
   while (!trouble) {
     shown_.load_paths = {own};
     Reached at_from;
     Reached at_to;
-    trouble = reach(from, at_from);
+    trouble = to_end(from, at_from);
     LoadPaths* const before = paths_.get();
-    trouble = trouble ? trouble : reach(to, at_to);
+    trouble = trouble ? trouble : to_end(to, at_to);
     if (trouble || paths_.get() != before) {
       continue; // faces met at the second end: the first is not the same any more
     }

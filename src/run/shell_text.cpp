@@ -247,7 +247,7 @@ ShellResult read_quantity(const std::string& text, const model::Model& model, mo
   if (is == nullptr) {
     return no_such("result", field.text, quantity_names());
   }
-  if (is->name == "N" || is->name == "LIFE") {
+  if (is->name == "N" || is->name == "LIFE" || is->name.starts_with("TEST.")) {
     return ShellTrouble{exit_code::usage,
                         fmt::format("{} needs a growth run; the shell looks at states", is->name),
                         {}};
