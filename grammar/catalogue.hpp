@@ -132,8 +132,8 @@ const CardSpec* find_card(std::string_view name);
 std::vector<std::string> split_words(std::string_view words);
 
 /// A result that $CHECK and the prompt can name, and what its arguments are: c crack[.tip],
-/// p contact, s step, o load case, m material, l load path, t test, n set, e net or * for all, d direction
-/// X|Y|Z, a number; a letter after ? may be left out.
+/// p contact, s step, o load case, m material, l load path, t test, n set, e net or * for all, d
+/// direction X|Y|Z, a number; a letter after ? may be left out.
 struct ResultQuantity {
   std::string_view name = {};
   std::string_view arguments;
