@@ -218,7 +218,7 @@ constexpr std::array texts{
         "load cycle. By a law the program chooses the lengths itself, so that the cycles are "
         "right to TOL, and ends at AMAX, CYCLES, KC, the ligament's plastic limit (SFLOW), an "
         "edge, another crack, or where nothing grows any more.",
-        "$GROW LAW=PARIS KMAX=LOAD KMIN=UNLOAD C=1e-11 M=3 KUNIT='MPa*m^0.5' AUNIT=m AMAX=30\n"},
+        "$GROW LAW=PARIS KMAX=LOAD KMIN=UNLOAD C=1e-11 M=3 KUNIT='MPa*m^0.5' AUNIT='m' AMAX=30\n"},
     CardText{
         "TEST",
         "Data lines N a are readings of a crack growth test: cycles and length, as $CRACK counts "

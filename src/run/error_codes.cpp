@@ -97,9 +97,9 @@ constexpr std::array advice{
     ErrorCode{"E426", "Use TRIMC6, QUAMC8 or QUAMC9, or TYPE=QUADRATIC on $IMPORT."},
     ErrorCode{"E428", "Refine the net there, or give a smaller RADIUS on $TIPNET."},
     ErrorCode{"E429", "Refine the net near the crack or give RADIUS and SIZE on $TIPNET."},
-    ErrorCode{"E430", "Give an AMAX that is longer than the crack is at first; leave PATCH=NO to "
-                      "LAW=INCREMENT with lengths that end at nodes."},
     ErrorCode{"E430", "End a crack before it meets another, and bend it by less than 165 degrees."},
+    ErrorCode{"E431", "Give an AMAX that is longer than the crack is at first; leave PATCH=NO to "
+                      "LAW=INCREMENT with lengths that end at nodes."},
     ErrorCode{"E500", "The deck is right, but there is no analysis for this yet: exit code 4."},
     ErrorCode{"E510",
               "The message names the body and the direction that nothing holds, or the "

@@ -180,7 +180,7 @@ private:
 
   bool can_begin(const std::vector<mesh::CrackLine>& lines) {
     const auto no = [&](const std::string& why) {
-      diagnostics_.error(model_.growth->span, "E430", why);
+      diagnostics_.error(model_.growth->span, "E431", why);
       return false;
     };
     if (growth::growing_tips(model_, lines).empty()) {

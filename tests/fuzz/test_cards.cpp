@@ -89,13 +89,18 @@ TEST(Cards, GrowthAndRestartAreInTheModel) {
   EXPECT_EQ(m.growth->largest_advance, 0.1);
   EXPECT_EQ(m.growth->last_length, 2.0);
   EXPECT_EQ(m.growth->cycles, 1e6);
-  EXPECT_EQ(m.restart->read, "a.rst");
-  EXPECT_EQ(m.restart->at, 3);
   EXPECT_EQ(m.restart->write, "b.rst");
   EXPECT_EQ(m.restart->every, 2);
   EXPECT_EQ(m.cases.back().loads.size(), 1U);
   EXPECT_TRUE(m.cases[3].loads[0].faces.valid()); // FACES: those of the crack
   EXPECT_TRUE(m.cases[2].loads[0].elements.valid());
+}
+
+TEST(Cards, AStateToGoOnFromIsInTheModel) {
+  const Outcome outcome = Reader().read(deck_of("import").text);
+  ASSERT_TRUE(outcome.model) << outcome.messages();
+  EXPECT_EQ(outcome.model->restart->read, "a.rst");
+  EXPECT_EQ(outcome.model->restart->at, 3);
 }
 
 TEST(Cards, AGrowthTestIsInTheModel) {
