@@ -26,7 +26,7 @@ void on_interrupt(int /*signal*/) {
   pressed = 1;
 }
 
-// Called by readline when a signal ended its waiting for a key.
+// Called by readline while it waits for a key, and when a signal ended that.
 int clear_line() {
   if (pressed != 0) {
     pressed = 0;
@@ -102,6 +102,7 @@ LineEditor::LineEditor() : history_(history_file()) {
   rl_outstream = stderr;
   rl_catch_signals = 0; // ours, which stops a computation as well
   rl_signal_event_hook = clear_line;
+  rl_event_hook = clear_line; // ten times a second: a signal may come while no key is waited for
   rl_attempted_completion_function = complete_word;
   rl_completer_word_break_characters = " \t=(,'";
   using_history();
@@ -119,6 +120,7 @@ LineEditor::LineEditor() : history_(history_file()) {
 LineEditor::~LineEditor() {
   sigaction(SIGINT, &old_int_, nullptr);
   rl_signal_event_hook = nullptr;
+  rl_event_hook = nullptr;
   completer = nullptr;
   if (!history_.empty()) {
     write_history(history_.c_str());
