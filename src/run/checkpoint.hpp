@@ -5,9 +5,8 @@
 #include "model/model.hpp"
 #include "results/named_arrays.hpp"
 #include "results/results.hpp"
-#include "run/card_marks.hpp"
+#include "run/checkpoint_list.hpp"
 
-#include <array>
 #include <filesystem>
 #include <functional>
 #include <mutex>
@@ -35,17 +34,6 @@ struct SolvedIncrement {
   results::NamedArrays state;
   std::vector<results::LogLine> log;
   double cpu = 0.0, wall = 0.0; ///< [s]
-};
-
-/// How the list knows an increment.
-struct KeptEntry {
-  int round = 1; ///< of $TIPNET TOL
-  int number = 1;
-  double asked = 0.0; ///< crack length that the loop asked for; 0: it found it itself
-  std::string file;   ///< in the folder
-  std::string hash;   ///< of the file's content
-  double cpu = 0.0, wall = 0.0;
-  std::vector<results::LogLine> log;
 };
 
 struct CheckpointPlace {
@@ -111,18 +99,11 @@ public:
   [[nodiscard]] const std::filesystem::path& file() const { return place_.write; }
 
 private:
-  struct List {
-    std::vector<CardMark> cards;
-    std::vector<KeptEntry> entries;
-    std::string growth;           ///< what of $GROW all increments depend on
-    std::array<double, 2> ends{}; ///< AMAX, CYCLES; infinite where there is none
-  };
   struct Pending {
     std::string file, bytes;
   };
 
-  [[nodiscard]] List read_list(const std::filesystem::path& file) const;
-  [[nodiscard]] List read_newest();
+  [[nodiscard]] CheckpointList read_newest();
   [[nodiscard]] std::string list_bytes() const;
   std::optional<Misfit> misfit_of_steps();
   std::optional<Misfit> misfit_of_growth() const;
@@ -136,7 +117,7 @@ private:
   const base::Sources& sources_;
   const model::Model& model_;
   std::vector<CardMark> cards_; ///< of the deck now
-  List found_;                  ///< in the file that is read
+  CheckpointList found_;        ///< in the file that is read
   int round_ = 0;
   std::vector<double> walls_;     ///< [s] of increments solved in this session
   std::size_t dropped_steps_ = 0; ///< of the earlier deck, at its end
