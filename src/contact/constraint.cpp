@@ -13,30 +13,6 @@ namespace spricka::contact {
 
 namespace {
 
-// Sizes alike: within a factor 1.5. There the softer side carries the multipliers, because a finer
-// and stiffer one makes the compliance of the rows lose rank; else the coarser side does.
-constexpr double alike = 1.5;
-
-struct Choice {
-  bool swap = false;
-  std::string why;
-};
-
-Choice choose_side(const Surface& slave, const Surface& master) {
-  const double ratio = slave.mean_length / master.mean_length;
-  if (ratio > alike) {
-    return {false, "slave side: coarser"};
-  }
-  if (ratio < 1.0 / alike) {
-    return {true, "master side: coarser"};
-  }
-  if (slave.stiffness > master.stiffness) {
-    return {true, "master side: softer, sizes alike"};
-  }
-  return {false, slave.stiffness < master.stiffness ? "slave side: softer, sizes alike"
-                                                    : "slave side: alike in size and stiffness"};
-}
-
 // Whether two chains of the surface end in one place: a crack opens there.
 bool has_mouth(const Surface& surface) {
   std::vector<Vec2> ends;
@@ -54,6 +30,44 @@ bool has_mouth(const Surface& surface) {
     }
   }
   return false;
+}
+
+// Sizes alike: within a factor 1.5. There the softer side carries the multipliers, because a finer
+// and stiffer one makes the compliance of the rows lose rank; else the coarser side does.
+constexpr double alike = 1.5;
+
+struct Choice {
+  bool swap = false;
+  std::string why;
+};
+
+// The lips of a mouth are pressed each for itself: functions of the other side, which go across the
+// mouth, know one pressure for both (K2 of short cracks then is off by some per cent of K1).
+Choice choose_side(const Surface& slave, const Surface& master) {
+  const bool mouth = has_mouth(master);
+  if (mouth != has_mouth(slave)) {
+    return {mouth,
+            mouth ? "master side: a crack opens into it" : "slave side: a crack opens into it"};
+  }
+  const double ratio = slave.mean_length / master.mean_length;
+  if (ratio > alike) {
+    return {false, "slave side: coarser"};
+  }
+  if (ratio < 1.0 / alike) {
+    return {true, "master side: coarser"};
+  }
+  if (slave.stiffness > master.stiffness) {
+    return {true, "master side: softer, sizes alike"};
+  }
+  return {false, slave.stiffness < master.stiffness ? "slave side: softer, sizes alike"
+                                                    : "slave side: alike in size and stiffness"};
+}
+
+Choice choose_node_side(const Surface& slave, const Surface& master) {
+  // both lips of a mouth need their row
+  return has_mouth(master) && !has_mouth(slave)
+             ? Choice{true, "master side: node pairs, a crack opens into it"}
+             : Choice{false, "slave side: node pairs"};
 }
 
 } // namespace
@@ -77,15 +91,9 @@ PairRows pair_rows(const model::Model& model, const model::Mesh& mesh,
     pair.trouble = "a surface has no edges";
     return pair;
   }
-  Choice choice = choose_side(slave, master);
-  if (nodes) {
-    // both lips of a mouth need their row
-    choice = has_mouth(master) && !has_mouth(slave)
-                 ? Choice{true, "master side: node pairs, a crack opens into it"}
-                 : Choice{false, "slave side: node pairs"};
-  }
+  const Choice choice = nodes ? choose_node_side(slave, master) : choose_side(slave, master);
   pair.swapped = choice.swap;
-  pair.choice = std::move(choice.why);
+  pair.choice = choice.why;
   if (choice.swap) {
     std::swap(slave, master);
   }

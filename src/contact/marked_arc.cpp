@@ -21,29 +21,30 @@ double contact_end(double s_inner, double p_inner, double s_last, double p_last,
 
 } // namespace
 
-Arc marked_arc(std::vector<ArcNode> p, bool round) {
-  std::stable_sort(p.begin(), p.end(),
+Arc marked_arc(std::vector<ArcNode> nodes, bool round) {
+  std::stable_sort(nodes.begin(), nodes.end(),
                    [](const ArcNode& a, const ArcNode& b) { return a.s < b.s; });
-  const std::size_t n = p.size();
+  const std::size_t n = nodes.size();
   const auto closed = static_cast<std::size_t>(
-      std::count_if(p.begin(), p.end(), [](const ArcNode& q) { return q.in; }));
+      std::count_if(nodes.begin(), nodes.end(), [](const ArcNode& q) { return q.in; }));
   constexpr double pi = std::numbers::pi;
   if (closed == n && n > 0) {
-    return round && n > 2 && p[n - 1].s - p[0].s > 1.5 * pi ? Arc{-pi, pi}
-                                                            : Arc{p[0].s, p[n - 1].s};
+    return round && n > 2 && nodes[n - 1].s - nodes[0].s > 1.5 * pi
+               ? Arc{-pi, pi}
+               : Arc{nodes[0].s, nodes[n - 1].s};
   }
   const auto coordinate = [&](std::size_t i) {
-    return p[i % n].s + 2.0 * pi * static_cast<double>(round ? i / n : 0);
+    return nodes[i % n].s + 2.0 * pi * static_cast<double>(round ? i / n : 0);
   };
   Arc best;
   std::size_t longest = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    const bool begins = p[i].in && (i > 0 ? !p[i - 1].in : !(round && p[n - 1].in));
+    const bool begins = nodes[i].in && (i > 0 ? !nodes[i - 1].in : !(round && nodes[n - 1].in));
     if (!begins) {
       continue;
     }
     std::size_t j = i;
-    while ((round || j + 1 < n) && p[(j + 1) % n].in) {
+    while ((round || j + 1 < n) && nodes[(j + 1) % n].in) {
       ++j;
     }
     if (j - i + 1 <= longest) {
@@ -52,13 +53,13 @@ Arc marked_arc(std::vector<ArcNode> p, bool round) {
     longest = j - i + 1;
     best = {coordinate(i), coordinate(j)};
     if (j > i && (round || i > 0)) {
-      const double open = i > 0 ? coordinate(i - 1) : p[n - 1].s - 2.0 * pi;
-      best.from = contact_end(coordinate(i + 1), p[(i + 1) % n].strength, coordinate(i),
-                              p[i].strength, open);
+      const double open = i > 0 ? coordinate(i - 1) : nodes[n - 1].s - 2.0 * pi;
+      best.from = contact_end(coordinate(i + 1), nodes[(i + 1) % n].strength, coordinate(i),
+                              nodes[i].strength, open);
     }
     if (j > i && (round || j + 1 < n)) {
-      best.to = contact_end(coordinate(j - 1), p[(j - 1) % n].strength, coordinate(j),
-                            p[j % n].strength, coordinate(j + 1));
+      best.to = contact_end(coordinate(j - 1), nodes[(j - 1) % n].strength, coordinate(j),
+                            nodes[j % n].strength, coordinate(j + 1));
     }
   }
   if (round && best.to > pi && best.from > 0.0 && best.from >= pi) {

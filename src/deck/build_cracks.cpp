@@ -150,6 +150,12 @@ base::CrackId crack_of(Context& c, const BoundCard& card, std::set<std::size_t>&
   return base::CrackId(found->index);
 }
 
+// A patch as fine as usual finds K to about a thousandth; its error falls with the cube of its sizes.
+double finer_for(double tolerance) {
+  constexpr double usual = 1e-3;
+  return std::clamp(std::cbrt(usual / tolerance), 0.6, 1.0);
+}
+
 void tip_net(Context& c, const BoundCard& card, std::set<std::size_t>& seen) {
   model::TipNet tip;
   tip.crack = crack_of(c, card, seen);
@@ -161,6 +167,9 @@ void tip_net(Context& c, const BoundCard& card, std::set<std::size_t>& seen) {
   tip.join = card.is("JOIN", "TRANSITION") ? model::Join::transition : model::Join::conforming;
   tip.patch = card.is("PATCH", "YES");
   tip.tolerance = card.optional("TOL");
+  if (tip.tolerance && !card.has("SIZE") && !card.has("RINGS") && !card.has("SECTORS")) {
+    tip.finer = finer_for(*tip.tolerance);
+  }
   tip.span = card.span;
   if (tip.radius && tip.size && *tip.size >= *tip.radius) {
     c.error(card.find("SIZE")->span, "E109", "SIZE: the tip elements are smaller than RADIUS");

@@ -8,21 +8,20 @@ namespace spricka::estimate {
 
 namespace {
 
-constexpr double share_of_flip = 0.1;
+// Parts of flips. What a sharp edge presses on its last half element is the less known the larger
+// that is.
+struct Shares {
+  double end = share_of_flip;
+  double sharp = 0.15;
+};
+constexpr Shares when_coarse{0.25, 0.7};
 constexpr double floor_share = 1e-4; // of hypot(K1, K2)
 constexpr double cancelled = 0.2;    // |eta| below this share of the sum says little
 constexpr double share_of_sum = 0.4;
 
 // Measured by tests/stability/coverage.py on its calibration half (manual, error_bar.md).
 BarConstants of_type(base::ElementType type) {
-  switch (type) {
-  case base::ElementType::quamc9:
-    return {1.8, 1.15};
-  case base::ElementType::quamc8:
-    return {1.8, 1.2};
-  default:
-    return {1.8, 1.2};
-  }
+  return type == base::ElementType::quamc9 ? BarConstants{1.8, 1.15} : BarConstants{1.8, 1.2};
 }
 
 } // namespace
@@ -45,16 +44,17 @@ BarConstants bar_constants(const model::Mesh& mesh, const GoalError& error) {
 
 std::array<ErrorBar, 2> error_bars(const model::Mesh& mesh, const std::array<double, 2>& K,
                                    const std::array<const GoalError*, 2>& errors,
-                                   const std::array<double, 2>& flip, bool coarse) {
+                                   const std::array<Flip, 2>& flip, bool coarse) {
   std::array<ErrorBar, 2> bars;
   const double size = std::hypot(K[0], K[1]);
+  const Shares share = coarse ? when_coarse : Shares{};
   for (std::size_t k = 0; k < 2; ++k) {
     const GoalError& error = *errors[k];
     const BarConstants constants = bar_constants(mesh, error);
     ErrorBar& bar = bars[k];
     bar.floor = floor_share * size;
     bar.mesh = constants.bar * std::abs(error.eta);
-    bar.edge = share_of_flip * flip[k];
+    bar.edge = share.end * flip[k].end + share.sharp * flip[k].sharp;
     bar.best = K[k] + constants.best * error.eta;
     const bool counts = share_of_sum * error.sum > bar.floor;
     bar.cancels = counts && std::abs(error.eta) < cancelled * error.sum;

@@ -9,7 +9,7 @@ namespace spricka::estimate {
 /// K1 and K2 of one tip with their error bars (manual, estimate.11 and 12).
 struct ErrorBar {
   double mesh = 0.0;    ///< from the modes [stress intensity]
-  double edge = 0.0;    ///< from where contact ends
+  double edge = 0.0;    ///< from where contact ends, and from edges that it is closed up to
   double floor = 0.0;   ///< below this signs of eta are noise
   double best = 0.0;    ///< K with its estimated error taken out
   bool cancels = false; ///< the parts of eta cancel: its size says little
@@ -25,10 +25,17 @@ struct BarConstants {
 /// The constants of a mesh: those of its element types, by their share of sum |eta_e|.
 BarConstants bar_constants(const model::Mesh& mesh, const GoalError& error);
 
-/// K and flip by mode: flip is the largest change of K when a pair beside the end of a contact is
-/// opened or closed. `coarse`: a contact is too coarse for eta to be trusted.
+/// Part of the largest flip that a bar takes; the rest of its edge is that of sharp edges.
+constexpr double share_of_flip = 0.1;
+
+/// Changes of one K when a contact pair changes its state.
+struct Flip {
+  double end = 0.0;   ///< the largest, of pairs beside the end of a contact
+  double sharp = 0.0; ///< sum over those at sharp edges, where pressure has no bound
+};
+/// K, errors and flip by mode. `coarse`: a contact is too coarse for eta to be trusted.
 std::array<ErrorBar, 2> error_bars(const model::Mesh& mesh, const std::array<double, 2>& K,
                                    const std::array<const GoalError*, 2>& errors,
-                                   const std::array<double, 2>& flip, bool coarse);
+                                   const std::array<Flip, 2>& flip, bool coarse);
 
 } // namespace spricka::estimate

@@ -16,7 +16,7 @@ constexpr double small_change = 3e-3;
 class Preconditioner {
 public:
   Preconditioner(const Enrichment& enrichment, const ModeMap& map)
-      : map_(map), diagonal_(base::Vector::Zero(map.unknowns)) {
+      : diagonal_(base::Vector::Zero(map.unknowns)) {
     const std::vector<base::Vec3>& blocks = enrichment.diagonal();
     const std::size_t edges = enrichment.edges().edges.size();
     std::vector<int> users(static_cast<std::size_t>(map.unknowns), 0);
@@ -59,7 +59,6 @@ private:
     std::int32_t x, y;
     double off;
   };
-  const ModeMap& map_;
   base::Vector diagonal_;
   std::vector<Pair> pairs_;
 };

@@ -42,6 +42,7 @@ std::vector<model::Face> along(const model::Mesh& mesh, const std::vector<NodeId
   }
   std::ranges::sort(found);
   std::vector<model::Face> faces;
+  faces.reserve(found.size());
   for (const auto& [at, face] : found) {
     faces.push_back(face);
   }

@@ -17,8 +17,10 @@ using base::Vec3;
 
 namespace {
 
-/// Size wanted at the mouth, in crack lengths; the host's own size if that is smaller.
+/// Size wanted at the mouth, in crack lengths; the host's own size if that is smaller. Where the
+/// mouth is pressed K2 of short cracks hangs on the peaks of pressure beside it.
 constexpr double mouth_size = 0.25;
+constexpr double pressed_mouth_size = 0.05;
 
 class Builder {
 public:
@@ -92,7 +94,7 @@ private:
   }
 
   void set_sizes(double fineness) {
-    double finer = 1.0;
+    double finer = 0.0;
     for (const Crack& crack : cracks_) {
       finer = std::max(finer, crack.tip->finer);
     }
@@ -105,8 +107,9 @@ private:
         }
       }
       if (crack.place->mouth) {
-        size_.add(crack.place->line.front(),
-                  mouth_size * own_length(*crack.place) / (fineness * finer));
+        const double part =
+            crack.tip->pressed ? pressed_mouth_size / std::max(finer, 1.0) : mouth_size / finer;
+        size_.add(crack.place->line.front(), part * own_length(*crack.place) / fineness);
       }
     }
     for (const auto& loop : cavity_.loops) {
@@ -200,7 +203,7 @@ private:
     std::vector<double> xi = divide(curve, -1.0, 0.0, size_);
     const std::vector<double> rest = divide(curve, 0.0, 1.0, size_);
     xi.insert(xi.end(), rest.begin() + 1, rest.end());
-    const std::vector<int> inner = add_parts(edge, xi);
+    std::vector<int> inner = add_parts(edge, xi);
     const std::vector<Pair>& pieces = patch_.edges.back().second;
     for (std::size_t i = 1; i < xi.size(); ++i) {
       const Pair& piece = pieces[i - 1];

@@ -11,12 +11,12 @@ namespace spricka::results {
 enum class Times { kept, left_out };
 
 /// One crack length into a folder: mesh, surface, load paths and steps.
-void write_increment(const StoreGroup& group, const Increment& increment);
+void write_increment(const StoreGroup& given, const Increment& increment);
 Increment read_increment(const StoreGroup& group);
 
 /// A run: increments/0001, ..., checks, warnings, rounds, growth; with times also the log, CPU
 /// time, wall time and memory.
-void write_run(const StoreGroup& group, const Run& run, Times times);
+void write_run(const StoreGroup& given, const Run& run, Times times);
 Run read_run(const StoreGroup& group);
 
 void write_arrays(const StoreGroup& group, const NamedArrays& arrays);

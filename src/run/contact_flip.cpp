@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/contact_flip.hpp"
 
+#include "contact/sharp_end.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace spricka::run {
@@ -17,11 +20,69 @@ struct Candidate {
   std::size_t local = 0; ///< normal row of the pair
   std::size_t row = 0;   ///< of the table
   bool closed = false;
+  bool end = false;   ///< beside an end of a closed stretch
+  bool sharp = false; ///< closed at an edge of one surface
 };
 
-// Normal rows on both sides of each change between closed and open along the surfaces.
-void add_ends(const Scene& scene, const StepState& state, std::size_t c,
-              std::vector<Candidate>& found) {
+std::map<base::NodeId, base::Vec2> node_places(const contact::Surface& surface) {
+  std::map<base::NodeId, base::Vec2> place;
+  for (const contact::EdgeChain& chain : surface.chains) {
+    for (const contact::Edge& edge : chain.edges) {
+      for (std::size_t i = 0; i < static_cast<std::size_t>(edge.count); ++i) {
+        place.emplace(edge.nodes[i], edge.x[i]);
+      }
+    }
+  }
+  return place;
+}
+
+// Node spacing of the surface's edge that is nearest to x.
+double spacing_at(const contact::Surface& surface, const base::Vec2& x) {
+  double closest = std::numeric_limits<double>::infinity();
+  double spacing = 0.0;
+  for (const contact::EdgeChain& chain : surface.chains) {
+    for (const contact::Edge& edge : chain.edges) {
+      for (const double xi : {-1.0, 0.0, 1.0}) {
+        const double distance = (contact::point_on(edge, xi) - x).norm();
+        if (distance < closest) {
+          closest = distance;
+          spacing = 0.5 * edge.length;
+        }
+      }
+    }
+  }
+  return spacing;
+}
+
+// Closed rows that lie nearer to an edge of one surface than the coarser surface has nodes there:
+// it does not see how the pressure is spread among them.
+std::vector<bool> beside_sharp_ends(const contact::PairRows& pair,
+                                    const std::vector<bool>& closed) {
+  std::vector<bool> beside(pair.normal.size(), false);
+  const std::vector<contact::SharpEnd> sharp = contact::sharp_ends(pair);
+  if (sharp.empty()) {
+    return beside;
+  }
+  const std::map<base::NodeId, base::Vec2> place = node_places(pair.contact);
+  for (const contact::SharpEnd& end : sharp) {
+    constexpr double within = 0.99;
+    const double reach =
+        within * std::max(spacing_at(pair.contact, end.x), spacing_at(pair.target, end.x));
+    for (std::size_t r = 0; r < beside.size(); ++r) {
+      const base::NodeId node = pair.normal[r].node;
+      const bool own = std::ranges::find(end.nodes, node) != end.nodes.end();
+      if (closed[r] && (own || (place.at(node) - end.x).norm() < reach)) {
+        beside[r] = true;
+      }
+    }
+  }
+  return beside;
+}
+
+// Normal rows on both sides of each change between closed and open along the surfaces, and those
+// at edges of one surface.
+void add_candidates(const Scene& scene, const StepState& state, std::size_t c,
+                    std::vector<Candidate>& found) {
   const contact::PairRows& pair = scene.pairs[c];
   std::map<base::NodeId, std::size_t> row_of;
   for (std::size_t r = 0; r < pair.normal.size(); ++r) {
@@ -42,9 +103,10 @@ void add_ends(const Scene& scene, const StepState& state, std::size_t c,
       }
     }
   }
+  const std::vector<bool> sharp = beside_sharp_ends(pair, closed);
   for (std::size_t r = 0; r < ends.size(); ++r) {
-    if (ends[r]) {
-      found.push_back({c, r, scene.table.first[c] + r, closed[r]});
+    if (ends[r] || sharp[r]) {
+      found.push_back({c, r, scene.table.first[c] + r, closed[r], ends[r], sharp[r]});
     }
   }
 }
@@ -60,14 +122,14 @@ double opening(const contact::ConstraintRow& row, int dim, const base::Matrix& z
 
 } // namespace
 
-std::vector<base::Vec2> contact_flips(const Scene& scene, const StepState& state,
-                                      const std::vector<estimate::Adjoint>& adjoints,
-                                      const contact::HeldContact* held) {
-  std::vector<base::Vec2> flips(adjoints.size(), base::Vec2::Zero());
+std::vector<ContactFlips> contact_flips(const Scene& scene, const StepState& state,
+                                        const std::vector<estimate::Adjoint>& adjoints,
+                                        const contact::HeldContact* held) {
+  std::vector<ContactFlips> flips(adjoints.size());
   std::vector<Candidate> candidates;
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     if (state.mounted[c] && scene.pairs[c].tangent.empty()) {
-      add_ends(scene, state, c, candidates);
+      add_candidates(scene, state, c, candidates);
     }
   }
   if (candidates.empty() || held == nullptr || !held->ok()) {
@@ -99,7 +161,12 @@ std::vector<base::Vec2> contact_flips(const Scene& scene, const StepState& state
         const double change = c.closed ? adjoints[t].w(static_cast<Eigen::Index>(c.row), k) *
                                              state.pair_lambda[c.pair][local] / p
                                        : -state.pair_gap[c.pair][local] / p * by_force(c, t, k);
-        flips[t][k] = std::max(flips[t][k], std::abs(change));
+        if (c.end) {
+          flips[t].ends[k] = std::max(flips[t].ends[k], std::abs(change));
+        }
+        if (c.sharp) {
+          flips[t].sharp[k] += std::abs(change);
+        }
       }
     }
   }

@@ -9,11 +9,15 @@
 
 namespace spricka::run {
 
-/// The largest changes of K1 and K2 [tip] when one pair beside an end of a closed stretch is opened
-/// or closed at the end of the last step (manual, estimate.13): exact, one pivot each.
-/// `held`: the rows closed then, or null where there is no contact.
-std::vector<base::Vec2> contact_flips(const Scene& scene, const StepState& state,
-                                      const std::vector<estimate::Adjoint>& adjoints,
-                                      const contact::HeldContact* held);
+/// How K1 and K2 of a tip change when one pair is opened or closed at the end of a step (manual,
+/// estimate.13): exact, one pivot each.
+struct ContactFlips {
+  base::Vec2 ends = base::Vec2::Zero(); ///< the largest, of pairs beside an end of a closed stretch
+  base::Vec2 sharp = base::Vec2::Zero(); ///< sum over closed pairs at edges of one surface (mouths)
+};
+/// [tip]. `held`: the rows closed at the end of the step, or null where there is no contact.
+std::vector<ContactFlips> contact_flips(const Scene& scene, const StepState& state,
+                                        const std::vector<estimate::Adjoint>& adjoints,
+                                        const contact::HeldContact* held);
 
 } // namespace spricka::run

@@ -85,21 +85,21 @@ estimate::ModeMap ErrorBars::modes(const StepState& state) const {
   return estimate::mode_map(*enrichment_, supports_, closed);
 }
 
-// Pairs of a contact that the crack feels stand further apart than half its length.
+// Nodes of a contact that the crack feels stand further apart than half its length.
 bool ErrorBars::coarse_contact(const StepState& state, const mesh::Tip& tip) const {
   for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
     if (!state.mounted[c]) {
       continue;
     }
-    for (const contact::EdgeChain& chain : scene_.pairs[c].contact.chains) {
-      for (const contact::Edge& edge : chain.edges) {
-        const double spacing = 0.5 * edge.length;
-        const double reach = 2.0 * tip.a + 0.5 * edge.length;
-        const base::Vec2 middle = contact::point_on(edge, 0.0);
-        if (spacing > 0.5 * tip.a && (middle - tip.x.head<2>()).norm() < reach) {
-          return true;
-        }
-      }
+    const auto near_and_coarse = [&](const contact::Edge* edge) {
+      const double spacing = 0.5 * edge->length;
+      const double reach = 2.0 * tip.a + 0.5 * edge->length;
+      const base::Vec2 middle = contact::point_on(*edge, 0.0);
+      return spacing > 0.5 * tip.a && (middle - tip.x.head<2>()).norm() < reach;
+    };
+    if (std::ranges::any_of(estimate::edges_of(scene_.pairs[c].contact), near_and_coarse) ||
+        std::ranges::any_of(estimate::edges_of(scene_.pairs[c].target), near_and_coarse)) {
+      return true;
     }
   }
   return false;
@@ -158,7 +158,7 @@ void ErrorBars::add(const StepState& state, const std::vector<estimate::Adjoint>
     why_not = why_not.empty() ? adjoint.why_not : why_not;
   }
   std::vector<estimate::GoalError> errors;
-  std::vector<base::Vec2> flips;
+  std::vector<ContactFlips> flips;
   if (why_not.empty()) {
     base::Matrix z(state.u.size(), goals_.cols());
     for (std::size_t t = 0; t < adjoints.size(); ++t) {
@@ -187,10 +187,12 @@ void ErrorBars::add(const StepState& state, const std::vector<estimate::Adjoint>
       }
       const std::array<const estimate::GoalError*, 2> own{&errors[2 * t], &errors[2 * t + 1]};
       const std::array<double, 2> K{tip.K1, tip.K2};
-      const std::array<estimate::ErrorBar, 2> bars =
-          estimate::error_bars(scene_.cracked.mesh, K, own, {flips[t][0], flips[t][1]}, coarse);
+      const ContactFlips& flip = flips[t];
+      const std::array<estimate::ErrorBar, 2> bars = estimate::error_bars(
+          scene_.cracked.mesh, K, own,
+          {estimate::Flip{flip.ends[0], flip.sharp[0]}, {flip.ends[1], flip.sharp[1]}}, coarse);
       for (std::size_t k = 0; k < 2; ++k) {
-        tip.bar[k] = {own[k]->eta,  own[k]->sum,     flips[t][static_cast<Eigen::Index>(k)],
+        tip.bar[k] = {own[k]->eta,  own[k]->sum,     flip.ends[static_cast<Eigen::Index>(k)],
                       bars[k].mesh, bars[k].edge,    bars[k].floor,
                       bars[k].best, bars[k].cancels, own[k]->of_element};
       }

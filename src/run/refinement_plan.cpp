@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/refinement_plan.hpp"
 
+#include "estimate/error_bar.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -23,9 +25,10 @@ constexpr double q = 3.0;
 constexpr double aim = 0.8;          // of what is allowed: a round more costs more than this margin
 constexpr double least_factor = 0.3; // of an element's size in one round: eta is a guess
 constexpr double most_finer = 2.0;   // of a patch in one round
-constexpr double no_change = 0.95;   // of a size: not worth a new mesh
-constexpr double most_of_bar = 0.3;  // of what is allowed that ends of contacts may take
-constexpr double least_share = 0.2;  // of the error that patch and host may keep at least
+constexpr double most_for_mouth = 1.2; // of it because of its mouth alone
+constexpr double no_change = 0.95;     // of a size: not worth a new mesh
+constexpr double most_of_bar = 0.3;    // of what is allowed that ends of contacts may take
+constexpr double least_share = 0.2;    // of the error that patch and host may keep at least
 
 /// One K whose bar is too large.
 struct Entry {
@@ -144,7 +147,11 @@ void share_out(const Entry& entry, Factors& factors) {
   if (over <= 1.0 || sum <= 0.0) {
     return;
   }
-  const double for_patch = std::clamp(patch / sum, least_share, 1.0 - least_share) * sum / over;
+  // A patch of N elements has one factor: N f^-2 at S_p f^q, beside the host's sums.
+  const double of_patch = std::pow(static_cast<double>(error.size() - kept), q / (q + 2.0)) *
+                          std::pow(patch, 2.0 / (q + 2.0));
+  const double share = of_patch / (of_patch + power_sum(error, 0, kept, 2.0 / (q + 2.0)));
+  const double for_patch = std::clamp(share, least_share, 1.0 - least_share) * sum / over;
   const double for_host = sum / over - for_patch;
   if (patch > for_patch) {
     double& finer = factors.patch[entry.crack.index()];
@@ -160,26 +167,114 @@ void share_out(const Entry& entry, Factors& factors) {
   }
 }
 
-// Where contact ends between two points that lie farther apart than K bears.
-void add_contact_ends(const Entry& entry, std::vector<mesh::SizeMap::Wish>& wishes) {
+using Wishes = std::map<std::string, std::vector<mesh::SizeMap::Wish>>; // by net
+
+/// A place on contact surfaces that needs smaller elements.
+struct Place {
+  base::Vec2 at;
+  double factor = 1.0; ///< of the largest element there
+  base::CrackId crack; ///< an edge of one surface whose pressure this crack feels; else invalid
+  double patch = 0.0;  ///< size of a patch's element that has that edge
+};
+
+// Size of the patch's element at a place; 0 where the host goes on.
+double patch_size(const results::Increment& increment, const base::Vec2& at) {
+  double closest = std::numeric_limits<double>::infinity();
+  double size = 0.0;
+  for (std::size_t e = increment.kept; e < increment.mesh.element_count(); ++e) {
+    const double distance = (centre_of(increment.mesh, base::ElementId(e)) - at).norm();
+    if (distance < closest) {
+      closest = distance;
+      size = size_of(increment.mesh, base::ElementId(e));
+    }
+  }
+  return closest < size ? size : 0.0;
+}
+
+// Where contact ends between two points that lie farther apart than K bears, and edges that it is
+// closed up to.
+void add_places(const Entry& entry, std::vector<Place>& places) {
   const double may = most_of_bar * entry.allowed;
   if (entry.bar.edge <= may) {
     return;
   }
   // K changes by the pressure that one pair more takes: with the square of its distance
   const double factor = std::max(least_factor, std::sqrt(may / entry.bar.edge));
+  const double ends = estimate::share_of_flip * entry.bar.flip;
   for (const results::ContactResult& contact : entry.step.contacts) {
-    for (std::size_t i = 1; i < contact.points.size(); ++i) {
+    for (std::size_t i = 1; i < contact.points.size() && ends > least_share * may; ++i) {
       const results::ContactPoint& a = contact.points[i - 1];
       const results::ContactPoint& b = contact.points[i];
-      const bool ends =
-          (a.state == results::ContactState::open) != (b.state == results::ContactState::open);
-      if (ends) {
-        const double size = 2.0 * (b.x - a.x).norm(); // an element has a point in its middle
-        wishes.push_back({0.5 * (a.x + b.x).head<2>(), factor * size, true});
+      if ((a.state == results::ContactState::open) != (b.state == results::ContactState::open)) {
+        places.push_back({0.5 * (a.x + b.x).head<2>(), factor, {}, 0.0});
+      }
+    }
+    for (const base::Vec3& x : contact.unbounded) {
+      if (entry.bar.edge - ends > least_share * may) {
+        places.push_back(
+            {x.head<2>(), factor, entry.crack, patch_size(entry.increment, x.head<2>())});
       }
     }
   }
+}
+
+const mesh::SizeMap::Wish* nearest(const std::vector<mesh::SizeMap::Wish>& list,
+                                   const base::Vec2& at) {
+  const auto found = std::ranges::min_element(
+      list, {}, [&](const mesh::SizeMap::Wish& wish) { return (wish.at - at).squaredNorm(); });
+  return found == list.end() ? nullptr : &*found;
+}
+
+/// Elements of the present mesh where they are and as large as they are, by net.
+struct Elements {
+  Wishes kept; ///< of the host
+  Wishes cut;  ///< what patches stand in for
+};
+
+/// What follows the places.
+struct Followers {
+  Wishes nets;
+  std::vector<double> patch; ///< [crack] its patch is to be finer by this
+};
+
+// Surfaces whose elements at an edge are smaller than this part of the others' see it well enough.
+constexpr double much_smaller = 0.7;
+
+// Nets whose nearest element is no further from a place than it is large follow it.
+Followers followers_of(const std::vector<Place>& places, const Elements& elements,
+                       std::size_t cracks) {
+  Followers followers{{}, std::vector<double>(cracks, 1.0)};
+  for (const Place& place : places) {
+    std::map<std::string, double> here; // size by net
+    double largest = place.patch;
+    for (const auto& [net, list] : elements.kept) {
+      const auto cavity = elements.cut.find(net);
+      const mesh::SizeMap::Wish* own = nearest(list, place.at);
+      const mesh::SizeMap::Wish* cut =
+          cavity == elements.cut.end() ? nullptr : nearest(cavity->second, place.at);
+      const auto distance = [&](const mesh::SizeMap::Wish* wish) {
+        return wish == nullptr ? std::numeric_limits<double>::infinity()
+                               : (wish->at - place.at).norm();
+      };
+      const bool in_patch = distance(cut) < distance(own);
+      const mesh::SizeMap::Wish* there = in_patch ? cut : own;
+      if (there != nullptr && distance(there) < there->size && !(in_patch && place.patch > 0.0)) {
+        here.emplace(net, there->size);
+        largest = std::max(largest, there->size);
+      }
+    }
+    const double least = place.crack.valid() ? much_smaller * largest : 0.0;
+    for (const auto& [net, size] : here) {
+      if (size >= least) {
+        followers.nets[net].push_back({place.at, place.factor * largest, true});
+      }
+    }
+    if (place.patch > 0.0 && place.patch >= largest) {
+      double& finer = followers.patch[place.crack.index()];
+      finer = std::max(finer, std::min(1.0 / place.factor, most_for_mouth));
+    }
+  }
+  return followers;
 }
 
 std::string net_of(const model::Model& model, const model::Mesh& mesh, std::size_t e) {
@@ -187,8 +282,7 @@ std::string net_of(const model::Model& model, const model::Mesh& mesh, std::size
 }
 
 // What patches stand in for keeps its size: it is cut out again.
-void add_cavities(const model::Model& model, const results::Increment& increment,
-                  std::map<std::string, std::vector<mesh::SizeMap::Wish>>& wishes) {
+void add_cavities(const model::Model& model, const results::Increment& increment, Wishes& wishes) {
   const model::Mesh& host = model.mesh;
   std::set<std::pair<std::int32_t, base::Label>> kept;
   for (std::size_t e = 0; e < increment.kept; ++e) {
@@ -242,48 +336,58 @@ Shortfall shortfall(const model::Model& model, const results::Run& run) {
   return worst;
 }
 
+RefinementPlan::RefinementPlan(const model::Model& model) : finer_(model.cracks.size(), 1.0) {
+  for (const model::TipNet& tip : model.tip_nets) {
+    finer_[tip.crack.index()] = tip.finer;
+  }
+}
+
 std::string RefinementPlan::refine(const model::Model& model, const results::Run& run) {
   std::vector<Entry> entries = too_large(model, run);
-  std::map<std::string, std::vector<mesh::SizeMap::Wish>> wishes; // by net
+  Wishes wishes;
+  Elements elements;
   std::map<std::string, double> even;
-  std::vector<mesh::SizeMap::Wish> ends;
+  std::vector<Place> places;
   std::vector<double> patch(model.cracks.size(), 1.0);
   for (const results::Increment& increment : run.increments) {
     Factors factors{std::vector<double>(increment.kept, 1.0), patch};
     for (const Entry& entry : entries) {
       if (&entry.increment == &increment) {
         share_out(entry, factors);
-        add_contact_ends(entry, ends);
+        add_places(entry, places);
       }
     }
     patch = factors.patch;
-    add_cavities(model, increment, wishes);
+    add_cavities(model, increment, elements.cut);
     for (std::size_t e = 0; e < increment.kept; ++e) {
       const double f = factors.host[e];
-      wishes[net_of(model, increment.mesh, e)].push_back(
-          {centre_of(increment.mesh, base::ElementId(e)),
-           f * size_of(increment.mesh, base::ElementId(e)), f < no_change});
+      const std::string net = net_of(model, increment.mesh, e);
+      const base::Vec2 centre = centre_of(increment.mesh, base::ElementId(e));
+      const double size = size_of(increment.mesh, base::ElementId(e));
+      elements.kept[net].push_back({centre, size, false});
+      wishes[net].push_back({centre, f * size, f < no_change});
     }
     for (std::size_t n = 0; n < model.nets.size(); ++n) {
       double& f = even.try_emplace(model.nets[n].name, 1.0).first->second;
       f = std::min(f, even_factor(increment.mesh, factors, base::NetId(n)));
     }
   }
+  const Followers followers = followers_of(places, elements, patch.size());
+  for (const Wishes* more : {&std::as_const(elements.cut), &followers.nets}) {
+    for (const auto& [net, list] : *more) {
+      wishes[net].insert(wishes[net].end(), list.begin(), list.end());
+    }
+  }
   std::vector<std::string> moved;
   for (std::size_t c = 0; c < patch.size(); ++c) {
+    patch[c] = std::max(patch[c], followers.patch[c]);
     if (patch[c] > 1.0 / no_change) {
       finer_[c] *= patch[c];
       moved.push_back(fmt::format("patch of {} {:.2f} times", model.cracks[c].name, patch[c]));
     }
   }
   for (auto& [net, list] : wishes) {
-    const bool near_ends = std::any_of(ends.begin(), ends.end(), [&](const auto& end) {
-      return std::any_of(list.begin(), list.end(),
-                         [&](const auto& wish) { return (wish.at - end.at).norm() < wish.size; });
-    });
-    if (near_ends) {
-      list.insert(list.end(), ends.begin(), ends.end());
-    }
+    const bool near_ends = followers.nets.contains(net);
     const double f = even[net];
     if (!near_ends && f >= no_change) {
       continue;

@@ -26,7 +26,7 @@ Shortfall shortfall(const model::Model& model, const results::Run& run);
 /// round, never back (manual, tolerance.1 to 4).
 class RefinementPlan {
 public:
-  explicit RefinementPlan(const model::Model& model) : finer_(model.cracks.size(), 1.0) {}
+  explicit RefinementPlan(const model::Model& model);
 
   /// Takes the errors of a solution into account. Returns what is made finer, in words; empty if
   /// nothing is left that would help.

@@ -5,6 +5,7 @@
 #include "fe/dof_map.hpp"
 #include "fe/thermal.hpp"
 #include "growth/crack_lines.hpp"
+#include "mesh/host.hpp"
 #include "run/scene_nodes.hpp"
 #include "run/scene_ties.hpp"
 #include "run/tip_loads.hpp"
@@ -27,12 +28,30 @@ const model::TipNet* tip_net_of(const model::Model& model, base::CrackId crack) 
   return nullptr;
 }
 
+bool opens_into_contact(const model::Model& model, const mesh::CrackLine& line) {
+  constexpr double on_it = 1e-2; // of an edge: mouths are moved onto the boundary
+  const auto has = [&](base::FaceSetId set) {
+    return set.valid() && std::ranges::any_of(model.mesh.set(set).faces, [&](const model::Face& f) {
+             const mesh::Edge edge = mesh::edge_of(model.mesh, f);
+             const double length =
+                 (model.mesh.x[edge.b.index()] - model.mesh.x[edge.a.index()]).norm();
+             return mesh::nearest_on(model.mesh, edge, line.points.front()).distance <
+                    on_it * length;
+           });
+  };
+  return model.mesh.dim == 2 && !line.embedded &&
+         std::ranges::any_of(model.contacts, [&](const model::Contact& contact) {
+           return has(contact.slave) || has(contact.master);
+         });
+}
+
 std::vector<mesh::TipMesh> tip_meshes(const model::Model& model,
                                       const std::vector<mesh::CrackLine>& lines) {
   std::vector<mesh::TipMesh> tips;
   tips.reserve(lines.size());
   for (const mesh::CrackLine& line : lines) {
     tips.push_back(mesh::choose_tip_mesh(model.mesh, line, tip_net_of(model, line.crack), lines));
+    tips.back().pressed = opens_into_contact(model, line);
   }
   return tips;
 }

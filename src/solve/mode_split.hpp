@@ -35,7 +35,7 @@ inline constexpr double rest_load = 1e-9;
 
 /// A motion that no row feels rests under loads up to this share of the load scale: the moment of a
 /// load about a round shaft's axis is that of its meshed shape.
-inline constexpr double resting_load = 1e-6;
+inline constexpr double resting_load = 1e-5;
 
 /// Of the loads h [m] on the modes, the motion that no row feels and h drives, normalised; empty if
 /// there is none (loads below `least`).

@@ -11,7 +11,7 @@ namespace spricka::solve {
 
 namespace {
 
-/// Modes that no row feels must not be loaded anywhere on the path.
+/// Modes that no row feels must not be loaded anywhere on the path, but for what steps let rest.
 base::Vector unfelt_on_path(const ParametricProblem& problem, const ModeSplit& split, double from,
                             double to) {
   const base::Vector first = problem.at_zero.h + from * problem.dh;
@@ -20,7 +20,7 @@ base::Vector unfelt_on_path(const ParametricProblem& problem, const ModeSplit& s
   for (const base::Vector* h : {&first, &last}) {
     scale = h->size() > 0 ? std::max(scale, h->cwiseAbs().maxCoeff()) : scale;
   }
-  return unfelt_motion(split, last, rest_load * scale);
+  return unfelt_motion(split, last, resting_load * scale);
 }
 
 } // namespace

@@ -19,6 +19,7 @@ import sweeps_friction
 import sweeps_held
 import sweeps_lug
 import sweeps_tip
+import sweeps_tolerance
 import sweeps_vce
 from program import TOP
 
@@ -42,6 +43,7 @@ SWEEPS = {
     "S06": ("step of the virtual crack extension (K1 against the analytic derivative)", sweeps_vce.shifts),
     "ANY": ("random cracks in three nets, both joins (spread of K)", sweeps_crack.any_crack),
     "X01": ("square lug, sleeve and shaft: mean pressures and separation", sweeps_tip.square_lug),
+    "TOL": ("K of the lug to a tolerance, from coarse meshes (error over K1 and bar)", sweeps_tolerance.tolerance),
     "LUG": ("pairings, mirrors, turns and units of the lug (K1)", sweeps_lug.lug),
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -228,10 +229,14 @@ TEST(SharpEnd, IsWhereOneSurfaceEndsAndTheOtherGoesOn) {
   }
 }
 
-// The mouth of a crack in either surface: a double node where a closed circle is cut open.
+// The mouth of a crack in either surface: a double node where a closed circle is cut open. That
+// surface carries the multipliers, be it the softer or coarser one or not.
 TEST(SharpEnd, IsAlsoTheMouthOfACrack) {
-  for (const bool inner : {true, false}) {
-    model::Model model = test::two_rings(16, 20, ElementType::quamc8, inner ? 1.0 : 0.1);
+  using Case = std::tuple<bool, int, double>;
+  for (const auto& [inner, outer_edges, modulus] :
+       {Case{true, 20, 1.0}, Case{false, 20, 0.1}, Case{true, 20, 0.1}, Case{false, 20, 10.0},
+        Case{true, 60, 1.0}, Case{false, 60, 1.0}, Case{true, 7, 1.0}, Case{false, 7, 1.0}}) {
+    model::Model model = test::two_rings(16, outer_edges, ElementType::quamc8, modulus);
     model::Mesh& mesh = model.mesh;
     const model::FaceSet& set =
         mesh.set(inner ? model.contacts[0].slave : model.contacts[0].master);

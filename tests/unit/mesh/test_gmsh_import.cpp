@@ -96,6 +96,48 @@ TEST_F(GmshImport, QuadraticNodesLieOnTheArc) {
   EXPECT_TRUE(mesh::bad_elements(mesh_).empty());
 }
 
+// A script that fixes the numbers of elements on its curves (Transfinite Curve) is meshed finer all
+// the same, where that is wanted and only there.
+TEST_F(GmshImport, CurvesOfFixedNumbersTakeSmallerSizes) {
+  mesh::ImportRequest request = write("a.geo", R"(Mesh.ElementOrder = 2;
+Point(1) = {-8, 0, 0, 4}; Point(2) = {8, 0, 0, 4}; Point(3) = {0, 0, 0};
+Circle(1) = {2, 3, 1}; Line(2) = {1, 2};
+Transfinite Curve{1} = 7;
+Transfinite Curve{2} = 5;
+Curve Loop(1) = {1, 2};
+Plane Surface(1) = {1};
+Physical Surface("BODY") = {1};
+Physical Curve("ROUND") = {1};
+Physical Curve("FLAT") = {2};
+)");
+  const base::Vec2 top(0.0, 8.0);
+  const auto wish = [&](double x, double y) { return 0.2 + 0.5 * (base::Vec2(x, y) - top).norm(); };
+  request.size = wish;
+  ASSERT_TRUE(import(request));
+  EXPECT_TRUE(mesh::bad_elements(mesh_).empty());
+  double shortest = 8.0;
+  for (const model::Face& face : test::faces(mesh_, "ROUND").faces) {
+    const std::vector<base::NodeId> nodes = mesh::nodes_of_faces(mesh_, {face});
+    ASSERT_EQ(nodes.size(), 3U);
+    double length = 0.0;
+    base::Vec2 middle = base::Vec2::Zero();
+    for (const base::NodeId n : nodes) {
+      const base::Vec3& x = mesh_.x[n.index()];
+      EXPECT_NEAR(x.norm(), 8.0, 1e-9);
+      middle += x.head<2>() / 3.0;
+      length = std::max(
+          {length, (x - mesh_.x[nodes[0].index()]).norm(), (x - mesh_.x[nodes[1].index()]).norm()});
+    }
+    EXPECT_LT(length, 1.3 * wish(middle.x(), middle.y()));
+    shortest = std::min(shortest, length);
+  }
+  EXPECT_LT(shortest, 0.3);
+  // the integral of ds / h over the half circle, h rising with the chord, is 14 elements; evenly
+  // spaced at the shortest it would be 100
+  EXPECT_LT(test::faces(mesh_, "ROUND").faces.size(), 25U);
+  EXPECT_EQ(test::faces(mesh_, "FLAT").faces.size(), 4U); // fine enough as it was
+}
+
 TEST_F(GmshImport, ParametersDoNotOutliveTheImport) {
   mesh::ImportRequest request = write("a.geo", quarter_disc);
   request.parameters = {{"R", 3.0}};
