@@ -13,18 +13,25 @@ namespace spricka::contact {
 
 namespace {
 
-// Whether two chains of the surface end in one place: a crack opens there.
-bool has_mouth(const Surface& surface) {
-  std::vector<Vec2> ends;
+// Whether two chains of the surface end in one place of one net: a crack opens there. Where nets
+// meet a tie may join the ends, and two rows would ask the same of one displacement.
+bool has_mouth(const model::Mesh& mesh, const Surface& surface) {
+  struct End {
+    Vec2 x;
+    base::NetId net;
+  };
+  std::vector<End> ends;
   for (const EdgeChain& chain : surface.chains) {
     if (!chain.closed) {
-      ends.push_back(chain.edges.front().x[0]);
-      ends.push_back(chain.edges.back().x[1]);
+      const Edge& first = chain.edges.front();
+      const Edge& last = chain.edges.back();
+      ends.push_back({first.x[0], mesh.node_net[first.nodes[0].index()]});
+      ends.push_back({last.x[1], mesh.node_net[last.nodes[1].index()]});
     }
   }
   for (std::size_t i = 0; i < ends.size(); ++i) {
     for (std::size_t k = i + 1; k < ends.size(); ++k) {
-      if ((ends[i] - ends[k]).norm() < 1e-9 * surface.extent) {
+      if (ends[i].net == ends[k].net && (ends[i].x - ends[k].x).norm() < 1e-9 * surface.extent) {
         return true;
       }
     }
@@ -43,9 +50,9 @@ struct Choice {
 
 // The lips of a mouth are pressed each for itself: functions of the other side, which go across the
 // mouth, know one pressure for both (K2 of short cracks then is off by some per cent of K1).
-Choice choose_side(const Surface& slave, const Surface& master) {
-  const bool mouth = has_mouth(master);
-  if (mouth != has_mouth(slave)) {
+Choice choose_side(const model::Mesh& mesh, const Surface& slave, const Surface& master) {
+  const bool mouth = has_mouth(mesh, master);
+  if (mouth != has_mouth(mesh, slave)) {
     return {mouth,
             mouth ? "master side: a crack opens into it" : "slave side: a crack opens into it"};
   }
@@ -63,9 +70,9 @@ Choice choose_side(const Surface& slave, const Surface& master) {
                                                     : "slave side: alike in size and stiffness"};
 }
 
-Choice choose_node_side(const Surface& slave, const Surface& master) {
+Choice choose_node_side(const model::Mesh& mesh, const Surface& slave, const Surface& master) {
   // both lips of a mouth need their row
-  return has_mouth(master) && !has_mouth(slave)
+  return has_mouth(mesh, master) && !has_mouth(mesh, slave)
              ? Choice{true, "master side: node pairs, a crack opens into it"}
              : Choice{false, "slave side: node pairs"};
 }
@@ -91,7 +98,8 @@ PairRows pair_rows(const model::Model& model, const model::Mesh& mesh,
     pair.trouble = "a surface has no edges";
     return pair;
   }
-  const Choice choice = nodes ? choose_node_side(slave, master) : choose_side(slave, master);
+  const Choice choice =
+      nodes ? choose_node_side(mesh, slave, master) : choose_side(mesh, slave, master);
   pair.swapped = choice.swap;
   pair.choice = choice.why;
   if (choice.swap) {
