@@ -50,9 +50,13 @@ struct Choice {
 
 // The lips of a mouth are pressed each for itself: functions of the other side, which go across the
 // mouth, know one pressure for both (K2 of short cracks then is off by some per cent of K1).
+// Pressures of the stiffer side would go up and down where a coarse soft one can't follow its small
+// elements.
 Choice choose_side(const model::Mesh& mesh, const Surface& slave, const Surface& master) {
   const bool mouth = has_mouth(mesh, master);
-  if (mouth != has_mouth(mesh, slave)) {
+  const double stiffer =
+      mouth ? master.stiffness / slave.stiffness : slave.stiffness / master.stiffness;
+  if (mouth != has_mouth(mesh, slave) && stiffer < alike) {
     return {mouth,
             mouth ? "master side: a crack opens into it" : "slave side: a crack opens into it"};
   }

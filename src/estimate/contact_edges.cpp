@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace spricka::estimate {
 
@@ -13,27 +12,6 @@ namespace {
 
 constexpr double opposite_ends = 1e-2; // of the length of an edge, as node pairing has it
 constexpr double whole = 0.99;         // of a target edge: faced all along
-
-using EdgeIndex = std::map<std::array<base::NodeId, 3>, std::size_t>;
-
-EdgeIndex index_of(const EdgeTable& table) {
-  EdgeIndex index;
-  for (std::size_t e = 0; e < table.edges.size(); ++e) {
-    if (table.edges[e].elements == 1) {
-      index.emplace(table.edges[e].nodes, e);
-    }
-  }
-  return index;
-}
-
-std::optional<std::size_t> find(const EdgeIndex& index, const contact::Edge& edge) {
-  if (edge.count < 3) {
-    return std::nullopt;
-  }
-  const auto at = index.find({std::min(edge.nodes[0], edge.nodes[1]),
-                              std::max(edge.nodes[0], edge.nodes[1]), edge.nodes[2]});
-  return at == index.end() ? std::nullopt : std::optional<std::size_t>(at->second);
-}
 
 // Two edges that lie end on end run against each other, bodies on their left.
 bool match(const contact::Edge& a, const contact::Edge& b, const contact::Surface& surface) {
@@ -51,6 +29,25 @@ bool match(const contact::Edge& a, const contact::Edge& b, const contact::Surfac
 
 } // namespace
 
+EdgeIndex boundary_edges(const EdgeTable& table) {
+  EdgeIndex index;
+  for (std::size_t e = 0; e < table.edges.size(); ++e) {
+    if (table.edges[e].elements == 1) {
+      index.emplace(table.edges[e].nodes, e);
+    }
+  }
+  return index;
+}
+
+std::optional<std::size_t> find_edge(const EdgeIndex& index, const contact::Edge& edge) {
+  if (edge.count < 3) {
+    return std::nullopt;
+  }
+  const auto at = index.find({std::min(edge.nodes[0], edge.nodes[1]),
+                              std::max(edge.nodes[0], edge.nodes[1]), edge.nodes[2]});
+  return at == index.end() ? std::nullopt : std::optional<std::size_t>(at->second);
+}
+
 std::vector<const contact::Edge*> edges_of(const contact::Surface& surface) {
   std::vector<const contact::Edge*> edges;
   for (const contact::EdgeChain& chain : surface.chains) {
@@ -62,7 +59,7 @@ std::vector<const contact::Edge*> edges_of(const contact::Surface& surface) {
 }
 
 std::vector<ContactEdge> contact_edges(const EdgeTable& table, const contact::PairRows& pair) {
-  const EdgeIndex index = index_of(table);
+  const EdgeIndex index = boundary_edges(table);
   std::map<base::NodeId, std::size_t> row_of;
   for (std::size_t r = 0; r < pair.normal.size(); ++r) {
     row_of.emplace(pair.normal[r].node, r);
@@ -74,7 +71,7 @@ std::vector<ContactEdge> contact_edges(const EdgeTable& table, const contact::Pa
   for (std::size_t i = 0; i < result.size(); ++i) {
     const bool target = i >= own.size();
     const contact::Edge& edge = target ? *others[i - own.size()] : *own[i];
-    if (const std::optional<std::size_t> at = find(index, edge)) {
+    if (const std::optional<std::size_t> at = find_edge(index, edge)) {
       known[i] = true;
       result[i].edge = *at;
       result[i].shape = &edge;
@@ -119,12 +116,14 @@ std::vector<ContactEdge> contact_edges(const EdgeTable& table, const contact::Pa
   return found;
 }
 
-void add_closed(const std::vector<ContactEdge>& edges, const std::vector<bool>& closed, bool bonded,
-                std::vector<ClosedEdge>& result) {
+void add_closed(const std::vector<ContactEdge>& edges, const contact::PairRows& pair,
+                const std::vector<bool>& closed, bool bonded, std::vector<ClosedEdge>& result) {
+  const bool loaded = pair.segments && !pair.rigid && !pair.faces && !bonded;
   for (const ContactEdge& edge : edges) {
     if (edge.covered && !edge.rows.empty() &&
-        std::ranges::all_of(edge.rows, [&](std::size_t r) { return closed[r]; })) {
-      result.push_back({&edge, bonded});
+        std::ranges::all_of(edge.rows, [&](std::size_t r) { return bonded || closed[r]; })) {
+      result.push_back({&edge, bonded, pair.contact.stiffness / pair.target.stiffness,
+                        loaded && edge.target_side && !edge.opposite});
     }
   }
 }

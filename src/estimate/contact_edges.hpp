@@ -3,6 +3,8 @@
 #include "contact/constraint.hpp"
 #include "estimate/edges.hpp"
 
+#include <array>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -21,6 +23,12 @@ struct ContactEdge {
   bool covered = false; ///< faces the other surface along its whole length
 };
 
+/// Edges of one element only, by their nodes.
+using EdgeIndex = std::map<std::array<base::NodeId, 3>, std::size_t>;
+EdgeIndex boundary_edges(const EdgeTable& table);
+/// The one that a quadratic contact edge is.
+std::optional<std::size_t> find_edge(const EdgeIndex& index, const contact::Edge& edge);
+
 /// All edges of a surface, chain by chain.
 std::vector<const contact::Edge*> edges_of(const contact::Surface& surface);
 
@@ -32,9 +40,12 @@ std::vector<ContactEdge> contact_edges(const EdgeTable& table, const contact::Pa
 struct ClosedEdge {
   const ContactEdge* at = nullptr;
   bool bonded = false;
+  double support = 0.0; ///< stiffness of the other body over that of the edge's own
+  bool loaded = false;  ///< the mode of a target edge with none opposite carries the pressure
 };
-/// closed [normal row of the pair]; appended to `result`, which keeps pointers into `edges`.
-void add_closed(const std::vector<ContactEdge>& edges, const std::vector<bool>& closed, bool bonded,
-                std::vector<ClosedEdge>& result);
+/// closed [normal row of the pair], bonded: all of them; appended to `result`, which keeps pointers
+/// into `edges`.
+void add_closed(const std::vector<ContactEdge>& edges, const contact::PairRows& pair,
+                const std::vector<bool>& closed, bool bonded, std::vector<ClosedEdge>& result);
 
 } // namespace spricka::estimate

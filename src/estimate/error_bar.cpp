@@ -12,9 +12,9 @@ namespace {
 // that is.
 struct Shares {
   double end = share_of_flip;
-  double sharp = 0.15;
+  double sharp = 0.1;
 };
-constexpr Shares when_coarse{0.25, 0.7};
+constexpr Shares when_coarse{0.25, 0.6};
 constexpr double floor_share = 1e-4; // of hypot(K1, K2)
 constexpr double cancelled = 0.2;    // |eta| below this share of the sum says little
 constexpr double share_of_sum = 0.4;

@@ -25,6 +25,12 @@ public:
         ++users[static_cast<std::size_t>(u)];
       }
     }
+    support_ = base::Vector::Zero(map.unknowns);
+    for (const auto& [freedom, part] : map.support) {
+      if (map.unknown[freedom] >= 0) {
+        support_[map.unknown[freedom]] += part * blocks[freedom / 2][freedom % 2 == 0 ? 0 : 2];
+      }
+    }
     for (std::size_t i = 0; i < blocks.size(); ++i) {
       const std::int32_t x = map.unknown[2 * i];
       const std::int32_t y = map.unknown[2 * i + 1];
@@ -40,7 +46,11 @@ public:
         pairs_.push_back({x, y, blocks[i][1]});
       }
     }
+    diagonal_ += support_;
   }
+
+  /// Diagonal stiffness of other bodies. [unknowns]
+  [[nodiscard]] const base::Vector& support() const { return support_; }
 
   [[nodiscard]] base::Vector solve(const base::Vector& r) const {
     base::Vector y = r.cwiseQuotient(diagonal_);
@@ -61,6 +71,7 @@ private:
   };
   base::Vector diagonal_;
   std::vector<Pair> pairs_;
+  base::Vector support_;
 };
 
 bool settled(const base::Vector& change, const base::Vector& eta) {
@@ -78,7 +89,8 @@ base::Vector solve_modes(const Enrichment& enrichment, const ModeMap& map, const
   double rs = r.dot(s);
   base::Vector eta = base::Vector::Zero(r_z.cols());
   for (int step = 0; step < most_steps && rs > 0.0; ++step) {
-    const base::Vector Kp = map.reduce(enrichment.product(map.expand(p))).col(0);
+    const base::Vector Kp = map.reduce(enrichment.product(map.expand(p))).col(0) +
+                            preconditioner.support().cwiseProduct(p);
     const double alpha = rs / p.dot(Kp);
     x += alpha * p;
     r -= alpha * Kp;

@@ -160,8 +160,11 @@ ModeMap mode_map(const Enrichment& enrichment, const ModeSupports& supports,
       matched[*c.at->opposite] = matched[c.at->edge] = true;
     }
   }
+  std::vector<std::pair<std::size_t, double>> support;
   for (const ClosedEdge& c : closed) {
-    if (!matched[c.at->edge]) {
+    if (!matched[c.at->edge] && c.loaded) {
+      support.emplace_back(2 * c.at->edge, c.support);
+    } else if (!matched[c.at->edge]) {
       held[2 * c.at->edge] = true;
       if (c.bonded) {
         held[2 * c.at->edge + 1] = true;
@@ -181,6 +184,7 @@ ModeMap mode_map(const Enrichment& enrichment, const ModeSupports& supports,
       map.unknown[i] = held[i] ? -1 : map.unknown[as[i]];
     }
   }
+  map.support = std::move(support);
   return map;
 }
 

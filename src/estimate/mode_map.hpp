@@ -13,6 +13,8 @@ struct ModeMap {
   std::vector<std::int32_t> unknown; ///< [freedom], -1: held at zero
   std::vector<double> factor;        ///< [freedom]
   Eigen::Index unknowns = 0;
+  /// [freedom] stiffness that another body adds, as a part of the mode's own.
+  std::vector<std::pair<std::size_t, double>> support;
 
   [[nodiscard]] base::Vector expand(const base::Vector& y) const; ///< [unknowns] to [freedoms]
   [[nodiscard]] base::Matrix
@@ -35,7 +37,8 @@ ModeSupports mode_supports(const Enrichment& enrichment,
                            const std::vector<model::FreedomClass>& cls, const fe::Dependence& ties);
 
 /// With the closed contact edges of a step (manual, estimate.10): on matching edges the normal mode
-/// of both bodies is one, on others it is held; bonded ones treat the tangential mode alike.
+/// of both bodies is one; on others it is held, or carries the pressure where it is `loaded`;
+/// bonded ones treat the tangential mode alike.
 ModeMap mode_map(const Enrichment& enrichment, const ModeSupports& supports,
                  const std::vector<ClosedEdge>& closed);
 

@@ -40,9 +40,14 @@ void ErrorBars::prepare() {
   std::vector<bool> framed(edges.edges.size(), false);
   for (const contact::PairRows& pair : scene_.pairs) {
     contact_edges_.push_back(estimate::contact_edges(edges, pair));
+    std::vector<bool> alone(2 * edges.edges.size(), false);
     for (const estimate::ContactEdge& edge : contact_edges_.back()) {
       framed[edge.edge] = true;
+      alone[2 * edge.edge] = edge.target_side && !edge.opposite;
     }
+    mode_weights_.push_back(estimate::target_mode_weights(edges, pair));
+    std::erase_if(mode_weights_.back(),
+                  [&](const estimate::ModeWeight& w) { return !alone[w.freedom]; });
   }
   enrichment_.emplace(model_, mesh, std::move(edges), std::move(framed));
   supports_ = estimate::mode_supports(*enrichment_, scene_.cls, *scene_.ties);
@@ -76,13 +81,31 @@ estimate::ModeMap ErrorBars::modes(const StepState& state) const {
   for (std::size_t c = 0; c < contact_edges_.size(); ++c) {
     if (state.mounted[c]) {
       const bool bonded = is_bonded(c);
-      estimate::add_closed(contact_edges_[c],
-                           bonded ? std::vector<bool>(state.pair_closed[c].size(), true)
-                                  : state.pair_closed[c],
-                           bonded, closed);
+      estimate::add_closed(contact_edges_[c], scene_.pairs[c], state.pair_closed[c], bonded,
+                           closed);
     }
   }
   return estimate::mode_map(*enrichment_, supports_, closed);
+}
+
+// What the multipliers do to the modes of target edges that lie opposite none: of the solution, and
+// of the adjoints.
+void ErrorBars::add_pressures(const StepState& state,
+                              const std::vector<estimate::Adjoint>& adjoints, base::Vector& f,
+                              base::Matrix& g) const {
+  for (std::size_t c = 0; c < mode_weights_.size(); ++c) {
+    for (const estimate::ModeWeight& m : mode_weights_[c]) {
+      if (!state.mounted[c]) {
+        continue;
+      }
+      const auto mode = static_cast<Eigen::Index>(m.freedom);
+      f[mode] += m.weight * state.pair_lambda[c][static_cast<Eigen::Index>(m.row)];
+      for (std::size_t t = 0; t < adjoints.size(); ++t) {
+        g.row(mode).segment<2>(2 * static_cast<Eigen::Index>(t)) +=
+            m.weight * adjoints[t].w.row(static_cast<Eigen::Index>(scene_.table.first[c] + m.row));
+      }
+    }
+  }
 }
 
 // Nodes of a contact that the crack feels stand further apart than half its length.
@@ -164,8 +187,10 @@ void ErrorBars::add(const StepState& state, const std::vector<estimate::Adjoint>
     for (std::size_t t = 0; t < adjoints.size(); ++t) {
       z.middleCols(2 * static_cast<Eigen::Index>(t), 2) = adjoints[t].z;
     }
-    errors = estimate::goal_errors(*enrichment_, modes(state),
-                                   {state.u, z, load(state.case_factor), goals_});
+    base::Vector f = load(state.case_factor);
+    base::Matrix g = goals_;
+    add_pressures(state, adjoints, f, g);
+    errors = estimate::goal_errors(*enrichment_, modes(state), {state.u, z, f, g});
     flips = contact_flips(scene_, state, adjoints, held);
     tell_of_meshes(state, step);
   }

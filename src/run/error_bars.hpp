@@ -2,6 +2,7 @@
 #pragma once
 #include "contact/held_contact.hpp"
 #include "estimate/adjoint.hpp"
+#include "estimate/contact_load.hpp"
 #include "estimate/goal_error.hpp"
 #include "results/results.hpp"
 #include "run/scene.hpp"
@@ -29,6 +30,8 @@ private:
   [[nodiscard]] bool is_bonded(std::size_t contact) const;
   [[nodiscard]] base::Vector load(const base::Vector& case_factor);
   [[nodiscard]] estimate::ModeMap modes(const StepState& state) const;
+  void add_pressures(const StepState& state, const std::vector<estimate::Adjoint>& adjoints,
+                     base::Vector& f, base::Matrix& g) const;
   [[nodiscard]] bool coarse_contact(const StepState& state, const mesh::Tip& tip) const;
   void tell(const results::TipResult& tip, results::StepResult& step);
   void tell_once(const std::string& text, results::StepResult& step);
@@ -41,6 +44,7 @@ private:
   std::optional<estimate::Enrichment> enrichment_;
   estimate::ModeSupports supports_;
   std::vector<std::vector<estimate::ContactEdge>> contact_edges_; ///< [contact]
+  std::vector<std::vector<estimate::ModeWeight>> mode_weights_;   ///< [contact]
   std::vector<std::optional<base::Vector>> case_load_;            ///< [case] on the modes
   base::Matrix goals_;                                            ///< [freedoms of modes, 2 tips]
   std::vector<std::string> told_;

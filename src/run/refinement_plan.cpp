@@ -22,7 +22,7 @@ namespace {
 // The error of K falls with the q-th power of the element size: 3 to 4 away from the tip, where u
 // and z are smooth; 3 asks for a little more than needed.
 constexpr double q = 3.0;
-constexpr double aim = 0.8;          // of what is allowed: a round more costs more than this margin
+constexpr double aim = 0.9;          // of what is allowed: a round more costs more than this margin
 constexpr double least_factor = 0.3; // of an element's size in one round: eta is a guess
 constexpr double most_finer = 2.0;   // of a patch in one round
 constexpr double most_for_mouth = 1.2; // of it because of its mouth alone
@@ -353,7 +353,10 @@ std::string RefinementPlan::refine(const model::Model& model, const results::Run
     Factors factors{std::vector<double>(increment.kept, 1.0), patch};
     for (const Entry& entry : entries) {
       if (&entry.increment == &increment) {
-        share_out(entry, factors);
+        if (entry.bar.edge <=
+            entry.allowed) { // else eta, too, comes from contacts that are too coarse
+          share_out(entry, factors);
+        }
         add_places(entry, places);
       }
     }

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "estimate/contact_load.hpp"
+
+#include "contact/segment.hpp"
+#include "estimate/mode_kernel.hpp"
+
+#include <map>
+
+namespace spricka::estimate {
+
+namespace {
+
+constexpr std::array<double, 5> gauss_r{-0.906179845938664, -0.5384693101056831, 0.0,
+                                        0.5384693101056831, 0.906179845938664};
+constexpr std::array<double, 5> gauss_w{0.2369268850561891, 0.4786286704993665, 0.5688888888888889,
+                                        0.4786286704993665, 0.2369268850561891};
+
+} // namespace
+
+std::vector<ModeWeight> target_mode_weights(const EdgeTable& table, const contact::PairRows& pair) {
+  if (!pair.segments || pair.rigid) {
+    return {};
+  }
+  const EdgeIndex index = boundary_edges(table);
+  std::map<base::NodeId, std::size_t> row_of;
+  for (std::size_t r = 0; r < pair.normal.size(); ++r) {
+    row_of.emplace(pair.normal[r].node, r);
+  }
+  const std::vector<const contact::Edge*> own = edges_of(pair.contact);
+  const std::vector<const contact::Edge*> others = edges_of(pair.target);
+  std::map<std::pair<std::size_t, std::size_t>, double> sums; // by freedom and row
+  for (const contact::Segment& s : contact::find_segments(pair.contact, pair.target)) {
+    const contact::Edge& edge = *own[s.contact_edge];
+    const contact::Edge& target = *others[s.target_edge];
+    const std::optional<std::size_t> at = find_edge(index, target);
+    if (!at) {
+      continue;
+    }
+    const double sign = side_sign(target.nodes[0], target.nodes[1]);
+    for (std::size_t g = 0; g < gauss_r.size(); ++g) {
+      const double xi = 0.5 * ((s.to + s.from) + (s.to - s.from) * gauss_r[g]);
+      const base::Vec2 x = contact::point_on(edge, xi);
+      const base::Vec2 n = contact::surface_normal(pair.contact, edge, xi);
+      const std::optional<double> eta = contact::hit_on(target, x, n);
+      if (!eta) {
+        continue;
+      }
+      const double w = 0.5 * (s.to - s.from) * gauss_w[g] * contact::tangent_on(edge, xi).norm() *
+                       contact::depth_at(pair.contact, pair.target, x);
+      const double mode = sign * side_mode(*eta) * side_frame(target.x, *eta).axis[0].dot(n);
+      const std::array<double, 3> phi = contact::edge_hats(edge, xi);
+      for (std::size_t i = 0; i < static_cast<std::size_t>(edge.count); ++i) {
+        const auto row = row_of.find(edge.nodes[i]);
+        if (row != row_of.end() && phi[i] != 0.0) {
+          sums[{2 * *at, row->second}] += w * phi[i] * mode;
+        }
+      }
+    }
+  }
+  std::vector<ModeWeight> weights;
+  weights.reserve(sums.size());
+  for (const auto& [place, weight] : sums) {
+    weights.push_back({place.first, place.second, weight});
+  }
+  return weights;
+}
+
+} // namespace spricka::estimate
