@@ -146,7 +146,8 @@ constexpr std::array grow_keys{
     refers("KMAX", step, "the step of the largest K"),
     refers("KMIN", step, "the step of the smallest K"),
     refers("SPECTRUM", spectrum, "the load history of one pass, in place of KMAX and KMIN"),
-    preset(later(word("HISTORY", "RESTART|CONTINUE", "CONTINUE carries slip over"), "CONTINUE"),
+    preset(word("HISTORY", "RESTART|CONTINUE",
+                "with friction: CONTINUE carries slip over from length to length"),
            "RESTART"),
     preset(word("MOUNTED", "EACH|FIRST",
                 "EACH: every length mounts anew; FIRST: keeps what was mounted at the first"),
@@ -158,7 +159,7 @@ constexpr std::array grow_keys{
     real("CYCLES", number, above(0), "stops the growth"),
     real("C", number, above(0), "factor of the law, in KUNIT and AUNIT"),
     real("M", number, above(0), "exponent of the law"),
-    preset(real("P", number, anything, "exponent of NASGRO"), "0"),
+    preset(real("P", number, anything, "exponent of WALKER (gamma) or of NASGRO"), "0"),
     preset(real("Q", number, anything, "exponent of NASGRO"), "0"),
     real("KC", stress_intensity, above(0), "fracture toughness; stops the growth"),
     real("SFLOW", stress, above(0), "flow stress: the ligament's plastic limit stops the growth"),
@@ -173,13 +174,15 @@ constexpr std::array grow_keys{
 // Every law but INCREMENT works on a range of K: from KMIN to KMAX, or those of a spectrum.
 constexpr std::array grow_when{
     When{"LAW", "INCREMENT", "KMAX",
-         "DA CYCLES C M P Q DKTH ALPHA SMAX KUNIT AUNIT SPECTRUM TOL SFLOW CORRECT AMAX KC"},
+         "DA CYCLES C M P Q DKTH ALPHA SMAX KUNIT AUNIT SPECTRUM TOL SFLOW CORRECT AMAX KC "
+         "HISTORY"},
     When{"LAW", "PARIS", "C M", "P Q ALPHA SMAX"},
-    When{"LAW", "WALKER", "C M", "Q ALPHA SMAX"},
+    When{"LAW", "WALKER", "C M P", "Q ALPHA SMAX"},
     When{"LAW", "FORMAN", "C M KC", "P Q ALPHA SMAX"},
     When{"LAW", "NASGRO", "C M KC", ""},
     When{"LAW", "TABLE", "", "C M P Q ALPHA SMAX"},
     When{"SPECTRUM", "", "", "KMAX KMIN"},
+    When{"HISTORY", "CONTINUE", "", "MOUNTED"},
 };
 
 constexpr std::array test_keys{

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
+#include "model/spectrum_runs.hpp"
 
 #include <algorithm>
 #include <array>
@@ -247,7 +248,10 @@ void grow(Context& c, const BoundCard& card) {
   }
   growth.history =
       card.is("HISTORY", "CONTINUE") ? model::History::carry_on : model::History::restart;
-  growth.mounted = card.is("MOUNTED", "FIRST") ? model::Mounted::first : model::Mounted::each;
+  // a part that keeps what it has slipped keeps what it was mounted with
+  growth.mounted = card.is("MOUNTED", "FIRST") || growth.history == model::History::carry_on
+                       ? model::Mounted::first
+                       : model::Mounted::each;
   growth.span = card.span;
   cycles_of(c, card, growth);
   law(c, card, growth);
@@ -286,26 +290,50 @@ void load_path(Context& c, const BoundCard& card) {
       break;
     }
   }
-  for (const model::Contact& contact : c.model.contacts) {
+  c.model.load_paths.push_back(std::move(path));
+}
+
+// What rubs first, for a message; empty: nothing does.
+std::string what_rubs(const model::Model& model) {
+  for (const model::Contact& contact : model.contacts) {
     if (contact.mu > 0.0) {
-      c.error(card.span, "E324",
-              fmt::format("contact {} has friction: what happens on the path depends on how it is "
-                          "walked",
-                          contact.name),
+      return fmt::format("contact {} has friction", contact.name);
+    }
+  }
+  for (const model::Crack& crack : model.cracks) {
+    if (crack.faces_in_contact && crack.mu > 0.0) {
+      return fmt::format("the faces of crack {} have friction", crack.name);
+    }
+  }
+  return {};
+}
+
+// With friction there is no map over a path; only a growth can follow its loads, as they come.
+void paths_with_friction(Context& c) {
+  const std::string rubs = what_rubs(c.model);
+  const std::optional<model::Growth>& growth = c.model.growth;
+  const bool spectrum = growth && growth->spectrum && *growth->spectrum < c.model.spectra.size();
+  for (std::size_t p = 0; p < c.model.load_paths.size() && !rubs.empty(); ++p) {
+    if (!(spectrum && c.model.spectra[*growth->spectrum].path == p)) {
+      c.error(c.model.load_paths[p].span, "E324",
+              rubs + ": what happens on the path depends on how it is walked",
               "MU=0, or steps with SUBSTEPS");
     }
   }
-  for (const model::Crack& crack : c.model.cracks) {
-    if (crack.faces_in_contact && crack.mu > 0.0) {
-      c.error(
-          card.span, "E324",
-          fmt::format("the faces of crack {} have friction: what happens on the path depends on "
-                      "how it is walked",
-                      crack.name),
-          "MU=0, or steps with SUBSTEPS");
-    }
+  if (!spectrum || rubs.empty()) {
+    return;
   }
-  c.model.load_paths.push_back(std::move(path));
+  const model::Spectrum& history = c.model.spectra[*growth->spectrum];
+  const std::size_t places = model::followed_places(model::spectrum_runs(history));
+  if (places > model::most_followed_places) {
+    c.error(
+        history.span, "E327",
+        fmt::format("spectrum {} has {} turning points: as {}, each of them is solved, in "
+                    "several passes at every crack length, and {} are too many for that (at "
+                    "most {})",
+                    history.name, places, rubs, places, model::most_followed_places),
+        "TYPE=BLOCKS, whose cycles are solved until they repeat; fewer turning points; or MU=0");
+  }
 }
 
 } // namespace
@@ -324,6 +352,7 @@ void build_steps(Context& context) {
     }
   }
   build_spectra(context);
+  paths_with_friction(context);
   build_tests(context);
 }
 

@@ -73,6 +73,7 @@ inline constexpr std::array error_codes{
     ErrorCode{"E324", "a load path with friction"},
     ErrorCode{"E325", "a spectrum that leaves its load path, or has no cycle"},
     ErrorCode{"E326", "a growth test without the readings, reference or lengths it needs"},
+    ErrorCode{"E327", "a spectrum with friction that is too long to be followed"},
     ErrorCode{"E390", "a parameter is swept and given with -D"},
     ErrorCode{"E391", "a parameter is swept twice"},
 };

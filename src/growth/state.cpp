@@ -7,10 +7,11 @@ namespace spricka::growth {
 
 namespace {
 
-constexpr std::array tip_values{&TipStation::a,       &TipStation::K_max, &TipStation::K_min,
-                                &TipStation::K2_max,  &TipStation::rate,  &TipStation::turn,
-                                &TipStation::heading, &TipStation::x,     &TipStation::y,
-                                &TipStation::plastic, &TipStation::owed};
+constexpr std::array tip_values{&TipStation::a,         &TipStation::K_max,  &TipStation::K_min,
+                                &TipStation::K2_max,    &TipStation::rate,   &TipStation::turn,
+                                &TipStation::heading,   &TipStation::x,      &TipStation::y,
+                                &TipStation::plastic,   &TipStation::owed,   &TipStation::first_max,
+                                &TipStation::first_min, &TipStation::passes, &TipStation::change};
 
 /// Reads an array from its beginning; whether it held enough is known at the end.
 class Reader {

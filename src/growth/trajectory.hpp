@@ -20,6 +20,9 @@ struct TipStation {
   double x = 0.0, y = 0.0;
   double owed = 0.0;    ///< what the rates found since would have made of the arm more [length]
   double plastic = 0.0; ///< force and moment over the ligament, over their plastic limit
+  /// Where friction makes K a history: K of its first cycle or pass, passes until it repeated
+  /// itself, and what still changed in the last one over the largest K.
+  double first_max = 0.0, first_min = 0.0, passes = 0.0, change = 0.0;
 };
 
 /// All growing tips at one state of the cracks.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/figures.hpp"
+#include "report/growth_tables.hpp"
 #include "report/mesh_picture.hpp"
 #include "report/plot.hpp"
 #include "report/result_tables.hpp"
@@ -66,13 +67,27 @@ Figure life_figure(const model::Model& model, const Growth& growth) {
     add_tip_curve(plot, growth, t);
   }
   add_checks(plot, model);
+  std::string more;
+  for (std::size_t k = 0; k < growth.scaled.size(); ++k) {
+    Series series;
+    series.name = scaled_words(growth.scaled[k], "the largest load");
+    series.colour = colour(growth.tips.size() + k);
+    series.dash = dash(1 + k);
+    for (const results::LifePoint& point : growth.scaled[k].curve) {
+      series.points.push_back({point.cycles, point.a[0]});
+    }
+    plot.series.push_back(std::move(series));
+    plot.legend_below = true;
+    plot.series.front().name = growth.tips.front() + ", K of every load";
+    more = " Dashed: what comes out where K is read off a line instead, which it does not follow.";
+  }
   return {
       {draw(plot)},
       "",
       fmt::format(
           "Crack length over {}s, {:.6g} in all, estimated to be right to {:.2g} % as far as the "
-          "lengths that were solved (marks) are concerned. The growth ended: {}.",
-          growth.unit, growth.cycles(), 100.0 * growth.error, growth.reason)};
+          "lengths that were solved (marks) are concerned. The growth ended: {}.{}",
+          growth.unit, growth.cycles(), 100.0 * growth.error, growth.reason, more)};
 }
 
 /// What the law was given at the stations.

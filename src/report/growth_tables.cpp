@@ -95,14 +95,20 @@ void write_life_csv(const std::filesystem::path& file, const model::Model& model
   std::string text = fmt::format(
       "# units: a x y [{0}], K_max K_min delta_K K2_max [{1}], da_dN [{0}/{2}], turn [deg], N "
       "[{2}]; ended: {3}\n"
-      "increment,N,tip,a,K_max,K_min,delta_K,K2_max,da_dN,turn,x,y\n",
-      model.units.length_name, model.units.stress_intensity_name(), growth.unit, growth.ended);
+      "increment,N,tip,a,K_max,K_min,delta_K,K2_max,da_dN,turn,x,y{4}\n",
+      model.units.length_name, model.units.stress_intensity_name(), growth.unit, growth.ended,
+      growth.followed ? ",K_max_first,K_min_first,passes,change" : "");
   auto out = std::back_inserter(text);
   for (const results::GrowthStation& station : growth.stations) {
     for (const results::GrowingTip& tip : station.tips) {
-      fmt::format_to(out, "{},{},{},{},{},{},{},{},{},{},{},{}\n", station.increment,
-                     station.cycles, tip.name, tip.a, tip.K_max, tip.K_min, tip.K_max - tip.K_min,
-                     tip.K2_max, tip.rate, tip.turn * degree, tip.x[0], tip.x[1]);
+      fmt::format_to(out, "{},{},{},{},{},{},{},{},{},{},{},{}", station.increment, station.cycles,
+                     tip.name, tip.a, tip.K_max, tip.K_min, tip.K_max - tip.K_min, tip.K2_max,
+                     tip.rate, tip.turn * degree, tip.x[0], tip.x[1]);
+      if (growth.followed) {
+        fmt::format_to(out, ",{},{},{},{}", tip.first_max, tip.first_min, station.passes,
+                       station.change);
+      }
+      text += '\n';
     }
   }
   write_file(file, text);
@@ -119,11 +125,17 @@ void write_life_curve_csv(const std::filesystem::path& file, const model::Model&
   for (const std::string& tip : growth.tips) {
     text += ",a_" + tip;
   }
+  for (const results::ScaledLife& other : growth.scaled) {
+    text += ",N_" + other.name;
+  }
   text += '\n';
-  for (const results::LifePoint& point : growth.curve) {
-    text += fmt::format("{}", point.cycles);
-    for (const double a : point.a) {
+  for (std::size_t k = 0; k < growth.curve.size(); ++k) {
+    text += fmt::format("{}", growth.curve[k].cycles);
+    for (const double a : growth.curve[k].a) {
       text += fmt::format(",{}", a);
+    }
+    for (const results::ScaledLife& other : growth.scaled) { // at the same lengths
+      text += k < other.curve.size() ? fmt::format(",{}", other.curve[k].cycles) : ",";
     }
     text += '\n';
   }
@@ -190,15 +202,69 @@ Table life_table(const model::Model& model, const results::Run& run) {
   if (!run.growth) {
     return table;
   }
+  const bool followed = run.growth->followed;
+  if (followed) {
+    table.columns.insert(
+        table.columns.end(),
+        {{"K max first", K, false}, {"K min first", K, false}, {"passes", "", false}});
+  }
   for (const results::GrowthStation& station : run.growth->stations) {
     for (const results::GrowingTip& tip : station.tips) {
-      table.rows.push_back({std::to_string(station.increment), number(station.cycles), tip.name,
-                            number(tip.a), number(tip.K_max), number(tip.K_min), number(tip.K2_max),
-                            fmt::format("{:.4g}", tip.rate),
-                            fmt::format("{:.3f}", tip.turn * degree)});
+      std::vector<std::string>& row = table.rows.emplace_back(std::vector<std::string>{
+          std::to_string(station.increment), number(station.cycles), tip.name, number(tip.a),
+          number(tip.K_max), number(tip.K_min), number(tip.K2_max), fmt::format("{:.4g}", tip.rate),
+          fmt::format("{:.3f}", tip.turn * degree)});
+      if (followed) {
+        row.insert(row.end(),
+                   {number(tip.first_max), number(tip.first_min), std::to_string(station.passes)});
+      }
     }
   }
   return table;
+}
+
+namespace {
+
+// Whether K of the first cycle is that of all others, and how sure it is that they are alike.
+std::string history_summary(const results::Growth& growth) {
+  constexpr double same = 1e-4; // of the largest K
+  double largest = 0.0;
+  double apart = 0.0;
+  double change = 0.0;
+  int passes = 0;
+  for (const results::GrowthStation& station : growth.stations) {
+    passes = std::max(passes, station.passes);
+    change = std::max(change, station.change);
+    for (const results::GrowingTip& tip : station.tips) {
+      largest = std::max(largest, tip.K_max);
+      apart = std::max(
+          {apart, std::abs(tip.K_max - tip.first_max), std::abs(tip.K_min - tip.first_min)});
+    }
+  }
+  if (passes == 0) {
+    return "Friction makes K a history, but the loads were not repeated: see the warnings.\n";
+  }
+  const std::string first = growth.unit == "pass" ? "first pass" : "first cycle";
+  std::string out = fmt::format("Friction makes K a history: the loads were followed one after "
+                                "another until K repeated itself, at most {} times; from one time "
+                                "to the next it changes by {:.1e} of the largest K.\n",
+                                passes, change);
+  out += apart > same * largest
+             ? fmt::format("The {} is another: its K differs by up to {:.2g} % of the largest. The "
+                           "life is that of those that follow.\n",
+                           first, 100.0 * apart / largest)
+             : fmt::format("The {} is like those that follow.\n", first);
+  return out;
+}
+
+} // namespace
+
+std::string scaled_words(const results::ScaledLife& other, const std::string& at_largest) {
+  const std::string what = other.name == "scaled"
+                               ? "one K scaled with the load"
+                               : fmt::format("a line from t = 0 to {}", at_largest);
+  return other.ratio < 1.0 ? fmt::format("{}: 1/{:.2f} of the life", what, 1.0 / other.ratio)
+                           : fmt::format("{}: {:.2f} times the life", what, other.ratio);
 }
 
 std::string life_summary(const model::Model& model, const results::Run& run) {
@@ -218,6 +284,12 @@ std::string life_summary(const model::Model& model, const results::Run& run) {
              ? fmt::format("; the stations miss some {:.2g} % of them (TOL {:.2g} %)\n",
                            100.0 * growth.error, 100.0 * model.growth->tolerance)
              : "; too few stations to tell their error\n";
+  if (growth.followed) {
+    out += history_summary(growth);
+  }
+  for (const results::ScaledLife& other : growth.scaled) {
+    out += fmt::format("For comparison, {}.\n", scaled_words(other, "the largest load"));
+  }
   if (!growth.curve.empty()) {
     for (std::size_t i = 0; i < growth.tips.size(); ++i) {
       out += fmt::format("{}: a = {:.7g} {} at the end\n", growth.tips[i], growth.curve.back().a[i],

@@ -26,4 +26,8 @@ Table life_table(const model::Model& model, const results::Run& run);
 /// How it ended, after how many cycles, and how good they are: lines of text.
 std::string life_summary(const model::Model& model, const results::Run& run);
 
+/// What a life by one line of K is and how it compares, for legends: "one K scaled with the load:
+/// 1/4.03 of the life".
+std::string scaled_words(const results::ScaledLife& other, const std::string& at_largest);
+
 } // namespace spricka::report

@@ -20,6 +20,8 @@ struct GrowingTip {
   double rate = 0.0;   ///< growth per cycle, or per pass of the spectrum; 0: below the threshold
   double turn = 0.0;   ///< the way on against the last part of the crack [rad], left positive
   base::Vec3 x = base::Vec3::Zero();
+  /// Where friction makes K a history: K_max and K_min of its first cycle or pass; else 0.
+  double first_max = 0.0, first_min = 0.0;
 };
 
 /// One finite-element solution of the growth.
@@ -27,6 +29,8 @@ struct GrowthStation {
   int increment = 0;   ///< Increment::number
   double cycles = 0.0; ///< or passes
   std::vector<GrowingTip> tips;
+  int passes = 0;      ///< of the loads, where friction makes K a history, until K repeated itself
+  double change = 0.0; ///< of K from the last pass but one to the last, over the largest K
 };
 
 /// A point of the dense curve between and at the stations.
@@ -35,17 +39,26 @@ struct LifePoint {
   std::vector<double> a; ///< [tip] as GrowingTip
 };
 
+/// The same growth with K taken from a line instead of from every load.
+struct ScaledLife {
+  std::string name;   ///< what the line goes through
+  double ratio = 0.0; ///< its cycles over those of the growth, from the first to the last a
+  std::vector<LifePoint> curve; ///< of one tip
+};
+
 struct Growth {
   std::string unit;              ///< of N and per what the rates are: "cycle" or "pass"
   double cycles_per_pass = 1.0;  ///< of a spectrum
   std::vector<std::string> tips; ///< those that grow, in the order of all lists
   std::vector<GrowthStation> stations;
-  std::vector<LifePoint> curve; ///< ascending cycles, ends at the end of the growth
-  std::string ended;            ///< one word: AMAX, CYCLES, KC, NET SECTION, EDGE, ...
-  std::string reason;           ///< the same in a sentence, with the place
-  double error = 0.0;           ///< of the cycles, estimated, as a part of them
-  bool corrected = false;       ///< the law was given K with the error bar's bias taken out
-  std::string counted;          ///< of a spectrum: what its cycles were counted on
+  std::vector<LifePoint> curve;   ///< ascending cycles, ends at the end of the growth
+  std::string ended;              ///< one word: AMAX, CYCLES, KC, NET SECTION, EDGE, ...
+  std::string reason;             ///< the same in a sentence, with the place
+  double error = 0.0;             ///< of the cycles, estimated, as a part of them
+  bool corrected = false;         ///< the law was given K with the error bar's bias taken out
+  std::string counted;            ///< of a spectrum: what its cycles were counted on
+  bool followed = false;          ///< friction makes K a history, which was followed
+  std::vector<ScaledLife> scaled; ///< empty: K is proportional to the load, or several tips grow
 
   [[nodiscard]] double cycles() const { return curve.empty() ? 0.0 : curve.back().cycles; }
 };

@@ -205,17 +205,27 @@ template <class V, Of<GrowingTip> T> void fields(V& v, T& r) {
   v("rate", r.rate);
   v("turn", r.turn);
   v("at", r.x);
+  v("first_max", r.first_max);
+  v("first_min", r.first_min);
 }
 
 template <class V, Of<GrowthStation> T> void fields(V& v, T& r) {
   v("increment", r.increment);
   v("cycles", r.cycles);
   v("tips", r.tips);
+  v("passes", r.passes);
+  v("change", r.change);
 }
 
 template <class V, Of<LifePoint> T> void fields(V& v, T& r) {
   v("cycles", r.cycles);
   v("a", r.a);
+}
+
+template <class V, Of<ScaledLife> T> void fields(V& v, T& r) {
+  v("name", r.name);
+  v("ratio", r.ratio);
+  v("curve", r.curve);
 }
 
 template <class V, Of<Growth> T> void fields(V& v, T& r) {
@@ -229,6 +239,8 @@ template <class V, Of<Growth> T> void fields(V& v, T& r) {
   v("error", r.error);
   v("corrected", r.corrected);
   v("counted", r.counted);
+  v("followed", r.followed);
+  v("scaled", r.scaled);
 }
 
 template <class V, Of<TestPoint> T> void fields(V& v, T& r) {

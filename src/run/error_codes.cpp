@@ -63,7 +63,11 @@ constexpr std::array advice{
     ErrorCode{"E321", "Look at the numbers of elements, NX NY NZ or NR NT, for a digit too many."},
     ErrorCode{"E323", "Take two different steps with no MOUNT or DISMOUNT between them: it changes "
                       "where gaps count from. Paths before and behind it are two cards."},
-    ErrorCode{"E324", "With friction K depends on the order of loads: run steps with SUBSTEPS."},
+    ErrorCode{"E324",
+              "With friction K depends on the order of loads: run steps with SUBSTEPS. Only "
+              "the path of the spectrum of $GROW may be there: its loads are followed."},
+    ErrorCode{"E327", "With friction each turning point is a solution: take TYPE=BLOCKS, or leave "
+                      "out ranges below the threshold."},
     ErrorCode{"E326", "A test needs readings N a, a reference of rates (the law of $GROW, or lines "
                       "RATE), and $GROW with the crack lengths and steps to compare with."},
     ErrorCode{"E331", "The words are gmsh's. Try the file in gmsh itself."},

@@ -8,9 +8,13 @@ namespace spricka::run {
 
 FrictionHistory::FrictionHistory(const Scene& scene)
     : scene_(scene), normal_of_(scene.table.rows.size(), -1),
-      contact_of_(scene.table.rows.size(), 0), touch_(scene.table.rows.size(), solve::Touch::stick),
-      slip_(scene.table.rows.size(), 0.0), path_(scene.table.rows.size(), 0.0),
-      work_(scene.pairs.size(), 0.0) {
+      contact_of_(scene.table.rows.size(), 0) {
+  const std::size_t rows = scene.table.rows.size();
+  memory_ = {std::vector<solve::Touch>(rows, solve::Touch::stick),
+             std::vector<double>(rows, 0.0),
+             std::vector<double>(rows, 0.0),
+             std::vector<double>(scene.pairs.size(), 0.0),
+             {}};
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     const std::size_t first = scene.table.first[c];
     const std::size_t normals = scene.pairs[c].normal.size();
@@ -40,26 +44,26 @@ void FrictionHistory::add_to(contact::ContactSystem::Demand& demand) const {
     return;
   }
   for (const std::size_t row : demand.rows) {
-    demand.touch.push_back(touch_[row]);
+    demand.touch.push_back(memory_.touch[row]);
   }
-  demand.alpha = alpha_;
+  demand.alpha = memory_.alpha;
 }
 
 void FrictionHistory::take(const contact::ContactSystem::Demand& demand,
                            const contact::ContactSystem::Answer& answer) {
-  alpha_ = answer.solution.alpha;
+  memory_.alpha = answer.solution.alpha;
   for (std::size_t i = 0; i < answer.touch.size(); ++i) {
-    touch_[demand.rows[i]] = answer.touch[i];
+    memory_.touch[demand.rows[i]] = answer.touch[i];
   }
   for (const solve::FrictionRow& f : demand.friction) {
     const std::size_t row = demand.rows[static_cast<std::size_t>(f.tangent)];
-    if (touch_[row] == solve::Touch::open) {
+    if (memory_.touch[row] == solve::Touch::open) {
       continue;
     }
     const double v = answer.solution.gap[f.tangent];
-    slip_[row] += v;
-    path_[row] += std::abs(v);
-    work_[contact_of_[row]] -= answer.solution.lambda[f.tangent] * v;
+    memory_.slip[row] += v;
+    memory_.path[row] += std::abs(v);
+    memory_.work[contact_of_[row]] -= answer.solution.lambda[f.tangent] * v;
   }
 }
 
@@ -75,21 +79,21 @@ PairFriction FrictionHistory::pair(std::size_t contact) const {
   pair.path = base::Vector::Zero(n);
   for (std::size_t i = 0; i < normals; ++i) {
     const auto at = static_cast<Eigen::Index>(i);
-    pair.touch.push_back(touch_[first + i]);
-    pair.slip[at] = slip_[first + normals + i];
-    pair.path[at] = path_[first + normals + i];
+    pair.touch.push_back(memory_.touch[first + i]);
+    pair.slip[at] = memory_.slip[first + normals + i];
+    pair.path[at] = memory_.path[first + normals + i];
   }
-  pair.work = work_[contact];
+  pair.work = memory_.work[contact];
   pair.mu = mu_[contact];
   return pair;
 }
 
 void FrictionHistory::begin(std::size_t contact) {
   for (std::size_t r = scene_.table.first[contact]; r < scene_.table.first[contact + 1]; ++r) {
-    slip_[r] = 0.0;
-    path_[r] = 0.0;
+    memory_.slip[r] = 0.0;
+    memory_.path[r] = 0.0;
   }
-  std::fill(touch_.begin(), touch_.end(), solve::Touch::stick);
+  std::fill(memory_.touch.begin(), memory_.touch.end(), solve::Touch::stick);
 }
 
 } // namespace spricka::run

@@ -18,6 +18,14 @@ struct PairFriction {
   double mu = 0.0;
 };
 
+/// What an increment leaves for the next one.
+struct FrictionMemory {
+  std::vector<solve::Touch> touch; ///< [table row]
+  std::vector<double> slip, path;  ///< [table row]
+  std::vector<double> work;        ///< [contact]
+  base::Vector alpha;              ///< rigid motions at the end of the last increment
+};
+
 class FrictionHistory {
 public:
   explicit FrictionHistory(const Scene& scene);
@@ -37,15 +45,15 @@ public:
 
   [[nodiscard]] PairFriction pair(std::size_t contact) const;
 
+  [[nodiscard]] const FrictionMemory& memory() const { return memory_; }
+  void go_back(const FrictionMemory& memory) { memory_ = memory; }
+
 private:
   const Scene& scene_;
   std::vector<std::ptrdiff_t> normal_of_; ///< [table row] of a slip with friction, else -1
   std::vector<std::size_t> contact_of_;   ///< [table row]
   std::vector<double> mu_;                ///< [contact]
-  std::vector<solve::Touch> touch_;       ///< [table row]
-  std::vector<double> slip_, path_;       ///< [table row]
-  std::vector<double> work_;              ///< [contact]
-  base::Vector alpha_;                    ///< rigid motions at the end of the last increment
+  FrictionMemory memory_;
 };
 
 } // namespace spricka::run

@@ -9,6 +9,7 @@
 #include "run/length_solver.hpp"
 #include "run/resume.hpp"
 #include "run/safe_file.hpp"
+#include "run/scaled_lives.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -138,7 +139,7 @@ private:
     region.tell_cost(run_.log);
     LogWriter log(run_.log);
     std::optional<std::vector<growth::TipStation>> found =
-        measure_.measure(*increment, solver_.tips(), march.tips(), lines);
+        measure_.measure({*increment, solver_.tips(), lines, solver_.followed()}, march.tips());
     if (!found) {
       trial_refusal_ = Refusal{4, measure_.trouble(), model_.growth->span};
       return false;
@@ -149,6 +150,7 @@ private:
                                   increment->a));
       return true;
     }
+    solver_.carry_on();
     increment->number = static_cast<int>(run_.increments.size()) + 1;
     run_.increments.push_back(std::move(*increment));
     const growth::Station& here = march.state().stations.back();
@@ -226,6 +228,7 @@ private:
       }
     }
     run_.growth = growth_records(model_, march, measure_);
+    run_.growth->scaled = scaled_lives(model_, run_, march, measure_);
     LogWriter(run_.log).add("GROW",
                             fmt::format("{}: {}; {} stations, {} solutions did not count",
                                         run_.growth->ended, run_.growth->reason,

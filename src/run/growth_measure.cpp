@@ -93,22 +93,28 @@ std::size_t GrowthMeasure::largest_step() const {
 }
 
 std::optional<std::vector<growth::TipStation>>
-GrowthMeasure::measure(const results::Increment& increment, const std::vector<mesh::Tip>& tips,
-                       const std::vector<growth::GrowingTip>& growing,
-                       const std::vector<mesh::CrackLine>& lines) {
+GrowthMeasure::measure(const SolvedLength& at, const std::vector<growth::GrowingTip>& growing) {
   std::vector<growth::TipStation> found(growing.size());
+  const bool history = at.followed && at.followed->none.empty();
+  if (at.followed && !history) {
+    warnings_.insert(fmt::format("friction makes K a history, but the loads were not repeated: {}; "
+                                 "K is that of the steps as they were run once",
+                                 at.followed->none));
+  }
   for (std::size_t i = 0; i < growing.size(); ++i) {
-    const mesh::CrackLine& line = lines[growing[i].line];
-    const bool good = spectrum_
-                          ? by_spectrum(increment, growing[i].name, line.symmetric_half, found[i])
-                          : by_steps(increment, growing[i].name, line.symmetric_half, found[i]);
+    const mesh::CrackLine& line = at.lines[growing[i].line];
+    const std::string& name = growing[i].name;
+    const bool straight = line.symmetric_half;
+    const bool good = history     ? by_history(at, name, straight, found[i])
+                      : spectrum_ ? by_spectrum(at.increment, name, straight, found[i])
+                                  : by_steps(at.increment, name, straight, found[i]);
     if (!good) {
       return std::nullopt;
     }
-    for (const mesh::Tip& tip : tips) {
+    for (const mesh::Tip& tip : at.tips) {
       const bool second = tip.number == 2 || !line.embedded;
       if (model_.growth->flow_stress && tip.crack == line.crack && second != growing[i].at_first) {
-        plastic(increment, tip, line, found[i]);
+        plastic(at.increment, tip, line, found[i]);
       }
     }
   }
@@ -143,6 +149,18 @@ base::Vec2 GrowthMeasure::turn(const base::Vec2& K, bool straight,
   return crack::kinked_mode_one(criterion, found.turn);
 }
 
+void GrowthMeasure::look_at(const std::string& name, const base::Vec2& K, bool upside_down) {
+  if (upside_down) {
+    warnings_.insert(fmt::format("{}: K at KMIN is larger than at KMAX", name));
+  }
+  if (model_.growth->direction == model::GrowthDirection::path &&
+      std::abs(K[1]) > much_K2 * std::abs(K[0])) {
+    warnings_.insert(fmt::format("{} grows along its path although K2 is {:.2f} of K1; the law is "
+                                 "given K1 alone",
+                                 name, K[1] / K[0]));
+  }
+}
+
 bool GrowthMeasure::by_steps(const results::Increment& increment, const std::string& name,
                              bool straight, growth::TipStation& found) {
   const results::TipResult* high =
@@ -161,15 +179,7 @@ bool GrowthMeasure::by_steps(const results::Increment& increment, const std::str
   found.K_max = std::max(0.0, part.dot(K));
   found.K_min = part.dot(intensity(*low));
   found.rate = found.K_max > found.K_min ? law_.rate(found.K_max, found.K_min) : 0.0;
-  if (low->K1 > high->K1 && high->K1 > 0.0) {
-    warnings_.insert(fmt::format("{}: K at KMIN is larger than at KMAX", name));
-  }
-  if (model_.growth->direction == model::GrowthDirection::path &&
-      std::abs(K[1]) > much_K2 * std::abs(K[0])) {
-    warnings_.insert(fmt::format("{} grows along its path although K2 is {:.2f} of K1; the law is "
-                                 "given K1 alone",
-                                 name, K[1] / K[0]));
-  }
+  look_at(name, K, low->K1 > high->K1 && high->K1 > 0.0);
   return true;
 }
 

@@ -7,6 +7,7 @@
 #include "model/model.hpp"
 #include "results/named_arrays.hpp"
 #include "results/results.hpp"
+#include "run/load_history.hpp"
 
 #include <optional>
 #include <set>
@@ -18,6 +19,14 @@ namespace spricka::run {
 /// The law of $GROW; K and lengths in deck units.
 life::GrowthLaw law_of(const model::Growth& growth);
 
+/// A solved state of the cracks.
+struct SolvedLength {
+  const results::Increment& increment;
+  const std::vector<mesh::Tip>& tips;
+  const std::vector<mesh::CrackLine>& lines;
+  const std::optional<FollowedLoads>& followed; ///< where friction makes K a history
+};
+
 /// What a solved state of the cracks means for their growth: K at the largest and the smallest
 /// load, the way on, the rate.
 class GrowthMeasure {
@@ -26,9 +35,7 @@ public:
 
   /// By tip. Empty: `trouble` says why there is no growth to be told.
   [[nodiscard]] std::optional<std::vector<growth::TipStation>>
-  measure(const results::Increment& increment, const std::vector<mesh::Tip>& tips,
-          const std::vector<growth::GrowingTip>& growing,
-          const std::vector<mesh::CrackLine>& lines);
+  measure(const SolvedLength& at, const std::vector<growth::GrowingTip>& growing);
 
   [[nodiscard]] const std::string& trouble() const { return trouble_; }
   /// What a reader must not miss, each once.
@@ -53,6 +60,14 @@ private:
                 growth::TipStation& found);
   bool by_spectrum(const results::Increment& increment, const std::string& tip, bool straight,
                    growth::TipStation& found);
+  bool by_history(const SolvedLength& at, const std::string& tip, bool straight,
+                  growth::TipStation& found);
+  /// Rate and extremes of K in a pass of the spectrum that was followed, for one tip whose K is
+  /// `part` of its K1 and K2.
+  void of_pass(const FollowedPass& pass, std::size_t tip, const base::Vec2& part,
+               growth::TipStation& found) const;
+  /// Warns of what a reader of a rate by KMAX and KMIN must know; K1 and K2 at KMAX.
+  void look_at(const std::string& name, const base::Vec2& K, bool upside_down);
   [[nodiscard]] base::Vec2 intensity(const results::TipResult& tip);
   /// Sets the turn and gives the K to the law: of the crack before the turn, first and second.
   [[nodiscard]] base::Vec2 turn(const base::Vec2& K, bool straight,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/growth_records.hpp"
 
+#include "run/history_program.hpp"
+
 #include <algorithm>
 
 namespace spricka::run {
@@ -26,9 +28,12 @@ results::Growth growth_records(const model::Model& model, const growth::March& m
   results::Growth out;
   out.unit = measure.spectrum() ? "pass" : "cycle";
   out.corrected = model.growth->corrected;
+  out.followed = follows_history(model);
   if (measure.spectrum()) {
     out.cycles_per_pass = measure.spectrum()->count();
-    out.counted = measure.counted_on_K() ? "K, which turns within the loads" : "loads";
+    out.counted = follows_history(model)   ? "K, followed through the loads in their order"
+                  : measure.counted_on_K() ? "K, which turns within the loads"
+                                           : "loads";
   }
   for (const growth::GrowingTip& tip : march.tips()) {
     out.tips.push_back(tip.name);
@@ -47,7 +52,9 @@ results::Growth growth_records(const model::Model& model, const growth::March& m
     for (std::size_t tip = 0; tip < out.tips.size(); ++tip) {
       const growth::TipStation& t = stations[i].tips[tip];
       station.tips.push_back({out.tips[tip], t.a, t.K_max, t.K_min, t.K2_max, t.rate, t.turn,
-                              base::Vec3(t.x, t.y, 0.0)});
+                              base::Vec3(t.x, t.y, 0.0), t.first_max, t.first_min});
+      station.passes = std::max(station.passes, static_cast<int>(t.passes));
+      station.change = std::max(station.change, t.change);
     }
     out.stations.push_back(std::move(station));
     const double last = i + 1 < stations.size() ? std::min(stations[i + 1].s, end) : stations[i].s;

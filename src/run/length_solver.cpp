@@ -200,6 +200,23 @@ void LengthSolver::close_faces(const std::vector<std::size_t>& lines, Scene& sce
   }
 }
 
+bool LengthSolver::follow(LoadHistory& history, StepSolver& solver, LogWriter& log) {
+  next_carried_ = carried_;
+  Refusal why;
+  FollowedLoads loads;
+  if (!history.follow(solver, next_carried_, loads, why)) {
+    refusal_ = why;
+    return false;
+  }
+  if (loads.none.empty()) {
+    log.add("CONTACT", fmt::format("loads of the growth followed: {} passes, {} increments, K "
+                                   "changes by {:.1e} in the last",
+                                   loads.passes, loads.increments, loads.change));
+  }
+  followed_ = std::move(loads);
+  return true;
+}
+
 // Stops at the first step with faces that would overlap: `touching` says which.
 bool LengthSolver::walk_steps(const Way& way, LogWriter& log, results::Increment& increment,
                               std::vector<std::size_t>& touching) {
@@ -210,6 +227,8 @@ bool LengthSolver::walk_steps(const Way& way, LogWriter& log, results::Increment
   Adjoints adjoints(model_, scene, bodies);
   ErrorBars bars(model_, scene);
   Sensitivities sensitivities(model_, scene, bodies);
+  LoadHistory history(model_, scene, bodies, paths);
+  const bool follows = follows_history(model_);
   log.add("CONTACT", "compliances of the contact rows");
   for (std::size_t s = 0; s < model_.steps.size(); ++s) {
     const model::Step& step = model_.steps[s];
@@ -230,6 +249,9 @@ bool LengthSolver::walk_steps(const Way& way, LogWriter& log, results::Increment
     log.add("VCE", fmt::format("step {}: {} tips, pressures, balance", step.name,
                                scene.cracked.tips.size()));
     paths.keep(s, solver, increment.steps.back());
+    if (follows) {
+      history.keep(s, solver, increment.steps.back());
+    }
     if (!scene.cracked.tips.empty() && request.bars) {
       const std::vector<estimate::Adjoint>& of_K = adjoints.of_last_step(solver);
       log.add("ADJOINT", fmt::format("step {}: {} tips", step.name, of_K.size()));
@@ -247,11 +269,17 @@ bool LengthSolver::walk_steps(const Way& way, LogWriter& log, results::Increment
     }
   }
   increment.paths = paths.follow(solver);
+  if (follows && !follow(history, solver, log)) {
+    return false;
+  }
   touching = paths.touching();
   if (!touching.empty()) {
     return true;
   }
   for (const results::LoadPath& path : increment.paths) {
+    if (path.t.empty()) {
+      continue;
+    }
     log.add("LOADPATH",
             fmt::format("path {}: {} breakpoints, {} pivots, {} factorisations, residual {:.1e}, K "
                         "of its steps to {:.1e}",

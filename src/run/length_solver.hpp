@@ -5,7 +5,9 @@
 #include "mesh/patch.hpp"
 #include "model/model.hpp"
 #include "results/results.hpp"
+#include "run/carried_state.hpp"
 #include "run/condense_bodies.hpp"
+#include "run/load_history.hpp"
 #include "run/mount_memory.hpp"
 #include "run/scene.hpp"
 #include "run/solve_run.hpp"
@@ -67,10 +69,19 @@ public:
   /// Of the state that was solved last.
   [[nodiscard]] const std::vector<mesh::Tip>& tips() const { return tips_; }
 
+  /// K of the loads of the growth, one after another; empty without friction.
+  [[nodiscard]] const std::optional<FollowedLoads>& followed() const { return followed_; }
+  /// The state that was solved last counts: what slipped there is carried on from.
+  void carry_on() { carried_ = next_carried_; }
+
   /// What the next state takes over from the last, for a restart file, and back from there.
-  void save(results::NamedArrays& arrays) const { mounted_.save(arrays); }
+  void save(results::NamedArrays& arrays) const {
+    mounted_.save(arrays);
+    carried_.save(arrays);
+  }
   void go_on(const results::NamedArrays& arrays) {
     mounted_ = MountMemory::load(arrays);
+    carried_ = CarriedState::load(arrays);
     first_ = false;
   }
 
@@ -82,6 +93,8 @@ private:
   };
   std::optional<std::vector<BodyNet>> condense(const Scene& scene, LogWriter& log);
   void close_faces(const std::vector<std::size_t>& lines, Scene& scene, LogWriter& log);
+  /// Follows the loads of the growth behind the steps; false: no answer.
+  bool follow(LoadHistory& history, StepSolver& solver, LogWriter& log);
   bool walk_steps(const Way& way, LogWriter& log, results::Increment& increment,
                   std::vector<std::size_t>& touching);
 
@@ -92,6 +105,8 @@ private:
   std::optional<Refusal>& refusal_;
   CondensationCache cache_;
   MountMemory mounted_;
+  CarriedState carried_, next_carried_;
+  std::optional<FollowedLoads> followed_;
   std::vector<mesh::Tip> tips_;
   bool first_ = true;
 };

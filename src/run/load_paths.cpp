@@ -3,6 +3,7 @@
 
 #include "crack/stress_intensity.hpp"
 #include "run/closed_run.hpp"
+#include "run/history_program.hpp"
 #include "run/lip_contact.hpp"
 #include "run/tip_loads.hpp"
 
@@ -327,6 +328,11 @@ results::LoadPath LoadPaths::path(const model::LoadPath& card, const StepSolver&
   out.name = card.name;
   out.from = model_.steps[card.from.index()].name;
   out.to = model_.steps[card.to.index()].name;
+  if (follows_history(model_)) {
+    out.stopped = "with friction K depends on the way, so that there is no map: the growth follows "
+                  "its loads one after another";
+    return out;
+  }
   const solve::ParametricProblem posed = pose(card, solver);
   solve::SolutionPath found;
   if (posed.db.size() > 0 || posed.dh.size() > 0) {

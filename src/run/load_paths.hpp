@@ -25,6 +25,11 @@ public:
   /// Crack lines whose faces would overlap somewhere on the paths followed, and that have no pair
   /// yet (run/lip_contact.hpp).
   [[nodiscard]] const std::vector<std::size_t>& touching() const { return touching_; }
+  /// K1 and K2 of each tip in a solved increment [2 * tip + mode - 1]; K1 is 0 where its faces
+  /// touch at the tip. Looks at the faces, too.
+  [[nodiscard]] base::Vector intensities(const contact::ContactSystem::Demand& demand,
+                                         const contact::ContactSystem::Answer& answer,
+                                         const StepSolver& solver);
   /// The parametric problem of one path; functionals K1 and K2 of each tip, then by watch how far
   /// its two nodes are apart and how far along the face.
   [[nodiscard]] solve::ParametricProblem pose(const model::LoadPath& card,
@@ -54,6 +59,8 @@ private:
   [[nodiscard]] base::Vector watched(const base::Vector& u) const;
   /// Adds lines to `touching_` whose faces overlap at a knot.
   void look_at_faces(const solve::SolutionPath& found);
+  /// The same of one set of values [functional].
+  void look_at_faces(const base::Vector& value);
   /// K1 and K2 of all tips by contact forces and rigid modes (manual, solve.32): one
   /// back-substitution for each.
   struct Functionals {
@@ -78,6 +85,7 @@ private:
   const std::vector<BodyNet>& bodies_;
   std::map<std::size_t, End> ends_; ///< by step
   std::optional<Functionals> rows_; ///< made once
+  base::Matrix of_case_;            ///< [functional, case] of the bodies alone; made once
   std::vector<Watch> watches_;
   std::vector<std::size_t> touching_;
 };

@@ -3,6 +3,7 @@
 
 #include "contact/lip_pairing.hpp"
 #include "crack/stress_intensity.hpp"
+#include "run/history_program.hpp"
 #include "run/lip_contact.hpp"
 #include "run/lip_overlap.hpp"
 #include "run/step_walk.hpp"
@@ -15,7 +16,8 @@ namespace spricka::run {
 std::vector<LoadPaths::Watch> LoadPaths::watch_faces(const model::Model& model,
                                                      const Scene& scene) {
   std::vector<Watch> watches;
-  for (std::size_t i = 0; i < scene.cracked.lips.size() && !model.load_paths.empty(); ++i) {
+  const bool wanted = !model.load_paths.empty() || follows_history(model);
+  for (std::size_t i = 0; i < scene.cracked.lips.size() && wanted; ++i) {
     if (!model.cracks[i].faces_in_contact || scene.lip_pairs[i]) {
       continue;
     }
@@ -75,29 +77,60 @@ base::Vector LoadPaths::watched(const base::Vector& u) const {
   return values;
 }
 
+void LoadPaths::look_at_faces(const base::Vector& value) {
+  const auto K = 2 * static_cast<Eigen::Index>(scene_.cracked.tips.size());
+  for (std::size_t w = 0; w < watches_.size();) {
+    const std::size_t line = watches_[w].line;
+    std::vector<double> overlap; // along the face
+    double largest = 0.0;
+    for (; w < watches_.size() && watches_[w].line == line; ++w) {
+      const base::Vec2 apart = value.segment<2>(K + 2 * static_cast<Eigen::Index>(w));
+      overlap.push_back(std::max(0.0, -apart[0]));
+      largest = std::max(largest, apart.norm());
+    }
+    if (resolved_overlap(overlap) > overlap_of_round_off * largest &&
+        std::ranges::find(touching_, line) == touching_.end()) {
+      touching_.push_back(line);
+    }
+  }
+}
+
 // Between knots all is linear: the largest overlaps are at knots.
 void LoadPaths::look_at_faces(const solve::SolutionPath& found) {
-  const auto K = 2 * static_cast<Eigen::Index>(scene_.cracked.tips.size());
-  const auto look = [&](const base::Vector& value) {
-    for (std::size_t w = 0; w < watches_.size();) {
-      const std::size_t line = watches_[w].line;
-      std::vector<double> overlap; // along the face
-      double largest = 0.0;
-      for (; w < watches_.size() && watches_[w].line == line; ++w) {
-        const base::Vec2 apart = value.segment<2>(K + 2 * static_cast<Eigen::Index>(w));
-        overlap.push_back(std::max(0.0, -apart[0]));
-        largest = std::max(largest, apart.norm());
-      }
-      if (resolved_overlap(overlap) > overlap_of_round_off * largest &&
-          std::ranges::find(touching_, line) == touching_.end()) {
-        touching_.push_back(line);
-      }
-    }
-  };
   for (const solve::PathSegment& s : found.segments) {
-    look(s.value);
-    look(s.value + (s.to - s.from) * s.slope);
+    look_at_faces(s.value);
+    look_at_faces(base::Vector(s.value + (s.to - s.from) * s.slope));
   }
+}
+
+base::Vector LoadPaths::intensities(const contact::ContactSystem::Demand& demand,
+                                    const contact::ContactSystem::Answer& answer,
+                                    const StepSolver& solver) {
+  if (!rows_) {
+    rows_ = functionals(solver);
+  }
+  if (of_case_.cols() == 0) {
+    of_case_.resize(functional_count(), scene_.case_load.cols());
+    for (Eigen::Index c = 0; c < of_case_.cols(); ++c) {
+      of_case_.col(c) = free_values(base::Vector::Unit(of_case_.cols(), c));
+    }
+  }
+  base::Vector value = of_case_ * solver.factors().case_factor;
+  value += rows_->of_mode * answer.solution.alpha;
+  for (std::size_t i = 0; i < demand.rows.size(); ++i) {
+    value += rows_->of_row.col(static_cast<Eigen::Index>(demand.rows[i])) *
+             answer.solution.lambda[static_cast<Eigen::Index>(i)];
+  }
+  look_at_faces(value);
+  for (std::size_t t = 0; t < scene_.cracked.tips.size(); ++t) {
+    const std::optional<std::size_t> row = row_at_tip(scene_, scene_.cracked.tips[t]);
+    const auto at = row ? std::ranges::find(demand.rows, *row) : demand.rows.end();
+    if (at != demand.rows.end() &&
+        answer.solution.closed[static_cast<std::size_t>(at - demand.rows.begin())]) {
+      value[2 * static_cast<Eigen::Index>(t)] = 0.0;
+    }
+  }
+  return value.head(2 * static_cast<Eigen::Index>(scene_.cracked.tips.size()));
 }
 
 bool LoadPaths::close_tip(std::size_t t, const End& end, const solve::SolutionPath& found,

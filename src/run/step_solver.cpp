@@ -300,11 +300,7 @@ base::Vector StepSolver::tie_forces(const base::Vector& left_over) const {
   return tie;
 }
 
-std::optional<StepState> StepSolver::solve(const model::Step& step, Refusal& refusal) {
-  const StepFactors before = factors_;
-  if (!act(step, refusal)) {
-    return std::nullopt;
-  }
+StepState StepSolver::begin_state() const {
   StepState state;
   state.case_factor = factors_.case_factor;
   state.mounted = factors_.mounted;
@@ -319,27 +315,47 @@ std::optional<StepState> StepSolver::solve(const model::Step& step, Refusal& ref
     state.pair_closed.emplace_back(normal, false);
   }
   state.u = prescribed();
-  std::vector<base::Vector> external(bodies_.size());
+  return state;
+}
+
+bool StepSolver::complete(std::vector<base::Vector> external, StepState& state,
+                          Refusal& refusal) const {
+  std::vector<base::Vector> of_body(bodies_.size());
+  for (std::size_t i = 0; i < external.size(); ++i) {
+    of_body[condensed_[i]] = std::move(external[i]);
+  }
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    recover_body(bodies_[b], of_body[b], factors_.case_factor, state.u);
+  }
+  balance(state);
+  if (state.imbalance <= worst_imbalance) {
+    return true;
+  }
+  refusal = {5,
+             fmt::format("the solution is not in equilibrium: {:.1e} of the load is left over (the "
+                         "stiffness is close to singular)",
+                         state.imbalance),
+             {}};
+  return false;
+}
+
+std::optional<StepState> StepSolver::solve(const model::Step& step, Refusal& refusal) {
+  const StepFactors before = factors_;
+  if (!act(step, refusal)) {
+    return std::nullopt;
+  }
+  StepState state = begin_state();
+  std::vector<base::Vector> external;
   if (system_) {
     std::optional<contact::ContactSystem::Answer> answer = walk(before, step, state, refusal);
     if (!answer) {
       refusal.span = step.span;
       return std::nullopt;
     }
-    for (std::size_t i = 0; i < condensed_.size(); ++i) {
-      external[condensed_[i]] = std::move(answer->u[i]);
-    }
+    external = std::move(answer->u);
   }
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    recover_body(bodies_[b], external[b], factors_.case_factor, state.u);
-  }
-  balance(state);
-  if (!(state.imbalance <= worst_imbalance)) {
-    refusal = {5,
-               fmt::format("the solution is not in equilibrium: {:.1e} of the load is left over "
-                           "(the stiffness is close to singular)",
-                           state.imbalance),
-               step.span};
+  if (!complete(std::move(external), state, refusal)) {
+    refusal.span = step.span;
     return std::nullopt;
   }
   u_ = state.u;

@@ -9,6 +9,7 @@
 #include "run/step_factors.hpp"
 #include "solve/contact_qp.hpp"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -55,6 +56,25 @@ public:
   /// Carries out the actions of a step and solves for its end. Steps are called in deck order.
   std::optional<StepState> solve(const model::Step& step, Refusal& refusal);
 
+  /// All that the next increment depends on.
+  struct Place {
+    StepFactors factors;
+    base::Vector offset;      ///< [row]
+    std::vector<bool> closed; ///< [row] a start for the solution; may be empty
+    FrictionMemory friction;
+  };
+  [[nodiscard]] Place place() const;
+  void go_back(const Place& place);
+  /// Is shown each solved increment.
+  using Seen = std::function<void(const contact::ContactSystem::Demand&,
+                                  const contact::ContactSystem::Answer&)>;
+  /// Loads and fits go in a straight line to others in equal increments, contacts as they are:
+  /// nothing is recovered. Empty: refused.
+  std::optional<contact::ContactSystem::Answer> go_to(const StepFactors& to, int increments,
+                                                      const Seen& seen, Refusal& refusal);
+  /// The state at the end of go_to, from its answer; empty: refused.
+  std::optional<StepState> recover(contact::ContactSystem::Answer answer, Refusal& refusal);
+
   /// What the last step asked of the contact system, with the closed rows it ended with.
   [[nodiscard]] contact::ContactSystem::Demand demand() const;
   /// Null when no body has externals; its bodies are `condensed()`, indices of the solver's.
@@ -82,7 +102,11 @@ private:
     contact::ContactSystem::Demand demand; ///< of the last increment
     contact::ContactSystem::Answer answer;
     int increments = 0, iterations = 0, pivots = 0;
+    const Seen* seen = nullptr;
   };
+  [[nodiscard]] StepState begin_state() const;
+  /// Displacements of all bodies and what follows from them; false: not in equilibrium.
+  bool complete(std::vector<base::Vector> external, StepState& state, Refusal& refusal) const;
   /// One increment between two parts of the step, halved where it does not converge.
   bool advance(Walk& walk, std::pair<double, double> part, int halvings);
   void remember(const Walk& walk);

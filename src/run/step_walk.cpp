@@ -34,7 +34,7 @@ double row_opening(const contact::ConstraintRow& row, int dim, const base::Vecto
 std::optional<contact::ContactSystem::Answer> StepSolver::walk(const StepFactors& from,
                                                                const model::Step& step,
                                                                StepState& state, Refusal& refusal) {
-  Walk way{from, factors_, demand(), {}};
+  Walk way{from, factors_, demand(), {}, 0, 0, 0, nullptr};
   const bool rubs = !way.demand.friction.empty();
   if (rubs) {
     note_uniqueness(way.demand, state);
@@ -72,6 +72,9 @@ bool StepSolver::advance(Walk& walk, std::pair<double, double> part, int halving
   if (s.status == solve::ContactStatus::solved) {
     ++walk.increments;
     remember(walk);
+    if (walk.seen != nullptr) {
+      (*walk.seen)(walk.demand, walk.answer);
+    }
     return true;
   }
   if (s.status != solve::ContactStatus::max_iterations || halvings == most_halvings) {
@@ -80,6 +83,39 @@ bool StepSolver::advance(Walk& walk, std::pair<double, double> part, int halving
   const double middle = 0.5 * (part.first + part.second);
   return advance(walk, {part.first, middle}, halvings + 1) &&
          advance(walk, {middle, part.second}, halvings + 1);
+}
+
+StepSolver::Place StepSolver::place() const {
+  return {factors_, offset_, closed_, history_.memory()};
+}
+
+void StepSolver::go_back(const Place& place) {
+  factors_ = place.factors;
+  offset_ = place.offset;
+  closed_ = place.closed;
+  history_.go_back(place.friction);
+}
+
+std::optional<contact::ContactSystem::Answer>
+StepSolver::go_to(const StepFactors& to, int increments, const Seen& seen, Refusal& refusal) {
+  Walk way{factors_, to, {}, {}, 0, 0, 0, &seen};
+  for (int k = 0; k < increments; ++k) {
+    const double n = increments;
+    if (!advance(way, {k / n, (k + 1) / n}, 0)) {
+      refuse(way.answer, refusal);
+      return std::nullopt;
+    }
+  }
+  return std::move(way.answer);
+}
+
+std::optional<StepState> StepSolver::recover(contact::ContactSystem::Answer answer,
+                                             Refusal& refusal) {
+  StepState state = begin_state();
+  if (!accept(answer, demand(), state, refusal) || !complete(std::move(answer.u), state, refusal)) {
+    return std::nullopt;
+  }
+  return state;
 }
 
 // Where rows stand tangentially now: slip counts from here.

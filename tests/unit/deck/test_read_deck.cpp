@@ -232,14 +232,14 @@ TEST(ReadDeck, WhatHasNoAnalysisIsNotedNotIgnored) {
                                      "$FSET NAME=TOP WHERE=(y == 1)\n"
                                      "$CONTACT NAME=C SLAVE=TOP MASTER=WALL MU=0.1\n"
                                      "$STEP NAME=S\n DISMOUNT C\n"
-                                     "$GROW LAW=INCREMENT KMAX=S HISTORY=CONTINUE\n 1\n$END\n");
+                                     "$CONTROL TOL=1e-9\n$END\n");
   ASSERT_TRUE(r.model) << r.messages();
   std::vector<std::string> what;
   for (const model::Unavailable& u : r.model->unavailable) {
     what.push_back(u.what);
     EXPECT_TRUE(u.span.valid());
   }
-  EXPECT_EQ(what, (std::vector<std::string>{"$GROW HISTORY=CONTINUE"}));
+  EXPECT_EQ(what, (std::vector<std::string>{"$CONTROL TOL=1e-9"}));
 }
 
 TEST(ReadDeck, LoadValuesAndPrescribedFreedoms) {

@@ -118,8 +118,8 @@ using AllRecords =
     ::testing::Types<KBar, Sensitivity, Sensitivities, TipResult, ContactPoint, ContactResult,
                      Balance, NetError, SurfaceFace, PathTip, PathContact, PathChange, LoadPath,
                      LogLine, CheckResult, ToleranceRound, GrowingTip, GrowthStation, LifePoint,
-                     Growth, TestPoint, GrowthTest, base::Span, model::NodeSet, model::ElementSet,
-                     model::FaceSet>;
+                     ScaledLife, Growth, TestPoint, GrowthTest, base::Span, model::NodeSet,
+                     model::ElementSet, model::FaceSet>;
 TYPED_TEST_SUITE(Records, AllRecords);
 
 // A member that somebody adds and no file keeps would be lost in a restart.

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/spectrum_runs.hpp"
+
+namespace spricka::model {
+
+namespace {
+
+std::vector<double> turning_places(const std::vector<double>& history) {
+  std::vector<double> places;
+  for (const double t : history) {
+    const std::size_t n = places.size();
+    if (n > 0 && t == places[n - 1]) {
+      continue;
+    }
+    if (n > 1 && (places[n - 1] > places[n - 2]) == (t > places[n - 1])) {
+      places[n - 1] = t;
+    } else {
+      places.push_back(t);
+    }
+  }
+  return places;
+}
+
+} // namespace
+
+std::vector<SpectrumRun> spectrum_runs(const Spectrum& spectrum) {
+  std::vector<SpectrumRun> runs;
+  if (!spectrum.sequence) {
+    for (const auto& [low, high, count] : spectrum.cycles) {
+      runs.push_back({{high, low}, count, true});
+    }
+    return runs;
+  }
+  const std::vector<double> t = turning_places(spectrum.turning_points);
+  for (std::size_t i = 0; i < t.size();) {
+    std::size_t times = 1;
+    while (i + 2 * times + 1 < t.size() && t[i + 2 * times] == t[i] &&
+           t[i + 2 * times + 1] == t[i + 1]) {
+      ++times;
+    }
+    if (times > 1) {
+      runs.push_back({{t[i], t[i + 1]}, static_cast<double>(times), false});
+      i += 2 * times;
+    } else {
+      runs.push_back({{t[i++]}, 1.0, false});
+    }
+  }
+  return runs;
+}
+
+std::size_t followed_places(const std::vector<SpectrumRun>& runs) {
+  std::size_t places = 0;
+  for (const SpectrumRun& run : runs) {
+    places += run.t.size();
+  }
+  return places;
+}
+
+} // namespace spricka::model
