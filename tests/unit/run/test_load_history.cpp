@@ -80,15 +80,18 @@ TEST(LoadHistory, WhereAPassBeginsDoesNotMatter) {
   }
 }
 
-// The same two turning points again and again are solved until they repeat, and then counted.
+// The same two turning points again and again are solved until they repeat, and then counted. The
+// first cycle from 0.3 begins at what 0 has left behind: the strip feels 0.6 twice, 0.3 otherwise.
 TEST(LoadHistory, RunsOfASequenceAreBlocks) {
   std::string sequence = "TYPE=SEQUENCE\n";
   for (int k = 0; k < 500; ++k) {
-    sequence += "  1 0.3\n";
+    sequence += "  0.3 1\n";
   }
-  const double one = life(strip(spectrum(sequence + "  1 0\n")));
+  const double one = life(strip(spectrum(sequence + "  0 1 0\n")));
   const double blocks = life(strip(spectrum("TYPE=BLOCKS\n  0.3 1 500\n  0 1 1\n")));
   EXPECT_NEAR(blocks / one, 1.0, 1e-6);
+  const double mapped = life(strip(spectrum("TYPE=BLOCKS\n  0 1 1\n"), "0"));
+  EXPECT_NEAR(blocks * (2.0 * std::pow(0.6, 3) + 499.0 * std::pow(0.3, 3)) / mapped, 1.0, 1e-4);
 }
 
 // From rest to full load the strip feels 0 to 0.8, from then on 0.2 to 0.8: the law must be given
