@@ -200,14 +200,16 @@ constexpr std::array texts{
     CardText{"LOADPATH",
              "Loads and fits run from those of step FROM to those of step TO and on in a straight "
              "line, (1-t) FROM + t TO. Without friction K is piecewise linear in t: every "
-             "breakpoint, where a pair opens or closes, is found. Nothing may be mounted or "
-             "dismounted between the two steps.",
+             "breakpoint, where a pair opens or closes, is found. With friction it can only say "
+             "what the t of a spectrum mean. Nothing may be mounted or dismounted between the "
+             "two steps.",
              "$LOADPATH NAME=UP FROM=PRESS TO=LOAD BEYOND=1.5\n"},
     CardText{"SPECTRUM",
              "All loads are places t on a load path. BLOCKS: each line is a number of cycles "
              "between two t; SEQUENCE: turning points in their order, counted by rainflow (ASTM "
              "E1049). One pass through all of them is the unit of life. Beyond both ends of the "
-             "load path there is no K: its BEYOND must reach the largest t.",
+             "load path there is no K: its BEYOND must reach the largest t. With friction "
+             "turning points are solved in their order, at most 2000.",
              "$SPECTRUM NAME=FLIGHT PATH=UP TYPE=BLOCKS\n"
              "  0.1  1.0  20\n"
              "  0.3  0.7  5000\n"},
@@ -217,7 +219,9 @@ constexpr std::array texts{
         "lengths. KMAX and KMIN name the steps whose K is the largest and the smallest of a "
         "load cycle. By a law the program chooses the lengths itself, so that the cycles are "
         "right to TOL, and ends at AMAX, CYCLES, KC, the ligament's plastic limit (SFLOW), an "
-        "edge, another crack, or where nothing grows any more.",
+        "edge, another crack, or where nothing grows any more. With friction the loads are "
+        "followed one after another until K repeats itself, each length from the beginning "
+        "(HISTORY=RESTART) or from what slipped at the one before (CONTINUE).",
         "$GROW LAW=PARIS KMAX=LOAD KMIN=UNLOAD C=1e-11 M=3 KUNIT='MPa*m^0.5' AUNIT='m' AMAX=30\n"},
     CardText{
         "TEST",

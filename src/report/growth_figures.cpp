@@ -59,8 +59,9 @@ void add_checks(Plot& plot, const model::Model& model) {
 }
 
 Figure life_figure(const model::Model& model, const Growth& growth) {
-  Plot plot{"Crack length over " + growth.unit + "s",
-            fmt::format("N  [{}s]", growth.unit),
+  const std::string units = growth.unit + (growth.unit == "pass" ? "es" : "s");
+  Plot plot{"Crack length over " + units,
+            fmt::format("N  [{}]", units),
             fmt::format("a  [{}]", model.units.length_name),
             {}};
   for (std::size_t t = 0; t < growth.tips.size(); ++t) {
@@ -70,7 +71,7 @@ Figure life_figure(const model::Model& model, const Growth& growth) {
   std::string more;
   for (std::size_t k = 0; k < growth.scaled.size(); ++k) {
     Series series;
-    series.name = scaled_words(growth.scaled[k], "the largest load");
+    series.name = scaled_words(growth.scaled[k]);
     series.colour = colour(growth.tips.size() + k);
     series.dash = dash(1 + k);
     for (const results::LifePoint& point : growth.scaled[k].curve) {
@@ -85,9 +86,9 @@ Figure life_figure(const model::Model& model, const Growth& growth) {
       {draw(plot)},
       "",
       fmt::format(
-          "Crack length over {}s, {:.6g} in all, estimated to be right to {:.2g} % as far as the "
+          "Crack length over {}, {:.6g} in all, estimated to be right to {:.2g} % as far as the "
           "lengths that were solved (marks) are concerned. The growth ended: {}.{}",
-          growth.unit, growth.cycles(), 100.0 * growth.error, growth.reason, more)};
+          units, growth.cycles(), 100.0 * growth.error, growth.reason, more)};
 }
 
 /// What the law was given at the stations.

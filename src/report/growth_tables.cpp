@@ -259,11 +259,10 @@ std::string history_summary(const results::Growth& growth) {
 
 } // namespace
 
-std::string scaled_words(const results::ScaledLife& other, const std::string& at_largest) {
-  const std::string what = other.name == "scaled"
-                               ? "one K scaled with the load"
-                               : fmt::format("a line from t = 0 to {}", at_largest);
-  return other.ratio < 1.0 ? fmt::format("{}: 1/{:.2f} of the life", what, 1.0 / other.ratio)
+std::string scaled_words(const results::ScaledLife& other) {
+  const std::string what = other.name == "scaled" ? "one K scaled with the load"
+                                                  : "a line through t = 0 and the largest load";
+  return other.ratio < 0.5 ? fmt::format("{}: 1/{:.2f} of the life", what, 1.0 / other.ratio)
                            : fmt::format("{}: {:.2f} times the life", what, other.ratio);
 }
 
@@ -288,7 +287,7 @@ std::string life_summary(const model::Model& model, const results::Run& run) {
     out += history_summary(growth);
   }
   for (const results::ScaledLife& other : growth.scaled) {
-    out += fmt::format("For comparison, {}.\n", scaled_words(other, "the largest load"));
+    out += fmt::format("For comparison, {}.\n", scaled_words(other));
   }
   if (!growth.curve.empty()) {
     for (std::size_t i = 0; i < growth.tips.size(); ++i) {

@@ -28,6 +28,6 @@ std::string life_summary(const model::Model& model, const results::Run& run);
 
 /// What a life by one line of K is and how it compares, for legends: "one K scaled with the load:
 /// 1/4.03 of the life".
-std::string scaled_words(const results::ScaledLife& other, const std::string& at_largest);
+std::string scaled_words(const results::ScaledLife& other);
 
 } // namespace spricka::report

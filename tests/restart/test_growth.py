@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Growth by a law, stopped after every length, goes on to the same bits: straight and curved cracks,
-constant load and spectra; and further than it was asked to at first."""
+constant load and spectra, K to a tolerance, slip carried from length to length; and further than it
+was asked to at first."""
 
 from run_folders import RestartTest, keeping, main
 
@@ -28,10 +29,49 @@ SPECTRUM = """$SPECTRUM NAME=FLIGHT PATH=UP TYPE=SEQUENCE
   0 0.5 0.2 1 0.1 0.8 0
 """
 
+# A strip with a crack hangs on a block that only friction holds: what it has stretched the strip by
+# stays from length to length.
+CLAMPED = """$DECK VERSION=1 LENGTH=mm FORCE=N
+$MESH SHAPE=BLOCK TYPE=QUAMC8 LX=50 LY=10 NX=20 NY=4
+$ESET NAME=STRIP WHERE=(x < 40)
+$ESET NAME=BLOCKS WHERE=(x > 40)
+$NSET NAME=LINE WHERE=(abs(x) < 1e-9) ORDER=(y)
+$NSET NAME=MIDDLE WHERE=(abs(y) < 1e-9)
+$NSET NAME=CLAMPED WHERE=(abs(y-10) < 1e-9 and x > 39.999)
+$MATERIAL NAME=SOFT  E=2000 NU=0
+$MATERIAL NAME=STIFF E=2e8 NU=0
+$PROPERTY ESET=STRIP  MATERIAL=SOFT  STATE=STRAIN
+$PROPERTY ESET=BLOCKS MATERIAL=STIFF STATE=STRAIN
+$FREEDOM CLASS=SUPPRESSED DOF=X
+  LINE
+$FREEDOM CLASS=SUPPRESSED DOF=Y
+  MIDDLE
+$RIGID NAME=CLAMP SHAPE=LINE X0=60 Y0=10 X1=0 Y1=10
+$CONTACT NAME=GRIP SLAVE=CLAMPED MASTER=CLAMP INTERFERENCE=2.5e-6 MU=0.2
+$CRACK NAME=C1 PATH=LINE A0=2
+$LOAD CASE=PULL TYPE=TRACTION
+  XMAX 50 0
+$LOAD CASE=INSIDE TYPE=FACES
+  C1 10
+$STEP NAME=FULL SUBSTEPS=2
+  LOAD PULL 1
+$STEP NAME=BACK SUBSTEPS=2
+  LOAD PULL 0.7
+$STEP NAME=OPEN
+  LOAD INSIDE 1
+$STEP NAME=SHUT
+  LOAD INSIDE 0
+$GROW LAW=PARIS KMAX=OPEN KMIN=SHUT C=1e-11 M=3 AMAX=4 HISTORY=CONTINUE
+$END
+"""
+
 
 class Growth(RestartTest):
     def check(self, more, shear=0, sessions=3):
-        deck = self.deck(keeping(PLATE.format(shear=shear, more=more)))
+        self.check_deck(PLATE.format(shear=shear, more=more), sessions)
+
+    def check_deck(self, text, sessions=3):
+        deck = self.deck(keeping(text))
         self.expect(0, "run", deck, "--out", "whole.run", "--quiet")
         for f in self.folder.glob("state.rst*"):
             f.is_file() and f.unlink()
@@ -54,6 +94,14 @@ class Growth(RestartTest):
 
     def test_spectrum(self):
         self.check(SPECTRUM + LAW.format(amax=4) + "SPECTRUM=FLIGHT")
+
+    def test_to_a_tolerance(self):
+        self.check("$TIPNET CRACK=C TOL=0.0003\n" + STEPS.format(amax=4), sessions=6)
+        listing = (self.folder / "whole.run" / "listing.txt").read_text(encoding="utf-8")
+        self.assertRegex(listing, r"\n +2 +\d+ .* inside\n")  # a second round: something was refined
+
+    def test_slip_is_carried(self):
+        self.check_deck(CLAMPED)
 
     def test_further(self):
         deck = PLATE.format(shear=0, more=STEPS.format(amax=4))
