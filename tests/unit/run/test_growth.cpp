@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "integrated_life.hpp"
 #include "solved_text.hpp"
 
 #include "growth/trajectory.hpp"
@@ -180,6 +181,9 @@ TEST(Growth, PathIntoAHole) {
     ASSERT_TRUE(solved && solved->run.growth);
     EXPECT_EQ(solved->run.growth->ended, "EDGE");
     EXPECT_NE(solved->run.growth->reason.find("HOLE"), std::string::npos);
+    const double life = test::integrated_life(
+        *solved->run.growth, [](double K, double R) { return 1e-11 * std::pow((1.0 - R) * K, 3); });
+    EXPECT_NEAR(solved->run.growth->cycles() / life, 1.0, 1e-5);
     std::vector<base::Vec3>& x = path.emplace_back();
     for (const results::GrowthStation& station : solved->run.growth->stations) {
       x.push_back(station.tips.front().x);

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "integrated_life.hpp"
 #include "solved_text.hpp"
-
-#include "results/growth.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -19,44 +16,6 @@ namespace spricka {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-using Rate = std::function<double(double K_max, double R)>;
-
-// ln K_max and R over ln a through the four nearest stations (manual, growth.3), by Neville's
-// scheme; the life by Simpson's rule.
-double integrated_life(const results::Growth& growth, const Rate& rate) {
-  const auto& stations = growth.stations;
-  const std::size_t n = stations.size();
-  const auto through = [&](std::size_t first, double x, const auto& value) {
-    std::vector<double> p;
-    std::vector<double> at;
-    for (std::size_t k = first; k < first + std::min<std::size_t>(4, n); ++k) {
-      at.push_back(std::log(stations[k].tips[0].a));
-      p.push_back(value(stations[k].tips[0]));
-    }
-    for (std::size_t m = 1; m < p.size(); ++m) {
-      for (std::size_t i = 0; i + m < p.size(); ++i) {
-        p[i] = ((x - at[i + m]) * p[i] + (at[i] - x) * p[i + 1]) / (at[i] - at[i + m]);
-      }
-    }
-    return p[0];
-  };
-  double cycles = 0.0;
-  for (std::size_t i = 0; i + 1 < n; ++i) {
-    const std::size_t first = std::min(i > 0 ? i - 1 : 0, n - std::min<std::size_t>(4, n));
-    const double a0 = stations[i].tips[0].a;
-    const double h = (stations[i + 1].tips[0].a - a0) / 200.0;
-    for (int k = 0; k <= 200; ++k) {
-      const double x = std::log(a0 + k * h);
-      const double K = std::exp(
-          through(first, x, [](const results::GrowingTip& t) { return std::log(t.K_max); }));
-      const double R =
-          through(first, x, [](const results::GrowingTip& t) { return t.K_min / t.K_max; });
-      cycles += h / 3.0 * (k == 0 || k == 200 ? 1.0 : k % 2 == 1 ? 4.0 : 2.0) / rate(K, R);
-    }
-  }
-  return cycles;
-}
 
 // Half a strip of width 20 with an edge crack along its line of symmetry, tension 50.
 std::string strip(const std::string& grow, const std::string& path = "") {
@@ -104,7 +63,8 @@ TEST(GrowthLaws, NasgroInADeck) {
     return C * std::pow((1.0 - f) / (1.0 - R) * range, m) * std::pow(1.0 - threshold / range, p) /
            std::pow(1.0 - K / Kc, q);
   };
-  EXPECT_NEAR(solved->run.growth->cycles() / integrated_life(*solved->run.growth, rate), 1.0, 1e-5);
+  EXPECT_NEAR(solved->run.growth->cycles() / test::integrated_life(*solved->run.growth, rate), 1.0,
+              1e-5);
 }
 
 // Rows with a bend within the ranges that occur; the last is straight on beyond its end.
@@ -124,7 +84,7 @@ TEST(GrowthLaws, TableInADeck) {
   const auto& last = growth.stations.back().tips[0];
   EXPECT_LT(first.K_max - first.K_min, 150.0);
   EXPECT_GT(last.K_max - last.K_min, 150.0);
-  EXPECT_NEAR(growth.cycles() / integrated_life(growth, rate), 1.0, 1e-5);
+  EXPECT_NEAR(growth.cycles() / test::integrated_life(growth, rate), 1.0, 1e-5);
 }
 
 // The crack goes along the edges of the deck's elements as far as its PATH does.
@@ -190,7 +150,7 @@ TEST(GrowthLaws, MountedAtTheFirstLength) {
   const auto rate = [](double K, double R) {
     return 1e-4 * std::pow((1.0 - R) * K / std::pow(1.0 - R, 0.5), 3);
   };
-  EXPECT_NEAR(growth.cycles() / integrated_life(growth, rate), 1.0, 1e-5);
+  EXPECT_NEAR(growth.cycles() / test::integrated_life(growth, rate), 1.0, 1e-5);
   // the same strap in both: the range is the same, the mean is not
   EXPECT_GT(growth.cycles(), 1.003 * each->run.growth->cycles());
 }
