@@ -8,8 +8,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace spricka::report {
 namespace {
@@ -58,7 +60,59 @@ void add_checks(Plot& plot, const model::Model& model) {
   }
 }
 
-Figure life_figure(const model::Model& model, const Growth& growth) {
+/// The largest t of a spectrum.
+double largest_place(const model::Spectrum& spectrum) {
+  double top = 0.0;
+  for (const double t : spectrum.turning_points) {
+    top = std::max(top, t);
+  }
+  for (const std::array<double, 3>& cycle : spectrum.cycles) {
+    top = std::max(top, cycle[1]);
+  }
+  return top;
+}
+
+/// K over the load at a length in the middle, and the lines that the other lives have taken it
+/// from; empty: there is no map.
+std::string lines_picture(const model::Model& model, const results::Run& run) {
+  if (run.growth->scaled.empty() || !model.growth->spectrum || run.increments.empty()) {
+    return {};
+  }
+  const model::Spectrum& spectrum = model.spectra[*model.growth->spectrum];
+  const results::Increment& increment = run.increments[run.increments.size() / 2];
+  const results::LoadPath& path = increment.paths.at(spectrum.path);
+  const double top = largest_place(spectrum);
+  if (path.tips.size() != 1 || path.t.empty() || top > path.t.back()) {
+    return {};
+  }
+  const base::PiecewiseLinear& K1 = path.tips.front().K1;
+  Plot plot{fmt::format("K₁ over load path {} at a = {:.4g} {}", path.name, increment.a,
+                        model.units.length_name),
+            fmt::format("t, a = {:.4g} {}", increment.a, model.units.length_name),
+            fmt::format("K₁  [{}]", print_unit(model.units.stress_intensity_name())),
+            {}};
+  plot.legend_below = true;
+  Series exact;
+  exact.name = "K of every load";
+  exact.colour = colour(0);
+  for (std::size_t k = 0; k < path.t.size(); ++k) {
+    exact.points.push_back({path.t[k], K1.at_knot(k)});
+  }
+  plot.series.push_back(std::move(exact));
+  for (std::size_t k = 0; k < run.growth->scaled.size(); ++k) {
+    const bool scaled = run.growth->scaled[k].name == "scaled";
+    Series line;
+    line.name = scaled ? "scaled with the load" : "a line through t = 0 and the largest load";
+    line.colour = colour(1 + k);
+    line.dash = dash(1 + k);
+    line.points = {{0.0, scaled ? 0.0 : K1(0.0)}, {top, K1(top)}};
+    plot.series.push_back(std::move(line));
+  }
+  return draw(plot);
+}
+
+Figure life_figure(const model::Model& model, const results::Run& run) {
+  const Growth& growth = *run.growth;
   const std::string units = growth.unit + (growth.unit == "pass" ? "es" : "s");
   Plot plot{"Crack length over " + units,
             fmt::format("N  [{}]", units),
@@ -82,9 +136,12 @@ Figure life_figure(const model::Model& model, const Growth& growth) {
     plot.series.front().name = growth.tips.front() + ", K of every load";
     more = " Dashed: what comes out where K is read off a line instead, which it does not follow.";
   }
+  std::vector<std::string> pictures{draw(plot)};
+  if (std::string lines = lines_picture(model, run); !lines.empty()) {
+    pictures.push_back(std::move(lines));
+  }
   return {
-      {draw(plot)},
-      "",
+      std::move(pictures), "",
       fmt::format(
           "Crack length over {}, {:.6g} in all, estimated to be right to {:.2g} % as far as the "
           "lengths that were solved (marks) are concerned. The growth ended: {}.{}",
@@ -179,7 +236,7 @@ std::vector<Figure> growth_figures(const model::Model& model, const results::Run
   if (!run.growth || run.growth->stations.empty()) {
     return figures;
   }
-  figures.push_back(life_figure(model, *run.growth));
+  figures.push_back(life_figure(model, run));
   figures.push_back(range_figure(model, *run.growth));
   if (std::optional<Figure> path = path_figure(model, run, *run.growth)) {
     figures.push_back(std::move(*path));
