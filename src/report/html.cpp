@@ -199,7 +199,7 @@ std::string html_report(const base::Sources& sources, const model::Model& model,
     page.table(net_balance_table(model, run.increments.back()));
     page.table(error_table(run.increments.back()));
   }
-  if (const Table rounds = rounds_table(run); !rounds.rows.empty()) {
+  if (const Table rounds = rounds_table(run, false); !rounds.rows.empty()) {
     page.heading("K to a tolerance");
     page.table(untitled(rounds));
   }

@@ -148,7 +148,7 @@ std::string listing(const base::Sources& sources, const model::Model& model,
                     const results::Run& run) {
   std::string out = "spricka " SPRICKA_VERSION "\n";
   out += echo(sources) + model_summary(model) + log_text(run);
-  if (const Table rounds = rounds_table(run); !rounds.rows.empty()) {
+  if (const Table rounds = rounds_table(run, true); !rounds.rows.empty()) {
     out += heading("K to a tolerance") + to_text(untitled(rounds));
   }
   for (const results::Increment& increment : run.increments) {

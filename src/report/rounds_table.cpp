@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/rounds_table.hpp"
 
+#include <string>
+#include <vector>
+
 #include <fmt/format.h>
 
 namespace spricka::report {
 
-Table rounds_table(const results::Run& run) {
+Table rounds_table(const results::Run& run, bool times) {
   Table table{"K to a tolerance",
               {{"round", "", false},
                {"freedoms", "", false},
@@ -20,6 +23,12 @@ Table rounds_table(const results::Run& run) {
                           fmt::format("{:.2f}", round.cpu),
                           fmt::format("{:.3g}", 100.0 * round.bar),
                           fmt::format("{:.3g}", 100.0 * round.wanted), round.worst, round.next});
+  }
+  if (!times) {
+    table.columns.erase(table.columns.begin() + 2);
+    for (std::vector<std::string>& row : table.rows) {
+      row.erase(row.begin() + 2);
+    }
   }
   return table;
 }

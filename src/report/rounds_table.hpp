@@ -6,6 +6,7 @@
 namespace spricka::report {
 
 /// The solutions on the way to K within its tolerance; without rows where no $TIPNET has TOL.
-Table rounds_table(const results::Run& run);
+/// `times`: with the CPU time of each, which is another in every run.
+Table rounds_table(const results::Run& run, bool times);
 
 } // namespace spricka::report
