@@ -97,6 +97,19 @@ std::size_t unknowns(const std::vector<BodyNet>& bodies) {
   return n;
 }
 
+void log_paths(const std::vector<results::LoadPath>& paths, LogWriter& log) {
+  for (const results::LoadPath& path : paths) {
+    if (path.t.empty()) {
+      continue;
+    }
+    log.add("LOADPATH",
+            fmt::format("path {}: {} breakpoints, {} pivots, {} factorisations, residual {:.1e}, K "
+                        "of its steps to {:.1e}",
+                        path.name, path.t.size() < 2 ? 0 : path.t.size() - 2, path.pivots,
+                        path.factorisations, path.residual, path.mismatch));
+  }
+}
+
 } // namespace
 
 // Reports know nodes of sets but not of faces.
@@ -276,16 +289,7 @@ bool LengthSolver::walk_steps(const Way& way, LogWriter& log, results::Increment
   if (!touching.empty()) {
     return true;
   }
-  for (const results::LoadPath& path : increment.paths) {
-    if (path.t.empty()) {
-      continue;
-    }
-    log.add("LOADPATH",
-            fmt::format("path {}: {} breakpoints, {} pivots, {} factorisations, residual {:.1e}, K "
-                        "of its steps to {:.1e}",
-                        path.name, path.t.size() < 2 ? 0 : path.t.size() - 2, path.pivots,
-                        path.factorisations, path.residual, path.mismatch));
-  }
+  log_paths(increment.paths, log);
   return true;
 }
 

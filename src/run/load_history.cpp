@@ -144,6 +144,30 @@ bool LoadHistory::compare_with_recovered(FollowedLoads& out, Refusal& refusal) {
   return true;
 }
 
+// Behind the first step of the loads, or to where the cracks have grown to this length. `before`:
+// K of the pass that has been, where there is one.
+bool LoadHistory::begin(const HistoryProgram& program, const CarriedState& carried, WayOfK& before,
+                        Refusal& refusal) {
+  if (carried.empty()) {
+    solver_->go_back(places_[program.start]);
+    return true;
+  }
+  std::string trouble;
+  const std::optional<StepSolver::Place> place = carried.put(scene_, solver_->place(), trouble);
+  if (!place) {
+    refusal = {4, trouble, model_.growth->span};
+    return false;
+  }
+  solver_->go_back(*place);
+  std::vector<LoadPlace> marks;
+  for (const LoadLeg& leg : program.legs) {
+    marks.insert(marks.end(), leg.places.begin(), leg.places.end());
+  }
+  before.clear();
+  WayOfK grown; // under the loads they had
+  return go({place->factors, marks[program.grow_at].t, 1}, grown, refusal);
+}
+
 bool LoadHistory::follow(StepSolver& solver, CarriedState& carried, FollowedLoads& out,
                          Refusal& refusal) {
   const HistoryProgram program = history_program(model_, of_step_);
@@ -158,37 +182,16 @@ bool LoadHistory::follow(StepSolver& solver, CarriedState& carried, FollowedLoad
   solver_ = &solver;
   per_unit_ = program.per_unit;
   const bool spectrum = model_.growth->spectrum.has_value();
-  WayOfK before; // marks of the pass before
-  if (!spectrum) {
-    const std::size_t first = program.start + 1 - program.legs.front().places.size();
-    before.assign(of_steps_.begin() + static_cast<std::ptrdiff_t>(first),
-                  of_steps_.begin() + static_cast<std::ptrdiff_t>(program.start + 1));
+  WayOfK before;   // marks of the pass before
+  if (!spectrum) { // the steps themselves
+    const auto end = of_steps_.begin() + static_cast<std::ptrdiff_t>(program.start + 1);
+    before.assign(end - static_cast<std::ptrdiff_t>(program.legs.front().places.size()), end);
     out.first.marks = before;
     for (const base::Vector& K : before) {
       largest_ = std::max(largest_, K.lpNorm<Eigen::Infinity>());
     }
   }
-  if (carried.empty()) {
-    solver.go_back(places_[program.start]);
-  } else {
-    std::string trouble;
-    const std::optional<StepSolver::Place> place = carried.put(scene_, was, trouble);
-    if (!place) {
-      refusal = {4, trouble, model_.growth->span};
-      return false;
-    }
-    solver.go_back(*place);
-    std::vector<LoadPlace> marks;
-    for (const LoadLeg& leg : program.legs) {
-      marks.insert(marks.end(), leg.places.begin(), leg.places.end());
-    }
-    WayOfK grown; // the crack has grown under the loads it had
-    if (!go({place->factors, marks[program.grow_at].t, 1}, grown, refusal)) {
-      return false;
-    }
-    before.clear();
-  }
-  bool good = true;
+  bool good = begin(program, carried, before, refusal);
   for (bool settled = false; good && !settled && out.passes < most_passes;) {
     good = pass(program, out.last, refusal);
     ++out.passes;

@@ -52,6 +52,8 @@ public:
 
 private:
   bool go(const LoadPlace& place, WayOfK& way, Refusal& refusal);
+  bool begin(const HistoryProgram& program, const CarriedState& carried, WayOfK& before,
+             Refusal& refusal);
   bool pass(const HistoryProgram& program, FollowedPass& out, Refusal& refusal);
   bool leg(const HistoryProgram& program, const LoadLeg& leg, FollowedPass& out, Refusal& refusal);
   bool compare_with_recovered(FollowedLoads& out, Refusal& refusal);
