@@ -226,7 +226,7 @@ Table life_table(const model::Model& model, const results::Run& run) {
 namespace {
 
 // Whether K of the first cycle is that of all others, and how sure it is that they are alike.
-std::string history_summary(const results::Growth& growth) {
+std::string history_summary(const model::Model& model, const results::Growth& growth) {
   constexpr double same = 1e-4; // of the largest K
   double largest = 0.0;
   double apart = 0.0;
@@ -244,7 +244,11 @@ std::string history_summary(const results::Growth& growth) {
   if (passes == 0) {
     return "Friction makes K a history, but the loads were not repeated: see the warnings.\n";
   }
-  const std::string first = growth.unit == "pass" ? "first pass" : "first cycle";
+  // with slip carried over a length begins with what was before, not with the steps
+  const bool carried = model.growth->history == model::History::carry_on;
+  const std::string first = growth.unit == "pass" ? "first pass at a length"
+                            : carried             ? "cycle of the steps run once at a length"
+                                                  : "first cycle";
   std::string out = fmt::format("Friction makes K a history: the loads were followed one after "
                                 "another until K repeated itself, at most {} times; from one time "
                                 "to the next it changes by {:.1e} of the largest K.\n",
@@ -284,7 +288,7 @@ std::string life_summary(const model::Model& model, const results::Run& run) {
                            100.0 * growth.error, 100.0 * model.growth->tolerance)
              : "; too few stations to tell their error\n";
   if (growth.followed) {
-    out += history_summary(growth);
+    out += history_summary(model, growth);
   }
   for (const results::ScaledLife& other : growth.scaled) {
     out += fmt::format("For comparison, {}.\n", scaled_words(other));
