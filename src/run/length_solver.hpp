@@ -6,6 +6,7 @@
 #include "model/model.hpp"
 #include "results/results.hpp"
 #include "run/condense_bodies.hpp"
+#include "run/contact_memory.hpp"
 #include "run/mount_memory.hpp"
 #include "run/scene.hpp"
 #include "run/solve_run.hpp"
@@ -68,9 +69,13 @@ public:
   [[nodiscard]] const std::vector<mesh::Tip>& tips() const { return tips_; }
 
   /// What the next state takes over from the last, for a restart file, and back from there.
-  void save(results::NamedArrays& arrays) const { mounted_.save(arrays); }
+  void save(results::NamedArrays& arrays) const {
+    mounted_.save(arrays);
+    contact_.save(arrays);
+  }
   void go_on(const results::NamedArrays& arrays) {
     mounted_ = MountMemory::load(arrays);
+    contact_ = ContactMemory::load(arrays);
     first_ = false;
   }
 
@@ -92,6 +97,7 @@ private:
   std::optional<Refusal>& refusal_;
   CondensationCache cache_;
   MountMemory mounted_;
+  ContactMemory contact_;
   std::vector<mesh::Tip> tips_;
   bool first_ = true;
 };
