@@ -78,7 +78,7 @@ std::string compress_array(std::string_view data) {
     uLongf length = static_cast<uLongf>(buffer.size());
     const int status = compress2(reinterpret_cast<Bytef*>(buffer.data()), &length,
                                  reinterpret_cast<const Bytef*>(block.data()),
-                                 static_cast<uLong>(block.size()), Z_DEFAULT_COMPRESSION);
+                                 static_cast<uLong>(block.size()), Z_BEST_SPEED);
     if (status != Z_OK) {
       throw std::system_error(ENOMEM, std::generic_category(), "zlib");
     }

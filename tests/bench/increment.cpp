@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a further crack length costs: all lengths of a deck's $GROW solved one after another without
-// error bars and stresses (topology, condensation, contact, steps, K), each against the first, which
-// condenses the whole host. Reading, meshing of the host and reports are not in it.
-// Usage: bench_increment DECK [fine] [REPEATS]
+// error bars and stresses (topology, condensation, contact, steps, K), each against the first,
+// which condenses the whole host. Reading, meshing of the host and reports are not in it. Usage:
+// bench_increment DECK [fine] [REPEATS]
 #include "base/clock.hpp"
 #include "base/diagnostics.hpp"
 #include "deck/read_deck.hpp"
