@@ -60,6 +60,7 @@ std::vector<Cost> solve_all(const model::Model& model) {
 } // namespace
 
 int main(int argc, char** argv) {
+  base::return_large_blocks();
   deck::ReadOptions options;
   if (argc > 2) {
     options.defines.emplace_back("fine", argv[2]);
