@@ -245,8 +245,10 @@ base::Matrix Stacked::condense_load(const base::Matrix& f) const {
 base::Matrix Stacked::recover(const base::Matrix& u_external, const base::Matrix& f) const {
   const base::Matrix f_below = below(f);
   base::Matrix g = on_top(f, f_below);
-  g.bottomRows(rows_.external) = u_external;
-  g.topRows(rows_.inner()) -= X_ * u_external;
+  if (rows_.external > 0) {
+    g.bottomRows(rows_.external) = u_external;
+    g.topRows(rows_.inner()) -= X_ * u_external;
+  }
   blas::solve_lower(static_cast<int>(rows_.inner()), static_cast<int>(g.cols()),
                     blas::Form::transposed, block(L_), block(g));
   base::Matrix u_touched(static_cast<Eigen::Index>(rows_.touched.size()), f.cols());
