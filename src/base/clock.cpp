@@ -16,11 +16,16 @@ double cpu_seconds() {
 }
 
 void return_large_blocks() {
-  mallopt(M_MMAP_THRESHOLD, 128 * 1024);
+  // The pages of smaller blocks would be asked for anew with each matrix of a small model.
+  constexpr int large = 16 * 1024 * 1024;
+  mallopt(M_MMAP_THRESHOLD, large);
+  mallopt(M_TRIM_THRESHOLD, 4 * large);
 }
 
 void return_free_memory() {
-  malloc_trim(0);
+  if (4 * mallinfo2().fordblks > resident_memory()) {
+    malloc_trim(0);
+  }
 }
 
 std::size_t peak_memory() {

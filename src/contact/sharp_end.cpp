@@ -74,7 +74,10 @@ void add_end(std::vector<SharpEnd>& ends, const Surface& contact, const SharpEnd
 } // namespace
 
 std::vector<SharpEnd> sharp_ends(const PairRows& pair) {
-  if (pair.faces) {
+  const auto closed = [](const Surface& surface) {
+    return std::ranges::all_of(surface.chains, &EdgeChain::closed);
+  };
+  if (pair.faces || (!pair.rigid && closed(pair.contact) && closed(pair.target))) {
     return {};
   }
   const std::vector<Segment> segments = pair.rigid ? find_segments(pair.contact, *pair.rigid)

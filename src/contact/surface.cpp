@@ -59,7 +59,12 @@ std::optional<Circle> fit_circle(const std::vector<Vec2>& points, double extent)
   }
   const Eigen::Vector3d s = lu.solve(rhs);
   const double radius = extent * std::sqrt(std::max(0.0, s[2] + s.head<2>().squaredNorm()));
-  const Circle circle{mean + extent * s.head<2>(), radius};
+  // Without the round-off of the sum: the same circle when a crack has put other nodes on it, so
+  // that rows which it does not touch stay what they were.
+  const double grid = std::ldexp(1.0, std::ilogb(extent) - 43);
+  const auto snapped = [grid](double x) { return grid * std::round(x / grid); };
+  const Vec2 centre = mean + extent * s.head<2>();
+  const Circle circle{{snapped(centre.x()), snapped(centre.y())}, snapped(radius)};
   for (const Vec2& p : points) {
     if (std::abs((p - circle.centre).norm() - radius) > 1e-4 * radius) {
       return std::nullopt;

@@ -28,6 +28,18 @@ base::Matrix held(base::Matrix S, const base::Matrix& Q) {
   return S;
 }
 
+// The rows of a body as columns [m, k].
+base::Matrix as_columns(const std::vector<std::vector<RowShare>>& rows, std::size_t freedoms) {
+  base::Matrix GT = base::Matrix::Zero(static_cast<Eigen::Index>(freedoms),
+                                       static_cast<Eigen::Index>(rows.size()));
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    for (const RowShare& share : rows[k]) {
+      GT(share.at, static_cast<Eigen::Index>(k)) += share.weight;
+    }
+  }
+  return GT;
+}
+
 } // namespace
 
 CondensedBody::CondensedBody(std::vector<std::int32_t> freedom, base::Matrix S,
@@ -50,7 +62,8 @@ base::Matrix CondensedBody::displacement(const base::Matrix& F) const {
 }
 
 ContactSystem::ContactSystem(std::vector<const CondensedBody*> bodies,
-                             std::vector<const ConstraintRow*> rows, int dim, std::size_t freedoms)
+                             std::vector<const ConstraintRow*> rows, int dim, std::size_t freedoms,
+                             const Lasting& lasting)
     : bodies_(std::move(bodies)), rows_(rows.size()) {
   std::vector<std::pair<std::int32_t, std::int32_t>> place(freedoms, {-1, -1});
   mode_start_.push_back(0);
@@ -78,30 +91,75 @@ ContactSystem::ContactSystem(std::vector<const CondensedBody*> bodies,
   W_ = base::Matrix::Zero(n, n);
   B_ = base::Matrix::Zero(n, mode_start_.back());
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    std::vector<Eigen::Index> touched;
-    for (std::size_t r = 0; r < rows_.size(); ++r) {
-      if (std::any_of(rows_[r].begin(), rows_[r].end(),
-                      [&](const Entry& e) { return e.body == b; })) {
-        touched.push_back(static_cast<Eigen::Index>(r));
-      }
+    add_body(b, lasting, rows);
+  }
+}
+
+void ContactSystem::add_body(std::size_t body, const Lasting& lasting,
+                             const std::vector<const ConstraintRow*>& rows) {
+  std::vector<std::size_t> stay; // rows of the body that last, and those that do not
+  std::vector<std::size_t> move;
+  const bool keeps = body < lasting.kept.size() && lasting.kept[body] != nullptr;
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    if (std::ranges::any_of(rows_[r], [&](const Entry& e) { return e.body == body; })) {
+      (keeps && lasting.row[r] ? stay : move).push_back(r);
     }
-    base::Matrix GT = base::Matrix::Zero(static_cast<Eigen::Index>(bodies_[b]->freedom().size()),
-                                         static_cast<Eigen::Index>(touched.size()));
-    for (std::size_t k = 0; k < touched.size(); ++k) {
-      for (const Entry& e : rows_[static_cast<std::size_t>(touched[k])]) {
-        if (e.body == b) {
-          GT(e.at, static_cast<Eigen::Index>(k)) += e.weight;
+  }
+  // Chains of edges may begin elsewhere at another length.
+  std::ranges::stable_sort(
+      stay, {}, [&](std::size_t r) { return std::pair(rows[r]->node, rows[r]->tangential); });
+  const auto shares = [&](const std::vector<std::size_t>& list) {
+    std::vector<std::vector<RowShare>> out;
+    for (const std::size_t r : list) {
+      std::vector<RowShare>& own = out.emplace_back();
+      for (const Entry& e : rows_[r]) {
+        if (e.body == body) {
+          own.push_back({e.at, e.weight});
         }
       }
     }
-    const base::Matrix Wb = solve::gram(bodies_[b]->half_compliance(GT));
-    const base::Matrix Bb = GT.transpose() * bodies_[b]->modes();
-    for (std::size_t i = 0; i < touched.size(); ++i) {
-      for (std::size_t k = 0; k < touched.size(); ++k) {
-        W_(touched[i], touched[k]) +=
-            Wb(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k));
-      }
-      B_.block(touched[i], mode_start_[b], 1, Bb.cols()) += Bb.row(static_cast<Eigen::Index>(i));
+    return out;
+  };
+  const std::vector<std::vector<RowShare>> moving = shares(move);
+  const CondensedBody& own = *bodies_[body];
+  const base::Matrix Y = own.half_compliance(as_columns(moving, own.freedom().size()));
+  add_compliance(move, move, solve::gram(Y));
+  add_modes(body, move, moving);
+  if (stay.empty()) {
+    return;
+  }
+  LastingRows& kept = *lasting.kept[body];
+  std::vector<std::vector<RowShare>> staying = shares(stay);
+  if (kept.rows != staying || kept.Y.rows() != Y.rows()) {
+    kept.Y = own.half_compliance(as_columns(staying, own.freedom().size()));
+    kept.W = solve::gram(kept.Y);
+    kept.rows = std::move(staying);
+  }
+  add_compliance(stay, stay, kept.W);
+  add_modes(body, stay, kept.rows);
+  const base::Matrix between = solve::product(kept.Y, Y);
+  add_compliance(stay, move, between);
+  add_compliance(move, stay, between.transpose());
+}
+
+void ContactSystem::add_compliance(const std::vector<std::size_t>& r,
+                                   const std::vector<std::size_t>& c, const base::Matrix& part) {
+  for (std::size_t k = 0; k < c.size(); ++k) {
+    auto column = W_.col(static_cast<Eigen::Index>(c[k]));
+    for (std::size_t i = 0; i < r.size(); ++i) {
+      column[static_cast<Eigen::Index>(r[i])] +=
+          part(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k));
+    }
+  }
+}
+
+void ContactSystem::add_modes(std::size_t body, const std::vector<std::size_t>& list,
+                              const std::vector<std::vector<RowShare>>& shares) {
+  const base::Matrix& Q = bodies_[body]->modes();
+  for (std::size_t k = 0; k < list.size() && Q.cols() > 0; ++k) {
+    auto row = B_.block(static_cast<Eigen::Index>(list[k]), mode_start_[body], 1, Q.cols());
+    for (const RowShare& share : shares[k]) {
+      row += share.weight * Q.row(share.at);
     }
   }
 }

@@ -34,13 +34,34 @@ private:
   solve::DenseCholesky factor_;
 };
 
+/// A row's part in one body: external freedom and weight.
+struct RowShare {
+  Eigen::Index at = 0;
+  double weight = 0.0;
+  bool operator==(const RowShare&) const = default;
+};
+
+/// What the compliance of one body has in it of rows that the next crack length has again.
+struct LastingRows {
+  std::vector<std::vector<RowShare>> rows; ///< [k] in a canonical order
+  base::Matrix Y;                          ///< [m, k] their half compliance
+  base::Matrix W;                          ///< [k, k] Y^T Y
+};
+
+/// Which rows those are, and by body what is kept of them, null where nothing may be. The
+/// compliances come out with the same bits whether anything was kept before or not.
+struct Lasting {
+  std::vector<bool> row; ///< [row]; empty: none
+  std::vector<LastingRows*> kept;
+};
+
 /// All constraint rows of an increment on all bodies, condensed to compliances once; then any
 /// subset of rows, loads and gaps is one small quadratic problem.
 class ContactSystem {
 public:
   /// `bodies` and `rows` must outlive the system; freedoms = dim * node_count.
   ContactSystem(std::vector<const CondensedBody*> bodies, std::vector<const ConstraintRow*> rows,
-                int dim, std::size_t freedoms);
+                int dim, std::size_t freedoms, const Lasting& lasting = {});
 
   struct Demand {
     std::vector<std::size_t> rows;  ///< the rows in force
@@ -84,6 +105,12 @@ public:
   [[nodiscard]] Eigen::Index first_mode(std::size_t body) const { return mode_start_[body]; }
 
 private:
+  void add_body(std::size_t body, const Lasting& lasting,
+                const std::vector<const ConstraintRow*>& rows);
+  void add_compliance(const std::vector<std::size_t>& r, const std::vector<std::size_t>& c,
+                      const base::Matrix& part);
+  void add_modes(std::size_t body, const std::vector<std::size_t>& list,
+                 const std::vector<std::vector<RowShare>>& shares);
   struct Entry {
     std::size_t body = 0;
     Eigen::Index at = 0;

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
+#include "deck/number_file.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <string_view>
 
 #include <fmt/format.h>
 
@@ -17,35 +13,6 @@ namespace {
 using grammar::Field;
 
 constexpr double same_place = 1e-9; // of a load path's length, as its own rows are rounded
-
-/// Numbers of a line and the place for messages about it.
-struct Line {
-  std::vector<double> numbers;
-  base::Span span;
-  std::string where; ///< "line 17 of 'f.txt': "; empty: the span says it
-};
-
-std::optional<std::vector<double>> numbers_in(std::string_view line) {
-  std::vector<double> numbers;
-  const std::string_view text = line.substr(0, line.find_first_of("!#"));
-  const char* at = text.data();
-  const char* end = at + text.size();
-  while (at != end) {
-    if (*at == ' ' || *at == '\t' || *at == ',' || *at == '\r' || *at == ';') {
-      ++at;
-      continue;
-    }
-    at += *at == '+' ? 1 : 0;
-    double value = 0.0;
-    const auto [behind, trouble] = std::from_chars(at, end, value);
-    if (trouble != std::errc()) {
-      return std::nullopt;
-    }
-    numbers.push_back(value);
-    at = behind;
-  }
-  return numbers;
-}
 
 class SpectrumReader {
 public:
@@ -76,7 +43,7 @@ public:
 private:
   void from_rows() {
     for (const grammar::Row& row : card_.rows) {
-      Line line;
+      NumberLine line;
       line.span = row.span;
       for (const Field& field : row.fields) {
         const auto number = number_of(field, grammar::Quantity::number, "a place t on the path",
@@ -91,37 +58,22 @@ private:
   }
 
   void from_file() {
-    const base::Span span = card_.find("FILE")->span;
-    const std::filesystem::path file =
-        std::filesystem::path(c_.sources.name(card_.span.file)).parent_path() /
-        std::string(card_.word("FILE"));
     if (!card_.rows.empty()) {
       c_.error(card_.rows.front().span, "E115", "with FILE there are no data lines");
     }
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) {
-      c_.error(span, "E308", fmt::format("cannot read '{}'", file.string()));
-      good_ = false;
-      return;
-    }
-    c_.model.imported_files.push_back(file.string());
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
-    std::size_t number = 0;
-    for (std::size_t at = 0; at < text.size() && good_;) {
-      const std::size_t end = std::min(text.find('\n', at), text.size());
-      const auto found = numbers_in(std::string_view(text).substr(at, end - at));
-      const std::string where = fmt::format("line {} of '{}': ", ++number, file.string());
-      if (!found) {
-        c_.error(span, "E115", where + "not a number");
-        good_ = false;
-      } else if (!found->empty()) {
-        take({*found, span, where});
+    const auto lines = number_file(c_, card_, "FILE");
+    good_ = good_ && lines.has_value();
+    for (std::size_t i = 0; good_ && i < lines->size(); ++i) {
+      const NumberLine& line = (*lines)[i];
+      if (line.sound) {
+        take(line);
+      } else {
+        wrong(line, "E115", "not a number");
       }
-      at = end + 1;
     }
   }
 
-  void take(const Line& line) {
+  void take(const NumberLine& line) {
     if (spectrum_.sequence) {
       for (const double t : line.numbers) {
         if (on_path(line, t)) {
@@ -147,7 +99,7 @@ private:
     return std::clamp(t * card_.number("FACTOR"), 0.0, last_);
   }
 
-  bool on_path(const Line& line, double t) {
+  bool on_path(const NumberLine& line, double t) {
     const double at = t * card_.number("FACTOR");
     if (at >= -same_place * last_ && at <= last_ * (1.0 + same_place)) {
       return true;
@@ -159,7 +111,8 @@ private:
     return false;
   }
 
-  void wrong(const Line& line, const char* code, const std::string& text, std::string hint = {}) {
+  void wrong(const NumberLine& line, const char* code, const std::string& text,
+             std::string hint = {}) {
     c_.error(line.span, code, line.where + text, std::move(hint));
     good_ = good_ && line.where.empty(); // one complaint about a file is enough
   }

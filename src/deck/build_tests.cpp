@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
+#include "deck/number_file.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -22,24 +19,6 @@ struct Pair {
   base::Span span;
   std::string where; ///< "line 17 of 'f.txt': "; empty: the span says it
 };
-
-std::vector<double> numbers_of(std::string_view text, bool& good) {
-  std::vector<double> numbers;
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  while (at != end && good) {
-    if (std::string_view(" \t,;\r").find(*at) != std::string_view::npos) {
-      ++at;
-      continue;
-    }
-    double value = 0.0;
-    const auto [behind, trouble] = std::from_chars(at + (*at == '+' ? 1 : 0), end, value);
-    good = trouble == std::errc();
-    numbers.push_back(value);
-    at = behind;
-  }
-  return numbers;
-}
 
 // Readings that a method works on.
 std::size_t fewest_readings(const model::GrowthTest& test) {
@@ -126,26 +105,14 @@ private:
     if (!card_.has(key)) {
       return;
     }
-    const base::Span span = card_.find(key)->span;
-    const std::filesystem::path path =
-        std::filesystem::path(c_.sources.name(card_.span.file)).parent_path() /
-        std::string(card_.word(key));
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream) {
-      wrong({0, 0, span, {}}, "E308", fmt::format("cannot read '{}'", path.string()));
-      return;
-    }
-    c_.model.imported_files.push_back(path.string());
-    std::string line;
-    for (std::size_t number = 1; good_ && std::getline(stream, line); ++number) {
-      const std::string where = fmt::format("line {} of '{}': ", number, path.string());
-      bool sound = true;
-      const auto found =
-          numbers_of(std::string_view(line).substr(0, line.find_first_of("!#")), sound);
-      if (!sound || (found.size() != 2 && !found.empty())) {
-        wrong({0, 0, span, where}, "E115", "a line holds two numbers");
-      } else if (!found.empty()) {
-        take(Pair{found[0], found[1], span, where});
+    const auto lines = number_file(c_, card_, key);
+    good_ = good_ && lines.has_value();
+    for (std::size_t i = 0; good_ && i < lines->size(); ++i) {
+      const NumberLine& line = (*lines)[i];
+      if (!line.sound || line.numbers.size() != 2) {
+        wrong({0, 0, line.span, line.where}, "E115", "a line holds two numbers");
+      } else {
+        take(Pair{line.numbers[0], line.numbers[1], line.span, line.where});
       }
     }
   }

@@ -2,6 +2,7 @@
 #include "deck/checks.hpp"
 
 #include "deck/sets.hpp"
+#include "grammar/argument_word.hpp"
 #include "grammar/lexeme.hpp"
 
 #include <algorithm>
@@ -196,30 +197,7 @@ private:
   }
 
   static std::string word(char letter) {
-    switch (letter) {
-    case 'c':
-      return "crack";
-    case 'p':
-      return "contact";
-    case 's':
-      return "step";
-    case 'o':
-      return "load case";
-    case 'm':
-      return "material";
-    case 'l':
-      return "load path";
-    case 't':
-      return "test";
-    case 'n':
-      return "set";
-    case 'd':
-      return "X|Y|Z";
-    case 'e':
-      return "net or *";
-    default:
-      return "number";
-    }
+    return letter == 'd' ? "X|Y|Z" : letter == 'e' ? "net or *" : grammar::argument_word(letter);
   }
 
   bool argument(char letter, const grammar::Expression& expression) {

@@ -40,10 +40,11 @@ base::Vector nodal_load(const model::Model& model, const model::Mesh& mesh,
 base::Vector prescribed_displacement(const model::Model& model, const model::Mesh& mesh,
                                      const model::LoadCase& load_case);
 
-/// Internal forces K u of some elements as a nodal vector [dim * node], added to `r`.
+/// Internal forces K u of some elements as a nodal vector [dim * node], added to `r`; the elements'
+/// strain energy on its way too where `energy` [element] is given.
 void add_internal_force(const model::Model& model, const model::Mesh& mesh,
                         std::span<const base::ElementId> elements, const base::Vector& u,
-                        base::Vector& r);
+                        base::Vector& r, std::vector<double>* energy = nullptr);
 
 /// 1/2 u^T K u over some elements [force * length].
 double strain_energy(const model::Model& model, const model::Mesh& mesh,

@@ -131,7 +131,10 @@ private:
   [[nodiscard]] bool has(ElementId e) const { return owner_[e.index()] == self_; }
   bool take(ElementId e) {
     std::size_t& owner = owner_[e.index()];
-    owner = owner == none ? self_ : owner;
+    if (owner == none) {
+      owner = self_;
+      taken_.push_back(e);
+    }
     return owner == self_;
   }
   [[nodiscard]] bool allowed(ElementId e) const {
@@ -153,12 +156,8 @@ private:
     });
   }
   [[nodiscard]] std::vector<ElementId> elements() const {
-    std::vector<ElementId> result;
-    for (std::size_t e = 0; e < owner_.size(); ++e) {
-      if (owner_[e] == self_) {
-        result.emplace_back(e);
-      }
-    }
+    std::vector<ElementId> result = taken_;
+    std::sort(result.begin(), result.end());
     return result;
   }
 
@@ -200,6 +199,7 @@ private:
   std::vector<std::size_t>& owner_;
   std::size_t self_;
   ElementId seed_;
+  std::vector<ElementId> taken_;
 };
 
 /// Every cavity takes what it wants; returns two that want the same, if there are.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <utility>
 
 namespace spricka::mesh {
 namespace {
@@ -16,22 +17,48 @@ using base::ElementId;
 using base::NodeId;
 using base::Vec2;
 
-/// The element of a cavity that a point lies in, or comes nearest to.
-ElementId element_at(const model::Mesh& host, const Graft& graft, const Vec2& p) {
-  ElementId best = graft.cavity.elements.front();
-  double least = std::numeric_limits<double>::max();
-  for (const ElementId e : graft.cavity.elements) {
-    const double d = distance(polygon(host, e, graft.frame), {p, p});
-    if (d < least) {
-      least = d;
-      best = e;
-    }
-    if (d == 0.0) {
-      break;
+/// Finds the element of a cavity that a point lies in, or comes nearest to.
+class Locator {
+public:
+  Locator(const model::Mesh& host, const Graft& graft) : elements_(graft.cavity.elements) {
+    for (const ElementId e : elements_) {
+      std::vector<Vec2> outline = polygon(host, e, graft.frame);
+      Vec2 low = outline.front();
+      Vec2 high = low;
+      for (const Vec2& p : outline) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+      }
+      shapes_.push_back({std::move(outline), low, high});
     }
   }
-  return best;
-}
+
+  [[nodiscard]] ElementId element_at(const Vec2& p) const {
+    ElementId best = elements_.front();
+    double least = std::numeric_limits<double>::max();
+    for (std::size_t i = 0; i < shapes_.size() && least > 0.0; ++i) {
+      const Shape& shape = shapes_[i];
+      const double away = std::max((shape.low - p).maxCoeff(), (p - shape.high).maxCoeff());
+      if (away > least + same) {
+        continue; // its box is farther off already
+      }
+      const double d = distance(shape.outline, {p, p});
+      if (d < least) {
+        least = d;
+        best = elements_[i];
+      }
+    }
+    return best;
+  }
+
+private:
+  struct Shape {
+    std::vector<Vec2> outline;
+    Vec2 low, high;
+  };
+  const std::vector<ElementId>& elements_;
+  std::vector<Shape> shapes_;
+};
 
 class Grafter {
 public:
@@ -99,6 +126,7 @@ private:
       const base::NetId net = host_.element_net[g.cavity.elements.front().index()];
       base::Label label =
           std::max(next_element_label(host_, net), next_element_label(result_.mesh, net));
+      const Locator locator(host_, g);
       for (const PatchElement& element : g.patch.elements) {
         std::vector<NodeId> nodes;
         Vec2 centre = Vec2::Zero();
@@ -110,7 +138,7 @@ private:
             centre += g.patch.nodes[n].local / static_cast<double>(corners);
           }
         }
-        const ElementId parent = element_at(host_, g, centre);
+        const ElementId parent = locator.element_at(centre);
         parent_.emplace_back(ElementId(result_.mesh.element_count()), parent);
         add(parent, element.type, nodes, label++);
         result_.host.emplace_back();

@@ -72,34 +72,42 @@ Host::Host(const model::Mesh& mesh) : mesh_(mesh), start_(mesh.node_count() + 1,
       elements_[next[n.index()]++] = base::ElementId(e);
     }
   }
+  beyond_.assign(most_sides * mesh.element_count(), -1);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     for (int s = 0; s < base::info(mesh.type[e]).sides; ++s) {
-      const model::Face face{base::ElementId(e), s};
-      const auto across = beyond(face);
-      if (!across) {
-        boundary_.push_back(face);
-      } else if (mesh.property[across->index()] != mesh.property[e]) {
-        borders_.push_back(face);
+      const std::int32_t across = find_beyond(base::ElementId(e), s);
+      beyond_[most_sides * e + std::size_t(s)] = across;
+      if (across < 0) {
+        boundary_.push_back({base::ElementId(e), s});
+      } else if (mesh.property[static_cast<std::size_t>(across)] != mesh.property[e]) {
+        borders_.push_back({base::ElementId(e), s});
       }
     }
   }
 }
 
-std::optional<base::ElementId> Host::beyond(const model::Face& face) const {
-  const Edge edge = edge_of(mesh_, face);
-  const auto others = around(edge.b);
-  for (const base::ElementId e : around(edge.a)) {
-    if (e != face.element && std::binary_search(others.begin(), others.end(), e)) {
-      const int sides = base::info(mesh_.type[e.index()]).sides;
-      for (int s = 0; s < sides; ++s) {
-        const Edge other = edge_of(mesh_, {e, s});
-        if (other.a == edge.b && other.b == edge.a) {
-          return e;
-        }
+// Sides of plane elements join one corner to the next: those of neighbours run against each other.
+std::int32_t Host::find_beyond(base::ElementId e, int side) const {
+  const auto own = mesh_.nodes_of(e);
+  const auto corner = [](base::ElementType type, std::size_t i) {
+    return i == std::size_t(base::info(type).corners) ? 0 : i;
+  };
+  const auto s = static_cast<std::size_t>(side);
+  const base::NodeId a = own[s];
+  const base::NodeId b = own[corner(mesh_.type[e.index()], s + 1)];
+  for (const base::ElementId other : around(a)) {
+    if (other == e) {
+      continue;
+    }
+    const auto nodes = mesh_.nodes_of(other);
+    const auto sides = static_cast<std::size_t>(base::info(mesh_.type[other.index()]).sides);
+    for (std::size_t k = 0; k < sides; ++k) {
+      if (nodes[k] == b && nodes[corner(mesh_.type[other.index()], k + 1)] == a) {
+        return static_cast<std::int32_t>(other.index());
       }
     }
   }
-  return std::nullopt;
+  return -1;
 }
 
 } // namespace spricka::mesh

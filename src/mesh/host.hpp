@@ -2,6 +2,8 @@
 #pragma once
 #include "model/mesh.hpp"
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -40,15 +42,22 @@ public:
                                         start_[node.index() + 1] - start_[node.index()]);
   }
   /// The element on the other side of an edge; empty on the boundary.
-  [[nodiscard]] std::optional<base::ElementId> beyond(const model::Face& face) const;
+  [[nodiscard]] std::optional<base::ElementId> beyond(const model::Face& face) const {
+    const std::int32_t e = beyond_[most_sides * face.element.index() + std::size_t(face.side)];
+    return e < 0 ? std::nullopt : std::optional(base::ElementId(static_cast<std::size_t>(e)));
+  }
   /// Edges of one element only.
   [[nodiscard]] const std::vector<model::Face>& boundary() const { return boundary_; }
   /// Edges with another property beyond them.
   [[nodiscard]] const std::vector<model::Face>& borders() const { return borders_; }
 
 private:
+  static constexpr std::size_t most_sides = 4;
+  [[nodiscard]] std::int32_t find_beyond(base::ElementId e, int side) const;
+
   const model::Mesh& mesh_;
   std::vector<std::size_t> start_;
+  std::vector<std::int32_t> beyond_; ///< [most_sides * element + side] element there or -1
   std::vector<base::ElementId> elements_;
   std::vector<model::Face> boundary_;
   std::vector<model::Face> borders_;

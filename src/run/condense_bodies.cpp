@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <set>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -46,11 +47,19 @@ void factorise(const CondenseRequest& request, std::vector<Task>& tasks, Condens
   base::parallel_for(missing.size(), request.threads, [&](std::size_t i) {
     Task& task = *missing[i];
     const base::Stopwatch watch;
-    base::SymmetricCsc K = fe::assemble_stiffness(request.model, request.mesh, task.net->elements,
-                                                  task.supers, task.net->map);
+    const fe::DofMap& map = task.net->map;
+    std::vector<solve::DenseBlock> blocks;
+    for (const fe::Superelement& super : task.supers) {
+      blocks.push_back({rows_on(map, super.freedom), &super.stiffness});
+    }
+    const bool stacked = keeps_apart(map, blocks);
+    base::SymmetricCsc K =
+        fe::assemble_stiffness(request.model, request.mesh, task.net->elements,
+                               stacked ? std::span<const fe::Superelement>() : task.supers, map);
     task.stiffness_cpu = watch.wall();
     task.net->factor =
-        std::make_shared<solve::Condensation>(std::move(K), task.net->map.externals());
+        stacked ? std::make_shared<solve::Condensation>(std::move(K), map.externals(), blocks)
+                : std::make_shared<solve::Condensation>(std::move(K), map.externals());
   });
   for (const Task* task : missing) {
     const solve::FactorReport& report = task->net->factor->report();
@@ -118,6 +127,19 @@ void condense_loads(const CondenseRequest& request, BodyNet& body) {
 }
 
 } // namespace
+
+std::vector<std::int64_t> rows_on(const fe::DofMap& map, std::span<const std::int32_t> freedom) {
+  std::vector<std::int64_t> rows;
+  rows.reserve(freedom.size());
+  for (const std::int32_t f : freedom) {
+    rows.push_back(map.row[static_cast<std::size_t>(f)]);
+  }
+  return rows;
+}
+
+bool keeps_apart(const fe::DofMap& map, std::span<const solve::DenseBlock> blocks) {
+  return !map.ties && solve::stacking_pays(blocks, map.size(), map.externals());
+}
 
 BodyLoad condense_load(const BodyNet& body, const fe::Dependence& ties, const base::Matrix& nodal) {
   BodyLoad out;

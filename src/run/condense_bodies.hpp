@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -70,6 +71,11 @@ struct CondenseRequest {
 /// The bodies of the mesh with their rigid modes, split into nets whose freedoms are numbered;
 /// nothing is assembled or factorised. Floating bodies get carriers among their externals.
 std::vector<BodyNet> prepare_bodies(const CondenseRequest& request);
+
+/// The rows of a net's system that some freedoms have, -1: none.
+std::vector<std::int64_t> rows_on(const fe::DofMap& map, std::span<const std::int32_t> freedom);
+/// Whether the condensed parts of a net stay out of its sparse matrix. Ties need them in it.
+bool keeps_apart(const fe::DofMap& map, std::span<const solve::DenseBlock> blocks);
 
 /// What tells a body's nets from others.
 struct NetKeys {

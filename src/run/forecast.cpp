@@ -78,9 +78,18 @@ const solve::FactorReport& Forecast::report_of(const CondenseRequest& request, c
     fe::assemble_stiffness(request.model, request.mesh, sample, {}, net.map);
     element_seconds_ = watch.cpu() / static_cast<double>(sample.size());
   }
+  std::vector<solve::DenseBlock> blocks;
+  for (const std::vector<std::int32_t>& super : supers) {
+    blocks.push_back({rows_on(net.map, super)});
+  }
+  const bool apart = keeps_apart(net.map, blocks);
+  if (apart) {
+    supers.clear();
+  }
   base::SymmetricCsc pattern = fe::stiffness_pattern(request.mesh, net.elements, supers, net.map);
   const solve::FactorReport report =
-      solve::Condensation::forecast(std::move(pattern), net.map.externals());
+      apart ? solve::Condensation::forecast(pattern, net.map.externals(), blocks)
+            : solve::Condensation::forecast(std::move(pattern), net.map.externals());
   ++needs.condensed;
   needs.unknowns += net.map.freedom.size();
   needs.flops += report.flops;

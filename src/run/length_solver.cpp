@@ -11,6 +11,7 @@
 #include "run/gather.hpp"
 #include "run/lip_contact.hpp"
 #include "run/load_paths.hpp"
+#include "run/repeated_steps.hpp"
 #include "run/sensitivities.hpp"
 #include "shape/topology.hpp"
 
@@ -84,6 +85,11 @@ std::vector<results::SurfaceFace> outer_surface(const model::Mesh& mesh) {
     surface.push_back(std::move(out));
   }
   return surface;
+}
+
+bool rubs(const Scene& scene) {
+  return std::ranges::any_of(scene.contacts,
+                             [](const model::Contact& contact) { return contact.mu > 0.0; });
 }
 
 std::size_t unknowns(const std::vector<BodyNet>& bodies) {
@@ -235,7 +241,8 @@ bool LengthSolver::walk_steps(const Way& way, LogWriter& log, results::Increment
                               std::vector<std::size_t>& touching) {
   const auto& [scene, bodies, request] = way;
   const bool keep = model_.growth && model_.growth->mounted == model::Mounted::first;
-  StepSolver solver(model_, scene, bodies, keep ? &mounted_ : nullptr);
+  StepSolver solver(model_, scene, bodies, keep ? &mounted_ : nullptr, &contact_);
+  RepeatedSteps repeated(model_, request.pictured);
   LoadPaths paths(model_, scene, bodies);
   Adjoints adjoints(model_, scene, bodies);
   ErrorBars bars(model_, scene);
@@ -245,6 +252,16 @@ bool LengthSolver::walk_steps(const Way& way, LogWriter& log, results::Increment
   log.add("CONTACT", "compliances of the contact rows");
   for (std::size_t s = 0; s < model_.steps.size(); ++s) {
     const model::Step& step = model_.steps[s];
+    if (const std::size_t* earlier = repeated.of(s)) {
+      repeated.take_over(s, solver, increment.steps);
+      log.add("CONTACT", fmt::format("step {}: the same as step {}, taken over", step.name,
+                                     model_.steps[*earlier].name));
+      paths.keep(s, solver, increment.steps.back());
+      continue;
+    }
+    if (std::vector<bool> start = contact_.start(scene, s, solver.closed()); !start.empty()) {
+      solver.begin_from(std::move(start));
+    }
     Refusal why;
     const std::optional<StepState> state = solver.solve(step, why);
     if (!state) {
@@ -254,6 +271,10 @@ bool LengthSolver::walk_steps(const Way& way, LogWriter& log, results::Increment
     }
     log.add("CONTACT", fmt::format("step {}: {} iterations, {} pivots, imbalance {:.1e}", step.name,
                                    state->iterations, state->pivots, state->imbalance));
+    if (!rubs(scene)) {
+      contact_.keep(scene, s, solver.closed());
+    }
+    repeated.keep(s, solver);
     touching = touching_lines(model_, scene, state->u);
     if (!touching.empty()) {
       return true;

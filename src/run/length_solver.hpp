@@ -7,6 +7,7 @@
 #include "results/results.hpp"
 #include "run/carried_state.hpp"
 #include "run/condense_bodies.hpp"
+#include "run/contact_memory.hpp"
 #include "run/load_history.hpp"
 #include "run/mount_memory.hpp"
 #include "run/scene.hpp"
@@ -78,10 +79,12 @@ public:
   void save(results::NamedArrays& arrays) const {
     mounted_.save(arrays);
     carried_.save(arrays);
+    contact_.save(arrays);
   }
   void go_on(const results::NamedArrays& arrays) {
     mounted_ = MountMemory::load(arrays);
     carried_ = CarriedState::load(arrays);
+    contact_ = ContactMemory::load(arrays);
     first_ = false;
   }
 
@@ -107,6 +110,7 @@ private:
   MountMemory mounted_;
   CarriedState carried_, next_carried_;
   std::optional<FollowedLoads> followed_;
+  ContactMemory contact_;
   std::vector<mesh::Tip> tips_;
   bool first_ = true;
 };

@@ -2,6 +2,7 @@
 #include "run/shell_text.hpp"
 
 #include "base/diagnostics.hpp"
+#include "grammar/argument_word.hpp"
 #include "grammar/compile.hpp"
 #include "grammar/lexeme.hpp"
 #include "grammar/parse.hpp"
@@ -43,31 +44,6 @@ ShellResult no_such(const std::string& what, const std::string& name,
                       base::suggest(name, names)};
 }
 
-const char* word_of(char letter) {
-  switch (letter) {
-  case 'c':
-    return "crack";
-  case 'p':
-    return "contact";
-  case 's':
-    return "step";
-  case 'o':
-    return "load case";
-  case 'm':
-    return "material";
-  case 'l':
-    return "load path";
-  case 'n':
-    return "set";
-  case 'd':
-    return "direction";
-  case 'e':
-    return "net";
-  default:
-    return "number";
-  }
-}
-
 // Tips of cracks with two: NAME.1, NAME.2.
 bool is_name(char letter, const std::string& name, const std::vector<std::string>& names) {
   const std::size_t dot = name.rfind('.');
@@ -86,12 +62,14 @@ ShellResult read_argument(char letter, const grammar::Expression& expression,
   const std::string written(line.sources.text(expression.span));
   if (expression.terms.size() != 1 || expression.terms[0].kind != grammar::Term::Kind::name) {
     return ShellTrouble{
-        exit_code::usage, fmt::format("a {} is expected, not '{}'", word_of(letter), written), {}};
+        exit_code::usage,
+        fmt::format("a {} is expected, not '{}'", grammar::argument_word(letter), written),
+        {}};
   }
   const std::string name = grammar::to_upper(written);
   const std::vector<std::string> names = names_for(letter, model);
   if (!is_name(letter, name, names)) {
-    return no_such(word_of(letter), name, names);
+    return no_such(grammar::argument_word(letter), name, names);
   }
   check.arguments.emplace_back(name);
   return {};
@@ -107,7 +85,8 @@ std::string form_of(const grammar::ResultQuantity& quantity, int dim) {
       continue;
     }
     text += text.empty() ? "" : ", ";
-    text += optional ? fmt::format("[{}]", word_of(letter)) : word_of(letter);
+    text += optional ? fmt::format("[{}]", grammar::argument_word(letter))
+                     : grammar::argument_word(letter);
   }
   return fmt::format("{}({})", quantity.name, text);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/step_factors.hpp"
 
+#include <algorithm>
 #include <variant>
 
 namespace spricka::run {
@@ -63,6 +64,29 @@ MountChanges apply_actions(const model::Step& step, StepFactors& factors) {
     }
   }
   return changes;
+}
+
+std::vector<std::optional<std::size_t>> repeated_steps(const model::Model& model) {
+  std::vector<std::optional<std::size_t>> same(model.steps.size());
+  const auto rubs = [](const auto& part) { return part.mu > 0.0; };
+  if (std::ranges::any_of(model.contacts, rubs) || std::ranges::any_of(model.cracks, rubs)) {
+    return same;
+  }
+  std::vector<StepFactors> ends;
+  StepFactors factors =
+      first_factors(model, static_cast<Eigen::Index>(model.cases.size()), model.contacts.size());
+  std::size_t first = 0; // since the last change of what is mounted
+  for (std::size_t s = 0; s < model.steps.size(); ++s) {
+    const MountChanges changes = apply_actions(model.steps[s], factors);
+    first = changes.mounted.empty() && changes.dismounted.empty() ? first : s;
+    for (std::size_t r = first; r < s && !same[s]; ++r) {
+      if (ends[r].case_factor == factors.case_factor && ends[r].fit == factors.fit) {
+        same[s] = r;
+      }
+    }
+    ends.push_back(factors);
+  }
+  return same;
 }
 
 } // namespace spricka::run

@@ -3,6 +3,8 @@
 #include "base/vec.hpp"
 #include "model/model.hpp"
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace spricka::run {
@@ -33,5 +35,9 @@ struct MountChanges {
 
 /// Carries out the actions of a step.
 MountChanges apply_actions(const model::Step& step, StepFactors& factors);
+
+/// By step an earlier one that ends in the same state, if there is one: the same factors, nothing
+/// mounted or dismounted in between, no friction anywhere. [step]
+std::vector<std::optional<std::size_t>> repeated_steps(const model::Model& model);
 
 } // namespace spricka::run

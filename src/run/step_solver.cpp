@@ -43,7 +43,8 @@ double round_off_force(const model::Model& model, const model::Mesh& mesh) {
 } // namespace
 
 StepSolver::StepSolver(const model::Model& model, const Scene& scene,
-                       const std::vector<BodyNet>& bodies, MountMemory* memory)
+                       const std::vector<BodyNet>& bodies, MountMemory* memory,
+                       ContactMemory* contact)
     : model_(model), scene_(scene), bodies_(bodies),
       factors_(first_factors(model, scene.case_load.cols(), scene.contacts.size())),
       offset_(base::Vector::Zero(static_cast<Eigen::Index>(scene.table.rows.size()))),
@@ -62,7 +63,9 @@ StepSolver::StepSolver(const model::Model& model, const Scene& scene,
   }
   if (!condensed.empty()) {
     system_.emplace(std::move(condensed), scene.table.acting, scene.cracked.mesh.dim,
-                    static_cast<std::size_t>(u_.size()));
+                    static_cast<std::size_t>(u_.size()),
+                    contact == nullptr ? contact::Lasting{}
+                                       : contact->lasting(scene, bodies, condensed_));
   }
 }
 
@@ -254,14 +257,14 @@ void StepSolver::balance(StepState& state) const {
     const base::MaterialId material = model_.property_of(mesh, base::ElementId(e)).material;
     elements[cracked ? material.index() : 0].emplace_back(e);
   }
+  state.energy.assign(mesh.element_count(), 0.0);
   state.internal.resize(state.u.size(), static_cast<Eigen::Index>(elements.size()));
   for (std::size_t m = 0; m < elements.size(); ++m) {
     base::Vector force = base::Vector::Zero(state.u.size());
-    fe::add_internal_force(model_, mesh, elements[m], state.u, force);
+    fe::add_internal_force(model_, mesh, elements[m], state.u, force, &state.energy);
     state.internal.col(static_cast<Eigen::Index>(m)) = force;
   }
   const base::Vector internal = state.internal.rowwise().sum();
-  state.energy = fe::element_energy(model_, mesh, state.u);
   if (state.temperature.size() > 0) {
     fe::add_thermal_energy(model_, mesh, state.temperature, state.u, state.energy);
   }
@@ -298,6 +301,13 @@ base::Vector StepSolver::tie_forces(const base::Vector& left_over) const {
     }
   }
   return tie;
+}
+
+void StepSolver::repeat(const model::Step& step, const base::Vector& u,
+                        const std::vector<bool>& closed) {
+  apply_actions(step, factors_);
+  u_ = u;
+  closed_ = closed;
 }
 
 StepState StepSolver::begin_state() const {

@@ -3,6 +3,7 @@
 #include "contact/recovery.hpp"
 #include "contact/system.hpp"
 #include "run/condense_bodies.hpp"
+#include "run/contact_memory.hpp"
 #include "run/friction_history.hpp"
 #include "run/mount_memory.hpp"
 #include "run/scene.hpp"
@@ -50,8 +51,9 @@ struct StepState {
 class StepSolver {
 public:
   /// `memory`: of what was mounted at the first length, or null: each length mounts anew.
+  /// `contact`: what the last length has left of use, or null.
   StepSolver(const model::Model& model, const Scene& scene, const std::vector<BodyNet>& bodies,
-             MountMemory* memory = nullptr);
+             MountMemory* memory = nullptr, ContactMemory* contact = nullptr);
 
   /// Carries out the actions of a step and solves for its end. Steps are called in deck order.
   std::optional<StepState> solve(const model::Step& step, Refusal& refusal);
@@ -74,6 +76,13 @@ public:
                                                       const Seen& seen, Refusal& refusal);
   /// The state at the end of go_to, from its answer; empty: refused.
   std::optional<StepState> recover(contact::ContactSystem::Answer answer, Refusal& refusal);
+  /// Instead: goes on from an earlier step that ended in the same state (repeated_steps), from its
+  /// displacements and closed rows.
+  void repeat(const model::Step& step, const base::Vector& u, const std::vector<bool>& closed);
+  /// Rows [row] closed at the end of the last step; empty: not known.
+  [[nodiscard]] const std::vector<bool>& closed() const { return closed_; }
+  /// Where the next step without friction begins to look for its closed rows, if it mounts nothing.
+  void begin_from(std::vector<bool> closed) { closed_ = std::move(closed); }
 
   /// What the last step asked of the contact system, with the closed rows it ended with.
   [[nodiscard]] contact::ContactSystem::Demand demand() const;

@@ -4,6 +4,8 @@
 #include "base/memory.hpp"
 #include "solve/blas.hpp"
 #include "solve/cholmod_session.hpp"
+#include "solve/factor_checks.hpp"
+#include "solve/stacked.hpp"
 #include "solve/supernodes.hpp"
 
 #include <algorithm>
@@ -12,6 +14,8 @@
 #include <ctime>
 #include <limits>
 #include <new>
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -109,19 +113,6 @@ Factor analyse(const base::SymmetricCsc& A, std::vector<std::int64_t>& order,
   return Factor(cholmod_l_analyze_p(&view, order.data(), nullptr, 0, session.get()));
 }
 
-/// CPU time of the calling thread [s]: nets are condensed side by side, each on one thread.
-double thread_cpu() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
-/// A pivot that is round-off of its diagonal entry says that the locals can move freely: errors of
-/// a factorisation of n rows are a few eps sqrt(n) of the diagonal.
-double smallest_allowed_pivot(std::int64_t n) {
-  return 64.0 * std::numeric_limits<double>::epsilon() * std::sqrt(static_cast<double>(n));
-}
-
 } // namespace
 
 struct Condensation::Impl {
@@ -131,6 +122,7 @@ struct Condensation::Impl {
   std::vector<std::int64_t> order; ///< [n] row of K at each position of the elimination
   Factor factor;
   base::Matrix S;
+  std::optional<Stacked> stacked; ///< does it all where there are dense blocks
 
   void build(base::SymmetricCsc K, Ordering ordering);
   base::SymmetricCsc analyse_matrix(base::SymmetricCsc K, double shift, Ordering ordering,
@@ -277,6 +269,24 @@ Condensation::Condensation(base::SymmetricCsc K, std::int64_t externals, Orderin
   }
 }
 
+Condensation::Condensation(base::SymmetricCsc K, std::int64_t externals,
+                           std::span<const DenseBlock> blocks)
+    : impl_(std::make_unique<Impl>()) {
+  blas::single_thread();
+  impl_->n = K.n;
+  impl_->locals = K.n - externals;
+  try {
+    impl_->stacked.emplace(K, externals, blocks, impl_->S, impl_->report);
+  } catch (const std::bad_alloc&) {
+    impl_->report.status = FactorStatus::out_of_memory;
+  }
+}
+
+FactorReport Condensation::forecast(const base::SymmetricCsc& pattern, std::int64_t externals,
+                                    std::span<const DenseBlock> blocks) {
+  return Stacked::forecast(pattern, externals, blocks);
+}
+
 FactorReport Condensation::forecast(base::SymmetricCsc pattern, std::int64_t externals,
                                     Ordering ordering) {
   assert(externals >= 0 && externals <= pattern.n);
@@ -316,6 +326,9 @@ base::Matrix Condensation::condense_load(const base::Matrix& f) const {
   if (c.n == 0) {
     return f;
   }
+  if (c.stacked) {
+    return c.stacked->condense_load(f);
+  }
   base::Matrix X(c.n, f.cols());
   for (std::int64_t k = 0; k < c.n; ++k) {
     X.row(k) = f.row(c.order[at(k)]);
@@ -330,6 +343,9 @@ base::Matrix Condensation::recover(const base::Matrix& u_external, const base::M
   assert(c.n == c.locals || (u_external.rows() == c.n - c.locals && u_external.cols() == f.cols()));
   if (c.n == 0) {
     return f;
+  }
+  if (c.stacked) {
+    return c.stacked->recover(u_external, f);
   }
   base::Matrix X(c.n, f.cols());
   for (std::int64_t k = 0; k < c.n; ++k) {

@@ -6,6 +6,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
+#include <vector>
 
 namespace spricka::solve {
 
@@ -24,6 +26,16 @@ struct FactorReport {
   double numeric_cpu = 0.0;     ///< [s]
 };
 
+/// A condensed net as one full block on rows of another matrix.
+struct DenseBlock {
+  std::vector<std::int64_t> rows;          ///< [m] rows there, -1: none
+  const base::Matrix* stiffness = nullptr; ///< [m, m] symmetric; not looked at by forecasts
+};
+
+/// Whether such blocks are better kept out of the sparse matrix: together with the externals they
+/// fill most of what they touch.
+bool stacking_pays(std::span<const DenseBlock> blocks, std::int64_t rows, std::int64_t externals);
+
 /// One Cholesky factorisation of K with the external rows last, and everything that is read off
 /// it: the Schur complement S = K_ee - K_el K_ll^-1 K_le, condensed loads, recovered locals.
 /// Externals carry a shift s on their diagonal, taken off again (condensation rule 3), so that a
@@ -39,6 +51,10 @@ public:
   /// matrix of this pattern (values are not looked at).
   static FactorReport forecast(base::SymmetricCsc pattern, std::int64_t externals,
                                Ordering ordering = Ordering::automatic);
+  /// With dense blocks on top of K, which has a row, if an empty one, for each of theirs.
+  Condensation(base::SymmetricCsc K, std::int64_t externals, std::span<const DenseBlock> blocks);
+  static FactorReport forecast(const base::SymmetricCsc& pattern, std::int64_t externals,
+                               std::span<const DenseBlock> blocks);
   ~Condensation();
   Condensation(Condensation&&) noexcept;
   Condensation& operator=(Condensation&&) noexcept;

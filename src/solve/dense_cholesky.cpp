@@ -42,4 +42,12 @@ base::Matrix gram(const base::Matrix& Y) {
   return C;
 }
 
+base::Matrix product(const base::Matrix& X, const base::Matrix& Y) {
+  const int n = count(X.rows());
+  base::Matrix C(X.cols(), Y.cols());
+  blas::gemm({.m = count(X.cols()), .n = count(Y.cols()), .k = n, .a = blas::Form::transposed},
+             {X.data(), n}, {Y.data(), n}, {C.data(), count(X.cols())});
+  return C;
+}
+
 } // namespace spricka::solve

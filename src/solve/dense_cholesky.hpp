@@ -24,5 +24,7 @@ private:
 
 /// Y^T Y [k, k], symmetric to the last bit.
 base::Matrix gram(const base::Matrix& Y);
+/// X^T Y [k, l] for X [n, k] and Y [n, l].
+base::Matrix product(const base::Matrix& X, const base::Matrix& Y);
 
 } // namespace spricka::solve

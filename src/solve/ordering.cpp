@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/ordering.hpp"
 #include "solve/cholmod_session.hpp"
+#include "solve/dissection.hpp"
 
 #include <algorithm>
 #include <memory>
-#include <mutex>
 #include <new>
 #include <numeric>
 
@@ -89,18 +89,48 @@ Pattern compressed(const Pattern& A, const Indices& group) {
   return C;
 }
 
-Indices order_vertices(const Pattern& C, Ordering ordering, CholmodSession& session) {
+VertexGraph whole_graph(const Pattern& C) {
+  VertexGraph graph{Indices(at(C.n) + 1, 0), {}};
+  for (std::int64_t j = 0; j < C.n; ++j) {
+    for (std::int64_t p = C.start[at(j)]; p < C.start[at(j) + 1]; ++p) {
+      if (const std::int64_t i = C.row[at(p)]; i != j) {
+        ++graph.start[at(i) + 1];
+        ++graph.start[at(j) + 1];
+      }
+    }
+  }
+  std::partial_sum(graph.start.begin(), graph.start.end(), graph.start.begin());
+  graph.neighbour.resize(at(graph.start.back()));
+  Indices next(graph.start.begin(), graph.start.end() - 1);
+  for (const bool lower : {true, false}) { // smaller neighbours first
+    for (std::int64_t j = 0; j < C.n; ++j) {
+      for (std::int64_t p = C.start[at(j)]; p < C.start[at(j) + 1]; ++p) {
+        if (const std::int64_t i = C.row[at(p)]; i != j) {
+          const std::int64_t own = lower ? i : j;
+          graph.neighbour[at(next[at(own)]++)] = lower ? j : i;
+        }
+      }
+    }
+  }
+  return graph;
+}
+
+/// Which groups [n] have an external among their neighbours.
+std::vector<bool> beside_externals(const base::SymmetricCsc& K, std::int64_t locals,
+                                   const Indices& group) {
+  std::vector<bool> beside(group.empty() ? 0 : at(group.back()) + 1, false);
+  for (std::int64_t j = 0; j < locals; ++j) {
+    if (K.row[at(K.start[at(j) + 1] - 1)] >= locals) { // rows ascend
+      beside[at(group[at(j)])] = true;
+    }
+  }
+  return beside;
+}
+
+Indices by_amd(const Pattern& C, CholmodSession& session) {
   Indices order(at(C.n));
   cholmod_sparse graph = lower_view(C.n, C.start.data(), C.row.data(), nullptr);
-  if (ordering == Ordering::amd) {
-    demand(cholmod_l_amd(&graph, nullptr, 0, order.data(), session.get()) != 0);
-    return order;
-  }
-  // METIS draws from the random numbers of the C library, seeded anew at each call: one at a time,
-  // or the order would depend on what the other threads do.
-  static std::mutex one_at_a_time;
-  const std::lock_guard<std::mutex> guard(one_at_a_time);
-  demand(cholmod_l_metis(&graph, nullptr, 0, 0, order.data(), session.get()) != 0);
+  demand(cholmod_l_amd(&graph, nullptr, 0, order.data(), session.get()) != 0);
   return order;
 }
 
@@ -165,8 +195,12 @@ std::vector<std::int64_t> elimination_order(const base::SymmetricCsc& K, std::in
     const double row_entries = 2.0 * static_cast<double>(A.row.size()) / static_cast<double>(A.n);
     ordering = row_entries < 45.0 ? Ordering::amd : Ordering::metis;
   }
-  const Indices rows = postordered(
-      A, expanded(order_vertices(compressed(A, group), ordering, session), group), session);
+  const Pattern C = compressed(A, group);
+  const Indices vertices =
+      ordering == Ordering::amd
+          ? by_amd(C, session)
+          : dissect(whole_graph(C), beside_externals(K, locals, group), session);
+  const Indices rows = postordered(A, expanded(vertices, group), session);
   std::copy(rows.begin(), rows.end(), order.begin());
   return order;
 }

@@ -8,6 +8,7 @@
 #include "run/condense_bodies.hpp"
 #include "run/scene.hpp"
 #include "solve/rate.hpp"
+#include "whole_stiffness.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -19,27 +20,6 @@
 namespace {
 
 using namespace spricka;
-
-// All bodies in one matrix, nothing external. Bodies that only contact holds get a little on their
-// diagonal: the factorisation costs the same.
-base::SymmetricCsc whole_stiffness(const model::Model& model, const run::Scene& scene) {
-  const model::Mesh& mesh = scene.cracked.mesh;
-  std::vector<model::FreedomClass> cls = scene.cls;
-  std::replace(cls.begin(), cls.end(), model::FreedomClass::external, model::FreedomClass::local);
-  std::vector<base::NodeId> nodes;
-  std::vector<base::ElementId> elements;
-  for (const fe::Body& body : fe::find_bodies(mesh)) {
-    nodes.insert(nodes.end(), body.nodes.begin(), body.nodes.end());
-    elements.insert(elements.end(), body.elements.begin(), body.elements.end());
-  }
-  std::sort(nodes.begin(), nodes.end());
-  base::SymmetricCsc K =
-      fe::assemble_stiffness(model, mesh, elements, {}, fe::number_freedoms(mesh, nodes, cls));
-  for (std::size_t j = 0; j + 1 < K.start.size(); ++j) {
-    K.value[static_cast<std::size_t>(K.start[j])] *= 1.0 + 1e-6;
-  }
-  return K;
-}
 
 run::CondenseLog condense(const model::Model& model, const run::Scene& scene) {
   run::CondensationCache cache;
@@ -79,7 +59,7 @@ int main(int argc, char** argv) {
   for (int i = 0; i < (argc > 2 ? std::atoi(argv[2]) : 7); ++i) {
     const run::CondenseLog log = condense(*model, *scene);
     const solve::FactorReport report =
-        solve::Condensation(whole_stiffness(*model, *scene), 0).report();
+        solve::Condensation(bench::whole_stiffness(*model, *scene), 0).report();
     nets = i == 0 || total(log) < total(nets) ? log : nets;
     plain = i == 0 || total(report) < total(plain) ? report : plain;
   }

@@ -12,6 +12,27 @@ from program import CRACKED, PROGRAM, TOP, ProgramTest, environment, main  # noq
 KEEP = "$RESTART WRITE='state.rst'\n"
 
 
+def press_fit(contact, interference, rings, sectors, more=""):
+    """A pin pressed into a ring, elements along the ring's radius and round it."""
+    return f"""$DECK VERSION=1 LENGTH=MM FORCE=N TITLE='Press fit'
+$NET NAME=RING
+  $MESH SHAPE=RING TYPE=QUAMC8 RI=10 RO=30 NR={rings} NT={sectors}
+$ENDNET
+$NET NAME=PIN
+  $MESH SHAPE=RING TYPE=QUAMC8 RI=3 RO=10 NR=3 NT={sectors}
+$ENDNET
+$MATERIAL NAME=STEEL E=210[GPa] NU=0.3
+$PROPERTY ESET=RING.BODY MATERIAL=STEEL STATE=STRESS
+$PROPERTY ESET=PIN.BODY MATERIAL=STEEL STATE=STRESS
+$CONTACT NAME={contact} SLAVE=PIN.OUTER MASTER=RING.INNER INTERFERENCE={interference}
+$FREEDOM CLASS=SUPPRESSED DOF=XY
+  PIN.INNER
+$STEP NAME=PRESS
+  FIT {contact} 1
+{more}$END
+"""
+
+
 def keeping(text=CRACKED, card=KEEP):
     """A deck with a card more, before its end."""
     return text.replace("$END\n", card + "$END\n")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Which changes of a deck a state survives, and from where a run goes on."""
 
-from run_folders import CRACKED, RestartTest, keeping, main
+from run_folders import CRACKED, RestartTest, keeping, main, press_fit
 
 READ = "$RESTART READ='state.rst'\n"
 STEPS = CRACKED.replace(
@@ -190,27 +190,14 @@ class Decks(RestartTest):
 
     def test_what_was_mounted_first(self):
         """MOUNTED=FIRST keeps the offsets of the first length: they are in the state."""
-        text = """$DECK VERSION=1 LENGTH=MM FORCE=N TITLE='Press fit'
-$NET NAME=RING
-  $MESH SHAPE=RING TYPE=QUAMC8 RI=10 RO=30 NR=6 NT=32
-$ENDNET
-$NET NAME=PIN
-  $MESH SHAPE=RING TYPE=QUAMC8 RI=3 RO=10 NR=3 NT=32
-$ENDNET
-$MATERIAL NAME=STEEL E=210[GPa] NU=0.3
-$PROPERTY ESET=RING.BODY MATERIAL=STEEL STATE=STRESS
-$PROPERTY ESET=PIN.BODY MATERIAL=STEEL STATE=STRESS
-$CONTACT NAME=FIT SLAVE=PIN.OUTER MASTER=RING.INNER INTERFERENCE=0.01
-$FREEDOM CLASS=SUPPRESSED DOF=XY
-  PIN.INNER
-$STEP NAME=PRESS
-  FIT FIT 1
-$CRACK NAME=C NET=RING ANGLE=0 A0=1
-  10  0
-$GROW LAW=INCREMENT KMAX=PRESS MOUNTED=FIRST
-  1  2  3
-$END
-"""
+        text = press_fit(
+            "FIT",
+            0.01,
+            6,
+            32,
+            "$CRACK NAME=C NET=RING ANGLE=0 A0=1\n  10  0\n"
+            "$GROW LAW=INCREMENT KMAX=PRESS MOUNTED=FIRST\n  1  2  3\n",
+        )
         deck = self.deck(keeping(text), "press.deck")
         self.expect(0, "run", deck, "--out", "whole.run", "--quiet")
         for f in self.folder.glob("state.rst*"):

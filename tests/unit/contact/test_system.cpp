@@ -73,6 +73,37 @@ TEST(ContactSystem, FloatingBodiesAreHeldByContactAlone) {
   EXPECT_EQ(system.solve(demand, {}).solution.status, solve::ContactStatus::unheld_mode);
 }
 
+// Rows that last: the same compliance as without, and the same bits whether kept or made anew.
+TEST(ContactSystem, LastingRowsChangeNoBit) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> value(-1.0, 1.0);
+  const base::Matrix A = base::Matrix::NullaryExpr(8, 12, [&] { return value(random); });
+  const contact::CondensedBody body({0, 1, 2, 3, 4, 5, 6, 7}, A * A.transpose(),
+                                    base::Matrix(8, 0));
+  std::vector<contact::ConstraintRow> rows(4);
+  std::vector<const contact::ConstraintRow*> all;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    rows[r].node = base::NodeId(3 - r);
+    rows[r].entries = {{base::NodeId(r), {value(random), value(random), 0.0}}};
+    all.push_back(&rows[r]);
+  }
+  const contact::ContactSystem plain({&body}, all, 2, 8);
+  contact::LastingRows kept;
+  const contact::Lasting lasting{{true, false, true, true}, {&kept}};
+  const contact::ContactSystem made({&body}, all, 2, 8, lasting);
+  EXPECT_EQ(kept.rows.size(), 3U);
+  EXPECT_LT((made.W() - plain.W()).norm(), 1e-13 * plain.W().norm());
+  rows[1].entries[0].weight.x() = 0.5; // what does not last may change
+  const contact::ContactSystem taken({&body}, all, 2, 8, lasting);
+  contact::LastingRows none;
+  const contact::ContactSystem anew({&body}, all, 2, 8, {{true, false, true, true}, {&none}});
+  EXPECT_EQ((taken.W() - anew.W()).cwiseAbs().maxCoeff(), 0.0);
+  rows[0].entries[0].weight.x() = 0.25; // a row that was to last did not
+  const contact::ContactSystem other({&body}, all, 2, 8, lasting);
+  const contact::ContactSystem other_plain({&body}, all, 2, 8);
+  EXPECT_LT((other.W() - other_plain.W()).norm(), 1e-13 * other_plain.W().norm());
+}
+
 // Three springs in a row between walls, pairs between them: a pivot is the compliance of a row as
 // long as others hold, and what holding the row itself takes is the inverse of that.
 TEST(ContactSystem, PivotsOfHeldRowsAreInversesOfThoseOfOpenOnes) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/assemble.hpp"
+#include "pinned_ring.hpp"
 #include "solved_scene.hpp"
 
 #include <Eigen/LU>
@@ -113,36 +114,13 @@ void compare_intensities(SolvedScene& solved, const run::StepState& state, doubl
 }
 
 // A ring with a crack, a pin pressed into it and pulled: free but for its rotation, partly open.
-const std::string rings = R"($DECK VERSION=1 LENGTH=mm FORCE=N
-$NET NAME=HUB
-  $MESH SHAPE=RING TYPE=QUAMC8 RI=20 RO=50 NR=2 NT=16
-$ENDNET
-$NET NAME=PIN
-  $MESH SHAPE=RING TYPE=QUAMC8 RI=5 RO=20 NR=1 NT=16
-$ENDNET
-$MATERIAL NAME=S E=210000 NU=0.3
-$MATERIAL NAME=A E=70000 NU=0.33
-$PROPERTY ESET=HUB.BODY MATERIAL=A STATE=STRESS THICK=10
-$PROPERTY ESET=PIN.BODY MATERIAL=S STATE=STRESS THICK=10
-$NSET NAME=HELD WHERE=(x < -44)
-$FREEDOM CLASS=SUPPRESSED DOF=XY
-  HELD
-$NSET NAME=KEY WHERE=(abs(x - 5) + abs(y) < 1e-6)
-$FREEDOM CLASS=SUPPRESSED DOF=Y
-  KEY
-$LOAD CASE=PULL TYPE=RESULTANT
-  PIN.BODY 20000 0
-$CONTACT NAME=FIT SLAVE=PIN.OUTER MASTER=HUB.INNER INTERFERENCE=0.01
-$CRACK NAME=C NET=HUB ANGLE=90[deg] A0=8
-  0 20
-$TIPNET CRACK=C SECTORS=8 RINGS=3
+const std::string rings = test::pinned_ring({}, R"($TIPNET CRACK=C SECTORS=8 RINGS=3
 $STEP NAME=PRESS
   FIT FIT 1
 $STEP NAME=PULLED
   FIT FIT 1
   LOAD PULL 1
-$END
-)";
+)");
 
 TEST(Adjoint, OfAFloatingPinIsThatOfADenseSolution) {
   SolvedScene solved(rings);

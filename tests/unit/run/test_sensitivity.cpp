@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/assemble.hpp"
+#include "pinned_ring.hpp"
 #include "solved_scene.hpp"
 #include "solved_text.hpp"
 
@@ -98,32 +99,9 @@ void compare_with_differences(const std::string& deck, double h) {
   }
 }
 
-// A ring with a crack, a pin pressed into it and pulled.
 std::string rings(const std::string& steps) {
-  return R"($DECK VERSION=1 LENGTH=mm FORCE=N
-$NET NAME=HUB
-  $MESH SHAPE=RING TYPE=QUAMC8 RI=20 RO=50 NR=3 NT=24
-$ENDNET
-$NET NAME=PIN
-  $MESH SHAPE=RING TYPE=QUAMC8 RI=5 RO=20 NR=2 NT=24
-$ENDNET
-$MATERIAL NAME=S E=210000 NU=0.3
-$MATERIAL NAME=A E=70000 NU=0.33
-$PROPERTY ESET=HUB.BODY MATERIAL=A STATE=STRESS THICK=10
-$PROPERTY ESET=PIN.BODY MATERIAL=S STATE=STRESS THICK=10
-$NSET NAME=HELD WHERE=(x < -44)
-$FREEDOM CLASS=SUPPRESSED DOF=XY
-  HELD
-$NSET NAME=KEY WHERE=(abs(x - 5) + abs(y) < 1e-6)
-$FREEDOM CLASS=SUPPRESSED DOF=Y
-  KEY
-$LOAD CASE=PULL TYPE=RESULTANT
-  PIN.BODY 20000 0
-$CONTACT NAME=FIT SLAVE=PIN.OUTER MASTER=HUB.INNER INTERFERENCE=0.01
-$CRACK NAME=C NET=HUB ANGLE=80[deg] A0=8
-  (20*cos(80[deg])) (20*sin(80[deg]))
-)" + steps +
-         "$END\n";
+  return test::pinned_ring({.hub_rings = 3, .pin_rings = 2, .sectors = 24, .crack_at = 80.0},
+                           steps);
 }
 
 const std::string press_and_pull = R"($STEP NAME=PRESS

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/number_file.hpp"
+
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+
+#include <fmt/format.h>
+
+namespace spricka::deck {
+
+namespace {
+
+NumberLine numbers_in(std::string_view text) {
+  NumberLine line;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  while (at != end && line.sound) {
+    if (std::string_view(" \t,;\r").find(*at) != std::string_view::npos) {
+      ++at;
+      continue;
+    }
+    double value = 0.0;
+    const auto [behind, trouble] = std::from_chars(at + (*at == '+' ? 1 : 0), end, value);
+    line.sound = trouble == std::errc();
+    line.numbers.push_back(value);
+    at = behind;
+  }
+  return line;
+}
+
+} // namespace
+
+std::optional<std::vector<NumberLine>> number_file(Context& context, const BoundCard& card,
+                                                   std::string_view key) {
+  const base::Span span = card.find(key)->span;
+  const std::filesystem::path path =
+      std::filesystem::path(context.sources.name(card.span.file)).parent_path() /
+      std::string(card.word(key));
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) {
+    context.error(span, "E308", fmt::format("cannot read '{}'", path.string()));
+    return std::nullopt;
+  }
+  context.model.imported_files.push_back(path.string());
+  std::vector<NumberLine> lines;
+  std::string text;
+  for (std::size_t number = 1; std::getline(stream, text); ++number) {
+    NumberLine line = numbers_in(std::string_view(text).substr(0, text.find_first_of("!#")));
+    if (!line.sound || !line.numbers.empty()) {
+      line.span = span;
+      line.where = fmt::format("line {} of '{}': ", number, path.string());
+      lines.push_back(std::move(line));
+    }
+    if (!lines.empty() && !lines.back().sound) {
+      break; // one complaint about a file is enough
+    }
+  }
+  return lines;
+}
+
+} // namespace spricka::deck

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "results/store.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <hdf5.h>
+
+/// What the sources of this room share of HDF5's C interface; nobody else includes it.
+namespace spricka::results {
+
+[[noreturn]] inline void fail(const std::string& what) {
+  throw StoreError(what);
+}
+
+inline herr_t good(herr_t status, std::string_view what) {
+  if (status < 0) {
+    fail(fmt::format("cannot {}", what));
+  }
+  return status;
+}
+
+/// An identifier of the library that is given back when it goes.
+class Id {
+public:
+  using Close = herr_t (*)(hid_t);
+  Id(hid_t id, Close give_back, std::string_view what) : id_(id), close_(give_back) {
+    if (id < 0) {
+      fail(fmt::format("cannot {}", what));
+    }
+  }
+  Id(Id&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+  Id(const Id&) = delete;
+  Id& operator=(const Id&) = delete;
+  Id& operator=(Id&&) = delete;
+  ~Id() {
+    if (id_ >= 0) {
+      close_(id_);
+    }
+  }
+  [[nodiscard]] hid_t get() const { return id_; }
+  void close(std::string_view what) { good(close_(std::exchange(id_, -1)), what); }
+
+private:
+  hid_t id_;
+  Close close_;
+};
+
+/// Strings of a fixed length, filled up with zeros.
+Id text_type(std::size_t longest);
+std::string text_from(const char* bytes, std::size_t size);
+
+/// Types of an array in the file and in memory.
+struct ArrayTypes {
+  hid_t file, memory;
+};
+/// A new array; `pays`: its values are worth compressing.
+void write_array(hid_t group, const std::string& name, std::span<const hsize_t> extent,
+                 ArrayTypes types, const void* data, bool pays = true);
+/// Whether half of the numbers are the same as the one before: numbers with all their digits hardly
+/// become smaller, and compressing them takes longer than all else.
+bool repeats(std::span<const double> values);
+
+struct OpenArray {
+  Id set;
+  Id type;
+  std::size_t count = 0;
+};
+
+OpenArray open_array(hid_t group, const std::string& name);
+
+template <class T>
+std::vector<T> read_numbers(hid_t group, const std::string& name, hid_t memory, H5T_class_t kind) {
+  const OpenArray array = open_array(group, name);
+  if (H5Tget_class(array.type.get()) != kind) {
+    fail(fmt::format("array {} is of another kind", name));
+  }
+  std::vector<T> values(array.count);
+  if (values.empty()) {
+    return values;
+  }
+  good(H5Dread(array.set.get(), memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+       "read array " + name);
+  return values;
+}
+
+Id open_attribute(hid_t group, const std::string& name);
+void write_attribute(hid_t group, const std::string& name, hid_t type, const void* value);
+
+template <class T>
+T read_attribute(hid_t group, const std::string& name, hid_t memory, H5T_class_t kind) {
+  const Id item = open_attribute(group, name);
+  const Id type(H5Aget_type(item.get()), H5Tclose, "find the type of " + name);
+  if (H5Tget_class(type.get()) != kind) {
+    fail(fmt::format("attribute {} is of another kind", name));
+  }
+  T value{};
+  good(H5Aread(item.get(), memory, &value), "read attribute " + name);
+  return value;
+}
+
+struct StoreGroup::Handle {
+  Id id;
+};
+
+} // namespace spricka::results

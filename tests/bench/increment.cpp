@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a further crack length costs: all lengths of a deck's $GROW solved one after another without
+// error bars and stresses (topology, condensation, contact, steps, K), each against the first,
+// which condenses the whole host. Reading, meshing of the host and reports are not in it. Usage:
+// bench_increment DECK [fine] [REPEATS]
+#include "base/clock.hpp"
+#include "base/diagnostics.hpp"
+#include "deck/read_deck.hpp"
+#include "growth/crack_lines.hpp"
+#include "run/length_solver.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace {
+
+using namespace spricka;
+
+struct Cost {
+  double a = 0.0;
+  double cpu = 0.0;
+  std::map<std::string, double> of; ///< [processor]
+};
+
+std::vector<Cost> solve_all(const model::Model& model) {
+  base::Diagnostics diagnostics;
+  std::optional<run::Refusal> refusal;
+  std::vector<results::LogLine> lines;
+  const run::SolveOptions options{.threads = 1, .progress = {}};
+  const std::vector<double> lengths = growth::crack_lengths(model);
+  std::vector<Cost> costs;
+  base::Stopwatch watch;
+  const run::RegionPlan plan = run::plan_region(model, lengths, diagnostics);
+  run::LengthSolver solver(model, options, lines, diagnostics, refusal);
+  for (const double a : lengths) {
+    lines.clear();
+    auto cracks = growth::crack_lines(model, a, diagnostics);
+    const std::vector<bool> pictured(model.steps.size(), false);
+    if (!cracks || !solver.solve({std::move(*cracks), a, pictured, false}, plan)) {
+      return {};
+    }
+    Cost& cost = costs.emplace_back();
+    cost.a = a;
+    cost.cpu = watch.cpu();
+    for (const results::LogLine& line : lines) {
+      cost.of[line.processor] += line.cpu;
+    }
+    watch = base::Stopwatch();
+  }
+  return costs;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  base::return_large_blocks();
+  deck::ReadOptions options;
+  if (argc > 2) {
+    options.defines.emplace_back("fine", argv[2]);
+  }
+  base::Sources sources;
+  base::Diagnostics diagnostics;
+  const auto model =
+      argc > 1 ? deck::read_deck(argv[1], options, sources, diagnostics) : std::nullopt;
+  if (!model) {
+    fmt::print(stderr, "usage: bench_increment DECK [fine] [REPEATS]\n{}",
+               base::format(sources, diagnostics));
+    return 2;
+  }
+  std::vector<Cost> best;
+  for (int i = 0; i < (argc > 3 ? std::atoi(argv[3]) : 7); ++i) {
+    const std::vector<Cost> costs = solve_all(*model);
+    for (std::size_t k = 0; k < costs.size(); ++k) {
+      if (best.size() == k || costs[k].cpu < best[k].cpu) {
+        best.resize(std::max(best.size(), k + 1));
+        best[k] = costs[k];
+      }
+    }
+  }
+  if (best.empty()) {
+    fmt::print(stderr, "not solved\n");
+    return 4;
+  }
+  fmt::print("host of {} freedoms\n", 2 * model->mesh.node_count());
+  double further = 0.0;
+  for (std::size_t k = 0; k < best.size(); ++k) {
+    fmt::print("a = {:<8.6g} {:.4f} s, {:.3f} of the first:", best[k].a, best[k].cpu,
+               best[k].cpu / best.front().cpu);
+    for (const auto& [processor, cpu] : best[k].of) {
+      fmt::print(" {} {:.4f}", processor, cpu);
+    }
+    fmt::print("\n");
+    further += k > 0 ? best[k].cpu : 0.0;
+  }
+  if (best.size() > 1) {
+    further /= static_cast<double>(best.size() - 1);
+    fmt::print("an increment in the mean {:.4f} s, {:.3f} of the first solve's {:.4f} s\n", further,
+               further / best.front().cpu, best.front().cpu);
+  }
+  return 0;
+}

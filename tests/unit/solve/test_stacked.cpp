@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/condense.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <random>
+#include <vector>
+
+// Dense blocks on top of a sparse matrix against the dense elimination of their sum.
+namespace spricka::solve {
+namespace {
+
+using base::Matrix;
+
+struct Sum {
+  base::SymmetricCsc K;
+  Matrix block;
+  std::vector<std::int64_t> rows; ///< of the block; one has none
+  Matrix whole;
+};
+
+// A chain of 30 springs to the ground, its last rows and 6 that it does not reach under the block.
+Sum chain_and_block(double ground) {
+  constexpr std::int64_t chain = 30;
+  constexpr std::int64_t n = 36;
+  Sum sum;
+  sum.whole = Matrix::Zero(n, n);
+  sum.K.n = n;
+  sum.K.start = {0};
+  for (std::int64_t j = 0; j < n; ++j) {
+    const bool linked = j + 1 < chain;
+    sum.K.row.push_back(j);
+    sum.K.value.push_back(j < chain ? ground + (linked ? 2.0 : 1.0) + (j == 0 ? -1.0 : 0.0) : 0.0);
+    sum.whole(j, j) = sum.K.value.back();
+    if (linked) {
+      sum.K.row.push_back(j + 1);
+      sum.K.value.push_back(-1.0);
+      sum.whole(j + 1, j) = sum.whole(j, j + 1) = -1.0;
+    }
+    sum.K.start.push_back(static_cast<std::int64_t>(sum.K.row.size()));
+  }
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> value(-1.0, 1.0);
+  sum.rows = {26, -1, 27, 30, 31, 32, 33, 34, 35};
+  const auto m = static_cast<Eigen::Index>(sum.rows.size());
+  const Matrix A = Matrix::NullaryExpr(m, 2 * m, [&] { return value(random); });
+  sum.block = A * A.transpose();
+  for (Eigen::Index c = 0; c < m; ++c) {
+    for (Eigen::Index r = 0; r < m; ++r) {
+      const std::int64_t i = sum.rows[static_cast<std::size_t>(r)];
+      const std::int64_t j = sum.rows[static_cast<std::size_t>(c)];
+      if (i >= 0 && j >= 0) {
+        sum.whole(i, j) += sum.block(r, c);
+      }
+    }
+  }
+  return sum;
+}
+
+TEST(Stacked, IsTheDenseEliminationOfTheSum) {
+  const Sum sum = chain_and_block(0.1);
+  for (const std::int64_t e : {0, 4, 9}) {
+    const std::vector<DenseBlock> blocks{{sum.rows, &sum.block}};
+    const Condensation c(sum.K, e, blocks);
+    ASSERT_EQ(c.report().status, FactorStatus::ok);
+    const std::int64_t l = sum.K.n - e;
+    const Matrix coupling = sum.whole.topRightCorner(l, e);
+    const Matrix S = sum.whole.bottomRightCorner(e, e) -
+                     coupling.transpose() * sum.whole.topLeftCorner(l, l).llt().solve(coupling);
+    EXPECT_LE((c.schur() - S).norm(), 1e-12 * (1.0 + S.norm()));
+    EXPECT_EQ((c.schur() - c.schur().transpose()).norm(), 0.0);
+    // loads condensed and displacements recovered are those of the whole
+    const Matrix f = Matrix::Random(sum.K.n, 2);
+    const Matrix u = sum.whole.llt().solve(f);
+    EXPECT_LE((S * u.bottomRows(e) - c.condense_load(f)).norm(), 1e-10);
+    EXPECT_LE((c.recover(u.bottomRows(e), f) - u).norm(), 1e-10 * u.norm());
+    const FactorReport told = Condensation::forecast(sum.K, e, blocks);
+    EXPECT_EQ(told.flops, c.report().flops);
+    EXPECT_EQ(told.memory, c.report().memory);
+  }
+}
+
+TEST(Stacked, ABlockThatHoldsNothingIsNamed) {
+  Sum sum = chain_and_block(0.1);
+  sum.block.row(4).setZero(); // row 31
+  sum.block.col(4).setZero();
+  const std::vector<DenseBlock> blocks{{sum.rows, &sum.block}};
+  const Condensation c(sum.K, 2, blocks);
+  EXPECT_EQ(c.report().status, FactorStatus::not_positive_definite);
+  EXPECT_EQ(c.report().failed_row, 31);
+}
+
+TEST(Stacked, PaysWhereTheBlockFillsTheTop) {
+  const Sum sum = chain_and_block(0.1);
+  EXPECT_TRUE(stacking_pays(std::vector<DenseBlock>{{sum.rows, nullptr}}, sum.K.n, 4));
+  EXPECT_FALSE(stacking_pays(std::vector<DenseBlock>{{{30, 31}, nullptr}}, sum.K.n, 20));
+  EXPECT_FALSE(stacking_pays({}, sum.K.n, 4));
+}
+
+} // namespace
+} // namespace spricka::solve
