@@ -43,9 +43,10 @@ public:
   [[nodiscard]] std::vector<std::int64_t> integers(const std::string& name) const;
   [[nodiscard]] std::vector<std::string> texts(const std::string& name) const;
   [[nodiscard]] Table table(const std::string& name) const;
-  [[nodiscard]] double real(const std::string& attribute) const;
-  [[nodiscard]] std::int64_t integer(const std::string& attribute) const;
-  [[nodiscard]] std::string text(const std::string& attribute) const;
+  // Attributes.
+  [[nodiscard]] double real(const std::string& name) const;
+  [[nodiscard]] std::int64_t integer(const std::string& name) const;
+  [[nodiscard]] std::string text(const std::string& name) const;
 
 private:
   friend class Store;

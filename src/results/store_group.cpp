@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "results/store_hdf5.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 
@@ -51,7 +52,7 @@ void put(char* at, std::int64_t value, std::size_t /*size*/) {
   std::memcpy(at, &value, sizeof value);
 }
 void put(char* at, const std::string& value, std::size_t size) {
-  std::memcpy(at, value.data(), std::min(size, value.size()));
+  std::copy_n(value.data(), std::min(size, value.size()), at);
 }
 
 template <class T> T take(const char* at, std::size_t size) {

@@ -2,7 +2,8 @@
 #include "results/store_hdf5.hpp"
 
 #include <array>
-#include <cstring>
+#include <bit>
+#include <cstdint>
 
 namespace spricka::results {
 
@@ -57,7 +58,9 @@ std::string text_from(const char* bytes, std::size_t size) {
 bool repeats(std::span<const double> values) {
   std::size_t same = 0;
   for (std::size_t i = 1; i < values.size(); ++i) {
-    same += std::memcmp(&values[i], &values[i - 1], sizeof(double)) == 0 ? 1U : 0U;
+    same += std::bit_cast<std::uint64_t>(values[i]) == std::bit_cast<std::uint64_t>(values[i - 1])
+                ? 1U
+                : 0U;
   }
   return 2 * same > values.size();
 }

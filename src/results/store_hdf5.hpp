@@ -107,6 +107,7 @@ T read_attribute(hid_t group, const std::string& name, hid_t memory, H5T_class_t
 }
 
 struct StoreGroup::Handle {
+  explicit Handle(Id held) : id(std::move(held)) {}
   Id id;
 };
 

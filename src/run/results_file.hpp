@@ -16,10 +16,10 @@ void write_results_file(const std::filesystem::path& file, const base::Sources& 
                         const model::Model& model, const results::Run& run);
 
 /// Program, libraries and units as attributes of a folder.
-void describe_origin(const results::StoreGroup& group, const model::Model& model);
+void describe_origin(const results::StoreGroup& given, const model::Model& model);
 
 /// Texts and parameters of a deck into a folder "deck".
-void store_deck(const results::StoreGroup& group, const base::Sources& sources,
+void store_deck(const results::StoreGroup& given, const base::Sources& sources,
                 const model::Model& model);
 
 } // namespace spricka::run
