@@ -150,7 +150,8 @@ base::CrackId crack_of(Context& c, const BoundCard& card, std::set<std::size_t>&
   return base::CrackId(found->index);
 }
 
-// A patch as fine as usual finds K to about a thousandth; its error falls with the cube of its sizes.
+// A patch as fine as usual finds K to about a thousandth; its error falls with the cube of its
+// sizes.
 double finer_for(double tolerance) {
   constexpr double usual = 1e-3;
   return std::clamp(std::cbrt(usual / tolerance), 0.6, 1.0);

@@ -168,8 +168,8 @@ void wish_for_sizes(const SizeWish& size) {
   for (const auto& [curve, stations] : moved) {
     gmsh::model::mesh::setTransfiniteCurve(curve, static_cast<int>(stations.t.size()) + 2);
   }
-  gmsh::model::mesh::setSizeCallback([size](int /*dim*/, int /*tag*/, double x, double y,
-                                            double /*z*/) { return size(x, y); });
+  gmsh::model::mesh::setSizeCallback(
+      [size](int /*dim*/, int /*tag*/, double x, double y, double /*z*/) { return size(x, y); });
   gmsh::model::mesh::generate(1);
   for (const auto& [curve, stations] : moved) {
     move_nodes(curve, stations);
