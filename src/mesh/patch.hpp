@@ -41,9 +41,8 @@ struct TipMesh {
   bool patch = true; ///< false: double nodes of the deck's own mesh along the path
   /// The patch's rim is finer than the host's edges and tied to them (else edge to edge).
   bool transition = false;
-  double finer = 1.0; ///< divides sizes, and their growth, outside the rosette
-  bool pressed =
-      false; ///< the crack opens into a contact surface, whose pressure peaks at the mouth
+  double finer = 1.0;   ///< divides sizes, and their growth, outside the rosette
+  bool pressed = false; ///< the mouth lies on a contact surface, whose pressure peaks there
 };
 
 /// A node on the rim of a patch that is finer than its host: it takes the displacement of its place
