@@ -83,6 +83,14 @@ Choice choose_node_side(const model::Mesh& mesh, const Surface& slave, const Sur
 
 } // namespace
 
+std::map<base::NodeId, std::size_t> normal_rows(const PairRows& pair) {
+  std::map<base::NodeId, std::size_t> row_of;
+  for (std::size_t r = 0; r < pair.normal.size(); ++r) {
+    row_of.emplace(pair.normal[r].node, r);
+  }
+  return row_of;
+}
+
 PairRows pair_rows(const model::Model& model, const model::Mesh& mesh,
                    const model::Contact& contact) {
   PairRows pair;

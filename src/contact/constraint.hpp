@@ -5,6 +5,7 @@
 #include "contact/surface.hpp"
 #include "model/model.hpp"
 
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -44,6 +45,9 @@ struct PairRows {
   std::string choice;    ///< which side carries the multipliers and why, for the listing
   int merged = 0;        ///< rows covered by less than 20 % that went to a neighbour
 };
+
+/// Of the normal rows by their nodes: the first of each.
+std::map<base::NodeId, std::size_t> normal_rows(const PairRows& pair);
 
 /// Builds the rows of a pair on a mesh. SEGMENT: mortar with hat functions on half edges, weighted
 /// by exact segment integration (Puso and Laursen 2004 in the plane); the multipliers are

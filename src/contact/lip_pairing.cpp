@@ -3,17 +3,13 @@
 
 #include "contact/row_builder.hpp"
 #include "mesh/boundary.hpp"
+#include "shape/quadrature.hpp"
 
-#include <array>
 #include <map>
 
 namespace spricka::contact {
 
 namespace {
-
-// Exact for straight edges with a quarter point: shape function times Jacobian is of degree 3.
-constexpr std::array<double, 3> gauss_r{-0.7745966692414834, 0.0, 0.7745966692414834};
-constexpr std::array<double, 3> gauss_w{5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
 
 // What a unit pressure on the face puts on its nodes, and their order along it.
 struct FaceNodes {
@@ -33,9 +29,10 @@ FaceNodes face_nodes(const Surface& surface, double depth) {
         if (fresh) {
           nodes.order.push_back(edge.nodes[i]);
         }
-        for (std::size_t g = 0; g < gauss_r.size(); ++g) {
-          const Vec2 t = tangent_on(edge, gauss_r[g]);
-          at->second += depth * gauss_w[g] * edge_N(edge, gauss_r[g])[i] * Vec2(t.y(), -t.x());
+        // exact for straight edges with a quarter point: N times the Jacobian is of degree 3
+        for (const auto& [r, weight] : shape::line_rule(5)) {
+          const Vec2 t = tangent_on(edge, r[0]);
+          at->second += depth * weight * edge_N(edge, r[0])[i] * Vec2(t.y(), -t.x());
         }
       }
     }

@@ -3,6 +3,7 @@
 
 #include "contact/rigid_target.hpp"
 #include "contact/row_builder.hpp"
+#include "shape/quadrature.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,13 +38,11 @@ struct SurfaceNodes {
 // Integral of each shape function over an edge times the depth there: what a uniform pressure puts
 // on the nodes. Three Gauss points: exact on straight edges, about an axis as well.
 std::array<double, 3> nodal_areas(const Edge& edge, const PairRows& pair) {
-  constexpr std::array<double, 3> gauss_r{-0.7745966692414834, 0.0, 0.7745966692414834};
-  constexpr std::array<double, 3> gauss_w{5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
   std::array<double, 3> area{};
-  for (std::size_t g = 0; g < gauss_r.size(); ++g) {
-    const std::array<double, 3> N = edge_N(edge, gauss_r[g]);
-    const double w = gauss_w[g] * tangent_on(edge, gauss_r[g]).norm() *
-                     depth_at(pair.contact, pair.target, point_on(edge, gauss_r[g]));
+  for (const auto& [r, weight] : shape::line_rule(5)) {
+    const std::array<double, 3> N = edge_N(edge, r[0]);
+    const double w = weight * tangent_on(edge, r[0]).norm() *
+                     depth_at(pair.contact, pair.target, point_on(edge, r[0]));
     for (std::size_t i = 0; i < area.size(); ++i) {
       area[i] += w * N[i];
     }
@@ -134,7 +133,7 @@ void node_rows(PairRows& pair, std::optional<double> declared_gap, bool tangents
     if (other->node.valid()) {
       row.add(other->node, node.area * n);
     }
-    row.gap = node.area * declared_gap.value_or(other->gap);
+    row.gap = node.area * declared_gap.value_or(gap_beyond_digits(other->gap, node.x));
     row.area = node.area;
     pair.normal.push_back(row.finish(id, false));
     if (tangents) {

@@ -4,6 +4,7 @@
 #include "contact/rigid_target.hpp"
 #include "contact/row_builder.hpp"
 #include "contact/segment.hpp"
+#include "shape/quadrature.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +14,7 @@ namespace spricka::contact {
 
 namespace {
 
-constexpr std::array<double, 5> gauss_r{-0.906179845938664, -0.5384693101056831, 0.0,
-                                        0.5384693101056831, 0.906179845938664};
-constexpr std::array<double, 5> gauss_w{0.2369268850561891, 0.4786286704993665, 0.5688888888888889,
-                                        0.4786286704993665, 0.2369268850561891};
+constexpr int degree = 9;           // of the quadrature along a segment
 constexpr double least_cover = 0.2; // rows covered by less go to a neighbour
 
 struct Builders {
@@ -80,24 +78,28 @@ std::optional<Opposite> opposite(const PairRows& pair, const Edge& edge, const E
   const Vec2 x = point_on(edge, xi);
   if (pair.rigid) {
     const std::optional<RigidFoot> foot = foot_on(*pair.rigid, x);
-    return foot ? std::optional(Opposite{0.0, foot->normal, foot->gap}) : std::nullopt;
+    return foot ? std::optional(Opposite{0.0, foot->normal, gap_beyond_digits(foot->gap, x)})
+                : std::nullopt;
   }
   const Vec2 n = surface_normal(pair.contact, edge, xi);
   const std::optional<double> eta = hit_on(target, x, n);
-  return eta ? std::optional(Opposite{*eta, n, (point_on(target, *eta) - x).dot(n)}) : std::nullopt;
+  if (!eta) {
+    return std::nullopt;
+  }
+  return Opposite{*eta, n, gap_beyond_digits((point_on(target, *eta) - x).dot(n), x)};
 }
 
 // False if a point of the segment finds no target: its area would be lost.
 bool add_segment(const PairRows& pair, const Edge& edge, const Edge& target, const Segment& s,
                  const std::optional<double>& declared, bool tangents, Builders& rows) {
-  for (std::size_t g = 0; g < gauss_r.size(); ++g) {
-    const double xi = 0.5 * ((s.to + s.from) + (s.to - s.from) * gauss_r[g]);
+  for (const auto& [r, weight] : shape::line_rule(degree)) {
+    const double xi = 0.5 * ((s.to + s.from) + (s.to - s.from) * r[0]);
     const Vec2 x = point_on(edge, xi);
     const std::optional<Opposite> other = opposite(pair, edge, target, xi);
     if (!other) {
       return false;
     }
-    const double w = 0.5 * (s.to - s.from) * gauss_w[g] * tangent_on(edge, xi).norm() *
+    const double w = 0.5 * (s.to - s.from) * weight * tangent_on(edge, xi).norm() *
                      depth_at(pair.contact, pair.target, x);
     const double gap = declared.value_or(other->gap);
     add_point({edge, target, xi, other->eta, w, other->normal, gap}, tangents, rows);
@@ -108,10 +110,10 @@ bool add_segment(const PairRows& pair, const Edge& edge, const Edge& target, con
 // What each function would weigh if its whole support were paired.
 void add_support(const PairRows& pair, const Edge& edge, Builders& rows) {
   for (const double half : {-0.5, 0.5}) {
-    for (std::size_t g = 0; g < gauss_r.size(); ++g) {
-      const double xi = half + 0.5 * gauss_r[g];
+    for (const auto& [r, weight] : shape::line_rule(degree)) {
+      const double xi = half + 0.5 * r[0];
       const std::array<double, 3> phi = edge_hats(edge, xi);
-      const double w = 0.5 * gauss_w[g] * tangent_on(edge, xi).norm() *
+      const double w = 0.5 * weight * tangent_on(edge, xi).norm() *
                        depth_at(pair.contact, pair.target, point_on(edge, xi));
       for (int i = 0; i < edge.count; ++i) {
         rows.normal[edge.nodes[static_cast<std::size_t>(i)]].whole +=
@@ -189,16 +191,6 @@ bool covered_twice(const std::vector<Segment>& segments) {
   return false;
 }
 
-std::vector<const Edge*> all_edges(const Surface& surface) {
-  std::vector<const Edge*> edges;
-  for (const EdgeChain& chain : surface.chains) {
-    for (const Edge& edge : chain.edges) {
-      edges.push_back(&edge);
-    }
-  }
-  return edges;
-}
-
 } // namespace
 
 void segment_rows(PairRows& pair, std::optional<double> declared_gap, bool tangents) {
@@ -211,10 +203,10 @@ void segment_rows(PairRows& pair, std::optional<double> declared_gap, bool tange
   }
   pair.found = !segments.empty();
   pair.segments = true;
-  const std::vector<const Edge*> edges = all_edges(pair.contact);
+  const std::vector<const Edge*> edges = edges_of(pair.contact);
   const Edge nothing{{}, 0, {}, 0.0}; // a rigid target has no nodes
   const std::vector<const Edge*> targets =
-      pair.rigid ? std::vector{&nothing} : all_edges(pair.target);
+      pair.rigid ? std::vector{&nothing} : edges_of(pair.target);
   Builders rows;
   for (const Edge* edge : edges) {
     add_support(pair, *edge, rows);

@@ -2,6 +2,7 @@
 #include "contact/surface.hpp"
 
 #include "mesh/boundary.hpp"
+#include "shape/quadrature.hpp"
 #include "shape/topology.hpp"
 
 #include <algorithm>
@@ -15,10 +16,6 @@ namespace spricka::contact {
 
 namespace {
 
-// Gauss points of degree 5; exact for the length of a straight edge, 1e-8 for arcs of 30 degrees.
-constexpr std::array<double, 3> gauss_r{-0.7745966692414834, 0.0, 0.7745966692414834};
-constexpr std::array<double, 3> gauss_w{5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
-
 Edge make_edge(const model::Mesh& mesh, model::Face face) {
   const std::span<const base::NodeId> nodes = mesh.nodes_of(face.element);
   const std::span<const int> side = shape::side_nodes(mesh.type[face.element.index()], face.side);
@@ -28,8 +25,9 @@ Edge make_edge(const model::Mesh& mesh, model::Face face) {
     edge.nodes[i] = nodes[static_cast<std::size_t>(side[i])];
     edge.x[i] = mesh.x[edge.nodes[i].index()].head<2>();
   }
-  for (std::size_t g = 0; g < gauss_r.size(); ++g) {
-    edge.length += gauss_w[g] * tangent_on(edge, gauss_r[g]).norm();
+  // exact for the length of a straight edge, 1e-8 for arcs of 30 degrees
+  for (const auto& [r, weight] : shape::line_rule(5)) {
+    edge.length += weight * tangent_on(edge, r[0]).norm();
   }
   return edge;
 }
@@ -117,6 +115,21 @@ Vec2 tangent_on(const Edge& edge, double xi) {
 Vec2 outer_normal(const Edge& edge, double xi) {
   const Vec2 t = tangent_on(edge, xi).normalized();
   return {t.y(), -t.x()};
+}
+
+std::vector<const Edge*> edges_of(const Surface& surface) {
+  std::vector<const Edge*> edges;
+  for (const EdgeChain& chain : surface.chains) {
+    for (const Edge& edge : chain.edges) {
+      edges.push_back(&edge);
+    }
+  }
+  return edges;
+}
+
+double gap_beyond_digits(double gap, const Vec2& x) {
+  constexpr double digits = 8.0 * std::numeric_limits<double>::epsilon();
+  return std::abs(gap) <= digits * x.cwiseAbs().maxCoeff() ? 0.0 : gap;
 }
 
 double depth_at(const Surface& contact, const Surface& target, const Vec2& x) {

@@ -55,6 +55,9 @@ struct Surface {
   bool axial = false; ///< a meridian: x is the radius, the surface goes round the axis
 };
 
+/// Of all chains, one after another.
+std::vector<const Edge*> edges_of(const Surface& surface);
+
 /// What a unit of length at a point of the section stands for: the smaller thickness, about an axis
 /// the whole circumference there.
 double depth_at(const Surface& contact, const Surface& target, const Vec2& x);
@@ -64,6 +67,10 @@ double depth_at(const Surface& contact, const Surface& target, const Vec2& x);
 Surface make_surface(const model::Model& model, const model::Mesh& mesh, base::FaceSetId set);
 Surface make_surface(const model::Model& model, const model::Mesh& mesh,
                      const std::vector<model::Face>& faces);
+
+/// A measured gap at x, or zero where sixteen digits of the coordinates cannot tell it from that:
+/// bodies that touch put no force on each other.
+double gap_beyond_digits(double gap, const Vec2& x);
 
 /// Unit normal of the surface at a point of an edge: radial where the surface is a circle.
 Vec2 surface_normal(const Surface& surface, const Edge& edge, double xi);

@@ -18,16 +18,6 @@ namespace {
 constexpr std::array<double, 5> sample_r{-1.0, 1.0, -0.7745966692414834, 0.0, 0.7745966692414834};
 constexpr std::array<double, 5> sample_w{0.0, 0.0, 5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
 
-std::vector<const Edge*> all_edges(const Surface& surface) {
-  std::vector<const Edge*> edges;
-  for (const EdgeChain& chain : surface.chains) {
-    for (const Edge& edge : chain.edges) {
-      edges.push_back(&edge);
-    }
-  }
-  return edges;
-}
-
 double angle_between(const Vec2& a, const Vec2& b) {
   return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
 }
@@ -40,7 +30,7 @@ struct Sight {
 // Samples the segments; `look(segment, edge, xi)` tells what is seen there, if anything.
 template <class Look>
 Survey sample(const Surface& from, const std::vector<Segment>& segments, Look&& look) {
-  const std::vector<const Edge*> edges = all_edges(from);
+  const std::vector<const Edge*> edges = edges_of(from);
   Survey found;
   found.edges = edges.size();
   for (const Edge* edge : edges) {
@@ -76,7 +66,7 @@ Survey sample(const Surface& from, const std::vector<Segment>& segments, Look&& 
 } // namespace
 
 Survey survey(const Surface& from, const Surface& to) {
-  const std::vector<const Edge*> targets = all_edges(to);
+  const std::vector<const Edge*> targets = edges_of(to);
   return sample(from, find_segments(from, to),
                 [&](const Segment& s, const Edge& edge, double xi) -> std::optional<Sight> {
                   const Edge& target = *targets[s.target_edge];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crack/lip_term.hpp"
 
+#include "shape/quadrature.hpp"
 #include "shape/topology.hpp"
 
 #include <cmath>
@@ -10,13 +11,9 @@ namespace spricka::crack {
 
 namespace {
 
-// Gauss points on 0 .. 1 of degree 9. With xi + 1 = 2 t^2 from the tip on, products with 1/sqrt(r)
-// are polynomials in t on straight edges, with and without a quarter point.
-constexpr std::array<double, 5> gauss_t{0.046910077030668, 0.2307653449471585, 0.5,
-                                        0.7692346550528415, 0.953089922969332};
-constexpr std::array<double, 5> gauss_w{0.11846344252809454, 0.23931433524968324,
-                                        0.28444444444444444, 0.23931433524968324,
-                                        0.11846344252809454};
+// Of the quadrature. With xi + 1 = 2 t^2 from the tip on, products with 1/sqrt(r) are polynomials
+// in t on straight edges, with and without a quarter point.
+constexpr int degree = 9;
 // The near-tip fields jump across the crack's line: they are taken this part of the distance to the
 // tip inside the body.
 constexpr double inside = 1e-9;
@@ -62,14 +59,14 @@ struct FacePoint {
 
 std::vector<FacePoint> points_of(const FaceEdge& edge, base::NodeId tip) {
   std::vector<FacePoint> points;
-  for (std::size_t g = 0; g < gauss_t.size(); ++g) {
-    double xi = 2.0 * gauss_t[g] - 1.0;
-    double w = 2.0 * gauss_w[g];
+  for (const auto& [r, weight] : shape::line_rule(degree)) {
+    double xi = r[0];
+    double w = weight;
     if (edge.node[0] == tip || edge.node[1] == tip) {
-      const double t = gauss_t[g];
+      const double t = 0.5 * (1.0 + r[0]);
       const double from = edge.node[0] == tip ? 1.0 : -1.0;
       xi = from * (2.0 * t * t - 1.0);
-      w = 4.0 * t * gauss_w[g];
+      w = 2.0 * t * weight;
     }
     FacePoint p;
     p.N = shape_at(edge, xi);

@@ -48,24 +48,11 @@ std::optional<std::size_t> find_edge(const EdgeIndex& index, const contact::Edge
   return at == index.end() ? std::nullopt : std::optional<std::size_t>(at->second);
 }
 
-std::vector<const contact::Edge*> edges_of(const contact::Surface& surface) {
-  std::vector<const contact::Edge*> edges;
-  for (const contact::EdgeChain& chain : surface.chains) {
-    for (const contact::Edge& edge : chain.edges) {
-      edges.push_back(&edge);
-    }
-  }
-  return edges;
-}
-
 std::vector<ContactEdge> contact_edges(const EdgeTable& table, const contact::PairRows& pair) {
   const EdgeIndex index = boundary_edges(table);
-  std::map<base::NodeId, std::size_t> row_of;
-  for (std::size_t r = 0; r < pair.normal.size(); ++r) {
-    row_of.emplace(pair.normal[r].node, r);
-  }
-  const std::vector<const contact::Edge*> own = edges_of(pair.contact);
-  const std::vector<const contact::Edge*> others = edges_of(pair.target);
+  const std::map<base::NodeId, std::size_t> row_of = contact::normal_rows(pair);
+  const std::vector<const contact::Edge*> own = contact::edges_of(pair.contact);
+  const std::vector<const contact::Edge*> others = contact::edges_of(pair.target);
   std::vector<ContactEdge> result(own.size() + others.size());
   std::vector<bool> known(result.size(), false);
   for (std::size_t i = 0; i < result.size(); ++i) {

@@ -29,9 +29,6 @@ EdgeIndex boundary_edges(const EdgeTable& table);
 /// The one that a quadratic contact edge is.
 std::optional<std::size_t> find_edge(const EdgeIndex& index, const contact::Edge& edge);
 
-/// All edges of a surface, chain by chain.
-std::vector<const contact::Edge*> edges_of(const contact::Surface& surface);
-
 /// The edges of both surfaces of a pair, which they point into. Edges that match end to end to a
 /// hundredth of their length are opposite each other.
 std::vector<ContactEdge> contact_edges(const EdgeTable& table, const contact::PairRows& pair);

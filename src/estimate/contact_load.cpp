@@ -3,6 +3,7 @@
 
 #include "contact/segment.hpp"
 #include "estimate/mode_kernel.hpp"
+#include "shape/quadrature.hpp"
 
 #include <map>
 
@@ -10,10 +11,7 @@ namespace spricka::estimate {
 
 namespace {
 
-constexpr std::array<double, 5> gauss_r{-0.906179845938664, -0.5384693101056831, 0.0,
-                                        0.5384693101056831, 0.906179845938664};
-constexpr std::array<double, 5> gauss_w{0.2369268850561891, 0.4786286704993665, 0.5688888888888889,
-                                        0.4786286704993665, 0.2369268850561891};
+constexpr int degree = 9; // of the quadrature along a segment, as the rows have it
 
 } // namespace
 
@@ -22,12 +20,9 @@ std::vector<ModeWeight> target_mode_weights(const EdgeTable& table, const contac
     return {};
   }
   const EdgeIndex index = boundary_edges(table);
-  std::map<base::NodeId, std::size_t> row_of;
-  for (std::size_t r = 0; r < pair.normal.size(); ++r) {
-    row_of.emplace(pair.normal[r].node, r);
-  }
-  const std::vector<const contact::Edge*> own = edges_of(pair.contact);
-  const std::vector<const contact::Edge*> others = edges_of(pair.target);
+  const std::map<base::NodeId, std::size_t> row_of = contact::normal_rows(pair);
+  const std::vector<const contact::Edge*> own = contact::edges_of(pair.contact);
+  const std::vector<const contact::Edge*> others = contact::edges_of(pair.target);
   std::map<std::pair<std::size_t, std::size_t>, double> sums; // by freedom and row
   for (const contact::Segment& s : contact::find_segments(pair.contact, pair.target)) {
     const contact::Edge& edge = *own[s.contact_edge];
@@ -37,15 +32,15 @@ std::vector<ModeWeight> target_mode_weights(const EdgeTable& table, const contac
       continue;
     }
     const double sign = side_sign(target.nodes[0], target.nodes[1]);
-    for (std::size_t g = 0; g < gauss_r.size(); ++g) {
-      const double xi = 0.5 * ((s.to + s.from) + (s.to - s.from) * gauss_r[g]);
+    for (const auto& [r, weight] : shape::line_rule(degree)) {
+      const double xi = 0.5 * ((s.to + s.from) + (s.to - s.from) * r[0]);
       const base::Vec2 x = contact::point_on(edge, xi);
       const base::Vec2 n = contact::surface_normal(pair.contact, edge, xi);
       const std::optional<double> eta = contact::hit_on(target, x, n);
       if (!eta) {
         continue;
       }
-      const double w = 0.5 * (s.to - s.from) * gauss_w[g] * contact::tangent_on(edge, xi).norm() *
+      const double w = 0.5 * (s.to - s.from) * weight * contact::tangent_on(edge, xi).norm() *
                        contact::depth_at(pair.contact, pair.target, x);
       const double mode = sign * side_mode(*eta) * side_frame(target.x, *eta).axis[0].dot(n);
       const std::array<double, 3> phi = contact::edge_hats(edge, xi);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "growth/smooth_line.hpp"
 
+#include "shape/quadrature.hpp"
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 
@@ -84,19 +85,12 @@ Vec3 SmoothCurve::derivative(const Place& p) const {
 }
 
 double SmoothCurve::speed_integral(std::size_t interval, double t) const {
-  // five Gauss points on each of four parts: the speed hardly varies
-  constexpr std::array<std::pair<double, double>, 5> gauss{
-      {{0.0, 128.0 / 225.0},
-       {-0.5384693101056831, 0.4786286704993665},
-       {0.5384693101056831, 0.4786286704993665},
-       {-0.9061798459386640, 0.2369268850561891},
-       {0.9061798459386640, 0.2369268850561891}}};
-  constexpr int parts = 4;
+  constexpr int parts = 4; // the speed hardly varies
   double sum = 0.0;
   for (int k = 0; k < parts; ++k) {
     const double half = 0.5 * t / parts;
-    for (const auto& [xi, weight] : gauss) {
-      sum += weight * half * derivative({interval, half * (2 * k + 1 + xi)}).norm();
+    for (const auto& [xi, weight] : shape::line_rule(9)) {
+      sum += weight * half * derivative({interval, half * (2 * k + 1 + xi[0])}).norm();
     }
   }
   return sum;

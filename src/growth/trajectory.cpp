@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "growth/trajectory.hpp"
 
+#include "shape/quadrature.hpp"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -13,12 +14,7 @@ namespace {
 /// Parts of an interval between stations, each with five Gauss points: a law near its toughness or
 /// its threshold bends more than K does.
 constexpr int parts = 24;
-constexpr std::array<std::pair<double, double>, 5> gauss_points{
-    {{0.0, 128.0 / 225.0},
-     {-0.5384693101056831, 0.4786286704993665},
-     {0.5384693101056831, 0.4786286704993665},
-     {-0.9061798459386640, 0.2369268850561891},
-     {0.9061798459386640, 0.2369268850561891}}};
+constexpr int degree = 9;
 
 } // namespace
 
@@ -150,8 +146,8 @@ double Trajectory::arm(std::size_t tip, double s) const {
 double Trajectory::gauss(double s0, double s1) const {
   const double half = 0.5 * (s1 - s0);
   double sum = 0.0;
-  for (const auto& [xi, weight] : gauss_points) {
-    sum += weight * half / rate(0.5 * (s0 + s1) + xi * half);
+  for (const auto& [xi, weight] : shape::line_rule(degree)) {
+    sum += weight * half / rate(0.5 * (s0 + s1) + xi[0] * half);
   }
   return sum;
 }

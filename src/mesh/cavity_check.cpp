@@ -72,7 +72,8 @@ bool starts_inside(const Host& host, const Placement& placement, const Cavity& c
       const auto away = [](const Vec2& p) { return p.norm() >= 0.5 * at_mouth; };
       const auto ahead = std::find_if(points.begin(), points.end(), away);
       const auto before = std::find_if(points.rbegin(), points.rend(), away);
-      return angle(*ahead) < 0.0 && angle(*before) > 0.0;
+      // A body that is all near the mouth is smaller than the crack.
+      return ahead != points.end() && angle(*ahead) < 0.0 && angle(*before) > 0.0;
     }
   }
   return false;

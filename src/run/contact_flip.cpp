@@ -84,10 +84,7 @@ std::vector<bool> beside_sharp_ends(const contact::PairRows& pair,
 void add_candidates(const Scene& scene, const StepState& state, std::size_t c,
                     std::vector<Candidate>& found) {
   const contact::PairRows& pair = scene.pairs[c];
-  std::map<base::NodeId, std::size_t> row_of;
-  for (std::size_t r = 0; r < pair.normal.size(); ++r) {
-    row_of.emplace(pair.normal[r].node, r);
-  }
+  const std::map<base::NodeId, std::size_t> row_of = contact::normal_rows(pair);
   std::vector<bool> ends(pair.normal.size(), false);
   const std::vector<bool>& closed = state.pair_closed[c];
   for (const contact::EdgeChain& chain : pair.contact.chains) {

@@ -120,8 +120,8 @@ bool ErrorBars::coarse_contact(const StepState& state, const mesh::Tip& tip) con
       const base::Vec2 middle = contact::point_on(*edge, 0.0);
       return spacing > 0.5 * tip.a && (middle - tip.x.head<2>()).norm() < reach;
     };
-    if (std::ranges::any_of(estimate::edges_of(scene_.pairs[c].contact), near_and_coarse) ||
-        std::ranges::any_of(estimate::edges_of(scene_.pairs[c].target), near_and_coarse)) {
+    if (std::ranges::any_of(contact::edges_of(scene_.pairs[c].contact), near_and_coarse) ||
+        std::ranges::any_of(contact::edges_of(scene_.pairs[c].target), near_and_coarse)) {
       return true;
     }
   }

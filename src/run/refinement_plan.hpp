@@ -11,17 +11,6 @@
 
 namespace spricka::run {
 
-/// Where error bars stand against what $TIPNET TOL asks for.
-struct Shortfall {
-  double ratio = 0.0;       ///< largest bar over what is allowed; at most 1: all are inside
-  double bar = 0.0;         ///< there, over hypot(K1, K2)
-  double wanted = 0.0;      ///< TOL there
-  std::string where;        ///< "K1 of C1, step LOAD, a = 10.8"
-  bool below_floor = false; ///< some TOL is smaller than the floor of its bar: no mesh helps
-  std::string no_bar;       ///< of a tip with TOL: why it has no bar; empty: all have one
-};
-Shortfall shortfall(const model::Model& model, const results::Run& run);
-
 /// What to mesh finer, so that the error bars of K shrink to what is asked for: grows from round to
 /// round, never back (manual, tolerance.1 to 4).
 class RefinementPlan {

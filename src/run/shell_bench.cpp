@@ -103,7 +103,7 @@ ShellResult ShellBench::prepare() {
   }
   bodies_ = std::move(bodies);
   const model::Model& model = parts_.model;
-  fresh_ = std::make_unique<StepSolver>(model, scene_, bodies_, parts_.memory);
+  fresh_ = std::make_unique<StepSolver>(model, scene_, bodies_, parts_.memory, &parts_.contact);
   paths_ = std::make_unique<LoadPaths>(shown_, scene_, bodies_);
   adjoints_ = std::make_unique<Adjoints>(model, scene_, bodies_);
   bars_ = std::make_unique<ErrorBars>(model, scene_);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "run/adjoints.hpp"
+#include "run/contact_memory.hpp"
 #include "run/error_bars.hpp"
 #include "run/load_paths.hpp"
 #include "run/sensitivities.hpp"
@@ -17,6 +18,7 @@ namespace spricka::run {
 struct BenchParts {
   const model::Model& model; ///< its cracks have the lengths wanted
   CondensationCache& cache;
+  ContactMemory& contact;        ///< compliances that lengths share
   MountMemory* memory = nullptr; ///< of what was mounted at the first length; null: none is kept
   bool fills_memory = false;     ///< this is the first length
   int threads = 1;

@@ -172,7 +172,7 @@ void ShellSession::set_lengths_on(model::Model& model) const {
 ShellResult ShellSession::make_bench(bool first, std::unique_ptr<ShellBench>& bench) {
   base::Diagnostics diagnostics;
   ShellResult trouble;
-  bench = ShellBench::make({*model_, *cache_, memory_.get(), first,
+  bench = ShellBench::make({*model_, *cache_, *contact_, memory_.get(), first,
                             options_.threads ? options_.threads(*model_) : 1, options_.stopped},
                            plan_, diagnostics, trouble);
   if (diagnostics.has_errors()) {

@@ -129,6 +129,7 @@ private:
   std::unique_ptr<model::Model> model_; ///< with the lengths and gaps that were set
   RegionPlan plan_;
   std::shared_ptr<CondensationCache> cache_ = std::make_shared<CondensationCache>();
+  std::unique_ptr<ContactMemory> contact_ = std::make_unique<ContactMemory>();
   std::unique_ptr<MountMemory> memory_; ///< where $GROW says MOUNTED=FIRST
   std::unique_ptr<ShellBench> bench_;
   std::size_t base_ = 0;

@@ -3,6 +3,7 @@
 
 #include "base/clock.hpp"
 #include "run/refinement_plan.hpp"
+#include "run/wide_bars.hpp"
 
 #include <algorithm>
 #include <utility>

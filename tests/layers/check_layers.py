@@ -21,7 +21,7 @@ MAY_INCLUDE = {
     "crack": "base shape model mesh fe",
     "estimate": "base shape model mesh fe solve contact crack",
     "life": "base",
-    "growth": "base model mesh fe crack life",
+    "growth": "base shape model mesh fe crack life",
     "results": "base model",
     "report": "base model results",
     "run": "base shape grammar model mesh deck fe solve contact crack estimate life growth results"
