@@ -63,6 +63,8 @@ INSTANTIATE_TEST_SUITE_P(
         Odd{"$CRACK NAME=A NET=P\n 0 5\n -3 5\n", "E425", {"leaves its body", "(0, 5)"}},
         Odd{"$CRACK NAME=A NET=P A0=12 ANGLE=1.5707963\n 4 0\n", "E425", {"a = 12", "(4, 10)"}},
         Odd{"$CRACK NAME=A NET=P\n 4 5\n 4 12\n", "E425", {"leaves its body", "(4, 10)"}},
+        // the whole outline lies where the mouth is
+        Odd{"$CRACK NAME=A NET=P\n 4 0\n 4 50000\n", "E425", {"leaves its body"}},
         Odd{"$CRACK NAME=A NET=P\n 4 0\n 4 10\n", "E423", {"net section is lost"}},
         Odd{"$CRACK NAME=A NET=P\n 0 10\n 3 10\n", "E423", {"runs along the boundary", "PATH"}},
         Odd{"$CRACK NAME=A PATH=FLOOR A0=4\n", "E423", {"not all nodes of PATH are suppressed"}},
