@@ -46,6 +46,10 @@ CondensedBody::CondensedBody(std::vector<std::int32_t> freedom, base::Matrix S,
                              const base::Matrix& modes)
     : freedom_(std::move(freedom)), Q_(orthonormal(modes)), factor_(held(std::move(S), Q_)) {}
 
+CondensedBody::CondensedBody(std::vector<std::int32_t> freedom, solve::FactoredExternals factor)
+    : freedom_(std::move(freedom)), Q_(static_cast<Eigen::Index>(freedom_.size()), 0),
+      factor_(base::Matrix()), layered_(std::move(factor)) {}
+
 base::Matrix CondensedBody::project(base::Matrix F) const {
   if (Q_.cols() > 0) {
     F -= Q_ * (Q_.transpose() * F);
@@ -54,11 +58,21 @@ base::Matrix CondensedBody::project(base::Matrix F) const {
 }
 
 base::Matrix CondensedBody::half_compliance(const base::Matrix& F) const {
-  return factor_.half_solve(project(F));
+  return layered_ ? layered_->L.half_solve(spread(F)) : factor_.half_solve(project(F));
 }
 
 base::Matrix CondensedBody::displacement(const base::Matrix& F) const {
-  return project(factor_.solve(project(F)));
+  if (!layered_) {
+    return project(factor_.solve(project(F)));
+  }
+  const base::Matrix u = layered_->L.solve(spread(F));
+  return u(layered_->row, Eigen::all);
+}
+
+base::Matrix CondensedBody::spread(const base::Matrix& F) const {
+  base::Matrix all = base::Matrix::Zero(layered_->L.size(), F.cols());
+  all(layered_->row, Eigen::all) = F;
+  return all;
 }
 
 ContactSystem::ContactSystem(std::vector<const CondensedBody*> bodies,
@@ -95,6 +109,29 @@ ContactSystem::ContactSystem(std::vector<const CondensedBody*> bodies,
   }
 }
 
+bool ContactSystem::may_last(std::size_t body, std::size_t row) const {
+  const solve::FactoredExternals* factor = bodies_[body]->layered();
+  return factor == nullptr || std::ranges::all_of(rows_[row], [&](const Entry& e) {
+           return e.body != body ||
+                  factor->row[static_cast<std::size_t>(e.at)] < factor->L.early_rows();
+         });
+}
+
+std::vector<std::vector<RowShare>>
+ContactSystem::shares_of(std::size_t body, const std::vector<std::size_t>& list, bool early) const {
+  std::vector<std::vector<RowShare>> out;
+  for (const std::size_t r : list) {
+    std::vector<RowShare>& own = out.emplace_back();
+    for (const Entry& e : rows_[r]) {
+      if (e.body == body) {
+        own.push_back({early ? bodies_[body]->layered()->row[static_cast<std::size_t>(e.at)] : e.at,
+                       e.weight});
+      }
+    }
+  }
+  return out;
+}
+
 void ContactSystem::add_body(std::size_t body, const Lasting& lasting,
                              const std::vector<const ConstraintRow*>& rows) {
   std::vector<std::size_t> stay; // rows of the body that last, and those that do not
@@ -102,26 +139,15 @@ void ContactSystem::add_body(std::size_t body, const Lasting& lasting,
   const bool keeps = body < lasting.kept.size() && lasting.kept[body] != nullptr;
   for (std::size_t r = 0; r < rows_.size(); ++r) {
     if (std::ranges::any_of(rows_[r], [&](const Entry& e) { return e.body == body; })) {
-      (keeps && lasting.row[r] ? stay : move).push_back(r);
+      (keeps && lasting.row[r] && may_last(body, r) ? stay : move).push_back(r);
     }
   }
   // Chains of edges may begin elsewhere at another length.
   std::ranges::stable_sort(
       stay, {}, [&](std::size_t r) { return std::pair(rows[r]->node, rows[r]->tangential); });
-  const auto shares = [&](const std::vector<std::size_t>& list) {
-    std::vector<std::vector<RowShare>> out;
-    for (const std::size_t r : list) {
-      std::vector<RowShare>& own = out.emplace_back();
-      for (const Entry& e : rows_[r]) {
-        if (e.body == body) {
-          own.push_back({e.at, e.weight});
-        }
-      }
-    }
-    return out;
-  };
-  const std::vector<std::vector<RowShare>> moving = shares(move);
+  const std::vector<std::vector<RowShare>> moving = shares_of(body, move, false);
   const CondensedBody& own = *bodies_[body];
+  const solve::FactoredExternals* factor = own.layered();
   const base::Matrix Y = own.half_compliance(as_columns(moving, own.freedom().size()));
   add_compliance(move, move, solve::gram(Y));
   add_modes(body, move, moving);
@@ -129,15 +155,26 @@ void ContactSystem::add_body(std::size_t body, const Lasting& lasting,
     return;
   }
   LastingRows& kept = *lasting.kept[body];
-  std::vector<std::vector<RowShare>> staying = shares(stay);
-  if (kept.rows != staying || kept.Y.rows() != Y.rows()) {
-    kept.Y = own.half_compliance(as_columns(staying, own.freedom().size()));
+  std::vector<std::vector<RowShare>> staying = shares_of(body, stay, factor != nullptr);
+  if (kept.rows != staying) {
+    if (factor != nullptr) {
+      const solve::EarlyRows& early = *factor->L.early();
+      kept.Y = early.half_solve(as_columns(staying, early.early().size()));
+      kept.handed = early.handed(kept.Y);
+    } else {
+      kept.Y = own.half_compliance(as_columns(staying, own.freedom().size()));
+    }
     kept.W = solve::gram(kept.Y);
     kept.rows = std::move(staying);
   }
   add_compliance(stay, stay, kept.W);
   add_modes(body, stay, kept.rows);
-  const base::Matrix between = solve::product(kept.Y, Y);
+  base::Matrix between = solve::product(kept.Y, Y.topRows(kept.Y.rows()));
+  if (factor != nullptr) {
+    const base::Matrix late = factor->L.late_half(kept.handed);
+    add_compliance(stay, stay, solve::gram(late));
+    between += solve::product(late, Y.bottomRows(late.rows()));
+  }
   add_compliance(stay, move, between);
   add_compliance(move, stay, between.transpose());
 }

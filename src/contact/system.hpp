@@ -5,36 +5,47 @@
 #include "solve/contact_qp.hpp"
 #include "solve/dense_cholesky.hpp"
 #include "solve/friction.hpp"
+#include "solve/layered_cholesky.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace spricka::contact {
 
 /// A condensed body as contact sees it: stiffness between its external freedoms, and the rigid
 /// modes that its supports leave free. The pseudo-inverse S+ (zero on the modes) comes from one
-/// dense Cholesky of S + k Q Q^T with k = trace(S)/m, Q the orthonormal modes.
+/// dense Cholesky of S + k Q Q^T with k = trace(S)/m, Q the orthonormal modes. Where no mode is
+/// free S may come as a factor, whose early rows other bodies have in common with this one.
 class CondensedBody {
 public:
   /// freedom [m] (dim * node + c), S [m, m], modes [m, r] any basis of the null space, r may be 0.
   CondensedBody(std::vector<std::int32_t> freedom, base::Matrix S, const base::Matrix& modes);
+  CondensedBody(std::vector<std::int32_t> freedom, solve::FactoredExternals factor);
 
   [[nodiscard]] const std::vector<std::int32_t>& freedom() const { return freedom_; }
   [[nodiscard]] const base::Matrix& modes() const { return Q_; } ///< [m, r] orthonormal
-  [[nodiscard]] bool ok() const { return factor_.ok(); }
-  /// Y [m, k] with Y^T Y = F^T S+ F.
+  [[nodiscard]] bool ok() const { return layered_ ? layered_->L.ok() : factor_.ok(); }
+  /// Of S as a factor, else null.
+  [[nodiscard]] const solve::FactoredExternals* layered() const {
+    return layered_ ? &*layered_ : nullptr;
+  }
+  /// Y [.., k] with Y^T Y = F^T S+ F.
   [[nodiscard]] base::Matrix half_compliance(const base::Matrix& F) const;
   /// S+ F [m, k].
   [[nodiscard]] base::Matrix displacement(const base::Matrix& F) const;
 
 private:
   [[nodiscard]] base::Matrix project(base::Matrix F) const;
+  /// F on the rows of the factor.
+  [[nodiscard]] base::Matrix spread(const base::Matrix& F) const;
 
   std::vector<std::int32_t> freedom_;
   base::Matrix Q_;
   solve::DenseCholesky factor_;
+  std::optional<solve::FactoredExternals> layered_;
 };
 
-/// A row's part in one body: external freedom and weight.
+/// A row's part in one body: external freedom, or early row of its factor, and weight.
 struct RowShare {
   Eigen::Index at = 0;
   double weight = 0.0;
@@ -44,8 +55,9 @@ struct RowShare {
 /// What the compliance of one body has in it of rows that the next crack length has again.
 struct LastingRows {
   std::vector<std::vector<RowShare>> rows; ///< [k] in a canonical order
-  base::Matrix Y;                          ///< [m, k] their half compliance
+  base::Matrix Y;                          ///< [m, k] their half compliance; of early rows only
   base::Matrix W;                          ///< [k, k] Y^T Y
+  base::Matrix handed;                     ///< [late, k] what Y hands down from early rows
 };
 
 /// Which rows those are, and by body what is kept of them, null where nothing may be. The
@@ -107,6 +119,10 @@ public:
 private:
   void add_body(std::size_t body, const Lasting& lasting,
                 const std::vector<const ConstraintRow*>& rows);
+  [[nodiscard]] std::vector<std::vector<RowShare>>
+  shares_of(std::size_t body, const std::vector<std::size_t>& list, bool early) const;
+  /// Whether a row can be among the kept ones of a body.
+  [[nodiscard]] bool may_last(std::size_t body, std::size_t row) const;
   void add_compliance(const std::vector<std::size_t>& r, const std::vector<std::size_t>& c,
                       const base::Matrix& part);
   void add_modes(std::size_t body, const std::vector<std::size_t>& list,

@@ -96,7 +96,7 @@ base::SymmetricCsc assemble_stiffness(const model::Model& model, const model::Me
     }
   });
   for (const Superelement& super : supers) {
-    add_coefficients(super.freedom, dofs, super.stiffness, blocks.of(block_number), K);
+    add_coefficients(super.freedom, dofs, *super.stiffness, blocks.of(block_number), K);
     ++block_number;
   }
   return K;

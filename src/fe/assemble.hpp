@@ -11,8 +11,8 @@ namespace spricka::fe {
 
 /// A condensed net that enters another net's assembly like one big element.
 struct Superelement {
-  std::vector<std::int32_t> freedom; ///< [m] freedoms dim * node + c
-  base::Matrix stiffness;            ///< [m, m]
+  std::vector<std::int32_t> freedom;       ///< [m] freedoms dim * node + c
+  const base::Matrix* stiffness = nullptr; ///< [m, m]
 };
 
 /// The matrix of assemble_stiffness with all values zero; of superelements their freedoms

@@ -28,6 +28,8 @@ struct Task {
   Net* net = nullptr;
   std::vector<fe::Superelement> supers;
   HashKey key;
+  bool layered = false; ///< its externals may stay a factor
+  std::shared_ptr<const solve::EarlyRows> early;
   double stiffness_cpu = 0.0;
 };
 
@@ -50,7 +52,7 @@ void factorise(const CondenseRequest& request, std::vector<Task>& tasks, Condens
     const fe::DofMap& map = task.net->map;
     std::vector<solve::DenseBlock> blocks;
     for (const fe::Superelement& super : task.supers) {
-      blocks.push_back({rows_on(map, super.freedom), &super.stiffness});
+      blocks.push_back({rows_on(map, super.freedom), super.stiffness});
     }
     const bool stacked = keeps_apart(map, blocks);
     base::SymmetricCsc K =
@@ -58,7 +60,8 @@ void factorise(const CondenseRequest& request, std::vector<Task>& tasks, Condens
                                stacked ? std::span<const fe::Superelement>() : task.supers, map);
     task.stiffness_cpu = watch.wall();
     task.net->factor =
-        stacked ? std::make_shared<solve::Condensation>(std::move(K), map.externals(), blocks)
+        stacked ? std::make_shared<solve::Condensation>(std::move(K), map.externals(), blocks,
+                                                        task.layered ? &task.early : nullptr)
                 : std::make_shared<solve::Condensation>(std::move(K), map.externals());
   });
   for (const Task* task : missing) {
@@ -102,7 +105,7 @@ std::string trouble_of(const model::Mesh& mesh, const std::string& body, const N
 fe::Superelement super_of(const Net& part) {
   fe::Superelement super;
   super.freedom.assign(part.map.freedom.begin() + part.map.locals, part.map.freedom.end());
-  super.stiffness = part.factor->schur();
+  super.stiffness = &part.factor->schur();
   return super;
 }
 
@@ -117,6 +120,7 @@ void forget_unused(const std::vector<Task>& parts, const std::vector<Task>& regi
   }
   std::erase_if(cache.nets, [&](const auto& entry) { return !used.contains(entry.first); });
   std::erase_if(cache.bodies, [&](const auto& entry) { return !used.contains(entry.first); });
+  std::erase_if(cache.early, [&](const auto& entry) { return !used.contains(entry.first); });
 }
 
 void condense_loads(const CondenseRequest& request, BodyNet& body) {
@@ -139,6 +143,10 @@ std::vector<std::int64_t> rows_on(const fe::DofMap& map, std::span<const std::in
 
 bool keeps_apart(const fe::DofMap& map, std::span<const solve::DenseBlock> blocks) {
   return !map.ties && solve::stacking_pays(blocks, map.size(), map.externals());
+}
+
+bool may_stay_factor(const BodyNet& body) {
+  return body.parts.size() == 1 && body.free_modes.cols() == 0 && body.region.map.externals() > 0;
 }
 
 BodyLoad condense_load(const BodyNet& body, const fe::Dependence& ties, const base::Matrix& nodal) {
@@ -183,9 +191,14 @@ std::vector<BodyNet> condense_bodies(const CondenseRequest& request, Condensatio
   std::vector<Task> regions;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     for (std::size_t p = 0; p < bodies[b].parts.size(); ++p) {
-      parts.push_back({bodies[b].parts[p].get(), {}, keys[b].parts[p]});
+      Task& part = parts.emplace_back();
+      part.net = bodies[b].parts[p].get();
+      part.key = keys[b].parts[p];
     }
-    regions.push_back({&bodies[b].region, {}, keys[b].region});
+    Task& region = regions.emplace_back();
+    region.net = &bodies[b].region;
+    region.key = keys[b].region;
+    region.layered = may_stay_factor(bodies[b]);
   }
   forget_unused(parts, regions, cache);
 
@@ -202,7 +215,17 @@ std::vector<BodyNet> condense_bodies(const CondenseRequest& request, Condensatio
   if (!log.trouble.empty()) {
     return bodies;
   }
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (regions[b].layered) {
+      regions[b].early = cache.early[keys[b].parts.front()];
+    }
+  }
   factorise(request, regions, cache, log);
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (regions[b].early) {
+      cache.early[keys[b].parts.front()] = regions[b].early;
+    }
+  }
   for (const BodyNet& body : bodies) {
     log.trouble =
         log.trouble.empty() ? trouble_of(request.mesh, body.name, body.region) : log.trouble;
@@ -222,9 +245,15 @@ std::vector<BodyNet> condense_bodies(const CondenseRequest& request, Condensatio
       }
       const std::vector<std::int32_t>& freedom = body.region.map.freedom;
       const auto locals = static_cast<std::size_t>(body.region.map.locals);
+      std::vector<std::int32_t> external(freedom.begin() + body.region.map.locals, freedom.end());
+      if (std::optional<solve::FactoredExternals> factor = body.region.factor->take_factor()) {
+        body.condensed =
+            std::make_shared<contact::CondensedBody>(std::move(external), std::move(*factor));
+        return;
+      }
       body.condensed = std::make_shared<contact::CondensedBody>(
-          std::vector<std::int32_t>(freedom.begin() + body.region.map.locals, freedom.end()),
-          body.region.factor->take_schur(), rows_of(body.free_modes, freedom, locals));
+          std::move(external), body.region.factor->take_schur(),
+          rows_of(body.free_modes, freedom, locals));
     }
   });
   for (std::size_t b = 0; b < bodies.size(); ++b) {

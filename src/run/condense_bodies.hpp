@@ -47,6 +47,7 @@ using HashKey = std::pair<std::uint64_t, std::uint64_t>;
 struct CondensationCache {
   std::map<HashKey, std::shared_ptr<solve::Condensation>> nets;
   std::map<HashKey, std::shared_ptr<const contact::CondensedBody>> bodies;
+  std::map<HashKey, std::shared_ptr<const solve::EarlyRows>> early; ///< by the part they are of
 };
 
 /// Figures for the listing.
@@ -76,6 +77,10 @@ std::vector<BodyNet> prepare_bodies(const CondenseRequest& request);
 std::vector<std::int64_t> rows_on(const fe::DofMap& map, std::span<const std::int32_t> freedom);
 /// Whether the condensed parts of a net stay out of its sparse matrix. Ties need them in it.
 bool keeps_apart(const fe::DofMap& map, std::span<const solve::DenseBlock> blocks);
+
+/// Whether the externals of a body may stay a factor, in which what its one part has for itself is
+/// eliminated first: not where rigid modes are free.
+bool may_stay_factor(const BodyNet& body);
 
 /// What tells a body's nets from others.
 struct NetKeys {

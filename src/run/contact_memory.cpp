@@ -37,16 +37,19 @@ contact::Lasting ContactMemory::lasting(const Scene& scene, const std::vector<Bo
   }
   bodies_.resize(bodies.size());
   for (const std::size_t b : condensed) {
-    // A body with elements of the region is condensed anew for each length.
+    // A body with elements of the region is condensed anew for each length, but for early rows.
     const bool stays = std::ranges::all_of(
         bodies[b].body.elements, [&](base::ElementId e) { return scene.rest_element[e.index()]; });
-    if (!stays) {
+    const solve::FactoredExternals* factor = bodies[b].condensed->layered();
+    if (!stays && factor == nullptr) {
       lasting.kept.push_back(nullptr);
       continue;
     }
+    const std::shared_ptr<const void> of =
+        factor != nullptr ? std::shared_ptr<const void>(factor->L.early()) : bodies[b].condensed;
     std::unique_ptr<Kept>& kept = bodies_[b];
-    if (!kept || kept->body != bodies[b].condensed) {
-      kept = std::make_unique<Kept>(Kept{bodies[b].condensed, {}});
+    if (!kept || kept->of != of) {
+      kept = std::make_unique<Kept>(Kept{of, {}});
     }
     lasting.kept.push_back(&kept->rows);
   }

@@ -34,7 +34,7 @@ public:
 
 private:
   struct Kept {
-    std::shared_ptr<const contact::CondensedBody> body;
+    std::shared_ptr<const void> of; ///< what the rows are kept for: a body, or its early rows
     contact::LastingRows rows;
   };
   using Place = std::array<std::int64_t, 3>; ///< contact, node, which of the node's rows

@@ -88,7 +88,8 @@ const solve::FactorReport& Forecast::report_of(const CondenseRequest& request, c
   }
   base::SymmetricCsc pattern = fe::stiffness_pattern(request.mesh, net.elements, supers, net.map);
   const solve::FactorReport report =
-      apart ? solve::Condensation::forecast(pattern, net.map.externals(), blocks)
+      apart ? solve::Condensation::forecast(pattern, net.map.externals(), blocks,
+                                            may_stay_factor(*body))
             : solve::Condensation::forecast(std::move(pattern), net.map.externals());
   ++needs.condensed;
   needs.unknowns += net.map.freedom.size();

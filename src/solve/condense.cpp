@@ -270,21 +270,23 @@ Condensation::Condensation(base::SymmetricCsc K, std::int64_t externals, Orderin
 }
 
 Condensation::Condensation(base::SymmetricCsc K, std::int64_t externals,
-                           std::span<const DenseBlock> blocks)
+                           std::span<const DenseBlock> blocks,
+                           std::shared_ptr<const EarlyRows>* early)
     : impl_(std::make_unique<Impl>()) {
   blas::single_thread();
   impl_->n = K.n;
   impl_->locals = K.n - externals;
   try {
-    impl_->stacked.emplace(K, externals, blocks, impl_->S, impl_->report);
+    impl_->stacked.emplace(K, externals, blocks, early, impl_->report);
+    impl_->S = std::move(impl_->stacked->top().S);
   } catch (const std::bad_alloc&) {
     impl_->report.status = FactorStatus::out_of_memory;
   }
 }
 
 FactorReport Condensation::forecast(const base::SymmetricCsc& pattern, std::int64_t externals,
-                                    std::span<const DenseBlock> blocks) {
-  return Stacked::forecast(pattern, externals, blocks);
+                                    std::span<const DenseBlock> blocks, bool early) {
+  return Stacked::forecast(pattern, externals, blocks, early);
 }
 
 FactorReport Condensation::forecast(base::SymmetricCsc pattern, std::int64_t externals,
@@ -318,6 +320,10 @@ const base::Matrix& Condensation::schur() const {
 
 base::Matrix Condensation::take_schur() {
   return std::exchange(impl_->S, base::Matrix());
+}
+
+std::optional<FactoredExternals> Condensation::take_factor() {
+  return impl_->stacked ? std::exchange(impl_->stacked->top().factor, std::nullopt) : std::nullopt;
 }
 
 base::Matrix Condensation::condense_load(const base::Matrix& f) const {

@@ -2,10 +2,12 @@
 #pragma once
 #include "base/sparse.hpp"
 #include "base/vec.hpp"
+#include "solve/layered_cholesky.hpp"
 #include "solve/ordering.hpp"
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -51,10 +53,13 @@ public:
   /// matrix of this pattern (values are not looked at).
   static FactorReport forecast(base::SymmetricCsc pattern, std::int64_t externals,
                                Ordering ordering = Ordering::automatic);
-  /// With dense blocks on top of K, which has a row, if an empty one, for each of theirs.
-  Condensation(base::SymmetricCsc K, std::int64_t externals, std::span<const DenseBlock> blocks);
+  /// With dense blocks on top of K, which has a row, if an empty one, for each of theirs. With
+  /// `early` S may be given as a factor: what it needs of the one block is taken from there or left
+  /// there for the next matrix with the same block.
+  Condensation(base::SymmetricCsc K, std::int64_t externals, std::span<const DenseBlock> blocks,
+               std::shared_ptr<const EarlyRows>* early = nullptr);
   static FactorReport forecast(const base::SymmetricCsc& pattern, std::int64_t externals,
-                               std::span<const DenseBlock> blocks);
+                               std::span<const DenseBlock> blocks, bool early = false);
   ~Condensation();
   Condensation(Condensation&&) noexcept;
   Condensation& operator=(Condensation&&) noexcept;
@@ -64,6 +69,8 @@ public:
   [[nodiscard]] const base::Matrix& schur() const;
   /// Hands S over to who needs it last; schur() is empty from then on.
   [[nodiscard]] base::Matrix take_schur();
+  /// The factor that stands in its place, if one does.
+  [[nodiscard]] std::optional<FactoredExternals> take_factor();
   /// Loads f [n, k] -> condensed loads f_e - K_el K_ll^-1 f_l [externals, k].
   [[nodiscard]] base::Matrix condense_load(const base::Matrix& f) const;
   /// All unknowns [n, k] from external displacements [externals, k] and the loads f [n, k].

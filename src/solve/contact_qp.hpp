@@ -40,7 +40,7 @@ struct ContactSolution {
   std::vector<int> basis;   ///< independent rows that hold all felt modes: closed, or at rest
   base::Vector unheld;      ///< [m] direction of the mode that is not held, else empty
   int resting_modes = 0;    ///< motions that no row stops and nothing loads
-  double left_over = 0.0;   ///< load on them over the load scale, at most 1e-6
+  double left_over = 0.0;   ///< load on them over the load scale, at most resting_load
   int redundant = 0;        ///< rows left out because others say the same
   int block_iterations = 0;
   int pivots = 0;        ///< of the finite fallback

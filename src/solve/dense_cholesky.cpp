@@ -26,11 +26,14 @@ base::Matrix DenseCholesky::half_solve(base::Matrix B) const {
   return B;
 }
 
-base::Matrix DenseCholesky::solve(base::Matrix B) const {
+base::Matrix DenseCholesky::half_solve_transposed(base::Matrix B) const {
   const int n = count(L_.rows());
-  B = half_solve(std::move(B));
   blas::solve_lower(n, count(B.cols()), blas::Form::transposed, {L_.data(), n}, {B.data(), n});
   return B;
+}
+
+base::Matrix DenseCholesky::solve(base::Matrix B) const {
+  return half_solve_transposed(half_solve(std::move(B)));
 }
 
 base::Matrix gram(const base::Matrix& Y) {

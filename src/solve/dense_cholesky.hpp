@@ -14,6 +14,8 @@ public:
   [[nodiscard]] Eigen::Index size() const { return L_.rows(); }
   /// L^-1 B [n, k].
   [[nodiscard]] base::Matrix half_solve(base::Matrix B) const;
+  /// L^-T B [n, k].
+  [[nodiscard]] base::Matrix half_solve_transposed(base::Matrix B) const;
   /// A^-1 B [n, k].
   [[nodiscard]] base::Matrix solve(base::Matrix B) const;
 

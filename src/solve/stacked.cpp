@@ -16,6 +16,19 @@ std::size_t at(std::int64_t i) {
   return static_cast<std::size_t>(i);
 }
 
+// Externals that only the block has must be this part of the top to be worth a floor of their own.
+constexpr double least_early = 0.25;
+
+/// Places in `top`, -1: none, of a block's rows.
+std::vector<Eigen::Index> places(const DenseBlock& b, const std::vector<std::int64_t>& top) {
+  std::vector<Eigen::Index> place;
+  place.reserve(b.rows.size());
+  for (const std::int64_t row : b.rows) {
+    place.push_back(row < 0 ? -1 : std::ranges::lower_bound(top, row) - top.begin());
+  }
+  return place;
+}
+
 blas::Block block(base::Matrix& A) {
   return {A.data(), static_cast<int>(A.rows())};
 }
@@ -123,30 +136,70 @@ base::SymmetricCsc Stacked::sparse_part(const base::SymmetricCsc& K, const Rows&
   return A;
 }
 
+void Stacked::find_early(std::span<const DenseBlock> blocks, Rows& rows) {
+  if (blocks.size() != 1) {
+    return;
+  }
+  std::vector<bool> only(rows.top.size(), false);
+  for (const Eigen::Index t : places(blocks.front(), rows.top)) {
+    if (t >= rows.inner()) {
+      only[at(t)] = true;
+    }
+  }
+  for (const Eigen::Index t : rows.touched) {
+    only[at(t)] = false;
+  }
+  for (std::size_t t = 0; t < only.size(); ++t) {
+    if (only[t]) {
+      rows.early.push_back(static_cast<Eigen::Index>(t));
+    }
+  }
+  if (static_cast<double>(rows.early.size()) < least_early * static_cast<double>(only.size())) {
+    rows.early.clear();
+  }
+}
+
 void Stacked::add_top(const Rows& rows, FactorReport& report) {
   const auto i = static_cast<double>(rows.inner());
   const auto e = static_cast<double>(rows.external);
-  report.flops += i * i * i / 3.0 + i * i * e + i * e * e;
+  const auto b = static_cast<double>(rows.early.size());
+  const double l = i + e - b;
+  report.flops += i * i * i / 3.0;
   report.factor_entries += 0.5 * i * i + i * e;
   report.kept_memory += 8.0 * (i * i + i * e);
-  // the full matrix of the top, and the parts of it that are worked on
-  report.memory += 8.0 * ((i + e) * (i + e) + i * i + i * e + e * e);
+  report.memory += 8.0 * (2.0 * i * i + i * e);
+  if (rows.early.empty()) {
+    report.flops += i * i * e + i * e * e;
+    report.memory += 8.0 * (i * e + 2.0 * e * e);
+  } else { // the early rows as if for the first time
+    report.flops += b * b * b / 3.0 + b * b * l + b * l * l + l * l * l / 3.0;
+    report.factor_entries += 0.5 * b * b + b * l + 0.5 * l * l;
+    report.kept_memory += 8.0 * (b * b + b * l + l * l);
+    report.memory += 8.0 * (b * b + b * l + 2.0 * l * l);
+  }
 }
 
 FactorReport Stacked::forecast(const base::SymmetricCsc& K, std::int64_t externals,
-                               std::span<const DenseBlock> blocks) {
-  const Rows rows = divide(K, externals, blocks);
+                               std::span<const DenseBlock> blocks, bool early) {
+  Rows rows = divide(K, externals, blocks);
   FactorReport report =
       Condensation::forecast(sparse_part(K, rows), static_cast<std::int64_t>(rows.touched.size()));
+  if (early) {
+    find_early(blocks, rows);
+  }
   add_top(rows, report);
   return report;
 }
 
 Stacked::Stacked(const base::SymmetricCsc& K, std::int64_t externals,
-                 std::span<const DenseBlock> blocks, base::Matrix& S, FactorReport& report)
+                 std::span<const DenseBlock> blocks, std::shared_ptr<const EarlyRows>* early,
+                 FactorReport& report)
     : rows_(divide(K, externals, blocks)) {
   below_.emplace(sparse_part(K, rows_), static_cast<std::int64_t>(rows_.touched.size()));
   report = below_->report();
+  if (early != nullptr) {
+    find_early(blocks, rows_);
+  }
   add_top(rows_, report);
   if (report.status != FactorStatus::ok) {
     if (report.failed_row >= 0) {
@@ -155,40 +208,113 @@ Stacked::Stacked(const base::SymmetricCsc& K, std::int64_t externals,
     return;
   }
   const double started = thread_cpu();
-  const auto size = static_cast<Eigen::Index>(rows_.top.size());
-  base::Matrix D = base::Matrix::Zero(size, size);
-  const auto add = [&D](const std::vector<Eigen::Index>& place, const base::Matrix& part) {
-    for (std::size_t c = 0; c < place.size(); ++c) {
-      for (std::size_t r = 0; r < place.size() && place[c] >= 0; ++r) {
-        if (place[r] >= 0) {
-          D(place[r], place[c]) += part(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c));
+  const base::Matrix touched = below_->take_schur();
+  Parts parts = assemble(K, blocks, touched);
+  if (!rows_.early.empty() && !stand_on(blocks.front(), *early, parts)) {
+    rows_.early.clear();
+    parts = assemble(K, blocks, touched);
+  }
+  eliminate(std::move(parts), report);
+  report.numeric_cpu += thread_cpu() - started;
+}
+
+Stacked::Parts Stacked::assemble(const base::SymmetricCsc& K, std::span<const DenseBlock> blocks,
+                                 const base::Matrix& touched) const {
+  const Eigen::Index inner = rows_.inner();
+  const bool layered = !rows_.early.empty();
+  Parts parts;
+  Eigen::Index rest = 0;
+  for (std::size_t t = 0; t < rows_.top.size(); ++t) {
+    const auto k = static_cast<Eigen::Index>(t);
+    const bool in = layered ? !std::ranges::binary_search(rows_.early, k) : k >= inner;
+    parts.place.push_back(in ? rest++ : -1);
+  }
+  parts.inner = base::Matrix::Zero(inner, inner);
+  parts.coupling = base::Matrix::Zero(inner, rows_.external);
+  parts.rest = base::Matrix::Zero(rest, rest);
+  const auto add = [&](const std::vector<Eigen::Index>& top, const auto& part, bool to_rest) {
+    for (std::size_t c = 0; c < top.size(); ++c) {
+      const auto from = static_cast<Eigen::Index>(c);
+      if (top[c] < 0) {
+        continue;
+      }
+      auto first = top[c] < inner ? parts.inner.col(top[c]) : parts.coupling.col(top[c] - inner);
+      const Eigen::Index column = to_rest ? parts.place[at(top[c])] : -1;
+      for (std::size_t r = 0; r < top.size(); ++r) {
+        if (top[r] < 0) {
+          continue;
+        }
+        const double value = part(static_cast<Eigen::Index>(r), from);
+        if (top[r] < inner) {
+          first[top[r]] += value;
+        }
+        if (column >= 0 && parts.place[at(top[r])] >= 0) {
+          parts.rest(parts.place[at(top[r])], column) += value;
         }
       }
     }
   };
-  add(rows_.touched, below_->take_schur());
+  add(rows_.touched, touched, true);
   for (std::size_t i = 0; i < rows_.top.size(); ++i) {
-    if (!std::ranges::binary_search(rows_.touched, static_cast<Eigen::Index>(i))) {
-      const auto k = static_cast<Eigen::Index>(i);
-      D(k, k) += K.value[at(K.start[at(rows_.top[i])])];
+    const auto k = static_cast<Eigen::Index>(i);
+    if (!std::ranges::binary_search(rows_.touched, k)) {
+      add({k}, base::Matrix::Constant(1, 1, K.value[at(K.start[at(rows_.top[i])])]), true);
     }
   }
   for (const DenseBlock& b : blocks) {
-    std::vector<Eigen::Index> place;
-    for (const std::int64_t row : b.rows) {
-      place.push_back(row < 0 ? -1 : std::ranges::lower_bound(rows_.top, row) - rows_.top.begin());
-    }
-    add(place, *b.stiffness);
+    add(places(b, rows_.top), *b.stiffness, !layered);
   }
-  eliminate(D, S, report);
-  report.numeric_cpu += thread_cpu() - started;
+  return parts;
 }
 
-bool Stacked::eliminate(const base::Matrix& D, base::Matrix& S, FactorReport& report) {
+bool Stacked::stand_on(const DenseBlock& block, std::shared_ptr<const EarlyRows>& early,
+                       Parts& parts) {
+  const std::vector<Eigen::Index> top = places(block, rows_.top);
+  EarlyRows::List first;
+  EarlyRows::List late;
+  EarlyRows::List place;              // of the late ones among the rest
+  std::vector<Eigen::Index> row(top); // by place on top: in the layered factor
+  row.assign(rows_.top.size(), -1);
+  for (std::size_t r = 0; r < top.size(); ++r) {
+    if (top[r] < 0) {
+      continue;
+    }
+    const auto k = static_cast<Eigen::Index>(r);
+    if (parts.place[at(top[r])] < 0) {
+      row[at(top[r])] = static_cast<Eigen::Index>(first.size());
+      first.push_back(k);
+    } else {
+      late.push_back(k);
+      place.push_back(parts.place[at(top[r])]);
+    }
+  }
+  if (!early || early->early() != first || early->late() != late) {
+    early = std::make_shared<const EarlyRows>(*block.stiffness, std::move(first), std::move(late));
+  }
+  if (!early->ok()) {
+    return false; // the block alone does not hold its rows
+  }
+  const base::Matrix& left = early->left();
+  for (std::size_t c = 0; c < place.size(); ++c) {
+    for (std::size_t r = 0; r < place.size(); ++r) {
+      parts.rest(place[r], place[c]) +=
+          left(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c));
+    }
+  }
+  const auto firsts = static_cast<Eigen::Index>(early->early().size());
+  std::vector<Eigen::Index> externals;
+  for (std::size_t t = at(rows_.inner()); t < row.size(); ++t) {
+    externals.push_back(row[t] >= 0 ? row[t] : firsts + parts.place[t]);
+  }
+  top_.factor.emplace(FactoredExternals{
+      LayeredCholesky(early, std::move(place), std::move(parts.rest)), std::move(externals)});
+  return true;
+}
+
+bool Stacked::eliminate(Parts parts, FactorReport& report) {
   const Eigen::Index inner = rows_.inner();
   const int i = static_cast<int>(inner);
-  const int e = static_cast<int>(rows_.external);
-  L_ = D.topLeftCorner(inner, inner);
+  L_ = parts.inner;
   const auto refuse = [&](Eigen::Index row) {
     report.status = FactorStatus::not_positive_definite;
     report.failed_row = rows_.top[at(row)];
@@ -196,19 +322,28 @@ bool Stacked::eliminate(const base::Matrix& D, base::Matrix& S, FactorReport& re
   };
   if (i > 0 && !blas::cholesky(i, block(L_))) {
     report.smallest_pivot = 0.0;
-    return refuse(first_bad_pivot(D.topLeftCorner(inner, inner)));
+    return refuse(first_bad_pivot(std::move(parts.inner)));
   }
   for (Eigen::Index k = 0; k < inner; ++k) {
-    const double ratio = L_(k, k) * L_(k, k) / D(k, k);
+    const double ratio = L_(k, k) * L_(k, k) / parts.inner(k, k);
     report.smallest_pivot = std::min(report.smallest_pivot, ratio);
-    if (!(ratio > smallest_allowed_pivot(static_cast<std::int64_t>(D.rows())))) {
+    if (!(ratio > smallest_allowed_pivot(static_cast<std::int64_t>(rows_.top.size())))) {
       return refuse(k);
     }
   }
-  X_ = D.topRightCorner(inner, rows_.external);
-  blas::solve_lower(i, e, blas::Form::plain, block(std::as_const(L_)), block(X_));
-  S = D.bottomRightCorner(rows_.external, rows_.external) - gram(X_);
+  coupling_ = std::move(parts.coupling);
+  if (!top_.factor) {
+    base::Matrix X = coupling_;
+    blas::solve_lower(i, static_cast<int>(rows_.external), blas::Form::plain,
+                      block(std::as_const(L_)), block(X));
+    top_.S = std::move(parts.rest) - gram(X);
+  }
   return true;
+}
+
+void Stacked::solve_inner(base::Matrix& g, bool transposed) const {
+  blas::solve_lower(static_cast<int>(rows_.inner()), static_cast<int>(g.cols()),
+                    transposed ? blas::Form::transposed : blas::Form::plain, block(L_), block(g));
 }
 
 // Loads of the sparse matrix: f of the rows below; what acts on top stays there.
@@ -222,7 +357,7 @@ base::Matrix Stacked::below(const base::Matrix& f) const {
   return out;
 }
 
-// f on top with what the rows below hand over; the inner part multiplied by L^-1.
+// f on top with what the rows below hand over.
 base::Matrix Stacked::on_top(const base::Matrix& f, const base::Matrix& f_below) const {
   base::Matrix g(static_cast<Eigen::Index>(rows_.top.size()), f.cols());
   for (Eigen::Index i = 0; i < g.rows(); ++i) {
@@ -232,14 +367,14 @@ base::Matrix Stacked::on_top(const base::Matrix& f, const base::Matrix& f_below)
   for (std::size_t t = 0; t < rows_.touched.size(); ++t) {
     g.row(rows_.touched[t]) += handed.row(static_cast<Eigen::Index>(t));
   }
-  blas::solve_lower(static_cast<int>(rows_.inner()), static_cast<int>(g.cols()), blas::Form::plain,
-                    block(L_), block(g));
   return g;
 }
 
 base::Matrix Stacked::condense_load(const base::Matrix& f) const {
-  const base::Matrix g = on_top(f, below(f));
-  return g.bottomRows(rows_.external) - X_.transpose() * g.topRows(rows_.inner());
+  base::Matrix g = on_top(f, below(f));
+  solve_inner(g, false);
+  solve_inner(g, true);
+  return g.bottomRows(rows_.external) - coupling_.transpose() * g.topRows(rows_.inner());
 }
 
 base::Matrix Stacked::recover(const base::Matrix& u_external, const base::Matrix& f) const {
@@ -247,10 +382,10 @@ base::Matrix Stacked::recover(const base::Matrix& u_external, const base::Matrix
   base::Matrix g = on_top(f, f_below);
   if (rows_.external > 0) {
     g.bottomRows(rows_.external) = u_external;
-    g.topRows(rows_.inner()) -= X_ * u_external;
+    g.topRows(rows_.inner()) -= coupling_ * u_external;
   }
-  blas::solve_lower(static_cast<int>(rows_.inner()), static_cast<int>(g.cols()),
-                    blas::Form::transposed, block(L_), block(g));
+  solve_inner(g, false);
+  solve_inner(g, true);
   base::Matrix u_touched(static_cast<Eigen::Index>(rows_.touched.size()), f.cols());
   for (std::size_t t = 0; t < rows_.touched.size(); ++t) {
     u_touched.row(static_cast<Eigen::Index>(t)) = g.row(rows_.touched[t]);

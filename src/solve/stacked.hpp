@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "solve/condense.hpp"
+#include "solve/layered_cholesky.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -13,15 +15,24 @@ namespace spricka::solve {
 /// dense blocks have too and to the externals it touches; on top, these rows and the blocks in one
 /// full matrix, of which those that are not external are eliminated. What a crack leaves alone, one
 /// large block, passes through no sparse matrix.
+///
+/// With `early` the externals that only the block has are eliminated too, first of all and once for
+/// all matrices that stand on the same block: S is not formed, its factor takes its place.
 class Stacked {
 public:
   /// The symbolic phase alone, as Condensation::forecast.
   static FactorReport forecast(const base::SymmetricCsc& K, std::int64_t externals,
-                               std::span<const DenseBlock> blocks);
-  /// K as Condensation takes it, without the blocks; S [externals, externals] and the report are
-  /// written.
+                               std::span<const DenseBlock> blocks, bool early);
+  /// What condensation leaves of the externals: S [externals, externals], or its factor.
+  struct Top {
+    base::Matrix S;
+    std::optional<FactoredExternals> factor;
+  };
+  /// K as Condensation takes it, without the blocks; the report is written. `early`: rows
+  /// eliminated before, or none yet; null: S is wanted.
   Stacked(const base::SymmetricCsc& K, std::int64_t externals, std::span<const DenseBlock> blocks,
-          base::Matrix& S, FactorReport& report);
+          std::shared_ptr<const EarlyRows>* early, FactorReport& report);
+  [[nodiscard]] Top& top() { return top_; }
 
   /// As those of Condensation.
   [[nodiscard]] base::Matrix condense_load(const base::Matrix& f) const;
@@ -36,19 +47,36 @@ private:
       return static_cast<Eigen::Index>(top.size()) - external;
     }
     Eigen::Index external = 0;
+    std::vector<Eigen::Index> early; ///< places in `top` of externals that only the block has
+  };
+  /// The full matrix of the top in parts: rows that are eliminated, their coupling with the
+  /// externals, and the externals or, where some are early, all rows that are not.
+  struct Parts {
+    base::Matrix inner, coupling, rest;
+    std::vector<Eigen::Index> place; ///< by place on top: among the rest, -1: not in it
   };
   static Rows divide(const base::SymmetricCsc& K, std::int64_t externals,
                      std::span<const DenseBlock> blocks);
   static base::SymmetricCsc sparse_part(const base::SymmetricCsc& K, const Rows& rows);
   static void add_top(const Rows& rows, FactorReport& report);
-  bool eliminate(const base::Matrix& D, base::Matrix& S, FactorReport& report);
+  /// Externals that only the one block has, if they are worth it.
+  static void find_early(std::span<const DenseBlock> blocks, Rows& rows);
+  /// `touched`: what the rows below leave of those they touch.
+  [[nodiscard]] Parts assemble(const base::SymmetricCsc& K, std::span<const DenseBlock> blocks,
+                               const base::Matrix& touched) const;
+  /// Eliminates the early rows, if `early` has not got them; false: the block does not hold them.
+  bool stand_on(const DenseBlock& block, std::shared_ptr<const EarlyRows>& early, Parts& parts);
+  bool eliminate(Parts parts, FactorReport& report);
+  /// The inner rows of g [top, k] <- L^-1 or L^-T times them.
+  void solve_inner(base::Matrix& g, bool transposed) const;
   [[nodiscard]] base::Matrix below(const base::Matrix& f) const;
   [[nodiscard]] base::Matrix on_top(const base::Matrix& f, const base::Matrix& f_below) const;
 
   Rows rows_;
+  Top top_;
   std::optional<Condensation> below_;
-  base::Matrix L_; ///< [inner, inner] Cholesky factor of the rows eliminated on top
-  base::Matrix X_; ///< [inner, externals] L^-1 times their coupling with the externals
+  base::Matrix L_;        ///< [inner, inner] Cholesky factor of the rows eliminated on top
+  base::Matrix coupling_; ///< [inner, externals] of them with the externals
 };
 
 } // namespace spricka::solve

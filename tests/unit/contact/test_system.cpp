@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <random>
 
 #include <Eigen/LU>
@@ -102,6 +103,54 @@ TEST(ContactSystem, LastingRowsChangeNoBit) {
   const contact::ContactSystem other({&body}, all, 2, 8, lasting);
   const contact::ContactSystem other_plain({&body}, all, 2, 8);
   EXPECT_LT((other.W() - other_plain.W()).norm(), 1e-13 * other_plain.W().norm());
+}
+
+// A body that comes as a factor: rows on its early rows last although the body does not.
+TEST(ContactSystem, RowsOnEarlyRowsLastFromBodyToBody) {
+  std::mt19937 random(17);
+  std::uniform_real_distribution<double> value(-1.0, 1.0);
+  const auto positive = [&](Eigen::Index n) {
+    const base::Matrix A = base::Matrix::NullaryExpr(n, n + 4, [&] { return value(random); });
+    return base::Matrix(A * A.transpose());
+  };
+  // A block of 4 early and 2 late rows; the late ones lie in the body's own matrix of 6 rows, of
+  // which the last 4 are external.
+  const base::Matrix block = positive(6);
+  const auto early = std::make_shared<const solve::EarlyRows>(
+      block, std::vector<Eigen::Index>{0, 1, 2, 3}, std::vector<Eigen::Index>{4, 5});
+  std::vector<contact::ConstraintRow> rows(4);
+  std::vector<const contact::ConstraintRow*> all;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    rows[r].node = base::NodeId(r);
+    rows[r].entries = {{base::NodeId(r), {value(random), value(random), 0.0}}};
+    all.push_back(&rows[r]);
+  }
+  contact::LastingRows kept;
+  for (int length = 0; length < 3; ++length) {
+    const base::Matrix own = positive(6);
+    base::Matrix whole = base::Matrix::Zero(10, 10);
+    whole.bottomRightCorner(6, 6) = own;
+    whole.topLeftCorner(6, 6) += block;
+    base::Matrix D = own;
+    D.topLeftCorner(2, 2) += early->left();
+    const std::vector<Eigen::Index> row{0, 1, 2, 3, 6, 7, 8, 9};
+    const contact::CondensedBody body({0, 1, 2, 3, 4, 5, 6, 7},
+                                      {solve::LayeredCholesky(early, {0, 1}, D), row});
+    ASSERT_TRUE(body.ok());
+    const base::Matrix S = base::Matrix(whole.inverse()(row, row)).inverse();
+    const contact::CondensedBody plain_body({0, 1, 2, 3, 4, 5, 6, 7}, S, base::Matrix(8, 0));
+    const contact::ContactSystem plain({&plain_body}, all, 2, 8);
+    const contact::ContactSystem kept_rows({&body}, all, 2, 8,
+                                           {{true, true, true, false}, {&kept}});
+    EXPECT_EQ(kept.rows.size(), 2U); // row 2 would last, but its freedoms are not early
+    EXPECT_LT((kept_rows.W() - plain.W()).norm(), 1e-11 * plain.W().norm());
+    contact::LastingRows none;
+    const contact::ContactSystem anew({&body}, all, 2, 8, {{true, true, true, false}, {&none}});
+    EXPECT_EQ((kept_rows.W() - anew.W()).cwiseAbs().maxCoeff(), 0.0);
+    const base::Matrix F = base::Matrix::NullaryExpr(8, 2, [&] { return value(random); });
+    const base::Matrix u = plain_body.displacement(F);
+    EXPECT_LT((body.displacement(F) - u).norm(), 1e-11 * u.norm());
+  }
 }
 
 // Three springs in a row between walls, pairs between them: a pivot is the compliance of a row as

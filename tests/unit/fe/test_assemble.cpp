@@ -115,13 +115,14 @@ TEST_F(Assembly, adds_superelements_and_drops_their_held_freedoms) {
   // The first three elements as one dense block over all freedoms of the mesh, in falling order.
   Superelement super;
   const auto n = static_cast<Eigen::Index>(dofs.row.size());
-  super.stiffness = Matrix::Zero(n, n);
+  Matrix S = Matrix::Zero(n, n);
+  super.stiffness = &S;
   const std::vector<base::ElementId> first{elements.begin(), elements.begin() + 3};
   for (Eigen::Index j = 0; j < n; ++j) {
     super.freedom.push_back(static_cast<std::int32_t>(n - 1 - j));
     Vector r = Vector::Zero(n);
     add_internal_force(model, model.mesh, first, Vector::Unit(n, n - 1 - j), r);
-    super.stiffness.col(j) = r.reverse();
+    S.col(j) = r.reverse();
   }
   const std::vector<Superelement> supers{super};
   const Matrix expected = dense(assemble_stiffness(model, model.mesh, elements, {}, dofs));

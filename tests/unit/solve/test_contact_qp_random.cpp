@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "qp_problems.hpp"
+#include "solve/held_problem.hpp"
+#include "solve/mode_split.hpp"
 
 #include <cstdio>
 #include <cstdlib>
@@ -169,6 +171,18 @@ void check_against(const ContactProblem& plain, const ContactSolution& reference
   }
 }
 
+/// The problem without what little of the load acts on motions that no row feels, and is told.
+ContactProblem without_left_over(ContactProblem p, const ContactSolution& s) {
+  const Vector rest = p.h + p.B.transpose() * s.lambda;
+  const double told = s.left_over * load_scale(p);
+  if (s.left_over > 0.0 &&
+      rest.norm() <= 1.01 * std::sqrt(static_cast<double>(p.h.size())) * told) {
+    EXPECT_LE(s.left_over, resting_load);
+    p.h -= rest;
+  }
+  return p;
+}
+
 TEST(ContactQp, RandomProblemsAgreeWithEnumeration) {
   const int tries = std::getenv("SPRICKA_FULL") == nullptr ? 1000 : 10000;
   int solved = 0;
@@ -186,7 +200,7 @@ TEST(ContactQp, RandomProblemsAgreeWithEnumeration) {
     const ContactSolution s = solve(p);
     if (!reference) {
       if (s.status == ContactStatus::solved) { // nearly parallel rows: forces of 1e10 can be right
-        EXPECT_LT(violation(p, s, length * area), 1e-9);
+        EXPECT_LT(violation(without_left_over(p, s), s, length * area), 1e-9) << s.left_over;
       }
       EXPECT_NE(s.status, ContactStatus::max_iterations);
       if (s.status == ContactStatus::unheld_mode) {

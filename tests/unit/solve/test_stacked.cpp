@@ -3,7 +3,10 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <cstdint>
 #include <gtest/gtest.h>
+#include <memory>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -79,6 +82,63 @@ TEST(Stacked, IsTheDenseEliminationOfTheSum) {
     EXPECT_EQ(told.flops, c.report().flops);
     EXPECT_EQ(told.memory, c.report().memory);
   }
+}
+
+// The factor that stands in for S, its early rows kept from one matrix for the next.
+TEST(Stacked, EarlyRowsAreEliminatedOnceForAll) {
+  constexpr std::int64_t e = 9;
+  std::shared_ptr<const EarlyRows> kept;
+  const EarlyRows* first = nullptr;
+  for (const double ground : {0.1, 0.7}) {
+    const Sum sum = chain_and_block(ground);
+    const std::vector<DenseBlock> blocks{{sum.rows, &sum.block}};
+    Condensation c(sum.K, e, blocks, &kept);
+    ASSERT_EQ(c.report().status, FactorStatus::ok);
+    EXPECT_EQ(c.schur().size(), 0);
+    const std::optional<FactoredExternals> own = c.take_factor();
+    ASSERT_TRUE(own && own->L.ok());
+    EXPECT_EQ(own->L.early_rows(), 6); // rows 30 to 35
+    first = first == nullptr ? kept.get() : first;
+    EXPECT_EQ(own->L.early().get(), first);
+    // S^-1 F, as the elimination of the whole gives it
+    const Matrix F = Matrix::Random(e, 3);
+    Matrix f = Matrix::Zero(sum.K.n, 3);
+    f.bottomRows(e) = F;
+    const Matrix u = sum.whole.llt().solve(f);
+    Matrix g = Matrix::Zero(own->L.size(), 3);
+    g(own->row, Eigen::all) = F;
+    EXPECT_LE((own->L.solve(g)(own->row, Eigen::all) - u.bottomRows(e)).norm(), 1e-10 * u.norm());
+    const Matrix Y = own->L.half_solve(g);
+    EXPECT_LE((Y.transpose() * Y - F.transpose() * u.bottomRows(e)).norm(), 1e-10 * u.norm());
+    // loads condensed and displacements recovered as ever
+    const Condensation plain(sum.K, e, blocks);
+    const Matrix load = Matrix::Random(sum.K.n, 2);
+    EXPECT_LE((c.condense_load(load) - plain.condense_load(load)).norm(), 1e-12 * load.norm());
+    const Matrix all = plain.recover(F.leftCols(2), load);
+    EXPECT_LE((c.recover(F.leftCols(2), load) - all).norm(), 1e-12 * all.norm());
+    // made anew: the same bits
+    std::shared_ptr<const EarlyRows> none;
+    Condensation anew(sum.K, e, blocks, &none);
+    EXPECT_EQ((anew.take_factor()->L.half_solve(g) - Y).cwiseAbs().maxCoeff(), 0.0);
+    const FactorReport told = Condensation::forecast(sum.K, e, blocks, true);
+    EXPECT_EQ(told.flops, c.report().flops);
+    EXPECT_EQ(told.memory, c.report().memory);
+  }
+}
+
+// Early rows that only the rest of the body would hold: S as ever.
+TEST(Stacked, ABlockThatDoesNotHoldItsRowsGivesS) {
+  Sum sum = chain_and_block(0.1);
+  const auto weak = static_cast<Eigen::Index>(sum.rows.size()) - 1; // row 35 hangs on nothing
+  sum.block.row(weak).setZero();
+  sum.block.col(weak).setZero();
+  const std::vector<DenseBlock> blocks{{sum.rows, &sum.block}};
+  std::shared_ptr<const EarlyRows> kept;
+  Condensation c(sum.K, 9, blocks, &kept);
+  ASSERT_EQ(c.report().status, FactorStatus::ok);
+  EXPECT_FALSE(c.take_factor());
+  const Condensation plain(sum.K, 9, blocks);
+  EXPECT_EQ((c.schur() - plain.schur()).cwiseAbs().maxCoeff(), 0.0);
 }
 
 TEST(Stacked, ABlockThatHoldsNothingIsNamed) {

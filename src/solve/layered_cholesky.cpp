@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/layered_cholesky.hpp"
+
+#include <utility>
+
+namespace spricka::solve {
+
+EarlyRows::EarlyRows(const base::Matrix& A, List early, List late)
+    : early_(std::move(early)), late_(std::move(late)), L_(A(early_, early_)),
+      X_(A(early_, late_)) {
+  if (L_.ok()) {
+    X_ = L_.half_solve(std::move(X_));
+    left_ = A(late_, late_) - gram(X_);
+  }
+}
+
+base::Matrix EarlyRows::half_solve(base::Matrix B) const {
+  return L_.half_solve(std::move(B));
+}
+
+base::Matrix EarlyRows::handed(const base::Matrix& Y) const {
+  return product(X_, Y);
+}
+
+base::Matrix EarlyRows::finish(base::Matrix Y, const base::Matrix& U) const {
+  Y.noalias() -= X_ * U;
+  return L_.half_solve_transposed(std::move(Y));
+}
+
+LayeredCholesky::LayeredCholesky(std::shared_ptr<const EarlyRows> early, EarlyRows::List place,
+                                 base::Matrix D)
+    : early_(std::move(early)), place_(std::move(place)), late_(std::move(D)) {}
+
+base::Matrix LayeredCholesky::late_half(const base::Matrix& handed) const {
+  base::Matrix B = base::Matrix::Zero(late_.size(), handed.cols());
+  for (std::size_t i = 0; i < place_.size(); ++i) {
+    B.row(place_[i]) = -handed.row(static_cast<Eigen::Index>(i));
+  }
+  return late_.half_solve(std::move(B));
+}
+
+base::Matrix LayeredCholesky::half_solve(const base::Matrix& B) const {
+  base::Matrix Y(size(), B.cols());
+  const base::Matrix first = early_->half_solve(B.topRows(early_rows()));
+  base::Matrix rest = B.bottomRows(late_.size());
+  const base::Matrix handed = early_->handed(first);
+  for (std::size_t i = 0; i < place_.size(); ++i) {
+    rest.row(place_[i]) -= handed.row(static_cast<Eigen::Index>(i));
+  }
+  Y.topRows(early_rows()) = first;
+  Y.bottomRows(late_.size()) = late_.half_solve(std::move(rest));
+  return Y;
+}
+
+base::Matrix LayeredCholesky::solve(const base::Matrix& B) const {
+  base::Matrix Y = half_solve(B);
+  const base::Matrix late = late_.half_solve_transposed(Y.bottomRows(late_.size()));
+  base::Matrix U(static_cast<Eigen::Index>(place_.size()), B.cols());
+  for (std::size_t i = 0; i < place_.size(); ++i) {
+    U.row(static_cast<Eigen::Index>(i)) = late.row(place_[i]);
+  }
+  const base::Matrix first = early_->finish(Y.topRows(early_rows()), U);
+  Y.topRows(early_rows()) = first;
+  Y.bottomRows(late_.size()) = late;
+  return Y;
+}
+
+} // namespace spricka::solve
