@@ -51,8 +51,8 @@ std::pair<double, double> ClosedRun::find(const std::vector<bool>& closed) const
 
 double ClosedRun::at(std::size_t i) const {
   const std::size_t n = order_.size();
-  return place_[order_[i % n]] +
-         (round_ ? 2.0 * std::numbers::pi * static_cast<double>(i / n) : 0.0);
+  const std::size_t turns = round_ ? i / n : 0;
+  return place_[order_[i % n]] + 2.0 * std::numbers::pi * static_cast<double>(turns);
 }
 
 } // namespace spricka::run

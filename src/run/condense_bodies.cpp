@@ -60,7 +60,7 @@ void factorise(const CondenseRequest& request, std::vector<Task>& tasks, Condens
                                stacked ? std::span<const fe::Superelement>() : task.supers, map);
     task.stiffness_cpu = watch.wall();
     task.net->factor =
-        stacked ? std::make_shared<solve::Condensation>(std::move(K), map.externals(), blocks,
+        stacked ? std::make_shared<solve::Condensation>(K, map.externals(), blocks,
                                                         task.layered ? &task.early : nullptr)
                 : std::make_shared<solve::Condensation>(std::move(K), map.externals());
   });

@@ -133,6 +133,7 @@ std::vector<ContactFlips> contact_flips(const Scene& scene, const StepState& sta
     return flips;
   }
   std::vector<std::size_t> rows;
+  rows.reserve(candidates.size());
   for (const Candidate& c : candidates) {
     rows.push_back(c.row);
   }

@@ -79,6 +79,7 @@ const solve::FactorReport& Forecast::report_of(const CondenseRequest& request, c
     element_seconds_ = watch.cpu() / static_cast<double>(sample.size());
   }
   std::vector<solve::DenseBlock> blocks;
+  blocks.reserve(supers.size());
   for (const std::vector<std::int32_t>& super : supers) {
     blocks.push_back({rows_on(net.map, super)});
   }

@@ -56,11 +56,11 @@ public:
   }
 
 private:
-  bool by_steps(const results::Increment& increment, const std::string& tip, bool straight,
+  bool by_steps(const results::Increment& increment, const std::string& name, bool straight,
                 growth::TipStation& found);
-  bool by_spectrum(const results::Increment& increment, const std::string& tip, bool straight,
+  bool by_spectrum(const results::Increment& increment, const std::string& name, bool straight,
                    growth::TipStation& found);
-  bool by_history(const SolvedLength& at, const std::string& tip, bool straight,
+  bool by_history(const SolvedLength& at, const std::string& name, bool straight,
                   growth::TipStation& found);
   /// Rate and extremes of K in a pass of the spectrum that was followed, for one tip whose K is
   /// `part` of its K1 and K2.

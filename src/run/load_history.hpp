@@ -74,7 +74,6 @@ private:
   double largest_ = 0.0;   ///< K so far
   double unsettled_ = 0.0; ///< of cycles of blocks in the last pass
   int increments_ = 0;
-  std::size_t mark_ = 0, grow_at_ = 0; ///< where the pass is; where cracks grow
   StepSolver::Place at_growth_;
 };
 

@@ -12,6 +12,8 @@
 #include <map>
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace spricka::run {
 
 namespace {
@@ -165,8 +167,8 @@ void Sensitivities::add_lengths(const StepState& state, const std::vector<bool>&
     const std::string name = result.tips[t].name;
     if (const std::string why_not = advances_[t]->why_not(closed); !why_not.empty()) {
       for (results::TipResult& tip : result.tips) {
-        tip.sensitivities.notes.push_back("no derivative by the length of " + name + ": " +
-                                          why_not);
+        tip.sensitivities.notes.push_back(
+            fmt::format("no derivative by the length of {}: {}", name, why_not));
       }
       continue;
     }

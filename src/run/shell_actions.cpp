@@ -43,7 +43,7 @@ ShellResult settle(ShellSession& session, ShellReply& reply) {
   if (!session.pending()) {
     return {};
   }
-  const ShellResult trouble = session.solve();
+  ShellResult trouble = session.solve();
   if (!trouble) {
     reply.messages +=
         session.rubs()
@@ -71,7 +71,7 @@ ShellResult do_step(const ShellCall& call) {
   if (call.words.size() != 2) {
     return wrong(call);
   }
-  const ShellResult trouble = call.session.step(name_at(call, 1));
+  ShellResult trouble = call.session.step(name_at(call, 1));
   if (!trouble) {
     tell_state(call);
   }
@@ -162,7 +162,7 @@ ShellResult do_solve(const ShellCall& call) {
   if (call.session.rubs() && call.session.pending()) {
     call.reply.messages += fmt::format("note: from the last state on, in {} substeps\n", substeps);
   }
-  const ShellResult trouble = call.session.solve(substeps);
+  ShellResult trouble = call.session.solve(substeps);
   if (!trouble) {
     tell_state(call);
   }
@@ -210,7 +210,7 @@ ShellResult do_save(const ShellCall& call) {
 }
 
 ShellResult do_reset(const ShellCall& call) {
-  const ShellResult trouble = call.session.reset();
+  ShellResult trouble = call.session.reset();
   if (!trouble) {
     tell_state(call);
   }

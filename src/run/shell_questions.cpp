@@ -114,7 +114,7 @@ ShellResult do_arc(const ShellCall& call) {
     return wrong(call);
   }
   const results::ContactResult* contact = nullptr;
-  const ShellResult trouble = contact_now(call, &contact);
+  ShellResult trouble = contact_now(call, &contact);
   if (!trouble) {
     call.reply.out = arc_reply(call.session, *contact);
   }
@@ -139,6 +139,7 @@ ShellResult do_reaction(const ShellCall& call) {
     return wrong(call);
   }
   std::vector<std::string> quantities;
+  quantities.reserve(3);
   for (int axis = 0; axis < call.session.model().mesh.dim; ++axis) {
     quantities.push_back(fmt::format("REACTION({},NOW,{})", call.words[1].text, "XYZ"[axis]));
   }
@@ -162,6 +163,7 @@ std::string point_of(const ShellCall& call) {
 ShellResult do_displacement(const ShellCall& call) {
   const std::string point = point_of(call);
   std::vector<std::string> quantities;
+  quantities.reserve(3);
   for (int axis = 0; axis < call.session.model().mesh.dim; ++axis) {
     quantities.push_back(fmt::format("U.{}.AT({}NOW)", "XYZ"[axis], point));
   }

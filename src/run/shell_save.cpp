@@ -33,8 +33,7 @@ std::string value_of(const Card& card, std::string_view key) {
 /// Changes to the deck's own file, collected and made at the end.
 class Edits {
 public:
-  explicit Edits(const ShellSession& session)
-      : session_(session), text_(session.sources().text(0)) {
+  explicit Edits(const ShellSession& session) : text_(session.sources().text(0)) {
     base::Diagnostics ignored; // it has been read without mistakes
     cards_ = grammar::parse_cards(session.sources(), 0, ignored);
   }
@@ -99,7 +98,6 @@ private:
     std::size_t begin = 0, end = 0;
     std::string by;
   };
-  const ShellSession& session_;
   std::string_view text_;
   std::vector<Card> cards_;
   std::vector<Edit> edits_;

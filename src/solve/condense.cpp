@@ -269,7 +269,7 @@ Condensation::Condensation(base::SymmetricCsc K, std::int64_t externals, Orderin
   }
 }
 
-Condensation::Condensation(base::SymmetricCsc K, std::int64_t externals,
+Condensation::Condensation(const base::SymmetricCsc& K, std::int64_t externals,
                            std::span<const DenseBlock> blocks,
                            std::shared_ptr<const EarlyRows>* early)
     : impl_(std::make_unique<Impl>()) {

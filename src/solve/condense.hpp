@@ -56,7 +56,8 @@ public:
   /// With dense blocks on top of K, which has a row, if an empty one, for each of theirs. With
   /// `early` S may be given as a factor: what it needs of the one block is taken from there or left
   /// there for the next matrix with the same block.
-  Condensation(base::SymmetricCsc K, std::int64_t externals, std::span<const DenseBlock> blocks,
+  Condensation(const base::SymmetricCsc& K, std::int64_t externals,
+               std::span<const DenseBlock> blocks,
                std::shared_ptr<const EarlyRows>* early = nullptr);
   static FactorReport forecast(const base::SymmetricCsc& pattern, std::int64_t externals,
                                std::span<const DenseBlock> blocks, bool early = false);
