@@ -136,7 +136,8 @@ base::SymmetricCsc Stacked::sparse_part(const base::SymmetricCsc& K, const Rows&
   return A;
 }
 
-void Stacked::find_early(std::span<const DenseBlock> blocks, Rows& rows) {
+void Stacked::find_early(const base::SymmetricCsc& K, std::span<const DenseBlock> blocks,
+                         Rows& rows) {
   if (blocks.size() != 1) {
     return;
   }
@@ -148,6 +149,9 @@ void Stacked::find_early(std::span<const DenseBlock> blocks, Rows& rows) {
   }
   for (const Eigen::Index t : rows.touched) {
     only[at(t)] = false;
+  }
+  for (std::size_t t = 0; t < only.size(); ++t) { // a spring of its own would be lost
+    only[t] = only[t] && K.value[at(K.start[at(rows.top[t])])] == 0.0;
   }
   for (std::size_t t = 0; t < only.size(); ++t) {
     if (only[t]) {
@@ -185,7 +189,7 @@ FactorReport Stacked::forecast(const base::SymmetricCsc& K, std::int64_t externa
   FactorReport report =
       Condensation::forecast(sparse_part(K, rows), static_cast<std::int64_t>(rows.touched.size()));
   if (early) {
-    find_early(blocks, rows);
+    find_early(K, blocks, rows);
   }
   add_top(rows, report);
   return report;
@@ -198,7 +202,7 @@ Stacked::Stacked(const base::SymmetricCsc& K, std::int64_t externals,
   below_.emplace(sparse_part(K, rows_), static_cast<std::int64_t>(rows_.touched.size()));
   report = below_->report();
   if (early != nullptr) {
-    find_early(blocks, rows_);
+    find_early(K, blocks, rows_);
   }
   add_top(rows_, report);
   if (report.status != FactorStatus::ok) {
@@ -272,9 +276,8 @@ bool Stacked::stand_on(const DenseBlock& block, std::shared_ptr<const EarlyRows>
   const std::vector<Eigen::Index> top = places(block, rows_.top);
   EarlyRows::List first;
   EarlyRows::List late;
-  EarlyRows::List place;              // of the late ones among the rest
-  std::vector<Eigen::Index> row(top); // by place on top: in the layered factor
-  row.assign(rows_.top.size(), -1);
+  EarlyRows::List place;                               // of the late ones among the rest
+  std::vector<Eigen::Index> row(rows_.top.size(), -1); // by place on top: in the layered factor
   for (std::size_t r = 0; r < top.size(); ++r) {
     if (top[r] < 0) {
       continue;

@@ -60,7 +60,8 @@ private:
   static base::SymmetricCsc sparse_part(const base::SymmetricCsc& K, const Rows& rows);
   static void add_top(const Rows& rows, FactorReport& report);
   /// Externals that only the one block has, if they are worth it.
-  static void find_early(std::span<const DenseBlock> blocks, Rows& rows);
+  static void find_early(const base::SymmetricCsc& K, std::span<const DenseBlock> blocks,
+                         Rows& rows);
   /// `touched`: what the rows below leave of those they touch.
   [[nodiscard]] Parts assemble(const base::SymmetricCsc& K, std::span<const DenseBlock> blocks,
                                const base::Matrix& touched) const;

@@ -126,6 +126,26 @@ TEST(Stacked, EarlyRowsAreEliminatedOnceForAll) {
   }
 }
 
+// An element of which one freedom is left adds to the diagonal alone: that row is not early.
+TEST(Stacked, ASpringOnARowOfTheBlockIsNotLost) {
+  Sum sum = chain_and_block(0.1);
+  const auto start = static_cast<std::size_t>(sum.K.start[33]);
+  sum.K.value[start] = 2.5;
+  sum.whole(33, 33) += 2.5;
+  const std::vector<DenseBlock> blocks{{sum.rows, &sum.block}};
+  std::shared_ptr<const EarlyRows> kept;
+  Condensation c(sum.K, 9, blocks, &kept);
+  const std::optional<FactoredExternals> own = c.take_factor();
+  ASSERT_TRUE(own && own->L.ok());
+  EXPECT_EQ(own->L.early_rows(), 5);
+  Matrix f = Matrix::Zero(sum.K.n, 9);
+  f.bottomRows(9).setIdentity();
+  Matrix g = Matrix::Zero(own->L.size(), 9);
+  g(own->row, Eigen::all) = Matrix::Identity(9, 9);
+  const Matrix u = sum.whole.llt().solve(f).bottomRows(9);
+  EXPECT_LE((own->L.solve(g)(own->row, Eigen::all) - u).norm(), 1e-10 * u.norm());
+}
+
 // Early rows that only the rest of the body would hold: S as ever.
 TEST(Stacked, ABlockThatDoesNotHoldItsRowsGivesS) {
   Sum sum = chain_and_block(0.1);
