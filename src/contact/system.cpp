@@ -159,7 +159,7 @@ void ContactSystem::add_body(std::size_t body, const Lasting& lasting,
   if (kept.rows != staying) {
     if (factor != nullptr) {
       const solve::EarlyRows& early = *factor->L.early();
-      kept.Y = early.half_solve(as_columns(staying, early.early().size()));
+      kept.Y = early.half_solve(as_columns(staying, static_cast<std::size_t>(early.count())));
       kept.handed = early.handed(kept.Y);
     } else {
       kept.Y = own.half_compliance(as_columns(staying, own.freedom().size()));

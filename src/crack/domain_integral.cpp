@@ -4,6 +4,7 @@
 #include "fe/thermal_kernel.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace spricka::crack {
 
@@ -51,7 +52,10 @@ public:
   }
 
   void add(NodalForces& out, bool strained, bool filled) const {
-    const std::span<const base::NodeId> nodes = set_.mesh.nodes_of(e_);
+    std::array<std::array<base::Vec2, partners>*, S::nodes> force;
+    for (std::size_t n = 0; n < S::nodes; ++n) {
+      force[n] = &out[set_.mesh.nodes_of(e_)[n]];
+    }
     for (const auto& point : shape::quadrature<S>(domain_degree)) {
       const fe::Jacobian<S> at = fe::jacobian<S>(X_, point.r);
       const Eigen::Matrix<double, S::nodes, 1> N = S::N(point.r);
@@ -71,7 +75,7 @@ public:
           c = work * here.beta_grad_T - Hv.transpose() * here.b;
         }
         for (int n = 0; n < S::nodes; ++n) {
-          base::Vec2& P = out[nodes[static_cast<std::size_t>(n)]][k];
+          base::Vec2& P = (*force[static_cast<std::size_t>(n)])[k];
           const base::Vec2 gradient = at.dNdx.row(n);
           P += w * (T * gradient + N[n] * c);
           if (k == 0 && carried_) { // nodes carried through the free expansion

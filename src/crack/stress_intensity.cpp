@@ -296,6 +296,9 @@ IntensityConstant intensity_constant(const model::Model& model, const mesh::Crac
                                      const mesh::Tip& tip,
                                      const std::vector<ExtensionField>& fields,
                                      model::CrackState state, const TipLoads& loads) {
+  if (loads.loads.empty() && loads.temperature.size() == 0) {
+    return {};
+  }
   VceRequest request;
   request.state = state;
   const StressIntensity K = stress_intensity(model, cracked, tip, fields, request,

@@ -15,6 +15,22 @@ template <class F> void for_elements(const model::Mesh& mesh, F&& f) {
   }
 }
 
+/// ee, then ep.
+template <shape::PlaneShape S>
+constexpr std::size_t matrix_numbers = std::size_t{mode_freedoms<S>} *
+                                       (mode_freedoms<S> + 2 * S::nodes);
+
+// What the matrices of an element depend on, beside its type.
+template <shape::PlaneShape S>
+std::vector<double> all_that_counts(const fe::NodeVectors<S>& X, const fe::Law& law,
+                                    const SideState& side) {
+  std::vector<double> of(X.data(), X.data() + X.size());
+  of.insert(of.end(), {law.lambda, law.mu, law.thickness});
+  of.insert(of.end(), side.sign.begin(), side.sign.end());
+  of.insert(of.end(), side.framed.begin(), side.framed.end());
+  return of;
+}
+
 } // namespace
 
 std::string not_enriched(const model::Model& model, const model::Mesh& mesh) {
@@ -40,29 +56,35 @@ double enrichment_bytes(const model::Mesh& mesh) {
   std::size_t numbers = 0;
   for_elements(mesh, [&]<shape::PlaneShape S>(S, base::ElementId /*e*/) {
     constexpr std::size_t m = mode_freedoms<S>;
-    numbers += m * m + m * 2 * S::nodes + m;
+    numbers += matrix_numbers<S> + m;
   });
   return static_cast<double>(numbers * sizeof(double));
 }
 
+ModeMemory::Entry& ModeMemory::at(base::ElementId host) {
+  if (host.index() >= entries_.size()) {
+    entries_.resize(host.index() + 1);
+  }
+  return entries_[host.index()];
+}
+
 Enrichment::Enrichment(const model::Model& model, const model::Mesh& mesh, EdgeTable edges,
-                       std::vector<bool> framed)
+                       std::vector<bool> framed, KeptModes kept)
     : model_(model), mesh_(mesh), edges_(std::move(edges)), framed_(std::move(framed)) {
   auto next = static_cast<std::int32_t>(2 * edges_.edges.size());
   first_.reserve(mesh.element_count() + 1);
   first_.push_back(0);
   std::size_t freedoms = 0;
-  std::size_t ee = 0;
-  std::size_t ep = 0;
-  for_elements(mesh, [&]<shape::PlaneShape S>(S, base::ElementId /*e*/) {
+  std::size_t numbers = 0;
+  for_elements(mesh, [&]<shape::PlaneShape S>(S, base::ElementId e) {
     constexpr std::size_t m = mode_freedoms<S>;
     freedoms += m;
-    ee += m * m;
-    ep += m * 2 * S::nodes;
+    numbers += kept.host_of(e).valid() ? 0 : matrix_numbers<S>;
   });
   freedom_.reserve(freedoms);
-  ee_.reserve(ee);
-  ep_.reserve(ep);
+  matrix_.reserve(mesh.element_count());
+  own_.resize(numbers);
+  double* next_own = own_.data();
   for_elements(mesh, [&]<shape::PlaneShape S>(S, base::ElementId e) {
     using M = Modes<S>;
     for (int s = 0; s < M::sides; ++s) {
@@ -74,11 +96,28 @@ Enrichment::Enrichment(const model::Model& model, const model::Mesh& mesh, EdgeT
       freedom_.push_back(next++);
     }
     first_.push_back(freedom_.size());
-    at_ee_.push_back(ee_.size());
-    at_ep_.push_back(ep_.size());
-    const EnrichedStiffness<S> K(fe::coordinates<S>(mesh, e), fe::law_of(model, mesh, e), sides(e));
-    ee_.insert(ee_.end(), K.ee.data(), K.ee.data() + K.ee.size());
-    ep_.insert(ep_.end(), K.ep.data(), K.ep.data() + K.ep.size());
+    const fe::NodeVectors<S> X = fe::coordinates<S>(mesh, e);
+    const fe::Law law = fe::law_of(model, mesh, e);
+    const SideState side = sides(e);
+    const base::ElementId host = kept.host_of(e);
+    double* at = next_own;
+    if (host.valid()) {
+      ModeMemory::Entry& entry = kept.memory->at(host);
+      std::vector<double> of = all_that_counts<S>(X, law, side);
+      matrix_.push_back(entry.numbers.data());
+      if (entry.type == S::type && entry.of == of) {
+        return;
+      }
+      entry = {S::type, std::move(of), std::vector<double>(matrix_numbers<S>)};
+      at = entry.numbers.data();
+      matrix_.back() = at;
+    } else {
+      matrix_.push_back(at);
+      next_own += matrix_numbers<S>;
+    }
+    const EnrichedStiffness<S> K(X, law, side);
+    std::copy_n(K.ee.data(), K.ee.size(), at);
+    std::copy_n(K.ep.data(), K.ep.size(), at + K.ee.size());
   });
   freedoms_ = next;
   sum_diagonal();
@@ -101,7 +140,7 @@ base::Vector Enrichment::product(const base::Vector& x) const {
   base::Vector y = base::Vector::Zero(freedoms_);
   for_elements(mesh_, [&]<shape::PlaneShape S>(S, base::ElementId e) {
     constexpr int m = mode_freedoms<S>;
-    const Eigen::Map<const Eigen::Matrix<double, m, m>> K(ee_.data() + at_ee_[e.index()]);
+    const Eigen::Map<const Eigen::Matrix<double, m, m>> K(matrix_[e.index()]);
     const std::span<const std::int32_t> freedom = of_element(e);
     Eigen::Matrix<double, m, 1> local;
     for (int i = 0; i < m; ++i) {
@@ -119,7 +158,7 @@ void Enrichment::sum_diagonal() {
   diagonal_.assign(static_cast<std::size_t>(freedoms_ / 2), base::Vec3::Zero());
   for_elements(mesh_, [&]<shape::PlaneShape S>(S, base::ElementId e) {
     constexpr int m = mode_freedoms<S>;
-    const Eigen::Map<const Eigen::Matrix<double, m, m>> K(ee_.data() + at_ee_[e.index()]);
+    const Eigen::Map<const Eigen::Matrix<double, m, m>> K(matrix_[e.index()]);
     const std::span<const std::int32_t> freedom = of_element(e);
     for (int i = 0; i < m; i += 2) {
       diagonal_[static_cast<std::size_t>(freedom[static_cast<std::size_t>(i)]) / 2] +=
@@ -132,7 +171,7 @@ void Enrichment::take_nodal(const base::Matrix& u, base::Matrix& r) const {
   for_elements(mesh_, [&]<shape::PlaneShape S>(S, base::ElementId e) {
     constexpr int m = mode_freedoms<S>;
     constexpr int p = 2 * S::nodes;
-    const Eigen::Map<const Eigen::Matrix<double, m, p>> K(ep_.data() + at_ep_[e.index()]);
+    const Eigen::Map<const Eigen::Matrix<double, m, p>> K(matrix_[e.index()] + m * m);
     const std::span<const std::int32_t> freedom = of_element(e);
     const std::span<const base::NodeId> nodes = mesh_.nodes_of(e);
     for (Eigen::Index k = 0; k < u.cols(); ++k) {

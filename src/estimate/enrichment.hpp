@@ -6,6 +6,7 @@
 #include "estimate/mode_kernel.hpp"
 #include "model/model.hpp"
 
+#include <deque>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,13 +21,40 @@ std::string not_enriched(const model::Model& model, const model::Mesh& mesh);
 /// What an enrichment keeps of a mesh that can be enriched [bytes].
 double enrichment_bytes(const model::Mesh& mesh);
 
+/// Matrices of the modes of host elements, kept from one crack length to the next. What an
+/// element's depend on is kept along: where it is another they are made anew.
+class ModeMemory {
+public:
+  struct Entry {
+    base::ElementType type{};
+    std::vector<double> of;
+    std::vector<double> numbers;
+  };
+  Entry& at(base::ElementId host);
+
+private:
+  std::deque<Entry> entries_; ///< [host element]
+};
+
+/// Where an enrichment finds and leaves matrices. `host` [element]: the host element that one is,
+/// invalid: none.
+struct KeptModes {
+  ModeMemory* memory = nullptr;
+  const std::vector<base::ElementId>* host = nullptr;
+
+  [[nodiscard]] base::ElementId host_of(base::ElementId e) const {
+    return memory == nullptr ? base::ElementId() : (*host)[e.index()];
+  }
+};
+
 /// Mode freedoms: 2 e + c of edge e of the edge table, then those inside the elements. c is the
 /// direction: x and y, or outer normal and tangent on the edges that are `framed`.
 class Enrichment {
 public:
-  /// framed [edge]: edges of one element only. Model and mesh must outlive the enrichment.
+  /// framed [edge]: edges of one element only. Model, mesh and memory must outlive the enrichment;
+  /// one enrichment at a time may look into a memory.
   Enrichment(const model::Model& model, const model::Mesh& mesh, EdgeTable edges,
-             std::vector<bool> framed);
+             std::vector<bool> framed, KeptModes kept = {});
 
   [[nodiscard]] const model::Model& model() const { return model_; }
   [[nodiscard]] const model::Mesh& mesh() const { return mesh_; }
@@ -59,10 +87,8 @@ private:
   Eigen::Index freedoms_ = 0;
   std::vector<std::size_t> first_;    ///< [element + 1] into freedom_
   std::vector<std::int32_t> freedom_; ///< of all elements
-  std::vector<std::size_t> at_ee_;    ///< [element] into ee_
-  std::vector<std::size_t> at_ep_;    ///< [element] into ep_
-  std::vector<double> ee_;            ///< element matrices, one after another
-  std::vector<double> ep_;
+  std::vector<double> own_;           ///< matrices of elements that are not kept
+  std::vector<const double*> matrix_; ///< [element] ee, then ep, here or in the memory
   std::vector<base::Vec3> diagonal_;
 };
 

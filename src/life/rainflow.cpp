@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "life/rainflow.hpp"
 
+#include "base/turning_points.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -23,29 +25,12 @@ std::vector<double> from_the_peak(std::span<const double> history) {
 
 } // namespace
 
-std::vector<double> turning_points(std::span<const double> history) {
-  std::vector<double> points;
-  points.reserve(history.size());
-  for (const double x : history) {
-    const std::size_t n = points.size();
-    if (n > 0 && x == points[n - 1]) {
-      continue;
-    }
-    if (n > 1 && (points[n - 1] > points[n - 2]) == (x > points[n - 1])) {
-      points[n - 1] = x;
-    } else {
-      points.push_back(x);
-    }
-  }
-  return points;
-}
-
 std::vector<LoadCycle> rainflow(std::span<const double> history, bool repeated) {
   if (history.empty()) {
     return {};
   }
   const std::vector<double> points =
-      repeated ? turning_points(from_the_peak(history)) : turning_points(history);
+      repeated ? base::turning_points(from_the_peak(history)) : base::turning_points(history);
   std::vector<LoadCycle> cycles;
   cycles.reserve(points.size() / 2 + 1);
   std::vector<double> open; // points whose ranges are not counted yet

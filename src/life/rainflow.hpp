@@ -11,10 +11,6 @@ struct LoadCycle {
   double count = 1.0;
 };
 
-/// The points where a history turns, its first and its last one; what repeats or lies on the way is
-/// left out.
-std::vector<double> turning_points(std::span<const double> history);
-
 /// Rainflow count of a history of loads (ASTM E1049-85): half cycles where it does not close
 /// (5.4.4), or full cycles only of a history that repeats (5.4.5, begun at its highest peak).
 /// Points that do not turn are dropped; a history without a range has no cycles.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "life/spectrum.hpp"
 
+#include "base/turning_points.hpp"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -136,7 +138,7 @@ Spectrum Spectrum::of_sequence(std::vector<double> history, bool repeated) {
   if (repeated) {
     history.push_back(history.front());
   }
-  spectrum.history_ = turning_points(history);
+  spectrum.history_ = base::turning_points(history);
   spectrum.repeated_ = repeated;
   return spectrum;
 }

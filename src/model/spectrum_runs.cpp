@@ -1,27 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/spectrum_runs.hpp"
 
+#include "base/turning_points.hpp"
+
 namespace spricka::model {
-
-namespace {
-
-std::vector<double> turning_places(const std::vector<double>& history) {
-  std::vector<double> places;
-  for (const double t : history) {
-    const std::size_t n = places.size();
-    if (n > 0 && t == places[n - 1]) {
-      continue;
-    }
-    if (n > 1 && (places[n - 1] > places[n - 2]) == (t > places[n - 1])) {
-      places[n - 1] = t;
-    } else {
-      places.push_back(t);
-    }
-  }
-  return places;
-}
-
-} // namespace
 
 std::vector<SpectrumRun> spectrum_runs(const Spectrum& spectrum) {
   std::vector<SpectrumRun> runs;
@@ -31,7 +13,7 @@ std::vector<SpectrumRun> spectrum_runs(const Spectrum& spectrum) {
     }
     return runs;
   }
-  const std::vector<double> t = turning_places(spectrum.turning_points);
+  const std::vector<double> t = base::turning_points(spectrum.turning_points);
   for (std::size_t i = 0; i < t.size();) {
     std::size_t times = 1;
     while (i + 2 * times + 1 < t.size() && t[i + 2 * times] == t[i] &&

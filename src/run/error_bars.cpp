@@ -21,8 +21,8 @@ constexpr double counts = 10.0;
 
 } // namespace
 
-ErrorBars::ErrorBars(const model::Model& model, const Scene& scene)
-    : model_(model), scene_(scene) {}
+ErrorBars::ErrorBars(const model::Model& model, const Scene& scene, estimate::ModeMemory* memory)
+    : model_(model), scene_(scene), memory_(memory) {}
 
 bool ErrorBars::is_bonded(std::size_t contact) const {
   return contact < model_.contacts.size() &&
@@ -49,7 +49,8 @@ void ErrorBars::prepare() {
     std::erase_if(mode_weights_.back(),
                   [&](const estimate::ModeWeight& w) { return !alone[w.freedom]; });
   }
-  enrichment_.emplace(model_, mesh, std::move(edges), std::move(framed));
+  enrichment_.emplace(model_, mesh, std::move(edges), std::move(framed),
+                      estimate::KeptModes{memory_, &scene_.cracked.host});
   supports_ = estimate::mode_supports(*enrichment_, scene_.cls, *scene_.ties);
   case_load_.resize(model_.cases.size());
   goals_.resize(enrichment_->freedoms(), 2 * static_cast<Eigen::Index>(scene_.cracked.tips.size()));

@@ -17,8 +17,9 @@ namespace spricka::run {
 
 class ErrorBars {
 public:
-  /// Both must outlive it; nothing is computed before the first step that needs it.
-  ErrorBars(const model::Model& model, const Scene& scene);
+  /// All must outlive it; nothing is computed before the first step that needs it. `memory`: what
+  /// one length leaves for the next, or null.
+  ErrorBars(const model::Model& model, const Scene& scene, estimate::ModeMemory* memory = nullptr);
 
   /// Gives the tips of a step, which was solved last, their bars, or says why they have none.
   /// `held`: the contact that the adjoints keep, null where there is none.
@@ -39,6 +40,7 @@ private:
 
   const model::Model& model_;
   const Scene& scene_;
+  estimate::ModeMemory* memory_;
   bool prepared_ = false;
   std::string why_not_; ///< of the whole mesh
   std::optional<estimate::Enrichment> enrichment_;

@@ -57,9 +57,9 @@ struct Forecast::Needs {
   std::size_t unknowns = 0;
 };
 
-const solve::FactorReport& Forecast::report_of(const CondenseRequest& request, const Net& net,
-                                               const HashKey& key, const BodyNet* body,
+const solve::FactorReport& Forecast::report_of(const CondenseRequest& request, const Piece& piece,
                                                Needs& needs) {
+  const auto& [net, key, body, first_part] = piece;
   const auto at = known_.find(key);
   if (at != known_.end()) {
     ++needs.reused;
@@ -90,7 +90,7 @@ const solve::FactorReport& Forecast::report_of(const CondenseRequest& request, c
   base::SymmetricCsc pattern = fe::stiffness_pattern(request.mesh, net.elements, supers, net.map);
   const solve::FactorReport report =
       apart ? solve::Condensation::forecast(pattern, net.map.externals(), blocks,
-                                            may_stay_factor(*body))
+                                            may_stay_factor(*body) ? &early_[*first_part] : nullptr)
             : solve::Condensation::forecast(std::move(pattern), net.map.externals());
   ++needs.condensed;
   needs.unknowns += net.map.freedom.size();
@@ -133,11 +133,13 @@ void Forecast::add(const CondenseRequest& request, const std::vector<BodyNet>& b
     for (std::size_t p = 0; p < body.parts.size(); ++p) {
       const double m = externals_of(*body.parts[p]);
       const solve::FactorReport& part =
-          report_of(request, *body.parts[p], keys[b].parts[p], nullptr, needs);
+          report_of(request, {*body.parts[p], keys[b].parts[p], nullptr, nullptr}, needs);
       needs.kept += part.kept_memory + 2.0 * number * m * m; // its S, and the copy in the region
       needs.solve_entries += part.factor_entries;
     }
-    const solve::FactorReport& own = report_of(request, body.region, keys[b].region, &body, needs);
+    const HashKey* first = keys[b].parts.empty() ? nullptr : &keys[b].parts.front();
+    const solve::FactorReport& own =
+        report_of(request, {body.region, keys[b].region, &body, first}, needs);
     const double m = externals_of(body.region);
     needs.kept += own.kept_memory + number * m * m;
     needs.solve_entries += own.factor_entries;
@@ -180,6 +182,7 @@ void Forecast::add(const CondenseRequest& request, const std::vector<BodyNet>& b
     used.insert(key.parts.begin(), key.parts.end());
   }
   std::erase_if(known_, [&](const auto& entry) { return !used.contains(entry.first); });
+  std::erase_if(early_, [&](const auto& entry) { return !used.contains(entry.first); });
 }
 
 } // namespace spricka::run

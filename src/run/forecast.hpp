@@ -27,15 +27,21 @@ public:
 
 private:
   struct Needs; ///< of one length
-  /// `body` is that whose region `net` is, with its parts; null for a part.
-  const solve::FactorReport& report_of(const CondenseRequest& request, const Net& net,
-                                       const HashKey& key, const BodyNet* body, Needs& needs);
+  struct Piece {
+    const Net& net;
+    const HashKey& key;
+    const BodyNet* body;       ///< that whose region the net is; null for a part
+    const HashKey* first_part; ///< its key, if there is one
+  };
+  const solve::FactorReport& report_of(const CondenseRequest& request, const Piece& piece,
+                                       Needs& needs);
   [[nodiscard]] double contact_flops(const std::vector<BodyNet>& bodies, const Scene& scene) const;
 
   const model::Model& model_;
   int threads_;
   solve::FlopRate rate_;
   std::map<HashKey, solve::FactorReport> known_;
+  std::map<HashKey, solve::EarlyLists> early_; ///< by the part they are rows of
   double element_seconds_ = 0.0; ///< stiffness of one element, measured on the first net
   double kept_results_ = 0.0;    ///< [bytes] of the lengths so far
   double resident_ = 0.0;        ///< [bytes] of the process when the first length came

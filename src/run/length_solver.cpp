@@ -245,7 +245,7 @@ bool LengthSolver::walk_steps(const Way& way, LogWriter& log, results::Increment
   RepeatedSteps repeated(model_, request.pictured);
   LoadPaths paths(model_, scene, bodies);
   Adjoints adjoints(model_, scene, bodies);
-  ErrorBars bars(model_, scene);
+  ErrorBars bars(model_, scene, model_.growth ? &modes_ : nullptr);
   Sensitivities sensitivities(model_, scene, bodies);
   LoadHistory history(model_, scene, bodies, paths);
   const bool follows = follows_history(model_);

@@ -2,6 +2,7 @@
 #pragma once
 #include "base/clock.hpp"
 #include "base/diagnostics.hpp"
+#include "estimate/enrichment.hpp"
 #include "mesh/patch.hpp"
 #include "model/model.hpp"
 #include "results/results.hpp"
@@ -111,6 +112,7 @@ private:
   CarriedState carried_, next_carried_;
   std::optional<FollowedLoads> followed_;
   ContactMemory contact_;
+  estimate::ModeMemory modes_;
   std::vector<mesh::Tip> tips_;
   bool first_ = true;
 };

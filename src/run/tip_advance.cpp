@@ -20,6 +20,23 @@ base::Matrix rows_of(const model::Model& model, const Scene& scene, std::size_t 
                                model.cracks[tip.crack.index()].state);
 }
 
+// Whether a case acts on an element or a node that moves.
+bool acts_on(const model::Mesh& mesh, const model::LoadCase& load_case,
+             const std::vector<bool>& moves) {
+  const auto node = [&](base::NodeId n) { return moves[n.index()]; };
+  const auto element = [&](base::ElementId e) {
+    return std::ranges::any_of(mesh.nodes_of(e), node);
+  };
+  const auto face = [&](const model::Face& f) { return element(f.element); };
+  return std::ranges::any_of(load_case.loads, [&](const model::Load& load) {
+    if (load.nodes.valid()) {
+      return std::ranges::any_of(mesh.set(load.nodes).nodes, node);
+    }
+    return load.elements.valid() ? std::ranges::any_of(mesh.set(load.elements).elements, element)
+                                 : std::ranges::any_of(mesh.set(load.faces).faces, face);
+  });
+}
+
 } // namespace
 
 base::Matrix intensity_of_loads(const model::Model& model, const Scene& scene, std::size_t t) {
@@ -43,13 +60,17 @@ TipAdvance::TipAdvance(const model::Model& model, const Scene& scene, std::size_
       motion_(estimate::tip_motion(scene.cracked, tip,
                                    scene.tips[tip].beyond.value_or(scene.tips[tip].fields.back()))),
       strained_(motion_.field.elements) {
-  find_hindrances();
+  std::vector<bool> moves(scene.cracked.mesh.node_count(), false);
+  for (const auto& [node, q] : motion_.field.q) {
+    moves[node.index()] = true;
+  }
+  find_hindrances(moves);
   for (auto* side : {&ahead_, &behind_}) {
     *side = std::make_unique<Scene>();
     (*side)->cracked = estimate::moved(scene.cracked, motion_, side == &ahead_ ? 1.0 : -1.0);
     (*side)->tips = scene.tips;
   }
-  move_loads();
+  move_loads(moves);
   row_rate_.resize(scene.tips.size());
   for (std::size_t t = 0; t < scene.tips.size(); ++t) {
     if (!estimate::moves_as_one(scene.cracked.mesh, motion_, scene.tips[t].fields)) {
@@ -59,12 +80,8 @@ TipAdvance::TipAdvance(const model::Model& model, const Scene& scene, std::size_
   }
 }
 
-void TipAdvance::find_hindrances() {
+void TipAdvance::find_hindrances(const std::vector<bool>& moves) {
   const int dim = scene_.cracked.mesh.dim;
-  std::vector<bool> moves(scene_.cracked.mesh.node_count(), false);
-  for (const auto& [node, q] : motion_.field.q) {
-    moves[node.index()] = true;
-  }
   for (std::size_t r = 0; r < scene_.table.rows.size(); ++r) {
     if (std::ranges::any_of(scene_.table.rows[r]->entries,
                             [&](const contact::RowEntry& e) { return moves[e.node.index()]; })) {
@@ -91,11 +108,14 @@ std::string TipAdvance::why_not(const std::vector<bool>& closed) const {
   return {};
 }
 
-void TipAdvance::move_loads() {
+void TipAdvance::move_loads(const std::vector<bool>& moves) {
   const auto cases = static_cast<Eigen::Index>(model_.cases.size());
-  base::Matrix rate(scene_.case_load.rows(), cases);
+  base::Matrix rate = base::Matrix::Zero(scene_.case_load.rows(), cases);
   for (Eigen::Index c = 0; c < cases; ++c) {
     const model::LoadCase& load_case = model_.cases[static_cast<std::size_t>(c)];
+    if (!acts_on(scene_.cracked.mesh, load_case, moves)) {
+      continue;
+    }
     rate.col(c) = (fe::nodal_load(model_, ahead_->cracked.mesh, load_case) -
                    fe::nodal_load(model_, behind_->cracked.mesh, load_case)) /
                   (2.0 * motion_.step);

@@ -25,8 +25,8 @@ public:
                                   const base::Vector& case_factor) const;
 
 private:
-  void find_hindrances();
-  void move_loads();
+  void find_hindrances(const std::vector<bool>& moves);
+  void move_loads(const std::vector<bool>& moves);
 
   const model::Model& model_;
   const Scene& scene_;

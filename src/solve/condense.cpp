@@ -285,7 +285,7 @@ Condensation::Condensation(const base::SymmetricCsc& K, std::int64_t externals,
 }
 
 FactorReport Condensation::forecast(const base::SymmetricCsc& pattern, std::int64_t externals,
-                                    std::span<const DenseBlock> blocks, bool early) {
+                                    std::span<const DenseBlock> blocks, EarlyLists* early) {
   return Stacked::forecast(pattern, externals, blocks, early);
 }
 

@@ -59,8 +59,9 @@ public:
   Condensation(const base::SymmetricCsc& K, std::int64_t externals,
                std::span<const DenseBlock> blocks,
                std::shared_ptr<const EarlyRows>* early = nullptr);
+  /// `early`: rows of the block that would be there already; those of this matrix from then on.
   static FactorReport forecast(const base::SymmetricCsc& pattern, std::int64_t externals,
-                               std::span<const DenseBlock> blocks, bool early = false);
+                               std::span<const DenseBlock> blocks, EarlyLists* early = nullptr);
   ~Condensation();
   Condensation(Condensation&&) noexcept;
   Condensation& operator=(Condensation&&) noexcept;

@@ -5,12 +5,12 @@
 
 namespace spricka::solve {
 
-EarlyRows::EarlyRows(const base::Matrix& A, List early, List late)
-    : early_(std::move(early)), late_(std::move(late)), L_(A(early_, early_)),
-      X_(A(early_, late_)) {
+EarlyRows::EarlyRows(const base::Matrix& A, EarlyLists lists)
+    : lists_(std::move(lists)), L_(A(lists_.early, lists_.early)),
+      X_(A(lists_.early, lists_.late)) {
   if (L_.ok()) {
     X_ = L_.half_solve(std::move(X_));
-    left_ = A(late_, late_) - gram(X_);
+    left_ = A(lists_.late, lists_.late) - gram(X_);
   }
 }
 
@@ -27,8 +27,8 @@ base::Matrix EarlyRows::finish(base::Matrix Y, const base::Matrix& U) const {
   return L_.half_solve_transposed(std::move(Y));
 }
 
-LayeredCholesky::LayeredCholesky(std::shared_ptr<const EarlyRows> early, EarlyRows::List place,
-                                 base::Matrix D)
+LayeredCholesky::LayeredCholesky(std::shared_ptr<const EarlyRows> early,
+                                 std::vector<Eigen::Index> place, base::Matrix D)
     : early_(std::move(early)), place_(std::move(place)), late_(std::move(D)) {}
 
 base::Matrix LayeredCholesky::late_half(const base::Matrix& handed) const {

@@ -8,18 +8,24 @@
 
 namespace spricka::solve {
 
+/// Rows of a full matrix: what is eliminated early, and what stays. Others are left out.
+struct EarlyLists {
+  std::vector<Eigen::Index> early, late; ///< each row once
+  bool operator==(const EarlyLists&) const = default;
+};
+
 /// The rows of a full matrix that no other matrix will touch, eliminated once for all systems that
 /// it becomes part of: A = [A_ee, A_el; A_le, A_ll], L L^T = A_ee, X = L^-1 A_el.
 class EarlyRows {
 public:
-  using List = std::vector<Eigen::Index>;
-
-  /// A [m, m] symmetric; `early` and `late` are rows of it, each once; others are left out.
-  EarlyRows(const base::Matrix& A, List early, List late);
+  /// A [m, m] symmetric.
+  EarlyRows(const base::Matrix& A, EarlyLists lists);
 
   [[nodiscard]] bool ok() const { return L_.ok(); }
-  [[nodiscard]] const List& early() const { return early_; }
-  [[nodiscard]] const List& late() const { return late_; }
+  [[nodiscard]] const EarlyLists& lists() const { return lists_; }
+  [[nodiscard]] Eigen::Index count() const {
+    return static_cast<Eigen::Index>(lists_.early.size());
+  }
   /// What is left of the late rows: A_ll - X^T X, symmetric to the last bit.
   [[nodiscard]] const base::Matrix& left() const { return left_; }
   /// L^-1 B [early, k].
@@ -30,7 +36,7 @@ public:
   [[nodiscard]] base::Matrix finish(base::Matrix Y, const base::Matrix& U) const;
 
 private:
-  List early_, late_;
+  EarlyLists lists_;
   DenseCholesky L_;
   base::Matrix X_, left_;
 };
@@ -40,13 +46,12 @@ class LayeredCholesky {
 public:
   /// D [n, n]: the matrix of the other rows with early->left() added in; `place` [late] are the
   /// rows of D that those are.
-  LayeredCholesky(std::shared_ptr<const EarlyRows> early, EarlyRows::List place, base::Matrix D);
+  LayeredCholesky(std::shared_ptr<const EarlyRows> early, std::vector<Eigen::Index> place,
+                  base::Matrix D);
 
   [[nodiscard]] bool ok() const { return early_->ok() && late_.ok(); }
   [[nodiscard]] const std::shared_ptr<const EarlyRows>& early() const { return early_; }
-  [[nodiscard]] Eigen::Index early_rows() const {
-    return static_cast<Eigen::Index>(early_->early().size());
-  }
+  [[nodiscard]] Eigen::Index early_rows() const { return early_->count(); }
   /// Early and late rows.
   [[nodiscard]] Eigen::Index size() const { return early_rows() + late_.size(); }
 
@@ -58,7 +63,7 @@ public:
 
 private:
   std::shared_ptr<const EarlyRows> early_;
-  EarlyRows::List place_;
+  std::vector<Eigen::Index> place_;
   DenseCholesky late_;
 };
 

@@ -16,19 +16,6 @@ std::size_t at(std::int64_t i) {
   return static_cast<std::size_t>(i);
 }
 
-// Externals that only the block has must be this part of the top to be worth a floor of their own.
-constexpr double least_early = 0.25;
-
-/// Places in `top`, -1: none, of a block's rows.
-std::vector<Eigen::Index> places(const DenseBlock& b, const std::vector<std::int64_t>& top) {
-  std::vector<Eigen::Index> place;
-  place.reserve(b.rows.size());
-  for (const std::int64_t row : b.rows) {
-    place.push_back(row < 0 ? -1 : std::ranges::lower_bound(top, row) - top.begin());
-  }
-  return place;
-}
-
 blas::Block block(base::Matrix& A) {
   return {A.data(), static_cast<int>(A.rows())};
 }
@@ -53,158 +40,38 @@ Eigen::Index first_bad_pivot(base::Matrix A) {
 
 } // namespace
 
-bool stacking_pays(std::span<const DenseBlock> blocks, std::int64_t rows, std::int64_t externals) {
-  std::vector<bool> on_top(at(rows), false);
-  std::fill(on_top.end() - externals, on_top.end(), true);
-  double filled = 0.0;
-  for (const DenseBlock& b : blocks) {
-    for (const std::int64_t row : b.rows) {
-      if (row >= 0) {
-        on_top[at(row)] = true;
-      }
-    }
-    filled += static_cast<double>(b.rows.size()) * static_cast<double>(b.rows.size());
-  }
-  const auto size = static_cast<double>(std::ranges::count(on_top, true));
-  return !blocks.empty() && 2.0 * filled > size * size;
-}
-
-Stacked::Rows Stacked::divide(const base::SymmetricCsc& K, std::int64_t externals,
-                              std::span<const DenseBlock> blocks) {
-  std::vector<bool> in_block(at(K.n), false);
-  std::vector<bool> coupled(at(K.n), false);
-  for (const DenseBlock& b : blocks) {
-    for (const std::int64_t row : b.rows) {
-      if (row >= 0) {
-        in_block[at(row)] = true;
-      }
-    }
-  }
-  for (std::int64_t j = 0; j < K.n; ++j) {
-    for (std::int64_t p = K.start[at(j)] + 1; p < K.start[at(j) + 1]; ++p) {
-      coupled[at(j)] = true;
-      coupled[at(K.row[at(p)])] = true;
-    }
-  }
-  Rows rows;
-  rows.external = externals;
-  for (std::int64_t i = 0; i < K.n; ++i) {
-    if (i < K.n - externals && !in_block[at(i)]) {
-      rows.below.push_back(i);
-      continue;
-    }
-    if (coupled[at(i)]) {
-      rows.touched.push_back(static_cast<Eigen::Index>(rows.top.size()));
-    }
-    rows.top.push_back(i);
-  }
-  return rows;
-}
-
-// The rows below first, then the touched ones.
-base::SymmetricCsc Stacked::sparse_part(const base::SymmetricCsc& K, const Rows& rows) {
-  std::vector<std::int64_t> place(at(K.n), -1);
-  std::int64_t next = 0;
-  for (const std::int64_t row : rows.below) {
-    place[at(row)] = next++;
-  }
-  for (const Eigen::Index t : rows.touched) {
-    place[at(rows.top[at(t)])] = next++;
-  }
-  struct Entry {
-    std::int64_t row;
-    double value;
-  };
-  std::vector<std::vector<Entry>> column(at(next));
-  for (std::int64_t j = 0; j < K.n; ++j) {
-    for (std::int64_t p = K.start[at(j)]; p < K.start[at(j) + 1]; ++p) {
-      const auto [c, r] = std::minmax(place[at(j)], place[at(K.row[at(p)])]);
-      if (c >= 0) {
-        column[at(c)].push_back({r, K.value[at(p)]});
-      }
-    }
-  }
-  base::SymmetricCsc A{next, {0}, {}, {}};
-  for (std::vector<Entry>& entries : column) {
-    std::ranges::sort(entries, {}, &Entry::row);
-    for (const Entry& e : entries) {
-      A.row.push_back(e.row);
-      A.value.push_back(e.value);
-    }
-    A.start.push_back(static_cast<std::int64_t>(A.row.size()));
-  }
-  return A;
-}
-
-void Stacked::find_early(const base::SymmetricCsc& K, std::span<const DenseBlock> blocks,
-                         Rows& rows) {
-  if (blocks.size() != 1) {
-    return;
-  }
-  std::vector<bool> only(rows.top.size(), false);
-  for (const Eigen::Index t : places(blocks.front(), rows.top)) {
-    if (t >= rows.inner()) {
-      only[at(t)] = true;
-    }
-  }
-  for (const Eigen::Index t : rows.touched) {
-    only[at(t)] = false;
-  }
-  for (std::size_t t = 0; t < only.size(); ++t) { // a spring of its own would be lost
-    only[t] = only[t] && K.value[at(K.start[at(rows.top[t])])] == 0.0;
-  }
-  for (std::size_t t = 0; t < only.size(); ++t) {
-    if (only[t]) {
-      rows.early.push_back(static_cast<Eigen::Index>(t));
-    }
-  }
-  if (static_cast<double>(rows.early.size()) < least_early * static_cast<double>(only.size())) {
-    rows.early.clear();
-  }
-}
-
-void Stacked::add_top(const Rows& rows, FactorReport& report) {
-  const auto i = static_cast<double>(rows.inner());
-  const auto e = static_cast<double>(rows.external);
-  const auto b = static_cast<double>(rows.early.size());
-  const double l = i + e - b;
-  report.flops += i * i * i / 3.0;
-  report.factor_entries += 0.5 * i * i + i * e;
-  report.kept_memory += 8.0 * (i * i + i * e);
-  report.memory += 8.0 * (2.0 * i * i + i * e);
-  if (rows.early.empty()) {
-    report.flops += i * i * e + i * e * e;
-    report.memory += 8.0 * (i * e + 2.0 * e * e);
-  } else { // the early rows as if for the first time
-    report.flops += b * b * b / 3.0 + b * b * l + b * l * l + l * l * l / 3.0;
-    report.factor_entries += 0.5 * b * b + b * l + 0.5 * l * l;
-    report.kept_memory += 8.0 * (b * b + b * l + l * l);
-    report.memory += 8.0 * (b * b + b * l + 2.0 * l * l);
-  }
-}
-
 FactorReport Stacked::forecast(const base::SymmetricCsc& K, std::int64_t externals,
-                               std::span<const DenseBlock> blocks, bool early) {
-  Rows rows = divide(K, externals, blocks);
+                               std::span<const DenseBlock> blocks, EarlyLists* early) {
+  StackedRows rows = divide_rows(K, externals, blocks);
   FactorReport report =
       Condensation::forecast(sparse_part(K, rows), static_cast<std::int64_t>(rows.touched.size()));
-  if (early) {
+  bool kept = false;
+  if (early != nullptr) {
     find_early(K, blocks, rows);
+    if (!rows.early.empty()) {
+      EarlyLists lists = early_lists(rows, blocks.front());
+      kept = lists == *early;
+      *early = std::move(lists);
+    }
   }
-  add_top(rows, report);
+  add_top(rows, kept, report);
   return report;
 }
 
 Stacked::Stacked(const base::SymmetricCsc& K, std::int64_t externals,
                  std::span<const DenseBlock> blocks, std::shared_ptr<const EarlyRows>* early,
                  FactorReport& report)
-    : rows_(divide(K, externals, blocks)) {
+    : rows_(divide_rows(K, externals, blocks)) {
   below_.emplace(sparse_part(K, rows_), static_cast<std::int64_t>(rows_.touched.size()));
   report = below_->report();
+  EarlyLists lists;
   if (early != nullptr) {
     find_early(K, blocks, rows_);
   }
-  add_top(rows_, report);
+  if (!rows_.early.empty()) {
+    lists = early_lists(rows_, blocks.front());
+  }
+  add_top(rows_, early != nullptr && *early && (*early)->lists() == lists, report);
   if (report.status != FactorStatus::ok) {
     if (report.failed_row >= 0) {
       report.failed_row = rows_.below[at(report.failed_row)];
@@ -214,7 +81,7 @@ Stacked::Stacked(const base::SymmetricCsc& K, std::int64_t externals,
   const double started = thread_cpu();
   const base::Matrix touched = below_->take_schur();
   Parts parts = assemble(K, blocks, touched);
-  if (!rows_.early.empty() && !stand_on(blocks.front(), *early, parts)) {
+  if (!rows_.early.empty() && !stand_on({blocks.front(), std::move(lists)}, *early, parts)) {
     rows_.early.clear();
     parts = assemble(K, blocks, touched);
   }
@@ -266,33 +133,23 @@ Stacked::Parts Stacked::assemble(const base::SymmetricCsc& K, std::span<const De
     }
   }
   for (const DenseBlock& b : blocks) {
-    add(places(b, rows_.top), *b.stiffness, !layered);
+    add(places_of(b, rows_.top), *b.stiffness, !layered);
   }
   return parts;
 }
 
-bool Stacked::stand_on(const DenseBlock& block, std::shared_ptr<const EarlyRows>& early,
-                       Parts& parts) {
-  const std::vector<Eigen::Index> top = places(block, rows_.top);
-  EarlyRows::List first;
-  EarlyRows::List late;
-  EarlyRows::List place;                               // of the late ones among the rest
+bool Stacked::stand_on(Ground ground, std::shared_ptr<const EarlyRows>& early, Parts& parts) {
+  const std::vector<Eigen::Index> top = places_of(ground.block, rows_.top);
   std::vector<Eigen::Index> row(rows_.top.size(), -1); // by place on top: in the layered factor
-  for (std::size_t r = 0; r < top.size(); ++r) {
-    if (top[r] < 0) {
-      continue;
-    }
-    const auto k = static_cast<Eigen::Index>(r);
-    if (parts.place[at(top[r])] < 0) {
-      row[at(top[r])] = static_cast<Eigen::Index>(first.size());
-      first.push_back(k);
-    } else {
-      late.push_back(k);
-      place.push_back(parts.place[at(top[r])]);
-    }
+  for (std::size_t k = 0; k < ground.lists.early.size(); ++k) {
+    row[at(top[at(ground.lists.early[k])])] = static_cast<Eigen::Index>(k);
   }
-  if (!early || early->early() != first || early->late() != late) {
-    early = std::make_shared<const EarlyRows>(*block.stiffness, std::move(first), std::move(late));
+  std::vector<Eigen::Index> place; // of the late ones among the rest
+  for (const Eigen::Index r : ground.lists.late) {
+    place.push_back(parts.place[at(top[at(r)])]);
+  }
+  if (!early || early->lists() != ground.lists) {
+    early = std::make_shared<const EarlyRows>(*ground.block.stiffness, std::move(ground.lists));
   }
   if (!early->ok()) {
     return false; // the block alone does not hold its rows
@@ -304,7 +161,7 @@ bool Stacked::stand_on(const DenseBlock& block, std::shared_ptr<const EarlyRows>
           left(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c));
     }
   }
-  const auto firsts = static_cast<Eigen::Index>(early->early().size());
+  const auto firsts = early->count();
   std::vector<Eigen::Index> externals;
   for (std::size_t t = at(rows_.inner()); t < row.size(); ++t) {
     externals.push_back(row[t] >= 0 ? row[t] : firsts + parts.place[t]);

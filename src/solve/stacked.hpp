@@ -2,6 +2,7 @@
 #pragma once
 #include "solve/condense.hpp"
 #include "solve/layered_cholesky.hpp"
+#include "solve/stacked_rows.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -22,7 +23,7 @@ class Stacked {
 public:
   /// The symbolic phase alone, as Condensation::forecast.
   static FactorReport forecast(const base::SymmetricCsc& K, std::int64_t externals,
-                               std::span<const DenseBlock> blocks, bool early);
+                               std::span<const DenseBlock> blocks, EarlyLists* early);
   /// What condensation leaves of the externals: S [externals, externals], or its factor.
   struct Top {
     base::Matrix S;
@@ -39,41 +40,28 @@ public:
   [[nodiscard]] base::Matrix recover(const base::Matrix& u_external, const base::Matrix& f) const;
 
 private:
-  struct Rows {
-    std::vector<std::int64_t> below;   ///< rows of K that are eliminated below
-    std::vector<std::int64_t> top;     ///< rows of K on top, externals last
-    std::vector<Eigen::Index> touched; ///< places in `top` that the sparse matrix touches
-    [[nodiscard]] Eigen::Index inner() const {
-      return static_cast<Eigen::Index>(top.size()) - external;
-    }
-    Eigen::Index external = 0;
-    std::vector<Eigen::Index> early; ///< places in `top` of externals that only the block has
-  };
   /// The full matrix of the top in parts: rows that are eliminated, their coupling with the
   /// externals, and the externals or, where some are early, all rows that are not.
   struct Parts {
     base::Matrix inner, coupling, rest;
     std::vector<Eigen::Index> place; ///< by place on top: among the rest, -1: not in it
   };
-  static Rows divide(const base::SymmetricCsc& K, std::int64_t externals,
-                     std::span<const DenseBlock> blocks);
-  static base::SymmetricCsc sparse_part(const base::SymmetricCsc& K, const Rows& rows);
-  static void add_top(const Rows& rows, FactorReport& report);
-  /// Externals that only the one block has, if they are worth it.
-  static void find_early(const base::SymmetricCsc& K, std::span<const DenseBlock> blocks,
-                         Rows& rows);
   /// `touched`: what the rows below leave of those they touch.
   [[nodiscard]] Parts assemble(const base::SymmetricCsc& K, std::span<const DenseBlock> blocks,
                                const base::Matrix& touched) const;
   /// Eliminates the early rows, if `early` has not got them; false: the block does not hold them.
-  bool stand_on(const DenseBlock& block, std::shared_ptr<const EarlyRows>& early, Parts& parts);
+  struct Ground {
+    const DenseBlock& block;
+    EarlyLists lists;
+  };
+  bool stand_on(Ground ground, std::shared_ptr<const EarlyRows>& early, Parts& parts);
   bool eliminate(Parts parts, FactorReport& report);
   /// The inner rows of g [top, k] <- L^-1 or L^-T times them.
   void solve_inner(base::Matrix& g, bool transposed) const;
   [[nodiscard]] base::Matrix below(const base::Matrix& f) const;
   [[nodiscard]] base::Matrix on_top(const base::Matrix& f, const base::Matrix& f_below) const;
 
-  Rows rows_;
+  StackedRows rows_;
   Top top_;
   std::optional<Condensation> below_;
   base::Matrix L_;        ///< [inner, inner] Cholesky factor of the rows eliminated on top

@@ -116,8 +116,8 @@ TEST(ContactSystem, RowsOnEarlyRowsLastFromBodyToBody) {
   // A block of 4 early and 2 late rows; the late ones lie in the body's own matrix of 6 rows, of
   // which the last 4 are external.
   const base::Matrix block = positive(6);
-  const auto early = std::make_shared<const solve::EarlyRows>(
-      block, std::vector<Eigen::Index>{0, 1, 2, 3}, std::vector<Eigen::Index>{4, 5});
+  const auto early =
+      std::make_shared<const solve::EarlyRows>(block, solve::EarlyLists{{0, 1, 2, 3}, {4, 5}});
   std::vector<contact::ConstraintRow> rows(4);
   std::vector<const contact::ConstraintRow*> all;
   for (std::size_t r = 0; r < rows.size(); ++r) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/turning_points.hpp"
 #include "life/rainflow.hpp"
 
 #include <algorithm>
@@ -48,8 +49,8 @@ TEST(Rainflow, CountsTheRepeatedExampleOfAstm) {
 
 TEST(Rainflow, PointsThatDoNotTurnAreLeftOut) {
   const std::vector<double> history{0, 1, 1, 2, 2, 2, 1.5, 0.5, 0.5, 3};
-  EXPECT_EQ(turning_points(history), (std::vector<double>{0, 2, 0.5, 3}));
-  EXPECT_EQ(turning_points(std::vector<double>{1, 1, 1}), std::vector<double>{1});
+  EXPECT_EQ(base::turning_points(history), (std::vector<double>{0, 2, 0.5, 3}));
+  EXPECT_EQ(base::turning_points(std::vector<double>{1, 1, 1}), std::vector<double>{1});
   EXPECT_TRUE(rainflow(std::vector<double>{1, 1, 1}, true).empty());
   EXPECT_TRUE(rainflow(std::vector<double>{1, 1, 1}, false).empty());
   EXPECT_TRUE(rainflow(std::vector<double>{}, true).empty());
@@ -66,7 +67,7 @@ TEST(Rainflow, AConstantAmplitudeIsItsOwnCount) {
 TEST(Rainflow, CountsEveryReversalAndTheWholeWay) {
   for (unsigned seed = 1; seed <= 50; ++seed) {
     const std::vector<double> history = random_history(20 + 7 * seed, seed, seed % 2 ? 12 : 100000);
-    const std::vector<double> points = turning_points(history);
+    const std::vector<double> points = base::turning_points(history);
     double reversals = 0.0;
     double way = 0.0;
     for (const LoadCycle& cycle : rainflow(history, false)) {
@@ -115,7 +116,7 @@ Counts four_point(std::vector<double> points) {
       sum[{b, c}] += 1.0;
       points.erase(points.begin() + static_cast<std::ptrdiff_t>(i) + 1,
                    points.begin() + static_cast<std::ptrdiff_t>(i) + 3);
-      points = turning_points(points);
+      points = base::turning_points(points);
       i = 0;
     } else {
       ++i;
@@ -132,7 +133,7 @@ TEST(Rainflow, AgreesWithTheFourPointRule) {
       for (int i = 0; i < n; ++i) {
         all.insert(all.end(), history.begin(), history.end());
       }
-      return four_point(turning_points(all));
+      return four_point(base::turning_points(all));
     };
     Counts more = passes(3);
     for (const auto& [range, count] : passes(2)) {

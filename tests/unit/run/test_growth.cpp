@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "integrated_life.hpp"
 #include "solved_text.hpp"
+#include "strip_text.hpp"
 
 #include "growth/trajectory.hpp"
 #include "results/growth.hpp"
@@ -19,24 +20,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// Half a strip of width 20 with an edge crack along its line of symmetry, tension s, free ends.
-std::string strip(const std::string& grow, const std::string& more = "") {
-  return "$DECK VERSION=1 LENGTH=mm FORCE=N\n"
-         "$MESH SHAPE=BLOCK TYPE=QUAMC8 LX=20 LY=40 NX=10 NY=20\n"
-         "$NSET NAME=LINE WHERE=(abs(y) < 1e-9) ORDER=(x)\n"
-         "$NSET NAME=CORNER WHERE=(abs(y) < 1e-9 and abs(x-20) < 1e-9)\n"
-         "$MATERIAL NAME=M E=70000 NU=0.3\n"
-         "$PROPERTY ESET=BODY MATERIAL=M STATE=STRESS THICK=2\n"
-         "$FREEDOM CLASS=SUPPRESSED DOF=Y\n  LINE\n"
-         "$FREEDOM CLASS=SUPPRESSED DOF=X\n  CORNER\n"
-         "$CRACK NAME=C1 PATH=LINE A0=4\n"
-         "$LOAD CASE=PULL TYPE=TRACTION\n  YMAX 0 50\n"
-         "$STEP NAME=ZERO\n  LOAD PULL 0\n"
-         "$STEP NAME=HALF\n  LOAD PULL 0.5\n"
-         "$STEP NAME=FULL\n  LOAD PULL 1\n" +
-         more + "$GROW " + grow + "\n$END\n";
-}
-
 // F of benchmark F01 at a/W = 0.3 and 0.4 (Kaya and Erdogan 1987).
 double K_strip(double F, double a) {
   return F * 50.0 * std::sqrt(pi * a);
@@ -44,7 +27,7 @@ double K_strip(double F, double a) {
 
 TEST(Growth, RatesAndEndOfALaw) {
   const auto solved =
-      test::solve_text(strip("LAW=WALKER KMAX=FULL KMIN=HALF C=1e-11 M=3 P=0.5 AMAX=8"));
+      test::solve_text(test::strip_text("LAW=WALKER KMAX=FULL KMIN=HALF C=1e-11 M=3 P=0.5 AMAX=8"));
   ASSERT_TRUE(solved && solved->run.growth);
   const results::Growth& growth = *solved->run.growth;
   EXPECT_EQ(growth.ended, "AMAX");
@@ -65,13 +48,13 @@ TEST(Growth, RatesAndEndOfALaw) {
 // Blocks of one cycle are constant amplitude; a spectrum of many levels is the sum of their rates.
 TEST(Growth, SpectrumOfOneCycleIsConstantAmplitude) {
   const std::string law = "LAW=PARIS C=1e-11 M=3 AMAX=8 ";
-  const auto steps = test::solve_text(strip(law + "KMAX=FULL KMIN=HALF"));
+  const auto steps = test::solve_text(test::strip_text(law + "KMAX=FULL KMIN=HALF"));
   const std::string path = "$LOADPATH NAME=UP FROM=ZERO TO=FULL\n";
-  const auto blocks = test::solve_text(
-      strip(law + "SPECTRUM=S", path + "$SPECTRUM NAME=S PATH=UP TYPE=BLOCKS\n  0.5 1 10\n"));
-  const auto sequence = test::solve_text(
-      strip(law + "SPECTRUM=S",
-            path + "$SPECTRUM NAME=S PATH=UP TYPE=SEQUENCE FACTOR=0.1\n  5 10 5 7 6 10\n"));
+  const auto blocks = test::solve_text(test::strip_text(
+      law + "SPECTRUM=S", path + "$SPECTRUM NAME=S PATH=UP TYPE=BLOCKS\n  0.5 1 10\n"));
+  const auto sequence = test::solve_text(test::strip_text(
+      law + "SPECTRUM=S",
+      path + "$SPECTRUM NAME=S PATH=UP TYPE=SEQUENCE FACTOR=0.1\n  5 10 5 7 6 10\n"));
   ASSERT_TRUE(steps && blocks && sequence);
   EXPECT_NEAR(10.0 * blocks->run.growth->cycles() / steps->run.growth->cycles(), 1.0, 2e-3);
   EXPECT_EQ(blocks->run.growth->unit, "pass");
@@ -84,8 +67,8 @@ TEST(Growth, SpectrumOfOneCycleIsConstantAmplitude) {
 
 TEST(Growth, EndsWhereKReachesTheToughness) {
   const double K_c = K_strip(1.659866, 6.0); // at a/W = 0.3
-  const auto solved =
-      test::solve_text(strip(fmt::format("LAW=FORMAN KMAX=FULL KMIN=ZERO C=1e-9 M=3 KC={}", K_c)));
+  const auto solved = test::solve_text(
+      test::strip_text(fmt::format("LAW=FORMAN KMAX=FULL KMIN=ZERO C=1e-9 M=3 KC={}", K_c)));
   ASSERT_TRUE(solved && solved->run.growth);
   EXPECT_EQ(solved->run.growth->ended, "KC");
   EXPECT_NEAR(solved->run.growth->curve.back().a[0], 6.0, 0.02);
@@ -107,7 +90,7 @@ TEST(Growth, EndsAtThePlasticLimitOfTheLigament) {
     (part(middle) < 1.0 ? low : high) = middle;
   }
   const auto solved = test::solve_text(
-      strip(fmt::format("LAW=PARIS KMAX=FULL KMIN=ZERO C=1e-11 M=3 SFLOW={}", flow)));
+      test::strip_text(fmt::format("LAW=PARIS KMAX=FULL KMIN=ZERO C=1e-11 M=3 SFLOW={}", flow)));
   ASSERT_TRUE(solved && solved->run.growth);
   EXPECT_EQ(solved->run.growth->ended, "NET SECTION");
   EXPECT_NEAR(solved->run.growth->curve.back().a[0] / low, 1.0, 1e-3);
@@ -115,7 +98,7 @@ TEST(Growth, EndsAtThePlasticLimitOfTheLigament) {
 
 TEST(Growth, BelowTheThresholdNothingGrows) {
   const auto solved =
-      test::solve_text(strip("LAW=PARIS KMAX=FULL KMIN=ZERO C=1e-11 M=3 DKTH=10000"));
+      test::solve_text(test::strip_text("LAW=PARIS KMAX=FULL KMIN=ZERO C=1e-11 M=3 DKTH=10000"));
   ASSERT_TRUE(solved && solved->run.growth);
   EXPECT_EQ(solved->run.growth->ended, "THRESHOLD");
   EXPECT_EQ(solved->run.growth->cycles(), 0.0);
@@ -123,7 +106,8 @@ TEST(Growth, BelowTheThresholdNothingGrows) {
 
 // Through the whole strip, along the nodes of its path.
 TEST(Growth, ReachesTheFarEdge) {
-  const auto solved = test::solve_text(strip("LAW=PARIS KMAX=FULL KMIN=ZERO C=1e-11 M=3"));
+  const auto solved =
+      test::solve_text(test::strip_text("LAW=PARIS KMAX=FULL KMIN=ZERO C=1e-11 M=3"));
   ASSERT_TRUE(solved && solved->run.growth);
   EXPECT_EQ(solved->run.growth->ended, "EDGE");
   EXPECT_NE(solved->run.growth->reason.find("XMAX"), std::string::npos)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "integrated_life.hpp"
 #include "solved_text.hpp"
+#include "strip_text.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,24 +18,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// Half a strip of width 20 with an edge crack along its line of symmetry, tension 50.
-std::string strip(const std::string& grow, const std::string& path = "") {
-  return "$DECK VERSION=1 LENGTH=mm FORCE=N\n"
-         "$MESH SHAPE=BLOCK TYPE=QUAMC8 LX=20 LY=40 NX=10 NY=20\n"
-         "$NSET NAME=LINE WHERE=(abs(y) < 1e-9) ORDER=(x)\n"
-         "$NSET NAME=PART WHERE=(abs(y) < 1e-9 and x < 8.1) ORDER=(x)\n"
-         "$NSET NAME=CORNER WHERE=(abs(y) < 1e-9 and abs(x-20) < 1e-9)\n"
-         "$MATERIAL NAME=M E=70000 NU=0.3\n"
-         "$PROPERTY ESET=BODY MATERIAL=M STATE=STRESS THICK=2\n"
-         "$FREEDOM CLASS=SUPPRESSED DOF=Y\n  LINE\n"
-         "$FREEDOM CLASS=SUPPRESSED DOF=X\n  CORNER\n"
-         "$CRACK NAME=C1 PATH=" +
-         (path.empty() ? "LINE" : path) +
-         " A0=4\n"
-         "$LOAD CASE=PULL TYPE=TRACTION\n  YMAX 0 50\n"
-         "$STEP NAME=HALF\n  LOAD PULL 0.5\n"
-         "$STEP NAME=FULL\n  LOAD PULL 1\n$GROW KMAX=FULL KMIN=HALF " +
-         grow + "\n$END\n";
+std::string strip(const std::string& grow, const std::string& path = "LINE") {
+  return test::strip_text("KMAX=FULL KMIN=HALF " + grow, "", path);
 }
 
 // Forman and Mettu 1992 with Newman's opening function (1984), R >= 0.

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/stacked_rows.hpp"
+
+#include <algorithm>
+
+namespace spricka::solve {
+
+namespace {
+
+std::size_t at(std::int64_t i) {
+  return static_cast<std::size_t>(i);
+}
+
+// Externals that only the block has must be this part of the top to be worth a floor of their own.
+constexpr double least_early = 0.25;
+
+} // namespace
+
+bool stacking_pays(std::span<const DenseBlock> blocks, std::int64_t rows, std::int64_t externals) {
+  std::vector<bool> on_top(at(rows), false);
+  std::fill(on_top.end() - externals, on_top.end(), true);
+  double filled = 0.0;
+  for (const DenseBlock& b : blocks) {
+    for (const std::int64_t row : b.rows) {
+      if (row >= 0) {
+        on_top[at(row)] = true;
+      }
+    }
+    filled += static_cast<double>(b.rows.size()) * static_cast<double>(b.rows.size());
+  }
+  const auto size = static_cast<double>(std::ranges::count(on_top, true));
+  return !blocks.empty() && 2.0 * filled > size * size;
+}
+
+StackedRows divide_rows(const base::SymmetricCsc& K, std::int64_t externals,
+                        std::span<const DenseBlock> blocks) {
+  std::vector<bool> in_block(at(K.n), false);
+  std::vector<bool> coupled(at(K.n), false);
+  for (const DenseBlock& b : blocks) {
+    for (const std::int64_t row : b.rows) {
+      if (row >= 0) {
+        in_block[at(row)] = true;
+      }
+    }
+  }
+  for (std::int64_t j = 0; j < K.n; ++j) {
+    for (std::int64_t p = K.start[at(j)] + 1; p < K.start[at(j) + 1]; ++p) {
+      coupled[at(j)] = true;
+      coupled[at(K.row[at(p)])] = true;
+    }
+  }
+  StackedRows rows;
+  rows.external = externals;
+  for (std::int64_t i = 0; i < K.n; ++i) {
+    if (i < K.n - externals && !in_block[at(i)]) {
+      rows.below.push_back(i);
+      continue;
+    }
+    if (coupled[at(i)]) {
+      rows.touched.push_back(static_cast<Eigen::Index>(rows.top.size()));
+    }
+    rows.top.push_back(i);
+  }
+  return rows;
+}
+
+std::vector<Eigen::Index> places_of(const DenseBlock& b, const std::vector<std::int64_t>& top) {
+  std::vector<Eigen::Index> place;
+  place.reserve(b.rows.size());
+  for (const std::int64_t row : b.rows) {
+    place.push_back(row < 0 ? -1 : std::ranges::lower_bound(top, row) - top.begin());
+  }
+  return place;
+}
+
+base::SymmetricCsc sparse_part(const base::SymmetricCsc& K, const StackedRows& rows) {
+  std::vector<std::int64_t> place(at(K.n), -1);
+  std::int64_t next = 0;
+  for (const std::int64_t row : rows.below) {
+    place[at(row)] = next++;
+  }
+  for (const Eigen::Index t : rows.touched) {
+    place[at(rows.top[at(t)])] = next++;
+  }
+  struct Entry {
+    std::int64_t row;
+    double value;
+  };
+  std::vector<std::vector<Entry>> column(at(next));
+  for (std::int64_t j = 0; j < K.n; ++j) {
+    for (std::int64_t p = K.start[at(j)]; p < K.start[at(j) + 1]; ++p) {
+      const auto [c, r] = std::minmax(place[at(j)], place[at(K.row[at(p)])]);
+      if (c >= 0) {
+        column[at(c)].push_back({r, K.value[at(p)]});
+      }
+    }
+  }
+  base::SymmetricCsc A{next, {0}, {}, {}};
+  for (std::vector<Entry>& entries : column) {
+    std::ranges::sort(entries, {}, &Entry::row);
+    for (const Entry& e : entries) {
+      A.row.push_back(e.row);
+      A.value.push_back(e.value);
+    }
+    A.start.push_back(static_cast<std::int64_t>(A.row.size()));
+  }
+  return A;
+}
+
+void find_early(const base::SymmetricCsc& K, std::span<const DenseBlock> blocks,
+                StackedRows& rows) {
+  if (blocks.size() != 1) {
+    return;
+  }
+  std::vector<bool> only(rows.top.size(), false);
+  for (const Eigen::Index t : places_of(blocks.front(), rows.top)) {
+    if (t >= rows.inner()) {
+      only[at(t)] = true;
+    }
+  }
+  for (const Eigen::Index t : rows.touched) {
+    only[at(t)] = false;
+  }
+  for (std::size_t t = 0; t < only.size(); ++t) { // a spring of its own would be lost
+    only[t] = only[t] && K.value[at(K.start[at(rows.top[t])])] == 0.0;
+  }
+  for (std::size_t t = 0; t < only.size(); ++t) {
+    if (only[t]) {
+      rows.early.push_back(static_cast<Eigen::Index>(t));
+    }
+  }
+  if (static_cast<double>(rows.early.size()) < least_early * static_cast<double>(only.size())) {
+    rows.early.clear();
+  }
+}
+
+EarlyLists early_lists(const StackedRows& rows, const DenseBlock& block) {
+  EarlyLists lists;
+  const std::vector<Eigen::Index> top = places_of(block, rows.top);
+  for (std::size_t r = 0; r < top.size(); ++r) {
+    if (top[r] >= 0) {
+      const bool early = std::ranges::binary_search(rows.early, top[r]);
+      (early ? lists.early : lists.late).push_back(static_cast<Eigen::Index>(r));
+    }
+  }
+  return lists;
+}
+
+void add_top(const StackedRows& rows, bool kept, FactorReport& report) {
+  const auto i = static_cast<double>(rows.inner());
+  const auto e = static_cast<double>(rows.external);
+  const auto b = static_cast<double>(rows.early.size());
+  const double l = i + e - b;
+  report.flops += i * i * i / 3.0;
+  report.factor_entries += 0.5 * i * i + i * e;
+  report.kept_memory += 8.0 * (i * i + i * e);
+  report.memory += 8.0 * (2.0 * i * i + i * e);
+  if (rows.early.empty()) {
+    report.flops += i * i * e + i * e * e;
+    report.memory += 8.0 * (i * e + 2.0 * e * e);
+  } else {
+    report.flops += l * l * l / 3.0 + (kept ? 0.0 : b * b * b / 3.0 + b * b * l + b * l * l);
+    report.factor_entries += 0.5 * b * b + b * l + 0.5 * l * l;
+    report.kept_memory += 8.0 * (b * b + b * l + l * l);
+    report.memory += 8.0 * (b * b + b * l + 2.0 * l * l);
+  }
+}
+
+} // namespace spricka::solve
