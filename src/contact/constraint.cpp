@@ -3,6 +3,7 @@
 
 #include "contact/node_pairing.hpp"
 #include "contact/segment_pairing.hpp"
+#include "contact/sharp_end.hpp"
 #include "mesh/boundary.hpp"
 
 #include <utility>
@@ -81,6 +82,18 @@ Choice choose_node_side(const model::Mesh& mesh, const Surface& slave, const Sur
              : Choice{false, "slave side: node pairs"};
 }
 
+void add_rows(PairRows& pair, const model::Contact& contact) {
+  const bool tangents = contact.type == model::ContactType::bonded || contact.mu > 0.0;
+  if (contact.pairing == model::Pairing::node) {
+    node_rows(pair, contact.gap, tangents);
+  } else {
+    segment_rows(pair, contact.gap, tangents);
+  }
+  if (pair.found) {
+    pair.sharp_ends = sharp_ends(pair);
+  }
+}
+
 } // namespace
 
 std::map<base::NodeId, std::size_t> normal_rows(const PairRows& pair) {
@@ -94,7 +107,6 @@ std::map<base::NodeId, std::size_t> normal_rows(const PairRows& pair) {
 PairRows pair_rows(const model::Model& model, const model::Mesh& mesh,
                    const model::Contact& contact) {
   PairRows pair;
-  const bool tangents = contact.type == model::ContactType::bonded || contact.mu > 0.0;
   const bool nodes = contact.pairing == model::Pairing::node;
   Surface slave = make_surface(model, mesh, contact.slave);
   if (contact.rigid.valid()) {
@@ -102,7 +114,7 @@ PairRows pair_rows(const model::Model& model, const model::Mesh& mesh,
     pair.target.thickness = pair.contact.thickness;
     pair.rigid = model.rigids[contact.rigid.index()];
     pair.choice = "slave side: the master is rigid";
-    nodes ? node_rows(pair, contact.gap, tangents) : segment_rows(pair, contact.gap, tangents);
+    add_rows(pair, contact);
     return pair;
   }
   Surface master = make_surface(model, mesh, contact.master);
@@ -119,7 +131,7 @@ PairRows pair_rows(const model::Model& model, const model::Mesh& mesh,
   }
   pair.contact = std::move(slave);
   pair.target = std::move(master);
-  nodes ? node_rows(pair, contact.gap, tangents) : segment_rows(pair, contact.gap, tangents);
+  add_rows(pair, contact);
   return pair;
 }
 

@@ -30,6 +30,14 @@ struct ConstraintRow {
   bool tangential = false;
 };
 
+/// A place where one surface of a pair ends while the other goes on: the end of a rigid line, the
+/// edge of a punch or of a hub, the mouth of a crack. Where contact is closed up to it, the exact
+/// pressure has no bound, and the largest one found belongs to the mesh.
+struct SharpEnd {
+  Vec2 x = Vec2::Zero();
+  std::vector<base::NodeId> nodes; ///< contact nodes whose pressure acts there
+};
+
 /// The rows of one contact pair.
 struct PairRows {
   std::vector<ConstraintRow> normal;
@@ -44,6 +52,7 @@ struct PairRows {
   std::string trouble;   ///< why there are no rows (node pairing that does not match)
   std::string choice;    ///< which side carries the multipliers and why, for the listing
   int merged = 0;        ///< rows covered by less than 20 % that went to a neighbour
+  std::vector<SharpEnd> sharp_ends; ///< of pair_rows
 };
 
 /// Of the normal rows by their nodes: the first of each.

@@ -42,12 +42,7 @@ std::vector<bool> movable(const mesh::CrackedMesh& cracked, const mesh::Tip& tip
 } // namespace
 
 Neighbourhood::Neighbourhood(const model::Mesh& mesh)
-    : mesh_(mesh), elements_(mesh.node_count()), boundary_(mesh.node_count(), false) {
-  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    for (const base::NodeId n : mesh.nodes_of(base::ElementId(e))) {
-      elements_[n.index()].emplace_back(e);
-    }
-  }
+    : mesh_(mesh), elements_(mesh), boundary_(mesh.node_count(), false) {
   for (const base::NodeId n : mesh::nodes_of_faces(mesh, mesh::boundary_faces(mesh))) {
     boundary_[n.index()] = true;
   }
@@ -60,7 +55,7 @@ ExtensionField Neighbourhood::field(base::NodeId tip, int rings) const {
   for (int ring = 0; ring <= rings; ++ring) {
     rim.clear();
     for (const base::NodeId n : rigid) {
-      for (const base::ElementId e : elements_[n.index()]) {
+      for (const base::ElementId e : elements_.around(n)) {
         if (!inside.contains(e)) {
           rim.insert(e);
         }
@@ -131,7 +126,7 @@ std::vector<ExtensionField> Neighbourhood::fields(const mesh::CrackedMesh& crack
   };
   std::array<std::int64_t, 2> side{-1, -1}; // right, left
   bool split = false;
-  for (const base::ElementId e : elements_[tip.node.index()]) {
+  for (const base::ElementId e : elements_.around(tip.node)) {
     std::int64_t& own = side[on_left(e) ? 1 : 0];
     split = split || (own >= 0 && own != zone(e));
     own = zone(e);
@@ -145,7 +140,7 @@ std::vector<ExtensionField> Neighbourhood::fields(const mesh::CrackedMesh& crack
     const bool moves_fixed = std::any_of(f.q.begin(), f.q.end(),
                                          [&](const auto& nq) { return fixed[nq.first.index()]; });
     const bool leaves = std::any_of(f.q.begin(), f.q.end(), [&](const auto& nq) {
-      const std::vector<base::ElementId>& around = elements_[nq.first.index()];
+      const std::span<const base::ElementId> around = elements_.around(nq.first);
       return std::any_of(around.begin(), around.end(), beyond);
     });
     if (moves_fixed || leaves || f.elements.empty()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "base/id.hpp"
+#include "mesh/node_elements.hpp"
 #include "mesh/patch.hpp"
 #include "model/mesh.hpp"
 
@@ -45,8 +46,8 @@ private:
   [[nodiscard]] ExtensionField field(base::NodeId tip, int rings) const;
 
   const model::Mesh& mesh_;
-  std::vector<std::vector<base::ElementId>> elements_; ///< [node]
-  std::vector<bool> boundary_;                         ///< [node]
+  mesh::NodeElements elements_;
+  std::vector<bool> boundary_; ///< [node]
 };
 
 } // namespace spricka::crack

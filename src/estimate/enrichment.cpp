@@ -169,23 +169,34 @@ void Enrichment::sum_diagonal() {
 
 void Enrichment::take_nodal(const base::Matrix& u, base::Matrix& r) const {
   for_elements(mesh_, [&]<shape::PlaneShape S>(S, base::ElementId e) {
-    constexpr int m = mode_freedoms<S>;
-    constexpr int p = 2 * S::nodes;
-    const Eigen::Map<const Eigen::Matrix<double, m, p>> K(matrix_[e.index()] + m * m);
-    const std::span<const std::int32_t> freedom = of_element(e);
-    const std::span<const base::NodeId> nodes = mesh_.nodes_of(e);
-    for (Eigen::Index k = 0; k < u.cols(); ++k) {
-      Eigen::Matrix<double, p, 1> local;
-      for (int n = 0; n < S::nodes; ++n) {
-        local.template segment<2>(2 * n) = u.col(k).segment<2>(
-            2 * static_cast<Eigen::Index>(nodes[static_cast<std::size_t>(n)].index()));
-      }
-      const Eigen::Matrix<double, m, 1> force = K * local;
-      for (int i = 0; i < m; ++i) {
-        r(freedom[static_cast<std::size_t>(i)], k) -= force[i];
-      }
+    Eigen::Index k = 0;
+    for (; k + 4 <= u.cols(); k += 4) { // each matrix is read once for four columns
+      take_columns<S, 4>(e, k, u, r);
+    }
+    for (; k < u.cols(); ++k) {
+      take_columns<S, 1>(e, k, u, r);
     }
   });
+}
+
+template <shape::PlaneShape S, int columns>
+void Enrichment::take_columns(base::ElementId e, Eigen::Index first, const base::Matrix& u,
+                              base::Matrix& r) const {
+  constexpr int m = mode_freedoms<S>;
+  constexpr int p = 2 * S::nodes;
+  const Eigen::Map<const Eigen::Matrix<double, m, p>> K(matrix_[e.index()] + m * m);
+  const std::span<const std::int32_t> freedom = of_element(e);
+  const std::span<const base::NodeId> nodes = mesh_.nodes_of(e);
+  Eigen::Matrix<double, p, columns> local;
+  for (int n = 0; n < S::nodes; ++n) {
+    local.template middleRows<2>(2 * n) = u.template block<2, columns>(
+        2 * static_cast<Eigen::Index>(nodes[static_cast<std::size_t>(n)].index()), first);
+  }
+  Eigen::Matrix<double, m, columns> force;
+  force.noalias() = K.lazyProduct(local);
+  for (int i = 0; i < m; ++i) {
+    r.template block<1, columns>(freedom[static_cast<std::size_t>(i)], first) -= force.row(i);
+  }
 }
 
 base::Matrix Enrichment::functional(const std::vector<crack::IntensityPoint>& points) const {

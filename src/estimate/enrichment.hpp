@@ -79,6 +79,9 @@ public:
 
 private:
   void sum_diagonal();
+  template <shape::PlaneShape S, int columns>
+  void take_columns(base::ElementId e, Eigen::Index first, const base::Matrix& u,
+                    base::Matrix& r) const;
 
   const model::Model& model_;
   const model::Mesh& mesh_;

@@ -57,21 +57,8 @@ bool is_beyond(const model::Mesh& mesh, const Edge& edge, const base::Vec3& p, d
   return (a - p).norm() - 2.0 * (mesh.x[edge.b.index()] - a).norm() > distance;
 }
 
-Host::Host(const model::Mesh& mesh) : mesh_(mesh), start_(mesh.node_count() + 1, 0) {
+Host::Host(const model::Mesh& mesh) : mesh_(mesh), elements_(mesh) {
   assert(mesh.dim == 2);
-  for (const base::NodeId n : mesh.nodes) {
-    ++start_[n.index() + 1];
-  }
-  for (std::size_t n = 0; n < mesh.node_count(); ++n) {
-    start_[n + 1] += start_[n];
-  }
-  elements_.resize(mesh.nodes.size());
-  std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
-  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    for (const base::NodeId n : mesh.nodes_of(base::ElementId(e))) {
-      elements_[next[n.index()]++] = base::ElementId(e);
-    }
-  }
   beyond_.assign(most_sides * mesh.element_count(), -1);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     for (int s = 0; s < base::info(mesh.type[e]).sides; ++s) {

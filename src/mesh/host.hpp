@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "mesh/node_elements.hpp"
 #include "model/mesh.hpp"
 
 #include <cstddef>
@@ -38,8 +39,7 @@ public:
   [[nodiscard]] const model::Mesh& mesh() const { return mesh_; }
   /// Elements that have this node, ascending.
   [[nodiscard]] std::span<const base::ElementId> around(base::NodeId node) const {
-    return std::span(elements_).subspan(start_[node.index()],
-                                        start_[node.index() + 1] - start_[node.index()]);
+    return elements_.around(node);
   }
   /// The element on the other side of an edge; empty on the boundary.
   [[nodiscard]] std::optional<base::ElementId> beyond(const model::Face& face) const {
@@ -56,9 +56,8 @@ private:
   [[nodiscard]] std::int32_t find_beyond(base::ElementId e, int side) const;
 
   const model::Mesh& mesh_;
-  std::vector<std::size_t> start_;
+  NodeElements elements_;
   std::vector<std::int32_t> beyond_; ///< [most_sides * element + side] element there or -1
-  std::vector<base::ElementId> elements_;
   std::vector<model::Face> boundary_;
   std::vector<model::Face> borders_;
 };

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/contact_flip.hpp"
 
-#include "contact/sharp_end.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -59,12 +57,11 @@ double spacing_at(const contact::Surface& surface, const base::Vec2& x) {
 std::vector<bool> beside_sharp_ends(const contact::PairRows& pair,
                                     const std::vector<bool>& closed) {
   std::vector<bool> beside(pair.normal.size(), false);
-  const std::vector<contact::SharpEnd> sharp = contact::sharp_ends(pair);
-  if (sharp.empty()) {
+  if (pair.sharp_ends.empty()) {
     return beside;
   }
   const std::map<base::NodeId, base::Vec2> place = node_places(pair.contact);
-  for (const contact::SharpEnd& end : sharp) {
+  for (const contact::SharpEnd& end : pair.sharp_ends) {
     constexpr double within = 0.99;
     const double reach =
         within * std::max(spacing_at(pair.contact, end.x), spacing_at(pair.target, end.x));

@@ -2,7 +2,6 @@
 #include "run/gather.hpp"
 
 #include "contact/marked_arc.hpp"
-#include "contact/sharp_end.hpp"
 #include "crack/stress_intensity.hpp"
 #include "run/judge_faces.hpp"
 #include "run/lip_contact.hpp"
@@ -113,7 +112,7 @@ void gather_friction(const Scene& scene, const StepState& state, std::size_t c,
 std::vector<base::Vec3> pressed_edges(const contact::PairRows& pair,
                                       const std::vector<contact::NodePressure>& nodes) {
   std::vector<base::Vec3> places;
-  for (const contact::SharpEnd& end : contact::sharp_ends(pair)) {
+  for (const contact::SharpEnd& end : pair.sharp_ends) {
     const bool pressed = std::ranges::any_of(nodes, [&](const contact::NodePressure& n) {
       return n.closed && n.p_consistent > 0.0 &&
              std::ranges::find(end.nodes, n.node) != end.nodes.end();
