@@ -14,7 +14,7 @@ SEED = 20261
 
 class Kill(RestartTest):
     def lug(self):
-        for name in ("lug_model.inc", "lug.geo", "sleeve.geo", "shaft.geo"):
+        for name in ("lug_model.inc", "lug_parts.inc", "lug.geo", "sleeve.geo", "shaft.geo"):
             if (TOP / "decks" / name).exists():
                 shutil.copy(TOP / "decks" / name, self.folder)
         text = (TOP / "decks" / "lug_single.deck").read_text(encoding="utf-8")
