@@ -21,6 +21,43 @@ void add_nodal_forces(const model::Mesh& mesh, const model::Load& load, Vector& 
   }
 }
 
+// A total spreads evenly over the volume: weight and volume by one rule, which is exact for them in
+// the plane (shape function, Jacobian and radius of quadratic elements).
+void add_body_total(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
+                    Vector& f) {
+  const int degree = mesh.dim == 2 ? 7 : load_degree;
+  Vector weight = Vector::Zero(static_cast<Eigen::Index>(mesh.node_count()));
+  double total = 0.0;
+  for_blocks(mesh, mesh.set(load.elements).elements,
+             [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
+               for (const base::ElementId e : block) {
+                 const NodeVectors<S> X = coordinates<S>(mesh, e);
+                 const Law law = law_of(model, mesh, e);
+                 Eigen::Matrix<double, S::nodes, 1> own =
+                     Eigen::Matrix<double, S::nodes, 1>::Zero();
+                 for (const auto& point : shape::quadrature<S>(degree)) {
+                   const Eigen::Matrix<double, S::dim, S::dim> J = X * S::dN(point.r);
+                   const Eigen::Matrix<double, S::nodes, 1> N = S::N(point.r);
+                   const double dV = point.weight * J.determinant() * law.depth(X.row(0) * N);
+                   own += dV * N;
+                   total += dV;
+                 }
+                 const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
+                 for (std::size_t i = 0; i < nodes.size(); ++i) {
+                   weight[static_cast<Eigen::Index>(nodes[i].index())] +=
+                       own[static_cast<Eigen::Index>(i)];
+                 }
+               }
+             });
+  if (!(total > 0.0)) {
+    return;
+  }
+  const Vec3 F = load_value(load, Vec3::Zero());
+  for (std::size_t n = 0; n < mesh.node_count(); ++n) {
+    add_at_node(mesh, base::NodeId(n), (weight[static_cast<Eigen::Index>(n)] / total) * F, f);
+  }
+}
+
 void add_load(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
               Vector& f) {
   if (load.type == model::LoadType::force) {
@@ -29,6 +66,10 @@ void add_load(const model::Model& model, const model::Mesh& mesh, const model::L
   }
   if (load.type == model::LoadType::bearing && mesh.dim == 3) {
     add_solid_bearing(mesh, load, f);
+    return;
+  }
+  if (load.type == model::LoadType::resultant && load.elements.valid()) {
+    add_body_total(model, mesh, load, f);
     return;
   }
   for_load_points(

@@ -31,10 +31,11 @@ EdgePoint nearest_on(const model::Mesh& mesh, const Edge& edge, const base::Vec3
 /// Whether an edge is for certain farther from p than `distance`: a quick test.
 bool is_beyond(const model::Mesh& mesh, const Edge& edge, const base::Vec3& p, double distance);
 
-/// A 2D mesh with its neighbourhoods.
+/// A 2D mesh with its neighbourhoods. Functions that want one take a mesh as well; who calls
+/// several makes it once.
 class Host {
 public:
-  explicit Host(const model::Mesh& mesh);
+  Host(const model::Mesh& mesh);
 
   [[nodiscard]] const model::Mesh& mesh() const { return mesh_; }
   /// Elements that have this node, ascending.

@@ -62,8 +62,8 @@ struct Work {
 
 class Inserter {
 public:
-  Inserter(const model::Mesh& mesh, base::Diagnostics& diagnostics)
-      : mesh_(mesh), host_(mesh), diagnostics_(diagnostics) {}
+  Inserter(const Host& host, base::Diagnostics& diagnostics)
+      : mesh_(host.mesh()), host_(host), diagnostics_(diagnostics) {}
 
   std::optional<CrackedMesh> insert(std::span<const CrackLine> lines, std::span<const TipMesh> tips,
                                     std::span<const base::Span> spans) {
@@ -326,7 +326,7 @@ private:
   }
 
   const model::Mesh& mesh_;
-  Host host_;
+  const Host& host_;
   base::Diagnostics& diagnostics_;
   std::vector<Work> work_;
   std::vector<Placement> placements_;
@@ -336,7 +336,7 @@ private:
 
 } // namespace
 
-std::optional<CrackedMesh> insert_cracks(const model::Mesh& host, std::span<const CrackLine> lines,
+std::optional<CrackedMesh> insert_cracks(const Host& host, std::span<const CrackLine> lines,
                                          std::span<const TipMesh> tips,
                                          std::span<const base::Span> spans,
                                          base::Diagnostics& diagnostics) {

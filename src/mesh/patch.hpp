@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "base/diagnostics.hpp"
+#include "mesh/host.hpp"
 #include "model/mesh.hpp"
 #include "model/model.hpp"
 
@@ -92,12 +93,12 @@ struct CrackedMesh {
 /// Where the first point of a free crack lies: on the boundary of the net (any net if invalid),
 /// inside it, or neither.
 enum class CrackStart { boundary, inside, outside };
-CrackStart crack_start(const model::Mesh& host, const base::Vec3& point, base::NetId net);
+CrackStart crack_start(const Host& host, const base::Vec3& point, base::NetId net);
 
 /// Sizes where the deck is silent: from the crack's length and its last straight part, and the
 /// distance of a tip to the nearest boundary (the ligament, a hole, a contact surface), to other
 /// cracks in `all` and to earlier parts of its own. What the deck gives is taken as it is.
-TipMesh choose_tip_mesh(const model::Mesh& host, const CrackLine& line, const model::TipNet* wishes,
+TipMesh choose_tip_mesh(const Host& host, const CrackLine& line, const model::TipNet* wishes,
                         std::span<const CrackLine> all = {});
 
 /// Cuts the cracks into the host. Cracks that cannot be placed (touch no element, leave the body,
@@ -105,14 +106,14 @@ TipMesh choose_tip_mesh(const model::Mesh& host, const CrackLine& line, const mo
 /// result. Patches are meshed in the crack's frame, coordinates divided by a and rounded (to 2^-26,
 /// for the choice of elements only), so that units and position do not change the mesh. Always cuts
 /// from the host.
-std::optional<CrackedMesh> insert_cracks(const model::Mesh& host, std::span<const CrackLine> lines,
+std::optional<CrackedMesh> insert_cracks(const Host& host, std::span<const CrackLine> lines,
                                          std::span<const TipMesh> tips,
                                          std::span<const base::Span> spans,
                                          base::Diagnostics& diagnostics);
 
 /// Host elements that the cavity of any of these lines may touch, with a margin of one layer of
 /// elements: the region that is condensed anew at each length. Ascending.
-std::vector<base::ElementId> crack_region(const model::Mesh& host, std::span<const CrackLine> lines,
+std::vector<base::ElementId> crack_region(const Host& host, std::span<const CrackLine> lines,
                                           std::span<const TipMesh> tips);
 
 } // namespace spricka::mesh

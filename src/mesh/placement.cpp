@@ -147,13 +147,12 @@ CrackFrame frame_of(const CrackLine& line) {
   return frame;
 }
 
-CrackStart crack_start(const model::Mesh& host, const Vec3& point, base::NetId net) {
-  const Host neighbours(host);
-  const Found found = find_mouth(neighbours, point, net);
+CrackStart crack_start(const Host& host, const Vec3& point, base::NetId net) {
+  const Found found = find_mouth(host, point, net);
   if (found.distance <= on_boundary * found.chord) {
     return CrackStart::boundary;
   }
-  return element_at(host, point, net).valid() ? CrackStart::inside : CrackStart::outside;
+  return element_at(host.mesh(), point, net).valid() ? CrackStart::inside : CrackStart::outside;
 }
 
 namespace {

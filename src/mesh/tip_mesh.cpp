@@ -24,7 +24,7 @@ constexpr double smallest_part = 5e-4;
 
 } // namespace
 
-TipMesh choose_tip_mesh(const model::Mesh& host, const CrackLine& line, const model::TipNet* wishes,
+TipMesh choose_tip_mesh(const Host& host, const CrackLine& line, const model::TipNet* wishes,
                         std::span<const CrackLine> all) {
   TipMesh tip;
   const double finer = wishes == nullptr ? 1.0 : wishes->finer;
@@ -43,11 +43,10 @@ TipMesh choose_tip_mesh(const model::Mesh& host, const CrackLine& line, const mo
     for (const Vec3& p : line.points) {
       local.push_back(frame.local(p));
     }
-    const Host neighbours(host);
     double room = std::min(1.0, room_beside_cracks(line, all) / frame.a);
     for (int end = 0; end < (line.embedded ? 2 : 1); ++end) {
       const double last = (local.back() - local[local.size() - 2]).norm();
-      room = std::min({room, tip_room(neighbours, frame, local, line.symmetric_half, line.net),
+      room = std::min({room, tip_room(host, frame, local, line.symmetric_half, line.net),
                        1.5 * last / (line.embedded && local.size() == 2 ? 2.0 : 1.0)});
       std::reverse(local.begin(), local.end());
     }
@@ -64,30 +63,30 @@ TipMesh choose_tip_mesh(const model::Mesh& host, const CrackLine& line, const mo
   return tip;
 }
 
-std::vector<ElementId> crack_region(const model::Mesh& host, std::span<const CrackLine> lines,
+std::vector<ElementId> crack_region(const Host& host, std::span<const CrackLine> lines,
                                     std::span<const TipMesh> tips) {
-  const Host neighbours(host);
-  std::vector<bool> in(host.element_count(), false);
+  const model::Mesh& mesh = host.mesh();
+  std::vector<bool> in(mesh.element_count(), false);
   base::Diagnostics ignored; // insert_cracks reports
   std::vector<Placement> placements;
   std::vector<ElementId> core;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (tips[i].patch) {
-      if (auto placement = place(neighbours, lines[i], tips[i], {}, ignored)) {
+      if (auto placement = place(host, lines[i], tips[i], {}, ignored)) {
         placements.push_back(std::move(*placement));
       }
-    } else if (const auto path = path_nodes(neighbours, lines[i], {}, ignored)) {
+    } else if (const auto path = path_nodes(host, lines[i], {}, ignored)) {
       for (const NodeId n : *path) {
-        core.insert(core.end(), neighbours.around(n).begin(), neighbours.around(n).end());
+        core.insert(core.end(), host.around(n).begin(), host.around(n).end());
       }
     }
   }
-  for (const Cavity& cavity : find_cavities(neighbours, placements).each) {
+  for (const Cavity& cavity : find_cavities(host, placements).each) {
     core.insert(core.end(), cavity.elements.begin(), cavity.elements.end());
   }
   for (const ElementId e : core) {
-    for (const NodeId n : host.nodes_of(e)) {
-      for (const ElementId next : neighbours.around(n)) {
+    for (const NodeId n : mesh.nodes_of(e)) {
+      for (const ElementId next : host.around(n)) {
         in[next.index()] = true;
       }
     }

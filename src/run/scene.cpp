@@ -45,12 +45,12 @@ bool opens_into_contact(const model::Model& model, const mesh::CrackLine& line) 
          });
 }
 
-std::vector<mesh::TipMesh> tip_meshes(const model::Model& model,
+std::vector<mesh::TipMesh> tip_meshes(const model::Model& model, const mesh::Host& host,
                                       const std::vector<mesh::CrackLine>& lines) {
   std::vector<mesh::TipMesh> tips;
   tips.reserve(lines.size());
   for (const mesh::CrackLine& line : lines) {
-    tips.push_back(mesh::choose_tip_mesh(model.mesh, line, tip_net_of(model, line.crack), lines));
+    tips.push_back(mesh::choose_tip_mesh(host, line, tip_net_of(model, line.crack), lines));
     tips.back().pressed = opens_into_contact(model, line);
   }
   return tips;
@@ -76,7 +76,8 @@ std::optional<mesh::CrackedMesh> cracked_mesh(const model::Model& model,
   for (const mesh::CrackLine& line : lines) {
     spans.push_back(model.cracks[line.crack.index()].span);
   }
-  return mesh::insert_cracks(model.mesh, lines, tip_meshes(model, lines), spans, diagnostics);
+  const mesh::Host host(model.mesh);
+  return mesh::insert_cracks(host, lines, tip_meshes(model, host, lines), spans, diagnostics);
 }
 
 // On a symmetry line the nodes behind the tip are free to open.
@@ -257,7 +258,8 @@ void add_to_region(const model::Model& model, const std::vector<mesh::CrackLine>
                    RegionPlan& plan) {
   plan.region.resize(model.mesh.element_count(), false);
   plan.split = true;
-  for (const base::ElementId e : mesh::crack_region(model.mesh, lines, tip_meshes(model, lines))) {
+  const mesh::Host host(model.mesh);
+  for (const base::ElementId e : mesh::crack_region(host, lines, tip_meshes(model, host, lines))) {
     plan.region[e.index()] = true;
   }
 }
