@@ -3,6 +3,9 @@
 
 #include "shape/topology.hpp"
 
+#include <algorithm>
+#include <cstddef>
+
 namespace spricka::estimate {
 
 namespace {
@@ -184,7 +187,7 @@ void Enrichment::take_columns(base::ElementId e, Eigen::Index first, const base:
                               base::Matrix& r) const {
   constexpr int m = mode_freedoms<S>;
   constexpr int p = 2 * S::nodes;
-  const Eigen::Map<const Eigen::Matrix<double, m, p>> K(matrix_[e.index()] + m * m);
+  const Eigen::Map<const Eigen::Matrix<double, m, p>> K(matrix_[e.index()] + std::ptrdiff_t{m} * m);
   const std::span<const std::int32_t> freedom = of_element(e);
   const std::span<const base::NodeId> nodes = mesh_.nodes_of(e);
   Eigen::Matrix<double, p, columns> local;
