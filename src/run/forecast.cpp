@@ -160,8 +160,8 @@ void Forecast::add(const CondenseRequest& request, const std::vector<BodyNet>& b
   const auto tips = static_cast<double>(scene.cracked.tips.size());
   const bool barred =
       tips > 0.0 && estimate::not_enriched(request.model, scene.cracked.mesh).empty();
-  const double estimating =
-      barred ? estimate::enrichment_bytes(scene.cracked.mesh) + 8.0 * tips * n : 0.0;
+  const double modes = barred ? estimate::enrichment_bytes(scene.cracked.mesh) : 0.0;
+  const double estimating = barred ? modes + 8.0 * tips * n : 0.0;
   const double solving = contact_bytes + 12.0 * n + estimating;
   kept_results_ += results_bytes(scene.cracked.mesh, model_.steps.size());
 
@@ -170,7 +170,9 @@ void Forecast::add(const CondenseRequest& request, const std::vector<BodyNet>& b
   length.unknowns = needs.unknowns;
   length.flops = needs.flops;
   length.factor_entries = needs.entries;
-  length.memory = resident_ + needs.kept + kept_results_ + std::max(factorising, solving);
+  length.memory =
+      resident_ + needs.kept + kept_results_ + std::max(kept_modes_ + factorising, solving);
+  kept_modes_ = model_.growth ? modes : 0.0;
   length.seconds = needs.seconds + scene_cpu +
                    contact_flops(bodies, scene) / rate_.at(contact_width * rate_.half + 1.0) +
                    steps * 4.0 * needs.solve_entries / rate_.at(solve_width) +

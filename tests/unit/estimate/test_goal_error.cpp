@@ -248,47 +248,6 @@ std::vector<std::int32_t> freedoms_of_straight_elements(const model::Mesh& mesh,
   return found;
 }
 
-// Matrices kept from one length to the next are those that would be made anew, also where an
-// element of the same number is another by then: moved, of another law, framed otherwise.
-TEST_P(GoalError, KeptMatricesAreThoseMadeAnew) {
-  Strip strip(GetParam());
-  model::Mesh& mesh = strip.cracked.mesh;
-  estimate::ModeMemory memory;
-  const estimate::EdgeTable edges = estimate::find_edges(mesh);
-  std::vector<bool> framed(edges.edges.size(), false);
-  const auto differs = [&] {
-    const estimate::Enrichment kept(strip.model, mesh, edges, framed,
-                                    {&memory, &strip.cracked.host});
-    const estimate::Enrichment fresh(strip.model, mesh, edges, framed);
-    const base::Vector x = base::Vector::LinSpaced(fresh.freedoms(), -1.0, 2.0);
-    const base::Matrix u = base::Matrix::NullaryExpr(
-        2 * static_cast<Eigen::Index>(mesh.node_count()), 5,
-        [](Eigen::Index i, Eigen::Index k) { return static_cast<double>(i % 7 - k); });
-    base::Matrix r = base::Matrix::Zero(fresh.freedoms(), u.cols());
-    base::Matrix r_kept = r;
-    fresh.take_nodal(u, r);
-    kept.take_nodal(u, r_kept);
-    // column by column the same as all of them together
-    base::Matrix one = base::Matrix::Zero(fresh.freedoms(), 1);
-    fresh.take_nodal(u.col(1), one);
-    EXPECT_LE((one - r.col(1)).norm(), 1e-14 * r.norm());
-    return (kept.product(x) - fresh.product(x)).cwiseAbs().maxCoeff() +
-           (r_kept - r).cwiseAbs().maxCoeff();
-  };
-  EXPECT_EQ(differs(), 0.0);
-  EXPECT_EQ(differs(), 0.0);
-  for (base::Vec3& x : mesh.x) {
-    x.x() += 0.01 * x.y() * x.y();
-  }
-  EXPECT_EQ(differs(), 0.0);
-  strip.model.materials[0].E *= 2.0;
-  EXPECT_EQ(differs(), 0.0);
-  for (std::size_t i = 0; i < framed.size(); ++i) {
-    framed[i] = edges.edges[i].elements == 1;
-  }
-  EXPECT_EQ(differs(), 0.0);
-}
-
 // Bent along the crack, which stays free of stress, the strip moves quadratically, as the mesh can:
 // nothing is left to correct.
 TEST_P(GoalError, IsNothingWhereTheMeshIsExact) {
