@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crack/extension.hpp"
 
-#include "mesh/boundary.hpp"
 #include "shape/topology.hpp"
 
 #include <algorithm>
@@ -15,37 +14,67 @@ namespace {
 
 // Nodes that q may move although they lie on the boundary: the lips without the mouth, and in a
 // half model the symmetry line ahead of the tip.
-std::vector<bool> movable(const mesh::CrackedMesh& cracked, const mesh::Tip& tip,
-                          std::vector<bool> boundary) {
-  for (const mesh::CrackedMesh::Lips& lips : cracked.lips) {
-    const bool embedded = !lips.left.empty() && !lips.right.empty() &&
-                          lips.left.front() == lips.right.front(); // no mouth, a tip
-    for (const std::vector<base::NodeId>* lip : {&lips.left, &lips.right}) {
-      for (std::size_t i = embedded ? 0 : 1; i < lip->size(); ++i) {
-        boundary[(*lip)[i].index()] = false;
+class Movable {
+public:
+  Movable(const mesh::CrackedMesh& cracked, const mesh::Tip& tip) : mesh_(cracked.mesh), tip_(tip) {
+    for (const mesh::CrackedMesh::Lips& lips : cracked.lips) {
+      const bool embedded = !lips.left.empty() && !lips.right.empty() &&
+                            lips.left.front() == lips.right.front(); // no mouth, a tip
+      for (const std::vector<base::NodeId>* lip : {&lips.left, &lips.right}) {
+        lips_.insert(lip->begin() + (embedded || lip->empty() ? 0 : 1), lip->end());
       }
     }
   }
-  if (tip.symmetric_half) {
-    const base::Vec3 e2(-tip.direction.y(), tip.direction.x(), 0.0);
-    for (std::size_t n = 0; n < boundary.size(); ++n) {
-      const base::Vec3 d = cracked.mesh.x[n] - tip.x;
-      if (std::abs(d.dot(e2)) < 1e-9 * tip.a && d.dot(tip.direction) > 0.0) {
-        boundary[n] = false;
-      }
-    }
-    boundary[tip.node.index()] = false;
+
+  [[nodiscard]] bool contains(base::NodeId n) const {
+    return lips_.contains(n) || (tip_.symmetric_half && (n == tip_.node || is_ahead(n)));
   }
-  return boundary;
-}
+
+private:
+  [[nodiscard]] bool is_ahead(base::NodeId n) const {
+    const base::Vec3 e2(-tip_.direction.y(), tip_.direction.x(), 0.0);
+    const base::Vec3 d = mesh_.x[n.index()] - tip_.x;
+    return std::abs(d.dot(e2)) < 1e-9 * tip_.a && d.dot(tip_.direction) > 0.0;
+  }
+
+  const model::Mesh& mesh_;
+  const mesh::Tip& tip_;
+  std::set<base::NodeId> lips_;
+};
 
 } // namespace
 
-Neighbourhood::Neighbourhood(const model::Mesh& mesh)
-    : mesh_(mesh), elements_(mesh), boundary_(mesh.node_count(), false) {
-  for (const base::NodeId n : mesh::nodes_of_faces(mesh, mesh::boundary_faces(mesh))) {
-    boundary_[n.index()] = true;
+Neighbourhood::Neighbourhood(const model::Mesh& mesh) : mesh_(mesh), elements_(mesh) {}
+
+// A side that no other element has the corners of.
+bool Neighbourhood::on_boundary(base::NodeId n) const {
+  const auto has = [&](base::ElementId e, base::NodeId node) {
+    const std::span<const base::NodeId> nodes = mesh_.nodes_of(e);
+    return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
+  };
+  for (const base::ElementId e : elements_.around(n)) {
+    const base::ElementType type = mesh_.type[e.index()];
+    const std::span<const base::NodeId> nodes = mesh_.nodes_of(e);
+    for (int s = 0; s < base::info(type).sides; ++s) {
+      const std::span<const int> side = shape::side_nodes(type, s);
+      const auto is_n = [&](int i) { return nodes[static_cast<std::size_t>(i)] == n; };
+      if (std::none_of(side.begin(), side.end(), is_n)) {
+        continue;
+      }
+      const std::span<const int> corners = side.first(shape::side_corners(type, s));
+      const auto shares = [&](base::ElementId other) {
+        return other != e && std::all_of(corners.begin(), corners.end(), [&](int i) {
+                 return has(other, nodes[static_cast<std::size_t>(i)]);
+               });
+      };
+      const std::span<const base::ElementId> around =
+          elements_.around(nodes[static_cast<std::size_t>(side[0])]);
+      if (std::none_of(around.begin(), around.end(), shares)) {
+        return true;
+      }
+    }
   }
+  return false;
 }
 
 ExtensionField Neighbourhood::field(base::NodeId tip, int rings) const {
@@ -104,15 +133,14 @@ std::vector<ExtensionField> Neighbourhood::fields(const mesh::CrackedMesh& crack
                                                   const std::vector<int>& rings,
                                                   std::vector<int>& left_out,
                                                   const DomainLimits& limits) const {
-  std::vector<bool> fixed = movable(cracked, tip, boundary_);
-  for (const mesh::Tip& other : cracked.tips) {
-    if (other.node != tip.node) {
-      fixed[other.node.index()] = true;
-    }
-  }
-  for (std::size_t n = 0; n < limits.node.size(); ++n) {
-    fixed[n] = fixed[n] || limits.node[n];
-  }
+  const Movable movable(cracked, tip);
+  const auto fixed = [&](base::NodeId n) {
+    return (!limits.node.empty() && limits.node[n.index()]) ||
+           std::ranges::any_of(
+               cracked.tips,
+               [&](const mesh::Tip& other) { return other.node == n && n != tip.node; }) ||
+           (!movable.contains(n) && on_boundary(n));
+  };
   // One zone on each side of the tip's line; between two materials they differ.
   const auto zone = [&](base::ElementId e) -> std::int64_t {
     return limits.zone.empty() ? mesh_.property[e.index()].value : limits.zone[e.index()];
@@ -137,8 +165,8 @@ std::vector<ExtensionField> Neighbourhood::fields(const mesh::CrackedMesh& crack
   std::vector<ExtensionField> result;
   for (const int count : rings) {
     ExtensionField f = field(tip.node, count);
-    const bool moves_fixed = std::any_of(f.q.begin(), f.q.end(),
-                                         [&](const auto& nq) { return fixed[nq.first.index()]; });
+    const bool moves_fixed =
+        std::ranges::any_of(f.q, [&](const auto& nq) { return fixed(nq.first); });
     const bool leaves = std::any_of(f.q.begin(), f.q.end(), [&](const auto& nq) {
       const std::span<const base::ElementId> around = elements_.around(nq.first);
       return std::any_of(around.begin(), around.end(), beyond);

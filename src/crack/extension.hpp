@@ -43,11 +43,11 @@ public:
          std::vector<int>& left_out, const DomainLimits& limits = {}) const;
 
 private:
+  [[nodiscard]] bool on_boundary(base::NodeId n) const;
   [[nodiscard]] ExtensionField field(base::NodeId tip, int rings) const;
 
   const model::Mesh& mesh_;
   mesh::NodeElements elements_;
-  std::vector<bool> boundary_; ///< [node]
 };
 
 } // namespace spricka::crack

@@ -169,21 +169,26 @@ template <shape::ElementShape S> struct VolumeChange {
   }
 };
 
-/// Nodal forces Ke U of displacements U, both [dim, nodes], without forming Ke.
+/// Nodal forces Ke U of displacements U, both [dim, nodes], without forming Ke. With H = (U dN) J^-1
+/// and F = w T J^-T dN^T no derivative with respect to x is formed at the nodes.
 template <shape::ElementShape S>
 NodeVectors<S> element_force(const NodeVectors<S>& X, const Law& law, const NodeVectors<S>& U) {
+  using Square = Eigen::Matrix<double, S::dim, S::dim>;
   NodeVectors<S> F = NodeVectors<S>::Zero();
   const VolumeChange<S> change(X, law, U);
   for (const auto& point : stiffness_rule<S>(law)) {
-    const Jacobian<S> at = jacobian<S>(X, point.r);
+    const Gradients<S> dN = S::dN(point.r);
+    const Square J = X * dN;
+    const Square J_inverse = J.inverse();
     const Hoop<S> hoop(X, law, point.r);
-    const double w = point.weight * at.det * law.depth(hoop.x);
-    const Eigen::Matrix<double, S::dim, S::dim> H = U * at.dNdx;
+    const double w = point.weight * J.determinant() * law.depth(hoop.x);
+    const Square H = (U * dN).eval() * J_inverse;
     const double ring = U.row(0) * hoop.h;
     const double pressure = law.lambda * change.at(point.r, H.trace() + ring);
-    Eigen::Matrix<double, S::dim, S::dim> T = law.mu * (H + H.transpose());
+    Square T = law.mu * (H + H.transpose());
     T.diagonal().array() += pressure;
-    F.noalias() += w * T * at.dNdx.transpose();
+    const Square flow = w * T * J_inverse.transpose();
+    F.noalias() += flow * dN.transpose();
     if (law.axisymmetric) {
       F.row(0) += (w * (pressure + 2.0 * law.mu * ring)) * hoop.h.transpose();
     }

@@ -25,7 +25,11 @@ int term_count(int dim, int degree) {
 StressPatch::StressPatch(std::span<const StressSample* const> samples, int dim, int degree)
     : dim_(dim), count_(term_count(dim, degree)) {
   choose_axes(samples);
-  fit(samples);
+  if (dim == 2) {
+    fit<most_flat>(samples);
+  } else {
+    fit<most>(samples);
+  }
 }
 
 void StressPatch::choose_axes(std::span<const StressSample* const> samples) {
@@ -68,7 +72,7 @@ StressPatch::Terms StressPatch::terms(const base::Vec3& x) const {
   const base::Vec3 d = axes_ * (x - centre_);
   Terms t = Terms::Zero();
   if (dim_ == 2) {
-    t.head<6>() << 1.0, d.x(), d.y(), d.x() * d.y(), d.x() * d.x(), d.y() * d.y();
+    t.head<most_flat>() << 1.0, d.x(), d.y(), d.x() * d.y(), d.x() * d.x(), d.y() * d.y();
   } else {
     t << 1.0, d.x(), d.y(), d.z(), d.x() * d.y(), d.y() * d.z(), d.z() * d.x(), d.x() * d.x(),
         d.y() * d.y(), d.z() * d.z();
@@ -76,17 +80,18 @@ StressPatch::Terms StressPatch::terms(const base::Vec3& x) const {
   return t;
 }
 
-// Normal equations by Cholesky's method in the order of the terms.
-void StressPatch::fit(std::span<const StressSample* const> samples) {
-  Eigen::Matrix<double, most, most> A = Eigen::Matrix<double, most, most>::Zero();
-  Eigen::Matrix<double, most, 6> b = Eigen::Matrix<double, most, 6>::Zero();
+// Normal equations by Cholesky's method in the order of the terms, of which no degree has more than
+// `some` in this space.
+template <int some> void StressPatch::fit(std::span<const StressSample* const> samples) {
+  Eigen::Matrix<double, some, some> A = Eigen::Matrix<double, some, some>::Zero();
+  Eigen::Matrix<double, some, 6> b = Eigen::Matrix<double, some, 6>::Zero();
   for (const StressSample* s : samples) {
-    const Terms t = terms(s->x);
+    const Eigen::Matrix<double, some, 1> t = terms(s->x).head<some>();
     A.noalias() += t * t.transpose();
     b.noalias() += t * s->stress.transpose();
   }
-  const Terms own = A.diagonal();
-  std::array<bool, most> used{};
+  const Eigen::Matrix<double, some, 1> own = A.diagonal();
+  std::array<bool, some> used{};
   std::size_t left = samples.size(); // no more terms than samples
   for (int k = 0; k < count_; ++k) {
     const bool carried = left > 0 && own[k] > 0.0 && A(k, k) > least_pivot * own[k];
@@ -115,7 +120,9 @@ void StressPatch::fit(std::span<const StressSample* const> samples) {
 }
 
 Stress StressPatch::at(const base::Vec3& x) const {
-  return coefficient_ * terms(x); // zero where no term is
+  const Terms t = terms(x); // coefficients are zero where no term is
+  return dim_ == 2 ? Stress(coefficient_.leftCols<most_flat>() * t.head<most_flat>())
+                   : Stress(coefficient_ * t);
 }
 
 } // namespace spricka::fe

@@ -28,12 +28,13 @@ public:
   [[nodiscard]] Stress at(const base::Vec3& x) const;
 
 private:
-  static constexpr int most = 10; ///< terms of degree 2 in space
+  static constexpr int most = 10;     ///< terms of degree 2 in space
+  static constexpr int most_flat = 6; ///< in the plane
   using Terms = Eigen::Matrix<double, most, 1>;
 
   void choose_axes(std::span<const StressSample* const> samples);
   [[nodiscard]] Terms terms(const base::Vec3& x) const;
-  void fit(std::span<const StressSample* const> samples);
+  template <int some> void fit(std::span<const StressSample* const> samples);
 
   base::Vec3 centre_ = base::Vec3::Zero();
   Eigen::Matrix3d axes_ = Eigen::Matrix3d::Zero(); ///< rows: axes over the spread along them, or 0

@@ -62,39 +62,46 @@ Host::Host(const model::Mesh& mesh) : mesh_(mesh), elements_(mesh) {
   beyond_.assign(most_sides * mesh.element_count(), -1);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     for (int s = 0; s < base::info(mesh.type[e]).sides; ++s) {
-      const std::int32_t across = find_beyond(base::ElementId(e), s);
-      beyond_[most_sides * e + std::size_t(s)] = across;
+      const model::Face face{base::ElementId(e), s};
+      if (beyond_[place(face)] < 0) {
+        meet(face);
+      }
+      const std::int32_t across = beyond_[place(face)];
       if (across < 0) {
-        boundary_.push_back({base::ElementId(e), s});
+        boundary_.push_back(face);
       } else if (mesh.property[static_cast<std::size_t>(across)] != mesh.property[e]) {
-        borders_.push_back({base::ElementId(e), s});
+        borders_.push_back(face);
       }
     }
   }
 }
 
-// Sides of plane elements join one corner to the next: those of neighbours run against each other.
-std::int32_t Host::find_beyond(base::ElementId e, int side) const {
-  const auto own = mesh_.nodes_of(e);
-  const auto corner = [](base::ElementType type, std::size_t i) {
-    return i == std::size_t(base::info(type).corners) ? 0 : i;
+// Sides of plane elements join one corner to the next: those of neighbours run against each other,
+// and what one finds the other need not look for.
+void Host::meet(const model::Face& face) {
+  const auto next_corner = [&](base::ElementId e, std::size_t i) {
+    const std::size_t next = i + 1;
+    return next == std::size_t(base::info(mesh_.type[e.index()]).corners) ? 0 : next;
   };
-  const auto s = static_cast<std::size_t>(side);
+  const auto own = mesh_.nodes_of(face.element);
+  const auto s = static_cast<std::size_t>(face.side);
   const base::NodeId a = own[s];
-  const base::NodeId b = own[corner(mesh_.type[e.index()], s + 1)];
+  const base::NodeId b = own[next_corner(face.element, s)];
   for (const base::ElementId other : around(a)) {
-    if (other == e) {
+    if (other == face.element) {
       continue;
     }
     const auto nodes = mesh_.nodes_of(other);
     const auto sides = static_cast<std::size_t>(base::info(mesh_.type[other.index()]).sides);
     for (std::size_t k = 0; k < sides; ++k) {
-      if (nodes[k] == b && nodes[corner(mesh_.type[other.index()], k + 1)] == a) {
-        return static_cast<std::int32_t>(other.index());
+      if (nodes[k] == b && nodes[next_corner(other, k)] == a) {
+        beyond_[place(face)] = static_cast<std::int32_t>(other.index());
+        std::int32_t& back = beyond_[place({other, static_cast<int>(k)})];
+        back = back < 0 ? static_cast<std::int32_t>(face.element.index()) : back;
+        return;
       }
     }
   }
-  return -1;
 }
 
 } // namespace spricka::mesh

@@ -44,7 +44,7 @@ public:
   }
   /// The element on the other side of an edge; empty on the boundary.
   [[nodiscard]] std::optional<base::ElementId> beyond(const model::Face& face) const {
-    const std::int32_t e = beyond_[most_sides * face.element.index() + std::size_t(face.side)];
+    const std::int32_t e = beyond_[place(face)];
     return e < 0 ? std::nullopt : std::optional(base::ElementId(static_cast<std::size_t>(e)));
   }
   /// Edges of one element only.
@@ -54,7 +54,10 @@ public:
 
 private:
   static constexpr std::size_t most_sides = 4;
-  [[nodiscard]] std::int32_t find_beyond(base::ElementId e, int side) const;
+  static std::size_t place(const model::Face& face) {
+    return most_sides * face.element.index() + std::size_t(face.side);
+  }
+  void meet(const model::Face& face); ///< finds what lies beyond it
 
   const model::Mesh& mesh_;
   NodeElements elements_;

@@ -15,6 +15,11 @@ void dgemm_(const char* transa, const char* transb, const int* m, const int* n, 
 void dtrsm_(const char* side, const char* uplo, const char* transa, const char* diag, const int* m,
             const int* n, const double* alpha, const double* A, const int* lda, double* B,
             const int* ldb);
+void dgemv_(const char* trans, const int* m, const int* n, const double* alpha, const double* A,
+            const int* lda, const double* x, const int* incx, const double* beta, double* y,
+            const int* incy);
+void dtrsv_(const char* uplo, const char* trans, const char* diag, const int* n, const double* A,
+            const int* lda, double* x, const int* incx);
 void dsyrk_(const char* uplo, const char* trans, const int* n, const int* k, const double* alpha,
             const double* A, const int* lda, const double* beta, double* C, const int* ldc);
 void dpotrf_(const char* uplo, const int* n, double* A, const int* lda, int* info);
@@ -45,6 +50,10 @@ struct ConstBlock {
 
 enum class Form { plain, transposed };
 
+/// So few columns are taken one by one: for more, routines that first copy the matrix in their own
+/// order pay.
+inline constexpr int few_columns = 2;
+
 /// C [m, n] = alpha op(A) op(B) + beta C with inner size k.
 struct Product {
   int m, n, k;
@@ -56,6 +65,17 @@ inline void gemm(const Product& p, ConstBlock A, ConstBlock B, Block C) {
     return;
   }
   const char ta = p.a == Form::plain ? 'N' : 'T';
+  if (p.n <= few_columns && p.k > 0 && p.b == Form::plain) {
+    const int rows = p.a == Form::plain ? p.m : p.k;
+    const int columns = p.a == Form::plain ? p.k : p.m;
+    const int one = 1;
+    for (int j = 0; j < p.n; ++j) {
+      dgemv_(&ta, &rows, &columns, &p.alpha, A.data, &A.stride,
+             B.data + static_cast<std::ptrdiff_t>(j) * B.stride, &one, &p.beta,
+             C.data + static_cast<std::ptrdiff_t>(j) * C.stride, &one);
+    }
+    return;
+  }
   const char tb = p.b == Form::plain ? 'N' : 'T';
   dgemm_(&ta, &tb, &p.m, &p.n, &p.k, &p.alpha, A.data, &A.stride, B.data, &B.stride, &p.beta,
          C.data, &C.stride);
@@ -67,6 +87,14 @@ inline void solve_lower(int m, int n, Form form, ConstBlock L, Block B) {
     return;
   }
   const char t = form == Form::plain ? 'N' : 'T';
+  if (n <= few_columns) {
+    const int next = 1;
+    for (int j = 0; j < n; ++j) {
+      dtrsv_("L", &t, "N", &m, L.data, &L.stride,
+             B.data + static_cast<std::ptrdiff_t>(j) * B.stride, &next);
+    }
+    return;
+  }
   const double one = 1.0;
   dtrsm_("L", "L", &t, "N", &m, &n, &one, L.data, &L.stride, B.data, &B.stride);
 }
