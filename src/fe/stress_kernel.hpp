@@ -53,7 +53,7 @@ private:
     if (field.temperature == nullptr) {
       return CornerValues<S>::Zero();
     }
-    const CornerValues<S> T = corner_temperature<S>(mesh, e, *field.temperature);
+    CornerValues<S> T = corner_temperature<S>(mesh, e, *field.temperature);
     if constexpr (plane_quadratic<S>) {
       if (FreeExpansion<S>::wanted(X, law)) {
         U -= FreeExpansion<S>(X, law, T).at_nodes(X);

@@ -7,7 +7,7 @@ namespace spricka::life {
 
 /// GSL ends the program at a mistake unless told otherwise: here its return values are looked at.
 inline void quiet_gsl() {
-  [[maybe_unused]] static const gsl_error_handler_t* before = gsl_set_error_handler_off();
+  [[maybe_unused]] static gsl_error_handler_t* const before = gsl_set_error_handler_off();
 }
 
 /// A callable as GSL takes functions; it must outlive this.

@@ -123,6 +123,7 @@ SmoothedCurve smooth(const std::vector<double>& x, const std::vector<double>& y,
   quiet_gsl();
   const double length = x.back() - x.front();
   std::vector<double> s;
+  s.reserve(x.size());
   for (const double each : x) {
     s.push_back((each - x.front()) / length);
   }

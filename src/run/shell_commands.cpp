@@ -234,7 +234,7 @@ std::vector<std::string> beginning_with(const std::vector<std::string>& names,
     }
   }
   std::ranges::sort(out);
-  out.erase(std::ranges::unique(out).begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
   return out;
 }
 

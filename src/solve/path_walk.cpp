@@ -169,7 +169,7 @@ bool PathWalk::change(int i) {
   const std::array<base::Vector*, 2> states{&v_, &d_};
   ++path_.pivots;
   if (x(i) > no_pivot) {
-    matrix_.pivot(i, std::move(x), states);
+    matrix_.pivot(i, x, states);
     return true;
   }
   const int j = blocking(x, i);
