@@ -28,6 +28,7 @@ std::vector<NodeId> bottom_line(const model::Mesh& mesh, double y) {
     }
   }
   std::vector<NodeId> line;
+  line.reserve(by_x.size());
   for (const auto& [x, node] : by_x) {
     line.push_back(node);
   }

@@ -4,6 +4,7 @@
 #include "results/store_run.hpp"
 
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <random>
@@ -94,7 +95,7 @@ template <class T> inline constexpr bool is_optional<std::optional<T>> = true;
 // An optional would take it by two ways: as itself and as its content.
 struct Anything {
   template <class T>
-  requires(!is_optional<T>) operator T() const; // NOLINT: only named
+  requires(!is_optional<T>) operator T() const { std::abort(); } // NOLINT: only named
 };
 
 // How many members an aggregate has: as many as can be initialised.
