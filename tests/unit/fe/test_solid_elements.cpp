@@ -185,7 +185,7 @@ TYPED_TEST(EveryRing, constant_strain_is_exact) {
       ring += point.weight * jacobian<S>(X, point.r).det * 2.0 * std::numbers::pi *
               X.row(0).dot(S::N(point.r));
     }
-    for (int n = 0; n < S::nodes; ++n) {
+    for (Eigen::Index n = 0; n < S::nodes; ++n) {
       u[2 * n] = a * X(0, n);
       u[2 * n + 1] = b * X(1, n);
     }

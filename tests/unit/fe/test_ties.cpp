@@ -161,6 +161,7 @@ TYPED_TEST(EveryMaster, transition_follows_the_sides_own_field) {
     constexpr int dim = TypeParam::dim;
     Random random;
     std::vector<Vec3> U;
+    U.reserve(TypeParam::nodes);
     for (int i = 0; i < TypeParam::nodes; ++i) {
       U.push_back(random.vec(dim));
     }
@@ -255,9 +256,10 @@ std::vector<Cloud> clouds() {
   for (const int dim : {2, 3}) {
     const Eigen::Index full = dim == 2 ? 3 : 6;
     const Eigen::Index line = dim == 2 ? 3 : 5;
-    const auto some = [&](int n) {
+    const auto some = [&](std::size_t n) {
       std::vector<Vec3> x;
-      for (int i = 0; i < n; ++i) {
+      x.reserve(n);
+      for (std::size_t i = 0; i < n; ++i) {
         x.push_back(random.vec(dim));
       }
       return x;
@@ -267,6 +269,7 @@ std::vector<Cloud> clouds() {
     all.push_back({"many", dim, some(25), full});
     std::vector<Vec3> straight;
     const Vec3 d = random.vec(dim);
+    straight.reserve(6);
     for (int i = 0; i < 6; ++i) {
       straight.emplace_back(Vec3(0.3, -0.2, 0.0) + random.number() * d);
     }

@@ -42,6 +42,7 @@ std::vector<double> spaced(double a0, double a1, int intervals) {
 LifeCurve curve(const Function& rate, double a0, double a1, int intervals) {
   const std::vector<double> a = spaced(a0, a1, intervals);
   std::vector<double> rates;
+  rates.reserve(a.size());
   for (const double x : a) {
     rates.push_back(rate(x));
   }
@@ -245,6 +246,7 @@ TEST(Spline, ReproducesCubics) {
   const auto cubic = [](double x) { return 1.0 + x * (-2.0 + x * (0.5 + 0.3 * x)); };
   const std::vector<double> x{-1.0, 0.2, 0.9, 2.5, 3.0};
   std::vector<double> y;
+  y.reserve(x.size());
   for (const double each : x) {
     y.push_back(cubic(each));
   }

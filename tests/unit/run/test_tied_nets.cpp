@@ -106,7 +106,9 @@ TEST(TiedNets, ThreeMeetInACorner) {
   const std::string upper = tied("C.YMIN", "FLOOR");
   const std::string lower = tied("B.XMIN", "A.XMAX");
   for (const std::string& ties : {upper + lower, lower + upper}) {
-    const auto pieces = solve_text(head + nets + ties + end);
+    std::string text = head + nets;
+    text.append(ties).append(end);
+    const auto pieces = solve_text(text);
     ASSERT_TRUE(whole && pieces);
     expect_same(*whole, *pieces, 1e-10);
     expect_balance(*pieces);

@@ -174,7 +174,7 @@ FrictionProblem random_problem(Dice& dice) {
   for (FrictionRow& row : p.friction) {
     row.mu = dice.chance(0.1) ? 0.0 : dice.real(0.0, dice.chance(0.3) ? 2.0 : 0.6);
   }
-  if (n > 2 * contacts && dice.chance(0.5)) {
+  if (n > 2L * contacts && dice.chance(0.5)) {
     p.contact.equality[at(n - 1)] = true;
   }
   p.contact.B = dice.matrix(n, m);

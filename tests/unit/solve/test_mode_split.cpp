@@ -13,7 +13,7 @@ namespace {
 // radius 1, by the ring's unit motions x, y and its rotation, and by those of a fixed shaft inside
 // it that has the ring's own centre.
 base::Matrix ring_between(int n, double off) {
-  base::Matrix B = base::Matrix::Zero(2 * n, 5);
+  base::Matrix B = base::Matrix::Zero(2L * n, 5);
   for (int i = 0; i < n; ++i) {
     const double t = 2.0 * std::numbers::pi * i / n;
     const base::Vec2 radial(std::cos(t), std::sin(t));
