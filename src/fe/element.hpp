@@ -169,8 +169,8 @@ template <shape::ElementShape S> struct VolumeChange {
   }
 };
 
-/// Nodal forces Ke U of displacements U, both [dim, nodes], without forming Ke. With H = (U dN) J^-1
-/// and F = w T J^-T dN^T no derivative with respect to x is formed at the nodes.
+/// Nodal forces Ke U of displacements U, both [dim, nodes], without forming Ke. With H = (U dN)
+/// J^-1 and F = w T J^-T dN^T no derivative with respect to x is formed at the nodes.
 template <shape::ElementShape S>
 NodeVectors<S> element_force(const NodeVectors<S>& X, const Law& law, const NodeVectors<S>& U) {
   using Square = Eigen::Matrix<double, S::dim, S::dim>;
