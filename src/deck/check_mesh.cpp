@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
+#include "deck/element_place.hpp"
 #include "grammar/table.hpp"
 #include "mesh/quality.hpp"
 
@@ -9,9 +10,7 @@
 
 namespace spricka::deck {
 
-namespace {
-
-const ElementOrigin& origin_of(const Context& c, std::size_t element) {
+const ElementOrigin& element_origin(const Context& c, std::size_t element) {
   const auto after =
       std::upper_bound(c.origins.begin(), c.origins.end(), element,
                        [](std::size_t e, const ElementOrigin& origin) { return e < origin.first; });
@@ -19,24 +18,25 @@ const ElementOrigin& origin_of(const Context& c, std::size_t element) {
   return *(after - 1);
 }
 
-// The row of an $ELEMENT table, or the card that meshed.
-base::Span place_of(const Context& c, std::size_t element) {
-  const ElementOrigin& origin = origin_of(c, element);
+base::Span element_place(const Context& c, std::size_t element) {
+  const ElementOrigin& origin = element_origin(c, element);
   return origin.data.valid() ? grammar::table_label(c.sources, origin.data, element - origin.first)
                              : origin.card;
 }
+
+namespace {
 
 // One message for each card, with the count: a mesh may hold thousands.
 void report_elements(Context& c, const std::vector<std::size_t>& elements, std::string_view code,
                      std::string_view what, std::string_view hint) {
   for (std::size_t i = 0; i < elements.size();) {
-    const ElementOrigin& origin = origin_of(c, elements[i]);
+    const ElementOrigin& origin = element_origin(c, elements[i]);
     std::size_t j = i;
     while (j < elements.size() && elements[j] < origin.first + origin.count) {
       ++j;
     }
     const std::string more = j - i > 1 ? fmt::format(" and {} more", j - i - 1) : "";
-    c.error(place_of(c, elements[i]), std::string(code),
+    c.error(element_place(c, elements[i]), std::string(code),
             fmt::format("element {}{} {}", c.model.mesh.element_label[elements[i]], more, what),
             std::string(hint));
     i = std::max(j, i + 1);
@@ -71,14 +71,14 @@ void report_bad(Context& c, const std::vector<mesh::BadElement>& bad) {
 void tell_corners(Context& c, const std::vector<mesh::FoldedCorner>& corners) {
   const model::Mesh& mesh = c.model.mesh;
   for (std::size_t i = 0; i < corners.size();) {
-    const ElementOrigin& origin = origin_of(c, corners[i].element.index());
+    const ElementOrigin& origin = element_origin(c, corners[i].element.index());
     std::size_t j = i;
     mesh::FoldedCorner worst = corners[i];
     for (; j < corners.size() && corners[j].element.index() < origin.first + origin.count; ++j) {
       worst = corners[j].part < worst.part ? corners[j] : worst;
     }
     c.diagnostics.warning(
-        place_of(c, worst.element.index()), "W307",
+        element_place(c, worst.element.index()), "W307",
         fmt::format("element {} folds over in its corner at node {}{}: its Jacobian there is "
                     "{:.2g} % of the mean, though positive at all integration points; stresses at "
                     "that node are those of the element's middle",
@@ -106,7 +106,7 @@ void one_space(Context& c) {
       std::find_if(mesh.x.begin(), mesh.x.end(), [](const base::Vec3& x) { return x.z() != 0.0; });
   if (it != mesh.x.end() && mesh.element_count() > 0) {
     const auto node = static_cast<std::size_t>(it - mesh.x.begin());
-    c.error(origin_of(c, 0).card, "E313",
+    c.error(element_origin(c, 0).card, "E313",
             fmt::format("elements of the plane, but node {} has z = {}", mesh.node_label[node],
                         it->z()));
   }

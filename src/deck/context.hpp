@@ -105,6 +105,10 @@ void build_requests(Context& context);
 void check_references(Context& context);
 /// Elements without a property, bad elements, mixed dimensions.
 void check_mesh(Context& context);
+/// Elements that stand twice; sides that touch and nothing joins.
+void check_seams(Context& context);
 void check_scope(Context& context);
+/// Values that the language allows and hardly anybody means.
+void check_sense(Context& context);
 
 } // namespace spricka::deck

@@ -54,7 +54,9 @@ std::optional<model::Model> read_deck(const std::filesystem::path& deck, const R
   build_requests(context);
   check_references(context);
   check_mesh(context);
+  check_seams(context);
   check_scope(context);
+  check_sense(context);
   if (diagnostics.has_errors()) {
     return std::nullopt;
   }

@@ -57,6 +57,13 @@ double tip_clearance(const Host& host, const CrackFrame& frame, const std::vecto
 double tip_room(const Host& host, const CrackFrame& frame, const std::vector<base::Vec2>& line,
                 bool half, base::NetId net);
 
+/// The nearest point of a net's boundary (any net: invalid) and how far it is.
+struct BoundaryPoint {
+  base::Vec3 x = base::Vec3::Zero();
+  double distance = 0.0;
+};
+BoundaryPoint nearest_boundary(const Host& host, const base::Vec3& point, base::NetId net);
+
 /// Whether an edge is longer than its room, times `part`: its distance from the crack and from the
 /// rosettes.
 bool is_long(const model::Mesh& mesh, const Placement& placement, const Edge& edge, double part);

@@ -147,6 +147,11 @@ CrackFrame frame_of(const CrackLine& line) {
   return frame;
 }
 
+BoundaryPoint nearest_boundary(const Host& host, const Vec3& point, base::NetId net) {
+  const Found found = find_mouth(host, point, net);
+  return {found.at, found.distance};
+}
+
 CrackStart crack_start(const Host& host, const Vec3& point, base::NetId net) {
   const Found found = find_mouth(host, point, net);
   if (found.distance <= on_boundary * found.chord) {

@@ -119,6 +119,14 @@ constexpr std::array advice{
                       "integrated; but some places in that corner belong to it twice."},
     ErrorCode{"W336", "Refine where bending or near incompressibility made you choose the special "
                       "form."},
+    ErrorCode{"W341",
+              "Bodies that share no node are separate: merge the nodes where the mesh is made, "
+              "or tie or pair the sides."},
+    ErrorCode{"W342", "Angles without a unit are radians; write 45[deg]."},
+    ErrorCode{"W344", "STATE of $CRACK only says how K follows from G; without it that is the "
+                      "elements' own."},
+    ErrorCode{"W345", "Two tips so near the surface hardly are what was drawn. Put the first point "
+                      "on the surface or outside by less than a thousandth of an element side."},
     ErrorCode{"W337", "The moduli must be in deck units already."},
     ErrorCode{"E550", "sweep.csv has the error of each point; started again, the sweep tries them "
                       "again."},

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/context.hpp"
+#include "deck/element_place.hpp"
+#include "mesh/boundary.hpp"
+#include "mesh/coincidence.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+/// Elements that stand twice, and bodies that touch along whole sides but are joined by nothing.
+namespace spricka::deck {
+
+namespace {
+
+using base::NodeId;
+
+void doubled(Context& c) {
+  auto pairs = mesh::doubled_elements(c.model.mesh);
+  std::erase_if(pairs, [&](const auto& pair) { // bodies of their own may be drawn on each other
+    return c.model.mesh.element_net[pair.first.index()] !=
+           c.model.mesh.element_net[pair.second.index()];
+  });
+  if (pairs.empty()) {
+    return;
+  }
+  const auto& [first, second] = pairs.front();
+  const auto label = [&](base::ElementId e) { return c.model.mesh.element_label[e.index()]; };
+  const std::string more = pairs.size() > 1 ? fmt::format(" and {} more", pairs.size() - 1) : "";
+  c.error(element_place(c, second.index()), "E340",
+          fmt::format("element {}{} lies on element {}: the material would count twice",
+                      label(second), more, label(first)),
+          "is an $ELEMENT, $MESH or $IMPORT there twice?");
+}
+
+// Nodes that a contact or a tie looks after.
+std::vector<bool> looked_after(const Context& c) {
+  const model::Mesh& mesh = c.model.mesh;
+  std::vector<bool> found(mesh.node_count(), false);
+  const auto faces = [&](base::FaceSetId set) {
+    if (set.valid()) {
+      for (const NodeId n : mesh::nodes_of_faces(mesh, mesh.set(set).faces)) {
+        found[n.index()] = true;
+      }
+    }
+  };
+  const auto nodes = [&](base::NodeSetId set) {
+    if (set.valid()) {
+      for (const NodeId n : mesh.set(set).nodes) {
+        found[n.index()] = true;
+      }
+    }
+  };
+  for (const model::Contact& contact : c.model.contacts) {
+    faces(contact.slave);
+    faces(contact.master);
+  }
+  for (const model::Mpc& mpc : c.model.mpcs) {
+    if (const auto* equation = std::get_if<model::Equation>(&mpc)) {
+      for (const model::Equation::Term& term : equation->terms) {
+        found[term.node.index()] = true;
+      }
+    } else if (const auto* tie = std::get_if<model::Transition>(&mpc)) {
+      nodes(tie->slave);
+      faces(tie->master);
+    } else if (const auto* rigid = std::get_if<model::RigidTie>(&mpc)) {
+      nodes(rigid->slave);
+    }
+  }
+  return found;
+}
+
+// A slit that is meant is told like one that is not: only its maker knows.
+void open_seams(Context& c) {
+  const model::Mesh& mesh = c.model.mesh;
+  if (!c.boundary) {
+    c.boundary = mesh::boundary_faces(mesh);
+  }
+  std::vector<mesh::Seam> seams = mesh::seams(mesh, *c.boundary);
+  if (seams.empty()) {
+    return;
+  }
+  const std::vector<bool> known = looked_after(c);
+  std::erase_if(seams, [&](const mesh::Seam& seam) {
+    return mesh.element_net[seam.first.element.index()] !=
+               mesh.element_net[seam.second.element.index()] ||
+           mesh::lies_within(mesh, seam.first, known) ||
+           mesh::lies_within(mesh, seam.second, known);
+  });
+  if (seams.empty()) {
+    return;
+  }
+  const mesh::Seam& seam = seams.front();
+  const auto net = [&](const model::Face& face) {
+    const std::string& name = c.model.nets[mesh.element_net[face.element.index()].index()].name;
+    return name.empty() ? std::string() : " of " + name;
+  };
+  const auto label = [&](const model::Face& face) {
+    return mesh.element_label[face.element.index()];
+  };
+  c.diagnostics.warning(
+      element_place(c, seam.second.element.index()), "W341",
+      fmt::format("elements {} and {}{} touch along a side but have nodes of their own there{}: "
+                  "nothing joins them",
+                  label(seam.first), label(seam.second), net(seam.first),
+                  seams.size() > 1 ? fmt::format(", like {} more pairs", seams.size() - 1) : ""),
+      "give both the same nodes, tie them with $MPC or pair the sides with $CONTACT; a slit stays "
+      "open and its faces may pass through each other");
+}
+
+} // namespace
+
+void check_seams(Context& context) {
+  if (!context.mesh_sound || context.diagnostics.has_errors() ||
+      context.model.mesh.element_count() == 0) {
+    return;
+  }
+  doubled(context);
+  open_seams(context);
+}
+
+} // namespace spricka::deck

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/context.hpp"
+#include "mesh/cavity.hpp"
+#include "mesh/host.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+/// Values that the language allows and hardly anybody means: said, not refused.
+namespace spricka::deck {
+
+namespace {
+
+// Radians of people are 0.5, pi/4 or 1.5708; 1, 2, 30 are degrees whose unit was forgotten.
+void angles(Context& c) {
+  for (const BoundCard& card : c.cards) {
+    for (const BoundValue& value : card.values) {
+      if (!value.given || value.key == nullptr || value.key->quantity != grammar::Quantity::angle ||
+          value.number == 0.0 || value.number != std::floor(value.number) ||
+          c.sources.text(value.span).find('[') != std::string_view::npos) {
+        continue;
+      }
+      c.diagnostics.warning(
+          value.span, "W342",
+          fmt::format("{}: {} is in radians, which are {:.4g} degrees", value.key->name,
+                      value.number, value.number * 180.0 / std::numbers::pi),
+          fmt::format("degrees are written {}[deg]; {}[rad] says that radians are meant",
+                      value.number, value.number));
+    }
+  }
+}
+
+// Nothing is stiffer than diamond, E = 1.2e12 Pa.
+void moduli(Context& c) {
+  constexpr double stiffest = 2e12;
+  const base::UnitSystem& units = c.model.units;
+  const double pascal = units.newton_per_force / std::pow(units.metre_per_length, 2);
+  for (const model::Material& material : c.model.materials) {
+    if (material.E * pascal > stiffest) {
+      c.diagnostics.warning(
+          material.span, "W343",
+          fmt::format("material {}: E = {:.4g} {} is {:.3g} GPa, stiffer than anything there is",
+                      material.name, material.E, units.stress_name(), material.E * pascal / 1e9),
+          "a number without a unit counts in the deck's; write E=210[GPa]");
+    }
+  }
+}
+
+std::string_view word_of(model::State state) {
+  return state == model::State::plane_stress ? "STRESS" : "STRAIN";
+}
+
+// K belongs to G by E or by E/(1 - nu^2): that of another state than the elements' is off by
+// 1 - nu^2 under a root.
+void crack_states(Context& c) {
+  const model::Mesh& mesh = c.model.mesh;
+  for (const model::Crack& crack : c.model.cracks) {
+    if (crack.state == model::CrackState::automatic || mesh.dim != 2) {
+      continue;
+    }
+    const base::NetId net = crack.kind == model::CrackKind::free ? crack.net
+                            : crack.path.valid() && !mesh.set(crack.path).nodes.empty()
+                                ? mesh.node_net[mesh.set(crack.path).nodes.front().index()]
+                                : base::NetId();
+    const model::State own = crack.state == model::CrackState::stress ? model::State::plane_stress
+                                                                      : model::State::plane_strain;
+    for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+      const model::State state = c.model.property_of(mesh, base::ElementId(e)).state;
+      if (mesh.element_net[e] != net || state == own || state == model::State::axisymmetric) {
+        continue;
+      }
+      c.diagnostics.warning(
+          crack.span, "W344",
+          fmt::format("crack {} has STATE={}, the elements round it STATE={}: K is found from G by "
+                      "another modulus than the stresses have",
+                      crack.name, word_of(own), word_of(state)),
+          "leave STATE of $CRACK away: it follows the elements");
+      break;
+    }
+  }
+}
+
+double length_of(const model::Crack& crack) {
+  if (crack.a0) {
+    return *crack.a0;
+  }
+  double sum = 0.0;
+  for (std::size_t i = 1; i < crack.points.size(); ++i) {
+    sum += (crack.points[i] - crack.points[i - 1]).norm();
+  }
+  return sum;
+}
+
+// A start inside, but by a small part of the length: of an edge crack whose mouth missed the edge.
+void crack_starts(Context& c) {
+  constexpr double missed = 0.1;
+  const auto drawn = [](const model::Crack& crack) {
+    return crack.kind == model::CrackKind::free && !crack.points.empty();
+  };
+  if (c.model.mesh.dim != 2 || std::ranges::none_of(c.model.cracks, drawn)) {
+    return;
+  }
+  const mesh::Host host(c.model.mesh);
+  for (const model::Crack& crack : c.model.cracks) {
+    if (!drawn(crack) ||
+        mesh::crack_start(host, crack.points.front(), crack.net) != mesh::CrackStart::inside) {
+      continue;
+    }
+    const mesh::BoundaryPoint edge = mesh::nearest_boundary(host, crack.points.front(), crack.net);
+    if (edge.distance < missed * length_of(crack)) {
+      c.diagnostics.warning(
+          crack.span, "W345",
+          fmt::format("crack {} starts inside the body, only {:.3g} from its surface: it has two "
+                      "tips and a ligament there",
+                      crack.name, edge.distance),
+          fmt::format("a crack from the surface starts on it, at ({:.9g}, {:.9g})", edge.x.x(),
+                      edge.x.y()));
+    }
+  }
+}
+
+} // namespace
+
+void check_sense(Context& context) {
+  angles(context);
+  if (context.diagnostics.has_errors()) {
+    return;
+  }
+  moduli(context);
+  crack_states(context);
+  crack_starts(context);
+}
+
+} // namespace spricka::deck
