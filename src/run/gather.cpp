@@ -4,6 +4,7 @@
 #include "contact/marked_arc.hpp"
 #include "crack/stress_intensity.hpp"
 #include "run/judge_faces.hpp"
+#include "run/judge_size.hpp"
 #include "run/lip_contact.hpp"
 #include "run/tip_loads.hpp"
 #include "run/tip_name.hpp"
@@ -309,6 +310,7 @@ results::StepResult gather_step(const model::Model& model, const Scene& scene,
   gather_bodies(model, scene, bodies, state, out);
   gather_nets(model, scene, state, out);
   gather_targets(model, out, out.targets);
+  judge_size(scene, bodies, out);
   return out;
 }
 
