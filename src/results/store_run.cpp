@@ -243,11 +243,47 @@ std::vector<LogLine> read_log(const StoreGroup& group, const std::string& name) 
   return read_list<LogLine>(group, name);
 }
 
-void write_run(const StoreGroup& given, const Run& run, Times times) {
+namespace {
+
+// Tables of tips, contacts and balances stay.
+Increment without_fields(const Increment& whole) {
+  Increment thin;
+  thin.number = whole.number;
+  thin.a = whole.a;
+  thin.kept = whole.kept;
+  thin.mesh.dim = whole.mesh.dim;
+  thin.paths = whole.paths;
+  thin.notes = whole.notes;
+  for (const StepResult& step : whole.steps) {
+    StepResult& copy = thin.steps.emplace_back(step);
+    for (base::Vector* field : {&copy.u, &copy.reaction, &copy.temperature}) {
+      field->resize(0);
+    }
+    copy.stress.clear();
+    copy.element_stress.clear();
+    for (TipResult& tip : copy.tips) {
+      for (KBar& bar : tip.bar) {
+        bar.of_element.clear();
+      }
+    }
+  }
+  return thin;
+}
+
+} // namespace
+
+void write_run(const StoreGroup& given, const Run& run, Times times,
+               const std::vector<bool>& fields) {
   StoreGroup group = given;
   const StoreGroup all = group.group("increments");
   for (std::size_t i = 0; i < run.increments.size(); ++i) {
-    write_increment(all.group(fmt::format("{:04}", i + 1)), run.increments[i]);
+    const Increment& whole = run.increments[i];
+    const StoreGroup place = all.group(fmt::format("{:04}", i + 1));
+    if (fields.empty() || fields[i]) {
+      write_increment(place, whole);
+    } else {
+      write_increment(place, without_fields(whole));
+    }
   }
   write_list(group, "checks", run.checks);
   put(group, "warnings", run.warnings);

@@ -4,6 +4,9 @@
 #include "results/results.hpp"
 #include "results/store.hpp"
 
+#include <string>
+#include <vector>
+
 /// Runs in a store, whole: what is read is what was written, to the bit. manual/results_file.md
 /// names the folders and arrays.
 namespace spricka::results {
@@ -15,8 +18,10 @@ void write_increment(const StoreGroup& given, const Increment& increment);
 Increment read_increment(const StoreGroup& group);
 
 /// A run: increments/0001, ..., checks, warnings, rounds, growth; with times also the log, CPU
-/// time, wall time and memory.
-void write_run(const StoreGroup& given, const Run& run, Times times);
+/// time, wall time and memory. Increments whose `fields` are false are written without mesh, nodal
+/// and element values; empty: all whole. [increment]
+void write_run(const StoreGroup& given, const Run& run, Times times,
+               const std::vector<bool>& fields = {});
 Run read_run(const StoreGroup& group);
 
 void write_arrays(const StoreGroup& group, const NamedArrays& arrays);

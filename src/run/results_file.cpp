@@ -6,13 +6,30 @@
 #include "run/commands.hpp"
 #include "run/deck_digest.hpp"
 
+#include <algorithm>
 #include <system_error>
+#include <vector>
 
 namespace spricka::run {
 
 namespace {
 
 constexpr std::int64_t format_version = 1;
+
+// Stations of a growth by a law are the program's choice, and many: of those between the first and
+// the last fields are kept only where the deck asks for fields of each.
+std::vector<bool> kept_fields(const model::Model& model, const results::Run& run) {
+  const bool law = model.growth && model.growth->law != model::GrowthLaw::increment;
+  const bool asked = std::ranges::any_of(model.outputs, [](const model::Output& output) {
+    return output.format == model::OutputFormat::vtu && output.every != model::OutputEvery::end;
+  });
+  std::vector<bool> kept(run.increments.size(), !law || asked);
+  if (!kept.empty()) {
+    kept.front() = true;
+    kept.back() = true;
+  }
+  return kept;
+}
 
 } // namespace
 
@@ -64,7 +81,7 @@ void write_results_file(const std::filesystem::path& file, const base::Sources& 
       describe_origin(root, model);
       store_deck(root, sources, model);
       results::write_reader_tables(root, run);
-      results::write_run(root, run, results::Times::left_out);
+      results::write_run(root, run, results::Times::left_out, kept_fields(model, run));
     }
     report::write_file(file, store.bytes());
   } catch (const results::StoreError& trouble) {

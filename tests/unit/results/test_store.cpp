@@ -249,6 +249,24 @@ TEST(Store, a_run_comes_back_to_the_bit) {
   EXPECT_EQ(back.growth->reason, run.growth->reason);
 }
 
+TEST(Store, fields_of_some_increments_can_be_left_out) {
+  const WholeRun run = random_run();
+  Store store = Store::in_memory();
+  write_run(store.root(), run, Times::left_out, {true, false, true});
+  const WholeRun back = read_run(Store::from_bytes(std::string(store.bytes())).root());
+  ASSERT_EQ(back.increments.size(), 3U);
+  const StepResult& whole = run.increments[1].steps[1];
+  const StepResult& thin = back.increments[1].steps[1];
+  EXPECT_EQ(thin.u.size(), 0);
+  EXPECT_TRUE(thin.stress.empty());
+  EXPECT_TRUE(back.increments[1].mesh.x.empty());
+  ASSERT_EQ(thin.tips.size(), whole.tips.size());
+  EXPECT_EQ(thin.tips[0].K1, whole.tips[0].K1);
+  EXPECT_EQ(thin.tips[0].bar[0].mesh, whole.tips[0].bar[0].mesh);
+  EXPECT_EQ(thin.contacts[1].points.size(), whole.contacts[1].points.size());
+  EXPECT_TRUE(same_bits(back.increments[2].steps[1].u, run.increments[2].steps[1].u));
+}
+
 TEST(Store, times_can_be_left_out) {
   WholeRun run = random_run();
   const auto timeless = [&] {
