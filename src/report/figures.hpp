@@ -26,6 +26,7 @@ struct Reference {
   double wanted = 0.0;
   double found = 0.0; ///< what the run has at this place
   std::string source;
+  double bar = 0.0; ///< error bar of `found`; 0: none
 };
 std::vector<Reference> k_references(const model::Model& model, const results::Run& run);
 

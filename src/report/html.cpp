@@ -4,6 +4,7 @@
 #include "report/growth_tests.hpp"
 #include "report/load_paths.hpp"
 #include "report/model_tables.hpp"
+#include "report/notes.hpp"
 #include "report/page.hpp"
 #include "report/report.hpp"
 #include "report/result_tables.hpp"
@@ -13,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 namespace spricka::report {
 namespace {
@@ -37,6 +39,27 @@ void add_verdict(Page& page, const results::Run& run) {
                          passed == run.checks.size() ? "about" : "failed", passed,
                          run.checks.size()));
   }
+}
+
+/// The tables of all increments as one, with a column for the crack length in front; without
+/// cracks the only one.
+Table over_lengths(const model::Model& model, const results::Run& run,
+                   const std::function<Table(const results::Increment&)>& table_of) {
+  Table all;
+  for (const results::Increment& increment : run.increments) {
+    Table table = table_of(increment);
+    if (model.cracks.empty()) {
+      return table;
+    }
+    for (std::vector<std::string>& row : table.rows) {
+      row.insert(row.begin(), fmt::format("{:.6g}", increment.a));
+      all.rows.push_back(std::move(row));
+    }
+    table.columns.insert(table.columns.begin(), {"a", model.units.length_name, false});
+    all.title = table.title;
+    all.columns = std::move(table.columns);
+  }
+  return all;
 }
 
 void add_cracks(Page& page, const model::Model& model, const results::Run& run) {
@@ -92,16 +115,9 @@ void add_paths(Page& page, const model::Model& model, const results::Run& run) {
   for (const Figure& figure : load_path_figures(model, run)) {
     page.figure(figure);
   }
-  for (const results::Increment& increment : run.increments) {
-    for (Table table : {load_path_table(model, increment), opening_table(increment)}) {
-      if (run.increments.size() > 1) {
-        table.title += fmt::format(" at a = {:.4g} {}", increment.a, model.units.length_name);
-      }
-      if (!table.rows.empty()) {
-        page.table(table);
-      }
-    }
-  }
+  const auto paths = [&](const results::Increment& i) { return load_path_table(model, i); };
+  page.table(over_lengths(model, run, paths));
+  page.table(over_lengths(model, run, opening_table));
 }
 
 void add_contacts(Page& page, const model::Model& model, const results::Run& run) {
@@ -116,16 +132,10 @@ void add_contacts(Page& page, const model::Model& model, const results::Run& run
   for (const Figure& figure : pressure_figures(model, run)) {
     page.figure(figure);
   }
-  for (const results::Increment& increment : run.increments) {
-    Table table = contact_table(model, increment);
-    if (!model.cracks.empty()) {
-      table.title = fmt::format("Contact at a = {:.4g} {}", increment.a, model.units.length_name);
-    }
-    page.table(table);
-    if (const Table friction = friction_table(model, increment); !friction.rows.empty()) {
-      page.table(friction);
-    }
-  }
+  const auto contacts = [&](const results::Increment& i) { return contact_table(model, i); };
+  const auto friction = [&](const results::Increment& i) { return friction_table(model, i); };
+  page.table(over_lengths(model, run, contacts));
+  page.table(over_lengths(model, run, friction));
 }
 
 void add_notes(Page& page, const results::Run& run) {
@@ -133,26 +143,9 @@ void add_notes(Page& page, const results::Run& run) {
   for (const std::string& warning : run.warnings) {
     items += fmt::format("<li><b>Warning:</b> {}</li>\n", escape(warning));
   }
-  for (const results::GrowthTest& test : run.tests) {
-    for (const std::string& note : test.notes) {
-      items += fmt::format("<li>Test {}: {}</li>\n", escape(test.name), escape(note));
-    }
-  }
-  for (const results::Increment& increment : run.increments) {
-    for (const std::string& note : increment.notes) {
-      items += fmt::format("<li>Increment {}: {}</li>\n", increment.number, escape(note));
-    }
-    for (const results::LoadPath& path : increment.paths) {
-      for (const std::string& note : path.notes) {
-        items += fmt::format("<li>Increment {}, load path {}: {}</li>\n", increment.number,
-                             escape(path.name), escape(note));
-      }
-    }
-    for (const results::StepResult& step : increment.steps) {
-      for (const std::string& note : step.notes) {
-        items += fmt::format("<li>Increment {}, step {}: {}</li>\n", increment.number,
-                             escape(step.step), escape(note));
-      }
+  for (const Note& note : collect_notes(run)) {
+    if (!note.warning) {
+      items += fmt::format("<li>{}</li>\n", escape(words_of(note)));
     }
   }
   if (!items.empty()) {

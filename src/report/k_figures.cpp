@@ -36,22 +36,28 @@ std::vector<std::string> tip_names(const results::Run& run) {
   return names;
 }
 
-/// (a, K1) of one tip at the ends of one step.
-std::vector<Point> history(const results::Run& run, std::string_view step, std::string_view tip) {
+/// (a, K1) of one tip at the ends of one step, with the error bars of K1.
+struct History {
   std::vector<Point> points;
+  std::vector<double> bars; ///< [point]; 0 where there is none
+};
+
+History history(const results::Run& run, std::string_view step, std::string_view tip) {
+  History curve;
   for (const results::Increment& increment : run.increments) {
     const results::StepResult* const at = results::find_step(increment, step);
     const results::TipResult* const found = at == nullptr ? nullptr : results::find_tip(*at, tip);
     if (found != nullptr) {
-      points.push_back({found->a, found->K1});
+      curve.points.push_back({found->a, found->K1});
+      curve.bars.push_back(found->no_bar.empty() ? found->bar[0].size() : 0.0);
     }
   }
-  return points;
+  return curve;
 }
 
 bool grows(const results::Run& run, const std::vector<std::string>& tips, std::string_view step) {
   return std::any_of(tips.begin(), tips.end(), [&](const std::string& tip) {
-    const std::vector<Point> points = history(run, step, tip);
+    const std::vector<Point> points = history(run, step, tip).points;
     return !points.empty() && points.front().x != points.back().x;
   });
 }
@@ -102,24 +108,24 @@ bool coincide(const std::vector<Point>& a, const std::vector<Point>& b) {
 struct Group {
   std::vector<std::string> tips;
   std::vector<std::string> steps;
-  std::vector<Point> points;
+  History curve;
 };
 
 std::vector<Group> tip_groups(const results::Run& run, const std::vector<std::string>& tips,
                               const std::string& step) {
   std::vector<Group> groups;
   for (const std::string& tip : tips) {
-    const std::vector<Point> points = history(run, step, tip);
+    const History curve = history(run, step, tip);
     const auto same = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
-      return coincide(group.points, points);
+      return coincide(group.curve.points, curve.points);
     });
-    if (points.empty()) {
+    if (curve.points.empty()) {
       continue;
     }
     if (same != groups.end()) {
       same->tips.push_back(tip);
     } else {
-      groups.push_back({{tip}, {step}, points});
+      groups.push_back({{tip}, {step}, curve});
     }
   }
   return groups;
@@ -131,7 +137,7 @@ std::vector<Group> groups_of(const model::Model& model, const results::Run& run,
   for (const model::Step& step : model.steps) {
     for (Group& fresh : tip_groups(run, tips, step.name)) {
       const auto same = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
-        return group.tips == fresh.tips && coincide(group.points, fresh.points);
+        return group.tips == fresh.tips && coincide(group.curve.points, fresh.curve.points);
       });
       if (same != groups.end()) {
         same->steps.push_back(step.name);
@@ -149,7 +155,8 @@ Series group_series(const Group& group, bool name_tips, std::size_t ink, std::si
   if (name_tips) {
     series.name += fmt::format(": {}", fmt::join(group.tips, ", "));
   }
-  series.points = group.points;
+  series.points = group.curve.points;
+  series.bars = group.curve.bars;
   series.colour = colour(ink);
   series.dash = dash(pattern);
   series.marker = closed_marker(ink);
@@ -167,6 +174,22 @@ double find_number(const model::Model& model, std::string_view name) {
 
 std::string percent(const Reference& r) {
   return fmt::format("{:+.2f}", 100.0 * (r.found / r.wanted - 1.0));
+}
+
+/// What a reader has to know of the bars: most are too small to be seen.
+std::string bar_words(const std::vector<Series>& all) {
+  double widest = 0.0;
+  for (const Series& series : all) {
+    for (std::size_t i = 0; i < series.bars.size(); ++i) {
+      const double K = std::abs(series.points[i].y);
+      widest = K > 0.0 ? std::max(widest, series.bars[i] / K) : widest;
+    }
+  }
+  return widest > 0.0
+             ? fmt::format(" Error bars: what the mesh may have done to K₁, at most {:.2g} "
+                           "% of it; those shorter than a pixel are not drawn.",
+                           100.0 * widest)
+             : std::string();
 }
 
 /// What stands beside the normalised plot: the references of its step.
@@ -218,8 +241,8 @@ std::vector<Reference> k_references(const model::Model& model, const results::Ru
     const results::TipResult* const found =
         results::find_tip_at(run, *step, *tip, a == nullptr ? 0.0 : *a);
     if (found != nullptr) {
-      references.push_back(
-          {*tip, *step, a == nullptr ? found->a : *a, check.value, found->K1, check.source});
+      references.push_back({*tip, *step, a == nullptr ? found->a : *a, check.value, found->K1,
+                            check.source, found->no_bar.empty() ? found->bar[0].size() : 0.0});
     }
   }
   return references;
@@ -253,7 +276,8 @@ std::optional<Figure> k_figure(const model::Model& model, const results::Run& ru
   }
   return Figure{{draw(plot)},
                 "",
-                "Stress intensity factor K₁ at the ends of the steps over the crack length a."};
+                "Stress intensity factor K₁ at the ends of the steps over the crack length a." +
+                    bar_words(plot.series)};
 }
 
 std::optional<Figure> normalised_figure(const model::Model& model, const results::Run& run) {
@@ -271,7 +295,11 @@ std::optional<Figure> normalised_figure(const model::Model& model, const results
   }
   add_references(plot, k_references(model, run), step);
   for (Series& series : plot.series) {
-    for (Point& p : series.points) {
+    for (std::size_t i = 0; i < series.points.size(); ++i) {
+      Point& p = series.points[i];
+      if (i < series.bars.size()) {
+        series.bars[i] /= state->k0(p.x);
+      }
       p = {p.x / state->radius, p.y / state->k0(p.x)};
     }
   }
@@ -282,7 +310,8 @@ std::optional<Figure> normalised_figure(const model::Model& model, const results
       fmt::format(
           "K₁ at the end of step {} over σ √(πa), against a/R; R = {:.6g} {}, σ = {:.4g} {} "
           "(the deck's parameters R and SIGMA). Marks: values the deck compares with.",
-          step, state->radius, model.units.length_name, state->sigma, model.units.stress_name())};
+          step, state->radius, model.units.length_name, state->sigma, model.units.stress_name()) +
+          bar_words(plot.series)};
   const Table table = normalised_table(*state, k_references(model, run), step);
   if (!table.rows.empty()) {
     figure.drawings.push_back(to_html(table));
@@ -297,12 +326,14 @@ Table reference_table(const model::Model& model, const results::Run& run) {
                {"step", "", true},
                {"a", model.units.length_name, false},
                {"K1", k_unit, false},
+               {"+-", k_unit, false},
                {"reference", k_unit, false},
                {"error", "%", false},
                {"source", "", true}},
               {}};
   for (const Reference& r : k_references(model, run)) {
     table.rows.push_back({r.tip, r.step, fmt::format("{:.4g}", r.a), fmt::format("{:.5g}", r.found),
+                          r.bar > 0.0 ? fmt::format("{:.2g}", r.bar) : "",
                           fmt::format("{:.5g}", r.wanted), percent(r), r.source});
   }
   return table;

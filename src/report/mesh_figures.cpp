@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/property_points.hpp"
 #include "report/figures.hpp"
 #include "report/mesh_picture.hpp"
+#include "report/model_marks.hpp"
 #include "report/result_tables.hpp"
 #include "report/solid_picture.hpp"
 
@@ -9,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace spricka::report {
 namespace {
@@ -98,14 +101,13 @@ std::string tip_drawing(const model::Model& model, const results::Increment& inc
   return draw(view);
 }
 
-Figure whole_mesh(const model::Model& model, const results::Increment& increment) {
+/// A view of all there is, at most `width` wide, with room for what stands beside the bodies.
+MeshView whole_view(const model::Model& model, const results::Increment& increment, double width,
+                    double share) {
   const model::Mesh& mesh = increment.mesh;
   MeshView view;
   view.mesh = &mesh;
-  view.id = "mesh-whole";
-  view.title = "Mesh";
   view.length_name = model.units.length_name;
-  view.width = 660.0;
   constexpr double infinite = std::numeric_limits<double>::infinity();
   view.low = {infinite, infinite};
   view.high = {-infinite, -infinite};
@@ -115,12 +117,20 @@ Figure whole_mesh(const model::Model& model, const results::Increment& increment
     view.high = {std::max(view.high.x, x[0]), std::max(view.high.y, x[1])};
   }
   view.rigids = model.rigids;
-  const double share = model.rigids.empty() ? 0.02 : 0.05; // room for the hatches
   const double margin = share * std::max(view.high.x - view.low.x, view.high.y - view.low.y);
   view.low = {view.low.x - margin, view.low.y - margin};
   view.high = {view.high.x + margin, view.high.y + margin};
   const double slender = (view.high.y - view.low.y) / (view.high.x - view.low.x);
-  view.width = std::min(view.width, 480.0 / slender);
+  view.width = std::min(width, 480.0 / slender);
+  return view;
+}
+
+Figure whole_mesh(const model::Model& model, const results::Increment& increment) {
+  const model::Mesh& mesh = increment.mesh;
+  MeshView view = whole_view(model, increment, 660.0, 0.06); // room for arrows and hatches
+  view.id = "mesh-whole";
+  view.title = "Mesh";
+  view.marks = &model;
   std::string cracks;
   if (const results::StepResult* const step = leading(model, increment)) {
     for (const results::TipResult& tip : step->tips) {
@@ -132,11 +142,114 @@ Figure whole_mesh(const model::Model& model, const results::Increment& increment
     }
   }
   return {{draw(view)},
-          "",
+          model_legend(model, 660.0),
           fmt::format("The mesh, {} elements, one tint for each net{}. Heavy lines are edges of "
                       "one element only: outlines and crack lips.{}",
                       mesh.element_count(), cracks,
                       model.rigids.empty() ? "" : " Hatched lines: rigid targets.")};
+}
+
+/// Elements beyond which a picture of a field is left to ParaView.
+constexpr std::size_t most_coloured = 20000;
+
+/// So that the largest displacement is a round share, at most a fifteenth, of the size.
+void deform_all(MeshView& view, const results::StepResult& step) {
+  double largest = 0.0;
+  for (Eigen::Index n = 0; n + 1 < step.u.size(); n += 2) {
+    largest = std::max(largest, step.u.segment<2>(n).norm());
+  }
+  if (largest > 0.0) {
+    view.u = &step.u;
+    view.magnify =
+        round_down(std::max(view.high.x - view.low.x, view.high.y - view.low.y) / 15.0 / largest);
+  }
+}
+
+/// The value that 99 % of the area stay below: a crack tip would have all colours for itself.
+double level_of_most(const model::Mesh& mesh, const std::vector<double>& field) {
+  constexpr double counted = 0.99;
+  std::vector<std::pair<double, double>> values; // with their share of the area
+  double total = 0.0;
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const std::span<const base::NodeId> nodes = mesh.nodes_of(base::ElementId(e));
+    const auto corners = static_cast<std::size_t>(base::info(mesh.type[e]).corners);
+    double area = 0.0;
+    for (std::size_t i = 0; i < corners; ++i) {
+      const base::Vec3& a = mesh.x[nodes[i].index()];
+      const base::Vec3& b = mesh.x[nodes[(i + 1) % corners].index()];
+      area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
+    }
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const double share = area / static_cast<double>(nodes.size());
+      values.emplace_back(field[static_cast<std::size_t>(mesh.first[e]) + i], share);
+      total += share;
+    }
+  }
+  std::ranges::sort(values);
+  double sum = 0.0;
+  for (const auto& [value, share] : values) {
+    sum += share;
+    if (sum >= counted * total) {
+      return value;
+    }
+  }
+  return values.empty() ? 0.0 : values.back().first;
+}
+
+std::string stress_drawing(const model::Model& model, const results::Increment& increment,
+                           const results::StepResult& step, double& largest) {
+  const model::Mesh& mesh = increment.mesh;
+  const model::PropertyPoints points = model::property_points(mesh);
+  MeshView view = whole_view(model, increment, 480.0, 0.06);
+  view.id = "stress-whole";
+  view.title = "Von Mises stress";
+  for (std::size_t k = 0; k < mesh.nodes.size(); ++k) {
+    view.field.push_back(results::von_mises(step.stress[static_cast<std::size_t>(points.of[k])]));
+  }
+  const auto [low, high] = std::ranges::minmax(view.field);
+  largest = high;
+  const double most = level_of_most(mesh, view.field);
+  view.scale = scale_between(low, most > low ? most : high);
+  view.field_words = fmt::format("von Mises, {}", print_unit(model.units.stress_name()));
+  deform_all(view, step);
+  return draw(view);
+}
+
+std::string displacement_drawing(const model::Model& model, const results::Increment& increment,
+                                 const results::StepResult& step) {
+  const model::Mesh& mesh = increment.mesh;
+  MeshView view = whole_view(model, increment, 480.0, 0.06);
+  view.id = "displacement-whole";
+  view.title = "Displacement";
+  double largest = 0.0;
+  for (const base::NodeId n : mesh.nodes) {
+    view.field.push_back(step.u.segment<2>(static_cast<Eigen::Index>(2 * n.index())).norm());
+    largest = std::max(largest, view.field.back());
+  }
+  view.scale = scale_between(0.0, largest);
+  view.field_words = fmt::format("|u|, {}", model.units.length_name);
+  deform_all(view, step);
+  return draw(view);
+}
+
+/// Stresses and displacements of the last length's leading step, where they were recovered.
+std::optional<Figure> field_figure(const model::Model& model, const results::Increment& increment) {
+  const results::StepResult* const step = leading(model, increment);
+  const model::Mesh& mesh = increment.mesh;
+  if (step == nullptr || step->stress.empty() || mesh.element_count() > most_coloured ||
+      step->u.size() != static_cast<Eigen::Index>(2 * mesh.node_count())) {
+    return std::nullopt;
+  }
+  double largest = 0.0;
+  Figure figure;
+  figure.drawings.push_back(stress_drawing(model, increment, *step, largest));
+  figure.drawings.push_back(displacement_drawing(model, increment, *step));
+  figure.caption = fmt::format(
+      "Von Mises stress, mean of the elements that meet at a node, and displacement at the end of "
+      "step {}, deformed. The stress colours end where 99 % of the area lie below; the largest, "
+      "{:.4g} {}, belongs to the mesh where it stands at a crack tip or a sharp corner.",
+      step->step, largest, print_unit(model.units.stress_name()));
+  return figure;
 }
 
 /// First and last length, then the last tip from near by.
@@ -202,6 +315,9 @@ std::vector<Figure> mesh_figures(const model::Model& model, const results::Run& 
   }
   const results::Increment& last = run.increments.back();
   figures.push_back(whole_mesh(model, last));
+  if (std::optional<Figure> figure = field_figure(model, last)) {
+    figures.push_back(std::move(*figure));
+  }
   if (const results::StepResult* const step = leading(model, last)) {
     for (const results::TipResult& tip : step->tips) {
       if (std::optional<Figure> figure = crack_figure(model, run, tip.name)) {

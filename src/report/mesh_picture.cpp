@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/mesh_picture.hpp"
 
+#include "report/model_marks.hpp"
 #include "report/rigid_picture.hpp"
 
 #include <fmt/format.h>
@@ -14,6 +15,7 @@ namespace {
 
 constexpr double title_height = 22.0;
 constexpr double foot_height = 26.0;
+constexpr double scale_height = 48.0;
 
 constexpr std::array<const char*, 5> tints{"#dfe8f1", "#f5e9d8", "#e2efe3", "#efe4ef", "#ececec"};
 
@@ -79,9 +81,69 @@ bool in_window(const MeshView& view, const Projection& project,
 }
 
 struct Drawn {
-  std::vector<PathData> areas; ///< [net]
+  std::vector<PathData> areas; ///< [net], of a field [colour band]
   std::vector<Edge> edges;     ///< of every element: inner ones twice
 };
+
+/// A corner of a cell: where it is drawn and the field there.
+struct Sample {
+  Point at;
+  double value = 0.0;
+};
+
+void add_cell(const std::vector<Sample>& corners, const ColourScale& scale,
+              std::vector<PathData>& bands) {
+  double mean = 0.0;
+  for (const Sample& s : corners) {
+    mean += s.value / static_cast<double>(corners.size());
+  }
+  PathData& path = bands[scale.band(mean)].move(corners.front().at);
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    path.line(corners[i].at);
+  }
+  path.close();
+}
+
+/// The middle of a quadrilateral with eight nodes: its shape functions at the origin.
+Sample middle_of(const std::vector<Sample>& nodes) {
+  Sample sum;
+  for (std::size_t i = 0; i < 8; ++i) {
+    const double N = i < 4 ? -0.25 : 0.5;
+    sum.at = {sum.at.x + N * nodes[i].at.x, sum.at.y + N * nodes[i].at.y};
+    sum.value += N * nodes[i].value;
+  }
+  return sum;
+}
+
+/// A linear element is one cell, a quadratic one four.
+void add_cells(const MeshView& view, const Projection& project, base::ElementId e,
+               std::vector<PathData>& bands) {
+  const model::Mesh& mesh = *view.mesh;
+  const base::ElementInfo& info = base::info(mesh.type[e.index()]);
+  const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
+  std::vector<Sample> at;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const auto k = static_cast<std::size_t>(mesh.first[e.index()]) + i;
+    at.push_back({project(nodes[i]), view.field[k]});
+  }
+  const auto corners = static_cast<std::size_t>(info.corners);
+  if (!info.quadratic) {
+    add_cell(at, view.scale, bands);
+    return;
+  }
+  const Sample middle = corners == 4 ? middle_of(at) : Sample();
+  for (std::size_t s = 0; s < corners; ++s) {
+    const Sample& before = at[corners + (s + corners - 1) % corners];
+    std::vector<Sample> cell{before, at[s], at[corners + s]};
+    if (corners == 4) {
+      cell.push_back(middle);
+    }
+    add_cell(cell, view.scale, bands);
+  }
+  if (corners == 3) {
+    add_cell({at[3], at[4], at[5]}, view.scale, bands);
+  }
+}
 
 Drawn collect(const MeshView& view, const Projection& project) {
   const model::Mesh& mesh = *view.mesh;
@@ -94,23 +156,30 @@ Drawn collect(const MeshView& view, const Projection& project) {
     if ((view.net.valid() && net != view.net) || !in_window(view, project, nodes)) {
       continue;
     }
-    const std::size_t layer = net.valid() ? net.index() : 0;
-    drawn.areas.resize(std::max(drawn.areas.size(), layer + 1));
     const auto corners = static_cast<std::size_t>(info.corners);
-    PathData& area = drawn.areas[layer].move(project(nodes[0]));
+    if (view.field.empty()) {
+      const std::size_t layer = net.valid() ? net.index() : 0;
+      drawn.areas.resize(std::max(drawn.areas.size(), layer + 1));
+      PathData& area = drawn.areas[layer].move(project(nodes[0]));
+      for (std::size_t s = 0; s < corners; ++s) {
+        add_side(area, project, nodes, info, s);
+      }
+      area.close();
+    } else {
+      drawn.areas.resize(colour_bands);
+      add_cells(view, project, e, drawn.areas);
+    }
     for (std::size_t s = 0; s < corners; ++s) {
-      add_side(area, project, nodes, info, s);
       const auto [low, high] = std::minmax(nodes[s], nodes[(s + 1) % corners]);
       drawn.edges.push_back({low, high, info.quadratic ? nodes[corners + s] : base::NodeId()});
     }
-    area.close();
   }
   std::sort(drawn.edges.begin(), drawn.edges.end(),
             [](const Edge& a, const Edge& b) { return a.key() < b.key(); });
   return drawn;
 }
 
-void draw_edges(Svg& svg, const Projection& project, const std::vector<Edge>& edges) {
+void draw_edges(Svg& svg, const Projection& project, const std::vector<Edge>& edges, bool inside) {
   PathData inner;
   PathData outline;
   for (std::size_t i = 0; i < edges.size();) {
@@ -130,7 +199,9 @@ void draw_edges(Svg& svg, const Projection& project, const std::vector<Edge>& ed
     }
     i = next;
   }
-  svg.path(inner, {"#445", 0.5, "none", ""});
+  if (inside) {
+    svg.path(inner, {"#445", 0.5, "none", ""});
+  }
   svg.path(outline, {"#000", 1.3, "none", ""});
 }
 
@@ -156,17 +227,23 @@ void draw_bar(Svg& svg, const MeshView& view, const Projection& project) {
 std::string draw(const MeshView& view) {
   const Projection project(view);
   const Drawn drawn = collect(view, project);
-  Svg svg(view.width, title_height + project.height() + foot_height, view.title);
+  const bool coloured = !view.field.empty();
+  const double foot = title_height + project.height() + foot_height;
+  Svg svg(view.width, foot + (coloured ? scale_height : 0.0), view.title);
   svg.text({0.5 * view.width, 14.0}, view.title, {Anchor::middle, 13.0, "#000", 0.0, false, true});
   svg.clip(view.id, {0.0, title_height}, view.width, project.height());
-  for (std::size_t net = 0; net < drawn.areas.size(); ++net) {
-    const char* const tint = tints[net % tints.size()];
-    svg.path(drawn.areas[net], {tint, 0.6, tint, ""}); // the stroke hides the seams
+  for (std::size_t i = 0; i < drawn.areas.size(); ++i) {
+    const std::string tint = coloured ? band_colour(i) : tints[i % tints.size()];
+    svg.path(drawn.areas[i], {tint, 0.6, tint, ""}); // the stroke hides the seams
   }
-  draw_edges(svg, project, drawn.edges);
+  draw_edges(svg, project, drawn.edges, !coloured);
+  const Window window{view.low, view.high, project.scale(),
+                      [&](const Point& p) { return project(p); }};
   for (const model::Rigid& rigid : view.rigids) {
-    draw_rigid(svg, rigid,
-               {view.low, view.high, project.scale(), [&](const Point& p) { return project(p); }});
+    draw_rigid(svg, rigid, window);
+  }
+  if (view.marks != nullptr) {
+    draw_model_marks(svg, *view.marks, window);
   }
   for (const auto& [at, words] : view.labels) {
     const Point p = project(at);
@@ -176,6 +253,10 @@ std::string draw(const MeshView& view) {
   svg.unclip();
   svg.rectangle({0.5, title_height}, view.width - 1.0, project.height(), {"#999", 0.8, "none", ""});
   draw_bar(svg, view, project);
+  if (coloured && view.scale.high > view.scale.low) {
+    draw_colour_legend(svg, view.scale, {0.1 * view.width, foot + 14.0}, 0.8 * view.width,
+                       view.field_words);
+  }
   return svg.finish();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include "base/vec.hpp"
 #include "model/model.hpp"
+#include "report/colour_scale.hpp"
 #include "report/svg.hpp"
 
 #include <string>
@@ -23,7 +24,12 @@ struct MeshView {
   double magnify = 1.0;
   base::Vec2 rest = base::Vec2::Zero(); ///< the displacement that stays where it is
   std::vector<std::pair<Point, std::string>> labels;
-  std::vector<model::Rigid> rigids; ///< targets to be drawn
+  std::vector<model::Rigid> rigids;    ///< targets to be drawn
+  const model::Model* marks = nullptr; ///< its supports, loads and contacts are shown; null: none
+  /// Colours in the place of tints and inner edges, with their legend below the picture.
+  std::vector<double> field; ///< [connectivity index] values; empty: none
+  ColourScale scale;
+  std::string field_words; ///< "von Mises, MPa"
   std::string length_name;
   double width = 320.0; ///< [px]
 };

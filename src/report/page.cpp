@@ -10,13 +10,15 @@ constexpr const char* style_sheet = R"(
 body { font: 15px/1.45 Helvetica, Arial, 'Liberation Sans', sans-serif; color: #000;
   background: #fff; max-width: 1010px; margin: 2em auto; padding: 0 1em; }
 h1 { font-size: 1.6em; margin: 0 0 .2em; }
-h2 { font-size: 1.2em; margin: 2em 0 .6em; border-bottom: 1px solid #000; }
+h2 { font-size: 1.2em; margin: 2em 0 .6em; border-bottom: 1px solid #000; break-after: avoid; }
 p.about { color: #333; margin: .2em 0; }
 p.failed { font-weight: bold; color: #b00000; }
 table { border-collapse: collapse; margin: 1em 0; font-size: .87em;
   font-variant-numeric: tabular-nums; border-bottom: 1.5px solid #000; }
-caption { text-align: left; font-weight: bold; padding: .2em 0; }
-thead { border-top: 1.5px solid #000; border-bottom: 1px solid #000; }
+caption { text-align: left; font-weight: bold; padding: .2em 0; break-after: avoid; }
+thead { display: table-header-group; break-inside: avoid; break-after: avoid; border-top: 1.5px solid #000; border-bottom: 1px solid #000; }
+tr { break-inside: avoid; }
+tbody tr:nth-child(-n+2) { break-after: avoid; }
 th { font-weight: bold; text-align: right; vertical-align: top; padding: .15em 1em .15em 0; }
 th span { font-weight: normal; color: #333; }
 td { text-align: right; padding: .1em 1em .1em 0; white-space: nowrap; }

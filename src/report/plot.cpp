@@ -25,11 +25,14 @@ struct Range {
 /// Both axes show 0: crack lengths and stress intensities are compared with it.
 Range range_of(const Plot& plot, double Point::*member) {
   Range range;
+  const bool upright = member == &Point::y;
   for (const Series& series : plot.series) {
-    for (const Point& p : series.points) {
-      if (std::isfinite(p.*member)) {
-        range.low = std::min(range.low, p.*member);
-        range.high = std::max(range.high, p.*member);
+    for (std::size_t i = 0; i < series.points.size(); ++i) {
+      const double at = series.points[i].*member;
+      const double bar = upright && i < series.bars.size() ? series.bars[i] : 0.0;
+      if (std::isfinite(at) && std::isfinite(bar)) {
+        range.low = std::min(range.low, at - bar);
+        range.high = std::max(range.high, at + bar);
       }
     }
   }
@@ -83,6 +86,27 @@ void draw_marker(Svg& svg, const Series& series, Point at) {
   svg.marker(*series.marker, at, {series.colour, open ? 1.6 : 1.3, open ? "none" : "#fff", ""});
 }
 
+/// A vertical line with a foot at either end; shorter than a pixel it would not be seen.
+void draw_bars(Svg& svg, const Series& series, const Range& x, const Range& y) {
+  constexpr double foot = 3.0;
+  const Style style{series.colour, 1.1, "none", ""};
+  for (std::size_t i = 0; i < series.bars.size(); ++i) {
+    const Point& p = series.points[i];
+    if (!std::isfinite(series.bars[i]) || !std::isfinite(p.x) || !std::isfinite(p.y)) {
+      continue;
+    }
+    const Point top = place({p.x, p.y + series.bars[i]}, x, y);
+    const Point bottom = place({p.x, p.y - series.bars[i]}, x, y);
+    if (bottom.y - top.y < 1.0) {
+      continue;
+    }
+    svg.line(top, bottom, style);
+    for (const Point& end : {top, bottom}) {
+      svg.line({end.x - foot, end.y}, {end.x + foot, end.y}, style);
+    }
+  }
+}
+
 void draw_series(Svg& svg, const Series& series, const Range& x, const Range& y) {
   std::vector<Point> points;
   for (const Point& p : series.points) {
@@ -93,6 +117,7 @@ void draw_series(Svg& svg, const Series& series, const Range& x, const Range& y)
   if (series.joined) {
     svg.polyline(points, line_style(series));
   }
+  draw_bars(svg, series, x, y);
   if (series.marker) {
     for (const Point& p : points) {
       draw_marker(svg, series, p);

@@ -12,6 +12,7 @@ namespace spricka::report {
 struct Series {
   std::string name; ///< in the legend; empty: not shown there
   std::vector<Point> points;
+  std::vector<double> bars; ///< half heights of error bars [point]; empty: none
   std::string colour = "#000";
   std::string dash;
   bool joined = true;

@@ -65,8 +65,9 @@ void add_k_columns(Table& table, const model::Model& model) {
   const std::string g_unit = units.force_name + "/" + units.length_name;
   table.columns.push_back({"tip", "", true});
   table.columns.push_back({"a", units.length_name, false});
-  table.columns.push_back({"K1", units.stress_intensity_name(), false});
-  table.columns.push_back({"K2", units.stress_intensity_name(), false});
+  for (const char* name : {"K1", "+- K1", "K2", "+- K2"}) {
+    table.columns.push_back({name, units.stress_intensity_name(), false});
+  }
   table.columns.push_back({"G", g_unit, false});
   table.columns.push_back({"(K1^2+K2^2)/E'", g_unit, false});
   table.columns.push_back({"spread", "", false});
@@ -78,12 +79,18 @@ void add_k_columns(Table& table, const model::Model& model) {
   }
 }
 
+/// Half width of the error bar; empty where there is none.
+std::string bar_cell(const results::TipResult& tip, std::size_t mode) {
+  return tip.no_bar.empty() ? fmt::format("{:.2g}", tip.bar[mode].size()) : std::string();
+}
+
 void add_k_cells(Row& row, const model::Model& model, const results::TipResult& tip) {
   if (tip.two_materials) {
-    row.insert(row.end(), {tip.name, number(tip.a), "", "", number(tip.G), "", "", ""});
+    row.insert(row.end(), {tip.name, number(tip.a), "", "", "", "", number(tip.G), "", "", ""});
   } else {
-    row.insert(row.end(), {tip.name, number(tip.a), number(tip.K1), number(tip.K2), number(tip.G),
-                           number(tip.G_from_K), small(tip.spread), number(tip.T)});
+    row.insert(row.end(), {tip.name, number(tip.a), number(tip.K1), bar_cell(tip, 0),
+                           number(tip.K2), bar_cell(tip, 1), number(tip.G), number(tip.G_from_K),
+                           small(tip.spread), number(tip.T)});
   }
   for (std::size_t mode = 0; mode < 2 && shows_opening(model); ++mode) {
     row.push_back(tip.K_opening ? number((*tip.K_opening)[mode]) : "");

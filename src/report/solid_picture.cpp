@@ -2,6 +2,7 @@
 #include "report/solid_picture.hpp"
 
 #include "model/property_points.hpp"
+#include "report/colour_scale.hpp"
 #include "report/svg.hpp"
 
 #include <Eigen/Geometry>
@@ -18,23 +19,6 @@ namespace {
 constexpr double margin = 12.0;
 constexpr double head_height = 24.0;
 constexpr double legend_height = 46.0;
-constexpr int bands = 12; ///< colours told apart
-
-/// Dark to light, even steps to the eye (Smith and van der Walt's viridis, five of its colours).
-constexpr std::array<std::array<double, 3>, 5> ramp{
-    {{68, 1, 84}, {59, 82, 139}, {33, 145, 140}, {94, 201, 98}, {253, 231, 37}}};
-
-std::string ramp_colour(double t) {
-  const double at = std::clamp(t, 0.0, 1.0) * static_cast<double>(ramp.size() - 1);
-  const auto below = std::min(static_cast<std::size_t>(at), ramp.size() - 2);
-  const double part = at - static_cast<double>(below);
-  std::array<int, 3> rgb{};
-  for (std::size_t c = 0; c < 3; ++c) {
-    rgb[c] =
-        static_cast<int>(std::lround((1.0 - part) * ramp[below][c] + part * ramp[below + 1][c]));
-  }
-  return fmt::format("#{:02x}{:02x}{:02x}", rgb[0], rgb[1], rgb[2]);
-}
 
 /// The camera looks along -towards, z up.
 struct Camera {
@@ -151,40 +135,9 @@ double fit(std::vector<DrawnFace>& faces, double width) {
   return scale * (high.y - low.y) + 2.0 * margin;
 }
 
-/// Values of the colours' ends.
-struct Scale {
-  double low = 0.0;
-  double high = 0.0;
-  [[nodiscard]] std::string colour(double value) const {
-    const double t = high > low ? (value - low) / (high - low) : 0.0;
-    const double band = std::min(std::floor(t * bands), bands - 1.0);
-    return ramp_colour(band / (bands - 1.0));
-  }
-};
-
-Scale scale_of(const std::vector<DrawnFace>& faces) {
+ColourScale scale_of(const std::vector<DrawnFace>& faces) {
   const auto [low, high] = std::ranges::minmax(faces, {}, &DrawnFace::value);
-  // A uniform stress has one colour, not round-off in twelve.
-  return high.value - low.value > 1e-6 * high.value ? Scale{low.value, high.value}
-                                                    : Scale{0.0, high.value};
-}
-
-void draw_legend(Svg& svg, const SolidView& view, const Scale& scale, double top) {
-  const double left = 0.3 * view.width;
-  const double width = 0.62 * view.width;
-  for (int b = 0; b < bands; ++b) {
-    const std::string fill = ramp_colour(b / (bands - 1.0));
-    svg.rectangle({left + width * b / bands, top}, width / bands, 11.0, {fill, 0.3, fill, ""});
-  }
-  const std::vector<double> ticks = round_ticks(scale.low, scale.high, 5);
-  for (const double value : ticks) {
-    const double x = left + width * (value - scale.low) / (scale.high - scale.low);
-    svg.line({x, top + 11.0}, {x, top + 15.0}, {"#000", 0.8, "none", ""});
-    svg.text({x, top + 27.0}, tick_text(value, ticks.size() > 1 ? ticks[1] - ticks[0] : value),
-             {Anchor::middle, 11.0});
-  }
-  svg.text({left + width, top - 5.0}, fmt::format("von Mises, {}", view.stress_name),
-           {Anchor::end, 11.0});
+  return scale_between(low.value, high.value);
 }
 
 void draw_axes(Svg& svg, const Camera& camera, Point at) {
@@ -204,7 +157,7 @@ std::string draw(const SolidView& view) {
   const Painter painter(view);
   std::vector<DrawnFace> faces = painter.faces();
   const double height = fit(faces, view.width);
-  const Scale scale = scale_of(faces);
+  const ColourScale scale = scale_of(faces);
   const std::string title = "Surface, von Mises stress";
   Svg svg(view.width, head_height + height + legend_height, title);
   svg.text({0.5 * view.width, 14.0}, title, {Anchor::middle, 13.0, "#000", 0.0, false, true});
@@ -214,11 +167,12 @@ std::string draw(const SolidView& view) {
     for (std::size_t i = 1; i < face.outline.size(); ++i) {
       path.line(face.outline[i]);
     }
-    svg.path(path.close(), {"#223", 0.35, scale.colour(face.value), ""});
+    svg.path(path.close(), {"#223", 0.35, band_colour(scale.band(face.value)), ""});
   }
   const double top = head_height + height;
   if (scale.high > scale.low) {
-    draw_legend(svg, view, scale, top + 12.0);
+    draw_colour_legend(svg, scale, {0.3 * view.width, top + 12.0}, 0.62 * view.width,
+                       fmt::format("von Mises, {}", view.stress_name));
   }
   draw_axes(svg, painter.camera(), {40.0, top + 14.0});
   if (painter.magnify() > 0.0) {

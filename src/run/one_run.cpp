@@ -3,6 +3,8 @@
 
 #include "base/clock.hpp"
 #include "fe/law.hpp"
+#include "report/notes.hpp"
+#include "report/result_tables.hpp"
 #include "run/check_quantities.hpp"
 #include "run/estimate.hpp"
 #include "run/growth_tests.hpp"
@@ -78,45 +80,15 @@ void collect_warnings(const base::Diagnostics& reading, results::Run& run, const
       run.warnings.push_back(d.text);
     }
   }
-  for (const results::Increment& increment : run.increments) {
-    for (const results::StepResult& step : increment.steps) {
-      for (const std::string& note : step.notes) {
-        if (note.starts_with("warning: ")) {
-          run.warnings.push_back(fmt::format("increment {}, step {}: {}", increment.number,
-                                             step.step, note.substr(9)));
-          log.message(base::Severity::warning, "W502", run.warnings.back());
-        }
-      }
+  for (const report::Note& note : report::collect_notes(run)) {
+    if (note.warning) {
+      run.warnings.push_back(report::words_of(note));
+      log.message(base::Severity::warning, "W502", run.warnings.back());
     }
   }
   for (const std::string& coarse : coarse_nets(run)) {
     run.warnings.push_back(coarse);
     log.message(base::Severity::warning, "W504", coarse);
-  }
-}
-
-void collect_path_warnings(results::Run& run, const Log& log) {
-  for (const results::Increment& increment : run.increments) {
-    for (const results::LoadPath& path : increment.paths) {
-      for (const std::string& note : path.notes) {
-        if (note.starts_with("warning: ")) {
-          run.warnings.push_back(fmt::format("increment {}, load path {}: {}", increment.number,
-                                             path.name, note.substr(9)));
-          log.message(base::Severity::warning, "W502", run.warnings.back());
-        }
-      }
-    }
-  }
-}
-
-void collect_test_warnings(results::Run& run, const Log& log) {
-  for (const results::GrowthTest& test : run.tests) {
-    for (const std::string& note : test.notes) {
-      if (note.starts_with("warning: ")) {
-        run.warnings.push_back(fmt::format("test {}: {}", test.name, note.substr(9)));
-        log.message(base::Severity::warning, "W502", run.warnings.back());
-      }
-    }
   }
 }
 
@@ -276,12 +248,10 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
   const ReadyDeck& used = solved.finer ? *solved.finer : deck;
   results::Run& run = *solved.run;
   log.diagnostics(deck.sources, diagnostics);
+  run.tests = invert_tests(*used.model, run);
   collect_warnings(deck.diagnostics, run, log);
-  collect_path_warnings(run, log);
   tell_rounds(solved, run, log);
   finish_restart(checkpoint, run);
-  run.tests = invert_tests(*used.model, run);
-  collect_test_warnings(run, log);
   run.checks = evaluate_checks(*used.model, run);
   run.cpu += cpu_before;
   folder.write(deck.sources, *used.model, run);
@@ -303,20 +273,40 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
   return outcome;
 }
 
-void print_summary(const model::Model& model, const results::Run& run,
-                   const std::filesystem::path& folder) {
-  for (const results::Increment& increment : run.increments) {
-    for (const results::StepResult& step : increment.steps) {
+namespace {
+
+void print_tip(const std::string& before, const results::TipResult& tip, const std::string& unit) {
+  const auto bar = [&](std::size_t k) {
+    return tip.no_bar.empty() ? fmt::format(" +- {:<8.2g}", tip.bar[k].size()) : "";
+  };
+  fmt::print("{} {:<8} a = {:<10.6g} K1 = {:<12.7g}{} K2 = {:<12.7g}{} {}\n", before, tip.name,
+             tip.a, tip.K1, bar(0), tip.K2, bar(1), unit);
+}
+
+// A line for each tip: of a growth by a law at KMAX of each station, else of every step.
+void print_tips(const model::Model& model, const results::Run& run) {
+  const std::string unit = model.units.stress_intensity_name();
+  const std::string leading = run.growth ? report::leading_step(model) : std::string();
+  for (std::size_t i = 0; i < run.increments.size(); ++i) {
+    for (const results::StepResult& step : run.increments[i].steps) {
+      if (run.growth && step.step != leading) {
+        continue;
+      }
+      const std::string before = run.growth && i < run.growth->stations.size()
+                                     ? fmt::format("N = {:<11.6g}", run.growth->stations[i].cycles)
+                                     : fmt::format("{:<12}", step.step);
       for (const results::TipResult& tip : step.tips) {
-        const auto bar = [&](std::size_t k) {
-          return tip.no_bar.empty() ? fmt::format(" +- {:<8.2g}", tip.bar[k].size()) : "";
-        };
-        fmt::print("{:<12} {:<8} a = {:<10.6g} K1 = {:<12.7g}{} K2 = {:<12.7g}{} {}\n", step.step,
-                   tip.name, tip.a, tip.K1, bar(0), tip.K2, bar(1),
-                   model.units.stress_intensity_name());
+        print_tip(before, tip, unit);
       }
     }
   }
+}
+
+} // namespace
+
+void print_summary(const model::Model& model, const results::Run& run,
+                   const std::filesystem::path& folder) {
+  print_tips(model, run);
   if (run.growth) {
     fmt::print("N = {:.7g} {}, ended by {}\n", run.growth->cycles(),
                run.growth->unit == "pass" ? "passes" : "cycles", run.growth->ended);

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/colour_scale.hpp"
 #include "report/figures.hpp"
 #include "report/mesh_picture.hpp"
+#include "report/notes.hpp"
 #include "report/plot.hpp"
 #include "report/report.hpp"
 #include "report/result_tables.hpp"
 #include "report/solid_picture.hpp"
 #include "sample.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -79,7 +82,7 @@ TEST(References, ComeFromTheChecksOnKAndMeetTheirIncrement) {
     EXPECT_DOUBLE_EQ(r.wanted, 1.02 * r.found);
     EXPECT_EQ(r.source, "Handbook, Table 1");
   }
-  EXPECT_EQ(reference_table(sample.model, sample.run).rows[1][5], "-1.96");
+  EXPECT_EQ(reference_table(sample.model, sample.run).rows[1][6], "-1.96");
   sample.model.checks[0].quantity = "CPRESS.MAX";
   EXPECT_EQ(k_references(sample.model, sample.run).size(), 1U);
 }
@@ -128,12 +131,52 @@ std::size_t count(const std::string& text, const std::string& part) {
 TEST(MeshFigures, ShowTheWholeMeshAndEachTipOfAPlaneMesh) {
   test::Sample sample = test::make_sample();
   const std::vector<Figure> figures = mesh_figures(sample.model, sample.run);
-  ASSERT_EQ(figures.size(), 2U);
-  EXPECT_EQ(figures[1].drawings.size(), 3U) << "two lengths and the tip";
+  ASSERT_EQ(figures.size(), 3U);
+  EXPECT_EQ(figures[1].drawings.size(), 2U) << "stress and displacement";
+  EXPECT_EQ(figures[2].drawings.size(), 3U) << "two lengths and the tip";
   for (results::Increment& increment : sample.run.increments) {
     increment.mesh.dim = 3;
   }
   EXPECT_TRUE(mesh_figures(sample.model, sample.run).empty());
+}
+
+TEST(MeshFigures, WithoutStressesTheFieldIsLeftOut) {
+  test::Sample sample = test::make_sample();
+  for (results::Increment& increment : sample.run.increments) {
+    for (results::StepResult& step : increment.steps) {
+      step.stress.clear();
+    }
+  }
+  EXPECT_EQ(mesh_figures(sample.model, sample.run).size(), 2U);
+}
+
+TEST(ColourScale, ItsEndsTakeWhatLiesBeyondThem) {
+  const ColourScale scale = scale_between(-2.0, 4.0);
+  EXPECT_EQ(scale.band(-5.0), 0U);
+  EXPECT_EQ(scale.band(-1.9), 0U);
+  EXPECT_EQ(scale.band(1.0), colour_bands / 2);
+  EXPECT_EQ(scale.band(4.0), colour_bands - 1);
+  EXPECT_EQ(scale.band(9.0), colour_bands - 1);
+  EXPECT_EQ(scale_between(100.0, 100.0 * (1.0 + 1e-12)).low, 0.0) << "round-off has no colours";
+}
+
+TEST(Notes, ThatDifferByNumbersAloneAreSaidOnce) {
+  results::Run run;
+  for (int i = 1; i <= 3; ++i) {
+    results::Increment increment;
+    increment.number = i;
+    increment.steps.emplace_back().step = "LOAD";
+    increment.steps.back().notes = {fmt::format("warning: K1 = {:.3e} is doubtful", 1e-3 * i),
+                                    i == 2 ? "PIN slides" : "BUSH slides"};
+    run.increments.push_back(increment);
+  }
+  const std::vector<Note> notes = collect_notes(run);
+  ASSERT_EQ(notes.size(), 3U);
+  EXPECT_TRUE(notes[0].warning);
+  EXPECT_EQ(words_of(notes[0]), "increment 1, step LOAD: K1 = 1.000e-03 is doubtful (alike 2 more "
+                                "times, last in increment 3, step LOAD)");
+  EXPECT_EQ(notes[1].times, 2);
+  EXPECT_EQ(words_of(notes[2]), "increment 2, step LOAD: PIN slides");
 }
 
 TEST(MeshPicture, DrawsACurvedEdgeAsItsParabola) {

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "results/results.hpp"
+
+#include <string>
+#include <vector>
+
+namespace spricka::report {
+
+/// A note of the run; notes that differ by their numbers only are one.
+struct Note {
+  std::string where; ///< "increment 3, step LOAD" of the first
+  std::string text;  ///< the first, without "warning: "
+  bool warning = false;
+  int times = 1;
+  std::string last; ///< where the last one is, if there are more
+};
+
+/// All notes of increments, steps, load paths and tests, in the order of their first appearance.
+std::vector<Note> collect_notes(const results::Run& run);
+
+/// "increment 1, step LOAD: text (alike 11 more times, last in increment 6, step LOAD)".
+std::string words_of(const Note& note);
+
+} // namespace spricka::report
