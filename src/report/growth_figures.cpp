@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -148,8 +149,25 @@ Figure life_figure(const model::Model& model, const results::Run& run) {
           units, growth.cycles(), 100.0 * growth.error, growth.reason, more)};
 }
 
+/// Error bar of K1 at the largest load of a station; 0: none.
+double bar_at(const model::Model& model, const results::Run& run, const GrowthStation& station,
+              const std::string& name) {
+  for (const results::Increment& increment : run.increments) {
+    const results::StepResult* const step = increment.number == station.increment
+                                                ? results::find_step(increment, leading_step(model))
+                                                : nullptr;
+    const results::TipResult* const tip =
+        step == nullptr ? nullptr : results::find_tip(*step, name);
+    if (tip != nullptr) {
+      return tip->no_bar.empty() ? tip->bar[0].size() : 0.0;
+    }
+  }
+  return 0.0;
+}
+
 /// What the law was given at the stations.
-Figure range_figure(const model::Model& model, const Growth& growth) {
+Figure range_figure(const model::Model& model, const results::Run& run) {
+  const Growth& growth = *run.growth;
   Plot plot{"K of the growth law over crack length",
             fmt::format("a  [{}]", model.units.length_name),
             fmt::format("K  [{}]", print_unit(model.units.stress_intensity_name())),
@@ -164,6 +182,7 @@ Figure range_figure(const model::Model& model, const Growth& growth) {
       for (const GrowthStation& station : growth.stations) {
         const results::GrowingTip& tip = station.tips[t];
         series.points.push_back({tip.a, largest ? tip.K_max : tip.K_min});
+        series.bars.push_back(largest ? bar_at(model, run, station, tip.name) : 0.0);
       }
       plot.series.push_back(std::move(series));
     }
@@ -173,8 +192,104 @@ Figure range_figure(const model::Model& model, const Growth& growth) {
       "",
       fmt::format(
           "Largest and smallest K of {} as the growth law was given them, at the lengths that were "
-          "solved.",
+          "solved. Error bars of the mesh at the largest load are drawn where they can be seen.",
           growth.unit == "pass" ? "a pass of the spectrum" : "a cycle")};
+}
+
+/// Growth per cycle or pass over the range of K, as the law gave it at the stations: the part of
+/// the law that was used.
+std::optional<Figure> law_figure(const model::Model& model, const Growth& growth) {
+  const std::string unit = print_unit(model.units.stress_intensity_name());
+  Plot plot{"Growth law over the range it was used in",
+            fmt::format("ΔK  [{}]", unit),
+            fmt::format("da/dN  [{}/{}]", model.units.length_name, growth.unit),
+            {}};
+  plot.log_x = true;
+  plot.log_y = true;
+  double low = std::numeric_limits<double>::max();
+  double high = 0.0;
+  for (std::size_t t = 0; t < growth.tips.size(); ++t) {
+    Series series;
+    series.name = growth.tips[t];
+    series.colour = colour(t);
+    series.marker = closed_marker(t);
+    for (const GrowthStation& station : growth.stations) {
+      const results::GrowingTip& tip = station.tips[t];
+      const double range = tip.K_max - tip.K_min;
+      if (range > 0.0 && tip.rate > 0.0) {
+        series.points.push_back({range, tip.rate});
+        low = std::min(low, range);
+        high = std::max(high, range);
+      }
+    }
+    plot.series.push_back(std::move(series));
+  }
+  if (!(high > low)) {
+    return std::nullopt;
+  }
+  return Figure{
+      {draw(plot)},
+      "",
+      fmt::format("Growth per {} as the law gave it at the lengths that were solved, over ΔK = "
+                  "K_max - K_min{}: of the law the part from {:.4g} to {:.4g} {} was used.",
+                  growth.unit, growth.unit == "pass" ? " of the pass" : "", low, high, unit)};
+}
+
+/// The least and the largest load of a cycle, and how often it comes.
+struct Peak {
+  double top = 0.0;
+  double count = 0.0;
+};
+
+std::vector<Peak> peaks_of(const model::Spectrum& spectrum) {
+  std::vector<Peak> peaks;
+  for (const std::array<double, 3>& cycle : spectrum.cycles) {
+    peaks.push_back({cycle[1], cycle[2]});
+  }
+  const std::vector<double>& t = spectrum.turning_points;
+  for (std::size_t i = 0; i < t.size(); ++i) { // the pass is repeated: its ends meet
+    const double before = t[(i + t.size() - 1) % t.size()];
+    const double after = t[(i + 1) % t.size()];
+    if (t[i] > before && t[i] >= after) {
+      peaks.push_back({t[i], 1.0});
+    }
+  }
+  std::ranges::sort(peaks, std::greater<>(), &Peak::top);
+  return peaks;
+}
+
+/// How often one pass of the spectrum exceeds each load.
+std::optional<Figure> exceedance_figure(const model::Model& model) {
+  if (!model.growth->spectrum) {
+    return std::nullopt;
+  }
+  const model::Spectrum& spectrum = model.spectra[*model.growth->spectrum];
+  Series series;
+  series.colour = colour(0);
+  double sum = 0.0;
+  for (const Peak& peak : peaks_of(spectrum)) {
+    if (!series.points.empty() && series.points.back().y == peak.top) {
+      series.points.back().x += peak.count;
+    } else {
+      series.points.push_back({std::max(sum, 0.5), peak.top}); // a step, down and on
+      series.points.push_back({sum + peak.count, peak.top});
+    }
+    sum += peak.count;
+  }
+  if (series.points.empty()) {
+    return std::nullopt;
+  }
+  Plot plot{"Exceedances of the spectrum",
+            "peaks in a pass that reach the load",
+            fmt::format("t of load path {}", model.load_paths[spectrum.path].name),
+            {series}};
+  plot.log_x = true;
+  return Figure{
+      {draw(plot)},
+      "",
+      fmt::format("Spectrum {}: how many of the {:.6g} peaks of a pass reach a load.{}",
+                  spectrum.name, sum,
+                  spectrum.sequence ? " Its turning points are counted by rainflow." : "")};
 }
 
 /// A square that holds all places of tips and the cracks behind them, with room round it.
@@ -237,7 +352,12 @@ std::vector<Figure> growth_figures(const model::Model& model, const results::Run
     return figures;
   }
   figures.push_back(life_figure(model, run));
-  figures.push_back(range_figure(model, *run.growth));
+  figures.push_back(range_figure(model, run));
+  for (std::optional<Figure> figure : {law_figure(model, *run.growth), exceedance_figure(model)}) {
+    if (figure) {
+      figures.push_back(std::move(*figure));
+    }
+  }
   if (std::optional<Figure> path = path_figure(model, run, *run.growth)) {
     figures.push_back(std::move(*path));
   }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/plot.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace spricka::report {
 namespace {
@@ -17,60 +20,104 @@ constexpr double legend_width = 285.0;
 constexpr std::size_t letters_beside = 28;
 constexpr std::size_t letters_below = 48;
 
+/// What an axis shows; of a logarithmic one the powers of ten.
 struct Range {
   double low = 0.0;
   double high = 0.0;
+  bool log = false;
+  [[nodiscard]] double on(double value) const { return log ? std::log10(value) : value; }
 };
 
 /// Both axes show 0: crack lengths and stress intensities are compared with it.
 Range range_of(const Plot& plot, double Point::*member) {
-  Range range;
   const bool upright = member == &Point::y;
+  Range range;
+  range.log = upright ? plot.log_y : plot.log_x;
+  if (range.log) {
+    range.low = std::numeric_limits<double>::max();
+    range.high = std::numeric_limits<double>::lowest();
+  }
   for (const Series& series : plot.series) {
     for (std::size_t i = 0; i < series.points.size(); ++i) {
       const double at = series.points[i].*member;
       const double bar = upright && i < series.bars.size() ? series.bars[i] : 0.0;
-      if (std::isfinite(at) && std::isfinite(bar)) {
-        range.low = std::min(range.low, at - bar);
-        range.high = std::max(range.high, at + bar);
+      if (std::isfinite(range.on(at)) && std::isfinite(bar)) {
+        range.low = std::min(range.low, range.log ? range.on(at) : at - bar);
+        range.high = std::max(range.high, range.log ? range.on(at) : at + bar);
       }
     }
   }
-  if (range.high == range.low) {
+  if (!(range.high > range.low)) {
+    range.low = range.log && std::abs(range.low) < 300.0 ? range.low - 0.5 : 0.0;
     range.high = range.low + 1.0;
   }
   const double margin = 0.05 * (range.high - range.low);
   range.high += margin;
-  range.low -= range.low < 0.0 ? margin : 0.0;
+  range.low -= range.low < 0.0 || range.log ? margin : 0.0;
   return range;
 }
 
 Point place(Point p, const Range& x, const Range& y) {
-  return {box_left + box_width * (p.x - x.low) / (x.high - x.low),
-          box_top + box_height * (y.high - p.y) / (y.high - y.low)};
+  return {box_left + box_width * (x.on(p.x) - x.low) / (x.high - x.low),
+          box_top + box_height * (y.high - y.on(p.y)) / (y.high - y.low)};
 }
 
 double distance(const std::vector<double>& ticks) {
   return ticks.size() > 1 ? ticks[1] - ticks[0] : 1.0;
 }
 
+/// Where an axis has a number, and the number.
+struct Tick {
+  double value = 0.0;
+  std::string text;
+};
+
+/// Powers of ten, with 2 and 5 between them where there are few, or all digits within one.
+std::vector<Tick> decade_ticks(const Range& range) {
+  std::vector<Tick> ticks;
+  const auto first = static_cast<int>(std::floor(range.low));
+  const auto last = static_cast<int>(std::ceil(range.high));
+  const int skip = std::max(1, (last - first) / 8);
+  for (int d = first; d <= last; d += skip) {
+    for (const int lead : {1, 2, 3, 4, 5, 6, 7, 8, 9}) {
+      const double value = lead * std::pow(10.0, d);
+      const double decades = range.high - range.low;
+      const bool wanted = lead == 1 || decades < 0.9 || (decades < 2.5 && (lead == 2 || lead == 5));
+      if (wanted && std::log10(value) >= range.low && std::log10(value) <= range.high) {
+        ticks.push_back({value, fmt::format("{:.3g}", value)});
+      }
+    }
+  }
+  return ticks;
+}
+
+std::vector<Tick> ticks_of(const Range& range, int wanted) {
+  if (range.log) {
+    return decade_ticks(range);
+  }
+  std::vector<Tick> ticks;
+  const std::vector<double> values = round_ticks(range.low, range.high, wanted);
+  for (const double value : values) {
+    ticks.push_back({value, tick_text(value, distance(values))});
+  }
+  return ticks;
+}
+
 void draw_axes(Svg& svg, const Plot& plot, const Range& x, const Range& y) {
   const Style grid{"#ddd", 0.7, "none", ""};
   const Style axis{"#000", 0.9, "none", ""};
   const double bottom = box_top + box_height;
-  const std::vector<double> x_ticks = round_ticks(x.low, x.high, 7);
-  for (const double t : x_ticks) {
-    const double at = place({t, 0.0}, x, y).x;
+  for (const Tick& tick : ticks_of(x, 7)) {
+    const double at = place({tick.value, 1.0}, x, y).x;
     svg.line({at, box_top}, {at, bottom}, grid);
     svg.line({at, bottom}, {at, bottom - 5.0}, axis);
-    svg.text({at, bottom + 16.0}, tick_text(t, distance(x_ticks)), {Anchor::middle});
+    svg.text({at, bottom + 16.0}, tick.text, {Anchor::middle});
   }
-  const std::vector<double> y_ticks = round_ticks(y.low, y.high, 6);
-  for (const double t : y_ticks) {
-    const double at = place({0.0, t}, x, y).y;
+  for (const Tick& tick : ticks_of(y, 6)) {
+    const double at = place({1.0, tick.value}, x, y).y;
     svg.line({box_left, at}, {box_left + box_width, at}, grid);
     svg.line({box_left, at}, {box_left + 5.0, at}, axis);
-    svg.text({box_left - 7.0, at + 4.0}, tick_text(t, distance(y_ticks)), {Anchor::end});
+    svg.text({box_left - 7.0, at + 4.0}, tick.text, {Anchor::end});
   }
   svg.rectangle({box_left, box_top}, box_width, box_height, axis);
   svg.text({box_left + 0.5 * box_width, bottom + 36.0}, plot.x_name, {Anchor::middle, 13.0});
@@ -110,8 +157,9 @@ void draw_bars(Svg& svg, const Series& series, const Range& x, const Range& y) {
 void draw_series(Svg& svg, const Series& series, const Range& x, const Range& y) {
   std::vector<Point> points;
   for (const Point& p : series.points) {
-    if (std::isfinite(p.x) && std::isfinite(p.y)) {
-      points.push_back(place(p, x, y));
+    const Point at = place(p, x, y);
+    if (std::isfinite(at.x) && std::isfinite(at.y)) {
+      points.push_back(at);
     }
   }
   if (series.joined) {

@@ -20,13 +20,15 @@ struct Series {
 };
 
 /// Curves over one axis; names of axes come with their units. The y axis starts at 0 unless a
-/// value lies below.
+/// value lies below, or counts in powers of ten.
 struct Plot {
   std::string label; ///< what it shows, in words
   std::string x_name;
   std::string y_name;
   std::vector<Series> series;
   bool legend_below = false; ///< else at the right
+  bool log_x = false;        ///< logarithmic; values that are not positive are left out
+  bool log_y = false;
 };
 
 /// The plot with its legend.
