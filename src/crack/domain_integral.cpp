@@ -62,8 +62,10 @@ public:
       const double w = point.weight * at.det;
       const base::Vec2 x = X_ * N;
       const Polar place = polar(set_.tip, x);
-      const Here here = solution(at, point.r, x, filled);
+      const Here own = solution(at, point.r, x, filled);
+      const Here met = filled && set_.affine ? under_affine(own, x) : own;
       for (std::size_t k = 0; k < partners; ++k) {
+        const Here& here = k == 0 ? own : met;
         const Tensor Hv = k == 0 ? here.nodal : partner_gradient(set_, place, k);
         Tensor T = Tensor::Zero();
         if (strained) {
@@ -79,7 +81,7 @@ public:
           const base::Vec2 gradient = at.dNdx.row(n);
           P += w * (T * gradient + N[n] * c);
           if (k == 0 && carried_) { // nodes carried through the free expansion
-            P += w * (free_.gradient(X_.col(n)).transpose() * (here.sigma * gradient));
+            P += w * (free_.gradient(X_.col(n)).transpose() * (own.sigma * gradient));
           }
         }
       }
@@ -100,9 +102,18 @@ private:
     return here;
   }
 
+  // What the partners of K and T meet: the same displacements under the affine temperature.
+  [[nodiscard]] Here under_affine(const Here& own, const base::Vec2& x) const {
+    Here here = own;
+    const double beta = fe::heat_modulus(law_);
+    here.sigma.diagonal().array() += own.beta_T - beta * (*set_.affine)(set_.tip, x);
+    here.beta_grad_T = beta * set_.affine->slope;
+    return here;
+  }
+
   void heat(const fe::Jacobian<S>& at, const shape::Point<2>& r, const base::Vec2& x,
             Here& here) const {
-    const double beta = law_.expansion * (law_.heated_directions() * law_.lambda + 2.0 * law_.mu);
+    const double beta = fe::heat_modulus(law_);
     if (carried_) {
       const Tensor expansion = free_.gradient(x);
       here.beta_T = beta * free_.temperature(x);

@@ -4,12 +4,14 @@
 #include "crack/domain_integral.hpp"
 #include "crack/face_term.hpp"
 #include "crack/finite_shift.hpp"
+#include "crack/heat_term.hpp"
 #include "crack/opening.hpp"
 #include "crack/thermal_term.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace spricka::crack {
 
@@ -50,17 +52,21 @@ void summarise(StressIntensity& result) {
   double low = result.domains.front().K1;
   double high = low;
   const auto count = static_cast<double>(result.domains.size());
+  double with_G = 0.0;
   for (const DomainValue& d : result.domains) {
     result.K1 += d.K1 / count;
     result.K2 += d.K2 / count;
-    result.G += d.G / count;
+    with_G += std::isnan(d.G) ? 0.0 : 1.0;
+    result.G += std::isnan(d.G) ? 0.0 : d.G;
     result.T += d.T / count;
     low = std::min(low, d.K1);
     high = std::max(high, d.K1);
   }
   const double K = std::hypot(result.K1, result.K2);
   result.spread = K > 0.0 ? (high - low) / K : 0.0;
+  result.G /= std::max(with_G, 1.0);
   result.G_from_K = result.two_materials ? result.G : K * K / result.E_effective;
+  result.G = with_G == 0.0 ? result.G_from_K : result.G;
 }
 
 // All terms of G, K and T: each adds to the forces of the nodes it touches.
@@ -143,6 +149,23 @@ TipPlace tip_place(const TipSetting& set, const mesh::Tip& tip) {
   return {set.tip, tip.node, set.material, set.state(), set.property.thickness};
 }
 
+// What temperatures and forces between the lips add to the sums of one domain.
+std::array<double, partners> added_terms(const TipSetting& set, const mesh::Tip& tip,
+                                         const ExtensionField& field, const LipForces* lips,
+                                         const base::Vector& u) {
+  std::array<double, partners> sum{};
+  if (set.affine) {
+    sum = heat_term(set, tip, field, u);
+  }
+  if (lips != nullptr) {
+    const std::array<double, 3> more = lip_term(set.mesh, tip_place(set, tip), field, *lips, u);
+    for (std::size_t k = 0; k < more.size(); ++k) {
+      sum[k] += more[k];
+    }
+  }
+  return sum;
+}
+
 Eigen::Index freedoms(const mesh::CrackedMesh& cracked) {
   return static_cast<Eigen::Index>(cracked.mesh.node_count()) * cracked.mesh.dim;
 }
@@ -157,7 +180,8 @@ StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedM
   if (fields.empty()) {
     return result;
   }
-  const TipSetting set = tip_setting(model, cracked, tip, fields, loads);
+  TipSetting set = tip_setting(model, cracked, tip, fields, loads);
+  set.affine = affine_heat(set, tip, fields);
   const Factors factors = factors_of(set, tip, request.state);
   result.E_effective = factors.E_used;
   result.two_materials = std::ranges::any_of(
@@ -169,24 +193,24 @@ StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedM
   double analytic = 0.0;
   for (const ExtensionField& field : fields) {
     std::array<double, partners> sum = forces.along(field, set.tip.e1);
-    double of_lips = 0.0; // of G
-    if (request.lips != nullptr) {
-      const std::array<double, 3> more =
-          lip_term(cracked.mesh, tip_place(set, tip), field, *request.lips, u);
-      for (std::size_t k = 0; k < more.size(); ++k) {
-        sum[k] += more[k];
-      }
-      of_lips = factors.halves * more[0];
+    const std::array<double, partners> more = added_terms(set, tip, field, request.lips, u);
+    for (std::size_t k = 0; k < partners; ++k) {
+      sum[k] += more[k];
     }
     DomainValue value{field.rings, factors.K() * sum[1],
                       tip.symmetric_half ? 0.0 : factors.K() * sum[2], factors.halves * sum[0],
                       factors.T() * sum[3] + T_of_tip};
-    if (request.shift) {
+    const bool jumps = set.affine && jumps_in(set, field);
+    if (request.shift && !jumps) {
       const double G =
-          factors.halves * shifted_release_rate(set, field, *request.shift * tip.size, u) + of_lips;
+          factors.halves * shifted_release_rate(set, field, *request.shift * tip.size, u) +
+          factors.halves * more[0];
       shifted += G;
       analytic += value.G;
       take_shift(value, G);
+    }
+    if (jumps) {
+      value.G = std::numeric_limits<double>::quiet_NaN();
     }
     if (result.two_materials) {
       value.K1 = value.K2 = value.T = 0.0;

@@ -19,8 +19,8 @@ namespace spricka::crack {
 struct DomainValue {
   int rings = 0;
   double K1 = 0.0, K2 = 0.0; ///< [stress * length^0.5]
-  double G = 0.0;            ///< from the displacement itself [force/length]
-  double T = 0.0;            ///< [stress]
+  double G = 0.0; ///< from the displacement [force/length]; NaN: a temperature jumps in elements
+  double T = 0.0; ///< [stress]
 };
 
 struct StressIntensity {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "base/vec.hpp"
+#include "fe/heat.hpp"
 #include "model/model.hpp"
 
 #include <vector>
@@ -20,6 +21,7 @@ struct ActingLoad {
 struct TipLoads {
   std::vector<ActingLoad> loads;
   base::Vector temperature; ///< of elements [connectivity index], see fe/thermal.hpp; or empty
+  std::vector<fe::ActingHeat> heat = {}; ///< of the same; empty: elements take all of it
 
   /// Whether some element feels a force per volume or a temperature.
   [[nodiscard]] bool fill_elements() const;

@@ -28,7 +28,8 @@ TipSetting tip_setting(const model::Model& model, const mesh::CrackedMesh& crack
           model.material_of(cracked.mesh, near),
           model.property_of(cracked.mesh, near),
           frame_of(tip),
-          loads};
+          loads,
+          std::nullopt};
 }
 
 bool between_materials(const TipSetting& set, const ExtensionField& field) {

@@ -8,9 +8,21 @@
 
 #include <array>
 #include <map>
+#include <optional>
 
 /// What the terms of G, K and T have in common.
 namespace spricka::crack {
+
+/// A temperature that is linear all over the domains, T = at_tip + slope . (x - tip). Where the
+/// temperature is another one, partners take this and the rest goes into heat_term.
+struct AffineHeat {
+  double at_tip = 0.0;
+  base::Vec2 slope = base::Vec2::Zero();
+
+  [[nodiscard]] double operator()(const TipFrame& tip, const base::Vec2& x) const {
+    return at_tip + slope.dot(x - tip.x);
+  }
+};
 
 /// Everything the kernels need of one tip. Material and property are those of the partners; of a
 /// tip between two materials, which has none, the ones on one side.
@@ -21,6 +33,7 @@ struct TipSetting {
   const model::Property& property;
   TipFrame tip;
   const TipLoads& loads;
+  std::optional<AffineHeat> affine = std::nullopt;
 
   [[nodiscard]] model::State state() const { return property.state; }
   /// Of an element's own.

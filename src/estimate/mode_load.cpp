@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "estimate/mode_load.hpp"
 
+#include "fe/heat.hpp"
 #include "fe/load_points.hpp"
 #include "fe/thermal.hpp"
-#include "fe/thermal_kernel.hpp"
 
 namespace spricka::estimate {
 
@@ -55,28 +55,60 @@ void add_inside(const Enrichment& enrichment, base::ElementId e, const shape::Po
   }
 }
 
-// A temperature presses on the volume change of the modes.
-void add_thermal(const Enrichment& enrichment, const base::Vector& temperature, base::Vector& f) {
+// Forces of the modes of an element by a stress (tensor) at a point, its weight included.
+template <shape::PlaneShape S> using ModeForces = Eigen::Matrix<double, mode_freedoms<S>, 1>;
+template <shape::PlaneShape S>
+ModeForces<S> pressed(const ModeGradients<S>& G, const Eigen::Matrix2d& stress) {
+  return G.transpose() * Eigen::Vector4d(stress(0, 0), stress(0, 1), stress(1, 0), stress(1, 1));
+}
+
+// What the temperature that an element takes does to its modes. Where a part expands it freely the
+// nodes bear what their displacements make of that, and so do the modes: nothing is missed of it.
+template <shape::PlaneShape S>
+ModeForces<S> taken_forces(const fe::NodeVectors<S>& X, const fe::Law& law,
+                           const fe::CornerValues<S>& T, const SideState& sides) {
+  const fe::ThermalStress<S> thermal(X, law, T);
+  const bool carried = fe::FreeExpansion<S>::wanted(X, law);
+  const fe::NodeVectors<S> U =
+      carried ? fe::FreeExpansion<S>(X, law, T).at_nodes(X) : fe::NodeVectors<S>::Zero();
+  ModeForces<S> F = ModeForces<S>::Zero();
+  for (const auto& point : shape::quadrature<S>(Modes<S>::degree)) {
+    const fe::Jacobian<S> at = fe::jacobian<S>(X, point.r);
+    Eigen::Matrix2d stress = thermal.at(point.r) * Eigen::Matrix2d::Identity();
+    if (carried) {
+      const Eigen::Matrix2d H = U * at.dNdx;
+      stress = law.mu * (H + H.transpose());
+      stress.diagonal().array() += law.lambda * H.trace();
+    }
+    F += pressed<S>(mode_gradients<S>(X, point.r, at.J, sides),
+                    point.weight * at.det * law.thickness * stress);
+  }
+  return F;
+}
+
+// A temperature presses on the volume change of the modes, also with what elements do not take.
+void add_thermal(const Enrichment& enrichment, const fe::CaseHeat& heat, base::Vector& f) {
   const model::Mesh& mesh = enrichment.mesh();
   for (std::size_t i = 0; i < mesh.element_count(); ++i) {
     const base::ElementId e(i);
     with_mode_shape(mesh.type[i], [&]<shape::PlaneShape S>(S) {
-      const fe::CornerValues<S> T = fe::corner_temperature<S>(mesh, e, temperature);
-      if ((T.array() == 0.0).all()) {
+      const fe::CornerValues<S> T = fe::corner_temperature<S>(mesh, e, heat.temperature);
+      const std::span<const fe::HeatPoint> points = heat.of(e);
+      if ((T.array() == 0.0).all() && points.empty()) {
         return;
       }
       const fe::NodeVectors<S> X = fe::coordinates<S>(mesh, e);
       const fe::Law law = fe::law_of(enrichment.model(), mesh, e);
-      const fe::ThermalStress<S> thermal(X, law, T);
       const SideState sides = enrichment.sides(e);
+      ModeForces<S> F = taken_forces<S>(X, law, T, sides);
+      const double beta = law.thickness * fe::heat_modulus(law);
+      for (const fe::HeatPoint& p : points) {
+        F += pressed<S>(mode_gradients<S>(X, p.r, fe::jacobian<S>(X, p.r).J, sides),
+                        beta * p.area * p.T * Eigen::Matrix2d::Identity());
+      }
       const std::span<const std::int32_t> freedom = enrichment.of_element(e);
-      for (const auto& point : shape::quadrature<S>(Modes<S>::degree)) {
-        const fe::Jacobian<S> at = fe::jacobian<S>(X, point.r);
-        const double w = point.weight * at.det * law.thickness * thermal.at(point.r);
-        const ModeGradients<S> G = mode_gradients<S>(X, point.r, at.J, sides);
-        for (int m = 0; m < mode_freedoms<S>; ++m) {
-          f[freedom[static_cast<std::size_t>(m)]] += w * (G(0, m) + G(3, m));
-        }
+      for (int m = 0; m < mode_freedoms<S>; ++m) {
+        f[freedom[static_cast<std::size_t>(m)]] += F[m];
       }
     });
   }
@@ -84,7 +116,8 @@ void add_thermal(const Enrichment& enrichment, const base::Vector& temperature, 
 
 } // namespace
 
-base::Vector mode_load(const Enrichment& enrichment, const model::LoadCase& load_case) {
+base::Vector mode_load(const Enrichment& enrichment, const model::LoadCase& load_case,
+                       const fe::CaseHeat* heat) {
   const model::Model& model = enrichment.model();
   const model::Mesh& mesh = enrichment.mesh();
   base::Vector f = base::Vector::Zero(enrichment.freedoms());
@@ -104,9 +137,11 @@ base::Vector mode_load(const Enrichment& enrichment, const model::LoadCase& load
           }
         });
   }
-  const base::Vector T = fe::element_temperature(model, mesh, load_case);
-  if (T.size() > 0) {
-    add_thermal(enrichment, T, f);
+  const fe::CaseHeat own =
+      heat == nullptr ? fe::case_heat(model, {mesh, mesh, nullptr, {}}, load_case) : fe::CaseHeat();
+  const fe::CaseHeat& all = heat == nullptr ? own : *heat;
+  if (all.temperature.size() > 0) {
+    add_thermal(enrichment, all, f);
   }
   return f;
 }

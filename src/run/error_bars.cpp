@@ -70,7 +70,7 @@ base::Vector ErrorBars::load(const base::Vector& case_factor) {
       continue;
     }
     if (!case_load_[c]) {
-      case_load_[c] = estimate::mode_load(*enrichment_, model_.cases[c]);
+      case_load_[c] = estimate::mode_load(*enrichment_, model_.cases[c], scene_.case_heat[c].get());
     }
     f += factor * *case_load_[c];
   }

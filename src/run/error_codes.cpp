@@ -153,6 +153,13 @@ constexpr std::array advice{
     ErrorCode{"W506",
               "The table of rounds in the listing says what was tried and how far K came. A looser "
               "TOL, or a deck whose own mesh can be made finer where the errors are: exit code 5."},
+    ErrorCode{
+        "W570",
+        "G and (K1^2 + K2^2)/E', domains of different size and the opening of the faces agree "
+        "to some 1e-4 of K on sound meshes. Something near the tip is not as smooth as the "
+        "mesh takes it: a narrow load or temperature, a front of pressure, another tip or "
+        "corner within a few elements. Refine there (a smaller SIZE or RADIUS, a finer host); "
+        "if the two do not come together, do not trust either: the difference is the error."},
     ErrorCode{"W504",
               "Refine near the elements named, or use quadratic elements: linear ones and few "
               "distorted ones are stiff in bending. Sharp inner corners, edges of contact and "

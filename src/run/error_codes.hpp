@@ -70,6 +70,7 @@ inline constexpr std::array later_codes{
     ErrorCode{"W504", "a mesh whose estimated error is large"},
     ErrorCode{"W505", "middle nodes at a tip that are neither quarter points nor middles"},
     ErrorCode{"W506", "K that is not within the tolerance asked for"},
+    ErrorCode{"W570", "two ways to the same K part by more than its error bar"},
     ErrorCode{"W560", "the newest state cannot be read; the one before is taken"},
     ErrorCode{"W561", "kept increments that are not taken over, or not whole"},
     ErrorCode{"W540", "a converted deck of which only the first step is written"},

@@ -67,6 +67,13 @@ void gather_tips(const model::Model& model, const Scene& scene, const StepState&
           "large or lost in round-off",
           result.name, *K.shift_error));
     }
+    if (!K.domains.empty() && std::ranges::all_of(K.domains, [](const crack::DomainValue& d) {
+          return std::isnan(d.G);
+        })) {
+      out.notes.push_back(fmt::format("{}: the temperature jumps within all domains of K, which "
+                                      "leave G to K: it is (K1^2 + K2^2)/E'",
+                                      result.name));
+    }
     result.two_materials = K.two_materials;
     judge_faces({model, scene, tip, state, K}, result, out);
     out.tips.push_back(std::move(result));

@@ -11,6 +11,7 @@
 #include "run/restart_run.hpp"
 #include "run/solve_run.hpp"
 #include "run/tolerance.hpp"
+#include "run/two_ways.hpp"
 
 #include <algorithm>
 #include <system_error>
@@ -89,6 +90,10 @@ void collect_warnings(const base::Diagnostics& reading, results::Run& run, const
   for (const std::string& coarse : coarse_nets(run)) {
     run.warnings.push_back(coarse);
     log.message(base::Severity::warning, "W504", coarse);
+  }
+  for (const std::string& parted : two_ways_warnings(run)) {
+    run.warnings.push_back(parted);
+    log.message(base::Severity::warning, "W570", parted);
   }
 }
 

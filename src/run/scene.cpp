@@ -3,9 +3,9 @@
 
 #include "fe/assemble.hpp"
 #include "fe/dof_map.hpp"
-#include "fe/thermal.hpp"
 #include "growth/crack_lines.hpp"
 #include "mesh/host.hpp"
+#include "run/scene_heat.hpp"
 #include "run/scene_nodes.hpp"
 #include "run/scene_ties.hpp"
 #include "run/tip_loads.hpp"
@@ -210,14 +210,16 @@ bool make_loads(const model::Model& model, Scene& scene, base::Diagnostics& diag
   scene.case_displacement = base::Matrix::Zero(n, columns);
   for (Eigen::Index c = 0; c < cases; ++c) {
     const model::LoadCase& load_case = model.cases[static_cast<std::size_t>(c)];
-    scene.case_load.col(c) = fe::nodal_load(model, mesh, load_case);
+    scene.case_load.col(c) = fe::nodal_load(model, mesh, without_heat(load_case));
     scene.case_displacement.col(c) = fe::prescribed_displacement(model, mesh, load_case);
-    const base::Vector T = fe::element_temperature(model, mesh, load_case);
-    if (T.size() > 0) {
+    scene.case_heat.push_back(heat_of(model, scene, load_case));
+    const fe::CaseHeat& heat = *scene.case_heat.back();
+    if (heat.temperature.size() > 0) {
       if (scene.case_temperature.size() == 0) {
-        scene.case_temperature = base::Matrix::Zero(T.size(), columns);
+        scene.case_temperature = base::Matrix::Zero(heat.temperature.size(), columns);
       }
-      scene.case_temperature.col(c) = T;
+      scene.case_temperature.col(c) = heat.temperature;
+      scene.case_load.col(c) += heat_load(model, mesh, heat);
     }
     for (const model::Load& load : load_case.loads) {
       if (!arrives(model, mesh, load)) {

@@ -13,6 +13,10 @@
 #include <vector>
 
 /// Processor TOPOLOGY: one crack length made ready to be solved.
+namespace spricka::fe {
+struct CaseHeat;
+}
+
 namespace spricka::run {
 
 /// Rows of all pairs, one after another; pair p has rows first[p] .. first[p + 1] - 1, its normal
@@ -52,6 +56,7 @@ struct Scene {
   base::Matrix case_load;         ///< [dim * node, case] consistent loads
   base::Matrix case_displacement; ///< [dim * node, case] of prescribed freedoms and their followers
   base::Matrix case_temperature;  ///< [connectivity index, case]; empty: no case heats
+  std::vector<std::shared_ptr<const fe::CaseHeat>> case_heat; ///< [case] the same, and the rest
 };
 
 /// What stays the same for all lengths of a run.

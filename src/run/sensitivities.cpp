@@ -3,6 +3,7 @@
 
 #include "estimate/modulus.hpp"
 #include "run/lip_contact.hpp"
+#include "run/scene_heat.hpp"
 #include "run/step_walk.hpp"
 #include "run/tip_name.hpp"
 
@@ -144,6 +145,13 @@ void Sensitivities::add_moduli(const StepState& state,
   base::Matrix loads = -state.internal;
   if (state.temperature.size() > 0) {
     loads += estimate::thermal_loads(model_, scene_.cracked.mesh, state.temperature);
+    for (const fe::ActingHeat& acting : acting_heat(scene_, state.case_factor)) {
+      for (std::size_t m = 0; m < model_.materials.size(); ++m) {
+        base::Vector f = base::Vector::Zero(loads.rows());
+        fe::add_rest_load(model_, scene_.cracked.mesh, acting, base::MaterialId(m), f);
+        loads.col(static_cast<Eigen::Index>(m)) += f;
+      }
+    }
   }
   for (std::size_t m = 0; m < model_.materials.size(); ++m) {
     const double E = model_.materials[m].E;

@@ -4,6 +4,7 @@
 #include "fe/assemble.hpp"
 #include "fe/thermal.hpp"
 #include "run/rigid_motion.hpp"
+#include "run/scene_heat.hpp"
 #include "run/step_walk.hpp"
 #include "solve/mode_split.hpp"
 
@@ -267,6 +268,8 @@ void StepSolver::balance(StepState& state) const {
   const base::Vector internal = state.internal.rowwise().sum();
   if (state.temperature.size() > 0) {
     fe::add_thermal_energy(model_, mesh, state.temperature, state.u, state.energy);
+    fe::add_rest_energy(model_, mesh, acting_heat(scene_, factors_.case_factor), state.u,
+                        state.energy);
   }
   // Forces on dependent freedoms are their masters' to bear.
   const base::Vector open = internal - state.force - state.contact;

@@ -3,7 +3,7 @@
 
 #include "crack/stress_intensity.hpp"
 #include "fe/assemble.hpp"
-#include "fe/thermal.hpp"
+#include "run/scene_heat.hpp"
 #include "run/tip_loads.hpp"
 
 #include <algorithm>
@@ -105,29 +105,44 @@ std::string TipAdvance::why_not(const std::vector<bool>& closed) const {
   if (std::ranges::any_of(rows_, [&](std::size_t r) { return closed[r]; })) {
     return "closed contacts lie on what moves with the tip";
   }
+  if (rough_) {
+    return "the temperature jumps within elements that move with the tip";
+  }
   return {};
+}
+
+// Temperatures stay in space while the elements move through them.
+void TipAdvance::heat_both() {
+  for (Scene* side : {ahead_.get(), behind_.get()}) {
+    side->case_temperature = scene_.case_temperature;
+    for (std::size_t c = 0; c < model_.cases.size(); ++c) {
+      side->case_heat.push_back(heat_of(model_, *side, model_.cases[c]));
+      if (const base::Vector& T = side->case_heat.back()->temperature; T.size() > 0) {
+        side->case_temperature.col(static_cast<Eigen::Index>(c)) = T;
+      }
+    }
+  }
 }
 
 void TipAdvance::move_loads(const std::vector<bool>& moves) {
   const auto cases = static_cast<Eigen::Index>(model_.cases.size());
   base::Matrix rate = base::Matrix::Zero(scene_.case_load.rows(), cases);
+  heat_both();
   for (Eigen::Index c = 0; c < cases; ++c) {
     const model::LoadCase& load_case = model_.cases[static_cast<std::size_t>(c)];
     if (!acts_on(scene_.cracked.mesh, load_case, moves)) {
       continue;
     }
-    rate.col(c) = (fe::nodal_load(model_, ahead_->cracked.mesh, load_case) -
-                   fe::nodal_load(model_, behind_->cracked.mesh, load_case)) /
-                  (2.0 * motion_.step);
-  }
-  for (Scene* side : {ahead_.get(), behind_.get()}) {
-    side->case_temperature = scene_.case_temperature;
-    for (Eigen::Index c = 0; c < cases && scene_.case_temperature.size() > 0; ++c) {
-      const base::Vector T = fe::element_temperature(model_, side->cracked.mesh,
-                                                     model_.cases[static_cast<std::size_t>(c)]);
-      if (T.size() > 0) {
-        side->case_temperature.col(c) = T;
-      }
+    const auto of = [&](const Scene& side) -> base::Vector {
+      return fe::nodal_load(model_, side.cracked.mesh, without_heat(load_case)) +
+             heat_load(model_, side.cracked.mesh, *side.case_heat[static_cast<std::size_t>(c)]);
+    };
+    rate.col(c) = (of(*ahead_) - of(*behind_)) / (2.0 * motion_.step);
+    const std::vector<bool>& rough = scene_.case_heat[static_cast<std::size_t>(c)]->rough;
+    for (std::size_t e = 0; e < rough.size(); ++e) {
+      rough_ = rough_ ||
+               (rough[e] && std::ranges::any_of(scene_.cracked.mesh.nodes_of(base::ElementId(e)),
+                                                [&](base::NodeId n) { return moves[n.index()]; }));
     }
   }
   if ((rate.array() != 0.0).any()) {

@@ -26,6 +26,7 @@ public:
 
 private:
   void find_hindrances(const std::vector<bool>& moves);
+  void heat_both();
   void move_loads(const std::vector<bool>& moves);
 
   const model::Model& model_;
@@ -37,6 +38,7 @@ private:
   std::vector<base::Matrix> row_rate_;    ///< [tip][dim * node, 2]; empty: they move as one
   std::vector<std::size_t> rows_;         ///< of the table, on nodes that move
   bool tied_ = false;                     ///< ties hold nodes that move
+  bool rough_ = false;                    ///< a temperature jumps within elements that move
 };
 
 /// K1 and K2 of a tip that its loads add to rows^T u. [2, case]

@@ -3,6 +3,7 @@
 
 #include "fe/assemble.hpp"
 #include "mesh/lip_faces.hpp"
+#include "run/scene_heat.hpp"
 #include "shape/topology.hpp"
 
 #include <algorithm>
@@ -77,6 +78,12 @@ std::vector<std::int64_t> material_zones(const model::Model& model, const model:
   return zones;
 }
 
+// Where all elements are quadratic, terms of the domains take the rims of heated sets as they are.
+bool heat_is_known_inside(const model::Mesh& mesh) {
+  return std::ranges::all_of(mesh.type,
+                             [](base::ElementType t) { return base::info(t).quadratic; });
+}
+
 bool is_per_area(const model::Load& load) {
   return load.type == model::LoadType::traction || load.type == model::LoadType::pressure;
 }
@@ -137,6 +144,7 @@ crack::TipLoads tip_loads(const model::Model& model, const Scene& scene,
   });
   if (heated) {
     loads.temperature = scene.case_temperature * case_factor;
+    loads.heat = acting_heat(scene, case_factor);
   }
   return loads;
 }
@@ -172,7 +180,7 @@ crack::DomainLimits domain_limits(const model::Model& model, const Scene& scene,
         for (const base::NodeId n : mesh.set(load.nodes).nodes) {
           limits.node[n.index()] = true;
         }
-      } else if (load.type == model::LoadType::temperature) {
+      } else if (load.type == model::LoadType::temperature && !heat_is_known_inside(mesh)) {
         for (const base::ElementId e : mesh.set(load.elements).elements) {
           limits.zone[e.index()] += zone;
         }

@@ -40,6 +40,8 @@ results::ToleranceRound look_at(const model::Model& model, const results::Run& r
     why_not = "there is no error bar of " + now.no_bar;
   } else if (now.below_floor) {
     why_not = "TOL is smaller than the floor of the bars";
+  } else if (!now.parted.empty() && round.bar <= round.wanted) {
+    why_not = "the bars are inside, but two ways to K part by more: " + now.parted;
   }
   return round;
 }

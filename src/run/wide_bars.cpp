@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/wide_bars.hpp"
 
+#include "run/two_ways.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -82,6 +84,9 @@ Shortfall shortfall(const model::Model& model, const results::Run& run) {
                  if (!tip.no_bar.empty()) {
                    worst.no_bar = fmt::format("{}, step {}: {}", tip.name, step.step, tip.no_bar);
                    return;
+                 }
+                 if (const std::string parted = parting_at(step, tip); !parted.empty()) {
+                   worst.parted = fmt::format("{}, step {}: {}", tip.name, step.step, parted);
                  }
                  const double K = std::hypot(tip.K1, tip.K2);
                  for (std::size_t m = 0; m < 2 && K > 0.0; ++m) {

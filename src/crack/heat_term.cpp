@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "crack/heat_term.hpp"
+
+#include "fe/corner_rule.hpp"
+#include "shape/topology.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace spricka::crack {
+
+namespace {
+
+using base::ElementId;
+using base::Vec2;
+using std::numbers::pi;
+
+std::vector<ElementId> all_elements(const ExtensionField& field) {
+  std::vector<ElementId> all = field.elements;
+  all.insert(all.end(), field.inside.begin(), field.inside.end());
+  std::ranges::sort(all);
+  return all;
+}
+
+// Derivative along the crack of the volume change of partner 1 to 3: of harmonic functions, from
+// sigma_11 + sigma_22 of the near-tip fields and of the force at the tip.
+double volume_slope(const TipSetting& set, const Polar& at, std::size_t partner) {
+  const double shear = set.material.E / (2.0 * (1.0 + set.material.nu));
+  const double bulk = (kolosov(set.material.nu, set.state()) - 1.0) / (4.0 * shear);
+  if (partner == 3) {
+    return bulk * std::cos(2.0 * at.theta) / (pi * at.r * at.r);
+  }
+  const double root = -bulk / (at.r * std::sqrt(2.0 * pi * at.r));
+  return partner == 1 ? root * std::cos(1.5 * at.theta) : -root * std::sin(1.5 * at.theta);
+}
+
+// One element of a domain.
+template <shape::PlaneShape S> class Element {
+public:
+  Element(const TipSetting& set, ElementId e, const std::map<base::NodeId, double>& q,
+          const base::Vector& u)
+      : set_(set), e_(e), X_(fe::coordinates<S>(set.mesh, e)), U_(fe::gather<S>(set.mesh, e, u)),
+        law_(fe::law_of(set.model, set.mesh, e)),
+        T_(fe::corner_temperature<S>(set.mesh, e, set.loads.temperature)),
+        moved_(extension_at<S>(set.mesh, e, q)), strained_((moved_.array() != 1.0).any()) {}
+
+  [[nodiscard]] Vec2 x(const shape::Point<2>& r) const { return X_ * S::N(r); }
+  [[nodiscard]] double beta() const { return fe::heat_modulus(law_); }
+  /// What the element takes of the temperature.
+  [[nodiscard]] double taken(const shape::Point<2>& r) const {
+    return fe::taken_temperature<S>(X_, law_, T_, r);
+  }
+  [[nodiscard]] double extension(const shape::Point<2>& r) const { return moved_.dot(S::N(r)); }
+  [[nodiscard]] double volume_change(const shape::Point<2>& r) const {
+    return (U_ * fe::jacobian<S>(X_, r).dNdx).trace();
+  }
+
+  // - beta D div(q v,1) of a partner v.
+  void add_to_K(const shape::Point<2>& r, double area, double D,
+                std::array<double, partners>& sum) const {
+    const Polar place = polar(set_.tip, x(r));
+    const double q = extension(r);
+    const Vec2 grad =
+        strained_ ? Vec2(fe::jacobian<S>(X_, r).dNdx.transpose() * moved_) : Vec2(Vec2::Zero());
+    for (std::size_t k = 1; k < partners; ++k) {
+      double div = q * volume_slope(set_, place, k);
+      if (strained_) {
+        div += grad.dot(partner_gradient(set_, place, k) * set_.tip.e1);
+      }
+      sum[k] -= beta() * area * D * div;
+    }
+  }
+
+  // - beta D div(q u,1) of the displacements. Their second derivatives by central differences,
+  // which are exact but for round-off as good as where shape functions are polynomials of x.
+  [[nodiscard]] double of_G(const shape::Point<2>& r, double area, double D) const {
+    const fe::Jacobian<S> at = fe::jacobian<S>(X_, r);
+    constexpr double h = 1e-5;
+    Eigen::RowVector2d slope;
+    for (int i = 0; i < 2; ++i) {
+      const shape::Point<2> step = h * shape::Point<2>::Unit(i);
+      slope[i] = (volume_change(r + step) - volume_change(r - step)) / (2.0 * h);
+    }
+    const double along = (slope * at.J.inverse()).dot(set_.tip.e1);
+    const Vec2 grad = at.dNdx.transpose() * moved_;
+    const Vec2 carried = U_ * at.dNdx * set_.tip.e1;
+    return -beta() * area * D * (grad.dot(carried) + extension(r) * along);
+  }
+
+  void add(const mesh::Tip& tip, bool wants_G, std::array<double, partners>& sum) const {
+    const std::array<base::NodeId, 1> tips{tip.node};
+    for (const fe::Chart& chart : fe::charts<S>(fe::corner_at<S>(set_.mesh, e_, tips))) {
+      fe::for_chart_points(chart, {0.0, 0.0, 1.0}, [&](const shape::Point<2>& r, double weight) {
+        const double area = weight * fe::jacobian<S>(X_, r).det;
+        add_to_K(r, area, taken(r) - (*set_.affine)(set_.tip, x(r)), sum);
+      });
+    }
+    for (const fe::ActingHeat& acting : set_.loads.heat) {
+      for (const fe::HeatPoint& p : acting.heat->of(e_)) {
+        add_to_K(p.r, p.area, acting.factor * p.T, sum);
+        sum[0] += wants_G ? of_G(p.r, p.area, acting.factor * p.T) : 0.0;
+      }
+    }
+  }
+
+private:
+  const TipSetting& set_;
+  ElementId e_;
+  fe::NodeVectors<S> X_;
+  fe::NodeVectors<S> U_;
+  fe::Law law_;
+  fe::CornerValues<S> T_;
+  Eigen::Matrix<double, S::nodes, 1> moved_;
+  bool strained_;
+};
+
+double temperature_at(const TipLoads& loads, ElementId e, const Vec2& x) {
+  double T = 0.0;
+  for (const fe::ActingHeat& acting : loads.heat) {
+    T += acting.factor * acting.heat->field(e, x);
+  }
+  return T;
+}
+
+// Both elements of a side inside the domain, and its number in each.
+struct Between {
+  ElementId left, right;
+  int of_left = 0, of_right = 0;
+};
+
+std::vector<Between> sides_between(const model::Mesh& mesh, const std::vector<ElementId>& all) {
+  std::map<std::pair<base::NodeId, base::NodeId>, std::pair<ElementId, int>> open;
+  std::vector<Between> found;
+  for (const ElementId e : all) {
+    const auto nodes = mesh.nodes_of(e);
+    const base::ElementType type = mesh.type[e.index()];
+    for (int s = 0; s < base::info(type).sides; ++s) {
+      const auto side = shape::side_nodes(type, s);
+      const base::NodeId a = nodes[static_cast<std::size_t>(side[0])];
+      const base::NodeId b = nodes[static_cast<std::size_t>(side[1])];
+      if (const auto met = open.find({b, a}); met != open.end()) {
+        found.push_back({met->second.first, e, met->second.second, s});
+      } else {
+        open[{a, b}] = {e, s};
+      }
+    }
+  }
+  return found;
+}
+
+// Integral of f over [-1, 1], halved where two rules differ.
+template <class F>
+double line_integral(const F& f, double from, double to, double scale, int depth) {
+  const auto rule = [&](double a, double b) {
+    double sum = 0.0;
+    for (const auto& p : shape::line_rule(9)) {
+      sum += 0.5 * (b - a) * p.weight * f(0.5 * (a + b) + 0.5 * (b - a) * p.r[0]);
+    }
+    return sum;
+  };
+  const double middle = 0.5 * (from + to);
+  const double halves = rule(from, middle) + rule(middle, to);
+  if (depth == 0 || std::abs(halves - rule(from, to)) <= scale) {
+    return halves;
+  }
+  return line_integral(f, from, middle, scale, depth - 1) +
+         line_integral(f, middle, to, scale, depth - 1);
+}
+
+// beta (T - that of an element) eps_ii q n_1 of both sides of an edge: T is the mean of what
+// stands on the left and on the right of it, a jump drives what it finds on both sides.
+class EdgeTerm {
+public:
+  EdgeTerm(const TipSetting& set, const std::map<base::NodeId, double>& q, const base::Vector& u)
+      : set_(set), q_(q), u_(u) {}
+
+  [[nodiscard]] double operator()(const Between& edge) const {
+    double sum = 0.0;
+    constexpr int most_halvings = 12;
+    constexpr double exact = 1e-7;
+    shape::with_plane_shape(type_of(edge.left), [&]<shape::PlaneShape L>(L) {
+      shape::with_plane_shape(type_of(edge.right), [&]<shape::PlaneShape R>(R) {
+        const Element<L> left(set_, edge.left, q_, u_);
+        const Element<R> right(set_, edge.right, q_, u_);
+        double size = 0.0;
+        const auto value = [&](double t) {
+          const shape::Point<2> r = on_side<L>(edge.of_left, t);
+          const shape::Point<2> s = on_side<R>(edge.of_right, -t);
+          const Vec2 x = left.x(r);
+          const Vec2 tangent = 0.5 * fe::coordinates<L>(set_.mesh, edge.left) * L::dN(r) *
+                               (shape::node<L>((edge.of_left + 1) % fe::corners<L>()) -
+                                shape::node<L>(edge.of_left));
+          const double n = Vec2(tangent.y(), -tangent.x()).dot(set_.tip.e1);
+          const double T =
+              0.5 *
+              (temperature_at(set_.loads, edge.left, beside(x, left.x(shape::centre<L>()))) +
+               temperature_at(set_.loads, edge.right, beside(x, right.x(shape::centre<R>()))));
+          const double a = (T - left.taken(r)) * left.volume_change(r) * left.beta();
+          const double b = (T - right.taken(s)) * right.volume_change(s) * right.beta();
+          const double weight = left.extension(r) * n;
+          size = std::max(size,
+                          (std::abs(T * left.volume_change(r)) * left.beta()) * std::abs(weight));
+          return (a - b) * weight;
+        };
+        for (const auto& p : shape::line_rule(9)) { // how large it is
+          value(p.r[0]);
+        }
+        sum = line_integral(value, -1.0, 1.0, exact * size, most_halvings);
+      });
+    });
+    return sum;
+  }
+
+private:
+  [[nodiscard]] base::ElementType type_of(ElementId e) const { return set_.mesh.type[e.index()]; }
+  template <shape::PlaneShape S> static shape::Point<2> on_side(int side, double t) {
+    return 0.5 * (1.0 - t) * shape::node<S>(side) +
+           0.5 * (1.0 + t) * shape::node<S>((side + 1) % fe::corners<S>());
+  }
+  // Just inside an element, should the temperature jump on its side.
+  static Vec2 beside(const Vec2& x, const Vec2& centre) { return x + 1e-9 * (centre - x); }
+
+  const TipSetting& set_;
+  const std::map<base::NodeId, double>& q_;
+  const base::Vector& u_;
+};
+
+// Whether the temperature that the elements of a domain take is the same on both sides of all
+// edges, and all that there is.
+bool is_taken(const TipSetting& set, const std::vector<ElementId>& all) {
+  for (const fe::ActingHeat& acting : set.loads.heat) {
+    if (std::ranges::any_of(all, [&](ElementId e) { return !acting.heat->of(e).empty(); })) {
+      return false;
+    }
+  }
+  const double scale = set.loads.temperature.cwiseAbs().maxCoeff();
+  std::map<base::NodeId, double> of_node;
+  for (const ElementId e : all) {
+    const auto nodes = set.mesh.nodes_of(e);
+    for (int c = 0; c < base::info(set.mesh.type[e.index()]).corners; ++c) {
+      const double T = set.loads.temperature[set.mesh.first[e.index()] + c];
+      const auto [met, fresh] = of_node.try_emplace(nodes[static_cast<std::size_t>(c)], T);
+      if (!fresh && std::abs(met->second - T) > 1e-9 * scale) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+} // namespace
+
+std::optional<AffineHeat> affine_heat(const TipSetting& set, const mesh::Tip& tip,
+                                      const std::vector<ExtensionField>& fields) {
+  if (set.loads.temperature.size() == 0 || set.loads.heat.empty()) {
+    return std::nullopt;
+  }
+  const std::vector<ElementId> all = all_elements(fields.back());
+  if (is_taken(set, all)) {
+    return std::nullopt;
+  }
+  AffineHeat affine;
+  Eigen::Matrix2d G = Eigen::Matrix2d::Zero();
+  Vec2 right = Vec2::Zero();
+  double weight = 0.0;
+  for (const ElementId e : all) {
+    const auto nodes = set.mesh.nodes_of(e);
+    if (std::ranges::find(nodes, tip.node) != nodes.end()) {
+      affine.at_tip += temperature_at(set.loads, e, set.tip.x);
+      weight += 1.0;
+    }
+  }
+  affine.at_tip /= std::max(weight, 1.0);
+  for (const ElementId e : all) {
+    const auto nodes = set.mesh.nodes_of(e);
+    for (int c = 0; c < base::info(set.mesh.type[e.index()]).corners; ++c) {
+      const Vec2 d = set.mesh.x[nodes[static_cast<std::size_t>(c)].index()].head<2>() - set.tip.x;
+      const double T = set.loads.temperature[set.mesh.first[e.index()] + c] - affine.at_tip;
+      G += d * d.transpose();
+      right += T * d;
+    }
+  }
+  affine.slope = G.ldlt().solve(right);
+  return affine;
+}
+
+bool jumps_in(const TipSetting& set, const ExtensionField& field) {
+  return std::ranges::any_of(set.loads.heat, [&](const fe::ActingHeat& acting) {
+    const std::vector<bool>& rough = acting.heat->rough;
+    return !rough.empty() &&
+           std::ranges::any_of(all_elements(field), [&](ElementId e) { return rough[e.index()]; });
+  });
+}
+
+std::array<double, partners> heat_term(const TipSetting& set, const mesh::Tip& tip,
+                                       const ExtensionField& field, const base::Vector& u) {
+  std::array<double, partners> sum{};
+  const std::map<base::NodeId, double> q(field.q.begin(), field.q.end());
+  const std::vector<ElementId> all = all_elements(field);
+  const bool wants_G = !jumps_in(set, field) && (u.array() != 0.0).any();
+  fe::for_plane_blocks(set.mesh, all,
+                       [&]<shape::ElementShape S>(S, std::span<const ElementId> block) {
+                         for (const ElementId e : block) {
+                           Element<S>(set, e, q, u).add(tip, wants_G, sum);
+                         }
+                       });
+  if (!wants_G) {
+    return sum;
+  }
+  const EdgeTerm term(set, q, u);
+  for (const Between& edge : sides_between(set.mesh, all)) {
+    sum[0] += term(edge);
+  }
+  return sum;
+}
+
+} // namespace spricka::crack

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "crack/tip_setting.hpp"
+
+/// What a temperature that is not linear within elements, or not in the same way in all of them,
+/// adds to G, K and T.
+namespace spricka::crack {
+
+/// The linear temperature that comes nearest to that of the domains and has its value at the tip;
+/// empty where elements take all of the temperature and the rim of no heated set is in the domains.
+std::optional<AffineHeat> affine_heat(const TipSetting& set, const mesh::Tip& tip,
+                                      const std::vector<ExtensionField>& fields);
+
+/// Whether a temperature jumps within elements of a domain.
+bool jumps_in(const TipSetting& set, const ExtensionField& field);
+
+/// Of one domain, by partner: to K and T what the temperature less the affine one makes of them, by
+/// parts, so that it needs no gradient (manual, crack.34); to G what the temperature less that of
+/// the elements does, its jumps between elements included (crack.35).
+std::array<double, partners> heat_term(const TipSetting& set, const mesh::Tip& tip,
+                                       const ExtensionField& field, const base::Vector& u);
+
+} // namespace spricka::crack

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fe/host_places.hpp"
+
+#include "shape/shape.hpp"
+#include "shape/topology.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace spricka::fe {
+
+namespace {
+
+using base::Vec2;
+
+constexpr int pieces = 16; ///< of a curved side
+
+double cross(const Vec2& a, const Vec2& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+// Outline of an element of the plane, anticlockwise.
+std::vector<Vec2> outline_of(const model::Mesh& mesh, base::ElementId e) {
+  const base::ElementType type = mesh.type[e.index()];
+  const auto nodes = mesh.nodes_of(e);
+  const auto at = [&](int i) -> Vec2 {
+    return mesh.x[nodes[static_cast<std::size_t>(i)].index()].head<2>();
+  };
+  std::vector<Vec2> points;
+  for (int s = 0; s < base::info(type).sides; ++s) {
+    const auto side = shape::side_nodes(type, s);
+    const Vec2 a = at(side[0]);
+    const Vec2 b = at(side[1]);
+    points.push_back(a);
+    if (side.size() < 3) {
+      continue;
+    }
+    const Vec2 m = at(side[2]);
+    if (std::abs(cross(b - a, m - a)) <= 1e-12 * (b - a).squaredNorm()) {
+      continue;
+    }
+    for (int i = 1; i < pieces; ++i) {
+      const Eigen::Vector3d N = shape::Line3::N(shape::Point<1>(2.0 * i / pieces - 1.0));
+      points.emplace_back(N[0] * a + N[1] * b + N[2] * m);
+    }
+  }
+  return points;
+}
+
+bool is_inside(const std::vector<Vec2>& outline, const Vec2& p) {
+  bool inside = false;
+  Vec2 a = outline.back();
+  for (const Vec2& b : outline) {
+    if ((a.y() > p.y()) != (b.y() > p.y()) &&
+        p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) {
+      inside = !inside;
+    }
+    a = b;
+  }
+  return inside;
+}
+
+// Distance of a point from an outline that it is not in.
+double distance(const std::vector<Vec2>& outline, const Vec2& p) {
+  double least = std::numeric_limits<double>::max();
+  Vec2 a = outline.back();
+  for (const Vec2& b : outline) {
+    const double t = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+    least = std::min(least, (a + t * (b - a) - p).norm());
+    a = b;
+  }
+  return least;
+}
+
+} // namespace
+
+HostPlaces::HostPlaces(const PatchedMesh& patched) {
+  if (patched.host == nullptr) {
+    return;
+  }
+  std::vector<bool> kept(patched.host_mesh.element_count(), false);
+  for (const base::ElementId e : *patched.host) {
+    if (e.valid()) {
+      kept[e.index()] = true;
+    }
+  }
+  for (std::size_t e = 0; e < kept.size(); ++e) {
+    if (kept[e]) {
+      continue;
+    }
+    taken_.emplace_back(e);
+    Outline outline{outline_of(patched.host_mesh, base::ElementId(e)), {}, {}};
+    outline.low = outline.high = outline.points.front();
+    for (const Vec2& p : outline.points) {
+      outline.low = outline.low.cwiseMin(p);
+      outline.high = outline.high.cwiseMax(p);
+    }
+    outlines_.push_back(std::move(outline));
+  }
+}
+
+base::ElementId HostPlaces::at(const Vec2& x) const {
+  for (std::size_t i = 0; i < outlines_.size(); ++i) {
+    const Outline& outline = outlines_[i];
+    if ((x.array() >= outline.low.array()).all() && (x.array() <= outline.high.array()).all() &&
+        is_inside(outline.points, x)) {
+      return taken_[i];
+    }
+  }
+  base::ElementId best; // outside all, by round-off or beside a curved side
+  double least = std::numeric_limits<double>::max();
+  for (std::size_t i = 0; i < outlines_.size(); ++i) {
+    const Outline& outline = outlines_[i];
+    const double away = std::max((outline.low - x).maxCoeff(), (x - outline.high).maxCoeff());
+    if (away > least) {
+      continue;
+    }
+    if (const double d = distance(outline.points, x); d < least) {
+      least = d;
+      best = taken_[i];
+    }
+  }
+  return best;
+}
+
+} // namespace spricka::fe

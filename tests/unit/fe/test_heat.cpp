@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fe/heat.hpp"
+#include "fe/thermal.hpp"
+#include "mesh/generate.hpp"
+#include "mesh/patch.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace spricka {
+namespace {
+
+using base::Op;
+
+constexpr base::Instruction x{Op::x, 0.0};
+constexpr base::Instruction y{Op::y, 0.0};
+
+base::Instruction number(double v) {
+  return {Op::number, v};
+}
+
+/// A plate of 4 x 4 with an oblique edge crack, left of x = 1.6 a set of its elements.
+struct Plate {
+  model::Model model;
+  mesh::CrackedMesh cracked;
+
+  Plate() {
+    const base::NetId net(std::size_t{0});
+    mesh::BlockSpec spec;
+    spec.type = base::ElementType::quamc8;
+    spec.size = {4.0, 4.0, 1.0};
+    spec.nx = 10;
+    spec.ny = 10;
+    model.nets = {{"", {}}};
+    mesh::generate_block(model.mesh, net, "", spec);
+    model.materials = {{"M", 1000.0, 0.3, 0.0, 1e-3, {}}};
+    model.properties = {{base::ElementSetId(std::size_t{0}),
+                         base::MaterialId(std::size_t{0}),
+                         model::State::plane_strain,
+                         2.5,
+                         {}}};
+    model.mesh.property.assign(model.mesh.element_count(), base::PropertyId(std::size_t{0}));
+    model::ElementSet left{"LEFT", {}, {}};
+    for (std::size_t e = 0; e < model.mesh.element_count(); ++e) {
+      if (model.mesh.x[model.mesh.nodes_of(base::ElementId(e))[0].index()].x() < 1.6 - 1e-9) {
+        left.elements.emplace_back(e);
+      }
+    }
+    model.mesh.element_sets.push_back(left);
+    mesh::CrackLine line;
+    line.crack = base::CrackId(std::size_t{0});
+    line.net = net;
+    line.points = {{0.0, 2.0, 0.0}, {1.5, 2.4, 0.0}};
+    base::Diagnostics diagnostics;
+    const std::vector<mesh::TipMesh> tips{mesh::choose_tip_mesh(model.mesh, line, nullptr)};
+    cracked =
+        mesh::insert_cracks(model.mesh, {&line, 1}, tips, std::vector<base::Span>(1), diagnostics)
+            .value();
+  }
+
+  [[nodiscard]] fe::CaseHeat heat(base::Expression T, std::size_t set) const {
+    model::Load load;
+    load.type = model::LoadType::temperature;
+    load.elements = base::ElementSetId(set);
+    load.value = {std::move(T)};
+    return fe::case_heat(model,
+                         {cracked.mesh, model.mesh, &cracked.host, {cracked.tips.front().node}},
+                         {"", {load}});
+  }
+  [[nodiscard]] std::size_t left() const { return model.mesh.element_sets.size() - 1; }
+
+  /// Work of all nodal forces on a displacement that strains the plate by 1 in both directions,
+  /// over thickness, beta and 2: the integral of the temperature.
+  [[nodiscard]] double integral(const fe::CaseHeat& heat) const {
+    base::Vector f = fe::thermal_load(model, cracked.mesh, heat.temperature);
+    fe::add_rest_load(model, cracked.mesh, {&heat, 1.0}, {}, f);
+    double work = 0.0;
+    for (std::size_t n = 0; n < cracked.mesh.node_count(); ++n) {
+      work += f.segment<2>(2 * static_cast<Eigen::Index>(n)).dot(cracked.mesh.x[n].head<2>());
+    }
+    const double beta = 1e-3 * 1000.0 / (1.0 - 2.0 * 0.3);
+    return work / (2.0 * beta * 2.5);
+  }
+};
+
+TEST(Heat, ElementsTakeALinearTemperatureWhole) {
+  const Plate plate;
+  const fe::CaseHeat heat =
+      plate.heat({{number(3.0), x, {Op::multiply, 0.0}, y, {Op::subtract, 0.0}}}, 0);
+  EXPECT_TRUE(heat.points.empty());
+  EXPECT_NEAR(plate.integral(heat), (3.0 * 2.0 - 2.0) * 16.0, 1e-9);
+}
+
+// The rim runs through elements of the patch: each bears its share.
+TEST(Heat, AHeatedSetKeepsItsPlaceInAPatch) {
+  const Plate plate;
+  const fe::CaseHeat heat = plate.heat(base::Expression::constant(7.0), plate.left());
+  EXPECT_TRUE(heat.field.cut());
+  EXPECT_FALSE(heat.points.empty());
+  EXPECT_NEAR(plate.integral(heat), 7.0 * 1.6 * 4.0, 7.0 * 1.6 * 4.0 * 2e-6);
+}
+
+TEST(Heat, AJumpInsideElementsIsIntegrated) {
+  const Plate plate;
+  const fe::CaseHeat heat = plate.heat({{x, number(1.234), {Op::less, 0.0}}}, 0);
+  EXPECT_NEAR(plate.integral(heat), 1.234 * 4.0, 1.234 * 4.0 * 2e-6);
+}
+
+// Over the elements round the tip, triangles with a corner there, the root has the integral
+// 0.4 R(t)^2.5 by angle, R the distance of the opposite side.
+TEST(Heat, TheRootOfTheDistanceFromATipIsSmooth) {
+  const Plate plate;
+  const mesh::Tip& tip = plate.cracked.tips.front();
+  std::vector<base::Instruction> code{
+      x, number(tip.x.x()), {Op::subtract, 0.0}, number(2.0), {Op::power, 0.0}};
+  for (const base::Instruction& i :
+       {y, number(tip.x.y()), base::Instruction{Op::subtract, 0.0}, number(2.0),
+        base::Instruction{Op::power, 0.0}, base::Instruction{Op::add, 0.0}, number(0.25),
+        base::Instruction{Op::power, 0.0}}) {
+    code.push_back(i);
+  }
+  const fe::CaseHeat heat = plate.heat({code}, 0);
+  const model::Mesh& mesh = plate.cracked.mesh;
+  int found = 0;
+  for (std::size_t i = 0; i < mesh.element_count(); ++i) {
+    const base::ElementId e(i);
+    const auto nodes = mesh.nodes_of(e);
+    const auto at = std::ranges::find(nodes, tip.node);
+    if (at == nodes.end() || mesh.type[i] != base::ElementType::trimc6) {
+      continue;
+    }
+    const auto c = static_cast<std::size_t>(at - nodes.begin());
+    const base::Vec3 a = mesh.x[nodes[(c + 1) % 3].index()] - tip.x;
+    const base::Vec3 b = mesh.x[nodes[(c + 2) % 3].index()] - tip.x;
+    const double height = a.cross(b).norm() / (b - a).norm();
+    double exact = 0.0;
+    constexpr int steps = 400;
+    const double angle = std::acos(a.normalized().dot(b.normalized()));
+    for (int k = 0; k < steps; ++k) { // middles: 1e-7 of a smooth function
+      const double t = angle * (k + 0.5) / steps;
+      const double sine = std::sin(std::acos(-a.normalized().dot((b - a).normalized())) + t);
+      exact += 0.4 * std::pow(height / sine, 2.5) * angle / steps;
+    }
+    double sum = 0.0;
+    const auto X = fe::coordinates<shape::Trimc6>(mesh, e);
+    const fe::Law law = fe::law_of(plate.model, mesh, e);
+    const auto T = fe::corner_temperature<shape::Trimc6>(mesh, e, heat.temperature);
+    for (const fe::HeatPoint& p : heat.of(e)) {
+      sum += p.area * (p.T + fe::taken_temperature<shape::Trimc6>(X, law, T, p.r));
+    }
+    EXPECT_NEAR(sum, exact, 2e-6 * exact);
+    ++found;
+  }
+  EXPECT_GT(found, 10);
+}
+
+} // namespace
+} // namespace spricka
