@@ -91,7 +91,9 @@ constexpr std::array texts{
     CardText{
         "PROPERTY",
         "Every element needs exactly one property. STRESS is plane stress, STRAIN plane strain; "
-        "forces and energies count for the whole THICK.",
+        "forces and energies count for the whole THICK. Left out it is 1, which is an error where "
+        "another plane property has one, and a warning where loads are whole forces. Bodies that "
+        "meet in a contact, a tie or an edge and differ in THICK or STATE are warned of.",
         "$PROPERTY ESET=LUG.BODY MATERIAL=AL7475 STATE=STRESS THICK=14\n"},
     CardText{
         "FREEDOM",
@@ -118,7 +120,9 @@ constexpr std::array texts{
         "PRESCRIBED freedoms. TEMPERATURE: degrees above the state without stress, of elements "
         "whose "
         "material has ALPHA. In 2D areas count THICK, with STATE=AXI the whole circumference, for "
-        "FORCE and RESULTANT as well. Values may be expressions in x y z.",
+        "FORCE and RESULTANT as well. Values may be expressions in x y z, with steps and peaks at "
+        "any place: they are integrated piece by piece. Lines of DISP for one set add up; sets that "
+        "share a node must agree there, or give it zero.",
         "$LOAD CASE=TENSION TYPE=TRACTION\n"
         "  PLATE.YMAX  0  (100[MPa]*(1 - x/40))\n"
         "$LOAD CASE=PIN TYPE=BEARING SHAPE=COSINE\n"

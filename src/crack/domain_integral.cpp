@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crack/domain_integral.hpp"
 
+#include "crack/load_fields.hpp"
 #include "fe/thermal_kernel.hpp"
 
 #include <algorithm>
@@ -14,14 +15,13 @@ using Tensor = Eigen::Matrix2d;
 
 /// The solution at a point of an element.
 struct Here {
-  Tensor nodal;                      ///< gradient of the nodes' displacement
-  Tensor H;                          ///< of the displacement: what expands freely is in
-  Tensor sigma;                      ///< stress, thermal part in
-  Tensor strained;                   ///< gradient that has this stress, where some expands freely
-  double beta_T = 0.0;               ///< stress that the temperature takes out
-  base::Vec2 beta_grad_T{0.0, 0.0};  ///< and its gradient
-  double free_strain = 0.0;          ///< alpha T as the state has it
-  base::Vec2 b = base::Vec2::Zero(); ///< force per volume
+  Tensor nodal;                     ///< gradient of the nodes' displacement
+  Tensor H;                         ///< of the displacement: what expands freely is in
+  Tensor sigma;                     ///< stress, thermal part in
+  Tensor strained;                  ///< gradient that has this stress, where some expands freely
+  double beta_T = 0.0;              ///< stress that the temperature takes out
+  base::Vec2 beta_grad_T{0.0, 0.0}; ///< and its gradient
+  double free_strain = 0.0;         ///< alpha T as the state has it
 };
 
 // s(u) : grad v + s(v) : grad u - s(u) : eps(v) I, as a tensor that multiplies grad q (component k
@@ -37,9 +37,11 @@ Tensor momentum(const Here& u, const Tensor& Hv, const Tensor& sv) {
 /// leave out the same that does not depend on u.
 template <shape::ElementShape S> class ElementTerms {
 public:
-  ElementTerms(const TipSetting& set, base::ElementId e, const base::Vector& u)
-      : set_(set), e_(e), X_(fe::coordinates<S>(set.mesh, e)), U_(fe::gather<S>(set.mesh, e, u)),
-        D_(set.elasticity(e)), law_(fe::law_of(set.model, set.mesh, e)),
+  ElementTerms(const TipSetting& set, const std::vector<BodyField>& fields, base::ElementId e,
+               const base::Vector& u)
+      : set_(set), fields_(fields), e_(e), X_(fe::coordinates<S>(set.mesh, e)),
+        U_(fe::gather<S>(set.mesh, e, u)), D_(set.elasticity(e)),
+        law_(fe::law_of(set.model, set.mesh, e)),
         T_(set.loads.temperature.size() > 0
                ? fe::corner_temperature<S>(set.mesh, e, set.loads.temperature)
                : fe::CornerValues<S>(fe::CornerValues<S>::Zero())) {
@@ -52,7 +54,7 @@ public:
   }
 
   void add(NodalForces& out, bool strained, bool filled) const {
-    std::array<std::array<base::Vec2, partners>*, S::nodes> force;
+    Forces force;
     for (std::size_t n = 0; n < S::nodes; ++n) {
       force[n] = &out[set_.mesh.nodes_of(e_)[n]];
     }
@@ -74,7 +76,7 @@ public:
         base::Vec2 c = base::Vec2::Zero();
         if (filled) {
           const double work = k == 0 && carried_ ? 2.0 * here.free_strain : Hv.trace();
-          c = work * here.beta_grad_T - Hv.transpose() * here.b;
+          c = work * here.beta_grad_T;
         }
         for (int n = 0; n < S::nodes; ++n) {
           base::Vec2& P = (*force[static_cast<std::size_t>(n)])[k];
@@ -86,16 +88,37 @@ public:
         }
       }
     }
+    if (filled) {
+      add_body_forces(force);
+    }
   }
 
 private:
+  using Forces = std::array<std::array<base::Vec2, partners>*, S::nodes>;
+
+  // At points of their own: they may bend and jump where the fields do not.
+  void add_body_forces(const Forces& force) const {
+    for_body_forces<S>(
+        fields_, e_, X_, [&](const shape::Point<2>& r, double weight, const base::Vec2& b) {
+          const fe::Jacobian<S> at = fe::jacobian<S>(X_, r);
+          const Eigen::Matrix<double, S::nodes, 1> N = S::N(r);
+          const Polar place = polar(set_.tip, X_ * N);
+          for (std::size_t k = 0; k < partners; ++k) {
+            const Tensor Hv = k == 0 ? Tensor(U_ * at.dNdx) : partner_gradient(set_, place, k);
+            const base::Vec2 c = weight * at.det * (Hv.transpose() * b);
+            for (int n = 0; n < S::nodes; ++n) {
+              (*force[static_cast<std::size_t>(n)])[k] -= N[n] * c;
+            }
+          }
+        });
+  }
+
   [[nodiscard]] Here solution(const fe::Jacobian<S>& at, const shape::Point<2>& r,
                               const base::Vec2& x, bool filled) const {
     Here here;
     here.nodal = here.H = here.strained = U_ * at.dNdx;
     if (filled) {
       heat(at, r, x, here);
-      here.b = body_force(set_.loads, e_, x);
     }
     here.sigma = stress_of(D_, here.H);
     here.sigma.diagonal().array() -= here.beta_T;
@@ -138,6 +161,7 @@ private:
   }
 
   const TipSetting& set_;
+  const std::vector<BodyField>& fields_;
   base::ElementId e_;
   fe::NodeVectors<S> X_;
   fe::NodeVectors<S> U_;
@@ -167,6 +191,7 @@ Elements united(const std::vector<ExtensionField>& fields, Elements ExtensionFie
 void add_domain_terms(const TipSetting& set, const std::vector<ExtensionField>& fields,
                       const base::Vector& u, NodalForces& out) {
   const bool filled = set.loads.fill_elements();
+  const std::vector<BodyField> loads = body_fields(set);
   const Elements strained = united(fields, &ExtensionField::elements);
   Elements rigid;
   if (filled) {
@@ -174,12 +199,12 @@ void add_domain_terms(const TipSetting& set, const std::vector<ExtensionField>& 
                                 std::back_inserter(rigid));
   }
   for (const Elements* elements : {&strained, static_cast<const Elements*>(&rigid)}) {
-    fe::for_plane_blocks(set.mesh, *elements,
-                         [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
-                           for (const base::ElementId e : block) {
-                             ElementTerms<S>(set, e, u).add(out, elements == &strained, filled);
-                           }
-                         });
+    fe::for_plane_blocks(
+        set.mesh, *elements, [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
+          for (const base::ElementId e : block) {
+            ElementTerms<S>(set, loads, e, u).add(out, elements == &strained, filled);
+          }
+        });
   }
 }
 

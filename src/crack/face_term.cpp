@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crack/face_term.hpp"
 
+#include "crack/load_fields.hpp"
 #include "fe/face.hpp"
 
 namespace spricka::crack {
@@ -18,15 +19,21 @@ Eigen::Matrix<double, 2, Side::nodes> displacements(const std::array<base::NodeI
   return U;
 }
 
+struct ScaledLoad {
+  const ActingLoad& acting;
+  double scale;
+};
+
 // t . u,1 needs no gradient of the element: along the face u,1 ds is the derivative of u by the
 // reference coordinate, and finite where a quarter-point element's gradients are not.
 template <shape::Shape Side>
-void add_face(const TipSetting& set, const ActingLoad& acting, const model::Face& face,
+void add_face(const TipSetting& set, const ScaledLoad& on, const model::Face& face,
               const base::Vector& u, NodalForces& out) {
+  const auto& [acting, scale] = on;
   const fe::SideNodes<Side> X = fe::side_coordinates<Side>(set.mesh, face);
   const auto nodes = fe::nodes_of_face<Side>(set.mesh, face);
   const Eigen::Matrix<double, 2, Side::nodes> U = displacements<Side>(nodes, u);
-  for (const auto& point : shape::quadrature<Side>(fe::load_degree)) {
+  for (const auto& point : fe::load_rule<Side>(X, *acting.load, scale).points) {
     const auto dN = Side::dN(point.r);
     const auto N = Side::N(point.r);
     const base::Vec2 x = (X * N).template head<2>();
@@ -50,8 +57,9 @@ void add_face(const TipSetting& set, const ActingLoad& acting, const model::Face
 
 void add_face_terms(const TipSetting& set, const base::Vector& u, NodalForces& out) {
   for (const ActingLoad& acting : set.loads.loads) {
+    const ScaledLoad on{acting, face_scale(set, acting)};
     fe::for_edges(set.mesh, acting.faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
-      add_face<Side>(set, acting, face, u, out);
+      add_face<Side>(set, on, face, u, out);
     });
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crack/finite_shift.hpp"
 
+#include "crack/load_fields.hpp"
 #include "fe/face.hpp"
 #include "fe/thermal_kernel.hpp"
 
@@ -14,6 +15,7 @@ struct Shift {
   std::map<base::NodeId, double> q;
   double s = 0.0;
   const base::Vector& u;
+  const std::vector<BodyField>& fields;
 
   template <shape::PlaneShape S> [[nodiscard]] fe::NodeVectors<S> moved(base::ElementId e) const {
     fe::NodeVectors<S> X = fe::coordinates<S>(set.mesh, e);
@@ -28,15 +30,14 @@ struct Shift {
 
 // Work of the forces per volume on the displacements U of an element at nodes X.
 template <shape::PlaneShape S>
-double body_work(const TipSetting& set, base::ElementId e, const fe::NodeVectors<S>& X,
-                 const fe::NodeVectors<S>& U) {
+double body_work(const std::vector<BodyField>& fields, base::ElementId e,
+                 const fe::NodeVectors<S>& X, const fe::NodeVectors<S>& U) {
   double work = 0.0;
-  for (const auto& point : shape::quadrature<S>(fe::load_degree)) {
-    const Eigen::Matrix<double, S::nodes, 1> N = S::N(point.r);
-    const base::Vec2 x = X * N;
-    const base::Vec2 value = U * N;
-    work += point.weight * fe::jacobian<S>(X, point.r).det * body_force(set.loads, e, x).dot(value);
-  }
+  for_body_forces<S>(fields, e, X,
+                     [&](const shape::Point<2>& r, double weight, const base::Vec2& b) {
+                       const base::Vec2 value = U * S::N(r);
+                       work += weight * fe::jacobian<S>(X, r).det * b.dot(value);
+                     });
   return work;
 }
 
@@ -84,12 +85,12 @@ template <shape::PlaneShape S> double element_energy(const Shift& shift, base::E
   const double strain = set.loads.temperature.size() > 0
                             ? heated_energy<S>(shift, e, X, law)
                             : 0.5 * U.cwiseProduct(fe::element_force<S>(X, law, U)).sum();
-  return set.loads.fill_elements() ? strain - body_work<S>(set, e, X, U) : strain;
+  return set.loads.fill_elements() ? strain - body_work<S>(shift.fields, e, X, U) : strain;
 }
 
 template <shape::Shape Side>
 double face_work(const Shift& shift, const ActingLoad& acting, const model::Face& face,
-                 const base::Vec2& u_tip) {
+                 const base::Vec2& u_tip, double scale) {
   const auto nodes = fe::nodes_of_face<Side>(shift.set.mesh, face);
   fe::SideNodes<Side> X = fe::side_coordinates<Side>(shift.set.mesh, face);
   Eigen::Matrix<double, 2, Side::nodes> U;
@@ -99,7 +100,7 @@ double face_work(const Shift& shift, const ActingLoad& acting, const model::Face
     U.col(k) = shift.u.segment<2>(2 * static_cast<Eigen::Index>(nodes[i].index())) - u_tip;
   }
   double work = 0.0;
-  for (const auto& point : shape::quadrature<Side>(fe::load_degree)) {
+  for (const auto& point : fe::load_rule<Side>(X, *acting.load, scale).points) {
     const auto N = Side::N(point.r);
     const base::Vec2 area = fe::area_vector<Side>(X, point.r).template head<2>();
     const base::Vec2 x = (X * N).template head<2>();
@@ -130,8 +131,9 @@ double potential_energy(const Shift& shift, const ExtensionField& field) {
     }
   }
   for (const ActingLoad& acting : set.loads.loads) {
+    const double scale = face_scale(set, acting);
     fe::for_edges(set.mesh, acting.faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
-      energy -= face_work<Side>(shift, acting, face, u_tip);
+      energy -= face_work<Side>(shift, acting, face, u_tip, scale);
     });
   }
   return energy;
@@ -142,8 +144,9 @@ double potential_energy(const Shift& shift, const ExtensionField& field) {
 double shifted_release_rate(const TipSetting& set, const ExtensionField& field, double s,
                             const base::Vector& u) {
   const std::map<base::NodeId, double> q(field.q.begin(), field.q.end());
-  const double back = potential_energy({set, q, -s, u}, field);
-  const double ahead = potential_energy({set, q, s, u}, field);
+  const std::vector<BodyField> fields = body_fields(set);
+  const double back = potential_energy({set, q, -s, u, fields}, field);
+  const double ahead = potential_energy({set, q, s, u, fields}, field);
   return (back - ahead) / (2.0 * s);
 }
 

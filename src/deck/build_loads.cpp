@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <map>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -239,7 +242,72 @@ void check_displacement(Context& c, const model::Load& load, const std::vector<H
   }
 }
 
+/// What the lines for one set give a freedom.
+struct Told {
+  std::size_t set = 0; ///< of the case, by its first line
+  double value = 0.0;
+  base::Span span; ///< of its last line
+};
+using ToldFreedoms = std::map<std::size_t, std::vector<Told>>; // by 3 * node + direction
+
+ToldFreedoms told_displacements(const model::Mesh& mesh, const model::LoadCase& load_case) {
+  ToldFreedoms told;
+  std::vector<const model::NodeSet*> sets;
+  for (const model::Load& load : load_case.loads) {
+    if (load.type != LoadType::displacement) {
+      continue;
+    }
+    const model::NodeSet& set = mesh.set(load.nodes);
+    const auto at = std::ranges::find_if(
+        sets, [&](const model::NodeSet* s) { return s == &set || s->nodes == set.nodes; });
+    const auto number = static_cast<std::size_t>(at - sets.begin());
+    sets.push_back(&set);
+    for (const base::NodeId node : std::set(set.nodes.begin(), set.nodes.end())) {
+      for (std::size_t d = 0; d < load.value.size(); ++d) {
+        std::vector<Told>& here = told[3 * node.index() + d];
+        const double value = load.value[d](mesh.x[node.index()]);
+        if (!here.empty() && here.back().set == number) {
+          here.back().value += value;
+        } else if (const auto same = std::ranges::find(here, number, &Told::set);
+                   same != here.end()) {
+          same->value += value;
+        } else {
+          here.push_back({number, value, load.span});
+        }
+      }
+    }
+  }
+  return told;
+}
+
+// Lines for one set add up. Where different sets meet, at corners, the same value counts once, and
+// a zero gives way; two others say two things.
+void displacements_agree(Context& c, const model::LoadCase& load_case) {
+  constexpr double equal = 1e-9;
+  for (const auto& [freedom, here] : told_displacements(c.model.mesh, load_case)) {
+    const Told* first = nullptr;
+    for (const Told& t : here) {
+      if (t.value == 0.0) {
+        continue;
+      }
+      if (first != nullptr && std::abs(t.value - first->value) > equal * std::abs(first->value)) {
+        c.error(t.span, "E433",
+                fmt::format("case {} moves node {} along {} by {:.6g} and, as part of another set, "
+                            "by {:.6g}",
+                            load_case.name, c.model.mesh.node_label[freedom / 3],
+                            "XYZ"[freedom % 3], t.value, first->value),
+                "lines for one set add up; where sets meet they must agree");
+        return;
+      }
+      first = first == nullptr ? &t : first;
+    }
+  }
+}
+
 void check_displacements(Context& c) {
+  for (const model::LoadCase& load_case : c.model.cases) {
+    displacements_agree(c, load_case);
+  }
   std::vector<Held> held(c.model.mesh.node_count());
   for (const model::Freedom& freedom : c.model.freedoms) {
     for (const base::NodeId node : c.model.mesh.set(freedom.nodes).nodes) {

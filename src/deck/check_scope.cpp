@@ -116,6 +116,7 @@ void check_scope(Context& context) {
   cracks_in_reach(context);
   loads_in_reach(context);
   heated_materials_expand(context);
+  check_thickness(context);
   if (context.model.mesh.dim == 3) {
     for (const model::Contact& contact : context.model.contacts) {
       context.unavailable("$CONTACT in 3D", contact.span);

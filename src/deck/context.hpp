@@ -43,10 +43,11 @@ struct Context {
   std::vector<ElementOrigin> origins{};                      ///< ascending
   std::size_t largest_mesh = 0;                              ///< see ReadOptions
   const std::map<std::string, Refinement>* refine = nullptr; ///< see ReadOptions
-  std::set<std::string> remeshed{}; ///< nets whose cards took their refinement themselves
-  bool mesh_sound = true;           ///< no mistake while nodes and elements were made
-  bool property_sound = true;       ///< no mistake in $PROPERTY and what it names
-  bool freedom_sound = true;        ///< no mistake in $FREEDOM
+  std::set<std::string> remeshed{};          ///< nets whose cards took their refinement themselves
+  std::set<std::size_t> default_thickness{}; ///< plane properties whose card has no THICK
+  bool mesh_sound = true;                    ///< no mistake while nodes and elements were made
+  bool property_sound = true;                ///< no mistake in $PROPERTY and what it names
+  bool freedom_sound = true;                 ///< no mistake in $FREEDOM
   std::optional<std::vector<model::Face>> boundary{}; ///< of the finished mesh, found once
   std::vector<std::size_t> building{}; ///< cards of sets being built, outermost first
   std::map<std::size_t, base::NodeSetId> nodes_of_faces{}; ///< face sets that stood for node sets
@@ -110,5 +111,7 @@ void check_seams(Context& context);
 void check_scope(Context& context);
 /// Values that the language allows and hardly anybody means.
 void check_sense(Context& context);
+/// Thickness and state of plane bodies.
+void check_thickness(Context& context);
 
 } // namespace spricka::deck

@@ -4,6 +4,9 @@
 #include "fe/load_points.hpp"
 #include "fe/thermal.hpp"
 
+#include <cmath>
+#include <set>
+
 namespace spricka::fe {
 
 namespace {
@@ -21,6 +24,12 @@ void add_nodal_forces(const model::Mesh& mesh, const model::Load& load, Vector& 
   }
 }
 
+template <shape::ElementShape S> Vec3 in_space(const shape::Point<S::dim>& at) {
+  Vec3 x = Vec3::Zero();
+  x.head<S::dim>() = at;
+  return x;
+}
+
 // A total spreads evenly over the volume: weight and volume by one rule, which is exact for them in
 // the plane (shape function, Jacobian and radius of quadratic elements).
 void add_body_total(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
@@ -28,27 +37,31 @@ void add_body_total(const model::Model& model, const model::Mesh& mesh, const mo
   const int degree = mesh.dim == 2 ? 7 : load_degree;
   Vector weight = Vector::Zero(static_cast<Eigen::Index>(mesh.node_count()));
   double total = 0.0;
-  for_blocks(mesh, mesh.set(load.elements).elements,
-             [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
-               for (const base::ElementId e : block) {
-                 const NodeVectors<S> X = coordinates<S>(mesh, e);
-                 const Law law = law_of(model, mesh, e);
-                 Eigen::Matrix<double, S::nodes, 1> own =
-                     Eigen::Matrix<double, S::nodes, 1>::Zero();
-                 for (const auto& point : shape::quadrature<S>(degree)) {
-                   const Eigen::Matrix<double, S::dim, S::dim> J = X * S::dN(point.r);
-                   const Eigen::Matrix<double, S::nodes, 1> N = S::N(point.r);
-                   const double dV = point.weight * J.determinant() * law.depth(X.row(0) * N);
-                   own += dV * N;
-                   total += dV;
-                 }
-                 const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
-                 for (std::size_t i = 0; i < nodes.size(); ++i) {
-                   weight[static_cast<Eigen::Index>(nodes[i].index())] +=
-                       own[static_cast<Eigen::Index>(i)];
-                 }
-               }
-             });
+  const SetShares shares = set_shares(model, mesh, load.elements);
+  for_blocks(
+      mesh, shares.elements, [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
+        for (const base::ElementId e : block) {
+          const ElementShare* share = shares.of(e);
+          const NodeVectors<S> X = coordinates<S>(mesh, e);
+          const Law law = law_of(model, mesh, e);
+          Eigen::Matrix<double, S::nodes, 1> own = Eigen::Matrix<double, S::nodes, 1>::Zero();
+          for (const auto& point : shape::quadrature<S>(degree)) {
+            const Eigen::Matrix<double, S::dim, S::dim> J = X * S::dN(point.r);
+            const Eigen::Matrix<double, S::nodes, 1> N = S::N(point.r);
+            double dV = point.weight * J.determinant() * law.depth(X.row(0) * N);
+            if (share != nullptr) {
+              dV *= (*share)(in_space<S>(X * N));
+            }
+            own += dV * N;
+            total += dV;
+          }
+          const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
+          for (std::size_t i = 0; i < nodes.size(); ++i) {
+            weight[static_cast<Eigen::Index>(nodes[i].index())] +=
+                own[static_cast<Eigen::Index>(i)];
+          }
+        }
+      });
   if (!(total > 0.0)) {
     return;
   }
@@ -56,6 +69,26 @@ void add_body_total(const model::Model& model, const model::Mesh& mesh, const mo
   for (std::size_t n = 0; n < mesh.node_count(); ++n) {
     add_at_node(mesh, base::NodeId(n), (weight[static_cast<Eigen::Index>(n)] / total) * F, f);
   }
+}
+
+// Whether two sets give a freedom the same displacement, not zero.
+bool same_displacement(double a, double b) {
+  constexpr double equal = 1e-9;
+  return a != 0.0 && std::abs(a - b) <= equal * std::abs(a);
+}
+
+// What the lines for one set give together.
+Vector displacement_of_set(const model::Mesh& mesh, const model::LoadCase& load_case,
+                           const model::NodeSet& set) {
+  Vector u = Vector::Zero(mesh.dim * static_cast<Eigen::Index>(mesh.node_count()));
+  for (const model::Load& load : load_case.loads) {
+    if (load.type == model::LoadType::displacement && mesh.set(load.nodes).nodes == set.nodes) {
+      for (const base::NodeId n : std::set(set.nodes.begin(), set.nodes.end())) {
+        add_at_node(mesh, n, load_value(load, mesh.x[n.index()]), u);
+      }
+    }
+  }
+  return u;
 }
 
 void add_load(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
@@ -106,18 +139,34 @@ Vector nodal_load(const model::Model& model, const model::Mesh& mesh,
   return f;
 }
 
+double unresolved_part(const model::Model& model, const model::Mesh& mesh,
+                       const model::Load& load) {
+  double missed = 0.0;
+  if (!is_constant(load)) {
+    const auto nothing = [](auto /*shape*/, const auto& /*where*/, const auto& /*r*/,
+                            const Vec3& /*force*/) {};
+    for_load_points(model, mesh, load, nothing, nothing, &missed);
+  }
+  return missed;
+}
+
 Vector prescribed_displacement(const model::Model& /*model*/, const model::Mesh& mesh,
                                const model::LoadCase& load_case) {
   Vector u = Vector::Zero(mesh.dim * static_cast<Eigen::Index>(mesh.node_count()));
+  std::vector<const model::NodeSet*> told; // sets, each with all its lines
   for (const model::Load& load : load_case.loads) {
-    if (load.type != model::LoadType::displacement) {
+    if (load.type != model::LoadType::displacement ||
+        std::ranges::any_of(told, [&](const model::NodeSet* set) {
+          return set->nodes == mesh.set(load.nodes).nodes;
+        })) {
       continue;
     }
-    const auto given =
-        std::min(static_cast<Eigen::Index>(load.value.size()), static_cast<Eigen::Index>(mesh.dim));
-    for (const base::NodeId n : mesh.set(load.nodes).nodes) {
-      const Vec3 value = load_value(load, mesh.x[n.index()]);
-      u.segment(mesh.dim * static_cast<Eigen::Index>(n.index()), given) = value.head(given);
+    told.push_back(&mesh.set(load.nodes));
+    const Vector own = displacement_of_set(mesh, load_case, *told.back());
+    for (Eigen::Index i = 0; i < u.size(); ++i) {
+      if (!same_displacement(u[i], own[i])) {
+        u[i] += own[i];
+      }
     }
   }
   return u;

@@ -2,62 +2,74 @@
 #pragma once
 #include "fe/bearing.hpp"
 #include "fe/face.hpp"
+#include "fe/load_rule.hpp"
+#include "fe/set_shares.hpp"
 
 /// Distributed loads as forces at integration points, for any functions that they shall work on.
 namespace spricka::fe {
 
-/// Components of a load at a point; missing ones are zero.
-inline base::Vec3 load_value(const model::Load& load, const base::Vec3& x) {
-  base::Vec3 value = base::Vec3::Zero();
-  for (std::size_t c = 0; c < load.value.size(); ++c) {
-    value[static_cast<Eigen::Index>(c)] = load.value[c](x);
-  }
-  return value;
+/// Calls visit(Side{}, face, r, force) at the points of the load's faces with density(x, a), where
+/// a is the area vector: a density of value(x) |a| is a traction, one of -p a a pressure. The
+/// points follow the load's values (load_rule); what they could not follow adds to `missed`
+/// [value].
+template <class Density, class Visit>
+void for_face_points(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
+                     Density&& density, Visit&& visit, double* missed = nullptr) {
+  const double scale = load_scale(mesh, load);
+  for_faces(mesh, mesh.set(load.faces).faces,
+            [&]<shape::Shape Side>(Side side, const model::Face& face) {
+              const SideNodes<Side> X = side_coordinates<Side>(mesh, face);
+              const Law law = law_of(model, mesh, face.element);
+              const AdaptedRule<Side::dim> rule = load_rule<Side>(X, load, scale);
+              for (const auto& point : rule.points) {
+                const base::Vec3 x = X * Side::N(point.r);
+                const base::Vec3 force =
+                    point.weight * law.depth(x.x()) * density(x, area_vector<Side>(X, point.r));
+                visit(side, face, point.r, force);
+              }
+              if (missed != nullptr) {
+                *missed = std::max(*missed, scale > 0.0 ? rule.missed / scale : 0.0);
+              }
+            });
 }
 
-/// Calls visit(Side{}, face, r, force) at the points of some faces with density(x, a), where a is
-/// the area vector: a density of value(x) |a| is a traction, one of -p a a pressure.
+/// Calls visit(S{}, element, r, force) at the points of the load's elements with density(x), which
+/// counts by their shares where the rim of the set cuts them.
 template <class Density, class Visit>
-void for_face_points(const model::Model& model, const model::Mesh& mesh,
-                     const std::vector<model::Face>& faces, Density&& density, Visit&& visit) {
-  for_faces(mesh, faces, [&]<shape::Shape Side>(Side side, const model::Face& face) {
-    const SideNodes<Side> X = side_coordinates<Side>(mesh, face);
-    const Law law = law_of(model, mesh, face.element);
-    for (const auto& point : shape::quadrature<Side>(load_degree)) {
-      const base::Vec3 x = X * Side::N(point.r);
-      const base::Vec3 force =
-          point.weight * law.depth(x.x()) * density(x, area_vector<Side>(X, point.r));
-      visit(side, face, point.r, force);
-    }
-  });
-}
-
-/// Calls visit(S{}, element, r, force) at the points of some elements with density(x).
-template <class Density, class Visit>
-void for_body_points(const model::Model& model, const model::Mesh& mesh,
-                     const std::vector<base::ElementId>& elements, Density&& density,
-                     Visit&& visit) {
-  for_blocks(
-      mesh, elements, [&]<shape::ElementShape S>(S shape, std::span<const base::ElementId> block) {
-        for (const base::ElementId e : block) {
-          const NodeVectors<S> X = coordinates<S>(mesh, e);
-          const Law law = law_of(model, mesh, e);
-          for (const auto& point : shape::quadrature<S>(load_degree)) {
-            const Eigen::Matrix<double, S::dim, S::dim> J = X * S::dN(point.r);
-            base::Vec3 x = base::Vec3::Zero();
-            x.template head<S::dim>() = X * S::N(point.r);
-            const base::Vec3 force = point.weight * J.determinant() * law.depth(x.x()) * density(x);
-            visit(shape, e, point.r, force);
-          }
-        }
-      });
+void for_body_points(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
+                     Density&& density, Visit&& visit, double* missed = nullptr) {
+  const SetShares shares = set_shares(model, mesh, load.elements);
+  const double scale = load_scale(mesh, load, shares.elements);
+  for_blocks(mesh, shares.elements,
+             [&]<shape::ElementShape S>(S shape, std::span<const base::ElementId> block) {
+               for (const base::ElementId e : block) {
+                 const NodeVectors<S> X = coordinates<S>(mesh, e);
+                 const Law law = law_of(model, mesh, e);
+                 const ElementShare* share = shares.of(e);
+                 const AdaptedRule<S::dim> rule = body_load_rule<S>(X, load, scale);
+                 for (const auto& point : rule.points) {
+                   const Eigen::Matrix<double, S::dim, S::dim> J = X * S::dN(point.r);
+                   base::Vec3 x = base::Vec3::Zero();
+                   x.template head<S::dim>() = X * S::N(point.r);
+                   const double part = share == nullptr ? 1.0 : (*share)(x);
+                   const base::Vec3 force =
+                       point.weight * J.determinant() * part * law.depth(x.x()) * density(x);
+                   visit(shape, e, point.r, force);
+                 }
+                 if (missed != nullptr) {
+                   *missed = std::max(*missed, scale > 0.0 ? rule.missed / scale : 0.0);
+                 }
+               }
+             });
 }
 
 /// Forces at points of a load that is spread over faces or elements; others (at nodes, given
-/// displacements, temperatures, bearings in space) have none. on_face and on_body as above.
+/// displacements, temperatures, bearings in space) have none. on_face and on_body as above. What
+/// the rules could not follow, of the largest value times the size of a face or element, goes to
+/// `missed`.
 template <class OnFace, class OnBody>
 void for_load_points(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
-                     OnFace&& on_face, OnBody&& on_body) {
+                     OnFace&& on_face, OnBody&& on_body, double* missed = nullptr) {
   using base::Vec3;
   switch (load.type) {
   case model::LoadType::resultant: {
@@ -69,39 +81,38 @@ void for_load_points(const model::Model& model, const model::Mesh& mesh, const m
     const auto area = [](const Vec3& /*x*/, const Vec3& a) { return Vec3(a.norm(), 0.0, 0.0); };
     const auto unit = [](const Vec3& /*x*/) { return Vec3(1.0, 0.0, 0.0); };
     if (load.faces.valid()) {
-      for_face_points(model, mesh, mesh.set(load.faces).faces, area, add);
+      for_face_points(model, mesh, load, area, add);
     } else {
-      for_body_points(model, mesh, mesh.set(load.elements).elements, unit, add);
+      for_body_points(model, mesh, load, unit, add);
     }
     if (!(total > 0.0)) {
       return;
     }
     if (load.faces.valid()) {
       for_face_points(
-          model, mesh, mesh.set(load.faces).faces,
+          model, mesh, load,
           [&](const Vec3& /*x*/, const Vec3& a) { return Vec3((a.norm() / total) * F); }, on_face);
     } else {
       for_body_points(
-          model, mesh, mesh.set(load.elements).elements,
-          [&](const Vec3& /*x*/) { return Vec3(F / total); }, on_body);
+          model, mesh, load, [&](const Vec3& /*x*/) { return Vec3(F / total); }, on_body);
     }
     return;
   }
   case model::LoadType::traction:
     for_face_points(
-        model, mesh, mesh.set(load.faces).faces,
-        [&](const Vec3& x, const Vec3& a) { return Vec3(a.norm() * load_value(load, x)); },
-        on_face);
+        model, mesh, load,
+        [&](const Vec3& x, const Vec3& a) { return Vec3(a.norm() * load_value(load, x)); }, on_face,
+        missed);
     return;
   case model::LoadType::pressure:
     for_face_points(
-        model, mesh, mesh.set(load.faces).faces,
-        [&](const Vec3& x, const Vec3& a) { return Vec3(-load_value(load, x)[0] * a); }, on_face);
+        model, mesh, load,
+        [&](const Vec3& x, const Vec3& a) { return Vec3(-load_value(load, x)[0] * a); }, on_face,
+        missed);
     return;
   case model::LoadType::body:
     for_body_points(
-        model, mesh, mesh.set(load.elements).elements,
-        [&](const Vec3& x) { return load_value(load, x); }, on_body);
+        model, mesh, load, [&](const Vec3& x) { return load_value(load, x); }, on_body, missed);
     return;
   case model::LoadType::bearing:
     if (mesh.dim == 2) {

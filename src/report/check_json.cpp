@@ -77,6 +77,13 @@ json of(const results::BodyPreview& b) {
             {"nothing", b.by_nothing}}}};
 }
 
+json of(const results::LoadTotal& l) {
+  return {{"case", l.load_case},
+          {"force", place(l.force)},
+          {"moment", place(l.moment)},
+          {"sum_of_magnitudes", l.spread}};
+}
+
 json of(const results::TipPreview& t) {
   return {{"tip", t.name},      {"a", t.a},           {"mouth", place(t.mouth)},
           {"at", place(t.tip)}, {"radius", t.radius}, {"size", t.size}};
@@ -116,6 +123,7 @@ std::string check_json(const results::Preview& p, int exit_code) {
                  {"inside_out", p.inside_out},
                  {"contacts", array_of(p.pairs, make)},
                  {"bodies", array_of(p.bodies, make)},
+                 {"loads", array_of(p.loads, make)},
                  {"lengths", array_of(p.lengths, make)},
                  {"steps", p.steps},
                  {"sweep", p.sweep},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/check_listing.hpp"
 
+#include "report/load_table.hpp"
 #include "report/table.hpp"
 
 #include <algorithm>
@@ -186,7 +187,9 @@ Table forecast(const Preview& p) {
 std::string check_listing(const Preview& preview) {
   std::string out = preview.deck + (preview.title.empty() ? "" : ": " + preview.title) + "\n";
   for (const Table& table :
-       {nets(preview), quality(preview), pairs(preview), bodies(preview), tips(preview)}) {
+       {nets(preview), quality(preview), pairs(preview), bodies(preview),
+        load_table(preview.loads, {preview.length_unit, preview.force_unit, preview.dim}),
+        tips(preview)}) {
     if (!table.rows.empty()) {
       out += "\n" + to_text(table);
     }

@@ -3,6 +3,7 @@
 #include "report/growth_tables.hpp"
 #include "report/growth_tests.hpp"
 #include "report/load_paths.hpp"
+#include "report/load_table.hpp"
 #include "report/model_tables.hpp"
 #include "report/notes.hpp"
 #include "report/page.hpp"
@@ -165,7 +166,7 @@ void add_deck(Page& page, const base::Sources& sources) {
 } // namespace
 
 std::string html_report(const base::Sources& sources, const model::Model& model,
-                        const results::Run& run) {
+                        const results::Run& run, const std::vector<results::LoadTotal>& loads) {
   Page page;
   const std::string title = model.title.empty() ? "spricka report" : model.title;
   add_head(page, title, sources, model);
@@ -178,6 +179,7 @@ std::string html_report(const base::Sources& sources, const model::Model& model,
   page.table(net_table(model));
   page.table(property_table(model));
   page.table(contact_pair_table(model));
+  page.table(load_table(loads, {model.units.length_name, model.units.force_name, model.mesh.dim}));
   page.table(rigid_table(model));
   for (const Figure& figure : mesh_figures(model, run)) {
     page.figure(figure);

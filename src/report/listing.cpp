@@ -3,6 +3,7 @@
 #include "report/growth_tests.hpp"
 #include "report/k_bars.hpp"
 #include "report/load_paths.hpp"
+#include "report/load_table.hpp"
 #include "report/model_tables.hpp"
 #include "report/report.hpp"
 #include "report/result_tables.hpp"
@@ -39,7 +40,8 @@ std::string echo(const base::Sources& sources) {
   return out;
 }
 
-std::string model_summary(const model::Model& model) {
+std::string model_summary(const model::Model& model,
+                          const std::vector<results::LoadTotal>& totals) {
   const base::UnitSystem& units = model.units;
   std::string out = heading("Model");
   if (!model.title.empty()) {
@@ -54,6 +56,11 @@ std::string model_summary(const model::Model& model) {
   }
   if (!model.rigids.empty()) {
     (out += '\n') += to_text(rigid_table(model));
+  }
+  const Table loads =
+      load_table(totals, {model.units.length_name, model.units.force_name, model.mesh.dim});
+  if (!loads.rows.empty()) {
+    (out += '\n') += to_text(loads);
   }
   if (!model.steps.empty()) {
     out += "\nSteps:";
@@ -145,9 +152,9 @@ std::string check_text(const results::Run& run) {
 } // namespace
 
 std::string listing(const base::Sources& sources, const model::Model& model,
-                    const results::Run& run) {
+                    const results::Run& run, const std::vector<results::LoadTotal>& loads) {
   std::string out = "spricka " SPRICKA_VERSION "\n";
-  out += echo(sources) + model_summary(model) + log_text(run);
+  out += echo(sources) + model_summary(model, loads) + log_text(run);
   if (const Table rounds = rounds_table(run, true); !rounds.rows.empty()) {
     out += heading("K to a tolerance") + to_text(untitled(rounds));
   }

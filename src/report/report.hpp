@@ -2,6 +2,7 @@
 #pragma once
 #include "base/source.hpp"
 #include "model/model.hpp"
+#include "results/load_total.hpp"
 #include "results/results.hpp"
 
 #include <filesystem>
@@ -45,12 +46,13 @@ void write_mesh_vtu(const std::filesystem::path& file, const model::Mesh& mesh);
 void write_pvd(const std::filesystem::path& file,
                const std::vector<std::pair<double, std::string>>& entries);
 
-/// The listing: deck echo with line numbers, model summary, processor log with times, tables.
+/// The listing: deck echo with line numbers, model summary with the totals of the load cases,
+/// processor log with times, tables.
 std::string listing(const base::Sources& sources, const model::Model& model,
-                    const results::Run& run);
+                    const results::Run& run, const std::vector<results::LoadTotal>& loads = {});
 
 /// report.html: one page, inline SVG, no script, no network.
 std::string html_report(const base::Sources& sources, const model::Model& model,
-                        const results::Run& run);
+                        const results::Run& run, const std::vector<results::LoadTotal>& loads = {});
 
 } // namespace spricka::report

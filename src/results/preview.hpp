@@ -2,6 +2,7 @@
 #pragma once
 #include "base/id.hpp"
 #include "base/vec.hpp"
+#include "results/load_total.hpp"
 
 #include <cstddef>
 #include <string>
@@ -98,12 +99,14 @@ struct Preview {
   std::string deck;
   std::string title;
   std::string length_unit;
+  std::string force_unit;
   int dim = 2;
   std::vector<NetPreview> nets;
   std::vector<QualityPreview> quality;
   std::size_t inside_out = 0; ///< elements
   std::vector<PairPreview> pairs;
   std::vector<BodyPreview> bodies;
+  std::vector<LoadTotal> loads; ///< of each case that has forces
   std::vector<LengthPreview> lengths;
   std::vector<std::string> steps;
   std::vector<std::string> sweep; ///< "001: delta = 0.084", one for each point

@@ -8,6 +8,7 @@
 #include "report/check_listing.hpp"
 #include "run/forecast.hpp"
 #include "run/held_modes.hpp"
+#include "run/load_totals.hpp"
 #include "run/preview_model.hpp"
 #include "run/sweep.hpp"
 
@@ -72,6 +73,7 @@ private:
     preview.inside_out = mesh::bad_elements(scene.cracked.mesh).size();
     preview.pairs = preview_pairs(scene);
     preview.bodies = held_modes(model_, scene, bodies);
+    preview.loads = load_totals(model_);
     refusals = unheld_loads(model_, scene, bodies);
   }
 
@@ -143,6 +145,7 @@ int check_deck(const RunOptions& options, const ReadyDeck& deck, const Log& log)
   preview.deck = options.deck.string();
   preview.title = model.title;
   preview.length_unit = model.units.length_name;
+  preview.force_unit = model.units.force_name;
   preview.dim = model.mesh.dim;
   for (const model::Step& step : model.steps) {
     preview.steps.push_back(step.name);

@@ -104,6 +104,22 @@ constexpr std::array advice{
     ErrorCode{"E430", "End a crack before it meets another, and bend it by less than 165 degrees."},
     ErrorCode{"E431", "Give an AMAX that is longer than the crack is at first; leave PATCH=NO to "
                       "LAW=INCREMENT with lengths that end at nodes."},
+    ErrorCode{"E432",
+              "THICK is 1 where it is left out: give it to all plane properties, or to none "
+              "where forces are meant per unit of thickness."},
+    ErrorCode{"E433", "Lines of TYPE=DISP for one set add up. Different sets that share a node, a "
+                      "corner, must give it the same value, or one of them zero."},
+    ErrorCode{"E434", "Look at the expression where the body is: a division by zero, a root of a "
+                      "negative number, a value beyond 1e308."},
+    ErrorCode{"E435",
+              "Keep the crack's patch away from the rim of the load's set: a smaller RADIUS "
+              "on $TIPNET, or a set whose rim is straight."},
+    ErrorCode{"W432", "Give THICK, or THICK=1 where forces are meant per unit of thickness."},
+    ErrorCode{"W433", "A plane model spreads contact forces and stresses evenly through each "
+                      "thickness: meant only where the bodies share their middle plane."},
+    ErrorCode{"W434", "Give bodies that meet one STATE, unless a thick one holds a thin one."},
+    ErrorCode{"W435", "Refine the net where the load changes, or write it with fewer poles and "
+                      "waves: what is missed is said in parts of its largest value."},
     ErrorCode{"E500", "The deck is right, but there is no analysis for this yet: exit code 4."},
     ErrorCode{"E510",
               "The message names the body and the direction that nothing holds, or the "

@@ -8,6 +8,7 @@
 #include "run/adjoints.hpp"
 #include "run/error_bars.hpp"
 #include "run/estimate.hpp"
+#include "run/finite_results.hpp"
 #include "run/gather.hpp"
 #include "run/lip_contact.hpp"
 #include "run/load_paths.hpp"
@@ -236,6 +237,14 @@ bool LengthSolver::follow(LoadHistory& history, StepSolver& solver, LogWriter& l
   return true;
 }
 
+bool LengthSolver::numbers_are_sound(const results::StepResult& result, const model::Step& step) {
+  const std::string what = not_finite(result);
+  if (!what.empty()) {
+    refusal_ = Refusal{4, fmt::format("step {}: {}", step.name, what), step.span};
+  }
+  return what.empty();
+}
+
 // Stops at the first step with faces that would overlap: `touching` says which.
 bool LengthSolver::walk_steps(const Way& way, LogWriter& log, results::Increment& increment,
                               std::vector<std::size_t>& touching) {
@@ -280,6 +289,9 @@ bool LengthSolver::walk_steps(const Way& way, LogWriter& log, results::Increment
       return true;
     }
     increment.steps.push_back(gather_step(model_, scene, bodies, step, *state));
+    if (!numbers_are_sound(increment.steps.back(), step)) {
+      return false;
+    }
     log.add("VCE", fmt::format("step {}: {} tips, pressures, balance", step.name,
                                scene.cracked.tips.size()));
     paths.keep(s, solver, increment.steps.back());
@@ -297,12 +309,21 @@ bool LengthSolver::walk_steps(const Way& way, LogWriter& log, results::Increment
     if (request.pictured[s]) {
       add_stress(model_, scene.cracked.mesh, increment.steps.back());
       log.add("RECOVER", fmt::format("step {}: stresses", step.name));
+      if (!numbers_are_sound(increment.steps.back(), step)) {
+        return false;
+      }
       add_errors(model_, scene, state->energy, increment.steps.back());
       log.add("ESTIMATE", fmt::format("step {}: energy error {:.1f} %", step.name,
                                       100.0 * increment.steps.back().errors.back().part));
     }
   }
   increment.paths = paths.follow(solver);
+  for (const results::LoadPath& path : increment.paths) {
+    if (const std::string what = not_finite(path); !what.empty()) {
+      refusal_ = Refusal{4, fmt::format("load path {}: {}", path.name, what), {}};
+      return false;
+    }
+  }
   if (follows && !follow(history, solver, log)) {
     return false;
   }

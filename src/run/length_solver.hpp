@@ -99,6 +99,8 @@ private:
   void close_faces(const std::vector<std::size_t>& lines, Scene& scene, LogWriter& log);
   /// Follows the loads of the growth behind the steps; false: no answer.
   bool follow(LoadHistory& history, StepSolver& solver, LogWriter& log);
+  /// Whether the results of a step are numbers; else the refusal says which are not.
+  bool numbers_are_sound(const results::StepResult& result, const model::Step& step);
   bool walk_steps(const Way& way, LogWriter& log, results::Increment& increment,
                   std::vector<std::size_t>& touching);
 

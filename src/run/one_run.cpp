@@ -255,6 +255,11 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
   log.diagnostics(deck.sources, diagnostics);
   run.tests = invert_tests(*used.model, run);
   collect_warnings(deck.diagnostics, run, log);
+  for (const base::Diagnostic& d : diagnostics.all()) { // of meshes with cracks
+    if (d.severity == base::Severity::warning) {
+      run.warnings.push_back(d.text);
+    }
+  }
   tell_rounds(solved, run, log);
   finish_restart(checkpoint, run);
   run.checks = evaluate_checks(*used.model, run);

@@ -7,6 +7,7 @@
 #include "report/load_paths.hpp"
 #include "report/report.hpp"
 #include "report/sensitivity.hpp"
+#include "run/load_totals.hpp"
 #include "run/results_file.hpp"
 
 #include <fstream>
@@ -106,12 +107,13 @@ void RunFolder::write(const base::Sources& sources, const model::Model& model, r
   write_pictures(part_, model, run);
   write_requested(part_, model, run);
   write_results_file(part_ / results_name, sources, model, run);
-  write_text(part_ / "report.html", report::html_report(sources, model, run));
+  const std::vector<results::LoadTotal> totals = load_totals(model);
+  write_text(part_ / "report.html", report::html_report(sources, model, run, totals));
   run.log.push_back({"OUTPUT", "tables, pictures, report", watch.cpu(), watch.wall()});
   run.cpu += watch.cpu();
   run.wall += watch.wall();
   run.peak_memory = base::peak_memory();
-  write_text(part_ / listing_name, report::listing(sources, model, run));
+  write_text(part_ / listing_name, report::listing(sources, model, run, totals));
 }
 
 void RunFolder::keep(const std::string& name, const std::string& text) {

@@ -6,6 +6,7 @@
 #include "growth/crack_lines.hpp"
 #include "mesh/host.hpp"
 #include "run/scene_heat.hpp"
+#include "run/load_totals.hpp"
 #include "run/scene_nodes.hpp"
 #include "run/scene_ties.hpp"
 #include "run/tip_loads.hpp"
@@ -232,7 +233,7 @@ bool make_loads(const model::Model& model, Scene& scene, base::Diagnostics& diag
     }
   }
   return forces_are_taken(model, scene, diagnostics) && good &&
-         follow_prescribed(model, scene, diagnostics);
+         loads_are_sound(model, mesh, diagnostics) && follow_prescribed(model, scene, diagnostics);
 }
 
 } // namespace

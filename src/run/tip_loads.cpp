@@ -2,6 +2,7 @@
 #include "run/tip_loads.hpp"
 
 #include "fe/assemble.hpp"
+#include "fe/set_shares.hpp"
 #include "mesh/lip_faces.hpp"
 #include "run/scene_heat.hpp"
 #include "shape/topology.hpp"
@@ -94,8 +95,8 @@ bool fills(const model::Load& load) {
           load.type == model::LoadType::temperature);
 }
 
-crack::ActingLoad acting_near(const model::Mesh& mesh, const model::Load& load, double factor,
-                              const Near& near) {
+crack::ActingLoad acting_near(const model::Model& model, const model::Mesh& mesh,
+                              const model::Load& load, double factor, const Near& near) {
   crack::ActingLoad acting{&load, factor, {}, {}};
   if (is_per_area(load)) {
     for (const model::Face& face : mesh.set(load.faces).faces) {
@@ -105,7 +106,9 @@ crack::ActingLoad acting_near(const model::Mesh& mesh, const model::Load& load, 
       }
     }
   } else if (fills(load)) {
-    for (const base::ElementId e : mesh.set(load.elements).elements) {
+    const bool heats = load.type == model::LoadType::temperature;
+    for (const base::ElementId e : heats ? mesh.set(load.elements).elements
+                                         : fe::set_shares(model, mesh, load.elements).elements) {
       if (near.elements.contains(e)) {
         acting.elements.push_back(e);
       }
@@ -129,7 +132,7 @@ crack::TipLoads tip_loads(const model::Model& model, const Scene& scene,
       if (factor == 0.0) {
         continue;
       }
-      crack::ActingLoad acting = acting_near(mesh, load, factor, near);
+      crack::ActingLoad acting = acting_near(model, mesh, load, factor, near);
       if (acting.faces.empty() && acting.elements.empty()) {
         continue;
       }

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/vec.hpp"
+#include "shape/quadrature.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+/// Quadrature rules that follow a field which bends, kinks or jumps within an element: for loads
+/// and temperatures given as expressions of the place.
+namespace spricka::fe {
+
+struct AdaptiveSettings {
+  double tolerance = 1e-9;  ///< of the integral over an element: of scale times its size
+  double scale = 0.0;       ///< largest value of the field anywhere; 0: not known yet
+  int most_points = 100000; ///< of one element
+};
+
+template <int dim> struct AdaptedRule {
+  std::vector<shape::QuadraturePoint<dim>> points;
+  double missed = 0.0;  ///< estimate of the error, like the tolerance; 0 where that is met
+  double largest = 0.0; ///< magnitude of the field at its points
+};
+
+/// A point t of the unit cube as a reference point, and the factor of the volumes: triangles and
+/// tetrahedra are collapsed (Stroud 1971).
+template <shape::Shape S>
+shape::QuadraturePoint<S::dim> unit_cube_point(const std::array<double, 3>& t) {
+  using shape::Domain;
+  shape::QuadraturePoint<S::dim> p;
+  if constexpr (S::domain == Domain::line) {
+    p.r[0] = 2.0 * t[0] - 1.0;
+    p.weight = 2.0;
+  } else if constexpr (S::domain == Domain::quadrilateral || S::domain == Domain::hexahedron) {
+    p.weight = 1.0;
+    for (int k = 0; k < S::dim; ++k) {
+      p.r[k] = 2.0 * t[static_cast<std::size_t>(k)] - 1.0;
+      p.weight *= 2.0;
+    }
+  } else if constexpr (S::domain == Domain::triangle || S::domain == Domain::prism) {
+    p.r[0] = t[0];
+    p.r[1] = t[1] * (1.0 - t[0]);
+    p.weight = 1.0 - t[0];
+    if constexpr (S::domain == Domain::prism) {
+      p.r[2] = 2.0 * t[2] - 1.0;
+      p.weight *= 2.0;
+    }
+  } else {
+    const double left = 1.0 - t[0];
+    p.r[0] = t[0];
+    p.r[1] = t[1] * left;
+    p.r[2] = t[2] * left * (1.0 - t[1]);
+    p.weight = left * left * (1.0 - t[1]);
+  }
+  return p;
+}
+
+/// Nested adaptive Gauss rules, one for each direction of the unit cube: an interval is halved
+/// until one rule over it and two over its halves agree as to the integrals of the field and of its
+/// first moments, and until its bounds tell that nothing hides between the points. A jump across a
+/// surface costs a path of intervals instead of a layer of cells.
+template <shape::Shape S, class Value, class Hidden> class NestedRule {
+public:
+  using Places = std::array<double, 3>;
+
+  NestedRule(const Value& value, const Hidden& hidden, const AdaptiveSettings& settings)
+      : value_(value), hidden_(hidden), set_(settings), largest_(settings.scale) {}
+
+  AdaptedRule<S::dim> run() {
+    Places low{};
+    Places high{1.0, 1.0, 1.0};
+    Sum all = line(0, low, high);
+    return {std::move(all.points), missed_ > room(0) ? missed_ : 0.0, seen_};
+  }
+
+private:
+  static constexpr int degree = 9;
+  static constexpr std::size_t moments = 3 * (S::dim + 1);
+  static constexpr int deepest = 48; // a jump is then at its place to round-off
+  /// Halvings where only the bounds ask for them: they may never come down.
+  static constexpr int deepest_doubt = S::dim == 1 ? 14 : (S::dim == 2 ? 7 : 5);
+
+  struct Sum {
+    std::array<double, moments> integral{};
+    base::Vec3 low = base::Vec3::Constant(std::numeric_limits<double>::max());
+    base::Vec3 high = -low;
+    std::vector<shape::QuadraturePoint<S::dim>> points;
+
+    void add(Sum&& other, double weight) {
+      for (std::size_t m = 0; m < moments; ++m) {
+        integral[m] += weight * other.integral[m];
+      }
+      low = low.cwiseMin(other.low);
+      high = high.cwiseMax(other.high);
+      for (auto& p : other.points) {
+        p.weight *= weight;
+        points.push_back(p);
+      }
+    }
+  };
+
+  // Less for inner directions: the outer ones compare what they add up to.
+  [[nodiscard]] double room(int k) const {
+    constexpr std::array<double, 3> part{1.0, 0.1, 0.01};
+    return part[static_cast<std::size_t>(k)] * set_.tolerance * std::max(largest_, seen_);
+  }
+
+  // The field at one point.
+  Sum sample(const Places& t) {
+    Sum s;
+    const auto p = unit_cube_point<S>(t);
+    const base::Vec3 v = value_(p.r);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double f = p.weight * v[static_cast<Eigen::Index>(c)];
+      s.integral[c] = f;
+      for (std::size_t k = 0; k < S::dim; ++k) {
+        s.integral[3 * (k + 1) + c] = f * p.r[static_cast<Eigen::Index>(k)];
+      }
+    }
+    s.low = s.high = v;
+    seen_ = std::max(seen_, v.norm());
+    s.points.push_back(p);
+    ++count_;
+    return s;
+  }
+
+  // One rule along direction k over [low_k, high_k], the directions after it by their own.
+  Sum panel(int k, const Places& low, const Places& high) {
+    const auto d = static_cast<std::size_t>(k);
+    const double half = 0.5 * (high[d] - low[d]);
+    Sum s;
+    for (const auto& [r, weight] : shape::line_rule(degree)) {
+      Places from = low;
+      Places to = high;
+      from[d] = to[d] = low[d] + half * (1.0 + r[0]);
+      s.add(k + 1 < S::dim ? line(k + 1, from, to) : sample(from), half * weight);
+    }
+    return s;
+  }
+
+  Sum line(int k, const Places& low, const Places& high) {
+    return refined(k, low, high, panel(k, low, high), 0);
+  }
+
+  Sum refined(int k, const Places& low, const Places& high, Sum coarse, int depth) {
+    const auto d = static_cast<std::size_t>(k);
+    Places end = high;
+    Places start = low;
+    end[d] = start[d] = 0.5 * (low[d] + high[d]);
+    Sum first = panel(k, low, end);
+    Sum second = panel(k, start, high);
+    double error = 0.0;
+    for (std::size_t m = 0; m < moments; ++m) {
+      error =
+          std::max(error, std::abs(coarse.integral[m] - first.integral[m] - second.integral[m]));
+    }
+    const bool agreed = error <= room(k) || !std::isfinite(error);
+    const bool out = depth >= deepest || count_ > set_.most_points;
+    if (out || (agreed && (depth >= deepest_doubt || !doubtful(low, high, first, second)))) {
+      missed_ += agreed || k > 0 ? 0.0 : error; // outer directions see what inner ones miss
+      first.add(std::move(second), 1.0);
+      return first;
+    }
+    coarse.points.clear();
+    Sum sum = refined(k, low, end, std::move(first), depth + 1);
+    sum.add(refined(k, start, high, std::move(second), depth + 1), 1.0);
+    return sum;
+  }
+
+  [[nodiscard]] bool doubtful(const Places& low, const Places& high, const Sum& a,
+                              const Sum& b) const {
+    constexpr double little = 0.02; // of the largest value: found or not, it is no peak
+    const base::Vec3 least = a.low.cwiseMin(b.low);
+    const base::Vec3 most = a.high.cwiseMax(b.high);
+    const double change = (most - least).maxCoeff();
+    return hidden_(low, high, least, most) > change + little * std::max(largest_, seen_);
+  }
+
+  const Value& value_;
+  const Hidden& hidden_;
+  AdaptiveSettings set_;
+  double largest_ = 0.0;
+  double seen_ = 0.0;
+  double missed_ = 0.0;
+  int count_ = 0;
+};
+
+/// The rule of `usual_degree` where it agrees with a second one (of degree 15) as to the integrals
+/// of the field and its first moments, and where nothing can hide between its points; else a rule
+/// by pieces. value(r): the field [3] at a reference point, in any units. hidden(low, high,
+/// seen_low, seen_high): by how much a component may leave the values seen [3] in the cell low <= t
+/// <= high of the unit cube (unit_cube_point), 0 where it cannot.
+template <shape::Shape S, class Value, class Hidden>
+AdaptedRule<S::dim> adapted_rule(int usual_degree, const Value& value, const Hidden& hidden,
+                                 const AdaptiveSettings& settings) {
+  constexpr int second_degree = 15;
+  constexpr double little = 0.02;
+  const auto usual = shape::quadrature<S>(usual_degree);
+  using Moments = Eigen::Matrix<double, 3, S::dim + 1>;
+  base::Vec3 low = base::Vec3::Constant(std::numeric_limits<double>::max());
+  base::Vec3 high = -low;
+  double largest = 0.0;
+  const auto moments = [&](std::span<const shape::QuadraturePoint<S::dim>> rule) {
+    Moments sum = Moments::Zero();
+    for (const auto& point : rule) {
+      const base::Vec3 v = value(point.r);
+      low = low.cwiseMin(v);
+      high = high.cwiseMax(v);
+      largest = std::max(largest, v.norm());
+      sum.col(0) += point.weight * v;
+      for (int k = 0; k < S::dim; ++k) {
+        sum.col(k + 1) += point.weight * point.r[k] * v;
+      }
+    }
+    return sum;
+  };
+  const Moments difference = moments(usual) - moments(shape::quadrature<S>(second_degree));
+  const double scale = std::max(settings.scale, largest);
+  const double error = difference.cwiseAbs().maxCoeff();
+  const std::array<double, 3> all_low{};
+  const std::array<double, 3> all_high{1.0, 1.0, 1.0};
+  const bool agreed = error <= settings.tolerance * scale || !std::isfinite(error);
+  if (agreed &&
+      !(hidden(all_low, all_high, low, high) > (high - low).maxCoeff() + little * scale)) {
+    return {{usual.begin(), usual.end()}, 0.0, largest};
+  }
+  return NestedRule<S, Value, Hidden>(value, hidden, settings).run();
+}
+
+} // namespace spricka::fe

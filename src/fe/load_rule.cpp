@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fe/load_rule.hpp"
+
+#include "fe/element.hpp"
+
+#include <limits>
+
+namespace spricka::fe {
+
+namespace {
+
+/// Bound of the load's magnitude over a side or element, and its largest value at the usual points.
+struct Bound {
+  double bound = 0.0;
+  double seen = 0.0;
+};
+
+template <shape::Shape S>
+Bound bound_of(const Eigen::Matrix<double, 3, S::nodes>& X, const model::Load& load) {
+  Bound b;
+  for (const auto& point : shape::quadrature<S>(load_degree)) {
+    b.seen = std::max(b.seen, load_value(load, base::Vec3(X * S::N(point.r))).norm());
+  }
+  const base::PlaceCell cell = place_cell<S>(X, {}, {1.0, 1.0, 1.0});
+  b.bound = b.seen +
+            hidden_value(load, cell, base::Vec3::Constant(-b.seen), base::Vec3::Constant(b.seen));
+  return b;
+}
+
+template <shape::ElementShape S>
+Eigen::Matrix<double, 3, S::nodes> in_space(const model::Mesh& mesh, base::ElementId e) {
+  Eigen::Matrix<double, 3, S::nodes> X = Eigen::Matrix<double, 3, S::nodes>::Zero();
+  X.template topRows<S::dim>() = coordinates<S>(mesh, e);
+  return X;
+}
+
+// Calls f(S{}, X) for the part-th face or element of a load.
+template <class F>
+void with_part(const model::Mesh& mesh, const model::Load& load,
+               const std::vector<base::ElementId>& elements, std::size_t part, F&& f) {
+  if (load.faces.valid()) {
+    const std::vector<model::Face> side{mesh.set(load.faces).faces[part]};
+    for_faces(mesh, side, [&]<shape::Shape Side>(Side shape, const model::Face& face) {
+      f(shape, side_coordinates<Side>(mesh, face));
+    });
+    return;
+  }
+  const std::array<base::ElementId, 1> element{elements[part]};
+  for_blocks(mesh, element,
+             [&]<shape::ElementShape S>(S shape, std::span<const base::ElementId> block) {
+               f(shape, in_space<S>(mesh, block.front()));
+             });
+}
+
+} // namespace
+
+// Where bounds promise more than the usual points see, the few parts with the highest bounds are
+// searched: a peak between the points of all others must not pass for the whole load.
+double load_scale(const model::Mesh& mesh, const model::Load& load,
+                  const std::vector<base::ElementId>& elements) {
+  constexpr std::size_t searched = 8;
+  if (is_constant(load)) {
+    return load_value(load, base::Vec3::Zero()).norm();
+  }
+  const std::size_t parts =
+      load.faces.valid() ? mesh.set(load.faces).faces.size() : elements.size();
+  std::vector<std::pair<double, std::size_t>> bounds;
+  double scale = 0.0;
+  for (std::size_t i = 0; i < parts; ++i) {
+    with_part(mesh, load, elements, i, [&]<shape::Shape S>(S, const auto& X) {
+      const Bound b = bound_of<S>(X, load);
+      scale = std::max(scale, b.seen);
+      bounds.emplace_back(-b.bound, i);
+    });
+  }
+  const std::size_t most = std::min(searched, bounds.size());
+  std::partial_sort(bounds.begin(), bounds.begin() + static_cast<std::ptrdiff_t>(most),
+                    bounds.end());
+  for (std::size_t k = 0; k < most && -bounds[k].first > 1.02 * scale; ++k) {
+    with_part(mesh, load, elements, bounds[k].second, [&]<shape::Shape S>(S, const auto& X) {
+      scale = std::max(scale, load_rule<S>(X, load, scale).largest);
+    });
+  }
+  return scale;
+}
+
+} // namespace spricka::fe

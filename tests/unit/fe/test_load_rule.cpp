@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fe/load_rule.hpp"
+
+#include "fe/assemble.hpp"
+#include "tests/unit/fe/expressions.hpp"
+#include "tests/unit/fe/plane_problem.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace spricka::fe {
+namespace {
+
+using base::ElementType;
+using base::Expression;
+using base::Vec2;
+using base::Vec3;
+using base::Vector;
+using namespace test;
+
+// Bounds hold at every place of a cell, and come down to the values as it shrinks.
+TEST(ExpressionRange, HoldsEveryPlaceOfTheCell) {
+  const std::vector<Term> fields{
+      3.0 * X - 2.0 * Y + 1.0,
+      X * Y - (X ^ 2.0),
+      exp(-(((X - 0.3) / 0.05) ^ 2.0)),
+      sin(5.0 * X) * cos(3.0 * Y) + tan(0.3 * X),
+      sqrt(abs(X - Y)) / (2.0 + Y),
+      max(0.0, X - 0.25) / (abs(X - 0.25) + 1e-12),
+      log(2.0 + X) * (RHO ^ 1.5),
+      THETA + atan2(Y - 0.1, X + 3.0),
+      min(X, Y) * (X > Y) + ((X - 2.0) ^ 3.0),
+      1.0 / (1.0 + (RHO ^ -2.0)),
+      (2.0 ^ X) - (abs(X) ^ 0.7),
+  };
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  for (const Term& field : fields) {
+    for (int cell = 0; cell < 60; ++cell) {
+      base::PlaceCell c;
+      const double size = std::pow(10.0, -3.0 * std::abs(any(random)));
+      for (int k = 0; k < 3; ++k) {
+        c.centre[k] = any(random);
+        c.bulge[k] = 0.1 * size * std::abs(any(random));
+        for (int j = 0; j < 2; ++j) {
+          c.axes(k, j) = size * any(random);
+        }
+      }
+      const base::ValueRange range = range_over(field.e, c);
+      const double room = 1e-12 * (1.0 + std::abs(range.low) + std::abs(range.high));
+      for (int point = 0; point < 40; ++point) {
+        const Vec3 t(any(random), any(random), any(random));
+        const Vec3 off(any(random), any(random), any(random));
+        const double v = field.e(c.centre + c.axes * t + c.bulge.cwiseProduct(off));
+        if (std::isfinite(v)) {
+          EXPECT_GE(v, range.low - room);
+          EXPECT_LE(v, range.high + room);
+        }
+      }
+    }
+  }
+}
+
+TEST(ExpressionRange, IsExactForLinearFieldsInTurnedCells) {
+  base::PlaceCell cell;
+  cell.centre = Vec3(1.0, 2.0, 0.0);
+  cell.axes.col(0) = Vec3(3.0, 4.0, 0.0); // along which 4 x - 3 y does not change
+  const base::ValueRange range = range_over((4.0 * X - 3.0 * Y).e, cell);
+  EXPECT_NEAR(range.low, -2.0, 1e-14);
+  EXPECT_NEAR(range.high, -2.0, 1e-14);
+}
+
+class Sides : public testing::TestWithParam<ElementType> {
+protected:
+  // A turned strip, so that nothing runs along an axis.
+  static Vec2 turned(const Vec2& p) {
+    return {4.0 * p.x() * std::cos(angle) - p.y() * std::sin(angle),
+            4.0 * p.x() * std::sin(angle) + p.y() * std::cos(angle)};
+  }
+  static constexpr double angle = 0.7;
+  static Term along() { return std::cos(angle) * X + std::sin(angle) * Y; }  // 0 .. 4
+  static Term across() { return std::cos(angle) * Y - std::sin(angle) * X; } // 0 .. 1
+
+  Sides() : model(test::plane_model(1.0, 0.3, model::State::plane_stress, 1.0)) {
+    model.mesh = test::make_mesh(GetParam(), test::unit_grid(6, 3), turned);
+  }
+  /// Work of a load on the displacements 1 and (distance along the strip), both along x.
+  Vec2 force_and_moment(model::LoadType type, const Term& value) {
+    model::Load card;
+    card.type = type;
+    card.value = {value.e};
+    if (type == model::LoadType::body) {
+      card.elements = test::all_elements(model);
+    } else {
+      card.faces = test::face_set(model, [](const Vec3& x) {
+        return std::abs(std::cos(angle) * x.y() - std::sin(angle) * x.x()) < 1e-9;
+      });
+    }
+    const Vector f = nodal_load(model, model.mesh, {"", {card}});
+    Vec2 sum = Vec2::Zero();
+    for (std::size_t n = 0; n < model.mesh.node_count(); ++n) {
+      const double fx = f[2 * static_cast<Eigen::Index>(n)];
+      sum += fx * Vec2(1.0, along().e(model.mesh.x[n]));
+    }
+    EXPECT_EQ(unresolved_part(model, model.mesh, card), 0.0);
+    return sum;
+  }
+  void expect(const Vec2& found, const Vec2& wanted, double tolerance) {
+    EXPECT_NEAR(found.x(), wanted.x(), tolerance * std::abs(wanted.x()));
+    EXPECT_NEAR(found.y(), wanted.y(), tolerance * std::abs(wanted.y()));
+  }
+  model::Model model;
+};
+
+INSTANTIATE_TEST_SUITE_P(load, Sides,
+                         testing::Values(ElementType::trim3, ElementType::trimc6,
+                                         ElementType::quam4, ElementType::quamc8,
+                                         ElementType::quamc9),
+                         [](const auto& c) { return std::string(base::info(c.param).name); });
+
+// Closed forms of the integrals of a step, a bend and a peak, wherever they lie between nodes.
+TEST_P(Sides, a_step_of_traction_is_integrated_up_to_its_place) {
+  for (const double at : {0.1, 1.23456, 2.0, 3.999}) {
+    expect(force_and_moment(model::LoadType::traction, along() > at),
+           {4.0 - at, 0.5 * (16.0 - at * at)}, 1e-8);
+  }
+}
+
+TEST_P(Sides, a_bend_of_traction_is_integrated_up_to_its_place) {
+  const double at = 1.7;
+  const double length = 4.0 - at;
+  expect(force_and_moment(model::LoadType::traction, max(0.0, along() - at)),
+         {0.5 * length * length, 0.5 * length * length * (at + 2.0 / 3.0 * length)}, 1e-9);
+}
+
+TEST_P(Sides, a_peak_between_all_points_is_found) {
+  for (const double width : {0.1, 1e-3, 1e-6}) {
+    const double at = 2.3571;
+    const double force = width * std::sqrt(std::numbers::pi);
+    expect(force_and_moment(model::LoadType::traction, exp(-(((along() - at) / width) ^ 2.0))),
+           {force, force * at}, 1e-6);
+  }
+}
+
+TEST_P(Sides, a_peak_beside_a_load_of_its_size_is_found) {
+  const double width = 1e-4;
+  const double at = 0.4567;
+  const double force = 1000.0 * width * std::sqrt(std::numbers::pi);
+  expect(force_and_moment(model::LoadType::traction,
+                          1.0 + 1000.0 * exp(-(((along() - at) / width) ^ 2.0))),
+         {4.0 + force, 8.0 + force * at}, 1e-6);
+}
+
+TEST_P(Sides, a_step_of_body_force_is_integrated_up_to_its_line) {
+  for (const double at : {0.3, 1.23456, 3.7}) {
+    expect(force_and_moment(model::LoadType::body, along() > at),
+           {4.0 - at, 0.5 * (16.0 - at * at)}, 2e-6);
+  }
+}
+
+TEST_P(Sides, a_peak_of_body_force_is_found) {
+  const double width = 0.01;
+  const double force = width * width * std::numbers::pi;
+  const Term square = ((along() - 2.3571) ^ 2.0) + ((across() - 0.5123) ^ 2.0);
+  expect(force_and_moment(model::LoadType::body, exp(-square / (width * width))),
+         {force, force * 2.3571}, 1e-4);
+}
+
+// What is smooth costs no more than before: the usual points.
+TEST_P(Sides, a_smooth_load_keeps_the_usual_points) {
+  model::Load card;
+  card.type = model::LoadType::traction;
+  card.value = {(1.0 + 0.2 * X + 0.1 * X * Y).e};
+  const Eigen::Matrix<double, 3, 3> side{{0.0, 1.0, 0.5}, {0.0, 0.3, 0.15}, {0.0, 0.0, 0.0}};
+  const auto rule = load_rule<shape::Quamc8::Side>(side, card, 1.0);
+  EXPECT_EQ(rule.points.size(), shape::quadrature<shape::Quamc8::Side>(load_degree).size());
+}
+
+// A load whose rule never ends is told, not guessed.
+TEST(LoadRule, NoiseIsNotResolved) {
+  model::Load card;
+  card.type = model::LoadType::traction;
+  card.value = {sin(1e9 * X).e};
+  const Eigen::Matrix<double, 3, 3> side{{0.0, 1.0, 0.5}, {0.0, 0.3, 0.15}, {0.0, 0.0, 0.0}};
+  EXPECT_GT(load_rule<shape::Quamc8::Side>(side, card, 1.0).missed, 0.0);
+}
+
+} // namespace
+} // namespace spricka::fe
