@@ -64,7 +64,7 @@ void property(Context& c, const BoundCard& card) {
     }
     mesh.property[e.index()] = id;
   }
-  if (card.find("THICK") == nullptr && (property.state == model::State::plane_stress ||
+  if (!card.has("THICK") && (property.state == model::State::plane_stress ||
                                         property.state == model::State::plane_strain)) {
     c.default_thickness.insert(c.model.properties.size());
   }

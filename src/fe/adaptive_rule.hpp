@@ -16,7 +16,7 @@ namespace spricka::fe {
 struct AdaptiveSettings {
   double tolerance = 1e-9;  ///< of the integral over an element: of scale times its size
   double scale = 0.0;       ///< largest value of the field anywhere; 0: not known yet
-  int most_points = 100000; ///< of one element
+  int most_points = 400000; ///< of one element
 };
 
 template <int dim> struct AdaptedRule {
@@ -80,11 +80,14 @@ private:
   static constexpr int degree = 9;
   static constexpr std::size_t moments = 3 * (S::dim + 1);
   static constexpr int deepest = 48; // a jump is then at its place to round-off
-  /// Halvings where only the bounds ask for them: they may never come down.
-  static constexpr int deepest_doubt = S::dim == 1 ? 14 : (S::dim == 2 ? 7 : 5);
+  /// Halvings of a line where only the bounds ask for them: a jump beside the end of an interval,
+  /// which no point of the rules sees, wants a path of them. Bounds may as well never come down.
+  static constexpr int deepest_doubt = 30;
+  static constexpr int most_doubts(int k) { return k + 1 == S::dim ? 200 : 40; }
 
   struct Sum {
     std::array<double, moments> integral{};
+    std::array<double, moments> at_low{}, at_high{}; ///< of one panel: its ends, extrapolated
     base::Vec3 low = base::Vec3::Constant(std::numeric_limits<double>::max());
     base::Vec3 high = -low;
     std::vector<shape::QuadraturePoint<S::dim>> points;
@@ -133,19 +136,63 @@ private:
     const double half = 0.5 * (high[d] - low[d]);
     Sum s;
     for (const auto& [r, weight] : shape::line_rule(degree)) {
-      Places from = low;
-      Places to = high;
-      from[d] = to[d] = low[d] + half * (1.0 + r[0]);
-      s.add(k + 1 < S::dim ? line(k + 1, from, to) : sample(from), half * weight);
+      Sum here = at(k, low, high, low[d] + half * (1.0 + r[0]));
+      for (std::size_t m = 0; m < moments; ++m) {
+        s.at_low[m] += lagrange(r[0], -1.0) * here.integral[m];
+        s.at_high[m] += lagrange(r[0], 1.0) * here.integral[m];
+      }
+      s.add(std::move(here), half * weight);
     }
     return s;
   }
 
-  Sum line(int k, const Places& low, const Places& high) {
-    return refined(k, low, high, panel(k, low, high), 0);
+  // What stands behind the place t of direction k.
+  Sum at(int k, Places low, Places high, double t) {
+    low[static_cast<std::size_t>(k)] = high[static_cast<std::size_t>(k)] = t;
+    return k + 1 < S::dim ? line(k + 1, low, high) : sample(low);
   }
 
-  Sum refined(int k, const Places& low, const Places& high, Sum coarse, int depth) {
+  // Lagrange's function of one point of the rule at another place.
+  static double lagrange(double point, double place) {
+    double value = 1.0;
+    for (const auto& other : shape::line_rule(degree)) {
+      if (other.r[0] != point) {
+        value *= (place - other.r[0]) / (point - other.r[0]);
+      }
+    }
+    return value;
+  }
+
+  // A bend beside the end of an interval, in what inner directions add up to, is seen by no point
+  // of the rules: the ends themselves tell it. That much of an interval lies beyond the last point.
+  double end_error(int k, const Places& low, const Places& high, const Sum& first,
+                   const Sum& second) {
+    constexpr double beyond = 0.0235;
+    const auto d = static_cast<std::size_t>(k);
+    const Sum start = at(k, low, high, low[d]);
+    const Sum end = at(k, low, high, high[d]);
+    double worst = 0.0;
+    for (std::size_t m = 0; m < moments; ++m) {
+      worst = std::max({worst, std::abs(start.integral[m] - first.at_low[m]),
+                        std::abs(end.integral[m] - second.at_high[m])});
+    }
+    return beyond * (high[d] - low[d]) * worst;
+  }
+
+  Sum line(int k, const Places& low, const Places& high) {
+    int doubts = most_doubts(k);
+    return refined(k, {low, high, 0, &doubts}, panel(k, low, high));
+  }
+
+  /// A part of a line.
+  struct Part {
+    Places low, high;
+    int depth;
+    int* doubts; ///< left on the line
+  };
+
+  Sum refined(int k, const Part& part, Sum coarse) {
+    const auto& [low, high, depth, doubts] = part;
     const auto d = static_cast<std::size_t>(k);
     Places end = high;
     Places start = low;
@@ -157,16 +204,24 @@ private:
       error =
           std::max(error, std::abs(coarse.integral[m] - first.integral[m] - second.integral[m]));
     }
+    if (k + 1 < S::dim && error <= room(k)) {
+      error = std::max(error, end_error(k, low, high, first, second));
+    }
     const bool agreed = error <= room(k) || !std::isfinite(error);
     const bool out = depth >= deepest || count_ > set_.most_points;
-    if (out || (agreed && (depth >= deepest_doubt || !doubtful(low, high, first, second)))) {
-      missed_ += agreed || k > 0 ? 0.0 : error; // outer directions see what inner ones miss
+    const bool tired = *doubts <= 0 || depth >= deepest_doubt;
+    const bool doubt = !out && agreed && !tired && doubtful(low, high, first, second);
+    *doubts -= doubt ? 1 : 0;
+    if (out || (agreed && !doubt)) {
+      if (!agreed) {
+        missed_ = k == 0 ? missed_ + error : std::max(missed_, error);
+      }
       first.add(std::move(second), 1.0);
       return first;
     }
     coarse.points.clear();
-    Sum sum = refined(k, low, end, std::move(first), depth + 1);
-    sum.add(refined(k, start, high, std::move(second), depth + 1), 1.0);
+    Sum sum = refined(k, {low, end, depth + 1, doubts}, std::move(first));
+    sum.add(refined(k, {start, high, depth + 1, doubts}, std::move(second)), 1.0);
     return sum;
   }
 

@@ -78,10 +78,7 @@ json of(const results::BodyPreview& b) {
 }
 
 json of(const results::LoadTotal& l) {
-  return {{"case", l.load_case},
-          {"force", place(l.force)},
-          {"moment", place(l.moment)},
-          {"sum_of_magnitudes", l.spread}};
+  return {{"case", l.load_case}, {"force", place(l.force)}, {"moment", place(l.moment)}};
 }
 
 json of(const results::TipPreview& t) {

@@ -16,7 +16,6 @@ Table load_table(const std::vector<results::LoadTotal>& loads, const LoadTableFo
     table.columns.push_back({"My", moment, false});
   }
   table.columns.push_back({"Mz", moment, false});
-  table.columns.push_back({"sum of |F|", form.force_unit, false});
   const auto number = [](double v) { return fmt::format("{:.6g}", v); };
   for (const results::LoadTotal& load : loads) {
     std::vector<std::string> row{load.load_case, number(load.force.x()), number(load.force.y())};
@@ -26,7 +25,6 @@ Table load_table(const std::vector<results::LoadTotal>& loads, const LoadTableFo
       row.push_back(number(load.moment.y()));
     }
     row.push_back(number(load.moment.z()));
-    row.push_back(number(load.spread));
     table.rows.push_back(std::move(row));
   }
   return table;

@@ -70,7 +70,7 @@ TEST(Meshes, AnInputFileBringsMaterialAndProperty) {
                                     "$NET NAME=A\n$IMPORT FILE='p.inp' FORMAT=INP\n"
                                     "$FREEDOM CLASS=SUPPRESSED DOF=XY\n FOOT\n$ENDNET\n"
                                     "$MESH SHAPE=BLOCK TYPE=QUAM4 LX=1 LY=1 X0=5\n"
-                                    "$PROPERTY ESET=BODY MATERIAL=A.ALU STATE=STRESS\n$END\n");
+                                    "$PROPERTY ESET=BODY MATERIAL=A.ALU STATE=STRESS THICK=2\n$END\n");
   ASSERT_TRUE(reading.model) << reading.messages();
   const model::Model& model = *reading.model;
   ASSERT_EQ(model.materials.size(), 2U);
