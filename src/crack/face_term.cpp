@@ -21,7 +21,7 @@ Eigen::Matrix<double, 2, Side::nodes> displacements(const std::array<base::NodeI
 
 struct ScaledLoad {
   const ActingLoad& acting;
-  double scale;
+  fe::FieldScale scale;
 };
 
 // t . u,1 needs no gradient of the element: along the face u,1 ds is the derivative of u by the

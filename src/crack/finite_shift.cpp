@@ -90,7 +90,7 @@ template <shape::PlaneShape S> double element_energy(const Shift& shift, base::E
 
 template <shape::Shape Side>
 double face_work(const Shift& shift, const ActingLoad& acting, const model::Face& face,
-                 const base::Vec2& u_tip, double scale) {
+                 const base::Vec2& u_tip, const fe::FieldScale& scale) {
   const auto nodes = fe::nodes_of_face<Side>(shift.set.mesh, face);
   fe::SideNodes<Side> X = fe::side_coordinates<Side>(shift.set.mesh, face);
   Eigen::Matrix<double, 2, Side::nodes> U;
@@ -131,7 +131,7 @@ double potential_energy(const Shift& shift, const ExtensionField& field) {
     }
   }
   for (const ActingLoad& acting : set.loads.loads) {
-    const double scale = face_scale(set, acting);
+    const fe::FieldScale scale = face_scale(set, acting);
     fe::for_edges(set.mesh, acting.faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
       energy -= face_work<Side>(shift, acting, face, u_tip, scale);
     });

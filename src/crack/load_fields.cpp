@@ -9,7 +9,7 @@ std::vector<BodyField> body_fields(const TipSetting& set) {
     if (acting.elements.empty() || acting.load->type == model::LoadType::temperature) {
       continue;
     }
-    BodyField field{&acting, {}, 0.0};
+    BodyField field{&acting, {}, {}};
     if (acting.load->elements.valid()) {
       field.shares = fe::set_shares(set.model, set.mesh, acting.load->elements);
       field.scale = fe::load_scale(set.mesh, *acting.load, field.shares.elements);

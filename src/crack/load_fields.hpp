@@ -14,7 +14,7 @@ namespace spricka::crack {
 struct BodyField {
   const ActingLoad* acting = nullptr;
   fe::SetShares shares;
-  double scale = 0.0;
+  fe::FieldScale scale;
 };
 
 /// The forces per volume round a tip.
@@ -42,9 +42,9 @@ void for_body_forces(const std::vector<BodyField>& fields, base::ElementId e,
 }
 
 /// Scale of a load on faces, for fe::load_rule.
-inline double face_scale(const TipSetting& set, const ActingLoad& acting) {
+inline fe::FieldScale face_scale(const TipSetting& set, const ActingLoad& acting) {
   return acting.faces.empty() || !acting.load->faces.valid()
-             ? 0.0
+             ? fe::FieldScale()
              : fe::load_scale(set.mesh, *acting.load);
 }
 

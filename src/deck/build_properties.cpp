@@ -17,6 +17,12 @@ void material(Context& c, const BoundCard& card) {
   material.rho = card.number("RHO");
   material.alpha = card.number("ALPHA");
   material.span = card.span;
+  constexpr double absurd = 1e100; // in any unit; squares of it are still numbers
+  if (material.E > absurd || material.E < 1.0 / absurd) {
+    c.error(card.find("E")->span, "E109",
+            fmt::format("E: {:.6g} cannot be computed with", material.E),
+            "a modulus between 1e-100 and 1e100, in whatever unit");
+  }
   c.model.materials.push_back(material);
 }
 
@@ -65,7 +71,7 @@ void property(Context& c, const BoundCard& card) {
     mesh.property[e.index()] = id;
   }
   if (!card.has("THICK") && (property.state == model::State::plane_stress ||
-                                        property.state == model::State::plane_strain)) {
+                             property.state == model::State::plane_strain)) {
     c.default_thickness.insert(c.model.properties.size());
   }
   c.model.properties.push_back(property);

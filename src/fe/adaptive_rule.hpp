@@ -13,16 +13,23 @@
 /// and temperatures given as expressions of the place.
 namespace spricka::fe {
 
+/// Sizes of a field as a whole, of which one element may hold little; 0: not known.
+struct FieldScale {
+  double largest = 0.0; ///< magnitude anywhere
+  double mean = 0.0;    ///< magnitude, over all elements
+};
+
 struct AdaptiveSettings {
-  double tolerance = 1e-9;  ///< of the integral over an element: of scale times its size
-  double scale = 0.0;       ///< largest value of the field anywhere; 0: not known yet
+  double tolerance = 1e-9; ///< of the integral over an element: of the mean times its size
+  FieldScale scale;
   int most_points = 400000; ///< of one element
 };
 
 template <int dim> struct AdaptedRule {
   std::vector<shape::QuadraturePoint<dim>> points;
-  double missed = 0.0;  ///< estimate of the error, like the tolerance; 0 where that is met
+  double missed = 0.0;  ///< estimate of the integral's error, where that is beyond the tolerance
   double largest = 0.0; ///< magnitude of the field at its points
+  double amount = 0.0;  ///< integral of the magnitude over the reference element
 };
 
 /// A point t of the unit cube as a reference point, and the factor of the volumes: triangles and
@@ -67,17 +74,25 @@ public:
   using Places = std::array<double, 3>;
 
   NestedRule(const Value& value, const Hidden& hidden, const AdaptiveSettings& settings)
-      : value_(value), hidden_(hidden), set_(settings), largest_(settings.scale) {}
+      : value_(value), hidden_(hidden), set_(settings), largest_(settings.scale.largest) {}
 
+  /// A rough pass tells how much there is (a peak's height says nothing of that), a second one what
+  /// is little of it.
   AdaptedRule<S::dim> run() {
-    Places low{};
-    Places high{1.0, 1.0, 1.0};
+    const Places low{};
+    const Places high{1.0, 1.0, 1.0};
+    amount_ = line(0, low, high).amount;
+    amount_ = std::max(amount_, set_.scale.mean);
+    rough_ = false;
+    missed_ = 0.0;
+    count_ = 0;
     Sum all = line(0, low, high);
-    return {std::move(all.points), missed_ > room(0) ? missed_ : 0.0, seen_};
+    return {std::move(all.points), missed_ > room(0) ? missed_ : 0.0, seen_, all.amount};
   }
 
 private:
   static constexpr int degree = 9;
+  static constexpr double roughly = 1e-4;
   static constexpr std::size_t moments = 3 * (S::dim + 1);
   static constexpr int deepest = 48; // a jump is then at its place to round-off
   /// Halvings of a line where only the bounds ask for them: a jump beside the end of an interval,
@@ -87,6 +102,7 @@ private:
 
   struct Sum {
     std::array<double, moments> integral{};
+    double amount = 0.0;                             ///< integral of the magnitude
     std::array<double, moments> at_low{}, at_high{}; ///< of one panel: its ends, extrapolated
     base::Vec3 low = base::Vec3::Constant(std::numeric_limits<double>::max());
     base::Vec3 high = -low;
@@ -96,6 +112,7 @@ private:
       for (std::size_t m = 0; m < moments; ++m) {
         integral[m] += weight * other.integral[m];
       }
+      amount += weight * other.amount;
       low = low.cwiseMin(other.low);
       high = high.cwiseMax(other.high);
       for (auto& p : other.points) {
@@ -108,7 +125,8 @@ private:
   // Less for inner directions: the outer ones compare what they add up to.
   [[nodiscard]] double room(int k) const {
     constexpr std::array<double, 3> part{1.0, 0.1, 0.01};
-    return part[static_cast<std::size_t>(k)] * set_.tolerance * std::max(largest_, seen_);
+    const double all = rough_ ? roughly * std::max(largest_, seen_) : set_.tolerance * amount_;
+    return part[static_cast<std::size_t>(k)] * all;
   }
 
   // The field at one point.
@@ -123,6 +141,7 @@ private:
         s.integral[3 * (k + 1) + c] = f * p.r[static_cast<Eigen::Index>(k)];
       }
     }
+    s.amount = p.weight * v.norm();
     s.low = s.high = v;
     seen_ = std::max(seen_, v.norm());
     s.points.push_back(p);
@@ -239,7 +258,9 @@ private:
   AdaptiveSettings set_;
   double largest_ = 0.0;
   double seen_ = 0.0;
+  double amount_ = 0.0;
   double missed_ = 0.0;
+  bool rough_ = true;
   int count_ = 0;
 };
 
@@ -258,13 +279,16 @@ AdaptedRule<S::dim> adapted_rule(int usual_degree, const Value& value, const Hid
   base::Vec3 low = base::Vec3::Constant(std::numeric_limits<double>::max());
   base::Vec3 high = -low;
   double largest = 0.0;
+  double amount = 0.0;
   const auto moments = [&](std::span<const shape::QuadraturePoint<S::dim>> rule) {
     Moments sum = Moments::Zero();
+    amount = 0.0;
     for (const auto& point : rule) {
       const base::Vec3 v = value(point.r);
       low = low.cwiseMin(v);
       high = high.cwiseMax(v);
       largest = std::max(largest, v.norm());
+      amount += point.weight * v.norm();
       sum.col(0) += point.weight * v;
       for (int k = 0; k < S::dim; ++k) {
         sum.col(k + 1) += point.weight * point.r[k] * v;
@@ -273,14 +297,15 @@ AdaptedRule<S::dim> adapted_rule(int usual_degree, const Value& value, const Hid
     return sum;
   };
   const Moments difference = moments(usual) - moments(shape::quadrature<S>(second_degree));
-  const double scale = std::max(settings.scale, largest);
+  const double scale = std::max(settings.scale.largest, largest);
   const double error = difference.cwiseAbs().maxCoeff();
   const std::array<double, 3> all_low{};
   const std::array<double, 3> all_high{1.0, 1.0, 1.0};
-  const bool agreed = error <= settings.tolerance * scale || !std::isfinite(error);
+  const bool agreed =
+      error <= settings.tolerance * std::max(settings.scale.mean, amount) || !std::isfinite(error);
   if (agreed &&
       !(hidden(all_low, all_high, low, high) > (high - low).maxCoeff() + little * scale)) {
-    return {{usual.begin(), usual.end()}, 0.0, largest};
+    return {{usual.begin(), usual.end()}, 0.0, largest, amount};
   }
   return NestedRule<S, Value, Hidden>(value, hidden, settings).run();
 }

@@ -15,7 +15,7 @@ namespace spricka::fe {
 template <class Density, class Visit>
 void for_face_points(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
                      Density&& density, Visit&& visit, double* missed = nullptr) {
-  const double scale = load_scale(mesh, load);
+  const FieldScale scale = load_scale(mesh, load);
   for_faces(mesh, mesh.set(load.faces).faces,
             [&]<shape::Shape Side>(Side side, const model::Face& face) {
               const SideNodes<Side> X = side_coordinates<Side>(mesh, face);
@@ -28,7 +28,7 @@ void for_face_points(const model::Model& model, const model::Mesh& mesh, const m
                 visit(side, face, point.r, force);
               }
               if (missed != nullptr) {
-                *missed = std::max(*missed, scale > 0.0 ? rule.missed / scale : 0.0);
+                *missed = std::max(*missed, rule.missed / std::max(scale.mean, rule.amount));
               }
             });
 }
@@ -39,7 +39,7 @@ template <class Density, class Visit>
 void for_body_points(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
                      Density&& density, Visit&& visit, double* missed = nullptr) {
   const SetShares shares = set_shares(model, mesh, load.elements);
-  const double scale = load_scale(mesh, load, shares.elements);
+  const FieldScale scale = load_scale(mesh, load, shares.elements);
   for_blocks(mesh, shares.elements,
              [&]<shape::ElementShape S>(S shape, std::span<const base::ElementId> block) {
                for (const base::ElementId e : block) {
@@ -57,7 +57,7 @@ void for_body_points(const model::Model& model, const model::Mesh& mesh, const m
                    visit(shape, e, point.r, force);
                  }
                  if (missed != nullptr) {
-                   *missed = std::max(*missed, scale > 0.0 ? rule.missed / scale : 0.0);
+                   *missed = std::max(*missed, rule.missed / std::max(scale.mean, rule.amount));
                  }
                }
              });
@@ -65,7 +65,7 @@ void for_body_points(const model::Model& model, const model::Mesh& mesh, const m
 
 /// Forces at points of a load that is spread over faces or elements; others (at nodes, given
 /// displacements, temperatures, bearings in space) have none. on_face and on_body as above. What
-/// the rules could not follow, of the largest value times the size of a face or element, goes to
+/// the rules could not follow, of the mean value times the size of a face or element, goes to
 /// `missed`.
 template <class OnFace, class OnBody>
 void for_load_points(const model::Model& model, const model::Mesh& mesh, const model::Load& load,

@@ -13,14 +13,20 @@ namespace {
 struct Bound {
   double bound = 0.0;
   double seen = 0.0;
+  double mean = 0.0;
 };
 
 template <shape::Shape S>
 Bound bound_of(const Eigen::Matrix<double, 3, S::nodes>& X, const model::Load& load) {
   Bound b;
+  double size = 0.0;
   for (const auto& point : shape::quadrature<S>(load_degree)) {
-    b.seen = std::max(b.seen, load_value(load, base::Vec3(X * S::N(point.r))).norm());
+    const double value = load_value(load, base::Vec3(X * S::N(point.r))).norm();
+    b.seen = std::max(b.seen, value);
+    b.mean += point.weight * value;
+    size += point.weight;
   }
+  b.mean /= size;
   const base::PlaceCell cell = place_cell<S>(X, {}, {1.0, 1.0, 1.0});
   b.bound = b.seen +
             hidden_value(load, cell, base::Vec3::Constant(-b.seen), base::Vec3::Constant(b.seen));
@@ -56,29 +62,31 @@ void with_part(const model::Mesh& mesh, const model::Load& load,
 
 // Where bounds promise more than the usual points see, the few parts with the highest bounds are
 // searched: a peak between the points of all others must not pass for the whole load.
-double load_scale(const model::Mesh& mesh, const model::Load& load,
-                  const std::vector<base::ElementId>& elements) {
+FieldScale load_scale(const model::Mesh& mesh, const model::Load& load,
+                      const std::vector<base::ElementId>& elements) {
   constexpr std::size_t searched = 8;
   if (is_constant(load)) {
-    return load_value(load, base::Vec3::Zero()).norm();
+    const double value = load_value(load, base::Vec3::Zero()).norm();
+    return {value, value};
   }
   const std::size_t parts =
       load.faces.valid() ? mesh.set(load.faces).faces.size() : elements.size();
   std::vector<std::pair<double, std::size_t>> bounds;
-  double scale = 0.0;
+  FieldScale scale;
   for (std::size_t i = 0; i < parts; ++i) {
     with_part(mesh, load, elements, i, [&]<shape::Shape S>(S, const auto& X) {
       const Bound b = bound_of<S>(X, load);
-      scale = std::max(scale, b.seen);
+      scale.largest = std::max(scale.largest, b.seen);
+      scale.mean += b.mean / static_cast<double>(parts);
       bounds.emplace_back(-b.bound, i);
     });
   }
   const std::size_t most = std::min(searched, bounds.size());
   std::partial_sort(bounds.begin(), bounds.begin() + static_cast<std::ptrdiff_t>(most),
                     bounds.end());
-  for (std::size_t k = 0; k < most && -bounds[k].first > 1.02 * scale; ++k) {
+  for (std::size_t k = 0; k < most && -bounds[k].first > 1.02 * scale.largest; ++k) {
     with_part(mesh, load, elements, bounds[k].second, [&]<shape::Shape S>(S, const auto& X) {
-      scale = std::max(scale, load_rule<S>(X, load, scale).largest);
+      scale.largest = std::max(scale.largest, load_rule<S>(X, load, scale).largest);
     });
   }
   return scale;

@@ -21,8 +21,8 @@ inline bool is_constant(const model::Load& load) {
   return std::ranges::all_of(load.value, [](const base::Expression& v) { return v.is_constant(); });
 }
 
-/// Tolerance of the integrals over an element or a side, of the load's largest value times its
-/// size: jumps of plane and solid fields cost more than those along an edge.
+/// Tolerance of the integrals over an element or a side, of the load's mean value times its size:
+/// jumps of plane and solid fields cost more than those along an edge.
 constexpr double load_tolerance(int dim) {
   return dim == 1 ? 1e-9 : (dim == 2 ? 1e-7 : 1e-5);
 }
@@ -77,10 +77,10 @@ inline double hidden_value(const model::Load& load, const base::PlaceCell& cell,
 /// load_scale gives it.
 template <shape::Shape S>
 AdaptedRule<S::dim> load_rule(const Eigen::Matrix<double, 3, S::nodes>& X, const model::Load& load,
-                              double scale) {
+                              const FieldScale& scale) {
   if (is_constant(load)) {
     const auto usual = shape::quadrature<S>(load_degree);
-    return {{usual.begin(), usual.end()}, 0.0, 0.0};
+    return {{usual.begin(), usual.end()}, 0.0, 0.0, 0.0};
   }
   return adapted_rule<S>(
       load_degree,
@@ -94,19 +94,20 @@ AdaptedRule<S::dim> load_rule(const Eigen::Matrix<double, 3, S::nodes>& X, const
 
 /// The same with nodes in the plane or in space [dim, nodes].
 template <shape::ElementShape S>
-AdaptedRule<S::dim> body_load_rule(const NodeVectors<S>& X, const model::Load& load, double scale) {
+AdaptedRule<S::dim> body_load_rule(const NodeVectors<S>& X, const model::Load& load,
+                                   const FieldScale& scale) {
   Eigen::Matrix<double, 3, S::nodes> x = Eigen::Matrix<double, 3, S::nodes>::Zero();
   x.template topRows<S::dim>() = X;
   return load_rule<S>(x, load, scale);
 }
 
 /// Largest part of a load per area or volume that no rule could follow within one side or element:
-/// of the load's largest value times the size of that; 0 where all agree to load_tolerance.
+/// of the load's mean value times the size of that; 0 where all agree to load_tolerance.
 double unresolved_part(const model::Model& model, const model::Mesh& mesh, const model::Load& load);
 
-/// Largest value that a load spread over faces or elements has anywhere: what counts as small.
-/// `elements`: those it acts on, where it acts on elements.
-double load_scale(const model::Mesh& mesh, const model::Load& load,
-                  const std::vector<base::ElementId>& elements = {});
+/// How large a load spread over faces or elements is anywhere and in the mean: what counts as
+/// small. `elements`: those it acts on, where it acts on elements.
+FieldScale load_scale(const model::Mesh& mesh, const model::Load& load,
+                      const std::vector<base::ElementId>& elements = {});
 
 } // namespace spricka::fe

@@ -119,7 +119,7 @@ constexpr std::array advice{
                       "thickness: meant only where the bodies share their middle plane."},
     ErrorCode{"W434", "Give bodies that meet one STATE, unless a thick one holds a thin one."},
     ErrorCode{"W435", "Refine the net where the load changes, or write it with fewer poles and "
-                      "waves: what is missed is said in parts of its largest value."},
+                      "waves: what is missed is said in parts of its mean."},
     ErrorCode{"E500", "The deck is right, but there is no analysis for this yet: exit code 4."},
     ErrorCode{"E510",
               "The message names the body and the direction that nothing holds, or the "

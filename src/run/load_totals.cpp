@@ -99,11 +99,11 @@ void warn_of_unresolved(const model::Model& model, const model::Mesh& mesh,
     return;
   }
   const double missed = fe::unresolved_part(model, mesh, load);
-  if (missed > 0.0) {
+  constexpr double little = 1e-5; // integrable poles
+  if (missed > little) {
     diagnostics.warning(load.span, "W435",
                         fmt::format("load case {}: no rule follows this load within an element; "
-                                    "up to {:.1g} of its largest value, times the size of one, may "
-                                    "be missed",
+                                    "up to {:.1g} of the mean load on one may be missed",
                                     load_case.name, missed),
                         "refine the net where the load changes");
   }
