@@ -135,6 +135,12 @@ bool load_value(Context& c, const LoadForm& form, const grammar::Field& field, m
   }
   auto value =
       grammar::compile(field.expression, c.scope, grammar::Fields::position, c.diagnostics);
+  if (value && !value->is_constant() &&
+      (form.type == LoadType::resultant || form.type == LoadType::bearing)) {
+    c.error(field.span, "E209", fmt::format("TYPE={} is a total, which has no place", form.word),
+            "give a number; TRACTION, PRESSURE and BODY take fields of x y z");
+    return false;
+  }
   const base::Span unit = grammar::known_unit(field.expression, c.scope);
   if (value && unit.valid()) {
     const auto known = base::parse_unit(c.sources.text(unit));
