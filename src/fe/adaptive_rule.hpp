@@ -22,7 +22,6 @@ struct FieldScale {
 struct AdaptiveSettings {
   double tolerance = 1e-9; ///< of the integral over an element: of the mean times its size
   FieldScale scale;
-  int most_points = 400000; ///< of one element
 };
 
 template <int dim> struct AdaptedRule {
@@ -65,6 +64,18 @@ shape::QuadraturePoint<S::dim> unit_cube_point(const std::array<double, 3>& t) {
   return p;
 }
 
+/// Lagrange's function of one point of a rule at another place.
+inline double lagrange(std::span<const shape::QuadraturePoint<1>> rule, double point,
+                       double place) {
+  double value = 1.0;
+  for (const auto& other : rule) {
+    if (other.r[0] != point) {
+      value *= (place - other.r[0]) / (point - other.r[0]);
+    }
+  }
+  return value;
+}
+
 /// Nested adaptive Gauss rules, one for each direction of the unit cube: an interval is halved
 /// until one rule over it and two over its halves agree as to the integrals of the field and of its
 /// first moments, and until its bounds tell that nothing hides between the points. A jump across a
@@ -93,6 +104,9 @@ public:
 private:
   static constexpr int degree = 9;
   static constexpr double roughly = 1e-4;
+  /// Of one element. A jump takes some 300 along a line, 50 000 over a plane; across a solid, where
+  /// a million would be wanted, the rule stops earlier and says so.
+  static constexpr int most_points = S::dim == 1 ? 50000 : (S::dim == 2 ? 400000 : 100000);
   static constexpr std::size_t moments = 3 * (S::dim + 1);
   static constexpr int deepest = 48; // a jump is then at its place to round-off
   /// Halvings of a line where only the bounds ask for them: a jump beside the end of an interval,
@@ -157,8 +171,8 @@ private:
     for (const auto& [r, weight] : shape::line_rule(degree)) {
       Sum here = at(k, low, high, low[d] + half * (1.0 + r[0]));
       for (std::size_t m = 0; m < moments; ++m) {
-        s.at_low[m] += lagrange(r[0], -1.0) * here.integral[m];
-        s.at_high[m] += lagrange(r[0], 1.0) * here.integral[m];
+        s.at_low[m] += lagrange(shape::line_rule(degree), r[0], -1.0) * here.integral[m];
+        s.at_high[m] += lagrange(shape::line_rule(degree), r[0], 1.0) * here.integral[m];
       }
       s.add(std::move(here), half * weight);
     }
@@ -169,17 +183,6 @@ private:
   Sum at(int k, Places low, Places high, double t) {
     low[static_cast<std::size_t>(k)] = high[static_cast<std::size_t>(k)] = t;
     return k + 1 < S::dim ? line(k + 1, low, high) : sample(low);
-  }
-
-  // Lagrange's function of one point of the rule at another place.
-  static double lagrange(double point, double place) {
-    double value = 1.0;
-    for (const auto& other : shape::line_rule(degree)) {
-      if (other.r[0] != point) {
-        value *= (place - other.r[0]) / (point - other.r[0]);
-      }
-    }
-    return value;
   }
 
   // A bend beside the end of an interval, in what inner directions add up to, is seen by no point
@@ -223,11 +226,11 @@ private:
       error =
           std::max(error, std::abs(coarse.integral[m] - first.integral[m] - second.integral[m]));
     }
-    if (k + 1 < S::dim && error <= room(k)) {
+    if ((k + 1 < S::dim || S::dim == 1) && error <= room(k)) {
       error = std::max(error, end_error(k, low, high, first, second));
     }
     const bool agreed = error <= room(k) || !std::isfinite(error);
-    const bool out = depth >= deepest || count_ > set_.most_points;
+    const bool out = depth >= deepest || count_ > most_points;
     const bool tired = *doubts <= 0 || depth >= deepest_doubt;
     const bool doubt = !out && agreed && !tired && doubtful(low, high, first, second);
     *doubts -= doubt ? 1 : 0;
@@ -301,8 +304,20 @@ AdaptedRule<S::dim> adapted_rule(int usual_degree, const Value& value, const Hid
   const double error = difference.cwiseAbs().maxCoeff();
   const std::array<double, 3> all_low{};
   const std::array<double, 3> all_high{1.0, 1.0, 1.0};
-  const bool agreed =
-      error <= settings.tolerance * std::max(settings.scale.mean, amount) || !std::isfinite(error);
+  double beside = 0.0; // of a bend between an end and the points next to it
+  if constexpr (S::dim == 1) {
+    constexpr double beyond = 0.02;
+    const auto rule = shape::quadrature<S>(second_degree);
+    for (const double end : {-1.0, 1.0}) {
+      base::Vec3 v = value(shape::Point<1>::Constant(end));
+      for (const auto& point : rule) {
+        v -= lagrange(rule, point.r[0], end) * value(point.r);
+      }
+      beside = std::max(beside, beyond * v.norm());
+    }
+  }
+  const double room = settings.tolerance * std::max(settings.scale.mean, amount);
+  const bool agreed = std::max(error, beside) <= room || !std::isfinite(error);
   if (agreed &&
       !(hidden(all_low, all_high, low, high) > (high - low).maxCoeff() + little * scale)) {
     return {{usual.begin(), usual.end()}, 0.0, largest, amount};

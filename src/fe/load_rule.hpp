@@ -24,7 +24,7 @@ inline bool is_constant(const model::Load& load) {
 /// Tolerance of the integrals over an element or a side, of the load's mean value times its size:
 /// jumps of plane and solid fields cost more than those along an edge.
 constexpr double load_tolerance(int dim) {
-  return dim == 1 ? 1e-9 : (dim == 2 ? 1e-7 : 1e-5);
+  return dim == 1 ? 1e-9 : (dim == 2 ? 1e-7 : 1e-4);
 }
 
 /// Where a cell of the unit cube of a shape lies in space; X [3, nodes].
