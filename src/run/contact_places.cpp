@@ -13,6 +13,7 @@ namespace spricka::run {
 namespace {
 
 constexpr double most_for_mouth = 1.2; // of a patch in one round because of its mouth alone
+constexpr double most_for_faces = 2.0; // because of where its crack's faces part
 // Surfaces whose elements at an edge are smaller than this part of the others' see it well enough.
 constexpr double much_smaller = 0.7;
 
@@ -39,6 +40,15 @@ const mesh::SizeMap::Wish* nearest(const std::vector<mesh::SizeMap::Wish>& list,
 
 } // namespace
 
+base::CrackId crack_of_faces(const model::Model& model, const std::string& contact) {
+  for (std::size_t c = 0; c < model.cracks.size(); ++c) {
+    if (contact == model.cracks[c].name + ".FACES") {
+      return base::CrackId(c);
+    }
+  }
+  return {};
+}
+
 base::Vec2 centre_of(const model::Mesh& mesh, base::ElementId e) {
   const auto corners = static_cast<std::size_t>(base::info(mesh.type[e.index()]).corners);
   base::Vec2 sum = base::Vec2::Zero();
@@ -58,7 +68,7 @@ double size_of(const model::Mesh& mesh, base::ElementId e) {
   return sum / static_cast<double>(corners);
 }
 
-void add_places(const WideBar& wide, std::vector<Place>& places) {
+void add_places(const model::Model& model, const WideBar& wide, std::vector<Place>& places) {
   const double may = most_of_bar * wide.allowed;
   if (wide.bar.edge <= may) {
     return;
@@ -71,13 +81,14 @@ void add_places(const WideBar& wide, std::vector<Place>& places) {
       const results::ContactPoint& a = contact.points[i - 1];
       const results::ContactPoint& b = contact.points[i];
       if ((a.state == results::ContactState::open) != (b.state == results::ContactState::open)) {
-        places.push_back({0.5 * (a.x + b.x).head<2>(), factor, {}, 0.0});
+        const base::CrackId faces = crack_of_faces(model, contact.name);
+        places.push_back({0.5 * (a.x + b.x).head<2>(), factor, faces, 0.0, faces.valid()});
       }
     }
     for (const base::Vec3& x : contact.unbounded) {
       if (wide.bar.edge - ends > least_share * may) {
         places.push_back(
-            {x.head<2>(), factor, wide.crack, patch_size(wide.increment, x.head<2>())});
+            {x.head<2>(), factor, wide.crack, patch_size(wide.increment, x.head<2>()), false});
       }
     }
   }
@@ -87,6 +98,11 @@ Followers followers_of(const std::vector<Place>& places, const Elements& element
                        std::size_t cracks) {
   Followers followers{{}, std::vector<double>(cracks, 1.0)};
   for (const Place& place : places) {
+    if (place.on_faces) {
+      double& finer = followers.patch[place.crack.index()];
+      finer = std::max(finer, std::min(1.0 / place.factor, most_for_faces));
+      continue;
+    }
     std::map<std::string, double> here; // size by net
     double largest = place.patch;
     for (const auto& [net, list] : elements.kept) {

@@ -21,9 +21,10 @@ using Wishes = std::map<std::string, std::vector<mesh::SizeMap::Wish>>; // by ne
 /// A place on contact surfaces that needs smaller elements.
 struct Place {
   base::Vec2 at;
-  double factor = 1.0; ///< of the largest element there
-  base::CrackId crack; ///< an edge of one surface whose pressure this crack feels; else invalid
-  double patch = 0.0;  ///< size of a patch's element that has that edge
+  double factor = 1.0;   ///< of the largest element there
+  base::CrackId crack;   ///< an edge of one surface whose pressure this crack feels; else invalid
+  double patch = 0.0;    ///< size of a patch's element that has that edge
+  bool on_faces = false; ///< the place lies on that crack's own faces: its patch alone follows
 };
 
 /// What a K feels of the pressures' discretisation takes at most this part of its tolerance.
@@ -35,7 +36,10 @@ inline constexpr double least_share = 0.2;
 
 /// Adds the places that make this bar wide: where contact ends between two points that lie farther
 /// apart than K bears, and edges that it is closed up to.
-void add_places(const WideBar& wide, std::vector<Place>& places);
+void add_places(const model::Model& model, const WideBar& wide, std::vector<Place>& places);
+
+/// The crack whose faces a contact of the results is; invalid: another contact.
+base::CrackId crack_of_faces(const model::Model& model, const std::string& contact);
 
 /// Elements of the present mesh where they are and as large as they are, by net.
 struct Elements {

@@ -140,7 +140,7 @@ Demands demands_of(const model::Model& model, const results::Run& run) {
       if (wide.bar.edge <= wide.allowed) { // else eta, too, comes from contacts that are too coarse
         share_out(wide, factors);
       }
-      add_places(wide, demands.places);
+      add_places(model, wide, demands.places);
     }
     demands.patch = factors.patch;
     add_elements(model, increment, factors, demands);
@@ -165,10 +165,12 @@ std::string RefinementPlan::refine(const model::Model& model, const results::Run
     }
   }
   std::vector<std::string> moved;
+  patch_growth_ = 1.0;
   for (std::size_t c = 0; c < demands.patch.size(); ++c) {
     const double finer = std::max(demands.patch[c], followers.patch[c]);
     if (finer > 1.0 / no_change) {
       finer_[c] *= finer;
+      patch_growth_ = std::max(patch_growth_, finer * finer);
       moved.push_back(fmt::format("patch of {} {:.2f} times", model.cracks[c].name, finer));
     }
   }

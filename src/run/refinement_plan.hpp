@@ -26,7 +26,11 @@ public:
   /// Writes what patches are to have into a model that was read anew.
   void apply(model::Model& model) const;
 
+  /// How many times as many elements the last `refine` gives patches, at most.
+  [[nodiscard]] double patch_growth() const { return patch_growth_; }
+
 private:
+  double patch_growth_ = 1.0;
   std::map<std::string, deck::Refinement> nets_;
   std::vector<double> finer_; ///< [crack] divides the element sizes of its patch
 };

@@ -2,10 +2,12 @@
 #include "run/tolerance.hpp"
 
 #include "base/clock.hpp"
+#include "base/memory.hpp"
 #include "run/refinement_plan.hpp"
 #include "run/wide_bars.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -44,6 +46,71 @@ results::ToleranceRound look_at(const model::Model& model, const results::Run& r
     why_not = "the bars are inside, but two ways to K part by more: " + now.parted;
   }
   return round;
+}
+
+// More freedoms than these no K in the plane needs: what asks for them has an error that finer
+// meshes do not end.
+constexpr double most_freedoms = 2e6;
+// A round that leaves more than this of the bar has not helped.
+constexpr double no_progress = 0.85;
+constexpr double part_of_memory = 0.8; // that a run may take
+
+std::string percent(double part) {
+  return fmt::format("{:.3g} %", 100.0 * part);
+}
+
+// Why another round is not worth its while: the bar stands still, or falls so slowly that no mesh
+// would do; empty: it is.
+std::string no_use(const std::vector<results::ToleranceRound>& rounds) {
+  const std::size_t n = rounds.size();
+  if (n < 3) {
+    return {};
+  }
+  const results::ToleranceRound& now = rounds[n - 1];
+  const results::ToleranceRound& before = rounds[n - 3];
+  const double left = now.bar / before.bar;
+  const double grown = static_cast<double>(now.unknowns) / static_cast<double>(before.unknowns);
+  if (left > no_progress && grown > 1.5) {
+    return fmt::format(
+        "finer meshes do not help: the bar is {} with {} freedoms and was {} with {}",
+        percent(now.bar), now.unknowns, percent(before.bar), before.unknowns);
+  }
+  const double rate = -std::log(left) / std::log(std::max(grown, 1.1));
+  const double needed = static_cast<double>(now.unknowns) *
+                        std::pow(now.bar / now.wanted, 1.0 / std::max(rate, 0.02));
+  if (needed > most_freedoms) {
+    return fmt::format("the bar falls too slowly: from {} to {} while freedoms grew from {} to {}; "
+                       "more than {:.0e} would be needed",
+                       percent(before.bar), percent(now.bar), before.unknowns, now.unknowns,
+                       most_freedoms);
+  }
+  return {};
+}
+
+// Why the next mesh is too large to be solved: by its freedoms, or by the memory that the last one
+// took; empty: it is not.
+std::string too_large(const model::Model& now, const model::Model& next, double patch_growth,
+                      const results::ToleranceRound& round) {
+  const auto dim = static_cast<double>(now.mesh.dim);
+  const double host = dim * static_cast<double>(now.mesh.node_count());
+  const double patches = std::max(0.0, static_cast<double>(round.unknowns) - host);
+  const double freedoms =
+      dim * static_cast<double>(next.mesh.node_count()) + patch_growth * patches;
+  if (freedoms > most_freedoms) {
+    return fmt::format("the next mesh would have some {:.1e} freedoms, at most {:.0e} are tried",
+                       freedoms, most_freedoms);
+  }
+  // Fill grows a little faster than the freedoms.
+  const double grown = std::max(1.0, freedoms / static_cast<double>(round.unknowns));
+  const double bytes =
+      static_cast<double>(base::peak_memory()) * grown * (1.0 + 0.1 * std::log2(grown));
+  const auto machine = static_cast<double>(base::memory_limit());
+  if (grown > 1.0 && bytes > part_of_memory * machine) {
+    return fmt::format("the next mesh, of some {:.1e} freedoms, would take about {:.1f} of {:.1f} "
+                       "GB of memory",
+                       freedoms, bytes / 1e9, machine / 1e9);
+  }
+  return {};
 }
 
 // A force per node adds up to another total where its set has gained nodes: the case's name.
@@ -91,6 +158,10 @@ ToleratedRun solve_to_tolerance(const ReadyDeck& deck, const ReadFiner& read_fin
     if (!out.why_not.empty() || round.bar <= round.wanted) {
       break;
     }
+    out.why_not = no_use(rounds);
+    if (!out.why_not.empty()) {
+      break;
+    }
     round.next = plan.refine(model, *out.run);
     if (round.next.empty() || number == most_rounds) {
       out.why_not = round.next.empty() ? "no finer mesh would help"
@@ -100,6 +171,10 @@ ToleratedRun solve_to_tolerance(const ReadyDeck& deck, const ReadFiner& read_fin
     finer = read_finer(plan.nets());
     if (!finer->model) {
       out.why_not = "the deck can't be meshed finer: " + finer->refusal.error;
+      break;
+    }
+    out.why_not = too_large(model, *finer->model, plan.patch_growth(), round);
+    if (!out.why_not.empty()) {
       break;
     }
     if (const std::string grew = case_that_grew(*deck.model, *finer->model); !grew.empty()) {
