@@ -2,6 +2,7 @@
 #include "run/estimate.hpp"
 
 #include "fe/error_estimate.hpp"
+#include "mesh/boundary.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,12 +17,52 @@ namespace {
 
 constexpr std::size_t most_named = 3;
 
-std::vector<bool> singular_elements(const Scene& scene) {
+// Nodes that are held though no side of theirs is: their reaction is a force on a point.
+void mark_point_supports(const Scene& scene, std::vector<bool>& marked) {
+  const model::Mesh& mesh = scene.cracked.mesh;
+  const auto held = [&](base::NodeId n, int c) {
+    const model::FreedomClass k =
+        scene.cls[n.index() * static_cast<std::size_t>(mesh.dim) + static_cast<std::size_t>(c)];
+    return k == model::FreedomClass::suppressed || k == model::FreedomClass::prescribed;
+  };
+  std::vector<bool> alone(mesh.node_count() * static_cast<std::size_t>(mesh.dim), true);
+  for (const model::Face& face : mesh::boundary_faces(mesh)) {
+    const std::vector<base::NodeId> nodes = mesh::nodes_of_faces(mesh, {face});
+    for (int c = 0; c < mesh.dim; ++c) {
+      if (std::ranges::all_of(nodes, [&](base::NodeId n) { return held(n, c); })) {
+        for (const base::NodeId n : nodes) {
+          alone[n.index() * static_cast<std::size_t>(mesh.dim) + static_cast<std::size_t>(c)] =
+              false;
+        }
+      }
+    }
+  }
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    const auto dim = static_cast<std::size_t>(mesh.dim);
+    if (alone[i] && held(base::NodeId(i / dim), static_cast<int>(i % dim))) {
+      marked[i / dim] = true;
+    }
+  }
+}
+
+// Stresses have no bound at tips and where a single node is pushed or held: no mesh ends the
+// estimated error there, and it says nothing of the rest of the net.
+std::vector<bool> singular_elements(const model::Model& model, const Scene& scene) {
   const model::Mesh& mesh = scene.cracked.mesh;
   std::vector<bool> tip(mesh.node_count(), false);
   for (const mesh::Tip& t : scene.cracked.tips) {
     tip[t.node.index()] = true;
   }
+  for (const model::LoadCase& load_case : model.cases) {
+    for (const model::Load& load : load_case.loads) {
+      if (load.type == model::LoadType::force) {
+        for (const base::NodeId n : mesh.set(load.nodes).nodes) {
+          tip[n.index()] = true;
+        }
+      }
+    }
+  }
+  mark_point_supports(scene, tip);
   std::vector<bool> singular(mesh.element_count(), false);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const auto nodes = mesh.nodes_of(base::ElementId(e));
@@ -68,7 +109,7 @@ void add_errors(const model::Model& model, const Scene& scene, const std::vector
                 results::StepResult& step) {
   const model::Mesh& mesh = scene.cracked.mesh;
   const fe::ErrorEstimate estimate = fe::estimate_error(model, mesh, {step.u, step.temperature});
-  const std::vector<bool> singular = singular_elements(scene);
+  const std::vector<bool> singular = singular_elements(model, scene);
   std::vector<std::vector<base::ElementId>> by_net(model.nets.size());
   std::vector<base::ElementId> all;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
