@@ -137,9 +137,9 @@ void StepSolver::note_uniqueness(const contact::ContactSystem::Demand& demand, S
   }
   tested_ = factors_.mounted;
   if (!system_->unique(demand).certain) {
-    state.notes.emplace_back(
-        "warning: with this much friction the increments may have other solutions (a test that is "
-        "sufficient only did not rule them out)");
+    state.notes.emplace_back("with this much friction a test that is sufficient only did not rule "
+                             "out that the increments "
+                             "have other solutions");
   }
 }
 

@@ -361,14 +361,15 @@ TEST(Friction, BlocksSlideAtTheLimitOfC12) {
   EXPECT_NE(steep.messages.find("body CASE slides"), std::string::npos) << steep.messages;
 }
 
-TEST(Friction, MuchFrictionWarnsThatTheTestOfUniquenessIsSufficientOnly) {
+// The test nearly always fails where nothing is wrong: the listing says so, nobody is warned.
+TEST(Friction, ThatTheTestOfUniquenessIsSufficientOnlyIsANote) {
   const test::Folder folder;
-  const test::Outcome little = test::run_text(folder, pushed_disc(1e-5));
-  EXPECT_EQ(little.exit_code, 0);
-  EXPECT_EQ(little.messages.find("may have other solutions"), std::string::npos);
+  const auto listing = [&] { return test::slurp(folder.path() / "out" / "listing.txt"); };
+  EXPECT_EQ(test::run_text(folder, pushed_disc(1e-5)).exit_code, 0);
+  EXPECT_EQ(listing().find("sufficient only"), std::string::npos);
   const test::Outcome much = test::run_text(folder, pushed_disc(1.5));
-  EXPECT_NE(much.messages.find("may have other solutions"), std::string::npos) << much.messages;
-  EXPECT_NE(much.messages.find("sufficient only"), std::string::npos);
+  EXPECT_NE(listing().find("sufficient only"), std::string::npos) << much.messages;
+  EXPECT_EQ(much.messages.find("other solutions"), std::string::npos) << much.messages;
 }
 
 } // namespace
