@@ -21,6 +21,8 @@ namespace spricka::run {
 
 namespace {
 
+constexpr double known_part = 0.25; // of the distance of nodes where faces part
+
 const model::Vce* vce_of(const model::Model& model, base::CrackId crack) {
   for (const model::Vce& vce : model.vces) {
     if (vce.crack == crack) {
@@ -167,6 +169,27 @@ void count_from_mouth(const Scene& scene, std::size_t pair, results::ContactResu
   }
 }
 
+// Where the faces of a crack part: pressure and gap are known at nodes, and how both go to nothing
+// between two of them tells the place to less than a quarter of their distance.
+void note_parting(const Scene& scene, std::size_t pair, results::ContactResult& result,
+                  results::StepResult& out) {
+  const bool faces = std::ranges::any_of(
+      scene.lip_pairs, [&](const std::optional<LipPair>& lip) { return lip && lip->pair == pair; });
+  for (const double end : {result.arc_from, result.arc_to}) {
+    for (std::size_t i = 1; faces && i < result.points.size(); ++i) {
+      const results::ContactPoint& a = result.points[i - 1];
+      const results::ContactPoint& b = result.points[i];
+      const double reach = 0.5 * (b.arc - a.arc);
+      if (a.closed != b.closed && end >= a.arc - reach && end <= b.arc + reach) {
+        out.notes.push_back(fmt::format("{}: the faces part at {:.4g} along the crack, +- {:.2g} "
+                                        "by the distance of its nodes there",
+                                        result.name, end, known_part * (b.arc - a.arc)));
+        break;
+      }
+    }
+  }
+}
+
 void gather_contacts(const Scene& scene, const StepState& state, results::StepResult& out) {
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     const contact::PairRows& pair = scene.pairs[c];
@@ -207,6 +230,7 @@ void gather_contacts(const Scene& scene, const StepState& state, results::StepRe
       out.friction_work += result.friction_work;
     }
     count_from_mouth(scene, c, result);
+    note_parting(scene, c, result, out);
     result.unbounded = pressed_edges(pair, p.nodes);
     if (!result.unbounded.empty()) {
       out.notes.push_back(unbounded_note(result));

@@ -285,17 +285,22 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
 
 namespace {
 
-void print_tip(const std::string& before, const results::TipResult& tip, const std::string& unit) {
+void print_tip(const std::string& before, const results::TipResult& tip,
+               const base::UnitSystem& units) {
+  if (tip.two_materials) { // stresses oscillate there: it has a G alone
+    fmt::print("{} {:<8} a = {:<10.6g} G = {:<12.7g} {}/{}\n", before, tip.name, tip.a, tip.G,
+               units.force_name, units.length_name);
+    return;
+  }
   const auto bar = [&](std::size_t k) {
     return tip.no_bar.empty() ? fmt::format(" +- {:<8.2g}", tip.bar[k].size()) : "";
   };
   fmt::print("{} {:<8} a = {:<10.6g} K1 = {:<12.7g}{} K2 = {:<12.7g}{} {}\n", before, tip.name,
-             tip.a, tip.K1, bar(0), tip.K2, bar(1), unit);
+             tip.a, tip.K1, bar(0), tip.K2, bar(1), units.stress_intensity_name());
 }
 
 // A line for each tip: of a growth by a law at KMAX of each station, else of every step.
 void print_tips(const model::Model& model, const results::Run& run) {
-  const std::string unit = model.units.stress_intensity_name();
   const std::string leading = run.growth ? report::leading_step(model) : std::string();
   for (std::size_t i = 0; i < run.increments.size(); ++i) {
     for (const results::StepResult& step : run.increments[i].steps) {
@@ -306,7 +311,7 @@ void print_tips(const model::Model& model, const results::Run& run) {
                                      ? fmt::format("N = {:<11.6g}", run.growth->stations[i].cycles)
                                      : fmt::format("{:<12}", step.step);
       for (const results::TipResult& tip : step.tips) {
-        print_tip(before, tip, unit);
+        print_tip(before, tip, model.units);
       }
     }
   }
