@@ -2,8 +2,10 @@
 #include "run/error_bars.hpp"
 
 #include "crack/stress_intensity.hpp"
+#include "estimate/corner_error.hpp"
 #include "estimate/error_bar.hpp"
 #include "estimate/mode_load.hpp"
+#include "estimate/point_support.hpp"
 #include "run/contact_flip.hpp"
 
 #include <algorithm>
@@ -15,9 +17,86 @@ namespace spricka::run {
 
 namespace {
 
-// Errors that cancel are worth a warning where the bar is more than a thousandth of K: ten times
-// its floor.
+// Errors that cancel are worth a note where the bar is more than a thousandth of K: ten times its
+// floor.
 constexpr double counts = 10.0;
+// Of the elements at a node that is held singly: where so many change K by more than its bar, the
+// bar is not that of an endlessly fine mesh, which has no K.
+constexpr double halvings = 4.0;
+
+std::vector<base::NodeId> tip_nodes(const Scene& scene) {
+  std::vector<base::NodeId> tips;
+  for (const mesh::Tip& tip : scene.cracked.tips) {
+    tips.push_back(tip.node);
+  }
+  return tips;
+}
+
+// Freedoms of nodes that supports, ties or closed contacts hold.
+std::vector<bool> fixed_freedoms(const Scene& scene, const StepState& state) {
+  std::vector<bool> fixed(scene.cls.size(), false);
+  for (std::size_t i = 0; i < fixed.size(); ++i) {
+    fixed[i] =
+        scene.cls[i] != model::FreedomClass::local && scene.cls[i] != model::FreedomClass::external;
+  }
+  for (const fe::Dependence::Row& row : scene.ties->rows()) {
+    for (const fe::Term& term : row.terms) {
+      fixed[static_cast<std::size_t>(term.freedom)] = true;
+    }
+  }
+  for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
+    const std::vector<contact::ConstraintRow>& rows = scene.pairs[c].normal;
+    for (std::size_t r = 0; state.mounted[c] && r < rows.size(); ++r) {
+      for (const contact::RowEntry& entry : rows[r].entries) {
+        if (state.pair_closed[c][r]) {
+          fixed[2 * entry.node.index()] = fixed[2 * entry.node.index() + 1] = true;
+        }
+      }
+    }
+  }
+  return fixed;
+}
+
+// What singular corners add to the errors; what supports of single nodes do to K.
+estimate::PointGiving add_corners(const model::Model& model, const Scene& scene,
+                                  const StepState& state, const estimate::CornerRequest& request,
+                                  std::vector<estimate::GoalError>& errors) {
+  const std::vector<base::NodeId> tips = tip_nodes(scene);
+  const estimate::CornerSetting setting{model,     scene.cracked.mesh, request.enrichment.edges(),
+                                        scene.cls, *scene.ties,        tips};
+  const std::vector<estimate::Corner> corners = estimate::singular_corners(setting);
+  estimate::raise_at_corners(request, corners, errors);
+  return estimate::point_giving(setting, corners, state.reaction, request.goal.z);
+}
+
+// K that is 0 whatever the mesh has no bar: K1 where faces touch, both where nothing loads the
+// body.
+void clear_exact(std::size_t elements, results::TipResult& tip) {
+  const bool unloaded = tip.G == 0.0 && tip.K1 == 0.0 && tip.K2 == 0.0 && !tip.closed;
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (unloaded || (tip.closed && k == 0)) {
+      tip.bar[k] = {};
+      tip.bar[k].of_element.assign(elements, 0.0);
+    }
+  }
+}
+
+// Why an endlessly fine mesh has no K of tip t; empty: it has.
+std::string why_no_limit(const Scene& scene, const estimate::PointGiving& giving, std::size_t t,
+                         const results::TipResult& tip) {
+  for (std::size_t k = 0; k < 2 && giving.node.valid(); ++k) {
+    const double bar = tip.bar[k].size();
+    const double change = giving.change[static_cast<Eigen::Index>(2 * t + k)];
+    if (bar > 0.0 && halvings * change > bar) {
+      const base::Vec3& x = scene.cracked.mesh.x[giving.node.index()];
+      return fmt::format(
+          "it hangs on how fine the mesh is at ({:.6g}, {:.6g}), where a single node "
+          "is held and stresses have no bound: hold a side instead",
+          x.x(), x.y());
+    }
+  }
+  return {};
+}
 
 } // namespace
 
@@ -164,8 +243,8 @@ void ErrorBars::tell(const results::TipResult& tip, results::StepResult& step) {
   for (std::size_t k = 0; k < 2; ++k) {
     if (tip.bar[k].cancels && tip.bar[k].mesh > counts * tip.bar[k].floor) {
       tell_once(
-          fmt::format("warning: K{} of {}: errors of opposite sign cancel in it; its error bar "
-                      "takes them without their signs",
+          fmt::format("K{} of {}: errors of opposite sign cancel in it; its error bar takes them "
+                      "without their signs",
                       k + 1, tip.name),
           step);
     }
@@ -183,6 +262,7 @@ void ErrorBars::add(const StepState& state, const std::vector<estimate::Adjoint>
   }
   std::vector<estimate::GoalError> errors;
   std::vector<ContactFlips> flips;
+  estimate::PointGiving giving;
   if (why_not.empty()) {
     base::Matrix z(state.u.size(), goals_.cols());
     for (std::size_t t = 0; t < adjoints.size(); ++t) {
@@ -191,7 +271,11 @@ void ErrorBars::add(const StepState& state, const std::vector<estimate::Adjoint>
     base::Vector f = load(state.case_factor);
     base::Matrix g = goals_;
     add_pressures(state, adjoints, f, g);
-    errors = estimate::goal_errors(*enrichment_, modes(state), {state.u, z, f, g});
+    const estimate::ModeMap map = modes(state);
+    const estimate::GoalRequest request{state.u, z, f, g};
+    errors = estimate::goal_errors(*enrichment_, map, request);
+    giving = add_corners(model_, scene_, state,
+                         {*enrichment_, map, request, fixed_freedoms(scene_, state)}, errors);
     flips = contact_flips(scene_, state, adjoints, held);
     tell_of_meshes(state, step);
   }
@@ -206,7 +290,7 @@ void ErrorBars::add(const StepState& state, const std::vector<estimate::Adjoint>
       if (coarse) {
         tell_once(
             fmt::format(
-                "warning: {}: nodes of a contact surface near the crack stand further apart "
+                "{}: nodes of a contact surface near the crack stand further apart "
                 "than half the crack's length; the error bar takes errors without their signs",
                 tip.name),
             step);
@@ -222,9 +306,10 @@ void ErrorBars::add(const StepState& state, const std::vector<estimate::Adjoint>
                       bars[k].mesh, bars[k].edge,    bars[k].floor,
                       bars[k].best, bars[k].cancels, own[k]->of_element};
       }
-      if (tip.closed) {
-        tip.bar[0] = {}; // K1 is 0, whatever the mesh
-        tip.bar[0].of_element.assign(scene_.cracked.mesh.element_count(), 0.0);
+      clear_exact(scene_.cracked.mesh.element_count(), tip);
+      tip.no_bar = why_no_limit(scene_, giving, t, tip);
+      if (!tip.no_bar.empty()) {
+        tell_once(fmt::format("warning: K of {}: {}", tip.name, tip.no_bar), step);
       }
     }
     tell(tip, step);

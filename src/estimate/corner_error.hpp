@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "estimate/corners.hpp"
+#include "estimate/goal_error.hpp"
+
+#include <vector>
+
+namespace spricka::estimate {
+
+/// Error over what cubics see of it at a corner (manual, estimate.17).
+double unseen_factor(double exponent);
+
+/// What the errors at corners are found from, and what they were found to be without them.
+struct CornerRequest {
+  const Enrichment& enrichment;
+  const ModeMap& map;
+  const GoalRequest& goal;
+  const std::vector<bool>& fixed; ///< [2 * node] freedoms that nothing moves further
+};
+
+/// Replaces what the elements at a corner have of each error by r_z^T S^-1 r_u of the elements
+/// about it, nodes and modes together, times unseen_factor (estimate.16). Corners whose parts
+/// change nothing that counts are left. Elements elsewhere whose material hardly changes its volume
+/// have their shares raised by what modes alone see less of (estimate.19).
+void raise_at_corners(const CornerRequest& request, const std::vector<Corner>& corners,
+                      std::vector<GoalError>& errors);
+
+} // namespace spricka::estimate

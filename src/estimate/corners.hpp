@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "estimate/edges.hpp"
+#include "fe/dependence.hpp"
+#include "model/model.hpp"
+
+#include <array>
+#include <vector>
+
+/// Where stresses have no bound though no crack ends there: ends of supports, re-entrant corners,
+/// ends and corners of material borders, nodes that are pushed or held singly. Cubic modes see a
+/// part only of the error that such places make (manual, estimate.15 to 17).
+namespace spricka::estimate {
+
+struct Corner {
+  base::NodeId node;
+  double exponent = 1.0; ///< u ~ r^exponent, below 1
+  /// [x, y] a support of this node and of none of its sides
+  std::array<bool, 2> held_alone{};
+  std::vector<base::ElementId> elements; ///< that have the node
+  std::vector<base::ElementId> around;   ///< those, and then all that touch them
+};
+
+/// What a mesh stands on. cls [2 * node]
+struct CornerSetting {
+  const model::Model& model;
+  const model::Mesh& mesh;
+  const EdgeTable& edges;
+  const std::vector<model::FreedomClass>& cls;
+  const fe::Dependence& ties;
+  const std::vector<base::NodeId>& tips; ///< of cracks: their elements follow u ~ sqrt(r)
+};
+
+/// The singular corners of a plane mesh, by their nodes. Where meshes are tied together there is
+/// none known.
+std::vector<Corner> singular_corners(const CornerSetting& setting);
+
+} // namespace spricka::estimate

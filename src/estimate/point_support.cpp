@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "estimate/point_support.hpp"
+
+#include "estimate/modes.hpp"
+#include "fe/element.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace spricka::estimate {
+
+namespace {
+
+/// Forces that hold a node of the elements, and how soft the body is.
+struct Held {
+  base::Matrix force;   ///< [2, goals]
+  double modulus = 0.0; ///< E' times thickness
+};
+
+Held hold(const CornerSetting& setting, const Corner& corner, const base::Matrix& z) {
+  Held held{base::Matrix::Zero(2, z.cols()), 0.0};
+  const model::Mesh& mesh = setting.mesh;
+  for (const base::ElementId e : corner.elements) {
+    const fe::Law law = fe::law_of(setting.model, mesh, e);
+    held.modulus =
+        law.thickness * 4.0 * law.mu * (law.lambda + law.mu) / (law.lambda + 2.0 * law.mu);
+    with_mode_shape(mesh.type[e.index()], [&]<shape::PlaneShape S>(S) {
+      const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
+      for (Eigen::Index k = 0; k < z.cols(); ++k) {
+        fe::NodeVectors<S> U;
+        for (int i = 0; i < S::nodes; ++i) {
+          U.col(i) = z.col(k).segment<2>(
+              2 * static_cast<Eigen::Index>(nodes[static_cast<std::size_t>(i)].index()));
+        }
+        const fe::NodeVectors<S> F = fe::element_force<S>(fe::coordinates<S>(mesh, e), law, U);
+        for (int i = 0; i < S::nodes; ++i) {
+          if (nodes[static_cast<std::size_t>(i)] == corner.node) {
+            held.force.col(k) += F.col(i);
+          }
+        }
+      }
+    });
+  }
+  return held;
+}
+
+} // namespace
+
+PointGiving point_giving(const CornerSetting& setting, const std::vector<Corner>& corners,
+                         const base::Vector& reaction, const base::Matrix& z) {
+  PointGiving giving{base::Vector::Zero(z.cols()), {}};
+  double most = -1.0;
+  for (const Corner& corner : corners) {
+    if (!corner.held_alone[0] && !corner.held_alone[1]) {
+      continue;
+    }
+    const Held held = hold(setting, corner, z);
+    // Flamant: u = 2 P / (pi E' t) log r under a force on the edge of a half plane
+    const double soft = 2.0 * std::numbers::ln2 / (std::numbers::pi * held.modulus);
+    double largest = 0.0;
+    for (Eigen::Index k = 0; k < z.cols(); ++k) {
+      double change = 0.0;
+      for (Eigen::Index c = 0; c < 2; ++c) {
+        if (corner.held_alone[static_cast<std::size_t>(c)]) {
+          change += soft * reaction[2 * static_cast<Eigen::Index>(corner.node.index()) + c] *
+                    held.force(c, k);
+        }
+      }
+      giving.change[k] += std::abs(change);
+      largest = std::max(largest, std::abs(change));
+    }
+    if (largest > most) {
+      most = largest;
+      giving.node = corner.node;
+    }
+  }
+  return giving;
+}
+
+} // namespace spricka::estimate
