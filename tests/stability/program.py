@@ -60,6 +60,9 @@ class Run:
                 (place / file.name).write_text(files[file.name], encoding="utf-8")
             else:
                 (place / file.name).symlink_to(file)
+        for name, content in (files or {}).items():
+            if not (place / name).exists():
+                (place / name).write_text(content, encoding="utf-8")
         deck = place / "case.deck"
         deck.write_text(text, encoding="utf-8")
         self.out = place / "out"
