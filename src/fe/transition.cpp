@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -180,15 +181,55 @@ std::vector<model::Face> slave_sides(const model::Mesh& mesh,
   return sides;
 }
 
+// A master face that ends where `best` does but hangs together with it in no node: a crack opens
+// there, or two bodies stand side by side.
+std::optional<Hit> across_mouth(const model::Mesh& mesh, const std::vector<model::Face>& faces,
+                                const std::vector<Ball>& balls, const Vec3& x, const Hit& best) {
+  constexpr double same = 1e-9;
+  for (std::size_t f = 0; f < faces.size() && mesh.dim == 2; ++f) {
+    const double reach = best.distance + same * best.size;
+    if (faces[f] == best.face || (x - balls[f].centre).norm() - balls[f].radius > reach) {
+      continue;
+    }
+    Hit hit = hit_of(mesh, faces[f], x);
+    const bool joined = std::any_of(hit.nodes.begin(), hit.nodes.end(),
+                                    [&](base::NodeId n) { return has_node(mesh, best.face, n); });
+    if (!joined && hit.distance <= reach) {
+      return hit;
+    }
+  }
+  return std::nullopt;
+}
+
+// At a mouth the slave is tied to the faces that its own sides go along.
+struct Along {
+  bool best = false, other = false;
+};
+
+Along goes_along(const model::Mesh& mesh, const std::vector<model::Face>& sides, base::NodeId slave,
+                 const Hit& best, const Hit& other) {
+  const Vec3& x = mesh.x[slave.index()];
+  const Vec3 to_best = (ball_of(mesh, best.face).centre - x).normalized();
+  const Vec3 to_other = (ball_of(mesh, other.face).centre - x).normalized();
+  Along along;
+  for (const model::Face& side : sides) {
+    if (has_node(mesh, side, slave)) {
+      const Vec3 way = ball_of(mesh, side).centre - x;
+      (way.dot(to_best) >= way.dot(to_other) ? along.best : along.other) = true;
+    }
+  }
+  return along;
+}
+
 // Ties at points hand a constant stress over exactly only where meshes nest: a fine side on two
 // coarse faces sends its forces to the wrong nodes of both.
 void warn_of_straddling(const model::Mesh& mesh, const model::Transition& transition,
                         std::size_t mpc, const std::vector<Ball>& balls,
-                        std::vector<TieTrouble>& troubles) {
+                        const std::vector<model::Face>& sides, std::vector<TieTrouble>& troubles) {
   const std::vector<model::Face>& faces = mesh.set(transition.master).faces;
   int count = 0;
   base::ElementId first;
-  for (const model::Face& side : slave_sides(mesh, mesh.set(transition.slave).nodes)) {
+  for (const model::Face& side : sides) {
     const Hit middle = nearest(mesh, faces, balls, ball_of(mesh, side).centre);
     const auto nodes = mesh.nodes_of(side.element);
     for (const int i : shape::side_nodes(mesh.type[side.element.index()], side.side)) {
@@ -220,6 +261,7 @@ void add_transition(const model::Mesh& mesh, const model::Transition& transition
   for (const model::Face& face : faces) {
     balls.push_back(ball_of(mesh, face));
   }
+  const std::vector<model::Face> sides = slave_sides(mesh, mesh.set(transition.slave).nodes);
   double worst = 0.0;
   base::NodeId worst_node;
   for (const base::NodeId slave : mesh.set(transition.slave).nodes) {
@@ -241,7 +283,20 @@ void add_transition(const model::Mesh& mesh, const model::Transition& transition
       worst = best.distance;
       worst_node = slave;
     }
-    add_ties(mesh, slave, best, mpc, ties);
+    const std::optional<Hit> other = across_mouth(mesh, faces, balls, x, best);
+    const Along along = other ? goes_along(mesh, sides, slave, best, *other) : Along{true, false};
+    if (!along.best && !along.other) {
+      troubles.push_back({mpc, fmt::format("the master opens at node {}, and no side of the slave "
+                                           "there tells to which part it is tied",
+                                           mesh.node_label[slave.index()])});
+      return;
+    }
+    if (along.best) {
+      add_ties(mesh, slave, best, mpc, ties);
+    }
+    if (along.other) {
+      add_ties(mesh, slave, *other, mpc, ties);
+    }
   }
   if (worst > 0.0) {
     troubles.push_back({mpc,
@@ -250,7 +305,7 @@ void add_transition(const model::Mesh& mesh, const model::Transition& transition
                                     worst, mesh.node_label[worst_node.index()]),
                         TieSeverity::note});
   }
-  warn_of_straddling(mesh, transition, mpc, balls, troubles);
+  warn_of_straddling(mesh, transition, mpc, balls, sides, troubles);
 }
 
 } // namespace spricka::fe

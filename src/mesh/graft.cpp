@@ -302,18 +302,4 @@ CrackedMesh graft(const model::Mesh& host, std::span<Graft> grafts) {
   return Grafter(host, grafts).graft();
 }
 
-void add_twins(model::Mesh& mesh, const std::vector<std::pair<NodeId, NodeId>>& twins) {
-  for (model::NodeSet& set : mesh.node_sets) {
-    std::vector<bool> member(mesh.node_count(), false);
-    for (const NodeId n : set.nodes) {
-      member[n.index()] = true;
-    }
-    for (const auto& [old, twin] : twins) {
-      if (member[old.index()]) {
-        set.nodes.push_back(twin);
-      }
-    }
-  }
-}
-
 } // namespace spricka::mesh

@@ -3,7 +3,6 @@
 #include "mesh/patch_mesh.hpp"
 
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace spricka::mesh {
@@ -18,8 +17,5 @@ struct Graft {
 
 /// The host with its cavities filled: mesh, `host` and all sets of the result, still uncracked.
 CrackedMesh graft(const model::Mesh& host, std::span<Graft> grafts);
-
-/// Twins of doubled nodes join the node sets of their originals.
-void add_twins(model::Mesh& mesh, const std::vector<std::pair<base::NodeId, base::NodeId>>& twins);
 
 } // namespace spricka::mesh

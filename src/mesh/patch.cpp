@@ -3,6 +3,7 @@
 
 #include "mesh/crack_check.hpp"
 #include "mesh/graft.hpp"
+#include "mesh/lip_sets.hpp"
 #include "mesh/path.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/split.hpp"
@@ -224,7 +225,6 @@ private:
   }
 
   bool open_cracks() {
-    std::vector<std::pair<NodeId, NodeId>> twins;
     for (Work& work : work_) {
       if (work.tip->patch) {
         const Graft& g = grafts_[work.graft];
@@ -234,7 +234,7 @@ private:
       }
       if (work.line->symmetric_half) {
         add_half_lip(work);
-      } else if (auto lips = split_along(result_.mesh, work.path, work.line->embedded, twins)) {
+      } else if (auto lips = split_along(result_.mesh, work.path, work.line->embedded)) {
         result_.lips.push_back(std::move(*lips));
       } else {
         diagnostics_.error(work.span, "E427",
@@ -243,7 +243,7 @@ private:
       }
       add_tips(work);
     }
-    add_twins(result_.mesh, twins);
+    settle_lips(result_.mesh, result_.lips);
     return true;
   }
 

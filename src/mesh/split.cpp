@@ -90,8 +90,7 @@ private:
 } // namespace
 
 std::optional<CrackedMesh::Lips> split_along(model::Mesh& mesh, const std::vector<NodeId>& path,
-                                             bool embedded,
-                                             std::vector<std::pair<NodeId, NodeId>>& twins) {
+                                             bool embedded) {
   std::map<NodeId, std::vector<ElementId>> around;
   for (const NodeId n : path) {
     around[n];
@@ -147,7 +146,6 @@ std::optional<CrackedMesh::Lips> split_along(model::Mesh& mesh, const std::vecto
       const auto begin = mesh.nodes.begin() + mesh.first[e.index()];
       std::replace(begin, mesh.nodes.begin() + mesh.first[e.index() + 1], path[i], twin);
     }
-    twins.emplace_back(path[i], twin);
     lips.right.push_back(twin);
   }
   lips.right.push_back(path.back());

@@ -120,6 +120,10 @@ constexpr std::array advice{
     ErrorCode{"W434", "Give bodies that meet one STATE, unless a thick one holds a thin one."},
     ErrorCode{"W435", "Refine the net where the load changes, or write it with fewer poles and "
                       "waves: what is missed is said in parts of its mean."},
+    ErrorCode{"E437",
+              "A crack gives the node at its mouth two, one for each face. Hold, tie or load "
+              "an edge that ends there, or move the crack or the node a little."},
+    ErrorCode{"E438", "Of a half model the body has one face of the crack: load that one."},
     ErrorCode{"E500", "The deck is right, but there is no analysis for this yet: exit code 4."},
     ErrorCode{"E510",
               "The message names the body and the direction that nothing holds, or the "

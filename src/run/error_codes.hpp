@@ -48,6 +48,8 @@ inline constexpr std::array later_codes{
     ErrorCode{"E434", "a load that is not a finite number everywhere"},
     ErrorCode{"E435", "a load whose total the mesh round a crack would change"},
     ErrorCode{"W435", "a load that no integration rule follows within an element"},
+    ErrorCode{"E437", "a support, tie or force in the node of a crack's mouth that tells no face"},
+    ErrorCode{"E438", "a load on a face of a crack that the body does not have"},
     ErrorCode{"E500", "a card, key or word that this version does not run"},
     ErrorCode{"E510", "a model that cannot be solved"},
     ErrorCode{"E520", "a solution that did not converge"},

@@ -5,8 +5,9 @@
 #include "fe/dof_map.hpp"
 #include "growth/crack_lines.hpp"
 #include "mesh/host.hpp"
-#include "run/scene_heat.hpp"
 #include "run/load_totals.hpp"
+#include "run/scene_heat.hpp"
+#include "run/scene_mouths.hpp"
 #include "run/scene_nodes.hpp"
 #include "run/scene_ties.hpp"
 #include "run/tip_loads.hpp"
@@ -79,25 +80,6 @@ std::optional<mesh::CrackedMesh> cracked_mesh(const model::Model& model,
   }
   const mesh::Host host(model.mesh);
   return mesh::insert_cracks(host, lines, tip_meshes(model, host, lines), spans, diagnostics);
-}
-
-// On a symmetry line the nodes behind the tip are free to open.
-void release_lips(const Scene& scene, const std::vector<mesh::CrackLine>& lines,
-                  std::vector<model::FreedomClass>& cls) {
-  const auto dim = static_cast<std::size_t>(scene.cracked.mesh.dim);
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (!lines[i].symmetric_half) {
-      continue;
-    }
-    const base::Vec3 along = (lines[i].points.back() - lines[i].points.front()).normalized();
-    const std::size_t across = std::abs(along.x()) > std::abs(along.y()) ? 1 : 0;
-    const mesh::CrackedMesh::Lips& lips = scene.cracked.lips[i];
-    const std::vector<base::NodeId>& lip = lips.left.empty() ? lips.right : lips.left;
-    for (std::size_t k = 0; k + 1 < lip.size(); ++k) {
-      model::FreedomClass& c = cls[dim * lip[k].index() + across];
-      c = c == model::FreedomClass::suppressed ? model::FreedomClass::local : c;
-    }
-  }
 }
 
 bool make_pairs(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics) {
@@ -213,6 +195,12 @@ bool make_loads(const model::Model& model, Scene& scene, base::Diagnostics& diag
     const model::LoadCase& load_case = model.cases[static_cast<std::size_t>(c)];
     scene.case_load.col(c) = fe::nodal_load(model, mesh, without_heat(load_case));
     scene.case_displacement.col(c) = fe::prescribed_displacement(model, mesh, load_case);
+    for (Eigen::Index i = 0; i < n; ++i) { // a crack may have freed one face of what a load moves
+      if (scene.cls[static_cast<std::size_t>(i)] == model::FreedomClass::local ||
+          scene.cls[static_cast<std::size_t>(i)] == model::FreedomClass::external) {
+        scene.case_displacement(i, c) = 0.0;
+      }
+    }
     scene.case_heat.push_back(heat_of(model, scene, load_case));
     const fe::CaseHeat& heat = *scene.case_heat.back();
     if (heat.temperature.size() > 0) {
@@ -302,13 +290,15 @@ std::optional<Scene> make_scene(const model::Model& model,
   scene.notes = scene.cracked.notes;
   const model::Mesh& mesh = scene.cracked.mesh;
   scene.cls = fe::classify_freedoms(model, mesh);
-  release_lips(scene, lines, scene.cls);
+  release_lips(model, lines, scene);
   const bool ties = make_scene_ties(model, scene, diagnostics);
   const bool pairs = make_pairs(model, scene, diagnostics);
   const bool tips = make_tips(model, scene, diagnostics);
   const bool lips = lips_carry_no_totals(model, scene, diagnostics);
   const bool held = supports_are_kept(model, scene, diagnostics);
-  if (!ties || !pairs || !tips || !lips || !held) {
+  const bool told = mouths_are_told(model, scene, diagnostics);
+  if (!ties || !pairs || !tips || !lips || !held || !told ||
+      !loaded_faces_are_there(model, scene, diagnostics)) {
     return std::nullopt;
   }
   make_table(scene);

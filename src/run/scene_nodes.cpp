@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/scene_nodes.hpp"
 
+#include "mesh/lip_sets.hpp"
+
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -25,12 +27,16 @@ std::vector<base::NodeId> sorted(std::vector<base::NodeId> nodes) {
   return nodes;
 }
 
-// Each node of the set carries the force: nodes that go or come change the sum.
-std::string changed(const model::Model& model, const model::Mesh& mesh, const model::Load& load) {
+// Each node of the set carries the force: nodes that go or come change the sum. The node of a
+// crack's mouth may be that of the other face.
+std::string changed(const model::Model& model, const Scene& scene, const model::Load& load) {
+  const model::Mesh& mesh = scene.cracked.mesh;
+  const mesh::LipMembership lips(mesh, scene.cracked.lips);
   const std::vector<base::NodeId> before = sorted(model.mesh.set(load.nodes).nodes);
   const std::vector<base::NodeId> now = sorted(mesh.set(load.nodes).nodes);
   for (const base::NodeId n : before) {
-    if (!std::ranges::binary_search(now, n)) {
+    const auto stays = [&](base::NodeId m) { return std::ranges::binary_search(now, m); };
+    if (!stays(n) && std::ranges::none_of(lips.nodes_with(n), stays)) {
       return fmt::format("a crack has cut out node {}, which it loads", mesh.node_label[n.index()]);
     }
   }
@@ -58,7 +64,7 @@ bool forces_are_taken(const model::Model& model, const Scene& scene,
       if (load.type != model::LoadType::force || is_nothing(load)) {
         continue;
       }
-      if (const std::string why = changed(model, mesh, load); !why.empty()) {
+      if (const std::string why = changed(model, scene, load); !why.empty()) {
         diagnostics.error(load.span, "E418", fmt::format("load case {}: {}", load_case.name, why),
                           smaller_patch);
         return false;
