@@ -2,6 +2,7 @@
 #include "run/check_quantities.hpp"
 
 #include "run/field_quantities.hpp"
+#include "run/gone_nodes.hpp"
 #include "run/growth_tests.hpp"
 #include "run/path_quantities.hpp"
 
@@ -211,11 +212,16 @@ double contact_quantity(const model::Model& model, const std::string& quantity, 
   return quantity == "ARC.TO" ? contact.arc_to : contact.mean_pressure;
 }
 
-double reaction(Arguments& args, const results::Run& run) {
+double reaction(const model::Model& model, Arguments& args, const results::Run& run) {
   const std::string set = args.name("a set");
   const std::string step = args.name("a step");
   const Eigen::Index axis = axis_of(args.name("X, Y or Z"));
   const Place at = find_place(run, step, args.number());
+  if (const auto lost = lost_reaction(model, at.increment->mesh, set)) {
+    throw Missing(fmt::format("the patch of a crack has replaced node {} of the support: ask for a "
+                              "set with the whole edge there",
+                              model.mesh.node_label[lost->index()]));
+  }
   std::vector<base::NodeId> nodes = nodes_of_set(at.increment->mesh, set);
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
@@ -346,7 +352,7 @@ double evaluate(const model::Model& model, const model::Check& check, const resu
     return estimated_error(args, run);
   }
   if (q == "REACTION") {
-    return reaction(args, run);
+    return reaction(model, args, run);
   }
   if (q.starts_with("U.") || q.starts_with("S.")) {
     return field_quantity(model, q, args, run);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/field_quantities.hpp"
 
+#include "fe/locate.hpp"
 #include "fe/stress.hpp"
 #include "mesh/boundary.hpp"
 #include "model/property_points.hpp"
 #include "results/stress_invariants.hpp"
+#include "run/gone_nodes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -112,7 +114,8 @@ std::vector<double> stresses_of_set(const model::Model& model, const Place& at,
       return values;
     }
   }
-  const std::vector<fe::Stress> nodal = fe::nodal_stress(model, mesh, stress);
+  std::vector<fe::Stress> nodal = fe::nodal_stress(model, mesh, stress);
+  fill_stresses(model, mesh, {at.step->u, at.step->temperature}, nodal);
   std::vector<bool> wanted(mesh.node_count(), false);
   for (const base::NodeId n : nodes_of_set(mesh, name)) {
     wanted[n.index()] = true;
@@ -126,22 +129,27 @@ std::vector<double> stresses_of_set(const model::Model& model, const Place& at,
   return values;
 }
 
+// Where faces of a crack, or two bodies, meet in a point and move apart there is no one
+// displacement.
 double displacement_at(const model::Mesh& mesh, const base::Vector& u, const base::Vec3& x,
                        Eigen::Index axis) {
-  std::size_t nearest = 0;
-  for (std::size_t n = 1; n < mesh.node_count(); ++n) {
-    nearest = (mesh.x[n] - x).norm() < (mesh.x[nearest] - x).norm() ? n : nearest;
+  constexpr double alike = 1e-4; // of the largest displacement
+  const std::vector<fe::PointSide> sides = fe::sides_of(mesh, fe::elements_at(mesh, x));
+  if (sides.empty()) {
+    throw Missing("the point lies outside the body");
   }
-  base::Vec3 low = mesh.x[0];
-  base::Vec3 high = mesh.x[0];
-  for (const base::Vec3& p : mesh.x) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
+  const double first = fe::displacement_at(mesh, u, sides.front())[axis];
+  double sum = 0.0;
+  for (const fe::PointSide& side : sides) {
+    const double value = fe::displacement_at(mesh, u, side)[axis];
+    if (std::abs(value - first) > alike * u.lpNorm<Eigen::Infinity>()) {
+      throw Missing(fmt::format("faces meet at that point that move apart, by {:.6g} and {:.6g}: "
+                                "ask a little beside it",
+                                first, value));
+    }
+    sum += value;
   }
-  if ((mesh.x[nearest] - x).norm() > 1e-6 * (high - low).norm()) {
-    throw Missing("U is given at nodes only: no node at that point");
-  }
-  return u[static_cast<Eigen::Index>(nearest) * mesh.dim + axis];
+  return sum / static_cast<double>(sides.size());
 }
 
 } // namespace

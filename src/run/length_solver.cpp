@@ -10,6 +10,7 @@
 #include "run/estimate.hpp"
 #include "run/finite_results.hpp"
 #include "run/gather.hpp"
+#include "run/gone_nodes.hpp"
 #include "run/lip_contact.hpp"
 #include "run/load_paths.hpp"
 #include "run/repeated_steps.hpp"
@@ -136,8 +137,10 @@ void add_face_nodes(const model::Model& model, model::Mesh& mesh) {
 
 void add_stress(const model::Model& model, const model::Mesh& mesh, results::StepResult& step) {
   const fe::StateField field{step.u, step.temperature};
-  step.stress =
-      as_results(fe::nodal_stress(model, mesh, fe::element_node_stress(model, mesh, field)));
+  std::vector<fe::Stress> nodal =
+      fe::nodal_stress(model, mesh, fe::element_node_stress(model, mesh, field));
+  fill_stresses(model, mesh, field, nodal);
+  step.stress = as_results(nodal);
   step.element_stress = as_results(fe::mean_stress(model, mesh, field));
 }
 
@@ -180,6 +183,11 @@ std::optional<results::Increment> LengthSolver::solve(const LengthRequest& reque
       std::ranges::count_if(scene->cracked.host, [](base::ElementId e) { return e.valid(); }));
   increment.mesh = std::move(scene->cracked.mesh);
   increment.surface = outer_surface(increment.mesh);
+  const std::vector<GonePlace> gone = gone_places(model_.mesh, increment.mesh);
+  for (results::StepResult& step : increment.steps) {
+    fill_displacements(increment.mesh, gone, step.u);
+  }
+  keep_gone_members(model_.mesh, increment.mesh);
   add_face_nodes(model_, increment.mesh);
   return increment;
 }

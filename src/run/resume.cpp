@@ -2,6 +2,7 @@
 #include "run/resume.hpp"
 
 #include "run/exit_codes.hpp"
+#include "run/gone_nodes.hpp"
 #include "run/length_solver.hpp"
 
 #include <fmt/format.h>
@@ -44,6 +45,7 @@ std::optional<KeptIncrement> resume(const model::Model& model, Checkpoint* check
     return std::nullopt;
   }
   checkpoint->take(number);
+  keep_gone_members(model.mesh, kept.increment.mesh);
   add_face_nodes(model, kept.increment.mesh);
   return kept;
 }

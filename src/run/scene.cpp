@@ -5,6 +5,7 @@
 #include "fe/dof_map.hpp"
 #include "growth/crack_lines.hpp"
 #include "mesh/host.hpp"
+#include "run/gone_nodes.hpp"
 #include "run/load_totals.hpp"
 #include "run/scene_heat.hpp"
 #include "run/scene_mouths.hpp"
@@ -287,7 +288,9 @@ std::optional<Scene> make_scene(const model::Model& model,
   }
   scene.cracked = std::move(*cracked);
   fill_lip_sets(model, scene.cracked);
+  add_second_sides(model.mesh, scene.cracked.mesh);
   scene.notes = scene.cracked.notes;
+  note_gone_nodes(model, scene);
   const model::Mesh& mesh = scene.cracked.mesh;
   scene.cls = fe::classify_freedoms(model, mesh);
   release_lips(model, lines, scene);

@@ -3,6 +3,7 @@
 
 #include "run/estimate.hpp"
 #include "run/gather.hpp"
+#include "run/gone_nodes.hpp"
 #include "run/lip_contact.hpp"
 
 #include <algorithm>
@@ -74,6 +75,7 @@ ShellBench::ShellBench(const BenchParts& parts, Scene scene)
   increment.a = scene_.cracked.tips.empty() ? 0.0 : scene_.cracked.tips.front().a;
   increment.notes = scene_.notes;
   increment.mesh = scene_.cracked.mesh;
+  keep_gone_members(parts_.model.mesh, increment.mesh);
   increment.kept = static_cast<std::size_t>(
       std::ranges::count_if(scene_.cracked.host, [](base::ElementId e) { return e.valid(); }));
 }
@@ -165,7 +167,10 @@ ShellResult ShellBench::reach(const std::vector<model::Step>& way, Reached& reac
 results::StepResult ShellBench::gather(const Reached& reached, const std::string& name) const {
   model::Step step;
   step.name = name;
-  return gather_step(parts_.model, scene_, bodies_, step, *reached.state);
+  results::StepResult out = gather_step(parts_.model, scene_, bodies_, step, *reached.state);
+  const model::Mesh& mesh = scene_.cracked.mesh;
+  fill_displacements(mesh, gone_places(parts_.model.mesh, mesh), out.u);
+  return out;
 }
 
 void ShellBench::take(Reached reached, const std::vector<model::Step>& way) {

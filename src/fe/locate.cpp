@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fe/locate.hpp"
+
+#include "fe/inverse_map.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+
+namespace spricka::fe {
+
+namespace {
+
+using base::ElementId;
+using base::Vec3;
+
+// A point of the exact boundary may lie off the sides of the mesh by their sagitta: so far, in
+// reference coordinates, it still belongs to the nearest element.
+constexpr double boundary_tolerance = 0.05;
+// Points this close to a side, in reference coordinates, lie on it.
+constexpr double on_side = 1e-7;
+
+bool in_box(const model::Mesh& mesh, ElementId e, const Vec3& point) {
+  Vec3 low = mesh.x[mesh.nodes_of(e).front().index()];
+  Vec3 high = low;
+  for (const base::NodeId n : mesh.nodes_of(e)) {
+    low = low.cwiseMin(mesh.x[n.index()]);
+    high = high.cwiseMax(mesh.x[n.index()]);
+  }
+  // Curved sides bulge beyond their nodes.
+  const double margin = 0.25 * (high - low).maxCoeff();
+  return ((point - low).array() >= -margin).all() && ((high - point).array() >= -margin).all();
+}
+
+template <shape::ElementShape S> shape::Point<S::dim> into_domain(shape::Point<S::dim> r) {
+  constexpr bool prism = S::domain == shape::Domain::prism;
+  constexpr int flat = prism ? 2 : S::dim; // coordinates that share a simplex
+  if constexpr (base::info(S::type).corners != 1 << S::dim) {
+    r.template head<flat>() = r.template head<flat>().cwiseMax(0.0).eval();
+    const double sum = r.template head<flat>().sum();
+    r.template head<flat>() /= std::max(sum, 1.0);
+    if constexpr (prism) {
+      r[2] = std::clamp(r[2], -1.0, 1.0);
+    }
+    return r;
+  } else {
+    return r.cwiseMax(-1.0).cwiseMin(1.0);
+  }
+}
+
+std::optional<PointHit> hit_in(const model::Mesh& mesh, ElementId e, const Vec3& point) {
+  std::optional<PointHit> found;
+  if (!in_box(mesh, e, point)) {
+    return found;
+  }
+  shape::with_shape(mesh.type[e.index()], [&]<shape::ElementShape S>(S) {
+    const shape::Point<S::dim> x = point.head<S::dim>();
+    if (const auto r = inverse_map<S>(coordinates<S>(mesh, e), x)) {
+      const double outside = shape::outside<S>(*r);
+      if (outside <= boundary_tolerance) {
+        found = PointHit{e, Vec3::Zero(), outside};
+        found->r.head<S::dim>() = into_domain<S>(*r);
+      }
+    }
+  });
+  return found;
+}
+
+bool share_node(const model::Mesh& mesh, ElementId a, ElementId b) {
+  const auto nodes = mesh.nodes_of(b);
+  return std::ranges::any_of(
+      mesh.nodes_of(a), [&](base::NodeId n) { return std::ranges::find(nodes, n) != nodes.end(); });
+}
+
+} // namespace
+
+std::vector<PointHit> elements_at(const model::Mesh& mesh, const Vec3& point) {
+  std::vector<PointHit> hits;
+  for (std::size_t i = 0; i < mesh.element_count(); ++i) {
+    if (const std::optional<PointHit> hit = hit_in(mesh, ElementId(i), point)) {
+      hits.push_back(*hit);
+    }
+  }
+  return hits;
+}
+
+std::vector<PointHit> elements_at(const model::Mesh& mesh, const Vec3& point,
+                                  std::span<const ElementId> among) {
+  std::vector<PointHit> hits;
+  for (const ElementId e : among) {
+    if (const std::optional<PointHit> hit = hit_in(mesh, e, point)) {
+      hits.push_back(*hit);
+    }
+  }
+  return hits;
+}
+
+std::vector<PointSide> sides_of(const model::Mesh& mesh, const std::vector<PointHit>& hits) {
+  double least = boundary_tolerance;
+  for (const PointHit& hit : hits) {
+    least = std::min(least, hit.outside);
+  }
+  std::vector<PointSide> sides;
+  for (const PointHit& hit : hits) {
+    if (hit.outside > std::max(least, on_side)) {
+      continue;
+    }
+    PointSide joined{hit};
+    std::erase_if(sides, [&](const PointSide& side) {
+      const bool same = std::ranges::any_of(
+          side, [&](const PointHit& h) { return share_node(mesh, h.element, hit.element); });
+      if (same) {
+        joined.insert(joined.end(), side.begin(), side.end());
+      }
+      return same;
+    });
+    std::ranges::sort(joined, {}, &PointHit::element);
+    sides.push_back(std::move(joined));
+  }
+  std::ranges::sort(sides, {}, [](const PointSide& side) { return side.front().element; });
+  return sides;
+}
+
+Vec3 displacement_at(const model::Mesh& mesh, const base::Vector& u, const PointSide& side) {
+  const PointHit& hit = *std::ranges::min_element(side, {}, &PointHit::outside);
+  Vec3 value = Vec3::Zero();
+  shape::with_shape(mesh.type[hit.element.index()], [&]<shape::ElementShape S>(S) {
+    value.head<S::dim>() =
+        gather<S>(mesh, hit.element, u) * S::N(shape::Point<S::dim>(hit.r.head<S::dim>()));
+  });
+  return value;
+}
+
+} // namespace spricka::fe

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/id.hpp"
+#include "base/vec.hpp"
+#include "model/mesh.hpp"
+
+#include <span>
+#include <vector>
+
+namespace spricka::fe {
+
+/// A place inside an element: reference coordinates r, and how far the point that was looked for
+/// lies outside the element in them; 0 inside.
+struct PointHit {
+  base::ElementId element;
+  base::Vec3 r = base::Vec3::Zero();
+  double outside = 0.0;
+};
+
+/// Elements that hold a point, in mesh order. A point of the true boundary that lies off the mesh
+/// by less than 5 % of an element (the sagitta of an arc) belongs to the elements next to it.
+std::vector<PointHit> elements_at(const model::Mesh& mesh, const base::Vec3& point);
+/// The same among some elements.
+std::vector<PointHit> elements_at(const model::Mesh& mesh, const base::Vec3& point,
+                                  std::span<const base::ElementId> among);
+
+/// Elements at a point that hang together there. Where faces of a crack or two bodies meet there
+/// are several, in mesh order of their first elements.
+using PointSide = std::vector<PointHit>;
+std::vector<PointSide> sides_of(const model::Mesh& mesh, const std::vector<PointHit>& hits);
+
+/// Displacement [3] on one side of a point, of the nodal vector u [dim * node].
+base::Vec3 displacement_at(const model::Mesh& mesh, const base::Vector& u, const PointSide& side);
+
+} // namespace spricka::fe
