@@ -80,8 +80,11 @@ std::string number_name(const ResultQuantity& quantity, std::size_t before, bool
   if (quantity.name.starts_with("PATH.")) {
     return "t";
   }
-  if (quantity.name == "CPRESS.AT") {
+  if (quantity.name == "CPRESS.AT" || quantity.name == "SHEAR.AT") {
     return "theta";
+  }
+  if (quantity.name.starts_with("ARC.PART.")) {
+    return "n";
   }
   if (quantity.name.ends_with(".AT") || quantity.name.ends_with(".NEAR")) {
     return before == 0 ? "x" : "y";

@@ -3,6 +3,7 @@
 
 #include "contact/arc.hpp"
 #include "contact/axis_ends.hpp"
+#include "contact/slave_places.hpp"
 #include "contact/smooth.hpp"
 
 #include <algorithm>
@@ -122,6 +123,21 @@ void mark_lips(const Surface& surface, std::vector<Place>& places) {
         // A chain that starts here lies ahead of the mouth, one that ends here behind it.
         places[a].at.lip = places[a].at.arc == 0.0 ? 1 : -1;
       }
+    }
+  }
+}
+
+// Chain after chain: lengths along the whole surface.
+void string_chains(const Surface& surface, std::vector<Place>& places) {
+  const std::vector<double> starts = chain_starts(surface);
+  std::size_t at = 0;
+  for (std::size_t c = 0; c < surface.chains.size(); ++c) {
+    std::size_t count = surface.chains[c].closed ? 0 : 1;
+    for (const Edge& edge : surface.chains[c].edges) {
+      count += static_cast<std::size_t>(edge.count) - 1;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      places[at++].at.arc += starts[c];
     }
   }
 }
@@ -313,6 +329,7 @@ PairPressure recover_pressure(const PairRows& pair, const base::Vector& lambda,
                               const base::Vector& gap, const std::vector<bool>& closed) {
   std::vector<Place> places = ordered_places(pair.contact);
   mark_lips(pair.contact, places);
+  string_chains(pair.contact, places);
   Numbering number;
   for (const Place& p : places) {
     number.try_emplace(p.at.node, static_cast<Eigen::Index>(number.size()));
@@ -354,7 +371,13 @@ PairPressure recover_pressure(const PairRows& pair, const base::Vector& lambda,
   if (pair.faces) {
     close_tips(result.nodes);
   }
-  const Arc arc = longest_arc(pair.contact, result.nodes, pair.segments);
+  Arc arc = longest_arc(pair.contact, result.nodes, pair.segments);
+  if (std::ranges::any_of(result.nodes, &NodePressure::closed)) {
+    count_along_slave(pair, result.nodes, arc);
+  } else {
+    Arc nothing;
+    count_along_slave(pair, result.nodes, nothing);
+  }
   result.arc_from = arc.from;
   result.arc_to = arc.to;
   return result;

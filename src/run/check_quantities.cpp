@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/check_quantities.hpp"
 
+#include "run/closed_parts.hpp"
 #include "run/field_quantities.hpp"
 #include "run/gone_nodes.hpp"
 #include "run/growth_tests.hpp"
 #include "run/path_quantities.hpp"
+#include "run/place_quantities.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -91,8 +93,7 @@ double extreme(const results::ContactResult& contact, PointValue value, bool lar
 // from their own side.
 double value_at(const results::ContactResult& contact, PointValue value, double place) {
   constexpr double turn = 2.0 * std::numbers::pi;
-  const bool round =
-      std::ranges::any_of(contact.points, [](const auto& p) { return p.theta != 0.0; });
+  const bool round = contact.round;
   const results::ContactPoint* below = nullptr;
   const results::ContactPoint* above = nullptr;
   double down = std::numeric_limits<double>::infinity();
@@ -111,6 +112,9 @@ double value_at(const results::ContactResult& contact, PointValue value, double 
   if (below == nullptr || above == nullptr || (round && up + down > 1.0)) {
     throw Missing(round ? "no contact surface at that angle"
                         : "no contact surface at that distance");
+  }
+  if (between_pieces(contact, place)) {
+    return 0.0;
   }
   const double t = up + down > 0.0 ? down / (up + down) : 0.0;
   return (1.0 - t) * (below->*value) + t * (above->*value);
@@ -136,31 +140,6 @@ bool of_friction(const std::string& quantity) {
   return quantity.starts_with("STICK.") || quantity == "SLIP.MAX" || quantity == "FRICTION.WORK";
 }
 
-// The pressure at the place of the surface that is nearest to a point, between two nodes that
-// follow one another.
-double pressure_near(const results::ContactResult& contact, bool consistent, const base::Vec2& x) {
-  if (contact.points.empty()) {
-    throw Missing("the contact has no surface");
-  }
-  double best = std::numeric_limits<double>::infinity();
-  double found = 0.0;
-  for (std::size_t i = 0; i < contact.points.size(); ++i) {
-    const results::ContactPoint& a = contact.points[i];
-    const bool last = i + 1 == contact.points.size() || contact.points[i + 1].arc <= a.arc;
-    const results::ContactPoint& b = last ? a : contact.points[i + 1];
-    const base::Vec2 chord = (b.x - a.x).head<2>();
-    const base::Vec2 from = x - a.x.head<2>();
-    const double t = last ? 0.0 : std::clamp(from.dot(chord) / chord.squaredNorm(), 0.0, 1.0);
-    const double distance = (from - t * chord).norm();
-    if (distance < best) {
-      best = distance;
-      found = (1.0 - t) * a.*value_of("CPRESS.AT", consistent) +
-              t * b.*value_of("CPRESS.AT", consistent);
-    }
-  }
-  return found;
-}
-
 double contact_quantity(const model::Model& model, const std::string& quantity, Arguments& args,
                         const results::Run& run) {
   const std::string name = args.name("a contact");
@@ -173,7 +152,9 @@ double contact_quantity(const model::Model& model, const std::string& quantity, 
   std::optional<double> theta;
   int component = 0;
   if (quantity == "CPRESS.AT" || quantity == "SHEAR.AT") {
-    theta = args.needed("an angle");
+    theta = args.needed("an angle or a length");
+  } else if (quantity.starts_with("ARC.PART.")) {
+    theta = args.needed("a number");
   } else if (quantity == "SUM") {
     const std::string axis = args.name("X, Y or Z");
     component = axis == "Z" ? 2 : (axis == "Y" ? 1 : 0);
@@ -188,10 +169,10 @@ double contact_quantity(const model::Model& model, const std::string& quantity, 
     throw Missing(fmt::format("contact {} has no shear: neither MU nor TYPE=BONDED", name));
   }
   if (place) {
-    return pressure_near(contact, consistent, *place);
+    return pressure_near(contact, value_of("CPRESS.AT", consistent), *place);
   }
-  if (theta && !contact.round) {
-    throw Missing("the contact surface is no circle: CPRESS.NEAR takes a place");
+  if (quantity.starts_with("ARC.PART.")) {
+    return end_of_part(contact, quantity, *theta);
   }
   if (theta) {
     return value_at(contact, value_of(quantity, consistent), *theta);
@@ -208,6 +189,9 @@ double contact_quantity(const model::Model& model, const std::string& quantity, 
   }
   if (quantity == "ARC.FROM") {
     return contact.arc_from;
+  }
+  if (quantity == "ARC.PARTS") {
+    return static_cast<double>(closed_parts(contact).size());
   }
   return quantity == "ARC.TO" ? contact.arc_to : contact.mean_pressure;
 }

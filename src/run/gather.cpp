@@ -2,7 +2,9 @@
 #include "run/gather.hpp"
 
 #include "contact/marked_arc.hpp"
+#include "contact/slave_places.hpp"
 #include "crack/stress_intensity.hpp"
+#include "run/closed_parts.hpp"
 #include "run/judge_faces.hpp"
 #include "run/judge_size.hpp"
 #include "run/lip_contact.hpp"
@@ -89,7 +91,7 @@ void gather_friction(const Scene& scene, const StepState& state, std::size_t c,
   const contact::PairRows& pair = scene.pairs[c];
   const PairFriction& friction = state.friction[c];
   const auto normals = static_cast<Eigen::Index>(pair.normal.size());
-  const bool round = pair.contact.circle.has_value();
+  const bool round = contact::counts_angles(pair);
   std::vector<contact::ArcNode> arc;
   result.rubs = true;
   for (std::size_t i = 0; i < result.points.size(); ++i) {
@@ -201,7 +203,7 @@ void gather_contacts(const Scene& scene, const StepState& state, results::StepRe
     result.force_on_slave = p.force_on_slave;
     result.mean_pressure = p.mean_pressure;
     result.max_penetration = p.max_penetration;
-    result.round = pair.contact.circle.has_value();
+    result.round = contact::counts_angles(pair);
     result.arc_from = p.arc_from;
     result.arc_to = p.arc_to;
     result.closed = p.closed;
@@ -229,11 +231,22 @@ void gather_contacts(const Scene& scene, const StepState& state, results::StepRe
       gather_friction(scene, state, c, p, result);
       out.friction_work += result.friction_work;
     }
+    if (!result.round) {
+      if (pair.swapped) { // which runs the other way
+        std::ranges::reverse(result.points);
+      }
+      std::ranges::stable_sort(result.points, {}, &results::ContactPoint::arc);
+    }
     count_from_mouth(scene, c, result);
     note_parting(scene, c, result, out);
     result.unbounded = pressed_edges(pair, p.nodes);
     if (!result.unbounded.empty()) {
       out.notes.push_back(unbounded_note(result));
+    }
+    const bool unilateral = scene.contacts[c].type == model::ContactType::unilateral;
+    const std::string parts = result.mounted && unilateral ? parts_note(result) : std::string();
+    if (!parts.empty()) {
+      out.notes.push_back(parts);
     }
     out.contacts.push_back(std::move(result));
   }

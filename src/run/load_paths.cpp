@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/load_paths.hpp"
 
+#include "contact/slave_places.hpp"
 #include "crack/stress_intensity.hpp"
 #include "run/closed_run.hpp"
 #include "run/history_program.hpp"
@@ -272,7 +273,7 @@ void LoadPaths::contacts(const solve::SolutionPath& found, const End& end,
     }
     results::PathContact contact;
     contact.name = scene_.contacts[c].name;
-    contact.round = pair.contact.circle.has_value();
+    contact.round = contact::counts_angles(pair);
     contact.rows = static_cast<int>(normal);
     std::unordered_map<std::int32_t, double> place_of;
     for (const results::ContactPoint& p : end.result.contacts[c].points) {

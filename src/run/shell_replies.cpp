@@ -3,6 +3,7 @@
 
 #include "report/sensitivity.hpp"
 #include "report/table.hpp"
+#include "run/closed_parts.hpp"
 #include "run/shell_names.hpp"
 
 #include <algorithm>
@@ -177,7 +178,15 @@ std::string pressure_reply(const ShellSession& session, const results::ContactRe
 }
 
 std::string arc_reply(const ShellSession& session, const results::ContactResult& contact) {
-  return fmt::format("{:<12} {}\n", contact.name, closed_part(contact, session.model().units));
+  std::string text =
+      fmt::format("{:<12} {}\n", contact.name, closed_part(contact, session.model().units));
+  const std::vector<std::array<double, 2>> parts = closed_parts(contact);
+  for (std::size_t i = 0; contact.mounted && parts.size() > 1 && i < parts.size(); ++i) {
+    text += fmt::format("  part {} of {}: {} .. {}\n", i + 1, parts.size(),
+                        place(contact, parts[i][0], session.model().units),
+                        place(contact, parts[i][1], session.model().units));
+  }
+  return text;
 }
 
 std::string map_reply(const ShellSession& session) {
