@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "grammar/compile.hpp"
 
+#include "base/messages.hpp"
+
 #include "grammar/lexeme.hpp"
 
 #include <algorithm>
@@ -161,6 +163,10 @@ private:
       return;
     }
     std::vector<std::string> valid;
+    if (!base::is_worth_a_hint(diagnostics_)) {
+      fail(span, "E201", fmt::format("'{}' is not a parameter defined above", written));
+      return;
+    }
     for (const auto& [known, value] : scope_.values) {
       valid.push_back(known);
     }

@@ -239,14 +239,19 @@ std::string format(const Sources& sources, const Diagnostics& diagnostics, Colou
                    std::size_t limit) {
   std::string out;
   std::size_t errors = 0;
+  std::size_t warnings = 0;
   for (const Diagnostic* d : in_order(diagnostics)) {
-    if (d->severity == Severity::error && ++errors > limit) {
+    if ((d->severity == Severity::error && ++errors > limit) ||
+        (d->severity == Severity::warning && ++warnings > limit)) {
       continue;
     }
     out += format_one(sources, *d, colour);
   }
   if (errors > limit) {
     out += fmt::format("... and {} more errors\n", errors - limit);
+  }
+  if (warnings > limit) {
+    out += fmt::format("... and {} more warnings\n", warnings - limit);
   }
   return out;
 }

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/load.hpp"
 
+#include "base/input_file.hpp"
 #include "grammar/parse.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <cstdio>
-#include <limits>
-#include <memory>
-#include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -23,41 +18,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t k_deepest_include = 16;
-constexpr std::size_t k_longest_text = std::numeric_limits<std::uint32_t>::max(); ///< see Span
+constexpr std::size_t k_most_includes = 1000; ///< of one deck, each as often as it is included
 
-std::string read_file(const fs::path& path) {
-  std::error_code unknown;
-  if (fs::is_directory(path, unknown)) {
-    throw std::system_error(EISDIR, std::generic_category(), path.string());
-  }
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                             &std::fclose);
-  if (!file) {
-    throw std::system_error(errno, std::generic_category(), path.string());
-  }
-  // A plain file is read in one go; what has no size (a pipe) or grows meanwhile, by chunks.
-  std::string text;
-  if (const auto size = fs::file_size(path, unknown); !unknown) {
-    if (size > k_longest_text) {
-      throw std::system_error(EFBIG, std::generic_category(), path.string());
-    }
-    text.resize(static_cast<std::size_t>(size));
-  }
-  std::size_t filled = std::fread(text.data(), 1, text.size(), file.get());
-  constexpr std::size_t chunk = std::size_t{1} << 16U;
-  std::array<char, chunk> more;
-  text.resize(filled);
-  while (const std::size_t got = std::fread(more.data(), 1, chunk, file.get())) {
-    text.append(more.data(), got);
-    filled += got;
-    if (filled > k_longest_text) { // a device may go on for ever
-      throw std::system_error(EFBIG, std::generic_category(), path.string());
-    }
-  }
-  if (std::ferror(file.get()) != 0) {
-    throw std::system_error(EIO, std::generic_category(), path.string());
-  }
-  // lines that end with a carriage return alone, as long ago on the Macintosh
+// Lines that end with a carriage return alone, as long ago on the Macintosh, end with a line feed.
+std::string with_line_feeds(std::string text) {
   if (text.find('\n') == std::string::npos) {
     std::replace(text.begin(), text.end(), '\r', '\n');
   }
@@ -79,7 +43,9 @@ public:
       : sources_(sources), diagnostics_(diagnostics) {}
 
   void file(const fs::path& path, std::string shown) {
-    const std::int32_t number = sources_.add(std::move(shown), read_file(path));
+    std::string text = with_line_feeds(base::read_file(path, base::largest_deck - bytes_));
+    bytes_ += text.size();
+    const std::int32_t number = sources_.add(std::move(shown), std::move(text));
     if (!is_text(number)) {
       deck.incomplete = true;
       return;
@@ -122,15 +88,19 @@ private:
     const fs::path canonical = fs::weakly_canonical(path, unknown);
     if (!unknown && std::find(open_.begin(), open_.end(), canonical) != open_.end()) {
       refuse(*name, fmt::format("'{}' includes itself", name->text));
-    } else if (fs::is_character_file(path, unknown) || fs::is_block_file(path, unknown)) {
-      refuse(*name, fmt::format("'{}' is a device, not a file", name->text));
     } else if (open_.size() > k_deepest_include) {
       refuse(*name, fmt::format("includes are nested more than {} deep", k_deepest_include));
+    } else if (includes_ == k_most_includes) {
+      if (!too_many_) { // once: those that follow are as many again
+        refuse(*name, fmt::format("more than {} files are included", k_most_includes));
+      }
+      too_many_ = true;
     } else {
+      ++includes_;
       try {
         file(path, path.string());
       } catch (const std::system_error& trouble) {
-        refuse(*name, fmt::format("cannot read '{}': {}", path.string(), trouble.code().message()));
+        refuse(*name, trouble.what());
       }
     }
   }
@@ -143,6 +113,9 @@ private:
   base::Sources& sources_;
   base::Diagnostics& diagnostics_;
   std::vector<fs::path> open_;
+  std::size_t bytes_ = 0;    ///< of all texts so far
+  std::size_t includes_ = 0; ///< read so far
+  bool too_many_ = false;
 };
 
 base::Span end_of_text(const base::Sources& sources, std::int32_t file) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/number_file.hpp"
 
+#include "base/input_file.hpp"
+
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
-#include <fstream>
 
 #include <fmt/format.h>
 
@@ -37,16 +39,20 @@ std::optional<std::vector<NumberLine>> number_file(Context& context, const Bound
   const std::filesystem::path path =
       std::filesystem::path(context.sources.name(card.span.file)).parent_path() /
       std::string(card.word(key));
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) {
-    context.error(span, "E308", fmt::format("cannot read '{}'", path.string()));
+  std::string all;
+  try {
+    all = base::read_file(path, base::largest_number_file);
+  } catch (const base::UnreadableFile& trouble) {
+    context.error(span, "E308", trouble.what());
     return std::nullopt;
   }
   context.model.imported_files.push_back(path.string());
   std::vector<NumberLine> lines;
-  std::string text;
-  for (std::size_t number = 1; std::getline(stream, text); ++number) {
-    NumberLine line = numbers_in(std::string_view(text).substr(0, text.find_first_of("!#")));
+  std::string_view rest = all;
+  for (std::size_t number = 1; !rest.empty(); ++number) {
+    const std::string_view text = rest.substr(0, rest.find('\n'));
+    rest.remove_prefix(std::min(text.size() + 1, rest.size()));
+    NumberLine line = numbers_in(text.substr(0, text.find_first_of("!#")));
     if (!line.sound || !line.numbers.empty()) {
       line.span = span;
       line.where = fmt::format("line {} of '{}': ", number, path.string());

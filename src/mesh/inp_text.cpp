@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/inp_text.hpp"
 
+#include "base/input_file.hpp"
 #include "base/label.hpp"
 #include "mesh/set_name.hpp"
 
@@ -9,13 +10,13 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
-#include <fstream>
 #include <system_error>
 
 namespace spricka::mesh {
 namespace {
 
 constexpr std::size_t k_deepest_include = 16;
+constexpr std::size_t k_most_includes = 1000; ///< each as often as it is included
 constexpr std::string_view blanks = " \t\r";
 
 std::string_view trimmed(std::string_view text) {
@@ -38,18 +39,6 @@ std::string unquoted(std::string_view text) {
     text = text.substr(1, text.size() - 2);
   }
   return std::string(text);
-}
-
-bool read(const std::filesystem::path& path, std::string& text) {
-  std::error_code unknown;
-  if (!std::filesystem::is_regular_file(path, unknown)) {
-    return false;
-  }
-  std::ifstream in(path, std::ios::binary);
-  text.resize(static_cast<std::size_t>(std::filesystem::file_size(path, unknown)));
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
-  return !in.bad() && !unknown;
 }
 
 /// Fortran writes 1.5D3.
@@ -90,12 +79,27 @@ void InpText::open(const std::filesystem::path& path, InpPlace from) {
     complain_(from, "*INCLUDE: files are nested too deep");
     return;
   }
+  if (files_.size() > k_most_includes) {
+    if (files_.size() == k_most_includes + 1) { // once: those that follow are as many again
+      complain_(from, fmt::format("*INCLUDE: more than {} files are included", k_most_includes));
+      files_.emplace_back();
+    }
+    return;
+  }
   File file;
   file.path = path;
-  if (!read(path, file.text)) {
+  std::error_code unknown;
+  if (!std::filesystem::exists(path, unknown)) {
     complain_(from, fmt::format("there is no file '{}'", path.string()));
     return;
   }
+  try {
+    file.text = base::read_file(path, base::largest_mesh_file - bytes_);
+  } catch (const base::UnreadableFile& trouble) {
+    complain_(from, trouble.what());
+    return;
+  }
+  bytes_ += file.text.size();
   open_.push_back(static_cast<std::uint32_t>(files_.size()));
   files_.push_back(std::move(file));
 }

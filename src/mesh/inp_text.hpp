@@ -64,6 +64,7 @@ private:
   Complain complain_;
   std::deque<File> files_;
   std::vector<std::uint32_t> open_;
+  std::size_t bytes_ = 0; ///< of all files so far
   std::string_view line_;
   InpPlace place_;
   InpKeyword keyword_;

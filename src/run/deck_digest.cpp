@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/deck_digest.hpp"
 
+#include "base/input_file.hpp"
 #include "run/hasher.hpp"
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -18,8 +17,11 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string slurp(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  try {
+    return base::read_file(file, base::largest_mesh_file);
+  } catch (const base::UnreadableFile&) {
+    return {};
+  }
 }
 
 // Include "a.geo"; Merge "b.msh"; ShapeFromFile("c.step"): every quoted name of a file that is

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/point_record.hpp"
 
+#include "base/input_file.hpp"
 #include "run/run_folder.hpp"
 
-#include <fstream>
 #include <limits>
 
 #include <nlohmann/json.hpp>
@@ -68,18 +68,20 @@ std::string write_point_record(const results::Sweep& sweep, const SweepPoint& po
 
 std::optional<SweepPoint> read_point_record(const std::filesystem::path& folder,
                                             const std::string& digest) {
-  std::ifstream in(folder / point_record_name);
-  if (!in || !std::filesystem::exists(folder / listing_name)) {
+  if (!std::filesystem::exists(folder / listing_name)) {
     return std::nullopt;
   }
   try {
-    const json record = json::parse(in);
+    const json record =
+        json::parse(base::read_file(folder / point_record_name, base::largest_number_file));
     if (record.at("digest").get<std::string>() != digest) {
       return std::nullopt;
     }
     return point_from(record);
   } catch (const json::exception&) {
     return std::nullopt; // not whole: as good as none
+  } catch (const base::UnreadableFile&) {
+    return std::nullopt;
   }
 }
 
