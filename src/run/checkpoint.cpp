@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/checkpoint.hpp"
 
+#include "base/input_file.hpp"
+#include "base/output_file.hpp"
 #include "results/store_run.hpp"
 #include "run/results_file.hpp"
 #include "run/safe_file.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cstring>
 
@@ -40,9 +41,26 @@ std::string file_name(int round, int number, const std::string& hash) {
                      hash.substr(0, 8));
 }
 
-bool our_name(const std::string& name) {
-  return name.ends_with(".h5") && name.find('-') != std::string::npos &&
-         std::isdigit(static_cast<unsigned char>(name.front())) != 0;
+// As file_name() makes them, "2.0003-0f1e2d3c.h5", and with the first line of an increment: nobody
+// else's file.
+bool is_ours(const fs::path& file) {
+  const std::string name = file.filename().string();
+  constexpr std::string_view digits = "0123456789";
+  const std::size_t round = name.find_first_not_of(digits);
+  const std::size_t number = round < name.size() && name[round] == '.' ? round + 1 : 0;
+  const std::size_t dash = std::min(name.find_first_not_of(digits, number), name.size());
+  const std::string_view rest = std::string_view(name).substr(dash);
+  constexpr std::string_view form = "-01234567.h5";
+  if (dash < number + 4 || rest.size() != form.size() || rest.front() != '-' ||
+      !rest.ends_with(".h5") ||
+      rest.substr(1, 8).find_first_not_of("0123456789abcdef") != std::string_view::npos) {
+    return false;
+  }
+  try {
+    return base::read_beginning(file, frame_size).starts_with("spricka increment ");
+  } catch (const base::UnreadableFile&) {
+    return false;
+  }
 }
 
 std::string increment_bytes(const results::Increment& increment,
@@ -290,8 +308,7 @@ void Checkpoint::put_on_disk() {
   const fs::path before = list_before(place_.write);
   std::error_code none;
   if (fs::exists(place_.write, none)) {
-    const fs::path linked = with(place_.write, ".1.part");
-    fs::remove(linked, none);
+    const fs::path linked = base::free_part(before);
     fs::create_hard_link(place_.write, linked, none);
     if (!none) {
       fs::rename(linked, before, none);
@@ -317,7 +334,7 @@ void Checkpoint::sweep_folder() const {
     const bool listed =
         std::ranges::find(before_, name) != before_.end() ||
         std::ranges::any_of(entries_, [&](const KeptEntry& e) { return e.file == name; });
-    if (!listed && (our_name(name) || name.ends_with(".h5.part"))) {
+    if (!listed && is_ours(entry.path())) {
       old.push_back(entry.path());
     }
   }

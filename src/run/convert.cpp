@@ -13,6 +13,8 @@
 #include "report/file.hpp"
 #include "report/report.hpp"
 #include "run/run_deck.hpp"
+#include "run/safe_file.hpp"
+#include "run/standard_streams.hpp"
 
 #include <algorithm>
 #include <array>
@@ -198,6 +200,24 @@ model::Mesh with_face_nodes(const model::Mesh& mesh) {
   return marked;
 }
 
+/// Throws FileTrouble when the file to be written is one that was read.
+void refuse_to_replace_input(const ConvertOptions& options, const base::Sources& sources,
+                             const model::Model& model) {
+  std::vector<std::filesystem::path> read{options.in};
+  for (std::int32_t f = 0; f < static_cast<std::int32_t>(sources.count()); ++f) {
+    read.emplace_back(sources.name(f));
+  }
+  read.insert(read.end(), model.imported_files.begin(), model.imported_files.end());
+  for (const std::filesystem::path& file : read) {
+    std::error_code unknown;
+    if (std::filesystem::equivalent(file, options.out, unknown)) {
+      throw FileTrouble("E464", fmt::format("{} is read here, and is not overwritten; give OUT "
+                                            "another name",
+                                            options.out.string()));
+    }
+  }
+}
+
 int write(const ConvertOptions& options, const base::Sources& sources, const model::Model& model,
           const Log& log) {
   const std::string kind = extension(options.out);
@@ -228,8 +248,8 @@ int convert(const ConvertOptions& options) {
   const Log log(options.log_format);
   const std::string kind = extension(options.out);
   if (kind != ".msh" && kind != ".vtu" && kind != ".inp") {
-    fmt::print(stderr, "spricka convert: OUT ends with .msh, .vtu or .inp, not '{}'\n",
-               options.out.string());
+    to_stderr(fmt::format("spricka convert: OUT ends with .msh, .vtu or .inp, not '{}'\n",
+                          options.out.string()));
     return exit_code::usage;
   }
   try {
@@ -251,7 +271,11 @@ int convert(const ConvertOptions& options) {
     if (!model || diagnostics.has_errors()) {
       return exit_code::deck_error;
     }
+    refuse_to_replace_input(options, sources, *model);
     return write(options, sources, *model, log);
+  } catch (const FileTrouble& trouble) {
+    log.message(base::Severity::error, trouble.code(), trouble.what());
+    return exit_code::file_trouble;
   } catch (const std::system_error& trouble) {
     log.message(base::Severity::error, "E530", trouble.what());
     return exit_code::file_trouble;

@@ -28,7 +28,9 @@ constexpr std::array advice{
                       "stand before it. A file for $INCLUDE is not run by itself."},
     ErrorCode{"E112", "Write $END as the last line of the deck's own file. It shows that nothing "
                       "was lost."},
-    ErrorCode{"E113", "Paths count from the file that holds the $INCLUDE."},
+    ErrorCode{"E113",
+              "Paths count from the file that holds the $INCLUDE. Only plain files are read, "
+              "no pipes or devices: 1000 at most, 16 deep, 1 GiB together."},
     ErrorCode{"E114", "Each $NET is closed by $ENDNET before the next one opens."},
     ErrorCode{"E115", "spricka help CARD shows the form of a data line and an example."},
     ErrorCode{"E117", "Names have letters A to Z, digits and _, and start with a letter."},
@@ -47,7 +49,12 @@ constexpr std::array advice{
     ErrorCode{"E208", "Functions, pi, x, y, z, rho, theta, and, or are taken."},
     ErrorCode{"E209", "The place has a value only in WHERE, ORDER and the values of $LOAD."},
     ErrorCode{"E210", "Write -D NAME=expression, in quotes if it holds brackets: -D 'F=80[kN]'."},
-    ErrorCode{"E301", "Outside its net a set is called NET.SET."},
+    ErrorCode{"E301",
+              "Mend the name, or define it by its card: $NSET, $FSET, $MATERIAL, $CONTACT .. "
+              "Outside its net a set is called NET.SET. spricka check lists the sets."},
+    ErrorCode{"E308",
+              "Paths count from the file that holds the card. Only plain files are read, no "
+              "pipes or devices: 256 MiB at most of numbers, 4 GiB of a mesh."},
     ErrorCode{"E302", "Names of one kind differ; sets of different nets may be alike."},
     ErrorCode{"E305", "Give every element set a $PROPERTY."},
     ErrorCode{"E307", "Number the nodes against the clock, corners first, then mid-edge nodes."},
@@ -61,6 +68,9 @@ constexpr std::array advice{
     ErrorCode{"E320",
               "A step says how it ends: one LOAD for a case, one FIT or MOUNT for a contact."},
     ErrorCode{"E321", "Look at the numbers of elements, NX NY NZ or NR NT, for a digit too many."},
+    ErrorCode{"E322",
+              "Choose another FILE: k_set.csv, not k.csv. It counts without its folders, as "
+              "all files lie in the run folder, and each $OUTPUT has its own."},
     ErrorCode{"E323", "Take two different steps with no MOUNT or DISMOUNT between them: it changes "
                       "where gaps count from. Paths before and behind it are two cards."},
     ErrorCode{"E324",
@@ -95,8 +105,11 @@ constexpr std::array advice{
               "near a crack use TRACTION or RESULTANT on a face set."},
     ErrorCode{"E421", "The first point of a free crack lies on the boundary of its net; the "
                       "message names the nearest one."},
-    ErrorCode{"E423", "RADIUS of $TIPNET must be smaller than the room named, SIZE smaller than "
-                      "RADIUS."},
+    ErrorCode{"E423",
+              "RADIUS of $TIPNET must be smaller than the room named, SIZE smaller than "
+              "RADIUS. Where the net section is lost, take a shorter A0; a body cut through is "
+              "two nets. Along a line of symmetry a crack is a PATH whose nodes are all "
+              "suppressed across it."},
     ErrorCode{"E424", "Give a smaller RADIUS on $TIPNET, or move the crack."},
     ErrorCode{"E426", "Use TRIMC6, QUAMC8 or QUAMC9, or TYPE=QUADRATIC on $IMPORT."},
     ErrorCode{"E428", "Refine the net there, or give a smaller RADIUS on $TIPNET."},
@@ -124,6 +137,26 @@ constexpr std::array advice{
               "A crack gives the node at its mouth two, one for each face. Hold, tie or load "
               "an edge that ends there, or move the crack or the node a little."},
     ErrorCode{"E438", "Of a half model the body has one face of the crack: load that one."},
+    ErrorCode{"E464",
+              "Name another folder with --out, or take away what is in the way yourself: only "
+              "folders with the mark .spricka are replaced, and of them only the files that "
+              "the mark names. Exit code 7."},
+    ErrorCode{"E465", "Wait for that run, or give --out. The message names process and host. Exit "
+                      "code 7."},
+    ErrorCode{"E466", "Fewer or coarser elements, fewer --threads, a higher ulimit -v or another "
+                      "machine. spricka check foretells what a deck needs. Exit code 4."},
+    ErrorCode{"E467", "The folder is as it was: its listing says when and of which deck it is."},
+    ErrorCode{"E468", "Is the disk full, or the reader of a pipe gone? The run folder itself is "
+                      "whole: exit code 7."},
+    ErrorCode{"E469", "Let $RESTART WRITE name a file beside the run folder. Exit code 7."},
+    ErrorCode{"W464", "A bare number counts in the units of $DECK: write 80[kN], not 80, where the "
+                      "deck writes a unit."},
+    ErrorCode{"W465", "LENGTH=IN goes with FORCE=LBF (psi), LENGTH=MM with FORCE=N (MPa), LENGTH=M "
+                      "with FORCE=N (Pa)."},
+    ErrorCode{"W466",
+              "gmsh writes curves as bars: nothing is lost. Give them no section; bars that "
+              "carry load cannot be imported."},
+    ErrorCode{"W467", "Say in the deck how the model is held and loaded."},
     ErrorCode{"E500", "The deck is right, but there is no analysis for this yet: exit code 4."},
     ErrorCode{"E510",
               "The message names the body and the direction that nothing holds, or the "

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/input_file.hpp"
 #include "grammar/format.hpp"
 #include "report/file.hpp"
 #include "run/commands.hpp"
 #include "run/exit_codes.hpp"
 #include "run/log.hpp"
+#include "run/standard_streams.hpp"
 
 #include <array>
 #include <cerrno>
 #include <cstdio>
-#include <memory>
 #include <system_error>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -20,28 +20,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string read_stream(std::FILE* file, const std::string& name) {
+std::string read_standard_input() {
   std::string text;
   std::array<char, 65536> chunk{};
-  while (const std::size_t got = std::fread(chunk.data(), 1, chunk.size(), file)) {
+  while (const std::size_t got = std::fread(chunk.data(), 1, chunk.size(), stdin)) {
     text.append(chunk.data(), got);
+    if (text.size() > base::largest_deck) { // a device may go on for ever
+      throw std::system_error(EFBIG, std::generic_category(), "standard input");
+    }
   }
-  if (std::ferror(file) != 0) {
-    throw std::system_error(errno, std::generic_category(), name);
+  if (std::ferror(stdin) != 0) {
+    throw std::system_error(errno, std::generic_category(), "standard input");
   }
   return text;
 }
 
 std::string read_text(const fs::path& path) {
-  if (path == "-") {
-    return read_stream(stdin, "standard input");
-  }
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                             &std::fclose);
-  if (!file) {
-    throw std::system_error(errno, std::generic_category(), path.string());
-  }
-  return read_stream(file.get(), path.string());
+  return path == "-" ? read_standard_input() : base::read_file(path, base::largest_deck);
 }
 
 // A link stays a link: what it points to is replaced, and keeps its permissions.
@@ -66,7 +61,7 @@ int format(const FormatOptions& options, const Log& log) {
   const bool same = *formatted == sources.text(file);
   if (options.check) {
     if (!same) {
-      fmt::print(stderr, "{}: the layout would change\n", options.deck.string());
+      to_stderr(fmt::format("{}: the layout would change\n", options.deck.string()));
     }
     return same ? exit_code::done : exit_code::check_failed;
   }
@@ -75,7 +70,7 @@ int format(const FormatOptions& options, const Log& log) {
       replace(options.deck, *formatted);
     }
   } else {
-    fmt::print("{}", *formatted);
+    to_stdout(*formatted);
   }
   return exit_code::done;
 }

@@ -43,16 +43,18 @@ Interrupt::Interrupt(std::function<int(int signal)> last_words) {
   action.sa_handler = on_signal;
   sigemptyset(&action.sa_mask);
   action.sa_flags = SA_RESTART;
-  sigaction(SIGINT, &action, &old_int_);
-  sigaction(SIGTERM, &action, &old_term_);
-  if (old_int_.sa_handler == SIG_IGN) { // nohup and background jobs: stays so
-    sigaction(SIGINT, &old_int_, nullptr);
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    sigaction(signals[i], &action, &before_[i]);
+    if (before_[i].sa_handler == SIG_IGN) { // nohup and background jobs: stays so
+      sigaction(signals[i], &before_[i], nullptr);
+    }
   }
 }
 
 Interrupt::~Interrupt() {
-  sigaction(SIGINT, &old_int_, nullptr);
-  sigaction(SIGTERM, &old_term_, nullptr);
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    sigaction(signals[i], &before_[i], nullptr);
+  }
   sem_post(&woken);
   watcher_.join();
   sem_destroy(&woken);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <array>
 #include <functional>
 #include <thread>
 
@@ -7,9 +8,10 @@
 
 namespace spricka::run {
 
-/// While it lives, SIGINT and SIGTERM end the program in good order, however long the computation
-/// takes at that moment: `last_words` is called with the signal on a thread of its own, then the
-/// program ends with the code that it returns. At most one at a time.
+/// While it lives, SIGINT, SIGTERM, SIGHUP, SIGXCPU (a limit of CPU time) and SIGPIPE (a reader
+/// that is gone) end the program in good order, however long the computation takes at that moment:
+/// `last_words` is called with the signal on a thread of its own, then the program ends with the
+/// code that it returns. At most one at a time.
 class Interrupt {
 public:
   explicit Interrupt(std::function<int(int signal)> last_words);
@@ -18,8 +20,8 @@ public:
   Interrupt& operator=(const Interrupt&) = delete;
 
 private:
-  struct sigaction old_int_ {};
-  struct sigaction old_term_ {};
+  static constexpr std::array signals{SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGPIPE};
+  std::array<struct sigaction, signals.size()> before_{};
   std::thread watcher_;
 };
 

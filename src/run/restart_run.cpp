@@ -4,6 +4,7 @@
 #include "run/safe_file.hpp"
 
 #include <csignal>
+#include <cstring>
 #include <fmt/format.h>
 
 namespace spricka::run {
@@ -54,6 +55,19 @@ bool has_no_place(const RunOptions& options, const model::Model& model, const Lo
               fmt::format("{} needs a card $RESTART WRITE='file.rst' in the deck",
                           options.restart ? "--restart" : "--time"));
   return true;
+}
+
+void refuse_state_in_folder(const RunOptions& options, const model::Model& model) {
+  if (!model.restart || model.restart->write.empty()) {
+    return;
+  }
+  const fs::path file = options.deck.parent_path() / model.restart->write;
+  const fs::path inside = resolved_folder(file).lexically_relative(resolved_folder(options.out));
+  if (!inside.empty() && *inside.begin() != "..") {
+    throw FileTrouble("E469", fmt::format("$RESTART WRITE='{}' lies in the run folder {}, which is "
+                                          "replaced as a whole; give it a place beside",
+                                          model.restart->write, options.out.string()));
+  }
 }
 
 OpenCheckpoint open_checkpoint(const RunOptions& options, const ReadyDeck& deck,
@@ -122,7 +136,8 @@ int stop_with_checkpoint(Checkpoint& checkpoint, const std::string& by, int code
 }
 
 std::string signal_name(int signal) {
-  return signal == SIGINT ? "SIGINT" : "SIGTERM";
+  const char* name = ::sigabbrev_np(signal);
+  return name != nullptr ? fmt::format("SIG{}", name) : fmt::format("signal {}", signal);
 }
 
 } // namespace spricka::run

@@ -13,6 +13,10 @@ namespace spricka::run {
 /// Whether --restart or --time is given for a deck that keeps no state; it is told.
 bool has_no_place(const RunOptions& options, const model::Model& model, const Log& log);
 
+/// Throws FileTrouble E469 when the deck keeps its state inside the run folder, which is replaced
+/// as a whole while the state is written.
+void refuse_state_in_folder(const RunOptions& options, const model::Model& model);
+
 struct OpenCheckpoint {
   std::unique_ptr<Checkpoint> checkpoint; ///< null: nothing is asked for
   std::optional<RunOutcome> refusal;      ///< the state does not fit the deck; it is told
@@ -33,7 +37,7 @@ void finish_restart(Checkpoint* checkpoint, results::Run& run);
 int stop_with_checkpoint(Checkpoint& checkpoint, const std::string& by, int code_without,
                          const Log& log);
 
-/// "SIGINT" or "SIGTERM".
+/// "SIGTERM".
 std::string signal_name(int signal);
 
 } // namespace spricka::run

@@ -8,6 +8,8 @@
 #include "run/safe_file.hpp"
 #include "run/sweep.hpp"
 
+#include <mutex>
+#include <optional>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -16,25 +18,47 @@ namespace spricka::run {
 
 namespace {
 
+// Nothing old is taken for a new result without a word.
+void tell_of_earlier(const RunOptions& options, const RunFolder& folder, const Log& log) {
+  if (folder.replaces()) {
+    log.message(base::Severity::note, "E467",
+                fmt::format("{} still holds the results of an earlier run", options.out.string()));
+  }
+}
+
 int run_once(const RunOptions& options, const ReadyDeck& deck, const Log& log) {
+  refuse_state_in_folder(options, *deck.model);
   const OpenCheckpoint opened = open_checkpoint(options, deck, {}, log);
   if (opened.refusal) {
     return opened.refusal->exit_code;
   }
-  RunFolder folder(options.out);
-  std::optional<Interrupt> interrupt;
-  if (opened.checkpoint && opened.checkpoint->writes()) {
-    interrupt.emplace([&](int signal) {
-      std::error_code ignored;
-      std::filesystem::remove_all(options.out.string() + ".part", ignored);
-      return stop_with_checkpoint(*opened.checkpoint, signal_name(signal), 128 + signal, log);
-    });
+  std::mutex guard; // taken for ever by a signal
+  std::optional<RunFolder> folder;
+  const Interrupt interrupt([&](int signal) {
+    guard.lock();
+    if (folder) {
+      folder->abandon();
+    }
+    return opened.checkpoint && opened.checkpoint->writes()
+               ? stop_with_checkpoint(*opened.checkpoint, signal_name(signal), 128 + signal, log)
+               : 128 + signal;
+  });
+  {
+    const std::scoped_lock lock(guard);
+    folder.emplace(options.out);
   }
-  const RunOutcome outcome = solve_and_write(options, deck, folder, opened.checkpoint.get(), log);
+  RunOutcome outcome;
+  try {
+    outcome = solve_and_write(options, deck, *folder, opened.checkpoint.get(), log);
+  } catch (...) {
+    tell_of_earlier(options, *folder, log);
+    throw;
+  }
   if (!outcome.run) {
+    tell_of_earlier(options, *folder, log);
     return outcome.exit_code;
   }
-  folder.commit();
+  folder->commit();
   if (!options.quiet) {
     print_summary(*deck.model, *outcome.run, options.out);
   }

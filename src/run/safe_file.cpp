@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/safe_file.hpp"
 
+#include "base/input_file.hpp"
+#include "base/output_file.hpp"
 #include "run/hasher.hpp"
 
-#include <cerrno>
+#include <algorithm>
 #include <charconv>
 #include <cstring>
-#include <fstream>
-#include <iterator>
-#include <utility>
+#include <system_error>
 #include <vector>
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 namespace spricka::run {
 
@@ -22,51 +20,24 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int format_version = 1;
-
-[[noreturn]] void cannot_write(const fs::path& file, int error) {
-  throw FileTrouble("E563", fmt::format("{}: {}", file.string(), std::strerror(error)));
-}
-
-/// An open file or folder.
-class Descriptor {
-public:
-  Descriptor(const fs::path& file, int flags) : fd_(::open(file.c_str(), flags, 0666)) {}
-  ~Descriptor() {
-    if (fd_ >= 0) {
-      ::close(fd_);
-    }
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  [[nodiscard]] int get() const { return fd_; }
-  bool close() { return ::close(std::exchange(fd_, -1)) == 0; }
-
-private:
-  int fd_;
-};
-
-bool write_all(int fd, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t n = ::write(fd, bytes.data(), bytes.size());
-    if (n < 0 && errno != EINTR) {
-      return false;
-    }
-    bytes.remove_prefix(n > 0 ? static_cast<std::size_t>(n) : 0);
-  }
-  return true;
-}
-
-// A folder that cannot be synced (some network file systems) is none of ours to mend.
-void sync_folder(const fs::path& folder) {
-  const Descriptor open(folder.empty() ? fs::path(".") : folder, O_RDONLY | O_DIRECTORY);
-  if (open.get() >= 0) {
-    ::fsync(open.get());
-  }
-}
+constexpr std::size_t largest_framed = 16 * 1024 * base::mebibyte; ///< [bytes]
 
 [[noreturn]] void unusable(const fs::path& file, const std::string& why,
                            const char* code = "E560") {
   throw FileTrouble(code, fmt::format("{}: {}", file.string(), why));
+}
+
+// `read` with what it throws as trouble with a restart file.
+template <class Read> std::string bytes_of(const fs::path& file, Read read) {
+  std::error_code unknown;
+  if (!fs::exists(file, unknown)) {
+    unusable(file, "there is no such file");
+  }
+  try {
+    return read();
+  } catch (const base::UnreadableFile& trouble) {
+    throw FileTrouble("E560", trouble.what());
+  }
 }
 
 std::vector<std::string> words(std::string_view line) {
@@ -85,19 +56,12 @@ constexpr std::size_t line_words = 9;
 } // namespace
 
 void write_safely(const fs::path& file, std::string_view bytes) {
-  fs::path part = file;
-  part += ".part";
-  Descriptor out(part, O_WRONLY | O_CREAT | O_TRUNC);
-  if (out.get() < 0) {
-    cannot_write(part, errno);
+  try {
+    base::write_whole(file, bytes, base::Sync::yes);
+  } catch (const std::system_error& trouble) {
+    throw FileTrouble("E563",
+                      fmt::format("{}: {}", file.string(), std::strerror(trouble.code().value())));
   }
-  if (!write_all(out.get(), bytes) || ::fsync(out.get()) != 0 || !out.close() ||
-      ::rename(part.c_str(), file.c_str()) != 0) {
-    const int error = errno;
-    ::unlink(part.c_str());
-    cannot_write(file, error);
-  }
-  sync_folder(file.parent_path());
 }
 
 std::string hash_of(std::string_view bytes) {
@@ -117,22 +81,15 @@ std::string framed(std::string_view kind, std::string_view bytes) {
 }
 
 std::string read_framed(const fs::path& file, std::string_view kind) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in || !fs::is_regular_file(file)) {
-    unusable(file, "there is no such file");
-  }
-  std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (in.bad()) {
-    unusable(file, "cannot be read");
-  }
+  const std::string head = bytes_of(file, [&] { return base::read_beginning(file, frame_size); });
   const std::string start = fmt::format("spricka {} ", kind);
-  if (bytes.size() < frame_size && (bytes.starts_with(start) || start.starts_with(bytes))) {
+  if (head.size() < frame_size && (head.starts_with(start) || start.starts_with(head))) {
     unusable(file, "cut off in its first line");
   }
-  if (!bytes.starts_with(start)) {
+  if (!head.starts_with(start)) {
     unusable(file, fmt::format("not a {} of spricka", kind), "E564");
   }
-  const std::vector<std::string> line = words(std::string_view(bytes).substr(0, frame_size - 1));
+  const std::vector<std::string> line = words(std::string_view(head).substr(0, frame_size - 1));
   if (line.size() < line_words || line[2] != std::to_string(format_version) ||
       line[4] != SPRICKA_VERSION) {
     unusable(file,
@@ -143,7 +100,12 @@ std::string read_framed(const fs::path& file, std::string_view kind) {
   }
   std::size_t size = 0;
   std::from_chars(line[6].data(), line[6].data() + line[6].size(), size);
-  const std::string_view body = std::string_view(bytes).substr(frame_size);
+  std::error_code unknown;
+  if (fs::file_size(file, unknown) > frame_size + size && !unknown) {
+    unusable(file, "its content was changed"); // whatever follows is not ours, and may be long
+  }
+  const std::string bytes = bytes_of(file, [&] { return base::read_file(file, largest_framed); });
+  const std::string_view body = std::string_view(bytes).substr(std::min(frame_size, bytes.size()));
   if (body.size() < size) {
     unusable(file, fmt::format("cut off: {} of {} bytes are there", body.size(), size));
   }

@@ -169,8 +169,41 @@ ShellResult do_solve(const ShellCall& call) {
   return trouble;
 }
 
+// The file that a word names. One that is there is replaced when the word behind it says so, and
+// not else.
+ShellResult file_to_write(const ShellCall& call, std::size_t word, std::filesystem::path& file) {
+  namespace fs = std::filesystem;
+  if (call.words.size() < word + 1 || call.words.size() > word + 2) {
+    return wrong(call);
+  }
+  const bool forced = call.words.size() == word + 2;
+  const std::string& name = call.words[word].text;
+  if (forced && grammar::to_upper(call.words[word + 1].text) != "REPLACE") {
+    return wrong(call);
+  }
+  file = name;
+  std::error_code ignored;
+  for (std::int32_t f = 0; f < static_cast<std::int32_t>(call.session.sources().count()); ++f) {
+    if (fs::equivalent(file, call.session.sources().name(f), ignored)) {
+      return ShellTrouble{exit_code::usage, "the deck itself is not overwritten",
+                          "take another name"};
+    }
+  }
+  const fs::file_status status = fs::symlink_status(file, ignored);
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    return ShellTrouble{exit_code::file_trouble, fmt::format("{} is not a file", name),
+                        "take another name"};
+  }
+  if (fs::exists(status) && !forced) {
+    return ShellTrouble{exit_code::file_trouble,
+                        fmt::format("there is a file {} already, and it is left as it is", name),
+                        "take another name, or write replace behind it"};
+  }
+  return {};
+}
+
 ShellResult do_plot(const ShellCall& call) {
-  if (call.words.size() != 3) {
+  if (call.words.size() < 3) {
     return wrong(call);
   }
   std::string kind = call.words[1].text;
@@ -178,29 +211,23 @@ ShellResult do_plot(const ShellCall& call) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   });
   std::string svg;
-  ShellResult trouble = settle(call.session, call.reply);
+  std::filesystem::path file;
+  ShellResult trouble = file_to_write(call, 2, file);
+  trouble = trouble ? trouble : settle(call.session, call.reply);
   trouble = trouble ? trouble : picture(call.session, kind, svg);
   if (!trouble) {
-    report::write_file(call.words[2].text, svg);
-    call.reply.messages += fmt::format("note: {} written\n", call.words[2].text);
+    report::write_file(file, svg);
+    call.reply.messages += fmt::format("note: {} written\n", file.string());
   }
   return trouble;
 }
 
 ShellResult do_save(const ShellCall& call) {
-  if (call.words.size() != 2) {
-    return wrong(call);
-  }
   namespace fs = std::filesystem;
-  const fs::path file = call.words[1].text;
-  const fs::path own = call.session.sources().name(0);
-  std::error_code ignored;
-  if (fs::equivalent(file, own, ignored)) {
-    return ShellTrouble{exit_code::usage, "the deck itself is not overwritten",
-                        "take another name"};
-  }
+  fs::path file;
   std::string text;
-  ShellResult trouble = settle(call.session, call.reply);
+  ShellResult trouble = file_to_write(call, 1, file);
+  trouble = trouble ? trouble : settle(call.session, call.reply);
   trouble = trouble ? trouble : saved_deck(call.session, fs::absolute(file).parent_path(), text);
   if (!trouble) {
     report::write_file(file, text);

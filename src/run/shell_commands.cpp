@@ -82,11 +82,14 @@ const std::vector<ShellCommand>& shell_commands() {
        "K along a load, every breakpoint, without friction",
        "A load path runs over its t; a load case over its factor, all else as it is set."},
       {"sensitivity", "", "", "what K changes by with loads, fits, moduli and lengths", ""},
-      {"plot", "k|pressure|mesh|path FILE.svg", "kf", "a picture into a file",
-       "k: K1 over the lengths tried with these loads and fits; path: the last map."},
-      {"save", "FILE.deck", "f", "the deck with what is set now in it",
+      {"plot", "k|pressure|mesh|path FILE.svg [replace]", "kf", "a picture into a file",
+       "k: K1 over the lengths tried with these loads and fits; path: the last map. A file that is "
+       "there is left as it is unless replace stands behind its name."},
+      {"save", "FILE.deck [replace]", "f", "the deck with what is set now in it",
        "Lengths, interferences and parameters in their cards, loads and fits in a step NOW; $GROW, "
-       "$SWEEP, $RESTART and checks of other values become comments."},
+       "$SWEEP, $RESTART and checks of other values become comments. A file that is there is left "
+       "as "
+       "it is unless replace stands behind its name."},
       {"reset", "", "", "reads the deck again and begins anew", ""},
       {"history", "", "", "what was typed so far", ""},
       {"quit", "", "", "leaves; so does end of file (Ctrl-D)", ""},

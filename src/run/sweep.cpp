@@ -5,16 +5,21 @@
 #include "report/result_tables.hpp"
 #include "report/sweep.hpp"
 #include "run/deck_digest.hpp"
+#include "run/folder_mark.hpp"
 #include "run/interrupt.hpp"
+#include "run/out_of_memory.hpp"
 #include "run/point_record.hpp"
 #include "run/restart_run.hpp"
 #include "run/safe_file.hpp"
+#include "run/standard_streams.hpp"
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstdio>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -43,17 +48,33 @@ bool is_number(const std::string& name) {
 class SweepRun {
 public:
   SweepRun(const RunOptions& options, const ReadyDeck& deck, const Log& log)
-      : options_(options), deck_(deck), log_(log), points_(sweep_points(*deck.model)) {
+      : options_(options), deck_(deck), log_(log), out_(resolved_folder(options.out)),
+        points_(sweep_points(*deck.model)) {
     sweep_.count = points_.size();
     for (const auto& [name, value] : points_.front()) {
       sweep_.parameters.push_back(name);
     }
   }
 
+  ~SweepRun() {
+    if (lock_) {
+      close_folder();
+    }
+  }
+  SweepRun(const SweepRun&) = delete;
+  SweepRun& operator=(const SweepRun&) = delete;
+
   int run() {
     open_folder();
     const Interrupt interrupt([this](int signal) { return last_words(signal); });
-    write_tables();
+    return run_points();
+  }
+
+private:
+  int run_points() {
+    if (!fs::exists(out_ / sweep_table_name)) { // else of an earlier sweep, until there is a point
+      write_tables();
+    }
     int worst = 0;
     for (std::size_t i = 0; i < points_.size(); ++i) {
       SweepPoint point = take_over(i);
@@ -69,58 +90,60 @@ public:
       write_tables();
       ++done_;
     }
+    remove_others();
     if (!options_.quiet) {
-      fmt::print("{} points; results in {}\n", points_.size(), options_.out.string());
+      to_stdout(fmt::format("{} points; results in {}\n", points_.size(), options_.out.string()));
     }
     return worst;
   }
 
-private:
   [[nodiscard]] std::string folder_name(std::size_t i) const {
     const std::size_t digits = std::max<std::size_t>(3, std::to_string(points_.size()).size());
     return fmt::format("{:0{}}", i + 1, digits);
   }
 
-  // A folder of a sweep is gone on with, one of a single run is emptied, any other refused. Points
-  // that this sweep does not have, and halves that an interrupted one left, are removed.
+  // A folder of a sweep is gone on with, any other refused but for an empty one.
   void open_folder() {
-    const fs::path& out = options_.out;
-    if (fs::exists(out) && !fs::exists(out / sweep_table_name)) {
-      const bool ours =
-          fs::is_directory(out) && (fs::is_empty(out) || fs::exists(out / listing_name));
-      if (!ours) {
-        throw std::system_error(std::make_error_code(std::errc::file_exists),
-                                out.string() + " is not a run folder of spricka");
+    check_folder(out_, true);
+    fs::create_directories(out_);
+    lock_ = FolderLock::take(out_, out_);
+    check_folder(out_, true); // another run may have ended meanwhile
+    if (!lock_) {
+      throw std::system_error(std::make_error_code(std::errc::no_such_file_or_directory),
+                              out_.string());
+    }
+    if (!read_mark(out_)) {
+      write_mark(out_, {FolderKind::sweep, {}});
+    }
+    write_owner(out_);
+  }
+
+  // Points that this sweep does not have.
+  void remove_others() const {
+    std::vector<fs::path> others;
+    for (const fs::directory_entry& entry : fs::directory_iterator(out_)) {
+      const std::string name = entry.path().filename().string();
+      bool wanted = !is_number(name);
+      for (std::size_t i = 0; i < points_.size() && !wanted; ++i) {
+        wanted = folder_name(i) == name;
       }
-      fs::remove_all(out);
-    }
-    fs::create_directories(out);
-    std::vector<fs::path> old;
-    for (const fs::directory_entry& entry : fs::directory_iterator(out)) {
-      const fs::path& file = entry.path();
-      const bool half = file.extension() == ".part" && is_number(file.stem().string());
-      const bool point = is_number(file.filename().string()) && fs::exists(file / listing_name);
-      const bool wanted = [&] {
-        for (std::size_t i = 0; point && i < points_.size(); ++i) {
-          if (folder_name(i) == file.filename().string()) {
-            return true;
-          }
-        }
-        return false;
-      }();
-      if (half || (point && !wanted)) {
-        old.push_back(file);
+      if (!wanted) {
+        others.push_back(entry.path());
       }
     }
-    for (const fs::path& file : old) {
-      fs::remove_all(file);
+    for (const fs::path& folder : others) {
+      remove_own(folder);
     }
+  }
+
+  void close_folder() const {
+    std::error_code ignored;
+    fs::remove(out_ / owner_name, ignored);
   }
 
   SweepPoint take_over(std::size_t i) {
     const std::string digest = deck_digest(deck_.sources, *deck_.model, points_[i]);
-    const std::optional<SweepPoint> known =
-        read_point_record(options_.out / folder_name(i), digest);
+    const std::optional<SweepPoint> known = read_point_record(out_ / folder_name(i), digest);
     SweepPoint point = known.value_or(SweepPoint{});
     point.number = i + 1;
     point.folder = folder_name(i);
@@ -133,30 +156,51 @@ private:
 
   void compute(std::size_t i, SweepPoint& point) {
     try {
-      RunFolder folder(options_.out / point.folder);
-      const ReadyDeck deck = read_ready(
-          options_.deck, {.defines = options_.defines, .sweep_values = points_[i]}, log_);
-      const RunOutcome outcome = deck.model ? solve(deck, folder, point) : deck.refusal;
-      point.exit_code = outcome.exit_code;
-      point.error = outcome.error;
-      if (outcome.run) {
-        record(*deck.model, *outcome.run, point);
-        // The digest of what was read just now: a file edited meanwhile is not passed over later.
-        folder.keep(
-            point_record_name,
-            write_point_record(sweep_, point, deck_digest(deck.sources, *deck.model, points_[i])));
-        folder.commit();
-      }
+      open_point(point);
+      solve_point(i, point);
     } catch (const FileTrouble& trouble) {
       point.exit_code = exit_code::file_trouble;
       point.error = fmt::format("{}: {}", trouble.code(), trouble.what());
     } catch (const std::system_error& trouble) {
       point.exit_code = exit_code::file_trouble;
       point.error = trouble.what();
-    } catch (const std::exception& defect) {
-      point.exit_code = exit_code::defect;
-      point.error = fmt::format("internal error: {}", defect.what());
+    } catch (const std::exception& trouble) {
+      const bool memory = is_out_of_memory(trouble);
+      point.exit_code = memory ? exit_code::not_solvable : exit_code::defect;
+      point.error =
+          memory ? "E466: " + out_of_memory() : fmt::format("internal error: {}", trouble.what());
     }
+    close_point();
+  }
+
+  void solve_point(std::size_t i, SweepPoint& point) {
+    const ReadyDeck deck =
+        read_ready(options_.deck, {.defines = options_.defines, .sweep_values = points_[i]}, log_);
+    const RunOutcome outcome = deck.model ? solve(deck, *folder_, point) : deck.refusal;
+    point.exit_code = outcome.exit_code;
+    point.error = outcome.error;
+    if (outcome.run) {
+      record(*deck.model, *outcome.run, point);
+      // The digest of what was read just now: a file edited meanwhile is not passed over later.
+      folder_->keep(
+          point_record_name,
+          write_point_record(sweep_, point, deck_digest(deck.sources, *deck.model, points_[i])));
+      folder_->commit();
+    } else if (folder_->replaces()) {
+      log_.message(base::Severity::note, "E467",
+                   fmt::format("{} still holds the results of an earlier run",
+                               (out_ / point.folder).string()));
+    }
+  }
+
+  // Made and ended where last_words() knows of it.
+  void open_point(const SweepPoint& point) {
+    const std::scoped_lock lock(current_guard_);
+    folder_.emplace(out_ / point.folder);
+  }
+  void close_point() {
+    const std::scoped_lock lock(current_guard_);
+    folder_.reset();
   }
 
   // Each point keeps its state in a folder of its own, beside its run folder.
@@ -164,7 +208,7 @@ private:
     RunOptions options = options_;
     options.quiet = true;
     const OpenCheckpoint opened =
-        open_checkpoint(options, deck, options_.out / (point.folder + ".restart"), log_);
+        open_checkpoint(options, deck, out_ / (point.folder + ".restart"), log_);
     if (opened.refusal) {
       return *opened.refusal;
     }
@@ -199,18 +243,32 @@ private:
     }
   }
 
-  void write_tables() const {
+  void write_tables() {
+    const std::scoped_lock lock(tables_guard_);
     const model::Model& model = *deck_.model;
     for (const model::Output& output : model.outputs) {
-      const fs::path name = fs::path(output.file).filename();
+      const std::string name = fs::path(output.file).filename().string();
       if (output.format == model::OutputFormat::csv && output.every == model::OutputEvery::end &&
           name != sweep_table_name) {
-        report::write_sweep_request_csv(options_.out / name, model, sweep_);
+        report::write_sweep_request_csv(table_file(name), model, sweep_);
       }
     }
-    report::write_sweep_csv(options_.out / sweep_table_name, model, sweep_);
-    report::write_file(options_.out / "sweep.html",
-                       report::sweep_page(deck_.sources, model, sweep_));
+    report::write_sweep_csv(table_file(sweep_table_name), model, sweep_);
+    report::write_file(table_file("sweep.html"), report::sweep_page(deck_.sources, model, sweep_));
+  }
+
+  // A table of ours, new or to be replaced.
+  [[nodiscard]] fs::path table_file(const std::string& name) const {
+    const FolderMark mark = read_mark(out_).value_or(FolderMark{});
+    if (std::ranges::find(mark.files, name) == mark.files.end()) {
+      if (fs::exists(fs::symlink_status(out_ / name))) {
+        throw FileTrouble("E464", fmt::format("{} is there, and no sweep wrote it; name another "
+                                              "folder with --out",
+                                              (out_ / name).string()));
+      }
+      add_to_mark(out_, name);
+    }
+    return out_ / name;
   }
 
   // One line for each point: failures to stderr, the others to stdout.
@@ -225,7 +283,8 @@ private:
     if (options_.quiet) {
       return;
     }
-    fmt::print("{}: {}{}", head, report::status_word(point), point.reused ? " earlier" : "");
+    to_stdout(
+        fmt::format("{}: {}{}", head, report::status_word(point), point.reused ? " earlier" : ""));
     const std::string step = report::leading_step(*deck_.model);
     int last = 0;
     for (const results::SweepCell& cell : point.cells) {
@@ -233,24 +292,27 @@ private:
     }
     for (const results::SweepCell& cell : point.cells) {
       if (cell.quantity == "K1" && cell.step == step && cell.increment == last) {
-        fmt::print("  K1 {} = {:.7g}", cell.name, cell.value);
+        to_stdout(fmt::format("  K1 {} = {:.7g}", cell.name, cell.value));
       }
     }
-    fmt::print("\n");
+    to_stdout("\n");
     std::fflush(stdout);
   }
 
-  // On the watcher's thread, while the point goes on being computed: only its folder is touched.
+  // On the watcher's thread, while the point goes on being computed. Its locks are not given back:
+  // nothing more is written.
   int last_words(int signal) {
-    std::error_code ignored;
-    fs::remove_all(options_.out / (folder_name(done_) + ".part"), ignored);
-    int code = 128 + signal;
-    {
-      const std::scoped_lock lock(current_guard_);
-      if (current_ != nullptr && current_->writes()) {
-        code = stop_with_checkpoint(*current_, signal_name(signal), code, log_);
-      }
+    using namespace std::chrono_literals;
+    current_guard_.lock();
+    if (folder_) {
+      folder_->abandon();
     }
+    int code = 128 + signal;
+    if (current_ != nullptr && current_->writes()) {
+      code = stop_with_checkpoint(*current_, signal_name(signal), code, log_);
+    }
+    [[maybe_unused]] const bool whole = tables_guard_.try_lock_for(10s);
+    close_folder();
     log_.message(base::Severity::note, "E551",
                  fmt::format("stopped by {}; {} of {} points are finished, run again to go on",
                              signal_name(signal), done_.load(), points_.size()));
@@ -260,11 +322,15 @@ private:
   const RunOptions& options_;
   const ReadyDeck& deck_;
   const Log& log_;
+  fs::path out_;
+  std::optional<FolderLock> lock_;
   std::vector<PointValues> points_;
   results::Sweep sweep_;
   std::atomic<std::size_t> done_{0};
   std::mutex current_guard_;
-  Checkpoint* current_ = nullptr; ///< of the point that is computed; guarded
+  Checkpoint* current_ = nullptr;   ///< of the point that is computed; guarded
+  std::optional<RunFolder> folder_; ///< of the same; guarded where it is made and ended
+  std::timed_mutex tables_guard_;
 };
 
 } // namespace
