@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -24,7 +25,11 @@ void parallel_for(std::size_t count, int threads, const std::function<void(std::
   const std::size_t helpers = std::min(static_cast<std::size_t>(std::max(threads, 1)), count);
   std::vector<std::jthread> pool;
   for (std::size_t t = 1; t < helpers; ++t) {
-    pool.emplace_back(work);
+    try {
+      pool.emplace_back(work);
+    } catch (const std::system_error&) {
+      break; // no room for one more thread: those that are there do its share
+    }
   }
   work();
   pool.clear(); // joins

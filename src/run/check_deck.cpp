@@ -10,6 +10,8 @@
 #include "run/held_modes.hpp"
 #include "run/load_totals.hpp"
 #include "run/preview_model.hpp"
+#include "run/remedy.hpp"
+#include "run/standard_streams.hpp"
 #include "run/sweep.hpp"
 
 #include <algorithm>
@@ -84,7 +86,7 @@ private:
 int verdict(const base::Sources& sources, const Previewer& found, const Log& log) {
   base::Diagnostics all = found.diagnostics;
   for (const Refusal& refusal : found.refusals) {
-    all.error(refusal.span, "E510", refusal.why);
+    all.error(refusal.span, "E510", refusal.why, remedy_of(refusal));
   }
   log.diagnostics(sources, all);
   return found.diagnostics.has_errors() ? exit_code::deck_error
@@ -159,11 +161,11 @@ int check_deck(const RunOptions& options, const ReadyDeck& deck, const Log& log)
   const int points = own == exit_code::done ? check_points(options, deck, log, preview) : 0;
   const int code = std::max(own, points);
   if (options.json) {
-    fmt::print("{}", report::check_json(preview, code));
+    to_stdout(report::check_json(preview, code));
   } else if (!options.quiet && !preview.lengths.empty()) {
-    fmt::print("{}", report::check_listing(preview));
-    fmt::print("\n{}: {}\n", options.deck.string(),
-               code == exit_code::done ? "no mistakes found" : "see the messages");
+    to_stdout(report::check_listing(preview));
+    to_stdout(fmt::format("\n{}: {}\n", options.deck.string(),
+                          code == exit_code::done ? "no mistakes found" : "see the messages"));
   }
   return code;
 }

@@ -3,9 +3,12 @@
 
 #include "base/diagnostics.hpp"
 #include "run/command_tree.hpp"
+#include "run/log.hpp"
+#include "run/out_of_memory.hpp"
+#include "run/standard_streams.hpp"
 
 #include <algorithm>
-#include <cstdio>
+#include <csignal>
 #include <exception>
 
 #include <fmt/format.h>
@@ -75,18 +78,19 @@ int report(CommandTree& tree, const CLI::ParseError& error) {
   const Trouble trouble = explain(tree, error);
   const std::string called =
       tree.chosen() == nullptr ? "spricka" : fmt::format("spricka {}", tree.chosen()->get_name());
-  fmt::print(stderr, "{}: {}\n", called, trouble.text);
+  to_stderr(fmt::format("{}: {}\n", called, trouble.text));
   if (!trouble.hint.empty()) {
-    fmt::print(stderr, "       = {}\n", trouble.hint);
+    to_stderr(fmt::format("       = {}\n", trouble.hint));
   }
-  fmt::print(stderr, "       = {} --help shows how it is called\n", called);
+  to_stderr(fmt::format("       = {} --help shows how it is called\n", called));
   return exit_code::usage;
 }
 
 } // namespace
 
-int command_line(int argc, const char* const* argv) {
-  CommandTree tree;
+namespace {
+
+int act(CommandTree& tree, int argc, const char* const* argv) {
   try {
     tree.app().parse(argc, argv);
   } catch (const CLI::Success& asked) { // --help, --version
@@ -97,9 +101,23 @@ int command_line(int argc, const char* const* argv) {
   try {
     return tree.act();
   } catch (const std::exception& e) {
-    fmt::print(stderr, "spricka: internal error: {}\n", e.what());
+    if (is_out_of_memory(e)) {
+      Log(tree.log_format()).message(base::Severity::error, "E466", out_of_memory());
+      return exit_code::not_solvable;
+    }
+    to_stderr(fmt::format("spricka: internal error: {}\n", e.what()));
     return exit_code::defect;
   }
+}
+
+} // namespace
+
+int command_line(int argc, const char* const* argv) {
+  open_standard_streams();
+  std::signal(SIGXFSZ, SIG_IGN); // the limit on the size of files: the write fails, and is told
+  CommandTree tree;
+  const int code = act(tree, argc, argv);
+  return written_out(code, tree.log_format());
 }
 
 } // namespace spricka::run

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/command_tree.hpp"
+#include "run/standard_streams.hpp"
 
 #include "base/diagnostics.hpp"
 
@@ -268,7 +269,7 @@ void CommandTree::add_for_the_system() {
           "  source <(spricka completion bash)\n"
           "  spricka completion bash > ~/.local/share/bash-completion/completions/spricka",
           [this] {
-            fmt::print("{}", bash_completion(text()));
+            to_stdout(bash_completion(text()));
             return exit_code::done;
           });
   completion.add_option("SHELL", shell_, "bash")
@@ -276,7 +277,7 @@ void CommandTree::add_for_the_system() {
       ->check(one_of({"bash"}))
       ->type_name("");
   add("man", "print the man page", "  spricka man | man -l -", [this] {
-    fmt::print("{}", man_page(text()));
+    to_stdout(man_page(text()));
     return exit_code::done;
   });
 }

@@ -27,6 +27,8 @@ public:
   /// Runs it.
   [[nodiscard]] int act() const;
   /// Everything in words, for completion and man page.
+  /// How messages are wanted, as far as the command line has been read.
+  [[nodiscard]] LogFormat log_format() const { return run_.log_format; }
   [[nodiscard]] ProgramText text() const;
 
 private:

@@ -3,18 +3,19 @@
 #include "grammar/help.hpp"
 #include "run/commands.hpp"
 #include "run/exit_codes.hpp"
+#include "run/standard_streams.hpp"
 
 #include <fmt/format.h>
 
 namespace spricka::run {
 
 int schema_command() {
-  fmt::print("{}", grammar::schema_json());
+  to_stdout(grammar::schema_json());
   return exit_code::done;
 }
 
 int editor_command(const std::string& editor) {
-  fmt::print("{}", editor == "vim" ? grammar::vim_syntax() : grammar::textmate_grammar());
+  to_stdout(editor == "vim" ? grammar::vim_syntax() : grammar::textmate_grammar());
   return exit_code::done;
 }
 

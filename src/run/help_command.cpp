@@ -6,6 +6,7 @@
 #include "run/commands.hpp"
 #include "run/error_codes.hpp"
 #include "run/exit_codes.hpp"
+#include "run/standard_streams.hpp"
 #include "run/terminal.hpp"
 
 #include <cstdio>
@@ -125,21 +126,21 @@ int help_command(const HelpOptions& options, const ProgramText& program) {
   std::string topic = grammar::to_upper(options.topic);
   topic.erase(0, topic.starts_with('$') ? 1 : 0);
   if (options.markdown && (topic.empty() || topic == "CODES")) {
-    fmt::print("{}", topic.empty() ? grammar::cards_markdown() : codes_markdown());
+    to_stdout(topic.empty() ? grammar::cards_markdown() : codes_markdown());
     return exit_code::done;
   }
   if (topic.empty()) {
-    fmt::print("{}", overview(width));
+    to_stdout(overview(width));
     return exit_code::done;
   }
   if (const auto text = help_on(topic, program, width)) {
-    fmt::print("{}", *text);
+    to_stdout(*text);
     return exit_code::done;
   }
   const std::string hint = nearest(topic, program);
-  fmt::print(stderr, "spricka help: nothing is known about '{}'\n{}", options.topic,
-             hint.empty() ? "       = spricka help lists the cards\n"
-                          : fmt::format("       = {}\n", hint));
+  to_stderr(fmt::format("spricka help: nothing is known about '{}'\n{}", options.topic,
+                        hint.empty() ? "       = spricka help lists the cards\n"
+                                     : fmt::format("       = {}\n", hint)));
   return exit_code::usage;
 }
 

@@ -2,6 +2,8 @@
 #include "run/log.hpp"
 
 #include "base/clock.hpp"
+#include "base/source_index.hpp"
+#include "run/standard_streams.hpp"
 #include "run/terminal.hpp"
 
 #include <cmath>
@@ -19,17 +21,17 @@ using Json = nlohmann::ordered_json;
 
 // One record, one line. Bytes of a deck that are not UTF-8 are replaced.
 void write_record(const Json& record) {
-  fmt::print(stderr, "{}\n", record.dump(-1, ' ', false, Json::error_handler_t::replace));
+  to_stderr(record.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
-Json record_of(const base::Sources& sources, const base::Diagnostic& d) {
+Json record_of(const base::Sources& sources, base::SourceIndex& places, const base::Diagnostic& d) {
   Json record;
   record["type"] = "diagnostic";
   record["severity"] = base::word_of(d.severity);
   record["code"] = d.code;
   if (d.span.valid()) {
-    const base::Location begin = sources.locate(d.span.file, d.span.begin);
-    const base::Location end = sources.locate(d.span.file, d.span.end);
+    const base::Location begin = places.locate(d.span.file, d.span.begin);
+    const base::Location end = places.locate(d.span.file, d.span.end);
     record["file"] = sources.name(d.span.file);
     record["line"] = begin.line;
     record["column"] = begin.column;
@@ -48,8 +50,8 @@ void write_progress_record(std::size_t done, std::size_t all, double left) {
 }
 
 void write_progress_line(std::size_t done, std::size_t all, double left) {
-  fmt::print(stderr, "\r  increment {} of {}, {:.1f} s left {}", done, all, left,
-             done == all ? "\n" : "");
+  to_stderr(fmt::format("\r  increment {} of {}, {:.1f} s left {}", done, all, left,
+                        done == all ? "\n" : ""));
 }
 
 } // namespace
@@ -58,11 +60,12 @@ Log::Log(LogFormat format) : format_(format), colour_(colour_of_messages()) {}
 
 void Log::diagnostics(const base::Sources& sources, const base::Diagnostics& diagnostics) const {
   if (format_ == LogFormat::text) {
-    fmt::print(stderr, "{}", base::format(sources, diagnostics, colour_));
+    to_stderr(base::format(sources, diagnostics, colour_));
     return;
   }
+  base::SourceIndex places(sources);
   for (const base::Diagnostic* d : base::in_order(diagnostics)) {
-    write_record(record_of(sources, *d));
+    write_record(record_of(sources, places, *d));
   }
 }
 
@@ -74,7 +77,8 @@ void Log::message(base::Severity severity, std::string_view code, std::string_vi
                      : severity == base::Severity::warning ? &base::Diagnostics::warning
                                                            : &base::Diagnostics::note;
     (one.*add)({}, std::string(code), std::string(text), {});
-    fmt::print(stderr, "{}{}{}", file, file.empty() ? "" : ": ", base::format({}, one, colour_));
+    to_stderr(
+        fmt::format("{}{}{}", file, file.empty() ? "" : ": ", base::format({}, one, colour_)));
     return;
   }
   Json record{{"type", "diagnostic"}, {"severity", base::word_of(severity)}, {"code", code}};
@@ -99,11 +103,11 @@ void Log::failed_check(const results::CheckResult& check) const {
     }
     write_record(record);
   } else if (!check.trouble.empty()) {
-    fmt::print(stderr, "check failed: {}: {}\n", check.text, check.trouble);
+    to_stderr(fmt::format("check failed: {}: {}\n", check.text, check.trouble));
   } else {
-    fmt::print(stderr, "check failed: {} = {:.8g}, wanted {:.8g}: {} {:.2e} > {:.2e}\n", check.text,
-               check.found, check.wanted, check.relative ? "REL" : "ABS", std::abs(check.error),
-               check.tolerance);
+    to_stderr(fmt::format("check failed: {} = {:.8g}, wanted {:.8g}: {} {:.2e} > {:.2e}\n",
+                          check.text, check.found, check.wanted, check.relative ? "REL" : "ABS",
+                          std::abs(check.error), check.tolerance));
   }
 }
 

@@ -8,10 +8,13 @@
 #include "run/check_quantities.hpp"
 #include "run/estimate.hpp"
 #include "run/growth_tests.hpp"
+#include "run/remedy.hpp"
 #include "run/restart_run.hpp"
 #include "run/solve_run.hpp"
+#include "run/standard_streams.hpp"
 #include "run/tolerance.hpp"
 #include "run/two_ways.hpp"
+#include "solve/one_thread.hpp"
 
 #include <algorithm>
 #include <system_error>
@@ -183,7 +186,7 @@ Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, Checkpoint* 
                   base::Diagnostics& diagnostics, const Log& log) {
   SolveOptions solve;
   solve.checkpoint = checkpoint;
-  solve.threads = thread_count(options, *deck.model);
+  solve.threads = solve::reserve_kernels(thread_count(options, *deck.model));
   solve.progress = log.progress(options.quiet);
   Solved out;
   bool first = true;
@@ -242,9 +245,9 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
     return {stop_with_checkpoint(*checkpoint, by, exit_code::stopped, log), "stopped by " + by, {}};
   }
   if (solved.refusal) {
-    diagnostics.error(solved.refusal->span,
-                      solved.refusal->exit_code == exit_code::not_converged ? "E520" : "E510",
-                      solved.refusal->why);
+    const bool limit = solved.refusal->exit_code == exit_code::not_converged;
+    diagnostics.error(solved.refusal->span, limit ? "E520" : "E510", solved.refusal->why,
+                      remedy_of(*solved.refusal));
   }
   if (!solved.run) {
     return refused(deck.sources, diagnostics,
@@ -288,15 +291,16 @@ namespace {
 void print_tip(const std::string& before, const results::TipResult& tip,
                const base::UnitSystem& units) {
   if (tip.two_materials) { // stresses oscillate there: it has a G alone
-    fmt::print("{} {:<8} a = {:<10.6g} G = {:<12.7g} {}/{}\n", before, tip.name, tip.a, tip.G,
-               units.force_name, units.length_name);
+    to_stdout(fmt::format("{} {:<8} a = {:<10.6g} G = {:<12.7g} {}/{}\n", before, tip.name, tip.a,
+                          tip.G, units.force_name, units.length_name));
     return;
   }
   const auto bar = [&](std::size_t k) {
     return tip.no_bar.empty() ? fmt::format(" +- {:<8.2g}", tip.bar[k].size()) : "";
   };
-  fmt::print("{} {:<8} a = {:<10.6g} K1 = {:<12.7g}{} K2 = {:<12.7g}{} {}\n", before, tip.name,
-             tip.a, tip.K1, bar(0), tip.K2, bar(1), units.stress_intensity_name());
+  to_stdout(fmt::format("{} {:<8} a = {:<10.6g} K1 = {:<12.7g}{} K2 = {:<12.7g}{} {}\n", before,
+                        tip.name, tip.a, tip.K1, bar(0), tip.K2, bar(1),
+                        units.stress_intensity_name()));
 }
 
 // A line for each tip: of a growth by a law at KMAX of each station, else of every step.
@@ -323,16 +327,16 @@ void print_summary(const model::Model& model, const results::Run& run,
                    const std::filesystem::path& folder) {
   print_tips(model, run);
   if (run.growth) {
-    fmt::print("N = {:.7g} {}, ended by {}\n", run.growth->cycles(),
-               run.growth->unit == "pass" ? "passes" : "cycles", run.growth->ended);
+    to_stdout(fmt::format("N = {:.7g} {}, ended by {}\n", run.growth->cycles(),
+                          run.growth->unit == "pass" ? "passes" : "cycles", run.growth->ended));
   }
   if (!run.checks.empty()) {
     const auto passed = std::count_if(run.checks.begin(), run.checks.end(),
                                       [](const auto& check) { return check.passed; });
-    fmt::print("{} of {} checks passed\n", passed, run.checks.size());
+    to_stdout(fmt::format("{} of {} checks passed\n", passed, run.checks.size()));
   }
-  fmt::print("{:.2f} s CPU, {:.0f} MiB; results in {}\n", run.cpu,
-             static_cast<double>(run.peak_memory) / 1048576.0, folder.string());
+  to_stdout(fmt::format("{:.2f} s CPU, {:.0f} MiB; results in {}\n", run.cpu,
+                        static_cast<double>(run.peak_memory) / 1048576.0, folder.string()));
 }
 
 } // namespace spricka::run

@@ -5,10 +5,11 @@
 #include "run/one_run.hpp"
 #include "run/shell_commands.hpp"
 #include "run/shell_line.hpp"
+#include "run/standard_streams.hpp"
 #include "run/tolerance.hpp"
+#include "solve/one_thread.hpp"
 
 #include <cstdio>
-#include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -71,7 +72,7 @@ private:
       return read_ready(options_.deck.deck, {.defines = defines}, log_);
     };
     options.threads = [this](const model::Model& model) {
-      return thread_count(options_.deck, model);
+      return solve::reserve_kernels(thread_count(options_.deck, model));
     };
     const base::Stopwatch watch;
     session_ = std::make_unique<ShellSession>(std::move(options));
@@ -80,38 +81,54 @@ private:
       return trouble->exit_code;
     }
     if (wants_tolerance(session_->model())) {
-      fmt::print(stderr, "note: TOL of $TIPNET is for runs: here the mesh stays as it is\n");
+      to_stderr(fmt::format("note: TOL of $TIPNET is for runs: here the mesh stays as it is\n"));
     }
     if (!session_->model().sweeps.empty()) {
       fmt::print(stderr,
                  "note: parameters of $SWEEP have the deck's own values; set changes them\n");
     }
     if (terminal) {
-      fmt::print(stderr, "{}: at the end of step {}, {:.2f} s CPU; help lists the commands\n",
-                 options_.deck.deck.string(), session_->base_step(), watch.cpu());
+      to_stderr(fmt::format("{}: at the end of step {}, {:.2f} s CPU; help lists the commands\n",
+                            options_.deck.deck.string(), session_->base_step(), watch.cpu()));
     }
     return exit_code::done;
   }
 
+  // What has no end of line (a device) is no command either.
+  static bool read_line(std::string& line) {
+    constexpr std::size_t longest = std::size_t{1} << 20U;
+    line.clear();
+    for (int c = std::getc(stdin); c != EOF; c = std::getc(stdin)) {
+      if (c == '\n') {
+        return true;
+      }
+      if (line.size() == longest) {
+        throw std::system_error(std::make_error_code(std::errc::file_too_large),
+                                "standard input: a line without an end");
+      }
+      line += static_cast<char>(c);
+    }
+    return !line.empty();
+  }
+
   bool next_line(std::optional<LineEditor>& editor, std::string& line) const {
-    return editor ? editor->read(shell_prompt(*session_), line)
-                  : static_cast<bool>(std::getline(std::cin, line));
+    return editor ? editor->read(shell_prompt(*session_), line) : read_line(line);
   }
 
   static void tell(const ShellTrouble& trouble) {
     if (trouble.complete) {
-      fmt::print(stderr, "{}", trouble.why);
+      to_stderr(fmt::format("{}", trouble.why));
     } else {
-      fmt::print(stderr, "error: {}\n", trouble.why);
+      to_stderr(fmt::format("error: {}\n", trouble.why));
     }
   }
 
   void tell(const ShellReply& reply, bool terminal) const {
-    fmt::print("{}", reply.out);
+    to_stdout(reply.out);
     std::fflush(stdout);
-    fmt::print(stderr, "{}", reply.messages);
+    to_stderr(fmt::format("{}", reply.messages));
     if (terminal && !options_.deck.quiet && reply.cpu >= 5e-4) {
-      fmt::print(stderr, "({:.0f} ms CPU)\n", 1e3 * reply.cpu);
+      to_stderr(fmt::format("({:.0f} ms CPU)\n", 1e3 * reply.cpu));
     }
   }
 

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/remedy.hpp"
+
+#include "run/exit_codes.hpp"
+
+#include <array>
+#include <string_view>
+#include <utility>
+
+namespace spricka::run {
+
+std::string remedy_of(const Refusal& refusal) {
+  if (refusal.exit_code == exit_code::not_converged) {
+    return "with friction more SUBSTEPS or a smaller MU; spricka help E520 says more";
+  }
+  using Remedy = std::pair<std::string_view, std::string_view>;
+  static constexpr std::array<Remedy, 6> remedies{
+      {{"slides", "more friction, more pressure or less load, or a support: $FREEDOM"},
+       {"not held", "add a support ($FREEDOM), or the $CONTACT that holds it"},
+       {"singular", "add a support ($FREEDOM), or join the parts"},
+       {"mechanism", "add a support ($FREEDOM), or join the parts"},
+       {"memory", "take fewer or coarser elements, or a machine with more memory"},
+       {"mesh", "another place or length of the crack, or RADIUS and SIZE on $TIPNET"}}};
+  for (const auto& [word, remedy] : remedies) {
+    if (refusal.why.find(word) != std::string::npos) {
+      return std::string(remedy);
+    }
+  }
+  return "spricka help E510 says what can be done";
+}
+
+} // namespace spricka::run
