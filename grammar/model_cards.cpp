@@ -32,6 +32,8 @@ constexpr std::array import_keys{
         word("FORMAT", "GEO|MSH|INP", "gmsh script, gmsh mesh, or input of Abaqus or CalculiX")),
     preset(real("SCALE", number, above(0), "factor on every coordinate"), "1"),
     preset(word("TYPE", "ASIS|QUADRATIC", "QUADRATIC raises linear elements"), "ASIS"),
+    preset(word("SKIP", "NOTHING|LOADS", "INP: LOADS passes over supports, loads and steps"),
+           "NOTHING"),
 };
 
 constexpr std::array mesh_keys{
@@ -46,7 +48,7 @@ constexpr std::array mesh_keys{
     real("LZ", length, above(0), "side of a BLOCK along z"),
     real("RI", length, at_least(0), "inner radius of a RING (0: a disc), bore radius of a LUG"),
     real("RO", length, above(0), "outer radius of a RING"),
-    real("W", length, above(0), "width of a LUG; its head is round"),
+    real("W", length, above(0), "width of a LUG; its round head points to +x, END is at -x"),
     real("L", length, above(0), "length of a LUG, from the centre of the bore to END"),
     preset(real("T0", angle, anything, "first angle of a RING"), "0"),
     preset(real("T1", angle, anything, "last angle of a RING"), "2*pi"),
@@ -108,7 +110,9 @@ constexpr std::array material_keys{
     required(real("E", stress, above(0), "Young's modulus")),
     required(real("NU", number, Range{-1.0, 0.5, true, true}, "Poisson's ratio")),
     preset(real("RHO", number, at_least(0), "density"), "0"),
-    preset(real("ALPHA", number, anything, "thermal expansion"), "0"),
+    preset(
+        real("ALPHA", number, anything, "thermal expansion per degree, for $LOAD TYPE=TEMPERATURE"),
+        "0"),
 };
 
 constexpr std::array property_keys{

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/messages.hpp"
 #include "deck/context.hpp"
 #include "deck/lost_header.hpp"
 #include "deck/overrides.hpp"
+#include "deck/unit_warnings.hpp"
 #include "grammar/lexeme.hpp"
 #include "grammar/parse.hpp"
 
@@ -122,6 +124,7 @@ private:
       if (const auto units = base::make_unit_system(bound.word("LENGTH"), bound.word("FORCE"))) {
         c_.model.units = *units;
         c_.scope.units = *units;
+        warn_of_mixed_units(c_, card.name_span, *units);
       }
       c_.model.title = bound.word("TITLE");
     } else if (card.name == "NET") {
@@ -218,6 +221,9 @@ private:
                                : grammar::evaluate(a.value, c_.scope, c_.diagnostics);
         const bool overridden = overrides_.contains(a.name);
         set(a.name, a.written, overridden ? overrides_.value(c_, a.name) : value);
+        if (overridden && value) {
+          overrides_.warn_of_lost_unit(c_, a);
+        }
         const base::Span unit =
             overridden ? overrides_.unit(a.name) : grammar::known_unit(a.value, c_.scope);
         if (unit.valid()) {
@@ -341,7 +347,9 @@ const Definition* look_up(Context& context, Kind kind, const Reference& referenc
   if (!reference.name.empty() && !context.names.is_poisoned(kinds, reference.name, reference.net)) {
     context.error(reference.span, "E301",
                   fmt::format("there is no {} '{}'", grammar::word_of(kind), reference.name),
-                  context.names.hint(kinds, reference.name));
+                  base::is_worth_a_hint(context.diagnostics)
+                      ? context.names.hint(kinds, reference.name)
+                      : "");
   }
   return nullptr;
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/checks.hpp"
 #include "deck/sets.hpp"
+#include "deck/unit_warnings.hpp"
 #include "grammar/lexeme.hpp"
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <utility>
 
 #include <fmt/format.h>
@@ -26,23 +28,55 @@ constexpr std::array<Request, 5> requests{{{"U", Kind::any_set},
                                            {"K", Kind::crack},
                                            {"REACTION", Kind::any_set}}};
 
-// Files of every run folder; none is given away.
-constexpr std::array<std::string_view, 14> own_files{
+// Files of every run folder or sweep; none is given away.
+constexpr std::array<std::string_view, 15> own_files{
     "k.csv",      "sensitivity.csv", "pressure.csv", "listing.txt", "load_path.csv",
     "life.csv",   "life_curve.csv",  "beta.csv",     "report.html", "results.pvd",
-    "results.h5", "test.csv",        "sweep.csv",    "sweep.html"};
+    "results.h5", "test.csv",        "sweep.csv",    "sweep.html",  "point.json"};
+
+// Why a file in the run folder cannot have this name, which is that of FILE without its folders;
+// empty: it can.
+std::string why_not(const Context& c, const model::Output& output, const std::string& name) {
+  const std::string named = name == output.file ? fmt::format("'{}'", name)
+                                                : fmt::format("'{}' ('{}')", name, output.file);
+  const bool control = std::any_of(name.begin(), name.end(), [](char letter) {
+    return static_cast<unsigned char>(letter) < 0x20U;
+  });
+  if (name.empty() || name == "." || name == ".." || control || name.size() > 200) {
+    return fmt::format("'{}' is not the name of a file", output.file);
+  }
+  if (std::find(own_files.begin(), own_files.end(), name) != own_files.end() ||
+      name.starts_with(".spricka")) {
+    return fmt::format("{} is a file that every run writes", named);
+  }
+  if (output.format == model::OutputFormat::vtu) {
+    return {};
+  }
+  if (name.ends_with(".vtu") || name.ends_with(".pvd") || name.ends_with(".part")) {
+    return fmt::format("{} is the name of a picture or of a file that is being written", named);
+  }
+  const bool twice =
+      std::any_of(c.model.outputs.begin(), c.model.outputs.end(), [&](const model::Output& other) {
+        return other.format == output.format &&
+               std::filesystem::path(other.file).filename() == name;
+      });
+  return twice ? fmt::format("{} is written by another $OUTPUT already", named) : std::string();
+}
 
 void output(Context& c, const BoundCard& card) {
   model::Output output;
   output.file = card.word("FILE");
-  if (std::find(own_files.begin(), own_files.end(), output.file) != own_files.end()) {
-    c.error(card.find("FILE")->span, "E322",
-            fmt::format("FILE: '{}' is a file that every run writes", output.file),
-            "choose another name");
-  }
   output.format = card.is("FORMAT", "VTU")   ? model::OutputFormat::vtu
                   : card.is("FORMAT", "CSV") ? model::OutputFormat::csv
                                              : model::OutputFormat::json;
+  const std::string name =
+      std::filesystem::path(output.file).lexically_normal().filename().string();
+  if (const std::string why = why_not(c, output, name); !why.empty()) {
+    c.error(card.find("FILE")->span, "E322", "FILE: " + why,
+            "another name; it counts without its folders, as all files lie in the run folder");
+  } else {
+    output.file = name;
+  }
   output.every = card.is("EVERY", "STEP")        ? model::OutputEvery::step
                  : card.is("EVERY", "INCREMENT") ? model::OutputEvery::increment
                                                  : model::OutputEvery::end;
@@ -189,11 +223,17 @@ std::string swept_parameter(Context& c, const BoundCard& card, std::string_view 
 }
 
 // A parameter's value may have any unit.
-std::optional<double> sweep_value(Context& c, const Field& field) {
+std::optional<double> sweep_value(Context& c, const Field& field, const std::string& name) {
   if (field.kind != Field::Kind::number && field.kind != Field::Kind::expression) {
     return number_of(field, grammar::Quantity::number, "a value", c.scope, c.diagnostics);
   }
-  return grammar::evaluate(field.expression, c.scope, c.diagnostics);
+  const std::optional<double> value = grammar::evaluate(field.expression, c.scope, c.diagnostics);
+  const auto unit = c.scope.units_of.find(grammar::to_upper(name));
+  if (value && unit != c.scope.units_of.end() && !has_unit(field.expression, c.scope) &&
+      is_foreign(c, unit->second)) {
+    warn_of_lost_unit(c, field.span, name, *value, unit->second);
+  }
+  return value;
 }
 
 void sweep(Context& c, const BoundCard& card) {
@@ -212,7 +252,7 @@ void sweep(Context& c, const BoundCard& card) {
     }
     std::vector<double> point;
     for (const Field& field : row.fields) {
-      point.push_back(sweep_value(c, field).value_or(0.0));
+      point.push_back(sweep_value(c, field, sweep.parameters[point.size()]).value_or(0.0));
       if (point.size() == columns) {
         sweep.values.push_back(std::move(point));
         point.clear();

@@ -51,6 +51,7 @@ void import_card(Context& c, const BoundCard& card) {
   request.format = card.is("FORMAT", "GEO") ? mesh::ImportFormat::geo : mesh::ImportFormat::msh;
   request.scale = card.number("SCALE");
   request.quadratic = card.is("TYPE", "QUADRATIC");
+  request.skip_loads = card.is("SKIP", "LOADS");
   request.prefix = card.net.empty() ? "" : card.net + ".";
   request.net = card.net_id;
   request.parameters = c.parameters;
@@ -76,6 +77,11 @@ void import_card(Context& c, const BoundCard& card) {
                                      ? row.fields[0].text
                                      : std::string(c.sources.text(row.fields[0].span)),
                                  row.fields[1].text);
+  }
+  if (request.skip_loads && !card.is("FORMAT", "INP")) {
+    c.error(card.find("SKIP")->span, "E110", "SKIP=LOADS is for FORMAT=INP",
+            "meshes of gmsh hold no loads");
+    return;
   }
   std::error_code unknown;
   c.model.imported_files.push_back(request.file.string());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/overrides.hpp"
 
+#include "deck/unit_warnings.hpp"
 #include "grammar/lexeme.hpp"
 #include "grammar/parse.hpp"
 
@@ -10,6 +11,17 @@
 #include <fmt/format.h>
 
 namespace spricka::deck {
+
+void Overrides::warn_of_lost_unit(Context& context, const grammar::Assignment& deck) const {
+  const Entry& entry = table_.at(deck.name);
+  if (!entry.expression || has_unit(*entry.expression, context.scope)) {
+    return;
+  }
+  const base::Span unit = foreign_unit(deck.value, context.scope);
+  if (unit.valid() && entry.value) {
+    deck::warn_of_lost_unit(context, entry.span, entry.written, *entry.value, unit);
+  }
+}
 
 void Overrides::define(Context& context, const std::string& name, const std::string& text) {
   const std::int32_t file = context.sources.add(fmt::format("-D {}", name), text);

@@ -26,6 +26,10 @@ public:
   /// Where its unit stands; invalid for a bare number.
   [[nodiscard]] base::Span unit(const std::string& name) const;
 
+  /// Warns when a bare number takes the place of a value that the deck gives with a unit: the
+  /// number counts in the deck's own units.
+  void warn_of_lost_unit(Context& context, const grammar::Assignment& deck) const;
+
   /// Reports the overrides of parameters that the deck does not have.
   void report_unknown(Context& context, const std::set<std::string>& defined) const;
 

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/unit_warnings.hpp"
+
+#include "grammar/lexeme.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace spricka::deck {
+
+namespace {
+
+template <class Wanted>
+base::Span find_unit(const grammar::Expression& expression, const grammar::Scope& scope,
+                     const Wanted& wanted) {
+  for (const grammar::Term& term : expression.terms) {
+    base::Span unit = term.unit;
+    if (term.kind == grammar::Term::Kind::name) {
+      const auto known = scope.units_of.find(grammar::to_upper(scope.sources->text(term.span)));
+      unit = known == scope.units_of.end() ? unit : known->second;
+    }
+    if (unit.valid() && wanted(unit)) {
+      return unit;
+    }
+  }
+  return {};
+}
+
+double factor_of(base::Span unit, const grammar::Scope& scope) {
+  const std::optional<base::Unit> known = base::parse_unit(scope.sources->text(unit));
+  return known ? base::to_deck(*known, scope.units) : 1.0;
+}
+
+} // namespace
+
+bool is_foreign(const Context& context, base::Span unit) {
+  return std::abs(factor_of(unit, context.scope) - 1.0) > 1e-12;
+}
+
+base::Span foreign_unit(const grammar::Expression& expression, const grammar::Scope& scope) {
+  return find_unit(expression, scope,
+                   [&](base::Span unit) { return std::abs(factor_of(unit, scope) - 1.0) > 1e-12; });
+}
+
+bool has_unit(const grammar::Expression& expression, const grammar::Scope& scope) {
+  return find_unit(expression, scope, [](base::Span) { return true; }).valid();
+}
+
+void warn_of_lost_unit(Context& context, base::Span at, std::string_view name, double value,
+                       base::Span unit) {
+  if (value == 0.0) {
+    return;
+  }
+  const std::string_view word = context.sources.text(unit);
+  const std::string_view written = context.sources.text(at);
+  context.diagnostics.warning(
+      at, "W464",
+      fmt::format("{} = {} counts in the deck's own units, where the deck gives {} in "
+                  "[{}]: it is {:.6g}[{}]",
+                  name, written, name, word, value / factor_of(unit, context.scope), word),
+      fmt::format("write {}[{}], or the unit that is meant", written, word));
+}
+
+void warn_of_mixed_units(Context& context, base::Span at, const base::UnitSystem& units) {
+  const bool inches = units.length_name == "in";
+  const bool pounds = units.force_name == "lbf";
+  if (inches != pounds) {
+    context.diagnostics.warning(at, "W465",
+                                fmt::format("lengths in {} and forces in {} make stresses in {}",
+                                            units.length_name, units.force_name,
+                                            units.stress_name()),
+                                inches ? "FORCE=LBF, or LENGTH=MM" : "LENGTH=IN, or FORCE=N");
+  }
+}
+
+} // namespace spricka::deck

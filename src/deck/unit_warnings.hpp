@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "deck/context.hpp"
+#include "grammar/ast.hpp"
+
+#include <string_view>
+
+/// Warnings of numbers whose unit is probably another one than is meant.
+namespace spricka::deck {
+
+/// The first unit in an expression, or of a parameter in it, that is not the deck's own; invalid
+/// where there is none.
+base::Span foreign_unit(const grammar::Expression& expression, const grammar::Scope& scope);
+
+/// Whether one of a unit is not one of the deck's own.
+bool is_foreign(const Context& context, base::Span unit);
+
+/// Whether an expression has a unit, or a parameter with one.
+bool has_unit(const grammar::Expression& expression, const grammar::Scope& scope);
+
+/// The warning for a bare number in the place of a value with that unit.
+void warn_of_lost_unit(Context& context, base::Span at, std::string_view name, double value,
+                       base::Span unit);
+
+/// Warns of inches with newtons and metres with pounds: nobody's stresses and K are in such a unit.
+void warn_of_mixed_units(Context& context, base::Span at, const base::UnitSystem& units);
+
+} // namespace spricka::deck
