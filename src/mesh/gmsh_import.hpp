@@ -22,8 +22,9 @@ struct ImportRequest {
   base::NetId net;
   std::vector<std::pair<std::string, std::string>> renames; ///< physical group -> set name
   std::vector<std::pair<std::string, double>> parameters;   ///< for DefineConstant of a .geo
-  SizeWish size;   ///< for a .geo, in its own coordinates; empty: as the script has it
-  base::Span span; ///< the $IMPORT card
+  SizeWish size;           ///< for a .geo, in its own coordinates; empty: as the script has it
+  base::Span span;         ///< the $IMPORT card
+  bool skip_loads = false; ///< of an .inp: supports, loads and steps are passed over, not refused
 };
 
 /// Meshes a gmsh geometry script (.geo) or reads a .msh (2.2, 4.1) through the gmsh library and

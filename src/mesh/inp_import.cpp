@@ -26,7 +26,7 @@ public:
 
   ImportedPhysics run() {
     std::vector<InpComplaint> complaints;
-    data_ = read_inp(request_.file, complaints);
+    data_ = read_inp(request_.file, complaints, request_.skip_loads);
     std::stable_sort(
         complaints.begin(), complaints.end(), [](const InpComplaint& a, const InpComplaint& b) {
           return std::pair(a.place.file, a.place.line) < std::pair(b.place.file, b.place.line);
@@ -154,6 +154,9 @@ private:
       names.push_back(set.name);
     }
     for (const auto& set : data_.element_sets) {
+      if (of_bars_alone(set)) {
+        continue;
+      }
       set_of_name_[upper(set.name)] = mesh_.element_sets.size();
       mesh_.element_sets.push_back({name_of(set.name), elements_of(set), request_.span});
       names.push_back(set.name);
@@ -189,11 +192,21 @@ private:
     return nodes;
   }
 
+  // Such a set would be empty; the file has it for curves.
+  [[nodiscard]] bool of_bars_alone(const InpData::Named<base::Label>& set) const {
+    return !data_.bar.empty() &&
+           std::all_of(set.members.begin(), set.members.end(),
+                       [&](base::Label label) { return data_.bar.contains(label); });
+  }
+
   std::vector<ElementId> elements_of(const InpData::Named<base::Label>& set) {
     std::vector<ElementId> elements;
     std::vector<bool> met(data_.element.size(), false);
     for (const base::Label label : set.members) {
       const auto at = element_index_->find(label);
+      if (!at && data_.bar.contains(label)) {
+        continue;
+      }
       if (!at) {
         error(set.place, "E303",
               fmt::format("set {} has element {}, which is not there", set.name, label));
@@ -259,6 +272,19 @@ private:
   }
 
   void warn(bool has_moduli) {
+    for (const auto& [name, bars] : data_.bars) {
+      words_.warning(bars.first, "W466",
+                     fmt::format("{} lines of type {} are left out, as there are no bars; sets of "
+                                 "them too",
+                                 bars.count, name));
+    }
+    std::string keywords;
+    for (const auto& [name, left] : data_.keywords) {
+      keywords += fmt::format("{}*{} ({})", keywords.empty() ? "" : ", ", name, left.count);
+    }
+    if (!keywords.empty()) {
+      words_.warning({}, "W467", fmt::format("passed over, as SKIP=LOADS asks for: {}", keywords));
+    }
     if (request_.scale != 1.0 && has_moduli) {
       words_.warning({}, "W337",
                      "SCALE is for lengths; moduli are taken as they stand in the file");

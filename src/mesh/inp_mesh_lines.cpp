@@ -58,6 +58,10 @@ public:
       return;
     }
     name_ = upper(type);
+    if (is_bar(name_)) {
+      start_bars();
+      return;
+    }
     const auto known = from_inp(name_);
     if (!known) {
       complain(key_.place, fmt::format("elements of type {} are not known", name_),
@@ -77,6 +81,14 @@ public:
   /// One line of an element; those with many nodes go on over several.
   void line() override {
     InpFields fields(text_.line());
+    if (bars_ != nullptr) {
+      const auto label = fields.integer();
+      bars_->count += label ? 1 : 0;
+      data_.bar.insert(label.value_or(0));
+      if (set_ != nullptr && label) {
+        set_->members.push_back(*label);
+      }
+    }
     if (!sound_) {
       return;
     }
@@ -105,6 +117,18 @@ public:
   }
 
 private:
+  // gmsh writes the curves of a mesh so. Whether they are meant to carry load says their section.
+  static bool is_bar(std::string_view name) {
+    return name == "T2D2" || name == "T2D3" || name == "T3D2" || name == "T3D3";
+  }
+  void start_bars() {
+    InpData::LeftOut& left = data_.bars[name_];
+    left.first = left.count == 0 ? key_.place : left.first;
+    bars_ = &left;
+    if (const std::string* set = key_.find("ELSET")) {
+      set_ = &data_.element_sets[set_of(data_.element_sets, shared_.element_sets, *set)];
+    }
+  }
   bool start(InpFields& fields) {
     const auto label = fields.integer();
     start_ = text_.place();
@@ -127,6 +151,7 @@ private:
   }
 
   bool sound_ = false;
+  InpData::LeftOut* bars_ = nullptr; ///< these lines are bars
   std::string name_;
   InpElement type_;
   std::size_t count_ = 0;

@@ -37,6 +37,13 @@ public:
     }
     std::vector<bool> taken(data_.element.size(), false);
     for (const InpData::Section& section : data_.sections) {
+      if (has_bars(section.elements)) {
+        words_.error(section.place, "E336",
+                     fmt::format("set {} has a section and holds bars, which are not imported",
+                                 section.elements),
+                     "take the bars out of the file if they carry no load");
+        continue;
+      }
       const auto material = index.find(upper(section.material));
       const auto set = places_.set_of_name.find(upper(section.elements));
       if (material == index.end() || set == places_.set_of_name.end()) {
@@ -57,6 +64,13 @@ public:
   }
 
 private:
+  [[nodiscard]] bool has_bars(const std::string& set) const {
+    return std::any_of(data_.element_sets.begin(), data_.element_sets.end(), [&](const auto& s) {
+      return upper(s.name) == upper(set) &&
+             std::any_of(s.members.begin(), s.members.end(),
+                         [&](base::Label label) { return data_.bar.contains(label); });
+    });
+  }
   void add_equation(const InpData::Equation& from) {
     model::Equation equation;
     equation.span = request_.span;

@@ -39,18 +39,32 @@ constexpr std::array<Advice, 7> advices{
      {" PLASTIC HYPERELASTIC CREEP VISCOELASTIC ORIENTATION USERMATERIAL ",
       "materials are isotropic and linear elastic"}}};
 
-std::string_view advice(const std::string& name) {
+constexpr std::string_view skip_words = "; $IMPORT SKIP=LOADS passes over them";
+/// How many of the above SKIP=LOADS passes over, from the first one on.
+constexpr std::size_t skippable = 3;
+
+bool is_load(const std::string& name) {
+  const std::string word = fmt::format(" {} ", name);
+  return name == "AMPLITUDE" || name == "INITIALCONDITIONS" || name == "TEMPERATURE" ||
+         std::any_of(advices.begin(), advices.begin() + skippable, [&](const Advice& a) {
+           return a.keywords.find(word) != std::string_view::npos;
+         });
+}
+
+std::string advice(const std::string& name) {
   const std::string word = fmt::format(" {} ", name);
   const auto* const at = std::find_if(advices.begin(), advices.end(), [&](const Advice& a) {
     return a.keywords.find(word) != std::string_view::npos;
   });
-  return at == advices.end() ? "take it out of the file if it has no say" : at->words;
+  std::string words(at == advices.end() ? "take it out of the file if it has no say" : at->words);
+  return is_load(name) ? words.append(skip_words) : words;
 }
 
 class Reader {
 public:
-  Reader(const std::filesystem::path& file, InpData& data, std::vector<InpComplaint>& complaints)
-      : complaints_(complaints),
+  Reader(const std::filesystem::path& file, InpData& data, std::vector<InpComplaint>& complaints,
+         bool skip_loads)
+      : complaints_(complaints), skip_loads_(skip_loads),
         text_(file, [this](InpPlace at, std::string words) { complain(at, std::move(words), {}); }),
         shared_{text_, data, [this](InpPlace at, std::string words, std::string hint) {
                   complain(at, std::move(words), std::move(hint));
@@ -75,8 +89,7 @@ public:
     }
     for (const auto& [name, met] : refused_) {
       const std::string more = met.count > 1 ? fmt::format(" (and {} more)", met.count - 1) : "";
-      complain(met.first, fmt::format("*{} is not imported{}", met.shown, more),
-               std::string(advice(name)));
+      complain(met.first, fmt::format("*{} is not imported{}", met.shown, more), advice(name));
     }
     shared_.data.files = text_.paths();
   }
@@ -94,7 +107,27 @@ private:
     }
   }
 
+  // All that stands in a step, and what loads or holds outside of one.
+  bool passed_over(const InpKeyword& key) {
+    if (!skip_loads_) {
+      return false;
+    }
+    const bool inside = in_step_ || key.name == "STEP";
+    in_step_ = inside && key.name != "ENDSTEP";
+    if (!inside && !is_load(key.name)) {
+      return false;
+    }
+    if (std::find(harmless.begin(), harmless.end(), key.name) == harmless.end()) {
+      InpData::LeftOut& left = shared_.data.keywords[key.shown];
+      left.first = left.count++ == 0 ? key.place : left.first;
+    }
+    return true;
+  }
+
   std::unique_ptr<InpLines> lines_of(const InpKeyword& key) {
+    if (passed_over(key)) {
+      return nullptr;
+    }
     for (const auto make : {inp_mesh_lines, inp_set_lines, inp_physics_lines}) {
       if (auto lines = make(shared_, key)) {
         return lines;
@@ -140,6 +173,8 @@ private:
   }
 
   std::vector<InpComplaint>& complaints_;
+  bool skip_loads_;
+  bool in_step_ = false;
   InpText text_;
   InpShared shared_;
   std::map<std::string, Refused> refused_;
@@ -187,9 +222,10 @@ std::string InpLines::plain(std::string_view name) const {
   return std::string(own ? name.substr(prefix.size()) : name);
 }
 
-InpData read_inp(const std::filesystem::path& file, std::vector<InpComplaint>& complaints) {
+InpData read_inp(const std::filesystem::path& file, std::vector<InpComplaint>& complaints,
+                 bool skip_loads) {
   InpData data;
-  Reader(file, data, complaints).run();
+  Reader(file, data, complaints, skip_loads).run();
   return data;
 }
 

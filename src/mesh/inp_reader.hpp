@@ -6,6 +6,7 @@
 
 #include <map>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 namespace spricka::mesh {
@@ -61,6 +62,13 @@ struct InpData {
   std::vector<Equation> equations;
   std::vector<std::string> files;          ///< paths, for places
   std::map<std::string, InpPlace> special; ///< element names taken in full integration instead
+  /// Passed over, by name: bars (T3D3), and keywords of loads where that is wished.
+  struct LeftOut {
+    InpPlace first;
+    std::size_t count = 0;
+  };
+  std::map<std::string, LeftOut> bars, keywords;
+  std::unordered_set<base::Label> bar; ///< their numbers
 };
 
 /// Something wrong or not understood.
@@ -70,7 +78,9 @@ struct InpComplaint {
   std::string hint;
 };
 
-/// Reads a file with its includes; complaints leave the data incomplete.
-InpData read_inp(const std::filesystem::path& file, std::vector<InpComplaint>& complaints);
+/// Reads a file with its includes; complaints leave the data incomplete. With `skip_loads`
+/// supports, loads and steps are passed over.
+InpData read_inp(const std::filesystem::path& file, std::vector<InpComplaint>& complaints,
+                 bool skip_loads = false);
 
 } // namespace spricka::mesh
