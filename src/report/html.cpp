@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/deck_name.hpp"
 #include "report/figures.hpp"
 #include "report/growth_tables.hpp"
 #include "report/growth_tests.hpp"
@@ -26,8 +27,8 @@ void add_head(Page& page, const std::string& title, const base::Sources& sources
   page.add(fmt::format("<h1>{}</h1>\n", escape(title)));
   page.add(fmt::format(
       "<p class=\"about\">Deck {}, computed by spricka {}. Units: {}, {}, {}{}.</p>\n",
-      escape(sources.count() > 0 ? sources.name(0) : ""), SPRICKA_VERSION, units.length_name,
-      units.force_name, units.stress_name(),
+      escape(deck_name(sources, 0)), SPRICKA_VERSION, units.length_name, units.force_name,
+      units.stress_name(),
       model.cracks.empty() ? ""
                            : fmt::format("; K in {}", print_unit(units.stress_intensity_name()))));
 }
@@ -159,7 +160,7 @@ void add_deck(Page& page, const base::Sources& sources) {
   page.heading("Deck");
   for (std::int32_t f = 0; f < static_cast<std::int32_t>(sources.count()); ++f) {
     page.add(fmt::format("<details><summary>{}</summary><pre>{}</pre></details>\n",
-                         escape(sources.name(f)), escape(sources.text(f))));
+                         escape(deck_name(sources, f)), escape(sources.text(f))));
   }
 }
 

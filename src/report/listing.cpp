@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/deck_name.hpp"
 #include "report/growth_tables.hpp"
 #include "report/growth_tests.hpp"
 #include "report/k_bars.hpp"
@@ -25,7 +26,7 @@ std::string heading(std::string_view text) {
 std::string echo(const base::Sources& sources) {
   std::string out;
   for (std::int32_t f = 0; f < static_cast<std::int32_t>(sources.count()); ++f) {
-    out += heading("Deck " + sources.name(f));
+    out += heading("Deck " + deck_name(sources, f));
     std::string_view text = sources.text(f);
     for (std::size_t line = 1; !text.empty(); ++line) {
       const std::size_t end = std::min(text.find('\n'), text.size());

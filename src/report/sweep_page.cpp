@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/deck_name.hpp"
 #include "report/page.hpp"
 #include "report/plot.hpp"
 #include "report/result_tables.hpp"
@@ -197,8 +198,7 @@ std::string sweep_page(const base::Sources& sources, const model::Model& model,
                                     [](const SweepPoint& p) { return p.exit_code != 0; });
   page.add(fmt::format("<p class=\"{}\">Sweep of {} over {}: {} of {} points, {} of them without "
                        "success. Computed by spricka {}.</p>\n",
-                       failed > 0 ? "failed" : "about",
-                       escape(sources.count() > 0 ? sources.name(0) : ""),
+                       failed > 0 ? "failed" : "about", escape(deck_name(sources, 0)),
                        escape(fmt::format("{}", fmt::join(sweep.parameters, ", "))),
                        sweep.points.size(), sweep.count, failed, SPRICKA_VERSION));
   const std::map<int, double> lengths = lengths_of(sweep);

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/deck_name.hpp"
+
+#include <filesystem>
+
+namespace spricka::report {
+
+std::string deck_name(const base::Sources& sources, std::int32_t file) {
+  if (file < 0 || static_cast<std::size_t>(file) >= sources.count()) {
+    return {};
+  }
+  const std::string& name = sources.name(file);
+  if (name.starts_with("-D ") || name.starts_with('<')) { // no file
+    return name;
+  }
+  namespace fs = std::filesystem;
+  const fs::path path = fs::path(name).lexically_normal();
+  const fs::path folder = fs::path(sources.name(0)).lexically_normal().parent_path();
+  const fs::path seen = path.lexically_relative(folder.empty() ? "." : folder);
+  return seen.empty() ? path.filename().string() : seen.string();
+}
+
+} // namespace spricka::report
