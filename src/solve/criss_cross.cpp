@@ -11,6 +11,10 @@ namespace spricka::solve {
 
 namespace {
 
+/// Pivots for each row in which the worst one is exchanged: seldom more than one or two are needed,
+/// where the least index alone may take a number that doubles with each row.
+constexpr int greedy = 8;
+
 /// y = q + T z on the inequality rows, in units of d: y the force of closed rows and the gap of
 /// open ones, z the others. Principal pivots keep T positive semidefinite.
 struct Tableau {
@@ -148,18 +152,22 @@ void pivot(Tableau& t, const std::vector<int>& P) {
   }
 }
 
-/// The least index with y < 0, or -1.
-int first_violated(const Tableau& t, double tolerance) {
+/// The row with the most negative y, or the first one below zero; -1: none is.
+int violated_row(const Tableau& t, double tolerance, bool first) {
   double force = 0.0;
   for (int j = 0; j < t.size(); ++j) {
     force = t.closed[std::size_t(j)] ? std::max(force, std::abs(t.q(j))) : force;
   }
+  int worst = -1;
   for (int j = 0; j < t.size(); ++j) {
-    if (t.q(j) < -tolerance * (force + t.level(j))) {
-      return j;
+    if (t.q(j) < -tolerance * (force + t.level(j)) && (worst < 0 || t.q(j) < t.q(worst))) {
+      worst = j;
+      if (first) {
+        break;
+      }
     }
   }
-  return -1;
+  return worst;
 }
 
 /// What to exchange so that y_i can become zero: i alone, or with the least partner; empty when
@@ -189,7 +197,7 @@ PivotResult criss_cross(const HeldProblem& problem, const std::vector<int>& A, d
   }
   Tableau t = tableau_of(problem, factor);
   for (;;) {
-    const int i = first_violated(t, tolerance);
+    const int i = violated_row(t, tolerance, result.pivots >= greedy * t.size());
     if (i < 0) {
       break;
     }
