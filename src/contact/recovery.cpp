@@ -3,6 +3,7 @@
 
 #include "contact/arc.hpp"
 #include "contact/axis_ends.hpp"
+#include "contact/push_only.hpp"
 #include "contact/slave_places.hpp"
 #include "contact/smooth.hpp"
 
@@ -172,6 +173,7 @@ SideForce side_force(const PairRows& pair, const base::Vector& lambda, const Num
 struct Multipliers {
   const base::Vector& lambda;
   const std::vector<bool>& closed;
+  bool may_pull = false;
 };
 
 struct NodalPressure {
@@ -281,6 +283,10 @@ NodalPressure recover(const PairRows& pair, const Multipliers& row, const SideFo
     mend_axis_ends(pair.contact, number, p.lumped);
     mend_axis_ends(pair.contact, number, p.shear_lumped);
   }
+  std::vector<Eigen::Index> order;
+  for (const Place& place : places) {
+    order.push_back(number.at(place.at.node));
+  }
   if (!pair.segments) {
     const Eigen::SparseMatrix<double> C = surface_mass(pair, number);
     const base::Vector lump = C * base::Vector::Ones(n);
@@ -288,6 +294,10 @@ NodalPressure recover(const PairRows& pair, const Multipliers& row, const SideFo
     p.consistent = factor.solve(p.lumped.cwiseProduct(lump));
     if (!pair.tangent.empty()) {
       p.shear_consistent = factor.solve(p.shear_lumped.cwiseProduct(lump));
+    }
+    if (!row.may_pull) { // the consistent one oscillates where contact ends
+      keep_pushing(pair.contact, order, lump, {p.consistent, p.shear_consistent});
+      keep_pushing(pair.contact, order, area.facing, {p.lumped, p.shear_lumped});
     }
     return p;
   }
@@ -305,6 +315,9 @@ NodalPressure recover(const PairRows& pair, const Multipliers& row, const SideFo
     }
     rim_pressure(pair, number, paired, p.shear_consistent, p.shear_lumped);
     smooth_pressure(pair.contact, number, sound, p.shear_consistent, p.shear_lumped);
+  }
+  if (!row.may_pull) { // corner functions are negative in part: a steep end pulls at a corner
+    keep_pushing(pair.contact, order, area.facing, {p.lumped, p.shear_lumped});
   }
   return p;
 }
@@ -326,7 +339,8 @@ void close_tips(std::vector<NodePressure>& nodes) {
 } // namespace
 
 PairPressure recover_pressure(const PairRows& pair, const base::Vector& lambda,
-                              const base::Vector& gap, const std::vector<bool>& closed) {
+                              const base::Vector& gap, const std::vector<bool>& closed,
+                              bool may_pull) {
   std::vector<Place> places = ordered_places(pair.contact);
   mark_lips(pair.contact, places);
   string_chains(pair.contact, places);
@@ -335,24 +349,21 @@ PairPressure recover_pressure(const PairRows& pair, const base::Vector& lambda,
     number.try_emplace(p.at.node, static_cast<Eigen::Index>(number.size()));
   }
   const SideForce force = side_force(pair, lambda, number);
-  const NodalPressure p = recover(pair, {lambda, closed}, force, places, number);
+  const NodalPressure p = recover(pair, {lambda, closed, may_pull}, force, places, number);
 
   PairPressure result;
   result.force_on_slave = pair.swapped ? base::Vec3(-force.total) : force.total;
-  double area = 0.0;
   double thrust = 0.0;
   std::map<base::NodeId, std::size_t> row_of;
   for (std::size_t i = 0; i < pair.normal.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
     row_of[pair.normal[i].node] = i;
-    area += pair.normal[i].area;
     thrust += lambda[at] * pair.normal[i].area;
     result.min_pressure = i == 0 ? lambda[at] : std::min(result.min_pressure, lambda[at]);
     result.max_pressure = std::max(result.max_pressure, lambda[at]);
     result.closed += closed[i] ? 1 : 0;
     result.max_penetration = std::max(result.max_penetration, -gap[at] / pair.normal[i].area);
   }
-  result.mean_pressure = area > 0.0 ? thrust / area : 0.0;
   for (Place& place : places) {
     const Eigen::Index k = number.at(place.at.node);
     place.at.p_lumped = p.lumped[k];
@@ -371,6 +382,8 @@ PairPressure recover_pressure(const PairRows& pair, const base::Vector& lambda,
   if (pair.faces) {
     close_tips(result.nodes);
   }
+  const double area = contact_area(pair, result.nodes);
+  result.mean_pressure = area > 0.0 ? thrust / area : 0.0;
   Arc arc = longest_arc(pair.contact, result.nodes, pair.segments);
   if (std::ranges::any_of(result.nodes, &NodePressure::closed)) {
     count_along_slave(pair, result.nodes, arc);

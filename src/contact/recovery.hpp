@@ -6,7 +6,7 @@
 
 /// Pressures from contact forces, C p = R with the surface mass C (the paper's equations 6 to 8),
 /// lumped or consistent. SEGMENT pairs have a pressure of their own, the multiplier, which is never
-/// negative: it stands for the consistent one.
+/// negative: it stands for the consistent one. No pressure of a contact that can part is negative.
 namespace spricka::contact {
 
 struct NodePressure {
@@ -29,7 +29,7 @@ struct NodePressure {
 struct PairPressure {
   std::vector<NodePressure> nodes;                ///< of the side that carries the multipliers
   base::Vec3 force_on_slave = base::Vec3::Zero(); ///< deck's slave
-  double mean_pressure = 0.0;                     ///< normal multipliers over the paired area
+  double mean_pressure = 0.0;                     ///< normal multipliers over the part in contact
   double min_pressure = 0.0;                      ///< of the normal multipliers
   double max_pressure = 0.0;
   double max_penetration = 0.0;        ///< [length], 0 or more
@@ -38,7 +38,9 @@ struct PairPressure {
 };
 
 /// lambda [normal rows, then tangent rows], gap [normal rows] weighted, closed [normal rows].
+/// `may_pull`: of a bonded pair.
 PairPressure recover_pressure(const PairRows& pair, const base::Vector& lambda,
-                              const base::Vector& gap, const std::vector<bool>& closed);
+                              const base::Vector& gap, const std::vector<bool>& closed,
+                              bool may_pull = false);
 
 } // namespace spricka::contact

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "contact/recovery.hpp"
+#include "contact/smooth.hpp"
+
+#include <cstddef>
+#include <vector>
+
+/// What nodal pressures of a contact that only pushes must obey, and their mean.
+namespace spricka::contact {
+
+/// The nodes of one chain within a list of all nodes of a surface, chain by chain.
+struct ChainRange {
+  std::size_t first = 0, count = 0;
+  bool closed = false;
+};
+std::vector<ChainRange> chain_ranges(const Surface& surface);
+
+/// Nodal pressures with the shear beside them [node, as numbered]; no shear: empty.
+struct NodalTraction {
+  base::Vector& p;
+  base::Vector& q;
+};
+
+/// Makes p >= 0 and keeps sum area * p and sum area * q of each chain (contact.24): what a node
+/// pulls is taken from the nearest nodes of its chain that push, and its shear goes with it, so
+/// that a ratio q / p that all nodes have stays. `order` [node]: chain by chain.
+void keep_pushing(const Surface& surface, const std::vector<Eigen::Index>& order,
+                  const base::Vector& area, NodalTraction traction);
+
+/// Area of the part in contact: closed rows, up to where the square-root law (contact.11) ends the
+/// pressure behind the last of them. Nodes as recover_pressure has them.
+double contact_area(const PairRows& pair, const std::vector<NodePressure>& nodes);
+
+} // namespace spricka::contact

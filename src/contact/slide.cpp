@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/slide.hpp"
+
+#include "contact/rigid_target.hpp"
+#include "contact/segment.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace spricka::contact {
+
+namespace {
+
+constexpr std::array<double, 2> gauss{-0.5773502691896258, 0.5773502691896258};
+constexpr double least_pressure = 0.01; // of the largest: less is not looked at
+
+Edge moved(Edge edge, const base::Vector& u) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(edge.count); ++i) {
+    edge.x[i] += u.segment<2>(2 * static_cast<Eigen::Index>(edge.nodes[i].index()));
+  }
+  return edge;
+}
+
+Vec2 shift_at(const Edge& edge, double xi, const base::Vector& u) {
+  const std::array<double, 3> N = edge_N(edge, xi);
+  Vec2 sum = Vec2::Zero();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(edge.count); ++i) {
+    sum += N[i] * u.segment<2>(2 * static_cast<Eigen::Index>(edge.nodes[i].index()));
+  }
+  return sum;
+}
+
+class Sliding {
+public:
+  Sliding(const PairRows& pair, const base::Vector& lambda, const base::Vector& u)
+      : pair_(pair), lambda_(lambda), u_(u), edges_(edges_of(pair.contact)),
+        targets_(edges_of(pair.target)), row_(normal_rows(pair)) {
+    for (std::size_t i = 0; i < pair.normal.size(); ++i) {
+      largest_ = std::max(largest_, lambda[static_cast<Eigen::Index>(i)]);
+    }
+    for (const Edge* target : targets_) {
+      moved_.push_back(moved(*target, u));
+    }
+  }
+
+  Slide look() {
+    if (!(largest_ > 0.0)) {
+      return {};
+    }
+    for (const Segment& s : pair_.rigid ? find_segments(pair_.contact, *pair_.rigid)
+                                        : find_segments(pair_.contact, pair_.target)) {
+      for (const double r : gauss) {
+        add(s, 0.5 * ((s.to + s.from) + (s.to - s.from) * r));
+      }
+    }
+    found_.lost = thrust_ > 0.0 ? lost_ / thrust_ : 0.0;
+    return found_;
+  }
+
+private:
+  [[nodiscard]] double pressure(const Edge& edge, double xi) const {
+    const std::array<double, 3> phi = edge_hats(edge, xi);
+    double p = 0.0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(edge.count); ++i) {
+      const auto row = row_.find(edge.nodes[i]);
+      p += row == row_.end() ? 0.0 : phi[i] * lambda_[static_cast<Eigen::Index>(row->second)];
+    }
+    return p;
+  }
+
+  // The gap of the deformed bodies from a point on along a normal; none: nothing is there.
+  [[nodiscard]] std::optional<double> gap_from(const Vec2& x, const Vec2& n, double near) const {
+    std::optional<double> gap;
+    for (const Edge& target : moved_) {
+      const Vec2 centre = point_on(target, 0.0);
+      const double radius = std::max((target.x[0] - centre).norm(), (target.x[1] - centre).norm());
+      if ((centre - x).norm() > 1.01 * radius + near) {
+        continue;
+      }
+      const std::optional<double> eta = hit_on(target, x, n);
+      if (eta && std::abs(*eta) <= 1.0 + 1e-6) {
+        const double g = (point_on(target, *eta) - x).dot(n);
+        gap = !gap || std::abs(g) < std::abs(*gap) ? g : *gap;
+      }
+    }
+    return gap;
+  }
+
+  void add(const Segment& s, double xi) {
+    const Edge& edge = *edges_[s.contact_edge];
+    const double p = pressure(edge, xi);
+    if (p <= least_pressure * largest_) {
+      return;
+    }
+    const Vec2 x = point_on(edge, xi);
+    const double length = 0.5 * (s.to - s.from) * tangent_on(edge, xi).norm();
+    const double thrust = p * length * depth_at(pair_.contact, pair_.target, x);
+    Vec2 n = surface_normal(pair_.contact, edge, xi);
+    Vec2 relative = -shift_at(edge, xi, u_);
+    double drawn = 0.0;
+    double facet = edge.length;
+    std::optional<double> now;
+    if (pair_.rigid) {
+      const std::optional<RigidFoot> before = foot_on(*pair_.rigid, x);
+      const std::optional<RigidFoot> after = foot_on(*pair_.rigid, x - relative);
+      if (!before || !after) {
+        return;
+      }
+      n = before->normal;
+      drawn = before->gap;
+      now = after->beyond ? std::nullopt : std::optional(after->gap);
+    } else {
+      const Edge& target = *targets_[s.target_edge];
+      const std::optional<double> eta = hit_on(target, x, n);
+      if (!eta) {
+        return;
+      }
+      drawn = (point_on(target, *eta) - x).dot(n);
+      facet = std::max(facet, target.length);
+      const Edge here = moved(edge, u_);
+      const Vec2 at = point_on(here, xi);
+      relative += shift_at(target, *eta, u_);
+      now = gap_from(at, outer_normal(here, xi), std::abs(drawn) + relative.norm());
+    }
+    thrust_ += thrust;
+    found_.pressed += length;
+    const double way = std::abs(n.x() * relative.y() - n.y() * relative.x());
+    if (way > found_.way) {
+      found_.way = way;
+      found_.facet = facet;
+    }
+    if (!now) {
+      lost_ += thrust;
+    } else {
+      found_.misfit = std::max(found_.misfit, std::abs(*now - drawn - n.dot(relative)));
+    }
+  }
+
+  const PairRows& pair_;
+  const base::Vector& lambda_;
+  const base::Vector& u_;
+  std::vector<const Edge*> edges_, targets_;
+  std::vector<Edge> moved_;
+  std::map<base::NodeId, std::size_t> row_;
+  double largest_ = 0.0, thrust_ = 0.0, lost_ = 0.0;
+  Slide found_;
+};
+
+} // namespace
+
+Slide slide_of(const PairRows& pair, const base::Vector& lambda, const base::Vector& u) {
+  return Sliding(pair, lambda, u).look();
+}
+
+} // namespace spricka::contact
