@@ -119,7 +119,8 @@ constexpr std::array vce_keys{
 
 constexpr std::array step_keys{
     required(defines("NAME", step, "called by this in results")),
-    preset(integer("SUBSTEPS", between(1, 1000000), "equal parts the step is run in"), "1"),
+    integer("SUBSTEPS", between(1, 1000000),
+            "equal parts a step with friction is run in; left out: as many as its shear needs"),
 };
 
 constexpr std::array load_path_keys{

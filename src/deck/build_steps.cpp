@@ -78,7 +78,7 @@ void action(Context& c, const grammar::Row& row, model::Step& step) {
 void step(Context& c, const BoundCard& card) {
   model::Step step;
   step.name = card.word("NAME");
-  step.substeps = card.integer("SUBSTEPS");
+  step.substeps = card.has("SUBSTEPS") ? card.integer("SUBSTEPS") : 0;
   step.span = card.span;
   for (const grammar::Row& row : card.rows) {
     const Field& verb = row.fields.front();

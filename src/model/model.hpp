@@ -201,7 +201,7 @@ using Action = std::variant<ApplyLoad, ApplyFit, Mount, Dismount>;
 
 struct Step {
   std::string name;
-  int substeps = 1;
+  int substeps = 1; ///< 0: as many as the shear of contacts that rub needs
   std::vector<Action> actions;
   base::Span span;
 };

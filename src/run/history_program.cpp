@@ -28,12 +28,13 @@ StepFactors on_path(const StepFactors& from, const StepFactors& to, double t) {
   return at;
 }
 
-HistoryProgram of_spectrum(const model::Model& model, const std::vector<StepFactors>& of_step) {
+HistoryProgram of_spectrum(const model::Model& model, const std::vector<StepFactors>& of_step,
+                           const std::vector<int>& increments) {
   const model::Spectrum& card = model.spectra[*model.growth->spectrum];
   const model::LoadPath& path = model.load_paths[card.path];
   HistoryProgram program;
   program.start = path.from.index();
-  program.per_unit = model.steps[path.to.index()].substeps;
+  program.per_unit = increments[path.to.index()];
   double highest = -1.0;
   std::size_t mark = 0;
   for (const model::SpectrumRun& run : model::spectrum_runs(card)) {
@@ -52,7 +53,8 @@ HistoryProgram of_spectrum(const model::Model& model, const std::vector<StepFact
 }
 
 // From the first of the two steps on by the steps between to the second, and straight back.
-HistoryProgram of_steps(const model::Model& model, const std::vector<StepFactors>& of_step) {
+HistoryProgram of_steps(const model::Model& model, const std::vector<StepFactors>& of_step,
+                        const std::vector<int>& increments) {
   const std::size_t high = model.growth->kmax.index();
   const std::size_t low = model.growth->kmin.index();
   const auto [first, last] = std::minmax(high, low);
@@ -63,8 +65,8 @@ HistoryProgram of_steps(const model::Model& model, const std::vector<StepFactors
   LoadLeg& leg = program.legs.emplace_back();
   int most = 1;
   for (std::size_t s = first; s <= last; ++s) {
-    most = std::max(most, model.steps[s].substeps);
-    leg.places.push_back({of_step[s], 0.0, model.steps[s].substeps});
+    most = std::max(most, increments[s]);
+    leg.places.push_back({of_step[s], 0.0, increments[s]});
     if (s > first && mounts(model.steps[s])) {
       program.none =
           fmt::format("step {} mounts or dismounts a contact between {} and {}",
@@ -86,8 +88,10 @@ bool follows_history(const model::Model& model) {
                              [](const auto& c) { return c.faces_in_contact && c.mu > 0.0; });
 }
 
-HistoryProgram history_program(const model::Model& model, const std::vector<StepFactors>& of_step) {
-  return model.growth->spectrum ? of_spectrum(model, of_step) : of_steps(model, of_step);
+HistoryProgram history_program(const model::Model& model, const std::vector<StepFactors>& of_step,
+                               const std::vector<int>& increments) {
+  return model.growth->spectrum ? of_spectrum(model, of_step, increments)
+                                : of_steps(model, of_step, increments);
 }
 
 } // namespace spricka::run

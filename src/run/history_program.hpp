@@ -37,7 +37,9 @@ struct HistoryProgram {
   std::string none;         ///< why the loads cannot be repeated; empty: they can
 };
 
-/// From the card of the growth and the factors at the end of all steps.
-HistoryProgram history_program(const model::Model& model, const std::vector<StepFactors>& of_step);
+/// From the card of the growth, the factors at the end of all steps, and into how many increments
+/// each step was cut [step].
+HistoryProgram history_program(const model::Model& model, const std::vector<StepFactors>& of_step,
+                               const std::vector<int>& increments);
 
 } // namespace spricka::run

@@ -31,6 +31,9 @@ void LoadHistory::keep(std::size_t step, const StepSolver& solver,
   places_.push_back(solver.place());
   of_steps_.resize(step);
   of_steps_.push_back(intensities_of(result));
+  const int given = model_.steps[step].substeps;
+  parts_.resize(step);
+  parts_.push_back(given > 0 ? given : result.increments);
 }
 
 double LoadHistory::change(const WayOfK& a, const WayOfK& b) const {
@@ -170,7 +173,7 @@ bool LoadHistory::begin(const HistoryProgram& program, const CarriedState& carri
 
 bool LoadHistory::follow(StepSolver& solver, CarriedState& carried, FollowedLoads& out,
                          Refusal& refusal) {
-  const HistoryProgram program = history_program(model_, of_step_);
+  const HistoryProgram program = history_program(model_, of_step_, parts_);
   out = {};
   out.none = solver.system() == nullptr ? "nothing is in contact" : program.none;
   out.grow_at = program.grow_at;

@@ -66,6 +66,7 @@ private:
   std::vector<StepFactors> of_step_;
   std::vector<StepSolver::Place> places_; ///< [step]
   WayOfK of_steps_;                       ///< [step] K of its result
+  std::vector<int> parts_;                ///< [step] increments it was cut into
   // while it is followed
   StepSolver* solver_ = nullptr;
   contact::ContactSystem::Answer answer_; ///< of the last increment

@@ -113,13 +113,18 @@ private:
     int increments = 0, iterations = 0, pivots = 0;
     const Seen* seen = nullptr;
   };
+  /// Steps in which contacts rub: in as many increments as the card says, and once more in others
+  /// to tell their error, or in ever more until it is small (manual, contact.25).
+  bool walk_rubbing(Walk& walk, const model::Step& step, StepState& state, Refusal& refusal);
+  /// In so many equal increments from where `start` stands.
+  bool march(Walk& walk, const Place& start, int increments, Refusal& refusal);
   [[nodiscard]] StepState begin_state() const;
   /// Displacements of all bodies and what follows from them; false: not in equilibrium.
   bool complete(std::vector<base::Vector> external, StepState& state, Refusal& refusal) const;
   /// One increment between two parts of the step, halved where it does not converge.
   bool advance(Walk& walk, std::pair<double, double> part, int halvings);
   void remember(const Walk& walk);
-  void note_uniqueness(const contact::ContactSystem::Demand& demand, StepState& state);
+  void note_uniqueness(const Walk& walk, StepState& state);
   bool refuse(const contact::ContactSystem::Answer& answer, Refusal& refusal) const;
   [[nodiscard]] bool accept(const contact::ContactSystem::Answer& answer,
                             const contact::ContactSystem::Demand& demand, StepState& state,
@@ -139,6 +144,7 @@ private:
   FrictionHistory history_;
   MountMemory* memory_ = nullptr;
   std::vector<bool> tested_; ///< contacts in force when uniqueness was tested last
+  bool certain_ = false;     ///< that test's answer
 };
 
 } // namespace spricka::run

@@ -2,6 +2,10 @@
 #include "run/step_walk.hpp"
 
 #include "run/step_solver.hpp"
+#include "solve/friction_index.hpp"
+
+#include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -11,6 +15,77 @@ namespace {
 
 // An increment with friction that does not converge is halved so often.
 constexpr int most_halvings = 6;
+
+// A step that is cut by itself is cut until its shear changes by no more than this part of itself,
+// and no further than this.
+constexpr double shear_tolerance = 0.01;
+constexpr int most_increments = 64;
+// Shear that is less than this part of mu p is measured by that.
+constexpr double least_shear = 0.25;
+// It is warned of where its shear is off by more.
+constexpr double worst_shear = 0.05;
+// Less is not told.
+constexpr double round_off_shear = 1e-6;
+// A determinant of more rows takes as long as an increment.
+constexpr std::size_t most_rows_tested = 4000;
+
+// Shear of contacts that rub in two answers to the same demand: root mean square of what it changes
+// by over that of the shear, the largest of all contacts (manual, contact.25).
+double friction_change(const Scene& scene, const contact::ContactSystem::Demand& demand,
+                       const contact::ContactSystem::Answer& a,
+                       const contact::ContactSystem::Answer& b) {
+  struct Sum {
+    double change = 0.0, shear = 0.0, limit = 0.0;
+  };
+  std::vector<Sum> sums(scene.pairs.size());
+  for (const solve::FrictionRow& f : demand.friction) {
+    const std::size_t row = demand.rows[static_cast<std::size_t>(f.tangent)];
+    const auto c = static_cast<std::size_t>(
+        std::upper_bound(scene.table.first.begin(), scene.table.first.end(), row) -
+        scene.table.first.begin() - 1);
+    const double area = scene.table.rows[row]->area;
+    const base::Vector& q = b.solution.lambda;
+    sums[c].change += area * std::pow(a.solution.lambda[f.tangent] - q[f.tangent], 2);
+    sums[c].shear += area * std::pow(q[f.tangent], 2);
+    sums[c].limit += area * std::pow(least_shear * f.mu * q[f.normal], 2);
+  }
+  double most = 0.0;
+  for (const Sum& sum : sums) {
+    const double scale = std::max(sum.shear, sum.limit);
+    most = std::max(most, scale > 0.0 ? std::sqrt(sum.change / scale) : 0.0);
+  }
+  return most;
+}
+
+// An error that falls with 1/n leaves this of the change between two walks.
+struct Halving {
+  int before = 1, now = 2;
+  double change = 0.0;
+
+  [[nodiscard]] double error() const { return change * before / std::abs(now - before); }
+};
+
+void note_increments(const Halving& cut, bool given, StepState& state) {
+  const double error = cut.error();
+  if (error < round_off_shear) {
+    return;
+  }
+  const std::string off = fmt::format("shear off by about {:.2g} %", 100.0 * error);
+  if (error <= worst_shear) {
+    state.notes.push_back(
+        fmt::format("friction walked in {} increments: {} (root mean square)", cut.now, off));
+  } else if (given) {
+    state.notes.push_back(fmt::format(
+        "warning: SUBSTEPS={} leaves the {} (root mean square, from the change between {} and {} "
+        "increments); without SUBSTEPS the step is cut until 1 % is left",
+        cut.now, off, std::min(cut.before, cut.now), std::max(cut.before, cut.now)));
+  } else {
+    state.notes.push_back(fmt::format(
+        "warning: friction walked in {} increments leaves the {} (root mean square): SUBSTEPS may "
+        "ask for more",
+        cut.now, off));
+  }
+}
 
 solve::ContactSettings settings_of(const model::Model& model) {
   solve::ContactSettings settings;
@@ -37,16 +112,10 @@ std::optional<contact::ContactSystem::Answer> StepSolver::walk(const StepFactors
   Walk way{from, factors_, demand(), {}, 0, 0, 0, nullptr};
   const bool rubs = !way.demand.friction.empty();
   if (rubs) {
-    note_uniqueness(way.demand, state);
-    for (int k = 0; k < step.substeps; ++k) {
-      const double n = step.substeps;
-      if (advance(way, {k / n, (k + 1) / n}, 0)) {
-        continue;
-      }
-      refuse(way.answer, refusal);
-      refusal.why = fmt::format("substep {} of {}: {}", k + 1, step.substeps, refusal.why);
+    if (!walk_rubbing(way, step, state, refusal)) {
       return std::nullopt;
     }
+    note_uniqueness(way, state);
   } else {
     way.answer = system_->solve(way.demand, settings_of(model_));
     way.iterations = way.answer.solution.block_iterations;
@@ -60,6 +129,50 @@ std::optional<contact::ContactSystem::Answer> StepSolver::walk(const StepFactors
     return std::nullopt;
   }
   return std::move(way.answer);
+}
+
+bool StepSolver::march(Walk& walk, const Place& start, int increments, Refusal& refusal) {
+  go_back(start);
+  walk.increments = 0;
+  for (int k = 0; k < increments; ++k) {
+    const double n = increments;
+    if (!advance(walk, {k / n, (k + 1) / n}, 0)) {
+      refuse(walk.answer, refusal);
+      refusal.why = fmt::format("substep {} of {}: {}", k + 1, increments, refusal.why);
+      return false;
+    }
+  }
+  return true;
+}
+
+bool StepSolver::walk_rubbing(Walk& walk, const model::Step& step, StepState& state,
+                              Refusal& refusal) {
+  const Place start = place();
+  const bool given = step.substeps > 0;
+  Halving cut{1, 2, 0.0};
+  if (given) {
+    cut = {step.substeps == 1 ? 2 : step.substeps / 2, step.substeps, 0.0};
+  }
+  Refusal coarse;
+  const bool compared = march(walk, start, cut.before, coarse);
+  if (!compared && !given) {
+    refusal = coarse;
+    return false;
+  }
+  for (;;) {
+    const contact::ContactSystem::Answer last = std::move(walk.answer);
+    if (!march(walk, start, cut.now, refusal)) {
+      return false;
+    }
+    cut.change = compared ? friction_change(scene_, walk.demand, last, walk.answer) : 0.0;
+    if (given || cut.change <= shear_tolerance || cut.now >= most_increments) {
+      break;
+    }
+    cut.before = cut.now;
+    cut.now *= 2;
+  }
+  note_increments(cut, given, state);
+  return true;
 }
 
 bool StepSolver::advance(Walk& walk, std::pair<double, double> part, int halvings) {
@@ -131,15 +244,17 @@ void StepSolver::remember(const Walk& walk) {
   }
 }
 
-void StepSolver::note_uniqueness(const contact::ContactSystem::Demand& demand, StepState& state) {
-  if (tested_ == factors_.mounted) {
-    return;
+// A test that is sufficient only clears most; of the others the answer itself tells.
+void StepSolver::note_uniqueness(const Walk& walk, StepState& state) {
+  if (tested_ != factors_.mounted) {
+    tested_ = factors_.mounted;
+    certain_ = system_->unique(walk.demand).certain;
   }
-  tested_ = factors_.mounted;
-  if (!system_->unique(demand).certain) {
-    state.notes.emplace_back("with this much friction a test that is sufficient only did not rule "
-                             "out that the increments "
-                             "have other solutions");
+  if (!certain_ && walk.demand.rows.size() <= most_rows_tested &&
+      solve::one_of_several({system_->condensed(walk.demand), walk.demand.friction, {}},
+                            walk.answer.solution.closed, walk.answer.touch)) {
+    state.notes.emplace_back(
+        "warning: with this much friction the end of the step is one of several solutions");
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dice.hpp"
 #include "solve/friction.hpp"
+#include "solve/friction_index.hpp"
 #include "solve/lemke.hpp"
 
 #include <Eigen/LU>
@@ -246,6 +247,24 @@ TEST(Friction, OneNodeLosesUniquenessAtTheCriticalCoefficient) {
   EXPECT_GT(several, 0);
 }
 
+// An answer that stands alone is not called one of several, whatever the coefficient.
+TEST(Friction, AnswersThatStandAloneAreNotTurnedOver) {
+  Dice dice(5);
+  for (int k = 0; k < 400; ++k) {
+    const double f_t = dice.real(-1.0, 1.0);
+    const double f_n = dice.real(-1.0, 1.0);
+    for (const double mu : {0.5, 1.6, 1.8, 2.5}) {
+      const FrictionProblem p = one_node(mu, f_t, f_n);
+      const FrictionSolution s = solve(p);
+      if (s.contact.status != ContactStatus::solved) {
+        continue;
+      }
+      const bool turned = one_of_several(p, s.contact.closed, s.touch);
+      EXPECT_TRUE(!turned || enumerate(p).size() > 1) << mu << " " << f_t << " " << f_n;
+    }
+  }
+}
+
 TEST(Lemke, EndsInTheSolutionOrInARay) {
   // the matrix on which flipping of signs cycles, and one without a solution
   Matrix M(3, 3);
@@ -293,6 +312,7 @@ TEST(Friction, RandomProblemsAgreeWithEnumeration) {
   int pivoted = 0;
   int missed = 0;
   int stopped = 0;
+  int turned = 0;
   for (int seed = 0; seed < tries; ++seed) {
     SCOPED_TRACE(seed);
     Dice dice(static_cast<unsigned>(seed));
@@ -324,16 +344,21 @@ TEST(Friction, RandomProblemsAgreeWithEnumeration) {
                 f.mu * s.contact.lambda(f.normal) * (1.0 + 1e-12));
     }
     const double size = 1.0 + s.contact.lambda.cwiseAbs().maxCoeff() / force;
+    if (one_of_several(p, s.contact.closed, s.touch)) {
+      ++turned;
+      EXPECT_NE(answers.size(), 1U);
+    }
     const bool listed = std::any_of(answers.begin(), answers.end(), [&](const Found& f) {
       return (force * f.lambda - s.contact.lambda).norm() < 1e-7 * force * size;
     });
     EXPECT_TRUE(listed || answers.empty());
   }
+  EXPECT_GT(turned, 0);
   EXPECT_GT(solved, tries * 9 / 10);
   EXPECT_LT(stopped, tries / 50); // with friction up to 2 some have several answers
   std::printf("%d of %d solved, %d with pivoting, %d certainly unique; no answer found where there "
-              "is one: %d; undecided: %d\n",
-              solved, tries, pivoted, certain, missed, stopped);
+              "is one: %d; undecided: %d; turned over: %d\n",
+              solved, tries, pivoted, certain, missed, stopped, turned);
 }
 
 } // namespace
