@@ -218,11 +218,22 @@ constexpr std::array advice{
               "distorted ones are stiff in bending. Sharp inner corners, edges of contact and "
               "single forces have errors that refinement moves but does not end; if stresses "
               "there are not wanted, the estimate can be left at that."},
+    ErrorCode{"W442", "Leave GAP, INTERFERENCE or DIAMETRAL out to have the drawn gap measured, or "
+                      "draw the surfaces in contact: the declared gap is taken as it is."},
+    ErrorCode{"W443", "Put the faces that the message tells the place of into the set, or give "
+                      "them a $CONTACT of their own."},
+    ErrorCode{"W444", "Look at the unit of the fit, and at the radii of the drawing. Strains above "
+                      "1 % are beyond small displacements and elastic materials."},
+    ErrorCode{"W445", "MU=0.15, not MU=15."},
+    ErrorCode{"W446",
+              "Give them a $CONTACT, or draw them apart. Bodies that lie upon each other "
+              "with more than a twentieth of their extent are meant to, and not warned of."},
     ErrorCode{"W502",
               "The faces of a crack overlap that FACES=FREE lets (K1 is negative), or are open at "
               "a tip over less than its mesh resolves; a finite SHIFT of $VCE is too "
-              "large, or a cheap test could not show that friction leaves one solution only: "
-              "then see whether other SUBSTEPS change the answer. The listing says the same."},
+              "large; bodies slide or run into each other where contact does not see it; SUBSTEPS "
+              "leave the shear of friction off, or the solution with friction is one of several. "
+              "The listing says the same."},
 };
 
 } // namespace

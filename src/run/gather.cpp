@@ -4,7 +4,9 @@
 #include "contact/marked_arc.hpp"
 #include "contact/slave_places.hpp"
 #include "crack/stress_intensity.hpp"
+#include "run/body_overlap.hpp"
 #include "run/closed_parts.hpp"
+#include "run/contact_limits.hpp"
 #include "run/judge_faces.hpp"
 #include "run/judge_size.hpp"
 #include "run/lip_contact.hpp"
@@ -196,7 +198,8 @@ void gather_contacts(const Scene& scene, const StepState& state, results::StepRe
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     const contact::PairRows& pair = scene.pairs[c];
     const contact::PairPressure p = contact::recover_pressure(
-        pair, state.pair_lambda[c], state.pair_gap[c], state.pair_closed[c]);
+        pair, state.pair_lambda[c], state.pair_gap[c], state.pair_closed[c],
+        scene.contacts[c].type == model::ContactType::bonded);
     results::ContactResult result;
     result.name = scene.contacts[c].name;
     result.mounted = state.mounted[c];
@@ -355,6 +358,10 @@ results::StepResult gather_step(const model::Model& model, const Scene& scene,
   gather_nets(model, scene, state, out);
   gather_targets(model, out, out.targets);
   judge_size(scene, bodies, out);
+  if (scene.cracked.mesh.dim == 2) {
+    tell_slides(scene, state, out);
+    tell_overlaps(model, scene, bodies, state, out);
+  }
   return out;
 }
 

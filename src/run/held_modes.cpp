@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/held_modes.hpp"
 
+#include "run/missing_contact.hpp"
 #include "run/rigid_motion.hpp"
 #include "run/step_factors.hpp"
 #include "solve/friction.hpp"
@@ -209,8 +210,9 @@ std::vector<Refusal> unheld_loads(const model::Model& model, const Scene& scene,
           bodies[b].free_modes * motion.segment(modes.first(b), bodies[b].free_modes.cols());
       refusals.push_back(
           {4,
-           fmt::format("step {}: body {} is loaded but not held: {}", step.name, bodies[b].name,
-                       describe_motion(scene.cracked.mesh, bodies[b].body, own)),
+           fmt::format("step {}: body {} is loaded but not held: {}{}", step.name, bodies[b].name,
+                       describe_motion(scene.cracked.mesh, bodies[b].body, own),
+                       missing_contact(model, scene, bodies, b)),
            step.span});
     }
   }

@@ -6,6 +6,7 @@
 #include "report/notes.hpp"
 #include "report/result_tables.hpp"
 #include "run/check_quantities.hpp"
+#include "run/contact_sense.hpp"
 #include "run/estimate.hpp"
 #include "run/growth_tests.hpp"
 #include "run/remedy.hpp"
@@ -132,6 +133,7 @@ ReadyDeck read_ready(const std::filesystem::path& deck, const deck::ReadOptions&
       deck::read_deck(deck, options, ready.sources, ready.diagnostics);
   if (model) {
     warn_of_locking(*model, ready.diagnostics);
+    warn_of_contacts(*model, ready.diagnostics);
   }
   if (model && !ready.diagnostics.has_errors()) {
     base::Diagnostics missing = unavailable(*model);

@@ -3,6 +3,7 @@
 
 #include "fe/assemble.hpp"
 #include "fe/thermal.hpp"
+#include "run/missing_contact.hpp"
 #include "run/rigid_motion.hpp"
 #include "run/scene_heat.hpp"
 #include "run/step_walk.hpp"
@@ -168,9 +169,10 @@ std::string StepSolver::unheld(const base::Vector& mode, bool slides) const {
   const base::Vector shape =
       body.condensed->modes() * mode.segment(first, body.condensed->modes().cols());
   const base::Vector mix = at_externals.colPivHouseholderQr().solve(shape);
-  return fmt::format("body {} {}: {}", body.name,
+  return fmt::format("body {} {}: {}{}", body.name,
                      slides ? "slides, friction does not hold it" : "is loaded but not held",
-                     describe_motion(scene_.cracked.mesh, body.body, body.free_modes * mix));
+                     describe_motion(scene_.cracked.mesh, body.body, body.free_modes * mix),
+                     slides ? "" : missing_contact(model_, scene_, bodies_, condensed_[at]));
 }
 
 // Sets the refusal where the answer is none.
