@@ -44,13 +44,18 @@ public:
       : set_(set), e_(e), X_(fe::coordinates<S>(set.mesh, e)), U_(fe::gather<S>(set.mesh, e, u)),
         law_(fe::law_of(set.model, set.mesh, e)),
         T_(fe::corner_temperature<S>(set.mesh, e, set.loads.temperature)),
-        moved_(extension_at<S>(set.mesh, e, q)), strained_((moved_.array() != 1.0).any()) {}
+        carried_(fe::FreeExpansion<S>::wanted(X_, law_)), moved_(extension_at<S>(set.mesh, e, q)),
+        strained_((moved_.array() != 1.0).any()) {
+    if (carried_) {
+      free_ = fe::FreeExpansion<S>(X_, law_, T_);
+    }
+  }
 
   [[nodiscard]] Vec2 x(const shape::Point<2>& r) const { return X_ * S::N(r); }
   [[nodiscard]] double beta() const { return fe::heat_modulus(law_); }
   /// What the element takes of the temperature.
   [[nodiscard]] double taken(const shape::Point<2>& r) const {
-    return fe::taken_temperature<S>(X_, law_, T_, r);
+    return carried_ ? free_.temperature(x(r)) : T_.dot(fe::Linear<S>::N(r));
   }
   [[nodiscard]] double extension(const shape::Point<2>& r) const { return moved_.dot(S::N(r)); }
   [[nodiscard]] double volume_change(const shape::Point<2>& r) const {
@@ -112,6 +117,8 @@ private:
   fe::NodeVectors<S> U_;
   fe::Law law_;
   fe::CornerValues<S> T_;
+  bool carried_; ///< the nodes, through the free expansion
+  fe::FreeExpansion<S> free_;
   Eigen::Matrix<double, S::nodes, 1> moved_;
   bool strained_;
 };
@@ -174,12 +181,13 @@ double line_integral(const F& f, double from, double to, double scale, int depth
 class EdgeTerm {
 public:
   EdgeTerm(const TipSetting& set, const std::map<base::NodeId, double>& q, const base::Vector& u)
-      : set_(set), q_(q), u_(u) {}
+      : set_(set), q_(q), u_(u), scale_(set.loads.temperature.cwiseAbs().maxCoeff()) {}
 
   [[nodiscard]] double operator()(const Between& edge) const {
     double sum = 0.0;
     constexpr int most_halvings = 12;
     constexpr double exact = 1e-7;
+    constexpr double nothing = 1e-11; // round-off
     shape::with_plane_shape(type_of(edge.left), [&]<shape::PlaneShape L>(L) {
       shape::with_plane_shape(type_of(edge.right), [&]<shape::PlaneShape R>(R) {
         const Element<L> left(set_, edge.left, q_, u_);
@@ -200,12 +208,16 @@ public:
           const double a = (T - left.taken(r)) * left.volume_change(r) * left.beta();
           const double b = (T - right.taken(s)) * right.volume_change(s) * right.beta();
           const double weight = left.extension(r) * n;
-          size = std::max(size,
-                          (std::abs(T * left.volume_change(r)) * left.beta()) * std::abs(weight));
+          size = std::max(size, scale_ * std::abs(left.volume_change(r)) * left.beta() *
+                                    tangent.norm() * left.extension(r));
           return (a - b) * weight;
         };
+        double most = 0.0;
         for (const auto& p : shape::line_rule(9)) { // how large it is
-          value(p.r[0]);
+          most = std::max(most, std::abs(value(p.r[0])));
+        }
+        if (most <= nothing * size) {
+          return;
         }
         sum = line_integral(value, -1.0, 1.0, exact * size, most_halvings);
       });
@@ -225,6 +237,7 @@ private:
   const TipSetting& set_;
   const std::map<base::NodeId, double>& q_;
   const base::Vector& u_;
+  double scale_; ///< largest temperature
 };
 
 // Whether the temperature that the elements of a domain take is the same on both sides of all
