@@ -215,8 +215,8 @@ constexpr std::array advice{
         "if the two do not come together, do not trust either: the difference is the error."},
     ErrorCode{"W504",
               "Refine near the elements named, or use quadratic elements: linear ones and few "
-              "distorted ones are stiff in bending. Sharp inner corners, edges of contact and "
-              "single forces have errors that refinement moves but does not end; if stresses "
+              "distorted ones are stiff in bending. Sharp inner corners and edges of contact "
+              "have errors that refinement moves but does not end; if stresses "
               "there are not wanted, the estimate can be left at that."},
     ErrorCode{"W442", "Leave GAP, INTERFERENCE or DIAMETRAL out to have the drawn gap measured, or "
                       "draw the surfaces in contact: the declared gap is taken as it is."},
@@ -234,6 +234,12 @@ constexpr std::array advice{
               "large; bodies slide or run into each other where contact does not see it; SUBSTEPS "
               "leave the shear of friction off, or the solution with friction is one of several. "
               "The listing says the same."},
+    ErrorCode{
+        "W502",
+        "The faces of a crack overlap that FACES=FREE lets (K1 is negative), or are open at "
+        "a tip over less than its mesh resolves; a finite SHIFT of $VCE is too large, or K "
+        "hangs on a support of a single node, which gives way the more the finer the mesh is: "
+        "hold a side instead. The listing says the same."},
 };
 
 } // namespace

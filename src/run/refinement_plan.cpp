@@ -23,6 +23,11 @@ constexpr double q = 3.0;
 constexpr double aim = 0.9;        // of what is allowed: a round more costs more than this margin
 constexpr double most_finer = 2.0; // of a patch in one round
 constexpr double no_change = 0.95; // of a size: not worth a new mesh
+// Where few elements have most of an error it stems from places without bound, and falls with the
+// first power of their size at worst (clamped ends, notches).
+constexpr double peak = 0.04;        // of the host's error, in one element
+constexpr double most_of_sum = 0.5;  // of all error, in the peaks together
+constexpr double worth_a_mesh = 0.7; // of the size of single elements
 
 /// Factors on the sizes of one increment's host elements and of the patches, from its bars.
 struct Factors {
@@ -34,6 +39,44 @@ double power_sum(const std::vector<double>& error, std::size_t from, std::size_t
   return std::accumulate(error.begin() + static_cast<std::ptrdiff_t>(from),
                          error.begin() + static_cast<std::ptrdiff_t>(to), 0.0,
                          [&](double sum, double e) { return sum + std::pow(std::abs(e), power); });
+}
+
+// Elements of the host in which the error has peaks; none where it is spread.
+std::vector<bool> peaks_of(const std::vector<double>& error, std::size_t kept, double sum) {
+  const double host = power_sum(error, 0, kept, 1.0);
+  std::vector<bool> peaks(kept, false);
+  double inside = 0.0;
+  for (std::size_t e = 0; e < kept; ++e) {
+    peaks[e] = std::abs(error[e]) > peak * host;
+    inside += peaks[e] ? std::abs(error[e]) : 0.0;
+  }
+  return inside > most_of_sum * sum ? peaks : std::vector<bool>(kept, false);
+}
+
+// Makes peaks as small as keeps half of what is allowed; what is left of the host and of what it
+// may keep.
+struct Rest {
+  std::vector<double> error; ///< [kept host element] 0 in peaks
+  double sum = 0.0, allowed = 0.0;
+};
+Rest share_peaks(const std::vector<double>& error, double sum, double allowed, Factors& factors) {
+  Rest rest{error, 0.0, allowed};
+  rest.error.resize(factors.host.size());
+  const std::vector<bool> peaks = peaks_of(error, rest.error.size(), sum);
+  double high = 0.0;
+  for (std::size_t e = 0; e < peaks.size(); ++e) {
+    high += peaks[e] ? std::abs(error[e]) : 0.0;
+  }
+  for (std::size_t e = 0; e < peaks.size(); ++e) {
+    if (peaks[e]) {
+      const double f = std::clamp(0.5 * allowed / high, least_factor, 1.0);
+      factors.host[e] = std::min(factors.host[e], f);
+      rest.error[e] = 0.0;
+    }
+  }
+  rest.sum = power_sum(rest.error, 0, rest.error.size(), 1.0);
+  rest.allowed = allowed - std::min(high, 0.5 * allowed);
+  return rest;
 }
 
 // Least freedoms sum f_e^-2 at a sum of |eta_e| f_e^q: f_e = c |eta_e|^(-1/(q + 2)).
@@ -62,9 +105,15 @@ void share_out(const WideBar& wide, Factors& factors) {
   if (host <= for_host) {
     return;
   }
-  const double c = std::pow(for_host / power_sum(error, 0, kept, 2.0 / (q + 2.0)), 1.0 / q);
+  const Rest rest = share_peaks(error, sum, for_host, factors);
+  if (rest.sum <= rest.allowed) {
+    return;
+  }
+  const double c =
+      std::pow(rest.allowed / power_sum(rest.error, 0, kept, 2.0 / (q + 2.0)), 1.0 / q);
   for (std::size_t e = 0; e < kept; ++e) {
-    const double f = error[e] == 0.0 ? 1.0 : c * std::pow(std::abs(error[e]), -1.0 / (q + 2.0));
+    const double own = std::abs(rest.error[e]);
+    const double f = own == 0.0 ? 1.0 : c * std::pow(own, -1.0 / (q + 2.0));
     factors.host[e] = std::min(factors.host[e], std::clamp(f, least_factor, 1.0));
   }
 }
@@ -105,7 +154,8 @@ double even_factor(const model::Mesh& mesh, const Factors& factors, base::NetId 
 struct Demands {
   Wishes wishes;
   Elements elements;
-  std::map<std::string, double> even; ///< by net: of its size, for meshes refined evenly
+  std::map<std::string, double> even;  ///< by net: of its size, for meshes refined evenly
+  std::map<std::string, double> least; ///< by net: the smallest factor of its elements
   std::vector<Place> places;
   std::vector<double> patch; ///< [crack] to be divided by
 };
@@ -120,6 +170,8 @@ void add_elements(const model::Model& model, const results::Increment& increment
     const double size = size_of(increment.mesh, base::ElementId(e));
     demands.elements.kept[net].push_back({centre, size, false});
     demands.wishes[net].push_back({centre, f * size, f < no_change});
+    double& least = demands.least.try_emplace(net, 1.0).first->second;
+    least = std::min(least, f);
   }
   for (std::size_t n = 0; n < model.nets.size(); ++n) {
     double& f = demands.even.try_emplace(model.nets[n].name, 1.0).first->second;
@@ -177,7 +229,8 @@ std::string RefinementPlan::refine(const model::Model& model, const results::Run
   for (auto& [net, list] : demands.wishes) {
     const bool near_ends = followers.nets.contains(net);
     const double f = demands.even[net];
-    if (!near_ends && f >= no_change) {
+    const bool in_places = demands.least[net] < worth_a_mesh;
+    if (!near_ends && !in_places && f >= no_change) {
       continue;
     }
     deck::Refinement& refinement = nets_[net];
@@ -187,7 +240,10 @@ std::string RefinementPlan::refine(const model::Model& model, const results::Run
         static_cast<int>(std::ceil(refinement.counts / std::min(f, near_ends ? 0.7 : 1.0)));
     refinement.splits += 1;
     moved.push_back(fmt::format("{} {:.2f} times{}", net.empty() ? "the mesh" : "net " + net,
-                                1.0 / f, near_ends ? ", most where contact ends" : ""));
+                                1.0 / f,
+                                near_ends                     ? ", most where contact ends"
+                                : in_places && f >= no_change ? ", most in single elements"
+                                                              : ""));
   }
   return fmt::format("{}", fmt::join(moved, "; "));
 }

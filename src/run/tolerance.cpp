@@ -128,6 +128,24 @@ std::string case_that_grew(const model::Model& given, const model::Model& finer)
   return {};
 }
 
+/// Models of a deck as it was given, of the last round and of the next.
+struct Models {
+  const model::Model& given;
+  const model::Model& now;
+  const model::Model& next;
+};
+
+// Why the next mesh is not solved; empty: it is.
+std::string why_not_next(const Models& models, double patch_growth,
+                         const results::ToleranceRound& round) {
+  if (const std::string grew = case_that_grew(models.given, models.next); !grew.empty()) {
+    return fmt::format("forces of load case {} stand on single nodes, of which a finer mesh "
+                       "has more: use TYPE=RESULTANT or TRACTION",
+                       grew);
+  }
+  return too_large(models.now, models.next, patch_growth, round);
+}
+
 } // namespace
 
 bool wants_tolerance(const model::Model& model) {
@@ -173,15 +191,8 @@ ToleratedRun solve_to_tolerance(const ReadyDeck& deck, const ReadFiner& read_fin
       out.why_not = "the deck can't be meshed finer: " + finer->refusal.error;
       break;
     }
-    out.why_not = too_large(model, *finer->model, plan.patch_growth(), round);
+    out.why_not = why_not_next({*deck.model, model, *finer->model}, plan.patch_growth(), round);
     if (!out.why_not.empty()) {
-      break;
-    }
-    if (const std::string grew = case_that_grew(*deck.model, *finer->model); !grew.empty()) {
-      out.why_not =
-          fmt::format("forces of load case {} stand on single nodes, of which a finer mesh "
-                      "has more: use TYPE=RESULTANT or TRACTION",
-                      grew);
       break;
     }
     plan.apply(*finer->model);
