@@ -45,6 +45,53 @@ void mark_point_supports(const Scene& scene, std::vector<bool>& marked) {
   }
 }
 
+// Nodes with a force of their own, no other loaded node in their elements: beneath a single force
+// displacements and energy have no bound, on any mesh. [node]
+std::vector<bool> single_forces(const model::Model& model, const model::Mesh& mesh) {
+  std::vector<bool> single(mesh.node_count(), false);
+  for (const model::LoadCase& load_case : model.cases) {
+    std::vector<bool> loaded(mesh.node_count(), false);
+    for (const model::Load& load : load_case.loads) {
+      if (load.type == model::LoadType::force && load.nodes.valid()) {
+        for (const base::NodeId n : mesh.set(load.nodes).nodes) {
+          loaded[n.index()] = true;
+        }
+      }
+    }
+    std::vector<bool> alone = loaded;
+    for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+      const auto nodes = mesh.nodes_of(base::ElementId(e));
+      if (std::ranges::count_if(nodes, [&](base::NodeId n) { return loaded[n.index()]; }) > 1) {
+        for (const base::NodeId n : nodes) {
+          alone[n.index()] = false;
+        }
+      }
+    }
+    for (std::size_t n = 0; n < single.size(); ++n) {
+      single[n] = single[n] || alone[n];
+    }
+  }
+  return single;
+}
+
+// Elements with a marked node, and those next to them.
+std::vector<bool> around(const model::Mesh& mesh, std::vector<bool> node) {
+  std::vector<bool> near(mesh.element_count(), false);
+  for (int ring = 0; ring < 2; ++ring) {
+    for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+      const auto nodes = mesh.nodes_of(base::ElementId(e));
+      near[e] =
+          near[e] || std::ranges::any_of(nodes, [&](base::NodeId n) { return node[n.index()]; });
+    }
+    for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+      for (const base::NodeId n : mesh.nodes_of(base::ElementId(e))) {
+        node[n.index()] = node[n.index()] || near[e];
+      }
+    }
+  }
+  return near;
+}
+
 // Stresses have no bound at tips and where a single node is pushed or held: no mesh ends the
 // estimated error there, and it says nothing of the rest of the net.
 std::vector<bool> singular_elements(const model::Model& model, const Scene& scene) {
@@ -53,21 +100,12 @@ std::vector<bool> singular_elements(const model::Model& model, const Scene& scen
   for (const mesh::Tip& t : scene.cracked.tips) {
     tip[t.node.index()] = true;
   }
-  for (const model::LoadCase& load_case : model.cases) {
-    for (const model::Load& load : load_case.loads) {
-      if (load.type == model::LoadType::force) {
-        for (const base::NodeId n : mesh.set(load.nodes).nodes) {
-          tip[n.index()] = true;
-        }
-      }
-    }
-  }
   mark_point_supports(scene, tip);
-  std::vector<bool> singular(mesh.element_count(), false);
+  std::vector<bool> singular = around(mesh, single_forces(model, mesh));
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const auto nodes = mesh.nodes_of(base::ElementId(e));
     singular[e] =
-        !scene.cracked.host[e].valid() ||
+        singular[e] || !scene.cracked.host[e].valid() ||
         std::any_of(nodes.begin(), nodes.end(), [&](base::NodeId n) { return tip[n.index()]; });
   }
   return singular;

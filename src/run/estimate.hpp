@@ -13,8 +13,8 @@ namespace spricka::run {
 inline constexpr double coarse_mesh = 0.1;
 
 /// Processor ESTIMATE: the errors of the nets at the end of a step, from its strain energies
-/// [element]. Elements of crack patches and those at a tip are left out: they are singular, and K
-/// does not need their stresses.
+/// [element]. Elements of crack patches, at a tip and two rings about a single force are left out:
+/// they are singular, and K does not need their stresses.
 void add_errors(const model::Model& model, const Scene& scene, const std::vector<double>& energy,
                 results::StepResult& step);
 
