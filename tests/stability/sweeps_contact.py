@@ -112,8 +112,8 @@ def contrast(program, full):
     for body in ("IN", "OUT"):
         for f in factors:
             text = changed(rings, (f"ESET={body}.BODY ", f"ESET={body}.BODY "),
-                           ("$MATERIAL NAME=UNIT E=1 NU=0.3", "$MATERIAL NAME=UNIT E=1 NU=0.3\n"
-                            f"$MATERIAL NAME=OTHER E={f:g} NU=0.3"))
+                           ("$MATERIAL NAME=UNIT E=50 NU=0.3", "$MATERIAL NAME=UNIT E=50 NU=0.3\n"
+                            f"$MATERIAL NAME=OTHER E={50 * f:g} NU=0.3"))
             for end in ("", "160", "GEO"):
                 line = f"$PROPERTY ESET={body}{end}.BODY"
                 at = text.index(line)
