@@ -121,7 +121,8 @@ constexpr std::array texts{
         "whose "
         "material has ALPHA. In 2D areas count THICK, with STATE=AXI the whole circumference, for "
         "FORCE and RESULTANT as well. Values may be expressions in x y z, with steps and peaks at "
-        "any place: they are integrated piece by piece. Lines of DISP for one set add up; sets that "
+        "any place: they are integrated piece by piece. Lines of DISP for one set add up; sets "
+        "that "
         "share a node must agree there, or give it zero.",
         "$LOAD CASE=TENSION TYPE=TRACTION\n"
         "  PLATE.YMAX  0  (100[MPa]*(1 - x/40))\n"

@@ -7,14 +7,6 @@ namespace spricka::crack {
 
 namespace {
 
-bool acts_on(const ActingLoad& acting, base::ElementId e) {
-  return std::ranges::binary_search(acting.elements, e);
-}
-
-bool heats(const ActingLoad& acting) {
-  return acting.load->type == model::LoadType::temperature;
-}
-
 base::Vec2 components(const model::Load& load, const base::Vec2& x) {
   const base::Vec3 at(x.x(), x.y(), 0.0);
   base::Vec2 value = base::Vec2::Zero();
@@ -29,16 +21,6 @@ base::Vec2 components(const model::Load& load, const base::Vec2& x) {
 bool TipLoads::fill_elements() const {
   return temperature.size() > 0 ||
          std::ranges::any_of(loads, [](const ActingLoad& a) { return !a.elements.empty(); });
-}
-
-base::Vec2 body_force(const TipLoads& loads, base::ElementId e, const base::Vec2& x) {
-  base::Vec2 b = base::Vec2::Zero();
-  for (const ActingLoad& acting : loads.loads) {
-    if (!heats(acting) && acts_on(acting, e)) {
-      b += acting.factor * components(*acting.load, x);
-    }
-  }
-  return b;
 }
 
 base::Vec2 traction(const ActingLoad& acting, const base::Vec2& x, const base::Vec2& n) {

@@ -27,9 +27,6 @@ struct TipLoads {
   [[nodiscard]] bool fill_elements() const;
 };
 
-/// Force per volume at a point of an element [force/length^3].
-base::Vec2 body_force(const TipLoads& loads, base::ElementId e, const base::Vec2& x);
-
 /// Force per area of one load on a face whose outer normal is n [stress].
 base::Vec2 traction(const ActingLoad& acting, const base::Vec2& x, const base::Vec2& n);
 

@@ -31,12 +31,15 @@ base::SymmetricCsc assemble_stiffness(const model::Model& model, const model::Me
 /// Nodal vector [dim * node] of the consistent loads of one load case, displacement loads left
 /// out. Sum over components equals the resultant of the case exactly. FORCE fields are taken at the
 /// nodes, fields over faces and elements at integration points; totals (RESULTANT, BEARING) are
-/// numbers, taken at the origin. Plane loads per area and volume include the thickness.
+/// numbers, taken at the origin. Plane loads per area and volume include the thickness. Integrated
+/// by rules that follow the fields (fe/load_rule.hpp); of elements that the rim of a set cuts their
+/// share counts (fe/set_shares.hpp).
 base::Vector nodal_load(const model::Model& model, const model::Mesh& mesh,
                         const model::LoadCase& load_case);
 
-/// Nodal vector [dim * node] of the prescribed displacements of one load case (zero elsewhere). A
-/// node named twice takes the later value; components not given stay as they are.
+/// Nodal vector [dim * node] of the prescribed displacements of one load case (zero elsewhere).
+/// Loads on one set add up. Where different sets share a node the same value counts once and zero
+/// gives way; others, which the deck must not have, add up.
 base::Vector prescribed_displacement(const model::Model& model, const model::Mesh& mesh,
                                      const model::LoadCase& load_case);
 

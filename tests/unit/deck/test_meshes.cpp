@@ -66,11 +66,12 @@ const std::string k_inp = "*NODE\n1,0,0\n2,1,0\n3,1,1\n4,0,1\n*ELEMENT,TYPE=CPE4
 TEST(Meshes, AnInputFileBringsMaterialAndProperty) {
   const Folder folder;
   folder.write("p.inp", k_inp);
-  const Reading reading(folder, k_head + k_steel +
-                                    "$NET NAME=A\n$IMPORT FILE='p.inp' FORMAT=INP\n"
-                                    "$FREEDOM CLASS=SUPPRESSED DOF=XY\n FOOT\n$ENDNET\n"
-                                    "$MESH SHAPE=BLOCK TYPE=QUAM4 LX=1 LY=1 X0=5\n"
-                                    "$PROPERTY ESET=BODY MATERIAL=A.ALU STATE=STRESS THICK=2\n$END\n");
+  const Reading reading(folder,
+                        k_head + k_steel +
+                            "$NET NAME=A\n$IMPORT FILE='p.inp' FORMAT=INP\n"
+                            "$FREEDOM CLASS=SUPPRESSED DOF=XY\n FOOT\n$ENDNET\n"
+                            "$MESH SHAPE=BLOCK TYPE=QUAM4 LX=1 LY=1 X0=5\n"
+                            "$PROPERTY ESET=BODY MATERIAL=A.ALU STATE=STRESS THICK=2\n$END\n");
   ASSERT_TRUE(reading.model) << reading.messages();
   const model::Model& model = *reading.model;
   ASSERT_EQ(model.materials.size(), 2U);
