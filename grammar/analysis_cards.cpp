@@ -140,7 +140,9 @@ constexpr std::array spectrum_keys{
 
 constexpr std::array grow_keys{
     required(word("LAW", "INCREMENT|PARIS|WALKER|FORMAN|NASGRO|TABLE",
-                  "INCREMENT: the crack lengths are given")),
+                  "INCREMENT: the crack lengths are given; PARIS: C dK^M; WALKER: C "
+                  "(dK/(1-R)^(1-P))^M; FORMAN: C dK^M/((1-R) KC - dK); NASGRO: Forman and Mettu's "
+                  "with Newman's crack opening; TABLE: lines delta_K da/dN")),
     preset(word("DIRECTION", "PATH|HOOP|K2ZERO",
                 "where a crack grows to: along its line, or by K1 and K2"),
            "PATH"),
@@ -163,14 +165,16 @@ constexpr std::array grow_keys{
     real("M", number, above(0), "exponent of the law"),
     preset(real("P", number, anything, "exponent of WALKER (gamma) or of NASGRO"), "0"),
     preset(real("Q", number, anything, "exponent of NASGRO"), "0"),
-    real("KC", stress_intensity, above(0), "fracture toughness; stops the growth"),
+    real("KC", stress_intensity, above(0),
+         "fracture toughness, in KUNIT if it has no unit; stops the growth"),
     real("SFLOW", stress, above(0), "flow stress: the ligament's plastic limit stops the growth"),
     preset(word("CORRECT", "YES|NO", "YES: K with the error bar's bias taken out"), "NO"),
-    preset(real("DKTH", stress_intensity, at_least(0), "threshold"), "0"),
+    preset(real("DKTH", stress_intensity, at_least(0), "threshold, in KUNIT if it has no unit"),
+           "0"),
     preset(real("ALPHA", number, between(1, 3), "constraint factor of NASGRO"), "2"),
     preset(real("SMAX", number, between(0, 1), "stress over flow stress of NASGRO"), "0.3"),
-    unit_name("KUNIT", stress_intensity, "unit of K in the law, 'MPa*m^0.5'; else deck units"),
-    unit_name("AUNIT", length, "unit of a in the law, 'm' or 'mm/cycle'; else deck units"),
+    unit_name("KUNIT", stress_intensity, "unit of K in the law (C, KC, DKTH, table): 'MPa*m^0.5'"),
+    unit_name("AUNIT", length, "unit of a in the law (C, table): 'm' or 'mm/cycle'"),
 };
 
 // Every law but INCREMENT works on a range of K: from KMIN to KMAX, or those of a spectrum.
@@ -178,11 +182,11 @@ constexpr std::array grow_when{
     When{"LAW", "INCREMENT", "KMAX",
          "DA CYCLES C M P Q DKTH ALPHA SMAX KUNIT AUNIT SPECTRUM TOL SFLOW CORRECT AMAX KC "
          "HISTORY"},
-    When{"LAW", "PARIS", "C M", "P Q ALPHA SMAX"},
-    When{"LAW", "WALKER", "C M P", "Q ALPHA SMAX"},
-    When{"LAW", "FORMAN", "C M KC", "P Q ALPHA SMAX"},
-    When{"LAW", "NASGRO", "C M KC", ""},
-    When{"LAW", "TABLE", "", "C M P Q ALPHA SMAX"},
+    When{"LAW", "PARIS", "C M KUNIT AUNIT", "P Q ALPHA SMAX"},
+    When{"LAW", "WALKER", "C M P KUNIT AUNIT", "Q ALPHA SMAX"},
+    When{"LAW", "FORMAN", "C M KC KUNIT AUNIT", "P Q ALPHA SMAX"},
+    When{"LAW", "NASGRO", "C M KC KUNIT AUNIT", ""},
+    When{"LAW", "TABLE", "KUNIT AUNIT", "C M P Q ALPHA SMAX"},
     When{"SPECTRUM", "", "", "KMAX KMIN"},
     When{"HISTORY", "CONTINUE", "", "MOUNTED"},
 };
@@ -196,13 +200,14 @@ constexpr std::array test_keys{
     text("FILE", "lines N a from this file, in place of data lines"),
     text("REFERENCE", "lines delta_K da/dN from this file, in place of RATE"),
     real("RATIO", number, between(-100, 0.99), "K_min/K_max; else that of KMIN and KMAX of $GROW"),
-    unit_name("KUNIT", stress_intensity, "unit of delta_K in RATE and REFERENCE; else deck units"),
-    unit_name("AUNIT", length, "unit of da in RATE and REFERENCE; else deck units"),
+    unit_name("KUNIT", stress_intensity, "unit of delta_K in RATE and REFERENCE: 'MPa*m^0.5'"),
+    unit_name("AUNIT", length, "unit of da in RATE and REFERENCE: 'm' or 'mm/cycle'"),
 };
 
 constexpr std::array test_when{
     When{"METHOD", "SECANT", "", "POINTS"},
     When{"METHOD", "SPLINE", "", "POINTS"},
+    When{"REFERENCE", "", "KUNIT AUNIT", ""},
 };
 
 constexpr std::array sweep_keys{

@@ -226,7 +226,9 @@ constexpr std::array texts{
         "right to TOL, and ends at AMAX, CYCLES, KC, the ligament's plastic limit (SFLOW), an "
         "edge, another crack, or where nothing grows any more. With friction the loads are "
         "followed one after another until K repeats itself, each length from the beginning "
-        "(HISTORY=RESTART) or from what slipped at the one before (CONTINUE).",
+        "(HISTORY=RESTART) or from what slipped at the one before (CONTINUE). Constants of a law "
+        "are "
+        "in KUNIT and AUNIT, which every law needs; KC and DKTH may have a unit of their own.",
         "$GROW LAW=PARIS KMAX=LOAD KMIN=UNLOAD C=1e-11 M=3 KUNIT='MPa*m^0.5' AUNIT='m' AMAX=30\n"},
     CardText{
         "TEST",
@@ -236,7 +238,7 @@ constexpr std::array texts{
         "da/dN, straight in the logarithms in between. K_min/K_max of each length comes from the "
         "steps KMIN and KMAX of $GROW. Results are in test.csv with the scatter band; manual, "
         "inversion.md.",
-        "$TEST NAME=LUG1 CRACK=C1 METHOD=POLYNOMIAL\n"
+        "$TEST NAME=LUG1 CRACK=C1 METHOD=POLYNOMIAL KUNIT='MPa*mm^0.5' AUNIT='mm'\n"
         "  0      3.21\n"
         "  500    3.35\n"
         "  1000   3.52\n"

@@ -276,4 +276,14 @@ base::Span known_unit(const Expression& expression, const Scope& scope) {
   return known == scope.units_of.end() ? base::Span() : known->second;
 }
 
+bool has_unit(const Expression& expression, const Scope& scope) {
+  return std::any_of(expression.terms.begin(), expression.terms.end(), [&](const Term& term) {
+    if (term.kind != Term::Kind::name) {
+      return term.unit.valid();
+    }
+    const std::string name = to_upper(scope.sources->text(term.span));
+    return scope.units_of.contains(name) || scope.made_of_units.contains(name);
+  });
+}
+
 } // namespace spricka::grammar

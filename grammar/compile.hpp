@@ -22,6 +22,8 @@ struct Scope {
   std::map<std::string, double, std::less<>> values;
   /// Where the unit stands of a parameter that is a number with a unit, or another such parameter.
   std::map<std::string, base::Span, std::less<>> units_of = {};
+  /// Parameters that numbers with units went into, but are no such number themselves.
+  std::set<std::string, std::less<>> made_of_units = {};
   std::set<std::string, std::less<>> poisoned; ///< defined by a bad line: their use is not reported
   bool incomplete = false; ///< an include is missing: unknown names are not reported
 };
@@ -54,5 +56,9 @@ base::Span outer_unit(const Expression& expression);
 
 /// The same, and for an expression that is a parameter alone the unit that was given there.
 base::Span known_unit(const Expression& expression, const Scope& scope);
+
+/// Whether a unit stands anywhere in an expression or in the parameters it is made of, so that its
+/// value is in deck units.
+bool has_unit(const Expression& expression, const Scope& scope);
 
 } // namespace spricka::grammar

@@ -109,6 +109,63 @@ std::string card_help(const CardSpec& card, std::size_t width) {
   return out + "\nExample:\n" + indented(card.example, k_body);
 }
 
+namespace {
+
+// What a key's text says about one of its words, "INCREMENT: the lengths are given"; the whole text
+// where it speaks of none, and nothing where it speaks of others only.
+std::string about_word(const KeySpec& key, std::string_view word) {
+  std::string_view text = key.doc;
+  bool of_words = false;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find("; "), text.size());
+    const std::string_view part = text.substr(0, end);
+    const std::size_t colon = part.find(": ");
+    const std::string_view head = part.substr(0, colon == std::string_view::npos ? 0 : colon);
+    const std::vector<std::string> words = split_words(key.words);
+    if (head == word) {
+      return std::string(part.substr(colon + 2));
+    }
+    of_words = of_words || std::find(words.begin(), words.end(), head) != words.end();
+    text.remove_prefix(std::min(end + 2, text.size()));
+  }
+  return of_words ? std::string() : std::string(key.doc);
+}
+
+char small(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+bool has_text(std::string_view text, std::string_view word) {
+  return std::search(text.begin(), text.end(), word.begin(), word.end(),
+                     [](char a, char b) { return small(a) == small(b); }) != text.end();
+}
+
+} // namespace
+
+std::string text_help(std::string_view word, std::size_t width) {
+  constexpr std::size_t least = 3; // letters: fewer are everywhere
+  Columns table{{}, {34, 0}};
+  for (const CardSpec& card : catalogue()) {
+    if (word.size() < least) {
+      break;
+    }
+    if (has_text(card.doc, word) || has_text(card.notes, word) || has_text(card.data_form, word)) {
+      table.rows.push_back({fmt::format("${}", card.name), std::string(card.doc)});
+    }
+    for (const KeySpec& key : card.keys) {
+      if (has_text(key.doc, word)) {
+        table.rows.push_back({fmt::format("${} {}", card.name, key.name), std::string(key.doc)});
+      }
+    }
+  }
+  for (const ResultQuantity& quantity : result_quantities()) {
+    if (word.size() >= least && has_text(quantity.doc, word)) {
+      table.rows.push_back({call_form(quantity), std::string(quantity.doc)});
+    }
+  }
+  return table.rows.empty() ? std::string() : table.text(width);
+}
+
 std::string word_help(std::string_view word, std::size_t width) {
   Columns table{{}, {34, 34, 0}};
   for (const CardSpec& card : catalogue()) {
@@ -118,7 +175,8 @@ std::string word_help(std::string_view word, std::size_t width) {
       if (key.name == word || value) {
         table.rows.push_back(
             {fmt::format("${} {}{}{}", card.name, key.name, value ? "=" : "", value ? word : ""),
-             value ? std::string() : value_phrase(key), std::string(key.doc)});
+             value ? std::string() : value_phrase(key),
+             value ? about_word(key, word) : std::string(key.doc)});
       }
     }
   }

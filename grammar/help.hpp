@@ -19,6 +19,9 @@ std::string card_help(const CardSpec& card, std::size_t width);
 /// function. Empty when it is none.
 std::string word_help(std::string_view word, std::size_t width);
 
+/// Where the texts of cards, keys and results have a word, given in any case. Empty: nowhere.
+std::string text_help(std::string_view word, std::size_t width);
+
 /// The results that $CHECK can name; `one` alone if it is given.
 std::string quantities_help(std::size_t width, const ResultQuantity* one = nullptr);
 

@@ -79,9 +79,11 @@ double tidy(double factor) {
   return std::abs(shorter - factor) <= rounding ? shorter : factor;
 }
 
-// One `word [^exponent]`, taken off the front of `text`; multiplied onto `unit` with the sign of
-// `direction`.
+// One `word [^exponent]` or `sqrt(word)`, taken off the front of `text`; multiplied onto `unit`
+// with the sign of `direction`.
 bool take_term(std::string_view& text, double direction, Unit& unit) {
+  const bool root = text.starts_with("sqrt(");
+  text.remove_prefix(root ? 5 : 0);
   const auto stop = std::find_if_not(text.begin(), text.end(), is_letter);
   const auto length = static_cast<std::size_t>(stop - text.begin());
   const Unit* word = find_word(text.substr(0, length));
@@ -89,8 +91,12 @@ bool take_term(std::string_view& text, double direction, Unit& unit) {
     return false;
   }
   text.remove_prefix(length);
-  double exponent = 1.0;
-  if (text.starts_with('^')) {
+  if (root && !text.starts_with(')')) {
+    return false;
+  }
+  text.remove_prefix(root ? 1 : 0);
+  double exponent = root ? 0.5 : 1.0;
+  if (!root && text.starts_with('^')) {
     text.remove_prefix(text.starts_with("^+") ? 2 : 1);
     const auto [end, failure] =
         std::from_chars(text.data(), text.data() + text.size(), exponent, std::chars_format::fixed);

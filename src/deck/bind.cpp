@@ -87,6 +87,7 @@ private:
                                   ? ", in radians; degrees are written 45[deg]"
                                   : ""));
     }
+    value.with_unit = grammar::has_unit(field.expression, scope_);
     value.number = *found;
     value.numbers.push_back(*found);
     return true;
@@ -95,14 +96,18 @@ private:
   // A text that names a unit of the key's quantity.
   bool unit(const Field& field) {
     const auto known = base::parse_unit(field.text);
+    const bool of_K = key_.quantity == grammar::Quantity::stress_intensity;
+    const std::string hint = of_K ? "'MPa*m^0.5', 'MPa*sqrt(m)', 'ksi*in^0.5', without blanks" : "";
     if (!known) {
       return fail(field.span, "E204", fmt::format("{}: '{}' is not a unit", key_.name, field.text),
-                  "m mm um in, N kN MN lbf, Pa kPa MPa GPa psi ksi, cycle, with * / ^");
+                  of_K ? hint
+                       : "m mm um in, N kN MN lbf, Pa kPa MPa GPa psi ksi, cycle, with * / ^");
     }
     if (known->dimension != grammar::dimension_of(key_.quantity)) {
       return fail(field.span, "E205",
                   fmt::format("{}: '{}' is not the unit of {}", key_.name, field.text,
-                              grammar::word_of(key_.quantity)));
+                              grammar::word_of(key_.quantity)),
+                  hint);
     }
     return true;
   }

@@ -26,7 +26,8 @@ struct BoundValue {
   const grammar::KeySpec* key = nullptr;
   base::Span span; ///< of the value; of the card for a default
   bool given = false;
-  bool sound = true; ///< false: the value is wrong, and reported
+  bool sound = true;      ///< false: the value is wrong, and reported
+  bool with_unit = false; ///< a unit stands in the number, or in what it is made of
   double number = 0.0;
   std::string text;             ///< word, name or text
   std::vector<Reference> names; ///< lists of names

@@ -228,6 +228,8 @@ private:
             overridden ? overrides_.unit(a.name) : grammar::known_unit(a.value, c_.scope);
         if (unit.valid()) {
           c_.scope.units_of[a.name] = unit;
+        } else if (overridden ? overrides_.has_unit(c_, a) : grammar::has_unit(a.value, c_.scope)) {
+          c_.scope.made_of_units.insert(a.name);
         }
       }
     }

@@ -179,6 +179,12 @@ double law_unit(const Context& c, const BoundCard& card, std::string_view key) {
   return card.has(key) && unit ? base::to_deck(*unit, c.scope.units) : 1.0;
 }
 
+// A K of the law in deck units: a number alone counts in KUNIT, as C does.
+double law_intensity(const BoundCard& card, std::string_view key, double k_unit) {
+  const BoundValue* value = card.find(key);
+  return value->with_unit ? value->number : value->number * k_unit;
+}
+
 void law_constants(const Context& c, const BoundCard& card, model::LawConstants& constants) {
   constants.C = card.number("C");
   constants.m = card.number("M");
@@ -186,10 +192,12 @@ void law_constants(const Context& c, const BoundCard& card, model::LawConstants&
   constants.q = card.number("Q");
   constants.alpha = card.number("ALPHA");
   constants.stress_ratio = card.number("SMAX");
-  constants.threshold = card.number("DKTH");
-  constants.k_c = card.optional("KC");
   constants.k_unit = law_unit(c, card, "KUNIT");
   constants.a_unit = law_unit(c, card, "AUNIT");
+  constants.threshold = law_intensity(card, "DKTH", constants.k_unit);
+  if (card.has("KC")) {
+    constants.k_c = law_intensity(card, "KC", constants.k_unit);
+  }
 }
 
 // What ends the growth by a law, and how well it is followed.

@@ -156,6 +156,11 @@ private:
       lacks("KUNIT and AUNIT are those of RATE and REFERENCE, and there is neither",
             "$GROW has units for its own law");
     }
+    if (!test_.delta_k.empty() && !(card_.has("KUNIT") && card_.has("AUNIT"))) {
+      lacks(fmt::format("{} is not given: the rates of a reference have units",
+                        card_.has("KUNIT") ? "AUNIT" : "KUNIT"),
+            "KUNIT='MPa*m^0.5' AUNIT='m/cycle', or those of the reference");
+    }
     const bool bad_growth = std::ranges::any_of(
         c_.cards, [](const BoundCard& card) { return card.spec->name == "GROW" && card.bad; });
     if (!bad_growth) {

@@ -113,5 +113,7 @@ void check_scope(Context& context);
 void check_sense(Context& context);
 /// Thickness and state of plane bodies.
 void check_thickness(Context& context);
+/// Steps that do nothing and growths that cannot be meant.
+void check_life(Context& context);
 
 } // namespace spricka::deck

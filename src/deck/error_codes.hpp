@@ -93,6 +93,13 @@ inline constexpr std::array error_codes{
     ErrorCode{"E327", "a spectrum with friction that is too long to be followed"},
     ErrorCode{"W464", "a number without a unit in the place of one with a unit"},
     ErrorCode{"W465", "inches with newtons, or metres with pounds"},
+    ErrorCode{"E452", "a $GROW without a crack"},
+    ErrorCode{"E453", "a growth whose KMAX has less load, or less K, than its KMIN"},
+    ErrorCode{"E454", "a fracture toughness that is not above the threshold"},
+    ErrorCode{"W452", "a load case that no step applies"},
+    ErrorCode{"W453", "a step that changes nothing"},
+    ErrorCode{"W454", "lengths of $GROW that begin below A0"},
+    ErrorCode{"W455", "an exponent of a growth law that hardly anybody means"},
     ErrorCode{"E390", "a parameter is swept and given with -D"},
     ErrorCode{"E391", "a parameter is swept twice"},
 };

@@ -14,7 +14,7 @@ namespace spricka::deck {
 
 void Overrides::warn_of_lost_unit(Context& context, const grammar::Assignment& deck) const {
   const Entry& entry = table_.at(deck.name);
-  if (!entry.expression || has_unit(*entry.expression, context.scope)) {
+  if (!entry.expression || deck::has_unit(*entry.expression, context.scope)) {
     return;
   }
   const base::Span unit = foreign_unit(deck.value, context.scope);
@@ -94,6 +94,11 @@ std::optional<double> Overrides::value(Context& context, const std::string& name
 base::Span Overrides::unit(const std::string& name) const {
   const std::optional<grammar::Expression>& expression = table_.at(name).expression;
   return expression ? grammar::outer_unit(*expression) : base::Span();
+}
+
+bool Overrides::has_unit(const Context& context, const grammar::Assignment& own) const {
+  const std::optional<grammar::Expression>& expression = table_.at(own.name).expression;
+  return grammar::has_unit(expression ? *expression : own.value, context.scope);
 }
 
 void Overrides::report_unknown(Context& context, const std::set<std::string>& defined) const {

@@ -57,6 +57,7 @@ std::optional<model::Model> read_deck(const std::filesystem::path& deck, const R
   check_seams(context);
   check_scope(context);
   check_sense(context);
+  check_life(context);
   if (diagnostics.has_errors()) {
     return std::nullopt;
   }

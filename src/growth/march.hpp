@@ -28,7 +28,9 @@ std::vector<GrowingTip> growing_tips(const model::Model& model,
                                      const std::vector<mesh::CrackLine>& lines);
 
 struct End {
-  std::string word;   ///< AMAX, CYCLES, KC, NET SECTION, EDGE, LINK-UP, THRESHOLD, PATH END, MESH
+  /// AMAX, CYCLES, KC, NET SECTION, EDGE, LINK-UP, THRESHOLD, CLOSED, ARREST, CURL, PATH END, MESH,
+  /// STATIONS
+  std::string word;
   std::string reason; ///< a sentence
   double s = 0.0;     ///< sum of the arms there
 };
@@ -76,6 +78,10 @@ private:
   void settle();
   [[nodiscard]] std::optional<End> crossing(const Trajectory& between, double s0, double s1) const;
   void look_for_end();
+  void look_for_no_end();
+  void nothing_grows();
+  [[nodiscard]] double turned(std::size_t tip) const;
+  [[nodiscard]] std::size_t most_stations() const;
   void end_at_station(std::string word, std::string reason);
 
   const model::Model& model_;

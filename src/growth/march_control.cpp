@@ -33,6 +33,16 @@ constexpr double same_place = 5e-3;
 constexpr double law_of_length = 3.0;
 /// An end on the very first advance is believed if that is no longer than this step.
 constexpr double first_look = 0.11;
+/// A growth this much slower than it was at its fastest has come to rest.
+constexpr double rest = 1e-9;
+/// Stations of a growth that gets somewhere: at the shortest step an arm grows by e^20 in as many.
+constexpr std::size_t enough_stations = 1000;
+
+// Whether no tip has a K above 0 at the largest load.
+bool closed(const Station& station) {
+  return std::ranges::all_of(station.tips,
+                             [](const TipStation& tip) { return !(tip.K_max > 0.0); });
+}
 
 } // namespace
 
@@ -188,8 +198,11 @@ std::optional<End> March::crossing(const Trajectory& between, double s0, double 
     }
   }
   if (!(last.rate() > 0.0)) {
+    const bool shut = closed(last);
     consider(first_crossing([&](double s) { return between.rate(s) > 0.0 ? -1.0 : 1.0; }, s0, s1),
-             "THRESHOLD", "no crack grows any more: delta K has fallen to the threshold");
+             shut ? "CLOSED" : "THRESHOLD",
+             shut ? "no crack grows any more: none opens at the largest load, K1 is not above 0"
+                  : "no crack grows any more: delta K has fallen to the threshold");
   }
   return first;
 }
@@ -213,7 +226,7 @@ void March::look_for_end() {
       }
     }
     if (!end_ && !(here.rate() > 0.0)) {
-      end_at_station("THRESHOLD", "no crack grows: delta K is not above the threshold");
+      nothing_grows();
     }
     return;
   }
@@ -232,6 +245,64 @@ void March::look_for_end() {
         end_ = End{"CYCLES", fmt::format("{:.6g} cycles are over", *rules().cycles), *s};
       }
     }
+  }
+  if (!end_) {
+    look_for_no_end();
+  }
+}
+
+void March::nothing_grows() {
+  if (closed(state_.stations.back())) {
+    end_at_station("CLOSED", "no crack grows: none opens at the largest load, K1 is not above 0");
+  } else {
+    end_at_station("THRESHOLD", "no crack grows: delta K is not above the threshold");
+  }
+}
+
+// All that a tip has turned by since the first station [rad], left positive.
+double March::turned(std::size_t tip) const {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < state_.stations.size(); ++i) {
+    sum += std::remainder(state_.stations[i].tips[tip].heading -
+                              state_.stations[i - 1].tips[tip].heading,
+                          2.0 * std::numbers::pi);
+  }
+  return sum;
+}
+
+// More where DA is so small that the way across the body takes them.
+std::size_t March::most_stations() const {
+  if (!rules().largest_advance) {
+    return enough_stations;
+  }
+  base::Vec3 low = base::Vec3::Constant(std::numeric_limits<double>::infinity());
+  base::Vec3 high = -low;
+  for (const base::Vec3& x : model_.mesh.x) {
+    low = low.cwiseMin(x);
+    high = high.cwiseMax(x);
+  }
+  const double ways = 2.0 * (high - low).norm() / *rules().largest_advance;
+  return enough_stations + static_cast<std::size_t>(std::min(ways, 1e6));
+}
+
+// Growth that goes on and leads nowhere.
+void March::look_for_no_end() {
+  const std::vector<Station>& all = state_.stations;
+  double fastest = 0.0;
+  for (const Station& station : all) {
+    fastest = std::max(fastest, station.rate());
+  }
+  if (std::isfinite(fastest) && all.back().rate() < rest * fastest) {
+    end_at_station("ARREST", fmt::format("the growth has come to rest: it is {:.1e} of the fastest",
+                                         all.back().rate() / fastest));
+  }
+  for (std::size_t tip = 0; tip < tips_.size() && !end_; ++tip) {
+    if (std::abs(turned(tip)) > 2.0 * std::numbers::pi) {
+      end_at_station("CURL", fmt::format("{} has turned by a full circle", tips_[tip].name));
+    }
+  }
+  if (!end_ && all.size() >= most_stations()) {
+    end_at_station("STATIONS", fmt::format("after {} stations no end is in sight", all.size()));
   }
 }
 

@@ -9,7 +9,9 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <optional>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -79,6 +81,65 @@ std::string k_cells(double a, double K1, double K2) {
   return fmt::format(",{},{},{}\n", K1, K2, K1 / std::sqrt(std::numbers::pi * a));
 }
 
+// Smallest and largest K_min / K_max of what the law was given; empty where nothing is open.
+std::optional<std::pair<double, double>> range_of_R(const results::Growth& growth) {
+  std::optional<std::pair<double, double>> R;
+  for (const results::GrowthStation& station : growth.stations) {
+    for (const results::GrowingTip& tip : station.tips) {
+      if (tip.K_max > 0.0) {
+        const double here = tip.K_min / tip.K_max;
+        R = R ? std::pair(std::min(R->first, here), std::max(R->second, here))
+              : std::pair(here, here);
+      }
+    }
+  }
+  return R;
+}
+
+// Where faces close K_min below 0 is not that of the crack as it is (run/free_faces.hpp).
+bool continued_below_closing(const model::Model& model, const results::Growth& growth) {
+  const bool knows_R = model.growth->law == model::GrowthLaw::nasgro ||
+                       model.growth->law == model::GrowthLaw::walker;
+  const bool touching = std::ranges::any_of(model.cracks, &model::Crack::faces_in_contact);
+  const auto R = range_of_R(growth);
+  return knows_R && touching && R && R->first < 0.0;
+}
+
+// Whether the faces of a crack touch at its tip at the smallest load, somewhere in the growth.
+bool closes_at_smallest(const model::Model& model, const results::Run& run) {
+  if (model.growth->spectrum || !model.growth->kmin.valid()) {
+    return false;
+  }
+  return std::ranges::any_of(run.increments, [&](const results::Increment& increment) {
+    const std::size_t smallest = model.growth->kmin.index();
+    return smallest < increment.steps.size() &&
+           std::ranges::any_of(increment.steps[smallest].tips, &results::TipResult::closed);
+  });
+}
+
+std::string ratio_words(const model::Model& model, const results::Run& run) {
+  const results::Growth& growth = *run.growth;
+  const auto R = range_of_R(growth);
+  if (!R) {
+    return {};
+  }
+  std::string out = fmt::format("K_min / K_max as the law was given it: {:.4g} to {:.4g}.\n",
+                                R->first, R->second);
+  if (continued_below_closing(model, growth)) {
+    out += "K_min below 0 is that of crack faces that could overlap, all other contacts as they "
+           "are: so the laws with R < 0 mean it.\n";
+  }
+  const bool below = R->first < 0.0 || closes_at_smallest(model, run);
+  if (below && model.growth->law == model::GrowthLaw::nasgro) {
+    out += "At R < 0 Newman's opening function is that of R, down to R = -2.\n";
+  } else if (below) {
+    out +=
+        "This law counts R < 0 as R = 0: delta K = K_max, as in ASTM E647. Constants from a test "
+        "at R < 0 whose delta K is K_max - K_min do not fit it.\n";
+  }
+  return out;
+}
+
 std::size_t step_index(const model::Model& model, std::string_view name) {
   const auto found = std::ranges::find(model.steps, name, &model::Step::name);
   return static_cast<std::size_t>(found - model.steps.begin());
@@ -94,10 +155,11 @@ void write_life_csv(const std::filesystem::path& file, const model::Model& model
   const results::Growth& growth = *run.growth;
   std::string text = fmt::format(
       "# units: a x y [{0}], K_max K_min delta_K K2_max [{1}], da_dN [{0}/{2}], turn [deg], N "
-      "[{2}]; ended: {3}\n"
+      "[{2}]; ended: {3}{5}\n"
       "increment,N,tip,a,K_max,K_min,delta_K,K2_max,da_dN,turn,x,y{4}\n",
       model.units.length_name, model.units.stress_intensity_name(), growth.unit, growth.ended,
-      growth.followed ? ",K_max_first,K_min_first,passes,change" : "");
+      growth.followed ? ",K_max_first,K_min_first,passes,change" : "",
+      continued_below_closing(model, growth) ? "; K_min below 0: of faces that could overlap" : "");
   auto out = std::back_inserter(text);
   for (const results::GrowthStation& station : growth.stations) {
     for (const results::GrowingTip& tip : station.tips) {
@@ -290,6 +352,7 @@ std::string life_summary(const model::Model& model, const results::Run& run) {
   if (growth.followed) {
     out += history_summary(model, growth);
   }
+  out += ratio_words(model, run);
   for (const results::ScaledLife& other : growth.scaled) {
     out += fmt::format("For comparison, {}.\n", scaled_words(other));
   }

@@ -7,6 +7,8 @@
 #include "mesh/quality.hpp"
 #include "report/check_listing.hpp"
 #include "run/forecast.hpp"
+#include "run/growth_loop.hpp"
+#include "run/growth_rules.hpp"
 #include "run/held_modes.hpp"
 #include "run/load_totals.hpp"
 #include "run/preview_model.hpp"
@@ -31,6 +33,14 @@ public:
 
   /// Every length. Without `forecast` only mistakes are looked for.
   void look(bool forecast) {
+    if (grows_by_law(model_)) {
+      if (const auto lines = growth::crack_lines(model_, 0.0, diagnostics)) {
+        growth_can_begin(model_, *lines, diagnostics);
+      }
+      if (diagnostics.has_errors()) {
+        return;
+      }
+    }
     const std::vector<double> lengths = growth::crack_lengths(model_);
     const RegionPlan plan = plan_region(model_, lengths, diagnostics);
     if (diagnostics.has_errors()) {

@@ -2,6 +2,7 @@
 #include "run/check_quantities.hpp"
 
 #include "run/closed_parts.hpp"
+#include "results/growth_end.hpp"
 #include "run/field_quantities.hpp"
 #include "run/gone_nodes.hpp"
 #include "run/growth_tests.hpp"
@@ -19,6 +20,8 @@
 namespace spricka::run {
 
 namespace {
+
+constexpr double full_circle = 6.2832; // [rad] as ANGLE of $CRACK
 
 double tip_quantity(const std::string& quantity, Arguments& args, const results::Run& run) {
   const std::string tip = args.name("a crack");
@@ -174,6 +177,9 @@ double contact_quantity(const model::Model& model, const std::string& quantity, 
   if (quantity.starts_with("ARC.PART.")) {
     return end_of_part(contact, quantity, *theta);
   }
+  if (theta && std::abs(*theta) > full_circle) {
+    throw Missing(fmt::format("{0:.6g} rad is more than a circle; degrees: {0:.6g}[deg]", *theta));
+  }
   if (theta) {
     return value_at(contact, value_of(quantity, consistent), *theta);
   }
@@ -288,7 +294,7 @@ double cycles(const std::string& quantity, Arguments& args, const results::Run& 
   if (!run.growth) {
     throw Missing("no crack grows by a law");
   }
-  if (run.growth->ended == "MESH") {
+  if (results::ended_early(*run.growth)) {
     throw Missing("the growth ended early: " + run.growth->reason);
   }
   if (quantity == "LIFE") {

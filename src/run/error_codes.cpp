@@ -157,6 +157,21 @@ constexpr std::array advice{
               "gmsh writes curves as bars: nothing is lost. Give them no section; bars that "
               "carry load cannot be imported."},
     ErrorCode{"W467", "Say in the deck how the model is held and loaded."},
+    ErrorCode{"E452", "Add $CRACK, or take $GROW away."},
+    ErrorCode{"E453", "KMAX names the step with the largest K of a cycle, KMIN that with the "
+                      "smallest: exchange them, or look at the sign of the load."},
+    ErrorCode{"E454", "KC and DKTH without a unit are in KUNIT: give both their units, "
+                      "35[MPa*m^0.5], or look at KUNIT."},
+    ErrorCode{"W452", "Apply it in a step, LOAD case 1, or take the $LOAD away."},
+    ErrorCode{"W453", "A step keeps what it does not name. Give it what it should do; a FIT scales "
+                      "what the contact declares, so that with GAP=0 it has nothing to scale."},
+    ErrorCode{"W454", "Lengths of $GROW take the place of A0."},
+    ErrorCode{"W455", "manual/theory/life.md has the laws with their exponents; other books name "
+                      "them otherwise."},
+    ErrorCode{"W456",
+              "The message says what: K that the law was not made for, a life of next to no "
+              "cycles, an end that is none. KUNIT and AUNIT are the first things to look "
+              "at."},
     ErrorCode{"E500", "The deck is right, but there is no analysis for this yet: exit code 4."},
     ErrorCode{"E510",
               "The message names the body and the direction that nothing holds, or the "

@@ -77,6 +77,7 @@ inline constexpr std::array later_codes{
     ErrorCode{"E565", "a restart file of another version"},
     ErrorCode{"E566", "a run stopped by a signal or by --time"},
     ErrorCode{"E567", "--restart or --time with a deck that keeps no state"},
+    ErrorCode{"W456", "a growth that needs a second look"},
     ErrorCode{"W501", "linear triangles, tetrahedra or wedges of a nearly incompressible material"},
     ErrorCode{"W502", "a result of a step that needs a second look"},
     ErrorCode{"W503", "a TRANSITION between meshes that do not nest"},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/gather.hpp"
 
+#include "base/tidy.hpp"
 #include "contact/marked_arc.hpp"
 #include "contact/slave_places.hpp"
 #include "crack/stress_intensity.hpp"
@@ -54,7 +55,7 @@ void gather_tips(const model::Model& model, const Scene& scene, const StepState&
                                 tip_loads(model, scene, scene.tips[t].fields, state.case_factor));
     results::TipResult result;
     result.name = tip_name(model, scene.cracked, tip);
-    result.a = tip.a;
+    result.a = base::tidy(tip.a);
     result.x = tip.x;
     result.direction = tip.direction;
     result.K1 = K.K1;

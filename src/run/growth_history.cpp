@@ -92,7 +92,7 @@ bool GrowthMeasure::by_history(const SolvedLength& at, const std::string& name, 
     found.K_max = std::max(0.0, part.dot(K));
     found.K_min = part.dot(of_tip(loads.last.marks[loads.smallest], tip));
     found.rate = found.K_max > found.K_min ? law_.rate(found.K_max, found.K_min) : 0.0;
-    look_at(name, K, found.K_min > found.K_max && found.K_max > 0.0);
+    look_at(name, K, found.K_min > found.K_max);
     first.K_max = std::max(0.0, part.dot(of_tip(loads.first.marks[loads.grow_at], tip)));
     first.K_min = part.dot(of_tip(loads.first.marks[loads.smallest], tip));
   }

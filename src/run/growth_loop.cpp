@@ -3,9 +3,11 @@
 
 #include "growth/crack_lines.hpp"
 #include "growth/march.hpp"
+#include "results/growth_end.hpp"
 #include "run/growth_measure.hpp"
 #include "run/growth_records.hpp"
 #include "run/growth_region.hpp"
+#include "run/growth_rules.hpp"
 #include "run/length_solver.hpp"
 #include "run/resume.hpp"
 #include "run/safe_file.hpp"
@@ -41,7 +43,7 @@ public:
   bool run() {
     std::optional<std::vector<mesh::CrackLine>> lines =
         growth::crack_lines(model_, 0.0, diagnostics_);
-    if (!lines || !can_begin(*lines)) {
+    if (!lines || !growth_can_begin(model_, *lines, diagnostics_)) {
       return false;
     }
     growth::Law law;
@@ -138,10 +140,19 @@ private:
     }
     region.tell_cost(run_.log);
     LogWriter log(run_.log);
-    std::optional<std::vector<growth::TipStation>> found =
-        measure_.measure({*increment, solver_.tips(), lines, solver_.followed()}, march.tips());
+    std::optional<std::vector<growth::TipStation>> found = measure_.measure(
+        {*increment, solver_.tips(), lines, solver_.followed(), solver_.free_faces()},
+        march.tips());
     if (!found) {
       trial_refusal_ = Refusal{4, measure_.trouble(), model_.growth->span};
+      return false;
+    }
+    if (first && !measure_.spectrum() && measure_.upside_down()) {
+      trial_.error(model_.growth->span, "E453",
+                   fmt::format("K of {} is larger at KMIN, {:.6g}, than at KMAX, {:.6g}",
+                               march.tips().front().name, found->front().K_min,
+                               found->front().K_max),
+                   "KMAX names the step with the largest K, KMIN that with the smallest");
       return false;
     }
     if (!march.take(std::move(*found))) {
@@ -180,45 +191,6 @@ private:
     return "no mesh";
   }
 
-  bool can_begin(const std::vector<mesh::CrackLine>& lines) {
-    const auto no = [&](const std::string& why) {
-      diagnostics_.error(model_.growth->span, "E431", why);
-      return false;
-    };
-    if (growth::growing_tips(model_, lines).empty()) {
-      return no("$GROW: no crack in the plane grows");
-    }
-    for (const model::TipNet& tip : model_.tip_nets) {
-      if (!tip.patch && growth::crack_grows(model_, tip.crack.index())) {
-        return no(fmt::format("crack {} keeps the deck's own mesh (PATCH=NO): its tip can only "
-                              "stand at nodes, so that no law can move it",
-                              model_.cracks[tip.crack.index()].name));
-      }
-    }
-    for (const mesh::CrackLine& line : lines) {
-      double length = 0.0;
-      for (std::size_t i = 1; i < line.points.size(); ++i) {
-        length += (line.points[i] - line.points[i - 1]).norm();
-      }
-      length *= line.embedded ? 0.5 : 1.0;
-      if (growth::crack_grows(model_, line.crack.index()) && model_.growth->last_length &&
-          length >= *model_.growth->last_length) {
-        return no(fmt::format("AMAX = {:.6g} is not longer than crack {} is at first, {:.6g}",
-                              *model_.growth->last_length, line.name, length));
-      }
-    }
-    const bool heated = std::ranges::any_of(model_.cases, [](const model::LoadCase& c) {
-      return std::ranges::any_of(c.loads, [](const model::Load& load) {
-        return load.type == model::LoadType::temperature;
-      });
-    });
-    if (model_.growth->flow_stress && (heated || model::axisymmetric(model_))) {
-      return no("SFLOW: the plastic limit of a ligament is not known with temperatures, nor round "
-                "an axis");
-    }
-    return true;
-  }
-
   void finish(const growth::March& march) {
     results::Increment& last = run_.increments.back();
     const std::vector<bool> pictured = pictured_steps(model_, true);
@@ -236,7 +208,10 @@ private:
     for (const std::string& text : measure_.warnings()) {
       run_.warnings.push_back(text);
     }
-    if (run_.growth->ended == "MESH") {
+    for (std::string& text : doubts_of_life(*run_.growth)) {
+      run_.warnings.push_back(std::move(text));
+    }
+    if (results::ended_early(*run_.growth)) {
       run_.warnings.push_back("the growth ended early: " + run_.growth->reason);
     }
   }

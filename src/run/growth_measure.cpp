@@ -17,6 +17,8 @@ namespace {
 
 /// K2 beyond this part of K1 on a given path is worth a word.
 constexpr double much_K2 = 0.25;
+/// K1 that the mesh cannot tell from 0 where K2 rules.
+constexpr double much_less_than_K2 = 1e-3;
 
 life::Law kind_of(model::GrowthLaw law) {
   switch (law) {
@@ -64,6 +66,16 @@ base::PiecewiseLinear combined(const results::PathTip& tip, const base::Vec2& pa
   return {tip.K1.knots(), std::move(value), std::move(slope)};
 }
 
+// Whether its faces touch somewhere on the path: K1 is 0 there.
+bool closes(const results::PathTip& tip) {
+  for (std::size_t i = 0; i < tip.K1.segments(); ++i) {
+    if (tip.K1.at_knot(i) == 0.0 && tip.K1.slope(i) == 0.0) {
+      return true;
+    }
+  }
+  return false;
+}
+
 // Where K1 is largest between two places: at one of them or at a breakpoint.
 double place_of_largest(const base::PiecewiseLinear& K1, double low, double high) {
   double best = K1(high) >= K1(low) ? high : low;
@@ -95,6 +107,7 @@ std::size_t GrowthMeasure::largest_step() const {
 std::optional<std::vector<growth::TipStation>>
 GrowthMeasure::measure(const SolvedLength& at, const std::vector<growth::GrowingTip>& growing) {
   std::vector<growth::TipStation> found(growing.size());
+  upside_down_ = true;
   const bool history = at.followed && at.followed->none.empty();
   if (at.followed && !history) {
     warnings_.insert(fmt::format("friction makes K a history, but the loads were not repeated: {}; "
@@ -106,8 +119,8 @@ GrowthMeasure::measure(const SolvedLength& at, const std::vector<growth::Growing
     const std::string& name = growing[i].name;
     const bool straight = line.symmetric_half;
     const bool good = history     ? by_history(at, name, straight, found[i])
-                      : spectrum_ ? by_spectrum(at.increment, name, straight, found[i])
-                                  : by_steps(at.increment, name, straight, found[i]);
+                      : spectrum_ ? by_spectrum(at, name, straight, found[i])
+                                  : by_steps(at, name, straight, found[i]);
     if (!good) {
       return std::nullopt;
     }
@@ -136,10 +149,15 @@ base::Vec2 GrowthMeasure::intensity(const results::TipResult& tip) {
   return {tip.bar[0].best, tip.bar[1].best};
 }
 
+// K1 = 0 stands for faces that touch; K1 < 0 but for round-off for such that overlap.
+bool GrowthMeasure::opens(const base::Vec2& K) {
+  return K[0] != 0.0 && K[0] > -much_less_than_K2 * std::abs(K[1]);
+}
+
 base::Vec2 GrowthMeasure::turn(const base::Vec2& K, bool straight,
                                growth::TipStation& found) const {
   found.K2_max = K[1];
-  if (straight || model_.growth->direction == model::GrowthDirection::path) {
+  if (straight || !opens(K) || model_.growth->direction == model::GrowthDirection::path) {
     return {1.0, 0.0};
   }
   const crack::Criterion criterion = model_.growth->direction == model::GrowthDirection::hoop
@@ -150,19 +168,45 @@ base::Vec2 GrowthMeasure::turn(const base::Vec2& K, bool straight,
 }
 
 void GrowthMeasure::look_at(const std::string& name, const base::Vec2& K, bool upside_down) {
+  upside_down_ = upside_down_ && upside_down;
   if (upside_down) {
     warnings_.insert(fmt::format("{}: K at KMIN is larger than at KMAX", name));
   }
-  if (model_.growth->direction == model::GrowthDirection::path &&
-      std::abs(K[1]) > much_K2 * std::abs(K[0])) {
+  if (model_.growth->direction == model::GrowthDirection::path && K[0] > 0.0 &&
+      std::abs(K[1]) > much_K2 * K[0]) {
     warnings_.insert(fmt::format("{} grows along its path although K2 is {:.2f} of K1; the law is "
                                  "given K1 alone",
                                  name, K[1] / K[0]));
   }
 }
 
-bool GrowthMeasure::by_steps(const results::Increment& increment, const std::string& name,
-                             bool straight, growth::TipStation& found) {
+void GrowthMeasure::warn_of_closing(const std::string& name, double a) {
+  warnings_.insert(fmt::format("{}: at a = {:.6g} its faces close and there is no solution with "
+                               "faces that overlap: K_min is 0 there, though the law knows R < 0; "
+                               "the life may come out too long",
+                               name, a));
+}
+
+double GrowthMeasure::at_smallest(const SolvedLength& at, const results::TipResult& tip,
+                                  const base::Vec2& part) {
+  const double K = part.dot(intensity(tip));
+  if (!continues_below_closing(model_)) {
+    return K;
+  }
+  const results::TipResult* free = free_tip(at.free, model_.growth->kmin.index(), tip.name);
+  if (free == nullptr) {
+    if (tip.closed) {
+      warn_of_closing(tip.name, tip.a);
+    }
+    return K;
+  }
+  const double below = part.dot(base::Vec2(free->K1, free->K2));
+  return below < 0.0 ? below : K;
+}
+
+bool GrowthMeasure::by_steps(const SolvedLength& at, const std::string& name, bool straight,
+                             growth::TipStation& found) {
+  const results::Increment& increment = at.increment;
   const results::TipResult* high =
       results::find_tip(increment.steps[model_.growth->kmax.index()], name);
   const results::TipResult* low =
@@ -177,14 +221,35 @@ bool GrowthMeasure::by_steps(const results::Increment& increment, const std::str
   const base::Vec2 K = intensity(*high);
   const base::Vec2 part = turn(K, straight, found);
   found.K_max = std::max(0.0, part.dot(K));
-  found.K_min = part.dot(intensity(*low));
+  found.K_min = at_smallest(at, *low, part);
   found.rate = found.K_max > found.K_min ? law_.rate(found.K_max, found.K_min) : 0.0;
-  look_at(name, K, low->K1 > high->K1 && high->K1 > 0.0);
+  look_at(name, K, low->K1 > high->K1 && low->K1 > 0.0);
   return true;
 }
 
-bool GrowthMeasure::by_spectrum(const results::Increment& increment, const std::string& name,
-                                bool straight, growth::TipStation& found) {
+base::PiecewiseLinear GrowthMeasure::on_path(const SolvedLength& at, const results::PathTip& tip,
+                                             const base::Vec2& part) {
+  base::PiecewiseLinear K = combined(tip, part);
+  if (!(at.free || closes(tip)) || !continues_below_closing(model_)) {
+    return K;
+  }
+  const std::size_t path = model_.spectra[*model_.growth->spectrum].path;
+  const results::PathTip* free = at.free && path < at.free->paths.size()
+                                     ? results::find_tip(at.free->paths[path], tip.name)
+                                     : nullptr;
+  std::optional<base::PiecewiseLinear> below;
+  if (free != nullptr) {
+    below = continued(K, combined(*free, part), spectrum_->highest());
+  }
+  if (!below) {
+    warn_of_closing(tip.name, tip.a);
+  }
+  return below ? std::move(*below) : std::move(K);
+}
+
+bool GrowthMeasure::by_spectrum(const SolvedLength& at, const std::string& name, bool straight,
+                                growth::TipStation& found) {
+  const results::Increment& increment = at.increment;
   const model::Spectrum& card = model_.spectra[*model_.growth->spectrum];
   const results::LoadPath& path = increment.paths[card.path];
   const results::TipResult* at_end = results::find_tip(increment.steps[largest_step()], name);
@@ -205,7 +270,7 @@ bool GrowthMeasure::by_spectrum(const results::Increment& increment, const std::
   }
   const double peak = place_of_largest(tip->K1, spectrum_->lowest(), spectrum_->highest());
   const base::Vec2 part = turn({tip->K1(peak), tip->K2(peak)}, straight, found);
-  const base::PiecewiseLinear K = combined(*tip, part);
+  const base::PiecewiseLinear K = on_path(at, *tip, part);
   const auto [low, high] = spectrum_->extreme_K(K);
   found.K_min = low;
   found.K_max = std::max(0.0, high);

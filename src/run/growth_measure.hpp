@@ -7,6 +7,7 @@
 #include "model/model.hpp"
 #include "results/named_arrays.hpp"
 #include "results/results.hpp"
+#include "run/free_faces.hpp"
 #include "run/load_history.hpp"
 
 #include <optional>
@@ -25,6 +26,7 @@ struct SolvedLength {
   const std::vector<mesh::Tip>& tips;
   const std::vector<mesh::CrackLine>& lines;
   const std::optional<FollowedLoads>& followed; ///< where friction makes K a history
+  const std::optional<FreeFaces>& free;         ///< faces that may overlap, where they close
 };
 
 /// What a solved state of the cracks means for their growth: K at the largest and the smallest
@@ -38,6 +40,8 @@ public:
   measure(const SolvedLength& at, const std::vector<growth::GrowingTip>& growing);
 
   [[nodiscard]] const std::string& trouble() const { return trouble_; }
+  /// Whether of the last state K at KMIN was above K at KMAX, and above 0, at all tips that grow.
+  [[nodiscard]] bool upside_down() const { return upside_down_; }
   /// What a reader must not miss, each once.
   [[nodiscard]] const std::set<std::string>& warnings() const { return warnings_; }
   [[nodiscard]] const life::GrowthLaw& law() const { return law_; }
@@ -56,10 +60,17 @@ public:
   }
 
 private:
-  bool by_steps(const results::Increment& increment, const std::string& name, bool straight,
+  bool by_steps(const SolvedLength& at, const std::string& name, bool straight,
                 growth::TipStation& found);
-  bool by_spectrum(const results::Increment& increment, const std::string& name, bool straight,
+  bool by_spectrum(const SolvedLength& at, const std::string& name, bool straight,
                    growth::TipStation& found);
+  /// K of a tip on the path of the spectrum, with what the law wants where its faces close.
+  [[nodiscard]] base::PiecewiseLinear on_path(const SolvedLength& at, const results::PathTip& tip,
+                                              const base::Vec2& part);
+  /// K_min by the tip at KMIN; `part` of its K1 and K2 counts.
+  [[nodiscard]] double at_smallest(const SolvedLength& at, const results::TipResult& tip,
+                                   const base::Vec2& part);
+  void warn_of_closing(const std::string& name, double a);
   bool by_history(const SolvedLength& at, const std::string& name, bool straight,
                   growth::TipStation& found);
   /// Rate and extremes of K in a pass of the spectrum that was followed, for one tip whose K is
@@ -72,6 +83,8 @@ private:
   /// Sets the turn and gives the K to the law: of the crack before the turn, first and second.
   [[nodiscard]] base::Vec2 turn(const base::Vec2& K, bool straight,
                                 growth::TipStation& found) const;
+  /// Whether a tip with this K is open at the largest load: a closed one grows nowhere.
+  [[nodiscard]] static bool opens(const base::Vec2& K);
   void plastic(const results::Increment& increment, const mesh::Tip& tip,
                const mesh::CrackLine& line, growth::TipStation& found) const;
   [[nodiscard]] std::size_t largest_step() const;
@@ -81,6 +94,7 @@ private:
   std::optional<life::Spectrum> spectrum_;
   growth::Surroundings around_;
   std::string trouble_;
+  bool upside_down_ = false;
   std::set<std::string> warnings_;
   bool counted_on_K_ = false;
 };

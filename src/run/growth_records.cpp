@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/growth_records.hpp"
 
+#include "base/tidy.hpp"
 #include "run/history_program.hpp"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ results::LifePoint point_at(const growth::Trajectory& between, double s, double 
   results::LifePoint point;
   point.cycles = cycles;
   for (std::size_t tip = 0; tip < tips; ++tip) {
-    point.a.push_back(between.arm(tip, s));
+    point.a.push_back(base::tidy(between.arm(tip, s)));
   }
   return point;
 }
@@ -51,8 +52,8 @@ results::Growth growth_records(const model::Model& model, const growth::March& m
     station.cycles = at_station;
     for (std::size_t tip = 0; tip < out.tips.size(); ++tip) {
       const growth::TipStation& t = stations[i].tips[tip];
-      station.tips.push_back({out.tips[tip], t.a, t.K_max, t.K_min, t.K2_max, t.rate, t.turn,
-                              base::Vec3(t.x, t.y, 0.0), t.first_max, t.first_min});
+      station.tips.push_back({out.tips[tip], base::tidy(t.a), t.K_max, t.K_min, t.K2_max, t.rate,
+                              t.turn, base::Vec3(t.x, t.y, 0.0), t.first_max, t.first_min});
       station.passes = std::max(station.passes, static_cast<int>(t.passes));
       station.change = std::max(station.change, t.change);
     }

@@ -39,6 +39,17 @@ std::string codes_help(std::size_t width) {
   return "Errors E and warnings W; spricka help E108 says more about one:\n" + table.text(width);
 }
 
+// Codes whose meaning has a word, given in capitals.
+std::string codes_with(const std::string& topic, std::size_t width) {
+  grammar::Columns table{{}, {6, 0}};
+  for (const ErrorCode& code : all_codes()) {
+    if (topic.size() > 2 && grammar::to_upper(code.meaning).find(topic) != std::string::npos) {
+      table.rows.push_back({std::string(code.code), std::string(code.meaning)});
+    }
+  }
+  return table.rows.empty() ? std::string() : table.text(width);
+}
+
 std::string codes_markdown() {
   std::string out =
       "# Error codes\n\nMade by `spricka help codes --markdown`; do not edit. Codes are "
@@ -135,6 +146,12 @@ int help_command(const HelpOptions& options, const ProgramText& program) {
   }
   if (const auto text = help_on(topic, program, width)) {
     to_stdout(*text);
+    return exit_code::done;
+  }
+  if (const std::string found = grammar::text_help(options.topic, width) + codes_with(topic, width);
+      !found.empty()) {
+    fmt::print("'{}' is no word of the language; it stands in the texts of\n{}", options.topic,
+               found);
     return exit_code::done;
   }
   const std::string hint = nearest(topic, program);

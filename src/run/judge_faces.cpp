@@ -23,10 +23,32 @@ constexpr double worst_closed_K1 = 0.05;
 // that much of K2 no mesh tells K1 from 0.
 constexpr double small_K1 = 1e-3;
 
-// FACES=FREE: what overlaps is told, and K1 < 0 is no answer even so.
+// Whether a law of $GROW is given this step's K, for which K1 < 0 has a meaning: as its K_min, or
+// as an end of the load path of its spectrum.
+bool is_smallest_of_law(const model::Model& model, const std::string& step) {
+  const std::optional<model::Growth>& growth = model.growth;
+  const auto is = [&](base::StepId id) {
+    return id.valid() && model.steps[id.index()].name == step;
+  };
+  if (!growth || growth->law == model::GrowthLaw::increment) {
+    return false;
+  }
+  if (growth->spectrum) {
+    const model::LoadPath& path = model.load_paths[model.spectra[*growth->spectrum].path];
+    return is(path.from) || is(path.to);
+  }
+  return is(growth->kmin);
+}
+
+// FACES=FREE: what overlaps is told, and K1 < 0 is no answer even so, but as K_min of a law.
 void tell_overlap(const TipState& at, results::TipResult& result, results::StepResult& out) {
   const double part = lip_overlap(at.scene.cracked, at.tip.crack.index(), at.state.u).lone;
-  if (result.K1 < 0.0 && std::abs(result.K1) > small_K1 * std::abs(result.K2)) {
+  const bool negative = result.K1 < 0.0 && std::abs(result.K1) > small_K1 * std::abs(result.K2);
+  if (negative && is_smallest_of_law(at.model, out.step)) {
+    out.notes.push_back(fmt::format("{}: K1 is negative, as FACES=FREE lets the crack faces "
+                                    "overlap: the law of $GROW takes it as its K_min",
+                                    result.name));
+  } else if (negative) {
     result.doubt = "K1 is negative: the crack faces overlap, which FACES=FREE lets them, so this K "
                    "is not an answer";
     out.notes.push_back(fmt::format("warning: {}: {}", result.name, result.doubt));

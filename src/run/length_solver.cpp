@@ -2,6 +2,7 @@
 #include "run/length_solver.hpp"
 
 #include "base/clock.hpp"
+#include "base/tidy.hpp"
 #include "fe/stress.hpp"
 #include "mesh/boundary.hpp"
 #include "report/report.hpp"
@@ -163,18 +164,21 @@ std::optional<results::Increment> LengthSolver::solve(const LengthRequest& reque
                       scene->table.rows.size(), scene->cracked.tips.size()));
   results::Increment increment;
   std::vector<std::size_t> touching;
+  free_.reset();
   do {
     const std::optional<std::vector<BodyNet>> bodies = condense(*scene, log);
     if (!bodies) {
       return std::nullopt;
     }
     increment = {};
-    increment.a = a > 0.0 || scene->cracked.tips.empty() ? a : scene->cracked.tips.front().a;
+    increment.a =
+        a > 0.0 || scene->cracked.tips.empty() ? a : base::tidy(scene->cracked.tips.front().a);
     increment.notes = scene->notes;
     touching.clear();
     if (!walk_steps({*scene, *bodies, request}, log, increment, touching)) {
       return std::nullopt;
     }
+    keep_free(touching, increment);
     close_faces(touching, *scene, log);
   } while (!touching.empty());
   tips_ = scene->cracked.tips;
@@ -253,7 +257,22 @@ bool LengthSolver::numbers_are_sound(const results::StepResult& result, const mo
   return what.empty();
 }
 
-// Stops at the first step with faces that would overlap: `touching` says which.
+// The first solution with faces that overlap is K of faces that may.
+void LengthSolver::keep_free(const std::vector<std::size_t>& touching,
+                             results::Increment& increment) {
+  const bool whole = increment.steps.size() == model_.steps.size();
+  if (touching.empty() || free_ || !whole || !continues_below_closing(model_)) {
+    return;
+  }
+  free_.emplace();
+  for (results::StepResult& step : increment.steps) {
+    free_->steps.push_back(std::move(step.tips));
+  }
+  free_->paths = std::move(increment.paths);
+}
+
+// Stops at the first step with faces that would overlap: `touching` says which. Only where K of
+// such faces is wanted the first solution goes on with them, without bars and pictures.
 bool LengthSolver::walk_steps(const Way& way, LogWriter& log, results::Increment& increment,
                               std::vector<std::size_t>& touching) {
   const auto& [scene, bodies, request] = way;
@@ -266,6 +285,7 @@ bool LengthSolver::walk_steps(const Way& way, LogWriter& log, results::Increment
   Sensitivities sensitivities(model_, scene, bodies);
   LoadHistory history(model_, scene, bodies, paths);
   const bool follows = follows_history(model_);
+  const bool goes_on = continues_below_closing(model_);
   log.add("CONTACT", "compliances of the contact rows");
   for (std::size_t s = 0; s < model_.steps.size(); ++s) {
     const model::Step& step = model_.steps[s];
@@ -281,6 +301,9 @@ bool LengthSolver::walk_steps(const Way& way, LogWriter& log, results::Increment
     }
     Refusal why;
     const std::optional<StepState> state = solver.solve(step, why);
+    if (!state && !touching.empty()) {
+      return true; // with faces that may overlap there is no answer
+    }
     if (!state) {
       why.why = fmt::format("step {}: {}", step.name, why.why);
       refusal_ = why;
@@ -292,8 +315,10 @@ bool LengthSolver::walk_steps(const Way& way, LogWriter& log, results::Increment
       contact_.keep(scene, s, solver.closed());
     }
     repeated.keep(s, solver);
-    touching = touching_lines(model_, scene, state->u);
-    if (!touching.empty()) {
+    if (touching.empty()) {
+      touching = touching_lines(model_, scene, state->u);
+    }
+    if (!touching.empty() && !(goes_on && !free_)) {
       return true;
     }
     increment.steps.push_back(gather_step(model_, scene, bodies, step, *state));
@@ -305,6 +330,9 @@ bool LengthSolver::walk_steps(const Way& way, LogWriter& log, results::Increment
     paths.keep(s, solver, increment.steps.back());
     if (follows) {
       history.keep(s, solver, increment.steps.back());
+    }
+    if (!touching.empty()) {
+      continue;
     }
     if (!scene.cracked.tips.empty() && request.bars) {
       const std::vector<estimate::Adjoint>& of_K = adjoints.of_last_step(solver);
@@ -331,6 +359,9 @@ bool LengthSolver::walk_steps(const Way& way, LogWriter& log, results::Increment
       refusal_ = Refusal{4, fmt::format("load path {}: {}", path.name, what), {}};
       return false;
     }
+  }
+  if (!touching.empty()) {
+    return true;
   }
   if (follows && !follow(history, solver, log)) {
     return false;

@@ -9,6 +9,7 @@
 #include "run/carried_state.hpp"
 #include "run/condense_bodies.hpp"
 #include "run/contact_memory.hpp"
+#include "run/free_faces.hpp"
 #include "run/load_history.hpp"
 #include "run/mount_memory.hpp"
 #include "run/scene.hpp"
@@ -71,6 +72,8 @@ public:
   /// Of the state that was solved last.
   [[nodiscard]] const std::vector<mesh::Tip>& tips() const { return tips_; }
 
+  /// K of that state with faces that may overlap, where they close and the law wants it.
+  [[nodiscard]] const std::optional<FreeFaces>& free_faces() const { return free_; }
   /// K of the loads of the growth, one after another; empty without friction.
   [[nodiscard]] const std::optional<FollowedLoads>& followed() const { return followed_; }
   /// The state that was solved last counts: what slipped there is carried on from.
@@ -97,6 +100,8 @@ private:
   };
   std::optional<std::vector<BodyNet>> condense(const Scene& scene, LogWriter& log);
   void close_faces(const std::vector<std::size_t>& lines, Scene& scene, LogWriter& log);
+  /// Takes K of faces that may overlap from the first solution of a state whose faces meet.
+  void keep_free(const std::vector<std::size_t>& touching, results::Increment& increment);
   /// Follows the loads of the growth behind the steps; false: no answer.
   bool follow(LoadHistory& history, StepSolver& solver, LogWriter& log);
   /// Whether the results of a step are numbers; else the refusal says which are not.
@@ -113,6 +118,7 @@ private:
   MountMemory mounted_;
   CarriedState carried_, next_carried_;
   std::optional<FollowedLoads> followed_;
+  std::optional<FreeFaces> free_;
   ContactMemory contact_;
   estimate::ModeMemory modes_;
   std::vector<mesh::Tip> tips_;

@@ -218,7 +218,14 @@ void LoadPaths::tips(const solve::SolutionPath& found, const End& from, const En
       path.notes.push_back(fmt::format(
           "{}: the crack faces touch at the tip on a part of the path: K1 = 0 there", tip.name));
     }
-    if (tip.K1.lowest() < -1e-9 * tip.K1.highest()) {
+    const model::Crack& crack = model_.cracks[scene_.cracked.tips[t].crack.index()];
+    const bool of_law = model_.growth && model_.growth->spectrum && !crack.faces_in_contact;
+    if (tip.K1.lowest() < -1e-9 * tip.K1.highest() && of_law) {
+      path.notes.push_back(fmt::format("{}: K1 is negative on a part of the path, as FACES=FREE "
+                                       "lets the crack faces overlap: the law of $GROW knows it as "
+                                       "a K_min",
+                                       tip.name));
+    } else if (tip.K1.lowest() < -1e-9 * tip.K1.highest()) {
       path.notes.push_back(
           fmt::format("warning: {}: K1 is negative on a part of the path: there this K is not an "
                       "answer (the crack faces overlap, or the mesh at the tip is too coarse)",

@@ -26,7 +26,7 @@ public:
   /// yet (run/lip_contact.hpp).
   [[nodiscard]] const std::vector<std::size_t>& touching() const { return touching_; }
   /// K1 and K2 of each tip in a solved increment [2 * tip + mode - 1]; K1 is 0 where its faces
-  /// touch at the tip. Looks at the faces, too.
+  /// touch at the tip, or what a law with R < 0 wants there. Looks at the faces, too.
   [[nodiscard]] base::Vector intensities(const contact::ContactSystem::Demand& demand,
                                          const contact::ContactSystem::Answer& answer,
                                          const StepSolver& solver);

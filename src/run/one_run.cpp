@@ -5,6 +5,7 @@
 #include "fe/law.hpp"
 #include "report/notes.hpp"
 #include "report/result_tables.hpp"
+#include "results/growth_end.hpp"
 #include "run/check_quantities.hpp"
 #include "run/contact_sense.hpp"
 #include "run/estimate.hpp"
@@ -259,6 +260,9 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
   results::Run& run = *solved.run;
   log.diagnostics(deck.sources, diagnostics);
   run.tests = invert_tests(*used.model, run);
+  for (const std::string& text : run.warnings) { // so far those of the growth
+    log.message(base::Severity::warning, "W456", text);
+  }
   collect_warnings(deck.diagnostics, run, log);
   for (const base::Diagnostic& d : diagnostics.all()) { // of meshes with cracks
     if (d.severity == base::Severity::warning) {
@@ -279,7 +283,7 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
     outcome.exit_code = exit_code::not_converged;
     outcome.error = run.warnings.back();
   }
-  if (outcome.exit_code == exit_code::done && run.growth && run.growth->ended == "MESH") {
+  if (outcome.exit_code == exit_code::done && run.growth && results::ended_early(*run.growth)) {
     outcome.exit_code = exit_code::not_solvable;
     outcome.error = run.growth->reason;
     log.message(base::Severity::error, "E510", outcome.error);
@@ -300,9 +304,9 @@ void print_tip(const std::string& before, const results::TipResult& tip,
   const auto bar = [&](std::size_t k) {
     return tip.no_bar.empty() ? fmt::format(" +- {:<8.2g}", tip.bar[k].size()) : "";
   };
-  to_stdout(fmt::format("{} {:<8} a = {:<10.6g} K1 = {:<12.7g}{} K2 = {:<12.7g}{} {}\n", before,
+  to_stdout(fmt::format("{} {:<8} a = {:<10.6g} K1 = {:<12.7g}{} K2 = {:<12.7g}{} {}{}\n", before,
                         tip.name, tip.a, tip.K1, bar(0), tip.K2, bar(1),
-                        units.stress_intensity_name()));
+                        units.stress_intensity_name(), tip.closed ? ", closed" : ""));
 }
 
 // A line for each tip: of a growth by a law at KMAX of each station, else of every step.

@@ -3,6 +3,7 @@
 
 #include "contact/lip_pairing.hpp"
 #include "crack/stress_intensity.hpp"
+#include "run/free_faces.hpp"
 #include "run/history_program.hpp"
 #include "run/lip_contact.hpp"
 #include "run/lip_overlap.hpp"
@@ -12,6 +13,17 @@
 
 /// Faces of cracks on load paths.
 namespace spricka::run {
+
+namespace {
+
+// Whether a row of the table is one between the faces of a crack.
+bool between_faces(const Scene& scene, std::size_t row) {
+  return std::ranges::any_of(scene.lip_pairs, [&](const auto& lip) {
+    return lip && row >= scene.table.first[lip->pair] && row < scene.table.first[lip->pair + 1];
+  });
+}
+
+} // namespace
 
 std::vector<LoadPaths::Watch> LoadPaths::watch_faces(const model::Model& model,
                                                      const Scene& scene) {
@@ -122,12 +134,26 @@ base::Vector LoadPaths::intensities(const contact::ContactSystem::Demand& demand
              answer.solution.lambda[static_cast<Eigen::Index>(i)];
   }
   look_at_faces(value);
+  base::Vector free; // without the forces between faces of cracks, all others as they are
+  if (continues_below_closing(model_)) {
+    free = value;
+    for (std::size_t i = 0; i < demand.rows.size(); ++i) {
+      if (between_faces(scene_, demand.rows[i])) {
+        free -= rows_->of_row.col(static_cast<Eigen::Index>(demand.rows[i])) *
+                answer.solution.lambda[static_cast<Eigen::Index>(i)];
+      }
+    }
+  }
   for (std::size_t t = 0; t < scene_.cracked.tips.size(); ++t) {
     const std::optional<std::size_t> row = row_at_tip(scene_, scene_.cracked.tips[t]);
     const auto at = row ? std::ranges::find(demand.rows, *row) : demand.rows.end();
     if (at != demand.rows.end() &&
         answer.solution.closed[static_cast<std::size_t>(at - demand.rows.begin())]) {
       value[2 * static_cast<Eigen::Index>(t)] = 0.0;
+    }
+    const auto k = 2 * static_cast<Eigen::Index>(t);
+    if (free.size() > 0 && free[k] < 0.0) {
+      value.segment<2>(k) = free.segment<2>(k);
     }
   }
   return value.head(2 * static_cast<Eigen::Index>(scene_.cracked.tips.size()));

@@ -8,6 +8,7 @@
 #include "run/shell_save.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 
@@ -105,6 +106,9 @@ ShellResult do_fit(const ShellCall& call) {
   ShellResult trouble = settle(call.session, call.reply);
   trouble = trouble ? trouble : call.session.interference(name_at(call, 1), value);
   if (!trouble) {
+    call.reply.messages +=
+        fmt::format("note: {} {:.6g} along the normal, on a radius; {:.6g} on a diameter\n",
+                    value < 0.0 ? "gap" : "interference", std::abs(value), 2.0 * std::abs(value));
     tell_state(call);
   }
   return trouble;
@@ -140,11 +144,20 @@ ShellResult do_set(const ShellCall& call) {
     return wrong(call);
   }
   ShellResult trouble = settle(call.session, call.reply);
+  const std::string before = state_reply(call.session);
   trouble = trouble ? trouble : call.session.define(call.words[1].text, rest_from(call, 2));
-  if (!trouble) {
-    tell_state(call);
+  if (trouble) {
+    return trouble;
   }
-  return trouble;
+  for (const std::string& text : call.session.covered()) {
+    call.reply.messages += fmt::format("note: {}\n", text);
+  }
+  tell_state(call);
+  const bool same = !before.empty() && state_reply(call.session) == before;
+  if (call.session.covered().empty() && same) {
+    call.reply.messages += "note: K and the contacts are as they were before\n";
+  }
+  return {};
 }
 
 ShellResult do_solve(const ShellCall& call) {

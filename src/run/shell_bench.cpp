@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/shell_bench.hpp"
 
+#include "base/tidy.hpp"
 #include "run/estimate.hpp"
 #include "run/gather.hpp"
 #include "run/gone_nodes.hpp"
@@ -72,7 +73,7 @@ ShellBench::ShellBench(const BenchParts& parts, Scene scene)
     : parts_(parts), scene_(std::move(scene)), shown_(model_to_show(parts.model)) {
   results::Increment& increment = run_.increments.emplace_back();
   increment.number = 1;
-  increment.a = scene_.cracked.tips.empty() ? 0.0 : scene_.cracked.tips.front().a;
+  increment.a = scene_.cracked.tips.empty() ? 0.0 : base::tidy(scene_.cracked.tips.front().a);
   increment.notes = scene_.notes;
   increment.mesh = scene_.cracked.mesh;
   keep_gone_members(parts_.model.mesh, increment.mesh);

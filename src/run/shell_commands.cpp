@@ -58,22 +58,22 @@ const std::vector<ShellCommand>& shell_commands() {
        "Every question solves first what is pending."},
       {"fit", "CONTACT FACTOR | CONTACT = INTERFERENCE", "p.",
        "the factor of a declared fit, or the interference itself",
-       "fit BUSH 1.2 scales what the deck declares, as FIT of $STEP does. fit BUSH = 0.05[mm] "
-       "declares a normal interference in its place, negative: a clearance; the way is solved "
-       "again from its beginning."},
+       "fit BUSH 1.2 scales what the deck declares, as FIT of $STEP does. fit BUSH = 0.05[mm] sets "
+       "the normal interference itself (on the radius), negative: a clearance; its factor becomes "
+       "1, and the way is solved again from its beginning."},
       {"mount", "CONTACT", "p", "a contact comes into force, as MOUNT of $STEP", ""},
       {"dismount", "CONTACT", "p", "a contact is taken away", ""},
       {"length", "CRACK A", "c.", "cuts a crack to another length and solves the same way again",
        "What the crack does not touch stays condensed."},
       {"set", "NAME = EXPRESSION", "v.", "a parameter of the deck, which is read again",
-       "What was set by name is kept."},
+       "What was set by name is kept, and a note says where it hides the parameter."},
       {"solve", "[SUBSTEPS]", ".", "makes the changes that are pending",
        "With friction from the last state on, in 10 substeps if nothing is said; else the state "
        "does not depend on the way to it."},
       {"K", "[CRACK]", "c", "stress intensity factors with their error bars", ""},
       {"pressure", "CONTACT [THETA | X Y]", "p..",
        "pressure along a contact, at an angle of a bore, or near a point",
-       "An angle without a unit is in radians: pressure BUSH 95[deg]."},
+       "An angle without a unit is in radians, as in the deck: pressure BUSH 95[deg]."},
       {"arc", "CONTACT", "p", "where a contact is closed, part by part", ""},
       {"reaction", "SET", "n", "force of the supports on a set", ""},
       {"displacement", "X Y [Z]", "...", "displacement at a point", ""},

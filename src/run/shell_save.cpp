@@ -311,6 +311,9 @@ ShellResult add_steps(const ShellSession& session, Edits& edits) {
   const bool last = session.base_step() == model.steps.back().name;
   const bool ordered = session.rubs() || mounts(session.changes()) || mounts(model.steps);
   std::vector<model::Step> steps = session.changes();
+  if (steps.empty() && last) {
+    return {}; // the deck's last step is the state
+  }
   if (!ordered) {
     steps = {all_factors(session)};
   } else if (!last) {

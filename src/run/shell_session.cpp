@@ -97,7 +97,12 @@ ShellResult ShellSession::define(const std::string& name, const std::string& exp
   Defines defines = options_.defines;
   std::erase_if(defines, [&](const auto& d) { return same_word(d.first, name); });
   defines.emplace_back(name, expression);
-  return read_again(defines, true);
+  const OwnCards before = own_;
+  if (ShellResult trouble = read_again(defines, true)) {
+    return trouble;
+  }
+  covered_ = covered_by(before);
+  return {};
 }
 
 // All that depends on the deck is made aside and takes its place at the end.
@@ -138,6 +143,7 @@ ShellResult ShellSession::read_again(const Defines& defines, bool keep) {
 }
 
 ShellResult ShellSession::open_model() {
+  own_ = {model_->cracks, model_->contacts, model_->steps};
   begin_growth(*model_);
   for (const auto& [name, value] : gaps_) {
     std::ranges::find(model_->contacts, name, &model::Contact::name)->gap = -value;
@@ -282,9 +288,17 @@ ShellResult ShellSession::interference(const std::string& contact, double value)
     return usage(fmt::format("contact {} meets a rigid target and has no declared gap", contact));
   }
   const std::optional<double> before = model_->contacts[index].gap;
+  const std::vector<model::Step> after = after_;
   model_->contacts[index].gap = -value;
+  if (factors().fit[index] != 1.0) { // the value itself is meant, not a part of it
+    model::Step& whole = after_.emplace_back();
+    whole.name = "NOW";
+    whole.substeps = rubs() ? default_substeps : 1;
+    whole.actions.emplace_back(model::ApplyFit{base::ContactId(index), 1.0});
+  }
   if (ShellResult trouble = rebuild()) {
     model_->contacts[index].gap = before;
+    after_ = after;
     return trouble;
   }
   gaps_[contact] = value;

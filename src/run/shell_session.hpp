@@ -49,13 +49,16 @@ public:
   ShellResult step(const std::string& name); ///< the state at the end of a step of the deck
   ShellResult load(const std::string& load_case, double factor);
   ShellResult fit(const std::string& contact, double factor);
-  /// The declared interference itself [length], negative: clearance. Solves from the first step on.
+  /// The interference itself [length], negative: clearance: its factor becomes 1. Solves from the
+  /// first step on.
   ShellResult interference(const std::string& contact, double value);
   ShellResult mount(const std::string& contact, bool on);
   /// Cuts the crack anew, condenses what it touches and solves the same way again.
   ShellResult length(const std::string& crack, double a);
   /// A parameter: the deck is read again; what was set by name is kept.
   ShellResult define(const std::string& name, const std::string& expression);
+  /// What the last define() would have changed, had it not been set by name (or by $GROW) before.
+  [[nodiscard]] const std::vector<std::string>& covered() const { return covered_; }
   ShellResult reset(); ///< as after open(); the deck is read again
 
   /// Makes the changes that are pending; where something rubs in so many substeps from the last
@@ -111,6 +114,14 @@ private:
   /// A bench for the model of a deck just read, with what is set by name.
   ShellResult open_model();
   ShellResult read_again(const Defines& defines, bool keep);
+  /// Cards that parameters reach and that names set here may cover, as the deck has them.
+  struct OwnCards {
+    std::vector<model::Crack> cracks;
+    std::vector<model::Contact> contacts;
+    std::vector<model::Step> steps;
+  };
+  [[nodiscard]] std::vector<std::string> covered_by(const OwnCards& before) const;
+  [[nodiscard]] StepFactors factors_at_base(const OwnCards& cards) const;
   /// A new bench for the model as it is, at the end of the way so far.
   ShellResult rebuild();
   ShellResult make_bench(bool first, std::unique_ptr<ShellBench>& bench);
@@ -137,6 +148,8 @@ private:
   model::Step changes_;
   std::map<std::string, double> lengths_; ///< by crack
   std::map<std::string, double> gaps_;    ///< by contact, interference
+  OwnCards own_;
+  std::vector<std::string> covered_;
   std::string mapped_;
   MapRange range_;
   struct Known {

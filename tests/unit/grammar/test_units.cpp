@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/tidy.hpp"
 #include "base/units.hpp"
 
 #include <gtest/gtest.h>
@@ -29,9 +30,27 @@ TEST(Units, DimensionsFollowTheExponents) {
   EXPECT_EQ(parse_unit("m^-1")->dimension, (Dimension{-1.0, 0.0, 0.0}));
 }
 
+TEST(Units, RootsAreHalfPowers) {
+  const UnitSystem mm = *make_unit_system("MM", "N");
+  EXPECT_EQ(parse_unit("MPa*sqrt(m)")->dimension, parse_unit("MPa*m^0.5")->dimension);
+  EXPECT_EQ(to_deck(*parse_unit("MPa*sqrt(m)"), mm), to_deck(*parse_unit("MPa*m^0.5"), mm));
+  EXPECT_EQ(parse_unit("N/sqrt(mm)")->dimension, (Dimension{-0.5, 1.0, 0.0}));
+}
+
+// 18.8 - 15.2 is 3.6 but for rounding; pi is no short number, and what differs more stays.
+TEST(Units, NumbersLoseTheRoundingOfSums) {
+  EXPECT_EQ(tidy(3.6000000000000014), 3.6);
+  EXPECT_EQ(tidy(18.8 - 15.2), 3.6);
+  EXPECT_EQ(tidy(3.14159265358979), 3.14159265358979);
+  EXPECT_EQ(tidy(3.6000000001), 3.6000000001);
+  EXPECT_EQ(tidy(0.0), 0.0);
+  EXPECT_EQ(tidy(-0.30000000000000004), -0.3);
+}
+
 TEST(Units, UnknownFormsAreRefused) {
-  for (const char* text : {"", "foo", "mm^", "mm*", "*mm", "mm mm", "MM", "mm^1e400", "mm^nan",
-                           "^2", "mm^99", "mm/", "\xC2\xB5m"}) {
+  for (const char* text :
+       {"", "foo", "sqrt(m", "sqrt(m^2)", "sqrt()", "MPa sqrt(m)", "mm^", "mm*", "*mm", "mm mm",
+        "MM", "mm^1e400", "mm^nan", "^2", "mm^99", "mm/", "\xC2\xB5m"}) {
     EXPECT_FALSE(parse_unit(text)) << text;
   }
   EXPECT_FALSE(make_unit_system("cm", "N"));

@@ -226,10 +226,59 @@ TEST(March, EndsAtTheThreshold) {
 TEST(March, NothingGrows) {
   Plate plate(0.0, 10.0, 5.0, 10);
   plate.crack("C", 0.0, 1.0);
+  for (const double K : {1.0, 0.0}) {
+    growth::March march(plate.model, {}, plate.lines(), {});
+    run(march, [&](const auto&, const auto&, auto& tips) { tips[0].K_max = K; });
+    EXPECT_EQ(march.end()->word, K > 0.0 ? "THRESHOLD" : "CLOSED");
+    EXPECT_EQ(cycles_of(march), 0.0);
+  }
+}
+
+// K falls to 0 at twice the length and stays there: the crack closes for good.
+TEST(March, EndsWhereTheCrackCloses) {
+  Plate plate(0.0, 1000.0, 50.0, 10);
+  plate.crack("C", 0.0, 1.0);
+  const growth::Law law = [](double K_max, double) { return K_max > 0.0 ? 1e-4 : 0.0; };
+  growth::March march(plate.model, law, plate.lines(), {});
+  run(march, [&](const auto&, const auto& lines, auto& tips) {
+    tips[0].K_max = std::max(0.0, 2.0 - tip_x(lines[0]));
+    tips[0].rate = law(tips[0].K_max, 0.0);
+  });
+  EXPECT_EQ(march.end()->word, "CLOSED");
+  EXPECT_NEAR(march.end()->s, 2.0, 0.05);
+}
+
+// Rates that fall without end and never to 0.
+TEST(March, ComesToRest) {
+  Plate plate(0.0, 1000.0, 50.0, 10);
+  plate.crack("C", 0.0, 1.0);
   growth::March march(plate.model, {}, plate.lines(), {});
-  run(march, [](const auto&, const auto&, auto&) {});
-  EXPECT_EQ(march.end()->word, "THRESHOLD");
-  EXPECT_EQ(cycles_of(march), 0.0);
+  run(march, [&](const auto&, const auto& lines, auto& tips) {
+    tips[0].K_max = 1.0;
+    tips[0].rate = 1e-3 * std::exp(-10.0 * (tip_x(lines[0]) - 1.0));
+  });
+  EXPECT_EQ(march.end()->word, "ARREST");
+  EXPECT_NEAR(march.end()->s, 1.0 + 0.9 * std::log(10.0), 0.3);
+}
+
+// Round and round a circle of radius 20: nothing but the turn ends it.
+TEST(March, EndsWhereTheCrackCurls) {
+  Plate plate(-18.0, 100.0, 50.0, 20);
+  plate.crack("C", -18.0, 2.0);
+  plate.model.growth->direction = model::GrowthDirection::hoop;
+  plate.model.growth->largest_advance = 2.0;
+  growth::March march(plate.model, {}, plate.lines(), {});
+  run(march, [](const auto&, const auto& lines, auto& tips) {
+    const std::vector<Vec3>& p = lines[0].points;
+    const Vec3 radius = p.back() - Vec3(2.0, 20.0, 0.0);
+    const Vec3 now = p.back() - p[p.size() - 2];
+    tips[0].turn = std::remainder(
+        std::atan2(radius.x(), -radius.y()) - std::atan2(now.y(), now.x()), 2.0 * pi);
+    tips[0].K_max = 1.0;
+    tips[0].rate = 1e-4;
+  });
+  EXPECT_EQ(march.end()->word, "CURL");
+  EXPECT_NEAR(march.end()->s, 20.0 + 2.0 * pi * 20.0, 5.0);
 }
 
 TEST(March, MeetsTheEdge) {

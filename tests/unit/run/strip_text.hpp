@@ -24,7 +24,7 @@ inline std::string strip_text(const std::string& grow, const std::string& more =
          "$STEP NAME=ZERO\n  LOAD PULL 0\n"
          "$STEP NAME=HALF\n  LOAD PULL 0.5\n"
          "$STEP NAME=FULL\n  LOAD PULL 1\n" +
-         more + "$GROW " + grow + "\n$END\n";
+         more + "$GROW KUNIT='MPa*mm^0.5' AUNIT='mm' " + grow + "\n$END\n";
 }
 
 } // namespace spricka::test

@@ -117,20 +117,22 @@ TEST(Growth, ReachesTheFarEdge) {
 
 // A slant crack inside a plate under tension along y turns across the tension; both arms alike.
 std::string slant(double da, const std::string& direction) {
-  return fmt::format("$DECK VERSION=1 LENGTH=mm FORCE=N\n"
-                     "$MESH SHAPE=BLOCK TYPE=QUAMC8 X0=-40 Y0=-40 LX=80 LY=80 NX=20 NY=20\n"
-                     "$MATERIAL NAME=M E=70000 NU=0.3\n"
-                     "$PROPERTY ESET=BODY MATERIAL=M STATE=STRESS\n"
-                     "$NSET NAME=A WHERE=(abs(x+40) < 1e-9 and abs(y) < 1e-9)\n"
-                     "$NSET NAME=B WHERE=(abs(x-40) < 1e-9 and abs(y) < 1e-9)\n"
-                     "$FREEDOM CLASS=SUPPRESSED DOF=XY\n  A\n"
-                     "$FREEDOM CLASS=SUPPRESSED DOF=Y\n  B\n"
-                     "$LOAD CASE=PULL TYPE=TRACTION\n  YMAX 0 50\n  YMIN 0 -50\n"
-                     "$STEP NAME=ZERO\n  LOAD PULL 0\n$STEP NAME=FULL\n  LOAD PULL 1\n"
-                     "$CRACK NAME=C\n  -4 -3\n  4 3\n"
-                     "$GROW LAW=PARIS DIRECTION={} KMAX=FULL KMIN=ZERO C=1e-11 M=3 AMAX=12 DA={}\n"
-                     "$END\n",
-                     direction, da);
+  return fmt::format(
+      "$DECK VERSION=1 LENGTH=mm FORCE=N\n"
+      "$MESH SHAPE=BLOCK TYPE=QUAMC8 X0=-40 Y0=-40 LX=80 LY=80 NX=20 NY=20\n"
+      "$MATERIAL NAME=M E=70000 NU=0.3\n"
+      "$PROPERTY ESET=BODY MATERIAL=M STATE=STRESS\n"
+      "$NSET NAME=A WHERE=(abs(x+40) < 1e-9 and abs(y) < 1e-9)\n"
+      "$NSET NAME=B WHERE=(abs(x-40) < 1e-9 and abs(y) < 1e-9)\n"
+      "$FREEDOM CLASS=SUPPRESSED DOF=XY\n  A\n"
+      "$FREEDOM CLASS=SUPPRESSED DOF=Y\n  B\n"
+      "$LOAD CASE=PULL TYPE=TRACTION\n  YMAX 0 50\n  YMIN 0 -50\n"
+      "$STEP NAME=ZERO\n  LOAD PULL 0\n$STEP NAME=FULL\n  LOAD PULL 1\n"
+      "$CRACK NAME=C\n  -4 -3\n  4 3\n"
+      "$GROW LAW=PARIS DIRECTION={} KMAX=FULL KMIN=ZERO C=1e-11 M=3 KUNIT='MPa*mm^0.5' "
+      "AUNIT='mm' AMAX=12 DA={}\n"
+      "$END\n",
+      direction, da);
 }
 
 TEST(Growth, PathDoesNotDependOnTheAdvance) {
@@ -214,7 +216,8 @@ TEST(Growth, OneScaledKIsWrongOnTheLug) {
                            "$SPECTRUM NAME=S PATH=UP TYPE=BLOCKS\n  0 1 1\n"
                            "$CRACK NAME=TOP NET=LUG A0=(0.05*R) ANGLE=90[deg] STATE=STRESS\n"
                            "  0 (R)\n"
-                           "$GROW LAW=PARIS SPECTRUM=S C=1e-13 M=3 AMAX=(0.8*R)\n$END\n";
+                           "$GROW LAW=PARIS SPECTRUM=S C=1e-13 M=3 KUNIT='MPa*mm^0.5' AUNIT='mm' "
+                           "AMAX=(0.8*R)\n$END\n";
   const auto solved = test::solve_text(deck);
   ASSERT_TRUE(solved && solved->run.growth);
   ASSERT_EQ(solved->run.growth->ended, "AMAX") << solved->run.growth->reason;

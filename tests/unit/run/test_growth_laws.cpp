@@ -52,6 +52,31 @@ TEST(GrowthLaws, NasgroInADeck) {
               1e-5);
 }
 
+// KC and DKTH count in KUNIT, as C does; with a unit of their own they are what they say, in an
+// expression too.
+TEST(GrowthLaws, AllConstantsAreInTheUnitsOfTheLaw) {
+  const auto life = [](const std::string& constants, const std::string& more) {
+    std::string deck =
+        test::strip_text("KMAX=FULL KMIN=HALF LAW=FORMAN AMAX=8 TOL=1e-2 M=3 " + constants, more);
+    const std::string own = "KUNIT='MPa*mm^0.5' AUNIT='mm' ";
+    deck.erase(deck.find(own), own.size());
+    const auto solved = test::solve_text(deck);
+    return solved && solved->run.growth ? solved->run.growth->cycles() : 0.0;
+  };
+  const double metre = std::sqrt(1000.0);
+  const std::string in_mm =
+      fmt::format("C={:.17g} KC={:.17g} DKTH={:.17g} KUNIT='MPa*mm^0.5' AUNIT='mm'",
+                  2e-9 * 1e3 / (metre * metre), 40.0 * metre, 2.0 * metre);
+  const double wanted = life(in_mm, "");
+  ASSERT_GT(wanted, 0.0);
+  const std::string units = " KUNIT='MPa*sqrt(m)' AUNIT='m'";
+  EXPECT_NEAR(life("C=2e-9 KC=40 DKTH=2" + units, "") / wanted, 1.0, 1e-9);
+  EXPECT_NEAR(life("C=2e-9 KC=40[MPa*m^0.5] DKTH=2000[kPa*m^0.5]" + units, "") / wanted, 1.0, 1e-9);
+  const std::string parameters = "$PARAMETER\n  k = 20[MPa*m^0.5]\n  two = 2*k\n  bare = 40\n";
+  EXPECT_NEAR(life("C=2e-9 KC=(two) DKTH=(k/10)" + units, parameters) / wanted, 1.0, 1e-9);
+  EXPECT_NEAR(life("C=2e-9 KC=(bare) DKTH=(bare/20)" + units, parameters) / wanted, 1.0, 1e-9);
+}
+
 // Rows with a bend within the ranges that occur; the last is straight on beyond its end.
 TEST(GrowthLaws, TableInADeck) {
   const auto solved =
@@ -111,7 +136,8 @@ std::string strapped(const std::string& grow, const std::string& y = "0",
 // What a law is given is K of the strap that was bonded before the crack grew: that of the same
 // lengths given one by one, below that of a strap bonded at each.
 TEST(GrowthLaws, MountedAtTheFirstLength) {
-  const std::string law = "LAW=WALKER P=0.5 KMAX=FIX KMIN=LESS C=1e-4 M=3 AMAX=1.8 MOUNTED=";
+  const std::string law = "LAW=WALKER KUNIT='MPa*mm^0.5' AUNIT='mm' P=0.5 KMAX=FIX KMIN=LESS "
+                          "C=1e-4 M=3 AMAX=1.8 MOUNTED=";
   const auto first = test::solve_text(strapped(law + "FIRST"));
   const auto each = test::solve_text(strapped(law + "EACH"));
   ASSERT_TRUE(first && each && first->run.growth && each->run.growth);
@@ -146,7 +172,9 @@ TEST(GrowthLaws, AdvanceThatCannotBeSolvedEndsTheGrowth) {
   const test::Folder folder;
   const test::Outcome outcome = test::run_text(
       folder,
-      strapped("LAW=PARIS KMAX=FIX KMIN=LESS C=1e-4 M=3 AMAX=1.8 MOUNTED=FIRST", "4", "-90[deg]"));
+      strapped("LAW=PARIS KMAX=FIX KMIN=LESS C=1e-4 M=3 KUNIT='MPa*mm^0.5' AUNIT='mm' AMAX=1.8 "
+               "MOUNTED=FIRST",
+               "4", "-90[deg]"));
   EXPECT_EQ(outcome.exit_code, 4);
   EXPECT_NE(outcome.messages.find("MOUNTED=FIRST"), std::string::npos) << outcome.messages;
   const std::string life = test::slurp(folder.path() / "out" / "life.csv");

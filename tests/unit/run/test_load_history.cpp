@@ -39,7 +39,8 @@ std::string strip(const std::string& loads, const std::string& mu = "0.2") {
 
 std::string spectrum(const std::string& lines, const std::string& more = "") {
   return "$LOADPATH NAME=UP FROM=REST TO=FULL\n$SPECTRUM NAME=S PATH=UP " + lines +
-         "$GROW LAW=PARIS SPECTRUM=S C=1e-11 M=3 AMAX=4 " + more + "\n";
+         "$GROW LAW=PARIS SPECTRUM=S C=1e-11 M=3 KUNIT='MPa*mm^0.5' AUNIT='mm' AMAX=4 " + more +
+         "\n";
 }
 
 const std::string pass = "TYPE=SEQUENCE\n  1 0.7 0.9 0.3 1 0\n";
@@ -97,8 +98,8 @@ TEST(LoadHistory, RunsOfASequenceAreBlocks) {
 // From rest to full load the strip feels 0 to 0.8, from then on 0.2 to 0.8: the law must be given
 // the second.
 TEST(LoadHistory, LawIsGivenTheCycleThatRepeats) {
-  const auto solved =
-      test::solve_text(strip("$GROW LAW=PARIS KMAX=FULL KMIN=REST C=1e-11 M=3 AMAX=4\n"));
+  const auto solved = test::solve_text(strip(
+      "$GROW LAW=PARIS KMAX=FULL KMIN=REST C=1e-11 M=3 KUNIT='MPa*mm^0.5' AUNIT='mm' AMAX=4\n"));
   ASSERT_TRUE(solved && solved->run.growth);
   const results::Growth& growth = *solved->run.growth;
   EXPECT_TRUE(growth.followed);
@@ -122,7 +123,8 @@ TEST(LoadHistory, HeldStretchFallsAsTheCrackGrows) {
                             "$LOAD CASE=INSIDE TYPE=FACES\n  C1 10\n"
                             "$STEP NAME=OPEN SUBSTEPS=2\n  LOAD INSIDE 1\n"
                             "$STEP NAME=SHUT SUBSTEPS=2\n  LOAD INSIDE 0\n"
-                            "$GROW LAW=PARIS KMAX=OPEN KMIN=SHUT C=1e-11 M=3 AMAX=4 HISTORY=";
+                            "$GROW LAW=PARIS KMAX=OPEN KMIN=SHUT C=1e-11 M=3 KUNIT='MPa*mm^0.5' "
+                            "AUNIT='mm' AMAX=4 HISTORY=";
   const auto carried = test::solve_text(strip(loads + "CONTINUE\n"));
   const auto anew = test::solve_text(strip(loads + "RESTART\n"));
   ASSERT_TRUE(carried && anew && carried->run.growth && anew->run.growth);

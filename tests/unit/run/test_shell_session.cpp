@@ -137,6 +137,31 @@ TEST(ShellSession, InterferenceAndParameterAreThoseOfARun) {
   expect_k(shell, k_of_run(cracked_hub()), 1e-10);
 }
 
+// What is typed is the interference, whatever its factor was before.
+TEST(ShellSession, InterferenceIsTheValueItself) {
+  const ShellOnText shell(cracked_hub());
+  const base::Vec2 wanted = k_of_run(cracked_hub("A0=4", "INTERFERENCE=0.02"));
+  good(shell->fit("SEAT", 0.4));
+  good(shell->solve());
+  good(shell->interference("SEAT", 0.02));
+  expect_k(shell, wanted, 1e-10);
+  EXPECT_EQ(shell->factors().fit[0], 1.0);
+}
+
+TEST(ShellSession, ParameterThatIsCoveredSaysSo) {
+  const std::string fit = "INTERFERENCE=(T/1000)";
+  const ShellOnText shell(cracked_hub("A0=(T/2)", fit));
+  good(shell->length("C", 6.0));
+  good(shell->interference("SEAT", 0.02));
+  good(shell->define("T", "9"));
+  ASSERT_EQ(shell->covered().size(), 2U);
+  EXPECT_NE(shell->covered()[0].find("crack C keeps the length set here, 6"), std::string::npos);
+  EXPECT_NE(shell->covered()[1].find("contact SEAT keeps the interference"), std::string::npos);
+  good(shell->reset());
+  good(shell->define("T", "9"));
+  EXPECT_TRUE(shell->covered().empty());
+}
+
 TEST(ShellSession, MapAgreesWithSolutions) {
   const ShellOnText shell(cracked_hub());
   const double before = shell.K1();

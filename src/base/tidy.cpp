@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/tidy.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace spricka::base {
+
+double tidy(double value) {
+  constexpr double rounding = 16.0 * std::numeric_limits<double>::epsilon();
+  constexpr int digits = 12; // with those of the rounding all that a double has
+  std::array<char, 40> text{};
+  const auto [end, failure] = std::to_chars(text.data(), text.data() + text.size(), value,
+                                            std::chars_format::scientific, digits - 1);
+  double shorter = value;
+  if (failure == std::errc{}) {
+    std::from_chars(text.data(), end, shorter);
+  }
+  return std::abs(shorter - value) <= rounding * std::abs(value) ? shorter : value;
+}
+
+} // namespace spricka::base

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/context.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+
+/// What steps and the growth of a crack ask for together that nobody means, or hardly anybody.
+namespace spricka::deck {
+
+namespace {
+
+/// Loads and fits at the end of a step.
+struct Factors {
+  std::vector<double> load; ///< [case]
+  std::vector<double> fit;  ///< [contact]
+  bool operator==(const Factors&) const = default;
+};
+
+bool mounts(const model::Step& step) {
+  return std::ranges::any_of(step.actions, [](const model::Action& action) {
+    return std::holds_alternative<model::Mount>(action) ||
+           std::holds_alternative<model::Dismount>(action);
+  });
+}
+
+// Whether the deck gives a contact the number 0 as its gap; an expression may have other values.
+bool is_net_fit(const Context& c, const model::Contact& contact) {
+  if (contact.gap != 0.0) {
+    return false;
+  }
+  const auto card = std::ranges::find_if(c.cards, [&](const BoundCard& one) {
+    return one.spec->name == "CONTACT" && one.word("NAME") == contact.name;
+  });
+  const bool has_gap = card != c.cards.end() && card->has("GAP");
+  return has_gap && c.sources.text(card->find("GAP")->span).find('(') == std::string_view::npos;
+}
+
+// At the end of every step; what a fit of gap 0 is scaled by counts for nothing.
+std::vector<Factors> factors_of_steps(const Context& c) {
+  const model::Model& model = c.model;
+  Factors now{std::vector<double>(model.cases.size(), 0.0),
+              std::vector<double>(model.contacts.size(), 0.0)};
+  std::vector<Factors> all;
+  for (const model::Step& step : model.steps) {
+    for (const model::Action& action : step.actions) {
+      if (const auto* load = std::get_if<model::ApplyLoad>(&action)) {
+        now.load[load->load_case.index()] = load->factor;
+      } else if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {
+        const bool none = is_net_fit(c, model.contacts[fit->contact.index()]);
+        now.fit[fit->contact.index()] = none ? 0.0 : fit->factor;
+      }
+    }
+    all.push_back(now);
+  }
+  return all;
+}
+
+void unused_cases(Context& c) {
+  std::vector<bool> used(c.model.cases.size(), false);
+  for (const model::Step& step : c.model.steps) {
+    for (const model::Action& action : step.actions) {
+      if (const auto* load = std::get_if<model::ApplyLoad>(&action)) {
+        used[load->load_case.index()] = true;
+      }
+    }
+  }
+  for (std::size_t i = 0; i < used.size() && !c.model.steps.empty(); ++i) {
+    const model::LoadCase& load_case = c.model.cases[i];
+    if (!used[i] && !load_case.loads.empty()) {
+      c.diagnostics.warning(
+          load_case.loads.front().span, "W452",
+          fmt::format("load case {} is in no $STEP: it acts nowhere", load_case.name),
+          fmt::format("a line LOAD {} 1 below a $STEP", load_case.name));
+    }
+  }
+}
+
+// A first step says where the others begin, with LOAD .. 0 too; one without a line solves what is
+// there from the beginning.
+void idle_steps(Context& c, const std::vector<Factors>& factors) {
+  for (std::size_t s = 0; s < factors.size(); ++s) {
+    const model::Step& step = c.model.steps[s];
+    const bool loads = std::ranges::any_of(step.actions, [](const model::Action& action) {
+      return std::holds_alternative<model::ApplyLoad>(action);
+    });
+    const Factors none{std::vector<double>(c.model.cases.size(), 0.0),
+                       std::vector<double>(c.model.contacts.size(), 0.0)};
+    const bool first = s == 0 && !loads && !step.actions.empty() && factors[s] == none;
+    const bool later = s > 0 && factors[s] == factors[s - 1];
+    if ((first || later) && !mounts(step)) {
+      c.diagnostics.warning(
+          step.span, "W453",
+          s == 0
+              ? fmt::format("step {} changes nothing: its fits have GAP=0", step.name)
+              : fmt::format("step {} changes nothing: it ends with the loads and fits of step {}",
+                            step.name, c.model.steps[s - 1].name),
+          "LOAD case factor, FIT contact factor, MOUNT or DISMOUNT below it; or take it away");
+    }
+  }
+}
+
+const BoundCard* grow_card(const Context& c) {
+  const auto found = std::ranges::find_if(
+      c.cards, [](const BoundCard& card) { return card.spec->name == "GROW"; });
+  return found == c.cards.end() ? nullptr : &*found;
+}
+
+base::Span span_of(const BoundCard& card, std::string_view key) {
+  return card.has(key) ? card.find(key)->span : card.span;
+}
+
+// Where K has no other cause than the loads, more of them at KMIN is KMIN and KMAX exchanged.
+void exchanged_steps(Context& c, const BoundCard& card, const std::vector<Factors>& factors) {
+  const model::Growth& growth = *c.model.growth;
+  if (!growth.kmax.valid() || !growth.kmin.valid() || !c.model.contacts.empty() ||
+      !c.model.mpcs.empty()) {
+    return;
+  }
+  const std::vector<double>& high = factors[growth.kmax.index()].load;
+  const std::vector<double>& low = factors[growth.kmin.index()].load;
+  double product = 0.0;
+  double square = 0.0;
+  for (std::size_t i = 0; i < low.size(); ++i) {
+    product += high[i] * low[i];
+    square += low[i] * low[i];
+  }
+  const double r = square > 0.0 ? product / square : 1.0;
+  double apart = 0.0;
+  for (std::size_t i = 0; i < low.size(); ++i) {
+    apart = std::max(apart, std::abs(high[i] - r * low[i]));
+  }
+  if (r >= 0.0 && r < 1.0 && apart <= 1e-12 * std::sqrt(square)) {
+    c.error(span_of(card, "KMAX"), "E453",
+            fmt::format("the loads at KMAX are {:.4g} times those at KMIN: nothing could grow", r),
+            "KMAX names the step with the largest K, KMIN that with the smallest");
+  }
+}
+
+void odd_constants(Context& c, const BoundCard& card) {
+  const model::Growth& growth = *c.model.growth;
+  const model::LawConstants& law = growth.constants;
+  if (law.k_c && *law.k_c <= law.threshold) {
+    c.error(span_of(card, "KC"), "E454",
+            fmt::format("KC = {:.4g} is not above DKTH = {:.4g} (in KUNIT): nothing could grow",
+                        *law.k_c / law.k_unit, law.threshold / law.k_unit),
+            "numbers without a unit are in KUNIT");
+  }
+  if (growth.law == model::GrowthLaw::walker && (law.p < 0.0 || law.p > 1.0)) {
+    c.diagnostics.warning(
+        span_of(card, "P"), "W455",
+        fmt::format("P = {:.4g} is not within 0 and 1: da/dN = C (delta K / (1-R)^(1-P))^M", law.p),
+        "P = 1 is Paris' law, P = 0 knows K_max alone, metals have 0.3 to 0.8; other books write "
+        "(1-R)^P or M*(1-P) as the exponent");
+  }
+  if (growth.law == model::GrowthLaw::nasgro && (law.p < 0.0 || law.q < 0.0)) {
+    c.diagnostics.warning(span_of(card, law.p < 0.0 ? "P" : "Q"), "W455",
+                          "a negative P or Q makes the law slower towards KC, or faster towards "
+                          "DKTH",
+                          "P and Q of NASGRO are 0 to 1");
+  }
+  const bool has_M = growth.law != model::GrowthLaw::table;
+  if (has_M && (law.m < 1.0 || law.m > 15.0)) {
+    c.diagnostics.warning(span_of(card, "M"), "W455",
+                          fmt::format("M = {:.4g}: exponents of growth laws are 2 to 5", law.m),
+                          law.C > 1.0 ? "are C and M exchanged?" : "");
+  }
+}
+
+// Lengths of $GROW count, not A0; those that are all shorter were hardly meant.
+void shorter_lengths(Context& c, const BoundCard& card) {
+  const model::Growth& growth = *c.model.growth;
+  for (std::size_t i = 0; i < c.model.cracks.size() && !growth.lengths.empty(); ++i) {
+    const model::Crack& crack = c.model.cracks[i];
+    const bool grows = growth.cracks.empty() ||
+                       std::ranges::find(growth.cracks, base::CrackId(i)) != growth.cracks.end();
+    if (grows && crack.a0 && growth.lengths.front() < *crack.a0 * (1.0 - 1e-9)) {
+      c.diagnostics.warning(
+          card.rows.empty() ? card.span : card.rows.front().span, "W454",
+          fmt::format("the first length, {:.6g}, is shorter than A0 = {:.6g} of crack {}: a crack "
+                      "only grows",
+                      growth.lengths.front(), *crack.a0, crack.name),
+          "the lengths of $GROW are solved and A0 is not: take the A0 of the first length");
+    }
+  }
+}
+
+void growing_cracks(Context& c, const std::vector<Factors>& factors) {
+  const BoundCard* card = grow_card(c);
+  if (card == nullptr || !c.model.growth) {
+    return;
+  }
+  if (c.model.cracks.empty()) {
+    c.error(card->span, "E452", "$GROW, but the deck has no crack that could grow",
+            "$CRACK gives a crack its place and first length");
+    return;
+  }
+  if (c.model.growth->law == model::GrowthLaw::increment) {
+    shorter_lengths(c, *card);
+    return;
+  }
+  odd_constants(c, *card);
+  exchanged_steps(c, *card, factors);
+}
+
+} // namespace
+
+void check_life(Context& context) {
+  if (context.diagnostics.has_errors()) {
+    return;
+  }
+  const std::vector<Factors> factors = factors_of_steps(context);
+  unused_cases(context);
+  idle_steps(context, factors);
+  growing_cracks(context, factors);
+}
+
+} // namespace spricka::deck
