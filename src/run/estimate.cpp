@@ -16,6 +16,7 @@ namespace spricka::run {
 namespace {
 
 constexpr std::size_t most_named = 3;
+constexpr std::size_t few_nodes = 3; // of a set whose forces stand on points
 
 // Nodes that are held though no side of theirs is: their reaction is a force on a point.
 void mark_point_supports(const Scene& scene, std::vector<bool>& marked) {
@@ -100,8 +101,9 @@ std::vector<bool> singular_elements(const model::Model& model, const Scene& scen
   for (const mesh::Tip& t : scene.cracked.tips) {
     tip[t.node.index()] = true;
   }
-  mark_point_supports(scene, tip);
-  std::vector<bool> singular = around(mesh, single_forces(model, mesh));
+  std::vector<bool> point = single_forces(model, mesh);
+  mark_point_supports(scene, point);
+  std::vector<bool> singular = around(mesh, std::move(point));
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const auto nodes = mesh.nodes_of(base::ElementId(e));
     singular[e] =

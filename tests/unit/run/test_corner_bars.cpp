@@ -41,7 +41,7 @@ TEST(CornerBars, HoldBesideClampedCornersAndEndsOfSupports) {
                            "$FREEDOM CLASS=SUPPRESSED DOF=XY\n  FOOT\n";
   for (const Case& c : {Case{0.3, clamp}, Case{0.47, clamp}, Case{0.3, foot}}) {
     const auto fine =
-        solve_text(block(12, "QUAMC9") + rest(c.nu, c.supports, beside) +
+        solve_text(block(8, "QUAMC9") + rest(c.nu, c.supports, beside) +
                    "$TIPNET CRACK=C SIZE=0.004 RADIUS=0.04 RINGS=8 SECTORS=32\n$END\n");
     ASSERT_TRUE(fine);
     const results::TipResult& truth = fine->step().tips.at(0);
