@@ -109,9 +109,9 @@ std::string missing_contact(const model::Model& model, const Scene& scene,
       most = count;
       const std::string a = set_of(mesh, mine);
       const std::string c = set_of(mesh, theirs);
-      found = fmt::format(": no $CONTACT stands between it and {}, which lies next to it{}",
-                          bodies[b].name,
-                          a.empty() || c.empty() ? "" : fmt::format(" ({} and {})", a, c));
+      found = fmt::format(
+          ": no $CONTACT and no common node joins it with {}, which lies next to it{}",
+          bodies[b].name, a.empty() || c.empty() ? "" : fmt::format(" ({} and {})", a, c));
     }
   }
   return found;

@@ -98,7 +98,7 @@ std::string without_contact(const Joint& j, const std::string& support) {
 
 TEST(ContactSense, ABodyWithoutItsContactIsNamedWithItsNeighbour) {
   const std::string found = messages(without_contact({}, ""));
-  EXPECT_TRUE(has(found, "no $CONTACT stands between it and RING")) << found;
+  EXPECT_TRUE(has(found, "no $CONTACT and no common node joins it with RING")) << found;
   EXPECT_TRUE(has(found, "PIN.OUTER and RING.INNER")) << found;
 }
 
