@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -16,7 +17,6 @@ namespace spricka::run {
 namespace {
 
 constexpr std::size_t most_named = 3;
-constexpr std::size_t few_nodes = 3; // of a set whose forces stand on points
 
 // Nodes that are held though no side of theirs is: their reaction is a force on a point.
 void mark_point_supports(const Scene& scene, std::vector<bool>& marked) {
