@@ -1,6 +1,10 @@
-# The gmsh library of Debian 12: Gmsh::Gmsh.
+# The gmsh library of Debian 12: Gmsh::Gmsh, and its GMSH_VERSION.
 find_path(GMSH_INCLUDE_DIR gmsh.h)
 find_library(GMSH_LIBRARY gmsh)
+if(GMSH_LIBRARY) # the header has no patch number
+  file(REAL_PATH ${GMSH_LIBRARY} GMSH_FILE)
+  string(REGEX REPLACE ".*\\.so\\.?" "" GMSH_VERSION "${GMSH_FILE}")
+endif()
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(Gmsh REQUIRED_VARS GMSH_LIBRARY GMSH_INCLUDE_DIR)
 if(Gmsh_FOUND AND NOT TARGET Gmsh::Gmsh)

@@ -41,6 +41,13 @@ void adopt_physics(Context& c, const BoundCard& card, mesh::ImportedPhysics phys
   c.imported.push_back(std::move(physics));
 }
 
+bool took_too_long(const Context& c) {
+  const std::vector<base::Diagnostic>& all = c.diagnostics.all();
+  return std::any_of(all.begin(), all.end(), [](const base::Diagnostic& d) {
+    return d.code == "E481" || d.code == "E482";
+  });
+}
+
 } // namespace
 
 void import_card(Context& c, const BoundCard& card) {
@@ -59,9 +66,7 @@ void import_card(Context& c, const BoundCard& card) {
   const Refinement* finer = c.refinement(card.net);
   if (request.format == mesh::ImportFormat::geo && finer != nullptr && finer->size) {
     c.remeshed.insert(card.net);
-    request.size = [size = finer->size, scale = request.scale](double x, double y) {
-      return size(x * scale, y * scale) / scale;
-    };
+    request.size = {finer->size.map, request.scale};
   }
   for (const grammar::Row& row : card.rows) {
     using FieldKind = grammar::Field::Kind;
@@ -88,6 +93,8 @@ void import_card(Context& c, const BoundCard& card) {
   if (!std::filesystem::is_regular_file(request.file, unknown)) {
     c.error(card.find("FILE")->span, "E308",
             fmt::format("there is no file '{}'", request.file.string()));
+  } else if (!card.is("FORMAT", "INP") && took_too_long(c)) {
+    return; // one file has taken all the time there is: the others wait until it is mended
   } else if (!card.is("FORMAT", "INP")) {
     mesh::import_mesh(c.model.mesh, request, c.diagnostics);
   } else if (request.quadratic) {

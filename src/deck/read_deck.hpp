@@ -2,10 +2,10 @@
 #pragma once
 #include "base/diagnostics.hpp"
 #include "base/source.hpp"
+#include "mesh/gmsh_import.hpp"
 #include "model/model.hpp"
 
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -17,7 +17,7 @@ namespace spricka::deck {
 /// How much finer than its cards say a net is meshed, in the plane.
 struct Refinement {
   /// Size of elements wanted at a point [length], for $IMPORT FORMAT=GEO; empty: as its script has.
-  std::function<double(double x, double y)> size = {};
+  mesh::SizeWish size = {};
   int counts = 1; ///< numbers of elements of $MESH times this
   int splits = 0; ///< how often all other elements are divided into four
 };
@@ -34,7 +34,8 @@ struct ReadOptions {
 
 /// Reads a deck with its includes and imports, checks it in four passes and builds the model. All
 /// mistakes of all passes go to `diagnostics`; with errors the result is empty. File trouble with
-/// the deck itself throws std::system_error.
+/// the deck itself throws std::system_error. Constants of geometry scripts go to `scripts`, if
+/// given.
 std::optional<model::Model> read_deck(const std::filesystem::path& deck, const ReadOptions& options,
                                       base::Sources& sources, base::Diagnostics& diagnostics);
 

@@ -7,7 +7,6 @@
 #include "shape/topology.hpp"
 
 #include <fmt/format.h>
-#include <gmsh.h>
 
 #include <algorithm>
 #include <set>
@@ -25,10 +24,10 @@ public:
        base::Diagnostics& diagnostics)
       : mesh_(mesh), request_(request), numbers_(numbers), diagnostics_(diagnostics) {}
 
-  void add(const std::vector<GmshGroup>& groups) {
+  void add(const GmshModel& from) {
     const SideIndex sides(mesh_, numbers_.first_element);
-    for (const GmshGroup& group : groups) {
-      const std::vector<int> members = group.entities();
+    for (const GmshGroup& group : from.groups) {
+      const std::vector<int>& members = group.entities;
       if (group.dim == numbers_.dim) {
         model::ElementSet set{group.set, {}, request_.span};
         const std::unordered_set<int> wanted(members.begin(), members.end());
@@ -47,7 +46,7 @@ public:
                            set.elements.end());
         mesh_.element_sets.push_back(std::move(set));
       } else if (group.dim == numbers_.dim - 1) {
-        add_face_set(group, members, sides);
+        add_face_set(group, from.sides, sides);
       } else {
         add_node_set(group);
       }
@@ -56,11 +55,8 @@ public:
 
 private:
   void add_node_set(const GmshGroup& group) {
-    std::vector<Tag> tags;
-    std::vector<double> x;
-    gmsh::model::mesh::getNodesForPhysicalGroup(group.dim, group.tag, tags, x);
     std::set<NodeId> nodes;
-    for (const Tag tag : tags) {
+    for (const Tag tag : group.nodes) {
       if (const NodeId node = numbers_.node_of(tag); node.valid()) {
         nodes.insert(node);
       }
@@ -92,29 +88,14 @@ private:
     return found.front();
   }
 
-  void add_face_set(const GmshGroup& group, const std::vector<int>& members,
+  void add_face_set(const GmshGroup& group, const std::vector<GmshBlock>& blocks,
                     const SideIndex& sides) {
     model::FaceSet set{group.set, {}, request_.span};
     std::size_t strange = 0;
-    for (const int entity : members) {
-      std::vector<int> types;
-      std::vector<std::vector<Tag>> tags;
-      std::vector<std::vector<Tag>> nodes;
-      gmsh::model::mesh::getElements(types, tags, nodes, group.dim, entity);
-      for (std::size_t t = 0; t < types.size(); ++t) {
-        const std::size_t count = tags[t].empty() ? 1 : nodes[t].size() / tags[t].size();
-        const auto known = from_gmsh(types[t]);
-        const auto corners = static_cast<std::size_t>(known ? base::info(known->type).corners : 2);
-        for (std::size_t e = 0; e < tags[t].size(); ++e) {
-          std::vector<NodeId> key;
-          for (std::size_t i = 0; i < corners; ++i) {
-            key.push_back(numbers_.node_of(nodes[t][e * count + i]));
-          }
-          if (const auto face = side_on(sides, key)) {
-            set.faces.push_back(*face);
-          } else {
-            ++strange;
-          }
+    for (const int entity : group.entities) {
+      for (const GmshBlock& block : blocks) {
+        if (block.entity == entity) {
+          add_faces(block, sides, set, strange);
         }
       }
     }
@@ -129,6 +110,25 @@ private:
     mesh_.face_sets.push_back(std::move(set));
   }
 
+  void add_faces(const GmshBlock& block, const SideIndex& sides, model::FaceSet& set,
+                 std::size_t& strange) const {
+    const std::size_t count = block.tags.empty() ? 1 : block.nodes.size() / block.tags.size();
+    const auto known = from_gmsh(block.type);
+    const auto corners = static_cast<std::size_t>(known ? base::info(known->type).corners : 2);
+    for (std::size_t e = 0; e < block.tags.size(); ++e) {
+      std::vector<NodeId> key;
+      for (std::size_t i = 0; i < std::min(corners, count); ++i) {
+        key.push_back(numbers_.node_of(block.nodes[e * count + i]));
+      }
+      const auto face = key.size() < 2 ? std::nullopt : side_on(sides, key);
+      if (face) {
+        set.faces.push_back(*face);
+      } else {
+        ++strange;
+      }
+    }
+  }
+
   model::Mesh& mesh_;
   const ImportRequest& request_;
   const GmshNumbers& numbers_;
@@ -137,24 +137,12 @@ private:
 
 } // namespace
 
-std::vector<int> GmshGroup::entities() const {
-  std::vector<int> result;
-  gmsh::model::getEntitiesForPhysicalGroup(dim, tag, result);
-  return result;
-}
-
-bool read_gmsh_groups(const ImportRequest& request, base::Diagnostics& diagnostics,
-                      std::vector<GmshGroup>& groups) {
-  gmsh::vectorpair physical;
-  gmsh::model::getPhysicalGroups(physical);
+bool name_gmsh_sets(const ImportRequest& request, base::Diagnostics& diagnostics,
+                    std::vector<GmshGroup>& groups) {
   std::vector<bool> used(request.renames.size(), false);
   std::vector<std::string> names;
-  for (const auto& [dim, tag] : physical) {
-    std::string name;
-    gmsh::model::getPhysicalName(dim, tag, name);
-    if (name.empty()) {
-      name = fmt::format("GROUP{}", tag);
-    }
+  for (GmshGroup& group : groups) {
+    const std::string name = group.name.empty() ? fmt::format("GROUP{}", group.tag) : group.name;
     names.push_back(name);
     std::string set = set_name(name);
     for (std::size_t i = 0; i < used.size(); ++i) {
@@ -163,7 +151,7 @@ bool read_gmsh_groups(const ImportRequest& request, base::Diagnostics& diagnosti
         used[i] = true;
       }
     }
-    groups.push_back({dim, tag, request.prefix + set});
+    group.set = request.prefix + set;
   }
   for (std::size_t i = 0; i < used.size(); ++i) {
     if (!used[i]) {
@@ -176,10 +164,9 @@ bool read_gmsh_groups(const ImportRequest& request, base::Diagnostics& diagnosti
   return std::all_of(used.begin(), used.end(), [](bool b) { return b; });
 }
 
-void add_gmsh_sets(model::Mesh& mesh, const ImportRequest& request,
-                   const std::vector<GmshGroup>& groups, const GmshNumbers& numbers,
-                   base::Diagnostics& diagnostics) {
-  Sets(mesh, request, numbers, diagnostics).add(groups);
+void add_gmsh_sets(model::Mesh& mesh, const ImportRequest& request, const GmshModel& from,
+                   const GmshNumbers& numbers, base::Diagnostics& diagnostics) {
+  Sets(mesh, request, numbers, diagnostics).add(from);
 }
 
 } // namespace spricka::mesh

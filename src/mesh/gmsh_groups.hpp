@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "mesh/gmsh_import.hpp"
+#include "mesh/gmsh_model.hpp"
 #include "mesh/label_index.hpp"
 
 #include <optional>
@@ -9,15 +10,6 @@
 #include <vector>
 
 namespace spricka::mesh {
-
-/// A physical group of the model that gmsh has open.
-struct GmshGroup {
-  int dim = 0;
-  int tag = 0;
-  std::string set; ///< qualified name of our set
-
-  [[nodiscard]] std::vector<int> entities() const;
-};
 
 /// Where gmsh's nodes and elements are in our mesh.
 struct GmshNumbers {
@@ -36,13 +28,12 @@ struct GmshNumbers {
   }
 };
 
-/// All physical groups with the names of their sets; false after an error.
-bool read_gmsh_groups(const ImportRequest& request, base::Diagnostics& diagnostics,
-                      std::vector<GmshGroup>& groups);
+/// Gives the physical groups the names of their sets; false after an error.
+bool name_gmsh_sets(const ImportRequest& request, base::Diagnostics& diagnostics,
+                    std::vector<GmshGroup>& groups);
 
 /// Sets of the groups: of elements, of faces one dimension lower, else of nodes.
-void add_gmsh_sets(model::Mesh& mesh, const ImportRequest& request,
-                   const std::vector<GmshGroup>& groups, const GmshNumbers& numbers,
-                   base::Diagnostics& diagnostics);
+void add_gmsh_sets(model::Mesh& mesh, const ImportRequest& request, const GmshModel& from,
+                   const GmshNumbers& numbers, base::Diagnostics& diagnostics);
 
 } // namespace spricka::mesh

@@ -2,17 +2,12 @@
 #include "mesh/gmsh_import.hpp"
 
 #include "base/label.hpp"
-#include "mesh/child.hpp"
 #include "mesh/gmsh_elements.hpp"
 #include "mesh/gmsh_groups.hpp"
-#include "mesh/gmsh_preamble.hpp"
-#include "mesh/gmsh_session.hpp"
-#include "mesh/mesh_bytes.hpp"
-#include "mesh/msh_check.hpp"
+#include "mesh/gmsh_read.hpp"
 #include "mesh/numbering.hpp"
 
 #include <fmt/format.h>
-#include <gmsh.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,36 +24,26 @@ using base::ElementId;
 using base::NodeId;
 using Tag = std::size_t;
 
-/// Far more than a mesh needs that is not damaged [bytes], besides a multiple of its file.
-constexpr std::uintmax_t memory_for_gmsh = std::uintmax_t{2} << 30;
-
 class Import {
 public:
   Import(model::Mesh& mesh, const ImportRequest& request, base::Diagnostics& diagnostics)
       : mesh_(mesh), request_(request), diagnostics_(diagnostics) {}
 
-  void run() {
+  std::vector<ScriptConstant> run() {
     std::error_code ignored;
     if (!fs::is_regular_file(request_.file, ignored)) {
       error("E330", fmt::format("no file '{}'", request_.file.string()));
-      return;
+      return {};
     }
-    if (request_.format == ImportFormat::msh) {
-      if (const std::string trouble = msh_trouble(request_.file); !trouble.empty()) {
-        error("E331", fmt::format("{}: {}", file_name(), trouble));
-        return;
+    GmshReading reading = read_by_gmsh(request_, diagnostics_);
+    if (reading.model) {
+      from_ = *std::move(reading.model);
+      numbers_.dim = from_.dim;
+      if (name_gmsh_sets(request_, diagnostics_, from_.groups)) {
+        append();
       }
     }
-    const GmshSession session;
-    if (!load() || !read_gmsh_groups(request_, diagnostics_, groups_) || !read_elements()) {
-      return;
-    }
-    if (!add_nodes()) {
-      return;
-    }
-    add_elements();
-    add_gmsh_sets(mesh_, request_, groups_, numbers_, diagnostics_);
-    report_warnings();
+    return std::move(reading.constants);
   }
 
 private:
@@ -75,9 +60,19 @@ private:
     diagnostics_.error(request_.span, std::move(code), std::move(text), std::move(hint));
   }
   [[nodiscard]] std::string file_name() const { return request_.file.filename().string(); }
+
+  void append() {
+    if (!read_elements() || !add_nodes()) {
+      return;
+    }
+    add_elements();
+    add_gmsh_sets(mesh_, request_, from_, numbers_, diagnostics_);
+    report_warnings();
+  }
+
   void report_warnings() {
     static constexpr std::size_t most = 5;
-    const std::vector<std::string> warnings = GmshSession::warnings();
+    const std::vector<std::string>& warnings = from_.warnings;
     for (std::size_t i = 0; i < std::min(most, warnings.size()); ++i) {
       const std::size_t more = i + 1 == most ? warnings.size() - most : 0;
       diagnostics_.warning(request_.span, "W331",
@@ -85,83 +80,18 @@ private:
                                        more > 0 ? fmt::format(" (and {} more)", more) : ""));
     }
   }
-  bool report_gmsh() {
-    const std::vector<std::string> errors = GmshSession::errors();
-    for (const std::string& line : errors) {
-      error("E331", fmt::format("{}: gmsh says: {}", file_name(), line));
-    }
-    return errors.empty();
-  }
-
-  /// The model with its mesh inside gmsh.
-  bool load() {
-    if (request_.quadratic) {
-      gmsh::option::setNumber("Mesh.ElementOrder", 2);
-    }
-    try {
-      if (request_.format == ImportFormat::geo) {
-        const GmshPreamble preamble(request_);
-        if (!preamble.complete()) {
-          error("E330", "no temporary file could be written for the deck's parameters");
-          return false;
-        }
-        gmsh::open(preamble.path());
-      } else {
-        gmsh::open(request_.file.string());
-      }
-      if (!report_gmsh()) {
-        return false;
-      }
-      mesh_if_needed();
-    } catch (...) { // gmsh throws a string, or what its parts throw; the log has the words
-      if (report_gmsh()) {
-        error("E331", fmt::format("{}: gmsh gave up", file_name()));
-      }
-      return false;
-    }
-    return report_gmsh();
-  }
-
-  void mesh_if_needed() {
-    numbers_.dim = 0;
-    std::vector<int> types;
-    const auto find_dim = [&] {
-      for (int d = 3; d >= 2 && numbers_.dim == 0; --d) {
-        gmsh::model::mesh::getElementTypes(types, d);
-        numbers_.dim = types.empty() ? 0 : d;
-      }
-    };
-    find_dim();
-    if (numbers_.dim == 0 && request_.format == ImportFormat::geo) {
-      if (request_.size) {
-        wish_for_sizes(request_.size);
-      }
-      gmsh::model::mesh::generate(std::max(2, gmsh::model::getDimension()));
-      find_dim();
-    }
-    const bool linear = std::any_of(types.begin(), types.end(), [](int number) {
-      const auto known = from_gmsh(number);
-      return known && !base::info(known->type).quadratic;
-    });
-    if (request_.quadratic && linear) {
-      gmsh::model::mesh::setOrder(2);
-    }
-  }
 
   /// Elements of the mesh's own dimension: those in physical groups if there are such groups, as
   /// gmsh itself saves a mesh, else all.
   bool read_elements() {
     std::set<int> wanted;
-    for (const GmshGroup& group : groups_) {
+    for (const GmshGroup& group : from_.groups) {
       if (group.dim == numbers_.dim) {
-        const std::vector<int> members = group.entities();
-        wanted.insert(members.begin(), members.end());
+        wanted.insert(group.entities.begin(), group.entities.end());
       }
     }
-    gmsh::vectorpair all;
-    gmsh::model::getEntities(all, numbers_.dim > 0 ? numbers_.dim : 2);
-    for (const auto& [dim, tag] : all) {
-      if ((wanted.empty() || wanted.contains(tag)) && !read_entity(tag)) {
+    for (const GmshBlock& block : from_.elements) {
+      if ((wanted.empty() || wanted.contains(block.entity)) && !read_block(block)) {
         return false;
       }
     }
@@ -177,51 +107,35 @@ private:
     return true;
   }
 
-  bool read_entity(int entity) {
-    std::vector<int> types;
-    std::vector<std::vector<Tag>> tags;
-    std::vector<std::vector<Tag>> nodes;
-    gmsh::model::mesh::getElements(types, tags, nodes, numbers_.dim, entity);
-    for (std::size_t t = 0; t < types.size(); ++t) {
-      const auto known = from_gmsh(types[t]);
-      if (!known) {
-        std::string name;
-        int dim = 0;
-        int order = 0;
-        int count = 0;
-        int primary = 0;
-        std::vector<double> local;
-        gmsh::model::mesh::getElementProperties(types[t], name, dim, order, count, local, primary);
-        error("E334",
-              fmt::format("{}: elements of gmsh's type '{}' are not known", file_name(), name));
+  bool read_block(const GmshBlock& block) {
+    const auto known = from_gmsh(block.type);
+    if (!known) {
+      error("E334", fmt::format("{}: elements of gmsh's type '{}' are not known", file_name(),
+                                block.type_name));
+      return false;
+    }
+    const auto count = static_cast<std::size_t>(base::info(known->type).nodes);
+    for (std::size_t e = 0; e < block.tags.size(); ++e) {
+      if (block.tags[e] > static_cast<Tag>(base::largest_label)) {
+        error("E331", fmt::format("{}: element number {} has more than 18 digits", file_name(),
+                                  block.tags[e]));
         return false;
       }
-      const auto count = static_cast<std::size_t>(base::info(known->type).nodes);
-      for (std::size_t e = 0; e < tags[t].size(); ++e) {
-        if (tags[t][e] > static_cast<Tag>(base::largest_label)) {
-          error("E331", fmt::format("{}: element number {} has more than 18 digits", file_name(),
-                                    tags[t][e]));
-          return false;
-        }
-        elements_.tag.push_back(tags[t][e]);
-        elements_.type.push_back(known->type);
-        elements_.entity.push_back(entity);
-        elements_.first.push_back(elements_.nodes.size());
-        for (std::size_t i = 0; i < count; ++i) {
-          const std::size_t at =
-              known->order.empty() ? i : static_cast<std::size_t>(known->order[i]);
-          elements_.nodes.push_back(nodes[t][e * count + at]);
-        }
+      elements_.tag.push_back(block.tags[e]);
+      elements_.type.push_back(known->type);
+      elements_.entity.push_back(block.entity);
+      elements_.first.push_back(elements_.nodes.size());
+      for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t at = known->order.empty() ? i : static_cast<std::size_t>(known->order[i]);
+        elements_.nodes.push_back(block.nodes[e * count + at]);
       }
     }
     return true;
   }
 
   bool add_nodes() {
-    std::vector<Tag> tags;
-    std::vector<double> x;
-    std::vector<double> parametric;
-    gmsh::model::mesh::getNodes(tags, x, parametric);
+    const std::vector<Tag>& tags = from_.node_tags;
+    const std::vector<double>& x = from_.x;
     numbers_.tags.emplace(tags);
     numbers_.node.assign(tags.size(), NodeId());
     std::vector<std::size_t> needed; // places in `tags`, ascending by tag
@@ -322,7 +236,7 @@ private:
   model::Mesh& mesh_;
   const ImportRequest& request_;
   base::Diagnostics& diagnostics_;
-  std::vector<GmshGroup> groups_;
+  GmshModel from_;
   Elements elements_;
   std::vector<std::size_t> order_;                   ///< elements by ascending tag
   std::unordered_map<std::uint64_t, ElementId> met_; ///< by a hash of the nodes
@@ -331,27 +245,9 @@ private:
 
 } // namespace
 
-void import_mesh(model::Mesh& mesh, const ImportRequest& request, base::Diagnostics& diagnostics) {
-  std::error_code unknown;
-  const std::uintmax_t size = fs::file_size(request.file, unknown);
-  if (request.format != ImportFormat::msh || unknown) {
-    Import(mesh, request, diagnostics).run();
-    return;
-  }
-  // gmsh believes the numbers in a mesh file: a wrong one takes its process down
-  const auto bytes = in_child(
-      [&] {
-        const MeshEnd end(mesh);
-        base::Diagnostics messages;
-        Import(mesh, request, messages).run();
-        return to_bytes(mesh, end, messages);
-      },
-      memory_for_gmsh + 64 * size);
-  if (!bytes || !from_bytes(*bytes, request.span, mesh, diagnostics)) {
-    diagnostics.error(request.span, "E331",
-                      fmt::format("{}: the file is damaged; gmsh cannot read it",
-                                  request.file.filename().string()));
-  }
+std::vector<ScriptConstant> import_mesh(model::Mesh& mesh, const ImportRequest& request,
+                                        base::Diagnostics& diagnostics) {
+  return Import(mesh, request, diagnostics).run();
 }
 
 } // namespace spricka::mesh

@@ -20,11 +20,14 @@ public:
   void add(const base::Vec2& at, double size) { sources_.push_back({at, size}); }
   [[nodiscard]] double operator()(const base::Vec2& p) const;
 
-private:
   struct Source {
     base::Vec2 at;
     double size;
   };
+  [[nodiscard]] const std::vector<Source>& sources() const { return sources_; }
+  [[nodiscard]] double growth() const { return growth_; }
+
+private:
   double growth_; ///< of the size for each unit of distance
   std::vector<Source> sources_;
 };

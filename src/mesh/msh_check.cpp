@@ -3,11 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <string_view>
 
@@ -59,26 +58,26 @@ std::string format_trouble(std::string_view head) {
 
 } // namespace
 
-std::string msh_trouble(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+std::string msh_trouble(std::string_view text) {
   if (text.empty()) {
     return "it is empty";
   }
   static constexpr std::string_view format = "$MeshFormat";
   std::size_t at = text.find(format);
-  const std::size_t line = at == std::string::npos ? at : text.find('\n', at);
-  if (line == std::string::npos) {
+  const std::size_t line = at == std::string_view::npos ? at : text.find('\n', at);
+  if (line == std::string_view::npos) {
     return "it is no gmsh mesh: there is no $MeshFormat";
   }
-  if (std::string trouble = format_trouble(std::string_view(text).substr(line + 1));
-      !trouble.empty()) {
+  if (at != 0 && !text.starts_with("$Comments")) {
+    return "it is no gmsh mesh: it does not begin with $MeshFormat";
+  }
+  if (std::string trouble = format_trouble(text.substr(line + 1)); !trouble.empty()) {
     return trouble;
   }
   for (const std::string_view section :
        {"$EndMeshFormat", "$Nodes", "$EndNodes", "$Elements", "$EndElements"}) {
     at = text.find(section, at);
-    if (at == std::string::npos) {
+    if (at == std::string_view::npos) {
       return fmt::format("there is no {}: is it truncated?", section);
     }
   }

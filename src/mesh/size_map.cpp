@@ -17,7 +17,7 @@ constexpr int along = 64;
 
 } // namespace
 
-SizeMap::SizeMap(std::vector<Wish> wishes) : wishes_(std::move(wishes)) {
+SizeMap::SizeMap(std::vector<Wish> wishes) : given_(std::move(wishes)), wishes_(given_) {
   if (wishes_.empty()) {
     return;
   }

@@ -25,14 +25,18 @@ public:
   /// Infinite if there are no wishes.
   [[nodiscard]] double operator()(const base::Vec2& p) const;
 
+  /// The wishes as they came, from which the same map can be made anew.
+  [[nodiscard]] const std::vector<Wish>& given() const { return given_; }
+
 private:
   using Cell = std::pair<int, int>;
   [[nodiscard]] Cell cell_of(const base::Vec2& p) const;
   [[nodiscard]] const std::vector<std::size_t>& in_cell(int i, int j) const;
   void level();
 
-  std::vector<Wish> wishes_;
-  double pitch_ = 1.0; ///< of the grid that finds near points
+  std::vector<Wish> given_;
+  std::vector<Wish> wishes_; ///< levelled
+  double pitch_ = 1.0;       ///< of the grid that finds near points
   base::Vec2 low_ = base::Vec2::Zero();
   std::vector<std::vector<std::size_t>> cells_; ///< row by row
 };

@@ -3,6 +3,7 @@
 #include "run/standard_streams.hpp"
 
 #include "base/diagnostics.hpp"
+#include "mesh/mesher_limits.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -140,6 +141,25 @@ void CommandTree::add_deck_options(CLI::App& command) {
           "messages as text, or as JSON, one object a line")
       ->check(one_of({"text", "json"}))
       ->type_name("text|json");
+  add_mesh_limits(command);
+}
+
+void CommandTree::add_mesh_limits(CLI::App& command) {
+  command
+      .add_option_function<double>(
+          "--mesh-time", [](const double& seconds) { mesh::mesher_limits().seconds = seconds; },
+          "processor time that meshing one imported file may take (default: 12)")
+      ->check(positive())
+      ->type_name("SECONDS");
+  command
+      .add_option_function<double>(
+          "--mesh-memory",
+          [](const double& gigabytes) {
+            mesh::mesher_limits().memory = static_cast<std::size_t>(1e9 * gigabytes);
+          },
+          "memory it may take (default: a quarter of the machine's)")
+      ->check(positive())
+      ->type_name("GB");
 }
 
 void CommandTree::add_threads(CLI::App& command, const std::string& doc) {

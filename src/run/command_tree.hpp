@@ -41,6 +41,7 @@ private:
   CLI::App& add(const std::string& name, const std::string& doc, std::string examples,
                 std::function<int()> act);
   void add_deck_options(CLI::App& command);
+  void add_mesh_limits(CLI::App& command);
   void add_threads(CLI::App& command, const std::string& doc);
   void add_run();
   void add_check();

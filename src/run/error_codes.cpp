@@ -172,6 +172,19 @@ constexpr std::array advice{
               "The message says what: K that the law was not made for, a life of next to no "
               "cycles, an end that is none. KUNIT and AUNIT are the first things to look "
               "at."},
+    ErrorCode{"E480",
+              "A deck may come from anyone, so its scripts draw and mesh, no more. Write what "
+              "is included into the script itself; or mesh it by hand and import the .msh."},
+    ErrorCode{"E481", "Is a size or a number of the script far off? Else --mesh-time allows more "
+                      "seconds of processor time."},
+    ErrorCode{"E482",
+              "Is a size or a number of the script far off? Else --mesh-memory allows more."},
+    ErrorCode{"E483", "The message has gmsh's last words. Is the geometry sound for all values of "
+                      "its constants: no circle without radius, no division into nothing?"},
+    ErrorCode{"E484", "spricka-mesher is installed with spricka; seccomp filters are a part of the "
+                      "Linux kernel that a container may have switched off. Decks without scripts "
+                      "and .msh files need neither."},
+    ErrorCode{"E485", "Write the parameter as the constant that is meant, with the same letters."},
     ErrorCode{"E500", "The deck is right, but there is no analysis for this yet: exit code 4."},
     ErrorCode{"E510",
               "The message names the body and the direction that nothing holds, or the "

@@ -234,8 +234,7 @@ std::string RefinementPlan::refine(const model::Model& model, const results::Run
       continue;
     }
     deck::Refinement& refinement = nets_[net];
-    const auto sizes = std::make_shared<const mesh::SizeMap>(std::move(list));
-    refinement.size = [sizes](double x, double y) { return (*sizes)({x, y}); };
+    refinement.size.map = std::make_shared<const mesh::SizeMap>(std::move(list));
     refinement.counts =
         static_cast<int>(std::ceil(refinement.counts / std::min(f, near_ends ? 0.7 : 1.0)));
     refinement.splits += 1;

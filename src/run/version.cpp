@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/gmsh_version.hpp"
 #include "results/store.hpp"
 #include "run/commands.hpp"
 #include "solve/library_versions.hpp"
@@ -16,7 +15,7 @@ namespace spricka::run {
 
 std::string version_text() {
   std::vector<std::pair<std::string, std::string>> libraries = solve::library_versions();
-  libraries.emplace_back("gmsh", mesh::gmsh_version());
+  libraries.emplace_back("gmsh", SPRICKA_GMSH_VERSION);
   libraries.emplace_back("HDF5", results::store_library_version());
   libraries.emplace_back("Eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION,
                                               EIGEN_MINOR_VERSION));

@@ -14,6 +14,7 @@ MAY_INCLUDE = {
     "grammar": "base",
     "model": "base",
     "mesh": "base shape model",
+    "mesher": "base mesh",
     "deck": "base grammar model mesh",
     "fe": "base shape model",
     "solve": "base",
@@ -33,7 +34,7 @@ LIBRARIES = [
     (r"boost/spirit", r"grammar/", "grammar"),
     (r"(suitesparse/)?(cholmod|SuiteSparse_config)", r"src/solve/", "src/solve"),
     (r"gsl/", r"src/life/", "src/life"),
-    (r"gmsh", r"src/mesh/[^/]*gmsh[^/]*\.cpp$", "src/mesh/*gmsh*.cpp"),
+    (r"gmsh", r"src/mesher/[^/]*\.cpp$", "src/mesher/*.cpp"),
     (r"(hdf5|H5)", r"src/results/", "src/results"),
 ]
 

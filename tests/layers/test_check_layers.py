@@ -28,7 +28,7 @@ class Tree(unittest.TestCase):
         self.assertEqual(self.errors("src/fe/a.cpp", '#include "fe/a.hpp"\n#include "base/id.hpp"\n'), [])
         self.assertEqual(self.errors("grammar/a.cpp", "#include <boost/spirit/home/x3.hpp>\n"), [])
         self.assertEqual(self.errors("src/solve/a.cpp", "#include <cholmod.h>\n"), [])
-        self.assertEqual(self.errors("src/mesh/gmsh_import.cpp", "#include <gmsh.h>\n"), [])
+        self.assertEqual(self.errors("src/mesher/fill_gmsh.cpp", "#include <gmsh.h>\n"), [])
 
     def test_an_arrow_up_the_table_fails(self):
         self.broken("src/base/a.hpp", '#include "model/mesh.hpp"\n')
@@ -44,7 +44,7 @@ class Tree(unittest.TestCase):
         self.broken("src/fe/a.cpp", "#include <suitesparse/cholmod.h>\n")
         self.broken("src/fe/a.cpp", "#include <gsl/gsl_spline.h>\n")
         self.broken("src/mesh/patch.cpp", "#include <gmsh.h>\n")
-        self.broken("src/mesh/gmsh_import.hpp", "#include <gmsh.h>\n")
+        self.broken("src/mesher/gmsh_session.hpp", "#include <gmsh.h>\n")
         self.broken("src/run/a.cpp", "#include <hdf5.h>\n")
 
     def test_a_cycle_in_the_table_fails(self):

@@ -112,7 +112,13 @@ Physical Curve("FLAT") = {2};
 )");
   const base::Vec2 top(0.0, 8.0);
   const auto wish = [&](double x, double y) { return 0.2 + 0.5 * (base::Vec2(x, y) - top).norm(); };
-  request.size = wish;
+  std::vector<mesh::SizeMap::Wish> wishes; // the map has the size of the nearest
+  for (int i = -80; i <= 80; ++i) {
+    for (int k = 0; k <= 80; ++k) {
+      wishes.push_back({{0.1 * i, 0.1 * k}, wish(0.1 * i, 0.1 * k), true});
+    }
+  }
+  request.size.map = std::make_shared<const mesh::SizeMap>(std::move(wishes));
   ASSERT_TRUE(import(request));
   EXPECT_TRUE(mesh::bad_elements(mesh_).empty());
   double shortest = 8.0;

@@ -2,7 +2,7 @@
 #include "distorted.hpp"
 #include "mesh/boundary.hpp"
 #include "mesh/gmsh_import.hpp"
-#include "mesh/gmsh_session.hpp"
+#include "mesher/gmsh_session.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/write_msh.hpp"
 #include "meshes.hpp"
@@ -144,9 +144,9 @@ TEST_P(MshFiles, GmshAgreesAndItsFilesComeBack) {
     for (const int binary : {0, 1}) {
       const std::string name = fmt::format("v{}-{}.msh", version, binary);
       {
-        const mesh::GmshSession session;
+        const mesher::GmshSession session;
         gmsh::open((folder_ / "own.msh").string());
-        EXPECT_TRUE(mesh::GmshSession::errors().empty());
+        EXPECT_TRUE(mesher::GmshSession::errors().empty());
         EXPECT_NEAR(gmsh_volume(mesh_.dim), test::area(mesh_), 1e-12);
         gmsh::option::setNumber("Mesh.MshFileVersion", version);
         gmsh::option::setNumber("Mesh.Binary", binary);
@@ -205,7 +205,7 @@ TEST_P(MshFiles, ChangedBytesDoNoHarm) {
   for (const double version : {2.2, 4.1}) {
     for (const int binary : {0, 1}) {
       {
-        const mesh::GmshSession session;
+        const mesher::GmshSession session;
         gmsh::open((folder_ / "own.msh").string());
         gmsh::option::setNumber("Mesh.MshFileVersion", version);
         gmsh::option::setNumber("Mesh.Binary", binary);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/gmsh_session.hpp"
+#include "mesher/gmsh_session.hpp"
 
 #include <gmsh.h>
 
 #include <string_view>
 
-namespace spricka::mesh {
+namespace spricka::mesher {
 namespace {
 
 std::mutex& turn() {
@@ -58,4 +58,4 @@ std::vector<std::string> GmshSession::warnings() {
   return lines_marked("Warning: ");
 }
 
-} // namespace spricka::mesh
+} // namespace spricka::mesher

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace spricka::mesh {
+namespace spricka::mesher {
 
 /// The gmsh library at work with an empty model: silent, one thread, no configuration files, errors
 /// collected instead of thrown. Only one session lives at a time (the library is one global state);
@@ -24,4 +24,4 @@ private:
   std::unique_lock<std::mutex> turn_;
 };
 
-} // namespace spricka::mesh
+} // namespace spricka::mesher

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/gmsh_sizes.hpp"
+#include "mesher/gmsh_sizes.hpp"
 
 #include "base/vec.hpp"
 
@@ -8,13 +8,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <map>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
-namespace spricka::mesh {
+namespace spricka::mesher {
 
 namespace {
 
@@ -75,7 +76,7 @@ struct Stations {
 };
 
 // Each element takes the same part of the integral of ds / size along the curve.
-Stations stations_of(int curve, const SizeWish& size) {
+Stations stations_of(int curve, const std::function<double(double, double)>& size) {
   std::vector<double> low;
   std::vector<double> high;
   gmsh::model::getParametrizationBounds(1, curve, low, high);
@@ -144,7 +145,7 @@ void move_nodes(int curve, const Stations& stations) {
 
 } // namespace
 
-void wish_for_sizes(const SizeWish& size) {
+void wish_for_sizes(const mesh::SizeWish& size) {
   double order = 1.0;
   gmsh::option::getNumber("Mesh.ElementOrder", order);
   gmsh::option::setNumber("Mesh.ElementOrder", 1.0);
@@ -177,4 +178,4 @@ void wish_for_sizes(const SizeWish& size) {
   gmsh::option::setNumber("Mesh.ElementOrder", order);
 }
 
-} // namespace spricka::mesh
+} // namespace spricka::mesher

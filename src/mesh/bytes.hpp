@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <cstddef>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace spricka::mesh {
+
+/// Values as bytes for another process of the same program on the same machine.
+class ByteWriter {
+public:
+  template <class T> void one(const T& value) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+  template <class T> void list(const std::vector<T>& values) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    one(values.size());
+    if (!values.empty()) {
+      bytes_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+    }
+  }
+  void text(std::string_view value) {
+    one(value.size());
+    bytes_ += value;
+  }
+  void texts(const std::vector<std::string>& values) {
+    one(values.size());
+    for (const std::string& value : values) {
+      text(value);
+    }
+  }
+  [[nodiscard]] std::string take() { return std::move(bytes_); }
+
+private:
+  std::string bytes_;
+};
+
+/// Reads them back, from whoever wrote them: what does not fit makes it unsound, never more.
+class ByteReader {
+public:
+  explicit ByteReader(std::string_view bytes) : rest_(bytes) {}
+
+  template <class T> T one() {
+    static_assert(std::is_trivially_copyable_v<T>);
+    T value{};
+    copy(&value, sizeof value);
+    return value;
+  }
+  template <class T> std::vector<T> list() {
+    const auto count = one<std::size_t>();
+    if (count > rest_.size() / sizeof(T)) {
+      sound_ = false;
+      return {};
+    }
+    std::vector<T> values(count);
+    if (count > 0) {
+      copy(values.data(), count * sizeof(T));
+    }
+    return values;
+  }
+  std::string text() {
+    const auto count = one<std::size_t>();
+    if (count > rest_.size()) {
+      sound_ = false;
+      return {};
+    }
+    std::string value(rest_.substr(0, count));
+    rest_.remove_prefix(count);
+    return value;
+  }
+  std::vector<std::string> texts() {
+    std::vector<std::string> values;
+    for (auto count = one<std::size_t>(); count > 0 && sound_; --count) {
+      values.push_back(text());
+    }
+    return values;
+  }
+  [[nodiscard]] bool sound() const { return sound_; }
+  [[nodiscard]] bool at_end() const { return sound_ && rest_.empty(); }
+
+private:
+  void copy(void* into, std::size_t size) {
+    if (!sound_ || size > rest_.size()) {
+      sound_ = false;
+      return;
+    }
+    std::memcpy(into, rest_.data(), size);
+    rest_.remove_prefix(size);
+  }
+
+  std::string_view rest_;
+  bool sound_ = true;
+};
+
+} // namespace spricka::mesh

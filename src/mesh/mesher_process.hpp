@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <sys/types.h>
+
+namespace spricka::mesh {
+
+/// A running spricka-mesher: the process that has gmsh, with a socket to it and the end of a pipe
+/// that takes what it prints. It ends with its owner, however that ends.
+class MesherProcess {
+public:
+  /// Empty if it cannot be started; `trouble` then says why.
+  static std::unique_ptr<MesherProcess> start(std::size_t memory, std::string& trouble);
+  ~MesherProcess();
+  MesherProcess(const MesherProcess&) = delete;
+  MesherProcess& operator=(const MesherProcess&) = delete;
+
+  /// A fork of this process has the sockets, but no right to the mesher.
+  [[nodiscard]] bool mine() const;
+  /// Sends a frame; false if nobody is there to read it.
+  [[nodiscard]] bool send(std::string_view bytes) const;
+
+  enum class News { frame, nothing, gone, too_long };
+  /// Takes what has arrived, waiting for at most `milliseconds`; a whole frame goes to `frame`. No
+  /// frame may be longer than `most`.
+  News listen(int milliseconds, std::size_t most, std::string& frame);
+  /// Seconds of processor time it has used so far.
+  [[nodiscard]] double processor_time() const;
+  /// The last of what it printed since the last call.
+  std::string take_words();
+  /// Ends it, if it has not ended; the status as waitpid gives it.
+  int end();
+
+private:
+  MesherProcess(pid_t pid, int socket, int words);
+  void take_printed();
+
+  pid_t owner_;
+  pid_t pid_;
+  int socket_;
+  int words_end_;
+  std::string received_;
+  std::string words_;
+  std::optional<int> status_;
+};
+
+/// Where spricka-mesher is: beside the running program, in ../libexec/spricka, or for a program of
+/// a build tree in that tree. Empty if there is none.
+std::string mesher_path();
+
+} // namespace spricka::mesh

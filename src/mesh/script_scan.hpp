@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <cstddef>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace spricka::mesh {
+
+/// A word of a geometry script that reaches outside of it.
+struct Outreach {
+  std::size_t line = 0;
+  std::string word; ///< as the script writes it
+  std::string does; ///< "runs a command"
+};
+
+/// A name to which a script gives a value: by DefineConstant, which leaves it alone if it has one
+/// already, or by an assignment.
+struct ScriptName {
+  std::string name;
+  std::size_t line = 0;
+  std::string text; ///< the default of a constant as the script writes it, at most a short line
+};
+
+struct ScriptScan {
+  std::vector<Outreach> outreach;    ///< in order of the text
+  std::vector<ScriptName> constants; ///< each name once
+  std::vector<ScriptName> assigned;  ///< numbers, each name once; also those of constants
+  std::set<std::string> words;       ///< all names and words of the language
+};
+
+/// Looks through a gmsh geometry script, past comments and texts in quotes, for statements that
+/// start programs, read or write files, read the environment or end gmsh, and for the names that it
+/// gives values. Source: gmsh 4.8 reference manual, section 4 and the words of its parser.
+ScriptScan scan_script(std::string_view text);
+
+} // namespace spricka::mesh

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "mesh/fill.hpp"
+#include "mesh/gmsh_model.hpp"
+#include "mesh/mesher_request.hpp"
+
+#include <functional>
+
+namespace spricka::mesher {
+
+/// Fills a region by gmsh's Delaunay mesher; `trouble` has its words where it fails.
+mesh::Filling fill_region(const mesh::Region& region, const mesh::Grading& size);
+
+/// Opens the file that `path` names, meshes it if it is a script without a mesh, and takes out all
+/// that is wanted. `meshing` is called when the script is read. Errors and warnings are in the
+/// model.
+mesh::GmshModel read_model(const mesh::MesherImport& import, const std::string& path,
+                           const std::function<void()>& meshing);
+
+} // namespace spricka::mesher
