@@ -43,7 +43,8 @@ constexpr std::array texts{
     CardText{
         "IMPORT",
         "GEO is a geometry script of gmsh; the library meshes it, and values of its "
-        "DefineConstant are replaced by the deck's parameters of the same name. MSH is a mesh "
+        "DefineConstant are replaced by the deck's parameters of the same name, in whatever case. "
+        "MSH is a mesh "
         "that gmsh wrote. Physical groups become sets: in 2D surfaces element sets, curves face "
         "sets, points node sets. A data line gives a group another name.",
         "$IMPORT FILE='lug.geo' FORMAT=GEO\n"

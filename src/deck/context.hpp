@@ -36,6 +36,7 @@ struct Context {
   std::vector<BoundCard> cards{};
   model::Model model{};
 
+  std::vector<ScriptTable> scripts{};            ///< of $IMPORT FORMAT=GEO, in their order
   std::vector<mesh::ImportedPhysics> imported{}; ///< by $IMPORT FORMAT=INP, in their order
 
   std::vector<Labels> node_labels{};                         ///< [net]
@@ -83,6 +84,8 @@ void bind_all(Context& context, const std::vector<grammar::Card>& cards,
               const ReadOptions& options);
 /// $COOR, $ELEMENT, $MESH, $IMPORT.
 void build_mesh(Context& context);
+/// Parameters that reach no script, though they seem to be meant to.
+void check_scripts(Context& context);
 /// $NSET, $ESET, $FSET.
 void build_sets(Context& context);
 /// $MATERIAL, $PROPERTY, $FREEDOM.

@@ -96,7 +96,11 @@ void import_card(Context& c, const BoundCard& card) {
   } else if (!card.is("FORMAT", "INP") && took_too_long(c)) {
     return; // one file has taken all the time there is: the others wait until it is mended
   } else if (!card.is("FORMAT", "INP")) {
-    mesh::import_mesh(c.model.mesh, request, c.diagnostics);
+    std::vector<mesh::ScriptConstant> constants =
+        mesh::import_mesh(c.model.mesh, request, c.diagnostics);
+    if (request.format == mesh::ImportFormat::geo) {
+      c.scripts.push_back({request.file.string(), card.net, card.span, std::move(constants)});
+    }
   } else if (request.quadratic) {
     c.error(card.find("TYPE")->span, "E110", "TYPE=QUADRATIC is for FORMAT=GEO and MSH",
             "node sets of the file would not hold the new nodes");

@@ -31,7 +31,8 @@ void divide_elements(Context& context) {
 } // namespace
 
 std::optional<model::Model> read_deck(const std::filesystem::path& deck, const ReadOptions& options,
-                                      base::Sources& sources, base::Diagnostics& diagnostics) {
+                                      base::Sources& sources, base::Diagnostics& diagnostics,
+                                      std::vector<ScriptTable>* scripts) {
   const LoadedDeck loaded = load_deck(deck, sources, diagnostics);
   Context context{sources, diagnostics};
   context.largest_mesh = options.largest_mesh;
@@ -44,6 +45,7 @@ std::optional<model::Model> read_deck(const std::filesystem::path& deck, const R
   }
   bind_all(context, loaded.cards, options);
   build_mesh(context);
+  check_scripts(context);
   build_sets(context);
   build_properties(context);
   build_mpcs(context);
@@ -58,6 +60,9 @@ std::optional<model::Model> read_deck(const std::filesystem::path& deck, const R
   check_scope(context);
   check_sense(context);
   check_life(context);
+  if (scripts != nullptr) {
+    *scripts = std::move(context.scripts);
+  }
   if (diagnostics.has_errors()) {
     return std::nullopt;
   }

@@ -32,11 +32,20 @@ struct ReadOptions {
   std::map<std::string, Refinement> refine = {}; ///< by net; "" is what stands in no net
 };
 
+/// The constants of one geometry script that a deck has imported, in the order of the script.
+struct ScriptTable {
+  std::string file;
+  std::string net;
+  base::Span card;
+  std::vector<mesh::ScriptConstant> constants;
+};
+
 /// Reads a deck with its includes and imports, checks it in four passes and builds the model. All
 /// mistakes of all passes go to `diagnostics`; with errors the result is empty. File trouble with
 /// the deck itself throws std::system_error. Constants of geometry scripts go to `scripts`, if
 /// given.
 std::optional<model::Model> read_deck(const std::filesystem::path& deck, const ReadOptions& options,
-                                      base::Sources& sources, base::Diagnostics& diagnostics);
+                                      base::Sources& sources, base::Diagnostics& diagnostics,
+                                      std::vector<ScriptTable>* scripts = nullptr);
 
 } // namespace spricka::deck

@@ -106,6 +106,10 @@ json of(const results::LengthPreview& l) {
           {"notes", l.notes}};
 }
 
+json of(const results::ScriptConstant& c) {
+  return {{"file", c.file}, {"name", c.name}, {"value", c.value}, {"from", c.from}};
+}
+
 } // namespace
 
 std::string check_json(const results::Preview& p, int exit_code) {
@@ -122,6 +126,7 @@ std::string check_json(const results::Preview& p, int exit_code) {
                  {"bodies", array_of(p.bodies, make)},
                  {"loads", array_of(p.loads, make)},
                  {"lengths", array_of(p.lengths, make)},
+                 {"scripts", array_of(p.scripts, make)},
                  {"steps", p.steps},
                  {"sweep", p.sweep},
                  {"warnings", p.warnings},

@@ -2,6 +2,7 @@
 #include "report/check_listing.hpp"
 
 #include "report/load_table.hpp"
+#include "report/script_table.hpp"
 #include "report/table.hpp"
 
 #include <algorithm>
@@ -193,6 +194,9 @@ std::string check_listing(const Preview& preview) {
     if (!table.rows.empty()) {
       out += "\n" + to_text(table);
     }
+  }
+  if (!preview.scripts.empty()) {
+    out += "\n" + to_text(script_table(preview.scripts));
   }
   out += fmt::format("\n  {} elements turned inside out\n", preview.inside_out);
   out += fmt::format("  steps: {}\n", fmt::join(preview.steps, " "));

@@ -3,6 +3,7 @@
 #include "base/id.hpp"
 #include "base/vec.hpp"
 #include "results/load_total.hpp"
+#include "results/script_constant.hpp"
 
 #include <cstddef>
 #include <string>
@@ -108,6 +109,7 @@ struct Preview {
   std::vector<BodyPreview> bodies;
   std::vector<LoadTotal> loads; ///< of each case that has forces
   std::vector<LengthPreview> lengths;
+  std::vector<ScriptConstant> scripts;
   std::vector<std::string> steps;
   std::vector<std::string> sweep; ///< "001: delta = 0.084", one for each point
   std::vector<std::string> warnings;

@@ -13,6 +13,7 @@
 #include "run/load_totals.hpp"
 #include "run/preview_model.hpp"
 #include "run/remedy.hpp"
+#include "run/script_constants.hpp"
 #include "run/standard_streams.hpp"
 #include "run/sweep.hpp"
 
@@ -159,6 +160,7 @@ int check_deck(const RunOptions& options, const ReadyDeck& deck, const Log& log)
   preview.length_unit = model.units.length_name;
   preview.force_unit = model.units.force_name;
   preview.dim = model.mesh.dim;
+  preview.scripts = script_constants(deck);
   for (const model::Step& step : model.steps) {
     preview.steps.push_back(step.name);
   }

@@ -185,6 +185,12 @@ constexpr std::array advice{
                       "Linux kernel that a container may have switched off. Decks without scripts "
                       "and .msh files need neither."},
     ErrorCode{"E485", "Write the parameter as the constant that is meant, with the same letters."},
+    ErrorCode{"E486",
+              "Names match whatever the case of letters; the listing and spricka check show "
+              "what each constant got."},
+    ErrorCode{"W480", "Take it away, or is it a misspelt constant of a script?"},
+    ErrorCode{"W481",
+              "In a script DefineConstant[ R = 36 ]; takes the deck's R, R = 36; does not."},
     ErrorCode{"E500", "The deck is right, but there is no analysis for this yet: exit code 4."},
     ErrorCode{"E510",
               "The message names the body and the direction that nothing holds, or the "

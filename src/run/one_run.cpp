@@ -12,6 +12,7 @@
 #include "run/growth_tests.hpp"
 #include "run/remedy.hpp"
 #include "run/restart_run.hpp"
+#include "run/script_constants.hpp"
 #include "run/solve_run.hpp"
 #include "run/standard_streams.hpp"
 #include "run/tolerance.hpp"
@@ -131,7 +132,7 @@ ReadyDeck read_ready(const std::filesystem::path& deck, const deck::ReadOptions&
   ReadyDeck ready;
   ready.options = options;
   std::optional<model::Model> model =
-      deck::read_deck(deck, options, ready.sources, ready.diagnostics);
+      deck::read_deck(deck, options, ready.sources, ready.diagnostics, &ready.scripts);
   if (model) {
     warn_of_locking(*model, ready.diagnostics);
     warn_of_contacts(*model, ready.diagnostics);
@@ -273,7 +274,7 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
   finish_restart(checkpoint, run);
   run.checks = evaluate_checks(*used.model, run);
   run.cpu += cpu_before;
-  folder.write(deck.sources, *used.model, run);
+  folder.write(deck.sources, *used.model, run, script_constants(deck));
   const int failed = report_checks(run, log);
   RunOutcome outcome;
   if (failed > 0) {

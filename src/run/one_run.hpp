@@ -24,8 +24,9 @@ struct RunOutcome {
 /// A deck that has been read: fit to be solved (model) or refused with an exit code.
 struct ReadyDeck {
   base::Sources sources;
-  base::Diagnostics diagnostics; ///< of reading
-  deck::ReadOptions options;     ///< as it was read
+  base::Diagnostics diagnostics;          ///< of reading
+  deck::ReadOptions options;              ///< as it was read
+  std::vector<deck::ScriptTable> scripts; ///< the constants of geometry scripts
   std::optional<model::Model> model;
   RunOutcome refusal; ///< without a model
 };

@@ -7,6 +7,7 @@
 #include "report/growth_tests.hpp"
 #include "report/load_paths.hpp"
 #include "report/report.hpp"
+#include "report/script_table.hpp"
 #include "report/sensitivity.hpp"
 #include "run/folder_mark.hpp"
 #include "run/load_totals.hpp"
@@ -229,7 +230,8 @@ void RunFolder::put_requested(const model::Model& model, const results::Run& run
   }
 }
 
-void RunFolder::write(const base::Sources& sources, const model::Model& model, results::Run& run) {
+void RunFolder::write(const base::Sources& sources, const model::Model& model, results::Run& run,
+                      const std::vector<results::ScriptConstant>& scripts) {
   const base::Stopwatch watch;
   using Table = void (*)(const fs::path&, const model::Model&, const results::Run&);
   constexpr std::array<std::pair<const char*, Table>, 8> tables{
@@ -253,7 +255,8 @@ void RunFolder::write(const base::Sources& sources, const model::Model& model, r
   run.cpu += watch.cpu();
   run.wall += watch.wall();
   run.peak_memory = base::peak_memory();
-  keep(listing_name, report::listing(sources, model, run, totals));
+  keep(listing_name,
+       report::listing(sources, model, run, totals) + report::script_section(scripts));
 }
 
 void RunFolder::keep(const std::string& name, const std::string& text) {

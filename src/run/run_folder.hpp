@@ -3,6 +3,7 @@
 #include "base/source.hpp"
 #include "model/model.hpp"
 #include "results/results.hpp"
+#include "results/script_constant.hpp"
 #include "run/folder_lock.hpp"
 
 #include <filesystem>
@@ -42,7 +43,8 @@ public:
 
   /// Writes listing, k.csv, pressure.csv, pictures and requested files, and adds its own cost to
   /// the run's log before the listing is made. Throws std::system_error.
-  void write(const base::Sources& sources, const model::Model& model, results::Run& run);
+  void write(const base::Sources& sources, const model::Model& model, results::Run& run,
+             const std::vector<results::ScriptConstant>& scripts);
   /// Adds a file of that name.
   void keep(const std::string& name, const std::string& text);
   /// Puts the folder in place; without it nothing stays.

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/context.hpp"
+#include "grammar/lexeme.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace spricka::deck {
+
+namespace {
+
+/// Where a name stands in the deck: first where it is defined.
+struct Places {
+  base::Span first;
+  std::size_t count = 0;
+};
+
+bool in_word(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+// The words of all files of the deck, upper case, without comments, texts in quotes and the names
+// that $SWEEP varies.
+std::map<std::string, Places> words_of(const base::Sources& sources) {
+  std::map<std::string, Places> words;
+  for (std::size_t f = 0; f < sources.count(); ++f) {
+    const auto file = static_cast<std::int32_t>(f);
+    const std::string_view text = sources.text(file);
+    for (std::size_t i = 0; i < text.size();) {
+      if (text[i] == '!') {
+        i = std::min(text.find('\n', i), text.size());
+      } else if (text[i] == '\'') {
+        i = std::min(text.find_first_of("'\n", i + 1), text.size() - 1) + 1;
+      } else if (!in_word(text[i])) {
+        ++i;
+      } else {
+        std::size_t end = i;
+        while (end < text.size() && in_word(text[end])) {
+          ++end;
+        }
+        const std::string word = grammar::to_upper(std::string(text.substr(i, end - i)));
+        const bool swept =
+            (word == "PARAMETER" || word == "WITH") && end < text.size() && text[end] == '=';
+        Places& places = words[word];
+        if (places.count++ == 0) {
+          places.first = {file, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(end)};
+        }
+        i = end;
+        while (swept && i < text.size() && (text[i] == '=' || text[i] == ' ' || in_word(text[i]))) {
+          ++i;
+        }
+      }
+    }
+  }
+  return words;
+}
+
+std::string name_of(const ScriptTable& script) {
+  return std::filesystem::path(script.file).filename().string();
+}
+
+/// The plots of results look for these by their names.
+bool belongs_to_the_report(const std::string& name) {
+  return name == "R" || name == "SIGMA";
+}
+
+// The number stands in the deck for nothing: it was meant for a script.
+void unused(Context& c, const std::string& name, const base::Span& span) {
+  std::vector<std::string> unset;
+  for (const ScriptTable& script : c.scripts) {
+    for (const mesh::ScriptConstant& constant : script.constants) {
+      if (constant.defined && !constant.from_deck) {
+        unset.push_back(constant.name);
+      }
+    }
+  }
+  const std::string scripts =
+      c.scripts.size() == 1 ? name_of(c.scripts.front()) : std::string("the imported scripts");
+  const std::string hint = base::suggest(name, unset);
+  if (hint.starts_with("did you mean")) {
+    c.error(span, "E486",
+            fmt::format("{} has no constant {}, and nothing else uses it", scripts, name), hint);
+  } else {
+    c.diagnostics.warning(
+        span, "W480",
+        fmt::format("nothing uses the parameter {}: no expression, and {} has no such constant",
+                    name, scripts),
+        hint);
+  }
+}
+
+bool reaches_a_script(const Context& c, const std::string& upper) {
+  return std::any_of(c.scripts.begin(), c.scripts.end(), [&](const ScriptTable& script) {
+    return std::any_of(script.constants.begin(), script.constants.end(),
+                       [&](const mesh::ScriptConstant& constant) {
+                         return constant.from_deck && grammar::to_upper(constant.name) == upper;
+                       });
+  });
+}
+
+} // namespace
+
+void check_scripts(Context& c) {
+  if (c.scripts.empty() || c.scope.incomplete || c.diagnostics.has_errors()) {
+    return;
+  }
+  const std::map<std::string, Places> words = words_of(c.sources);
+  for (const auto& [written, value] : c.parameters) {
+    const std::string upper = grammar::to_upper(written);
+    const auto at = words.find(upper);
+    const Places places = at == words.end() ? Places{} : at->second;
+    const bool arrives = reaches_a_script(c, upper);
+    bool told = arrives; // where it arrives in one script, another may have a name of its own
+    for (const ScriptTable& script : c.scripts) {
+      for (const mesh::ScriptConstant& constant : script.constants) {
+        if (!told && !constant.defined && constant.name == written && constant.value &&
+            *constant.value != value) {
+          c.diagnostics.warning(
+              places.first, "W481",
+              fmt::format("{} = {:.6g} does not reach {}, which sets {} to {:.6g} itself", written,
+                          value, name_of(script), written, *constant.value),
+              fmt::format("write DefineConstant[ {} = {:.6g} ]; there, or another name here",
+                          written, *constant.value));
+          told = true;
+        }
+      }
+    }
+    if (!told && places.count < 2 && !belongs_to_the_report(upper)) {
+      unused(c, written, places.first);
+    }
+  }
+}
+
+} // namespace spricka::deck
