@@ -43,6 +43,7 @@ TEST(Wedge, FreeNotchesAreWilliams) {
 // sin^2(lambda alpha) = ((kappa + 1)^2 / 4 - lambda^2 sin^2(alpha)) / kappa, one side held
 // (Williams 1952).
 TEST(Wedge, ClampedSidesAreWilliams) {
+  int real = 0;
   for (const double nu : {0.0, 0.3, 0.45, 0.49}) {
     for (const double degrees : {80.0, 90.0, 120.0, 150.0}) {
       const double alpha = degrees * pi / 180.0;
@@ -51,12 +52,16 @@ TEST(Wedge, ClampedSidesAreWilliams) {
       if (l < 1.0) {
         const double right =
             (0.25 * (kappa + 1.0) * (kappa + 1.0) - std::pow(l * std::sin(alpha), 2.0)) / kappa;
-        EXPECT_NEAR(std::pow(std::sin(l * alpha), 2.0), right, 1e-5) << nu << ' ' << degrees;
+        if (right <= 1.0) { // else the exponent is complex
+          ++real;
+          EXPECT_NEAR(std::pow(std::sin(l * alpha), 2.0), right, 1e-5) << nu << ' ' << degrees;
+        }
       } else {
         EXPECT_TRUE(nu == 0.0 || degrees < 90.0);
       }
     }
   }
+  EXPECT_GE(real, 8);
   // the end of a clamp on a straight side: 1/2, with an oscillating part
   EXPECT_NEAR(least_exponent(wedge(pi, 0.3, true)), 0.5, 1e-5);
 }
