@@ -105,8 +105,7 @@ TEST_F(Mesher, TimeIsLimited) {
   mesh::mesher_limits().seconds = 0.8;
   const mesh::MesherAnswer answer = unseen("For i In {0:1e12}\n a = i;\nEndFor\n");
   EXPECT_EQ(answer.end, mesh::MesherEnd::no_time);
-  EXPECT_NE(answer.trouble.find("reading took more than"), std::string::npos)
-      << answer.trouble;
+  EXPECT_NE(answer.trouble.find("reading took more than"), std::string::npos) << answer.trouble;
 }
 
 TEST_F(Mesher, MemoryIsLimited) {

@@ -2,9 +2,9 @@
 #include "distorted.hpp"
 #include "mesh/boundary.hpp"
 #include "mesh/gmsh_import.hpp"
-#include "mesher/gmsh_session.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/write_msh.hpp"
+#include "mesher/gmsh_session.hpp"
 #include "meshes.hpp"
 
 #include <fmt/format.h>
