@@ -13,7 +13,7 @@ struct NodePressure {
   base::NodeId node;
   Vec2 x = Vec2::Zero();
   double theta = 0.0;        ///< about the circle's centre from +x [rad]; straight surfaces: 0
-  double arc = 0.0;          ///< length along its chain
+  double arc = 0.0;          ///< length along the deck's slave (slave_places.hpp)
   double p_lumped = 0.0;     ///< R_i over the row sum of C [stress]
   double p_consistent = 0.0; ///< NODE: of C p = R; SEGMENT: the multiplier
   /// Shear traction on the slave along its surface, its body on the left [stress]: of the

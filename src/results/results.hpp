@@ -49,7 +49,7 @@ struct ContactPoint {
   base::NodeId node;
   base::Vec3 x = base::Vec3::Zero();
   double theta = 0.0; ///< from +x about the arc's centre [rad]; straight surfaces: 0
-  double arc = 0.0;   ///< along the surface, chain by chain [length]
+  double arc = 0.0;   ///< along the deck's slave [length]
   double p_lumped = 0.0;
   double p_consistent = 0.0;
   double q_lumped = 0.0; ///< shear on the slave along its surface, its body on the left
@@ -65,14 +65,14 @@ struct ContactPoint {
 struct ContactResult {
   std::string name;
   bool mounted = true;
-  std::vector<ContactPoint> points;               ///< chain by chain, in order along the surface
+  std::vector<ContactPoint> points;               ///< in order along the surface
   base::Vec3 force_on_slave = base::Vec3::Zero(); ///< deck's slave
   double min_pressure = 0.0; ///< of the multipliers: the inequality that the solution obeys
   double max_pressure = 0.0;
   double mean_pressure = 0.0;   ///< force magnitude integral / area in contact surface
   double max_penetration = 0.0; ///< largest negative weighted gap [length]
   bool round = false;           ///< the surface lies on a circle
-  double arc_from = 0.0; ///< on a circle [rad], whole: -pi .. pi; else along the chain [length]
+  double arc_from = 0.0; ///< on a circle [rad], whole: -pi .. pi; else along the slave [length]
   double arc_to = 0.0;
   int closed = 0;
   int rows = 0;

@@ -85,17 +85,30 @@ bool forces_are_taken(const model::Model& model, const Scene& scene,
 
 bool supports_are_kept(const model::Model& model, const Scene& scene,
                        base::Diagnostics& diagnostics) {
+  const auto keeps = [&](base::NodeSetId nodes, const base::Span& span, const char* what) {
+    const std::size_t set = nodes.index();
+    if (set >= scene.cracked.lost.size() || scene.cracked.lost[set].empty()) {
+      return true;
+    }
+    const base::NodeId n = scene.cracked.lost[set].front();
+    diagnostics.error(span, "E419",
+                      fmt::format("a crack has cut out node {}, which is {} here",
+                                  model.mesh.node_label[n.index()], what),
+                      "keep the crack's patch away from it: a smaller RADIUS on $TIPNET");
+    return false;
+  };
   for (const model::Freedom& freedom : model.freedoms) {
     const bool holds = freedom.cls == model::FreedomClass::suppressed ||
                        freedom.cls == model::FreedomClass::prescribed;
-    const std::size_t set = freedom.nodes.index();
-    if (holds && set < scene.cracked.lost.size() && !scene.cracked.lost[set].empty()) {
-      const base::NodeId n = scene.cracked.lost[set].front();
-      diagnostics.error(freedom.span, "E419",
-                        fmt::format("a crack has cut out node {}, which is held here",
-                                    model.mesh.node_label[n.index()]),
-                        "keep the crack's patch away from it: a smaller RADIUS on $TIPNET");
+    if (holds && !keeps(freedom.nodes, freedom.span, "held")) {
       return false;
+    }
+  }
+  for (const model::LoadCase& load_case : model.cases) {
+    for (const model::Load& load : load_case.loads) {
+      if (load.type == model::LoadType::displacement && !keeps(load.nodes, load.span, "moved")) {
+        return false;
+      }
     }
   }
   return true;

@@ -78,17 +78,6 @@ TEST(Mouths, APrescribedEdgeAlike) {
                        "$LOAD CASE=T TYPE=DISP\n  L -0.001 0\n");
 }
 
-// The load's set goes across the mouth, that of the freedoms does not.
-TEST(Mouths, ADisplacementMovesWhatIsPrescribed) {
-  const std::string freedoms = "$FREEDOM CLASS=SUPPRESSED DOF=XY\n  XMAX\n"
-                               "$FREEDOM CLASS=PRESCRIBED DOF=XY\n  L\n";
-  const std::string point = "$NSET NAME=P FROM=YMIN WHERE=(abs(x) < 1e-9)\n";
-  const std::string load = "$LOAD CASE=T TYPE=DISP\n  L -0.001 0\n";
-  const K whole = intensity(plate + freedoms + load, 0.0);
-  const K again = intensity(plate + point + freedoms + load + "  P -0.001 0\n", 0.0);
-  EXPECT_NEAR(again.one, whole.one, 1e-9 * whole.one);
-}
-
 TEST(Mouths, ARigidTieAlike) {
   expect_alike(plate + "$FREEDOM CLASS=SUPPRESSED DOF=XY\n  XMIN\n$MPC TYPE=RIGID SLAVE=L\n"
                        "$LOAD CASE=T TYPE=TRACTION\n  XMAX 1 0\n");
