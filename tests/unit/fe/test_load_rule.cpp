@@ -19,11 +19,11 @@ using base::Expression;
 using base::Vec2;
 using base::Vec3;
 using base::Vector;
-using namespace test;
+using namespace test::field;
 
 // Bounds hold at every place of a cell, and come down to the values as it shrinks.
 TEST(ExpressionRange, HoldsEveryPlaceOfTheCell) {
-  const std::vector<Term> fields{
+  const std::vector<Field> fields{
       3.0 * X - 2.0 * Y + 1.0,
       X * Y - (X ^ 2.0),
       exp(-(((X - 0.3) / 0.05) ^ 2.0)),
@@ -38,7 +38,7 @@ TEST(ExpressionRange, HoldsEveryPlaceOfTheCell) {
   };
   std::mt19937 random(7);
   std::uniform_real_distribution<double> any(-1.0, 1.0);
-  for (const Term& field : fields) {
+  for (const Field& one : fields) {
     for (int cell = 0; cell < 60; ++cell) {
       base::PlaceCell c;
       const double size = std::pow(10.0, -3.0 * std::abs(any(random)));
@@ -49,12 +49,12 @@ TEST(ExpressionRange, HoldsEveryPlaceOfTheCell) {
           c.axes(k, j) = size * any(random);
         }
       }
-      const base::ValueRange range = range_over(field.e, c);
+      const base::ValueRange range = range_over(one.e, c);
       const double room = 1e-12 * (1.0 + std::abs(range.low) + std::abs(range.high));
       for (int point = 0; point < 40; ++point) {
         const Vec3 t(any(random), any(random), any(random));
         const Vec3 off(any(random), any(random), any(random));
-        const double v = field.e(c.centre + c.axes * t + c.bulge.cwiseProduct(off));
+        const double v = one.e(c.centre + c.axes * t + c.bulge.cwiseProduct(off));
         if (std::isfinite(v)) {
           EXPECT_GE(v, range.low - room);
           EXPECT_LE(v, range.high + room);
@@ -81,14 +81,14 @@ protected:
             4.0 * p.x() * std::sin(angle) + p.y() * std::cos(angle)};
   }
   static constexpr double angle = 0.7;
-  static Term along() { return std::cos(angle) * X + std::sin(angle) * Y; }  // 0 .. 4
-  static Term across() { return std::cos(angle) * Y - std::sin(angle) * X; } // 0 .. 1
+  static Field along() { return std::cos(angle) * X + std::sin(angle) * Y; }  // 0 .. 4
+  static Field across() { return std::cos(angle) * Y - std::sin(angle) * X; } // 0 .. 1
 
   Sides() : model(test::plane_model(1.0, 0.3, model::State::plane_stress, 1.0)) {
     model.mesh = test::make_mesh(GetParam(), test::unit_grid(6, 3), turned);
   }
   /// Work of a load on the displacements 1 and (distance along the strip), both along x.
-  Vec2 force_and_moment(model::LoadType type, const Term& value) {
+  Vec2 force_and_moment(model::LoadType type, const Field& value) {
     model::Load card;
     card.type = type;
     card.value = {value.e};
@@ -164,7 +164,7 @@ TEST_P(Sides, a_step_of_body_force_is_integrated_up_to_its_line) {
 TEST_P(Sides, a_peak_of_body_force_is_found) {
   const double width = 0.01;
   const double force = width * width * std::numbers::pi;
-  const Term square = ((along() - 2.3571) ^ 2.0) + ((across() - 0.5123) ^ 2.0);
+  const Field square = ((along() - 2.3571) ^ 2.0) + ((across() - 0.5123) ^ 2.0);
   expect(force_and_moment(model::LoadType::body, exp(-square / (width * width))),
          {force, force * 2.3571}, 1e-4);
 }
