@@ -46,7 +46,9 @@ class Fits(ProgramTest):
 
     def test_a_sweep_from_overlap_to_clearance(self):
         """The pressure is proportional to the overlap (linear elasticity) and 0 from 0 on."""
-        self.pressures("DIAMETRAL=(d)", "$SWEEP PARAMETER=d\n  0.02 0.01 0 -0.01 -0.02\n")
+        sweep = "$SWEEP PARAMETER=d\n  0.02 0.01 0 -0.01 -0.02\n"
+        self.deck(DECK.format(fit="DIAMETRAL=(d)", more=sweep))
+        self.expect(0, "run", "test.deck", "--out", "out", "--quiet")
         lines = (self.folder / "out" / "sweep.csv").read_text(encoding="utf-8").splitlines()
         rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
         self.assertEqual([row["status"] for row in rows], ["done"] * 5)

@@ -76,7 +76,7 @@ class Names(ProgramTest):
         self.assertIn("another $OUTPUT", self.expect(3, "check", self.deck(twice)).stderr)
 
     def test_a_bare_number_for_one_with_a_unit(self):
-        text = plate().replace("$MESH", "$PARAMETER\n  F = 0.1[kN]\n  n = 2\n  w = 10[mm]\n  t = 2*0.1[kN]\n$MESH", 1)
+        text = plate().replace("$MESH", "$PARAMETER\n  n = 2\n  g = 0.3[kN]\n  F = 0.1[kN]\n  w = 10[mm]\n  t = 2*0.1[kN]\n$MESH", 1)
         self.deck(text)
         for define, warned in (
             ("F=80", "[kN]"),
@@ -85,7 +85,7 @@ class Names(ProgramTest):
             ("F=80[N]", ""),
             ("F=0", ""),
             ("F=2*n", "[kN]"),
-            ("F=2*t", ""),
+            ("F=2*g", ""),
             ("w=12", ""),  # the deck's own unit
             ("n=3", ""),
         ):
