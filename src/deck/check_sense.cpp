@@ -33,9 +33,10 @@ void angles(Context& c) {
   }
 }
 
-// Nothing is stiffer than diamond, E = 1.2e12 Pa.
+// Nothing is stiffer than diamond, E = 1.2e12 Pa; bodies that stand for rigid ones may be a thousand
+// times as stiff.
 void moduli(Context& c) {
-  constexpr double stiffest = 2e12;
+  constexpr double stiffest = 1.2e15;
   const base::UnitSystem& units = c.model.units;
   const double pascal = units.newton_per_force / std::pow(units.metre_per_length, 2);
   for (const model::Material& material : c.model.materials) {

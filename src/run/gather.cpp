@@ -358,7 +358,7 @@ results::StepResult gather_step(const model::Model& model, const Scene& scene,
   gather_bodies(model, scene, bodies, state, out);
   gather_nets(model, scene, state, out);
   gather_targets(model, out, out.targets);
-  judge_size(scene, bodies, out);
+  judge_size(model, scene, bodies, state, out);
   if (scene.cracked.mesh.dim == 2) {
     tell_slides(scene, state, out);
     tell_overlaps(model, scene, bodies, state, out);

@@ -2,6 +2,9 @@
 #include "run/judge_size.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -39,16 +42,53 @@ Reach reach_of(const model::Mesh& mesh, const BodyNet& body, const base::Vector&
   return reach;
 }
 
+/// What an element of the plane fills: area times thickness, about an axis the whole ring.
+double volume_of(const model::Model& model, const model::Mesh& mesh, base::ElementId e) {
+  const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
+  const auto corners = static_cast<std::size_t>(base::info(mesh.type[e.index()]).corners);
+  double area = 0.0;
+  double middle = 0.0;
+  for (std::size_t i = 0; i < corners; ++i) {
+    const base::Vec3& a = mesh.x[nodes[i].index()];
+    const base::Vec3& b = mesh.x[nodes[(i + 1) % corners].index()];
+    area += 0.5 * (a.x() * b.y() - a.y() * b.x());
+    middle += a.x() / static_cast<double>(corners);
+  }
+  return area * (model::axisymmetric(model) ? 2.0 * std::numbers::pi * middle
+                                            : model.property_of(mesh, e).thickness);
+}
+
+/// The uniaxial strain that would hold a body's energy: no corner or crack tip counts by itself.
+double mean_strain(const model::Model& model, const model::Mesh& mesh, const BodyNet& body,
+                   const std::vector<double>& energy) {
+  double held = 0.0;
+  double stiff = 0.0;
+  for (const base::ElementId e : body.body.elements) {
+    held += energy[e.index()];
+    stiff += model.material_of(mesh, e).E * volume_of(model, mesh, e);
+  }
+  return stiff > 0.0 ? std::sqrt(std::max(0.0, 2.0 * held / stiff)) : 0.0;
+}
+
 } // namespace
 
-void judge_size(const Scene& scene, const std::vector<BodyNet>& bodies, results::StepResult& out) {
-  constexpr double small = 0.01;
+void judge_size(const model::Model& model, const Scene& scene, const std::vector<BodyNet>& bodies,
+                const StepState& state, results::StepResult& out) {
+  constexpr double small_strain = 0.01;
+  constexpr double small_turn = 0.1; // what it changes is of second order
+  const model::Mesh& mesh = scene.cracked.mesh;
   for (const BodyNet& body : bodies) {
-    const Reach reach = reach_of(scene.cracked.mesh, body, out.u);
-    if (reach.motion > small * reach.size) {
+    const double strain = mesh.dim == 2 ? mean_strain(model, mesh, body, state.energy) : 0.0;
+    const Reach reach = reach_of(mesh, body, out.u);
+    if (strain > small_strain) {
       out.notes.push_back(fmt::format(
-          "warning: {} is strained or turned by {:.3g} % (largest displacement {:.3g}): linear "
-          "theory holds for less than about 1 %; are moduli, loads and fits in the units meant?",
+          "warning: {} is strained by {:.3g} % on the whole: linear theory holds for less than "
+          "about 1 %; are moduli, loads and fits in the units meant?",
+          body.name, 100.0 * strain));
+    } else if (reach.motion > small_turn * reach.size) {
+      out.notes.push_back(fmt::format(
+          "warning: {} is bent or turned by {:.3g} % of its size (largest displacement {:.3g}): "
+          "linear theory holds for less than about 10 %; are moduli and loads in the units meant?",
           body.name, 100.0 * reach.motion / reach.size, reach.largest));
     }
   }

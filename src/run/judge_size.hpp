@@ -3,14 +3,16 @@
 #include "results/results.hpp"
 #include "run/condense_bodies.hpp"
 #include "run/scene.hpp"
+#include "run/step_solver.hpp"
 
 #include <vector>
 
 namespace spricka::run {
 
-/// Warns in `out` of bodies that are strained or turned by more than 1 % in this step: half the
-/// range of their displacements over half their size. Beyond that the linear theory fails, and a
-/// modulus, load or fit is mostly in another unit than meant.
-void judge_size(const Scene& scene, const std::vector<BodyNet>& bodies, results::StepResult& out);
+/// Warns in `out` of bodies that are strained by more than 1 % on the whole, or bent or turned by
+/// more than 10 % of their size: beyond that the linear theory fails, and a modulus, load or fit is
+/// mostly in another unit than meant. Of solids only the second is looked at.
+void judge_size(const model::Model& model, const Scene& scene, const std::vector<BodyNet>& bodies,
+                const StepState& state, results::StepResult& out);
 
 } // namespace spricka::run
