@@ -71,7 +71,8 @@ void output(Context& c, const BoundCard& card) {
                                              : model::OutputFormat::json;
   const std::string name =
       std::filesystem::path(output.file).lexically_normal().filename().string();
-  if (const std::string why = why_not(c, output, name); !why.empty()) {
+  const std::string why = card.bad ? std::string() : why_not(c, output, name);
+  if (!why.empty()) {
     c.error(card.find("FILE")->span, "E322", "FILE: " + why,
             "another name; it counts without its folders, as all files lie in the run folder");
   } else {

@@ -84,7 +84,6 @@ inline constexpr std::array error_codes{
     ErrorCode{"W432", "forces on a plane body whose THICK is not given"},
     ErrorCode{"W433", "plane bodies of different thickness that meet"},
     ErrorCode{"W434", "plane stress that meets plane strain"},
-    ErrorCode{"E322", "an output file with the name of one that every run writes"},
     ErrorCode{"E322", "an output file with the name of another file of the run folder"},
     ErrorCode{"E323", "a load path between steps that no straight line joins"},
     ErrorCode{"E324", "a load path with friction"},

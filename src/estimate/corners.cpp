@@ -86,11 +86,14 @@ private:
   // Nodes that are held though none of their sides is, and those that forces push.
   void add_points(std::vector<Corner>& found) const {
     std::vector<bool> beside(2 * set_.mesh.node_count(), false); // of a side that is held
-    for (std::size_t e = 0; e < set_.edges.edges.size(); ++e) {
-      const std::array<bool, 2> both = held(e);
-      for (const base::NodeId n : set_.edges.edges[e].nodes) {
-        beside[2 * n.index()] = beside[2 * n.index()] || both[0];
-        beside[2 * n.index() + 1] = beside[2 * n.index() + 1] || both[1];
+    for (const Edge& edge : set_.edges.edges) {
+      for (std::size_t c = 0; c < 2; ++c) {
+        // a set may end in the middle of a side: two of its nodes bear together
+        const bool together =
+            std::ranges::count_if(edge.nodes, [&](base::NodeId n) { return given(n, c); }) > 1;
+        for (const base::NodeId n : edge.nodes) {
+          beside[2 * n.index() + c] = beside[2 * n.index() + c] || together;
+        }
       }
     }
     std::map<base::NodeId, std::array<bool, 2>> points; // held alone

@@ -31,6 +31,13 @@ template <int dim> struct AdaptedRule {
   double amount = 0.0;  ///< integral of the magnitude over the reference element
 };
 
+/// Part of the largest value below which what bounds leave open is no peak, found or not. Bounds of
+/// a smooth field are wider than its values by a part of the cell's size: over a plane or a solid
+/// many cells would be asked for by nothing else.
+constexpr double little_peak(int dim) {
+  return dim == 1 ? 0.02 : 0.2;
+}
+
 /// A point t of the unit cube as a reference point, and the factor of the volumes: triangles and
 /// tetrahedra are collapsed (Stroud 1971).
 template <shape::Shape S>
@@ -249,7 +256,7 @@ private:
 
   [[nodiscard]] bool doubtful(const Places& low, const Places& high, const Sum& a,
                               const Sum& b) const {
-    constexpr double little = 0.02; // of the largest value: found or not, it is no peak
+    constexpr double little = little_peak(S::dim);
     const base::Vec3 least = a.low.cwiseMin(b.low);
     const base::Vec3 most = a.high.cwiseMax(b.high);
     const double change = (most - least).maxCoeff();
@@ -276,7 +283,7 @@ template <shape::Shape S, class Value, class Hidden>
 AdaptedRule<S::dim> adapted_rule(int usual_degree, const Value& value, const Hidden& hidden,
                                  const AdaptiveSettings& settings) {
   constexpr int second_degree = 15;
-  constexpr double little = 0.02;
+  constexpr double little = little_peak(S::dim);
   const auto usual = shape::quadrature<S>(usual_degree);
   using Moments = Eigen::Matrix<double, 3, S::dim + 1>;
   base::Vec3 low = base::Vec3::Constant(std::numeric_limits<double>::max());

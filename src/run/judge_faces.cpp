@@ -142,8 +142,10 @@ void judge_faces(const TipState& at, results::TipResult& result, results::StepRe
     out.notes.push_back(fmt::format("warning: {}: {}", result.name, result.doubt));
     return;
   }
-  if (is_round_off(at)) { // nothing loads the body
+  if (is_round_off(at)) { // nothing loads the crack
     result.K1 = result.K2 = result.G = result.G_from_K = 0.0;
+    result.closed = at.model.cracks[at.tip.crack.index()].faces_in_contact &&
+                    tip_faces(at.scene, at.tip, at.state).closed;
     return;
   }
   if (!at.model.cracks[at.tip.crack.index()].faces_in_contact) {

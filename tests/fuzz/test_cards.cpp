@@ -84,7 +84,7 @@ TEST(Cards, GrowthAndRestartAreInTheModel) {
   EXPECT_DOUBLE_EQ(law.k_unit, std::sqrt(1000.0)); // MPa*m^0.5 in MPa*mm^0.5
   EXPECT_EQ(law.a_unit, 1000.0);                   // m in mm
   EXPECT_DOUBLE_EQ(*law.k_c, 60.0 * std::sqrt(1000.0));
-  EXPECT_EQ(law.threshold, 2.0); // in deck units
+  EXPECT_DOUBLE_EQ(law.threshold, 2.0 * std::sqrt(1000.0)); // in KUNIT, as all constants
   EXPECT_EQ(law.p + law.q + law.alpha + law.stress_ratio, 3.3);
   EXPECT_EQ(m.growth->largest_advance, 0.1);
   EXPECT_EQ(m.growth->last_length, 2.0);

@@ -95,7 +95,7 @@ TEST(Forecast, MemoryIsForetoldWithinAFifth) {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "the sanitizer's own memory counts in";
 #endif
-  const std::string texts[] = {growing_crack(30, "1 2"), growing_crack(100, "1 2"), cube()};
+  const std::string texts[] = {growing_crack(60, "1 2"), growing_crack(100, "1 2"), cube()};
   for (const std::string& text : texts) {
     const Folder folder;
     const std::string deck = (folder.path() / "test.deck").string();

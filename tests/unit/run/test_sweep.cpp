@@ -130,12 +130,10 @@ TEST(Sweep, FinishedPointsAreTakenOverUntilSomethingChanges) {
   EXPECT_FALSE(fs::exists(out(folder) / "002"));
 }
 
-TEST(Sweep, AFileThatAGeometryScriptIncludesCounts) {
+TEST(Sweep, AGeometryScriptCounts) {
   const Folder folder;
   const auto script = [&](const std::string& width) {
-    std::ofstream(folder.path() / "size.geo") << "W = " + width + ";\n";
-  };
-  std::ofstream(folder.path() / "plate.geo") << R"(Include "size.geo";
+    std::ofstream(folder.path() / "plate.geo") << "W = " + width + R"(;
 SetFactory("OpenCASCADE");
 Rectangle(1) = {0, 0, 0, W, 10};
 Physical Surface("BODY") = {1};
@@ -143,6 +141,7 @@ Physical Curve("FOOT") = {1};
 Physical Curve("HEAD") = {3};
 Mesh.MeshSizeMax = 2;
 )";
+  };
   const std::string deck = R"($DECK VERSION=1 LENGTH=mm FORCE=N
 $PARAMETER
   s = 1
