@@ -114,6 +114,9 @@ private:
   /// Of one element. A jump takes some 300 along a line, 50 000 over a plane; across a solid, where
   /// a million would be wanted, the rule stops earlier and says so.
   static constexpr int most_points = S::dim == 1 ? 50000 : (S::dim == 2 ? 400000 : 100000);
+  /// The same where nothing but bounds asks for more: those of smooth fields over coarse elements
+  /// would take all there are.
+  static constexpr int most_doubtful_points = S::dim == 1 ? most_points : 10000;
   static constexpr std::size_t moments = 3 * (S::dim + 1);
   static constexpr int deepest = 48; // a jump is then at its place to round-off
   /// Halvings of a line where only the bounds ask for them: a jump beside the end of an interval,
@@ -238,7 +241,7 @@ private:
     }
     const bool agreed = error <= room(k) || !std::isfinite(error);
     const bool out = depth >= deepest || count_ > most_points;
-    const bool tired = *doubts <= 0 || depth >= deepest_doubt;
+    const bool tired = *doubts <= 0 || depth >= deepest_doubt || count_ > most_doubtful_points;
     const bool doubt = !out && agreed && !tired && doubtful(low, high, first, second);
     *doubts -= doubt ? 1 : 0;
     if (out || (agreed && !doubt)) {
@@ -323,7 +326,10 @@ AdaptedRule<S::dim> adapted_rule(int usual_degree, const Value& value, const Hid
       beside = std::max(beside, beyond * v.norm());
     }
   }
-  const double room = settings.tolerance * std::max(settings.scale.mean, amount);
+  // of plane and solid loads that are smooth the usual rule is far better than the elements
+  constexpr double usual_tolerance = S::dim == 1 ? 0.0 : 1e-5;
+  const double room =
+      std::max(settings.tolerance, usual_tolerance) * std::max(settings.scale.mean, amount);
   const bool agreed = std::max(error, beside) <= room || !std::isfinite(error);
   if (agreed &&
       !(hidden(all_low, all_high, low, high) > (high - low).maxCoeff() + little * scale)) {
