@@ -33,8 +33,8 @@ void angles(Context& c) {
   }
 }
 
-// Nothing is stiffer than diamond, E = 1.2e12 Pa; bodies that stand for rigid ones may be a thousand
-// times as stiff.
+// Nothing is stiffer than diamond, E = 1.2e12 Pa; bodies that stand for rigid ones may be a
+// thousand times as stiff.
 void moduli(Context& c) {
   constexpr double stiffest = 1.2e15;
   const base::UnitSystem& units = c.model.units;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/check_quantities.hpp"
 
-#include "run/closed_parts.hpp"
 #include "results/growth_end.hpp"
+#include "run/closed_parts.hpp"
 #include "run/field_quantities.hpp"
 #include "run/gone_nodes.hpp"
 #include "run/growth_tests.hpp"

@@ -92,11 +92,11 @@ TEST(Estimate, ItsSquareIsTheLostDisplacement) {
 
 // Stresses under a force on a single node have no bound, on any mesh: no reason to call it coarse.
 TEST(Estimate, AForceOnANodeIsNoCoarseMesh) {
-  const std::string deck =
-      head + "$MESH SHAPE=BLOCK TYPE=QUAMC8 LX=10 LY=10 NX=12 NY=12\n" + property("BODY") +
-      "$NSET NAME=P WHERE=(abs(x-5) < 1e-9 and abs(y-10) < 1e-9)\n"
-      "$FREEDOM CLASS=SUPPRESSED DOF=XY\n  YMIN\n"
-      "$LOAD CASE=F TYPE=FORCE\n  P 0 -1\n$STEP NAME=S\n  LOAD F 1\n$END\n";
+  const std::string deck = head + "$MESH SHAPE=BLOCK TYPE=QUAMC8 LX=10 LY=10 NX=12 NY=12\n" +
+                           property("BODY") +
+                           "$NSET NAME=P WHERE=(abs(x-5) < 1e-9 and abs(y-10) < 1e-9)\n"
+                           "$FREEDOM CLASS=SUPPRESSED DOF=XY\n  YMIN\n"
+                           "$LOAD CASE=F TYPE=FORCE\n  P 0 -1\n$STEP NAME=S\n  LOAD F 1\n$END\n";
   const Folder folder;
   const Outcome outcome = run_text(folder, deck);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.messages;
