@@ -22,6 +22,7 @@ struct FieldScale {
 struct AdaptiveSettings {
   double tolerance = 1e-9; ///< of the integral over an element: of the mean times its size
   FieldScale scale;
+  bool smooth = false; ///< nothing in it can jump or kink, so that little has to be doubted
 };
 
 template <int dim> struct AdaptedRule {
@@ -241,7 +242,8 @@ private:
     }
     const bool agreed = error <= room(k) || !std::isfinite(error);
     const bool out = depth >= deepest || count_ > most_points;
-    const bool tired = *doubts <= 0 || depth >= deepest_doubt || count_ > most_doubtful_points;
+    const bool tired =
+        *doubts <= 0 || depth >= deepest_doubt || (set_.smooth && count_ > most_doubtful_points);
     const bool doubt = !out && agreed && !tired && doubtful(low, high, first, second);
     *doubts -= doubt ? 1 : 0;
     if (out || (agreed && !doubt)) {
@@ -259,7 +261,7 @@ private:
 
   [[nodiscard]] bool doubtful(const Places& low, const Places& high, const Sum& a,
                               const Sum& b) const {
-    constexpr double little = little_peak(S::dim);
+    const double little = little_peak(set_.smooth ? S::dim : 1);
     const base::Vec3 least = a.low.cwiseMin(b.low);
     const base::Vec3 most = a.high.cwiseMax(b.high);
     const double change = (most - least).maxCoeff();
@@ -286,7 +288,7 @@ template <shape::Shape S, class Value, class Hidden>
 AdaptedRule<S::dim> adapted_rule(int usual_degree, const Value& value, const Hidden& hidden,
                                  const AdaptiveSettings& settings) {
   constexpr int second_degree = 15;
-  constexpr double little = little_peak(S::dim);
+  const double little = little_peak(settings.smooth ? S::dim : 1);
   const auto usual = shape::quadrature<S>(usual_degree);
   using Moments = Eigen::Matrix<double, 3, S::dim + 1>;
   base::Vec3 low = base::Vec3::Constant(std::numeric_limits<double>::max());
@@ -327,7 +329,7 @@ AdaptedRule<S::dim> adapted_rule(int usual_degree, const Value& value, const Hid
     }
   }
   // of plane and solid loads that are smooth the usual rule is far better than the elements
-  constexpr double usual_tolerance = S::dim == 1 ? 0.0 : 1e-5;
+  const double usual_tolerance = S::dim > 1 && settings.smooth ? 1e-5 : 0.0;
   const double room =
       std::max(settings.tolerance, usual_tolerance) * std::max(settings.scale.mean, amount);
   const bool agreed = std::max(error, beside) <= room || !std::isfinite(error);

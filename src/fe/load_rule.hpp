@@ -21,6 +21,17 @@ inline bool is_constant(const model::Load& load) {
   return std::ranges::all_of(load.value, [](const base::Expression& v) { return v.is_constant(); });
 }
 
+/// Whether nothing in a load's expressions can jump or kink: no comparison, abs, min or max.
+inline bool is_smooth(const model::Load& load) {
+  using base::Op;
+  return std::ranges::all_of(load.value, [](const base::Expression& v) {
+    return std::ranges::none_of(v.code, [](const base::Instruction& i) {
+      return (i.op >= Op::less && i.op <= Op::logical_or) || i.op == Op::abs || i.op == Op::min ||
+             i.op == Op::max || i.op == Op::atan2 || i.op == Op::sqrt || i.op == Op::theta;
+    });
+  });
+}
+
 /// Tolerance of the integrals over an element or a side, of the load's mean value times its size:
 /// jumps of plane and solid fields cost more than those along an edge.
 constexpr double load_tolerance(int dim) {
@@ -89,7 +100,7 @@ AdaptedRule<S::dim> load_rule(const Eigen::Matrix<double, 3, S::nodes>& X, const
           const base::Vec3& seen_low, const base::Vec3& seen_high) {
         return hidden_value(load, place_cell<S>(X, low, high), seen_low, seen_high);
       },
-      {load_tolerance(S::dim), scale});
+      {load_tolerance(S::dim), scale, is_smooth(load)});
 }
 
 /// The same with nodes in the plane or in space [dim, nodes].
