@@ -134,6 +134,7 @@ void node_rows(PairRows& pair, std::optional<double> declared_gap, bool tangents
       row.add(other->node, node.area * n);
     }
     row.gap = node.area * declared_gap.value_or(gap_beyond_digits(other->gap, node.x));
+    row.round_gap = row.gap;
     row.area = node.area;
     pair.normal.push_back(row.finish(id, false));
     if (tangents) {

@@ -10,6 +10,7 @@ namespace spricka::contact {
 struct RowBuilder {
   std::map<base::NodeId, base::Vec3> weight;
   double gap = 0.0;
+  double round_gap = 0.0;
   double area = 0.0;
   double whole = 0.0; ///< area of the function over its whole support, paired or not
 
@@ -22,6 +23,7 @@ struct RowBuilder {
       weight.try_emplace(node, base::Vec3::Zero()).first->second += w;
     }
     gap += other.gap;
+    round_gap += other.round_gap;
     area += other.area;
   }
   [[nodiscard]] ConstraintRow finish(base::NodeId node, bool tangential) const {
@@ -30,6 +32,7 @@ struct RowBuilder {
       row.entries.push_back({n, w});
     }
     row.gap = gap;
+    row.round_gap = round_gap;
     row.area = area;
     row.node = node;
     row.tangential = tangential;

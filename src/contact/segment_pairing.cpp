@@ -28,7 +28,7 @@ struct Point {
   const Edge& target;
   double xi, eta, w;
   Vec2 n;
-  double gap;
+  double gap, round_gap;
 };
 
 void add_point(const Point& p, bool tangents, Builders& rows) {
@@ -44,6 +44,7 @@ void add_point(const Point& p, bool tangents, Builders& rows) {
     }
     RowBuilder& row = rows.normal[p.edge.nodes[at]];
     row.gap += c * p.gap;
+    row.round_gap += c * p.round_gap;
     row.area += c;
     RowBuilder* slip = tangents ? &rows.tangent[p.edge.nodes[at]] : nullptr;
     if (slip != nullptr) {
@@ -71,22 +72,38 @@ struct Opposite {
   double eta = 0.0;
   Vec2 normal = Vec2::Zero();
   double gap = 0.0;
+  double round_gap = 0.0; ///< of the circles that nodes lie on, where they do
 };
+
+// How far along n the circle that the nodes of a surface lie on is from a point of its edges.
+double to_circle(const Surface& surface, const Vec2& x, const Vec2& n) {
+  if (!surface.circle || !surface.circle->exact) {
+    return 0.0;
+  }
+  const Vec2 d = x - surface.circle->centre;
+  const double along = d.normalized().dot(n);
+  return std::abs(along) < 0.5 ? 0.0 : (surface.circle->radius - d.norm()) / along;
+}
 
 std::optional<Opposite> opposite(const PairRows& pair, const Edge& edge, const Edge& target,
                                  double xi) {
   const Vec2 x = point_on(edge, xi);
   if (pair.rigid) {
     const std::optional<RigidFoot> foot = foot_on(*pair.rigid, x);
-    return foot ? std::optional(Opposite{0.0, foot->normal, gap_beyond_digits(foot->gap, x)})
-                : std::nullopt;
+    if (!foot) {
+      return std::nullopt;
+    }
+    const double gap = gap_beyond_digits(foot->gap, x);
+    return Opposite{0.0, foot->normal, gap, gap - to_circle(pair.contact, x, foot->normal)};
   }
   const Vec2 n = surface_normal(pair.contact, edge, xi);
   const std::optional<double> eta = hit_on(target, x, n);
   if (!eta) {
     return std::nullopt;
   }
-  return Opposite{*eta, n, gap_beyond_digits((point_on(target, *eta) - x).dot(n), x)};
+  const Vec2 y = point_on(target, *eta);
+  const double gap = gap_beyond_digits((y - x).dot(n), x);
+  return Opposite{*eta, n, gap, gap - to_circle(pair.contact, x, n) + to_circle(pair.target, y, n)};
 }
 
 // False if a point of the segment finds no target: its area would be lost.
@@ -102,7 +119,8 @@ bool add_segment(const PairRows& pair, const Edge& edge, const Edge& target, con
     const double w = 0.5 * (s.to - s.from) * weight * tangent_on(edge, xi).norm() *
                      depth_at(pair.contact, pair.target, x);
     const double gap = declared.value_or(other->gap);
-    add_point({edge, target, xi, other->eta, w, other->normal, gap}, tangents, rows);
+    const double round_gap = declared.value_or(other->round_gap);
+    add_point({edge, target, xi, other->eta, w, other->normal, gap, round_gap}, tangents, rows);
   }
   return true;
 }

@@ -62,11 +62,13 @@ std::optional<Circle> fit_circle(const std::vector<Vec2>& points, double extent)
   const double grid = std::ldexp(1.0, std::ilogb(extent) - 43);
   const auto snapped = [grid](double x) { return grid * std::round(x / grid); };
   const Vec2 centre = mean + extent * s.head<2>();
-  const Circle circle{{snapped(centre.x()), snapped(centre.y())}, snapped(radius)};
+  Circle circle{{snapped(centre.x()), snapped(centre.y())}, snapped(radius), true};
   for (const Vec2& p : points) {
-    if (std::abs((p - circle.centre).norm() - radius) > 1e-4 * radius) {
+    const double off = std::abs((p - circle.centre).norm() - radius);
+    if (off > 1e-4 * radius) {
       return std::nullopt;
     }
+    circle.exact = circle.exact && off <= 1e-6 * radius;
   }
   return radius < 1e3 * extent ? std::optional(circle) : std::nullopt;
 }

@@ -38,6 +38,7 @@ Vec2 outer_normal(const Edge& edge, double xi);
 struct Circle {
   Vec2 centre = Vec2::Zero();
   double radius = 0.0;
+  bool exact = false; ///< all nodes lie on it within 1e-6 of the radius
 };
 
 struct EdgeChain {

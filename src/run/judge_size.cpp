@@ -2,10 +2,12 @@
 #include "run/judge_size.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <span>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 namespace spricka::run {
@@ -42,8 +44,40 @@ Reach reach_of(const model::Mesh& mesh, const BodyNet& body, const base::Vector&
   return reach;
 }
 
-/// What an element of the plane fills: area times thickness, about an axis the whole ring.
+/// Tetrahedra between the corners of a solid element.
+std::span<const std::array<std::size_t, 4>> tetrahedra(int corners) {
+  static constexpr std::array<std::array<std::size_t, 4>, 1> tet{{{0, 1, 2, 3}}};
+  static constexpr std::array<std::array<std::size_t, 4>, 3> wedge{
+      {{0, 1, 2, 5}, {0, 1, 5, 4}, {0, 4, 5, 3}}};
+  static constexpr std::array<std::array<std::size_t, 4>, 6> brick{
+      {{0, 1, 2, 6}, {0, 2, 3, 6}, {0, 3, 7, 6}, {0, 7, 4, 6}, {0, 4, 5, 6}, {0, 5, 1, 6}}};
+  switch (corners) {
+  case 4:
+    return tet;
+  case 6:
+    return wedge;
+  default:
+    return brick;
+  }
+}
+
+double volume_of_solid(const model::Mesh& mesh, base::ElementId e) {
+  const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
+  double volume = 0.0;
+  for (const std::array<std::size_t, 4>& t : tetrahedra(base::info(mesh.type[e.index()]).corners)) {
+    const base::Vec3& o = mesh.x[nodes[t[0]].index()];
+    const auto edge = [&](std::size_t i) { return base::Vec3(mesh.x[nodes[t[i]].index()] - o); };
+    volume += edge(1).cross(edge(2)).dot(edge(3)) / 6.0;
+  }
+  return volume;
+}
+
+/// What an element fills, its edges straight: in the plane area times thickness, about an axis the
+/// whole ring.
 double volume_of(const model::Model& model, const model::Mesh& mesh, base::ElementId e) {
+  if (mesh.dim == 3) {
+    return volume_of_solid(mesh, e);
+  }
   const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
   const auto corners = static_cast<std::size_t>(base::info(mesh.type[e.index()]).corners);
   double area = 0.0;
@@ -78,7 +112,7 @@ void judge_size(const model::Model& model, const Scene& scene, const std::vector
   constexpr double small_turn = 0.1; // what it changes is of second order
   const model::Mesh& mesh = scene.cracked.mesh;
   for (const BodyNet& body : bodies) {
-    const double strain = mesh.dim == 2 ? mean_strain(model, mesh, body, state.energy) : 0.0;
+    const double strain = mean_strain(model, mesh, body, state.energy);
     const Reach reach = reach_of(mesh, body, out.u);
     if (strain > small_strain) {
       out.notes.push_back(fmt::format(

@@ -5,6 +5,7 @@
 #include "fe/thermal.hpp"
 #include "run/missing_contact.hpp"
 #include "run/rigid_motion.hpp"
+#include "run/round_gaps.hpp"
 #include "run/scene_heat.hpp"
 #include "run/step_walk.hpp"
 #include "solve/mode_split.hpp"
@@ -235,6 +236,7 @@ bool StepSolver::accept(const contact::ContactSystem::Answer& answer,
   for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
     state.friction.push_back(history_.pair(c));
   }
+  tell_round_gaps(scene_, *system_, demand, answer, state.notes);
   return true;
 }
 
