@@ -174,8 +174,24 @@ void count_from_mouth(const Scene& scene, std::size_t pair, results::ContactResu
   }
 }
 
+// Whether the nodes on either side of the interval that ends with point i are a few at least in the
+// same state: how pressure and gap go to nothing can then be told.
+bool many_alike(const std::vector<results::ContactPoint>& points, std::size_t i) {
+  constexpr std::size_t few = 3;
+  std::size_t before = 1;
+  while (before < i && points[i - 1 - before].closed == points[i - 1].closed) {
+    ++before;
+  }
+  std::size_t behind = 1;
+  while (i + behind < points.size() && points[i + behind].closed == points[i].closed) {
+    ++behind;
+  }
+  return before >= few && behind >= few;
+}
+
 // Where the faces of a crack part: pressure and gap are known at nodes, and how both go to nothing
-// between two of them tells the place to less than a quarter of their distance.
+// between two of them tells the place to less than a quarter of their distance; where one or two
+// nodes are all that is closed or open, to their distance.
 void note_parting(const Scene& scene, std::size_t pair, results::ContactResult& result,
                   results::StepResult& out) {
   const bool faces = std::ranges::any_of(
@@ -186,9 +202,10 @@ void note_parting(const Scene& scene, std::size_t pair, results::ContactResult& 
       const results::ContactPoint& b = result.points[i];
       const double reach = 0.5 * (b.arc - a.arc);
       if (a.closed != b.closed && end >= a.arc - reach && end <= b.arc + reach) {
-        out.notes.push_back(fmt::format("{}: the faces part at {:.4g} along the crack, +- {:.2g} "
-                                        "by the distance of its nodes there",
-                                        result.name, end, known_part * (b.arc - a.arc)));
+        out.notes.push_back(fmt::format(
+            "{}: the faces part at {:.4g} along the crack, +- {:.2g} "
+            "by the distance of its nodes there",
+            result.name, end, (many_alike(result.points, i) ? known_part : 1.0) * (b.arc - a.arc)));
         break;
       }
     }
