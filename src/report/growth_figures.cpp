@@ -258,38 +258,57 @@ std::vector<Peak> peaks_of(const model::Spectrum& spectrum) {
   return peaks;
 }
 
-/// How often one pass of the spectrum exceeds each load.
-std::optional<Figure> exceedance_figure(const model::Model& model) {
+/// Levels, falling, and how many reach them, as a curve of steps that begins at half a one.
+std::vector<Point> steps(const std::vector<std::array<double, 2>>& reached) {
+  std::vector<Point> points;
+  double before = 0.5;
+  for (const auto& [level, count] : reached) {
+    points.push_back({std::min(before, count), level}); // a step, down and on
+    points.push_back({count, level});
+    before = count;
+  }
+  return points;
+}
+
+/// How often one pass of the spectrum exceeds each load, and by cycles of which ranges; none of a
+/// spectrum of one level, which there is nothing to show of.
+std::optional<Figure> exceedance_figure(const model::Model& model, const Growth& growth) {
   if (!model.growth->spectrum) {
     return std::nullopt;
   }
   const model::Spectrum& spectrum = model.spectra[*model.growth->spectrum];
-  Series series;
-  series.colour = colour(0);
+  std::vector<std::array<double, 2>> reached;
   double sum = 0.0;
   for (const Peak& peak : peaks_of(spectrum)) {
-    if (!series.points.empty() && series.points.back().y == peak.top) {
-      series.points.back().x += peak.count;
-    } else {
-      series.points.push_back({std::max(sum, 0.5), peak.top}); // a step, down and on
-      series.points.push_back({sum + peak.count, peak.top});
-    }
     sum += peak.count;
+    if (!reached.empty() && reached.back()[0] == peak.top) {
+      reached.back()[1] = sum;
+    } else {
+      reached.push_back({peak.top, sum});
+    }
   }
-  if (series.points.empty()) {
+  if (reached.size() < 2 && growth.ranges.size() < 2) {
     return std::nullopt;
   }
-  Plot plot{"Exceedances of the spectrum",
-            "peaks in a pass that reach the load",
-            fmt::format("t of load path {}", model.load_paths[spectrum.path].name),
-            {series}};
-  plot.log_x = true;
-  return Figure{
-      {draw(plot)},
-      "",
-      fmt::format("Spectrum {}: how many of the {:.6g} peaks of a pass reach a load.{}",
-                  spectrum.name, sum,
-                  spectrum.sequence ? " Its turning points are counted by rainflow." : "")};
+  const std::string& path = model.load_paths[spectrum.path].name;
+  const auto curve = [](const std::string& title, const std::string& x, const std::string& y,
+                        const std::vector<std::array<double, 2>>& of) {
+    Series series;
+    series.colour = colour(0);
+    series.points = steps(of);
+    Plot plot{title, x, y, {series}};
+    plot.log_x = true;
+    return draw(plot);
+  };
+  return Figure{{curve("Exceedances of the spectrum", "peaks in a pass that reach the load",
+                       fmt::format("t of load path {}", path), reached),
+                 curve("Ranges of the spectrum's cycles", "cycles in a pass of this range or more",
+                       fmt::format("range of t of load path {}", path), growth.ranges)},
+                "",
+                fmt::format("Spectrum {}: how many of the {:.6g} peaks of a pass reach a load, and "
+                            "how many of its {:.6g} cycles have a range{}.",
+                            spectrum.name, sum, growth.cycles_per_pass,
+                            spectrum.sequence ? ", counted by rainflow on the loads" : "")};
 }
 
 /// A square that holds all places of tips and the cracks behind them, with room round it.
@@ -353,7 +372,8 @@ std::vector<Figure> growth_figures(const model::Model& model, const results::Run
   }
   figures.push_back(life_figure(model, run));
   figures.push_back(range_figure(model, run));
-  for (std::optional<Figure> figure : {law_figure(model, *run.growth), exceedance_figure(model)}) {
+  for (std::optional<Figure> figure :
+       {law_figure(model, *run.growth), exceedance_figure(model, *run.growth)}) {
     if (figure) {
       figures.push_back(std::move(*figure));
     }

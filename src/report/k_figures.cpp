@@ -176,22 +176,6 @@ std::string percent(const Reference& r) {
   return fmt::format("{:+.2f}", 100.0 * (r.found / r.wanted - 1.0));
 }
 
-/// What a reader has to know of the bars: most are too small to be seen.
-std::string bar_words(const std::vector<Series>& all) {
-  double widest = 0.0;
-  for (const Series& series : all) {
-    for (std::size_t i = 0; i < series.bars.size(); ++i) {
-      const double K = std::abs(series.points[i].y);
-      widest = K > 0.0 ? std::max(widest, series.bars[i] / K) : widest;
-    }
-  }
-  return widest > 0.0
-             ? fmt::format(" Error bars: what the mesh may have done to K₁, at most {:.2g} "
-                           "% of it; those shorter than a pixel are not drawn.",
-                           100.0 * widest)
-             : std::string();
-}
-
 /// What stands beside the normalised plot: the references of its step.
 Table normalised_table(const Nominal& state, const std::vector<Reference>& references,
                        const std::string& step) {

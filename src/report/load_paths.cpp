@@ -149,6 +149,23 @@ std::vector<Point> values(const base::PiecewiseLinear& K) {
   return points;
 }
 
+// Error bars of K1 at the ends of the path, which are ends of steps.
+void add_end_bars(Series& series, const results::Increment& increment,
+                  const results::LoadPath& path, const results::PathTip& tip) {
+  series.bars.assign(series.points.size(), 0.0);
+  for (std::size_t k = 0; k < series.points.size(); ++k) {
+    const double t = series.points[k].x;
+    const std::string& step = t == 0.0 ? path.from : path.to;
+    const results::StepResult* const at =
+        t == 0.0 || t == 1.0 ? results::find_step(increment, step) : nullptr;
+    const results::TipResult* const found =
+        at == nullptr ? nullptr : results::find_tip(*at, tip.name);
+    if (found != nullptr && found->no_bar.empty()) {
+      series.bars[k] = found->bar[0].size();
+    }
+  }
+}
+
 // Where contacts begin to open, as marks on the curve of a tip.
 void add_openings(Plot& plot, const results::LoadPath& path, const results::PathTip& tip,
                   bool named) {
@@ -188,7 +205,9 @@ Figure figure_of(const model::Model& model, const results::Run& run, std::size_t
       series.colour = colour(ink);
       series.dash = dash(pattern++);
       series.points = values(tip.K1);
+      add_end_bars(series, *increment, path, tip);
       value.series.push_back(series);
+      series.bars.clear();
       series.points = slopes(tip.K1);
       slope.series.push_back(series);
     }
@@ -205,8 +224,8 @@ Figure figure_of(const model::Model& model, const results::Run& run, std::size_t
           "",
           fmt::format("Load path {}: K₁ under the loads and fits (1 − t) {} + t {}, and its slope. "
                       "K₁ is a line between the breakpoints, where a pair opens or closes; marks: "
-                      "the first of a contact.",
-                      path.name, path.from, path.to)};
+                      "the first of a contact.{}",
+                      path.name, path.from, path.to, bar_words(value.series))};
 }
 
 } // namespace

@@ -252,4 +252,19 @@ std::string draw(const Plot& plot) {
   return svg.finish();
 }
 
+std::string bar_words(const std::vector<Series>& all) {
+  double widest = 0.0;
+  for (const Series& series : all) {
+    for (std::size_t i = 0; i < series.bars.size(); ++i) {
+      const double K = std::abs(series.points[i].y);
+      widest = K > 0.0 ? std::max(widest, series.bars[i] / K) : widest;
+    }
+  }
+  return widest > 0.0
+             ? fmt::format(" Error bars: what the mesh may have done to K₁, at most {:.2g} "
+                           "% of it; those shorter than a pixel are not drawn.",
+                           100.0 * widest)
+             : std::string();
+}
+
 } // namespace spricka::report

@@ -34,6 +34,10 @@ struct Plot {
 /// The plot with its legend.
 std::string draw(const Plot& plot);
 
+/// What a reader has to know of the error bars of K1 in these: most are too small to be seen. Empty
+/// without bars.
+std::string bar_words(const std::vector<Series>& all);
+
 /// Pressure round a bore. A curve runs in pieces: it is cut at crack mouths.
 struct PolarCurve {
   std::string name;

@@ -2,6 +2,7 @@
 #pragma once
 #include "base/vec.hpp"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -51,12 +52,15 @@ struct Growth {
   double cycles_per_pass = 1.0;  ///< of a spectrum
   std::vector<std::string> tips; ///< those that grow, in the order of all lists
   std::vector<GrowthStation> stations;
-  std::vector<LifePoint> curve;   ///< ascending cycles, ends at the end of the growth
-  std::string ended;              ///< one word: AMAX, CYCLES, KC, NET SECTION, EDGE, ...
-  std::string reason;             ///< the same in a sentence, with the place
-  double error = 0.0;             ///< of the cycles, estimated, as a part of them
-  bool corrected = false;         ///< the law was given K with the error bar's bias taken out
-  std::string counted;            ///< of a spectrum: what its cycles were counted on
+  std::vector<LifePoint> curve; ///< ascending cycles, ends at the end of the growth
+  std::string ended;            ///< one word: AMAX, CYCLES, KC, NET SECTION, EDGE, ...
+  std::string reason;           ///< the same in a sentence, with the place
+  double error = 0.0;           ///< of the cycles, estimated, as a part of them
+  bool corrected = false;       ///< the law was given K with the error bar's bias taken out
+  std::string counted;          ///< of a spectrum: what its cycles were counted on
+  /// Of a spectrum's pass: ranges of the load path's t, falling, and how many of its cycles,
+  /// counted by rainflow on the loads, are as large or larger; of very many the ones that tell.
+  std::vector<std::array<double, 2>> ranges;
   bool followed = false;          ///< friction makes K a history, which was followed
   std::vector<ScaledLife> scaled; ///< empty: K is proportional to the load, or several tips grow
 

@@ -239,6 +239,7 @@ template <class V, Of<Growth> T> void fields(V& v, T& r) {
   v("error", r.error);
   v("corrected", r.corrected);
   v("counted", r.counted);
+  v("ranges", r.ranges);
   v("followed", r.followed);
   v("scaled", r.scaled);
 }

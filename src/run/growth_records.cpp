@@ -5,6 +5,9 @@
 #include "run/history_program.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
 
 namespace spricka::run {
 
@@ -22,6 +25,28 @@ results::LifePoint point_at(const growth::Trajectory& between, double s, double 
   return point;
 }
 
+// Cycles of a pass that have at least a range, for the ranges there are: of more than a curve can
+// show one for each part of the logarithm of their number.
+std::vector<std::array<double, 2>> ranges_of(const life::Spectrum& spectrum) {
+  constexpr double parts = 200.0; // of the logarithm to base 10
+  std::map<double, double, std::greater<>> by_range;
+  for (const life::LoadCycle& cycle : spectrum.cycles()) {
+    by_range[cycle.high - cycle.low] += cycle.count;
+  }
+  std::vector<std::array<double, 2>> ranges;
+  double sum = 0.0;
+  double told = 0.0;
+  for (const auto& [range, count] : by_range) {
+    sum += count;
+    const double part = std::floor(parts * std::log10(sum));
+    if (ranges.empty() || part > told || range == by_range.rbegin()->first) {
+      ranges.push_back({range, sum});
+      told = part;
+    }
+  }
+  return ranges;
+}
+
 } // namespace
 
 results::Growth growth_records(const model::Model& model, const growth::March& march,
@@ -32,6 +57,7 @@ results::Growth growth_records(const model::Model& model, const growth::March& m
   out.followed = follows_history(model);
   if (measure.spectrum()) {
     out.cycles_per_pass = measure.spectrum()->count();
+    out.ranges = ranges_of(*measure.spectrum());
     out.counted = follows_history(model)   ? "K, followed through the loads in their order"
                   : measure.counted_on_K() ? "K, which turns within the loads"
                                            : "loads";
