@@ -25,10 +25,10 @@ def no_penalty(program, full):
 
 
 def pin(dR):
-    """The pin of decks/pin_in_hole.deck with clearance dR, below 0 interference; E = R = Q = 1."""
+    """The pin of decks/pin_in_hole.deck with clearance dR, below 0 interference; R = Q = 1, run with E = 1."""
     text = text_of("pin_in_hole")
     if dR < 0.0:
-        text = changed(text, ("GAP=(dR)", f"INTERFERENCE={-dR:.17g}"))
+        text = changed(text, ("GAP=(dR)", f"INTERFERENCE=({-dR:.17g}/E)"))
     else:
         text = changed(text, ("dR = 0 ", f"dR = {dR:.17g} "))
     return asking(text, "ARC.TO(FIT,ONE)", "CPRESS.MAX(FIT,ONE)")
@@ -41,7 +41,7 @@ def clearance(program, full):
     all_of_them = sizes + [0.0] + [-s for s in reversed(sizes[1:])]
     known = {1.0: 60.92, 0.1: 80.91, 0.01: 84.39, 0.0: 84.80}
     rows, angle = [], {}
-    size = [] if full else ["n=0.5"]
+    size = ["E=1"] if full else ["E=1", "n=0.5"]
     for dR in all_of_them if full else some:
         run = Run(program, pin(dR), size)
         if run.code != 0:
@@ -112,8 +112,8 @@ def contrast(program, full):
     for body in ("IN", "OUT"):
         for f in factors:
             text = changed(rings, (f"ESET={body}.BODY ", f"ESET={body}.BODY "),
-                           ("$MATERIAL NAME=UNIT E=50 NU=0.3", "$MATERIAL NAME=UNIT E=50 NU=0.3\n"
-                            f"$MATERIAL NAME=OTHER E={50 * f:g} NU=0.3"))
+                           ("$MATERIAL NAME=UNIT E=5000 NU=0.3", "$MATERIAL NAME=UNIT E=5000 NU=0.3\n"
+                            f"$MATERIAL NAME=OTHER E={5000 * f:g} NU=0.3"))
             for end in ("", "160", "GEO"):
                 line = f"$PROPERTY ESET={body}{end}.BODY"
                 at = text.index(line)
@@ -201,6 +201,7 @@ def pressure_laws(program, full):
                 points = run.pressures(contact, step)
                 error = law_error([math.radians(float(r["theta"])) for r in points],
                                   [float(r["p_lumped"]) for r in points], lambda _, w=wanted: w)
-                rows.append(Row("LAW", f"C02 {step}, pair {contact}, {16 * n} elements round", run, number=error,
-                                reference=0.0, allowed=allowed, error=error))
+                around = (16 if contact == "FEW" else 60) * n
+                rows.append(Row("LAW", f"C02 {step}, pair {contact}, {around} elements round", run,
+                                number=error, reference=0.0, allowed=allowed, error=error))
     return rows
