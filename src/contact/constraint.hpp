@@ -27,8 +27,8 @@ struct ConstraintRow {
   double gap = 0.0;              ///< weighted initial gap [length * area]
   /// The same where surfaces whose nodes lie on circles were those circles; else as `gap`.
   double round_gap = 0.0;
-  double area = 0.0;             ///< integral of the row's function over the paired part
-  base::NodeId node;             ///< contact node that the function belongs to
+  double area = 0.0; ///< integral of the row's function over the paired part
+  base::NodeId node; ///< contact node that the function belongs to
   bool tangential = false;
 };
 
