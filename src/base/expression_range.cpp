@@ -296,8 +296,8 @@ Form coordinate(const PlaceCell& cell, Eigen::Index k) {
 }
 
 Form field(Op op, const PlaceCell& cell) {
-  const Form x = coordinate(cell, 0);
-  const Form y = coordinate(cell, 1);
+  Form x = coordinate(cell, 0);
+  Form y = coordinate(cell, 1);
   switch (op) {
   case Op::x:
     return x;

@@ -284,6 +284,7 @@ NodalPressure recover(const PairRows& pair, const Multipliers& row, const SideFo
     mend_axis_ends(pair.contact, number, p.shear_lumped);
   }
   std::vector<Eigen::Index> order;
+  order.reserve(places.size());
   for (const Place& place : places) {
     order.push_back(number.at(place.at.node));
   }

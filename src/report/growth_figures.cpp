@@ -298,6 +298,7 @@ std::optional<Figure> exceedance_figure(const model::Model& model, const Growth&
     series.points = steps(of);
     Plot plot{title, x, y, {series}};
     plot.log_x = true;
+    plot.legend_below = true; // beside each other
     return draw(plot);
   };
   return Figure{{curve("Exceedances of the spectrum", "peaks in a pass that reach the load",
