@@ -230,7 +230,7 @@ std::optional<double> sweep_value(Context& c, const Field& field, const std::str
   }
   const std::optional<double> value = grammar::evaluate(field.expression, c.scope, c.diagnostics);
   const auto unit = c.scope.units_of.find(grammar::to_upper(name));
-  if (value && unit != c.scope.units_of.end() && !deck::has_unit(field.expression, c.scope) &&
+  if (value && unit != c.scope.units_of.end() && !grammar::has_unit(field.expression, c.scope) &&
       is_foreign(c, unit->second)) {
     warn_of_lost_unit(c, field.span, name, *value, unit->second);
   }

@@ -14,7 +14,7 @@ namespace spricka::deck {
 
 void Overrides::warn_of_lost_unit(Context& context, const grammar::Assignment& deck) const {
   const Entry& entry = table_.at(deck.name);
-  if (!entry.expression || deck::has_unit(*entry.expression, context.scope)) {
+  if (!entry.expression || grammar::has_unit(*entry.expression, context.scope)) {
     return;
   }
   const base::Span unit = foreign_unit(deck.value, context.scope);

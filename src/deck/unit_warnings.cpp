@@ -43,10 +43,6 @@ base::Span foreign_unit(const grammar::Expression& expression, const grammar::Sc
                    [&](base::Span unit) { return std::abs(factor_of(unit, scope) - 1.0) > 1e-12; });
 }
 
-bool has_unit(const grammar::Expression& expression, const grammar::Scope& scope) {
-  return find_unit(expression, scope, [](base::Span) { return true; }).valid();
-}
-
 void warn_of_lost_unit(Context& context, base::Span at, std::string_view name, double value,
                        base::Span unit) {
   if (value == 0.0) {

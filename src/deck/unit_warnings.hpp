@@ -15,9 +15,6 @@ base::Span foreign_unit(const grammar::Expression& expression, const grammar::Sc
 /// Whether one of a unit is not one of the deck's own.
 bool is_foreign(const Context& context, base::Span unit);
 
-/// Whether an expression has a unit, or a parameter with one.
-bool has_unit(const grammar::Expression& expression, const grammar::Scope& scope);
-
 /// The warning for a bare number in the place of a value with that unit.
 void warn_of_lost_unit(Context& context, base::Span at, std::string_view name, double value,
                        base::Span unit);

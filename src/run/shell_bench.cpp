@@ -3,6 +3,7 @@
 
 #include "base/tidy.hpp"
 #include "run/estimate.hpp"
+#include "run/finite_results.hpp"
 #include "run/gather.hpp"
 #include "run/gone_nodes.hpp"
 #include "run/lip_contact.hpp"
@@ -138,6 +139,12 @@ ShellResult ShellBench::advance(const std::vector<model::Step>& steps, Reached& 
     if (!reached.state) {
       return ShellTrouble{
           refusal.exit_code, fmt::format("step {}: {}", step.name, refusal.why), {}};
+    }
+    results::StepResult numbers;
+    numbers.u = reached.state->u;
+    numbers.reaction = reached.state->reaction;
+    if (const std::string what = not_finite(numbers); !what.empty()) {
+      return ShellTrouble{exit_code::not_solvable, fmt::format("step {}: {}", step.name, what), {}};
     }
     reached.touching = touching_lines(parts_.model, scene_, reached.state->u);
     if (!reached.touching.empty()) {

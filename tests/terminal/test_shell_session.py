@@ -41,6 +41,11 @@ class Pipe(ProgramTest):
         self.assertIn("error", result.stderr.splitlines()[-2] + result.stderr)
         self.assertEqual(len(K1.findall(result.stdout)), 1)
 
+    def test_numbers_beyond_all_range_are_no_answer(self):
+        result = self.shell("load PULL 1e300\nK1(C,NOW)\nload PULL 1\nK1(C,NOW)\n")
+        self.assertIn("beyond the range of numbers", result.stderr)
+        self.assertEqual(len(K1.findall(result.stdout)), 1)
+
     def test_strict_ends_with_the_first_failure(self):
         result = self.shell("laod PULL 2\nK1(C,NOW)\n", "--strict", code=2)
         self.assertEqual(result.stdout, "")
