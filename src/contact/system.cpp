@@ -2,6 +2,7 @@
 #include "contact/system.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <Eigen/QR>
@@ -38,6 +39,15 @@ base::Matrix as_columns(const std::vector<std::vector<RowShare>>& rows, std::siz
     }
   }
   return GT;
+}
+
+// What a row opens by if all its freedoms move by one against it.
+double row_size(const std::vector<RowShare>& row) {
+  double size = 0.0;
+  for (const RowShare& share : row) {
+    size += std::abs(share.weight);
+  }
+  return size;
 }
 
 } // namespace
@@ -193,11 +203,13 @@ void ContactSystem::add_compliance(const std::vector<std::size_t>& r,
 void ContactSystem::add_modes(std::size_t body, const std::vector<std::size_t>& list,
                               const std::vector<std::vector<RowShare>>& shares) {
   const base::Matrix& Q = bodies_[body]->modes();
+  const double motion = Q.size() > 0 ? Q.cwiseAbs().maxCoeff() : 0.0;
   for (std::size_t k = 0; k < list.size() && Q.cols() > 0; ++k) {
     auto row = B_.block(static_cast<Eigen::Index>(list[k]), mode_start_[body], 1, Q.cols());
     for (const RowShare& share : shares[k]) {
       row += share.weight * Q.row(share.at);
     }
+    opening_scale_ = std::max(opening_scale_, motion * row_size(shares[k]));
   }
 }
 
@@ -249,6 +261,7 @@ solve::ContactProblem ContactSystem::compliance(const std::vector<std::size_t>& 
   problem.b = base::Vector::Zero(n);
   problem.h = base::Vector::Zero(B_.cols());
   problem.equality.assign(rows.size(), true);
+  problem.opening_scale = opening_scale_;
   return problem;
 }
 

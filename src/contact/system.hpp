@@ -137,6 +137,7 @@ private:
   std::vector<Eigen::Index> mode_start_; ///< [body + 1]
   base::Matrix W_;                       ///< [row, row]
   base::Matrix B_;                       ///< [row, mode]
+  double opening_scale_ = 0.0; ///< what a unit of a mode opens where it moves along a row's forces
 };
 
 } // namespace spricka::contact

@@ -57,6 +57,25 @@ public:
     return B;
   }
 
+  /// The largest of what a mode would open of these rows if it moved their nodes along their
+  /// forces.
+  [[nodiscard]] double opening_scale(const std::vector<std::size_t>& rows) const {
+    double motion = 0.0;
+    for (const BodyNet& body : bodies_) {
+      motion = body.free_modes.size() > 0 ? std::max(motion, body.free_modes.cwiseAbs().maxCoeff())
+                                          : motion;
+    }
+    double scale = 0.0;
+    for (const std::size_t r : rows) {
+      double size = 0.0;
+      for (const contact::RowEntry& entry : scene_.table.rows[r]->entries) {
+        size += entry.weight.lpNorm<1>();
+      }
+      scale = std::max(scale, motion * size);
+    }
+    return scale;
+  }
+
   /// Generalised loads [mode] of a nodal load.
   [[nodiscard]] base::Vector loads(const base::Vector& nodal) const {
     base::Vector h(count());
@@ -133,7 +152,8 @@ std::vector<results::BodyPreview> held_modes(const model::Model& model, const Sc
                                              const std::vector<BodyNet>& bodies) {
   const model::Mesh& mesh = scene.cracked.mesh;
   const AllModes modes(scene, bodies);
-  const solve::ModeSplit split = solve::split_modes(modes.openings(all_rows(scene)), 0.0);
+  const solve::ModeSplit split =
+      solve::split_modes(modes.openings(all_rows(scene)), modes.opening_scale(all_rows(scene)));
   std::vector<results::BodyPreview> found;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const BodyNet& body = bodies[b];
@@ -182,7 +202,7 @@ std::vector<Refusal> unheld_loads(const model::Model& model, const Scene& scene,
     }
     const double scale =
         std::max((scene.case_load * factors.case_factor).lpNorm<1>(), h.cwiseAbs().maxCoeff());
-    const solve::ModeSplit split = solve::split_modes(B, 0.0);
+    const solve::ModeSplit split = solve::split_modes(B, modes.opening_scale(rows));
     base::Vector motion = solve::unfelt_motion(split, h, solve::resting_load * scale);
     if (motion.size() == 0) {
       // Stiffness plays no part in whether rows can take the loads.

@@ -16,7 +16,8 @@ ContactProblem rate_problem(const ParametricProblem& problem, const std::vector<
   rate.b.resize(k);
   rate.h = problem.dh;
   rate.load_scale = whole.load_scale / length;
-  rate.opening_scale = whole.B.size() > 0 ? whole.B.cwiseAbs().maxCoeff() : 0.0;
+  rate.opening_scale =
+      std::max(whole.opening_scale, whole.B.size() > 0 ? whole.B.cwiseAbs().maxCoeff() : 0.0);
   rate.equality = pressing;
   for (Eigen::Index c = 0; c < k; ++c) {
     const int i = rows[std::size_t(c)];
