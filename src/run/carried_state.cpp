@@ -61,6 +61,7 @@ void CarriedState::take(const Scene& scene, const StepSolver::Place& place) {
       pair.offset.push_back(place.offset[static_cast<Eigen::Index>(r)]);
       pair.slip.push_back(place.friction.slip[r]);
       pair.path.push_back(place.friction.path[r]);
+      pair.pressure.push_back(place.friction.pressure[r]);
       pair.touch.push_back(static_cast<std::int64_t>(place.friction.touch[r]));
     }
   }
@@ -90,6 +91,7 @@ std::optional<StepSolver::Place> CarriedState::put(const Scene& scene, const Ste
       place.offset[static_cast<Eigen::Index>(first + r)] = pair.offset[r];
       place.friction.slip[first + r] = pair.slip[r];
       place.friction.path[first + r] = pair.path[r];
+      place.friction.pressure[first + r] = pair.pressure[r];
       place.friction.touch[first + r] = static_cast<solve::Touch>(pair.touch[r]);
     }
   }
@@ -113,6 +115,7 @@ void CarriedState::save(results::NamedArrays& arrays) const {
     arrays.reals[name_of(c, "offset")] = pair.offset;
     arrays.reals[name_of(c, "slip")] = pair.slip;
     arrays.reals[name_of(c, "path")] = pair.path;
+    arrays.reals[name_of(c, "pressure")] = pair.pressure;
     arrays.reals[name_of(c, "state")] = {pair.work, pair.fit, pair.mounted ? 1.0 : 0.0};
   }
 }
@@ -138,8 +141,10 @@ CarriedState CarriedState::load(const results::NamedArrays& arrays) {
     const std::vector<double> of_pair = reals(name_of(c, "state"));
     state.contacts_.push_back({integers(name_of(c, "key")), reals(name_of(c, "offset")),
                                reals(name_of(c, "slip")), reals(name_of(c, "path")),
-                               integers(name_of(c, "touch")), of_pair.at(0), of_pair.at(1),
-                               of_pair.at(2) != 0.0});
+                               reals(name_of(c, "pressure")), integers(name_of(c, "touch")),
+                               of_pair.at(0), of_pair.at(1), of_pair.at(2) != 0.0});
+    Pair& pair = state.contacts_.back();
+    pair.pressure.resize(pair.slip.size()); // all zeros may have been left out
   }
   return state;
 }

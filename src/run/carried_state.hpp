@@ -35,6 +35,7 @@ private:
   struct Pair {
     std::vector<std::int64_t> key;          ///< of its rows
     std::vector<double> offset, slip, path; ///< [row]
+    std::vector<double> pressure;           ///< [row]
     std::vector<std::int64_t> touch;        ///< [row]
     double work = 0.0, fit = 0.0;
     bool mounted = false;

@@ -13,6 +13,7 @@ FrictionHistory::FrictionHistory(const Scene& scene)
   memory_ = {std::vector<solve::Touch>(rows, solve::Touch::stick),
              std::vector<double>(rows, 0.0),
              std::vector<double>(rows, 0.0),
+             std::vector<double>(rows, 0.0),
              std::vector<double>(scene.pairs.size(), 0.0),
              {}};
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
@@ -57,13 +58,20 @@ void FrictionHistory::take(const contact::ContactSystem::Demand& demand,
   }
   for (const solve::FrictionRow& f : demand.friction) {
     const std::size_t row = demand.rows[static_cast<std::size_t>(f.tangent)];
-    if (memory_.touch[row] == solve::Touch::open) {
+    if (memory_.touch[row] == solve::Touch::open || memory_.touch[row] == solve::Touch::stick) {
       continue;
     }
     const double v = answer.solution.gap[f.tangent];
     memory_.slip[row] += v;
     memory_.path[row] += std::abs(v);
-    memory_.work[contact_of_[row]] -= answer.solution.lambda[f.tangent] * v;
+    // what slips is carried along under the mean of both pressures
+    const double before = memory_.pressure[demand.rows[static_cast<std::size_t>(f.normal)]];
+    const double now = answer.solution.lambda[f.normal];
+    memory_.work[contact_of_[row]] += f.mu * 0.5 * (before + now) * std::abs(v);
+  }
+  for (const solve::FrictionRow& f : demand.friction) {
+    memory_.pressure[demand.rows[static_cast<std::size_t>(f.normal)]] =
+        answer.solution.lambda[f.normal];
   }
 }
 
@@ -92,6 +100,7 @@ void FrictionHistory::begin(std::size_t contact) {
   for (std::size_t r = scene_.table.first[contact]; r < scene_.table.first[contact + 1]; ++r) {
     memory_.slip[r] = 0.0;
     memory_.path[r] = 0.0;
+    memory_.pressure[r] = 0.0;
   }
   std::fill(memory_.touch.begin(), memory_.touch.end(), solve::Touch::stick);
 }

@@ -22,6 +22,7 @@ struct PairFriction {
 struct FrictionMemory {
   std::vector<solve::Touch> touch; ///< [table row]
   std::vector<double> slip, path;  ///< [table row]
+  std::vector<double> pressure;    ///< [table row] of normal rows at the end of the last increment
   std::vector<double> work;        ///< [contact]
   base::Vector alpha;              ///< rigid motions at the end of the last increment
 };

@@ -3,6 +3,7 @@
 
 #include "fe/assemble.hpp"
 #include "fe/thermal.hpp"
+#include "run/held_surfaces.hpp"
 #include "run/missing_contact.hpp"
 #include "run/rigid_motion.hpp"
 #include "run/round_gaps.hpp"
@@ -186,7 +187,8 @@ bool StepSolver::refuse(const contact::ContactSystem::Answer& answer, Refusal& r
     refusal = {4, unheld(s.unheld, answer.slides), {}};
     return true;
   case solve::ContactStatus::inconsistent:
-    refusal = {4, "bonded contacts contradict each other", {}};
+    refusal = {
+        4, "bonded contacts, supports and prescribed displacements contradict each other", {}};
     return true;
   case solve::ContactStatus::max_iterations:
     refusal = {5,
@@ -374,6 +376,13 @@ std::optional<StepState> StepSolver::solve(const model::Step& step, Refusal& ref
   if (!complete(std::move(external), state, refusal)) {
     refusal.span = step.span;
     return std::nullopt;
+  }
+  if (scene_.cracked.mesh.dim == 2) {
+    std::vector<bool> pressed;
+    for (const base::Vector& lambda : state.pair_lambda) {
+      pressed.push_back((lambda.array() > 0.0).any());
+    }
+    tell_held_surfaces(scene_, demand(), {pressed, state.u - u_}, state.notes);
   }
   u_ = state.u;
   return state;

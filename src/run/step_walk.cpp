@@ -20,6 +20,8 @@ constexpr int most_halvings = 6;
 // and no further than this.
 constexpr double shear_tolerance = 0.01;
 constexpr int most_increments = 64;
+// The work of friction and the largest slip by no more than this part of them.
+constexpr double work_tolerance = 0.05;
 // Shear that is less than this part of mu p is measured by that.
 constexpr double least_shear = 0.25;
 // It is warned of where its shear is off by more.
@@ -57,13 +59,44 @@ double friction_change(const Scene& scene, const contact::ContactSystem::Demand&
   return most;
 }
 
+// The same of the work of friction, over the largest of all contacts, or of the largest way that a
+// row has slid, whichever changes by more.
+double slip_change(const Scene& scene, const FrictionMemory& a, const FrictionMemory& b) {
+  const double work = std::ranges::max(b.work);
+  double most = 0.0;
+  for (std::size_t c = 0; c < b.work.size() && work > 0.0; ++c) {
+    most = std::max(most, std::abs(a.work[c] - b.work[c]) / work);
+  }
+  double before = 0.0;
+  double now = 0.0;
+  for (std::size_t r = 0; r < b.path.size(); ++r) {
+    const double area = scene.table.rows[r]->area;
+    before = std::max(before, a.path[r] / area);
+    now = std::max(now, b.path[r] / area);
+  }
+  return now > 0.0 ? std::max(most, std::abs(now - before) / now) : most;
+}
+
 // An error that falls with 1/n leaves this of the change between two walks.
 struct Halving {
   int before = 1, now = 2;
-  double change = 0.0;
+  double change = 0.0; ///< of the shear
+  double slip = 0.0;   ///< of the work of friction and the largest slip
 
-  [[nodiscard]] double error() const { return change * before / std::abs(now - before); }
+  [[nodiscard]] double error() const { return change * part(); }
+  [[nodiscard]] double slip_error() const { return slip * part(); }
+  [[nodiscard]] double part() const { return before / static_cast<double>(std::abs(now - before)); }
 };
+
+void note_slips(const Halving& cut, bool given, StepState& state) {
+  if (cut.slip_error() > work_tolerance) {
+    state.notes.push_back(fmt::format(
+        "warning: friction walked in {} increments leaves its work or the largest slip off by "
+        "about {:.2g} %: {}",
+        cut.now, 100.0 * cut.slip_error(),
+        given ? "more SUBSTEPS, or none, make it less" : "SUBSTEPS may ask for more"));
+  }
+}
 
 void note_increments(const Halving& cut, bool given, StepState& state) {
   const double error = cut.error();
@@ -149,9 +182,9 @@ bool StepSolver::walk_rubbing(Walk& walk, const model::Step& step, StepState& st
                               Refusal& refusal) {
   const Place start = place();
   const bool given = step.substeps > 0;
-  Halving cut{1, 2, 0.0};
+  Halving cut;
   if (given) {
-    cut = {step.substeps == 1 ? 2 : step.substeps / 2, step.substeps, 0.0};
+    cut = {step.substeps == 1 ? 2 : step.substeps / 2, step.substeps, 0.0, 0.0};
   }
   Refusal coarse;
   const bool compared = march(walk, start, cut.before, coarse);
@@ -161,17 +194,21 @@ bool StepSolver::walk_rubbing(Walk& walk, const model::Step& step, StepState& st
   }
   for (;;) {
     const contact::ContactSystem::Answer last = std::move(walk.answer);
+    const FrictionMemory slipped = history_.memory();
     if (!march(walk, start, cut.now, refusal)) {
       return false;
     }
     cut.change = compared ? friction_change(scene_, walk.demand, last, walk.answer) : 0.0;
-    if (given || cut.change <= shear_tolerance || cut.now >= most_increments) {
+    cut.slip = compared ? slip_change(scene_, slipped, history_.memory()) : 0.0;
+    const bool settled = cut.change <= shear_tolerance && cut.slip <= work_tolerance;
+    if (given || settled || cut.now >= most_increments) {
       break;
     }
     cut.before = cut.now;
     cut.now *= 2;
   }
   note_increments(cut, given, state);
+  note_slips(cut, given, state);
   return true;
 }
 

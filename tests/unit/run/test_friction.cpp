@@ -371,5 +371,73 @@ TEST(Friction, MuchFrictionIsNoReasonToWarn) {
   }
 }
 
+// A stiff bar of 10 by 1, 2 thick, on a rigid floor under p = 1, drawn along by 0.1: mu p A d =
+// 0.6.
+std::string drawn_bar(const std::string& steps, bool below = false, double down = 0.0) {
+  const std::string way = fmt::format("0.1 {}", down);
+  return fmt::format(R"($DECK VERSION=1 LENGTH=mm FORCE=N
+$MESH SHAPE=BLOCK TYPE=QUAMC8 LX=10 LY=1 NX=10 NY=2
+$MATERIAL NAME=M E=1e7 NU=0
+$PROPERTY ESET=BODY MATERIAL=M STATE=STRESS THICK=2
+$FREEDOM CLASS=PRESCRIBED DOF={1}
+  YMAX {2}
+$RIGID NAME=F SHAPE=LINE X0=-5 Y0=0 X1=20 Y1=0
+$CONTACT NAME=C SLAVE=YMIN MASTER=F MU=0.3
+$LOAD CASE=P TYPE=PRESSURE
+  YMAX 1
+$LOAD CASE=D TYPE=DISP
+  YMAX {3}
+{4}
+{0}
+$END
+)",
+                     steps, down != 0.0 ? "XY" : "X", below ? "YMIN" : "", way,
+                     below ? "  YMIN " + way : "");
+}
+
+// Pressure and way that grow together, or pressure that goes while the way grows: half of mu p A d.
+TEST(Friction, WorkIsThatOfTheMeanPressure) {
+  for (const char* steps : {"$STEP NAME=A SUBSTEPS=1\n  LOAD P 1\n  LOAD D 1",
+                            "$STEP NAME=A\n  LOAD P 1\n  LOAD D 1"}) {
+    const auto grown = test::solve_text(drawn_bar(steps));
+    ASSERT_TRUE(grown);
+    EXPECT_NEAR(grown->step().contacts[0].friction_work, 0.3, 1e-4) << steps;
+  }
+  const auto let_go =
+      test::solve_text(drawn_bar("$STEP NAME=A\n  LOAD P 1\n$STEP NAME=B\n  LOAD D 1\n  LOAD P 0"));
+  ASSERT_TRUE(let_go);
+  EXPECT_NEAR(let_go->step(1).contacts[0].friction_work, 0.3, 0.05 * 0.3);
+  const auto steady =
+      test::solve_text(drawn_bar("$STEP NAME=A\n  LOAD P 1\n$STEP NAME=B SUBSTEPS=1\n  LOAD D 1"));
+  ASSERT_TRUE(steady);
+  EXPECT_NEAR(steady->step(1).contacts[0].friction_work, 0.6, 1e-3);
+}
+
+std::string notes_of(const results::StepResult& step) {
+  std::string all;
+  for (const std::string& note : step.notes) {
+    all += note + "\n";
+  }
+  return all;
+}
+
+// Where the surface itself is drawn along there is no freedom that friction could act on.
+TEST(Friction, HeldSurfacesAreTold) {
+  const std::string steps = "$STEP NAME=A\n  LOAD P 1\n$STEP NAME=B\n  LOAD D 1";
+  const auto held = test::solve_text(drawn_bar(steps, true));
+  ASSERT_TRUE(held);
+  EXPECT_EQ(notes_of(held->step(0)).find("slide by"), std::string::npos);
+  EXPECT_NE(notes_of(held->step(1)).find("they slide by up to 0.1:"), std::string::npos)
+      << notes_of(held->step(1));
+  const auto free = test::solve_text(drawn_bar(steps));
+  ASSERT_TRUE(free);
+  EXPECT_EQ(notes_of(free->step(1)).find("slide by"), std::string::npos);
+
+  const auto through = test::solve_text(drawn_bar("$STEP NAME=A\n  LOAD D 1", true, -0.01));
+  ASSERT_TRUE(through);
+  EXPECT_NE(notes_of(through->step()).find("overlap by up to 0.01"), std::string::npos)
+      << notes_of(through->step());
+}
+
 } // namespace
 } // namespace spricka
