@@ -122,13 +122,60 @@ bool dead_rows_hold(const HeldProblem& held, const std::vector<FrictionRow>& fri
 }
 
 /// Where bodies stay that nothing holds, in scaled modes.
-base::Vector first_anchor(const FrictionProblem& problem, const HeldProblem& held,
-                          const ModeSplit& split) {
-  if (problem.alpha_start.size() == 0 || held.modes() == 0) {
+base::Vector anchor_at(const base::Vector& alpha, const HeldProblem& held, const ModeSplit& split) {
+  if (alpha.size() == 0 || held.modes() == 0) {
     return base::Vector::Zero(held.modes());
   }
-  const base::Vector a = split.felt.colPivHouseholderQr().solve(problem.alpha_start);
+  const base::Vector a = split.felt.colPivHouseholderQr().solve(alpha);
   return a / std::sqrt(held.tau);
+}
+
+/// The same increment without friction, and the states and motions that it ends in: where bodies
+/// come to lie against each other only in this increment no better beginning is at hand.
+struct SmoothStart {
+  std::vector<Touch> touch; ///< [n]; empty: there is none
+  base::Vector alpha;
+};
+
+SmoothStart smooth_start(const FrictionProblem& problem, const ContactSettings& settings) {
+  const ContactProblem& whole = problem.contact;
+  std::vector<bool> slips(whole.equality.size(), false);
+  for (const FrictionRow& f : problem.friction) {
+    slips[std::size_t(f.tangent)] = true;
+  }
+  std::vector<int> rows;
+  for (std::size_t i = 0; i < slips.size(); ++i) {
+    if (!slips[i]) {
+      rows.push_back(static_cast<int>(i));
+    }
+  }
+  ContactProblem plain = whole;
+  plain.W = whole.W(rows, rows);
+  plain.B = whole.B(rows, Eigen::all);
+  plain.b = whole.b(rows);
+  plain.equality.clear();
+  for (const int i : rows) {
+    plain.equality.push_back(whole.equality[std::size_t(i)]);
+  }
+  const ContactSolution found = solve_contact(plain, settings, {});
+  if (found.status != ContactStatus::solved) {
+    return {};
+  }
+  SmoothStart start{std::vector<Touch>(slips.size(), Touch::open), found.alpha};
+  base::Vector lambda = base::Vector::Zero(whole.b.size());
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    start.touch[std::size_t(rows[k])] = found.closed[k] ? Touch::stick : Touch::open;
+    lambda(rows[k]) = found.lambda(static_cast<Eigen::Index>(k));
+  }
+  const base::Vector moved = whole.b + whole.W * lambda + whole.B * found.alpha;
+  for (const FrictionRow& f : problem.friction) {
+    if (start.touch[std::size_t(f.normal)] != Touch::open) {
+      start.touch[std::size_t(f.tangent)] =
+          moved(f.tangent) > 0.0 ? Touch::forward : Touch::backward;
+      start.touch[std::size_t(f.normal)] = start.touch[std::size_t(f.tangent)];
+    }
+  }
+  return start;
 }
 
 /// Solves with bodies anchored where they are until they are held, rest or slide away.
@@ -243,8 +290,27 @@ FrictionSolution solve_friction(const FrictionProblem& problem, const ContactSet
   Search first;
   first.touch = start;
   first.touch.resize(static_cast<std::size_t>(n), Touch::stick);
-  walk_to_rest(scaled, held, split, {first_anchor(problem, held, split), std::move(first)},
+  walk_to_rest(scaled, held, split, {anchor_at(problem.alpha_start, held, split), std::move(first)},
                settings, answer);
+  if (c.status != ContactStatus::max_iterations) {
+    return answer;
+  }
+
+  // 3. once more from where the bodies would lie without friction
+  SmoothStart smooth = smooth_start(problem, settings);
+  for (const bool sticks : {false, true}) {
+    if (smooth.touch.empty() || c.status != ContactStatus::max_iterations) {
+      break;
+    }
+    if (sticks) {
+      std::ranges::replace_if(
+          smooth.touch, [](Touch touch) { return touch != Touch::open; }, Touch::stick);
+    }
+    Search second;
+    second.touch = smooth.touch;
+    walk_to_rest(scaled, held, split, {anchor_at(smooth.alpha, held, split), std::move(second)},
+                 settings, answer);
+  }
   return answer;
 }
 

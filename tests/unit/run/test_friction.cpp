@@ -439,5 +439,42 @@ TEST(Friction, HeldSurfacesAreTold) {
       << notes_of(through->step());
 }
 
+// A pin with clearance flies to the wall of its hole and slides there, all in the first increment:
+// however small that is, it has an answer, and K hardly knows how many follow.
+TEST(Friction, LoosePinFindsItsPlace) {
+  std::vector<double> K;
+  for (const int substeps : {2, 8, 24}) {
+    const auto s = test::solve_text(fmt::format(R"($DECK VERSION=1 LENGTH=mm FORCE=N
+$NET NAME=LUG
+$MESH SHAPE=LUG TYPE=QUAMC8 RI=10 W=40 L=50 NR=6 NT=48
+$ENDNET
+$NET NAME=PIN
+$MESH SHAPE=RING TYPE=QUAMC8 RI=0 RO=10 NR=5 NT=48
+$ENDNET
+$MATERIAL NAME=M E=70000 NU=0.3
+$PROPERTY ESET=LUG.BODY MATERIAL=M STATE=STRESS THICK=2
+$PROPERTY ESET=PIN.BODY MATERIAL=M STATE=STRESS THICK=2
+$FREEDOM CLASS=SUPPRESSED DOF=XY
+  LUG.END
+$CONTACT NAME=C SLAVE=PIN.OUTER MASTER=LUG.BORE DIAMETRAL=-0.02 MU=0.15
+$LOAD CASE=F TYPE=RESULTANT
+  PIN.BODY 1000 700
+$CRACK NAME=C1 NET=LUG A0=2 ANGLE=100[deg]
+  -1.736481776669303 9.84807753012208
+$STEP NAME=S SUBSTEPS={}
+  LOAD F 1
+$END
+)",
+                                                substeps));
+    ASSERT_TRUE(s) << substeps;
+    const results::ContactResult& c = s->step().contacts[0];
+    EXPECT_NEAR(c.force_on_slave.x(), -1000.0, 1e-6) << substeps;
+    EXPECT_NEAR(c.force_on_slave.y(), -700.0, 1e-6) << substeps;
+    K.push_back(s->step().tips.at(0).K1);
+  }
+  EXPECT_NEAR(K[0], K[2], 0.01 * std::abs(K[2]));
+  EXPECT_NEAR(K[1], K[2], 0.01 * std::abs(K[2]));
+}
+
 } // namespace
 } // namespace spricka
