@@ -149,7 +149,7 @@ Figure life_figure(const model::Model& model, const results::Run& run) {
           units, growth.cycles(), 100.0 * growth.error, growth.reason, more)};
 }
 
-/// Error bar of K1 at the largest load of a station; 0: none.
+/// Error bar of K1 at the largest load of a station.
 double bar_at(const model::Model& model, const results::Run& run, const GrowthStation& station,
               const std::string& name) {
   for (const results::Increment& increment : run.increments) {
@@ -159,10 +159,10 @@ double bar_at(const model::Model& model, const results::Run& run, const GrowthSt
     const results::TipResult* const tip =
         step == nullptr ? nullptr : results::find_tip(*step, name);
     if (tip != nullptr) {
-      return tip->no_bar.empty() ? tip->bar[0].size() : 0.0;
+      return tip->no_bar.empty() ? tip->bar[0].size() : no_bar;
     }
   }
-  return 0.0;
+  return no_bar;
 }
 
 /// What the law was given at the stations.
@@ -182,7 +182,9 @@ Figure range_figure(const model::Model& model, const results::Run& run) {
       for (const GrowthStation& station : growth.stations) {
         const results::GrowingTip& tip = station.tips[t];
         series.points.push_back({tip.a, largest ? tip.K_max : tip.K_min});
-        series.bars.push_back(largest ? bar_at(model, run, station, tip.name) : 0.0);
+        if (largest) {
+          series.bars.push_back(bar_at(model, run, station, tip.name));
+        }
       }
       plot.series.push_back(std::move(series));
     }
@@ -192,8 +194,8 @@ Figure range_figure(const model::Model& model, const results::Run& run) {
       "",
       fmt::format(
           "Largest and smallest K of {} as the growth law was given them, at the lengths that were "
-          "solved. Error bars of the mesh at the largest load are drawn where they can be seen.",
-          growth.unit == "pass" ? "a pass of the spectrum" : "a cycle")};
+          "solved.{}",
+          growth.unit == "pass" ? "a pass of the spectrum" : "a cycle", bar_words(plot.series))};
 }
 
 /// Growth per cycle or pass over the range of K, as the law gave it at the stations: the part of

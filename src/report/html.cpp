@@ -3,6 +3,7 @@
 #include "report/figures.hpp"
 #include "report/growth_tables.hpp"
 #include "report/growth_tests.hpp"
+#include "report/k_section.hpp"
 #include "report/load_paths.hpp"
 #include "report/load_table.hpp"
 #include "report/model_tables.hpp"
@@ -43,6 +44,35 @@ void add_verdict(Page& page, const results::Run& run) {
   }
 }
 
+constexpr std::size_t most_at_head = 3;      // warnings; the others stand under Notes
+constexpr std::size_t longest_at_head = 220; // bytes of one
+
+/// The beginning of a text, at the end of a word.
+std::string beginning(const std::string& text, std::size_t longest) {
+  if (text.size() <= longest) {
+    return text;
+  }
+  const std::size_t end = text.rfind(' ', longest);
+  return text.substr(0, end == std::string::npos ? text.find(' ') : end) + " ..";
+}
+
+/// What puts the numbers below in doubt is said above them.
+void add_warnings(Page& page, const results::Run& run) {
+  const std::size_t count = run.warnings.size();
+  if (count == 0) {
+    return;
+  }
+  std::string items;
+  for (std::size_t i = 0; i < std::min(count, most_at_head); ++i) {
+    items += fmt::format("<li>{}</li>\n", escape(beginning(run.warnings[i], longest_at_head)));
+  }
+  const std::string more =
+      count > most_at_head ? fmt::format("; the first {}:", most_at_head) : std::string(":");
+  page.add(fmt::format("<div class=\"warnings\"><p class=\"failed\"><a href=\"#notes\">{} "
+                       "warning{}</a>{}</p>\n<ul>\n{}</ul></div>\n",
+                       count, count > 1 ? "s" : "", more, items));
+}
+
 /// The tables of all increments as one, with a column for the crack length in front; without
 /// cracks the only one.
 Table over_lengths(const model::Model& model, const results::Run& run,
@@ -65,12 +95,17 @@ Table over_lengths(const model::Model& model, const results::Run& run,
 }
 
 void add_cracks(Page& page, const model::Model& model, const results::Run& run) {
-  const Table history = k_history_table(model, run, leading_step(model));
-  if (history.rows.empty()) {
+  const KSection section = k_section(model, run);
+  if (section.tables.empty()) {
     return;
   }
   page.heading("Stress intensity factors");
-  page.table(history);
+  for (const Table& table : section.tables) {
+    page.table(table);
+  }
+  for (const std::string& remark : section.remarks) {
+    page.paragraph(remark);
+  }
   if (const std::optional<Figure> figure = k_figure(model, run)) {
     page.figure(*figure);
   }
@@ -151,7 +186,7 @@ void add_notes(Page& page, const results::Run& run) {
     }
   }
   if (!items.empty()) {
-    page.heading("Notes");
+    page.heading("Notes", "notes");
     page.add("<ul>\n" + items + "</ul>\n");
   }
 }
@@ -172,6 +207,7 @@ std::string html_report(const base::Sources& sources, const model::Model& model,
   const std::string title = model.title.empty() ? "spricka report" : model.title;
   add_head(page, title, sources, model);
   add_verdict(page, run);
+  add_warnings(page, run);
   add_cracks(page, model, run);
   add_growth(page, model, run);
   add_tests(page, model, run);

@@ -39,7 +39,7 @@ std::vector<std::string> tip_names(const results::Run& run) {
 /// (a, K1) of one tip at the ends of one step, with the error bars of K1.
 struct History {
   std::vector<Point> points;
-  std::vector<double> bars; ///< [point]; 0 where there is none
+  std::vector<double> bars; ///< [point]
 };
 
 History history(const results::Run& run, std::string_view step, std::string_view tip) {
@@ -49,7 +49,7 @@ History history(const results::Run& run, std::string_view step, std::string_view
     const results::TipResult* const found = at == nullptr ? nullptr : results::find_tip(*at, tip);
     if (found != nullptr) {
       curve.points.push_back({found->a, found->K1});
-      curve.bars.push_back(found->no_bar.empty() ? found->bar[0].size() : 0.0);
+      curve.bars.push_back(found->no_bar.empty() ? found->bar[0].size() : no_bar);
     }
   }
   return curve;
@@ -288,15 +288,16 @@ std::optional<Figure> normalised_figure(const model::Model& model, const results
     }
   }
   plot.legend_below = true;
+  const Table table = normalised_table(*state, k_references(model, run), step);
   Figure figure{
       {draw(plot)},
       "",
       fmt::format(
           "K₁ at the end of step {} over σ √(πa), against a/R; R = {:.6g} {}, σ = {:.4g} {} "
-          "(the deck's parameters R and SIGMA). Marks: values the deck compares with.",
-          step, state->radius, model.units.length_name, state->sigma, model.units.stress_name()) +
+          "(the deck's parameters R and SIGMA).{}",
+          step, state->radius, model.units.length_name, state->sigma, model.units.stress_name(),
+          table.rows.empty() ? "" : " Marks: values the deck compares with.") +
           bar_words(plot.series)};
-  const Table table = normalised_table(*state, k_references(model, run), step);
   if (!table.rows.empty()) {
     figure.drawings.push_back(to_html(table));
   }

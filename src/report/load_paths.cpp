@@ -152,7 +152,7 @@ std::vector<Point> values(const base::PiecewiseLinear& K) {
 // Error bars of K1 at the ends of the path, which are ends of steps.
 void add_end_bars(Series& series, const results::Increment& increment,
                   const results::LoadPath& path, const results::PathTip& tip) {
-  series.bars.assign(series.points.size(), 0.0);
+  series.bars.assign(series.points.size(), no_bar);
   for (std::size_t k = 0; k < series.points.size(); ++k) {
     const double t = series.points[k].x;
     const std::string& step = t == 0.0 ? path.from : path.to;

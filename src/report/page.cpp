@@ -13,6 +13,10 @@ h1 { font-size: 1.6em; margin: 0 0 .2em; }
 h2 { font-size: 1.2em; margin: 2em 0 .6em; border-bottom: 1px solid #000; break-after: avoid; }
 p.about { color: #333; margin: .2em 0; }
 p.failed { font-weight: bold; color: #b00000; }
+p.note { color: #222; font-size: .9em; max-width: 60em; margin: .3em 0 .6em; break-before: avoid; }
+div.warnings { border-left: 4px solid #b00000; padding: .1em 0 .1em .8em; margin: .8em 0; }
+div.warnings p { margin: .1em 0; }
+div.warnings ul { margin: .2em 0; padding-left: 1.2em; max-width: 60em; }
 table { border-collapse: collapse; margin: 1em 0; font-size: .87em;
   font-variant-numeric: tabular-nums; border-bottom: 1.5px solid #000; }
 caption { text-align: left; font-weight: bold; padding: .2em 0; break-after: avoid; }
@@ -34,8 +38,13 @@ pre { font-size: .8em; line-height: 1.3; overflow-x: auto; }
 
 } // namespace
 
-void Page::heading(std::string_view words) {
-  body_ += fmt::format("<h2>{}</h2>\n", escape(words));
+void Page::heading(std::string_view words, std::string_view id) {
+  const std::string mark = id.empty() ? std::string() : fmt::format(" id=\"{}\"", id);
+  body_ += fmt::format("<h2{}>{}</h2>\n", mark, escape(words));
+}
+
+void Page::paragraph(std::string_view words) {
+  body_ += fmt::format("<p class=\"note\">{}</p>\n", escape(words));
 }
 
 void Page::table(const Table& table) {

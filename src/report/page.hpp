@@ -12,7 +12,9 @@ namespace spricka::report {
 class Page {
 public:
   void add(std::string_view html) { body_ += html; }
-  void heading(std::string_view words);
+  /// `id`: where links of the page may lead; may be empty.
+  void heading(std::string_view words, std::string_view id = "");
+  void paragraph(std::string_view words);
   /// Tables without rows are left out.
   void table(const Table& table);
   void figure(const Figure& figure);

@@ -40,8 +40,9 @@ Range range_of(const Plot& plot, double Point::*member) {
   for (const Series& series : plot.series) {
     for (std::size_t i = 0; i < series.points.size(); ++i) {
       const double at = series.points[i].*member;
-      const double bar = upright && i < series.bars.size() ? series.bars[i] : 0.0;
-      if (std::isfinite(range.on(at)) && std::isfinite(bar)) {
+      const bool barred = upright && i < series.bars.size() && std::isfinite(series.bars[i]);
+      const double bar = barred ? series.bars[i] : 0.0;
+      if (std::isfinite(range.on(at))) {
         range.low = std::min(range.low, range.log ? range.on(at) : at - bar);
         range.high = std::max(range.high, range.log ? range.on(at) : at + bar);
       }
@@ -254,17 +255,28 @@ std::string draw(const Plot& plot) {
 
 std::string bar_words(const std::vector<Series>& all) {
   double widest = 0.0;
+  std::size_t barred = 0;
+  std::size_t count = 0;
   for (const Series& series : all) {
     for (std::size_t i = 0; i < series.bars.size(); ++i) {
       const double K = std::abs(series.points[i].y);
-      widest = K > 0.0 ? std::max(widest, series.bars[i] / K) : widest;
+      const bool found = std::isfinite(series.bars[i]);
+      ++count;
+      barred += found ? 1 : 0;
+      widest = found && K > 0.0 ? std::max(widest, series.bars[i] / K) : widest;
     }
   }
-  return widest > 0.0
-             ? fmt::format(" Error bars: what the mesh may have done to K₁, at most {:.2g} "
-                           "% of it; those shorter than a pixel are not drawn.",
-                           100.0 * widest)
-             : std::string();
+  if (!(widest > 0.0)) {
+    return {};
+  }
+  constexpr const char* unseen = "those shorter than a pixel are not drawn.";
+  return barred == count
+             ? fmt::format(" Error bars: what the mesh may have done to K₁, at most {:.2g} % of "
+                           "it; {}",
+                           100.0 * widest, unseen)
+             : fmt::format(" Error bars: what the mesh may have done to K₁, worked out for {} of "
+                           "{} points only, and there at most {:.2g} % of it; {}",
+                           barred, count, 100.0 * widest, unseen);
 }
 
 } // namespace spricka::report

@@ -2,17 +2,21 @@
 #pragma once
 #include "report/svg.hpp"
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace spricka::report {
 
+/// Where a point has no error bar: K was computed there, its error was not.
+inline constexpr double no_bar = std::numeric_limits<double>::quiet_NaN();
+
 /// Points of one curve, or of marks without a line.
 struct Series {
   std::string name; ///< in the legend; empty: not shown there
   std::vector<Point> points;
-  std::vector<double> bars; ///< half heights of error bars [point]; empty: none
+  std::vector<double> bars; ///< half heights of error bars [point], or no_bar; empty: none
   std::string colour = "#000";
   std::string dash;
   bool joined = true;
@@ -34,8 +38,8 @@ struct Plot {
 /// The plot with its legend.
 std::string draw(const Plot& plot);
 
-/// What a reader has to know of the error bars of K1 in these: most are too small to be seen. Empty
-/// without bars.
+/// What a reader has to know of the error bars of K1 in these: most are too small to be seen, and
+/// not every point of the curves that could have one has it. Empty without bars.
 std::string bar_words(const std::vector<Series>& all);
 
 /// Pressure round a bore. A curve runs in pieces: it is cut at crack mouths.

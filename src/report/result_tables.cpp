@@ -84,13 +84,30 @@ std::string bar_cell(const results::TipResult& tip, std::size_t mode) {
   return tip.no_bar.empty() ? fmt::format("{:.2g}", tip.bar[mode].size()) : std::string();
 }
 
-void add_k_cells(Row& row, const model::Model& model, const results::TipResult& tip) {
+/// The largest K and the largest G of a run or an increment.
+struct CrackScale {
+  double K = 0.0;
+  double G = 0.0;
+
+  void add(const results::Increment& increment) {
+    for (const results::StepResult& step : increment.steps) {
+      for (const results::TipResult& tip : step.tips) {
+        K = std::max(K, std::hypot(tip.K1, tip.K2));
+        G = std::max(G, 1e-9 * std::abs(tip.G)); // it goes with the square of K
+      }
+    }
+  }
+};
+
+void add_k_cells(Row& row, const model::Model& model, const results::TipResult& tip,
+                 const CrackScale& scale) {
+  const std::string G = rounded(tip.G, scale.G);
   if (tip.two_materials) {
-    row.insert(row.end(), {tip.name, number(tip.a), "", "", "", "", number(tip.G), "", "", ""});
+    row.insert(row.end(), {tip.name, number(tip.a), "", "", "", "", G, "", "", ""});
   } else {
-    row.insert(row.end(), {tip.name, number(tip.a), number(tip.K1), bar_cell(tip, 0),
-                           number(tip.K2), bar_cell(tip, 1), number(tip.G), number(tip.G_from_K),
-                           small(tip.spread), number(tip.T)});
+    row.insert(row.end(), {tip.name, number(tip.a), rounded(tip.K1, scale.K), bar_cell(tip, 0),
+                           rounded(tip.K2, scale.K), bar_cell(tip, 1), G,
+                           rounded(tip.G_from_K, scale.G), small(tip.spread), number(tip.T)});
   }
   for (std::size_t mode = 0; mode < 2 && shows_opening(model); ++mode) {
     row.push_back(tip.K_opening ? number((*tip.K_opening)[mode]) : "");
@@ -141,10 +158,12 @@ Row contact_row(const results::StepResult& step, const results::ContactResult& c
 Table k_table(const model::Model& model, const results::Increment& increment) {
   Table table{"Stress intensity factors", {{"step", "", true}}, {}};
   add_k_columns(table, model);
+  CrackScale scale;
+  scale.add(increment);
   for (const results::StepResult& step : increment.steps) {
     for (const results::TipResult& tip : step.tips) {
       Row row{step.step};
-      add_k_cells(row, model, tip);
+      add_k_cells(row, model, tip, scale);
       table.rows.push_back(std::move(row));
     }
   }
@@ -156,6 +175,8 @@ Table k_history_table(const model::Model& model, const results::Run& run, std::s
               {{"increment", "", false}},
               {}};
   add_k_columns(table, model);
+  CrackScale scale;
+  std::ranges::for_each(run.increments, [&](const auto& increment) { scale.add(increment); });
   for (const results::Increment& increment : run.increments) {
     const results::StepResult* const at = results::find_step(increment, step);
     if (at == nullptr) {
@@ -163,7 +184,7 @@ Table k_history_table(const model::Model& model, const results::Run& run, std::s
     }
     for (const results::TipResult& tip : at->tips) {
       Row row{fmt::format("{}", increment.number)};
-      add_k_cells(row, model, tip);
+      add_k_cells(row, model, tip, scale);
       table.rows.push_back(std::move(row));
     }
   }

@@ -12,8 +12,9 @@
 /// Tables and page of a sweep. Writers throw std::system_error.
 namespace spricka::report {
 
-/// The numbers of a run that sweep.csv shows: crack length of each increment; K1, K2 and G of each
-/// tip and largest, mean and smallest pressure of each contact at each step's end.
+/// The numbers of a run that sweep.csv shows: crack length of each increment; K1, K2, their error
+/// bars where they have them and G of each tip and largest, mean and smallest pressure of each
+/// contact at each step's end.
 std::vector<results::SweepCell> sweep_cells(const results::Run& run);
 
 /// What a card $OUTPUT EVERY=END asks for as single numbers, at the end of KMAX or of the last step

@@ -27,6 +27,10 @@ void add_tip(std::vector<SweepCell>& cells, const results::TipResult& tip, const
   cells.push_back({"K1", tip.name, step, increment, tip.K1});
   cells.push_back({"K2", tip.name, step, increment, tip.K2});
   cells.push_back({"G", tip.name, step, increment, tip.G});
+  if (tip.no_bar.empty()) {
+    cells.push_back({"K1_bar", tip.name, step, increment, tip.bar[0].size()});
+    cells.push_back({"K2_bar", tip.name, step, increment, tip.bar[1].size()});
+  }
 }
 
 /// The cells of one request at one step's end.

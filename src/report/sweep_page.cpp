@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/deck_name.hpp"
 #include "report/page.hpp"
+#include "report/parameter_unit.hpp"
 #include "report/plot.hpp"
 #include "report/result_tables.hpp"
 #include "report/sweep.hpp"
@@ -19,12 +20,29 @@ namespace {
 using results::Sweep;
 using results::SweepCell;
 using results::SweepPoint;
+using Units = std::vector<std::string>; // [parameter]
 
 /// What stays the same along a curve: tip, step and the parameters that do not run along the axis.
 struct Curve {
+  struct At {
+    Point place;
+    double bar = no_bar;
+  };
   std::string name;
-  std::vector<Point> points;
+  std::vector<At> points;
 };
+
+const SweepCell* find_cell(const SweepPoint& point, const std::string& column) {
+  const auto found = std::ranges::find(point.cells, column, &SweepCell::column);
+  return found == point.cells.end() ? nullptr : &*found;
+}
+
+/// The error bar of a point's K1.
+double bar_of(const SweepPoint& point, SweepCell cell) {
+  cell.quantity += "_bar";
+  const SweepCell* const bar = find_cell(point, cell.column());
+  return bar == nullptr ? no_bar : bar->value;
+}
 
 // The parameter that takes the most values runs along the axis.
 std::size_t axis_of(const Sweep& sweep) {
@@ -81,12 +99,12 @@ std::vector<Curve> curves_of(const model::Model& model, const Sweep& sweep, int 
       if (curve == curves.end()) {
         curve = curves.insert(curves.end(), {name, {}});
       }
-      curve->points.push_back({point.values[axis], cell.value});
+      curve->points.push_back({{point.values[axis], cell.value}, bar_of(point, cell)});
     }
   }
   for (Curve& curve : curves) {
     std::stable_sort(curve.points.begin(), curve.points.end(),
-                     [](const Point& a, const Point& b) { return a.x < b.x; });
+                     [](const Curve::At& a, const Curve::At& b) { return a.place.x < b.place.x; });
   }
   return curves;
 }
@@ -95,8 +113,8 @@ std::vector<Curve> curves_of(const model::Model& model, const Sweep& sweep, int 
 std::vector<Curve> merged(std::vector<Curve> curves) {
   double largest = 0.0;
   for (const Curve& curve : curves) {
-    for (const Point& p : curve.points) {
-      largest = std::max(largest, std::abs(p.y));
+    for (const Curve::At& p : curve.points) {
+      largest = std::max(largest, std::abs(p.place.y));
     }
   }
   std::vector<Curve> kept;
@@ -104,8 +122,9 @@ std::vector<Curve> merged(std::vector<Curve> curves) {
     const auto same = std::find_if(kept.begin(), kept.end(), [&](const Curve& k) {
       return k.points.size() == curve.points.size() &&
              std::equal(k.points.begin(), k.points.end(), curve.points.begin(),
-                        [&](const Point& a, const Point& b) {
-                          return a.x == b.x && std::abs(a.y - b.y) <= 1e-3 * largest;
+                        [&](const Curve::At& a, const Curve::At& b) {
+                          return a.place.x == b.place.x &&
+                                 std::abs(a.place.y - b.place.y) <= 1e-3 * largest;
                         });
     });
     if (same != kept.end()) {
@@ -117,16 +136,25 @@ std::vector<Curve> merged(std::vector<Curve> curves) {
   return kept;
 }
 
-Plot plot_of(const model::Model& model, const Sweep& sweep, int increment) {
+/// "delta  [mm]"
+std::string axis_name(const std::string& parameter, const std::string& unit) {
+  return unit.empty() ? parameter : fmt::format("{}  [{}]", parameter, print_unit(unit));
+}
+
+Plot plot_of(const model::Model& model, const Sweep& sweep, const Units& units, int increment) {
   Plot plot;
   plot.label = "K1 over the swept parameter";
-  plot.x_name = sweep.parameters[axis_of(sweep)];
+  const std::size_t axis = axis_of(sweep);
+  plot.x_name = axis_name(sweep.parameters[axis], units[axis]);
   plot.y_name = fmt::format("K₁ [{}]", print_unit(model.units.stress_intensity_name()));
   std::size_t i = 0;
   for (Curve& curve : merged(curves_of(model, sweep, increment))) {
     Series series;
     series.name = std::move(curve.name);
-    series.points = std::move(curve.points);
+    for (const Curve::At& at : curve.points) {
+      series.points.push_back(at.place);
+      series.bars.push_back(at.bar);
+    }
     series.colour = colour(i);
     series.dash = dash(i / 7);
     series.marker = closed_marker(i);
@@ -149,23 +177,56 @@ std::map<int, double> lengths_of(const Sweep& sweep) {
   return lengths;
 }
 
-Table points_table(const model::Model& model, const Sweep& sweep) {
-  Table table{"", {}, {}};
-  for (const std::string& parameter : sweep.parameters) {
-    table.columns.push_back({parameter, "", false});
-  }
-  table.columns.push_back({"point", "", true});
-  table.columns.push_back({"status", "", true});
-  const std::string step = leading_step(model);
-  std::vector<std::string> shown;
-  for (const SweepPoint& point : sweep.points) {
-    for (const SweepCell& cell : point.cells) {
-      if (cell.quantity == "K1" && cell.step == step &&
-          std::find(shown.begin(), shown.end(), cell.column()) == shown.end()) {
-        shown.push_back(cell.column());
-        table.columns.push_back({fmt::format("K1 {} {}", cell.name, cell.increment),
-                                 model.units.stress_intensity_name(), false});
+/// The cells that the table shows: K1 of each tip and the largest pressure of each contact at the
+/// end of that step.
+std::vector<SweepCell> shown_cells(const Sweep& sweep, const std::string& step) {
+  std::vector<SweepCell> shown;
+  for (const char* const quantity : {"K1", "PMAX"}) {
+    for (const SweepPoint& point : sweep.points) {
+      for (const SweepCell& cell : point.cells) {
+        const bool known =
+            std::ranges::find(shown, cell.column(), &SweepCell::column) != shown.end();
+        if (cell.quantity == quantity && cell.step == step && !known) {
+          shown.push_back(cell);
+        }
       }
+    }
+  }
+  return shown;
+}
+
+bool any_bar(const Sweep& sweep, const SweepCell& cell) {
+  return cell.quantity == "K1" && std::ranges::any_of(sweep.points, [&](const SweepPoint& point) {
+           return std::isfinite(bar_of(point, cell));
+         });
+}
+
+std::string checks_of(const SweepPoint& point) {
+  return point.checks == 0 ? "" : fmt::format("{} of {} passed", point.passed, point.checks);
+}
+
+Table points_table(const model::Model& model, const Sweep& sweep, const Units& units) {
+  const std::string step = leading_step(model);
+  const std::vector<SweepCell> shown = shown_cells(sweep, step);
+  Table table{shown.empty() ? "" : fmt::format("At the end of step {}", step), {}, {}};
+  for (std::size_t p = 0; p < sweep.parameters.size(); ++p) {
+    table.columns.push_back({sweep.parameters[p], units[p], false});
+  }
+  for (const char* const name : {"point", "status", "checks"}) {
+    table.columns.push_back({name, "", true});
+  }
+  const bool several =
+      std::ranges::any_of(shown, [](const SweepCell& c) { return c.increment > 1; });
+  for (const SweepCell& cell : shown) {
+    const bool crack = cell.quantity == "K1";
+    const std::string unit =
+        crack ? model.units.stress_intensity_name() : model.units.stress_name();
+    table.columns.push_back(
+        {fmt::format("{} {}{}", crack ? "K1" : "p max", cell.name,
+                     several ? fmt::format(", increment {}", cell.increment) : std::string()),
+         unit, false});
+    if (any_bar(sweep, cell)) {
+      table.columns.push_back({"+-", unit, false});
     }
   }
   table.columns.push_back({"", "", true});
@@ -174,12 +235,14 @@ Table points_table(const model::Model& model, const Sweep& sweep) {
     for (const double value : point.values) {
       row.push_back(fmt::format("{:.6g}", value));
     }
-    row.push_back(point.folder);
-    row.push_back(status_word(point));
-    for (const std::string& column : shown) {
-      const auto cell = std::find_if(point.cells.begin(), point.cells.end(),
-                                     [&](const SweepCell& c) { return c.column() == column; });
-      row.push_back(cell == point.cells.end() ? "-" : fmt::format("{:.5g}", cell->value));
+    row.insert(row.end(), {point.folder, status_word(point), checks_of(point)});
+    for (const SweepCell& cell : shown) {
+      const SweepCell* const found = find_cell(point, cell.column());
+      row.push_back(found == nullptr ? "-" : fmt::format("{:.5g}", found->value));
+      if (any_bar(sweep, cell)) {
+        const double bar = bar_of(point, cell);
+        row.push_back(std::isfinite(bar) ? fmt::format("{:.2g}", bar) : "-");
+      }
     }
     row.push_back(point.error);
     table.rows.push_back(std::move(row));
@@ -205,15 +268,21 @@ std::string sweep_page(const base::Sources& sources, const model::Model& model,
   if (!lengths.empty()) {
     page.heading("Stress intensity factors");
   }
+  Units units;
+  for (const std::string& parameter : sweep.parameters) {
+    units.push_back(parameter_unit(sources, model.units, parameter));
+  }
   for (const auto& [increment, a] : lengths) {
-    page.figure({{draw(plot_of(model, sweep, increment))},
+    const Plot plot = plot_of(model, sweep, units, increment);
+    page.figure({{draw(plot)},
                  "",
-                 fmt::format("K1 at the end of each step, increment {} (a = {:.6g} {}). Curves "
+                 fmt::format("K₁ at the end of each step, increment {} (a = {:.6g} {}). Curves "
                              "within 0.1 % of the largest value are drawn once.",
-                             increment, a, model.units.length_name)});
+                             increment, a, model.units.length_name) +
+                     bar_words(plot.series)});
   }
   page.heading("Points");
-  page.table(points_table(model, sweep));
+  page.table(points_table(model, sweep, units));
   return page.finish(title);
 }
 

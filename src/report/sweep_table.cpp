@@ -58,11 +58,11 @@ std::string value_of(const std::vector<const std::vector<SweepCell>*>& lists,
 
 std::string unit_line(const model::Model& model, const results::Sweep& sweep) {
   const base::UnitSystem& units = model.units;
-  return fmt::format("# units: {} as the deck writes them; a U [{}], K1 K2 [{}], G [{}/{}], PMAX "
-                     "PMEAN PMIN S [{}], REACTION [{}]\n",
-                     fmt::join(sweep.parameters, " "), units.length_name,
-                     units.stress_intensity_name(), units.force_name, units.length_name,
-                     units.stress_name(), units.force_name);
+  return fmt::format(
+      "# units: {} as the deck writes them; a U [{}], K1 K2 K1_bar K2_bar [{}], G [{}/{}], PMAX "
+      "PMEAN PMIN S [{}], REACTION [{}]\n",
+      fmt::join(sweep.parameters, " "), units.length_name, units.stress_intensity_name(),
+      units.force_name, units.length_name, units.stress_name(), units.force_name);
 }
 
 std::string table(const model::Model& model, const results::Sweep& sweep, const std::string& file,
