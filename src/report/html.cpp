@@ -192,11 +192,13 @@ void add_notes(Page& page, const results::Run& run) {
 }
 
 void add_deck(Page& page, const base::Sources& sources) {
+  page.add("<section class=\"screen\">\n"); // folded, so of no use on paper
   page.heading("Deck");
   for (std::int32_t f = 0; f < static_cast<std::int32_t>(sources.count()); ++f) {
     page.add(fmt::format("<details><summary>{}</summary><pre>{}</pre></details>\n",
                          escape(deck_name(sources, f)), escape(sources.text(f))));
   }
+  page.add("</section>\n");
 }
 
 } // namespace
@@ -224,6 +226,11 @@ std::string html_report(const base::Sources& sources, const model::Model& model,
   add_contacts(page, model, run);
   if (!run.increments.empty()) {
     page.heading("Force balance");
+    if (const results::Increment& last = run.increments.back(); last.a > 0.0) {
+      page.paragraph(fmt::format("At {}a = {:.6g} {}.",
+                                 run.increments.size() > 1 ? "the last length, " : "", last.a,
+                                 model.units.length_name));
+    }
     if (const std::string note = direction_note(model); !note.empty()) {
       page.add(fmt::format("<p>Here {}.</p>\n", note));
     }

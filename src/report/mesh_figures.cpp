@@ -4,6 +4,7 @@
 #include "report/mesh_picture.hpp"
 #include "report/model_marks.hpp"
 #include "report/result_tables.hpp"
+#include "report/round_off.hpp"
 #include "report/solid_picture.hpp"
 
 #include <fmt/format.h>
@@ -232,23 +233,54 @@ std::string displacement_drawing(const model::Model& model, const results::Incre
   return draw(view);
 }
 
+/// The leading step, or where its stresses are round-off that with the largest; null without
+/// stresses.
+const results::StepResult* stressed(const model::Model& model,
+                                    const results::Increment& increment) {
+  const results::StepResult* best = leading(model, increment);
+  if (best == nullptr || is_stressed(model, increment, *best)) {
+    return best == nullptr || best->stress.empty() ? nullptr : best;
+  }
+  for (const results::StepResult& step : increment.steps) {
+    best = largest_stress(step) > largest_stress(*best) ? &step : best;
+  }
+  return best->stress.empty() ? nullptr : best;
+}
+
+/// "step LOAD, a = 3.6 mm"
+std::string place_words(const model::Model& model, const results::Increment& increment,
+                        const results::StepResult& step) {
+  return increment.a > 0.0 ? fmt::format("step {}, a = {:.4g} {}", step.step, increment.a,
+                                         model.units.length_name)
+                           : fmt::format("step {}", step.step);
+}
+
 /// Stresses and displacements of the last length's leading step, where they were recovered.
 std::optional<Figure> field_figure(const model::Model& model, const results::Increment& increment) {
-  const results::StepResult* const step = leading(model, increment);
+  const results::StepResult* const step = stressed(model, increment);
   const model::Mesh& mesh = increment.mesh;
-  if (step == nullptr || step->stress.empty() || mesh.element_count() > most_coloured ||
+  if (step == nullptr || mesh.element_count() > most_coloured ||
       step->u.size() != static_cast<Eigen::Index>(2 * mesh.node_count())) {
     return std::nullopt;
   }
   double largest = 0.0;
   Figure figure;
+  const std::string place = place_words(model, increment, *step);
+  if (!is_stressed(model, increment, *step)) {
+    figure.drawings.push_back(displacement_drawing(model, increment, *step));
+    figure.caption =
+        fmt::format("Displacement at the end of {}, deformed. Its stresses are nothing "
+                    "but round-off and not drawn.",
+                    place);
+    return figure;
+  }
   figure.drawings.push_back(stress_drawing(model, increment, *step, largest));
   figure.drawings.push_back(displacement_drawing(model, increment, *step));
   figure.caption = fmt::format(
       "Von Mises stress, mean of the elements that meet at a node, and displacement at the end of "
-      "step {}, deformed. The stress colours end where 99 % of the area lie below; the largest, "
+      "{}, deformed. The stress colours end where 99 % of the area lie below; the largest, "
       "{:.4g} {}, belongs to the mesh where it stands at a crack tip or a sharp corner.",
-      step->step, largest, print_unit(model.units.stress_name()));
+      place, largest, print_unit(model.units.stress_name()));
   return figure;
 }
 
@@ -280,8 +312,8 @@ std::optional<Figure> crack_figure(const model::Model& model, const results::Run
 
 /// The surface of the last length's leading step, or where to see it.
 std::vector<Figure> solid_figures(const model::Model& model, const results::Increment& increment) {
-  const results::StepResult* const step = leading(model, increment);
-  if (step == nullptr || step->stress.empty() || increment.surface.empty()) {
+  const results::StepResult* const step = stressed(model, increment);
+  if (step == nullptr || increment.surface.empty()) {
     return {};
   }
   if (increment.surface.size() > most_drawn_faces) {
@@ -297,9 +329,10 @@ std::vector<Figure> solid_figures(const model::Model& model, const results::Incr
   view.stress_name = model.units.stress_name();
   return {{{draw(view)},
            "",
-           fmt::format("The outer surface at the end of step {}, {} elements, deformed. Colours: "
-                       "von Mises stress, mean over the nodes of each face.",
-                       step->step, increment.mesh.element_count())}};
+           fmt::format("The outer surface at the end of {}, {} elements, deformed. Colours: von "
+                       "Mises stress, mean over the nodes of each face{}.",
+                       place_words(model, increment, *step), increment.mesh.element_count(),
+                       is_stressed(model, increment, *step) ? "" : ": nothing but round-off")}};
 }
 
 } // namespace

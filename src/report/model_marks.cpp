@@ -18,6 +18,8 @@ constexpr double longest_arrow = 34.0; ///< [px]
 constexpr const char* held_colour = "#0072b2";
 constexpr const char* moved_colour = "#009e73";
 constexpr const char* load_colour = "#b00000";
+constexpr const char* heat_colour = "#d55e00";
+constexpr std::size_t most_dots = 150; ///< of one heated set
 
 bool is_held(model::FreedomClass cls) {
   return cls == model::FreedomClass::suppressed || cls == model::FreedomClass::prescribed;
@@ -155,6 +157,32 @@ void draw_loads(Svg& svg, const model::Model& model, const Window& window) {
   }
 }
 
+void draw_dot(Svg& svg, Point at) {
+  svg.circle(at, 1.7, {heat_colour, 0.5, heat_colour, ""});
+}
+
+/// Dots inside the elements that a case gives a temperature.
+void draw_heated(Svg& svg, const model::Model& model, const Window& window) {
+  for (const model::LoadCase& load_case : model.cases) {
+    for (const model::Load& load : load_case.loads) {
+      if (load.type != LoadType::temperature || !load.elements.valid()) {
+        continue;
+      }
+      const std::vector<base::ElementId>& elements = model.mesh.set(load.elements).elements;
+      const std::size_t step = std::max<std::size_t>(1, elements.size() / most_dots);
+      for (std::size_t i = 0; i < elements.size(); i += step) {
+        const auto corners =
+            static_cast<std::size_t>(base::info(model.mesh.type[elements[i].index()]).corners);
+        base::Vec3 sum = base::Vec3::Zero();
+        for (const base::NodeId n : model.mesh.nodes_of(elements[i]).first(corners)) {
+          sum += model.mesh.x[n.index()];
+        }
+        draw_dot(svg, window.project(point_of(sum / static_cast<double>(corners))));
+      }
+    }
+  }
+}
+
 /// A triangle below a node for y, beside it for x; both for both.
 void draw_held(Svg& svg, Point at, const std::array<bool, 3>& dof) {
   const auto triangle = [&](double dx, double dy) {
@@ -204,7 +232,7 @@ void draw_contacts(Svg& svg, const model::Model& model, const Window& window) {
 
 /// One entry of the legend: a sign and words.
 struct Entry {
-  enum class Sign { held, load, moved, contact } sign;
+  enum class Sign { held, load, moved, heated, contact } sign;
   std::string words;
   std::size_t number = 0; ///< of a contact
 };
@@ -229,6 +257,17 @@ std::vector<Entry> entries_of(const model::Model& model) {
       entries.push_back({Entry::Sign::moved, "displacement " + load_case.name});
     }
   }
+  std::string heated;
+  for (const model::LoadCase& load_case : model.cases) {
+    if (std::ranges::any_of(load_case.loads, [](const model::Load& load) {
+          return load.type == LoadType::temperature;
+        })) {
+      heated += (heated.empty() ? "temperature " : ", ") + load_case.name;
+    }
+  }
+  if (!heated.empty()) {
+    entries.push_back({Entry::Sign::heated, heated});
+  }
   for (std::size_t c = 0; c < model.contacts.size(); ++c) {
     entries.push_back({Entry::Sign::contact, "contact " + model.contacts[c].name, c});
   }
@@ -238,6 +277,7 @@ std::vector<Entry> entries_of(const model::Model& model) {
 } // namespace
 
 void draw_model_marks(Svg& svg, const model::Model& model, const Window& window) {
+  draw_heated(svg, model, window);
   draw_contacts(svg, model, window);
   draw_supports(svg, model, window);
   draw_loads(svg, model, window);
@@ -259,6 +299,10 @@ std::string model_legend(const model::Model& model, double width) {
     const Entry& entry = entries[i];
     if (entry.sign == Entry::Sign::held) {
       draw_held(svg, {at.x + 14.0, at.y - 2.0}, {true, true, false});
+    } else if (entry.sign == Entry::Sign::heated) {
+      for (const double x : {6.0, 13.0, 20.0}) {
+        draw_dot(svg, {at.x + x, at.y});
+      }
     } else if (entry.sign == Entry::Sign::contact) {
       svg.line({at.x, at.y}, {at.x + 26.0, at.y},
                {std::string(colour(entry.number)), 2.6, "none", ""});

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
+
 namespace spricka::report {
 namespace {
 
@@ -31,10 +34,49 @@ td.w { white-space: normal; }
 figure { margin: 1.2em 0 1.8em; break-inside: avoid; }
 figure div { display: flex; flex-wrap: wrap; gap: 8px 14px; align-items: flex-start; }
 figure svg { max-width: 100%; height: auto; }
+figure > svg, figcaption { break-before: avoid; }
 figcaption { font-size: .9em; color: #222; max-width: 60em; margin-top: .4em; }
 pre { font-size: .8em; line-height: 1.3; overflow-x: auto; }
-@media print { body { max-width: none; margin: 0; font-size: 11px; } details { display: none; } }
+@media screen and (max-width: 800px) {
+  table { display: block; overflow-x: auto; }
+  figure { overflow-x: auto; }
+  figure div { flex-wrap: nowrap; flex-direction: column; }
+  figure svg { max-width: none; flex: none; }
+  figcaption { position: sticky; left: 0; }
+}
+@media print {
+  body { max-width: none; margin: 0; padding: 0; font-size: 11px; }
+  .screen { display: none; }
+  h2 { margin-top: 1.2em; }
+  figure { margin: .8em 0 1em; }
+  figure div { display: block; }
+  figure div.two > svg { width: 49%; }
+  figure div.many > svg { width: 32.5%; }
+}
 )";
+
+/// Of an element with one, else of any width.
+double width_of(const std::string& drawing) {
+  constexpr std::string_view mark = " width=\"";
+  const std::size_t at = drawing.find(mark);
+  double width = 0.0;
+  if (drawing.starts_with("<svg") && at != std::string::npos) {
+    std::from_chars(drawing.data() + at + mark.size(), drawing.data() + drawing.size(), width);
+  }
+  return width;
+}
+
+/// On paper drawings stand side by side where their text can be read so.
+std::string class_of(const std::vector<std::string>& drawings) {
+  double widest = 0.0;
+  for (const std::string& drawing : drawings) {
+    widest = std::max(widest, width_of(drawing));
+  }
+  if (drawings.size() > 3 && widest < 400.0) {
+    return " class=\"many\"";
+  }
+  return drawings.size() > 1 && widest < 600.0 ? " class=\"two\"" : "";
+}
 
 } // namespace
 
@@ -54,7 +96,7 @@ void Page::table(const Table& table) {
 }
 
 void Page::figure(const Figure& figure) {
-  body_ += "<figure><div>\n";
+  body_ += fmt::format("<figure><div{}>\n", class_of(figure.drawings));
   for (const std::string& drawing : figure.drawings) {
     body_ += drawing;
   }

@@ -4,17 +4,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 namespace spricka::report {
 namespace {
 
-constexpr double box_left = 66.0;
+constexpr double least_left = 66.0;  // of the box
+constexpr double title_room = 32.0;  // left of an axis' numbers
+constexpr double letter_width = 6.8; // of a number
 constexpr double box_top = 12.0;
 constexpr double box_width = 400.0;
 constexpr double box_height = 290.0;
-constexpr double legend_left = box_left + box_width + 18.0;
+constexpr double legend_gap = 18.0;
 constexpr double line_height = 15.0;
 constexpr double legend_width = 285.0;
 constexpr std::size_t letters_beside = 28;
@@ -25,6 +29,7 @@ struct Range {
   double low = 0.0;
   double high = 0.0;
   bool log = false;
+  double left = least_left; ///< of the horizontal one: where the box begins [px]
   [[nodiscard]] double on(double value) const { return log ? std::log10(value) : value; }
 };
 
@@ -59,7 +64,7 @@ Range range_of(const Plot& plot, double Point::*member) {
 }
 
 Point place(Point p, const Range& x, const Range& y) {
-  return {box_left + box_width * (x.on(p.x) - x.low) / (x.high - x.low),
+  return {x.left + box_width * (x.on(p.x) - x.low) / (x.high - x.low),
           box_top + box_height * (y.high - y.on(p.y)) / (y.high - y.low)};
 }
 
@@ -73,6 +78,20 @@ struct Tick {
   std::string text;
 };
 
+/// lead times ten to the power d: 0.02, 1000, 2·10⁷.
+std::string decade_text(int lead, int d) {
+  constexpr std::array<const char*, 10> raised{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  if (d > -4 && d < 5) {
+    return fmt::format("{:.{}f}", lead * std::pow(10.0, d), std::max(0, -d));
+  }
+  std::string text = lead == 1 ? "10" : fmt::format("{}·10", lead);
+  text += d < 0 ? "⁻" : "";
+  for (const char digit : std::to_string(std::abs(d))) {
+    text += raised[static_cast<std::size_t>(digit - '0')];
+  }
+  return text;
+}
+
 /// Powers of ten, with 2 and 5 between them where there are few, or all digits within one.
 std::vector<Tick> decade_ticks(const Range& range) {
   std::vector<Tick> ticks;
@@ -85,7 +104,7 @@ std::vector<Tick> decade_ticks(const Range& range) {
       const double decades = range.high - range.low;
       const bool wanted = lead == 1 || decades < 0.9 || (decades < 2.5 && (lead == 2 || lead == 5));
       if (wanted && std::log10(value) >= range.low && std::log10(value) <= range.high) {
-        ticks.push_back({value, fmt::format("{:.3g}", value)});
+        ticks.push_back({value, decade_text(lead, d)});
       }
     }
   }
@@ -104,6 +123,17 @@ std::vector<Tick> ticks_of(const Range& range, int wanted) {
   return ticks;
 }
 
+/// Wide enough for the numbers of the upright axis and its title beside them.
+double box_left(const Range& y) {
+  std::ptrdiff_t letters = 0;
+  for (const Tick& tick : ticks_of(y, 6)) {
+    letters = std::max(letters, std::ranges::count_if(tick.text, [](char c) {
+                         return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; // UTF-8
+                       }));
+  }
+  return std::max(least_left, title_room + letter_width * static_cast<double>(letters));
+}
+
 void draw_axes(Svg& svg, const Plot& plot, const Range& x, const Range& y) {
   const Style grid{"#ddd", 0.7, "none", ""};
   const Style axis{"#000", 0.9, "none", ""};
@@ -116,12 +146,12 @@ void draw_axes(Svg& svg, const Plot& plot, const Range& x, const Range& y) {
   }
   for (const Tick& tick : ticks_of(y, 6)) {
     const double at = place({1.0, tick.value}, x, y).y;
-    svg.line({box_left, at}, {box_left + box_width, at}, grid);
-    svg.line({box_left, at}, {box_left + 5.0, at}, axis);
-    svg.text({box_left - 7.0, at + 4.0}, tick.text, {Anchor::end});
+    svg.line({x.left, at}, {x.left + box_width, at}, grid);
+    svg.line({x.left, at}, {x.left + 5.0, at}, axis);
+    svg.text({x.left - 7.0, at + 4.0}, tick.text, {Anchor::end});
   }
-  svg.rectangle({box_left, box_top}, box_width, box_height, axis);
-  svg.text({box_left + 0.5 * box_width, bottom + 36.0}, plot.x_name, {Anchor::middle, 13.0});
+  svg.rectangle({x.left, box_top}, box_width, box_height, axis);
+  svg.text({x.left + 0.5 * box_width, bottom + 36.0}, plot.x_name, {Anchor::middle, 13.0});
   svg.text({18.0, box_top + 0.5 * box_height}, plot.y_name, {Anchor::middle, 13.0, "#000", 90.0});
 }
 
@@ -235,8 +265,10 @@ void draw_legend(Svg& svg, const std::vector<Entry>& entries, Point corner) {
 } // namespace
 
 std::string draw(const Plot& plot) {
-  const Range x = range_of(plot, &Point::x);
+  Range x = range_of(plot, &Point::x);
   const Range y = range_of(plot, &Point::y);
+  x.left = box_left(y);
+  const double legend_left = x.left + box_width + legend_gap;
   const std::vector<Entry> entries = legend_entries(plot);
   const double foot = box_top + box_height + 46.0;
   const double beside = legend_left + legend_width;
@@ -249,7 +281,7 @@ std::string draw(const Plot& plot) {
     draw_series(svg, series, x, y);
   }
   draw_legend(svg, entries,
-              plot.legend_below ? Point{box_left, foot + 6.0} : Point{legend_left, box_top});
+              plot.legend_below ? Point{x.left, foot + 6.0} : Point{legend_left, box_top});
   return svg.finish();
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/result_tables.hpp"
 
+#include "report/round_off.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -114,14 +116,20 @@ void add_k_cells(Row& row, const model::Model& model, const results::TipResult& 
   }
 }
 
+/// Where all forces balance on each body they are round-off themselves: then they are measured by
+/// the stiffness.
+double least_force(const model::Model& model, const results::Increment& increment) {
+  return 1e-3 * elastic_force(model, increment);
+}
+
 /// The largest force and the largest pressure of an increment's contacts.
 struct ContactScale {
   double force = 0.0;
   double pressure = 0.0;
 };
 
-ContactScale contact_scale(const results::Increment& increment) {
-  ContactScale scale;
+ContactScale contact_scale(const model::Model& model, const results::Increment& increment) {
+  ContactScale scale{least_force(model, increment), 0.0};
   for (const results::StepResult& step : increment.steps) {
     for (const results::ContactResult& contact : step.contacts) {
       scale.force = std::max(scale.force, contact.force_on_slave.norm());
@@ -208,7 +216,7 @@ Table contact_table(const model::Model& model, const results::Increment& increme
   table.columns.push_back({"arc from", "", false});
   table.columns.push_back({"to", "", false});
   table.columns.push_back({"iterations", "", false});
-  const ContactScale scale = contact_scale(increment);
+  const ContactScale scale = contact_scale(model, increment);
   for (const results::StepResult& step : increment.steps) {
     for (const results::ContactResult& contact : step.contacts) {
       table.rows.push_back(contact_row(step, contact, along, scale, units));
@@ -270,7 +278,7 @@ Table resultants(const model::Model& model, const results::Increment& increment,
   }
   table.columns.push_back({"left over", unit, false});
   table.columns.push_back({"energy", unit + "*" + model.units.length_name, false});
-  double scale = 0.0;
+  double scale = least_force(model, increment);
   double most = 0.0;
   for (const results::StepResult& step : increment.steps) {
     most = std::max(most, std::abs(step.energy));
@@ -350,40 +358,6 @@ std::string direction_note(const model::Model& model) {
              ? "forces and energies are of the full circumference; radial forces balance round it "
                "and are not shown"
              : "";
-}
-
-Table check_table(const results::Run& run) {
-  Table table{"Checks",
-              {{"check", "", true},
-               {"found", "", false},
-               {"wanted", "", false},
-               {"error", "", false},
-               {"tolerance", "", false},
-               {"", "", true},
-               {"source", "", true}},
-              {}};
-  for (const results::CheckResult& check : run.checks) {
-    const bool found = check.trouble.empty();
-    const std::string error =
-        check.relative ? fmt::format("{:+.3f} %", 100.0 * check.error) : small(check.error);
-    const std::string tolerance = check.relative ? fmt::format("{:.4g} %", 100.0 * check.tolerance)
-                                                 : fmt::format("{:.4g}", check.tolerance);
-    table.rows.push_back({check.text, found ? number(check.found) : "-", number(check.wanted),
-                          found ? error : "-", tolerance, check.passed ? "passed" : "FAILED",
-                          found ? check.source : check.trouble});
-  }
-  return table;
-}
-
-Table log_table(const results::Run& run) {
-  Table table{"Processors",
-              {{"processor", "", true}, {"cpu", "s", false}, {"wall", "s", false}, {"", "", true}},
-              {}};
-  for (const results::LogLine& line : run.log) {
-    table.rows.push_back({line.processor, fmt::format("{:.3f}", line.cpu),
-                          fmt::format("{:.3f}", line.wall), line.text});
-  }
-  return table;
 }
 
 std::string leading_step(const model::Model& model) {

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "model/model.hpp"
+#include "results/results.hpp"
+
+/// What stresses and forces are compared with to tell whether they are more than round-off, where
+/// the loads cannot say it: of a press fit the forces of a contact balance round it, and a body
+/// that expands freely has no stress.
+namespace spricka::report {
+
+/// E of the stiffest material times the largest displacement of the steps over the model's size
+/// [stress].
+double elastic_stress(const model::Model& model, const results::Increment& increment);
+
+/// The same over the thickness and the size [force].
+double elastic_force(const model::Model& model, const results::Increment& increment);
+
+/// The largest von Mises stress of a step; 0 without stresses.
+double largest_stress(const results::StepResult& step);
+
+/// Whether a step has stresses that are more than round-off.
+bool is_stressed(const model::Model& model, const results::Increment& increment,
+                 const results::StepResult& step);
+
+} // namespace spricka::report
