@@ -144,9 +144,13 @@ Figure life_figure(const model::Model& model, const results::Run& run) {
   return {
       std::move(pictures), "",
       fmt::format(
-          "Crack length over {}, {:.6g} in all, estimated to be right to {:.2g} % as far as the "
-          "lengths that were solved (marks) are concerned. The growth ended: {}.{}",
-          units, growth.cycles(), 100.0 * growth.error, growth.reason, more)};
+          "Crack length over {}, {:.6g} in all{}. The growth ended: {}.{}", units, growth.cycles(),
+          std::isfinite(growth.error)
+              ? fmt::format(", estimated to be right to {:.2g} % as far as the lengths that were "
+                            "solved (marks) are concerned",
+                            100.0 * growth.error)
+              : "; of the lengths that were solved (marks) there are too few to tell their error",
+          growth.reason, more)};
 }
 
 /// Error bar of K1 at the largest load of a station.

@@ -23,6 +23,14 @@ std::string k_with_bar(double K, const results::KBar& bar) {
                      number(bar.best));
 }
 
+std::string bar_size(double size) {
+  if (!(size >= 99.5) || size >= 1e6) {
+    return fmt::format("{:.2g}", size);
+  }
+  const double unit = std::pow(10.0, std::floor(std::log10(size)) - 1.0);
+  return fmt::format("{:.0f}", unit * std::round(size / unit));
+}
+
 std::string k_bar_lines(const results::Increment& increment) {
   std::size_t step_width = 0;
   std::size_t tip_width = 0;

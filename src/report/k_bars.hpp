@@ -10,6 +10,9 @@ namespace spricka::report {
 /// the bar has meaning.
 std::string k_with_bar(double K, const results::KBar& bar);
 
+/// Half width of an error bar, two digits that count: "290", "0.053", "1.2e-05".
+std::string bar_size(double size);
+
 /// A line for K1 and one for K2 of every tip and step; empty without bars.
 std::string k_bar_lines(const results::Increment& increment);
 

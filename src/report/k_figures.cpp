@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/figures.hpp"
+#include "report/k_bars.hpp"
 #include "report/plot.hpp"
 #include "report/result_tables.hpp"
 
@@ -318,8 +319,8 @@ Table reference_table(const model::Model& model, const results::Run& run) {
               {}};
   for (const Reference& r : k_references(model, run)) {
     table.rows.push_back({r.tip, r.step, fmt::format("{:.4g}", r.a), fmt::format("{:.5g}", r.found),
-                          r.bar > 0.0 ? fmt::format("{:.2g}", r.bar) : "",
-                          fmt::format("{:.5g}", r.wanted), percent(r), r.source});
+                          r.bar > 0.0 ? bar_size(r.bar) : "", fmt::format("{:.5g}", r.wanted),
+                          percent(r), r.source});
   }
   return table;
 }

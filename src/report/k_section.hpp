@@ -11,8 +11,8 @@ namespace spricka::report {
 
 /// K of every step of a run, and what a reader has to know of it.
 struct KSection {
-  /// One length: one table of all steps. Several: one of each step whose K is not nothing, of too
-  /// many rows the leading step's alone.
+  /// One length: one table of all steps. Several: one of each step whose K is not nothing, the
+  /// leading step's first, of too many rows alone.
   std::vector<Table> tables;
   std::vector<std::string> remarks; ///< what the tables leave out, and why some K have no bar
 };

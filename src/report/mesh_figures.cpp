@@ -270,7 +270,8 @@ std::optional<Figure> field_figure(const model::Model& model, const results::Inc
     figure.drawings.push_back(displacement_drawing(model, increment, *step));
     figure.caption =
         fmt::format("Displacement at the end of {}, deformed. Its stresses are nothing "
-                    "but round-off and not drawn.",
+                    "but round-off and not drawn; those of other steps a card $OUTPUT "
+                    "FORMAT=VTU EVERY=STEP asks for.",
                     place);
     return figure;
   }

@@ -50,6 +50,7 @@ pre { font-size: .8em; line-height: 1.3; overflow-x: auto; }
   h2 { margin-top: 1.2em; }
   figure { margin: .8em 0 1em; }
   figure div { display: block; }
+  figure div > svg { max-height: 9.5cm; }
   figure div.two > svg { width: 49%; }
   figure div.many > svg { width: 32.5%; }
 }
@@ -72,7 +73,7 @@ std::string class_of(const std::vector<std::string>& drawings) {
   for (const std::string& drawing : drawings) {
     widest = std::max(widest, width_of(drawing));
   }
-  if (drawings.size() > 3 && widest < 400.0) {
+  if (drawings.size() > 2 && widest < 400.0) {
     return " class=\"many\"";
   }
   return drawings.size() > 1 && widest < 600.0 ? " class=\"two\"" : "";

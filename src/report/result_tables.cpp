@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/result_tables.hpp"
 
+#include "report/k_bars.hpp"
 #include "report/round_off.hpp"
 
 #include <fmt/format.h>
@@ -83,7 +84,7 @@ void add_k_columns(Table& table, const model::Model& model) {
 
 /// Half width of the error bar; empty where there is none.
 std::string bar_cell(const results::TipResult& tip, std::size_t mode) {
-  return tip.no_bar.empty() ? fmt::format("{:.2g}", tip.bar[mode].size()) : std::string();
+  return tip.no_bar.empty() ? bar_size(tip.bar[mode].size()) : std::string();
 }
 
 /// The largest K and the largest G of a run or an increment.

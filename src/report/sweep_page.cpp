@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/deck_name.hpp"
+#include "report/k_bars.hpp"
 #include "report/page.hpp"
 #include "report/parameter_unit.hpp"
 #include "report/plot.hpp"
@@ -212,7 +213,7 @@ Table points_table(const model::Model& model, const Sweep& sweep, const Units& u
   for (std::size_t p = 0; p < sweep.parameters.size(); ++p) {
     table.columns.push_back({sweep.parameters[p], units[p], false});
   }
-  for (const char* const name : {"point", "status", "checks"}) {
+  for (const char* const name : {"point", "status", "checks", "warnings"}) {
     table.columns.push_back({name, "", true});
   }
   const bool several =
@@ -235,13 +236,14 @@ Table points_table(const model::Model& model, const Sweep& sweep, const Units& u
     for (const double value : point.values) {
       row.push_back(fmt::format("{:.6g}", value));
     }
-    row.insert(row.end(), {point.folder, status_word(point), checks_of(point)});
+    row.insert(row.end(), {point.folder, status_word(point), checks_of(point),
+                           point.warnings > 0 ? std::to_string(point.warnings) : ""});
     for (const SweepCell& cell : shown) {
       const SweepCell* const found = find_cell(point, cell.column());
       row.push_back(found == nullptr ? "-" : fmt::format("{:.5g}", found->value));
       if (any_bar(sweep, cell)) {
         const double bar = bar_of(point, cell);
-        row.push_back(std::isfinite(bar) ? fmt::format("{:.2g}", bar) : "-");
+        row.push_back(std::isfinite(bar) ? bar_size(bar) : "-");
       }
     }
     row.push_back(point.error);
@@ -282,6 +284,13 @@ std::string sweep_page(const base::Sources& sources, const model::Model& model,
                      bar_words(plot.series)});
   }
   page.heading("Points");
+  if (const auto warned = std::ranges::count_if(
+          sweep.points, [](const SweepPoint& point) { return point.warnings > 0; });
+      warned > 0) {
+    page.add(fmt::format("<p class=\"failed\">{} of the points have warnings: their folders' "
+                         "report.html says which.</p>\n",
+                         warned));
+  }
   page.table(points_table(model, sweep, units));
   return page.finish(title);
 }

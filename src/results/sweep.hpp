@@ -35,6 +35,7 @@ struct SweepPoint {
   std::string error; ///< why there is no result, or which checks failed; empty normally
   int checks = 0;
   int passed = 0;
+  int warnings = 0;
   bool reused = false; ///< taken over from an earlier run of the sweep
   std::vector<SweepCell> cells;
   /// [file of a card $OUTPUT EVERY=END] what the card asks for

@@ -41,6 +41,7 @@ SweepPoint point_from(const json& record) {
   point.error = record.at("error").get<std::string>();
   point.checks = record.at("checks").get<int>();
   point.passed = record.at("passed").get<int>();
+  point.warnings = record.at("warnings").get<int>();
   point.cells = cells_from(record.at("cells"));
   for (const auto& [file, cells] : record.at("requested").items()) {
     point.requested.emplace(file, cells_from(cells));
@@ -52,11 +53,11 @@ SweepPoint point_from(const json& record) {
 
 std::string write_point_record(const results::Sweep& sweep, const SweepPoint& point,
                                const std::string& digest) {
-  json record{{"spricka", SPRICKA_VERSION},   {"digest", digest},
-              {"exit_code", point.exit_code}, {"error", point.error},
-              {"checks", point.checks},       {"passed", point.passed},
-              {"parameters", json::object()}, {"cells", to_json(point.cells)},
-              {"requested", json::object()}};
+  json record{{"spricka", SPRICKA_VERSION},    {"digest", digest},
+              {"exit_code", point.exit_code},  {"error", point.error},
+              {"checks", point.checks},        {"passed", point.passed},
+              {"warnings", point.warnings},    {"parameters", json::object()},
+              {"cells", to_json(point.cells)}, {"requested", json::object()}};
   for (std::size_t p = 0; p < sweep.parameters.size(); ++p) {
     record["parameters"][sweep.parameters[p]] = point.values[p];
   }

@@ -232,6 +232,7 @@ private:
     point.checks = static_cast<int>(run.checks.size());
     point.passed = static_cast<int>(std::count_if(run.checks.begin(), run.checks.end(),
                                                   [](const auto& c) { return c.passed; }));
+    point.warnings = static_cast<int>(run.warnings.size());
     point.cells = report::sweep_cells(run);
     for (const model::Output& output : model.outputs) {
       if (output.format == model::OutputFormat::csv && output.every == model::OutputEvery::end) {

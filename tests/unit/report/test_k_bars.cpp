@@ -25,6 +25,15 @@ TEST(KBars, HaveAsManyDecimalsAsTheyMean) {
   EXPECT_EQ(report::k_with_bar(0.0, bar_of(0.0, 0.0, 0.0, 0.0)), "0 +- 0; best 0");
 }
 
+TEST(KBars, HaveASizeOfTwoDigits) {
+  EXPECT_EQ(report::bar_size(286.7), "290");
+  EXPECT_EQ(report::bar_size(99.7), "100");
+  EXPECT_EQ(report::bar_size(12.34), "12");
+  EXPECT_EQ(report::bar_size(0.0526), "0.053");
+  EXPECT_EQ(report::bar_size(473210.0), "470000");
+  EXPECT_EQ(report::bar_size(0.0), "0");
+}
+
 TEST(KBars, AreListedForTipsThatHaveThem) {
   results::Increment increment;
   results::StepResult step;

@@ -57,8 +57,8 @@ TEST(KSection, HasEveryStepThatLoadsTheCracks) {
   test::Sample sample = test::make_sample();
   KSection section = k_section(sample.model, sample.run);
   ASSERT_EQ(section.tables.size(), 2U);
-  EXPECT_TRUE(contains(section.tables[0].title, "PRESS"));
-  EXPECT_TRUE(contains(section.tables[1].title, "LOAD"));
+  EXPECT_TRUE(contains(section.tables[0].title, "LOAD"));
+  EXPECT_TRUE(contains(section.tables[1].title, "PRESS"));
   EXPECT_EQ(section.tables[1].rows.size(), sample.run.increments.size());
   ASSERT_EQ(section.remarks.size(), 1U);
   EXPECT_EQ(section.remarks[0], "K is 0 at the end of UNLOAD.");
@@ -227,6 +227,7 @@ TEST(SweepPage, HasErrorBarsStepChecksAndUnits) {
     point.checks = 4;
     point.passed = 3;
     point.exit_code = 1;
+    point.warnings = delta > 0.15 ? 7 : 0;
     results::Run run = sample.run;
     run.increments.resize(1);
     point.cells = sweep_cells(run);
@@ -248,6 +249,8 @@ TEST(SweepPage, HasErrorBarsStepChecksAndUnits) {
   EXPECT_TRUE(contains(page, "p max BUSH"));
   EXPECT_TRUE(contains(page, "Error bars: "));
   EXPECT_TRUE(contains(page, "it is singular"));
+  EXPECT_TRUE(contains(page, "1 of the points have warnings"));
+  EXPECT_TRUE(contains(page, "<td class=\"w\">7</td>"));
 }
 
 } // namespace
