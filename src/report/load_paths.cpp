@@ -149,21 +149,25 @@ std::vector<Point> values(const base::PiecewiseLinear& K) {
   return points;
 }
 
-// Error bars of K1 at the ends of the path, which are ends of steps.
-void add_end_bars(Series& series, const results::Increment& increment,
-                  const results::LoadPath& path, const results::PathTip& tip) {
-  series.bars.assign(series.points.size(), no_bar);
-  for (std::size_t k = 0; k < series.points.size(); ++k) {
-    const double t = series.points[k].x;
-    const std::string& step = t == 0.0 ? path.from : path.to;
+// Error bars of K1 at the ends of the path, which are ends of steps: elsewhere none is worked out.
+Series end_bars(const results::Increment& increment, const results::LoadPath& path,
+                const results::PathTip& tip, const std::string& colour) {
+  Series series;
+  series.joined = false;
+  series.colour = colour;
+  for (const Point& point : values(tip.K1)) {
+    if (point.x != 0.0 && point.x != 1.0) {
+      continue;
+    }
     const results::StepResult* const at =
-        t == 0.0 || t == 1.0 ? results::find_step(increment, step) : nullptr;
+        results::find_step(increment, point.x == 0.0 ? path.from : path.to);
     const results::TipResult* const found =
         at == nullptr ? nullptr : results::find_tip(*at, tip.name);
-    if (found != nullptr && found->no_bar.empty()) {
-      series.bars[k] = found->bar[0].size();
-    }
+    series.points.push_back(point);
+    series.bars.push_back(found != nullptr && found->no_bar.empty() ? found->bar[0].size()
+                                                                    : no_bar);
   }
+  return series;
 }
 
 // Where contacts begin to open, as marks on the curve of a tip.
@@ -205,9 +209,8 @@ Figure figure_of(const model::Model& model, const results::Run& run, std::size_t
       series.colour = colour(ink);
       series.dash = dash(pattern++);
       series.points = values(tip.K1);
-      add_end_bars(series, *increment, path, tip);
       value.series.push_back(series);
-      series.bars.clear();
+      value.series.push_back(end_bars(*increment, path, tip, series.colour));
       series.points = slopes(tip.K1);
       slope.series.push_back(series);
     }

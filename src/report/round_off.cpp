@@ -2,6 +2,7 @@
 #include "report/round_off.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace spricka::report {
@@ -21,15 +22,15 @@ double size_of(const model::Mesh& mesh) {
 
 /// E times displacement [stress * length].
 double stiffness_times_way(const model::Model& model, const results::Increment& increment) {
-  double stiffest = 0.0;
+  double softest = std::numeric_limits<double>::infinity(); // so that nothing real is hidden
   for (const model::Property& property : model.properties) {
-    stiffest = std::max(stiffest, model.materials[property.material.index()].E);
+    softest = std::min(softest, model.materials[property.material.index()].E);
   }
   double way = 0.0;
   for (const results::StepResult& step : increment.steps) {
     way = step.u.size() > 0 ? std::max(way, step.u.lpNorm<Eigen::Infinity>()) : way;
   }
-  return stiffest * way;
+  return std::isfinite(softest) ? softest * way : 0.0;
 }
 
 } // namespace

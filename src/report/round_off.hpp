@@ -8,7 +8,7 @@
 /// that expands freely has no stress.
 namespace spricka::report {
 
-/// E of the stiffest material times the largest displacement of the steps over the model's size
+/// E of the softest material times the largest displacement of the steps over the model's size
 /// [stress].
 double elastic_stress(const model::Model& model, const results::Increment& increment);
 

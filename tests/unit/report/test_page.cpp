@@ -188,6 +188,21 @@ TEST(RoundOff, ForcesThatAreNothingElseAreShownAsZero) {
   EXPECT_EQ(balance_table(sample.model, increment).rows[0][2], "7");
 }
 
+// A body of a million times the stiffness says nothing about the stresses of the others.
+TEST(RoundOff, IsMeasuredByTheSoftestBody) {
+  test::Sample sample = test::make_sample();
+  const results::Increment& increment = sample.run.increments[0];
+  const double stress = elastic_stress(sample.model, increment);
+  const double force = elastic_force(sample.model, increment);
+  sample.model.materials[1].E *= 1e6;
+  EXPECT_EQ(elastic_stress(sample.model, increment), stress);
+  EXPECT_EQ(elastic_force(sample.model, increment), force);
+  sample.model.materials[0].E *= 2.0;
+  EXPECT_DOUBLE_EQ(elastic_stress(sample.model, increment), 2.0 * stress);
+  sample.model.properties.clear();
+  EXPECT_EQ(elastic_force(sample.model, increment), 0.0);
+}
+
 TEST(ModelMarks, ShowWhatIsHeated) {
   test::Sample sample = test::make_sample();
   EXPECT_FALSE(contains(model_legend(sample.model, 660.0), "temperature"));
