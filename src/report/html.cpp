@@ -17,6 +17,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace spricka::report {
@@ -191,6 +192,19 @@ void add_notes(Page& page, const results::Run& run) {
   }
 }
 
+/// "a = 3.6 mm", of cracks of different lengths each.
+std::string lengths_of(const model::Model& model, const results::Increment& increment) {
+  std::string each;
+  bool same = true;
+  for (const results::TipResult& tip :
+       increment.steps.empty() ? std::vector<results::TipResult>() : increment.steps.back().tips) {
+    same = same && std::abs(tip.a - increment.a) < 1e-9 * increment.a;
+    each += fmt::format("{}{}: a = {:.6g} {}", each.empty() ? "" : ", ", tip.name, tip.a,
+                        model.units.length_name);
+  }
+  return same ? fmt::format("a = {:.6g} {}", increment.a, model.units.length_name) : each;
+}
+
 void add_deck(Page& page, const base::Sources& sources) {
   page.add("<section class=\"screen\">\n"); // folded, so of no use on paper
   page.heading("Deck");
@@ -227,9 +241,8 @@ std::string html_report(const base::Sources& sources, const model::Model& model,
   if (!run.increments.empty()) {
     page.heading("Force balance");
     if (const results::Increment& last = run.increments.back(); last.a > 0.0) {
-      page.paragraph(fmt::format("At {}a = {:.6g} {}.",
-                                 run.increments.size() > 1 ? "the last length, " : "", last.a,
-                                 model.units.length_name));
+      page.paragraph(fmt::format("At {}{}.", run.increments.size() > 1 ? "the last length, " : "",
+                                 lengths_of(model, last)));
     }
     if (const std::string note = direction_note(model); !note.empty()) {
       page.add(fmt::format("<p>Here {}.</p>\n", note));

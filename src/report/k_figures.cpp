@@ -173,8 +173,10 @@ double find_number(const model::Model& model, std::string_view name) {
   return 0.0;
 }
 
+/// Empty where the reference is 0.
 std::string percent(const Reference& r) {
-  return fmt::format("{:+.2f}", 100.0 * (r.found / r.wanted - 1.0));
+  return r.wanted == 0.0 ? std::string()
+                         : fmt::format("{:+.2f}", 100.0 * (r.found / r.wanted - 1.0));
 }
 
 /// What stands beside the normalised plot: the references of its step.

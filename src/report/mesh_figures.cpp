@@ -268,11 +268,13 @@ std::optional<Figure> field_figure(const model::Model& model, const results::Inc
   const std::string place = place_words(model, increment, *step);
   if (!is_stressed(model, increment, *step)) {
     figure.drawings.push_back(displacement_drawing(model, increment, *step));
-    figure.caption =
-        fmt::format("Displacement at the end of {}, deformed. Its stresses are nothing "
-                    "but round-off and not drawn; those of other steps a card $OUTPUT "
-                    "FORMAT=VTU EVERY=STEP asks for.",
-                    place);
+    figure.caption = fmt::format(
+        "Displacement at the end of {}, deformed. Its stresses are nothing but round-off and not "
+        "drawn{}.",
+        place,
+        increment.steps.size() > 1
+            ? "; those of other steps a card $OUTPUT FORMAT=VTU EVERY=STEP asks for"
+            : "");
     return figure;
   }
   figure.drawings.push_back(stress_drawing(model, increment, *step, largest));

@@ -112,6 +112,24 @@ TEST(MissingBars, AreGroupedByTheirReason) {
   EXPECT_EQ(words[0], "No error bar for any K here: it is too hot.");
 }
 
+TEST(ReferenceTable, HasNoPercentOfZero) {
+  test::Sample sample = test::make_sample();
+  sample.model.checks[0].value = 0.0;
+  const Table table = reference_table(sample.model, sample.run);
+  EXPECT_EQ(table.rows[0][6], "");
+  EXPECT_EQ(table.rows[1][6], "-1.96");
+}
+
+TEST(Page, NamesTheLengthsOfItsForces) {
+  test::Sample sample = test::make_sample();
+  EXPECT_TRUE(contains(page_of(sample), "At the last length, a = 18 mm."));
+  results::StepResult& last = sample.run.increments.back().steps.back();
+  last.tips.push_back(last.tips.front());
+  last.tips.back().name = "C2";
+  last.tips.back().a = 2.0;
+  EXPECT_TRUE(contains(page_of(sample), "C1: a = 18 mm, C2: a = 2 mm."));
+}
+
 TEST(BarWords, BoundOnlyWhatHasABar) {
   Series series;
   series.points = {{1.0, 100.0}, {2.0, 200.0}, {3.0, 300.0}};
