@@ -263,6 +263,22 @@ void sweep(Context& c, const BoundCard& card) {
   c.model.sweeps.push_back(std::move(sweep));
 }
 
+// Several cards multiply: said before the points are put together.
+void limit_sweeps(Context& c) {
+  constexpr double most = 1e5;
+  double points = 1.0;
+  for (const model::Sweep& sweep : c.model.sweeps) {
+    points *= static_cast<double>(sweep.values.size());
+  }
+  if (points > most) {
+    c.error(c.model.sweeps.back().span, "E353",
+            fmt::format("the $SWEEP cards of this deck make {:.6g} points, the values of each "
+                        "times those of the others; at most {:.0f} are taken",
+                        points, most),
+            "WITH varies two parameters together; fewer values, or several decks");
+  }
+}
+
 } // namespace
 
 void build_requests(Context& context) {
@@ -283,6 +299,7 @@ void build_requests(Context& context) {
       sweep(context, card);
     }
   }
+  limit_sweeps(context);
 }
 
 } // namespace spricka::deck

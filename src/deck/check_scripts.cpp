@@ -90,9 +90,9 @@ void unused(Context& c, const std::string& name, const base::Span& span) {
   } else {
     c.diagnostics.warning(
         span, "W480",
-        fmt::format("nothing uses the parameter {}: no expression, and {} has no such constant",
-                    name, scripts),
-        hint);
+        fmt::format("nothing uses the parameter {}: no expression, and {} no such constant", name,
+                    c.scripts.size() == 1 ? scripts + " has" : scripts + " have"),
+        "take it away, or use it; a constant of a script is DefineConstant[ name = value ]; there");
   }
 }
 
@@ -105,13 +105,40 @@ bool reaches_a_script(const Context& c, const std::string& upper) {
   });
 }
 
+// Points that differ in nothing but the value of a name.
+void idle_sweeps(Context& c, const std::map<std::string, Places>& words) {
+  for (const BoundCard& card : c.cards) {
+    for (const std::string_view key : {"PARAMETER", "WITH"}) {
+      if (card.spec->name != "SWEEP" || card.bad || !card.has(key)) {
+        continue;
+      }
+      const std::string name(card.word(key));
+      const auto at = words.find(name);
+      if (at != words.end() && at->second.count < 2 && !reaches_a_script(c, name) &&
+          !belongs_to_the_report(name)) {
+        c.diagnostics.warning(card.find(key)->span, "W361",
+                              fmt::format("nothing uses the parameter {}: all points of this "
+                                          "$SWEEP are alike",
+                                          name),
+                              "a parameter works where an expression has it: THICK=(h)");
+      }
+    }
+  }
+}
+
 } // namespace
 
 void check_scripts(Context& c) {
-  if (c.scripts.empty() || c.scope.incomplete || c.diagnostics.has_errors()) {
+  const bool swept = std::ranges::any_of(
+      c.cards, [](const BoundCard& card) { return card.spec->name == "SWEEP"; });
+  if ((c.scripts.empty() && !swept) || c.scope.incomplete || c.diagnostics.has_errors()) {
     return;
   }
   const std::map<std::string, Places> words = words_of(c.sources);
+  idle_sweeps(c, words);
+  if (c.scripts.empty()) {
+    return;
+  }
   for (const auto& [written, value] : c.parameters) {
     const std::string upper = grammar::to_upper(written);
     const auto at = words.find(upper);

@@ -33,19 +33,42 @@ void angles(Context& c) {
   }
 }
 
+bool is_power_of_ten(double value) {
+  return std::pow(10.0, std::round(std::log10(value))) == value;
+}
+
+// Whether the deck works a modulus out, as 1000 times that of another body.
+bool is_worked_out(const Context& c, const model::Material& material) {
+  return std::ranges::any_of(c.cards, [&](const BoundCard& card) {
+    return card.spec->name == "MATERIAL" && !card.bad && card.word("NAME") == material.name &&
+           c.sources.text(card.find("E")->span).find('*') != std::string_view::npos;
+  });
+}
+
 // Nothing is stiffer than diamond, E = 1.2e12 Pa; bodies that stand for rigid ones may be a
-// thousand times as stiff.
+// thousand times as stiff as others. Linear elasticity ends with rubber, at some 1e6 Pa. A modulus
+// of 1, 1000 or 1e9 is that of a problem without dimensions.
 void moduli(Context& c) {
-  constexpr double stiffest = 1.2e15;
+  constexpr double stiffest = 5e12;
+  constexpr double rigid = 1.2e15;
+  constexpr double softest = 3e5;
   const base::UnitSystem& units = c.model.units;
   const double pascal = units.newton_per_force / std::pow(units.metre_per_length, 2);
+  const bool all_stiff = std::ranges::all_of(
+      c.model.materials, [&](const model::Material& other) { return other.E * pascal > stiffest; });
   for (const model::Material& material : c.model.materials) {
-    if (material.E * pascal > stiffest) {
+    const double E = material.E * pascal;
+    const bool stiff = E > rigid || (E > stiffest && !is_power_of_ten(material.E) &&
+                                     (all_stiff || !is_worked_out(c, material)));
+    if (stiff || (E < softest && !is_power_of_ten(material.E))) {
       c.diagnostics.warning(
           material.span, "W343",
-          fmt::format("material {}: E = {:.4g} {} is {:.3g} GPa, stiffer than anything there is",
-                      material.name, material.E, units.stress_name(), material.E * pascal / 1e9),
-          "a number without a unit counts in the deck's; write E=210[GPa]");
+          fmt::format("material {}: E = {:.4g} {} is {:.3g} {}Pa, {}", material.name, material.E,
+                      units.stress_name(), stiff ? E / 1e9 : E / 1e3, stiff ? 'G' : 'k',
+                      stiff ? "stiffer than anything there is" : "softer than any rubber"),
+          stiff ? "a number without a unit counts in the deck's; write E=210[GPa]; what is to be "
+                  "rigid is $RIGID"
+                : "a number without a unit counts in the deck's; write E=210[GPa]");
     }
   }
 }

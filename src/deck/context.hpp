@@ -114,6 +114,12 @@ void check_seams(Context& context);
 void check_scope(Context& context);
 /// Values that the language allows and hardly anybody means.
 void check_sense(Context& context);
+/// Surfaces that two cards hold or load.
+void check_surfaces(Context& context);
+/// Numbers that are allowed and that hardly any material, law, fit or check has.
+void check_values(Context& context);
+/// What nothing uses or moves, and what stands twice.
+void check_unused(Context& context);
 /// Thickness and state of plane bodies.
 void check_thickness(Context& context);
 /// Steps that do nothing and growths that cannot be meant.

@@ -12,6 +12,8 @@ namespace {
 
 constexpr base::Label k_highest_label = 1'000'000'000'000'000; // exact in double precision
 
+constexpr double k_most_elements = 4e6; // 1e7 unknowns: some 100 GB of factor
+
 const base::ElementInfo& info_of(std::string_view name) {
   return *std::find_if(base::element_infos.begin(), base::element_infos.end(),
                        [&](const base::ElementInfo& i) { return i.name == name; });
@@ -56,6 +58,15 @@ bool mesh_is_handy(Context& context, const BoundCard& card) {
                               "{:.3g}",
                               elements, info.name, std::max(0.0, room / info.nodes)),
                   std::string(hint));
+    return false;
+  }
+  if (elements > k_most_elements) {
+    context.error(card.span, "E321",
+                  fmt::format("about {:.3g} elements of type {} are too many to be solved: at most "
+                              "{:.3g} are taken",
+                              elements, info.name, k_most_elements),
+                  "make the mesh coarser, and fine only where it must be (BIAS, nets with a "
+                  "TRANSITION between them); round crack tips the program refines by itself");
     return false;
   }
   const std::size_t net = card.net_id.index();

@@ -59,6 +59,9 @@ std::optional<model::Model> read_deck(const std::filesystem::path& deck, const R
   check_seams(context);
   check_scope(context);
   check_sense(context);
+  check_surfaces(context);
+  check_values(context);
+  check_unused(context);
   check_life(context);
   if (scripts != nullptr) {
     *scripts = std::move(context.scripts);

@@ -214,6 +214,21 @@ constexpr std::array advice{
                       "elements' own."},
     ErrorCode{"W345", "Two tips so near the surface hardly are what was drawn. Put the first point "
                       "on the surface or outside by less than a thousandth of an element side."},
+    ErrorCode{"E351", "Contacts that are mounted one after the other may share faces: DISMOUNT one "
+                      "in the step that says MOUNT for the other."},
+    ErrorCode{"E352", "Tied surfaces cannot part: take the $CONTACT away, or the $MPC."},
+    ErrorCode{"E353", "Each $SWEEP multiplies the points of the others; WITH varies two parameters "
+                      "together."},
+    ErrorCode{"W351", "Load the pin where there is one; BEARING, PRESSURE and TRACTION stand for "
+                      "bodies that are not modelled."},
+    ErrorCode{"W352", "A line `SET 0 0` below $LOAD TYPE=DISP says that 0 is meant; a support has "
+                      "CLASS=SUPPRESSED."},
+    ErrorCode{"W353", "REL is a part of the value: 30 per cent is REL 0.3."},
+    ErrorCode{"W355", "Angles are radians: cos(30[deg]), theta > 30[deg]."},
+    ErrorCode{"W357", "Name it where it is meant, or take it away."},
+    ErrorCode{"W358", "Lines of one case add up."},
+    ErrorCode{"W361", "Name the parameter in an expression."},
+    ErrorCode{"W364", "FIT takes a part of the fit that $CONTACT declares: 1 is all of it."},
     ErrorCode{"W337", "The moduli must be in deck units already."},
     ErrorCode{"E550", "sweep.csv has the error of each point; started again, the sweep tries them "
                       "again."},

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/context.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include <fmt/format.h>
+
+/// Numbers that the language allows and that hardly any material, law, fit or check has.
+namespace spricka::deck {
+
+namespace {
+
+// Of a key of the card that made something; of that thing where there is no such card or key.
+base::Span key_span(const Context& c, std::string_view card_name, std::string_view name,
+                    std::string_view key, base::Span otherwise) {
+  const auto card = std::ranges::find_if(c.cards, [&](const BoundCard& one) {
+    return one.spec->name == card_name && !one.bad && one.word("NAME") == name;
+  });
+  return card != c.cards.end() && card->has(key) ? card->find(key)->span : otherwise;
+}
+
+// Metals have 1e-5 to 3e-5 per degree, plastics and rubber 2e-4.
+void odd_materials(Context& c) {
+  constexpr double most_expansion = 1e-3;
+  for (const model::Material& material : c.model.materials) {
+    if (std::abs(material.alpha) > most_expansion) {
+      c.diagnostics.warning(
+          key_span(c, "MATERIAL", material.name, "ALPHA", material.span), "W359",
+          fmt::format("material {}: ALPHA = {:.4g} per degree is more than anything solid expands",
+                      material.name, material.alpha),
+          "steel has 1.2e-5, aluminium 2.3e-5; tables often leave out a factor of 1e-6");
+    }
+    if (material.nu < 0.0) {
+      c.diagnostics.warning(
+          key_span(c, "MATERIAL", material.name, "NU", material.span), "W362",
+          fmt::format("material {}: with NU = {:.4g} it grows wider when it is pulled",
+                      material.name, material.nu),
+          "metals have 0.25 to 0.35");
+    }
+  }
+}
+
+const BoundCard* grow_card(const Context& c) {
+  const auto found = std::ranges::find_if(
+      c.cards, [](const BoundCard& card) { return card.spec->name == "GROW"; });
+  return found == c.cards.end() ? nullptr : &*found;
+}
+
+// No solid bears a tenth of its modulus.
+void odd_flow_stress(Context& c, const BoundCard& card) {
+  constexpr double most = 0.1;
+  double stiffest = 0.0;
+  for (const model::Material& material : c.model.materials) {
+    stiffest = std::max(stiffest, material.E);
+  }
+  const std::optional<double>& flow = c.model.growth->flow_stress;
+  if (flow && *flow > most * stiffest) {
+    c.diagnostics.warning(
+        card.has("SFLOW") ? card.find("SFLOW")->span : card.span, "W360",
+        fmt::format("SFLOW = {:.4g} {} is {:.3g} times the largest modulus: it would never end a "
+                    "growth",
+                    *flow, c.model.units.stress_name(), *flow / stiffest),
+        "flow stresses are some thousandths of the modulus; write SFLOW=350[MPa]");
+  }
+}
+
+// A measured table scatters; it does not turn round.
+void falling_table(Context& c, const BoundCard& card) {
+  const model::LawConstants& law = c.model.growth->constants;
+  for (std::size_t i = 1; i < law.growth.size(); ++i) {
+    if (law.growth[i] < law.growth[i - 1]) {
+      c.diagnostics.warning(
+          card.rows.size() == law.growth.size() ? card.rows[i].span : card.span, "W356",
+          fmt::format("da/dN falls from {:.4g} to {:.4g} where delta_K grows from {:.4g} to {:.4g}",
+                      law.growth[i - 1], law.growth[i], law.delta_k[i - 1], law.delta_k[i]),
+          "a crack that is driven more grows faster; is an exponent of ten right?");
+      return;
+    }
+  }
+}
+
+// Within REL 1 of a value lies 0 as well.
+void wide_checks(Context& c) {
+  for (const model::Check& check : c.model.checks) {
+    if (check.relative && check.tolerance >= 1.0) {
+      c.diagnostics.warning(
+          check.span, "W353",
+          fmt::format("REL {:.4g} accepts anything from {:.4g} to {:.4g}, with 0 among it",
+                      check.tolerance, check.value - check.tolerance * std::abs(check.value),
+                      check.value + check.tolerance * std::abs(check.value)),
+          fmt::format("REL is a part of the value: {:.4g} per cent is REL {:.4g}", check.tolerance,
+                      0.01 * check.tolerance));
+    }
+  }
+}
+
+void odd_ratios(Context& c) {
+  constexpr double least = -5.0;
+  for (const model::GrowthTest& test : c.model.tests) {
+    if (test.ratio && *test.ratio < least) {
+      c.diagnostics.warning(
+          key_span(c, "TEST", test.name, "RATIO", test.span), "W363",
+          fmt::format("RATIO = {:.4g}: the test would press {:.4g} times as hard as it pulls",
+                      *test.ratio, -*test.ratio),
+          "RATIO is K_min/K_max of the test, mostly 0 to 0.7");
+    }
+  }
+}
+
+// FIT has a part of the fit that the contact declares; the fit itself there makes almost none.
+void odd_fit(Context& c, const model::Step& step, const model::ApplyFit& fit) {
+  const model::Contact& contact = c.model.contacts[fit.contact.index()];
+  const double gap = std::abs(contact.gap.value_or(0.0));
+  const auto is = [&](double value) {
+    return std::abs(std::abs(fit.factor) - value) <= 1e-9 * value;
+  };
+  if (gap > 0.0 && gap < 0.5 && (is(gap) || is(2.0 * gap))) {
+    c.diagnostics.warning(
+        step.span, "W364",
+        fmt::format("step {}: FIT {} {:.6g} is the fit that the contact declares, not a part of "
+                    "it: {:.3g} {} in all",
+                    step.name, contact.name, fit.factor, gap * std::abs(fit.factor),
+                    c.model.units.length_name),
+        fmt::format("FIT {} 1 applies the whole of it", contact.name));
+  } else if (fit.factor < 0.0) {
+    c.diagnostics.warning(
+        step.span, "W364",
+        fmt::format("step {}: FIT {} {:.6g} makes a gap of an interference, and an interference "
+                    "of a gap",
+                    step.name, contact.name, fit.factor),
+        "FIT takes a part of the declared fit, 0 to 1; the sign belongs to the $CONTACT");
+  }
+}
+
+void odd_steps(Context& c) {
+  std::vector<bool> in(c.model.contacts.size(), true);
+  for (const model::Step& step : c.model.steps) {
+    for (const model::Action& action : step.actions) {
+      if (const auto* on = std::get_if<model::Mount>(&action)) {
+        in[on->contact.index()] = false; // absent before its first MOUNT
+      }
+    }
+  }
+  for (const model::Step& step : c.model.steps) {
+    for (const model::Action& action : step.actions) {
+      const auto* on = std::get_if<model::Mount>(&action);
+      const auto* off = std::get_if<model::Dismount>(&action);
+      if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {
+        odd_fit(c, step, *fit);
+      } else if (on != nullptr || off != nullptr) {
+        const std::size_t i = on != nullptr ? on->contact.index() : off->contact.index();
+        if (in[i] == (on != nullptr)) {
+          c.diagnostics.warning(
+              step.span, "W365",
+              fmt::format("step {}: contact {} is {} already", step.name, c.model.contacts[i].name,
+                          in[i] ? "mounted" : "absent"),
+              in[i] ? "DISMOUNT stands between two MOUNT; mounted anew, its fit would count from "
+                      "the bodies as they are then"
+                    : "what a step mounts is absent before that step");
+        }
+        in[i] = on != nullptr;
+      }
+    }
+  }
+}
+
+} // namespace
+
+void check_values(Context& context) {
+  if (context.diagnostics.has_errors()) {
+    return;
+  }
+  odd_materials(context);
+  const BoundCard* card = grow_card(context);
+  if (card != nullptr && context.model.growth) {
+    odd_flow_stress(context, *card);
+    falling_table(context, *card);
+  }
+  wide_checks(context);
+  odd_ratios(context);
+  odd_steps(context);
+}
+
+} // namespace spricka::deck
