@@ -2,6 +2,7 @@
 #include "grammar/builder.hpp"
 
 #include "grammar/lexeme.hpp"
+#include "grammar/slips.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -35,9 +36,6 @@ std::string hint_for(char found, std::string_view wanted) {
     return closing ? "a comma separates arguments; no blank before their bracket" : "";
   default:
     break;
-  }
-  if (static_cast<unsigned char>(found) > 127) {
-    return "letters and signs beyond ASCII stand in comments and texts only";
   }
   return wanted == "'='" ? "write KEY=value" : "";
 }
@@ -73,8 +71,9 @@ void Builder::expected(const char* at, const char* last, std::string_view what) 
   if (end == at) {
     ++end;
   }
+  const std::string slip(slip_at(origin_, at, last));
   fail(span(at, end), "E101", fmt::format("expected {}, not '{}'", what, std::string_view(at, end)),
-       hint_for(*at, what));
+       slip.empty() ? hint_for(*at, what) : slip);
 }
 
 void Builder::report(base::Diagnostics& diagnostics) const {
@@ -83,7 +82,7 @@ void Builder::report(base::Diagnostics& diagnostics) const {
   }
 }
 
-bool Builder::bad_number(const char* begin, const char* end, int error) {
+bool Builder::bad_number(const char* begin, const char* end, const char* last, int error) {
   const std::string_view token(begin, end);
   switch (static_cast<NumberError>(error)) {
   case NumberError::fortran_exponent:
@@ -93,9 +92,13 @@ bool Builder::bad_number(const char* begin, const char* end, int error) {
     return fail(span(begin, end), "E103",
                 fmt::format("'{}' lies outside the range of double precision", token));
   default:
-    return fail(span(begin, end), "E103", fmt::format("'{}' is not a number", token),
-                "a number is digits with a point and an exponent; a name starts with a letter");
+    break;
   }
+  const std::string slip(slip_at(origin_, end, last));
+  return fail(span(begin, end), "E103", fmt::format("'{}' is not a number", token),
+              !slip.empty() ? slip
+                            : "a number is digits with a point and an exponent; a name starts with "
+                              "a letter");
 }
 
 bool Builder::read_unit(const char*& p, const char* last, base::Span& found) {
@@ -120,7 +123,7 @@ bool Builder::number(const char*& p, const char* last) {
     return false;
   }
   if (n.error != NumberError::none) {
-    return bad_number(p, n.end, static_cast<int>(n.error));
+    return bad_number(p, n.end, last, static_cast<int>(n.error));
   }
   Term term;
   term.value = n.value;
@@ -211,8 +214,9 @@ bool Builder::field_end(const char* p, const char* last) {
                             std::string_view(begin, end)),
                 "write 1.5e-3, or 1.5 -3, or (1.5-3)");
   }
+  const std::string slip(slip_at(origin_, p, last));
   return fail(span(p, p + rest.size()), "E102", fmt::format("unexpected '{}'", rest),
-              arithmetic ? "an expression stands in parentheses" : "");
+              arithmetic ? "an expression stands in parentheses" : slip);
 }
 
 bool Builder::signed_number(const char*& p, const char* last, Term& term) {
@@ -224,7 +228,7 @@ bool Builder::signed_number(const char*& p, const char* last, Term& term) {
     return false;
   }
   if (n.error != NumberError::none) {
-    return bad_number(begin, n.end, static_cast<int>(n.error));
+    return bad_number(begin, n.end, last, static_cast<int>(n.error));
   }
   p = n.end;
   term.value = negative ? -n.value : n.value;

@@ -63,7 +63,7 @@ private:
   bool field_range(const char*& p, const char* last);
   bool whole_number(const char*& p, const char* last, base::Label& value);
   bool read_unit(const char*& p, const char* last, base::Span& found);
-  bool bad_number(const char* begin, const char* end, int error);
+  bool bad_number(const char* begin, const char* end, const char* last, int error);
   bool field_end(const char* p, const char* last);
   bool quantity(const char*& p, const char* last, const char* begin);
   Field& add(Field::Kind kind, const char* begin, const char* end);

@@ -4,6 +4,7 @@
 #include "base/label.hpp"
 #include "grammar/builder.hpp"
 #include "grammar/lexeme.hpp"
+#include "grammar/slips.hpp"
 
 #include <algorithm>
 #include <array>
@@ -232,7 +233,8 @@ private:
     const char* const stop = std::max(scan_token(p_, last_), p_ + 1);
     return fail(p_, stop, "E120",
                 fmt::format("expected {}, not '{}'", what, std::string_view(p_, stop)),
-                is_letter(*p_) ? "an expression stands in parentheses" : "");
+                is_letter(*p_) ? "an expression stands in parentheses"
+                               : std::string(slip_at(origin_, p_, last_)));
   }
 
   bool bad_number(const char* digits) {

@@ -28,6 +28,27 @@ std::string with_line_feeds(std::string text) {
   return text;
 }
 
+// Of the first byte that is part of no UTF-8 letter, or the size (RFC 3629, section 4; surrogates
+// and overlong forms of three bytes and more are let pass).
+std::size_t first_odd_byte(std::string_view text) {
+  std::size_t i = 0;
+  while (i < text.size()) {
+    const auto lead = static_cast<unsigned char>(text[i]);
+    const std::size_t more = lead < 0x80                   ? 0
+                             : lead >= 0xC2 && lead < 0xE0 ? 1
+                             : lead >= 0xE0 && lead < 0xF0 ? 2
+                             : lead >= 0xF0 && lead < 0xF5 ? 3
+                                                           : text.size();
+    for (std::size_t k = 1; k <= more; ++k) {
+      if (i + k >= text.size() || (static_cast<unsigned char>(text[i + k]) & 0xC0U) != 0x80U) {
+        return i;
+      }
+    }
+    i += more + 1;
+  }
+  return text.size();
+}
+
 const grammar::Field* value_of(const grammar::Card& card, std::string_view key) {
   for (const grammar::Parameter& p : card.parameters) {
     if (p.key == key) {
@@ -68,6 +89,7 @@ private:
     const std::string_view text = sources_.text(file);
     const std::size_t zero = text.find('\0');
     if (zero == std::string_view::npos) {
+      say_odd_bytes(file, text);
       return true;
     }
     const bool wide = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
@@ -75,6 +97,18 @@ private:
     diagnostics_.error({file, at, at + 1}, "E122", "a zero byte: this is not a plain text",
                        wide ? "the file is UTF-16; save it as UTF-8" : "");
     return false;
+  }
+
+  // Reports and listings show the deck's own words, and are UTF-8.
+  void say_odd_bytes(std::int32_t file, std::string_view text) {
+    const std::size_t odd = first_odd_byte(text);
+    if (odd < text.size()) {
+      const auto at = static_cast<std::uint32_t>(odd);
+      diagnostics_.error({file, at, at + 1}, "E122",
+                         fmt::format("byte {:02X} here is no UTF-8",
+                                     static_cast<unsigned>(static_cast<unsigned char>(text[odd]))),
+                         "the file seems to be in an older encoding, as Latin-1; save it as UTF-8");
+    }
   }
 
   void include(const fs::path& from, const grammar::Card& card) {

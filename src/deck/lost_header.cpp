@@ -2,6 +2,7 @@
 #include "deck/lost_header.hpp"
 
 #include "grammar/lexeme.hpp"
+#include "grammar/slips.hpp"
 
 #include <algorithm>
 
@@ -24,8 +25,9 @@ bool is_header(const grammar::Row& row) {
 
 std::string card_hint(std::string_view word) {
   const std::string upper = grammar::to_upper(word);
-  return grammar::find_card(upper) == nullptr ? std::string()
-                                              : fmt::format("did you mean ${}?", upper);
+  return grammar::find_card(upper) != nullptr
+             ? fmt::format("did you mean ${}?", upper)
+             : std::string(grammar::slip_at(word.data(), word.data(), word.data() + word.size()));
 }
 
 void drop_lost_header(Context& context, BoundCard& card) {

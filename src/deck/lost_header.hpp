@@ -8,7 +8,8 @@ namespace spricka::deck {
 /// would have defined is poisoned, and it and the lines below it leave the card.
 void drop_lost_header(Context& context, BoundCard& card);
 
-/// "did you mean $STEP?" when a word is the name of a card, else empty.
+/// "did you mean $STEP?" when a word is the name of a card, what to write in place of a foreign
+/// sign, else empty.
 std::string card_hint(std::string_view word);
 
 } // namespace spricka::deck
