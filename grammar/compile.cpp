@@ -79,6 +79,7 @@ public:
       : scope_(scope), fields_(fields), diagnostics_(diagnostics) {}
 
   std::optional<base::Expression> run(const Expression& expression) {
+    whole_ = expression.span;
     for (const Term& term : expression.terms) {
       add(term);
     }
@@ -106,6 +107,7 @@ private:
       call(term);
       break;
     case Term::Kind::op:
+      look_for_degrees(term.op, term.span);
       apply(term.op);
       break;
     case Term::Kind::scale:
@@ -132,6 +134,43 @@ private:
       code.resize(code.size() - n - 1);
       push(part(base::Vec3::Zero()));
     }
+  }
+
+  // A round number of more than a turn in a function of angles; or theta, which is -pi to pi,
+  // beside what it never reaches.
+  void look_for_degrees(Op op, base::Span at) {
+    constexpr double turn = 2.0 * std::numbers::pi;
+    const std::vector<base::Instruction>& code = result_.code;
+    const std::size_t n = code.size();
+    const auto is = [&](std::size_t back, Op wanted) {
+      return n >= back && code[n - back].op == wanted;
+    };
+    const bool last = is(1, Op::number);
+    if ((op == Op::sin || op == Op::cos || op == Op::tan) && last) {
+      const double angle = code[n - 1].value;
+      if (std::abs(angle) > turn && 10.0 * angle == std::round(10.0 * angle)) {
+        in_degrees(at, fmt::format("{} takes {:.6g} as radians", scope_.sources->text(at), angle),
+                   angle);
+      }
+      return;
+    }
+    const bool sum = op == Op::add || op == Op::subtract;
+    const bool compares = op == Op::less || op == Op::less_equal || op == Op::greater ||
+                          op == Op::greater_equal || op == Op::equal;
+    const bool theta = last ? is(2, Op::theta) || (is(2, Op::abs) && is(3, Op::theta))
+                            : is(2, Op::number) && is(1, Op::theta);
+    if ((sum || compares) && theta) {
+      const double angle = code[n - (last ? 1 : 2)].value;
+      if (std::abs(angle) > (sum ? turn : 0.5 * turn) * (1.0 + 1e-9)) {
+        in_degrees(at, fmt::format("theta lies between -pi and pi: {:.6g} is beyond", angle),
+                   angle);
+      }
+    }
+  }
+
+  void in_degrees(base::Span at, std::string text, double angle) {
+    diagnostics_.warning(at.valid() ? at : whole_, "W355", std::move(text),
+                         fmt::format("angles are radians; degrees are written {:.6g}[deg]", angle));
   }
 
   void name(const Term& term) {
@@ -184,6 +223,7 @@ private:
     const bool variadic =
         function != nullptr && (function->op == Op::min || function->op == Op::max);
     if (function != nullptr && (variadic ? term.count >= 2 : term.count == function->arguments)) {
+      look_for_degrees(function->op, term.span);
       for (int i = 0; i < (variadic ? term.count - 1 : 1); ++i) {
         apply(function->op);
       }
@@ -224,6 +264,7 @@ private:
   base::Diagnostics& diagnostics_;
   base::Expression result_;
   bool failed_ = false;
+  base::Span whole_; ///< of the expression
 };
 
 } // namespace

@@ -18,6 +18,8 @@ namespace spricka::deck {
 
 namespace {
 
+constexpr double more_than_a_turn = 6.29; // radians
+
 base::ElementType element_type(std::string_view name) {
   const auto* const it = std::find_if(base::element_infos.begin(), base::element_infos.end(),
                                       [&](const base::ElementInfo& i) { return i.name == name; });
@@ -69,9 +71,18 @@ void coordinates(Context& c, const BoundCard& card) {
   model::NodeSet* const set = table_set(c, card, "NSET", mesh.node_sets);
   const std::size_t errors = c.diagnostics.error_count();
   std::size_t twice = 0;
+  bool turned = false;
   const auto take = [&](const grammar::Table<double>& table) {
     for (std::size_t i = 0; i < table.label.size(); ++i) {
       const double* v = &table.value[i * form.columns];
+      if (polar && !turned && std::abs(v[1]) > more_than_a_turn) {
+        turned = true; // once for a table
+        c.diagnostics.warning(
+            grammar::table_field(c.sources, card.data, table.offset[i], 2), "W355",
+            fmt::format("theta = {:.6g} of node {} is in radians, more than a turn", v[1],
+                        table.label[i]),
+            fmt::format("degrees are written {:.6g}[deg]", v[1]));
+      }
       const base::Vec3 x(polar ? v[0] * std::cos(v[1]) : v[0], polar ? v[0] * std::sin(v[1]) : v[1],
                          form.columns == 3 ? v[2] : 0.0);
       if (!labels.insert(table.label[i], mesh.node_count())) {
