@@ -19,6 +19,7 @@ namespace {
 
 constexpr double most_mu = 2.0;        // of Coulomb's coefficients that are measured
 constexpr double most_fit = 0.01;      // of a radius, or of half an extent: a strain
+constexpr double most_gap = 0.015;     // of the same, declared wider than drawn
 constexpr double corner = 0.6;         // turns of more between edges are no facets [rad]
 constexpr double round_off = 1e-6;     // of an extent
 constexpr double drawn_exactly = 1e-4; // of an extent: digits that people leave out
@@ -124,6 +125,7 @@ private:
             "GAP, INTERFERENCE and DIAMETRAL the drawn one is measured");
       }
     }
+    look_at_clearance(contact, std::max(drawn, slack), surface);
     const double overlap = contact.gap ? -*contact.gap : -seen.gap_low - slack;
     if (overlap > most_fit * size_of(surface)) {
       list_.warning(
@@ -134,6 +136,34 @@ private:
                       overlap, unit, 100.0 * overlap / size_of(surface),
                       surface.circle ? "a radius" : "half an extent", size_of(surface), unit),
           "a fit is declared in units of length; look at the unit and at the drawing");
+    }
+  }
+
+  // A declared gap counts along the normals of surfaces that are drawn closer: far from them they
+  // would meet elsewhere, and in other directions.
+  void look_at_clearance(const model::Contact& contact, double drawn,
+                         const contact::Surface& surface) {
+    const double gap = contact.gap.value_or(0.0);
+    const double size = size_of(surface);
+    const std::string& unit = model_.units.length_name;
+    if (gap > most_gap * size && gap > 2.0 * drawn) {
+      list_.warning(contact.span, "W444",
+                    fmt::format("contact {}: a gap of {:.4g} {} is declared, {:.2g} % of {} of "
+                                "{:.4g} {}, between surfaces that are drawn {}",
+                                contact.name, gap, unit, 100.0 * gap / size,
+                                surface.circle ? "a radius" : "half an extent", size, unit,
+                                drawn > round_off * surface.extent * 10.0
+                                    ? fmt::format("{:.3g} {} apart", drawn, unit)
+                                    : std::string("touching")),
+                    "INTERFERENCE and DIAMETRAL are positive where the parts overlap; a wide gap "
+                    "is drawn, and measured where GAP is left out");
+    } else if (contact.type == model::ContactType::bonded && gap > round_off * surface.extent &&
+               gap > 2.0 * drawn) {
+      list_.warning(contact.span, "W444",
+                    fmt::format("contact {}: BONDED with a gap of {:.4g} {} draws the surfaces "
+                                "together by it",
+                                contact.name, gap, unit),
+                    "GAP=0 bonds them as they are");
     }
   }
 

@@ -81,6 +81,14 @@ TEST(ContactSense, FitsThatAreNotSmall) {
   EXPECT_FALSE(has(messages(deck({.fit = "INTERFERENCE=0.09"})), "warning W444"));
 }
 
+TEST(ContactSense, GapsFarAboveTheDrawnOne) {
+  EXPECT_TRUE(has(messages(deck({.fit = "GAP=0.2"})), "warning W444"));
+  EXPECT_TRUE(has(messages(deck({.fit = "DIAMETRAL=-0.8"})), "warning W444"));
+  EXPECT_TRUE(has(messages(deck({.fit = "GAP=0.05 TYPE=BONDED"})), "warning W444"));
+  EXPECT_FALSE(has(messages(deck({.fit = "GAP=0 TYPE=BONDED"})), "warning W444"));
+  EXPECT_FALSE(has(messages(deck({.pin = 9.5, .fit = "GAP=0.5"})), "warning W444"));
+}
+
 TEST(ContactSense, FrictionInPerCent) {
   const std::string found = messages(deck({.fit = "GAP=0 MU=15"}));
   EXPECT_TRUE(has(found, "warning W445")) << found;
