@@ -113,13 +113,17 @@ int check_points(const RunOptions& options, const ReadyDeck& deck, const Log& lo
     return worst;
   }
   const std::vector<PointValues> points = sweep_points(*deck.model);
+  base::Diagnostics told = deck.diagnostics;
   for (std::size_t i = 0; i < points.size(); ++i) {
     std::string words;
     for (const auto& [name, value] : points[i]) {
       words += fmt::format("{}{} = {:.6g}", words.empty() ? "" : ", ", name, value);
     }
-    const ReadyDeck point =
-        read_ready(options.deck, {.defines = options.defines, .sweep_values = points[i]}, log);
+    const ReadyDeck point = read_ready(
+        options.deck, {.defines = options.defines, .sweep_values = points[i]}, log, &told);
+    for (const base::Diagnostic& d : point.diagnostics.all()) {
+      told.warning(d.span, d.code, d.text); // of whatever severity
+    }
     int code = point.refusal.exit_code;
     if (point.model) {
       Previewer look(*point.model, 1);

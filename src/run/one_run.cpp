@@ -119,16 +119,38 @@ std::string first_error(const base::Sources& sources, const base::Diagnostics& d
   return {};
 }
 
+// Without what was said before, word for word, of the same place.
+base::Diagnostics news_of(const base::Diagnostics& list, const base::Diagnostics* told) {
+  if (told == nullptr) {
+    return list;
+  }
+  base::Diagnostics news;
+  for (const base::Diagnostic& d : list.all()) {
+    const bool old = std::ranges::any_of(told->all(), [&](const base::Diagnostic& t) {
+      return t.code == d.code && t.span.file == d.span.file && t.span.begin == d.span.begin &&
+             t.text == d.text;
+    });
+    if (!old && d.severity == base::Severity::error) {
+      news.error(d.span, d.code, d.text, d.hint);
+    } else if (!old && d.severity == base::Severity::warning) {
+      news.warning(d.span, d.code, d.text, d.hint);
+    } else if (!old) {
+      news.note(d.span, d.code, d.text, d.hint);
+    }
+  }
+  return news;
+}
+
 RunOutcome refused(const base::Sources& sources, const base::Diagnostics& list, int code,
-                   const Log& log) {
-  log.diagnostics(sources, list);
+                   const Log& log, const base::Diagnostics* told = nullptr) {
+  log.diagnostics(sources, news_of(list, told));
   return {code, first_error(sources, list), {}};
 }
 
 } // namespace
 
 ReadyDeck read_ready(const std::filesystem::path& deck, const deck::ReadOptions& options,
-                     const Log& log) {
+                     const Log& log, const base::Diagnostics* told) {
   ReadyDeck ready;
   ready.options = options;
   std::optional<model::Model> model =
@@ -140,7 +162,7 @@ ReadyDeck read_ready(const std::filesystem::path& deck, const deck::ReadOptions&
   if (model && !ready.diagnostics.has_errors()) {
     base::Diagnostics missing = unavailable(*model);
     if (missing.has_errors()) {
-      ready.refusal = refused(ready.sources, missing, exit_code::not_solvable, log);
+      ready.refusal = refused(ready.sources, missing, exit_code::not_solvable, log, told);
       return ready;
     }
     if (model->steps.empty()) {
@@ -149,10 +171,10 @@ ReadyDeck read_ready(const std::filesystem::path& deck, const deck::ReadOptions&
     }
   }
   if (!model || ready.diagnostics.has_errors()) {
-    ready.refusal = refused(ready.sources, ready.diagnostics, exit_code::deck_error, log);
+    ready.refusal = refused(ready.sources, ready.diagnostics, exit_code::deck_error, log, told);
     return ready;
   }
-  log.diagnostics(ready.sources, ready.diagnostics);
+  log.diagnostics(ready.sources, news_of(ready.diagnostics, told));
   ready.model = std::move(model);
   return ready;
 }

@@ -33,8 +33,9 @@ struct ReadyDeck {
 
 /// Reads and checks a deck; messages go to the log. Cards that this version does not have are
 /// refused (not_solvable), so is a deck without a step. Throws std::system_error on file trouble.
+/// What was `told` already is not said again, as of the other points of a sweep.
 ReadyDeck read_ready(const std::filesystem::path& deck, const deck::ReadOptions& options,
-                     const Log& log);
+                     const Log& log, const base::Diagnostics* told = nullptr);
 
 class Checkpoint;
 

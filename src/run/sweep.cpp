@@ -175,7 +175,8 @@ private:
 
   void solve_point(std::size_t i, SweepPoint& point) {
     const ReadyDeck deck =
-        read_ready(options_.deck, {.defines = options_.defines, .sweep_values = points_[i]}, log_);
+        read_ready(options_.deck, {.defines = options_.defines, .sweep_values = points_[i]}, log_,
+                   &deck_.diagnostics);
     const RunOutcome outcome = deck.model ? solve(deck, *folder_, point) : deck.refusal;
     point.exit_code = outcome.exit_code;
     point.error = outcome.error;
