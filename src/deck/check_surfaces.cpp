@@ -65,6 +65,8 @@ public:
     for (const model::Mpc& mpc : model_.mpcs) {
       if (const auto* tie = std::get_if<model::Transition>(&mpc)) {
         look_at_tie(*tie);
+      } else if (const auto* body = std::get_if<model::RigidTie>(&mpc)) {
+        look_at_rigid_tie(*body);
       }
     }
     look_at_equations();
@@ -246,6 +248,23 @@ private:
           std::max(doubled(pair, here), doubled({pair.two, pair.one}, turned));
       if (faces > 0) {
         say_tied(model_.contacts[i], tie.span, faces);
+      }
+    }
+  }
+
+  // Both surfaces on one rigid body: a pin and its bore in one set.
+  void look_at_rigid_tie(const model::RigidTie& tie) {
+    if (!tie.slave.valid()) {
+      return;
+    }
+    const std::vector<base::NodeId>& list = mesh_.set(tie.slave).nodes;
+    const std::set<base::NodeId> nodes(list.begin(), list.end());
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      const Pair& pair = pairs_[i];
+      const bool both = !pair.two.empty() && faces_within(pair.one, nodes) == pair.one &&
+                        faces_within(pair.two, nodes) == pair.two;
+      if (both) {
+        say_tied(model_.contacts[i], tie.span, pair.one.size());
       }
     }
   }

@@ -116,7 +116,9 @@ void odd_fit(Context& c, const model::Step& step, const model::ApplyFit& fit) {
   const auto is = [&](double value) {
     return std::abs(std::abs(fit.factor) - value) <= 1e-9 * value;
   };
-  if (gap > 0.0 && gap < 0.5 && (is(gap) || is(2.0 * gap))) {
+  const double twentieths = 20.0 * fit.factor; // 0.1, 0.25, 0.5 may well be parts
+  const bool round = fit.factor > 0.09 && std::abs(twentieths - std::round(twentieths)) < 1e-9;
+  if (gap > 0.0 && !round && (is(gap) || is(2.0 * gap))) {
     c.diagnostics.warning(
         step.span, "W364",
         fmt::format("step {}: FIT {} {:.6g} is the fit that the contact declares, not a part of "

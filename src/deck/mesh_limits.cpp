@@ -12,7 +12,7 @@ namespace {
 
 constexpr base::Label k_highest_label = 1'000'000'000'000'000; // exact in double precision
 
-constexpr double k_most_elements = 4e6; // 1e7 unknowns: some 100 GB of factor
+constexpr double k_most_unknowns = 1e7; // some 50 GB of factor in the plane, far more in space
 
 const base::ElementInfo& info_of(std::string_view name) {
   return *std::find_if(base::element_infos.begin(), base::element_infos.end(),
@@ -23,6 +23,15 @@ const base::ElementInfo& info_of(std::string_view name) {
 double per_cell(const base::ElementInfo& info) {
   const bool simplex = info.corners == info.dim + 1;
   return simplex ? (info.dim == 3 ? 6.0 : 2.0) : 1.0;
+}
+
+// Of a large grid: those at the corners, in the edges and in the middle that a cell adds.
+double nodes_per_cell(const base::ElementInfo& info) {
+  if (!info.quadratic) {
+    return 1.0;
+  }
+  const bool sparse = info.nodes == 8 || info.nodes == 20; // no nodes within sides and cells
+  return info.dim == 2 ? (sparse ? 3.0 : 4.0) : (sparse ? 4.0 : 8.0);
 }
 
 // Cells of the generator's grid: at least as many as it will make.
@@ -60,13 +69,15 @@ bool mesh_is_handy(Context& context, const BoundCard& card) {
                   std::string(hint));
     return false;
   }
-  if (elements > k_most_elements) {
-    context.error(card.span, "E321",
-                  fmt::format("about {:.3g} elements of type {} are too many to be solved: at most "
-                              "{:.3g} are taken",
-                              elements, info.name, k_most_elements),
-                  "make the mesh coarser, and fine only where it must be (BIAS, nets with a "
-                  "TRANSITION between them); round crack tips the program refines by itself");
+  const double unknowns = cells_of(card, info) * nodes_per_cell(info) * info.dim;
+  if (unknowns > k_most_unknowns) {
+    context.error(
+        card.span, "E321",
+        fmt::format("about {:.3g} elements of type {} have {:.2g} unknowns, too many to be "
+                    "solved: at most {:.2g} are taken",
+                    elements, info.name, unknowns, k_most_unknowns),
+        "make the mesh coarser, and fine only where it must be (BIAS, nets with a "
+        "TRANSITION between them); round crack tips the program refines by itself");
     return false;
   }
   const std::size_t net = card.net_id.index();

@@ -8,11 +8,42 @@
 #include "run/length_solver.hpp"
 #include "run/resume.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
+
+#include <fmt/format.h>
 
 namespace spricka::run {
 
 namespace {
+
+// With given lengths nothing grows by KMAX and KMIN, but delta K and a test's K are taken from
+// them.
+void compare_extremes(const model::Model& model, results::Run& run) {
+  constexpr double clearly = 1e-3;
+  const bool named = model.growth && model.growth->kmax.valid() && model.growth->kmin.valid();
+  if (!named || run.increments.empty()) {
+    return;
+  }
+  const std::size_t high = model.growth->kmax.index();
+  const std::size_t low = model.growth->kmin.index();
+  results::Increment& last = run.increments.back();
+  for (const results::TipResult& tip : last.steps[high].tips) {
+    const auto upside_down = [&](const results::Increment& increment) {
+      const results::TipResult* most = results::find_tip(increment.steps[high], tip.name);
+      const results::TipResult* least = results::find_tip(increment.steps[low], tip.name);
+      return most != nullptr && least != nullptr &&
+             most->K1 < least->K1 - clearly * std::abs(least->K1);
+    };
+    if (std::ranges::all_of(run.increments, upside_down)) {
+      last.steps[high].notes.push_back(
+          fmt::format("warning: K1 of {} is larger at KMIN, step {}, than at KMAX, step {}: are "
+                      "the two steps exchanged?",
+                      tip.name, model.steps[low].name, model.steps[high].name));
+    }
+  }
+}
 
 // The lengths of the deck, one after another.
 bool solve_lengths(const model::Model& model, const SolveOptions& options,
@@ -55,6 +86,7 @@ bool solve_lengths(const model::Model& model, const SolveOptions& options,
       options.progress(i + 1, lengths.size());
     }
   }
+  compare_extremes(model, run);
   return true;
 }
 

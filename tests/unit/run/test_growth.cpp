@@ -25,6 +25,25 @@ double K_strip(double F, double a) {
   return F * 50.0 * std::sqrt(pi * a);
 }
 
+// With given lengths the two steps only name delta K: taken the wrong way round it is said.
+TEST(Growth, ExchangedStepsOfGivenLengths) {
+  for (const bool exchanged : {false, true}) {
+    std::string deck = test::strip_text(exchanged ? "LAW=INCREMENT KMAX=HALF KMIN=FULL\n  4 6"
+                                                  : "LAW=INCREMENT KMAX=FULL KMIN=HALF\n  4 6");
+    const std::string units = "KUNIT='MPa*mm^0.5' AUNIT='mm' ";
+    deck.erase(deck.find(units), units.size());
+    const auto solved = test::solve_text(deck);
+    ASSERT_TRUE(solved);
+    std::string all;
+    for (const results::StepResult& step : solved->run.increments.back().steps) {
+      for (const std::string& note : step.notes) {
+        all += note + "\n";
+      }
+    }
+    EXPECT_EQ(all.find("exchanged") != std::string::npos, exchanged) << all;
+  }
+}
+
 TEST(Growth, RatesAndEndOfALaw) {
   const auto solved =
       test::solve_text(test::strip_text("LAW=WALKER KMAX=FULL KMIN=HALF C=1e-11 M=3 P=0.5 AMAX=8"));
