@@ -262,6 +262,22 @@ constexpr std::array advice{
         "mesh takes it: a narrow load or temperature, a front of pressure, another tip or "
         "corner within a few elements. Refine there (a smaller SIZE or RADIUS, a finer host); "
         "if the two do not come together, do not trust either: the difference is the error."},
+    ErrorCode{"W451",
+              "Tie the sides with $MPC, pair them with $CONTACT, or mesh the bodies as one. "
+              "Sides that lie on each other join nothing by themselves."},
+    ErrorCode{"W457", "The support takes the force at once. Is the set the one that is meant, or "
+                      "the support?"},
+    ErrorCode{"W458", "Where every node of a surface is held nothing reaches the body behind it."},
+    ErrorCode{"W459", "PATH is ordered from the mouth, where the boundary turns, to the tip, and "
+                      "lengths count from its first node."},
+    ErrorCode{"E457", "Leave SIZE out, or give it together with RINGS or RADIUS: fields at a tip "
+                      "change with the distance from it, which rings must follow."},
+    ErrorCode{"E458", "Begin PATH on the boundary; a crack inside a body is drawn by points."},
+    ErrorCode{"W571", "A DIAMETRAL or INTERFERENCE presses, a GAP keeps apart; a fit acts when a "
+                      "step has FIT. A stop that no load reaches deserves no more than this word."},
+    ErrorCode{"W572", "Pa for MPa in a law is a factor of 1e6 to the power of its exponent. The "
+                      "threshold of a law ends growth, DKTH."},
+    ErrorCode{"W573", "Readings are lengths in the unit of the deck, from the mouth on."},
     ErrorCode{"W504",
               "Refine near the elements named, or use quadratic elements: linear ones and few "
               "distorted ones are stiff in bending. Sharp inner corners and edges of contact "

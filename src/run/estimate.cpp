@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -17,6 +18,35 @@ namespace spricka::run {
 namespace {
 
 constexpr std::size_t most_named = 3;
+constexpr double no_energy = 1e-12; // of the most that a net of the run holds
+
+// Strain energy that round-off of the forces which go through a model leaves in it: of their square
+// over a stiffness.
+constexpr double round_off_energy = 1e-20;
+
+double energy_of_round_off(const model::Model& model, const model::Mesh& mesh,
+                           const results::StepResult& step) {
+  double stiff = 0.0;
+  for (const model::Property& property : model.properties) {
+    stiff = std::max(stiff, model.materials[property.material.index()].E *
+                                (mesh.dim == 2 ? property.thickness : 1.0));
+  }
+  if (mesh.dim == 3 || model::axisymmetric(model)) {
+    double size = 0.0;
+    for (const base::Vec3& x : mesh.x) {
+      size = std::max(size, (x - mesh.x.front()).norm());
+    }
+    stiff *= size;
+  }
+  const double force = step.reaction.size() > 0 ? step.reaction.norm() : 0.0;
+  return stiff > 0.0 ? round_off_energy * force * force / stiff : 0.0;
+}
+
+// The strain energy of a net, where the records have it.
+double energy_of(const results::StepResult& step, const std::string& net) {
+  const auto found = std::ranges::find(step.nets, net, &results::Balance::body);
+  return found == step.nets.end() ? std::numeric_limits<double>::infinity() : found->energy;
+}
 
 // Nodes that are held though no side of theirs is: their reaction is a force on a point.
 void mark_point_supports(const Scene& scene, std::vector<bool>& marked) {
@@ -114,12 +144,13 @@ std::vector<bool> singular_elements(const model::Model& model, const Scene& scen
 }
 
 results::NetError error_of(const std::string& name, std::vector<base::ElementId> elements,
-                           const fe::ErrorEstimate& estimate, const std::vector<double>& energy) {
+                           const fe::ErrorEstimate& estimate, const std::vector<double>& energy,
+                           double floor) {
   results::NetError found;
   found.net = name;
   double error = 0.0;
   double strain = 0.0;
-  double noise = 0.0;
+  double noise = floor;
   for (const base::ElementId e : elements) {
     error += estimate.energy[e.index()];
     strain += std::max(energy[e.index()], 0.0);
@@ -150,6 +181,7 @@ void add_errors(const model::Model& model, const Scene& scene, const std::vector
   const model::Mesh& mesh = scene.cracked.mesh;
   const fe::ErrorEstimate estimate = fe::estimate_error(model, mesh, {step.u, step.temperature});
   const std::vector<bool> singular = singular_elements(model, scene);
+  const double floor = energy_of_round_off(model, mesh, step);
   std::vector<std::vector<base::ElementId>> by_net(model.nets.size());
   std::vector<base::ElementId> all;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
@@ -161,10 +193,10 @@ void add_errors(const model::Model& model, const Scene& scene, const std::vector
   for (std::size_t n = 0; n < by_net.size(); ++n) {
     if (!by_net[n].empty()) {
       step.errors.push_back(error_of(model.nets[n].name.empty() ? "(deck)" : model.nets[n].name,
-                                     std::move(by_net[n]), estimate, energy));
+                                     std::move(by_net[n]), estimate, energy, floor));
     }
   }
-  step.errors.push_back(error_of("*", std::move(all), estimate, energy));
+  step.errors.push_back(error_of("*", std::move(all), estimate, energy, floor));
 }
 
 std::vector<std::string> coarse_nets(const results::Run& run) {
@@ -173,10 +205,21 @@ std::vector<std::string> coarse_nets(const results::Run& run) {
     const results::Increment* increment = nullptr;
     const results::StepResult* step = nullptr;
   };
+  double most = 0.0;
+  for (const results::Increment& increment : run.increments) {
+    for (const results::StepResult& step : increment.steps) {
+      for (const results::Balance& net : step.nets) {
+        most = std::max(most, net.energy);
+      }
+    }
+  }
   std::map<std::string, Worst> by_net;
   for (const results::Increment& increment : run.increments) {
     for (const results::StepResult& step : increment.steps) {
       for (const results::NetError& error : step.errors) {
+        if (energy_of(step, error.net) < no_energy * most) {
+          continue; // next to nothing strains it
+        }
         Worst& worst = by_net[error.net];
         if (error.net != "*" && error.part > coarse_mesh &&
             (worst.error == nullptr || error.part > worst.error->part)) {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 #include <span>
+#include <string>
+#include <string_view>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -13,6 +15,13 @@
 namespace spricka::run {
 
 namespace {
+
+// How the notes begin and end.
+constexpr std::string_view beginning = "warning: ";
+constexpr std::array<std::string_view, 2> beginnings_of_judgement{" is strained by ",
+                                                                  " is bent or turned by "};
+constexpr std::string_view units_of_all = "; are moduli, loads and fits in the units meant?";
+constexpr std::string_view units_of_loads = "; are moduli and loads in the units meant?";
 
 /// How far a body reaches from its middle, and its displacements from their mean.
 struct Reach {
@@ -104,7 +113,45 @@ double mean_strain(const model::Model& model, const model::Mesh& mesh, const Bod
   return stiff > 0.0 ? std::sqrt(std::max(0.0, 2.0 * held / stiff)) : 0.0;
 }
 
+/// The body that a note of judge_size speaks of; empty: it is another note.
+std::string_view body_judged(std::string_view note) {
+  for (const std::string_view words : beginnings_of_judgement) {
+    const std::size_t at = note.find(words);
+    if (note.starts_with(beginning) && at != std::string_view::npos) {
+      return note.substr(beginning.size(), at - beginning.size());
+    }
+  }
+  return {};
+}
+
+bool judges(const results::Increment& increment, std::string_view step, std::string_view body) {
+  const results::StepResult* found = results::find_step(increment, step);
+  return found == nullptr || std::ranges::any_of(found->notes, [&](const std::string& note) {
+           return body_judged(note) == body;
+         });
+}
+
 } // namespace
+
+void explain_lost_ligaments(results::Run& run) {
+  for (std::size_t i = 1; i < run.increments.size(); ++i) {
+    for (results::StepResult& step : run.increments[i].steps) {
+      for (std::string& note : step.notes) {
+        const std::string_view body = body_judged(note);
+        if (body.empty() || judges(run.increments.front(), step.step, body)) {
+          continue;
+        }
+        for (const std::string_view units : {units_of_all, units_of_loads}) {
+          if (note.ends_with(units)) {
+            note.replace(note.size() - units.size(), units.size(),
+                         "; at the first length it was within that: the crack takes its ligament");
+            break;
+          }
+        }
+      }
+    }
+  }
+}
 
 void judge_size(const model::Model& model, const Scene& scene, const std::vector<BodyNet>& bodies,
                 const StepState& state, results::StepResult& out) {
@@ -117,13 +164,13 @@ void judge_size(const model::Model& model, const Scene& scene, const std::vector
     if (strain > small_strain) {
       out.notes.push_back(fmt::format(
           "warning: {} is strained by {:.3g} % on the whole: linear theory holds for less than "
-          "about 1 %; are moduli, loads and fits in the units meant?",
-          body.name, 100.0 * strain));
+          "about 1 %{}",
+          body.name, 100.0 * strain, units_of_all));
     } else if (reach.motion > small_turn * reach.size) {
       out.notes.push_back(fmt::format(
           "warning: {} is bent or turned by {:.3g} % of its size (largest displacement {:.3g}): "
-          "linear theory holds for less than about 10 %; are moduli and loads in the units meant?",
-          body.name, 100.0 * reach.motion / reach.size, reach.largest));
+          "linear theory holds for less than about 10 %{}",
+          body.name, 100.0 * reach.motion / reach.size, reach.largest, units_of_loads));
     }
   }
 }

@@ -15,4 +15,8 @@ namespace spricka::run {
 void judge_size(const model::Model& model, const Scene& scene, const std::vector<BodyNet>& bodies,
                 const StepState& state, results::StepResult& out);
 
+/// Bodies that were small in strain and turn at the first length and are not at a later one have
+/// lost their ligament: their notes say so instead of asking for units.
+void explain_lost_ligaments(results::Run& run);
+
 } // namespace spricka::run

@@ -8,8 +8,11 @@
 #include "results/growth_end.hpp"
 #include "run/check_quantities.hpp"
 #include "run/contact_sense.hpp"
+#include "run/end_warnings.hpp"
 #include "run/estimate.hpp"
 #include "run/growth_tests.hpp"
+#include "run/held_places.hpp"
+#include "run/judge_size.hpp"
 #include "run/remedy.hpp"
 #include "run/restart_run.hpp"
 #include "run/script_constants.hpp"
@@ -17,6 +20,7 @@
 #include "run/standard_streams.hpp"
 #include "run/tolerance.hpp"
 #include "run/two_ways.hpp"
+#include "run/unjoined_bodies.hpp"
 #include "solve/one_thread.hpp"
 
 #include <algorithm>
@@ -81,7 +85,8 @@ int report_checks(const results::Run& run, const Log& log) {
 }
 
 // What a reader of the results must not miss: said on stderr and kept for listing and report.
-void collect_warnings(const base::Diagnostics& reading, results::Run& run, const Log& log) {
+void collect_warnings(const model::Model& model, const base::Diagnostics& reading,
+                      results::Run& run, const Log& log) {
   for (const base::Diagnostic& d : reading.all()) {
     if (d.severity == base::Severity::warning) {
       run.warnings.push_back(d.text);
@@ -100,6 +105,10 @@ void collect_warnings(const base::Diagnostics& reading, results::Run& run, const
   for (const std::string& parted : two_ways_warnings(run)) {
     run.warnings.push_back(parted);
     log.message(base::Severity::warning, "W570", parted);
+  }
+  for (const EndWarning& warning : end_warnings(model, run)) {
+    run.warnings.push_back(warning.text);
+    log.message(base::Severity::warning, warning.code, warning.text);
   }
 }
 
@@ -158,6 +167,9 @@ ReadyDeck read_ready(const std::filesystem::path& deck, const deck::ReadOptions&
   if (model) {
     warn_of_locking(*model, ready.diagnostics);
     warn_of_contacts(*model, ready.diagnostics);
+    warn_of_unjoined_bodies(*model, ready.diagnostics);
+    warn_of_held_places(*model, ready.diagnostics);
+    warn_of_path_mouths(*model, ready.diagnostics);
   }
   if (model && !ready.diagnostics.has_errors()) {
     base::Diagnostics missing = unavailable(*model);
@@ -283,10 +295,11 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
   results::Run& run = *solved.run;
   log.diagnostics(deck.sources, diagnostics);
   run.tests = invert_tests(*used.model, run);
+  explain_lost_ligaments(run);
   for (const std::string& text : run.warnings) { // so far those of the growth
     log.message(base::Severity::warning, "W456", text);
   }
-  collect_warnings(deck.diagnostics, run, log);
+  collect_warnings(*used.model, deck.diagnostics, run, log);
   for (const base::Diagnostic& d : diagnostics.all()) { // of meshes with cracks
     if (d.severity == base::Severity::warning) {
       run.warnings.push_back(d.text);
