@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/held_modes.hpp"
 
+#include "run/let_go.hpp"
 #include "run/missing_contact.hpp"
 #include "run/rigid_motion.hpp"
 #include "run/step_factors.hpp"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/SVD>
 #include <fmt/format.h>
@@ -228,12 +230,12 @@ std::vector<Refusal> unheld_loads(const model::Model& model, const Scene& scene,
       const std::size_t b = modes.body_of(most);
       const base::Vector own =
           bodies[b].free_modes * motion.segment(modes.first(b), bodies[b].free_modes.cols());
-      refusals.push_back(
-          {4,
-           fmt::format("step {}: body {} is loaded but not held: {}{}", step.name, bodies[b].name,
-                       describe_motion(scene.cracked.mesh, bodies[b].body, own),
-                       missing_contact(model, scene, bodies, b)),
-           step.span});
+      std::string why =
+          fmt::format("step {}: body {} is loaded but not held: {}{}", step.name, bodies[b].name,
+                      describe_motion(scene.cracked.mesh, bodies[b].body, own),
+                      missing_contact(model, scene, bodies, b));
+      why += let_go(model, scene, bodies, step, why);
+      refusals.push_back({4, std::move(why), step.span});
     }
   }
   return refusals;

@@ -12,6 +12,7 @@
 #include "run/finite_results.hpp"
 #include "run/gather.hpp"
 #include "run/gone_nodes.hpp"
+#include "run/let_go.hpp"
 #include "run/lip_contact.hpp"
 #include "run/load_paths.hpp"
 #include "run/repeated_steps.hpp"
@@ -306,6 +307,7 @@ bool LengthSolver::walk_steps(const Way& way, LogWriter& log, results::Increment
     }
     if (!state) {
       why.why = fmt::format("step {}: {}", step.name, why.why);
+      why.why += let_go(model_, scene, bodies, step, why.why);
       refusal_ = why;
       return false;
     }

@@ -14,8 +14,11 @@ std::string remedy_of(const Refusal& refusal) {
     return "with friction more SUBSTEPS or a smaller MU; spricka help E520 says more";
   }
   using Remedy = std::pair<std::string_view, std::string_view>;
-  static constexpr std::array<Remedy, 6> remedies{
+  static constexpr std::array<Remedy, 9> remedies{
       {{"slides", "more friction, more pressure or less load, or a support: $FREEDOM"},
+       {"is not mounted before", "mount it before the body is loaded, or hold the body until then"},
+       {"was dismounted", "hold the body by a support or another contact before it is dismounted"},
+       {"only presses", "look at the sign of the load; else a support ($FREEDOM), or TYPE=BONDED"},
        {"not held", "add a support ($FREEDOM), or the $CONTACT that holds it"},
        {"singular", "add a support ($FREEDOM), or join the parts"},
        {"mechanism", "add a support ($FREEDOM), or join the parts"},

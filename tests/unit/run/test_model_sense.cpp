@@ -157,6 +157,37 @@ TEST(PathMouths, APathBeginsWhereTheBoundaryTurns) {
   EXPECT_TRUE(has(doubled, "E458")) << doubled;
 }
 
+// A block on a rigid floor, held along x by its side: what it says when the floor does not hold it.
+std::string on_the_floor(const std::string& steps) {
+  return fmt::format(R"($DECK VERSION=1 LENGTH=mm FORCE=N
+$MESH SHAPE=BLOCK TYPE=QUAMC8 LX=10 LY=10 NX=2 NY=2
+$MATERIAL NAME=M E=1000 NU=0.3
+$PROPERTY ESET=BODY MATERIAL=M STATE=STRESS THICK=1
+$FREEDOM CLASS=SUPPRESSED DOF=X
+  XMIN
+$RIGID NAME=FLOOR SHAPE=LINE X0=-10 Y0=0 X1=20 Y1=0
+$CONTACT NAME=FOOT SLAVE=YMIN MASTER=FLOOR GAP=0
+$LOAD CASE=F TYPE=TRACTION
+  YMAX  0  -1
+{}
+$END
+)",
+                     steps);
+}
+
+TEST(LetGo, AContactThatIsThereButDoesNotHold) {
+  const auto says = [](const std::string& deck, const std::string& part) {
+    const std::string text = messages(deck);
+    EXPECT_TRUE(has(text, "E510") && has(text, part)) << text;
+  };
+  says(on_the_floor("$STEP NAME=A\n  LOAD F 1\n$STEP NAME=B\n  MOUNT FOOT\n"),
+       "its contact FOOT is not mounted before step B");
+  says(on_the_floor("$STEP NAME=A\n  LOAD F 1\n$STEP NAME=B\n  DISMOUNT FOOT\n"),
+       "step B: body MODEL is loaded but not held: direction Y: its contact FOOT was dismounted in "
+       "step B");
+  says(on_the_floor("$STEP NAME=A\n  LOAD F -1\n"), "contact FOOT only presses");
+}
+
 // Rings may grow six times from one to the next, whatever the unit.
 TEST(SteepRings, AreRefusedWithTheRemedy) {
   const std::string crack = symmetric + "$CRACK NAME=C PATH=LINE A0=4\n$TIPNET CRACK=C ";
