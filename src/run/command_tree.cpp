@@ -230,6 +230,7 @@ void CommandTree::add_convert() {
                           });
   add_deck_options(command);
   command.get_option("DECK")->description("a deck, or a mesh .msh, .geo or .inp");
+  command.add_flag("--replace", convert_.replace, "write over an OUT that is there already");
   command.add_option("OUT", convert_.out, "its name says the form: .msh, .vtu or .inp")
       ->required()
       ->type_name("");

@@ -218,6 +218,16 @@ void refuse_to_replace_input(const ConvertOptions& options, const base::Sources&
   }
 }
 
+/// Throws FileTrouble when there is such a file already and nobody said that it may go.
+void refuse_to_replace_output(const ConvertOptions& options) {
+  std::error_code unknown;
+  if (!options.replace && std::filesystem::is_regular_file(options.out, unknown)) {
+    throw FileTrouble("E464", fmt::format("there is a file {} already, and it is left as it is; "
+                                          "give OUT another name, or --replace",
+                                          options.out.string()));
+  }
+}
+
 int write(const ConvertOptions& options, const base::Sources& sources, const model::Model& model,
           const Log& log) {
   const std::string kind = extension(options.out);
@@ -272,6 +282,7 @@ int convert(const ConvertOptions& options) {
       return exit_code::deck_error;
     }
     refuse_to_replace_input(options, sources, *model);
+    refuse_to_replace_output(options);
     return write(options, sources, *model, log);
   } catch (const FileTrouble& trouble) {
     log.message(base::Severity::error, trouble.code(), trouble.what());

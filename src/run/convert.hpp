@@ -14,6 +14,7 @@ struct ConvertOptions {
   std::filesystem::path out; ///< .msh, .vtu or .inp
   std::vector<std::pair<std::string, std::string>> defines; ///< for a deck
   LogFormat log_format = LogFormat::text;
+  bool replace = false; ///< an OUT that is there already
 };
 
 /// Reads a mesh or a deck and writes it in another form, as the name of the output says. Messages

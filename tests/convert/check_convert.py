@@ -23,7 +23,7 @@ NO_INP = {"QUAMC9", "HEXEC27"}
 
 
 def convert(spricka, source, target):
-    done = subprocess.run([spricka, "convert", source, target], capture_output=True, text=True)
+    done = subprocess.run([spricka, "convert", "--replace", source, target], capture_output=True, text=True)
     if done.returncode != 0:
         sys.exit(f"{source} -> {target}: {done.returncode}\n{done.stderr}")
 

@@ -10,10 +10,12 @@ namespace {
 using test::Folder;
 using test::Outcome;
 
-Outcome convert(const Folder& folder, const std::string& in, const std::string& out) {
+Outcome convert(const Folder& folder, const std::string& in, const std::string& out,
+                bool replace = true) {
   testing::internal::CaptureStderr();
   Outcome outcome;
-  outcome.exit_code = run::convert({folder.path() / in, folder.path() / out, {}});
+  outcome.exit_code =
+      run::convert({folder.path() / in, folder.path() / out, {}, run::LogFormat::text, replace});
   outcome.messages = testing::internal::GetCapturedStderr();
   return outcome;
 }
@@ -179,6 +181,19 @@ TEST(Convert, AGeometryScriptBecomesAMesh) {
   const std::string text = test::slurp(folder.path() / "box.inp");
   EXPECT_NE(text.find("TYPE=C3D4"), std::string::npos);
   EXPECT_NE(text.find("*SURFACE, NAME=SKIN"), std::string::npos);
+}
+
+TEST(Convert, AFileThatIsThereStaysUntilToldOtherwise) {
+  const Folder folder;
+  std::ofstream(folder.path() / "a.deck") << two_plates();
+  std::ofstream(folder.path() / "a.msh") << "precious";
+  const Outcome refused = convert(folder, "a.deck", "a.msh", false);
+  EXPECT_EQ(refused.exit_code, 7);
+  EXPECT_NE(refused.messages.find("E464"), std::string::npos) << refused.messages;
+  EXPECT_EQ(test::slurp(folder.path() / "a.msh"), "precious");
+  EXPECT_EQ(convert(folder, "a.deck", "b.msh", false).exit_code, 0);
+  EXPECT_EQ(convert(folder, "a.deck", "a.msh").exit_code, 0);
+  EXPECT_NE(test::slurp(folder.path() / "a.msh"), "precious");
 }
 
 } // namespace
