@@ -135,6 +135,15 @@ ShellResult help(const std::string& word, std::string& out) {
   return unknown(word);
 }
 
+// Half a sentence may be meant for something else.
+ShellResult leave(const std::vector<ShellWord>& words, ShellReply& reply) {
+  if (words.size() > 1) {
+    return ShellTrouble{exit_code::usage, fmt::format("use: {}", words.front().text), {}};
+  }
+  reply.quit = true;
+  return {};
+}
+
 ShellResult act(ShellSession& session, const ShellHistory& history, const std::string& line,
                 ShellReply& reply) {
   if (ShellResult trouble = session.restore()) {
@@ -149,8 +158,7 @@ ShellResult act(ShellSession& session, const ShellHistory& history, const std::s
   });
   if (command == shell_commands().end()) {
     if (same_word(words.front().text, "exit")) {
-      reply.quit = true;
-      return {};
+      return leave(words, reply);
     }
     return unknown(words.front().text);
   }
@@ -164,8 +172,7 @@ ShellResult act(ShellSession& session, const ShellHistory& history, const std::s
     return {};
   }
   if (command->word == "quit") {
-    reply.quit = true;
-    return {};
+    return leave(words, reply);
   }
   const ShellCall call{session, words, line, usage_of(*command), reply};
   return carry_out(command->word, call);

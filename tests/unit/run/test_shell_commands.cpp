@@ -50,6 +50,16 @@ TEST(ShellText, NumbersAreThoseOfTheDeck) {
   EXPECT_TRUE(run::read_number("1e", shell->model(), grammar::Quantity::number, value));
 }
 
+TEST(ShellCommands, LeavingTakesNoMoreWords) {
+  const ShellOnText shell(cracked_hub());
+  for (const char* line : {"quit now please", "exit 1"}) {
+    const ShellReply reply = type(shell, line);
+    EXPECT_FALSE(reply.quit) << line;
+    EXPECT_EQ(reply.exit_code, run::exit_code::usage) << line;
+  }
+  EXPECT_TRUE(type(shell, "exit").quit);
+}
+
 TEST(ShellCommands, EveryWordIsCarriedOut) {
   for (const run::ShellCommand& command : run::shell_commands()) {
     const ShellOnText shell(cracked_hub());
