@@ -32,7 +32,7 @@ public:
     } else {
       from_rows();
     }
-    if (good_ && !card_.rows_bad && !has_cycle()) {
+    if (good_ && !card_.rows_bad && !off_path_ && !has_cycle()) {
       c_.error(card_.span, "E325", fmt::format("spectrum {} has no cycle", card_.word("NAME")),
                spectrum_.sequence ? "a sequence has two or more different turning points"
                                   : "a line of TYPE=BLOCKS is low high count");
@@ -104,11 +104,24 @@ private:
     if (at >= -same_place * last_ && at <= last_ * (1.0 + same_place)) {
       return true;
     }
+    off_path_ = true;
     wrong(line, "E325",
           fmt::format("t = {:.6g} lies beyond load path {}, 0 to {:.6g}", at,
                       card_.reference("PATH").name, last_),
-          at > 0.0 ? "give $LOADPATH a larger BEYOND" : "let the path begin at the smallest load");
+          hint_beyond(at));
     return false;
+  }
+
+  // A little beyond the end the path is too short; far beyond it t is no part of its load but a
+  // load, a stress or per cent.
+  [[nodiscard]] std::string hint_beyond(double at) const {
+    constexpr double far = 3.0;
+    if (std::abs(at) > far * last_) {
+      return "t counts in parts of the path: 0 is its step FROM, 1 its step TO; FACTOR of "
+             "$SPECTRUM "
+             "brings per cent (FACTOR=0.01), loads or stresses to that";
+    }
+    return at > 0.0 ? "give $LOADPATH a larger BEYOND" : "let the path begin at the smallest load";
   }
 
   void wrong(const NumberLine& line, const char* code, const std::string& text,
@@ -127,6 +140,7 @@ private:
   model::Spectrum spectrum_;
   double last_ = 1.0; ///< t at the end of the path
   bool good_ = true;
+  bool off_path_ = false; ///< some t
 };
 
 } // namespace

@@ -83,6 +83,16 @@ std::optional<Misfit> Checkpoint::misfit_of_growth() const {
   if (found_.growth == growth_rules(model_) && (lengths || (further && same_history))) {
     return std::nullopt; // other lengths, or a later end
   }
+  if (found_.growth == growth_rules(model_) && same_history) {
+    const bool length = ends[0] < found_.ends[0];
+    return Misfit{"E561", d->span,
+                  fmt::format("{}: its cracks grew for a later end, and may go on to another one "
+                              "only if it is later still: {}, which it had as {:.6g}",
+                              place_.read.string(),
+                              length ? fmt::format("AMAX is {:.6g}", ends[0])
+                                     : fmt::format("CYCLES is {:.6g}", ends[1]),
+                              found_.ends[length ? 0 : 1])};
+  }
   return Misfit{
       "E561", d->span,
       fmt::format("{}: its cracks grew by other rules: {}", place_.read.string(), d->text)};

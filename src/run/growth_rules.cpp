@@ -55,6 +55,18 @@ namespace {
 // A rate at which a single cycle is no small part of the crack any more.
 constexpr double much_of_length = 0.01;
 
+bool has_no_range(const results::Growth& growth) {
+  constexpr double same_load = 1e-9;
+  return std::ranges::all_of(growth.stations.front().tips, [](const results::GrowingTip& tip) {
+    return tip.K_max > 0.0 && tip.K_max - tip.K_min <= same_load * tip.K_max;
+  });
+}
+
+// The crack ends at once by where it lies, whatever its law.
+bool drawn_at_an_end(const results::Growth& growth) {
+  return growth.ended == "EDGE" || growth.ended == "LINK-UP" || growth.ended == "PATH END";
+}
+
 void look_at_beginning(const results::Growth& growth, std::vector<std::string>& warnings) {
   const results::GrowthStation& first = growth.stations.front();
   for (const results::GrowingTip& tip : first.tips) {
@@ -71,10 +83,21 @@ void look_at_beginning(const results::Growth& growth, std::vector<std::string>& 
 
 std::vector<std::string> doubts_of_life(const results::Growth& growth) {
   std::vector<std::string> warnings;
-  look_at_beginning(growth, warnings);
   const bool nothing = growth.cycles() == 0.0;
   const bool grew = growth.stations.size() > 1;
-  if (nothing && !grew && (growth.ended == "THRESHOLD" || growth.ended == "CLOSED")) {
+  if (nothing && !grew && drawn_at_an_end(growth)) {
+    warnings.push_back(fmt::format("the life is over before it begins: {}. Are the first lengths "
+                                   "and the places of the cracks those you mean?",
+                                   growth.reason));
+    return warnings;
+  }
+  look_at_beginning(growth, warnings);
+  if (nothing && !grew && growth.ended == "THRESHOLD" && has_no_range(growth)) {
+    warnings.push_back(fmt::format("N = 0 is no life: K does not change in a {}: {}", growth.unit,
+                                   growth.unit == "pass"
+                                       ? "the load path leads between steps with the same loads"
+                                       : "the steps KMAX and KMIN have the same loads"));
+  } else if (nothing && !grew && (growth.ended == "THRESHOLD" || growth.ended == "CLOSED")) {
     warnings.push_back(fmt::format("N = 0 is no life: {}", growth.reason));
   } else if (nothing && !grew) {
     warnings.push_back(fmt::format("the life is over before it begins: {}. Are KC, SFLOW and the "

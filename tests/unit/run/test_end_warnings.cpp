@@ -81,6 +81,20 @@ TEST(EndlessLives, AStressInAnotherUnit) {
   EXPECT_TRUE(has(said(strip("50e-6")), "W572: the life is"));
 }
 
+// What ends a life at once: the drawing, or loads that do not change; not the units of a law.
+TEST(LivesOfNothing, SayWhatEndsThem) {
+  std::string whole = strip("50");
+  whole.replace(whole.find("A0=4"), 4, "A0=19.9");
+  whole.replace(whole.find("AMAX=5"), 6, "AMAX=19.95");
+  const std::string cut = said(whole);
+  EXPECT_TRUE(has(cut, "Are the first lengths")) << cut;
+  EXPECT_FALSE(has(cut, "KUNIT")) << cut;
+  std::string still = strip("50");
+  still.replace(still.find("LOAD F 0"), 8, "LOAD F 1");
+  const std::string same = said(still);
+  EXPECT_TRUE(has(same, "K does not change in a cycle")) << same;
+}
+
 TEST(StrangeTests, ReadingsOutsideAllLengths) {
   const auto readings = [](double unit) {
     std::string text = "$TEST NAME=T CRACK=C\n";
