@@ -18,6 +18,7 @@
 #include "run/sweep.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -26,6 +27,39 @@ namespace spricka::run {
 namespace {
 
 constexpr double rate_seconds = 0.02; // long enough for a clock, short enough for a prompt
+
+// DA bounds how far the fastest tip goes between two stations, AMAX where the first one ends.
+double stations_at_least(const model::Model& model, const std::vector<mesh::CrackLine>& lines) {
+  const model::Growth& growth = *model.growth;
+  if (!growth.largest_advance || !growth.last_length) {
+    return 1.0;
+  }
+  double way = *growth.last_length;
+  for (const mesh::CrackLine& line : lines) {
+    double length = 0.0;
+    for (std::size_t i = 1; i < line.points.size(); ++i) {
+      length += (line.points[i] - line.points[i - 1]).norm();
+    }
+    if (growth::crack_grows(model, line.crack.index())) {
+      way = std::min(way, *growth.last_length - (line.embedded ? 0.5 : 1.0) * length);
+    }
+  }
+  return std::max(1.0, std::ceil(way / *growth.largest_advance * (1.0 - 1e-9)));
+}
+
+std::string growth_words(const model::Model& model, double stations) {
+  if (!grows_by_law(model)) {
+    return {};
+  }
+  return stations > 1.0
+             ? fmt::format(
+                   "  a growth by a law: DA asks for at least {:.0f} stations like the first, "
+                   "flops and CPU time are of that many\n",
+                   stations)
+             : "  a growth by a law: figures are of its first station, mostly there are some ten "
+               "or "
+               "more\n";
+}
 
 /// One deck's preview; what it finds wrong stays in its members.
 class Previewer {
@@ -37,6 +71,7 @@ public:
     if (grows_by_law(model_)) {
       if (const auto lines = growth::crack_lines(model_, 0.0, diagnostics)) {
         growth_can_begin(model_, *lines, diagnostics);
+        stations = stations_at_least(model_, *lines);
       }
       if (diagnostics.has_errors()) {
         return;
@@ -77,6 +112,7 @@ public:
   results::Preview preview;
   base::Diagnostics diagnostics; ///< mistakes of cards
   std::vector<Refusal> refusals; ///< what the whole model shows
+  double stations = 1.0;         ///< that a growth by a law takes at least
 
 private:
   // What does not change from length to length, or hardly: seen once.
@@ -140,11 +176,11 @@ int check_points(const RunOptions& options, const ReadyDeck& deck, const Log& lo
   return worst;
 }
 
-void add_sums(double read_cpu, results::Preview& preview) {
+void add_sums(double read_cpu, double stations, results::Preview& preview) {
   preview.seconds = read_cpu;
   for (const results::LengthPreview& length : preview.lengths) {
-    preview.flops += length.flops;
-    preview.seconds += length.seconds;
+    preview.flops += stations * length.flops;
+    preview.seconds += stations * length.seconds;
     preview.memory = std::max(preview.memory, length.memory);
   }
   preview.machine_memory = static_cast<double>(base::memory_limit());
@@ -173,13 +209,14 @@ int check_deck(const RunOptions& options, const ReadyDeck& deck, const Log& log)
       preview.warnings.push_back(d.text);
     }
   }
-  add_sums(read_cpu, preview);
+  add_sums(read_cpu, look.stations, preview);
   const int points = own == exit_code::done ? check_points(options, deck, log, preview) : 0;
   const int code = std::max(own, points);
   if (options.json) {
     to_stdout(report::check_json(preview, code));
   } else if (!options.quiet && !preview.lengths.empty()) {
     to_stdout(report::check_listing(preview));
+    to_stdout(growth_words(model, look.stations));
     to_stdout(fmt::format("\n{}: {}\n", options.deck.string(),
                           code == exit_code::done ? "no mistakes found" : "see the messages"));
   }

@@ -46,6 +46,22 @@ TEST(Forecast, FlopsAreExactlyThoseOfTheRun) {
   }
 }
 
+// 3 mm by 0.01 mm at a time are 300 solutions at least.
+TEST(Forecast, AGrowthByALawTakesItsStations) {
+  std::string deck = growing_crack(8, "");
+  const std::size_t at = deck.find("$GROW");
+  const auto with = [&](const std::string& more) {
+    return deck.substr(0, at) +
+           "$STEP NAME=REST\n  LOAD PULL 0\n$GROW LAW=PARIS KMAX=PULL "
+           "KMIN=REST C=1e-9 M=3 KUNIT='MPa*mm^0.5' AUNIT='mm' AMAX=4" +
+           more + "\n$END\n";
+  };
+  const Folder folder;
+  const double one = check_text(folder, with("")).found["forecast"]["flops"];
+  const double many = check_text(folder, with(" DA=0.01")).found["forecast"]["flops"];
+  EXPECT_NEAR(many / one, 300.0, 1e-9);
+}
+
 // Runs the program itself, as memory belongs to a process; returns its standard output.
 std::string run_program(const std::vector<std::string>& arguments, const Folder& folder,
                         double& peak_memory) {
