@@ -178,7 +178,9 @@ double contact_quantity(const model::Model& model, const std::string& quantity, 
     return end_of_part(contact, quantity, *theta);
   }
   if (theta && std::abs(*theta) > full_circle) {
-    throw Missing(fmt::format("{0:.6g} rad is more than a circle; degrees: {0:.6g}[deg]", *theta));
+    throw Missing(fmt::format("{0:.6g} rad, {1:.6g} degrees, is more than a circle; an angle "
+                              "without a unit is in radians, {0:.6g}[deg] in degrees",
+                              *theta, *theta * 180.0 / std::numbers::pi));
   }
   if (theta) {
     return value_at(contact, value_of(quantity, consistent), *theta);

@@ -348,8 +348,15 @@ void print_tip(const std::string& before, const results::TipResult& tip,
 // A line for each tip: of a growth by a law at KMAX of each station, else of every step.
 void print_tips(const model::Model& model, const results::Run& run) {
   const std::string leading = run.growth ? report::leading_step(model) : std::string();
+  const auto behind_the_end = [&](std::size_t i) { // its cycles are not lived
+    return run.growth && i > 0 && i < run.growth->stations.size() &&
+           run.growth->stations[i].cycles > run.growth->cycles() * (1.0 + 1e-9);
+  };
   for (std::size_t i = 0; i < run.increments.size(); ++i) {
     for (const results::StepResult& step : run.increments[i].steps) {
+      if (behind_the_end(i)) {
+        continue;
+      }
       if (run.growth && step.step != leading) {
         continue;
       }

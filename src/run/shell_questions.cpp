@@ -3,6 +3,8 @@
 #include "run/shell_names.hpp"
 #include "run/shell_replies.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace spricka::run {
@@ -46,7 +48,9 @@ ShellResult do_k(const ShellCall& call) {
     names.push_back(tip.name);
   }
   for (const std::string& crack : crack_names(call.session.model())) {
-    names.push_back(crack);
+    if (std::ranges::find(names, crack) == names.end()) { // of two tips
+      names.push_back(crack);
+    }
   }
   std::size_t index = 0;
   ShellResult trouble = only.empty() ? ShellResult() : find_name(names, "crack", only, index);
