@@ -4,10 +4,12 @@
 #include "contact/outline.hpp"
 #include "fe/dof_map.hpp"
 #include "mesh/boundary.hpp"
+#include "mesh/coincidence.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -43,6 +45,10 @@ public:
       return;
     }
     see_joints();
+    if (mesh_.dim == 3) {
+      look_in_space();
+      return;
+    }
     draw();
     std::vector<std::size_t> order; // along x: only neighbours there can touch
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
@@ -72,6 +78,46 @@ private:
     double length = 0.0;
     std::size_t first = 0; ///< side
   };
+
+  // In space: sides that lie on each other corner on corner, as bricks meshed alike have them.
+  void look_in_space() {
+    struct Touching {
+      std::size_t sides = 0;
+      base::Vec3 at = base::Vec3::Zero();
+    };
+    std::map<std::pair<std::size_t, std::size_t>, Touching> found;
+    for (const mesh::Seam& seam : mesh::seams(mesh_, mesh::boundary_faces(mesh_))) {
+      const std::size_t a = of_element_[seam.first.element.index()];
+      const std::size_t b = of_element_[seam.second.element.index()];
+      const base::Vec3 at = middle(mesh::nodes_of_faces(mesh_, {seam.first}));
+      const base::Vec3 one = middle(mesh_.nodes_of(seam.first.element)) - at;
+      const base::Vec3 two = middle(mesh_.nodes_of(seam.second.element)) - at;
+      if (bodies_[a].net == bodies_[b].net || joined_.contains(std::minmax(a, b)) ||
+          one.dot(two) >= 0.0 || mesh::lies_within(mesh_, seam.first, cared_for_) ||
+          mesh::lies_within(mesh_, seam.second, cared_for_)) {
+        continue; // within a net: W341
+      }
+      Touching& touching = found[std::minmax(a, b)];
+      touching.at = touching.sides++ == 0 ? at : touching.at;
+    }
+    for (const auto& [pair, touching] : found) {
+      list_.warning(place_of(bodies_[pair.second]), "W451",
+                    fmt::format("{} and {} are drawn touching in {} sides of elements, near "
+                                "({:.4g}, {:.4g}, {:.4g}), and nothing joins them there",
+                                name(pair.first), name(pair.second), touching.sides,
+                                touching.at.x(), touching.at.y(), touching.at.z()),
+                    "tie them with $MPC; as they are they pass through each other or part without "
+                    "a force");
+    }
+  }
+
+  template <class Nodes> [[nodiscard]] base::Vec3 middle(const Nodes& nodes) const {
+    base::Vec3 sum = base::Vec3::Zero();
+    for (const base::NodeId n : nodes) {
+      sum += mesh_.x[n.index()];
+    }
+    return sum / static_cast<double>(nodes.size());
+  }
 
   // What contacts and ties join, and the nodes that they look after whatever for.
   void see_joints() {
@@ -209,7 +255,7 @@ private:
     const base::Vec2 at = contact::point_on(sides_[small][touching.first], 0.0);
     list_.warning(
         place_of(bodies_[b]), "W451",
-        fmt::format("{} and {} are drawn touching along {:.4g} {} of their boundaries, by "
+        fmt::format("{} and {} are drawn touching along {:.4g} {} of their boundaries, near "
                     "({:.4g}, {:.4g}), and nothing joins them there",
                     name(a), name(b), touching.length, model_.units.length_name, at.x(), at.y()),
         "tie them with $MPC or pair the sides with $CONTACT; as they are they pass through each "
@@ -254,7 +300,7 @@ private:
 } // namespace
 
 void warn_of_unjoined_bodies(const model::Model& model, base::Diagnostics& list) {
-  if (model.mesh.dim == 2 && !list.has_errors()) {
+  if (!list.has_errors()) {
     Unjoined(model, list).look();
   }
 }

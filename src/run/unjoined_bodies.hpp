@@ -5,9 +5,9 @@
 
 namespace spricka::run {
 
-/// Warns of bodies in the plane that are drawn touching along sides with nothing between them: no
-/// contact, tie or support (W451). The divisions of the two sides may differ. Work grows with the
-/// number of boundary sides.
+/// Warns of bodies that are drawn touching along sides with nothing between them: no contact, tie
+/// or support (W451). In the plane the divisions of the two sides may differ, in space bodies of
+/// two nets are seen that touch corner on corner. Work grows with the number of boundary sides.
 void warn_of_unjoined_bodies(const model::Model& model, base::Diagnostics& list);
 
 } // namespace spricka::run

@@ -73,6 +73,33 @@ TEST(UnjoinedBodies, ContactsTiesAndSupportsSettleASide) {
   }
 }
 
+TEST(UnjoinedBodies, InSpaceCornerOnCorner) {
+  const auto deck = [](const std::string& cards) {
+    return fmt::format(R"($DECK VERSION=1 LENGTH=mm FORCE=N
+$NET NAME=A
+$MESH SHAPE=BLOCK TYPE=HEXE8 LX=2 LY=2 LZ=2 NX=2 NY=2 NZ=2
+$ENDNET
+$NET NAME=B
+$MESH SHAPE=BLOCK TYPE=HEXE8 X0=2 LX=2 LY=2 LZ=2 NX=2 NY=2 NZ=2
+$ENDNET
+$MATERIAL NAME=M E=1000 NU=0.3
+$PROPERTY ESET=A.BODY MATERIAL=M STATE=SOLID
+$PROPERTY ESET=B.BODY MATERIAL=M STATE=SOLID
+$FREEDOM CLASS=SUPPRESSED DOF=XYZ
+  A.XMIN B.XMAX
+$LOAD CASE=F TYPE=TRACTION
+  A.YMAX 0 1 0
+{}
+$STEP NAME=S
+  LOAD F 1
+$END
+)",
+                       cards);
+  };
+  EXPECT_TRUE(has(messages(deck("")), "touching in 4 sides")) << messages(deck(""));
+  EXPECT_FALSE(has(messages(deck("$MPC TYPE=TRANSITION SLAVE=B.XMIN MASTER=A.XMAX")), "W451"));
+}
+
 // A pin drawn in its bore, other divisions on either side: curves lie on each other as well.
 TEST(UnjoinedBodies, CurvedSides) {
   std::string text = R"($DECK VERSION=1 LENGTH=m FORCE=N
