@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -131,8 +132,11 @@ private:
       return false;
     }
     take_values();
+    std::set<std::string_view> told; // gmsh says some for every point that it meshes
     for (const std::string& line : from_.errors) {
-      error("E331", fmt::format("{}: gmsh says: {}", file_name(), line));
+      if (told.insert(line).second) {
+        error("E331", fmt::format("{}: gmsh says: {}", file_name(), line));
+      }
     }
     if (from_.gave_up && from_.errors.empty()) {
       error("E331", fmt::format("{}: gmsh gave up", file_name()));
