@@ -19,10 +19,22 @@ Eigen::Matrix<double, 2, Side::nodes> displacements(const std::array<base::NodeI
   return U;
 }
 
+// What part of a side counts as nothing.
+constexpr double beside = 1e-9;
+
 struct ScaledLoad {
   const ActingLoad& acting;
   fe::FieldScale scale;
 };
+
+// Nodes of a side as seen from the tip: of points much nearer to it than sixteen digits of their
+// coordinates tell, as a rule has them where a load jumps at the tip, the distance is right even
+// so.
+template <shape::Shape Side>
+Eigen::Matrix<double, 2, Side::nodes> from_tip(const TipSetting& set,
+                                               const fe::SideNodes<Side>& X) {
+  return X.template topRows<2>().colwise() - set.tip.x;
+}
 
 // t . u,1 needs no gradient of the element: along the face u,1 ds is the derivative of u by the
 // reference coordinate, and finite where a quarter-point element's gradients are not.
@@ -33,15 +45,20 @@ void add_face(const TipSetting& set, const ScaledLoad& on, const model::Face& fa
   const fe::SideNodes<Side> X = fe::side_coordinates<Side>(set.mesh, face);
   const auto nodes = fe::nodes_of_face<Side>(set.mesh, face);
   const Eigen::Matrix<double, 2, Side::nodes> U = displacements<Side>(nodes, u);
+  const Eigen::Matrix<double, 2, Side::nodes> R = from_tip<Side>(set, X);
   for (const auto& point : fe::load_rule<Side>(X, *acting.load, scale).points) {
     const auto dN = Side::dN(point.r);
     const auto N = Side::N(point.r);
     const base::Vec2 x = (X * N).template head<2>();
-    const base::Vec2 along = (X * dN).template head<2>(); // dx/dr, the body on the left
+    const base::Vec2 along = R * dN; // dx/dr, the body on the left
+    const base::Vec2 from = R * N;
+    if (!(from.squaredNorm() > 0.0 && along.squaredNorm() > 0.0)) {
+      continue; // the tip itself, a point without a length
+    }
     const base::Vec2 tangent = along.normalized();
     const base::Vec2 normal(tangent.y(), -tangent.x());
     const base::Vec2 t = traction(acting, x, normal);
-    const Polar place = polar_on_face(set.tip, x, normal);
+    const Polar place = polar_on_face({{0.0, 0.0}, set.tip.e1, set.tip.e2}, from, normal);
     for (std::size_t k = 0; k < partners; ++k) {
       const base::Vec2 du =
           k == 0 ? base::Vec2(U * dN) : base::Vec2(partner_gradient(set, place, k) * along);
@@ -75,7 +92,9 @@ double stress_on_lips_at_tip(const TipSetting& set, const mesh::Tip& tip) {
       const base::Vec2 normal(along.y(), -along.x());
       const bool behind = (middle - set.tip.x).dot(set.tip.e1) < 0.0; // a half model has more
       if (behind && (nodes[0] == tip.node || nodes[1] == tip.node)) {
-        sum += normal.dot(traction(acting, set.tip.x, normal));
+        // on the lip, should the load end at the tip
+        const base::Vec2 x = set.tip.x + beside * (middle - set.tip.x);
+        sum += normal.dot(traction(acting, x, normal));
       }
     });
   }
