@@ -196,15 +196,12 @@ public:
         const auto value = [&](double t) {
           const shape::Point<2> r = on_side<L>(edge.of_left, t);
           const shape::Point<2> s = on_side<R>(edge.of_right, -t);
-          const Vec2 x = left.x(r);
           const Vec2 tangent = 0.5 * fe::coordinates<L>(set_.mesh, edge.left) * L::dN(r) *
                                (shape::node<L>((edge.of_left + 1) % fe::corners<L>()) -
                                 shape::node<L>(edge.of_left));
           const double n = Vec2(tangent.y(), -tangent.x()).dot(set_.tip.e1);
-          const double T =
-              0.5 *
-              (temperature_at(set_.loads, edge.left, beside(x, left.x(shape::centre<L>()))) +
-               temperature_at(set_.loads, edge.right, beside(x, right.x(shape::centre<R>()))));
+          const double T = 0.5 * (temperature_beside<L>(left, edge.left, r) +
+                                  temperature_beside<R>(right, edge.right, s));
           const double a = (T - left.taken(r)) * left.volume_change(r) * left.beta();
           const double b = (T - right.taken(s)) * right.volume_change(s) * right.beta();
           const double weight = left.extension(r) * n;
@@ -230,6 +227,17 @@ private:
   template <shape::PlaneShape S> static shape::Point<2> on_side(int side, double t) {
     return 0.5 * (1.0 - t) * shape::node<S>(side) +
            0.5 * (1.0 + t) * shape::node<S>((side + 1) % fe::corners<S>());
+  }
+  // What stands on one side of an edge: where the element takes all of the temperature that it
+  // knows, that, also where a sliver at its edge has another one that no point has seen.
+  template <shape::PlaneShape S>
+  [[nodiscard]] double temperature_beside(const Element<S>& element, ElementId e,
+                                          const shape::Point<2>& r) const {
+    const bool takes_all = std::ranges::all_of(
+        set_.loads.heat, [&](const fe::ActingHeat& acting) { return acting.heat->of(e).empty(); });
+    return takes_all
+               ? element.taken(r)
+               : temperature_at(set_.loads, e, beside(element.x(r), element.x(shape::centre<S>())));
   }
   // Just inside an element, should the temperature jump on its side.
   static Vec2 beside(const Vec2& x, const Vec2& centre) { return x + 1e-9 * (centre - x); }

@@ -4,6 +4,7 @@
 #include "base/tidy.hpp"
 #include "contact/marked_arc.hpp"
 #include "contact/slave_places.hpp"
+#include "crack/rough_loads.hpp"
 #include "crack/stress_intensity.hpp"
 #include "run/body_overlap.hpp"
 #include "run/closed_parts.hpp"
@@ -50,9 +51,10 @@ void gather_tips(const model::Model& model, const Scene& scene, const StepState&
     }
     const std::optional<crack::LipForces> lips = lip_forces(scene, tip, state);
     request.lips = lips ? &*lips : nullptr;
+    const std::vector<crack::ExtensionField>& fields = scene.tips[t].fields;
+    const crack::TipLoads loads = tip_loads(model, scene, fields, state.case_factor);
     const crack::StressIntensity K =
-        crack::stress_intensity(model, scene.cracked, tip, scene.tips[t].fields, request, state.u,
-                                tip_loads(model, scene, scene.tips[t].fields, state.case_factor));
+        crack::stress_intensity(model, scene.cracked, tip, fields, request, state.u, loads);
     results::TipResult result;
     result.name = tip_name(model, scene.cracked, tip);
     result.a = base::tidy(tip.a);
@@ -65,8 +67,15 @@ void gather_tips(const model::Model& model, const Scene& scene, const StepState&
     result.spread = K.spread;
     result.T = K.T;
     result.K_opening = K.opening;
-    for (const crack::DomainValue& d : K.domains) {
-      result.K1_domain.push_back(d.K1);
+    std::vector<bool> rough;
+    if (!fields.empty()) {
+      rough = crack::rough_rims(crack::tip_setting(model, scene.cracked, tip, fields, loads),
+                                fields, std::hypot(K.K1, K.K2));
+    }
+    for (std::size_t d = 0; d < K.domains.size(); ++d) {
+      if (!rough[d]) { // others are no measure of each other
+        result.K1_domain.push_back(K.domains[d].K1);
+      }
     }
     if (K.shift_error && std::abs(*K.shift_error) > 2e-5) {
       out.notes.push_back(fmt::format(
@@ -77,8 +86,8 @@ void gather_tips(const model::Model& model, const Scene& scene, const StepState&
     if (!K.domains.empty() && std::ranges::all_of(K.domains, [](const crack::DomainValue& d) {
           return std::isnan(d.G);
         })) {
-      out.notes.push_back(fmt::format("{}: the temperature jumps within all domains of K, which "
-                                      "leave G to K: it is (K1^2 + K2^2)/E'",
+      out.notes.push_back(fmt::format("{}: loads or temperatures jump within all domains of K, "
+                                      "which leave G to K: it is (K1^2 + K2^2)/E'",
                                       result.name));
     }
     result.two_materials = K.two_materials;

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "crack/rough_loads.hpp"
+
+#include "crack/load_fields.hpp"
+#include "fe/face.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace spricka::crack {
+
+namespace {
+
+// Square of what a load on a side has beyond a linear one, and of the load, integrated over it.
+struct Roughness {
+  double rough = 0.0, all = 0.0;
+};
+
+template <shape::Shape Side>
+Roughness roughness(const TipSetting& set, const ActingLoad& acting, const fe::FieldScale& scale,
+                    const model::Face& face) {
+  const fe::SideNodes<Side> X = fe::side_coordinates<Side>(set.mesh, face);
+  const auto rule = fe::load_rule<Side>(X, *acting.load, scale);
+  // by Legendre's polynomials of the arc length that a straight side has, twice over it -1 .. 1
+  const base::Vec2 from = X.col(0).template head<2>();
+  const base::Vec2 chord = X.col(1).template head<2>() - from;
+  const base::Vec2 normal = base::Vec2(chord.y(), -chord.x()).normalized();
+  base::Vec2 mean = base::Vec2::Zero();
+  base::Vec2 slope = base::Vec2::Zero();
+  double square = 0.0;
+  for (const auto& point : rule.points) {
+    const base::Vec2 x = (X * Side::N(point.r)).template head<2>();
+    const base::Vec2 along = (X * Side::dN(point.r)).template head<2>();
+    const double s = 2.0 * (x - from).dot(chord) / chord.squaredNorm() - 1.0;
+    const double w = 2.0 * point.weight * along.norm() / chord.norm();
+    const base::Vec2 t = traction(acting, x, normal);
+    mean += 0.5 * w * t;
+    slope += 1.5 * w * s * t;
+    square += w * t.squaredNorm();
+  }
+  const double rough = square - 2.0 * mean.squaredNorm() - slope.squaredNorm() * 2.0 / 3.0;
+  const double half = 0.5 * chord.norm();
+  return {half * std::max(rough, 0.0), half * square};
+}
+
+// Calls visit(face, its nodes, roughness) for loaded sides with nodes that q moves.
+template <class Visit>
+void for_rough_sides(const TipSetting& set, const ExtensionField& field, Visit&& visit) {
+  std::vector<base::NodeId> moved;
+  for (const auto& [node, q] : field.q) {
+    moved.push_back(node);
+  }
+  for (const ActingLoad& acting : set.loads.loads) {
+    if (acting.faces.empty() || fe::is_constant(*acting.load)) {
+      continue;
+    }
+    const fe::FieldScale scale = face_scale(set, acting);
+    fe::for_edges(set.mesh, acting.faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
+      const auto nodes = fe::nodes_of_face<Side>(set.mesh, face);
+      if (std::ranges::any_of(
+              nodes, [&](base::NodeId n) { return std::ranges::binary_search(moved, n); })) {
+        visit(face, roughness<Side>(set, acting, scale, face));
+      }
+    });
+  }
+}
+
+// Whether tractions jump within sides of the elements where q varies.
+bool faces_jump(const TipSetting& set, const ExtensionField& field) {
+  constexpr double little = 1e-3;
+  bool jumps = false;
+  for_rough_sides(set, field, [&](const model::Face& face, const Roughness& r) {
+    jumps = jumps ||
+            (r.rough > little * r.all && std::ranges::binary_search(field.elements, face.element));
+  });
+  return jumps;
+}
+
+// The largest jump of the temperature inside elements or between them.
+double largest_jump(const TipSetting& set, const ExtensionField& field) {
+  if (set.loads.temperature.size() == 0) {
+    return 0.0;
+  }
+  double most = 0.0;
+  std::map<base::NodeId, double> of_node;
+  for (const std::vector<base::ElementId>* elements : {&field.elements, &field.inside}) {
+    for (const base::ElementId e : *elements) {
+      const auto nodes = set.mesh.nodes_of(e);
+      for (int c = 0; c < base::info(set.mesh.type[e.index()]).corners; ++c) {
+        const double T = set.loads.temperature[set.mesh.first[e.index()] + c];
+        const auto [met, fresh] = of_node.try_emplace(nodes[static_cast<std::size_t>(c)], T);
+        most = std::max(most, std::abs(met->second - T));
+      }
+      for (const fe::ActingHeat& acting : set.loads.heat) {
+        if (!acting.heat->rough.empty() && acting.heat->rough[e.index()]) {
+          for (const fe::HeatPoint& p : acting.heat->of(e)) {
+            most = std::max(most, 2.0 * std::abs(acting.factor * p.T));
+          }
+        }
+      }
+    }
+  }
+  return most;
+}
+
+double size_of(const TipSetting& set, const ExtensionField& field) {
+  double most = 0.0;
+  for (const auto& [node, q] : field.q) {
+    most = std::max(most, (set.mesh.x[node.index()].head<2>() - set.tip.x).norm());
+  }
+  return most;
+}
+
+// Both by comparison with known K (tests/unit/run/test_rough_loads.cpp), steps anywhere near a tip.
+constexpr double of_faces = 0.5;
+constexpr double of_heat = 0.05;
+
+double heat_doubt(const TipSetting& set, const ExtensionField& field) {
+  const double E = fe::effective_modulus(set.material, set.state());
+  const double strain = set.state() == model::State::plane_stress
+                            ? set.material.alpha
+                            : (1.0 + set.material.nu) * set.material.alpha;
+  const double stress = E * strain * largest_jump(set, field);
+  return of_heat * stress * stress * size_of(set, field) / E;
+}
+
+} // namespace
+
+double doubt_of_G(const TipSetting& set, const ExtensionField& field) {
+  double sum = 0.0;
+  for_rough_sides(set, field,
+                  [&](const model::Face& /*face*/, const Roughness& r) { sum += r.rough; });
+  return of_faces * sum / fe::effective_modulus(set.material, set.state()) + heat_doubt(set, field);
+}
+
+std::vector<bool> rough_rims(const TipSetting& set, const std::vector<ExtensionField>& fields,
+                             double K) {
+  std::vector<bool> rough;
+  const double G = K * K / fe::effective_modulus(set.material, set.state());
+  const bool heated = !fields.empty() && heat_doubt(set, fields.back()) > worst_doubt * G;
+  for (const ExtensionField& field : fields) {
+    rough.push_back(heated || faces_jump(set, field));
+  }
+  return rough;
+}
+
+} // namespace spricka::crack
