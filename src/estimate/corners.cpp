@@ -21,6 +21,8 @@ constexpr double nearly_regular = 0.97;
 // The displacement under a force on a point grows like log r, that of the adjoint is smooth there:
 // together as much as twice a half.
 constexpr double of_point = 0.5;
+// Ends of two bodies nearer to each other than this part of an element are one.
+constexpr double one_end = 1.1;
 
 /// An element at a node, between its sides from the node on and towards it.
 struct Slice {
@@ -59,9 +61,9 @@ public:
       left_out_[n.index()] = true;
     }
     for (const fe::Dependence::Row& row : set_.ties.rows()) {
-      left_out_[static_cast<std::size_t>(row.freedom) / 2] = true;
+      leave_out(static_cast<std::size_t>(row.freedom) / 2);
       for (const fe::Term& term : row.terms) {
-        left_out_[static_cast<std::size_t>(term.freedom) / 2] = true;
+        leave_out(static_cast<std::size_t>(term.freedom) / 2);
       }
     }
   }
@@ -73,11 +75,54 @@ public:
         look_at(base::NodeId(n), found);
       }
     }
+    drop_common_ends(found);
     add_points(found);
     return found;
   }
 
 private:
+  [[nodiscard]] bool tied(std::size_t n) const { return set_.tied != nullptr && (*set_.tied)[n]; }
+  void leave_out(std::size_t n) { left_out_[n] = left_out_[n] || !tied(n); }
+
+  // Ends of ties that no surface goes on past: a body that ends there alone is a smooth one.
+  void drop_common_ends(std::vector<Corner>& found) const {
+    const auto at = [&](const Corner& c) -> base::Vec2 {
+      return set_.mesh.x[c.node.index()].head<2>();
+    };
+    std::vector<base::Vec2> passed;
+    for (const Corner& corner : found) {
+      if (tied(corner.node.index()) && opening(corner.node) > pi - bend) {
+        passed.push_back(at(corner));
+      }
+    }
+    std::erase_if(found, [&](const Corner& corner) {
+      const bool own = tied(corner.node.index()) && opening(corner.node) <= pi - bend;
+      return own && std::ranges::none_of(passed, [&](const base::Vec2& x) {
+               return (x - at(corner)).norm() < one_end * longest_side(corner);
+             });
+    });
+  }
+
+  [[nodiscard]] double opening(base::NodeId n) const {
+    double angle = 0.0;
+    for (const Slice& slice : slices_[n.index()]) {
+      angle += slice.to - slice.from;
+    }
+    return angle;
+  }
+
+  [[nodiscard]] double longest_side(const Corner& corner) const {
+    double most = 0.0;
+    for (const Slice& slice : slices_[corner.node.index()]) {
+      for (const std::size_t side : {slice.out, slice.in}) {
+        const Edge& edge = set_.edges.edges[side];
+        most = std::max(
+            most, (set_.mesh.x[edge.nodes[0].index()] - set_.mesh.x[edge.nodes[1].index()]).norm());
+      }
+    }
+    return most;
+  }
+
   [[nodiscard]] bool given(base::NodeId n, std::size_t c) const {
     const model::FreedomClass k = set_.cls[2 * n.index() + c];
     return k == model::FreedomClass::suppressed || k == model::FreedomClass::prescribed;
@@ -172,7 +217,7 @@ private:
     std::array<bool, 2> both{};
     for (std::size_t c = 0; c < 2; ++c) {
       both[c] = std::ranges::all_of(set_.edges.edges[edge].nodes,
-                                    [&](base::NodeId n) { return given(n, c); });
+                                    [&](base::NodeId n) { return given(n, c) || tied(n.index()); });
     }
     return both;
   }

@@ -29,10 +29,13 @@ struct CornerSetting {
   const std::vector<model::FreedomClass>& cls;
   const fe::Dependence& ties;
   const std::vector<base::NodeId>& tips; ///< of cracks: their elements follow u ~ sqrt(r)
+  /// [node] held by another body or a rigid one; null: none
+  const std::vector<bool>* tied = nullptr;
 };
 
-/// The singular corners of a plane mesh, by their nodes. Where meshes are tied together there is
-/// none known.
+/// The singular corners of a plane mesh, by their nodes. Where bodies are tied together their ends
+/// are those of a support where one surface goes on past the other, which is the worst that the
+/// other body can be; where both end together, and for other ties, there is none known.
 std::vector<Corner> singular_corners(const CornerSetting& setting);
 
 } // namespace spricka::estimate

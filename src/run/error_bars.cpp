@@ -7,6 +7,7 @@
 #include "estimate/mode_load.hpp"
 #include "estimate/point_support.hpp"
 #include "run/contact_flip.hpp"
+#include "run/partner_surfaces.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -62,8 +63,9 @@ estimate::PointGiving add_corners(const model::Model& model, const Scene& scene,
                                   const StepState& state, const estimate::CornerRequest& request,
                                   std::vector<estimate::GoalError>& errors) {
   const std::vector<base::NodeId> tips = tip_nodes(scene);
-  const estimate::CornerSetting setting{model,     scene.cracked.mesh, request.enrichment.edges(),
-                                        scene.cls, *scene.ties,        tips};
+  const std::vector<bool> tied = tied_nodes({model, scene, state, request.enrichment.edges()});
+  const estimate::CornerSetting setting{
+      model, scene.cracked.mesh, request.enrichment.edges(), scene.cls, *scene.ties, tips, &tied};
   const std::vector<estimate::Corner> corners = estimate::singular_corners(setting);
   estimate::raise_at_corners(request, corners, errors);
   return estimate::point_giving(setting, corners, state.reaction, request.goal.z);
@@ -308,6 +310,10 @@ void ErrorBars::add(const StepState& state, const std::vector<estimate::Adjoint>
       }
       clear_exact(scene_.cracked.mesh.element_count(), tip);
       tip.no_bar = why_no_limit(scene_, giving, t, tip);
+      if (tip.no_bar.empty() && std::max(tip.bar[0].size(), tip.bar[1].size()) > 0.0) {
+        tip.no_bar =
+            coarse_partner({model_, scene_, state, enrichment_->edges()}, scene_.cracked.tips[t]);
+      }
       if (!tip.no_bar.empty()) {
         tell_once(fmt::format("warning: K of {}: {}", tip.name, tip.no_bar), step);
       }
