@@ -83,6 +83,14 @@ void clear_exact(std::size_t elements, results::TipResult& tip) {
   }
 }
 
+// What bodies beside the tip do that are too coarse for it.
+void add_partners(const CoarsePartner& partner, results::TipResult& tip) {
+  tip.no_bar = partner.why_not;
+  for (results::KBar& bar : tip.bar) {
+    bar.mesh += bar.size() > 0.0 ? partner.part * std::hypot(tip.K1, tip.K2) : 0.0;
+  }
+}
+
 // Why an endlessly fine mesh has no K of tip t; empty: it has.
 std::string why_no_limit(const Scene& scene, const estimate::PointGiving& giving, std::size_t t,
                          const results::TipResult& tip) {
@@ -311,8 +319,9 @@ void ErrorBars::add(const StepState& state, const std::vector<estimate::Adjoint>
       clear_exact(scene_.cracked.mesh.element_count(), tip);
       tip.no_bar = why_no_limit(scene_, giving, t, tip);
       if (tip.no_bar.empty() && std::max(tip.bar[0].size(), tip.bar[1].size()) > 0.0) {
-        tip.no_bar =
-            coarse_partner({model_, scene_, state, enrichment_->edges()}, scene_.cracked.tips[t]);
+        add_partners(
+            coarse_partner({model_, scene_, state, enrichment_->edges()}, scene_.cracked.tips[t]),
+            tip);
       }
       if (!tip.no_bar.empty()) {
         tell_once(fmt::format("warning: K of {}: {}", tip.name, tip.no_bar), step);

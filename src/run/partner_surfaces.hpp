@@ -18,11 +18,15 @@ struct PartnerSetting {
   const estimate::EdgeTable& edges;
 };
 
-/// Why a closed contact or a TRANSITION beside a tip, where its crack does not start, takes the
-/// bar: edges of one of its sides are longer than twice their distance from the tip, so that the
-/// other body follows what the tip does to the surface too stiffly, which no error estimate of the
-/// meshes sees. Empty: it does not.
-std::string coarse_partner(const PartnerSetting& setting, const mesh::Tip& tip);
+/// What closed contacts and TRANSITIONs beside a tip, where its crack does not start, do to its
+/// bar. Where edges of one of the sides are long against their distance from the tip, the other
+/// body follows what the tip does to the surface too stiffly, which no error estimate of the meshes
+/// sees.
+struct CoarsePartner {
+  double part = 0.0;   ///< of hypot(K1, K2), what it may be off by
+  std::string why_not; ///< why there can be no bar; empty: `part` is all
+};
+CoarsePartner coarse_partner(const PartnerSetting& setting, const mesh::Tip& tip);
 
 /// Nodes that another body or a rigid one holds by a BONDED contact, TRANSITION or RIGID. [node]
 std::vector<bool> tied_nodes(const PartnerSetting& setting);
