@@ -68,16 +68,23 @@ TEST(PartnerSurfaces, TakeTheBarWhereTheyAreTooCoarse) {
   EXPECT_NE(tip(tolerated).no_bar, "");
 }
 
-// Where they are as fine as asked for the bar is there and holds what much finer ones give.
+// Where they are finer the bar is there and holds what much finer ones give; a TRANSITION between
+// equal meshes that becomes endlessly fine is a bond.
 TEST(PartnerSurfaces, LeaveTheBarWhereTheyAreFine) {
-  for (const std::string& joint : {bonded, pressed}) {
-    const auto fine = solve_text(two_blocks(joint, 128, 0.1));
-    const auto found = solve_text(two_blocks(joint, 20, 0.1));
-    ASSERT_TRUE(fine && found) << joint;
-    ASSERT_EQ(tip(found).no_bar, "") << joint;
+  struct Case {
+    std::string joint, limit;
+    int n;
+    double gap;
+  };
+  for (const Case& c : {Case{bonded, bonded, 20, 0.1}, Case{pressed, pressed, 20, 0.1},
+                        Case{transition, bonded, 16, 0.08}}) {
+    const auto fine = solve_text(two_blocks(c.limit, 128, c.gap));
+    const auto found = solve_text(two_blocks(c.joint, c.n, c.gap));
+    ASSERT_TRUE(fine && found) << c.joint;
+    ASSERT_EQ(tip(found).no_bar, "") << c.joint;
     const std::array<double, 2> K{tip(found).K1, tip(found).K2};
     for (std::size_t k = 0; k < 2; ++k) {
-      EXPECT_LE(std::abs(K[k] - tip(fine).bar[k].best), tip(found).bar[k].size()) << joint << k;
+      EXPECT_LE(std::abs(K[k] - tip(fine).bar[k].best), tip(found).bar[k].size()) << c.joint << k;
     }
   }
 }
