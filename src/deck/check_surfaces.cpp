@@ -192,6 +192,11 @@ private:
                                              : mesh_.set(contact.master).name);
   }
 
+  // Whether both demand the same of surfaces that both pair.
+  static bool alike(const model::Contact& a, const model::Contact& b) {
+    return a.type == b.type && a.gap == b.gap && a.mu == b.mu;
+  }
+
   void look_at_contacts(std::size_t a, std::size_t b) {
     const model::Contact& first = model_.contacts[a];
     const model::Contact& second = model_.contacts[b];
@@ -205,7 +210,16 @@ private:
       const Pair swapped{pairs_[b].two, pairs_[b].one};
       faces = std::max(doubled(pairs_[a], pairs_[b]), doubled(pairs_[a], swapped));
     }
-    if (faces > 0) {
+    if (faces > 0 && alike(first, second)) {
+      c_.diagnostics.warning(
+          second.span, "W354",
+          fmt::format("contact {} pairs {} that contact {} in line {} pairs already ({}): "
+                      "displacements and K are those of one, how the two share the pressure is "
+                      "left open",
+                      second.name, count_of(faces), first.name, line_of(first.span),
+                      surfaces_of(first)),
+          "take one of them away");
+    } else if (faces > 0) {
       const bool types = first.type != second.type;
       c_.error(second.span, "E351",
                fmt::format("contact {} pairs {} that contact {} in line {} pairs already "

@@ -87,6 +87,7 @@ inline constexpr std::array error_codes{
     ErrorCode{"W351", "a load on faces that a contact presses on as well"},
     ErrorCode{"W352", "prescribed freedoms that no load case moves"},
     ErrorCode{"W353", "a check that accepts 0 as well"},
+    ErrorCode{"W354", "a surface that two contacts pair alike"},
     ErrorCode{"W355", "degrees where radians are taken"},
     ErrorCode{"W356", "a growth law whose da/dN falls"},
     ErrorCode{"W357", "a spectrum or a rigid target that nothing uses"},

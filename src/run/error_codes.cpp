@@ -224,6 +224,7 @@ constexpr std::array advice{
     ErrorCode{"W352", "A line `SET 0 0` below $LOAD TYPE=DISP says that 0 is meant; a support has "
                       "CLASS=SUPPRESSED."},
     ErrorCode{"W353", "REL is a part of the value: 30 per cent is REL 0.3."},
+    ErrorCode{"W354", "Take one of the two $CONTACT away: only their sum means anything."},
     ErrorCode{"W355", "Angles are radians: cos(30[deg]), theta > 30[deg]."},
     ErrorCode{"W357", "Name it where it is meant, or take it away."},
     ErrorCode{"W358", "Lines of one case add up."},

@@ -28,7 +28,7 @@ def pin(dR):
     """The pin of decks/pin_in_hole.deck with clearance dR, below 0 interference; R = Q = 1, run with E = 1."""
     text = text_of("pin_in_hole")
     if dR < 0.0:
-        text = changed(text, ("GAP=(dR)", f"INTERFERENCE=({-dR:.17g}/E)"))
+        text = changed(text, ("GAP=(dR/E)", f"INTERFERENCE=({-dR:.17g}/E)"))
     else:
         text = changed(text, ("dR = 0 ", f"dR = {dR:.17g} "))
     return asking(text, "ARC.TO(FIT,ONE)", "CPRESS.MAX(FIT,ONE)")
