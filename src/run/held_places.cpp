@@ -144,6 +144,17 @@ private:
     });
   }
 
+  // What a case prescribes may draw the lips apart.
+  [[nodiscard]] bool suppressed(base::NodeId node) const {
+    for (int c = 0; c < mesh_.dim; ++c) {
+      const auto freedom = node.index() * static_cast<std::size_t>(mesh_.dim) + std::size_t(c);
+      if (cls_[freedom] != model::FreedomClass::suppressed) {
+        return false;
+      }
+    }
+    return true;
+  }
+
   // The boundary side that the mouth opens in, with both its ends held.
   void look_at_mouth(const model::Crack& crack, const mesh::Host& host) {
     const base::Vec3& start = crack.points.front();
@@ -160,7 +171,7 @@ private:
         continue;
       }
       near += 1.0;
-      if (!held(edge.a) || !held(edge.b)) {
+      if (!suppressed(edge.a) || !suppressed(edge.b)) {
         return;
       }
     }
