@@ -292,7 +292,7 @@ Form binary(Op op, const Form& a, const Form& b) {
 }
 
 Form coordinate(const PlaceCell& cell, Eigen::Index k) {
-  return closed({cell.centre[k], cell.axes.row(k), cell.bulge[k], {-infinite, infinite}});
+  return closed({cell.centre[k], cell.axes.row(k), cell.bulge[k], {cell.least[k], cell.most[k]}});
 }
 
 Form field(Op op, const PlaceCell& cell) {

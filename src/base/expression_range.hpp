@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include <limits>
+
 namespace spricka::base {
 
 /// A parallelepiped of places: centre + axes t for t in [-1, 1]^3, give or take `bulge` along each
@@ -12,6 +14,9 @@ struct PlaceCell {
   Vec3 centre = Vec3::Zero();
   Eigen::Matrix3d axes = Eigen::Matrix3d::Zero();
   Vec3 bulge = Vec3::Zero();
+  /// No place lies beyond these.
+  Vec3 least = Vec3::Constant(-std::numeric_limits<double>::infinity());
+  Vec3 most = Vec3::Constant(std::numeric_limits<double>::infinity());
 };
 
 struct ValueRange {

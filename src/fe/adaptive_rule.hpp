@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "base/vec.hpp"
+#include "fe/hidden_search.hpp"
 #include "shape/quadrature.hpp"
 
 #include <algorithm>
@@ -27,17 +28,18 @@ struct AdaptiveSettings {
 
 template <int dim> struct AdaptedRule {
   std::vector<shape::QuadraturePoint<dim>> points;
-  double missed = 0.0;  ///< estimate of the integral's error, where that is beyond the tolerance
+  double missed = 0.0;  ///< estimate of the integral's error, where that is beyond the tolerance,
+                        ///< over the reference element
   double largest = 0.0; ///< magnitude of the field at its points
   double amount = 0.0;  ///< integral of the magnitude over the reference element
 };
 
-/// Part of the largest value below which what bounds leave open is no peak, found or not. Bounds of
-/// a smooth field are wider than its values by a part of the cell's size: over a plane or a solid
-/// many cells would be asked for by nothing else.
-constexpr double little_peak(int dim) {
-  return dim == 1 ? 0.02 : 0.2;
-}
+/// Part of the largest value below which what hides between points is no peak.
+constexpr double little_peak = 0.002;
+/// The same on the inner lines of a plane or a solid, which cut the tails of peaks.
+constexpr double little_tail = 1e-4;
+/// Part of the mean value that may stay open as to what hides in an element.
+constexpr double little_open = 1e-5;
 
 /// A point t of the unit cube as a reference point, and the factor of the volumes: triangles and
 /// tetrahedra are collapsed (Stroud 1971).
@@ -72,6 +74,15 @@ shape::QuadraturePoint<S::dim> unit_cube_point(const std::array<double, 3>& t) {
   return p;
 }
 
+/// Size of the unit cube's image per that of the cube, at most.
+template <shape::Shape S> constexpr double reference_size() {
+  using shape::Domain;
+  return S::domain == Domain::line            ? 2.0
+         : S::domain == Domain::quadrilateral ? 4.0
+         : S::domain == Domain::hexahedron    ? 8.0
+                                              : 2.0;
+}
+
 /// Lagrange's function of one point of a rule at another place.
 inline double lagrange(std::span<const shape::QuadraturePoint<1>> rule, double point,
                        double place) {
@@ -103,10 +114,9 @@ public:
     amount_ = line(0, low, high).amount;
     amount_ = std::max(amount_, set_.scale.mean);
     rough_ = false;
-    missed_ = 0.0;
     count_ = 0;
     Sum all = line(0, low, high);
-    return {std::move(all.points), missed_ > room(0) ? missed_ : 0.0, seen_, all.amount};
+    return {std::move(all.points), all.missed > room(0) ? all.missed : 0.0, seen_, all.amount};
   }
 
 private:
@@ -114,10 +124,10 @@ private:
   static constexpr double roughly = 1e-4;
   /// Of one element. A jump takes some 300 along a line, 50 000 over a plane; across a solid, where
   /// a million would be wanted, the rule stops earlier and says so.
-  static constexpr int most_points = S::dim == 1 ? 50000 : (S::dim == 2 ? 400000 : 100000);
-  /// The same where nothing but bounds asks for more: those of smooth fields over coarse elements
-  /// would take all there are.
-  static constexpr int most_doubtful_points = S::dim == 1 ? most_points : 10000;
+  static constexpr int most_points = S::dim == 1 ? 50000 : (S::dim == 2 ? 600000 : 200000);
+  /// The last direction goes on when the others have to stop: it costs little, and what is found
+  /// there no coarser line would find.
+  static constexpr int points_for(int k) { return k + 1 < S::dim ? most_points / 2 : most_points; }
   static constexpr std::size_t moments = 3 * (S::dim + 1);
   static constexpr int deepest = 48; // a jump is then at its place to round-off
   /// Halvings of a line where only the bounds ask for them: a jump beside the end of an interval,
@@ -128,6 +138,7 @@ private:
   struct Sum {
     std::array<double, moments> integral{};
     double amount = 0.0;                             ///< integral of the magnitude
+    double missed = 0.0;                             ///< estimate of the integral's error
     std::array<double, moments> at_low{}, at_high{}; ///< of one panel: its ends, extrapolated
     base::Vec3 low = base::Vec3::Constant(std::numeric_limits<double>::max());
     base::Vec3 high = -low;
@@ -138,6 +149,7 @@ private:
         integral[m] += weight * other.integral[m];
       }
       amount += weight * other.amount;
+      missed += weight * other.missed;
       low = low.cwiseMin(other.low);
       high = high.cwiseMax(other.high);
       for (auto& p : other.points) {
@@ -198,12 +210,14 @@ private:
 
   // A bend beside the end of an interval, in what inner directions add up to, is seen by no point
   // of the rules: the ends themselves tell it. That much of an interval lies beyond the last point.
+  // A jump on the border of the element, to round-off, belongs to its neighbour.
   double end_error(int k, const Places& low, const Places& high, const Sum& first,
                    const Sum& second) {
     constexpr double beyond = 0.0235;
     const auto d = static_cast<std::size_t>(k);
-    const Sum start = at(k, low, high, low[d]);
-    const Sum end = at(k, low, high, high[d]);
+    constexpr double inside = 1e-9;
+    const Sum start = at(k, low, high, std::max(low[d], inside));
+    const Sum end = at(k, low, high, std::min(high[d], 1.0 - inside));
     double worst = 0.0;
     for (std::size_t m = 0; m < moments; ++m) {
       worst = std::max({worst, std::abs(start.integral[m] - first.at_low[m]),
@@ -241,16 +255,14 @@ private:
       error = std::max(error, end_error(k, low, high, first, second));
     }
     const bool agreed = error <= room(k) || !std::isfinite(error);
-    const bool out = depth >= deepest || count_ > most_points;
-    const bool tired =
-        *doubts <= 0 || depth >= deepest_doubt || (set_.smooth && count_ > most_doubtful_points);
-    const bool doubt = !out && agreed && !tired && doubtful(low, high, first, second);
+    const bool out = depth >= deepest || count_ > points_for(k);
+    const bool tired = *doubts <= 0 || depth >= deepest_doubt;
+    double open = 0.0;
+    const bool doubt = agreed && hides(k, low, high, first, second, open);
     *doubts -= doubt ? 1 : 0;
-    if (out || (agreed && !doubt)) {
-      if (!agreed) {
-        missed_ = k == 0 ? missed_ + error : std::max(missed_, error);
-      }
+    if (out || (agreed && (!doubt || tired))) {
       first.add(std::move(second), 1.0);
+      first.missed += (agreed ? 0.0 : error) + (k == 0 ? open : 0.0);
       return first;
     }
     coarse.points.clear();
@@ -259,13 +271,28 @@ private:
     return sum;
   }
 
-  [[nodiscard]] bool doubtful(const Places& low, const Places& high, const Sum& a,
-                              const Sum& b) const {
-    const double little = little_peak(set_.smooth ? S::dim : 1);
-    const base::Vec3 least = a.low.cwiseMin(b.low);
-    const base::Vec3 most = a.high.cwiseMax(b.high);
-    const double change = (most - least).maxCoeff();
-    return hidden_(low, high, least, most) > change + little * std::max(largest_, seen_);
+  // Whether a value was found between the points, which the rules must get nearer to. What may
+  // hide of the integral over the reference element, found or not, goes to `open`.
+  [[nodiscard]] bool hides(int k, const Places& low, const Places& high, const Sum& a, const Sum& b,
+                           double& open) const {
+    const SearchSettings search{(k == 0 ? little_peak : little_tail) * std::max(largest_, seen_),
+                                little_open * amount_, S::dim == 1 ? 300 : 100};
+    const SeenValues seen{a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
+    const SearchResult result =
+        search_hidden<S::dim>(hidden_, at_places(value_), {low, high}, seen, search);
+    open = reference_size<S>() * (result.found ? found_part(result) : result.open);
+    return result.found;
+  }
+  // At least what lies in the box of the find.
+  [[nodiscard]] double found_part(const SearchResult& result) const {
+    double part = std::max(largest_, seen_);
+    for (std::size_t k = 0; k < S::dim; ++k) {
+      part *= result.place.high[k] - result.place.low[k];
+    }
+    return part;
+  }
+  static auto at_places(const Value& value) {
+    return [&value](const Places& t) { return base::Vec3(value(unit_cube_point<S>(t).r)); };
   }
 
   const Value& value_;
@@ -274,21 +301,18 @@ private:
   double largest_ = 0.0;
   double seen_ = 0.0;
   double amount_ = 0.0;
-  double missed_ = 0.0;
   bool rough_ = true;
   int count_ = 0;
 };
 
 /// The rule of `usual_degree` where it agrees with a second one (of degree 15) as to the integrals
 /// of the field and its first moments, and where nothing can hide between its points; else a rule
-/// by pieces. value(r): the field [3] at a reference point, in any units. hidden(low, high,
-/// seen_low, seen_high): by how much a component may leave the values seen [3] in the cell low <= t
-/// <= high of the unit cube (unit_cube_point), 0 where it cannot.
+/// by pieces. value(r): the field [3] at a reference point, in any units. hidden(box, seen): by how
+/// much a component may leave the values seen in a box of the unit cube, 0 where it cannot.
 template <shape::Shape S, class Value, class Hidden>
 AdaptedRule<S::dim> adapted_rule(int usual_degree, const Value& value, const Hidden& hidden,
                                  const AdaptiveSettings& settings) {
   constexpr int second_degree = 15;
-  const double little = little_peak(settings.smooth ? S::dim : 1);
   const auto usual = shape::quadrature<S>(usual_degree);
   using Moments = Eigen::Matrix<double, 3, S::dim + 1>;
   base::Vec3 low = base::Vec3::Constant(std::numeric_limits<double>::max());
@@ -314,8 +338,6 @@ AdaptedRule<S::dim> adapted_rule(int usual_degree, const Value& value, const Hid
   const Moments difference = moments(usual) - moments(shape::quadrature<S>(second_degree));
   const double scale = std::max(settings.scale.largest, largest);
   const double error = difference.cwiseAbs().maxCoeff();
-  const std::array<double, 3> all_low{};
-  const std::array<double, 3> all_high{1.0, 1.0, 1.0};
   double beside = 0.0; // of a bend between an end and the points next to it
   if constexpr (S::dim == 1) {
     constexpr double beyond = 0.02;
@@ -333,9 +355,17 @@ AdaptedRule<S::dim> adapted_rule(int usual_degree, const Value& value, const Hid
   const double room =
       std::max(settings.tolerance, usual_tolerance) * std::max(settings.scale.mean, amount);
   const bool agreed = std::max(error, beside) <= room || !std::isfinite(error);
-  if (agreed &&
-      !(hidden(all_low, all_high, low, high) > (high - low).maxCoeff() + little * scale)) {
-    return {{usual.begin(), usual.end()}, 0.0, largest, amount};
+  if (agreed) {
+    const double mean = std::max(settings.scale.mean, amount / reference_size<S>());
+    const auto at = [&](const std::array<double, 3>& t) {
+      return base::Vec3(value(unit_cube_point<S>(t).r));
+    };
+    const SearchResult found = search_hidden<S::dim>(hidden, at, {{}, {1.0, 1.0, 1.0}}, {low, high},
+                                                     {little_peak * scale, little_open * mean});
+    if (!found.found) {
+      const double open = found.open > little_open * mean ? found.open : 0.0;
+      return {{usual.begin(), usual.end()}, reference_size<S>() * open, largest, amount};
+    }
   }
   return NestedRule<S, Value, Hidden>(value, hidden, settings).run();
 }

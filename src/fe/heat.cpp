@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/heat.hpp"
 
-#include "fe/corner_rule.hpp"
+#include "fe/heat_points.hpp"
+#include "fe/load_points.hpp"
 #include "fe/thermal.hpp"
 
 #include <algorithm>
@@ -16,104 +17,12 @@ using base::ElementId;
 using base::Vec2;
 using base::Vec3;
 
-// Rules agree when their moments of a temperature, over an element's share of the largest one,
-// differ by less; after so many subdivisions a jump is known to 1e-4 of an element.
-constexpr double agree = 1e-7;
-constexpr int most_depth = 5;
-// More than so much is left by a jump, but not by a kink.
-constexpr double jump = 1e-6;
 // A rest below this part of the largest temperature is round-off of the linear part.
 constexpr double round_off = 1e-9;
 
 Vec3 in_space(const Vec2& x) {
   return {x.x(), x.y(), 0.0};
 }
-
-// Points of a temperature inside an element, as many as it takes.
-template <shape::PlaneShape S, class Field> class Sampler {
-public:
-  Sampler(const NodeVectors<S>& X, const Field& field, double scale)
-      : X_(X), field_(field), scale_(scale) {}
-
-  [[nodiscard]] bool rough() const { return rough_; }
-
-  std::vector<HeatPoint> points(ElementId e, int tip) {
-    points_.clear();
-    for (const Chart& chart : charts<S>(tip)) {
-      chart_ = chart;
-      split(take({0.0, 0.0, 1.0}), 0);
-    }
-    for (HeatPoint& p : points_) {
-      p.element = e;
-    }
-    return std::move(points_);
-  }
-
-private:
-  using Moments = Eigen::Matrix<double, 6, 1>;
-  struct Cell {
-    Vec3 at;
-    std::vector<HeatPoint> points;
-    std::vector<double> weight; ///< of the reference element
-  };
-
-  [[nodiscard]] Cell take(const Vec3& at) const {
-    Cell cell{at, {}, {}};
-    for_chart_points(chart_, at, [&](const shape::Point<2>& r, double weight) {
-      const double det = (X_ * S::dN(r)).determinant();
-      cell.points.push_back({{}, r, weight * det, field_(Vec2(X_ * S::N(r)))});
-      cell.weight.push_back(weight);
-    });
-    return cell;
-  }
-
-  // With linear and quadratic functions of the reference coordinates.
-  static Moments moments(const Cell& cell) {
-    Moments m = Moments::Zero();
-    for (std::size_t i = 0; i < cell.points.size(); ++i) {
-      const double x = cell.points[i].r[0];
-      const double y = cell.points[i].r[1];
-      const Moments f{{1.0, x, y, x * x, x * y, y * y}};
-      m += (cell.weight[i] * cell.points[i].T) * f;
-    }
-    return m;
-  }
-
-  void split(const Cell& cell, int depth) {
-    const double h = 0.5 * cell.at[2];
-    std::array<Cell, 4> parts;
-    Moments sum = Moments::Zero();
-    for (std::size_t i = 0; i < 4; ++i) {
-      const Vec3 at(cell.at[0] + (i % 2 == 0 ? 0.0 : h), cell.at[1] + (i / 2 == 0 ? 0.0 : h), h);
-      parts[i] = take(at);
-      sum += moments(parts[i]);
-    }
-    const double off = (moments(cell) - sum).cwiseAbs().maxCoeff();
-    if (off <= agree * scale_ || !std::isfinite(off)) {
-      keep(cell);
-      return;
-    }
-    rough_ = rough_ || (depth == most_depth && off > jump * scale_);
-    for (const Cell& part : parts) {
-      if (depth == most_depth) {
-        keep(part);
-      } else {
-        split(part, depth + 1);
-      }
-    }
-  }
-
-  void keep(const Cell& cell) {
-    points_.insert(points_.end(), cell.points.begin(), cell.points.end());
-  }
-
-  const NodeVectors<S>& X_;
-  const Field& field_;
-  double scale_;
-  Chart chart_;
-  std::vector<HeatPoint> points_;
-  bool rough_ = false;
-};
 
 // The function that an element takes, nearest to the temperature at the points: linear in x where
 // it does not hold quadratic functions, else in its reference coordinates (thermal_kernel.hpp).
@@ -162,24 +71,21 @@ void for_rest(const model::Model& model, const model::Mesh& mesh, const CaseHeat
   }
 }
 
-bool has_rest(const Law& law, base::ElementType type) {
-  return base::info(type).dim == 2 && base::info(type).quadratic && !law.axisymmetric &&
-         !law.projected;
-}
-
-void add_points(const model::Model& model, const PatchedMesh& patched, double scale,
-                CaseHeat& heat) {
+void add_points(const model::Model& model, const PatchedMesh& patched, const FieldScale& scale,
+                CaseHeat& heat, Unresolved* missed) {
   const model::Mesh& mesh = patched.mesh;
   heat.first.assign(1, 0);
   for (std::size_t i = 0; i < mesh.element_count(); ++i) {
     const ElementId e(i);
     const Law law = law_of(model, mesh, e);
-    if (has_rest(law, mesh.type[i]) && heat.field.varies(e)) {
+    if (takes_rest(law, mesh.type[i]) && heat.field.varies(e)) {
       shape::with_plane_shape(mesh.type[i], [&]<shape::PlaneShape S>(S) {
         const NodeVectors<S> X = coordinates<S>(mesh, e);
-        const auto field = [&](const Vec2& x) { return heat.field(e, x); };
-        Sampler<S, decltype(field)> sampler(X, field, scale);
-        std::vector<HeatPoint> points = sampler.points(e, corner_at<S>(mesh, e, patched.tips));
+        HeatSampler<S> sampler(X, heat.field, e, scale);
+        std::vector<HeatPoint> points = sampler.points(corner_at<S>(mesh, e, patched.tips));
+        if (missed != nullptr) {
+          missed->add(sampler.missed(), sampler.amount(), law.thickness);
+        }
         if (sampler.rough()) {
           heat.rough.resize(mesh.element_count(), false);
           heat.rough[i] = true;
@@ -190,7 +96,7 @@ void add_points(const model::Model& model, const PatchedMesh& patched, double sc
           p.T -= taken_temperature<S>(X, law, T, p.r);
           most = std::max(most, std::abs(p.T));
         }
-        if (most > round_off * scale) {
+        if (most > round_off * scale.largest) {
           heat.temperature.segment<corners<S>()>(mesh.first[i]) = T;
           heat.points.insert(heat.points.end(), points.begin(), points.end());
         }
@@ -247,32 +153,65 @@ bool HeatField::varies(ElementId e) const {
   });
 }
 
+bool HeatField::acts(std::size_t part, ElementId e, const Vec2& x) const {
+  if (parts_[part].by_place && is_new_[e.index()]) {
+    return host_member_[part][places_->at(x).index()];
+  }
+  return parts_[part].member[e.index()];
+}
+
 double HeatField::operator()(ElementId e, const Vec2& x) const {
   double T = 0.0;
-  ElementId host;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
-    const Part& part = parts_[i];
-    bool acts = part.member[e.index()];
-    if (part.by_place && is_new_[e.index()]) {
-      host = host.valid() ? host : places_->at(x);
-      acts = host_member_[i][host.index()];
-    }
-    T += acts ? part.value(in_space(x)) : 0.0;
+    T += acts(i, e, x) ? parts_[i].value(in_space(x)) : 0.0;
   }
   return T;
 }
 
+base::ValueRange HeatField::range(ElementId e, const base::PlaceCell& cell) const {
+  base::ValueRange sum;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    if (acts(i, e, cell.centre.head<2>())) {
+      const base::ValueRange own = base::range_over(parts_[i].value, cell);
+      sum = {sum.low + own.low, sum.high + own.high};
+    }
+  }
+  return sum;
+}
+
+double unresolved_heat(const model::Model& model, const model::Mesh& mesh,
+                       const model::Load& load) {
+  Unresolved missed;
+  if (!is_constant(load)) {
+    const model::LoadCase alone{"", {load}};
+    if (mesh.dim == 2) {
+      case_heat(model, {mesh, mesh, nullptr, {}}, alone, &missed);
+    } else {
+      element_temperature(model, mesh, alone, &missed);
+    }
+  }
+  return missed.share();
+}
+
 CaseHeat case_heat(const model::Model& model, const PatchedMesh& patched,
-                   const model::LoadCase& load_case) {
+                   const model::LoadCase& load_case, Unresolved* missed) {
   CaseHeat heat;
-  heat.temperature = element_temperature(model, patched.mesh, load_case);
+  heat.temperature = element_temperature(model, patched.mesh, load_case, missed);
   if (heat.temperature.size() == 0) {
     return heat;
   }
   heat.field = HeatField(patched, load_case);
-  const double scale = heat.temperature.cwiseAbs().maxCoeff();
-  if (patched.mesh.dim == 2 && scale > 0.0) {
-    add_points(model, patched, scale, heat);
+  FieldScale scale;
+  for (const model::Load& load : load_case.loads) {
+    if (load.type == model::LoadType::temperature) {
+      const FieldScale own =
+          load_scale(patched.mesh, load, patched.mesh.set(load.elements).elements);
+      scale.largest += own.largest;
+      scale.mean += own.mean;
+    }
+  }
+  if (patched.mesh.dim == 2 && scale.largest > 0.0) {
+    add_points(model, patched, scale, heat, missed);
   }
   return heat;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/expression_range.hpp"
 #include "fe/host_places.hpp"
 #include "fe/thermal_kernel.hpp"
 #include "model/model.hpp"
@@ -29,6 +30,8 @@ public:
   [[nodiscard]] bool varies(base::ElementId e) const;
   /// At x in element e. Elements of a patch are heated where the host is.
   [[nodiscard]] double operator()(base::ElementId e, const base::Vec2& x) const;
+  /// Bounds over a cell, which a rim of a heated set does not cross.
+  [[nodiscard]] base::ValueRange range(base::ElementId e, const base::PlaceCell& cell) const;
   /// Whether the rim of a heated set crosses the patches.
   [[nodiscard]] bool cut() const;
 
@@ -38,6 +41,7 @@ private:
     std::vector<bool> member; ///< [element]
     bool by_place = false;    ///< of new elements the place decides, not the element
   };
+  [[nodiscard]] bool acts(std::size_t part, base::ElementId e, const base::Vec2& x) const;
   std::vector<Part> parts_;
   std::vector<std::vector<bool>> host_member_; ///< [part][host element], of those by place
   std::vector<bool> is_new_;                   ///< [element] of a patch
@@ -67,9 +71,15 @@ struct CaseHeat {
   }
 };
 
-/// Rules that differ subdivide an element until they agree, or six times.
+struct Unresolved;
+
+/// Rules that differ subdivide an element until they agree (heat_points.hpp). What they could not
+/// follow goes to `missed`.
 CaseHeat case_heat(const model::Model& model, const PatchedMesh& patched,
-                   const model::LoadCase& load_case);
+                   const model::LoadCase& load_case, Unresolved* missed = nullptr);
+
+/// Part of a temperature's total magnitude that no rule could follow, 1 at most.
+double unresolved_heat(const model::Model& model, const model::Mesh& mesh, const model::Load& load);
 
 /// A case with the factor it has.
 struct ActingHeat {

@@ -141,13 +141,13 @@ Vector nodal_load(const model::Model& model, const model::Mesh& mesh,
 
 double unresolved_part(const model::Model& model, const model::Mesh& mesh,
                        const model::Load& load) {
-  double missed = 0.0;
+  Unresolved missed;
   if (!is_constant(load)) {
     const auto nothing = [](auto /*shape*/, const auto& /*where*/, const auto& /*r*/,
                             const Vec3& /*force*/) {};
     for_load_points(model, mesh, load, nothing, nothing, &missed);
   }
-  return missed;
+  return missed.share();
 }
 
 Vector prescribed_displacement(const model::Model& /*model*/, const model::Mesh& mesh,

@@ -8,13 +8,27 @@
 /// Distributed loads as forces at integration points, for any functions that they shall work on.
 namespace spricka::fe {
 
+/// What rules could not follow of a load, and its magnitude, over all sides or elements.
+struct Unresolved {
+  double missed = 0.0;
+  double amount = 0.0;
+
+  /// Of one, by its reference size; `unit`: the size of that.
+  void add(double missed_here, double amount_here, double unit) {
+    missed += missed_here * unit;
+    amount += amount_here * unit;
+  }
+  [[nodiscard]] double share() const {
+    return missed > 0.0 ? missed / std::max(missed, amount) : 0.0;
+  }
+};
+
 /// Calls visit(Side{}, face, r, force) at the points of the load's faces with density(x, a), where
 /// a is the area vector: a density of value(x) |a| is a traction, one of -p a a pressure. The
-/// points follow the load's values (load_rule); what they could not follow adds to `missed`
-/// [value].
+/// points follow the load's values (load_rule); what they could not follow adds to `missed`.
 template <class Density, class Visit>
 void for_face_points(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
-                     Density&& density, Visit&& visit, double* missed = nullptr) {
+                     Density&& density, Visit&& visit, Unresolved* missed = nullptr) {
   const FieldScale scale = load_scale(mesh, load);
   for_faces(mesh, mesh.set(load.faces).faces,
             [&]<shape::Shape Side>(Side side, const model::Face& face) {
@@ -28,7 +42,9 @@ void for_face_points(const model::Model& model, const model::Mesh& mesh, const m
                 visit(side, face, point.r, force);
               }
               if (missed != nullptr) {
-                *missed = std::max(*missed, rule.missed / std::max(scale.mean, rule.amount));
+                const auto centre = unit_cube_point<Side>({0.5, 0.5, 0.5}).r;
+                const double depth = law.depth((X * Side::N(centre)).x());
+                missed->add(rule.missed, rule.amount, depth * area_vector<Side>(X, centre).norm());
               }
             });
 }
@@ -37,7 +53,7 @@ void for_face_points(const model::Model& model, const model::Mesh& mesh, const m
 /// counts by their shares where the rim of the set cuts them.
 template <class Density, class Visit>
 void for_body_points(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
-                     Density&& density, Visit&& visit, double* missed = nullptr) {
+                     Density&& density, Visit&& visit, Unresolved* missed = nullptr) {
   const SetShares shares = set_shares(model, mesh, load.elements);
   const FieldScale scale = load_scale(mesh, load, shares.elements);
   for_blocks(mesh, shares.elements,
@@ -57,7 +73,10 @@ void for_body_points(const model::Model& model, const model::Mesh& mesh, const m
                    visit(shape, e, point.r, force);
                  }
                  if (missed != nullptr) {
-                   *missed = std::max(*missed, rule.missed / std::max(scale.mean, rule.amount));
+                   const auto centre = unit_cube_point<S>({0.5, 0.5, 0.5}).r;
+                   const Eigen::Matrix<double, S::dim, S::dim> J = X * S::dN(centre);
+                   const double depth = law.depth((X * S::N(centre))[0]);
+                   missed->add(rule.missed, rule.amount, depth * J.determinant());
                  }
                }
              });
@@ -65,11 +84,10 @@ void for_body_points(const model::Model& model, const model::Mesh& mesh, const m
 
 /// Forces at points of a load that is spread over faces or elements; others (at nodes, given
 /// displacements, temperatures, bearings in space) have none. on_face and on_body as above. What
-/// the rules could not follow, of the mean value times the size of a face or element, goes to
-/// `missed`.
+/// the rules could not follow goes to `missed`.
 template <class OnFace, class OnBody>
 void for_load_points(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
-                     OnFace&& on_face, OnBody&& on_body, double* missed = nullptr) {
+                     OnFace&& on_face, OnBody&& on_body, Unresolved* missed = nullptr) {
   using base::Vec3;
   switch (load.type) {
   case model::LoadType::resultant: {

@@ -29,7 +29,7 @@ Bound bound_of(const Eigen::Matrix<double, 3, S::nodes>& X, const model::Load& l
   b.mean /= size;
   const base::PlaceCell cell = place_cell<S>(X, {}, {1.0, 1.0, 1.0});
   b.bound = b.seen +
-            hidden_value(load, cell, base::Vec3::Constant(-b.seen), base::Vec3::Constant(b.seen));
+            hidden_value(load, cell, {base::Vec3::Constant(-b.seen), base::Vec3::Constant(b.seen)});
   return b;
 }
 
@@ -64,7 +64,7 @@ void with_part(const model::Mesh& mesh, const model::Load& load,
 // searched: a peak between the points of all others must not pass for the whole load.
 FieldScale load_scale(const model::Mesh& mesh, const model::Load& load,
                       const std::vector<base::ElementId>& elements) {
-  constexpr std::size_t searched = 8;
+  constexpr std::size_t searched = 64;
   if (is_constant(load)) {
     const double value = load_value(load, base::Vec3::Zero()).norm();
     return {value, value};
@@ -86,7 +86,11 @@ FieldScale load_scale(const model::Mesh& mesh, const model::Load& load,
                     bounds.end());
   for (std::size_t k = 0; k < most && -bounds[k].first > 1.02 * scale.largest; ++k) {
     with_part(mesh, load, elements, bounds[k].second, [&]<shape::Shape S>(S, const auto& X) {
-      scale.largest = std::max(scale.largest, load_rule<S>(X, load, scale).largest);
+      const AdaptedRule<S::dim> rule = load_rule<S>(X, load, scale);
+      if (rule.largest > scale.largest) {
+        scale.largest = rule.largest;
+        scale.mean += rule.amount / (reference_size<S>() * static_cast<double>(parts));
+      }
     });
   }
   return scale;

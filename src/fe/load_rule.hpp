@@ -38,10 +38,38 @@ constexpr double load_tolerance(int dim) {
   return dim == 1 ? 1e-9 : (dim == 2 ? 1e-7 : 1e-4);
 }
 
+/// Ends a cell, whose centre is known, where a side of its element runs along a coordinate: two
+/// nodes or more are the outermost. A jump that stands on the border, to round-off, is none of the
+/// element.
+template <int nodes>
+void end_at_sides(const Eigen::Matrix<double, 3, nodes>& X, base::PlaceCell& cell) {
+  constexpr double round_off = 1e-9;
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    const double low = X.row(k).minCoeff();
+    const double high = X.row(k).maxCoeff();
+    const double off = round_off * (high - low);
+    if (high > low && (X.row(k).array() <= low + off).count() > 1) {
+      cell.least[k] = low + 2.0 * off;
+    }
+    if (high > low && (X.row(k).array() >= high - off).count() > 1) {
+      cell.most[k] = high - 2.0 * off;
+    }
+  }
+  cell.least = cell.least.cwiseMin(cell.centre);
+  cell.most = cell.most.cwiseMax(cell.centre);
+}
+
 /// Where a cell of the unit cube of a shape lies in space; X [3, nodes].
 template <shape::Shape S>
-base::PlaceCell place_cell(const Eigen::Matrix<double, 3, S::nodes>& X,
-                           const std::array<double, 3>& low, const std::array<double, 3>& high) {
+base::PlaceCell place_cell(const Eigen::Matrix<double, 3, S::nodes>& X, std::array<double, 3> low,
+                           std::array<double, 3> high) {
+  constexpr double border = 1e-9; // to round-off
+  for (std::size_t k = 0; k < S::dim; ++k) {
+    if (low[k] < high[k]) {
+      low[k] = std::max(low[k], border);
+      high[k] = std::min(high[k], 1.0 - border);
+    }
+  }
   const auto at = [&](const std::array<double, 3>& s) { // s in [-1, 1]
     std::array<double, 3> t{};
     for (std::size_t k = 0; k < S::dim; ++k) {
@@ -51,6 +79,7 @@ base::PlaceCell place_cell(const Eigen::Matrix<double, 3, S::nodes>& X,
   };
   base::PlaceCell cell;
   cell.centre = at({});
+  end_at_sides<S::nodes>(X, cell);
   for (std::size_t k = 0; k < S::dim; ++k) {
     std::array<double, 3> s{};
     s[k] = 1.0;
@@ -70,15 +99,15 @@ base::PlaceCell place_cell(const Eigen::Matrix<double, 3, S::nodes>& X,
   return cell;
 }
 
-/// By how much a load may leave the values low .. high [3] in a cell.
+/// By how much a load may leave the values seen in a cell.
 inline double hidden_value(const model::Load& load, const base::PlaceCell& cell,
-                           const base::Vec3& low, const base::Vec3& high) {
+                           const SeenValues& seen) {
   double most = 0.0;
   for (std::size_t c = 0; c < load.value.size(); ++c) {
     if (!load.value[c].is_constant()) {
       const base::ValueRange range = base::range_over(load.value[c], cell);
       const auto k = static_cast<Eigen::Index>(c);
-      most = std::max({most, range.high - high[k], low[k] - range.low});
+      most = std::max({most, range.high - seen.high[k], seen.low[k] - range.low});
     }
   }
   return most;
@@ -96,9 +125,8 @@ AdaptedRule<S::dim> load_rule(const Eigen::Matrix<double, 3, S::nodes>& X, const
   return adapted_rule<S>(
       load_degree,
       [&](const shape::Point<S::dim>& r) { return load_value(load, base::Vec3(X * S::N(r))); },
-      [&](const std::array<double, 3>& low, const std::array<double, 3>& high,
-          const base::Vec3& seen_low, const base::Vec3& seen_high) {
-        return hidden_value(load, place_cell<S>(X, low, high), seen_low, seen_high);
+      [&](const UnitBox& box, const SeenValues& seen) {
+        return hidden_value(load, place_cell<S>(X, box.low, box.high), seen);
       },
       {load_tolerance(S::dim), scale, is_smooth(load)});
 }
@@ -112,8 +140,8 @@ AdaptedRule<S::dim> body_load_rule(const NodeVectors<S>& X, const model::Load& l
   return load_rule<S>(x, load, scale);
 }
 
-/// Largest part of a load per area or volume that no rule could follow within one side or element:
-/// of the load's mean value times the size of that; 0 where all agree to load_tolerance.
+/// Part of a load's total magnitude that no rule could follow, 1 at most; 0 where all agree to
+/// load_tolerance.
 double unresolved_part(const model::Model& model, const model::Mesh& mesh, const model::Load& load);
 
 /// How large a load spread over faces or elements is anywhere and in the mean: what counts as

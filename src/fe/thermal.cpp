@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/thermal.hpp"
 
+#include "fe/load_points.hpp"
 #include "fe/thermal_kernel.hpp"
 
 namespace spricka::fe {
@@ -30,6 +31,30 @@ double held_energy(const NodeVectors<S>& X, const Law& law, const CornerValues<S
   return energy;
 }
 
+// A temperature as an element takes it, by the usual points where they do it justice.
+template <shape::ElementShape S>
+CornerValues<S> taken_by(const NodeVectors<S>& X, const Law& law, const model::Load& load,
+                         const FieldScale& scale, Unresolved* missed) {
+  const auto field = [&](const Eigen::Matrix<double, S::dim, 1>& x) {
+    base::Vec3 at = base::Vec3::Zero();
+    at.template head<S::dim>() = x;
+    return load.value.front()(at);
+  };
+  const auto& usual = stiffness_rule<S>(law);
+  if (is_constant(load) || takes_rest(law, S::type)) {
+    return project_temperature<S>(X, law, usual, field);
+  }
+  const AdaptedRule<S::dim> rule = body_load_rule<S>(X, load, scale);
+  if (missed != nullptr) {
+    const auto centre = unit_cube_point<S>({0.5, 0.5, 0.5}).r;
+    missed->add(rule.missed, rule.amount,
+                law.depth((X * S::N(centre))[0]) * jacobian<S>(X, centre).det);
+  }
+  return rule.points.size() == shape::quadrature<S>(load_degree).size()
+             ? project_temperature<S>(X, law, usual, field)
+             : project_temperature<S>(X, law, rule.points, field);
+}
+
 // Calls use(S{}, e, T) with the corner temperatures of each element that is heated.
 template <class Use>
 void for_heated(const model::Mesh& mesh, const base::Vector& temperature, Use&& use) {
@@ -46,8 +71,13 @@ void for_heated(const model::Mesh& mesh, const base::Vector& temperature, Use&& 
 
 } // namespace
 
+bool takes_rest(const Law& law, base::ElementType type) {
+  return base::info(type).dim == 2 && base::info(type).quadratic && !law.axisymmetric &&
+         !law.projected;
+}
+
 base::Vector element_temperature(const model::Model& model, const model::Mesh& mesh,
-                                 const model::LoadCase& load_case) {
+                                 const model::LoadCase& load_case, Unresolved* missed) {
   base::Vector temperature;
   for (const model::Load& load : load_case.loads) {
     if (load.type != model::LoadType::temperature) {
@@ -56,19 +86,15 @@ base::Vector element_temperature(const model::Model& model, const model::Mesh& m
     if (temperature.size() == 0) {
       temperature = base::Vector::Zero(static_cast<Eigen::Index>(mesh.nodes.size()));
     }
-    for_blocks(mesh, mesh.set(load.elements).elements,
-               [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
-                 for (const base::ElementId e : block) {
-                   const auto field = [&](const Eigen::Matrix<double, S::dim, 1>& x) {
-                     base::Vec3 at = base::Vec3::Zero();
-                     at.template head<S::dim>() = x;
-                     return load.value.front()(at);
-                   };
-                   temperature.segment<corners<S>()>(mesh.first[e.index()]) +=
-                       project_temperature<S>(coordinates<S>(mesh, e), law_of(model, mesh, e),
-                                              field);
-                 }
-               });
+    const std::vector<base::ElementId>& elements = mesh.set(load.elements).elements;
+    const FieldScale scale = load_scale(mesh, load, elements);
+    for_blocks(
+        mesh, elements, [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
+          for (const base::ElementId e : block) {
+            temperature.segment<corners<S>()>(mesh.first[e.index()]) +=
+                taken_by<S>(coordinates<S>(mesh, e), law_of(model, mesh, e), load, scale, missed);
+          }
+        });
   }
   return temperature;
 }

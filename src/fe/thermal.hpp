@@ -7,16 +7,23 @@
 
 namespace spricka::fe {
 
+struct Law;
+struct Unresolved;
+
 /// Thermal strain alpha T. A quadratic element's strains are linear, so a temperature that varies
 /// quadratically inside an element would leave stresses that are none: T is projected onto what
 /// the strains can follow, linear functions on quadratic elements and constants on linear ones
-/// (least squares at the integration points). A linear temperature stays exact.
+/// (least squares at the integration points, or at those that follow it where these do not). A
+/// linear temperature stays exact.
 
 /// Temperature of one load case at the corners of the elements [connectivity index, as
 /// Mesh::nodes; mid nodes hold zero]; empty without thermal loads. Elements in several sets take
-/// the sum.
+/// the sum. What rules could not follow of it goes to `missed`, but for elements with a rest.
 base::Vector element_temperature(const model::Model& model, const model::Mesh& mesh,
-                                 const model::LoadCase& load_case);
+                                 const model::LoadCase& load_case, Unresolved* missed = nullptr);
+
+/// Whether the rest of a temperature acts on an element by itself (heat.hpp).
+bool takes_rest(const Law& law, base::ElementType type);
 
 /// Consistent nodal forces [dim * node] of a temperature field as above: integral of
 /// B^T D alpha T dV.

@@ -145,14 +145,14 @@ template <shape::ElementShape S> struct ThermalStress {
 };
 
 /// Corner values of the function in the span of f(x, N of the corners) that comes nearest to a
-/// temperature field(x) at the integration points.
-template <shape::ElementShape S, int terms, class Field, class Functions>
-CornerValues<S> nearest_temperature(const NodeVectors<S>& X, const Law& law, const Field& field,
-                                    const Functions& functions) {
+/// temperature field(x) at the points of a rule.
+template <shape::ElementShape S, int terms, class Rule, class Field, class Functions>
+CornerValues<S> nearest_temperature(const NodeVectors<S>& X, const Law& law, const Rule& rule,
+                                    const Field& field, const Functions& functions) {
   Eigen::Matrix<double, terms, terms> G;
   G.setZero();
   Eigen::Matrix<double, terms, 1> right = Eigen::Matrix<double, terms, 1>::Zero();
-  for (const auto& point : stiffness_rule<S>(law)) {
+  for (const auto& point : rule) {
     const Eigen::Matrix<double, S::dim, 1> x = X * S::N(point.r);
     const double w = point.weight * jacobian<S>(X, point.r).det * law.depth(x[0]);
     const Eigen::Matrix<double, terms, 1> f = functions(x, Linear<S>::N(point.r));
@@ -169,11 +169,12 @@ CornerValues<S> nearest_temperature(const NodeVectors<S>& X, const Law& law, con
 
 /// A temperature field(x) as an element takes it: constant in linear elements, linear in the
 /// reference coordinates of quadratic ones, and in x where these do not hold quadratic functions.
-template <shape::ElementShape S, class Field>
-CornerValues<S> project_temperature(const NodeVectors<S>& X, const Law& law, const Field& field) {
+template <shape::ElementShape S, class Rule, class Field>
+CornerValues<S> project_temperature(const NodeVectors<S>& X, const Law& law, const Rule& rule,
+                                    const Field& field) {
   using Place = Eigen::Matrix<double, S::dim, 1>;
   if constexpr (!base::info(S::type).quadratic) {
-    return nearest_temperature<S, 1>(X, law, field, [](const Place&, const CornerValues<S>&) {
+    return nearest_temperature<S, 1>(X, law, rule, field, [](const Place&, const CornerValues<S>&) {
       return Eigen::Matrix<double, 1, 1>::Constant(1.0);
     });
   } else {
@@ -181,13 +182,13 @@ CornerValues<S> project_temperature(const NodeVectors<S>& X, const Law& law, con
       if (FreeExpansion<S>::wanted(X, law)) {
         const Place centre = X.template leftCols<corners<S>()>().rowwise().mean();
         return nearest_temperature<S, 3>(
-            X, law, field, [&](const Place& x, const CornerValues<S>&) {
+            X, law, rule, field, [&](const Place& x, const CornerValues<S>&) {
               return Eigen::Vector3d(1.0, x[0] - centre[0], x[1] - centre[1]);
             });
       }
     }
     return nearest_temperature<S, corners<S>()>(
-        X, law, field, [](const Place&, const CornerValues<S>& N) { return N; });
+        X, law, rule, field, [](const Place&, const CornerValues<S>& N) { return N; });
   }
 }
 

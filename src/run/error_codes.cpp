@@ -132,7 +132,9 @@ constexpr std::array advice{
                       "thickness: meant only where the bodies share their middle plane."},
     ErrorCode{"W434", "Give bodies that meet one STATE, unless a thick one holds a thin one."},
     ErrorCode{"W435", "Refine the net where the load changes, or write it with fewer poles and "
-                      "waves: what is missed is said in parts of its mean."},
+                      "waves: what may be missed is said in parts of its total."},
+    ErrorCode{"W436", "Refine the net along the set, with nodes at kinks and steps: the bars of K "
+                      "do not hold what is lost between them."},
     ErrorCode{"E437",
               "A crack gives the node at its mouth two, one for each face. Hold, tie or load "
               "an edge that ends there, or move the crack or the node a little."},

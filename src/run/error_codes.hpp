@@ -48,6 +48,7 @@ inline constexpr std::array later_codes{
     ErrorCode{"E434", "a load that is not a finite number everywhere"},
     ErrorCode{"E435", "a load whose total the mesh round a crack would change"},
     ErrorCode{"W435", "a load that no integration rule follows within an element"},
+    ErrorCode{"W436", "a displacement that the nodes it is given at do not carry"},
     ErrorCode{"E437", "a support, tie or force in the node of a crack's mouth that tells no face"},
     ErrorCode{"E438", "a load on a face of a crack that the body does not have"},
     ErrorCode{"W451", "bodies drawn touching with nothing to join them"},

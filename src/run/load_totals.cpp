@@ -2,6 +2,8 @@
 #include "run/load_totals.hpp"
 
 #include "fe/assemble.hpp"
+#include "fe/between_nodes.hpp"
+#include "fe/heat.hpp"
 #include "fe/load_rule.hpp"
 
 #include <Eigen/Geometry>
@@ -98,15 +100,43 @@ void warn_of_unresolved(const model::Model& model, const model::Mesh& mesh,
   if (fe::is_constant(load) || std::ranges::any_of(diagnostics.all(), told)) {
     return;
   }
-  const double missed = fe::unresolved_part(model, mesh, load);
+  const double missed = load.type == model::LoadType::temperature
+                            ? fe::unresolved_heat(model, mesh, load)
+                            : fe::unresolved_part(model, mesh, load);
   constexpr double little = 1e-5; // integrable poles
   if (missed > little) {
     diagnostics.warning(load.span, "W435",
                         fmt::format("load case {}: no rule follows this load within an element; "
-                                    "up to {:.1g} of the mean load on one may be missed",
-                                    load_case.name, missed),
+                                    "up to {:.2g} % of its total may be missed",
+                                    load_case.name, 100.0 * missed),
                         "refine the net where the load changes");
   }
+}
+
+// Displacements are taken at nodes; K and its bar know nothing else of them.
+void warn_of_lost_displacement(const model::Mesh& mesh, double largest,
+                               const model::LoadCase& load_case, const model::Load& load,
+                               base::Diagnostics& diagnostics) {
+  const fe::BetweenNodes lost = fe::between_nodes(mesh, load, largest);
+  constexpr double little = 0.01;
+  if (!(lost.off > little * std::max(largest, lost.off))) {
+    return;
+  }
+  const base::Vec3& x = lost.place;
+  const std::string place = mesh.dim == 2
+                                ? fmt::format("({:.4g}, {:.4g})", x[0], x[1])
+                                : fmt::format("({:.4g}, {:.4g}, {:.4g})", x[0], x[1], x[2]);
+  diagnostics.warning(
+      load.span, "W436",
+      fmt::format("load case {}: between the nodes at {} this displacement is {:.2g} off what they "
+                  "carry, {:.2g} % of the case's largest; results and their bars do not know it",
+                  load_case.name, place, lost.off, 100.0 * lost.off / std::max(largest, lost.off)),
+      "refine the net there, with nodes at kinks and steps");
+}
+
+double largest_displacement(const model::Model& model, const model::Mesh& mesh,
+                            const model::LoadCase& load_case) {
+  return fe::prescribed_displacement(model, mesh, load_case).cwiseAbs().maxCoeff();
 }
 
 } // namespace
@@ -134,9 +164,13 @@ bool loads_are_sound(const model::Model& model, const model::Mesh& cracked,
     for (const model::Load& load : load_case.loads) {
       const model::LoadCase alone{load_case.name, {load}};
       if (load.type == model::LoadType::displacement) {
-        sound = is_number(fe::prescribed_displacement(model, cracked, alone), load_case, load,
-                          diagnostics) &&
-                sound;
+        if (is_number(fe::prescribed_displacement(model, cracked, alone), load_case, load,
+                      diagnostics)) {
+          warn_of_lost_displacement(cracked, largest_displacement(model, cracked, load_case),
+                                    load_case, load, diagnostics);
+        } else {
+          sound = false;
+        }
         continue;
       }
       const base::Vector f = fe::nodal_load(model, cracked, alone);
@@ -149,6 +183,8 @@ bool loads_are_sound(const model::Model& model, const model::Mesh& cracked,
                               total_of(model, cracked, f), load_case, load, diagnostics) &&
               sound;
         }
+      }
+      if (sound) {
         warn_of_unresolved(model, cracked, load_case, load, diagnostics);
       }
     }

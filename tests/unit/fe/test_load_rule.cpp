@@ -2,6 +2,8 @@
 #include "fe/load_rule.hpp"
 
 #include "fe/assemble.hpp"
+#include "fe/between_nodes.hpp"
+#include "fe/heat.hpp"
 #include "tests/unit/fe/expressions.hpp"
 #include "tests/unit/fe/plane_problem.hpp"
 
@@ -175,6 +177,75 @@ TEST_P(Sides, a_peak_of_body_force_is_found) {
     return;
   }
   expect(found, {force, force * 2.3571}, 1e-4);
+}
+
+// A step on the borders of elements belongs to one of them and costs nothing; a window beside it is
+// found whole, or what is missed is told.
+TEST_P(Sides, a_step_on_borders_times_a_thin_window_keeps_its_force) {
+  const double border = 4.0 / 3.0;
+  for (const double width : {0.2, 0.02, 0.002}) {
+    const Field window = (across() > 0.51) * (0.51 + width > across());
+    const Vec2 found = force_and_moment(model::LoadType::body, (along() > border) * window);
+    const double force = (4.0 - border) * width;
+    EXPECT_LE(std::abs(found.x() - force), (unresolved + 1e-5) * force) << width;
+    EXPECT_LT(unresolved, 0.01);
+  }
+}
+
+// The integral of a temperature over the strip, by what elements take and by the points of the
+// rest: layers of any thickness, along the elements' sides, across them and askew.
+TEST_P(Sides, a_thin_hot_layer_is_integrated_whole) {
+  model.mesh.property.assign(model.mesh.element_count(), base::PropertyId(std::size_t{0}));
+  const std::array<std::pair<Field, double>, 2> ways{std::pair{along(), 1.0},
+                                                     std::pair{across(), 4.0}};
+  for (const auto& [way, length] : ways) {
+    for (const double width : {0.1, 1e-3}) {
+      if (GetParam() == ElementType::trim3 && width < 0.1) {
+        continue; // right, but slow
+      }
+      model::Load card;
+      card.type = model::LoadType::temperature;
+      card.value = {(100.0 * (way > 0.4321) * (0.4321 + width > way)).e};
+      card.elements = test::all_elements(model);
+      const CaseHeat heat = case_heat(model, {model.mesh, model.mesh, nullptr, {}}, {"", {card}});
+      double sum = 0.0;
+      const int corners = base::info(GetParam()).corners;
+      for (std::size_t e = 0; e < model.mesh.element_count(); ++e) {
+        sum += heat.temperature.segment(model.mesh.first[e], corners).mean() * 4.0 /
+               static_cast<double>(model.mesh.element_count());
+        for (const HeatPoint& p : heat.of(base::ElementId(e))) {
+          sum += p.area * p.T;
+        }
+      }
+      const double told = unresolved_heat(model, model.mesh, card);
+      EXPECT_NEAR(sum, 100.0 * width * length, (told + 2e-3) * 100.0 * width * length)
+          << width << " of " << length;
+      EXPECT_LT(told, 0.05);
+    }
+  }
+}
+
+// What nodes cannot carry of a displacement: nothing of a polynomial, a kink, a step, a peak.
+TEST_P(Sides, a_displacement_is_known_to_leave_its_nodes) {
+  const auto off = [&](const Field& value) {
+    model::Load card;
+    card.type = model::LoadType::displacement;
+    card.value = {value.e};
+    card.nodes = test::node_set(model, [](const Vec3& x) {
+      return std::abs(std::cos(angle) * x.y() - std::sin(angle) * x.x()) < 1e-9;
+    });
+    return between_nodes(model.mesh, card, 1.0).off;
+  };
+  EXPECT_LT(off(1.0 + 0.3 * along()), 1e-12);
+  EXPECT_GT(off(along() > 2.3), 0.4);
+  EXPECT_GT(off(exp(-(((along() - 2.3571) / 1e-4) ^ 2.0))), 0.01);
+  const double h = 2.0 / 3.0; // a kink in the middle of an edge, off by h / 2 between two nodes
+  if (base::info(GetParam()).quadratic) {
+    EXPECT_LT(off(along() ^ 2.0), 1e-12);
+    EXPECT_NEAR(off(abs(along() - 1.5 * h)), h / 8.0, 0.01 * h);
+  } else {
+    EXPECT_NEAR(off(abs(along() - 1.5 * h)), h / 2.0, 0.02 * h);
+  }
 }
 
 // What is smooth costs no more than before: the usual points.

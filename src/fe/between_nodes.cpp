@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fe/between_nodes.hpp"
+
+#include "fe/hidden_search.hpp"
+#include "fe/load_rule.hpp"
+#include "shape/topology.hpp"
+
+namespace spricka::fe {
+
+namespace {
+
+std::vector<model::Face> sides_inside(const model::Mesh& mesh, const model::Load& load) {
+  std::vector<bool> given(mesh.node_count(), false);
+  for (const base::NodeId n : mesh.set(load.nodes).nodes) {
+    given[n.index()] = true;
+  }
+  std::vector<model::Face> sides;
+  for (std::size_t i = 0; i < mesh.element_count(); ++i) {
+    const base::ElementId e(i);
+    const auto nodes = mesh.nodes_of(e);
+    for (int s = 0; s < base::info(mesh.type[i]).sides; ++s) {
+      if (std::ranges::all_of(shape::side_nodes(mesh.type[i], s), [&](int n) {
+            return given[nodes[static_cast<std::size_t>(n)].index()];
+          })) {
+        sides.push_back({e, s});
+      }
+    }
+  }
+  return sides;
+}
+
+template <shape::Shape Side>
+void visit_side(const SideNodes<Side>& X, const model::Load& load, double largest,
+                BetweenNodes& worst) {
+  using At = std::array<double, 3>;
+  SideNodes<Side> nodal;
+  for (int n = 0; n < Side::nodes; ++n) {
+    nodal.col(n) = load_value(load, X.col(n));
+  }
+  SeenValues seen{nodal.rowwise().minCoeff(), nodal.rowwise().maxCoeff()};
+  const auto value = [&](const At& t) {
+    return load_value(load, base::Vec3(X * Side::N(unit_cube_point<Side>(t).r)));
+  };
+  const auto look = [&](const At& t) {
+    const auto N = Side::N(unit_cube_point<Side>(t).r);
+    const base::Vec3 v = value(t);
+    seen.low = seen.low.cwiseMin(v);
+    seen.high = seen.high.cwiseMax(v);
+    const double off = (v - nodal * N).cwiseAbs().maxCoeff();
+    if (off > worst.off) {
+      worst = {off, X * N};
+    }
+  };
+  constexpr int pieces = Side::dim == 1 ? 32 : 8;
+  for (int i = 0; i < pieces; ++i) {
+    for (int j = 0; j < (Side::dim == 1 ? 1 : pieces); ++j) {
+      look({(i + 0.5) / pieces, (j + 0.5) / pieces, 0.0});
+    }
+  }
+  constexpr double little = 0.005;
+  const auto bounds = [&](const UnitBox& box, const SeenValues& known) {
+    return hidden_value(load, place_cell<Side>(X, box.low, box.high), known);
+  };
+  const SearchResult peak = search_hidden<Side::dim>(bounds, value, {{}, {1.0, 1.0, 1.0}}, seen,
+                                                     {little * largest, 0.0, 100});
+  if (peak.found) {
+    At middle{};
+    for (std::size_t k = 0; k < Side::dim; ++k) {
+      middle[k] = 0.5 * (peak.place.low[k] + peak.place.high[k]);
+    }
+    look(middle);
+  }
+}
+
+} // namespace
+
+BetweenNodes between_nodes(const model::Mesh& mesh, const model::Load& load, double largest) {
+  BetweenNodes worst;
+  if (is_constant(load)) {
+    return worst;
+  }
+  for_faces(mesh, sides_inside(mesh, load), [&]<shape::Shape Side>(Side, const model::Face& face) {
+    visit_side<Side>(side_coordinates<Side>(mesh, face), load, largest, worst);
+  });
+  return worst;
+}
+
+} // namespace spricka::fe

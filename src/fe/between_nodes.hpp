@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "model/model.hpp"
+
+namespace spricka::fe {
+
+/// Where a displacement given as an expression leaves what the nodes make of it.
+struct BetweenNodes {
+  double off = 0.0; ///< largest distance of a component from the interpolation of its nodal values
+  base::Vec3 place = base::Vec3::Zero();
+};
+
+/// Over the sides of elements all of whose nodes the load is given at. `largest`: of the case, of
+/// which 0.5 % does not matter.
+BetweenNodes between_nodes(const model::Mesh& mesh, const model::Load& load, double largest);
+
+} // namespace spricka::fe
