@@ -3,6 +3,7 @@
 
 #include "fe/element.hpp"
 
+#include <cmath>
 #include <limits>
 
 namespace spricka::fe {
@@ -92,6 +93,9 @@ FieldScale load_scale(const model::Mesh& mesh, const model::Load& load,
         scale.mean += rule.amount / (reference_size<S>() * static_cast<double>(parts));
       }
     });
+  }
+  if (scale.largest == 0.0 && !bounds.empty() && std::isfinite(bounds.front().first)) {
+    scale.largest = -bounds.front().first; // nothing was found of what the bounds promise
   }
   return scale;
 }

@@ -207,7 +207,7 @@ TEST_P(Sides, a_thin_hot_layer_is_integrated_whole) {
   for (const auto& [way, length] : ways) {
     for (const double width : {0.1, 1e-3}) {
       if (triangle() && width < 0.1) {
-        continue; // slow, and told
+        continue; // slow
       }
       model::Load card;
       card.type = model::LoadType::temperature;
