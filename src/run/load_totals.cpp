@@ -107,8 +107,9 @@ void warn_of_unresolved(const model::Model& model, const model::Mesh& mesh,
   if (missed > little) {
     diagnostics.warning(load.span, "W435",
                         fmt::format("load case {}: no rule follows this load within an element; "
-                                    "up to {:.2g} % of its total may be missed",
-                                    load_case.name, 100.0 * missed),
+                                    "up to {} % of its total may be missed",
+                                    load_case.name,
+                                    missed > 0.995 ? "100" : fmt::format("{:.2g}", 100.0 * missed)),
                         "refine the net where the load changes");
   }
 }
