@@ -59,10 +59,25 @@ double friction_change(const Scene& scene, const contact::ContactSystem::Demand&
   return most;
 }
 
+// Slip below this part of the displacements, and work below that of friction's forces along it, is
+// nothing: bodies that are pressed together alone hardly slip.
+constexpr double least_slip = 1e-3;
+
 // The same of the work of friction, over the largest of all contacts, or of the largest way that a
-// row has slid, whichever changes by more.
-double slip_change(const Scene& scene, const FrictionMemory& a, const FrictionMemory& b) {
-  const double work = std::ranges::max(b.work);
+// row has slid, whichever changes by more. `answer` and `b` are of the later walk.
+double slip_change(const Scene& scene, const contact::ContactSystem::Demand& demand,
+                   const contact::ContactSystem::Answer& answer, const FrictionMemory& a,
+                   const FrictionMemory& b) {
+  double motion = 0.0;
+  for (const base::Vector& u : answer.u) {
+    motion = std::max(motion, u.size() > 0 ? u.cwiseAbs().maxCoeff() : 0.0);
+  }
+  double force = 0.0;
+  for (const solve::FrictionRow& f : demand.friction) {
+    const std::size_t row = demand.rows[static_cast<std::size_t>(f.normal)];
+    force += f.mu * answer.solution.lambda[f.normal] * scene.table.rows[row]->area;
+  }
+  const double work = std::max(std::ranges::max(b.work), least_slip * force * motion);
   double most = 0.0;
   for (std::size_t c = 0; c < b.work.size() && work > 0.0; ++c) {
     most = std::max(most, std::abs(a.work[c] - b.work[c]) / work);
@@ -74,7 +89,8 @@ double slip_change(const Scene& scene, const FrictionMemory& a, const FrictionMe
     before = std::max(before, a.path[r] / area);
     now = std::max(now, b.path[r] / area);
   }
-  return now > 0.0 ? std::max(most, std::abs(now - before) / now) : most;
+  const double slip = std::max(now, least_slip * motion);
+  return slip > 0.0 ? std::max(most, std::abs(now - before) / slip) : most;
 }
 
 // An error that falls with 1/n leaves this of the change between two walks.
@@ -199,7 +215,8 @@ bool StepSolver::walk_rubbing(Walk& walk, const model::Step& step, StepState& st
       return false;
     }
     cut.change = compared ? friction_change(scene_, walk.demand, last, walk.answer) : 0.0;
-    cut.slip = compared ? slip_change(scene_, slipped, history_.memory()) : 0.0;
+    cut.slip =
+        compared ? slip_change(scene_, walk.demand, walk.answer, slipped, history_.memory()) : 0.0;
     const bool settled = cut.change <= shear_tolerance && cut.slip <= work_tolerance;
     if (given || settled || cut.now >= most_increments) {
       break;
