@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cstdlib>
 #include <set>
 #include <utility>
 
@@ -149,12 +150,18 @@ public:
       if (tokens_[i].kind == Token::Kind::word) {
         scan_.words.emplace(tokens_[i].text);
         look_outside(i);
+        look_at_scale(i);
+        look_at_block(i);
         if (tokens_[i].text == "DefineConstant" && token(i + 1).is("[") && i >= behind_constants_) {
           behind_constants_ = constants(i + 2);
         } else {
           assignment(i);
         }
       }
+    }
+    for (const Block& block : open_) { // gmsh reads a script that is cut off as if it were whole
+      scan_.outreach.push_back(
+          {block.line, std::string(block.begin), "is not ended by " + std::string(block.end)});
     }
     return std::move(scan_);
   }
@@ -176,6 +183,40 @@ private:
       scan_.outreach.push_back({word.line, "Print", std::string(k_write)});
     } else if (word.text == "Printf" && writes(i + 1)) {
       scan_.outreach.push_back({word.line, "Printf to a file", std::string(k_write)});
+    }
+  }
+
+  /// Coordinates are scaled where gmsh writes them to a file, not where they are read here.
+  void look_at_scale(std::size_t i) {
+    if (tokens_[i].text != "ScalingFactor" || !token(i + 1).is("=") || i == 0 ||
+        !token(i - 1).is(".")) {
+      return;
+    }
+    const std::string value(text_.substr(token(i + 1).at + 1, 40));
+    char* end = nullptr;
+    const double factor = std::strtod(value.c_str(), &end);
+    const bool number = end != value.c_str();
+    if (!number || factor != 1.0) {
+      scan_.outreach.push_back(
+          {tokens_[i].line, "Mesh.ScalingFactor",
+           "scales what gmsh writes alone (SCALE of $IMPORT scales the mesh)"});
+    }
+  }
+
+  struct Block {
+    std::string_view begin, end;
+    std::size_t line = 0;
+  };
+
+  void look_at_block(std::size_t i) {
+    constexpr std::array blocks{std::pair<std::string_view, std::string_view>{"For", "EndFor"},
+                                std::pair<std::string_view, std::string_view>{"If", "EndIf"}};
+    for (const auto& [begin, end] : blocks) {
+      if (tokens_[i].text == begin) {
+        open_.push_back({begin, end, tokens_[i].line});
+      } else if (tokens_[i].text == end && !open_.empty() && open_.back().end == end) {
+        open_.pop_back();
+      }
     }
   }
 
@@ -261,6 +302,7 @@ private:
   std::vector<Token> tokens_;
   std::set<std::string> constants_, assigned_; ///< names met
   std::size_t behind_constants_ = 0;           ///< what was looked through as DefineConstant
+  std::vector<Block> open_;                    ///< not ended so far
   ScriptScan scan_;
 };
 

@@ -8,7 +8,7 @@
 
 namespace spricka::mesh {
 
-/// A word of a geometry script that reaches outside of it.
+/// A word of a geometry script that reaches outside of it, or that gmsh would pass over in silence.
 struct Outreach {
   std::size_t line = 0;
   std::string word; ///< as the script writes it

@@ -31,6 +31,15 @@ TEST(ScriptScan, NamesWhatReachesOutside) {
   EXPECT_EQ(refused("View \"a\" {}; Print \"a.png\";"), (Words{"1 View", "1 Print"}));
 }
 
+TEST(ScriptScan, NamesWhatGmshWouldPassOver) {
+  EXPECT_EQ(refused("For i In {1:3}\n  Point(i) = {i, 0, 0};\n"), Words{"1 For"});
+  EXPECT_EQ(refused("For i In {1:3}\nIf (i == 2)\nEndFor\n"), (Words{"1 For", "2 If"}));
+  EXPECT_EQ(refused("For i In {1:3}\nIf (i == 2)\nElseIf (i == 3)\nElse\nEndIf\nEndFor"), Words{});
+  EXPECT_EQ(refused("Mesh.ScalingFactor = 0.001;"), Words{"1 Mesh.ScalingFactor"});
+  EXPECT_EQ(refused("Mesh.ScalingFactor = s;"), Words{"1 Mesh.ScalingFactor"});
+  EXPECT_EQ(refused("Mesh.ScalingFactor = 1.0; ScalingFactor = 3;"), Words{});
+}
+
 TEST(ScriptScan, PassesOverCommentsAndTexts) {
   EXPECT_EQ(refused("// Exit\n/* Exit\n Exit */ \"Exit\" 'Exit'"), Words{});
   EXPECT_EQ(refused("\"// no comment\" Exit"), Words{"1 Exit"});
