@@ -138,6 +138,7 @@ double doubt_of_G(const TipSetting& set, const ExtensionField& field) {
 std::vector<bool> rough_rims(const TipSetting& set, const std::vector<ExtensionField>& fields,
                              double K) {
   std::vector<bool> rough;
+  rough.reserve(fields.size());
   const double G = K * K / fe::effective_modulus(set.material, set.state());
   const bool heated = !fields.empty() && heat_doubt(set, fields.back()) > worst_doubt * G;
   for (const ExtensionField& field : fields) {

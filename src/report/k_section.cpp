@@ -182,7 +182,8 @@ KSection k_section(const model::Model& model, const results::Run& run) {
     section.tables = {k_table(model, run.increments.front())};
     section.tables.front().title = "Stress intensity factors at the ends of the steps";
   } else {
-    std::ranges::stable_partition(shown, [&](const std::string& s) { return s == leading; });
+    std::stable_partition(shown.begin(), shown.end(),
+                          [&](const std::string& s) { return s == leading; });
     for (const std::string& step : shown) {
       section.tables.push_back(k_history_table(model, run, step));
     }

@@ -294,8 +294,9 @@ std::string model_legend(const model::Model& model, double width) {
   const std::size_t down = (entries.size() + across - 1) / across;
   Svg svg(width, line * static_cast<double>(down) + 4.0, "Signs in the picture of the model");
   for (std::size_t i = 0; i < entries.size(); ++i) {
+    const std::size_t row = i / across;
     const Point at{column * static_cast<double>(i % across),
-                   line * (static_cast<double>(i / across) + 0.5)};
+                   line * (static_cast<double>(row) + 0.5)};
     const Entry& entry = entries[i];
     if (entry.sign == Entry::Sign::held) {
       draw_held(svg, {at.x + 14.0, at.y - 2.0}, {true, true, false});

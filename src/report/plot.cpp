@@ -117,6 +117,7 @@ std::vector<Tick> ticks_of(const Range& range, int wanted) {
   }
   std::vector<Tick> ticks;
   const std::vector<double> values = round_ticks(range.low, range.high, wanted);
+  ticks.reserve(values.size());
   for (const double value : values) {
     ticks.push_back({value, tick_text(value, distance(values))});
   }

@@ -272,7 +272,7 @@ private:
     return body.net.valid() ? model_.nets[body.net.index()].name : "";
   }
   [[nodiscard]] std::string name(std::size_t b) const {
-    const std::string net = name(bodies_[b]);
+    std::string net = name(bodies_[b]);
     const auto alike = std::ranges::count_if(
         bodies_, [&](const fe::Body& other) { return other.net == bodies_[b].net; });
     if (net.empty() || alike > 1) {
