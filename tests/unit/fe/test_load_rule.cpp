@@ -187,14 +187,11 @@ TEST_P(Sides, a_peak_of_body_force_is_found) {
 TEST_P(Sides, a_step_on_borders_times_a_thin_window_keeps_its_force) {
   const double border = 4.0 / 3.0;
   for (const double width : {0.2, 0.02, 0.002}) {
-    if (triangle() && width < 0.2) {
-      continue; // slow
-    }
     const Field window = (across() > 0.51) * (0.51 + width > across());
     const Vec2 found = force_and_moment(model::LoadType::body, (along() > border) * window);
     const double force = (4.0 - border) * width;
     EXPECT_LE(std::abs(found.x() - force), (unresolved + 1e-5) * force) << width;
-    EXPECT_LT(unresolved, 0.01);
+    EXPECT_LT(unresolved, triangle() ? 1.01 : 0.01) << width; // found, or told
   }
 }
 
@@ -206,9 +203,6 @@ TEST_P(Sides, a_thin_hot_layer_is_integrated_whole) {
                                                      std::pair{across(), 4.0}};
   for (const auto& [way, length] : ways) {
     for (const double width : {0.1, 1e-3}) {
-      if (triangle() && width < 0.1) {
-        continue; // slow
-      }
       model::Load card;
       card.type = model::LoadType::temperature;
       card.value = {(100.0 * (way > 0.4321) * (0.4321 + width > way)).e};
@@ -226,7 +220,7 @@ TEST_P(Sides, a_thin_hot_layer_is_integrated_whole) {
       const double told = unresolved_heat(model, model.mesh, card);
       EXPECT_NEAR(sum, 100.0 * width * length, (told + 1e-2) * 100.0 * width * length)
           << width << " of " << length;
-      EXPECT_LT(told, 0.05);
+      EXPECT_LT(told, triangle() && width < 0.1 ? 1.01 : 0.05); // found, or told
     }
   }
 }
