@@ -11,12 +11,6 @@ namespace {
 
 constexpr double small = 1e-8; ///< of the largest force or gap: may change either way
 
-std::size_t contact_of(const Scene& scene, std::size_t row) {
-  return static_cast<std::size_t>(
-      std::upper_bound(scene.table.first.begin(), scene.table.first.end(), row) -
-      scene.table.first.begin() - 1);
-}
-
 } // namespace
 
 FrozenContact::FrozenContact(const StepSolver& solver, const Scene& scene, const StepState& state)
@@ -26,7 +20,7 @@ FrozenContact::FrozenContact(const StepSolver& solver, const Scene& scene, const
   double gap_size = 0.0;
   for (std::size_t i = 0; i < demand.rows.size(); ++i) {
     Row row{demand.rows[i], demand.equality[i], demand.start[i], false, 0.0, 0.0};
-    const std::size_t c = contact_of(scene, row.row);
+    const std::size_t c = scene.table.contact_of(row.row);
     const std::size_t local = row.row - scene.table.first[c];
     row.force = state.pair_lambda[c][static_cast<Eigen::Index>(local)];
     if (!row.equality) {

@@ -45,8 +45,7 @@ void tell_held_surfaces(const Scene& scene, const contact::ContactSystem::Demand
   std::vector<Held> found(scene.contacts.size());
   for (std::size_t i = 0; i < demand.rows.size(); ++i) {
     const std::size_t r = demand.rows[i];
-    const auto c = static_cast<std::size_t>(std::ranges::upper_bound(scene.table.first, r) -
-                                            scene.table.first.begin() - 1);
+    const auto c = scene.table.contact_of(r);
     const contact::ConstraintRow& row = *scene.table.acting[r];
     const bool bonded = scene.contacts[c].type == model::ContactType::bonded;
     if (bonded || row.area <= 0.0 || !is_held(scene, row)) {

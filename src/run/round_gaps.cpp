@@ -15,19 +15,13 @@ namespace {
 
 constexpr double worst_change = 0.05; // of the largest pressure of the pair
 
-std::size_t contact_of(const Scene& scene, std::size_t row) {
-  const std::vector<std::size_t>& first = scene.table.first;
-  return static_cast<std::size_t>(std::upper_bound(first.begin(), first.end(), row) -
-                                  first.begin() - 1);
-}
-
 // What the increment asks for without friction, with gaps as drawn.
 contact::ContactSystem::Demand without_friction(const Scene& scene,
                                                 const contact::ContactSystem::Demand& of) {
   contact::ContactSystem::Demand d;
   std::vector<double> gap;
   for (std::size_t i = 0; i < of.rows.size(); ++i) {
-    const bool rubs = scene.contacts[contact_of(scene, of.rows[i])].mu > 0.0;
+    const bool rubs = scene.contacts[scene.table.contact_of(of.rows[i])].mu > 0.0;
     if (rubs && scene.table.rows[of.rows[i]]->tangential) {
       continue;
     }
@@ -51,7 +45,7 @@ contact::PairPressure pressures(const Scene& scene, const contact::ContactSystem
   base::Vector gap = base::Vector::Zero(normals);
   std::vector<bool> closed(pair.normal.size(), false);
   for (std::size_t i = 0; i < d.rows.size(); ++i) {
-    if (contact_of(scene, d.rows[i]) == contact) {
+    if (scene.table.contact_of(d.rows[i]) == contact) {
       const std::size_t local = d.rows[i] - scene.table.first[contact];
       const auto k = static_cast<Eigen::Index>(i);
       lambda[static_cast<Eigen::Index>(local)] = s.lambda[k];
@@ -100,7 +94,7 @@ void tell_round_gaps(const Scene& scene, const contact::ContactSystem& system,
     const contact::ConstraintRow& row = *scene.table.rows[round.rows[i]];
     round.gap[static_cast<Eigen::Index>(i)] += row.round_gap - row.gap;
     if (row.round_gap != row.gap) {
-      differs[contact_of(scene, round.rows[i])] = true;
+      differs[scene.table.contact_of(round.rows[i])] = true;
     }
   }
   if (std::ranges::none_of(differs, std::identity())) {

@@ -7,6 +7,7 @@
 #include "mesh/patch.hpp"
 #include "model/model.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,6 +28,11 @@ struct RowTable {
   /// What the rows ask of independent freedoms: the rows themselves, or one of `reduced`.
   std::vector<const contact::ConstraintRow*> acting;
   std::vector<contact::ConstraintRow> reduced;
+
+  /// The contact that a row belongs to.
+  [[nodiscard]] std::size_t contact_of(std::size_t row) const {
+    return static_cast<std::size_t>(std::ranges::upper_bound(first, row) - first.begin() - 1);
+  }
 };
 
 struct TipScene {

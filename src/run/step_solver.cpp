@@ -144,9 +144,7 @@ base::Vector StepSolver::unscaled_gap(const std::vector<std::size_t>& rows) cons
   base::Vector rest(static_cast<Eigen::Index>(rows.size()));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::size_t r = rows[i];
-    const auto c = static_cast<std::size_t>(
-        std::upper_bound(scene_.table.first.begin(), scene_.table.first.end(), r) -
-        scene_.table.first.begin() - 1);
+    const auto c = scene_.table.contact_of(r);
     const base::ContactId contact(c);
     const bool scaled = scene_.contacts[c].gap && fit_is_named(model_, contact);
     rest[static_cast<Eigen::Index>(i)] =
@@ -224,9 +222,7 @@ bool StepSolver::accept(const contact::ContactSystem::Answer& answer,
   closed_.assign(scene_.table.rows.size(), true);
   for (std::size_t i = 0; i < demand.rows.size(); ++i) {
     const std::size_t row = demand.rows[i];
-    const auto c = static_cast<std::size_t>(
-        std::upper_bound(scene_.table.first.begin(), scene_.table.first.end(), row) -
-        scene_.table.first.begin() - 1);
+    const auto c = scene_.table.contact_of(row);
     const std::size_t local = row - scene_.table.first[c];
     state.pair_lambda[c][static_cast<Eigen::Index>(local)] = s.lambda[static_cast<Eigen::Index>(i)];
     if (local < scene_.pairs[c].normal.size()) {

@@ -42,9 +42,7 @@ double friction_change(const Scene& scene, const contact::ContactSystem::Demand&
   std::vector<Sum> sums(scene.pairs.size());
   for (const solve::FrictionRow& f : demand.friction) {
     const std::size_t row = demand.rows[static_cast<std::size_t>(f.tangent)];
-    const auto c = static_cast<std::size_t>(
-        std::upper_bound(scene.table.first.begin(), scene.table.first.end(), row) -
-        scene.table.first.begin() - 1);
+    const auto c = scene.table.contact_of(row);
     const double area = scene.table.rows[row]->area;
     const base::Vector& q = b.solution.lambda;
     sums[c].change += area * std::pow(a.solution.lambda[f.tangent] - q[f.tangent], 2);
