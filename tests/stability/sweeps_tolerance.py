@@ -7,7 +7,9 @@ from program import Row, Run, changed, numbers, text_of, without_checks
 # lug_reference, two cracks: K1 and K2 of two independent 2D solvers, which agree to 4e-4 of K1
 REFERENCE = {0.1: (434.769, -7.684), 0.3: (664.467, -26.196)}
 OWN_ERROR = 4e-4
-LIMITS = {0.01: (3, 5000), 0.001: (5, 12000)}  # solves and freedoms at most
+# Solves and freedoms at most. 12 000 were wanted to 0.1 %; two cracks of 0.05 R take 13 246 since bars count what
+# coarse surfaces of the bush do to a crack beside them (before: 10 948, and a bar that left it out).
+LIMITS = {0.01: (3, 5000), 0.001: (5, 14000)}
 
 SECOND = """$CRACK NAME=BOT NET=LUG A0=({0}*R) ANGLE=-90[deg] STATE=STRESS
   0  (-R)
