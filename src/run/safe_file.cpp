@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int format_version = 1;
-constexpr std::size_t largest_framed = 16 * 1024 * base::mebibyte; ///< [bytes]
+constexpr std::size_t largest_framed = std::size_t{16} * 1024 * base::mebibyte; ///< [bytes]
 
 [[noreturn]] void unusable(const fs::path& file, const std::string& why,
                            const char* code = "E560") {
