@@ -66,6 +66,7 @@ int reserve_kernels(int threads) {
     throw std::bad_alloc();
   }
   std::vector<void*> blocks; // freed, they stay with the library
+  blocks.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     blocks.push_back(blas_memory_alloc(0));
   }
