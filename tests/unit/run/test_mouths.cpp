@@ -186,7 +186,9 @@ TEST(Mouths, ASingleNodeThereTellsNoFace) {
   for (const std::string& card : {std::string("$FREEDOM CLASS=SUPPRESSED DOF=Y\n  P\n") + pull,
                                   "$NSET NAME=W\n  P XMAX\n$MPC TYPE=RIGID SLAVE=W\n" + pull,
                                   std::string("$LOAD CASE=T TYPE=FORCE\n  P 0 1\n")}) {
-    EXPECT_NE(refused(plate + point + clamp + card).find("E437"), std::string::npos) << card;
+    EXPECT_NE(refused(fmt::format("{}{}{}{}", plate, point, clamp, card)).find("E437"),
+              std::string::npos)
+        << card;
   }
 }
 
