@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cstdlib>
+#include <charconv>
 #include <set>
+#include <system_error>
 #include <utility>
 
 namespace spricka::mesh {
@@ -186,17 +187,22 @@ private:
     }
   }
 
-  /// Coordinates are scaled where gmsh writes them to a file, not where they are read here.
+  /// Coordinates are scaled where gmsh writes them to a file, not where they are read here: no
+  /// other factor than a plain 1 is let through.
   void look_at_scale(std::size_t i) {
-    if (tokens_[i].text != "ScalingFactor" || !token(i + 1).is("=") || i == 0 ||
-        !token(i - 1).is(".")) {
+    if (tokens_[i].text != "ScalingFactor" || i == 0 || !token(i - 1).is(".")) {
       return;
     }
-    const std::string value(text_.substr(token(i + 1).at + 1, 40));
-    char* end = nullptr;
-    const double factor = std::strtod(value.c_str(), &end);
-    const bool number = end != value.c_str();
-    if (!number || factor != 1.0) {
+    const bool changed = std::string_view("+-*/").find(token(i + 1).text) != std::string_view::npos;
+    const std::size_t equal = changed ? i + 2 : i + 1;
+    if (!token(equal).is("=")) {
+      return; // only read
+    }
+    const std::string_view value = token(equal + 1).text;
+    double factor = 0.0;
+    const auto [end, trouble] = std::from_chars(value.data(), value.data() + value.size(), factor);
+    const bool plain = trouble == std::errc() && end == value.data() + value.size();
+    if (changed || !plain || factor != 1.0 || !token(equal + 2).is(";")) {
       scan_.outreach.push_back(
           {tokens_[i].line, "Mesh.ScalingFactor",
            "scales what gmsh writes alone (SCALE of $IMPORT scales the mesh)"});

@@ -37,7 +37,13 @@ TEST(ScriptScan, NamesWhatGmshWouldPassOver) {
   EXPECT_EQ(refused("For i In {1:3}\nIf (i == 2)\nElseIf (i == 3)\nElse\nEndIf\nEndFor"), Words{});
   EXPECT_EQ(refused("Mesh.ScalingFactor = 0.001;"), Words{"1 Mesh.ScalingFactor"});
   EXPECT_EQ(refused("Mesh.ScalingFactor = s;"), Words{"1 Mesh.ScalingFactor"});
+  for (const char* text :
+       {"= 1*0.001;", "= 1/1000;", "*= 0.001;", "= 1e-3;", "= -1;", "= 1", "= 1,5;"}) {
+    EXPECT_EQ(refused("Mesh.ScalingFactor " + std::string(text)), Words{"1 Mesh.ScalingFactor"})
+        << text;
+  }
   EXPECT_EQ(refused("Mesh.ScalingFactor = 1.0; ScalingFactor = 3;"), Words{});
+  EXPECT_EQ(refused("a = 2 * Mesh.ScalingFactor;"), Words{});
 }
 
 TEST(ScriptScan, PassesOverCommentsAndTexts) {
