@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Scripts that want more than a mesh. usage: test_scripts.py PROGRAM"""
 
-import os
 import time
 import unittest
 
 from meshes import SQUARE, MeshTest
-from program import main
+from program import SANITIZED, main
 
 
 class Outside(MeshTest):
@@ -72,7 +71,7 @@ class Limits(MeshTest):
         deck = self.square("MeshSize{:} = 1e-4;\n")
         self.refused("E481", "meshing took more than 2 s", deck, "--mesh-time", "2")
 
-    @unittest.skipIf("ASAN_OPTIONS" in os.environ, "under the sanitizer: its shadow is larger than any limit")
+    @unittest.skipIf(SANITIZED, "under the sanitizer: its shadow is larger than any limit")
     def test_too_much_memory(self):
         deck = self.square('Physical Curve("B") = {10:4294967297};')
         self.refused("E482", "memory", deck, "--mesh-memory", "0.2")

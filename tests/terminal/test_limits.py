@@ -7,7 +7,7 @@ import subprocess
 import time
 import unittest
 
-from program import PROGRAM, ProgramTest, environment, main, plate
+from program import PROGRAM, SANITIZED, ProgramTest, environment, main, plate
 
 SPECTRUM = """$STEP NAME=ZERO
   LOAD PULL 0
@@ -153,7 +153,7 @@ class Limits(ProgramTest):
         self.assertFalse((self.folder / "test.run").exists())
         self.assertEqual(sorted(f.name for f in self.folder.iterdir()), ["test.deck"])
 
-    @unittest.skipIf("ASAN_OPTIONS" in os.environ, "under the sanitizer: its shadow is larger than any limit")
+    @unittest.skipIf(SANITIZED, "under the sanitizer: its shadow is larger than any limit")
     def test_too_little_memory(self):
         """From nothing at all to enough: never a hang, never a crash, and the amount is named."""
         big = plate().replace("NX=4 NY=2", "NX=150 NY=75")

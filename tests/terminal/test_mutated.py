@@ -8,11 +8,10 @@ import re
 import shutil
 import subprocess
 
-from program import PROGRAM, TOP, ProgramTest, environment, main
+from program import PROGRAM, SANITIZED, TOP, ProgramTest, environment, main
 
 FULL = bool(os.environ.get("SPRICKA_FULL"))
-SLOW = "ASAN_OPTIONS" in os.environ  # under the sanitizers everything takes ten times as long
-COUNT = 40 if not FULL else 200 if SLOW else 2000
+COUNT = 40 if not FULL else 200 if SANITIZED else 2000
 DECKS = ("edge_crack", "contact_patch", "cantilever", "patch_test", "thick_cylinder", "curved_beam")
 NUMBER = re.compile(r"(?<![A-Za-z_$.\d])[-+]?\d+\.?\d*(?:[eE][-+]?\d+)?")
 WORD = re.compile(r"[A-Za-z_$.][A-Za-z_0-9.]*")
@@ -72,7 +71,7 @@ class Mutated(ProgramTest):
             cwd=self.folder,
             env=environment(OPENBLAS_NUM_THREADS="1"),
             capture_output=True,
-            timeout=1000 if SLOW else 100,
+            timeout=1000 if SANITIZED else 100,
             check=False,
         )
 
