@@ -191,7 +191,9 @@ TEST_P(Sides, a_step_on_borders_times_a_thin_window_keeps_its_force) {
     const Vec2 found = force_and_moment(model::LoadType::body, (along() > border) * window);
     const double force = (4.0 - border) * width;
     EXPECT_LE(std::abs(found.x() - force), (unresolved + 1e-5) * force) << width;
-    EXPECT_LT(unresolved, triangle() ? 1.01 : 0.01) << width; // found, or told
+    if (!triangle() || width > 0.1) { // thinner ones are found there or told: the line above
+      EXPECT_LT(unresolved, 0.01) << width;
+    }
   }
 }
 
@@ -220,7 +222,9 @@ TEST_P(Sides, a_thin_hot_layer_is_integrated_whole) {
       const double told = unresolved_heat(model, model.mesh, card);
       EXPECT_NEAR(sum, 100.0 * width * length, (told + 1e-2) * 100.0 * width * length)
           << width << " of " << length;
-      EXPECT_LT(told, triangle() && width < 0.1 ? 1.01 : 0.05); // found, or told
+      if (!triangle() || width > 0.01) { // thinner ones are found there or told: the line above
+        EXPECT_LT(told, 0.05) << width;
+      }
     }
   }
 }
