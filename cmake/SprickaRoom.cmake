@@ -1,13 +1,16 @@
 # spricka_room(NAME SOURCES a.cpp .. [USES rooms ..] [LINKS targets ..] [HIDES targets ..])
-# A room of the house: a static library spricka_NAME (spricka::NAME) whose headers are found from
-# src/ or from the top. USES names the rooms it may include, LINKS libraries that its headers show,
-# HIDES libraries that only its sources see.
+# A room of the house, NAME its folder below src/ (analysis/scene): a static library
+# spricka::analysis_scene whose headers are found from src/ or from the top. USES names the rooms it
+# may include (tests/layers), LINKS libraries that its headers show, HIDES libraries that only its
+# sources see.
 function(spricka_room name)
   cmake_parse_arguments(room "" "" "SOURCES;USES;LINKS;HIDES" ${ARGN})
+  string(REPLACE "/" "_" name ${name})
   add_library(spricka_${name} STATIC ${room_SOURCES})
   add_library(spricka::${name} ALIAS spricka_${name})
   target_include_directories(spricka_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR})
   foreach(used IN LISTS room_USES)
+    string(REPLACE "/" "_" used ${used})
     target_link_libraries(spricka_${name} PUBLIC spricka::${used})
   endforeach()
   target_link_libraries(spricka_${name} PUBLIC ${room_LINKS} PRIVATE ${room_HIDES})

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "base/id.hpp"
+#include "mesh/cut/patch.hpp"
 #include "mesh/node_elements.hpp"
-#include "mesh/patch.hpp"
 #include "model/mesh.hpp"
 
 #include <cstdint>

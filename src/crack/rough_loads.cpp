@@ -112,7 +112,7 @@ double size_of(const TipSetting& set, const ExtensionField& field) {
   return most;
 }
 
-// Estimates of size, no bounds: they tell the steps of tests/unit/run/test_rough_loads.cpp, of
+// Estimates of size, no bounds: they tell the steps of tests/unit/analysis/test_rough_loads.cpp, of
 // which G was 0.1 to 1 % off.
 constexpr double of_faces = 0.5;
 constexpr double of_heat = 0.05;

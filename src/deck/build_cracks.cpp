@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/sets.hpp"
-#include "mesh/path_gap.hpp"
+#include "mesh/cut/path_gap.hpp"
 
 #include <algorithm>
 #include <cmath>

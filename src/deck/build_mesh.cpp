@@ -2,8 +2,8 @@
 #include "deck/context.hpp"
 #include "deck/import_card.hpp"
 #include "deck/mesh_limits.hpp"
-#include "grammar/table.hpp"
-#include "mesh/generate.hpp"
+#include "grammar/bulk_table.hpp"
+#include "mesh/generate/generate.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
 #include "deck/element_place.hpp"
-#include "grammar/table.hpp"
+#include "grammar/bulk_table.hpp"
 #include "mesh/quality.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "deck/context.hpp"
 #include "deck/element_place.hpp"
 #include "mesh/boundary.hpp"
-#include "mesh/coincidence.hpp"
+#include "mesh/cut/coincidence.hpp"
 
 #include <algorithm>
 

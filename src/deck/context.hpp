@@ -5,7 +5,7 @@
 #include "deck/names.hpp"
 #include "deck/read_deck.hpp"
 #include "grammar/compile.hpp"
-#include "mesh/inp_import.hpp"
+#include "mesh/import/inp_import.hpp"
 #include "model/model.hpp"
 
 #include <cstdint>

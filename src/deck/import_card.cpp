@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/import_card.hpp"
 
-#include "mesh/gmsh_import.hpp"
-#include "mesh/inp_import.hpp"
+#include "mesh/import/gmsh_import.hpp"
+#include "mesh/import/inp_import.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -2,7 +2,7 @@
 #pragma once
 #include "base/diagnostics.hpp"
 #include "base/source.hpp"
-#include "mesh/gmsh_import.hpp"
+#include "mesh/import/gmsh_import.hpp"
 #include "model/model.hpp"
 
 #include <filesystem>

@@ -2,7 +2,7 @@
 #include "growth/ahead.hpp"
 
 #include "mesh/boundary.hpp"
-#include "mesh/host.hpp"
+#include "mesh/cut/host.hpp"
 #include "mesh/plane.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "life/life_curve.hpp"
 
-#include "life/quadrature.hpp"
+#include "life/integrate.hpp"
 #include "life/root.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "mesh/fill.hpp"
-#include "mesh/gmsh_model.hpp"
-#include "mesh/mesher_request.hpp"
+#include "mesh/link/fill.hpp"
+#include "mesh/link/gmsh_model.hpp"
+#include "mesh/link/mesher_request.hpp"
 
 #include <functional>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/check_listing.hpp"
 
-#include "report/load_table.hpp"
-#include "report/script_table.hpp"
-#include "report/table.hpp"
+#include "report/drawing/table.hpp"
+#include "report/topics/load_table.hpp"
+#include "report/topics/script_table.hpp"
 
 #include <algorithm>
 #include <cmath>

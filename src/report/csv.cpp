@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/file.hpp"
+#include "report/drawing/file.hpp"
 #include "report/report.hpp"
 
 #include <fmt/format.h>

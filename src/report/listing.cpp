@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/deck_name.hpp"
-#include "report/growth_tables.hpp"
-#include "report/growth_tests.hpp"
-#include "report/k_bars.hpp"
-#include "report/load_paths.hpp"
-#include "report/load_table.hpp"
-#include "report/model_tables.hpp"
 #include "report/report.hpp"
-#include "report/result_tables.hpp"
-#include "report/rounds_table.hpp"
-#include "report/sensitivity.hpp"
+#include "report/topics/growth_tables.hpp"
+#include "report/topics/growth_test_tables.hpp"
+#include "report/topics/k_bars.hpp"
+#include "report/topics/load_path_tables.hpp"
+#include "report/topics/load_table.hpp"
+#include "report/topics/model_tables.hpp"
+#include "report/topics/result_tables.hpp"
+#include "report/topics/rounds_table.hpp"
+#include "report/topics/sensitivity_tables.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "report/figures.hpp"
-#include "report/table.hpp"
+#include "report/drawing/table.hpp"
+#include "report/topics/figures.hpp"
 
 #include <string>
 #include <string_view>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/drawing/set_members.hpp"
 #include "report/report.hpp"
-#include "report/set_members.hpp"
-#include "report/sweep.hpp"
+#include "report/sweep_files.hpp"
 
 #include <algorithm>
 #include <array>

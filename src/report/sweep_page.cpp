@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/deck_name.hpp"
-#include "report/k_bars.hpp"
+#include "report/drawing/plot.hpp"
 #include "report/page.hpp"
-#include "report/parameter_unit.hpp"
-#include "report/plot.hpp"
-#include "report/result_tables.hpp"
-#include "report/sweep.hpp"
+#include "report/sweep_files.hpp"
+#include "report/topics/k_bars.hpp"
+#include "report/topics/parameter_unit.hpp"
+#include "report/topics/result_tables.hpp"
 
 #include <fmt/format.h>
 

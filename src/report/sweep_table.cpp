@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/file.hpp"
-#include "report/sweep.hpp"
+#include "report/drawing/file.hpp"
+#include "report/sweep_files.hpp"
 
 #include <algorithm>
 #include <cmath>

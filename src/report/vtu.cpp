@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/file.hpp"
+#include "report/drawing/file.hpp"
+#include "report/drawing/table.hpp"
+#include "report/drawing/vtu_grid.hpp"
 #include "report/report.hpp"
-#include "report/table.hpp"
-#include "report/vtu_grid.hpp"
 
 #include <array>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "results/table.hpp"
+#include "results/named_columns.hpp"
 
 #include <memory>
 #include <span>

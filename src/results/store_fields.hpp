@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "results/growth.hpp"
-#include "results/growth_test.hpp"
+#include "results/measured_growth.hpp"
 #include "results/results.hpp"
 #include "results/store_columns.hpp"
 

@@ -2,11 +2,11 @@
 // What condensing costs: analysis and numeric phase of all nets of the first increment of a deck,
 // against analysis and numeric phase of one plain factorisation of the whole model, in one run.
 // Usage: bench_condensation DECK [REPEATS]
+#include "analysis/bodies/condense_bodies.hpp"
+#include "analysis/scene/scene.hpp"
 #include "base/diagnostics.hpp"
 #include "deck/read_deck.hpp"
 #include "growth/crack_lines.hpp"
-#include "run/condense_bodies.hpp"
-#include "run/scene.hpp"
 #include "solve/rate.hpp"
 #include "whole_stiffness.hpp"
 
@@ -21,10 +21,10 @@ namespace {
 
 using namespace spricka;
 
-run::CondenseLog condense(const model::Model& model, const run::Scene& scene) {
-  run::CondensationCache cache;
-  run::CondenseLog log;
-  run::condense_bodies(
+analysis::CondenseLog condense(const model::Model& model, const analysis::Scene& scene) {
+  analysis::CondensationCache cache;
+  analysis::CondenseLog log;
+  analysis::condense_bodies(
       {model, scene.cracked.mesh, scene.cls, scene.ties, scene.rest_element, scene.case_load, 1},
       cache, log);
   return log;
@@ -47,17 +47,17 @@ int main(int argc, char** argv) {
     return 2;
   }
   const std::vector<double> lengths = growth::crack_lengths(*model);
-  const run::RegionPlan plan = run::plan_region(*model, lengths, diagnostics);
-  const auto scene = run::make_scene(*model, lengths.front(), plan, diagnostics);
+  const analysis::RegionPlan plan = analysis::plan_region(*model, lengths, diagnostics);
+  const auto scene = analysis::make_scene(*model, lengths.front(), plan, diagnostics);
   if (!scene) {
     fmt::print(stderr, "{}", base::format(sources, diagnostics));
     return 3;
   }
-  run::CondenseLog nets;
+  analysis::CondenseLog nets;
   solve::FactorReport plain;
   const auto total = [](const auto& r) { return r.analysis_cpu + r.numeric_cpu; };
   for (int i = 0; i < (argc > 2 ? std::atoi(argv[2]) : 7); ++i) {
-    const run::CondenseLog log = condense(*model, *scene);
+    const analysis::CondenseLog log = condense(*model, *scene);
     const solve::FactorReport report =
         solve::Condensation(bench::whole_stiffness(*model, *scene), 0).report();
     nets = i == 0 || total(log) < total(nets) ? log : nets;

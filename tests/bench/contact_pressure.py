@@ -292,7 +292,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--spricka", type=Path,
-                        default=HERE.parents[1] / "build/release/src/run/spricka")
+                        default=HERE.parents[1] / "build/release/bin/spricka")
     parser.add_argument("--levels", type=int, default=3)
     parser.add_argument("--out", type=Path, default=Path("contact_pressure.run"))
     options = parser.parse_args()

@@ -4,11 +4,11 @@
 // which condenses the whole host: once without reading and meshing of the host, once from the start
 // of the program to its first K. Reports are in neither. Usage:
 // bench_increment DECK [fine] [REPEATS]
+#include "analysis/lengths/length_solver.hpp"
 #include "base/clock.hpp"
 #include "base/diagnostics.hpp"
 #include "deck/read_deck.hpp"
 #include "growth/crack_lines.hpp"
-#include "run/length_solver.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -38,14 +38,14 @@ struct Costs {
 
 Costs solve_all(const model::Model& model) {
   base::Diagnostics diagnostics;
-  std::optional<run::Refusal> refusal;
+  std::optional<analysis::Refusal> refusal;
   std::vector<results::LogLine> lines;
-  const run::SolveOptions options{.threads = 1, .progress = {}};
+  const analysis::SolveOptions options{.threads = 1, .progress = {}};
   const std::vector<double> lengths = growth::crack_lengths(model);
   Costs costs;
   base::Stopwatch watch;
-  const run::RegionPlan plan = run::plan_region(model, lengths, diagnostics);
-  run::LengthSolver solver(model, options, lines, diagnostics, refusal);
+  const analysis::RegionPlan plan = analysis::plan_region(model, lengths, diagnostics);
+  analysis::LengthSolver solver(model, options, lines, diagnostics, refusal);
   for (const double a : lengths) {
     lines.clear();
     auto cracks = growth::crack_lines(model, a, diagnostics);

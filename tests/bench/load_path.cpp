@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the map of K over a load path costs, and a later K from it. Usage: bench_load_path DECK
 // [REPEATS]: the first length and the first $LOADPATH of the deck.
+#include "analysis/bodies/condense_bodies.hpp"
+#include "analysis/recover/load_paths.hpp"
+#include "analysis/recover/recover_step.hpp"
+#include "analysis/scene/scene.hpp"
+#include "analysis/steps/step_solver.hpp"
 #include "base/clock.hpp"
 #include "base/diagnostics.hpp"
 #include "deck/read_deck.hpp"
 #include "growth/crack_lines.hpp"
-#include "run/condense_bodies.hpp"
-#include "run/gather.hpp"
-#include "run/load_paths.hpp"
-#include "run/scene.hpp"
-#include "run/step_solver.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -85,29 +85,29 @@ int main(int argc, char** argv) {
     return 2;
   }
   const std::vector<double> lengths = growth::crack_lengths(*model);
-  const run::RegionPlan plan = run::plan_region(*model, lengths, diagnostics);
-  const std::optional<run::Scene> scene =
-      run::make_scene(*model, lengths.front(), plan, diagnostics);
+  const analysis::RegionPlan plan = analysis::plan_region(*model, lengths, diagnostics);
+  const std::optional<analysis::Scene> scene =
+      analysis::make_scene(*model, lengths.front(), plan, diagnostics);
   if (!scene) {
     fmt::print(stderr, "the deck has mistakes\n");
     return 2;
   }
-  run::CondensationCache cache;
-  run::CondenseLog log;
-  const std::vector<run::BodyNet> bodies =
-      run::condense_bodies({*model, scene->cracked.mesh, scene->cls, scene->ties,
-                            scene->rest_element, run::loads_with_supports(*model, *scene), 1},
-                           cache, log);
-  run::StepSolver solver(*model, *scene, bodies);
-  run::LoadPaths paths(*model, *scene, bodies);
+  analysis::CondensationCache cache;
+  analysis::CondenseLog log;
+  const std::vector<analysis::BodyNet> bodies = analysis::condense_bodies(
+      {*model, scene->cracked.mesh, scene->cls, scene->ties, scene->rest_element,
+       analysis::loads_with_supports(*model, *scene), 1},
+      cache, log);
+  analysis::StepSolver solver(*model, *scene, bodies);
+  analysis::LoadPaths paths(*model, *scene, bodies);
   for (std::size_t s = 0; s < model->steps.size(); ++s) {
-    run::Refusal why;
+    analysis::Refusal why;
     const auto state = solver.solve(model->steps[s], why);
     if (!state) {
       fmt::print(stderr, "{}\n", why.why);
       return 4;
     }
-    paths.keep(s, solver, run::gather_step(*model, *scene, bodies, model->steps[s], *state));
+    paths.keep(s, solver, analysis::gather_step(*model, *scene, bodies, model->steps[s], *state));
   }
   const model::LoadPath& card = model->load_paths.front();
   const base::Stopwatch posing;

@@ -40,7 +40,7 @@ def rows(build, folder, mesh):
     total = 0.0
     K1 = []
     for deck in DECKS:
-        command = [os.path.join(build, "src/run/spricka"), "run", "--threads", "1",
+        command = [os.path.join(build, "bin/spricka"), "run", "--threads", "1",
                    os.path.join(ROOT, f"decks/{deck}.deck"), "--out", os.path.join(folder, deck)]
         cost = measure.run(command + (["-D", f"fine={mesh}"] if mesh else []), folder, deck + ".log")
         if cost.code != 0 and mesh is None:

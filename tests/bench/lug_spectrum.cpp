@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A spectrum of a million reversals on a deck with $LOADPATH and lengths of $GROW: time to count it
 // once, and for the growth of a pass at every length once the maps are known.
+#include "analysis/lengths/solve_lengths.hpp"
 #include "base/clock.hpp"
 #include "deck/read_deck.hpp"
 #include "life/spectrum.hpp"
-#include "run/solve_run.hpp"
 
 #include <cstdint>
 #include <cstdio>
@@ -26,9 +26,9 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "no deck with a $LOADPATH\n");
     return 2;
   }
-  std::optional<run::Refusal> refusal;
+  std::optional<analysis::Refusal> refusal;
   const std::optional<results::Run> run =
-      run::solve_run(*model, {.threads = 1, .progress = {}}, diagnostics, refusal);
+      analysis::solve_run(*model, {.threads = 1, .progress = {}}, diagnostics, refusal);
   if (!run) {
     fmt::print(stderr, "not solved\n");
     return 4;

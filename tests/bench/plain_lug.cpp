@@ -2,12 +2,12 @@
 // The floor: plain assemble, factorise, solve of a cracked lug, all bodies in one matrix and no
 // contact, by the same elements and CHOLMOD: called plainly, and with this program's ordering.
 // Prints one line. Usage: bench_plain_lug DECK FINE COUNT
+#include "analysis/scene/scene.hpp"
 #include "base/clock.hpp"
 #include "base/diagnostics.hpp"
 #include "deck/read_deck.hpp"
 #include "fe/assemble.hpp"
 #include "growth/crack_lines.hpp"
-#include "run/scene.hpp"
 #include "solve/cholmod_session.hpp"
 #include "solve/condense.hpp"
 #include "whole_stiffness.hpp"
@@ -48,7 +48,7 @@ double by_cholmod(base::SymmetricCsc K, bool metis) {
   return first;
 }
 
-double once(const model::Model& model, const run::Scene& scene, Way& way) {
+double once(const model::Model& model, const analysis::Scene& scene, Way& way) {
   const base::Stopwatch watch;
   base::SymmetricCsc K = bench::whole_stiffness(model, scene);
   const auto n = static_cast<Eigen::Index>(K.n);
@@ -79,7 +79,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   const std::vector<double> lengths = growth::crack_lengths(*model);
-  const auto scene = run::make_scene(*model, lengths[lengths.size() / 2], {}, diagnostics);
+  const auto scene = analysis::make_scene(*model, lengths[lengths.size() / 2], {}, diagnostics);
   if (!scene) {
     fmt::print(stderr, "{}", base::format(sources, diagnostics));
     return 3;

@@ -5,7 +5,7 @@
 #include "base/clock.hpp"
 #include "deck/context.hpp"
 #include "deck/load.hpp"
-#include "grammar/table.hpp"
+#include "grammar/bulk_table.hpp"
 
 #include <algorithm>
 #include <array>

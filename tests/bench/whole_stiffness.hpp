@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "analysis/scene/scene.hpp"
 #include "fe/assemble.hpp"
 #include "fe/dof_map.hpp"
-#include "run/scene.hpp"
 #include "solve/condense.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace spricka::bench {
 
 /// All bodies of a scene in one matrix, nothing external. Bodies that only contact holds get a
 /// little on their diagonal: the factorisation costs the same.
-inline base::SymmetricCsc whole_stiffness(const model::Model& model, const run::Scene& scene) {
+inline base::SymmetricCsc whole_stiffness(const model::Model& model, const analysis::Scene& scene) {
   const model::Mesh& mesh = scene.cracked.mesh;
   std::vector<model::FreedomClass> cls = scene.cls;
   std::replace(cls.begin(), cls.end(), model::FreedomClass::external, model::FreedomClass::local);

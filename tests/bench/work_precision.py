@@ -208,7 +208,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--spricka", type=Path,
-                        default=HERE.parents[1] / "build/release/src/run/spricka")
+                        default=HERE.parents[1] / "build/release/bin/spricka")
     parser.add_argument("--only", choices=("ccx", "spricka"))
     parser.add_argument("--problem", nargs="+", choices=PROBLEMS, default=list(PROBLEMS))
     parser.add_argument("--levels", type=int, default=4)

@@ -2,7 +2,7 @@
 #include "tests/convergence/manufactured.hpp"
 
 #include "fe/law.hpp"
-#include "mesh/generate.hpp"
+#include "mesh/generate/generate.hpp"
 #include "tests/unit/fe/field.hpp"
 #include "tests/unit/fe/plane_problem.hpp"
 

@@ -45,7 +45,7 @@ class Tree(unittest.TestCase):
         self.broken("src/fe/a.cpp", "#include <gsl/gsl_spline.h>\n")
         self.broken("src/mesh/patch.cpp", "#include <gmsh.h>\n")
         self.broken("src/mesher/gmsh_session.hpp", "#include <gmsh.h>\n")
-        self.broken("src/run/a.cpp", "#include <hdf5.h>\n")
+        self.broken("src/program/a.cpp", "#include <hdf5.h>\n")
 
     def test_a_cycle_in_the_table_fails(self):
         self.assertEqual(check_layers.table_errors({"a": "b", "b": "c", "c": ""}), [])

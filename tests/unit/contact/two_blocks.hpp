@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "mesh/generate.hpp"
+#include "mesh/generate/generate.hpp"
 #include "model/model.hpp"
 
 #include <numbers>

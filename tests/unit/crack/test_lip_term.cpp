@@ -2,7 +2,7 @@
 #include "crack/lip_term.hpp"
 #include "crack/stress_intensity.hpp"
 #include "mesh/boundary.hpp"
-#include "mesh/generate.hpp"
+#include "mesh/generate/generate.hpp"
 
 #include <cmath>
 #include <numbers>

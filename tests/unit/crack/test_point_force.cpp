@@ -2,7 +2,7 @@
 #include "crack/point_force.hpp"
 #include "crack/stress_intensity.hpp"
 #include "fe/element.hpp"
-#include "mesh/generate.hpp"
+#include "mesh/generate/generate.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crack/stress_intensity.hpp"
 #include "fe/elasticity.hpp"
-#include "mesh/generate.hpp"
+#include "mesh/generate/generate.hpp"
 
 #include <cmath>
 #include <numbers>

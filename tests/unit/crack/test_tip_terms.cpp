@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crack/finite_shift.hpp"
 #include "crack/stress_intensity.hpp"
-#include "mesh/generate.hpp"
-#include "mesh/lip_faces.hpp"
+#include "mesh/cut/lip_faces.hpp"
+#include "mesh/generate/generate.hpp"
 
 #include <cmath>
 #include <string>

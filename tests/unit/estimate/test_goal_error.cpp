@@ -3,8 +3,8 @@
 
 #include "estimate/mode_load.hpp"
 #include "fe/assemble.hpp"
-#include "mesh/generate.hpp"
-#include "mesh/patch.hpp"
+#include "mesh/cut/patch.hpp"
+#include "mesh/generate/generate.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>

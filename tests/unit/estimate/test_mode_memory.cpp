@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "estimate/enrichment.hpp"
-#include "mesh/generate.hpp"
+#include "mesh/generate/generate.hpp"
 
 #include <gtest/gtest.h>
 

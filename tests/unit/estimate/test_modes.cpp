@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "estimate/edges.hpp"
 #include "estimate/mode_kernel.hpp"
-#include "mesh/generate.hpp"
+#include "mesh/generate/generate.hpp"
 #include "shape/topology.hpp"
 
 #include <Eigen/QR>

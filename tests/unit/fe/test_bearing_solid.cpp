@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/assemble.hpp"
 #include "fe/bearing.hpp"
-#include "mesh/generate.hpp"
+#include "mesh/generate/generate.hpp"
 #include "tests/unit/fe/plane_problem.hpp"
 
 #include <Eigen/Geometry>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/heat.hpp"
 #include "fe/thermal.hpp"
-#include "mesh/generate.hpp"
-#include "mesh/patch.hpp"
+#include "mesh/cut/patch.hpp"
+#include "mesh/generate/generate.hpp"
 
 #include <Eigen/Geometry>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/element.hpp"
 #include "fe/stress.hpp"
-#include "mesh/generate.hpp"
+#include "mesh/generate/generate.hpp"
 #include "mesh/quality.hpp"
 #include "shape/topology.hpp"
 #include "tests/unit/fe/field.hpp"

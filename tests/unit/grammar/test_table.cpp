@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "grammar/table.hpp"
+#include "grammar/bulk_table.hpp"
 
 #include <bit>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/boundary.hpp"
-#include "mesh/coincidence.hpp"
+#include "mesh/cut/coincidence.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/boundary.hpp"
-#include "mesh/generate.hpp"
+#include "mesh/generate/generate.hpp"
 #include "mesh/quality.hpp"
 #include "meshes.hpp"
 

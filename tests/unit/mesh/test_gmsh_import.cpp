@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/boundary.hpp"
-#include "mesh/gmsh_import.hpp"
+#include "mesh/import/gmsh_import.hpp"
 #include "mesh/quality.hpp"
 #include "meshes.hpp"
 

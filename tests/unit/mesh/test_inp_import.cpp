@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "distorted.hpp"
-#include "mesh/inp_import.hpp"
+#include "mesh/export/write_inp.hpp"
+#include "mesh/import/inp_import.hpp"
 #include "mesh/quality.hpp"
-#include "mesh/write_inp.hpp"
 #include "meshes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cracked.hpp"
-#include "mesh/lip_sets.hpp"
+#include "mesh/cut/lip_sets.hpp"
 
 #include <cmath>
 

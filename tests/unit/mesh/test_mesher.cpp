@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/fill.hpp"
-#include "mesh/mesher_limits.hpp"
-#include "mesh/mesher_link.hpp"
-#include "mesh/mesher_request.hpp"
+#include "mesh/link/fill.hpp"
+#include "mesh/link/mesher_limits.hpp"
+#include "mesh/link/mesher_link.hpp"
+#include "mesh/link/mesher_request.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "distorted.hpp"
 #include "mesh/boundary.hpp"
-#include "mesh/gmsh_import.hpp"
+#include "mesh/export/write_msh.hpp"
+#include "mesh/import/gmsh_import.hpp"
 #include "mesh/quality.hpp"
-#include "mesh/write_msh.hpp"
 #include "mesher/gmsh_session.hpp"
 #include "meshes.hpp"
 

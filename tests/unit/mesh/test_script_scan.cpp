@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/script_scan.hpp"
-#include "mesh/script_text.hpp"
+#include "mesh/import/script_scan.hpp"
+#include "mesh/import/script_text.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/colour_scale.hpp"
-#include "report/figures.hpp"
-#include "report/mesh_picture.hpp"
-#include "report/notes.hpp"
-#include "report/plot.hpp"
+#include "report/drawing/colour_scale.hpp"
+#include "report/drawing/mesh_picture.hpp"
+#include "report/drawing/plot.hpp"
+#include "report/drawing/solid_picture.hpp"
 #include "report/report.hpp"
-#include "report/result_tables.hpp"
-#include "report/solid_picture.hpp"
+#include "report/topics/figures.hpp"
+#include "report/topics/notes.hpp"
+#include "report/topics/result_tables.hpp"
 #include "sample.hpp"
 
 #include <fmt/format.h>

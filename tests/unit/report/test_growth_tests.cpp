@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/growth_tests.hpp"
+#include "report/topics/growth_test_tables.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/k_bars.hpp"
+#include "report/topics/k_bars.hpp"
 
 #include <gtest/gtest.h>
 

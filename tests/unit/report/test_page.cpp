@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/figures.hpp"
-#include "report/k_section.hpp"
-#include "report/model_marks.hpp"
-#include "report/parameter_unit.hpp"
-#include "report/plot.hpp"
+#include "report/drawing/model_marks.hpp"
+#include "report/drawing/plot.hpp"
+#include "report/drawing/round_off.hpp"
 #include "report/report.hpp"
-#include "report/result_tables.hpp"
-#include "report/round_off.hpp"
-#include "report/sweep.hpp"
+#include "report/sweep_files.hpp"
+#include "report/topics/figures.hpp"
+#include "report/topics/k_section.hpp"
+#include "report/topics/parameter_unit.hpp"
+#include "report/topics/result_tables.hpp"
 #include "sample.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/result_tables.hpp"
-#include "report/sensitivity.hpp"
-#include "report/tornado.hpp"
+#include "report/drawing/tornado.hpp"
+#include "report/topics/result_tables.hpp"
+#include "report/topics/sensitivity_tables.hpp"
 #include "sample.hpp"
 
 #include <fstream>

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/adjoint/adjoints.hpp"
+
+#include "analysis/steps/lip_contact.hpp"
+#include "crack/stress_intensity.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace spricka::analysis {
+
+namespace {
+
+// What K may feel of a motion that nothing holds, over all it feels: quadrature leaves 1e-7.
+constexpr double felt_motion = 1e-4;
+
+// Nothing of zero loads is eliminated.
+BodyLoad no_load(const BodyNet& body, Eigen::Index columns) {
+  BodyLoad load;
+  load.region = base::Matrix::Zero(body.region.map.size(), columns);
+  for (const std::unique_ptr<Net>& part : body.parts) {
+    load.part.emplace_back(base::Matrix::Zero(part->map.size(), columns));
+  }
+  load.external = base::Matrix::Zero(body.region.map.externals(), columns);
+  return load;
+}
+
+bool touches(const fe::Body& body, int dim, const base::Matrix& nodal) {
+  return std::ranges::any_of(body.nodes, [&](base::NodeId n) {
+    return (nodal.middleRows(static_cast<Eigen::Index>(n.index()) * dim, dim).array() != 0.0).any();
+  });
+}
+
+} // namespace
+
+Adjoints::Adjoints(const model::Model& model, const Scene& scene,
+                   const std::vector<BodyNet>& bodies)
+    : model_(model), scene_(scene), bodies_(bodies) {}
+
+void Adjoints::condense_rows() {
+  const mesh::CrackedMesh& cracked = scene_.cracked;
+  base::Matrix nodal(static_cast<Eigen::Index>(cracked.mesh.node_count()) * cracked.mesh.dim,
+                     2 * static_cast<Eigen::Index>(cracked.tips.size()));
+  for (std::size_t t = 0; t < cracked.tips.size(); ++t) {
+    const mesh::Tip& tip = cracked.tips[t];
+    rows_.push_back(crack::intensity_rows(model_, cracked, tip, scene_.tips[t].fields,
+                                          model_.cracks[tip.crack.index()].state));
+    nodal.middleCols(2 * static_cast<Eigen::Index>(t), 2) = rows_.back();
+  }
+  by_force_ = intensity_of_forces(model_, scene_).transpose();
+  scene_.ties->reduce(nodal);
+  for (const BodyNet& body : bodies_) {
+    condensed_.push_back(touches(body.body, cracked.mesh.dim, nodal)
+                             ? condense_load(body, *scene_.ties, nodal)
+                             : no_load(body, nodal.cols()));
+  }
+}
+
+std::vector<estimate::Adjoint> Adjoints::of_set(const StepSolver& solver,
+                                                const std::vector<bool>& closed,
+                                                const contact::HeldContact* held) {
+  if (rows_.empty()) {
+    condense_rows();
+  }
+  const Eigen::Index columns = 2 * static_cast<Eigen::Index>(rows_.size());
+  std::vector<base::Matrix> external(bodies_.size());
+  base::Matrix w = base::Matrix::Zero(static_cast<Eigen::Index>(closed.size()), columns);
+  std::string why_not;
+  if (held != nullptr && !held->ok()) {
+    why_not = "the closed contacts contradict each other";
+  } else if (held != nullptr) {
+    if (free_.u.empty()) {
+      for (const std::size_t b : solver.condensed()) {
+        external_.push_back(condensed_[b].external);
+      }
+      free_ = contact::free_response(*solver.system(), external_);
+    }
+    // K has a term of the forces between faces: the gap that z leaves there is less by it
+    const contact::HeldContact::Response found =
+        held->respond(free_.opening + by_force_, free_.on_mode);
+    double size = 0.0;
+    for (const base::Matrix& load : external_) {
+      size = std::max(size, load.cwiseAbs().maxCoeff());
+    }
+    if (found.left_over > felt_motion * size) {
+      why_not = "K feels a motion that no closed contact holds";
+    }
+    w = found.force;
+    std::vector<base::Matrix> u = held->displacement(external_, found);
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      external[solver.condensed()[i]] = std::move(u[i]);
+    }
+  }
+  base::Matrix z = base::Matrix::Zero(rows_.front().rows(), columns);
+  for (std::size_t b = 0; b < bodies_.size() && why_not.empty(); ++b) {
+    recover_body(bodies_[b], external[b], condensed_[b], 0.0, z);
+  }
+  std::vector<estimate::Adjoint> out(rows_.size());
+  for (std::size_t t = 0; t < rows_.size(); ++t) {
+    const Eigen::Index first = 2 * static_cast<Eigen::Index>(t);
+    out[t].why_not = why_not;
+    out[t].rows = rows_[t];
+    out[t].by_force = by_force_.middleCols(first, 2);
+    out[t].closed = closed;
+    if (!why_not.empty()) {
+      continue;
+    }
+    out[t].z = z.middleCols(first, 2);
+    out[t].w = w.middleCols(first, 2);
+  }
+  return out;
+}
+
+std::unique_ptr<contact::HeldContact> hold(const StepSolver& solver,
+                                           const std::vector<bool>& closed) {
+  if (solver.system() == nullptr) {
+    return nullptr;
+  }
+  std::vector<std::size_t> rows;
+  for (std::size_t r = 0; r < closed.size(); ++r) {
+    if (closed[r]) {
+      rows.push_back(r);
+    }
+  }
+  return std::make_unique<contact::HeldContact>(*solver.system(), std::move(rows));
+}
+
+const std::vector<estimate::Adjoint>& Adjoints::of_last_step(const StepSolver& solver) {
+  const std::size_t tips = scene_.cracked.tips.size();
+  std::vector<bool> closed(scene_.table.rows.size(), false);
+  bool rubs = false;
+  if (solver.system() != nullptr) {
+    const contact::ContactSystem::Demand demand = solver.demand();
+    rubs = !demand.friction.empty();
+    for (std::size_t i = 0; i < demand.rows.size(); ++i) {
+      closed[demand.rows[i]] = demand.start.empty() ? demand.equality[i] : demand.start[i];
+    }
+  }
+  if (rubs) {
+    held_.reset();
+    last_.assign(tips, {});
+    for (estimate::Adjoint& adjoint : last_) {
+      adjoint.why_not = "contacts rub: what K changes by depends on the way there";
+    }
+  } else if (tips > 0 && (last_.empty() || !last_.front().ok() || last_.front().closed != closed)) {
+    held_ = hold(solver, closed);
+    last_ = of_set(solver, closed, held_.get());
+  }
+  return last_;
+}
+
+} // namespace spricka::analysis

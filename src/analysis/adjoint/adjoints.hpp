@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/bodies/condense_bodies.hpp"
+#include "analysis/scene/scene.hpp"
+#include "analysis/steps/step_solver.hpp"
+#include "contact/held_contact.hpp"
+#include "estimate/adjoint.hpp"
+
+#include <memory>
+#include <vector>
+
+/// The adjoint of K on the condensed bodies: no large matrix is factorised again.
+namespace spricka::analysis {
+
+/// The closed rows of the table [row] held; null where no body has externals.
+std::unique_ptr<contact::HeldContact> hold(const StepSolver& solver,
+                                           const std::vector<bool>& closed);
+
+class Adjoints {
+public:
+  /// All must outlive it; nothing is computed yet.
+  Adjoints(const model::Model& model, const Scene& scene, const std::vector<BodyNet>& bodies);
+
+  /// [tip] of the step that was solved last, its contact frozen as it ended; steps that end with
+  /// the same rows closed share the answer. The rows are those of the tips' fields.
+  const std::vector<estimate::Adjoint>& of_last_step(const StepSolver& solver);
+  /// The contact of that answer; null where there is none or contacts rub.
+  [[nodiscard]] const contact::HeldContact* held() const { return held_.get(); }
+
+  /// [tip] with these rows of the table closed, which `held` holds.
+  std::vector<estimate::Adjoint> of_set(const StepSolver& solver, const std::vector<bool>& closed,
+                                        const contact::HeldContact* held);
+
+private:
+  void condense_rows();
+
+  const model::Model& model_;
+  const Scene& scene_;
+  const std::vector<BodyNet>& bodies_;
+  std::vector<base::Matrix> rows_;  ///< [tip][dim * node, 2]
+  std::vector<BodyLoad> condensed_; ///< [body] columns: K1 and K2 of the first tip, of the next ..
+  std::vector<base::Matrix> external_; ///< [body of the contact system] the same at externals
+  contact::FreeResponse free_;         ///< to those, where there is a contact system
+  base::Matrix by_force_; ///< [table row, 2 * tip + mode - 1] of forces between crack faces
+  std::unique_ptr<contact::HeldContact> held_;
+  std::vector<estimate::Adjoint> last_;
+};
+
+} // namespace spricka::analysis

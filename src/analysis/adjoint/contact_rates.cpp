@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/adjoint/contact_rates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace spricka::analysis {
+
+namespace {
+
+constexpr double small = 1e-8; ///< of the largest force or gap: may change either way
+
+} // namespace
+
+FrozenContact::FrozenContact(const StepSolver& solver, const Scene& scene, const StepState& state)
+    : system_(*solver.system()) {
+  const contact::ContactSystem::Demand demand = solver.demand();
+  double force_size = 0.0;
+  double gap_size = 0.0;
+  for (std::size_t i = 0; i < demand.rows.size(); ++i) {
+    Row row{demand.rows[i], demand.equality[i], demand.start[i], false, 0.0, 0.0};
+    const std::size_t c = scene.table.contact_of(row.row);
+    const std::size_t local = row.row - scene.table.first[c];
+    row.force = state.pair_lambda[c][static_cast<Eigen::Index>(local)];
+    if (!row.equality) {
+      row.gap = state.pair_gap[c][static_cast<Eigen::Index>(local)];
+    }
+    const double area = scene.table.rows[row.row]->area;
+    const double given = std::abs(demand.gap[static_cast<Eigen::Index>(i)]);
+    force_size = std::max(force_size, std::abs(row.force));
+    gap_size = std::max(gap_size, (given + std::abs(row.gap)) / area);
+    rows_.push_back(row);
+  }
+  for (Row& row : rows_) {
+    const double area = scene.table.rows[row.row]->area;
+    row.weak = !row.equality &&
+               (row.closed ? row.force <= small * force_size : row.gap / area <= small * gap_size);
+    weak_ += row.weak ? 1 : 0;
+  }
+}
+
+std::optional<std::vector<bool>> FrozenContact::closed_beyond(const Rates& rates, Eigen::Index k,
+                                                              double sign) const {
+  contact::ContactSystem::Demand demand;
+  std::vector<double> gap;
+  for (const Row& row : rows_) {
+    if (row.closed || row.weak) {
+      demand.rows.push_back(row.row);
+      demand.equality.push_back(!row.weak);
+      gap.push_back(sign * rates.gap(static_cast<Eigen::Index>(row.row), k));
+    }
+  }
+  demand.gap = Eigen::Map<const base::Vector>(gap.data(), static_cast<Eigen::Index>(gap.size()));
+  for (const base::Matrix& load : rates.load) {
+    demand.load.emplace_back(sign * load.col(k));
+  }
+  demand.load_scale = rates.load_scale[k];
+  const solve::ContactSolution found = system_.solve(demand, {}).solution;
+  if (found.status != solve::ContactStatus::solved) {
+    return std::nullopt;
+  }
+  std::vector<bool> closed(static_cast<std::size_t>(rates.gap.rows()), false);
+  for (std::size_t i = 0; i < demand.rows.size(); ++i) {
+    closed[demand.rows[i]] = found.closed[i];
+  }
+  return closed;
+}
+
+std::vector<std::array<double, 2>> FrozenContact::reach(const contact::HeldContact& held,
+                                                        const Rates& rates) const {
+  const contact::HeldContact::Response rate =
+      held.respond(rates.gap + rates.free.opening, rates.free.on_mode);
+  constexpr double never = std::numeric_limits<double>::infinity();
+  std::vector<std::array<double, 2>> out(static_cast<std::size_t>(rates.gap.cols()),
+                                         {-never, never});
+  for (const Row& row : rows_) {
+    if (row.equality || row.weak) {
+      continue;
+    }
+    const Eigen::RowVectorXd by =
+        (row.closed ? rate.force : rate.gap).row(static_cast<Eigen::Index>(row.row));
+    const double value = row.closed ? row.force : row.gap;
+    for (Eigen::Index k = 0; k < by.size(); ++k) {
+      auto& [down, up] = out[static_cast<std::size_t>(k)];
+      if (by[k] < 0.0) {
+        up = std::min(up, -value / by[k]);
+      } else if (by[k] > 0.0) {
+        down = std::max(down, -value / by[k]);
+      }
+    }
+  }
+  return out;
+}
+
+} // namespace spricka::analysis

@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/adjoint/error_bars.hpp"
+
+#include "analysis/adjoint/contact_flip.hpp"
+#include "analysis/adjoint/partner_surfaces.hpp"
+#include "crack/stress_intensity.hpp"
+#include "estimate/corner_error.hpp"
+#include "estimate/error_bar.hpp"
+#include "estimate/mode_load.hpp"
+#include "estimate/point_support.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace spricka::analysis {
+
+namespace {
+
+// Errors that cancel are worth a note where the bar is more than a thousandth of K: ten times its
+// floor.
+constexpr double counts = 10.0;
+// Of the elements at a node that is held singly: where so many change K by more than its bar, the
+// bar is not that of an endlessly fine mesh, which has no K.
+constexpr double halvings = 4.0;
+
+std::vector<base::NodeId> tip_nodes(const Scene& scene) {
+  std::vector<base::NodeId> tips;
+  for (const mesh::Tip& tip : scene.cracked.tips) {
+    tips.push_back(tip.node);
+  }
+  return tips;
+}
+
+// Freedoms of nodes that supports, ties or closed contacts hold.
+std::vector<bool> fixed_freedoms(const Scene& scene, const StepState& state) {
+  std::vector<bool> fixed(scene.cls.size(), false);
+  for (std::size_t i = 0; i < fixed.size(); ++i) {
+    fixed[i] =
+        scene.cls[i] != model::FreedomClass::local && scene.cls[i] != model::FreedomClass::external;
+  }
+  for (const fe::Dependence::Row& row : scene.ties->rows()) {
+    for (const fe::Term& term : row.terms) {
+      fixed[static_cast<std::size_t>(term.freedom)] = true;
+    }
+  }
+  for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
+    const std::vector<contact::ConstraintRow>& rows = scene.pairs[c].normal;
+    for (std::size_t r = 0; state.mounted[c] && r < rows.size(); ++r) {
+      for (const contact::RowEntry& entry : rows[r].entries) {
+        if (state.pair_closed[c][r]) {
+          fixed[2 * entry.node.index()] = fixed[2 * entry.node.index() + 1] = true;
+        }
+      }
+    }
+  }
+  return fixed;
+}
+
+// What singular corners add to the errors; what supports of single nodes do to K.
+estimate::PointGiving add_corners(const model::Model& model, const Scene& scene,
+                                  const StepState& state, const estimate::CornerRequest& request,
+                                  std::vector<estimate::GoalError>& errors) {
+  const std::vector<base::NodeId> tips = tip_nodes(scene);
+  const std::vector<bool> tied = tied_nodes({model, scene, state, request.enrichment.edges()});
+  const estimate::CornerSetting setting{
+      model, scene.cracked.mesh, request.enrichment.edges(), scene.cls, *scene.ties, tips, &tied};
+  const std::vector<estimate::Corner> corners = estimate::singular_corners(setting);
+  estimate::raise_at_corners(request, corners, errors);
+  return estimate::point_giving(setting, corners, state.reaction, request.goal.z);
+}
+
+// K that is 0 whatever the mesh has no bar: K1 where faces touch, both where nothing loads the
+// body.
+void clear_exact(std::size_t elements, results::TipResult& tip) {
+  const bool unloaded = tip.G == 0.0 && tip.K1 == 0.0 && tip.K2 == 0.0 && !tip.closed;
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (unloaded || (tip.closed && k == 0)) {
+      tip.bar[k] = {};
+      tip.bar[k].of_element.assign(elements, 0.0);
+    }
+  }
+}
+
+// What bodies beside the tip do that are too coarse for it.
+void add_partners(const CoarsePartner& partner, results::TipResult& tip) {
+  tip.no_bar = partner.why_not;
+  for (results::KBar& bar : tip.bar) {
+    bar.mesh += bar.size() > 0.0 ? partner.part * std::hypot(tip.K1, tip.K2) : 0.0;
+  }
+}
+
+// Why an endlessly fine mesh has no K of tip t; empty: it has.
+std::string why_no_limit(const Scene& scene, const estimate::PointGiving& giving, std::size_t t,
+                         const results::TipResult& tip) {
+  for (std::size_t k = 0; k < 2 && giving.node.valid(); ++k) {
+    const double bar = tip.bar[k].size();
+    const double change = giving.change[static_cast<Eigen::Index>(2 * t + k)];
+    if (bar > 0.0 && halvings * change > bar) {
+      const base::Vec3& x = scene.cracked.mesh.x[giving.node.index()];
+      return fmt::format(
+          "it hangs on how fine the mesh is at ({:.6g}, {:.6g}), where a single node "
+          "is held and stresses have no bound: hold a side instead",
+          x.x(), x.y());
+    }
+  }
+  return {};
+}
+
+} // namespace
+
+ErrorBars::ErrorBars(const model::Model& model, const Scene& scene, estimate::ModeMemory* memory)
+    : model_(model), scene_(scene), memory_(memory) {}
+
+bool ErrorBars::is_bonded(std::size_t contact) const {
+  return contact < model_.contacts.size() &&
+         model_.contacts[contact].type == model::ContactType::bonded;
+}
+
+void ErrorBars::prepare() {
+  prepared_ = true;
+  const model::Mesh& mesh = scene_.cracked.mesh;
+  why_not_ = estimate::not_enriched(model_, mesh);
+  if (!why_not_.empty()) {
+    return;
+  }
+  estimate::EdgeTable edges = estimate::find_edges(mesh);
+  std::vector<bool> framed(edges.edges.size(), false);
+  for (const contact::PairRows& pair : scene_.pairs) {
+    contact_edges_.push_back(estimate::contact_edges(edges, pair));
+    std::vector<bool> alone(2 * edges.edges.size(), false);
+    for (const estimate::ContactEdge& edge : contact_edges_.back()) {
+      framed[edge.edge] = true;
+      alone[2 * edge.edge] = edge.target_side && !edge.opposite;
+    }
+    mode_weights_.push_back(estimate::target_mode_weights(edges, pair));
+    std::erase_if(mode_weights_.back(),
+                  [&](const estimate::ModeWeight& w) { return !alone[w.freedom]; });
+  }
+  enrichment_.emplace(model_, mesh, std::move(edges), std::move(framed),
+                      estimate::KeptModes{memory_, &scene_.cracked.host});
+  supports_ = estimate::mode_supports(*enrichment_, scene_.cls, *scene_.ties);
+  case_load_.resize(model_.cases.size());
+  goals_.resize(enrichment_->freedoms(), 2 * static_cast<Eigen::Index>(scene_.cracked.tips.size()));
+  for (std::size_t t = 0; t < scene_.cracked.tips.size(); ++t) {
+    const mesh::Tip& tip = scene_.cracked.tips[t];
+    goals_.middleCols(2 * static_cast<Eigen::Index>(t), 2) = enrichment_->functional(
+        crack::intensity_points(model_, scene_.cracked, tip, scene_.tips[t].fields,
+                                model_.cracks[tip.crack.index()].state));
+  }
+}
+
+base::Vector ErrorBars::load(const base::Vector& case_factor) {
+  base::Vector f = base::Vector::Zero(enrichment_->freedoms());
+  for (std::size_t c = 0; c < case_load_.size(); ++c) {
+    const double factor = case_factor[static_cast<Eigen::Index>(c)];
+    if (factor == 0.0) {
+      continue;
+    }
+    if (!case_load_[c]) {
+      case_load_[c] = estimate::mode_load(*enrichment_, model_.cases[c], scene_.case_heat[c].get());
+    }
+    f += factor * *case_load_[c];
+  }
+  return f;
+}
+
+estimate::ModeMap ErrorBars::modes(const StepState& state) const {
+  std::vector<estimate::ClosedEdge> closed;
+  for (std::size_t c = 0; c < contact_edges_.size(); ++c) {
+    if (state.mounted[c]) {
+      const bool bonded = is_bonded(c);
+      estimate::add_closed(contact_edges_[c], scene_.pairs[c], state.pair_closed[c], bonded,
+                           closed);
+    }
+  }
+  return estimate::mode_map(*enrichment_, supports_, closed);
+}
+
+// What the multipliers do to the modes of target edges that lie opposite none: of the solution, and
+// of the adjoints.
+void ErrorBars::add_pressures(const StepState& state,
+                              const std::vector<estimate::Adjoint>& adjoints, base::Vector& f,
+                              base::Matrix& g) const {
+  for (std::size_t c = 0; c < mode_weights_.size(); ++c) {
+    for (const estimate::ModeWeight& m : mode_weights_[c]) {
+      if (!state.mounted[c]) {
+        continue;
+      }
+      const auto mode = static_cast<Eigen::Index>(m.freedom);
+      f[mode] += m.weight * state.pair_lambda[c][static_cast<Eigen::Index>(m.row)];
+      for (std::size_t t = 0; t < adjoints.size(); ++t) {
+        g.row(mode).segment<2>(2 * static_cast<Eigen::Index>(t)) +=
+            m.weight * adjoints[t].w.row(static_cast<Eigen::Index>(scene_.table.first[c] + m.row));
+      }
+    }
+  }
+}
+
+// Nodes of a contact that the crack feels stand further apart than half its length.
+bool ErrorBars::coarse_contact(const StepState& state, const mesh::Tip& tip) const {
+  for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
+    if (!state.mounted[c]) {
+      continue;
+    }
+    const auto near_and_coarse = [&](const contact::Edge* edge) {
+      const double spacing = 0.5 * edge->length;
+      const double reach = 2.0 * tip.a + 0.5 * edge->length;
+      const base::Vec2 middle = contact::point_on(*edge, 0.0);
+      return spacing > 0.5 * tip.a && (middle - tip.x.head<2>()).norm() < reach;
+    };
+    if (std::ranges::any_of(contact::edges_of(scene_.pairs[c].contact), near_and_coarse) ||
+        std::ranges::any_of(contact::edges_of(scene_.pairs[c].target), near_and_coarse)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void ErrorBars::tell_once(const std::string& text, results::StepResult& step) {
+  if (std::ranges::find(told_, text) == told_.end()) {
+    told_.push_back(text);
+    step.notes.push_back(text);
+  }
+}
+
+// Where many edges have none opposite (a crack's mouth makes a few) what the mesh misses of the
+// normal displacement is not seen.
+void ErrorBars::tell_of_meshes(const StepState& state, results::StepResult& step) {
+  for (std::size_t c = 0; c < contact_edges_.size() && c < model_.contacts.size(); ++c) {
+    std::size_t paired = 0;
+    std::size_t apart = 0;
+    for (const estimate::ContactEdge& edge : contact_edges_[c]) {
+      paired += !edge.target_side && edge.covered ? 1 : 0;
+      apart += !edge.target_side && edge.covered && !edge.opposite ? 1 : 0;
+    }
+    if (state.mounted[c] && 4 * apart > paired && !scene_.pairs[c].rigid) {
+      tell_once(
+          fmt::format("the meshes of contact {} do not match: error bars of K have only a part "
+                      "of the error of its pressures",
+                      model_.contacts[c].name),
+          step);
+    }
+  }
+}
+
+void ErrorBars::tell(const results::TipResult& tip, results::StepResult& step) {
+  if (!tip.no_bar.empty()) {
+    tell_once(fmt::format("K of {} has no error bar: {}", tip.name, tip.no_bar), step);
+    return;
+  }
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (tip.bar[k].cancels && tip.bar[k].mesh > counts * tip.bar[k].floor) {
+      tell_once(
+          fmt::format("K{} of {}: errors of opposite sign cancel in it; its error bar takes them "
+                      "without their signs",
+                      k + 1, tip.name),
+          step);
+    }
+  }
+}
+
+void ErrorBars::add(const StepState& state, const std::vector<estimate::Adjoint>& adjoints,
+                    const contact::HeldContact* held, results::StepResult& step) {
+  if (!prepared_) {
+    prepare();
+  }
+  std::string why_not = why_not_;
+  for (const estimate::Adjoint& adjoint : adjoints) {
+    why_not = why_not.empty() ? adjoint.why_not : why_not;
+  }
+  std::vector<estimate::GoalError> errors;
+  std::vector<ContactFlips> flips;
+  estimate::PointGiving giving;
+  if (why_not.empty()) {
+    base::Matrix z(state.u.size(), goals_.cols());
+    for (std::size_t t = 0; t < adjoints.size(); ++t) {
+      z.middleCols(2 * static_cast<Eigen::Index>(t), 2) = adjoints[t].z;
+    }
+    base::Vector f = load(state.case_factor);
+    base::Matrix g = goals_;
+    add_pressures(state, adjoints, f, g);
+    const estimate::ModeMap map = modes(state);
+    const estimate::GoalRequest request{state.u, z, f, g};
+    errors = estimate::goal_errors(*enrichment_, map, request);
+    giving = add_corners(model_, scene_, state,
+                         {*enrichment_, map, request, fixed_freedoms(scene_, state)}, errors);
+    flips = contact_flips(scene_, state, adjoints, held);
+    tell_of_meshes(state, step);
+  }
+  for (std::size_t t = 0; t < step.tips.size(); ++t) {
+    results::TipResult& tip = step.tips[t];
+    tip.no_bar = tip.doubt.empty() ? why_not : tip.doubt;
+    if (tip.no_bar.empty() && scene_.tips[t].fields.empty()) {
+      tip.no_bar = "there is no domain that K could be taken from";
+    }
+    if (tip.no_bar.empty()) {
+      const bool coarse = coarse_contact(state, scene_.cracked.tips[t]);
+      if (coarse) {
+        tell_once(
+            fmt::format(
+                "{}: nodes of a contact surface near the crack stand further apart "
+                "than half the crack's length; the error bar takes errors without their signs",
+                tip.name),
+            step);
+      }
+      const std::array<const estimate::GoalError*, 2> own{&errors[2 * t], &errors[2 * t + 1]};
+      const std::array<double, 2> K{tip.K1, tip.K2};
+      const ContactFlips& flip = flips[t];
+      const std::array<estimate::ErrorBar, 2> bars = estimate::error_bars(
+          scene_.cracked.mesh, K, own,
+          {estimate::Flip{flip.ends[0], flip.sharp[0]}, {flip.ends[1], flip.sharp[1]}}, coarse);
+      for (std::size_t k = 0; k < 2; ++k) {
+        tip.bar[k] = {own[k]->eta,  own[k]->sum,     flip.ends[static_cast<Eigen::Index>(k)],
+                      bars[k].mesh, bars[k].edge,    bars[k].floor,
+                      bars[k].best, bars[k].cancels, own[k]->of_element};
+      }
+      clear_exact(scene_.cracked.mesh.element_count(), tip);
+      tip.no_bar = why_no_limit(scene_, giving, t, tip);
+      if (tip.no_bar.empty() && std::max(tip.bar[0].size(), tip.bar[1].size()) > 0.0) {
+        add_partners(
+            coarse_partner({model_, scene_, state, enrichment_->edges()}, scene_.cracked.tips[t]),
+            tip);
+      }
+      if (!tip.no_bar.empty()) {
+        tell_once(fmt::format("warning: K of {}: {}", tip.name, tip.no_bar), step);
+      }
+    }
+    tell(tip, step);
+  }
+}
+
+} // namespace spricka::analysis

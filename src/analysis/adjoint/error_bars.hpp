@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/scene/scene.hpp"
+#include "analysis/steps/step_solver.hpp"
+#include "contact/held_contact.hpp"
+#include "estimate/adjoint.hpp"
+#include "estimate/contact_load.hpp"
+#include "estimate/goal_error.hpp"
+#include "results/results.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Processor ESTIMATE: error bars of K at the ends of the steps of one crack length.
+namespace spricka::analysis {
+
+class ErrorBars {
+public:
+  /// All must outlive it; nothing is computed before the first step that needs it. `memory`: what
+  /// one length leaves for the next, or null.
+  ErrorBars(const model::Model& model, const Scene& scene, estimate::ModeMemory* memory = nullptr);
+
+  /// Gives the tips of a step, which was solved last, their bars, or says why they have none.
+  /// `held`: the contact that the adjoints keep, null where there is none.
+  void add(const StepState& state, const std::vector<estimate::Adjoint>& adjoints,
+           const contact::HeldContact* held, results::StepResult& step);
+
+private:
+  void prepare();
+  [[nodiscard]] bool is_bonded(std::size_t contact) const;
+  [[nodiscard]] base::Vector load(const base::Vector& case_factor);
+  [[nodiscard]] estimate::ModeMap modes(const StepState& state) const;
+  void add_pressures(const StepState& state, const std::vector<estimate::Adjoint>& adjoints,
+                     base::Vector& f, base::Matrix& g) const;
+  [[nodiscard]] bool coarse_contact(const StepState& state, const mesh::Tip& tip) const;
+  void tell(const results::TipResult& tip, results::StepResult& step);
+  void tell_once(const std::string& text, results::StepResult& step);
+  void tell_of_meshes(const StepState& state, results::StepResult& step);
+
+  const model::Model& model_;
+  const Scene& scene_;
+  estimate::ModeMemory* memory_;
+  bool prepared_ = false;
+  std::string why_not_; ///< of the whole mesh
+  std::optional<estimate::Enrichment> enrichment_;
+  estimate::ModeSupports supports_;
+  std::vector<std::vector<estimate::ContactEdge>> contact_edges_; ///< [contact]
+  std::vector<std::vector<estimate::ModeWeight>> mode_weights_;   ///< [contact]
+  std::vector<std::optional<base::Vector>> case_load_;            ///< [case] on the modes
+  base::Matrix goals_;                                            ///< [freedoms of modes, 2 tips]
+  std::vector<std::string> told_;
+};
+
+} // namespace spricka::analysis

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/scene/scene.hpp"
+#include "analysis/steps/step_solver.hpp"
+#include "estimate/edges.hpp"
+
+#include <string>
+#include <vector>
+
+/// What surfaces of other bodies do to the error bars of a crack beside them.
+namespace spricka::analysis {
+
+/// A solved state and the edges of its mesh. All must outlive it.
+struct PartnerSetting {
+  const model::Model& model;
+  const Scene& scene;
+  const StepState& state;
+  const estimate::EdgeTable& edges;
+};
+
+/// What closed contacts and TRANSITIONs beside a tip, where its crack does not start, do to its
+/// bar. Where edges of one of the sides are long against their distance from the tip, the other
+/// body follows what the tip does to the surface too stiffly, which no error estimate of the meshes
+/// sees.
+struct CoarsePartner {
+  double part = 0.0;   ///< of hypot(K1, K2), what it may be off by
+  std::string why_not; ///< why there can be no bar; empty: `part` is all
+};
+CoarsePartner coarse_partner(const PartnerSetting& setting, const mesh::Tip& tip);
+
+/// Nodes that another body or a rigid one holds by a BONDED contact, TRANSITION or RIGID. [node]
+std::vector<bool> tied_nodes(const PartnerSetting& setting);
+
+} // namespace spricka::analysis

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/adjoint/tip_advance.hpp"
+
+#include "analysis/scene/scene_heat.hpp"
+#include "analysis/scene/tip_surroundings.hpp"
+#include "crack/stress_intensity.hpp"
+#include "fe/assemble.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace spricka::analysis {
+
+namespace {
+
+base::Matrix rows_of(const model::Model& model, const Scene& scene, std::size_t t) {
+  const mesh::Tip& tip = scene.cracked.tips[t];
+  return crack::intensity_rows(model, scene.cracked, tip, scene.tips[t].fields,
+                               model.cracks[tip.crack.index()].state);
+}
+
+// Whether a case acts on an element or a node that moves.
+bool acts_on(const model::Mesh& mesh, const model::LoadCase& load_case,
+             const std::vector<bool>& moves) {
+  const auto node = [&](base::NodeId n) { return moves[n.index()]; };
+  const auto element = [&](base::ElementId e) {
+    return std::ranges::any_of(mesh.nodes_of(e), node);
+  };
+  const auto face = [&](const model::Face& f) { return element(f.element); };
+  return std::ranges::any_of(load_case.loads, [&](const model::Load& load) {
+    if (load.nodes.valid()) {
+      return std::ranges::any_of(mesh.set(load.nodes).nodes, node);
+    }
+    return load.elements.valid() ? std::ranges::any_of(mesh.set(load.elements).elements, element)
+                                 : std::ranges::any_of(mesh.set(load.faces).faces, face);
+  });
+}
+
+} // namespace
+
+base::Matrix intensity_of_loads(const model::Model& model, const Scene& scene, std::size_t t) {
+  const auto cases = static_cast<Eigen::Index>(model.cases.size());
+  const mesh::Tip& tip = scene.cracked.tips[t];
+  base::Matrix out = base::Matrix::Zero(2, cases);
+  const Eigen::Index columns = std::max(cases, scene.case_temperature.cols()); // that of ties, too
+  for (Eigen::Index c = 0; c < cases; ++c) {
+    const crack::IntensityConstant K = crack::intensity_constant(
+        model, scene.cracked, tip, scene.tips[t].fields, model.cracks[tip.crack.index()].state,
+        tip_loads(model, scene, scene.tips[t].fields, base::Vector::Unit(columns, c)));
+    out.col(c) = base::Vec2(K.K1, K.K2);
+  }
+  return out;
+}
+
+TipAdvance::TipAdvance(const model::Model& model, const Scene& scene, std::size_t tip)
+    : model_(model), scene_(scene),
+      // one ring beyond the tip's domains moves all of them as one; where it does not fit, the
+      // largest domain moves itself
+      motion_(estimate::tip_motion(scene.cracked, tip,
+                                   scene.tips[tip].beyond.value_or(scene.tips[tip].fields.back()))),
+      strained_(motion_.field.elements) {
+  std::vector<bool> moves(scene.cracked.mesh.node_count(), false);
+  for (const auto& [node, q] : motion_.field.q) {
+    moves[node.index()] = true;
+  }
+  find_hindrances(moves);
+  for (auto* side : {&ahead_, &behind_}) {
+    *side = std::make_unique<Scene>();
+    (*side)->cracked = estimate::moved(scene.cracked, motion_, side == &ahead_ ? 1.0 : -1.0);
+    (*side)->tips = scene.tips;
+  }
+  move_loads(moves);
+  row_rate_.resize(scene.tips.size());
+  for (std::size_t t = 0; t < scene.tips.size(); ++t) {
+    if (!estimate::moves_as_one(scene.cracked.mesh, motion_, scene.tips[t].fields)) {
+      row_rate_[t] =
+          (rows_of(model, *ahead_, t) - rows_of(model, *behind_, t)) / (2.0 * motion_.step);
+    }
+  }
+}
+
+void TipAdvance::find_hindrances(const std::vector<bool>& moves) {
+  const int dim = scene_.cracked.mesh.dim;
+  for (std::size_t r = 0; r < scene_.table.rows.size(); ++r) {
+    if (std::ranges::any_of(scene_.table.rows[r]->entries,
+                            [&](const contact::RowEntry& e) { return moves[e.node.index()]; })) {
+      rows_.push_back(r);
+    }
+  }
+  const auto tied = [&](std::int32_t freedom) {
+    return moves[static_cast<std::size_t>(freedom / dim)];
+  };
+  for (const fe::Dependence::Row& row : scene_.ties->rows()) {
+    tied_ = tied_ || tied(row.freedom) ||
+            std::ranges::any_of(row.terms, [&](const fe::Term& t) { return tied(t.freedom); });
+  }
+}
+
+// Rows of contacts and ties are not moved along; open rows have no part in K.
+std::string TipAdvance::why_not(const std::vector<bool>& closed) const {
+  if (tied_) {
+    return "ties hold what moves with the tip";
+  }
+  if (std::ranges::any_of(rows_, [&](std::size_t r) { return closed[r]; })) {
+    return "closed contacts lie on what moves with the tip";
+  }
+  if (rough_) {
+    return "the temperature jumps within elements that move with the tip";
+  }
+  return {};
+}
+
+// Temperatures stay in space while the elements move through them.
+void TipAdvance::heat_both() {
+  for (Scene* side : {ahead_.get(), behind_.get()}) {
+    side->case_temperature = scene_.case_temperature;
+    for (std::size_t c = 0; c < model_.cases.size(); ++c) {
+      side->case_heat.push_back(heat_of(model_, *side, model_.cases[c]));
+      if (const base::Vector& T = side->case_heat.back()->temperature; T.size() > 0) {
+        side->case_temperature.col(static_cast<Eigen::Index>(c)) = T;
+      }
+    }
+  }
+}
+
+void TipAdvance::move_loads(const std::vector<bool>& moves) {
+  const auto cases = static_cast<Eigen::Index>(model_.cases.size());
+  base::Matrix rate = base::Matrix::Zero(scene_.case_load.rows(), cases);
+  heat_both();
+  for (Eigen::Index c = 0; c < cases; ++c) {
+    const model::LoadCase& load_case = model_.cases[static_cast<std::size_t>(c)];
+    if (!acts_on(scene_.cracked.mesh, load_case, moves)) {
+      continue;
+    }
+    const auto of = [&](const Scene& side) -> base::Vector {
+      return fe::nodal_load(model_, side.cracked.mesh, without_heat(load_case)) +
+             heat_load(model_, side.cracked.mesh, *side.case_heat[static_cast<std::size_t>(c)]);
+    };
+    rate.col(c) = (of(*ahead_) - of(*behind_)) / (2.0 * motion_.step);
+    const std::vector<bool>& rough = scene_.case_heat[static_cast<std::size_t>(c)]->rough;
+    for (std::size_t e = 0; e < rough.size(); ++e) {
+      rough_ = rough_ ||
+               (rough[e] && std::ranges::any_of(scene_.cracked.mesh.nodes_of(base::ElementId(e)),
+                                                [&](base::NodeId n) { return moves[n.index()]; }));
+    }
+  }
+  if ((rate.array() != 0.0).any()) {
+    load_rate_ = std::move(rate);
+  }
+}
+
+base::Vector TipAdvance::load(const base::Vector& u, const base::Vector& case_factor) const {
+  base::Vector ahead = base::Vector::Zero(u.size());
+  base::Vector behind = ahead;
+  fe::add_internal_force(model_, ahead_->cracked.mesh, strained_, u, ahead);
+  fe::add_internal_force(model_, behind_->cracked.mesh, strained_, u, behind);
+  base::Vector out = (behind - ahead) / (2.0 * motion_.step);
+  if (load_rate_.size() > 0) {
+    out += load_rate_ * case_factor.head(load_rate_.cols());
+  }
+  return out;
+}
+
+base::Vec2 TipAdvance::direct(std::size_t tip, const base::Vector& u,
+                              const base::Vector& case_factor) const {
+  base::Vec2 out = base::Vec2::Zero();
+  if (row_rate_[tip].size() > 0) {
+    out += row_rate_[tip].transpose() * u;
+  }
+  if (load_rate_.size() > 0) {
+    const base::Matrix rate =
+        (intensity_of_loads(model_, *ahead_, tip) - intensity_of_loads(model_, *behind_, tip)) /
+        (2.0 * motion_.step);
+    out += rate * case_factor.head(rate.cols());
+  }
+  return out;
+}
+
+} // namespace spricka::analysis

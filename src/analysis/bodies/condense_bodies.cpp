@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/bodies/condense_bodies.hpp"
+
+#include "base/clock.hpp"
+#include "base/parallel.hpp"
+
+#include <algorithm>
+#include <set>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::analysis {
+
+namespace {
+
+base::Matrix rows_of(const base::Matrix& nodal, const std::vector<std::int32_t>& freedom,
+                     std::size_t from = 0) {
+  base::Matrix out(static_cast<Eigen::Index>(freedom.size() - from), nodal.cols());
+  for (std::size_t i = from; i < freedom.size(); ++i) {
+    out.row(static_cast<Eigen::Index>(i - from)) = nodal.row(freedom[i]);
+  }
+  return out;
+}
+
+struct Task {
+  Net* net = nullptr;
+  std::vector<fe::Superelement> supers;
+  HashKey key;
+  bool layered = false; ///< its externals may stay a factor
+  std::shared_ptr<const solve::EarlyRows> early;
+  double stiffness_cpu = 0.0;
+};
+
+// Factorises the nets that the cache does not have; tasks write to their own slots only.
+void factorise(const CondenseRequest& request, std::vector<Task>& tasks, CondensationCache& cache,
+               CondenseLog& log) {
+  std::vector<Task*> missing;
+  for (Task& task : tasks) {
+    const auto known = cache.nets.find(task.key);
+    if (known != cache.nets.end()) {
+      task.net->factor = known->second;
+      ++log.reused;
+    } else {
+      missing.push_back(&task);
+    }
+  }
+  base::parallel_for(missing.size(), request.threads, [&](std::size_t i) {
+    Task& task = *missing[i];
+    const base::Stopwatch watch;
+    const fe::DofMap& map = task.net->map;
+    std::vector<solve::DenseBlock> blocks;
+    for (const fe::Superelement& super : task.supers) {
+      blocks.push_back({rows_on(map, super.freedom), super.stiffness});
+    }
+    const bool stacked = keeps_apart(map, blocks);
+    base::SymmetricCsc K =
+        fe::assemble_stiffness(request.model, request.mesh, task.net->elements,
+                               stacked ? std::span<const fe::Superelement>() : task.supers, map);
+    task.stiffness_cpu = watch.wall();
+    task.net->factor =
+        stacked ? std::make_shared<solve::Condensation>(K, map.externals(), blocks,
+                                                        task.layered ? &task.early : nullptr)
+                : std::make_shared<solve::Condensation>(std::move(K), map.externals());
+  });
+  for (const Task* task : missing) {
+    const solve::FactorReport& report = task->net->factor->report();
+    log.stiffness_cpu += task->stiffness_cpu;
+    log.analysis_cpu += report.analysis_cpu;
+    log.numeric_cpu += report.numeric_cpu;
+    log.flops += report.flops;
+    ++log.condensed;
+    if (report.status == solve::FactorStatus::ok) {
+      cache.nets.emplace(task->key, task->net->factor);
+    }
+  }
+}
+
+std::string trouble_of(const model::Mesh& mesh, const std::string& body, const Net& net) {
+  const solve::FactorReport& report = net.factor->report();
+  switch (report.status) {
+  case solve::FactorStatus::ok:
+    return {};
+  case solve::FactorStatus::out_of_memory:
+    return fmt::format("{}: its factor needs {:.0f} MB of memory ({} unknowns, {:.2g} entries), "
+                       "{:.0f} MB can be had",
+                       body, 1e-6 * report.memory, net.map.size(), report.factor_entries,
+                       1e-6 * report.memory_left);
+  case solve::FactorStatus::not_positive_definite:
+    break;
+  }
+  if (report.failed_row < 0) {
+    return fmt::format("{}: the stiffness is singular (a mechanism?)", body);
+  }
+  const auto freedom =
+      static_cast<std::size_t>(net.map.freedom[static_cast<std::size_t>(report.failed_row)]);
+  const auto dim = static_cast<std::size_t>(mesh.dim);
+  return fmt::format("{}: the stiffness is singular at node {}, direction {} (a mechanism or a "
+                     "part that hangs on one node)",
+                     body, mesh.node_label[freedom / dim], "XYZ"[freedom % dim]);
+}
+
+// Externals of a part are unknowns of the region or follow some, by construction of split().
+fe::Superelement super_of(const Net& part) {
+  fe::Superelement super;
+  super.freedom.assign(part.map.freedom.begin() + part.map.locals, part.map.freedom.end());
+  super.stiffness = &part.factor->schur();
+  return super;
+}
+
+// What this increment did not use, no later one will: its crack has grown on.
+void forget_unused(const std::vector<Task>& parts, const std::vector<Task>& regions,
+                   CondensationCache& cache) {
+  std::set<HashKey> used;
+  for (const std::vector<Task>* tasks : {&parts, &regions}) {
+    for (const Task& task : *tasks) {
+      used.insert(task.key);
+    }
+  }
+  std::erase_if(cache.nets, [&](const auto& entry) { return !used.contains(entry.first); });
+  std::erase_if(cache.bodies, [&](const auto& entry) { return !used.contains(entry.first); });
+  std::erase_if(cache.early, [&](const auto& entry) { return !used.contains(entry.first); });
+}
+
+void condense_loads(const CondenseRequest& request, BodyNet& body) {
+  BodyLoad load = condense_load(body, *request.ties, request.case_load);
+  body.part_load = std::move(load.part);
+  body.region_load = std::move(load.region);
+  body.external_load = std::move(load.external);
+}
+
+} // namespace
+
+std::vector<std::int64_t> rows_on(const fe::DofMap& map, std::span<const std::int32_t> freedom) {
+  std::vector<std::int64_t> rows;
+  rows.reserve(freedom.size());
+  for (const std::int32_t f : freedom) {
+    rows.push_back(map.row[static_cast<std::size_t>(f)]);
+  }
+  return rows;
+}
+
+bool keeps_apart(const fe::DofMap& map, std::span<const solve::DenseBlock> blocks) {
+  return !map.ties && solve::stacking_pays(blocks, map.size(), map.externals());
+}
+
+bool may_stay_factor(const BodyNet& body) {
+  return body.parts.size() == 1 && body.free_modes.cols() == 0 && body.region.map.externals() > 0;
+}
+
+BodyLoad condense_load(const BodyNet& body, const fe::Dependence& ties, const base::Matrix& nodal) {
+  BodyLoad out;
+  out.region = rows_of(nodal, body.region.map.freedom);
+  const auto add = [&](std::int32_t freedom, double c, const Eigen::RowVectorXd& load) {
+    const std::int32_t row = body.region.map.row[static_cast<std::size_t>(freedom)];
+    if (row >= 0) {
+      out.region.row(row) += c * load;
+    }
+  };
+  for (const std::unique_ptr<Net>& part : body.parts) {
+    // What the part's locals hand over to its externals; their own loads are in already.
+    const base::Matrix& load = out.part.emplace_back(rows_of(nodal, part->map.freedom));
+    const base::Matrix condensed = part->factor->condense_load(load);
+    const std::vector<std::int32_t>& freedom = part->map.freedom;
+    const auto locals = static_cast<std::size_t>(part->map.locals);
+    for (std::size_t i = locals; i < freedom.size(); ++i) {
+      const Eigen::RowVectorXd more = condensed.row(static_cast<Eigen::Index>(i - locals)) -
+                                      load.row(static_cast<Eigen::Index>(i));
+      const fe::Dependence::Row* tie = ties.row_of(freedom[i]);
+      if (tie == nullptr) {
+        add(freedom[i], 1.0, more);
+        continue;
+      }
+      for (const fe::Term& t : tie->terms) {
+        add(t.freedom, t.coefficient, more);
+      }
+    }
+  }
+  out.external = body.region.factor->condense_load(out.region);
+  return out;
+}
+
+std::vector<BodyNet> condense_bodies(const CondenseRequest& request, CondensationCache& cache,
+                                     CondenseLog& log) {
+  std::vector<BodyNet> bodies = prepare_bodies(request);
+
+  // All hashes first: what no net asks for is forgotten before memory for the new ones is needed.
+  const std::vector<NetKeys> keys = hash_bodies(request, bodies);
+  std::vector<Task> parts;
+  std::vector<Task> regions;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    for (std::size_t p = 0; p < bodies[b].parts.size(); ++p) {
+      Task& part = parts.emplace_back();
+      part.net = bodies[b].parts[p].get();
+      part.key = keys[b].parts[p];
+    }
+    Task& region = regions.emplace_back();
+    region.net = &bodies[b].region;
+    region.key = keys[b].region;
+    region.layered = may_stay_factor(bodies[b]);
+  }
+  forget_unused(parts, regions, cache);
+
+  factorise(request, parts, cache, log);
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    for (const std::unique_ptr<Net>& part : bodies[b].parts) {
+      log.trouble =
+          log.trouble.empty() ? trouble_of(request.mesh, bodies[b].name, *part) : log.trouble;
+      if (log.trouble.empty()) {
+        regions[b].supers.push_back(super_of(*part));
+      }
+    }
+  }
+  if (!log.trouble.empty()) {
+    return bodies;
+  }
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (regions[b].layered) {
+      regions[b].early = cache.early[keys[b].parts.front()];
+    }
+  }
+  factorise(request, regions, cache, log);
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (regions[b].early) {
+      cache.early[keys[b].parts.front()] = regions[b].early;
+    }
+  }
+  for (const BodyNet& body : bodies) {
+    log.trouble =
+        log.trouble.empty() ? trouble_of(request.mesh, body.name, body.region) : log.trouble;
+  }
+  if (!log.trouble.empty()) {
+    return bodies;
+  }
+
+  base::parallel_for(bodies.size(), request.threads, [&](std::size_t b) {
+    BodyNet& body = bodies[b];
+    condense_loads(request, body);
+    if (body.region.map.externals() > 0) {
+      const auto known = cache.bodies.find(regions[b].key);
+      if (known != cache.bodies.end()) {
+        body.condensed = known->second;
+        return;
+      }
+      const std::vector<std::int32_t>& freedom = body.region.map.freedom;
+      const auto locals = static_cast<std::size_t>(body.region.map.locals);
+      std::vector<std::int32_t> external(freedom.begin() + body.region.map.locals, freedom.end());
+      if (std::optional<solve::FactoredExternals> factor = body.region.factor->take_factor()) {
+        body.condensed =
+            std::make_shared<contact::CondensedBody>(std::move(external), std::move(*factor));
+        return;
+      }
+      body.condensed = std::make_shared<contact::CondensedBody>(
+          std::move(external), body.region.factor->take_schur(),
+          rows_of(body.free_modes, freedom, locals));
+    }
+  });
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (bodies[b].condensed) {
+      if (!bodies[b].condensed->ok() && log.trouble.empty()) {
+        log.trouble =
+            fmt::format("{}: the condensed stiffness is singular (a mechanism?)", bodies[b].name);
+      }
+      cache.bodies.emplace(regions[b].key, bodies[b].condensed);
+    }
+  }
+  return bodies;
+}
+
+void recover_body(const BodyNet& body, const base::Matrix& u_external, const BodyLoad& load,
+                  double constant, base::Matrix& u) {
+  const base::Matrix own = body.region.factor->recover(u_external, load.region);
+  for (std::size_t i = 0; i < body.region.map.freedom.size(); ++i) {
+    u.row(body.region.map.freedom[i]) = own.row(static_cast<Eigen::Index>(i));
+  }
+  // Dependent freedoms as prescribed ones and constants alone move them: the loads of a part have
+  // this in them already (loads_with_supports).
+  const base::Matrix given = body.parts.empty() ? base::Matrix() : u;
+  if (body.region.map.ties) {
+    for (Eigen::Index k = 0; k < u.cols(); ++k) {
+      body.region.map.ties->follow(u.col(k), constant);
+    }
+  }
+  for (std::size_t p = 0; p < body.parts.size(); ++p) {
+    const Net& part = *body.parts[p];
+    const std::vector<std::int32_t>& freedom = part.map.freedom;
+    const auto locals = static_cast<std::size_t>(part.map.locals);
+    base::Matrix rim(static_cast<Eigen::Index>(freedom.size() - locals), u.cols());
+    for (std::size_t i = locals; i < freedom.size(); ++i) {
+      const auto row = static_cast<Eigen::Index>(i - locals);
+      rim.row(row) = u.row(freedom[i]);
+      if (body.region.map.ties && body.region.map.ties->row_of(freedom[i]) != nullptr) {
+        rim.row(row) -= given.row(freedom[i]);
+      }
+    }
+    const base::Matrix all = part.factor->recover(rim, load.part[p]);
+    for (std::size_t i = 0; i < locals; ++i) {
+      u.row(freedom[i]) = all.row(static_cast<Eigen::Index>(i));
+    }
+  }
+}
+
+void recover_body(const BodyNet& body, const base::Vector& u_external,
+                  const base::Vector& case_factors, base::Vector& u) {
+  BodyLoad load;
+  load.region = body.region_load * case_factors;
+  for (const base::Matrix& part : body.part_load) {
+    load.part.emplace_back(part * case_factors);
+  }
+  base::Matrix all = u;
+  recover_body(body, u_external, load, case_factors.size() > 0 ? case_factors.tail(1)[0] : 0.0,
+               all);
+  u = all.col(0);
+}
+
+} // namespace spricka::analysis

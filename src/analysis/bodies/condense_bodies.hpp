@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "contact/system.hpp"
+#include "fe/assemble.hpp"
+#include "fe/dof_map.hpp"
+#include "model/model.hpp"
+#include "solve/condense.hpp"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// Processors STIFFNESS and CONDENSE: every body becomes a small dense system on its external
+/// freedoms. What did not change since the last increment is taken from the cache.
+namespace spricka::analysis {
+
+/// A factorised piece of a body: some elements, possibly with a condensed neighbour in it.
+struct Net {
+  std::vector<base::ElementId> elements;
+  fe::DofMap map;
+  std::shared_ptr<solve::Condensation> factor;
+};
+
+/// A body ready for contact: what elements and ties hold together. Its `parts` are condensed first,
+/// to their rims, tied and external nodes, and enter the `region` as big elements. Where a crack
+/// grows, what no length touches is a part; where several nets of the deck are tied to a body, each
+/// is one. A plain body is all region.
+struct BodyNet {
+  std::string name; ///< "LUG", "LUG/2", "COARSE+FINE"
+  fe::Body body;    ///< all pieces together
+  std::vector<fe::Body> pieces;
+  std::vector<std::unique_ptr<Net>> parts;
+  Net region;
+  base::Matrix free_modes; ///< [dim * node, r] rigid modes that supports leave free
+  std::shared_ptr<const contact::CondensedBody> condensed; ///< null when there are no externals
+  std::vector<base::Matrix> part_load;                     ///< [part][unknowns of the part, case]
+  base::Matrix region_load;   ///< [unknowns of region, case], part_load added in
+  base::Matrix external_load; ///< [externals, case] condensed
+};
+
+/// Keyed by a 128-bit hash of geometry, connectivity, materials, classes and externals.
+using HashKey = std::pair<std::uint64_t, std::uint64_t>;
+struct CondensationCache {
+  std::map<HashKey, std::shared_ptr<solve::Condensation>> nets;
+  std::map<HashKey, std::shared_ptr<const contact::CondensedBody>> bodies;
+  std::map<HashKey, std::shared_ptr<const solve::EarlyRows>> early; ///< by the part they are of
+};
+
+/// Figures for the listing.
+struct CondenseLog {
+  double analysis_cpu = 0.0, numeric_cpu = 0.0; ///< [s], summed over nets condensed now
+  double stiffness_cpu = 0.0;
+  double flops = 0.0;
+  int condensed = 0, reused = 0;
+  std::string trouble; ///< a singular local block, named; empty normally
+};
+
+struct CondenseRequest {
+  const model::Model& model;
+  const model::Mesh& mesh;
+  std::vector<model::FreedomClass> cls; ///< [dim * node], contact nodes external
+  std::shared_ptr<const fe::Dependence> ties;
+  std::vector<bool> rest_element; ///< [element] belongs to what no crack will touch
+  base::Matrix case_load;         ///< [dim * node, case] consistent loads, supports' pull in
+  int threads = 1;
+};
+
+/// The bodies of the mesh with their rigid modes, split into nets whose freedoms are numbered;
+/// nothing is assembled or factorised. Floating bodies get carriers among their externals.
+std::vector<BodyNet> prepare_bodies(const CondenseRequest& request);
+
+/// The rows of a net's system that some freedoms have, -1: none.
+std::vector<std::int64_t> rows_on(const fe::DofMap& map, std::span<const std::int32_t> freedom);
+/// Whether the condensed parts of a net stay out of its sparse matrix. Ties need them in it.
+bool keeps_apart(const fe::DofMap& map, std::span<const solve::DenseBlock> blocks);
+
+/// Whether the externals of a body may stay a factor, in which what its one part has for itself is
+/// eliminated first: not where rigid modes are free.
+bool may_stay_factor(const BodyNet& body);
+
+/// What tells a body's nets from others.
+struct NetKeys {
+  std::vector<HashKey> parts;
+  HashKey region;
+};
+std::vector<NetKeys> hash_bodies(const CondenseRequest& request,
+                                 const std::vector<BodyNet>& bodies);
+
+/// Builds all bodies of the mesh, nets in parallel, results in body order whatever the threads.
+std::vector<BodyNet> condense_bodies(const CondenseRequest& request, CondensationCache& cache,
+                                     CondenseLog& log);
+
+/// Loads on the unknowns of a body's nets, and what they come to at its externals.
+struct BodyLoad {
+  std::vector<base::Matrix> part; ///< [part][unknowns of the part, k]
+  base::Matrix region;            ///< [unknowns of the region, k], the parts' added in
+  base::Matrix external;          ///< [externals, k]
+};
+/// nodal [dim * node, k], on independent freedoms. Any other linear functional of the displacements
+/// is condensed by the same.
+BodyLoad condense_load(const BodyNet& body, const fe::Dependence& ties, const base::Matrix& nodal);
+
+/// Writes what a load moves in one body into u [dim * node, k]: from its external displacements
+/// [externals, k]. u holds the prescribed displacements; constants of ties count `constant` times.
+void recover_body(const BodyNet& body, const base::Matrix& u_external, const BodyLoad& load,
+                  double constant, base::Matrix& u);
+
+/// Writes the displacements of one body into a nodal vector that holds the prescribed ones: from
+/// its external displacements and the case factors.
+void recover_body(const BodyNet& body, const base::Vector& u_external,
+                  const base::Vector& case_factors, base::Vector& u);
+
+} // namespace spricka::analysis

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/bodies/content_hash.hpp"
+
+#include "base/hasher.hpp"
+
+namespace spricka::analysis {
+
+HashKey hash_net(const model::Model& model, const model::Mesh& mesh, const Net& net,
+                 const std::vector<HashKey>& parts) {
+  base::Hasher hash;
+  for (const base::ElementId e : net.elements) {
+    hash.value(mesh.type[e.index()]);
+    const model::Property& property = model.property_of(mesh, e);
+    const model::Material& material = model.material_of(mesh, e);
+    hash.value(property.state);
+    hash.value(property.thickness);
+    hash.value(material.E);
+    hash.value(material.nu);
+    hash.value(material.alpha);
+    for (const base::NodeId n : mesh.nodes_of(e)) {
+      hash.value(n.value);
+      hash.add(mesh.x[n.index()].data(), 3 * sizeof(double));
+    }
+  }
+  if (net.map.ties) {
+    for (const fe::Dependence::Row& row : net.map.ties->rows()) {
+      hash.value(row.freedom);
+      for (const fe::Term& t : row.terms) {
+        hash.value(t.freedom);
+        hash.value(t.coefficient);
+      }
+    }
+  }
+  hash.add(net.map.freedom.data(), net.map.freedom.size() * sizeof(std::int32_t));
+  hash.value(net.map.locals);
+  for (const HashKey& part : parts) {
+    hash.value(part.first);
+    hash.value(part.second);
+  }
+  return hash.key();
+}
+
+} // namespace spricka::analysis

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/bodies/condense_bodies.hpp"
+#include "analysis/bodies/content_hash.hpp"
+#include "analysis/scene/scene_ties.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include <Eigen/Geometry>
+#include <Eigen/QR>
+#include <fmt/format.h>
+
+namespace spricka::analysis {
+
+namespace {
+
+// A share of rest elements below which splitting a body does not pay.
+constexpr double least_rest = 0.3;
+
+std::vector<base::NodeId> nodes_of(const model::Mesh& mesh,
+                                   const std::vector<base::ElementId>& elements) {
+  std::vector<base::NodeId> nodes;
+  for (const base::ElementId e : elements) {
+    const std::span<const base::NodeId> own = mesh.nodes_of(e);
+    nodes.insert(nodes.end(), own.begin(), own.end());
+  }
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+void make_node_external(const CondenseRequest& request, base::NodeId node,
+                        std::vector<model::FreedomClass>& cls) {
+  const auto dim = static_cast<std::size_t>(request.mesh.dim);
+  for (std::size_t c = 0; c < dim; ++c) {
+    make_external(dim * node.index() + c, *request.ties, cls);
+  }
+}
+
+// A floating piece needs external freedoms on which its rigid modes differ: the first node, the one
+// farthest from it, and in space the one farthest from their line.
+void add_carriers(const CondenseRequest& request, const fe::Body& piece,
+                  std::vector<model::FreedomClass>& cls) {
+  const model::Mesh& mesh = request.mesh;
+  const base::Vec3& a = mesh.x[piece.nodes.front().index()];
+  const auto farthest = [&](const auto& distance) {
+    return *std::max_element(piece.nodes.begin(), piece.nodes.end(),
+                             [&](base::NodeId p, base::NodeId q) {
+                               return distance(mesh.x[p.index()]) < distance(mesh.x[q.index()]);
+                             });
+  };
+  const base::NodeId far = farthest([&](const base::Vec3& x) { return (x - a).norm(); });
+  make_node_external(request, piece.nodes.front(), cls);
+  make_node_external(request, far, cls);
+  if (mesh.dim == 3 && far != piece.nodes.front()) {
+    const base::Vec3 d = (mesh.x[far.index()] - a).normalized();
+    make_node_external(request,
+                       farthest([&](const base::Vec3& x) { return (x - a).cross(d).norm(); }), cls);
+  }
+}
+
+// Whether the external freedoms of a body tell all its free modes apart.
+bool externals_carry(const model::Mesh& mesh, const BodyNet& body,
+                     const std::vector<model::FreedomClass>& cls) {
+  std::vector<Eigen::Index> external;
+  for (const base::NodeId n : body.body.nodes) {
+    for (int c = 0; c < mesh.dim; ++c) {
+      const auto freedom = static_cast<Eigen::Index>(n.index()) * mesh.dim + c;
+      if (cls[static_cast<std::size_t>(freedom)] == model::FreedomClass::external) {
+        external.push_back(freedom);
+      }
+    }
+  }
+  base::Matrix modes(static_cast<Eigen::Index>(external.size()), body.free_modes.cols());
+  for (std::size_t i = 0; i < external.size(); ++i) {
+    modes.row(static_cast<Eigen::Index>(i)) = body.free_modes.row(external[i]);
+  }
+  if (modes.rows() < modes.cols()) {
+    return false;
+  }
+  Eigen::ColPivHouseholderQR<base::Matrix> qr(modes);
+  qr.setThreshold(1e-6);
+  return qr.rank() == modes.cols();
+}
+
+// "LUG", "LUG/2" for a second piece of the same net, "COARSE+FINE" for nets tied together.
+std::string body_name(const model::Model& model, const BodyNet& body,
+                      std::map<std::string, int>& seen) {
+  std::vector<base::NetId> nets;
+  for (const fe::Body& piece : body.pieces) {
+    if (!piece.elements.empty()) {
+      nets.push_back(piece.net);
+    }
+  }
+  std::sort(nets.begin(), nets.end());
+  nets.erase(std::unique(nets.begin(), nets.end()), nets.end());
+  std::string name;
+  for (const base::NetId net : nets) {
+    const std::string& own = model.nets[net.index()].name;
+    name += fmt::format("{}{}", name.empty() ? "" : "+", own.empty() ? "MODEL" : own);
+  }
+  const int piece = ++seen[name];
+  return piece == 1 ? name : fmt::format("{}/{}", name, piece);
+}
+
+fe::Body union_of(const std::vector<fe::Body>& pieces) {
+  fe::Body all = pieces.front();
+  for (std::size_t p = 1; p < pieces.size(); ++p) {
+    const fe::Body& piece = pieces[p];
+    all.elements.insert(all.elements.end(), piece.elements.begin(), piece.elements.end());
+    all.nodes.insert(all.nodes.end(), piece.nodes.begin(), piece.nodes.end());
+  }
+  std::sort(all.elements.begin(), all.elements.end());
+  std::sort(all.nodes.begin(), all.nodes.end());
+  return all;
+}
+
+// Elements of a body that are condensed for themselves, by part; the others are the region's.
+std::vector<std::vector<base::ElementId>> parts_of(const CondenseRequest& request,
+                                                   const BodyNet& body) {
+  const model::Mesh& mesh = request.mesh;
+  std::map<base::NetId, std::vector<base::ElementId>> by_net;
+  std::map<base::NetId, bool> cut; // a crack's region takes some of its elements
+  for (const base::ElementId e : body.body.elements) {
+    const base::NetId net = mesh.element_net[e.index()];
+    by_net[net].push_back(e);
+    cut[net] = cut[net] || request.rest_element[e.index()];
+  }
+  std::vector<std::vector<base::ElementId>> parts;
+  for (auto& [net, elements] : by_net) {
+    const std::size_t count = elements.size();
+    if (cut[net]) {
+      std::erase_if(elements, [&](base::ElementId e) { return !request.rest_element[e.index()]; });
+    }
+    const bool pays =
+        cut[net] ? static_cast<double>(elements.size()) >= least_rest * static_cast<double>(count)
+                 : by_net.size() > 1;
+    const bool whole_body = by_net.size() == 1 && elements.size() == body.body.elements.size();
+    if (pays && !whole_body) {
+      parts.push_back(std::move(elements));
+    }
+  }
+  return parts;
+}
+
+// Classes as a part sees them: what others share with it or tie to it is external, node by node, so
+// that a node of the region has all its freedoms there.
+std::vector<model::FreedomClass> classes_of_part(const CondenseRequest& request,
+                                                 const std::vector<base::NodeId>& nodes,
+                                                 const std::vector<bool>& shared,
+                                                 const std::vector<model::FreedomClass>& cls) {
+  using model::FreedomClass;
+  const auto dim = static_cast<std::size_t>(request.mesh.dim);
+  std::vector<FreedomClass> own = cls;
+  for (const base::NodeId n : nodes) {
+    FreedomClass* const c = own.data() + dim * n.index();
+    bool outside = shared[n.index()];
+    for (std::size_t k = 0; k < dim; ++k) {
+      outside = outside || c[k] == FreedomClass::external || c[k] == FreedomClass::dependent;
+    }
+    for (std::size_t k = 0; k < dim; ++k) {
+      if (c[k] == FreedomClass::dependent || (outside && c[k] == FreedomClass::local)) {
+        c[k] = FreedomClass::external;
+      }
+    }
+  }
+  return own;
+}
+
+// Nodes that more than one of the element lists has, and masters of ties.
+std::vector<bool> shared_nodes(const CondenseRequest& request,
+                               const std::vector<std::vector<base::ElementId>>& lists) {
+  const model::Mesh& mesh = request.mesh;
+  std::vector<bool> shared(mesh.node_count(), false);
+  std::vector<std::int32_t> owner(mesh.node_count(), -1);
+  for (std::size_t l = 0; l < lists.size(); ++l) {
+    for (const base::ElementId e : lists[l]) {
+      for (const base::NodeId n : mesh.nodes_of(e)) {
+        std::int32_t& who = owner[n.index()];
+        shared[n.index()] = shared[n.index()] || (who >= 0 && who != static_cast<int>(l));
+        who = static_cast<std::int32_t>(l);
+      }
+    }
+  }
+  for (const fe::Dependence::Row& row : request.ties->rows()) {
+    for (const fe::Term& t : row.terms) {
+      shared[static_cast<std::size_t>(t.freedom / mesh.dim)] = true;
+    }
+  }
+  return shared;
+}
+
+void split(const CondenseRequest& request, BodyNet& body,
+           const std::vector<model::FreedomClass>& cls) {
+  const model::Mesh& mesh = request.mesh;
+  std::vector<std::vector<base::ElementId>> lists = parts_of(request, body);
+  std::vector<base::NodeId> region_nodes = body.body.nodes;
+  if (lists.empty()) {
+    body.region.elements = body.body.elements;
+  } else {
+    std::vector<bool> in_part(mesh.element_count(), false);
+    for (const auto& list : lists) {
+      for (const base::ElementId e : list) {
+        in_part[e.index()] = true;
+      }
+    }
+    for (const base::ElementId e : body.body.elements) {
+      if (!in_part[e.index()]) {
+        body.region.elements.push_back(e);
+      }
+    }
+    region_nodes = nodes_of(mesh, body.region.elements);
+    for (const fe::Body& piece : body.pieces) {
+      if (piece.elements.empty()) { // a node that only ties hold
+        region_nodes.insert(region_nodes.end(), piece.nodes.begin(), piece.nodes.end());
+      }
+    }
+    lists.push_back(body.region.elements);
+    const std::vector<bool> shared = shared_nodes(request, lists);
+    lists.pop_back();
+    for (auto& list : lists) {
+      Net& part = *body.parts.emplace_back(std::make_unique<Net>());
+      part.elements = std::move(list);
+      const std::vector<base::NodeId> nodes = nodes_of(mesh, part.elements);
+      part.map = fe::number_freedoms(mesh, nodes, classes_of_part(request, nodes, shared, cls));
+      // The region's system also holds the external freedoms of its parts.
+      for (std::size_t i = static_cast<std::size_t>(part.map.locals); i < part.map.freedom.size();
+           ++i) {
+        region_nodes.emplace_back(static_cast<std::size_t>(part.map.freedom[i] / mesh.dim));
+      }
+    }
+    std::sort(region_nodes.begin(), region_nodes.end());
+    region_nodes.erase(std::unique(region_nodes.begin(), region_nodes.end()), region_nodes.end());
+  }
+  body.region.map = fe::number_freedoms(mesh, region_nodes, cls);
+  if (!request.ties->rows().empty()) {
+    body.region.map.ties = request.ties;
+  }
+}
+
+} // namespace
+
+std::vector<BodyNet> prepare_bodies(const CondenseRequest& request) {
+  std::vector<model::FreedomClass> cls = request.cls;
+  const model::Mesh& mesh = request.mesh;
+  std::vector<std::vector<fe::Body>> joined =
+      fe::join_bodies(mesh, fe::find_bodies(mesh), *request.ties, cls);
+  std::vector<BodyNet> bodies(joined.size());
+  std::map<std::string, int> seen;
+  for (std::size_t b = 0; b < joined.size(); ++b) {
+    BodyNet& body = bodies[b];
+    body.pieces = std::move(joined[b]);
+    body.body = union_of(body.pieces);
+    body.name = body_name(request.model, body, seen);
+    const base::Matrix modes = fe::rigid_modes(request.model, mesh, body.pieces);
+    body.free_modes = modes * fe::free_modes(mesh, modes, body.pieces, *request.ties, cls);
+    if (body.free_modes.cols() > 0 && !externals_carry(mesh, body, cls)) {
+      for (const fe::Body& piece : body.pieces) {
+        add_carriers(request, piece, cls);
+      }
+    }
+    split(request, body, cls);
+  }
+  return bodies;
+}
+
+std::vector<NetKeys> hash_bodies(const CondenseRequest& request,
+                                 const std::vector<BodyNet>& bodies) {
+  std::vector<NetKeys> keys(bodies.size());
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    for (const std::unique_ptr<Net>& part : bodies[b].parts) {
+      keys[b].parts.push_back(hash_net(request.model, request.mesh, *part, {}));
+    }
+    keys[b].region = hash_net(request.model, request.mesh, bodies[b].region, keys[b].parts);
+  }
+  return keys;
+}
+
+} // namespace spricka::analysis

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/lengths/growth_loop.hpp"
+
+#include "analysis/lengths/growth_measure.hpp"
+#include "analysis/lengths/growth_records.hpp"
+#include "analysis/lengths/growth_region.hpp"
+#include "analysis/lengths/growth_rules.hpp"
+#include "analysis/lengths/length_solver.hpp"
+#include "analysis/lengths/resume.hpp"
+#include "analysis/lengths/scaled_lives.hpp"
+#include "archive/safe_file.hpp"
+#include "growth/crack_lines.hpp"
+#include "growth/march.hpp"
+#include "results/growth_end.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::analysis {
+
+namespace {
+
+// Error bars are asked for by CORRECT, by a tolerance of K and by checks of them.
+bool wants_bars(const model::Model& model) {
+  return model.growth->corrected ||
+         std::ranges::any_of(model.tip_nets,
+                             [](const auto& tip) { return tip.tolerance.has_value(); }) ||
+         std::ranges::any_of(model.checks, [](const model::Check& check) {
+           return check.quantity.starts_with("K") && check.quantity.find('.') != std::string::npos;
+         });
+}
+
+class GrowthLoop {
+public:
+  GrowthLoop(const model::Model& model, const SolveOptions& options, base::Diagnostics& diagnostics,
+             std::optional<Refusal>& refusal, results::Run& run)
+      : model_(model), options_(options), diagnostics_(diagnostics), refusal_(refusal), run_(run),
+        measure_(model), solver_(model, options, run.log, trial_, trial_refusal_),
+        on_the_way_(asked_steps(model, false)) {}
+
+  bool run() {
+    std::optional<std::vector<mesh::CrackLine>> lines =
+        growth::crack_lines(model_, 0.0, diagnostics_);
+    if (!lines || !growth_can_begin(model_, *lines, diagnostics_)) {
+      return false;
+    }
+    growth::Law law;
+    if (!measure_.spectrum()) {
+      law = [this](double K_max, double K_min) { return measure_.law().rate(K_max, K_min); };
+    }
+    const std::optional<results::NamedArrays> kept = take_over_kept();
+    growth::March march(model_, law, std::move(*lines), kept ? state_from(*kept) : growth::State());
+    GrowthRegion region(model_, march);
+    if (kept) {
+      region.load(*kept);
+    }
+    mark_.emplace(run_.log);
+    while (!march.end()) {
+      if (stop_here(options_.checkpoint, refusal_)) {
+        return false;
+      }
+      trial_ = {};
+      const std::optional<std::vector<mesh::CrackLine>> next = march.next(trial_);
+      if (march.end()) {
+        break;
+      }
+      if (next) {
+        region.look(*next, march, run_.log);
+      }
+      if (!(next && station(*next, region, march))) {
+        if (run_.increments.empty()) {
+          diagnostics_ = std::move(trial_);
+          refusal_ = trial_refusal_;
+          return false;
+        }
+        if (march.end()) {
+          break;
+        }
+        const std::string why = trouble();
+        march.shorten(why);
+        LogWriter(run_.log).add("GROW", fmt::format("a shorter advance: {}", why));
+        trial_refusal_.reset();
+      }
+    }
+    finish(march);
+    return true;
+  }
+
+private:
+  // Stations of an earlier run; the state behind the last of them.
+  std::optional<results::NamedArrays> take_over_kept() {
+    std::optional<results::NamedArrays> state;
+    for (int number = 1;; ++number) {
+      std::optional<archive::KeptIncrement> kept =
+          resume(model_, options_.checkpoint, number, 0.0, pictured_at(number));
+      if (!kept) {
+        return state;
+      }
+      state = std::move(kept->state);
+      take_over(std::move(*kept), run_);
+    }
+  }
+
+  growth::State state_from(const results::NamedArrays& arrays) {
+    std::optional<growth::State> state = growth::state_of(arrays.reals);
+    if (!state) {
+      throw archive::FileTrouble("E560", "the restart file holds no state of a growth");
+    }
+    solver_.go_on(arrays);
+    measure_.load(arrays);
+    return std::move(*state);
+  }
+
+  void keep(const growth::March& march, const GrowthRegion& region) {
+    results::NamedArrays state;
+    state.reals = growth::to_arrays(march.state());
+    solver_.save(state);
+    region.save(state);
+    measure_.save(state);
+    mark_->keep(options_.checkpoint, 0.0, run_.increments.back(), std::move(state));
+    mark_.emplace(run_.log);
+  }
+
+  [[nodiscard]] std::vector<bool> pictured_at(int number) const {
+    return number == 1 ? pictured_steps(model_, false) : on_the_way_;
+  }
+
+  // Solves, measures, and lets the march judge; false: not solvable there.
+  bool station(const std::vector<mesh::CrackLine>& lines, GrowthRegion& region,
+               growth::March& march) {
+    const bool first = march.state().stations.empty();
+    std::optional<results::Increment> increment =
+        solver_.solve({lines, 0.0, first ? pictured_steps(model_, false) : on_the_way_,
+                       first || wants_bars(model_)},
+                      region.plan());
+    if (!increment) {
+      return false;
+    }
+    region.tell_cost(run_.log);
+    LogWriter log(run_.log);
+    std::optional<std::vector<growth::TipStation>> found = measure_.measure(
+        {*increment, solver_.tips(), lines, solver_.followed(), solver_.free_faces()},
+        march.tips());
+    if (!found) {
+      trial_refusal_ = Refusal{4, measure_.trouble(), model_.growth->span};
+      return false;
+    }
+    if (first && !measure_.spectrum() && measure_.upside_down()) {
+      trial_.error(model_.growth->span, "E453",
+                   fmt::format("K of {} is larger at KMIN, {:.6g}, than at KMAX, {:.6g}",
+                               march.tips().front().name, found->front().K_min,
+                               found->front().K_max),
+                   "KMAX names the step with the largest K, KMIN that with the smallest");
+      return false;
+    }
+    if (!march.take(std::move(*found))) {
+      log.add("GROW", fmt::format("a = {:.6g} lies too far ahead for the tolerance: solved again "
+                                  "nearer",
+                                  increment->a));
+      return true;
+    }
+    solver_.carry_on();
+    increment->number = static_cast<int>(run_.increments.size()) + 1;
+    run_.increments.push_back(std::move(*increment));
+    const growth::Station& here = march.state().stations.back();
+    const growth::Trajectory so_far = march.trajectory();
+    log.add("GROW",
+            fmt::format("station {}: a = {:.6g}, K {:.6g} .. {:.6g}, da/dN = {:.4g}, N = "
+                        "{:.6g}",
+                        march.state().stations.size(), here.tips.front().a, here.tips.front().K_min,
+                        here.tips.front().K_max, here.tips.front().rate,
+                        so_far.cycles(march.state().stations.front().s, here.s)));
+    keep(march, region);
+    if (options_.progress) {
+      options_.progress(run_.increments.size(), run_.increments.size() + 1);
+    }
+    return true;
+  }
+
+  [[nodiscard]] std::string trouble() const {
+    if (trial_refusal_) {
+      return trial_refusal_->why;
+    }
+    for (const base::Diagnostic& d : trial_.all()) {
+      if (d.severity == base::Severity::error) {
+        return d.text;
+      }
+    }
+    return "no mesh";
+  }
+
+  void finish(const growth::March& march) {
+    results::Increment& last = run_.increments.back();
+    const std::vector<bool> pictured = pictured_steps(model_, true);
+    for (std::size_t s = 0; s < last.steps.size(); ++s) {
+      if (pictured[s] && last.steps[s].stress.empty()) {
+        add_stress(model_, last.mesh, last.steps[s]);
+      }
+    }
+    run_.growth = growth_records(model_, march, measure_);
+    run_.growth->scaled = scaled_lives(model_, run_, march, measure_);
+    LogWriter(run_.log).add("GROW",
+                            fmt::format("{}: {}; {} stations, {} solutions did not count",
+                                        run_.growth->ended, run_.growth->reason,
+                                        march.state().stations.size(), march.state().rejected));
+    for (const std::string& text : measure_.warnings()) {
+      run_.warnings.push_back(text);
+    }
+    for (std::string& text : doubts_of_life(*run_.growth)) {
+      run_.warnings.push_back(std::move(text));
+    }
+    if (results::ended_early(*run_.growth)) {
+      run_.warnings.push_back("the growth ended early: " + run_.growth->reason);
+    }
+  }
+
+  const model::Model& model_;
+  const SolveOptions& options_;
+  base::Diagnostics& diagnostics_;
+  std::optional<Refusal>& refusal_;
+  results::Run& run_;
+  base::Diagnostics trial_;              ///< of the state that is tried
+  std::optional<Refusal> trial_refusal_; ///< the same
+  GrowthMeasure measure_;
+  LengthSolver solver_;
+  std::vector<bool> on_the_way_;
+  std::optional<IncrementMark> mark_; ///< where the search for the next station began
+};
+
+} // namespace
+
+bool grows_by_law(const model::Model& model) {
+  return model.growth && model.growth->law != model::GrowthLaw::increment && !model.cracks.empty();
+}
+
+bool grow_by_law(const model::Model& model, const SolveOptions& options,
+                 base::Diagnostics& diagnostics, std::optional<Refusal>& refusal,
+                 results::Run& run) {
+  return GrowthLoop(model, options, diagnostics, refusal, run).run();
+}
+
+} // namespace spricka::analysis

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/lengths/solve_lengths.hpp"
+#include "base/diagnostics.hpp"
+#include "model/model.hpp"
+#include "results/results.hpp"
+
+#include <optional>
+
+namespace spricka::analysis {
+
+/// Whether $GROW has a law that gives the lengths.
+bool grows_by_law(const model::Model& model);
+
+/// Processor GROW: solves the cracks of one state, measures, advances, until the growth ends; fills
+/// increments, log, warnings and `growth` of a run. False: a mistake of the deck (in the
+/// diagnostics), or a first state that cannot be solved (in the refusal). A later state that cannot
+/// be meshed or solved ends the growth with the word MESH.
+bool grow_by_law(const model::Model& model, const SolveOptions& options,
+                 base::Diagnostics& diagnostics, std::optional<Refusal>& refusal,
+                 results::Run& run);
+
+} // namespace spricka::analysis

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/lengths/growth_measure.hpp"
+
+#include "analysis/scene/tip_name.hpp"
+#include "crack/direction.hpp"
+#include "growth/net_section.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::analysis {
+
+namespace {
+
+/// K2 beyond this part of K1 on a given path is worth a word.
+constexpr double much_K2 = 0.25;
+/// K1 that the mesh cannot tell from 0 where K2 rules.
+constexpr double much_less_than_K2 = 1e-3;
+
+life::Law kind_of(model::GrowthLaw law) {
+  switch (law) {
+  case model::GrowthLaw::walker:
+    return life::Law::walker;
+  case model::GrowthLaw::forman:
+    return life::Law::forman;
+  case model::GrowthLaw::nasgro:
+    return life::Law::nasgro;
+  case model::GrowthLaw::table:
+    return life::Law::table;
+  case model::GrowthLaw::increment:
+  case model::GrowthLaw::paris:
+    break;
+  }
+  return life::Law::paris;
+}
+
+std::optional<life::Spectrum> spectrum_of(const model::Model& model) {
+  if (!model.growth->spectrum) {
+    return std::nullopt;
+  }
+  const model::Spectrum& card = model.spectra[*model.growth->spectrum];
+  if (card.sequence) {
+    return life::Spectrum::of_sequence(card.turning_points);
+  }
+  std::vector<life::LoadCycle> cycles;
+  for (const auto& [low, high, count] : card.cycles) {
+    cycles.push_back({low, high, count});
+  }
+  return life::Spectrum::of_cycles(std::move(cycles));
+}
+
+// first * K1 + second * K2 on the path.
+base::PiecewiseLinear combined(const results::PathTip& tip, const base::Vec2& part) {
+  if (part[1] == 0.0 && part[0] == 1.0) {
+    return tip.K1;
+  }
+  std::vector<double> value;
+  std::vector<double> slope;
+  for (std::size_t i = 0; i < tip.K1.segments(); ++i) {
+    value.push_back(part[0] * tip.K1.at_knot(i) + part[1] * tip.K2.at_knot(i));
+    slope.push_back(part[0] * tip.K1.slope(i) + part[1] * tip.K2.slope(i));
+  }
+  return {tip.K1.knots(), std::move(value), std::move(slope)};
+}
+
+// Whether its faces touch somewhere on the path: K1 is 0 there.
+bool closes(const results::PathTip& tip) {
+  for (std::size_t i = 0; i < tip.K1.segments(); ++i) {
+    if (tip.K1.at_knot(i) == 0.0 && tip.K1.slope(i) == 0.0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Where K1 is largest between two places: at one of them or at a breakpoint.
+double place_of_largest(const base::PiecewiseLinear& K1, double low, double high) {
+  double best = K1(high) >= K1(low) ? high : low;
+  for (const double t : K1.knots()) {
+    best = t > low && t < high && K1(t) > K1(best) ? t : best;
+  }
+  return best;
+}
+
+} // namespace
+
+life::GrowthLaw law_of(const model::Growth& growth) {
+  const model::LawConstants& c = growth.constants;
+  return {kind_of(growth.law),
+          {c.C, c.m, c.p, c.q, c.alpha, c.stress_ratio, c.threshold, c.k_c, c.k_unit, c.a_unit,
+           c.delta_k, c.growth}};
+}
+
+GrowthMeasure::GrowthMeasure(const model::Model& model)
+    : model_(model), law_(law_of(*model.growth)), spectrum_(spectrum_of(model)),
+      around_(model.mesh) {}
+
+// The step whose loads stand for the largest: of a spectrum the one at the end of its path.
+std::size_t GrowthMeasure::largest_step() const {
+  return spectrum_ ? model_.load_paths[model_.spectra[*model_.growth->spectrum].path].to.index()
+                   : model_.growth->kmax.index();
+}
+
+std::optional<std::vector<growth::TipStation>>
+GrowthMeasure::measure(const SolvedLength& at, const std::vector<growth::GrowingTip>& growing) {
+  std::vector<growth::TipStation> found(growing.size());
+  upside_down_ = true;
+  const bool history = at.followed && at.followed->none.empty();
+  if (at.followed && !history) {
+    warnings_.insert(fmt::format("friction makes K a history, but the loads were not repeated: {}; "
+                                 "K is that of the steps as they were run once",
+                                 at.followed->none));
+  }
+  for (std::size_t i = 0; i < growing.size(); ++i) {
+    const mesh::CrackLine& line = at.lines[growing[i].line];
+    const std::string& name = growing[i].name;
+    const bool straight = line.symmetric_half;
+    const bool good = history     ? by_history(at, name, straight, found[i])
+                      : spectrum_ ? by_spectrum(at, name, straight, found[i])
+                                  : by_steps(at, name, straight, found[i]);
+    if (!good) {
+      return std::nullopt;
+    }
+    for (const mesh::Tip& tip : at.tips) {
+      const bool second = tip.number == 2 || !line.embedded;
+      if (model_.growth->flow_stress && tip.crack == line.crack && second != growing[i].at_first) {
+        plastic(at.increment, tip, line, found[i]);
+      }
+    }
+  }
+  return found;
+}
+
+base::Vec2 GrowthMeasure::intensity(const results::TipResult& tip) {
+  if (!model_.growth->corrected) {
+    return {tip.K1, tip.K2};
+  }
+  if (!tip.no_bar.empty()) {
+    if (!tip.closed) {
+      warnings_.insert(fmt::format("CORRECT=YES, but {} has no error bar everywhere ({}): there K "
+                                   "is as computed",
+                                   tip.name, tip.no_bar));
+    }
+    return {tip.K1, tip.K2};
+  }
+  return {tip.bar[0].best, tip.bar[1].best};
+}
+
+// K1 = 0 stands for faces that touch; K1 < 0 but for round-off for such that overlap.
+bool GrowthMeasure::opens(const base::Vec2& K) {
+  return K[0] != 0.0 && K[0] > -much_less_than_K2 * std::abs(K[1]);
+}
+
+base::Vec2 GrowthMeasure::turn(const base::Vec2& K, bool straight,
+                               growth::TipStation& found) const {
+  found.K2_max = K[1];
+  if (straight || !opens(K) || model_.growth->direction == model::GrowthDirection::path) {
+    return {1.0, 0.0};
+  }
+  const crack::Criterion criterion = model_.growth->direction == model::GrowthDirection::hoop
+                                         ? crack::Criterion::hoop
+                                         : crack::Criterion::k2_zero;
+  found.turn = crack::kink_angle(criterion, K[0], K[1]);
+  return crack::kinked_mode_one(criterion, found.turn);
+}
+
+void GrowthMeasure::look_at(const std::string& name, const base::Vec2& K, bool upside_down) {
+  upside_down_ = upside_down_ && upside_down;
+  if (upside_down) {
+    warnings_.insert(fmt::format("{}: K at KMIN is larger than at KMAX", name));
+  }
+  if (model_.growth->direction == model::GrowthDirection::path && K[0] > 0.0 &&
+      std::abs(K[1]) > much_K2 * K[0]) {
+    warnings_.insert(fmt::format("{} grows along its path although K2 is {:.2f} of K1; the law is "
+                                 "given K1 alone",
+                                 name, K[1] / K[0]));
+  }
+}
+
+void GrowthMeasure::warn_of_closing(const std::string& name, double a) {
+  warnings_.insert(fmt::format("{}: at a = {:.6g} its faces close and there is no solution with "
+                               "faces that overlap: K_min is 0 there, though the law knows R < 0; "
+                               "the life may come out too long",
+                               name, a));
+}
+
+double GrowthMeasure::at_smallest(const SolvedLength& at, const results::TipResult& tip,
+                                  const base::Vec2& part) {
+  const double K = part.dot(intensity(tip));
+  if (!continues_below_closing(model_)) {
+    return K;
+  }
+  const results::TipResult* free = free_tip(at.free, model_.growth->kmin.index(), tip.name);
+  if (free == nullptr) {
+    if (tip.closed) {
+      warn_of_closing(tip.name, tip.a);
+    }
+    return K;
+  }
+  const double below = part.dot(base::Vec2(free->K1, free->K2));
+  return below < 0.0 ? below : K;
+}
+
+bool GrowthMeasure::by_steps(const SolvedLength& at, const std::string& name, bool straight,
+                             growth::TipStation& found) {
+  const results::Increment& increment = at.increment;
+  const results::TipResult* high =
+      results::find_tip(increment.steps[model_.growth->kmax.index()], name);
+  const results::TipResult* low =
+      results::find_tip(increment.steps[model_.growth->kmin.index()], name);
+  if (high == nullptr || low == nullptr || high->two_materials) {
+    trouble_ = fmt::format("{} has no K to grow by: its tip lies between two materials", name);
+    return false;
+  }
+  if (!high->doubt.empty() && high->K1 > 0.0) {
+    warnings_.insert(fmt::format("{}: K at KMAX is in doubt: {}", name, high->doubt));
+  }
+  const base::Vec2 K = intensity(*high);
+  const base::Vec2 part = turn(K, straight, found);
+  found.K_max = std::max(0.0, part.dot(K));
+  found.K_min = at_smallest(at, *low, part);
+  found.rate = found.K_max > found.K_min ? law_.rate(found.K_max, found.K_min) : 0.0;
+  look_at(name, K, low->K1 > high->K1 && low->K1 > 0.0);
+  return true;
+}
+
+base::PiecewiseLinear GrowthMeasure::on_path(const SolvedLength& at, const results::PathTip& tip,
+                                             const base::Vec2& part) {
+  base::PiecewiseLinear K = combined(tip, part);
+  if (!(at.free || closes(tip)) || !continues_below_closing(model_)) {
+    return K;
+  }
+  const std::size_t path = model_.spectra[*model_.growth->spectrum].path;
+  const results::PathTip* free = at.free && path < at.free->paths.size()
+                                     ? results::find_tip(at.free->paths[path], tip.name)
+                                     : nullptr;
+  std::optional<base::PiecewiseLinear> below;
+  if (free != nullptr) {
+    below = continued(K, combined(*free, part), spectrum_->highest());
+  }
+  if (!below) {
+    warn_of_closing(tip.name, tip.a);
+  }
+  return below ? std::move(*below) : std::move(K);
+}
+
+bool GrowthMeasure::by_spectrum(const SolvedLength& at, const std::string& name, bool straight,
+                                growth::TipStation& found) {
+  const results::Increment& increment = at.increment;
+  const model::Spectrum& card = model_.spectra[*model_.growth->spectrum];
+  const results::LoadPath& path = increment.paths[card.path];
+  const results::TipResult* at_end = results::find_tip(increment.steps[largest_step()], name);
+  const results::PathTip* tip = results::find_tip(path, name);
+  if (at_end != nullptr && at_end->two_materials) {
+    trouble_ = fmt::format("{} has no K to grow by: its tip lies between two materials", name);
+    return false;
+  }
+  if (tip == nullptr || path.t.empty() || path.t.back() < spectrum_->highest()) {
+    trouble_ =
+        fmt::format("spectrum {}: there is no K up to t = {:.6g}, load path {} ends before: {}",
+                    card.name, spectrum_->highest(), path.name, path.stopped);
+    return false;
+  }
+  if (!tip->doubt.empty()) {
+    warnings_.insert(
+        fmt::format("{}: K on load path {} is in doubt: {}", name, path.name, tip->doubt));
+  }
+  const double peak = place_of_largest(tip->K1, spectrum_->lowest(), spectrum_->highest());
+  const base::Vec2 part = turn({tip->K1(peak), tip->K2(peak)}, straight, found);
+  const base::PiecewiseLinear K = on_path(at, *tip, part);
+  const auto [low, high] = spectrum_->extreme_K(K);
+  found.K_min = low;
+  found.K_max = std::max(0.0, high);
+  found.rate = spectrum_->growth(law_, K);
+  counted_on_K_ = counted_on_K_ || spectrum_->counts_on_K(K);
+  if (std::isnan(found.rate)) {
+    trouble_ = fmt::format("spectrum {}: the growth of a pass is not a number at a = {:.6g}",
+                           card.name, tip->a);
+    return false;
+  }
+  return true;
+}
+
+void GrowthMeasure::plastic(const results::Increment& increment, const mesh::Tip& tip,
+                            const mesh::CrackLine& line, growth::TipStation& found) const {
+  const growth::Heading heading{tip.x, tip.direction};
+  if (const auto edge = around_.edge_ahead(line, heading)) {
+    found.plastic = growth::plastic_part(
+        model_, increment.mesh, {tip.node, tip.x, tip.direction, edge->distance},
+        increment.steps[largest_step()].u, *model_.growth->flow_stress);
+  }
+}
+
+} // namespace spricka::analysis

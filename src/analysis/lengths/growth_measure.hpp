@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/lengths/load_history.hpp"
+#include "analysis/scene/free_faces.hpp"
+#include "growth/march.hpp"
+#include "life/growth_law.hpp"
+#include "life/spectrum.hpp"
+#include "mesh/cut/patch.hpp"
+#include "model/model.hpp"
+#include "results/named_arrays.hpp"
+#include "results/results.hpp"
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace spricka::analysis {
+
+/// The law of $GROW; K and lengths in deck units.
+life::GrowthLaw law_of(const model::Growth& growth);
+
+/// A solved state of the cracks.
+struct SolvedLength {
+  const results::Increment& increment;
+  const std::vector<mesh::Tip>& tips;
+  const std::vector<mesh::CrackLine>& lines;
+  const std::optional<FollowedLoads>& followed; ///< where friction makes K a history
+  const std::optional<FreeFaces>& free;         ///< faces that may overlap, where they close
+};
+
+/// What a solved state of the cracks means for their growth: K at the largest and the smallest
+/// load, the way on, the rate.
+class GrowthMeasure {
+public:
+  explicit GrowthMeasure(const model::Model& model);
+
+  /// By tip. Empty: `trouble` says why there is no growth to be told.
+  [[nodiscard]] std::optional<std::vector<growth::TipStation>>
+  measure(const SolvedLength& at, const std::vector<growth::GrowingTip>& growing);
+
+  [[nodiscard]] const std::string& trouble() const { return trouble_; }
+  /// Whether of the last state K at KMIN was above K at KMAX, and above 0, at all tips that grow.
+  [[nodiscard]] bool upside_down() const { return upside_down_; }
+  /// What a reader must not miss, each once.
+  [[nodiscard]] const std::set<std::string>& warnings() const { return warnings_; }
+  [[nodiscard]] const life::GrowthLaw& law() const { return law_; }
+  [[nodiscard]] const std::optional<life::Spectrum>& spectrum() const { return spectrum_; }
+  [[nodiscard]] bool counted_on_K() const { return counted_on_K_; }
+
+  /// What it remembers of earlier states, as arrays for a restart file, and back from there.
+  void save(results::NamedArrays& arrays) const {
+    arrays.texts["growth.warnings"] = {warnings_.begin(), warnings_.end()};
+    arrays.integers["growth.counted_on_K"] = {counted_on_K_ ? 1 : 0};
+  }
+  void load(const results::NamedArrays& arrays) {
+    const std::vector<std::string>& texts = arrays.texts.at("growth.warnings");
+    warnings_ = {texts.begin(), texts.end()};
+    counted_on_K_ = arrays.integers.at("growth.counted_on_K").at(0) != 0;
+  }
+
+private:
+  bool by_steps(const SolvedLength& at, const std::string& name, bool straight,
+                growth::TipStation& found);
+  bool by_spectrum(const SolvedLength& at, const std::string& name, bool straight,
+                   growth::TipStation& found);
+  /// K of a tip on the path of the spectrum, with what the law wants where its faces close.
+  [[nodiscard]] base::PiecewiseLinear on_path(const SolvedLength& at, const results::PathTip& tip,
+                                              const base::Vec2& part);
+  /// K_min by the tip at KMIN; `part` of its K1 and K2 counts.
+  [[nodiscard]] double at_smallest(const SolvedLength& at, const results::TipResult& tip,
+                                   const base::Vec2& part);
+  void warn_of_closing(const std::string& name, double a);
+  bool by_history(const SolvedLength& at, const std::string& name, bool straight,
+                  growth::TipStation& found);
+  /// Rate and extremes of K in a pass of the spectrum that was followed, for one tip whose K is
+  /// `part` of its K1 and K2.
+  void of_pass(const FollowedPass& pass, std::size_t tip, const base::Vec2& part,
+               growth::TipStation& found) const;
+  /// Warns of what a reader of a rate by KMAX and KMIN must know; K1 and K2 at KMAX.
+  void look_at(const std::string& name, const base::Vec2& K, bool upside_down);
+  [[nodiscard]] base::Vec2 intensity(const results::TipResult& tip);
+  /// Sets the turn and gives the K to the law: of the crack before the turn, first and second.
+  [[nodiscard]] base::Vec2 turn(const base::Vec2& K, bool straight,
+                                growth::TipStation& found) const;
+  /// Whether a tip with this K is open at the largest load: a closed one grows nowhere.
+  [[nodiscard]] static bool opens(const base::Vec2& K);
+  void plastic(const results::Increment& increment, const mesh::Tip& tip,
+               const mesh::CrackLine& line, growth::TipStation& found) const;
+  [[nodiscard]] std::size_t largest_step() const;
+
+  const model::Model& model_;
+  life::GrowthLaw law_;
+  std::optional<life::Spectrum> spectrum_;
+  growth::Surroundings around_;
+  std::string trouble_;
+  bool upside_down_ = false;
+  std::set<std::string> warnings_;
+  bool counted_on_K_ = false;
+};
+
+} // namespace spricka::analysis

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/lengths/growth_records.hpp"
+
+#include "analysis/steps/history_program.hpp"
+#include "base/tidy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+
+namespace spricka::analysis {
+
+namespace {
+
+constexpr int points_of_interval = 16;
+
+results::LifePoint point_at(const growth::Trajectory& between, double s, double cycles,
+                            std::size_t tips) {
+  results::LifePoint point;
+  point.cycles = cycles;
+  for (std::size_t tip = 0; tip < tips; ++tip) {
+    point.a.push_back(base::tidy(between.arm(tip, s)));
+  }
+  return point;
+}
+
+// Cycles of a pass that have at least a range, for the ranges there are: of more than a curve can
+// show one for each part of the logarithm of their number.
+std::vector<std::array<double, 2>> ranges_of(const life::Spectrum& spectrum) {
+  constexpr double parts = 200.0; // of the logarithm to base 10
+  std::map<double, double, std::greater<>> by_range;
+  for (const life::LoadCycle& cycle : spectrum.cycles()) {
+    by_range[cycle.high - cycle.low] += cycle.count;
+  }
+  std::vector<std::array<double, 2>> ranges;
+  double sum = 0.0;
+  double told = 0.0;
+  for (const auto& [range, count] : by_range) {
+    sum += count;
+    const double part = std::floor(parts * std::log10(sum));
+    if (ranges.empty() || part > told || range == by_range.rbegin()->first) {
+      ranges.push_back({range, sum});
+      told = part;
+    }
+  }
+  return ranges;
+}
+
+} // namespace
+
+results::Growth growth_records(const model::Model& model, const growth::March& march,
+                               const GrowthMeasure& measure) {
+  results::Growth out;
+  out.unit = measure.spectrum() ? "pass" : "cycle";
+  out.corrected = model.growth->corrected;
+  out.followed = follows_history(model);
+  if (measure.spectrum()) {
+    out.cycles_per_pass = measure.spectrum()->count();
+    out.ranges = ranges_of(*measure.spectrum());
+    out.counted = follows_history(model)   ? "K, followed through the loads in their order"
+                  : measure.counted_on_K() ? "K, which turns within the loads"
+                                           : "loads";
+  }
+  for (const growth::GrowingTip& tip : march.tips()) {
+    out.tips.push_back(tip.name);
+  }
+  const std::vector<growth::Station>& stations = march.state().stations;
+  const growth::Trajectory between = march.trajectory();
+  const double end = march.end() ? march.end()->s : stations.back().s;
+  double cycles = 0.0;
+  double at_station = 0.0; // also behind the end
+  out.curve.push_back(point_at(between, stations.front().s, 0.0, out.tips.size()));
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    results::GrowthStation station;
+    station.increment = static_cast<int>(i) + 1;
+    at_station += i > 0 ? between.cycles(stations[i - 1].s, stations[i].s) : 0.0;
+    station.cycles = at_station;
+    for (std::size_t tip = 0; tip < out.tips.size(); ++tip) {
+      const growth::TipStation& t = stations[i].tips[tip];
+      station.tips.push_back({out.tips[tip], base::tidy(t.a), t.K_max, t.K_min, t.K2_max, t.rate,
+                              t.turn, base::Vec3(t.x, t.y, 0.0), t.first_max, t.first_min});
+      station.passes = std::max(station.passes, static_cast<int>(t.passes));
+      station.change = std::max(station.change, t.change);
+    }
+    out.stations.push_back(std::move(station));
+    const double last = i + 1 < stations.size() ? std::min(stations[i + 1].s, end) : stations[i].s;
+    double before = stations[i].s;
+    for (int k = 1; k <= points_of_interval && before < last; ++k) {
+      const double s = k == points_of_interval
+                           ? last
+                           : stations[i].s + (last - stations[i].s) * k / points_of_interval;
+      cycles += between.cycles(before, s);
+      out.curve.push_back(point_at(between, s, cycles, out.tips.size()));
+      before = s;
+    }
+  }
+  if (march.end()) {
+    out.ended = march.end()->word;
+    out.reason = march.end()->reason;
+  }
+  out.error = march.error();
+  return out;
+}
+
+} // namespace spricka::analysis

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/lengths/growth_region.hpp"
+
+#include "analysis/lengths/length_solver.hpp"
+#include "growth/crack_lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace spricka::analysis {
+
+namespace {
+
+/// Lengths that are looked at, and how many times its length a crack is foreseen at most.
+constexpr int looks = 10;
+constexpr double farthest = 8.0;
+
+double length_of(const mesh::CrackLine& line) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < line.points.size(); ++i) {
+    length += (line.points[i] - line.points[i - 1]).norm();
+  }
+  return length;
+}
+
+} // namespace
+
+GrowthRegion::GrowthRegion(const model::Model& model, const growth::March&) : model_(model) {}
+
+// Along the way ahead as it is known now: straight on from every tip, to AMAX or the next edge.
+void GrowthRegion::choose(const std::vector<mesh::CrackLine>& lines, const growth::March& march) {
+  plan_ = {};
+  add_to_region(model_, lines, plan_);
+  double longest = 0.0;
+  for (const mesh::CrackLine& line : lines) {
+    longest = std::max(longest, length_of(line));
+  }
+  const double reach = model_.growth->last_length.value_or((farthest - 1.0) * longest);
+  for (int k = 1; k <= looks; ++k) {
+    const double part = static_cast<double>(k) / looks;
+    add_to_region(model_, march.straight_on(reach * part * part), plan_);
+  }
+}
+
+void GrowthRegion::look(const std::vector<mesh::CrackLine>& lines, const growth::March& march,
+                        std::vector<results::LogLine>& log) {
+  RegionPlan here;
+  add_to_region(model_, lines, here);
+  const bool within = !plan_.region.empty() &&
+                      std::ranges::equal(here.region, plan_.region,
+                                         [](bool in, bool planned) { return !in || planned; });
+  if (within) {
+    return;
+  }
+  LogWriter writer(log);
+  const bool first = plan_.region.empty();
+  choose(lines, march);
+  renewed_ = !first;
+  writer.add("GROW", fmt::format("{}: {} of {} elements are condensed at every station",
+                                 first ? "region chosen" : "a crack leaves its region, a new one",
+                                 std::ranges::count(plan_.region, true), plan_.region.size()));
+}
+
+void GrowthRegion::tell_cost(std::vector<results::LogLine>& log) {
+  const auto last = std::find_if(log.rbegin(), log.rend(), [](const results::LogLine& line) {
+    return line.processor == "CONDENSE";
+  });
+  if (last == log.rend()) {
+    return;
+  }
+  const double cpu = last->cpu;
+  if (renewed_) {
+    LogWriter(log).add("GROW", fmt::format("the new region cost {:.2f} s: the rest was condensed "
+                                           "again ({:.2f} s, {:.2f} s at a usual station)",
+                                           std::max(0.0, cpu - usual_), cpu, usual_));
+  } else {
+    usual_ = cpu;
+  }
+  renewed_ = false;
+}
+
+void GrowthRegion::save(results::NamedArrays& arrays) const {
+  arrays.integers["region"] = {plan_.region.begin(), plan_.region.end()};
+  arrays.integers["region.split"] = {plan_.split ? 1 : 0};
+}
+
+void GrowthRegion::load(const results::NamedArrays& arrays) {
+  const auto region = arrays.integers.find("region");
+  const auto split = arrays.integers.find("region.split");
+  if (region == arrays.integers.end() || split == arrays.integers.end()) {
+    return;
+  }
+  plan_.region.assign(region->second.begin(), region->second.end());
+  plan_.split = split->second.at(0) != 0;
+}
+
+} // namespace spricka::analysis

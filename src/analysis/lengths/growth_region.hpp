@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/scene/scene.hpp"
+#include "growth/march.hpp"
+#include "results/named_arrays.hpp"
+#include "results/results.hpp"
+
+#include <vector>
+
+namespace spricka::analysis {
+
+/// The part of the host that is condensed again at every station: what the cracks are going to
+/// touch. Where a crack leaves it a new one is chosen, and what that costs is told.
+class GrowthRegion {
+public:
+  GrowthRegion(const model::Model& model, const growth::March& march);
+
+  /// Before these cracks are solved: are they still within?
+  void look(const std::vector<mesh::CrackLine>& lines, const growth::March& march,
+            std::vector<results::LogLine>& log);
+  /// Behind the solution that came after a new choice: its line in the log.
+  void tell_cost(std::vector<results::LogLine>& log);
+
+  [[nodiscard]] const RegionPlan& plan() const { return plan_; }
+
+  /// As arrays for a restart file, and back from there.
+  void save(results::NamedArrays& arrays) const;
+  void load(const results::NamedArrays& arrays);
+
+private:
+  void choose(const std::vector<mesh::CrackLine>& lines, const growth::March& march);
+
+  const model::Model& model_;
+  RegionPlan plan_;
+  double usual_ = 0.0;   ///< [s] to condense within a region
+  bool renewed_ = false; ///< the next solution pays for it
+};
+
+} // namespace spricka::analysis

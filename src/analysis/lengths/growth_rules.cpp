@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/lengths/growth_rules.hpp"
+
+#include "growth/crack_lines.hpp"
+#include "growth/march.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace spricka::analysis {
+
+bool growth_can_begin(const model::Model& model, const std::vector<mesh::CrackLine>& lines,
+                      base::Diagnostics& diagnostics) {
+  const auto no = [&](const std::string& why) {
+    diagnostics.error(model.growth->span, "E431", why);
+    return false;
+  };
+  if (growth::growing_tips(model, lines).empty()) {
+    return no("$GROW: no crack in the plane grows");
+  }
+  for (const model::TipNet& tip : model.tip_nets) {
+    if (!tip.patch && growth::crack_grows(model, tip.crack.index())) {
+      return no(fmt::format("crack {} keeps the deck's own mesh (PATCH=NO): its tip can only "
+                            "stand at nodes, so that no law can move it",
+                            model.cracks[tip.crack.index()].name));
+    }
+  }
+  for (const mesh::CrackLine& line : lines) {
+    double length = 0.0;
+    for (std::size_t i = 1; i < line.points.size(); ++i) {
+      length += (line.points[i] - line.points[i - 1]).norm();
+    }
+    length *= line.embedded ? 0.5 : 1.0;
+    if (growth::crack_grows(model, line.crack.index()) && model.growth->last_length &&
+        length >= *model.growth->last_length) {
+      return no(fmt::format("AMAX = {:.6g} is not longer than crack {} is at first, {:.6g}",
+                            *model.growth->last_length, line.name, length));
+    }
+  }
+  const bool heated = std::ranges::any_of(model.cases, [](const model::LoadCase& c) {
+    return std::ranges::any_of(
+        c.loads, [](const model::Load& load) { return load.type == model::LoadType::temperature; });
+  });
+  if (model.growth->flow_stress && (heated || model::axisymmetric(model))) {
+    return no("SFLOW: the plastic limit of a ligament is not known with temperatures, nor round "
+              "an axis");
+  }
+  return true;
+}
+
+namespace {
+
+// A rate at which a single cycle is no small part of the crack any more.
+constexpr double much_of_length = 0.01;
+
+bool has_no_range(const results::Growth& growth) {
+  constexpr double same_load = 1e-9;
+  return std::ranges::all_of(growth.stations.front().tips, [](const results::GrowingTip& tip) {
+    return tip.K_max > 0.0 && tip.K_max - tip.K_min <= same_load * tip.K_max;
+  });
+}
+
+// The crack ends at once by where it lies, whatever its law.
+bool drawn_at_an_end(const results::Growth& growth) {
+  return growth.ended == "EDGE" || growth.ended == "LINK-UP" || growth.ended == "PATH END";
+}
+
+void look_at_beginning(const results::Growth& growth, std::vector<std::string>& warnings) {
+  const results::GrowthStation& first = growth.stations.front();
+  for (const results::GrowingTip& tip : first.tips) {
+    if (std::isfinite(tip.rate) && tip.rate > much_of_length * tip.a) {
+      warnings.push_back(fmt::format(
+          "{} grows by {:.2g} of its length in the first {}: a law adds up cycles that are many "
+          "and small. Are C, KUNIT and AUNIT those you mean?",
+          tip.name, tip.rate / tip.a, growth.unit));
+    }
+  }
+}
+
+} // namespace
+
+std::vector<std::string> doubts_of_life(const results::Growth& growth) {
+  std::vector<std::string> warnings;
+  const bool nothing = growth.cycles() == 0.0;
+  const bool grew = growth.stations.size() > 1;
+  if (nothing && !grew && drawn_at_an_end(growth)) {
+    warnings.push_back(fmt::format("the life is over before it begins: {}. Are the first lengths "
+                                   "and the places of the cracks those you mean?",
+                                   growth.reason));
+    return warnings;
+  }
+  look_at_beginning(growth, warnings);
+  if (nothing && !grew && growth.ended == "THRESHOLD" && has_no_range(growth)) {
+    warnings.push_back(fmt::format("N = 0 is no life: K does not change in a {}: {}", growth.unit,
+                                   growth.unit == "pass"
+                                       ? "the load path leads between steps with the same loads"
+                                       : "the steps KMAX and KMIN have the same loads"));
+  } else if (nothing && !grew && (growth.ended == "THRESHOLD" || growth.ended == "CLOSED")) {
+    warnings.push_back(fmt::format("N = 0 is no life: {}", growth.reason));
+  } else if (nothing && !grew) {
+    warnings.push_back(fmt::format("the life is over before it begins: {}. Are KC, SFLOW and the "
+                                   "units those you mean?",
+                                   growth.reason));
+  } else if (growth.cycles() < 1.0) {
+    warnings.push_back(
+        fmt::format("the life is {:.3g} of a {}: a law adds up cycles that are many and small",
+                    growth.cycles(), growth.unit));
+  }
+  return warnings;
+}
+
+} // namespace spricka::analysis

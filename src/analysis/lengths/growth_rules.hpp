@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/diagnostics.hpp"
+#include "mesh/cut/patch.hpp"
+#include "model/model.hpp"
+#include "results/growth.hpp"
+
+#include <string>
+#include <vector>
+
+/// What a growth by a law must have, and what its life must not look like.
+namespace spricka::analysis {
+
+/// Whether the cracks as they are at first (`lines`) can grow by the law of $GROW; why not is an
+/// error at the card.
+bool growth_can_begin(const model::Model& model, const std::vector<mesh::CrackLine>& lines,
+                      base::Diagnostics& diagnostics);
+
+/// Doubts about the cycles as a whole: none or next to none, or growth too fast for a law.
+std::vector<std::string> doubts_of_life(const results::Growth& growth);
+
+} // namespace spricka::analysis

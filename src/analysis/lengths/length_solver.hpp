@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/bodies/condense_bodies.hpp"
+#include "analysis/lengths/load_history.hpp"
+#include "analysis/lengths/solve_lengths.hpp"
+#include "analysis/scene/free_faces.hpp"
+#include "analysis/scene/scene.hpp"
+#include "analysis/steps/carried_state.hpp"
+#include "analysis/steps/contact_memory.hpp"
+#include "analysis/steps/mount_memory.hpp"
+#include "analysis/steps/step_solver.hpp"
+#include "base/clock.hpp"
+#include "base/diagnostics.hpp"
+#include "estimate/enrichment.hpp"
+#include "mesh/cut/patch.hpp"
+#include "model/model.hpp"
+#include "results/results.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace spricka::analysis {
+
+/// Writes lines of the processor log, each with the time since the one before.
+class LogWriter {
+public:
+  explicit LogWriter(std::vector<results::LogLine>& lines) : lines_(lines) {}
+  void add(const std::string& processor, const std::string& text) {
+    lines_.push_back({processor, text, watch_.cpu(), watch_.wall()});
+    watch_ = base::Stopwatch();
+  }
+
+private:
+  std::vector<results::LogLine>& lines_;
+  base::Stopwatch watch_;
+};
+
+/// Stresses are recovered where something shows them: at KMAX of a growth run, else at the last
+/// step, and where an output asks for pictures or stresses or a check for their error. [step]
+std::vector<bool> pictured_steps(const model::Model& model, bool last_increment);
+
+/// The same, of outputs and checks alone.
+std::vector<bool> asked_steps(const model::Model& model, bool last_increment);
+
+/// Stresses at nodes and of elements, from the step's own displacements.
+void add_stress(const model::Model& model, const model::Mesh& mesh, results::StepResult& step);
+
+/// Face sets that outputs name become node sets of the results' mesh, once.
+void add_face_nodes(const model::Model& model, model::Mesh& mesh);
+
+/// One state of the cracks to be solved.
+struct LengthRequest {
+  std::vector<mesh::CrackLine> lines; ///< [crack]
+  double a = 0.0;                     ///< for the record; 0: that of the first tip
+  std::vector<bool> pictured;         ///< [step] stresses are recovered
+  bool bars = true;                   ///< error bars of K, and sensitivities
+};
+
+/// Solves all steps for one state of the cracks after another; what one leaves for the next (nets
+/// that did not change, what was mounted) stays in its members.
+class LengthSolver {
+public:
+  LengthSolver(const model::Model& model, const SolveOptions& options,
+               std::vector<results::LogLine>& log, base::Diagnostics& diagnostics,
+               std::optional<Refusal>& refusal)
+      : model_(model), options_(options), log_(log), diagnostics_(diagnostics), refusal_(refusal) {}
+
+  /// Empty: a mistake of the deck (in the diagnostics) or a model that cannot be solved (refusal).
+  std::optional<results::Increment> solve(const LengthRequest& request, const RegionPlan& plan);
+
+  /// Of the state that was solved last.
+  [[nodiscard]] const std::vector<mesh::Tip>& tips() const { return tips_; }
+
+  /// K of that state with faces that may overlap, where they close and the law wants it.
+  [[nodiscard]] const std::optional<FreeFaces>& free_faces() const { return free_; }
+  /// K of the loads of the growth, one after another; empty without friction.
+  [[nodiscard]] const std::optional<FollowedLoads>& followed() const { return followed_; }
+  /// The state that was solved last counts: what slipped there is carried on from.
+  void carry_on() { carried_ = next_carried_; }
+
+  /// What the next state takes over from the last, for a restart file, and back from there.
+  void save(results::NamedArrays& arrays) const {
+    mounted_.save(arrays);
+    carried_.save(arrays);
+    contact_.save(arrays);
+  }
+  void go_on(const results::NamedArrays& arrays) {
+    mounted_ = MountMemory::load(arrays);
+    carried_ = CarriedState::load(arrays);
+    contact_ = ContactMemory::load(arrays);
+    first_ = false;
+  }
+
+private:
+  struct Way {
+    const Scene& scene;
+    const std::vector<BodyNet>& bodies;
+    const LengthRequest& request;
+  };
+  std::optional<std::vector<BodyNet>> condense(const Scene& scene, LogWriter& log);
+  void close_faces(const std::vector<std::size_t>& lines, Scene& scene, LogWriter& log);
+  /// Takes K of faces that may overlap from the first solution of a state whose faces meet.
+  void keep_free(const std::vector<std::size_t>& touching, results::Increment& increment);
+  /// Follows the loads of the growth behind the steps; false: no answer.
+  bool follow(LoadHistory& history, StepSolver& solver, LogWriter& log);
+  /// Whether the results of a step are numbers; else the refusal says which are not.
+  bool numbers_are_sound(const results::StepResult& result, const model::Step& step);
+  bool walk_steps(const Way& way, LogWriter& log, results::Increment& increment,
+                  std::vector<std::size_t>& touching);
+
+  const model::Model& model_;
+  const SolveOptions& options_;
+  std::vector<results::LogLine>& log_;
+  base::Diagnostics& diagnostics_;
+  std::optional<Refusal>& refusal_;
+  CondensationCache cache_;
+  MountMemory mounted_;
+  CarriedState carried_, next_carried_;
+  std::optional<FollowedLoads> followed_;
+  std::optional<FreeFaces> free_;
+  ContactMemory contact_;
+  estimate::ModeMemory modes_;
+  std::vector<mesh::Tip> tips_;
+  bool first_ = true;
+};
+
+} // namespace spricka::analysis

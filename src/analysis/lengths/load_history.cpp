@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/lengths/load_history.hpp"
+
+#include "analysis/recover/recover_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace spricka::analysis {
+
+namespace {
+
+base::Vector intensities_of(const results::StepResult& result) {
+  base::Vector K(2 * static_cast<Eigen::Index>(result.tips.size()));
+  for (std::size_t t = 0; t < result.tips.size(); ++t) {
+    K.segment<2>(2 * static_cast<Eigen::Index>(t)) =
+        base::Vec2(result.tips[t].K1, result.tips[t].K2);
+  }
+  return K;
+}
+
+} // namespace
+
+void LoadHistory::keep(std::size_t step, const StepSolver& solver,
+                       const results::StepResult& result) {
+  of_step_.resize(step);
+  of_step_.push_back(solver.factors());
+  places_.resize(step);
+  places_.push_back(solver.place());
+  of_steps_.resize(step);
+  of_steps_.push_back(intensities_of(result));
+  const int given = model_.steps[step].substeps;
+  parts_.resize(step);
+  parts_.push_back(given > 0 ? given : result.increments);
+}
+
+double LoadHistory::change(const WayOfK& a, const WayOfK& b) const {
+  double most = 0.0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+    most = std::max(most, (a[i] - b[i]).lpNorm<Eigen::Infinity>());
+  }
+  return largest_ > 0.0 ? most / largest_ : 0.0;
+}
+
+// To a place; K of the increments joins the way.
+bool LoadHistory::go(const LoadPlace& place, WayOfK& way, Refusal& refusal) {
+  const int by_t =
+      std::max(1, static_cast<int>(std::ceil(per_unit_ * std::abs(place.t - t_) - 1e-9)));
+  const auto seen = [&](const contact::ContactSystem::Demand& demand,
+                        const contact::ContactSystem::Answer& answer) {
+    here_ = paths_.intensities(demand, answer, *solver_);
+    if (here_.size() > 0) {
+      largest_ = std::max(largest_, here_.lpNorm<Eigen::Infinity>());
+    }
+    way.push_back(here_);
+    ++increments_;
+  };
+  std::optional<contact::ContactSystem::Answer> answer =
+      solver_->go_to(place.factors, place.increments > 0 ? place.increments : by_t, seen, refusal);
+  if (!answer) {
+    refusal.why = fmt::format("while the loads of the growth were followed: {}", refusal.why);
+    refusal.span = model_.growth->span;
+    return false;
+  }
+  answer_ = std::move(*answer);
+  t_ = place.t;
+  return true;
+}
+
+// All cycles of a leg until they repeat themselves; those that are left are told by the last.
+bool LoadHistory::leg(const HistoryProgram& program, const LoadLeg& leg, FollowedPass& out,
+                      Refusal& refusal) {
+  WayOfK before; // marks of the last cycle but one
+  WayOfK on_the_way;
+  if (leg.alone && !go(leg.places.back(), on_the_way, refusal)) {
+    return false;
+  }
+  double left = leg.count;
+  const std::size_t first_mark = out.marks.size();
+  for (int n = 0; left > 0.0; ++n) {
+    WayOfK cycle;
+    WayOfK marks;
+    if (leg.alone) {
+      cycle.push_back(here_);
+    }
+    for (std::size_t p = 0; p < leg.places.size(); ++p) {
+      if (!go(leg.places[p], cycle, refusal)) {
+        return false;
+      }
+      marks.push_back(here_);
+      if (first_mark + p == program.grow_at) {
+        at_growth_ = solver_->place();
+      }
+    }
+    const double moved = n > 0 ? change(marks, before) : 1.0;
+    const bool last = n > 0 && (moved <= repeats_to || n + 1 == most_passes);
+    if (last && left > 1.0) {
+      unsettled_ = std::max(unsettled_, moved > repeats_to ? moved : 0.0);
+    }
+    const double times = last ? left : std::min(1.0, left);
+    if (leg.alone) {
+      out.cycles.emplace_back(std::move(cycle), times);
+    } else {
+      if (times > 1.0) {
+        WayOfK closed = cycle;
+        closed.insert(closed.begin(), out.way.back());
+        out.cycles.emplace_back(std::move(closed), times - 1.0);
+      }
+      out.way.insert(out.way.end(), cycle.begin(), cycle.end());
+    }
+    left -= times;
+    before = std::move(marks);
+  }
+  out.marks.insert(out.marks.end(), before.begin(), before.end());
+  return true;
+}
+
+bool LoadHistory::pass(const HistoryProgram& program, FollowedPass& out, Refusal& refusal) {
+  out = {};
+  unsettled_ = 0.0;
+  return std::ranges::all_of(program.legs,
+                             [&](const LoadLeg& part) { return leg(program, part, out, refusal); });
+}
+
+bool LoadHistory::compare_with_recovered(FollowedLoads& out, Refusal& refusal) {
+  const bool shifted =
+      std::ranges::any_of(model_.vces, [](const model::Vce& vce) { return vce.shift.has_value(); });
+  const base::Vector K = here_;
+  const std::optional<StepState> state = solver_->recover(answer_, refusal);
+  if (!state) {
+    refusal.span = model_.growth->span;
+    return false;
+  }
+  const results::StepResult own =
+      gather_step(model_, scene_, bodies_, model_.steps.front(), *state);
+  for (std::size_t t = 0; t < own.tips.size() && !shifted && largest_ > 0.0; ++t) {
+    const results::TipResult& tip = own.tips[t];
+    const auto at = 2 * static_cast<Eigen::Index>(t);
+    const bool judged = tip.closed || tip.two_materials || tip.K1 == 0.0;
+    const double apart =
+        std::max(judged ? 0.0 : std::abs(tip.K1 - K[at]),
+                 tip.two_materials || tip.closed ? 0.0 : std::abs(tip.K2 - K[at + 1]));
+    out.mismatch = std::max(out.mismatch, apart / largest_);
+  }
+  return true;
+}
+
+// Behind the first step of the loads, or to where the cracks have grown to this length. `before`:
+// K of the pass that has been, where there is one.
+bool LoadHistory::begin(const HistoryProgram& program, const CarriedState& carried, WayOfK& before,
+                        Refusal& refusal) {
+  if (carried.empty()) {
+    solver_->go_back(places_[program.start]);
+    return true;
+  }
+  std::string trouble;
+  const std::optional<StepSolver::Place> place = carried.put(scene_, solver_->place(), trouble);
+  if (!place) {
+    refusal = {4, trouble, model_.growth->span};
+    return false;
+  }
+  solver_->go_back(*place);
+  std::vector<LoadPlace> marks;
+  for (const LoadLeg& leg : program.legs) {
+    marks.insert(marks.end(), leg.places.begin(), leg.places.end());
+  }
+  before.clear();
+  WayOfK grown; // under the loads they had
+  return go({place->factors, marks[program.grow_at].t, 1}, grown, refusal);
+}
+
+bool LoadHistory::follow(StepSolver& solver, CarriedState& carried, FollowedLoads& out,
+                         Refusal& refusal) {
+  const HistoryProgram program = history_program(model_, of_step_, parts_);
+  out = {};
+  out.none = solver.system() == nullptr ? "nothing is in contact" : program.none;
+  out.grow_at = program.grow_at;
+  out.smallest = program.smallest;
+  if (!out.none.empty()) {
+    return true;
+  }
+  const StepSolver::Place was = solver.place();
+  solver_ = &solver;
+  per_unit_ = program.per_unit;
+  const bool spectrum = model_.growth->spectrum.has_value();
+  WayOfK before;   // marks of the pass before
+  if (!spectrum) { // the steps themselves
+    const auto end = of_steps_.begin() + static_cast<std::ptrdiff_t>(program.start + 1);
+    before.assign(end - static_cast<std::ptrdiff_t>(program.legs.front().places.size()), end);
+    out.first.marks = before;
+    for (const base::Vector& K : before) {
+      largest_ = std::max(largest_, K.lpNorm<Eigen::Infinity>());
+    }
+  }
+  bool good = begin(program, carried, before, refusal);
+  for (bool settled = false; good && !settled && out.passes < most_passes;) {
+    good = pass(program, out.last, refusal);
+    ++out.passes;
+    out.change = std::max(unsettled_, before.empty() ? 1.0 : change(out.last.marks, before));
+    settled = out.change <= repeats_to;
+    if (spectrum && out.passes == 1) {
+      out.first = out.last;
+    }
+    before = out.last.marks;
+  }
+  good = good && compare_with_recovered(out, refusal);
+  if (good && model_.growth->history == model::History::carry_on) {
+    carried.take(scene_, at_growth_);
+  }
+  out.increments = increments_;
+  solver.go_back(was);
+  return good;
+}
+
+} // namespace spricka::analysis

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/recover/load_paths.hpp"
+#include "analysis/steps/carried_state.hpp"
+#include "analysis/steps/history_program.hpp"
+#include "analysis/steps/step_solver.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+/// Loads one after another as increments with friction, until K of a pass repeats itself.
+namespace spricka::analysis {
+
+/// K of all tips, increment by increment: [2 * tip + mode - 1].
+using WayOfK = std::vector<base::Vector>;
+
+struct FollowedPass {
+  WayOfK way;   ///< from place to place, without what `cycles` has
+  WayOfK marks; ///< K at each mark of the program, when it came by last
+  std::vector<std::pair<WayOfK, double>> cycles; ///< closed cycles, with how often
+};
+
+struct FollowedLoads {
+  FollowedPass first, last;
+  std::size_t grow_at = 0, smallest = 0; ///< marks, as HistoryProgram
+  int passes = 0;
+  int increments = 0;  ///< solved in all
+  double change = 0.0; ///< of K at marks from the last pass but one to the last, over the largest K
+  double mismatch = 0.0; ///< K against that of the recovered displacements, over the largest K
+  std::string none;      ///< why nothing was followed; empty: it was
+};
+
+/// K repeats itself when nothing changes by more than this part of the largest K; so many passes,
+/// and so many cycles of one line of blocks, are tried.
+inline constexpr double repeats_to = 1e-6;
+inline constexpr int most_passes = 20;
+
+class LoadHistory {
+public:
+  LoadHistory(const model::Model& model, const Scene& scene, const std::vector<BodyNet>& bodies,
+              LoadPaths& paths)
+      : model_(model), scene_(scene), bodies_(bodies), paths_(paths) {}
+
+  /// Keeps what the history needs of this step; called behind each.
+  void keep(std::size_t step, const StepSolver& solver, const results::StepResult& result);
+
+  /// Follows the loads from their first step on, or from what `carried` holds; where the crack
+  /// grows is in `carried` after it. The solver is left as it was. False: an increment has no
+  /// answer.
+  bool follow(StepSolver& solver, CarriedState& carried, FollowedLoads& out, Refusal& refusal);
+
+private:
+  bool go(const LoadPlace& place, WayOfK& way, Refusal& refusal);
+  bool begin(const HistoryProgram& program, const CarriedState& carried, WayOfK& before,
+             Refusal& refusal);
+  bool pass(const HistoryProgram& program, FollowedPass& out, Refusal& refusal);
+  bool leg(const HistoryProgram& program, const LoadLeg& leg, FollowedPass& out, Refusal& refusal);
+  bool compare_with_recovered(FollowedLoads& out, Refusal& refusal);
+  [[nodiscard]] double change(const WayOfK& a, const WayOfK& b) const;
+
+  const model::Model& model_;
+  const Scene& scene_;
+  const std::vector<BodyNet>& bodies_;
+  LoadPaths& paths_;
+  std::vector<StepFactors> of_step_;
+  std::vector<StepSolver::Place> places_; ///< [step]
+  WayOfK of_steps_;                       ///< [step] K of its result
+  std::vector<int> parts_;                ///< [step] increments it was cut into
+  // while it is followed
+  StepSolver* solver_ = nullptr;
+  contact::ContactSystem::Answer answer_; ///< of the last increment
+  base::Vector here_;                     ///< K there
+  double t_ = 0.0, per_unit_ = 1.0;
+  double largest_ = 0.0;   ///< K so far
+  double unsettled_ = 0.0; ///< of cycles of blocks in the last pass
+  int increments_ = 0;
+  StepSolver::Place at_growth_;
+};
+
+} // namespace spricka::analysis

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/lengths/growth_measure.hpp"
+#include "life/rainflow.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+/// Growth by K of loads that were followed one after another, as friction asks for.
+namespace spricka::analysis {
+
+namespace {
+
+constexpr double worst_mismatch = 1e-6; // of K against that of recovered displacements
+
+base::Vec2 of_tip(const base::Vector& K, std::size_t tip) {
+  return K.segment<2>(2 * static_cast<Eigen::Index>(tip));
+}
+
+std::vector<double> along(const WayOfK& way, std::size_t tip, const base::Vec2& part) {
+  std::vector<double> K;
+  K.reserve(way.size());
+  for (const base::Vector& all : way) {
+    K.push_back(part.dot(of_tip(all, tip)));
+  }
+  return K;
+}
+
+// K1 and K2 where K1 is largest in a pass.
+base::Vec2 largest(const FollowedPass& pass, std::size_t tip) {
+  base::Vec2 best(-std::numeric_limits<double>::infinity(), 0.0);
+  const auto look = [&](const WayOfK& way) {
+    for (const base::Vector& all : way) {
+      const base::Vec2 K = of_tip(all, tip);
+      best = K[0] > best[0] ? K : best;
+    }
+  };
+  look(pass.way);
+  for (const auto& [way, count] : pass.cycles) {
+    look(way);
+  }
+  return best;
+}
+
+} // namespace
+
+void GrowthMeasure::of_pass(const FollowedPass& pass, std::size_t tip, const base::Vec2& part,
+                            growth::TipStation& found) const {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  found.rate = 0.0;
+  const auto count = [&](const WayOfK& way, double times) {
+    const std::vector<double> K = along(way, tip, part);
+    for (const double k : K) {
+      low = std::min(low, k);
+      high = std::max(high, k);
+    }
+    for (const life::LoadCycle& cycle : life::rainflow(K, true)) {
+      if (cycle.high > 0.0 && cycle.high > cycle.low) {
+        found.rate += times * cycle.count * law_.rate(cycle.high, cycle.low);
+      }
+    }
+  };
+  count(pass.way, 1.0);
+  for (const auto& [way, times] : pass.cycles) {
+    count(way, times);
+  }
+  found.K_min = low;
+  found.K_max = std::max(0.0, high);
+}
+
+bool GrowthMeasure::by_history(const SolvedLength& at, const std::string& name, bool straight,
+                               growth::TipStation& found) {
+  const FollowedLoads& loads = *at.followed;
+  const std::vector<results::TipResult>& tips = at.increment.steps[largest_step()].tips;
+  const auto own = std::ranges::find(tips, name, &results::TipResult::name);
+  if (own == tips.end() || own->two_materials) {
+    trouble_ = fmt::format("{} has no K to grow by: its tip lies between two materials", name);
+    return false;
+  }
+  const auto tip = static_cast<std::size_t>(own - tips.begin());
+  growth::TipStation first; // of the first cycle or pass
+  if (spectrum_) {
+    const base::Vec2 part = turn(largest(loads.last, tip), straight, found);
+    of_pass(loads.last, tip, part, found);
+    of_pass(loads.first, tip, part, first);
+  } else {
+    const base::Vec2 K = of_tip(loads.last.marks[loads.grow_at], tip);
+    const base::Vec2 part = turn(K, straight, found);
+    found.K_max = std::max(0.0, part.dot(K));
+    found.K_min = part.dot(of_tip(loads.last.marks[loads.smallest], tip));
+    found.rate = found.K_max > found.K_min ? law_.rate(found.K_max, found.K_min) : 0.0;
+    look_at(name, K, found.K_min > found.K_max);
+    first.K_max = std::max(0.0, part.dot(of_tip(loads.first.marks[loads.grow_at], tip)));
+    first.K_min = part.dot(of_tip(loads.first.marks[loads.smallest], tip));
+  }
+  found.first_max = first.K_max;
+  found.first_min = first.K_min;
+  found.passes = loads.passes;
+  found.change = loads.change;
+  if (!(loads.change <= repeats_to)) {
+    warnings_.insert(
+        fmt::format("K did not come to repeat itself in {} passes of the loads: at a = "
+                    "{:.6g} it still changes by {:.1e} of the largest K from one to "
+                    "the next",
+                    loads.passes, at.increment.a, loads.change));
+  }
+  if (!(loads.mismatch <= worst_mismatch)) {
+    warnings_.insert(fmt::format("K of the loads that were followed differs from K of the "
+                                 "displacements by {:.1e} of the largest",
+                                 loads.mismatch));
+  }
+  if (model_.growth->corrected) {
+    warnings_.insert("CORRECT=YES, but with friction K has no error bar: K is as computed");
+  }
+  return !std::isnan(found.rate);
+}
+
+} // namespace spricka::analysis

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/lengths/resume.hpp"
+
+#include "analysis/lengths/length_solver.hpp"
+#include "analysis/scene/gone_nodes.hpp"
+#include "base/exit_codes.hpp"
+
+#include <fmt/format.h>
+
+namespace spricka::analysis {
+
+namespace {
+
+// Outputs may have changed since: stresses that nobody asks for any more go; false: some are
+// missing.
+bool fit_pictures(const std::vector<bool>& pictured, results::Increment& increment) {
+  bool complete = true;
+  for (std::size_t s = 0; s < increment.steps.size(); ++s) {
+    results::StepResult& step = increment.steps[s];
+    complete = complete && (!pictured[s] || !step.stress.empty());
+    if (!pictured[s]) {
+      step.stress.clear();
+      step.element_stress.clear();
+      step.errors.clear();
+    }
+  }
+  return complete;
+}
+
+} // namespace
+
+std::optional<archive::KeptIncrement> resume(const model::Model& model,
+                                             archive::Checkpoint* checkpoint, int number,
+                                             double asked, const std::vector<bool>& pictured) {
+  if (checkpoint == nullptr || !checkpoint->has(number)) {
+    return std::nullopt;
+  }
+  if (checkpoint->asked(number) != asked) {
+    checkpoint->solve_from(number, fmt::format("$GROW asks for length {:.6g} there, it was {:.6g}",
+                                               asked, checkpoint->asked(number)));
+    return std::nullopt;
+  }
+  archive::KeptIncrement kept = checkpoint->look_at(number);
+  if (!fit_pictures(pictured, kept.increment)) {
+    checkpoint->solve_from(number, "an output or check asks for stresses that were not kept");
+    return std::nullopt;
+  }
+  checkpoint->take(number);
+  keep_gone_members(model.mesh, kept.increment.mesh);
+  add_face_nodes(model, kept.increment.mesh);
+  return kept;
+}
+
+void take_over(archive::KeptIncrement kept, results::Run& run) {
+  run.log.insert(run.log.end(), kept.log.begin(), kept.log.end());
+  run.cpu += kept.cpu;
+  run.wall += kept.wall;
+  run.increments.push_back(std::move(kept.increment));
+}
+
+bool stop_here(const archive::Checkpoint* checkpoint, std::optional<Refusal>& refusal) {
+  if (checkpoint == nullptr || !checkpoint->out_of_time()) {
+    return false;
+  }
+  refusal = Refusal{base::exit_code::stopped, checkpoint->limit(), {}};
+  return true;
+}
+
+void IncrementMark::keep(archive::Checkpoint* checkpoint, double asked,
+                         const results::Increment& increment, results::NamedArrays state) const {
+  if (checkpoint == nullptr) {
+    return;
+  }
+  std::vector<results::LogLine> lines(log_.begin() + static_cast<std::ptrdiff_t>(lines_),
+                                      log_.end());
+  checkpoint->keep(asked,
+                   {increment, std::move(state), std::move(lines), watch_.cpu(), watch_.wall()});
+}
+
+} // namespace spricka::analysis

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/lengths/scaled_lives.hpp"
+
+#include "analysis/steps/history_program.hpp"
+#include "analysis/steps/step_factors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace spricka::analysis {
+
+namespace {
+
+constexpr int points_of_interval = 16;
+constexpr double same_life = 2e-3; // a line that says this is no other one
+
+std::vector<base::Vector> loads_of_steps(const model::Model& model) {
+  const auto cases = static_cast<Eigen::Index>(model.cases.size());
+  StepFactors now = first_factors(model, cases, model.contacts.size());
+  std::vector<base::Vector> loads;
+  for (const model::Step& step : model.steps) {
+    apply_actions(step, now);
+    loads.push_back(now.case_factor);
+  }
+  return loads;
+}
+
+// r with low = r high; empty: there is none.
+std::optional<double> ratio_of(const base::Vector& low, const base::Vector& high) {
+  if (!(high.norm() > 0.0)) {
+    return std::nullopt;
+  }
+  const double r = low.dot(high) / high.squaredNorm();
+  const bool joined = (low - r * high).norm() <= 1e-12 * high.norm();
+  return joined ? std::optional(r) : std::nullopt;
+}
+
+// Rates of all stations with K on a line from K0 at t = 0 to the K of the largest load.
+std::optional<std::vector<growth::Station>> on_line(const results::Run& run,
+                                                    std::vector<growth::Station> stations,
+                                                    const GrowthMeasure& measure, std::size_t path,
+                                                    bool through_zero) {
+  const double top = measure.spectrum()->highest();
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    const results::LoadPath& found = run.increments.at(i).paths.at(path);
+    if (found.tips.size() != 1 || !(top > 0.0)) {
+      return std::nullopt;
+    }
+    const base::PiecewiseLinear& K1 = found.tips.front().K1;
+    const double K0 = through_zero ? 0.0 : K1(0.0);
+    const base::PiecewiseLinear line({0.0, top}, {K0}, {(K1(top) - K0) / top});
+    stations[i].tips.front().rate = measure.spectrum()->growth(measure.law(), line);
+    if (!(stations[i].tips.front().rate > 0.0)) {
+      return std::nullopt;
+    }
+  }
+  return stations;
+}
+
+std::optional<results::ScaledLife> life(const std::string& name, const growth::March& march,
+                                        const growth::Trajectory& other) {
+  const std::vector<growth::Station>& stations = march.state().stations;
+  const double end = march.end() ? march.end()->s : stations.back().s;
+  const growth::Trajectory between = march.trajectory();
+  results::ScaledLife out;
+  out.name = name;
+  double cycles = 0.0;
+  out.curve.push_back({0.0, {between.arm(0, stations.front().s)}});
+  for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
+    const double last = std::min(stations[i + 1].s, end);
+    double before = stations[i].s;
+    for (int k = 1; k <= points_of_interval && before < last; ++k) {
+      const double s = stations[i].s + (last - stations[i].s) * k / points_of_interval;
+      cycles += other.cycles(before, s);
+      out.curve.push_back({cycles, {between.arm(0, s)}});
+      before = s;
+    }
+  }
+  out.ratio = cycles / between.cycles(stations.front().s, end);
+  const bool tells = std::isfinite(out.ratio) && std::abs(out.ratio - 1.0) > same_life;
+  return tells ? std::optional(std::move(out)) : std::nullopt;
+}
+
+} // namespace
+
+std::vector<results::ScaledLife> scaled_lives(const model::Model& model, const results::Run& run,
+                                              const growth::March& march,
+                                              const GrowthMeasure& measure) {
+  std::vector<results::ScaledLife> out;
+  std::vector<growth::Station> stations = march.state().stations;
+  if (march.tips().size() != 1 || stations.size() < 2 || follows_history(model)) {
+    return out;
+  }
+  const auto add = [&](std::optional<results::ScaledLife> found) {
+    if (found) {
+      out.push_back(std::move(*found));
+    }
+  };
+  const std::vector<base::Vector> loads = loads_of_steps(model);
+  if (!measure.spectrum()) {
+    const auto r = ratio_of(loads[model.growth->kmin.index()], loads[model.growth->kmax.index()]);
+    if (r) {
+      for (growth::Station& station : stations) {
+        station.tips.front().K_min = *r * station.tips.front().K_max;
+      }
+      const growth::Law law = [&](double K_max, double K_min) {
+        return measure.law().rate(K_max, K_min);
+      };
+      add(life("scaled", march, growth::Trajectory(stations, law, 4)));
+    }
+    return out;
+  }
+  const std::size_t path = model.spectra[*model.growth->spectrum].path;
+  const base::Vector& from = loads[model.load_paths[path].from.index()];
+  const base::Vector& to = loads[model.load_paths[path].to.index()];
+  if (from.norm() == 0.0 && to.norm() > 0.0) {
+    if (const auto scaled = on_line(run, stations, measure, path, true)) {
+      add(life("scaled", march, growth::Trajectory(*scaled, {}, 4)));
+    }
+  }
+  if (const auto line = on_line(run, stations, measure, path, false)) {
+    add(life("line", march, growth::Trajectory(*line, {}, 4)));
+  }
+  return out;
+}
+
+} // namespace spricka::analysis

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/lengths/growth_measure.hpp"
+#include "growth/march.hpp"
+#include "model/model.hpp"
+#include "results/results.hpp"
+
+#include <vector>
+
+namespace spricka::analysis {
+
+/// The growth once more by what one K of each length makes of it, for comparison: "scaled", K
+/// proportional to the load through the largest one, and of a spectrum "line", K on a line from
+/// the beginning of its load path to the largest load. Left out: what is the growth itself (K is
+/// such a line), loads that no factor joins, growth of several tips or with friction.
+std::vector<results::ScaledLife> scaled_lives(const model::Model& model, const results::Run& run,
+                                              const growth::March& march,
+                                              const GrowthMeasure& measure);
+
+} // namespace spricka::analysis

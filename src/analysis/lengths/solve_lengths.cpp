@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/lengths/solve_lengths.hpp"
+
+#include "analysis/lengths/growth_loop.hpp"
+#include "analysis/lengths/length_solver.hpp"
+#include "analysis/lengths/resume.hpp"
+#include "base/clock.hpp"
+#include "base/memory.hpp"
+#include "growth/crack_lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::analysis {
+
+namespace {
+
+// With given lengths nothing grows by KMAX and KMIN, but delta K and a test's K are taken from
+// them.
+void compare_extremes(const model::Model& model, results::Run& run) {
+  constexpr double clearly = 1e-3;
+  const bool named = model.growth && model.growth->kmax.valid() && model.growth->kmin.valid();
+  if (!named || run.increments.empty()) {
+    return;
+  }
+  const std::size_t high = model.growth->kmax.index();
+  const std::size_t low = model.growth->kmin.index();
+  results::Increment& last = run.increments.back();
+  for (const results::TipResult& tip : last.steps[high].tips) {
+    const auto upside_down = [&](const results::Increment& increment) {
+      const results::TipResult* most = results::find_tip(increment.steps[high], tip.name);
+      const results::TipResult* least = results::find_tip(increment.steps[low], tip.name);
+      return most != nullptr && least != nullptr &&
+             most->K1 < least->K1 - clearly * std::abs(least->K1);
+    };
+    if (std::ranges::all_of(run.increments, upside_down)) {
+      last.steps[high].notes.push_back(
+          fmt::format("warning: K1 of {} is larger at KMIN, step {}, than at KMAX, step {}: are "
+                      "the two steps exchanged?",
+                      tip.name, model.steps[low].name, model.steps[high].name));
+    }
+  }
+}
+
+// The lengths of the deck, one after another.
+bool solve_lengths(const model::Model& model, const SolveOptions& options,
+                   base::Diagnostics& diagnostics, std::optional<Refusal>& refusal,
+                   results::Run& run) {
+  const std::vector<double> lengths = growth::crack_lengths(model);
+  const RegionPlan plan = plan_region(model, lengths, diagnostics);
+  if (diagnostics.has_errors()) {
+    return false;
+  }
+  LengthSolver solver(model, options, run.log, diagnostics, refusal);
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    const int number = static_cast<int>(i) + 1;
+    const std::vector<bool> pictured = pictured_steps(model, i + 1 == lengths.size());
+    if (auto kept = resume(model, options.checkpoint, number, lengths[i], pictured)) {
+      solver.go_on(kept->state);
+      take_over(std::move(*kept), run);
+      continue;
+    }
+    if (stop_here(options.checkpoint, refusal)) {
+      return false;
+    }
+    const IncrementMark mark(run.log);
+    std::optional<std::vector<mesh::CrackLine>> lines =
+        growth::crack_lines(model, lengths[i], diagnostics);
+    if (!lines) {
+      return false;
+    }
+    std::optional<results::Increment> increment =
+        solver.solve({std::move(*lines), lengths[i], pictured}, plan);
+    if (!increment) {
+      return false;
+    }
+    increment->number = number;
+    run.increments.push_back(std::move(*increment));
+    results::NamedArrays state;
+    solver.save(state);
+    mark.keep(options.checkpoint, lengths[i], run.increments.back(), std::move(state));
+    if (options.progress) {
+      options.progress(i + 1, lengths.size());
+    }
+  }
+  compare_extremes(model, run);
+  return true;
+}
+
+} // namespace
+
+std::optional<results::Run> solve_run(const model::Model& model, const SolveOptions& options,
+                                      base::Diagnostics& diagnostics,
+                                      std::optional<Refusal>& refusal) {
+  const base::Stopwatch watch;
+  results::Run run;
+  if (options.checkpoint != nullptr) {
+    options.checkpoint->begin_round();
+  }
+  const bool done = grows_by_law(model) ? grow_by_law(model, options, diagnostics, refusal, run)
+                                        : solve_lengths(model, options, diagnostics, refusal, run);
+  if (!done) {
+    return std::nullopt;
+  }
+  run.cpu += watch.cpu();
+  run.wall += watch.wall();
+  run.peak_memory = base::peak_memory();
+  return run;
+}
+
+} // namespace spricka::analysis

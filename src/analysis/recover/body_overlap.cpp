@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/recover/body_overlap.hpp"
+
+#include "contact/outline.hpp"
+#include "mesh/boundary.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+
+namespace spricka::analysis {
+
+namespace {
+
+using base::Vec2;
+
+// Of the largest displacement: bodies that run into each other by less tell nothing wrong.
+constexpr double least_overlap = 0.02;
+constexpr double round_off = 1e-9; // of the bodies' extent
+
+// The boundary of one body, as drawn and as it has moved.
+struct Rim {
+  contact::Surface surface;
+  std::vector<base::NodeId> nodes;
+  contact::Outline drawn, moved;
+  double displacement = 0.0; ///< largest of the nodes
+};
+
+class Overlaps {
+public:
+  Overlaps(const model::Model& model, const Scene& scene, const std::vector<BodyNet>& bodies,
+           const StepState& state)
+      : scene_(scene), bodies_(bodies), state_(state), mesh_(scene.cracked.mesh) {
+    std::vector<int> body(mesh_.element_count(), -1);
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      for (const base::ElementId e : bodies[b].body.elements) {
+        body[e.index()] = static_cast<int>(b);
+      }
+    }
+    std::vector<std::vector<model::Face>> faces(bodies.size());
+    for (const model::Face& face : mesh::boundary_faces(mesh_)) {
+      const int b = body[face.element.index()];
+      if (b >= 0) {
+        faces[static_cast<std::size_t>(b)].push_back(face);
+      }
+    }
+    for (const std::vector<model::Face>& own : faces) {
+      contact::Surface surface = contact::make_surface(model, mesh_, own);
+      contact::Outline drawn(surface, {});
+      contact::Outline moved(surface, state.u);
+      Rim rim{std::move(surface), mesh::nodes_of_faces(mesh_, own), std::move(drawn),
+              std::move(moved), 0.0};
+      for (const base::NodeId n : rim.nodes) {
+        rim.displacement = std::max(rim.displacement, shift(n).norm());
+      }
+      rims_.push_back(std::move(rim));
+    }
+    mark_held();
+  }
+
+  void tell(results::StepResult& out) const {
+    for (std::size_t a = 0; a < rims_.size(); ++a) {
+      for (std::size_t b = a + 1; b < rims_.size(); ++b) {
+        tell_pair(a, b, out);
+      }
+    }
+  }
+
+private:
+  struct Worst {
+    double depth = 0.0;
+    base::NodeId node;
+    bool drawn = false; ///< the bodies lie upon each other as drawn
+  };
+
+  [[nodiscard]] Vec2 shift(base::NodeId n) const {
+    return state_.u.segment<2>(2 * static_cast<Eigen::Index>(n.index()));
+  }
+  [[nodiscard]] Vec2 place(base::NodeId n) const { return mesh_.x[n.index()].head<2>(); }
+
+  // Nodes that contacts or ties look after, whatever they let them do.
+  void mark_held() {
+    held_.assign(mesh_.node_count(), false);
+    for (const contact::PairRows& pair : scene_.pairs) {
+      for (const contact::ConstraintRow& row : pair.normal) {
+        for (const contact::RowEntry& entry : row.entries) {
+          held_[entry.node.index()] = true;
+        }
+      }
+    }
+    for (const fe::Dependence::Row& row : scene_.ties->rows()) {
+      held_[static_cast<std::size_t>(row.freedom) / 2] = true;
+      for (const fe::Term& term : row.terms) {
+        held_[static_cast<std::size_t>(term.freedom) / 2] = true;
+      }
+    }
+  }
+
+  // The node of body a that is deepest in body b.
+  [[nodiscard]] Worst deepest(std::size_t a, std::size_t b) const {
+    const Rim& other = rims_[b];
+    const double moved = std::max(rims_[a].displacement, other.displacement);
+    const double extent = std::max(rims_[a].surface.extent, other.surface.extent);
+    const double reach = 2.0 * moved + 1e-6 * extent;
+    const double least = std::max(least_overlap * moved, round_off * extent);
+    Worst worst;
+    for (const base::NodeId n : rims_[a].nodes) {
+      const Vec2 now = place(n) + shift(n);
+      if (held_[n.index()] || (now - other.moved.low()).minCoeff() < 0.0 ||
+          (other.moved.high() - now).minCoeff() < 0.0) {
+        continue;
+      }
+      const std::optional<contact::OutlinePlace> there = other.moved.nearest(now, reach);
+      if (!there || there->distance > -least) {
+        continue;
+      }
+      const std::optional<contact::OutlinePlace> before =
+          other.drawn.nearest(place(n), 3.0 * reach);
+      const double first = before ? before->distance : 0.0;
+      worst.drawn = worst.drawn || first < -(there->facet + 1e-6 * extent);
+      const double depth = -there->distance - there->facet - std::max(0.0, -first);
+      if (depth > std::max(least, worst.depth)) {
+        worst.depth = depth;
+        worst.node = n;
+      }
+    }
+    return worst;
+  }
+
+  // Whether the body at this node of its boundary lies inside the other as drawn.
+  [[nodiscard]] bool lies_upon(base::NodeId node, std::size_t a, std::size_t b) const {
+    for (const base::ElementId e : bodies_[a].body.elements) {
+      const std::span<const base::NodeId> nodes = mesh_.nodes_of(e);
+      if (std::ranges::find(nodes, node) == nodes.end()) {
+        continue;
+      }
+      Vec2 centre = Vec2::Zero();
+      for (const base::NodeId n : nodes) {
+        centre += place(n) / static_cast<double>(nodes.size());
+      }
+      const std::optional<contact::OutlinePlace> at =
+          rims_[b].drawn.nearest(centre, rims_[b].surface.extent);
+      return at && at->distance < 0.0;
+    }
+    return false;
+  }
+
+  // The contact that stands between two bodies, if any.
+  [[nodiscard]] std::optional<std::string> between(std::size_t a, std::size_t b) const {
+    const auto touches = [&](const contact::Surface& surface, std::size_t body) {
+      return !surface.chains.empty() &&
+             std::ranges::binary_search(bodies_[body].body.nodes,
+                                        surface.chains.front().edges.front().nodes[0]);
+    };
+    for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
+      const contact::PairRows& pair = scene_.pairs[c];
+      if ((touches(pair.contact, a) && touches(pair.target, b)) ||
+          (touches(pair.contact, b) && touches(pair.target, a))) {
+        return scene_.contacts[c].name;
+      }
+    }
+    return std::nullopt;
+  }
+
+  void tell_pair(std::size_t a, std::size_t b, results::StepResult& out) const {
+    const contact::Outline& one = rims_[a].moved;
+    const contact::Outline& two = rims_[b].moved;
+    if ((one.high() - two.low()).minCoeff() < 0.0 || (two.high() - one.low()).minCoeff() < 0.0) {
+      return;
+    }
+    const Worst in_b = deepest(a, b);
+    const Worst in_a = deepest(b, a);
+    const bool first = in_b.depth >= in_a.depth;
+    const Worst& worst = first ? in_b : in_a;
+    if (worst.depth <= 0.0 || in_a.drawn || in_b.drawn ||
+        lies_upon(worst.node, first ? a : b, first ? b : a)) {
+      return;
+    }
+    const Vec2 x = place(worst.node);
+    const std::optional<std::string> contact = between(a, b);
+    out.notes.push_back(fmt::format(
+        "warning: bodies {} and {} run into each other by {:.3g} at ({:.6g}, {:.6g}): {}",
+        bodies_[a].name, bodies_[b].name, worst.depth, x.x(), x.y(),
+        contact ? fmt::format("contact {} sees nothing there (surfaces farther apart than a fifth "
+                              "of their extent, or not in its sets)",
+                              *contact)
+                : "no $CONTACT stands between them"));
+  }
+
+  const Scene& scene_;
+  const std::vector<BodyNet>& bodies_;
+  const StepState& state_;
+  const model::Mesh& mesh_;
+  std::vector<Rim> rims_;
+  std::vector<bool> held_; ///< [node]
+};
+
+} // namespace
+
+void tell_overlaps(const model::Model& model, const Scene& scene,
+                   const std::vector<BodyNet>& bodies, const StepState& state,
+                   results::StepResult& out) {
+  if (scene.cracked.mesh.dim == 2 && bodies.size() > 1) {
+    Overlaps(model, scene, bodies, state).tell(out);
+  }
+}
+
+} // namespace spricka::analysis

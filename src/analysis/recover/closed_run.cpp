@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/recover/closed_run.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <numeric>
+
+namespace spricka::analysis {
+
+ClosedRun::ClosedRun(std::vector<double> place, bool round)
+    : place_(std::move(place)), round_(round) {
+  order_.resize(place_.size());
+  std::iota(order_.begin(), order_.end(), std::size_t{0});
+  std::ranges::stable_sort(order_, {}, [&](std::size_t i) { return place_[i]; });
+}
+
+std::pair<double, double> ClosedRun::find(const std::vector<bool>& closed) const {
+  const std::size_t n = order_.size();
+  const auto is_closed = [&](std::size_t i) { return closed[order_[i % n]]; };
+  std::size_t open = 0;
+  while (open < n && is_closed(open)) {
+    ++open;
+  }
+  if (n == 0) {
+    return {0.0, 0.0};
+  }
+  if (open == n) {
+    return round_ ? std::pair(-std::numbers::pi, std::numbers::pi)
+                  : std::pair(place_[order_[0]], place_[order_[n - 1]]);
+  }
+  // begin behind an open pair of a circle, at the end of a line
+  const std::size_t first = round_ ? open + 1 : 0;
+  std::size_t best = 0;
+  std::size_t length = 0;
+  std::size_t run = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    run = is_closed(first + k) ? run + 1 : 0;
+    if (run > length) {
+      length = run;
+      best = first + k + 1 - run;
+    }
+  }
+  if (length == 0) {
+    return {0.0, 0.0};
+  }
+  const double from = at(best);
+  const double to = at(best + length - 1);
+  const double turn = from >= std::numbers::pi ? 2.0 * std::numbers::pi : 0.0;
+  return {from - turn, to - turn};
+}
+
+double ClosedRun::at(std::size_t i) const {
+  const std::size_t n = order_.size();
+  const std::size_t turns = round_ ? i / n : 0;
+  return place_[order_[i % n]] + 2.0 * std::numbers::pi * static_cast<double>(turns);
+}
+
+} // namespace spricka::analysis

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/recover/finite_results.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace spricka::analysis {
+
+namespace {
+
+constexpr double largest = 1e150; // squares and their sums are numbers
+
+bool good(double v) {
+  return std::abs(v) < largest; // false for what is no number
+}
+
+template <class Values> bool all_good(const Values& values) {
+  return std::all_of(values.begin(), values.end(), good);
+}
+
+bool all_good(const std::vector<results::Stress>& stresses) {
+  return std::ranges::all_of(stresses,
+                             [](const results::Stress& s) { return all_good<results::Stress>(s); });
+}
+
+bool tips_good(const results::TipResult& t) {
+  return all_good(std::array{t.K1, t.K2, t.G, t.G_from_K, t.T, t.spread}) && all_good(t.K1_domain);
+}
+
+bool contacts_good(const results::ContactResult& c) {
+  const auto point_good = [](const results::ContactPoint& p) {
+    return all_good(std::array{p.p_lumped, p.p_consistent, p.q_lumped, p.q_consistent, p.slip,
+                               p.slip_path, p.gap});
+  };
+  return all_good(std::array{c.min_pressure, c.max_pressure, c.mean_pressure, c.max_penetration,
+                             c.friction_work}) &&
+         all_good(c.force_on_slave) && std::ranges::all_of(c.points, point_good);
+}
+
+std::string words(std::string_view what) {
+  return fmt::format("{} beyond the range of numbers (1e150): loads, factors, moduli or lengths "
+                     "are",
+                     what);
+}
+
+} // namespace
+
+std::string not_finite(const results::StepResult& step) {
+  if (!all_good(step.u)) {
+    return words("displacements are");
+  }
+  if (!all_good(step.reaction) || !good(step.energy)) {
+    return words("forces or energies are");
+  }
+  if (!std::ranges::all_of(step.tips, tips_good)) {
+    return words("K or G is");
+  }
+  if (!std::ranges::all_of(step.contacts, contacts_good)) {
+    return words("contact pressures or gaps are");
+  }
+  if (!all_good(step.stress) || !all_good(step.element_stress)) {
+    return words("stresses are");
+  }
+  return {};
+}
+
+std::string not_finite(const results::LoadPath& path) {
+  for (const results::PathTip& tip : path.tips) {
+    for (const base::PiecewiseLinear* K : {&tip.K1, &tip.K2}) {
+      if (!K->empty() && (!good(K->lowest()) || !good(K->highest()))) {
+        return words("K along the load path is");
+      }
+    }
+  }
+  return {};
+}
+
+} // namespace spricka::analysis

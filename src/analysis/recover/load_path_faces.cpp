@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/recover/load_paths.hpp"
+
+#include "analysis/scene/free_faces.hpp"
+#include "analysis/steps/history_program.hpp"
+#include "analysis/steps/lip_contact.hpp"
+#include "analysis/steps/lip_overlap.hpp"
+#include "analysis/steps/step_walk.hpp"
+#include "contact/lip_pairing.hpp"
+#include "crack/stress_intensity.hpp"
+
+#include <algorithm>
+
+/// Faces of cracks on load paths.
+namespace spricka::analysis {
+
+namespace {
+
+// Whether a row of the table is one between the faces of a crack.
+bool between_faces(const Scene& scene, std::size_t row) {
+  return std::ranges::any_of(scene.lip_pairs, [&](const auto& lip) {
+    return lip && row >= scene.table.first[lip->pair] && row < scene.table.first[lip->pair + 1];
+  });
+}
+
+} // namespace
+
+std::vector<LoadPaths::Watch> LoadPaths::watch_faces(const model::Model& model,
+                                                     const Scene& scene) {
+  std::vector<Watch> watches;
+  const bool wanted = !model.load_paths.empty() || follows_history(model);
+  for (std::size_t i = 0; i < scene.cracked.lips.size() && wanted; ++i) {
+    if (!model.cracks[i].faces_in_contact || scene.lip_pairs[i]) {
+      continue;
+    }
+    contact::PairRows pair =
+        contact::lip_rows(model, scene.cracked.mesh, scene.cracked.lips[i], true);
+    for (std::size_t r = 0; r < pair.normal.size(); ++r) {
+      Watch& watch = watches.emplace_back(Watch{i, std::move(pair.normal[r]), {}});
+      if (!pair.tangent.empty()) {
+        watch.along = std::move(pair.tangent[r]);
+      }
+    }
+  }
+  return watches;
+}
+
+base::Matrix LoadPaths::functional_columns(Eigen::Index first, Eigen::Index most) const {
+  const auto size =
+      static_cast<Eigen::Index>(scene_.cracked.mesh.node_count()) * scene_.cracked.mesh.dim;
+  const auto K = 2 * static_cast<Eigen::Index>(scene_.cracked.tips.size());
+  if (first < K) { // all K at once
+    base::Matrix nodal = base::Matrix::Zero(size, K);
+    for (std::size_t t = 0; t < scene_.cracked.tips.size(); ++t) {
+      const mesh::Tip& tip = scene_.cracked.tips[t];
+      nodal.middleCols(2 * static_cast<Eigen::Index>(t), 2) =
+          crack::intensity_rows(model_, scene_.cracked, tip, scene_.tips[t].fields,
+                                model_.cracks[tip.crack.index()].state);
+    }
+    return nodal;
+  }
+  const Eigen::Index columns = std::min(most, functional_count() - first);
+  base::Matrix nodal = base::Matrix::Zero(size, columns);
+  for (Eigen::Index c = 0; c < columns; ++c) {
+    const Watch& watch = watches_[static_cast<std::size_t>((first + c - K) / 2)];
+    const bool along = (first + c - K) % 2 == 1;
+    if (along && !watch.along) {
+      continue;
+    }
+    const contact::ConstraintRow& row = along ? *watch.along : watch.apart;
+    for (const contact::RowEntry& entry : row.entries) {
+      nodal.col(c).segment<2>(2 * static_cast<Eigen::Index>(entry.node.index())) +=
+          entry.weight.head<2>() / row.area;
+    }
+  }
+  return nodal;
+}
+
+base::Vector LoadPaths::watched(const base::Vector& u) const {
+  base::Vector values = base::Vector::Zero(2 * static_cast<Eigen::Index>(watches_.size()));
+  for (std::size_t w = 0; w < watches_.size(); ++w) {
+    const Watch& watch = watches_[w];
+    const auto at = 2 * static_cast<Eigen::Index>(w);
+    values[at] = row_opening(watch.apart, 2, u) / watch.apart.area;
+    if (watch.along) {
+      values[at + 1] = row_opening(*watch.along, 2, u) / watch.along->area;
+    }
+  }
+  return values;
+}
+
+void LoadPaths::look_at_faces(const base::Vector& value) {
+  const auto K = 2 * static_cast<Eigen::Index>(scene_.cracked.tips.size());
+  for (std::size_t w = 0; w < watches_.size();) {
+    const std::size_t line = watches_[w].line;
+    std::vector<double> overlap; // along the face
+    double largest = 0.0;
+    for (; w < watches_.size() && watches_[w].line == line; ++w) {
+      const base::Vec2 apart = value.segment<2>(K + 2 * static_cast<Eigen::Index>(w));
+      overlap.push_back(std::max(0.0, -apart[0]));
+      largest = std::max(largest, apart.norm());
+    }
+    if (resolved_overlap(overlap) > overlap_of_round_off * largest &&
+        std::ranges::find(touching_, line) == touching_.end()) {
+      touching_.push_back(line);
+    }
+  }
+}
+
+// Between knots all is linear: the largest overlaps are at knots.
+void LoadPaths::look_at_faces(const solve::SolutionPath& found) {
+  for (const solve::PathSegment& s : found.segments) {
+    look_at_faces(s.value);
+    look_at_faces(base::Vector(s.value + (s.to - s.from) * s.slope));
+  }
+}
+
+base::Vector LoadPaths::intensities(const contact::ContactSystem::Demand& demand,
+                                    const contact::ContactSystem::Answer& answer,
+                                    const StepSolver& solver) {
+  if (!rows_) {
+    rows_ = functionals(solver);
+  }
+  if (of_case_.cols() == 0) {
+    of_case_.resize(functional_count(), scene_.case_load.cols());
+    for (Eigen::Index c = 0; c < of_case_.cols(); ++c) {
+      of_case_.col(c) = free_values(base::Vector::Unit(of_case_.cols(), c));
+    }
+  }
+  base::Vector value = of_case_ * solver.factors().case_factor;
+  value += rows_->of_mode * answer.solution.alpha;
+  for (std::size_t i = 0; i < demand.rows.size(); ++i) {
+    value += rows_->of_row.col(static_cast<Eigen::Index>(demand.rows[i])) *
+             answer.solution.lambda[static_cast<Eigen::Index>(i)];
+  }
+  look_at_faces(value);
+  base::Vector free; // without the forces between faces of cracks, all others as they are
+  if (continues_below_closing(model_)) {
+    free = value;
+    for (std::size_t i = 0; i < demand.rows.size(); ++i) {
+      if (between_faces(scene_, demand.rows[i])) {
+        free -= rows_->of_row.col(static_cast<Eigen::Index>(demand.rows[i])) *
+                answer.solution.lambda[static_cast<Eigen::Index>(i)];
+      }
+    }
+  }
+  for (std::size_t t = 0; t < scene_.cracked.tips.size(); ++t) {
+    const std::optional<std::size_t> row = row_at_tip(scene_, scene_.cracked.tips[t]);
+    const auto at = row ? std::ranges::find(demand.rows, *row) : demand.rows.end();
+    if (at != demand.rows.end() &&
+        answer.solution.closed[static_cast<std::size_t>(at - demand.rows.begin())]) {
+      value[2 * static_cast<Eigen::Index>(t)] = 0.0;
+    }
+    const auto k = 2 * static_cast<Eigen::Index>(t);
+    if (free.size() > 0 && free[k] < 0.0) {
+      value.segment<2>(k) = free.segment<2>(k);
+    }
+  }
+  return value.head(2 * static_cast<Eigen::Index>(scene_.cracked.tips.size()));
+}
+
+bool LoadPaths::close_tip(std::size_t t, const End& end, const solve::SolutionPath& found,
+                          base::PiecewiseLinear& K1) const {
+  const std::optional<std::size_t> row = row_at_tip(scene_, scene_.cracked.tips[t]);
+  const auto at = row ? std::ranges::find(end.demand.rows, *row) : end.demand.rows.end();
+  if (at == end.demand.rows.end()) {
+    return false;
+  }
+  const auto place = at - end.demand.rows.begin();
+  bool closed = found.closed[static_cast<std::size_t>(place)];
+  bool any = false;
+  std::vector<double> value;
+  std::vector<double> slope;
+  auto change = found.changes.begin();
+  for (std::size_t s = 0; s < found.segments.size(); ++s) {
+    for (; change != found.changes.end() && change->segment == s; ++change) {
+      closed = change->row == place ? change->closes : closed;
+    }
+    any = any || closed;
+    value.push_back(closed ? 0.0 : K1.at_knot(s));
+    slope.push_back(closed ? 0.0 : K1.slope(s));
+  }
+  K1 = base::PiecewiseLinear(K1.knots(), std::move(value), std::move(slope));
+  return any;
+}
+
+} // namespace spricka::analysis

@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/recover/load_paths.hpp"
+
+#include "analysis/recover/closed_run.hpp"
+#include "analysis/scene/tip_surroundings.hpp"
+#include "analysis/steps/history_program.hpp"
+#include "analysis/steps/lip_contact.hpp"
+#include "contact/slave_places.hpp"
+#include "crack/stress_intensity.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::analysis {
+
+namespace {
+
+// K on the path and K of the steps come from the same numbers by different ways.
+constexpr double worst_mismatch = 1e-6;
+// Functionals that are condensed at a time.
+constexpr Eigen::Index most_columns = 64;
+
+crack::StressIntensity intensity(const model::Model& model, const Scene& scene, std::size_t t,
+                                 const base::Vector& u, const base::Vector& case_factor) {
+  const mesh::Tip& tip = scene.cracked.tips[t];
+  crack::VceRequest request; // without SHIFT: linear in u
+  request.state = model.cracks[tip.crack.index()].state;
+  return crack::stress_intensity(model, scene.cracked, tip, scene.tips[t].fields, request, u,
+                                 tip_loads(model, scene, scene.tips[t].fields, case_factor));
+}
+
+bool shifted(const model::Model& model, base::CrackId crack) {
+  return std::ranges::any_of(model.vces, [&](const model::Vce& vce) {
+    return vce.crack == crack && vce.shift.has_value();
+  });
+}
+
+std::vector<double> knots_of(const solve::SolutionPath& found) {
+  std::vector<double> t;
+  for (const solve::PathSegment& s : found.segments) {
+    t.push_back(s.from);
+  }
+  t.push_back(found.end);
+  return t;
+}
+
+base::PiecewiseLinear functional(const solve::SolutionPath& found, Eigen::Index k) {
+  std::vector<double> value;
+  std::vector<double> slope;
+  for (const solve::PathSegment& s : found.segments) {
+    value.push_back(s.value[k]);
+    slope.push_back(s.slope[k]);
+  }
+  return {knots_of(found), std::move(value), std::move(slope)};
+}
+
+std::string why_stopped(const solve::SolutionPath& found, const StepSolver& solver) {
+  switch (found.status) {
+  case solve::PathStatus::complete:
+    return {};
+  case solve::PathStatus::unheld_mode:
+    return solver.unheld(found.unheld);
+  case solve::PathStatus::no_start:
+    return "the loads and fits at its beginning have no solution";
+  case solve::PathStatus::inconsistent:
+    return "bonded contacts contradict each other";
+  case solve::PathStatus::unfinished:
+    return fmt::format("the pivots did not come to an end ({})", found.pivots);
+  case solve::PathStatus::drift:
+    break;
+  }
+  return "round-off grew too large: the contact is nearly singular";
+}
+
+} // namespace
+
+LoadPaths::LoadPaths(const model::Model& model, const Scene& scene,
+                     const std::vector<BodyNet>& bodies)
+    : model_(model), scene_(scene), bodies_(bodies), watches_(watch_faces(model, scene)) {}
+
+void LoadPaths::keep(std::size_t step, const StepSolver& solver,
+                     const results::StepResult& result) {
+  const bool wanted = std::ranges::any_of(model_.load_paths, [&](const model::LoadPath& path) {
+    return path.from.index() == step || path.to.index() == step;
+  });
+  if (!wanted) {
+    return;
+  }
+  End& end = ends_[step];
+  if (solver.system() != nullptr) {
+    end.demand = solver.demand();
+  }
+  end.case_factor = solver.factors().case_factor;
+  end.result.tips = result.tips;
+  end.result.contacts = result.contacts;
+}
+
+LoadPaths::Functionals LoadPaths::functionals(const StepSolver& solver) const {
+  const Eigen::Index count = functional_count();
+  Functionals out;
+  if (solver.system() == nullptr || count == 0) {
+    return out;
+  }
+  const contact::ContactSystem& system = *solver.system();
+  Eigen::Index modes = 0;
+  for (const std::size_t b : solver.condensed()) {
+    modes += bodies_[b].condensed->modes().cols();
+  }
+  const auto rows = static_cast<Eigen::Index>(scene_.table.rows.size());
+  out.of_row.resize(count, rows);
+  out.of_mode.resize(count, modes);
+  for (Eigen::Index first = 0; first < count;) {
+    base::Matrix nodal = functional_columns(first, most_columns);
+    scene_.ties->reduce(nodal);
+    std::vector<base::Matrix> external;
+    std::vector<base::Matrix> moved;
+    for (const std::size_t b : solver.condensed()) {
+      external.push_back(condense_load(bodies_[b], *scene_.ties, nodal).external);
+      moved.push_back(bodies_[b].condensed->displacement(external.back()));
+    }
+    for (Eigen::Index k = 0; k < nodal.cols(); ++k) {
+      std::vector<base::Vector> u;
+      for (std::size_t i = 0; i < moved.size(); ++i) {
+        u.emplace_back(moved[i].col(k));
+        const base::Matrix& Q = bodies_[solver.condensed()[i]].condensed->modes();
+        out.of_mode.row(first + k).segment(system.first_mode(i), Q.cols()) =
+            external[i].col(k).transpose() * Q;
+      }
+      for (Eigen::Index r = 0; r < rows; ++r) {
+        out.of_row(first + k, r) = system.opening(static_cast<std::size_t>(r), u);
+      }
+    }
+    first += nodal.cols();
+  }
+  out.of_row.topRows(2 * static_cast<Eigen::Index>(scene_.cracked.tips.size())) +=
+      intensity_of_forces(model_, scene_);
+  return out;
+}
+
+// K and faces of the bodies alone, without contact forces and rigid motions.
+base::Vector LoadPaths::free_values(const base::Vector& case_factor) const {
+  base::Vector u = scene_.case_displacement * case_factor;
+  for (const BodyNet& body : bodies_) {
+    base::Vector external;
+    if (body.condensed) {
+      external = body.condensed->displacement(body.external_load * case_factor);
+    }
+    recover_body(body, external, case_factor, u);
+  }
+  base::Vector values(functional_count());
+  for (std::size_t t = 0; t < scene_.cracked.tips.size(); ++t) {
+    const crack::StressIntensity found = intensity(model_, scene_, t, u, case_factor);
+    values.segment<2>(2 * static_cast<Eigen::Index>(t)) = base::Vec2(found.K1, found.K2);
+  }
+  values.tail(2 * static_cast<Eigen::Index>(watches_.size())) = watched(u);
+  return values;
+}
+
+solve::ParametricProblem LoadPaths::problem(const End& from, const End& to,
+                                            const StepSolver& solver) const {
+  solve::ParametricProblem p;
+  p.f0 = free_values(from.case_factor);
+  p.df = free_values(to.case_factor) - p.f0;
+  if (solver.system() == nullptr) {
+    p.at_zero.W.resize(0, 0);
+    p.at_zero.B.resize(0, 0);
+    p.of_force.resize(p.f0.size(), 0);
+    p.of_mode.resize(p.f0.size(), 0);
+    return p;
+  }
+  p.at_zero = solver.system()->condensed(from.demand);
+  const solve::ContactProblem at_one = solver.system()->condensed(to.demand);
+  p.db = at_one.b - p.at_zero.b;
+  p.dh = at_one.h - p.at_zero.h;
+  p.at_zero.load_scale = std::max(from.demand.load_scale, to.demand.load_scale);
+  const auto n = static_cast<Eigen::Index>(from.demand.rows.size());
+  p.of_force.resize(p.f0.size(), n);
+  p.of_mode = rows_->of_mode;
+  if (p.f0.size() == 0) {
+    p.of_mode.resize(0, p.dh.size());
+  }
+  for (Eigen::Index i = 0; i < n && p.f0.size() > 0; ++i) {
+    p.of_force.col(i) =
+        rows_->of_row.col(static_cast<Eigen::Index>(from.demand.rows[static_cast<std::size_t>(i)]));
+  }
+  return p;
+}
+
+bool LoadPaths::homogeneous(const End& from, const End& to, const StepSolver& solver) const {
+  if (scene_.ties->has_constants()) {
+    return false;
+  }
+  // What no factor of the steps scales: gaps without FIT, or left over from a MOUNT.
+  const base::Vector rest = solver.unscaled_gap(from.demand.rows);
+  const double size =
+      std::max(from.demand.gap.size() > 0 ? from.demand.gap.cwiseAbs().maxCoeff() : 0.0,
+               to.demand.gap.size() > 0 ? to.demand.gap.cwiseAbs().maxCoeff() : 0.0);
+  return rest.size() == 0 || rest.cwiseAbs().maxCoeff() <= 1e-12 * size;
+}
+
+void LoadPaths::tips(const solve::SolutionPath& found, const End& from, const End& to,
+                     results::LoadPath& path) const {
+  double size = 0.0;
+  double apart = 0.0;
+  for (std::size_t t = 0; t < scene_.cracked.tips.size(); ++t) {
+    const auto k = 2 * static_cast<Eigen::Index>(t);
+    results::PathTip tip;
+    tip.name = from.result.tips[t].name;
+    tip.a = from.result.tips[t].a;
+    tip.K1 = functional(found, k);
+    tip.K2 = functional(found, k + 1);
+    size = std::max({size, std::abs(tip.K1.lowest()), std::abs(tip.K1.highest())});
+    if (close_tip(t, from, found, tip.K1)) {
+      path.notes.push_back(fmt::format(
+          "{}: the crack faces touch at the tip on a part of the path: K1 = 0 there", tip.name));
+    }
+    const model::Crack& crack = model_.cracks[scene_.cracked.tips[t].crack.index()];
+    const bool of_law = model_.growth && model_.growth->spectrum && !crack.faces_in_contact;
+    if (tip.K1.lowest() < -1e-9 * tip.K1.highest() && of_law) {
+      path.notes.push_back(fmt::format("{}: K1 is negative on a part of the path, as FACES=FREE "
+                                       "lets the crack faces overlap: the law of $GROW knows it as "
+                                       "a K_min",
+                                       tip.name));
+    } else if (tip.K1.lowest() < -1e-9 * tip.K1.highest()) {
+      path.notes.push_back(
+          fmt::format("warning: {}: K1 is negative on a part of the path: there this K is not an "
+                      "answer (the crack faces overlap, or the mesh at the tip is too coarse)",
+                      tip.name));
+    }
+    for (const End* end : {&from, &to}) {
+      const results::TipResult& own = end->result.tips[t];
+      if (own.K1 >= 0.0 && !own.doubt.empty() && tip.doubt.empty()) {
+        tip.doubt = own.doubt;
+        path.notes.push_back(
+            fmt::format("warning: {}: at an end of the path {}", tip.name, own.doubt));
+      }
+    }
+    if (shifted(model_, scene_.cracked.tips[t].crack)) {
+      path.notes.push_back(fmt::format("{}: K on the path is the analytic one, without the SHIFT "
+                                       "of $VCE",
+                                       tip.name));
+    } else {
+      for (const auto& [at, end] : {std::pair(0.0, &from), std::pair(1.0, &to)}) {
+        if (found.end >= at) {
+          const results::TipResult& own = end->result.tips[t];
+          // what is below 0 has been told already
+          const double K1 = own.K1 == 0.0 ? std::max(0.0, tip.K1(at)) : tip.K1(at);
+          apart = std::max({apart, std::abs(K1 - own.K1), std::abs(tip.K2(at) - own.K2)});
+          size = std::max(size, std::abs(own.K1));
+        }
+      }
+    }
+    path.tips.push_back(std::move(tip));
+  }
+  path.mismatch = size > 0.0 ? apart / size : 0.0;
+  if (!(path.mismatch <= worst_mismatch)) {
+    path.notes.push_back(fmt::format("warning: K on the path differs from K of the steps at its "
+                                     "ends by {:.1e} of the largest",
+                                     path.mismatch));
+  }
+}
+
+void LoadPaths::contacts(const solve::SolutionPath& found, const End& end,
+                         results::LoadPath& path) const {
+  const std::vector<std::size_t>& rows = end.demand.rows;
+  std::size_t first = 0; // of a contact among the rows in force
+  for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
+    std::size_t last = first;
+    while (last < rows.size() && rows[last] < scene_.table.first[c + 1]) {
+      ++last;
+    }
+    const contact::PairRows& pair = scene_.pairs[c];
+    const std::size_t normal = std::min(pair.normal.size(), last - first);
+    if (normal == 0) {
+      continue; // not mounted
+    }
+    results::PathContact contact;
+    contact.name = scene_.contacts[c].name;
+    contact.round = contact::counts_angles(pair);
+    contact.rows = static_cast<int>(normal);
+    std::unordered_map<std::int32_t, double> place_of;
+    for (const results::ContactPoint& p : end.result.contacts[c].points) {
+      place_of[p.node.value] = contact.round ? p.theta : p.arc;
+    }
+    std::vector<double> place;
+    std::vector<bool> closed;
+    for (std::size_t i = 0; i < normal; ++i) {
+      place.push_back(place_of[pair.normal[i].node.value]);
+      closed.push_back(found.closed[first + i]);
+    }
+    const ClosedRun run(place, contact.round);
+    auto change = found.changes.begin();
+    for (std::size_t k = 0; k < found.segments.size(); ++k) {
+      for (; change != found.changes.end() && change->segment == k; ++change) {
+        const auto row = static_cast<std::size_t>(change->row);
+        if (row < first || row >= first + normal) {
+          continue;
+        }
+        closed[row - first] = change->closes;
+        const double t = found.segments[k].from;
+        path.changes.push_back(
+            {t, contact.name, pair.normal[row - first].node, place[row - first], change->closes});
+        if (!change->closes && !contact.opening) {
+          contact.opening = t;
+        }
+      }
+      const auto [from, to] = run.find(closed);
+      contact.from.push_back(from);
+      contact.to.push_back(to);
+      contact.closed.push_back(static_cast<int>(std::ranges::count(closed, true)));
+    }
+    contact.from.push_back(contact.from.back());
+    contact.to.push_back(contact.to.back());
+    contact.closed.push_back(contact.closed.back());
+    path.contacts.push_back(std::move(contact));
+    first = last;
+  }
+  std::ranges::stable_sort(path.changes, {}, &results::PathChange::t);
+}
+
+solve::ParametricProblem LoadPaths::pose(const model::LoadPath& card, const StepSolver& solver) {
+  if (!rows_) {
+    rows_ = functionals(solver);
+  }
+  return problem(ends_.at(card.from.index()), ends_.at(card.to.index()), solver);
+}
+
+results::LoadPath LoadPaths::path(const model::LoadPath& card, const StepSolver& solver) {
+  const End& from = ends_.at(card.from.index());
+  const End& to = ends_.at(card.to.index());
+  results::LoadPath out;
+  out.name = card.name;
+  out.from = model_.steps[card.from.index()].name;
+  out.to = model_.steps[card.to.index()].name;
+  if (follows_history(model_)) {
+    out.stopped = "with friction K depends on the way, so that there is no map: the growth follows "
+                  "its loads one after another";
+    return out;
+  }
+  const solve::ParametricProblem posed = pose(card, solver);
+  solve::SolutionPath found;
+  if (posed.db.size() > 0 || posed.dh.size() > 0) {
+    solve::PathSettings settings;
+    settings.start.max_block_iterations = model_.control.max_iterations;
+    found = solve::follow_path(posed, 0.0, card.beyond, settings, from.demand.start);
+  } else { // no contact: one line
+    found.segments.push_back({0.0, card.beyond, posed.f0, posed.df});
+    found.end = card.beyond;
+  }
+  out.pivots = found.pivots;
+  out.factorisations = found.factorisations;
+  out.residual = found.residual;
+  out.stopped = why_stopped(found, solver);
+  if (!out.stopped.empty()) {
+    out.notes.push_back(fmt::format("warning: it ends at t = {:.6g} of {:.6g}: {}", found.end,
+                                    card.beyond, out.stopped));
+  }
+  if (found.segments.empty()) {
+    return out;
+  }
+  for (const double t : found.jumps) {
+    out.notes.push_back(fmt::format("at t = {:.6g} nothing holds a body: it moves until contact "
+                                    "stops it, which changes no K",
+                                    t));
+  }
+  out.t = knots_of(found);
+  out.homogeneous = homogeneous(from, to, solver);
+  look_at_faces(found);
+  tips(found, from, to, out);
+  contacts(found, from, out);
+  return out;
+}
+
+std::vector<results::LoadPath> LoadPaths::follow(const StepSolver& solver) {
+  std::vector<results::LoadPath> out;
+  for (const model::LoadPath& card : model_.load_paths) {
+    out.push_back(path(card, solver));
+  }
+  return out;
+}
+
+} // namespace spricka::analysis

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/scene/scene.hpp"
+#include "analysis/steps/step_solver.hpp"
+#include "results/load_path.hpp"
+#include "results/results.hpp"
+#include "solve/parametric.hpp"
+
+#include <map>
+#include <optional>
+#include <vector>
+
+/// Processor LOADPATH: K and contact on the straight paths between steps, by one parametric
+/// solution for each.
+namespace spricka::analysis {
+
+class LoadPaths {
+public:
+  LoadPaths(const model::Model& model, const Scene& scene, const std::vector<BodyNet>& bodies);
+
+  /// Keeps what paths that begin or end at this step need; called behind each step.
+  void keep(std::size_t step, const StepSolver& solver, const results::StepResult& result);
+  /// All paths of the model, once the steps are done.
+  [[nodiscard]] std::vector<results::LoadPath> follow(const StepSolver& solver);
+  /// Crack lines whose faces would overlap somewhere on the paths followed, and that have no pair
+  /// yet (run/lip_contact.hpp).
+  [[nodiscard]] const std::vector<std::size_t>& touching() const { return touching_; }
+  /// K1 and K2 of each tip in a solved increment [2 * tip + mode - 1]; K1 is 0 where its faces
+  /// touch at the tip, or what a law with R < 0 wants there. Looks at the faces, too.
+  [[nodiscard]] base::Vector intensities(const contact::ContactSystem::Demand& demand,
+                                         const contact::ContactSystem::Answer& answer,
+                                         const StepSolver& solver);
+  /// The parametric problem of one path; functionals K1 and K2 of each tip, then by watch how far
+  /// its two nodes are apart and how far along the face.
+  [[nodiscard]] solve::ParametricProblem pose(const model::LoadPath& card,
+                                              const StepSolver& solver);
+
+private:
+  /// Loads and gaps at the end of a step.
+  struct End {
+    contact::ContactSystem::Demand demand;
+    base::Vector case_factor;
+    results::StepResult result; ///< without its fields
+  };
+  /// Two nodes that lie on one another, of faces that may meet.
+  struct Watch {
+    std::size_t line = 0;
+    contact::ConstraintRow apart;
+    std::optional<contact::ConstraintRow> along; ///< none in a half model
+  };
+  [[nodiscard]] static std::vector<Watch> watch_faces(const model::Model& model,
+                                                      const Scene& scene);
+  [[nodiscard]] Eigen::Index functional_count() const {
+    return 2 * static_cast<Eigen::Index>(scene_.cracked.tips.size() + watches_.size());
+  }
+  /// Columns [dim * node] of functionals from `first` on, at most so many.
+  [[nodiscard]] base::Matrix functional_columns(Eigen::Index first, Eigen::Index most) const;
+  /// Of watches, from displacements [dim * node].
+  [[nodiscard]] base::Vector watched(const base::Vector& u) const;
+  /// Adds lines to `touching_` whose faces overlap at a knot.
+  void look_at_faces(const solve::SolutionPath& found);
+  /// The same of one set of values [functional].
+  void look_at_faces(const base::Vector& value);
+  /// K1 and K2 of all tips by contact forces and rigid modes (manual, solve.32): one
+  /// back-substitution for each.
+  struct Functionals {
+    base::Matrix of_row;  ///< [functional, row of the table]
+    base::Matrix of_mode; ///< [functional, mode of the system]
+  };
+  [[nodiscard]] Functionals functionals(const StepSolver& solver) const;
+  [[nodiscard]] base::Vector free_values(const base::Vector& case_factor) const;
+  [[nodiscard]] solve::ParametricProblem problem(const End& from, const End& to,
+                                                 const StepSolver& solver) const;
+  [[nodiscard]] results::LoadPath path(const model::LoadPath& card, const StepSolver& solver);
+  void contacts(const solve::SolutionPath& found, const End& end, results::LoadPath& path) const;
+  void tips(const solve::SolutionPath& found, const End& from, const End& to,
+            results::LoadPath& path) const;
+  /// Sets K1 of tip t to 0 on the segments on which its faces touch; whether there are any.
+  bool close_tip(std::size_t t, const End& end, const solve::SolutionPath& found,
+                 base::PiecewiseLinear& K1) const;
+  [[nodiscard]] bool homogeneous(const End& from, const End& to, const StepSolver& solver) const;
+
+  const model::Model& model_;
+  const Scene& scene_;
+  const std::vector<BodyNet>& bodies_;
+  std::map<std::size_t, End> ends_; ///< by step
+  std::optional<Functionals> rows_; ///< made once
+  base::Matrix of_case_;            ///< [functional, case] of the bodies alone; made once
+  std::vector<Watch> watches_;
+  std::vector<std::size_t> touching_;
+};
+
+} // namespace spricka::analysis

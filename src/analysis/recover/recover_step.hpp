@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/scene/scene.hpp"
+#include "analysis/steps/step_solver.hpp"
+#include "results/results.hpp"
+
+namespace spricka::analysis {
+
+/// Processor VCE and RECOVER: turns the state at a step's end into records.
+results::StepResult gather_step(const model::Model& model, const Scene& scene,
+                                const std::vector<BodyNet>& bodies, const model::Step& step,
+                                const StepState& state);
+
+} // namespace spricka::analysis

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/refine/contact_places.hpp"
+
+#include "estimate/error_bar.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+namespace spricka::analysis {
+
+namespace {
+
+constexpr double most_for_mouth = 1.2; // of a patch in one round because of its mouth alone
+constexpr double most_for_faces = 2.0; // because of where its crack's faces part
+// Surfaces whose elements at an edge are smaller than this part of the others' see it well enough.
+constexpr double much_smaller = 0.7;
+
+// Size of the patch's element at a place; 0 where the host goes on.
+double patch_size(const results::Increment& increment, const base::Vec2& at) {
+  double closest = std::numeric_limits<double>::infinity();
+  double size = 0.0;
+  for (std::size_t e = increment.kept; e < increment.mesh.element_count(); ++e) {
+    const double distance = (centre_of(increment.mesh, base::ElementId(e)) - at).norm();
+    if (distance < closest) {
+      closest = distance;
+      size = size_of(increment.mesh, base::ElementId(e));
+    }
+  }
+  return closest < size ? size : 0.0;
+}
+
+const mesh::SizeMap::Wish* nearest(const std::vector<mesh::SizeMap::Wish>& list,
+                                   const base::Vec2& at) {
+  const auto found = std::ranges::min_element(
+      list, {}, [&](const mesh::SizeMap::Wish& wish) { return (wish.at - at).squaredNorm(); });
+  return found == list.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+base::CrackId crack_of_faces(const model::Model& model, const std::string& contact) {
+  for (std::size_t c = 0; c < model.cracks.size(); ++c) {
+    if (contact == model.cracks[c].name + ".FACES") {
+      return base::CrackId(c);
+    }
+  }
+  return {};
+}
+
+base::Vec2 centre_of(const model::Mesh& mesh, base::ElementId e) {
+  const auto corners = static_cast<std::size_t>(base::info(mesh.type[e.index()]).corners);
+  base::Vec2 sum = base::Vec2::Zero();
+  for (const base::NodeId n : mesh.nodes_of(e).first(corners)) {
+    sum += mesh.x[n.index()].head<2>();
+  }
+  return sum / static_cast<double>(corners);
+}
+
+double size_of(const model::Mesh& mesh, base::ElementId e) {
+  const auto corners = static_cast<std::size_t>(base::info(mesh.type[e.index()]).corners);
+  const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < corners; ++i) {
+    sum += (mesh.x[nodes[(i + 1) % corners].index()] - mesh.x[nodes[i].index()]).norm();
+  }
+  return sum / static_cast<double>(corners);
+}
+
+void add_places(const model::Model& model, const WideBar& wide, std::vector<Place>& places) {
+  const double may = most_of_bar * wide.allowed;
+  if (wide.bar.edge <= may) {
+    return;
+  }
+  // K changes by the pressure that one pair more takes: with the square of its distance
+  const double factor = std::max(least_factor, std::sqrt(may / wide.bar.edge));
+  const double ends = estimate::share_of_flip * wide.bar.flip;
+  for (const results::ContactResult& contact : wide.step.contacts) {
+    for (std::size_t i = 1; i < contact.points.size() && ends > least_share * may; ++i) {
+      const results::ContactPoint& a = contact.points[i - 1];
+      const results::ContactPoint& b = contact.points[i];
+      if ((a.state == results::ContactState::open) != (b.state == results::ContactState::open)) {
+        const base::CrackId faces = crack_of_faces(model, contact.name);
+        places.push_back({0.5 * (a.x + b.x).head<2>(), factor, faces, 0.0, faces.valid()});
+      }
+    }
+    for (const base::Vec3& x : contact.unbounded) {
+      if (wide.bar.edge - ends > least_share * may) {
+        places.push_back(
+            {x.head<2>(), factor, wide.crack, patch_size(wide.increment, x.head<2>()), false});
+      }
+    }
+  }
+}
+
+Followers followers_of(const std::vector<Place>& places, const Elements& elements,
+                       std::size_t cracks) {
+  Followers followers{{}, std::vector<double>(cracks, 1.0)};
+  for (const Place& place : places) {
+    if (place.on_faces) {
+      double& finer = followers.patch[place.crack.index()];
+      finer = std::max(finer, std::min(1.0 / place.factor, most_for_faces));
+      continue;
+    }
+    std::map<std::string, double> here; // size by net
+    double largest = place.patch;
+    for (const auto& [net, list] : elements.kept) {
+      const auto cavity = elements.cut.find(net);
+      const mesh::SizeMap::Wish* own = nearest(list, place.at);
+      const mesh::SizeMap::Wish* cut =
+          cavity == elements.cut.end() ? nullptr : nearest(cavity->second, place.at);
+      const auto distance = [&](const mesh::SizeMap::Wish* wish) {
+        return wish == nullptr ? std::numeric_limits<double>::infinity()
+                               : (wish->at - place.at).norm();
+      };
+      const bool in_patch = distance(cut) < distance(own);
+      const mesh::SizeMap::Wish* there = in_patch ? cut : own;
+      if (there != nullptr && distance(there) < there->size && !(in_patch && place.patch > 0.0)) {
+        here.emplace(net, there->size);
+        largest = std::max(largest, there->size);
+      }
+    }
+    const double least = place.crack.valid() ? much_smaller * largest : 0.0;
+    for (const auto& [net, size] : here) {
+      if (size >= least) {
+        followers.nets[net].push_back({place.at, place.factor * largest, true});
+      }
+    }
+    if (place.patch > 0.0 && place.patch >= largest) {
+      double& finer = followers.patch[place.crack.index()];
+      finer = std::max(finer, std::min(1.0 / place.factor, most_for_mouth));
+    }
+  }
+  return followers;
+}
+
+} // namespace spricka::analysis

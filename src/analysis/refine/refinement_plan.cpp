@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/refine/refinement_plan.hpp"
+
+#include "analysis/refine/contact_places.hpp"
+#include "analysis/refine/wide_bars.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numeric>
+#include <set>
+#include <utility>
+
+#include <fmt/ranges.h>
+
+namespace spricka::analysis {
+
+namespace {
+
+// The error of K falls with the q-th power of the element size: 3 to 4 away from the tip, where u
+// and z are smooth; 3 asks for a little more than needed.
+constexpr double q = 3.0;
+constexpr double aim = 0.9;        // of what is allowed: a round more costs more than this margin
+constexpr double most_finer = 2.0; // of a patch in one round
+constexpr double no_change = 0.95; // of a size: not worth a new mesh
+// Where few elements have most of an error it stems from places without bound, and falls with the
+// first power of their size at worst (clamped ends, notches).
+constexpr double peak = 0.04;        // of the host's error, in one element
+constexpr double most_of_sum = 0.5;  // of all error, in the peaks together
+constexpr double worth_a_mesh = 0.7; // of the size of single elements
+
+/// Factors on the sizes of one increment's host elements and of the patches, from its bars.
+struct Factors {
+  std::vector<double> host;  ///< [kept host element] of its size
+  std::vector<double> patch; ///< [crack] to be divided by
+};
+
+double power_sum(const std::vector<double>& error, std::size_t from, std::size_t to, double power) {
+  return std::accumulate(error.begin() + static_cast<std::ptrdiff_t>(from),
+                         error.begin() + static_cast<std::ptrdiff_t>(to), 0.0,
+                         [&](double sum, double e) { return sum + std::pow(std::abs(e), power); });
+}
+
+// Elements of the host in which the error has peaks; none where it is spread.
+std::vector<bool> peaks_of(const std::vector<double>& error, std::size_t kept, double sum) {
+  const double host = power_sum(error, 0, kept, 1.0);
+  std::vector<bool> peaks(kept, false);
+  double inside = 0.0;
+  for (std::size_t e = 0; e < kept; ++e) {
+    peaks[e] = std::abs(error[e]) > peak * host;
+    inside += peaks[e] ? std::abs(error[e]) : 0.0;
+  }
+  return inside > most_of_sum * sum ? peaks : std::vector<bool>(kept, false);
+}
+
+// Makes peaks as small as keeps half of what is allowed; what is left of the host and of what it
+// may keep.
+struct Rest {
+  std::vector<double> error; ///< [kept host element] 0 in peaks
+  double sum = 0.0, allowed = 0.0;
+};
+Rest share_peaks(const std::vector<double>& error, double sum, double allowed, Factors& factors) {
+  Rest rest{error, 0.0, allowed};
+  rest.error.resize(factors.host.size());
+  const std::vector<bool> peaks = peaks_of(error, rest.error.size(), sum);
+  double high = 0.0;
+  for (std::size_t e = 0; e < peaks.size(); ++e) {
+    high += peaks[e] ? std::abs(error[e]) : 0.0;
+  }
+  for (std::size_t e = 0; e < peaks.size(); ++e) {
+    if (peaks[e]) {
+      const double f = std::clamp(0.5 * allowed / high, least_factor, 1.0);
+      factors.host[e] = std::min(factors.host[e], f);
+      rest.error[e] = 0.0;
+    }
+  }
+  rest.sum = power_sum(rest.error, 0, rest.error.size(), 1.0);
+  rest.allowed = allowed - std::min(high, 0.5 * allowed);
+  return rest;
+}
+
+// Least freedoms sum f_e^-2 at a sum of |eta_e| f_e^q: f_e = c |eta_e|^(-1/(q + 2)).
+void share_out(const WideBar& wide, Factors& factors) {
+  const std::vector<double>& error = wide.bar.of_element;
+  const std::size_t kept = factors.host.size();
+  const double patch = power_sum(error, kept, error.size(), 1.0);
+  const double host = power_sum(error, 0, kept, 1.0);
+  const double room =
+      aim * (wide.allowed - wide.bar.floor - std::min(wide.bar.edge, most_of_bar * wide.allowed));
+  const double over = room > 0.0 ? wide.bar.mesh / room : 1.0 / std::pow(least_factor, q);
+  const double sum = patch + host;
+  if (over <= 1.0 || sum <= 0.0) {
+    return;
+  }
+  // A patch of N elements has one factor: N f^-2 at S_p f^q, beside the host's sums.
+  const double of_patch = std::pow(static_cast<double>(error.size() - kept), q / (q + 2.0)) *
+                          std::pow(patch, 2.0 / (q + 2.0));
+  const double share = of_patch / (of_patch + power_sum(error, 0, kept, 2.0 / (q + 2.0)));
+  const double for_patch = std::clamp(share, least_share, 1.0 - least_share) * sum / over;
+  const double for_host = sum / over - for_patch;
+  if (patch > for_patch) {
+    double& finer = factors.patch[wide.crack.index()];
+    finer = std::max(finer, std::min(std::pow(patch / for_patch, 1.0 / q), most_finer));
+  }
+  if (host <= for_host) {
+    return;
+  }
+  const Rest rest = share_peaks(error, sum, for_host, factors);
+  if (rest.sum <= rest.allowed) {
+    return;
+  }
+  const double c =
+      std::pow(rest.allowed / power_sum(rest.error, 0, kept, 2.0 / (q + 2.0)), 1.0 / q);
+  for (std::size_t e = 0; e < kept; ++e) {
+    const double own = std::abs(rest.error[e]);
+    const double f = own == 0.0 ? 1.0 : c * std::pow(own, -1.0 / (q + 2.0));
+    factors.host[e] = std::min(factors.host[e], std::clamp(f, least_factor, 1.0));
+  }
+}
+
+std::string net_of(const model::Model& model, const model::Mesh& mesh, std::size_t e) {
+  return model.nets[mesh.element_net[e].index()].name;
+}
+
+// What patches stand in for keeps its size: it is cut out again.
+void add_cavities(const model::Model& model, const results::Increment& increment, Wishes& wishes) {
+  const model::Mesh& host = model.mesh;
+  std::set<std::pair<std::int32_t, base::Label>> kept;
+  for (std::size_t e = 0; e < increment.kept; ++e) {
+    kept.emplace(increment.mesh.element_net[e].value, increment.mesh.element_label[e]);
+  }
+  for (std::size_t e = 0; e < host.element_count(); ++e) {
+    if (!kept.contains({host.element_net[e].value, host.element_label[e]})) {
+      wishes[net_of(model, host, e)].push_back(
+          {centre_of(host, base::ElementId(e)), size_of(host, base::ElementId(e)), false});
+    }
+  }
+}
+
+// Part of a net's size that its errors ask for as a whole, for meshes that are refined evenly.
+double even_factor(const model::Mesh& mesh, const Factors& factors, base::NetId net) {
+  double wanted = 0.0;
+  double now = 0.0;
+  for (std::size_t e = 0; e < factors.host.size(); ++e) {
+    if (mesh.element_net[e] == net) {
+      wanted += 1.0 / (factors.host[e] * factors.host[e]);
+      now += 1.0;
+    }
+  }
+  return now > 0.0 ? std::sqrt(now / wanted) : 1.0;
+}
+
+/// What all increments of a run ask for.
+struct Demands {
+  Wishes wishes;
+  Elements elements;
+  std::map<std::string, double> even;  ///< by net: of its size, for meshes refined evenly
+  std::map<std::string, double> least; ///< by net: the smallest factor of its elements
+  std::vector<Place> places;
+  std::vector<double> patch; ///< [crack] to be divided by
+};
+
+void add_elements(const model::Model& model, const results::Increment& increment,
+                  const Factors& factors, Demands& demands) {
+  add_cavities(model, increment, demands.elements.cut);
+  for (std::size_t e = 0; e < increment.kept; ++e) {
+    const double f = factors.host[e];
+    const std::string net = net_of(model, increment.mesh, e);
+    const base::Vec2 centre = centre_of(increment.mesh, base::ElementId(e));
+    const double size = size_of(increment.mesh, base::ElementId(e));
+    demands.elements.kept[net].push_back({centre, size, false});
+    demands.wishes[net].push_back({centre, f * size, f < no_change});
+    double& least = demands.least.try_emplace(net, 1.0).first->second;
+    least = std::min(least, f);
+  }
+  for (std::size_t n = 0; n < model.nets.size(); ++n) {
+    double& f = demands.even.try_emplace(model.nets[n].name, 1.0).first->second;
+    f = std::min(f, even_factor(increment.mesh, factors, base::NetId(n)));
+  }
+}
+
+Demands demands_of(const model::Model& model, const results::Run& run) {
+  const std::vector<WideBar> bars = wide_bars(model, run);
+  Demands demands;
+  demands.patch.assign(model.cracks.size(), 1.0);
+  for (const results::Increment& increment : run.increments) {
+    Factors factors{std::vector<double>(increment.kept, 1.0), demands.patch};
+    for (const WideBar& wide : bars) {
+      if (&wide.increment != &increment) {
+        continue;
+      }
+      if (wide.bar.edge <= wide.allowed) { // else eta, too, comes from contacts that are too coarse
+        share_out(wide, factors);
+      }
+      add_places(model, wide, demands.places);
+    }
+    demands.patch = factors.patch;
+    add_elements(model, increment, factors, demands);
+  }
+  return demands;
+}
+
+} // namespace
+
+RefinementPlan::RefinementPlan(const model::Model& model) : finer_(model.cracks.size(), 1.0) {
+  for (const model::TipNet& tip : model.tip_nets) {
+    finer_[tip.crack.index()] = tip.finer;
+  }
+}
+
+std::string RefinementPlan::refine(const model::Model& model, const results::Run& run) {
+  Demands demands = demands_of(model, run);
+  const Followers followers = followers_of(demands.places, demands.elements, demands.patch.size());
+  for (const Wishes* more : {&std::as_const(demands.elements.cut), &followers.nets}) {
+    for (const auto& [net, list] : *more) {
+      demands.wishes[net].insert(demands.wishes[net].end(), list.begin(), list.end());
+    }
+  }
+  std::vector<std::string> moved;
+  patch_growth_ = 1.0;
+  for (std::size_t c = 0; c < demands.patch.size(); ++c) {
+    const double finer = std::max(demands.patch[c], followers.patch[c]);
+    if (finer > 1.0 / no_change) {
+      finer_[c] *= finer;
+      patch_growth_ = std::max(patch_growth_, finer * finer);
+      moved.push_back(fmt::format("patch of {} {:.2f} times", model.cracks[c].name, finer));
+    }
+  }
+  for (auto& [net, list] : demands.wishes) {
+    const bool near_ends = followers.nets.contains(net);
+    const double f = demands.even[net];
+    const bool in_places = demands.least[net] < worth_a_mesh;
+    if (!near_ends && !in_places && f >= no_change) {
+      continue;
+    }
+    deck::Refinement& refinement = nets_[net];
+    refinement.size.map = std::make_shared<const mesh::SizeMap>(std::move(list));
+    refinement.counts =
+        static_cast<int>(std::ceil(refinement.counts / std::min(f, near_ends ? 0.7 : 1.0)));
+    refinement.splits += 1;
+    moved.push_back(fmt::format("{} {:.2f} times{}", net.empty() ? "the mesh" : "net " + net,
+                                1.0 / f,
+                                near_ends                     ? ", most where contact ends"
+                                : in_places && f >= no_change ? ", most in single elements"
+                                                              : ""));
+  }
+  return fmt::format("{}", fmt::join(moved, "; "));
+}
+
+void RefinementPlan::apply(model::Model& model) const {
+  for (model::TipNet& tip : model.tip_nets) {
+    tip.finer = finer_[tip.crack.index()];
+  }
+}
+
+} // namespace spricka::analysis

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/scene/scene_heat.hpp"
+
+#include "fe/thermal.hpp"
+
+namespace spricka::analysis {
+
+std::shared_ptr<const fe::CaseHeat> heat_of(const model::Model& model, const Scene& scene,
+                                            const model::LoadCase& load_case) {
+  fe::PatchedMesh patched{scene.cracked.mesh, model.mesh, nullptr, {}};
+  if (scene.cracked.host.size() == scene.cracked.mesh.element_count()) {
+    patched.host = &scene.cracked.host;
+  }
+  for (const mesh::Tip& tip : scene.cracked.tips) {
+    patched.tips.push_back(tip.node);
+  }
+  return std::make_shared<const fe::CaseHeat>(fe::case_heat(model, patched, load_case));
+}
+
+model::LoadCase without_heat(const model::LoadCase& load_case) {
+  model::LoadCase rest = load_case;
+  std::erase_if(rest.loads,
+                [](const model::Load& l) { return l.type == model::LoadType::temperature; });
+  return rest;
+}
+
+base::Vector heat_load(const model::Model& model, const model::Mesh& mesh,
+                       const fe::CaseHeat& heat) {
+  base::Vector f = base::Vector::Zero(mesh.dim * static_cast<Eigen::Index>(mesh.node_count()));
+  if (heat.temperature.size() > 0) {
+    f = fe::thermal_load(model, mesh, heat.temperature);
+    fe::add_rest_load(model, mesh, {&heat, 1.0}, {}, f);
+  }
+  return f;
+}
+
+std::vector<fe::ActingHeat> acting_heat(const Scene& scene, const base::Vector& case_factor) {
+  std::vector<fe::ActingHeat> acting;
+  for (std::size_t c = 0; c < scene.case_heat.size(); ++c) {
+    const double factor = case_factor[static_cast<Eigen::Index>(c)];
+    if (factor != 0.0 && scene.case_heat[c]->temperature.size() > 0) {
+      acting.push_back({scene.case_heat[c].get(), factor});
+    }
+  }
+  return acting;
+}
+
+} // namespace spricka::analysis

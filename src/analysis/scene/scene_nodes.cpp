@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/scene/scene_nodes.hpp"
+
+#include "mesh/cut/lip_sets.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace spricka::analysis {
+
+namespace {
+
+constexpr const char* smaller_patch = "keep the crack's patch away from it: a smaller RADIUS on "
+                                      "$TIPNET, or use TRACTION or RESULTANT "
+                                      "on a face set";
+
+bool is_nothing(const model::Load& load) {
+  return std::ranges::all_of(load.value, [](const base::Expression& v) {
+    return v.is_constant() && v(base::Vec3::Zero()) == 0.0;
+  });
+}
+
+std::vector<base::NodeId> sorted(std::vector<base::NodeId> nodes) {
+  std::ranges::sort(nodes);
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+// Each node of the set carries the force: nodes that go or come change the sum. The node of a
+// crack's mouth may be that of the other face.
+std::string changed(const model::Model& model, const Scene& scene, const model::Load& load) {
+  const model::Mesh& mesh = scene.cracked.mesh;
+  const mesh::LipMembership lips(mesh, scene.cracked.lips);
+  const std::vector<base::NodeId> before = sorted(model.mesh.set(load.nodes).nodes);
+  const std::vector<base::NodeId> now = sorted(mesh.set(load.nodes).nodes);
+  for (const base::NodeId n : before) {
+    const auto stays = [&](base::NodeId m) { return std::ranges::binary_search(now, m); };
+    if (!stays(n) && std::ranges::none_of(lips.nodes_with(n), stays)) {
+      return fmt::format("a crack has cut out node {}, which it loads", mesh.node_label[n.index()]);
+    }
+  }
+  return now.size() > before.size()
+             ? fmt::format("a crack has added {} nodes to those that it loads, each of which would "
+                           "carry the force again",
+                           now.size() - before.size())
+             : "";
+}
+
+} // namespace
+
+bool forces_are_taken(const model::Model& model, const Scene& scene,
+                      base::Diagnostics& diagnostics) {
+  const model::Mesh& mesh = scene.cracked.mesh;
+  std::vector<bool> taken = model::nodes_in_use(mesh);
+  for (const fe::Dependence::Row& row : scene.ties->rows()) {
+    taken[static_cast<std::size_t>(row.freedom / mesh.dim)] = true;
+    for (const fe::Term& t : row.terms) {
+      taken[static_cast<std::size_t>(t.freedom / mesh.dim)] = true;
+    }
+  }
+  for (const model::LoadCase& load_case : model.cases) {
+    for (const model::Load& load : load_case.loads) {
+      if (load.type != model::LoadType::force || is_nothing(load)) {
+        continue;
+      }
+      if (const std::string why = changed(model, scene, load); !why.empty()) {
+        diagnostics.error(load.span, "E418", fmt::format("load case {}: {}", load_case.name, why),
+                          smaller_patch);
+        return false;
+      }
+      for (const base::NodeId n : mesh.set(load.nodes).nodes) {
+        if (!taken[n.index()]) {
+          diagnostics.error(load.span, "E418",
+                            fmt::format("load case {}: no element has node {}, which it loads",
+                                        load_case.name, mesh.node_label[n.index()]),
+                            "tie the node by $MPC, or load one of the body");
+          return false;
+        }
+      }
+    }
+  }
+  return true;
+}
+
+bool supports_are_kept(const model::Model& model, const Scene& scene,
+                       base::Diagnostics& diagnostics) {
+  const auto keeps = [&](base::NodeSetId nodes, const base::Span& span, const char* what) {
+    const std::size_t set = nodes.index();
+    if (set >= scene.cracked.lost.size() || scene.cracked.lost[set].empty()) {
+      return true;
+    }
+    const base::NodeId n = scene.cracked.lost[set].front();
+    diagnostics.error(span, "E419",
+                      fmt::format("a crack has cut out node {}, which is {} here",
+                                  model.mesh.node_label[n.index()], what),
+                      "keep the crack's patch away from it: a smaller RADIUS on $TIPNET");
+    return false;
+  };
+  for (const model::Freedom& freedom : model.freedoms) {
+    const bool holds = freedom.cls == model::FreedomClass::suppressed ||
+                       freedom.cls == model::FreedomClass::prescribed;
+    if (holds && !keeps(freedom.nodes, freedom.span, "held")) {
+      return false;
+    }
+  }
+  for (const model::LoadCase& load_case : model.cases) {
+    for (const model::Load& load : load_case.loads) {
+      if (load.type == model::LoadType::displacement && !keeps(load.nodes, load.span, "moved")) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+} // namespace spricka::analysis

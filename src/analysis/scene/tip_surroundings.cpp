@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/scene/tip_surroundings.hpp"
+
+#include "analysis/scene/scene_heat.hpp"
+#include "fe/assemble.hpp"
+#include "fe/set_shares.hpp"
+#include "mesh/cut/lip_faces.hpp"
+#include "shape/topology.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+namespace spricka::analysis {
+
+namespace {
+
+/// Nodes that a domain moves, and the elements round them.
+struct Near {
+  std::set<base::NodeId> nodes;
+  std::set<base::ElementId> elements;
+};
+
+Near near_tip(const std::vector<crack::ExtensionField>& fields) {
+  Near near;
+  for (const crack::ExtensionField& field : fields) {
+    near.elements.insert(field.elements.begin(), field.elements.end());
+    near.elements.insert(field.inside.begin(), field.inside.end());
+    for (const auto& [node, q] : field.q) {
+      near.nodes.insert(node);
+    }
+  }
+  return near;
+}
+
+double weighted_volume(const model::Model& model, const model::Mesh& mesh,
+                       base::ElementSetId elements) {
+  model::Load unit;
+  unit.type = model::LoadType::body;
+  unit.elements = elements;
+  unit.value = {base::Expression::constant(1.0)};
+  const base::Vector f = fe::nodal_load(model, mesh, {"", {unit}});
+  double sum = 0.0;
+  for (Eigen::Index i = 0; i < f.size(); i += mesh.dim) {
+    sum += f[i];
+  }
+  return sum;
+}
+
+std::vector<base::NodeId> nodes_of_side(const model::Mesh& mesh, const model::Face& face) {
+  const auto nodes = mesh.nodes_of(face.element);
+  std::vector<base::NodeId> result;
+  for (const int k : shape::side_nodes(mesh.type[face.element.index()], face.side)) {
+    result.push_back(nodes[static_cast<std::size_t>(k)]);
+  }
+  return result;
+}
+
+// Elements of properties that differ in nothing but their sets have the same number.
+std::vector<std::int64_t> material_zones(const model::Model& model, const model::Mesh& mesh) {
+  std::vector<std::int64_t> of_property(model.properties.size());
+  for (std::size_t p = 0; p < of_property.size(); ++p) {
+    of_property[p] = static_cast<std::int64_t>(p);
+    for (std::size_t q = 0; q < p; ++q) {
+      const model::Property& one = model.properties[p];
+      const model::Property& other = model.properties[q];
+      if (one.material == other.material && one.state == other.state &&
+          one.thickness == other.thickness) {
+        of_property[p] = of_property[q];
+        break;
+      }
+    }
+  }
+  std::vector<std::int64_t> zones;
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    zones.push_back(of_property[mesh.property[e].index()]);
+  }
+  return zones;
+}
+
+// Where all elements are quadratic, terms of the domains take the rims of heated sets as they are.
+bool heat_is_known_inside(const model::Mesh& mesh) {
+  return std::ranges::all_of(mesh.type,
+                             [](base::ElementType t) { return base::info(t).quadratic; });
+}
+
+bool is_per_area(const model::Load& load) {
+  return load.type == model::LoadType::traction || load.type == model::LoadType::pressure;
+}
+
+bool fills(const model::Load& load) {
+  return load.elements.valid() &&
+         (load.type == model::LoadType::body || load.type == model::LoadType::resultant ||
+          load.type == model::LoadType::temperature);
+}
+
+crack::ActingLoad acting_near(const model::Model& model, const model::Mesh& mesh,
+                              const model::Load& load, double factor, const Near& near) {
+  crack::ActingLoad acting{&load, factor, {}, {}};
+  if (is_per_area(load)) {
+    for (const model::Face& face : mesh.set(load.faces).faces) {
+      if (std::ranges::any_of(nodes_of_side(mesh, face),
+                              [&](base::NodeId n) { return near.nodes.contains(n); })) {
+        acting.faces.push_back(face);
+      }
+    }
+  } else if (fills(load)) {
+    const bool heats = load.type == model::LoadType::temperature;
+    for (const base::ElementId e : heats ? mesh.set(load.elements).elements
+                                         : fe::set_shares(model, mesh, load.elements).elements) {
+      if (near.elements.contains(e)) {
+        acting.elements.push_back(e);
+      }
+    }
+    std::ranges::sort(acting.elements);
+  }
+  return acting;
+}
+
+} // namespace
+
+crack::TipLoads tip_loads(const model::Model& model, const Scene& scene,
+                          const std::vector<crack::ExtensionField>& fields,
+                          const base::Vector& case_factor) {
+  const model::Mesh& mesh = scene.cracked.mesh;
+  const Near near = near_tip(fields);
+  crack::TipLoads loads;
+  for (std::size_t c = 0; c < model.cases.size(); ++c) {
+    const double factor = case_factor[static_cast<Eigen::Index>(c)];
+    for (const model::Load& load : model.cases[c].loads) {
+      if (factor == 0.0) {
+        continue;
+      }
+      crack::ActingLoad acting = acting_near(model, mesh, load, factor, near);
+      if (acting.faces.empty() && acting.elements.empty()) {
+        continue;
+      }
+      if (load.type == model::LoadType::resultant) {
+        acting.factor /= weighted_volume(model, mesh, load.elements);
+      }
+      loads.loads.push_back(std::move(acting));
+    }
+  }
+  const bool heated = std::ranges::any_of(loads.loads, [](const crack::ActingLoad& a) {
+    return a.load->type == model::LoadType::temperature;
+  });
+  if (heated) {
+    loads.temperature = scene.case_temperature * case_factor;
+    loads.heat = acting_heat(scene, case_factor);
+  }
+  return loads;
+}
+
+crack::DomainLimits domain_limits(const model::Model& model, const Scene& scene,
+                                  const mesh::Tip& tip) {
+  using model::FreedomClass;
+  const model::Mesh& mesh = scene.cracked.mesh;
+  const auto dim = static_cast<std::size_t>(mesh.dim);
+  crack::DomainLimits limits;
+  limits.node.assign(mesh.node_count(), false);
+  limits.zone = material_zones(model, mesh);
+  for (std::size_t i = 0; i < scene.cls.size(); ++i) {
+    const FreedomClass c = scene.cls[i];
+    if (c == FreedomClass::suppressed || c == FreedomClass::prescribed ||
+        c == FreedomClass::dependent) {
+      limits.node[i / dim] = true;
+    }
+  }
+  if (tip.symmetric_half) {
+    for (std::size_t n = 0; n < mesh.node_count(); ++n) {
+      const base::Vec3 d = mesh.x[n] - tip.x;
+      const base::Vec3 across(-tip.direction.y(), tip.direction.x(), 0.0);
+      if (std::abs(d.dot(across)) < 1e-9 * tip.a) {
+        limits.node[n] = false;
+      }
+    }
+  }
+  auto zone = static_cast<std::int64_t>(model.properties.size());
+  for (const model::LoadCase& load_case : model.cases) {
+    for (const model::Load& load : load_case.loads) {
+      if (load.type == model::LoadType::force) {
+        for (const base::NodeId n : mesh.set(load.nodes).nodes) {
+          limits.node[n.index()] = true;
+        }
+      } else if (load.type == model::LoadType::temperature && !heat_is_known_inside(mesh)) {
+        for (const base::ElementId e : mesh.set(load.elements).elements) {
+          limits.zone[e.index()] += zone;
+        }
+        zone = zone < (std::int64_t{1} << 50) ? 2 * zone : zone + 1;
+      }
+    }
+  }
+  return limits;
+}
+
+void fill_lip_sets(const model::Model& model, mesh::CrackedMesh& cracked) {
+  for (std::size_t i = 0; i < cracked.lips.size() && i < model.cracks.size(); ++i) {
+    const model::Crack& crack = model.cracks[i];
+    if (!crack.left.valid() || !crack.right.valid()) {
+      continue;
+    }
+    mesh::LipFaces faces = mesh::lip_faces(cracked.mesh, cracked.lips[i]);
+    cracked.mesh.face_sets[crack.left.index()].faces = std::move(faces.left);
+    cracked.mesh.face_sets[crack.right.index()].faces = std::move(faces.right);
+  }
+}
+
+bool lips_carry_no_totals(const model::Model& model, const Scene& scene,
+                          base::Diagnostics& diagnostics) {
+  const model::Mesh& mesh = scene.cracked.mesh;
+  std::set<model::Face> lips;
+  for (const mesh::CrackedMesh::Lips& lip : scene.cracked.lips) {
+    const mesh::LipFaces faces = mesh::lip_faces(mesh, lip);
+    lips.insert(faces.left.begin(), faces.left.end());
+    lips.insert(faces.right.begin(), faces.right.end());
+  }
+  bool good = true;
+  for (const model::LoadCase& load_case : model.cases) {
+    for (const model::Load& load : load_case.loads) {
+      if (load.faces.valid() && !is_per_area(load) &&
+          std::ranges::any_of(mesh.set(load.faces).faces,
+                              [&](const model::Face& face) { return lips.contains(face); })) {
+        diagnostics.error(load.span, "E417",
+                          fmt::format("load case {} gives a total to faces of a crack: how it "
+                                      "spreads would change as the crack grows",
+                                      load_case.name),
+                          "give a PRESSURE or TRACTION, or leave the crack's part of the line out "
+                          "of the set");
+        good = false;
+      }
+    }
+  }
+  return good;
+}
+
+} // namespace spricka::analysis

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/scene/scene.hpp"
+#include "crack/extension.hpp"
+#include "crack/tip_loads.hpp"
+
+#include <vector>
+
+namespace spricka::analysis {
+
+/// What acts on the elements and faces of some domains under the cases' factors [case]. The model
+/// must outlive it.
+crack::TipLoads tip_loads(const model::Model& model, const Scene& scene,
+                          const std::vector<crack::ExtensionField>& fields,
+                          const base::Vector& case_factor);
+
+/// What the domains of a tip must keep clear of: nodes that are held, tied or loaded one by one
+/// (those of a half model's own line are not), and the rims of what is heated.
+crack::DomainLimits domain_limits(const model::Model& model, const Scene& scene,
+                                  const mesh::Tip& tip);
+
+/// Puts the faces of all cracks into the sets that loads name.
+void fill_lip_sets(const model::Model& model, mesh::CrackedMesh& cracked);
+
+/// Loads that give a total to faces of a crack are refused (E417): it spreads anew as the crack
+/// grows, which G has no term for.
+bool lips_carry_no_totals(const model::Model& model, const Scene& scene,
+                          base::Diagnostics& diagnostics);
+
+} // namespace spricka::analysis

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/steps/carried_state.hpp"
+
+#include "base/hasher.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace spricka::analysis {
+
+namespace {
+
+// Host nodes keep their numbers from length to length, so that rows can be told by them.
+std::vector<std::int64_t> key_of(const Scene& scene, std::size_t contact) {
+  base::Hasher hash;
+  for (std::size_t r = scene.table.first[contact]; r < scene.table.first[contact + 1]; ++r) {
+    const contact::ConstraintRow& row = *scene.table.rows[r];
+    hash.value(row.node.value);
+    hash.value(row.tangential);
+    hash.value(row.area);
+    hash.value(row.entries.size());
+    for (const contact::RowEntry& entry : row.entries) {
+      hash.value(entry.node.value);
+      for (const double w : entry.weight) {
+        hash.value(w);
+      }
+    }
+  }
+  const auto [high, low] = hash.key();
+  return {static_cast<std::int64_t>(high), static_cast<std::int64_t>(low)};
+}
+
+std::string name_of(std::size_t contact, const std::string& what) {
+  return fmt::format("carried.{}.{}", contact, what);
+}
+
+std::vector<double> as_list(const base::Vector& v) {
+  return {v.data(), v.data() + v.size()};
+}
+
+base::Vector as_vector(const std::vector<double>& v) {
+  return Eigen::Map<const base::Vector>(v.data(), static_cast<Eigen::Index>(v.size()));
+}
+
+} // namespace
+
+void CarriedState::take(const Scene& scene, const StepSolver::Place& place) {
+  contacts_.clear();
+  for (std::size_t c = 0; c < scene.contacts.size(); ++c) {
+    if (std::ranges::any_of(scene.lip_pairs,
+                            [&](const auto& lip) { return lip && lip->pair == c; })) {
+      continue;
+    }
+    Pair& pair = contacts_.emplace_back();
+    pair.key = key_of(scene, c);
+    pair.fit = place.factors.fit[c];
+    pair.mounted = place.factors.mounted[c];
+    pair.work = place.friction.work[c];
+    for (std::size_t r = scene.table.first[c]; r < scene.table.first[c + 1]; ++r) {
+      pair.offset.push_back(place.offset[static_cast<Eigen::Index>(r)]);
+      pair.slip.push_back(place.friction.slip[r]);
+      pair.path.push_back(place.friction.path[r]);
+      pair.pressure.push_back(place.friction.pressure[r]);
+      pair.touch.push_back(static_cast<std::int64_t>(place.friction.touch[r]));
+    }
+  }
+  case_factor_ = as_list(place.factors.case_factor);
+  alpha_ = as_list(place.friction.alpha);
+}
+
+std::optional<StepSolver::Place> CarriedState::put(const Scene& scene, const StepSolver::Place& now,
+                                                   std::string& trouble) const {
+  StepSolver::Place place = now;
+  place.closed.clear();
+  place.factors.case_factor = as_vector(case_factor_);
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    const Pair& pair = contacts_[c];
+    if (pair.key != key_of(scene, c)) {
+      trouble = fmt::format("HISTORY=CONTINUE: the surfaces of contact {} are meshed differently "
+                            "at this length, so that what slipped at the last one cannot be "
+                            "carried over",
+                            scene.contacts[c].name);
+      return std::nullopt;
+    }
+    place.factors.fit[c] = pair.fit;
+    place.factors.mounted[c] = pair.mounted;
+    place.friction.work[c] = pair.work;
+    const std::size_t first = scene.table.first[c];
+    for (std::size_t r = 0; r < pair.offset.size(); ++r) {
+      place.offset[static_cast<Eigen::Index>(first + r)] = pair.offset[r];
+      place.friction.slip[first + r] = pair.slip[r];
+      place.friction.path[first + r] = pair.path[r];
+      place.friction.pressure[first + r] = pair.pressure[r];
+      place.friction.touch[first + r] = static_cast<solve::Touch>(pair.touch[r]);
+    }
+  }
+  if (static_cast<Eigen::Index>(alpha_.size()) == now.friction.alpha.size()) {
+    place.friction.alpha = as_vector(alpha_);
+  }
+  return place;
+}
+
+void CarriedState::save(results::NamedArrays& arrays) const {
+  if (empty()) {
+    return;
+  }
+  arrays.integers["carried.contacts"] = {static_cast<std::int64_t>(contacts_.size())};
+  arrays.reals["carried.case_factor"] = case_factor_;
+  arrays.reals["carried.alpha"] = alpha_;
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    const Pair& pair = contacts_[c];
+    arrays.integers[name_of(c, "key")] = pair.key;
+    arrays.integers[name_of(c, "touch")] = pair.touch;
+    arrays.reals[name_of(c, "offset")] = pair.offset;
+    arrays.reals[name_of(c, "slip")] = pair.slip;
+    arrays.reals[name_of(c, "path")] = pair.path;
+    arrays.reals[name_of(c, "pressure")] = pair.pressure;
+    arrays.reals[name_of(c, "state")] = {pair.work, pair.fit, pair.mounted ? 1.0 : 0.0};
+  }
+}
+
+CarriedState CarriedState::load(const results::NamedArrays& arrays) {
+  CarriedState state;
+  const auto count = arrays.integers.find("carried.contacts");
+  if (count == arrays.integers.end()) {
+    return state;
+  }
+  // what is empty may have been left out
+  const auto reals = [&](const std::string& name) {
+    const auto found = arrays.reals.find(name);
+    return found == arrays.reals.end() ? std::vector<double>() : found->second;
+  };
+  const auto integers = [&](const std::string& name) {
+    const auto found = arrays.integers.find(name);
+    return found == arrays.integers.end() ? std::vector<std::int64_t>() : found->second;
+  };
+  state.case_factor_ = reals("carried.case_factor");
+  state.alpha_ = reals("carried.alpha");
+  for (std::size_t c = 0; c < static_cast<std::size_t>(count->second.at(0)); ++c) {
+    const std::vector<double> of_pair = reals(name_of(c, "state"));
+    state.contacts_.push_back({integers(name_of(c, "key")), reals(name_of(c, "offset")),
+                               reals(name_of(c, "slip")), reals(name_of(c, "path")),
+                               reals(name_of(c, "pressure")), integers(name_of(c, "touch")),
+                               of_pair.at(0), of_pair.at(1), of_pair.at(2) != 0.0});
+    Pair& pair = state.contacts_.back();
+    pair.pressure.resize(pair.slip.size()); // all zeros may have been left out
+  }
+  return state;
+}
+
+} // namespace spricka::analysis

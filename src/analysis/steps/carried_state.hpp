@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/scene/scene.hpp"
+#include "analysis/steps/step_solver.hpp"
+#include "results/named_arrays.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace spricka::analysis {
+
+/// Slips, gaps and loads at the moment when the cracks grew, for the next length
+/// ($GROW HISTORY=CONTINUE). It holds for the deck's contacts; what faces of cracks did to each
+/// other is not carried: they are others.
+class CarriedState {
+public:
+  [[nodiscard]] bool empty() const { return contacts_.empty(); }
+
+  /// Keeps a place of a solver on this scene.
+  void take(const Scene& scene, const StepSolver::Place& place);
+  /// The same place on another scene; `now` is where its solver is, for what is not carried. Empty:
+  /// the rows of a contact are not those they were; `trouble` names it.
+  [[nodiscard]] std::optional<StepSolver::Place>
+  put(const Scene& scene, const StepSolver::Place& now, std::string& trouble) const;
+
+  /// As arrays "carried...", for a restart file.
+  void save(results::NamedArrays& arrays) const;
+  /// From those; what is not there has not been carried.
+  static CarriedState load(const results::NamedArrays& arrays);
+
+private:
+  /// One of the deck's contacts.
+  struct Pair {
+    std::vector<std::int64_t> key;          ///< of its rows
+    std::vector<double> offset, slip, path; ///< [row]
+    std::vector<double> pressure;           ///< [row]
+    std::vector<std::int64_t> touch;        ///< [row]
+    double work = 0.0, fit = 0.0;
+    bool mounted = false;
+  };
+  std::vector<Pair> contacts_;
+  std::vector<double> case_factor_, alpha_;
+};
+
+} // namespace spricka::analysis

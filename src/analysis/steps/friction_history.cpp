@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/steps/friction_history.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spricka::analysis {
+
+FrictionHistory::FrictionHistory(const Scene& scene)
+    : scene_(scene), normal_of_(scene.table.rows.size(), -1),
+      contact_of_(scene.table.rows.size(), 0) {
+  const std::size_t rows = scene.table.rows.size();
+  memory_ = {std::vector<solve::Touch>(rows, solve::Touch::stick),
+             std::vector<double>(rows, 0.0),
+             std::vector<double>(rows, 0.0),
+             std::vector<double>(rows, 0.0),
+             std::vector<double>(scene.pairs.size(), 0.0),
+             {}};
+  for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
+    const std::size_t first = scene.table.first[c];
+    const std::size_t normals = scene.pairs[c].normal.size();
+    mu_.push_back(scene.contacts[c].mu);
+    for (std::size_t r = first; r < scene.table.first[c + 1]; ++r) {
+      contact_of_[r] = c;
+      if (mu_[c] > 0.0 && r >= first + normals) {
+        normal_of_[r] = static_cast<std::ptrdiff_t>(r - normals);
+      }
+    }
+  }
+}
+
+void FrictionHistory::add_to(contact::ContactSystem::Demand& demand) const {
+  std::vector<int> place(normal_of_.size(), -1);
+  for (std::size_t i = 0; i < demand.rows.size(); ++i) {
+    place[demand.rows[i]] = static_cast<int>(i);
+  }
+  for (std::size_t i = 0; i < demand.rows.size(); ++i) {
+    const std::size_t row = demand.rows[i];
+    if (rubs(row)) {
+      demand.friction.push_back({place[static_cast<std::size_t>(normal_of_[row])],
+                                 static_cast<int>(i), mu_[contact_of_[row]]});
+    }
+  }
+  if (demand.friction.empty()) {
+    return;
+  }
+  for (const std::size_t row : demand.rows) {
+    demand.touch.push_back(memory_.touch[row]);
+  }
+  demand.alpha = memory_.alpha;
+}
+
+void FrictionHistory::take(const contact::ContactSystem::Demand& demand,
+                           const contact::ContactSystem::Answer& answer) {
+  memory_.alpha = answer.solution.alpha;
+  for (std::size_t i = 0; i < answer.touch.size(); ++i) {
+    memory_.touch[demand.rows[i]] = answer.touch[i];
+  }
+  for (const solve::FrictionRow& f : demand.friction) {
+    const std::size_t row = demand.rows[static_cast<std::size_t>(f.tangent)];
+    if (memory_.touch[row] == solve::Touch::open || memory_.touch[row] == solve::Touch::stick) {
+      continue;
+    }
+    const double v = answer.solution.gap[f.tangent];
+    memory_.slip[row] += v;
+    memory_.path[row] += std::abs(v);
+    // what slips is carried along under the mean of both pressures
+    const double before = memory_.pressure[demand.rows[static_cast<std::size_t>(f.normal)]];
+    const double now = answer.solution.lambda[f.normal];
+    memory_.work[contact_of_[row]] += f.mu * 0.5 * (before + now) * std::abs(v);
+  }
+  for (const solve::FrictionRow& f : demand.friction) {
+    memory_.pressure[demand.rows[static_cast<std::size_t>(f.normal)]] =
+        answer.solution.lambda[f.normal];
+  }
+}
+
+PairFriction FrictionHistory::pair(std::size_t contact) const {
+  PairFriction pair;
+  if (!(mu_[contact] > 0.0)) {
+    return pair;
+  }
+  const std::size_t normals = scene_.pairs[contact].normal.size();
+  const std::size_t first = scene_.table.first[contact];
+  const auto n = static_cast<Eigen::Index>(normals);
+  pair.slip = base::Vector::Zero(n);
+  pair.path = base::Vector::Zero(n);
+  for (std::size_t i = 0; i < normals; ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    pair.touch.push_back(memory_.touch[first + i]);
+    pair.slip[at] = memory_.slip[first + normals + i];
+    pair.path[at] = memory_.path[first + normals + i];
+  }
+  pair.work = memory_.work[contact];
+  pair.mu = mu_[contact];
+  return pair;
+}
+
+void FrictionHistory::begin(std::size_t contact) {
+  for (std::size_t r = scene_.table.first[contact]; r < scene_.table.first[contact + 1]; ++r) {
+    memory_.slip[r] = 0.0;
+    memory_.path[r] = 0.0;
+    memory_.pressure[r] = 0.0;
+  }
+  std::fill(memory_.touch.begin(), memory_.touch.end(), solve::Touch::stick);
+}
+
+} // namespace spricka::analysis

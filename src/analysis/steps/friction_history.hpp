@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/scene/scene.hpp"
+#include "contact/system.hpp"
+
+#include <vector>
+
+/// What contacts with friction remember from increment to increment.
+namespace spricka::analysis {
+
+/// What friction did to one pair so far; empty without friction. Slips are weighted and those of
+/// the contact side against the target: with their sign, and all ways added up.
+struct PairFriction {
+  std::vector<solve::Touch> touch; ///< [normal row]
+  base::Vector slip;               ///< [normal row] while in contact, since the pair was mounted
+  base::Vector path;               ///< [normal row]
+  double work = 0.0;               ///< taken by friction [force * length]
+  double mu = 0.0;
+};
+
+/// What an increment leaves for the next one.
+struct FrictionMemory {
+  std::vector<solve::Touch> touch; ///< [table row]
+  std::vector<double> slip, path;  ///< [table row]
+  std::vector<double> pressure;    ///< [table row] of normal rows at the end of the last increment
+  std::vector<double> work;        ///< [contact]
+  base::Vector alpha;              ///< rigid motions at the end of the last increment
+};
+
+class FrictionHistory {
+public:
+  explicit FrictionHistory(const Scene& scene);
+
+  /// Whether this row of the table is the slip of a pair with friction.
+  [[nodiscard]] bool rubs(std::size_t row) const { return normal_of_[row] >= 0; }
+
+  /// Adds to a demand whose rows are there what friction needs: pairs of rows and first states.
+  void add_to(contact::ContactSystem::Demand& demand) const;
+
+  /// Takes a solved increment: states, slips, work of friction.
+  void take(const contact::ContactSystem::Demand& demand,
+            const contact::ContactSystem::Answer& answer);
+
+  /// A pair is mounted or leaves: what its rows have slipped counts from here.
+  void begin(std::size_t contact);
+
+  [[nodiscard]] PairFriction pair(std::size_t contact) const;
+
+  [[nodiscard]] const FrictionMemory& memory() const { return memory_; }
+  void go_back(const FrictionMemory& memory) { memory_ = memory; }
+
+private:
+  const Scene& scene_;
+  std::vector<std::ptrdiff_t> normal_of_; ///< [table row] of a slip with friction, else -1
+  std::vector<std::size_t> contact_of_;   ///< [table row]
+  std::vector<double> mu_;                ///< [contact]
+  FrictionMemory memory_;
+};
+
+} // namespace spricka::analysis

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/steps/held_modes.hpp"
+
+#include "analysis/steps/let_go.hpp"
+#include "analysis/steps/missing_contact.hpp"
+#include "analysis/steps/rigid_motion.hpp"
+#include "analysis/steps/step_factors.hpp"
+#include "solve/friction.hpp"
+#include "solve/mode_split.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <Eigen/SVD>
+#include <fmt/format.h>
+
+namespace spricka::analysis {
+
+namespace {
+
+/// The free rigid modes of all bodies side by side.
+class AllModes {
+public:
+  AllModes(const Scene& scene, const std::vector<BodyNet>& bodies)
+      : scene_(scene), bodies_(bodies) {
+    body_of_.assign(scene.cracked.mesh.node_count(), -1);
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      for (const base::NodeId n : bodies[b].body.nodes) {
+        body_of_[n.index()] = static_cast<std::int32_t>(b);
+      }
+      first_.push_back(first_.back() + bodies[b].free_modes.cols());
+    }
+  }
+
+  [[nodiscard]] Eigen::Index count() const { return first_.back(); }
+  [[nodiscard]] Eigen::Index first(std::size_t body) const { return first_[body]; }
+  [[nodiscard]] std::size_t body_of(Eigen::Index mode) const {
+    return static_cast<std::size_t>(std::upper_bound(first_.begin(), first_.end(), mode) -
+                                    first_.begin() - 1);
+  }
+
+  /// What a unit of each mode opens of some rows [row, mode].
+  [[nodiscard]] base::Matrix openings(const std::vector<std::size_t>& rows) const {
+    const int dim = scene_.cracked.mesh.dim;
+    base::Matrix B = base::Matrix::Zero(static_cast<Eigen::Index>(rows.size()), count());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      for (const contact::RowEntry& entry : scene_.table.rows[rows[i]]->entries) {
+        const std::int32_t b = body_of_[entry.node.index()];
+        if (b < 0) {
+          continue;
+        }
+        const base::Matrix& modes = bodies_[static_cast<std::size_t>(b)].free_modes;
+        const auto at = static_cast<Eigen::Index>(entry.node.index()) * dim;
+        B.block(static_cast<Eigen::Index>(i), first_[static_cast<std::size_t>(b)], 1,
+                modes.cols()) += entry.weight.head(dim).transpose() * modes.middleRows(at, dim);
+      }
+    }
+    return B;
+  }
+
+  /// The largest of what a mode would open of these rows if it moved their nodes along their
+  /// forces.
+  [[nodiscard]] double opening_scale(const std::vector<std::size_t>& rows) const {
+    double motion = 0.0;
+    for (const BodyNet& body : bodies_) {
+      motion = body.free_modes.size() > 0 ? std::max(motion, body.free_modes.cwiseAbs().maxCoeff())
+                                          : motion;
+    }
+    double scale = 0.0;
+    for (const std::size_t r : rows) {
+      double size = 0.0;
+      for (const contact::RowEntry& entry : scene_.table.rows[r]->entries) {
+        size += entry.weight.lpNorm<1>();
+      }
+      scale = std::max(scale, motion * size);
+    }
+    return scale;
+  }
+
+  /// Generalised loads [mode] of a nodal load.
+  [[nodiscard]] base::Vector loads(const base::Vector& nodal) const {
+    base::Vector h(count());
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      h.segment(first_[b], bodies_[b].free_modes.cols()) =
+          bodies_[b].free_modes.transpose() * nodal;
+    }
+    return h;
+  }
+
+private:
+  const Scene& scene_;
+  const std::vector<BodyNet>& bodies_;
+  std::vector<std::int32_t> body_of_;
+  std::vector<Eigen::Index> first_{0};
+};
+
+std::vector<std::size_t> all_rows(const Scene& scene) {
+  std::vector<std::size_t> rows;
+  for (std::size_t r = 0; r < scene.table.rows.size(); ++r) {
+    rows.push_back(r);
+  }
+  return rows;
+}
+
+// A basis of the columns' span in reduced echelon form: X, Y and the rotation apart where they can
+// be told apart.
+base::Matrix reduced(base::Matrix A) {
+  constexpr double none = 1e-7;
+  base::Matrix basis(A.rows(), 0);
+  for (Eigen::Index row = 0; row < A.rows() && A.cols() > 0; ++row) {
+    Eigen::Index best = 0;
+    if (!(A.row(row).cwiseAbs().maxCoeff(&best) > none)) {
+      continue;
+    }
+    const base::Vector pivot = A.col(best) / A(row, best);
+    for (Eigen::Index c = 0; c < A.cols(); ++c) {
+      if (c != best) {
+        A.col(c) -= A(row, c) * pivot;
+      }
+    }
+    for (Eigen::Index c = 0; c < basis.cols(); ++c) {
+      basis.col(c) -= basis(row, c) * pivot;
+    }
+    basis.conservativeResize(Eigen::NoChange, basis.cols() + 1);
+    basis.rightCols(1) = pivot;
+    A.col(best).setZero();
+  }
+  return basis;
+}
+
+// The motions of one body among some directions [mode, k] of all.
+std::vector<std::string> motions(const model::Model& model, const model::Mesh& mesh,
+                                 const BodyNet& body, const base::Matrix& part) {
+  std::vector<std::string> names;
+  if (part.size() == 0) {
+    return names;
+  }
+  const Eigen::JacobiSVD<base::Matrix> svd(part, Eigen::ComputeThinU);
+  const Eigen::Index rank = (svd.singularValues().array() > 1e-9).count();
+  const base::Matrix rigid = fe::rigid_modes(model, mesh, body.pieces);
+  const base::Matrix mix =
+      rigid.transpose() * (body.free_modes * svd.matrixU().leftCols(rank)); // [rigid mode, rank]
+  const base::Matrix basis = reduced(mix);
+  for (Eigen::Index k = 0; k < basis.cols(); ++k) {
+    names.push_back(describe_motion(mesh, body.body, rigid * basis.col(k)));
+  }
+  return names;
+}
+
+} // namespace
+
+std::vector<results::BodyPreview> held_modes(const model::Model& model, const Scene& scene,
+                                             const std::vector<BodyNet>& bodies) {
+  const model::Mesh& mesh = scene.cracked.mesh;
+  const AllModes modes(scene, bodies);
+  const solve::ModeSplit split =
+      solve::split_modes(modes.openings(all_rows(scene)), modes.opening_scale(all_rows(scene)));
+  std::vector<results::BodyPreview> found;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const BodyNet& body = bodies[b];
+    results::BodyPreview preview;
+    preview.name = body.name;
+    preview.nodes = body.body.nodes.size();
+    preview.elements = body.body.elements.size();
+    preview.modes = static_cast<int>(fe::rigid_modes(model, mesh, body.pieces).cols());
+    const auto free = static_cast<int>(body.free_modes.cols());
+    preview.by_supports = preview.modes - free;
+    preview.by_nothing =
+        motions(model, mesh, body, split.unfelt.middleRows(modes.first(b), body.free_modes.cols()));
+    preview.by_contact = free - static_cast<int>(preview.by_nothing.size());
+    found.push_back(std::move(preview));
+  }
+  return found;
+}
+
+std::vector<Refusal> unheld_loads(const model::Model& model, const Scene& scene,
+                                  const std::vector<BodyNet>& bodies) {
+  const AllModes modes(scene, bodies);
+  const base::Matrix pull = loads_with_supports(model, scene);
+  std::vector<Refusal> refusals;
+  StepFactors factors = first_factors(model, scene.case_load.cols(), scene.contacts.size());
+  for (const model::Step& step : model.steps) {
+    apply_actions(step, factors);
+    std::vector<std::size_t> rows;
+    std::vector<bool> equality;
+    std::vector<solve::FrictionRow> friction;
+    for (std::size_t c = 0; c < scene.contacts.size(); ++c) {
+      for (std::size_t r = scene.table.first[c]; factors.mounted[c] && r < scene.table.first[c + 1];
+           ++r) {
+        rows.push_back(r);
+        equality.push_back(scene.contacts[c].type == model::ContactType::bonded);
+        if (scene.table.rows[r]->tangential && !equality.back()) {
+          const int at = static_cast<int>(rows.size()) - 1;
+          friction.push_back(
+              {at - static_cast<int>(scene.pairs[c].normal.size()), at, scene.contacts[c].mu});
+        }
+      }
+    }
+    const base::Matrix B = modes.openings(rows);
+    const base::Vector h = modes.loads(pull * factors.case_factor);
+    if (h.size() == 0) {
+      continue;
+    }
+    const double scale =
+        std::max((scene.case_load * factors.case_factor).lpNorm<1>(), h.cwiseAbs().maxCoeff());
+    const solve::ModeSplit split = solve::split_modes(B, modes.opening_scale(rows));
+    base::Vector motion = solve::unfelt_motion(split, h, solve::resting_load * scale);
+    if (motion.size() == 0) {
+      // Stiffness plays no part in whether rows can take the loads.
+      const base::Matrix none;
+      const solve::HeldProblem plain{none,
+                                     B * split.felt,
+                                     base::Vector::Zero(B.rows()),
+                                     split.felt.transpose() * h,
+                                     equality,
+                                     0.0,
+                                     {}};
+      solve::HeldProblem cones = plain;
+      cones.B = solve::friction_cones(plain.B, equality, friction).B;
+      const solve::Holding holding = solve::hold_loads(cones);
+      motion = solve::opening_motion(split, holding, solve::rest_load * std::max(scale, h.norm()));
+      if (motion.size() > 0 && !friction.empty()) {
+        motion = solve::sliding_motion(split, plain, friction, holding);
+      }
+    }
+    if (motion.size() > 0) {
+      Eigen::Index most = 0;
+      motion.cwiseAbs().maxCoeff(&most);
+      const std::size_t b = modes.body_of(most);
+      const base::Vector own =
+          bodies[b].free_modes * motion.segment(modes.first(b), bodies[b].free_modes.cols());
+      std::string why =
+          fmt::format("step {}: body {} is loaded but not held: {}{}", step.name, bodies[b].name,
+                      describe_motion(scene.cracked.mesh, bodies[b].body, own),
+                      missing_contact(model, scene, bodies, b));
+      why += let_go(model, scene, bodies, step, why);
+      refusals.push_back({4, std::move(why), step.span});
+    }
+  }
+  return refusals;
+}
+
+} // namespace spricka::analysis

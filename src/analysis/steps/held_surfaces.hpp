@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/scene/scene.hpp"
+#include "contact/system.hpp"
+
+#include <string>
+#include <vector>
+
+namespace spricka::analysis {
+
+/// What a step did.
+struct StepMotion {
+  std::vector<bool> pressed; ///< [contact] somewhere at its end
+  base::Vector moved;        ///< [dim * node] by the step alone
+};
+
+/// Warns of contact rows none of whose freedoms can move, where supports or prescribed
+/// displacements press surfaces into each other, or pull them along each other under pressure:
+/// contact and friction cannot act there. `demand` is that of the end of the step.
+void tell_held_surfaces(const Scene& scene, const contact::ContactSystem::Demand& demand,
+                        const StepMotion& motion, std::vector<std::string>& notes);
+
+} // namespace spricka::analysis

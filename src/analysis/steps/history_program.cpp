@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/steps/history_program.hpp"
+
+#include "model/spectrum_runs.hpp"
+
+#include <algorithm>
+#include <variant>
+
+#include <fmt/format.h>
+
+namespace spricka::analysis {
+
+namespace {
+
+bool mounts(const model::Step& step) {
+  return std::ranges::any_of(step.actions, [](const model::Action& action) {
+    return std::holds_alternative<model::Mount>(action) ||
+           std::holds_alternative<model::Dismount>(action);
+  });
+}
+
+StepFactors on_path(const StepFactors& from, const StepFactors& to, double t) {
+  StepFactors at = from;
+  at.case_factor += t * (to.case_factor - from.case_factor);
+  for (std::size_t c = 0; c < at.fit.size(); ++c) {
+    at.fit[c] += t * (to.fit[c] - from.fit[c]);
+  }
+  return at;
+}
+
+HistoryProgram of_spectrum(const model::Model& model, const std::vector<StepFactors>& of_step,
+                           const std::vector<int>& increments) {
+  const model::Spectrum& card = model.spectra[*model.growth->spectrum];
+  const model::LoadPath& path = model.load_paths[card.path];
+  HistoryProgram program;
+  program.start = path.from.index();
+  program.per_unit = increments[path.to.index()];
+  double highest = -1.0;
+  std::size_t mark = 0;
+  for (const model::SpectrumRun& run : model::spectrum_runs(card)) {
+    LoadLeg& leg = program.legs.emplace_back(LoadLeg{{}, run.count, run.alone});
+    for (const double t : run.t) {
+      leg.places.push_back(
+          {on_path(of_step[path.from.index()], of_step[path.to.index()], t), t, 0});
+      if (t > highest) {
+        highest = t;
+        program.grow_at = mark;
+      }
+      ++mark;
+    }
+  }
+  return program;
+}
+
+// From the first of the two steps on by the steps between to the second, and straight back.
+HistoryProgram of_steps(const model::Model& model, const std::vector<StepFactors>& of_step,
+                        const std::vector<int>& increments) {
+  const std::size_t high = model.growth->kmax.index();
+  const std::size_t low = model.growth->kmin.index();
+  const auto [first, last] = std::minmax(high, low);
+  HistoryProgram program;
+  program.start = last;
+  program.grow_at = high - first;
+  program.smallest = low - first;
+  LoadLeg& leg = program.legs.emplace_back();
+  int most = 1;
+  for (std::size_t s = first; s <= last; ++s) {
+    most = std::max(most, increments[s]);
+    leg.places.push_back({of_step[s], 0.0, increments[s]});
+    if (s > first && mounts(model.steps[s])) {
+      program.none =
+          fmt::format("step {} mounts or dismounts a contact between {} and {}",
+                      model.steps[s].name, model.steps[first].name, model.steps[last].name);
+    }
+  }
+  leg.places.front().increments = most;
+  return program;
+}
+
+} // namespace
+
+bool follows_history(const model::Model& model) {
+  if (!model.growth || model.growth->law == model::GrowthLaw::increment) {
+    return false;
+  }
+  return std::ranges::any_of(model.contacts, [](const auto& c) { return c.mu > 0.0; }) ||
+         std::ranges::any_of(model.cracks,
+                             [](const auto& c) { return c.faces_in_contact && c.mu > 0.0; });
+}
+
+HistoryProgram history_program(const model::Model& model, const std::vector<StepFactors>& of_step,
+                               const std::vector<int>& increments) {
+  return model.growth->spectrum ? of_spectrum(model, of_step, increments)
+                                : of_steps(model, of_step, increments);
+}
+
+} // namespace spricka::analysis

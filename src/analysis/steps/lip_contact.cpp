@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/steps/lip_contact.hpp"
+
+#include "analysis/scene/scene_ties.hpp"
+#include "analysis/steps/lip_overlap.hpp"
+#include "contact/lip_pairing.hpp"
+#include "crack/stress_intensity.hpp"
+#include "mesh/boundary.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spricka::analysis {
+
+namespace {
+
+// Slips below this part of the largest displacement of a face are round-off.
+constexpr double slip_of_round_off = 1e-9;
+
+std::vector<model::Face> sides_of(const model::Mesh& mesh, const mesh::CrackedMesh::Lips& lips) {
+  std::vector<model::Face> sides;
+  for (const std::vector<base::NodeId>* lip : {&lips.left, &lips.right}) {
+    if (!lip->empty()) {
+      const std::vector<model::Face> own = mesh::faces_within(mesh, *lip);
+      sides.insert(sides.end(), own.begin(), own.end());
+    }
+  }
+  return sides;
+}
+
+const std::vector<base::NodeId>& own_lip(const mesh::CrackedMesh::Lips& lips) {
+  return lips.left.empty() ? lips.right : lips.left;
+}
+
+// Nodes of the lip that carries the rows, from a tip on.
+std::vector<base::NodeId> from_tip(const mesh::CrackedMesh::Lips& lips, base::NodeId tip) {
+  std::vector<base::NodeId> nodes = own_lip(lips);
+  if (nodes.back() == tip) {
+    std::ranges::reverse(nodes);
+  }
+  nodes.erase(nodes.begin());
+  return nodes;
+}
+
+// Of the pair's normal rows, that of a node.
+std::size_t row_of(const contact::PairRows& pair, base::NodeId node) {
+  const auto at = std::ranges::find(pair.normal, node, &contact::ConstraintRow::node);
+  return static_cast<std::size_t>(at - pair.normal.begin());
+}
+
+} // namespace
+
+std::vector<std::size_t> touching_lines(const model::Model& model, const Scene& scene,
+                                        const base::Vector& u) {
+  std::vector<std::size_t> lines;
+  for (std::size_t i = 0; i < scene.cracked.lips.size(); ++i) {
+    if (model.cracks[i].faces_in_contact && !scene.lip_pairs[i] &&
+        lip_overlap(scene.cracked, i, u).resolved > overlap_of_round_off) {
+      lines.push_back(i);
+    }
+  }
+  return lines;
+}
+
+void add_lip_pairs(const model::Model& model, const std::vector<std::size_t>& lines, Scene& scene) {
+  const model::Mesh& mesh = scene.cracked.mesh;
+  for (const std::size_t i : lines) {
+    const mesh::CrackedMesh::Lips& lips = scene.cracked.lips[i];
+    const model::Crack& crack = model.cracks[i];
+    model::Contact contact;
+    contact.name = crack.name + ".FACES";
+    contact.mu = lips.left.empty() || lips.right.empty() ? 0.0 : crack.mu; // mirrored: no slip
+    contact.pairing = model::Pairing::node;
+    contact.span = crack.span;
+    scene.lip_pairs[i] = LipPair{scene.pairs.size(), sides_of(mesh, lips)};
+    scene.pairs.push_back(contact::lip_rows(model, mesh, lips, contact.mu > 0.0));
+    scene.contacts.push_back(std::move(contact));
+    for (const std::vector<base::NodeId>* lip : {&lips.left, &lips.right}) {
+      for (const base::NodeId n : *lip) {
+        for (std::size_t c = 0; c < 2; ++c) {
+          make_external(2 * n.index() + c, *scene.ties, scene.cls);
+        }
+      }
+    }
+  }
+  make_table(scene);
+}
+
+TipFaces tip_faces(const Scene& scene, const mesh::Tip& tip, const StepState& state) {
+  TipFaces faces;
+  const std::optional<LipPair>& lip = scene.lip_pairs[tip.crack.index()];
+  if (!lip) {
+    return faces;
+  }
+  faces.in_contact = true;
+  const contact::PairRows& pair = scene.pairs[lip->pair];
+  const std::vector<bool>& closed = state.pair_closed[lip->pair];
+  if (!pair.normal.empty()) {
+    faces.pressure =
+        state.pair_lambda[lip->pair].head(static_cast<Eigen::Index>(pair.normal.size())).maxCoeff();
+  }
+  bool met = false;
+  std::vector<bool> along; // closed, from the tip on
+  for (const base::NodeId n : from_tip(scene.cracked.lips[tip.crack.index()], tip.node)) {
+    const std::size_t row = row_of(pair, n);
+    along.push_back(row < closed.size() && closed[row]);
+    met = met || along.back();
+    faces.open_nodes += met ? 0 : 1;
+  }
+  for (std::size_t i = 2; i + 3 < along.size(); ++i) {
+    faces.lone = faces.lone || (along[i] && !along[i - 1] && !along[i + 1]);
+  }
+  faces.closed = met && faces.open_nodes == 0;
+  faces.open_nodes = met ? faces.open_nodes : 0;
+  if (faces.closed && !pair.tangent.empty()) {
+    const base::NodeId next = from_tip(scene.cracked.lips[tip.crack.index()], tip.node).front();
+    const contact::ConstraintRow& slip = pair.tangent[row_of(pair, next)];
+    double size = 0.0;
+    double jump = 0.0;
+    for (const contact::RowEntry& entry : slip.entries) {
+      const base::Vec2 u = state.u.segment<2>(2 * static_cast<Eigen::Index>(entry.node.index()));
+      size = std::max(size, slip.area * u.norm());
+      jump += entry.weight.head<2>().dot(u);
+    }
+    faces.held = std::abs(jump) <= slip_of_round_off * size;
+  }
+  return faces;
+}
+
+std::optional<std::size_t> row_at_tip(const Scene& scene, const mesh::Tip& tip) {
+  const std::optional<LipPair>& lip = scene.lip_pairs[tip.crack.index()];
+  if (!lip) {
+    return std::nullopt;
+  }
+  return scene.table.first[lip->pair] +
+         row_of(scene.pairs[lip->pair],
+                from_tip(scene.cracked.lips[tip.crack.index()], tip.node).front());
+}
+
+base::Matrix intensity_of_forces(const model::Model& model, const Scene& scene) {
+  base::Matrix of_row = base::Matrix::Zero(2 * static_cast<Eigen::Index>(scene.cracked.tips.size()),
+                                           static_cast<Eigen::Index>(scene.table.rows.size()));
+  for (std::size_t t = 0; t < scene.cracked.tips.size(); ++t) {
+    const mesh::Tip& tip = scene.cracked.tips[t];
+    const std::optional<LipPair>& lip = scene.lip_pairs[tip.crack.index()];
+    if (!lip) {
+      continue;
+    }
+    const base::Matrix weight =
+        crack::lip_intensity_rows(model, scene.cracked, tip, scene.tips[t].fields,
+                                  model.cracks[tip.crack.index()].state, lip->sides);
+    for (std::size_t r = scene.table.first[lip->pair]; r < scene.table.first[lip->pair + 1]; ++r) {
+      for (const contact::RowEntry& entry : scene.table.rows[r]->entries) {
+        const auto at = 2 * static_cast<Eigen::Index>(entry.node.index());
+        of_row.col(static_cast<Eigen::Index>(r)).segment<2>(2 * static_cast<Eigen::Index>(t)) +=
+            weight.middleRows<2>(at).transpose() * entry.weight.head<2>();
+      }
+    }
+  }
+  return of_row;
+}
+
+std::optional<crack::LipForces> lip_forces(const Scene& scene, const mesh::Tip& tip,
+                                           const StepState& state) {
+  const std::optional<LipPair>& lip = scene.lip_pairs[tip.crack.index()];
+  if (!lip) {
+    return std::nullopt;
+  }
+  crack::LipForces forces{lip->sides, base::Vector::Zero(state.u.size()), 0.0};
+  const std::size_t first = scene.table.first[lip->pair];
+  const std::size_t next = *row_at_tip(scene, tip) - first;
+  forces.at_tip = 0.0 - state.pair_lambda[lip->pair][static_cast<Eigen::Index>(next)];
+  for (std::size_t r = first; r < scene.table.first[lip->pair + 1]; ++r) {
+    const double value = state.pair_lambda[lip->pair][static_cast<Eigen::Index>(r - first)];
+    for (const contact::RowEntry& entry : scene.table.rows[r]->entries) {
+      forces.force.segment<2>(2 * static_cast<Eigen::Index>(entry.node.index())) +=
+          value * entry.weight.head<2>();
+    }
+  }
+  return forces;
+}
+
+} // namespace spricka::analysis

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/scene/scene.hpp"
+#include "analysis/steps/step_solver.hpp"
+#include "crack/lip_term.hpp"
+
+#include <vector>
+
+/// Contact between the faces of cracks. A crack is solved without it first; only where its faces
+/// would overlap they become a pair of the scene, and all steps are solved anew.
+namespace spricka::analysis {
+
+/// Crack lines whose faces overlap in u [dim * node] though they may touch, and that have no pair
+/// yet.
+std::vector<std::size_t> touching_lines(const model::Model& model, const Scene& scene,
+                                        const base::Vector& u);
+
+/// Adds the faces of these lines to the pairs of the scene, with the name CRACK.FACES; their
+/// freedoms become external.
+void add_lip_pairs(const model::Model& model, const std::vector<std::size_t>& lines, Scene& scene);
+
+/// What the faces of a crack do at one of its tips.
+struct TipFaces {
+  bool in_contact = false; ///< the crack's faces are a pair; else nothing below is known
+  bool closed = false;     ///< the two nodes next to the tip touch
+  bool held = false;       ///< closed, and they have not slipped
+  bool lone = false;       ///< somewhere inside a single node touches, its neighbours do not
+  double pressure = 0.0;   ///< largest between the faces [stress]
+  int open_nodes = 0;      ///< open pairs from the tip to the first closed one; all open: 0
+};
+TipFaces tip_faces(const Scene& scene, const mesh::Tip& tip, const StepState& state);
+
+/// The row of the table of the two nodes next to a tip; none where the faces are no pair.
+std::optional<std::size_t> row_at_tip(const Scene& scene, const mesh::Tip& tip);
+
+/// What a unit of each row's force adds to K1 and K2 itself, beside what it moves: the terms of
+/// forces between the faces of cracks (crack.33). [2 * tip + mode - 1, table row]
+base::Matrix intensity_of_forces(const model::Model& model, const Scene& scene);
+
+/// Forces between the faces of the tip's crack; none without a pair.
+std::optional<crack::LipForces> lip_forces(const Scene& scene, const mesh::Tip& tip,
+                                           const StepState& state);
+
+} // namespace spricka::analysis

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/steps/lip_overlap.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace spricka::analysis {
+
+namespace {
+
+struct Jump {
+  std::vector<double> overlap; ///< [node of the face, tips left out]
+  double largest = 0.0;
+};
+
+Jump look(const mesh::CrackedMesh& cracked, std::size_t line, const base::Vector& u) {
+  const mesh::CrackedMesh::Lips& lips = cracked.lips[line];
+  const bool half = lips.left.empty() || lips.right.empty();
+  const std::vector<base::NodeId>& path = lips.left.empty() ? lips.right : lips.left;
+  const auto displacement = [&](const std::vector<base::NodeId>& lip, std::size_t i) -> base::Vec2 {
+    // the other face of a half model mirrors this one: what moves off the line opens
+    return lip.empty() ? base::Vec2::Zero()
+                       : base::Vec2(u.segment<2>(2 * static_cast<Eigen::Index>(lip[i].index())));
+  };
+  Jump jump;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const bool tip = half ? i + 1 == path.size() : lips.left[i] == lips.right[i];
+    if (tip) {
+      continue;
+    }
+    const base::Vec3& before = cracked.mesh.x[path[i == 0 ? 0 : i - 1].index()];
+    const base::Vec3& after = cracked.mesh.x[path[i + 1].index()];
+    const base::Vec3 along = (after - before).normalized();
+    const base::Vec2 left(-along.y(), along.x());
+    const base::Vec2 apart = displacement(lips.left, i) - displacement(lips.right, i);
+    // along the line of a half both faces go together
+    jump.largest = std::max(jump.largest, half ? std::abs(apart.dot(left)) : apart.norm());
+    jump.overlap.push_back(std::max(0.0, -apart.dot(left)));
+  }
+  return jump;
+}
+
+} // namespace
+
+double resolved_overlap(std::span<const double> overlap) {
+  const std::size_t n = overlap.size();
+  double most = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool at_end = i < 2 || i + 2 >= n;
+    most = std::max(most, at_end ? overlap[i] : std::min(overlap[i - 1], overlap[i]));
+  }
+  return most;
+}
+
+LipOverlap lip_overlap(const mesh::CrackedMesh& cracked, std::size_t line, const base::Vector& u) {
+  const Jump jump = look(cracked, line, u);
+  if (jump.largest == 0.0) {
+    return {};
+  }
+  return {resolved_overlap(jump.overlap) / jump.largest,
+          *std::ranges::max_element(jump.overlap) / jump.largest};
+}
+
+double lip_jump(const mesh::CrackedMesh& cracked, std::size_t line, const base::Vector& u) {
+  const mesh::CrackedMesh::Lips& lips = cracked.lips[line];
+  const bool half = lips.left.empty() || lips.right.empty();
+  return (half ? 2.0 : 1.0) * look(cracked, line, u).largest;
+}
+
+} // namespace spricka::analysis

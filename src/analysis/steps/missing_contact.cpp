@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/steps/missing_contact.hpp"
+
+#include "contact/outline.hpp"
+#include "mesh/boundary.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace spricka::analysis {
+
+namespace {
+
+constexpr double near_share = 0.05; // of the smaller body's extent: fits and clearances are less
+constexpr double least_touch = 0.1; // of the smaller body's nodes
+
+// The boundary of a body.
+struct Rim {
+  std::vector<model::Face> faces;
+  contact::Surface surface;
+};
+
+Rim rim_of(const model::Model& model, const model::Mesh& mesh, const BodyNet& body) {
+  std::vector<bool> own(mesh.element_count(), false);
+  for (const base::ElementId e : body.body.elements) {
+    own[e.index()] = true;
+  }
+  Rim rim;
+  for (const model::Face& face : mesh::boundary_faces(mesh)) {
+    if (own[face.element.index()]) {
+      rim.faces.push_back(face);
+    }
+  }
+  rim.surface = contact::make_surface(model, mesh, rim.faces);
+  return rim;
+}
+
+// Faces of one body whose nodes lie next to another one.
+std::vector<model::Face> near_faces(const model::Mesh& mesh, const Rim& rim,
+                                    const contact::Outline& other, double reach) {
+  std::vector<model::Face> near;
+  for (const model::Face& face : rim.faces) {
+    const std::vector<base::NodeId> nodes = mesh::nodes_of_faces(mesh, {face});
+    if (std::ranges::all_of(nodes, [&](base::NodeId n) {
+          return other.nearest(mesh.x[n.index()].head<2>(), reach).has_value();
+        })) {
+      near.push_back(face);
+    }
+  }
+  return near;
+}
+
+// The smallest named face set that holds most of these faces.
+std::string set_of(const model::Mesh& mesh, const std::vector<model::Face>& faces) {
+  std::string name;
+  std::size_t least = std::numeric_limits<std::size_t>::max();
+  for (const model::FaceSet& set : mesh.face_sets) {
+    const auto there = std::ranges::count_if(faces, [&](const model::Face& f) {
+      return std::ranges::find(set.faces, f) != set.faces.end();
+    });
+    if (!set.name.empty() && 2 * static_cast<std::size_t>(there) > faces.size() &&
+        set.faces.size() < least) {
+      name = set.name;
+      least = set.faces.size();
+    }
+  }
+  return name;
+}
+
+bool joined(const Scene& scene, const BodyNet& a, const BodyNet& b) {
+  const auto of = [](const contact::Surface& surface, const BodyNet& body) {
+    return !surface.chains.empty() &&
+           std::ranges::binary_search(body.body.nodes,
+                                      surface.chains.front().edges.front().nodes[0]);
+  };
+  return std::ranges::any_of(scene.pairs, [&](const contact::PairRows& pair) {
+    return (of(pair.contact, a) && of(pair.target, b)) ||
+           (of(pair.contact, b) && of(pair.target, a));
+  });
+}
+
+} // namespace
+
+std::string missing_contact(const model::Model& model, const Scene& scene,
+                            const std::vector<BodyNet>& bodies, std::size_t body) {
+  const model::Mesh& mesh = scene.cracked.mesh;
+  if (mesh.dim != 2) {
+    return {};
+  }
+  const Rim own = rim_of(model, mesh, bodies[body]);
+  const contact::Outline outline(own.surface, {});
+  std::string found;
+  std::size_t most = 0;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (b == body || joined(scene, bodies[body], bodies[b])) {
+      continue;
+    }
+    const Rim other = rim_of(model, mesh, bodies[b]);
+    const double reach = near_share * std::min(own.surface.extent, other.surface.extent);
+    const std::vector<model::Face> mine =
+        near_faces(mesh, own, contact::Outline(other.surface, {}), reach);
+    const std::vector<model::Face> theirs = near_faces(mesh, other, outline, reach);
+    const std::size_t count = std::min(mine.size(), theirs.size());
+    const double least =
+        least_touch * static_cast<double>(std::min(own.faces.size(), other.faces.size()));
+    if (count > most && static_cast<double>(count) > least) {
+      most = count;
+      const std::string a = set_of(mesh, mine);
+      const std::string c = set_of(mesh, theirs);
+      found = fmt::format(
+          ": no $CONTACT and no common node joins it with {}, which lies next to it{}",
+          bodies[b].name, a.empty() || c.empty() ? "" : fmt::format(" ({} and {})", a, c));
+    }
+  }
+  return found;
+}
+
+} // namespace spricka::analysis

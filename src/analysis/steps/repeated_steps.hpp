@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/steps/step_solver.hpp"
+#include "model/model.hpp"
+#include "results/results.hpp"
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace spricka::analysis {
+
+/// Steps that end in the state of an earlier one (unloading without friction) are not solved again.
+class RepeatedSteps {
+public:
+  /// pictured [step]: a step of which more is recovered than of the earlier one is solved.
+  RepeatedSteps(const model::Model& model, const std::vector<bool>& pictured);
+
+  /// The earlier step, or null: the step must be solved.
+  [[nodiscard]] const std::size_t* of(std::size_t step) const {
+    return same_[step] ? &*same_[step] : nullptr;
+  }
+  /// After a step has been solved.
+  void keep(std::size_t step, const StepSolver& solver);
+  /// Adds the earlier step's results as those of this one and lets the solver go on from them.
+  void take_over(std::size_t step, StepSolver& solver,
+                 std::vector<results::StepResult>& results) const;
+
+private:
+  const model::Model& model_;
+  const std::vector<bool>& pictured_;
+  std::vector<std::optional<std::size_t>> same_;
+  std::map<std::size_t, std::vector<bool>> closed_; ///< by step that another one repeats
+};
+
+} // namespace spricka::analysis

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/scene/scene.hpp"
+#include "contact/system.hpp"
+
+#include <string>
+#include <vector>
+
+namespace spricka::analysis {
+
+/// Warns of measured gaps between edges that are less round than the circles their nodes lie on,
+/// where that changes pressures: solves the increment `answer` belongs to once more with the gaps
+/// of those circles, without friction, and compares.
+void tell_round_gaps(const Scene& scene, const contact::ContactSystem& system,
+                     const contact::ContactSystem::Demand& demand,
+                     const contact::ContactSystem::Answer& answer, std::vector<std::string>& notes);
+
+} // namespace spricka::analysis

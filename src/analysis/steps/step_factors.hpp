@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/vec.hpp"
+#include "model/model.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace spricka::analysis {
+
+/// What the steps' actions have set so far.
+struct StepFactors {
+  base::Vector case_factor;  ///< [case], and 1 for what ties always ask for (Scene::case_load)
+  std::vector<double> fit;   ///< [contact]
+  std::vector<bool> mounted; ///< [contact]
+};
+
+/// Before the first step: no loads; a contact is absent if some step mounts it, its fit is 0 if
+/// some step names it. `columns` are those of Scene::case_load; `contacts` behind the deck's are in
+/// force from the first step on.
+StepFactors first_factors(const model::Model& model, Eigen::Index columns, std::size_t contacts);
+
+/// A part of the way from one set of factors to another, 1: all of it; contacts as at its end.
+StepFactors part_way(const StepFactors& from, const StepFactors& to, double part);
+
+/// Whether some step sets the factor of a contact's fit.
+bool fit_is_named(const model::Model& model, base::ContactId contact);
+
+/// The contacts that a step mounts or dismounts.
+struct MountChanges {
+  std::vector<std::size_t> mounted;
+  std::vector<std::size_t> dismounted;
+};
+
+/// Carries out the actions of a step.
+MountChanges apply_actions(const model::Step& step, StepFactors& factors);
+
+/// By step an earlier one that ends in the same state, if there is one: the same factors, nothing
+/// mounted or dismounted in between, no friction anywhere. [step]
+std::vector<std::optional<std::size_t>> repeated_steps(const model::Model& model);
+
+} // namespace spricka::analysis

@@ -1,0 +1,387 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/steps/step_solver.hpp"
+
+#include "analysis/scene/scene_heat.hpp"
+#include "analysis/steps/held_surfaces.hpp"
+#include "analysis/steps/missing_contact.hpp"
+#include "analysis/steps/rigid_motion.hpp"
+#include "analysis/steps/round_gaps.hpp"
+#include "analysis/steps/step_walk.hpp"
+#include "fe/assemble.hpp"
+#include "fe/thermal.hpp"
+#include "solve/mode_split.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include <Eigen/QR>
+#include <fmt/format.h>
+
+namespace spricka::analysis {
+
+namespace {
+
+// Forces left over at free freedoms above this share of the force scale are not an answer.
+constexpr double worst_imbalance = 1e-6;
+
+// Forces of strains of 1e-13 all over the softest body: what coordinates in sixteen digits give
+// bodies that touch and are not loaded. There is no telling whether such forces balance.
+double round_off_force(const model::Model& model, const model::Mesh& mesh) {
+  base::Vec3 low = base::Vec3::Zero();
+  base::Vec3 high = base::Vec3::Zero();
+  for (std::size_t n = 0; n < mesh.node_count(); ++n) {
+    low = n == 0 ? mesh.x[n] : base::Vec3(low.cwiseMin(mesh.x[n]));
+    high = n == 0 ? mesh.x[n] : base::Vec3(high.cwiseMax(mesh.x[n]));
+  }
+  const double extent = (high - low).norm();
+  double softest = std::numeric_limits<double>::infinity();
+  for (const model::Property& property : model.properties) {
+    const double depth = mesh.dim == 2 ? property.thickness : extent;
+    softest = std::min(softest, model.materials[property.material.index()].E * depth * extent);
+  }
+  return std::isfinite(softest) ? 1e-13 * softest : 0.0;
+}
+
+} // namespace
+
+StepSolver::StepSolver(const model::Model& model, const Scene& scene,
+                       const std::vector<BodyNet>& bodies, MountMemory* memory,
+                       ContactMemory* contact)
+    : model_(model), scene_(scene), bodies_(bodies),
+      factors_(first_factors(model, scene.case_load.cols(), scene.contacts.size())),
+      offset_(base::Vector::Zero(static_cast<Eigen::Index>(scene.table.rows.size()))),
+      u_(base::Vector::Zero(static_cast<Eigen::Index>(scene.cracked.mesh.node_count()) *
+                            scene.cracked.mesh.dim)),
+      history_(scene), memory_(memory) {
+  if (memory_ != nullptr) {
+    memory_->restart();
+  }
+  std::vector<const contact::CondensedBody*> condensed;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (bodies[b].condensed) {
+      condensed.push_back(bodies[b].condensed.get());
+      condensed_.push_back(b);
+    }
+  }
+  if (!condensed.empty()) {
+    system_.emplace(std::move(condensed), scene.table.acting, scene.cracked.mesh.dim,
+                    static_cast<std::size_t>(u_.size()),
+                    contact == nullptr ? contact::Lasting{}
+                                       : contact->lasting(scene, bodies, condensed_));
+  }
+}
+
+bool StepSolver::mount(std::size_t contact) {
+  const bool declared = scene_.contacts[contact].gap.has_value();
+  for (std::size_t r = scene_.table.first[contact]; r < scene_.table.first[contact + 1]; ++r) {
+    const contact::ConstraintRow& row = *scene_.table.rows[r];
+    // Measured from the deformed state: what the bodies have moved so far no longer counts.
+    const bool taken = row.tangential || declared;
+    offset_[static_cast<Eigen::Index>(r)] =
+        taken ? -row_opening(row, scene_.cracked.mesh.dim, u_) : 0.0;
+  }
+  history_.begin(contact);
+  closed_.clear();
+  return memory_ == nullptr ||
+         memory_->keep_or_take(scene_, contact, scene_.contacts[contact].mu > 0.0, offset_);
+}
+
+bool StepSolver::act(const model::Step& step, Refusal& refusal) {
+  const MountChanges changes = apply_actions(step, factors_);
+  for (const std::size_t contact : changes.mounted) {
+    if (!mount(contact)) {
+      refusal = {4,
+                 fmt::format("MOUNTED=FIRST: the surfaces of contact {} are meshed differently at "
+                             "this length, so that what it took on at the first one cannot be kept",
+                             scene_.contacts[contact].name),
+                 step.span};
+      return false;
+    }
+  }
+  if (!changes.dismounted.empty()) {
+    closed_.clear();
+  }
+  return true;
+}
+
+base::Vector StepSolver::prescribed() const {
+  return scene_.case_displacement * factors_.case_factor;
+}
+
+contact::ContactSystem::Demand StepSolver::demand() const {
+  contact::ContactSystem::Demand d;
+  const base::Vector fixed = prescribed();
+  const int dim = scene_.cracked.mesh.dim;
+  std::vector<double> gap;
+  for (std::size_t c = 0; c < scene_.contacts.size(); ++c) {
+    if (!factors_.mounted[c]) {
+      continue;
+    }
+    const model::Contact& contact = scene_.contacts[c];
+    for (std::size_t r = scene_.table.first[c]; r < scene_.table.first[c + 1]; ++r) {
+      const contact::ConstraintRow& row = *scene_.table.rows[r];
+      d.rows.push_back(r);
+      d.equality.push_back(contact.type == model::ContactType::bonded);
+      gap.push_back((contact.gap ? factors_.fit[c] : 1.0) * row.gap +
+                    offset_[static_cast<Eigen::Index>(r)] + row_opening(row, dim, fixed));
+      if (!closed_.empty()) {
+        d.start.push_back(closed_[r]);
+      }
+    }
+  }
+  d.gap = Eigen::Map<const base::Vector>(gap.data(), static_cast<Eigen::Index>(gap.size()));
+  for (const std::size_t b : condensed_) {
+    d.load.emplace_back(bodies_[b].external_load * factors_.case_factor);
+  }
+  d.load_scale = (scene_.case_load * factors_.case_factor).lpNorm<1>();
+  history_.add_to(d);
+  return d;
+}
+
+base::Vector StepSolver::unscaled_gap(const std::vector<std::size_t>& rows) const {
+  base::Vector rest(static_cast<Eigen::Index>(rows.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::size_t r = rows[i];
+    const auto c = scene_.table.contact_of(r);
+    const base::ContactId contact(c);
+    const bool scaled = scene_.contacts[c].gap && fit_is_named(model_, contact);
+    rest[static_cast<Eigen::Index>(i)] =
+        offset_[static_cast<Eigen::Index>(r)] + (scaled ? 0.0 : scene_.table.rows[r]->gap);
+  }
+  return rest;
+}
+
+std::string StepSolver::unheld(const base::Vector& mode, bool slides) const {
+  Eigen::Index most = 0;
+  mode.cwiseAbs().maxCoeff(&most);
+  const std::size_t at = system_->body_of_mode(most);
+  const BodyNet& body = bodies_[condensed_[at]];
+  const Eigen::Index first = system_->first_mode(at);
+  // The condensed body's orthonormal modes are combinations of the free rigid modes: the same
+  // combination on all nodes tells which way it goes.
+  const std::vector<std::int32_t>& freedom = body.condensed->freedom();
+  base::Matrix at_externals(static_cast<Eigen::Index>(freedom.size()), body.free_modes.cols());
+  for (std::size_t i = 0; i < freedom.size(); ++i) {
+    at_externals.row(static_cast<Eigen::Index>(i)) = body.free_modes.row(freedom[i]);
+  }
+  const base::Vector shape =
+      body.condensed->modes() * mode.segment(first, body.condensed->modes().cols());
+  const base::Vector mix = at_externals.colPivHouseholderQr().solve(shape);
+  return fmt::format("body {} {}: {}{}", body.name,
+                     slides ? "slides, friction does not hold it" : "is loaded but not held",
+                     describe_motion(scene_.cracked.mesh, body.body, body.free_modes * mix),
+                     slides ? "" : missing_contact(model_, scene_, bodies_, condensed_[at]));
+}
+
+// Sets the refusal where the answer is none.
+bool StepSolver::refuse(const contact::ContactSystem::Answer& answer, Refusal& refusal) const {
+  const solve::ContactSolution& s = answer.solution;
+  switch (s.status) {
+  case solve::ContactStatus::solved:
+    return false;
+  case solve::ContactStatus::unheld_mode:
+    refusal = {4, unheld(s.unheld, answer.slides), {}};
+    return true;
+  case solve::ContactStatus::inconsistent:
+    refusal = {
+        4, "bonded contacts, supports and prescribed displacements contradict each other", {}};
+    return true;
+  case solve::ContactStatus::max_iterations:
+    refusal = {5,
+               fmt::format("the contact solution did not end ({} iterations, {} pivots)",
+                           s.block_iterations, s.pivots),
+               {}};
+    return true;
+  }
+  return true;
+}
+
+bool StepSolver::accept(const contact::ContactSystem::Answer& answer,
+                        const contact::ContactSystem::Demand& demand, StepState& state,
+                        Refusal& refusal) {
+  const solve::ContactSolution& s = answer.solution;
+  if (refuse(answer, refusal)) {
+    return false;
+  }
+  if (s.resting_modes > 0) {
+    state.notes.push_back(
+        fmt::format("{} rigid mode(s) that no contact touches and nothing loads stay at rest",
+                    s.resting_modes));
+  }
+  if (s.left_over > solve::rest_load) {
+    state.notes.push_back(fmt::format("{:.1e} of the load acts on motions that no contact touches "
+                                      "(its moment about the axis of the meshed body) and is left "
+                                      "over",
+                                      s.left_over));
+  }
+  if (s.redundant > 0) {
+    state.notes.push_back(fmt::format("{} redundant contact row(s) left out", s.redundant));
+  }
+  closed_.assign(scene_.table.rows.size(), true);
+  for (std::size_t i = 0; i < demand.rows.size(); ++i) {
+    const std::size_t row = demand.rows[i];
+    const auto c = scene_.table.contact_of(row);
+    const std::size_t local = row - scene_.table.first[c];
+    state.pair_lambda[c][static_cast<Eigen::Index>(local)] = s.lambda[static_cast<Eigen::Index>(i)];
+    if (local < scene_.pairs[c].normal.size()) {
+      state.pair_gap[c][static_cast<Eigen::Index>(local)] = s.gap[static_cast<Eigen::Index>(i)];
+      state.pair_closed[c][local] = s.closed[i];
+    }
+    closed_[row] = s.closed[i];
+  }
+  for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
+    state.friction.push_back(history_.pair(c));
+  }
+  tell_round_gaps(scene_, *system_, demand, answer, state.notes);
+  return true;
+}
+
+void StepSolver::balance(StepState& state) const {
+  const model::Mesh& mesh = scene_.cracked.mesh;
+  const int dim = mesh.dim;
+  state.force = base::Vector::Zero(state.u.size());
+  state.contact = base::Vector::Zero(state.u.size());
+  state.force = scene_.case_load * factors_.case_factor;
+  for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
+    for (std::size_t r = scene_.table.first[c]; r < scene_.table.first[c + 1]; ++r) {
+      const double value =
+          state.pair_lambda[c][static_cast<Eigen::Index>(r - scene_.table.first[c])];
+      for (const contact::RowEntry& entry : scene_.table.rows[r]->entries) {
+        state.contact.segment(static_cast<Eigen::Index>(entry.node.index()) * dim, dim) +=
+            value * entry.weight.head(dim);
+      }
+    }
+  }
+  const bool cracked = !scene_.cracked.tips.empty();
+  std::vector<std::vector<base::ElementId>> elements(cracked ? model_.materials.size() : 1);
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const base::MaterialId material = model_.property_of(mesh, base::ElementId(e)).material;
+    elements[cracked ? material.index() : 0].emplace_back(e);
+  }
+  state.energy.assign(mesh.element_count(), 0.0);
+  state.internal.resize(state.u.size(), static_cast<Eigen::Index>(elements.size()));
+  for (std::size_t m = 0; m < elements.size(); ++m) {
+    base::Vector force = base::Vector::Zero(state.u.size());
+    fe::add_internal_force(model_, mesh, elements[m], state.u, force, &state.energy);
+    state.internal.col(static_cast<Eigen::Index>(m)) = force;
+  }
+  const base::Vector internal = state.internal.rowwise().sum();
+  if (state.temperature.size() > 0) {
+    fe::add_thermal_energy(model_, mesh, state.temperature, state.u, state.energy);
+    fe::add_rest_energy(model_, mesh, acting_heat(scene_, factors_.case_factor), state.u,
+                        state.energy);
+  }
+  // Forces on dependent freedoms are their masters' to bear.
+  const base::Vector open = internal - state.force - state.contact;
+  base::Matrix out_of_balance = open;
+  scene_.ties->reduce(out_of_balance);
+  state.reaction = out_of_balance;
+  double left_over = 0.0;
+  for (Eigen::Index i = 0; i < state.reaction.size(); ++i) {
+    const model::FreedomClass k = scene_.cls[static_cast<std::size_t>(i)];
+    if (k != model::FreedomClass::suppressed && k != model::FreedomClass::prescribed) {
+      left_over = std::max(left_over, std::abs(state.reaction[i]));
+      state.reaction[i] = 0.0;
+    }
+  }
+  if (!scene_.ties->rows().empty()) {
+    state.tie = tie_forces(open - state.reaction);
+  }
+  const double scale =
+      std::max({state.force.lpNorm<1>(), state.contact.lpNorm<1>(), state.reaction.lpNorm<1>(),
+                internal.lpNorm<1>()}); // ties with constants strain without load
+  state.imbalance = scale > round_off_force(model_, mesh) ? left_over / scale : 0.0;
+}
+
+// What loads, contacts and supports leave over is the ties' where there is one; elsewhere it is an
+// error of the solution and stays to be seen as such.
+base::Vector StepSolver::tie_forces(const base::Vector& left_over) const {
+  base::Vector tie = base::Vector::Zero(left_over.size());
+  for (const fe::Dependence::Row& row : scene_.ties->rows()) {
+    tie[row.freedom] = left_over[row.freedom];
+    for (const fe::Term& term : row.terms) {
+      tie[term.freedom] = left_over[term.freedom];
+    }
+  }
+  return tie;
+}
+
+void StepSolver::repeat(const model::Step& step, const base::Vector& u,
+                        const std::vector<bool>& closed) {
+  apply_actions(step, factors_);
+  u_ = u;
+  closed_ = closed;
+}
+
+StepState StepSolver::begin_state() const {
+  StepState state;
+  state.case_factor = factors_.case_factor;
+  state.mounted = factors_.mounted;
+  if (scene_.case_temperature.size() > 0) {
+    state.temperature = scene_.case_temperature * factors_.case_factor;
+  }
+  for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
+    const std::size_t rows = scene_.table.first[c + 1] - scene_.table.first[c];
+    const std::size_t normal = scene_.pairs[c].normal.size();
+    state.pair_lambda.emplace_back(base::Vector::Zero(static_cast<Eigen::Index>(rows)));
+    state.pair_gap.emplace_back(base::Vector::Zero(static_cast<Eigen::Index>(normal)));
+    state.pair_closed.emplace_back(normal, false);
+  }
+  state.u = prescribed();
+  return state;
+}
+
+bool StepSolver::complete(std::vector<base::Vector> external, StepState& state,
+                          Refusal& refusal) const {
+  std::vector<base::Vector> of_body(bodies_.size());
+  for (std::size_t i = 0; i < external.size(); ++i) {
+    of_body[condensed_[i]] = std::move(external[i]);
+  }
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    recover_body(bodies_[b], of_body[b], factors_.case_factor, state.u);
+  }
+  balance(state);
+  if (state.imbalance <= worst_imbalance) {
+    return true;
+  }
+  refusal = {5,
+             fmt::format("the solution is not in equilibrium: {:.1e} of the load is left over (the "
+                         "stiffness is close to singular)",
+                         state.imbalance),
+             {}};
+  return false;
+}
+
+std::optional<StepState> StepSolver::solve(const model::Step& step, Refusal& refusal) {
+  const StepFactors before = factors_;
+  if (!act(step, refusal)) {
+    return std::nullopt;
+  }
+  StepState state = begin_state();
+  std::vector<base::Vector> external;
+  if (system_) {
+    std::optional<contact::ContactSystem::Answer> answer = walk(before, step, state, refusal);
+    if (!answer) {
+      refusal.span = step.span;
+      return std::nullopt;
+    }
+    external = std::move(answer->u);
+  }
+  if (!complete(std::move(external), state, refusal)) {
+    refusal.span = step.span;
+    return std::nullopt;
+  }
+  if (scene_.cracked.mesh.dim == 2) {
+    std::vector<bool> pressed;
+    for (const base::Vector& lambda : state.pair_lambda) {
+      pressed.push_back((lambda.array() > 0.0).any());
+    }
+    tell_held_surfaces(scene_, demand(), {pressed, state.u - u_}, state.notes);
+  }
+  u_ = state.u;
+  return state;
+}
+
+} // namespace spricka::analysis

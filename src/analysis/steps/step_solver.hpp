@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/bodies/condense_bodies.hpp"
+#include "analysis/scene/scene.hpp"
+#include "analysis/steps/contact_memory.hpp"
+#include "analysis/steps/friction_history.hpp"
+#include "analysis/steps/mount_memory.hpp"
+#include "analysis/steps/step_factors.hpp"
+#include "contact/recovery.hpp"
+#include "contact/system.hpp"
+#include "solve/contact_qp.hpp"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// Processor CONTACT: walks the steps on the condensed bodies.
+namespace spricka::analysis {
+
+/// Why a step has no answer, with the exit code that says so (design section 5).
+struct Refusal {
+  int exit_code = 4;
+  std::string why;
+  base::Span span;
+};
+
+/// The state at the end of a step.
+struct StepState {
+  base::Vector u;                             ///< [dim * node]
+  base::Vector case_factor;                   ///< [case]
+  base::Vector temperature;                   ///< [connectivity index]; empty: nothing is heated
+  std::vector<base::Vector> pair_lambda;      ///< [contact][row of the pair] pressures; 0 if absent
+  std::vector<base::Vector> pair_gap;         ///< [contact][normal row] weighted
+  std::vector<std::vector<bool>> pair_closed; ///< [contact][normal row]
+  std::vector<bool> mounted;                  ///< [contact]
+  std::vector<PairFriction> friction;         ///< [contact]
+  base::Vector force;                         ///< [dim * node] applied loads
+  base::Vector contact;                       ///< [dim * node] contact forces
+  base::Vector reaction;                      ///< [dim * node] support forces
+  base::Matrix internal;      ///< [dim * node, material] internal forces K u; without cracks of all
+  base::Vector tie;           ///< [dim * node] forces of ties; empty: there are none
+  std::vector<double> energy; ///< [element] strain energy
+  double imbalance = 0.0;     ///< largest force left over at a free freedom, over the force scale
+  int iterations = 0, pivots = 0;
+  int increments = 1; ///< solved in this step; more than 1 only where contacts rub
+  std::vector<std::string> notes;
+};
+
+class StepSolver {
+public:
+  /// `memory`: of what was mounted at the first length, or null: each length mounts anew.
+  /// `contact`: what the last length has left of use, or null.
+  StepSolver(const model::Model& model, const Scene& scene, const std::vector<BodyNet>& bodies,
+             MountMemory* memory = nullptr, ContactMemory* contact = nullptr);
+
+  /// Carries out the actions of a step and solves for its end. Steps are called in deck order.
+  std::optional<StepState> solve(const model::Step& step, Refusal& refusal);
+
+  /// All that the next increment depends on.
+  struct Place {
+    StepFactors factors;
+    base::Vector offset;      ///< [row]
+    std::vector<bool> closed; ///< [row] a start for the solution; may be empty
+    FrictionMemory friction;
+  };
+  [[nodiscard]] Place place() const;
+  void go_back(const Place& place);
+  /// Is shown each solved increment.
+  using Seen = std::function<void(const contact::ContactSystem::Demand&,
+                                  const contact::ContactSystem::Answer&)>;
+  /// Loads and fits go in a straight line to others in equal increments, contacts as they are:
+  /// nothing is recovered. Empty: refused.
+  std::optional<contact::ContactSystem::Answer> go_to(const StepFactors& to, int increments,
+                                                      const Seen& seen, Refusal& refusal);
+  /// The state at the end of go_to, from its answer; empty: refused.
+  std::optional<StepState> recover(contact::ContactSystem::Answer answer, Refusal& refusal);
+  /// Instead: goes on from an earlier step that ended in the same state (repeated_steps), from its
+  /// displacements and closed rows.
+  void repeat(const model::Step& step, const base::Vector& u, const std::vector<bool>& closed);
+  /// Rows [row] closed at the end of the last step; empty: not known.
+  [[nodiscard]] const std::vector<bool>& closed() const { return closed_; }
+  /// Where the next step without friction begins to look for its closed rows, if it mounts nothing.
+  void begin_from(std::vector<bool> closed) { closed_ = std::move(closed); }
+
+  /// What the last step asked of the contact system, with the closed rows it ended with.
+  [[nodiscard]] contact::ContactSystem::Demand demand() const;
+  /// Null when no body has externals; its bodies are `condensed()`, indices of the solver's.
+  [[nodiscard]] const contact::ContactSystem* system() const {
+    return system_ ? &*system_ : nullptr;
+  }
+  [[nodiscard]] const std::vector<std::size_t>& condensed() const { return condensed_; }
+  /// The part of the gaps of these rows [rows] that neither fits nor loads scale.
+  [[nodiscard]] base::Vector unscaled_gap(const std::vector<std::size_t>& rows) const;
+  /// Which body moves how by a combination of modes [m] that is loaded and not held.
+  [[nodiscard]] std::string unheld(const base::Vector& mode, bool slides = false) const;
+  [[nodiscard]] const StepFactors& factors() const { return factors_; }
+  [[nodiscard]] const base::Vector& offset() const { return offset_; } ///< [row] since MOUNT
+
+private:
+  bool act(const model::Step& step, Refusal& refusal);
+  [[nodiscard]] bool mount(std::size_t contact);
+  [[nodiscard]] base::Vector prescribed() const;
+  /// The answer at the end of the step, in increments from the factors `from` where contacts rub;
+  /// none: refused.
+  std::optional<contact::ContactSystem::Answer>
+  walk(const StepFactors& from, const model::Step& step, StepState& state, Refusal& refusal);
+  struct Walk {
+    StepFactors from, to;
+    contact::ContactSystem::Demand demand; ///< of the last increment
+    contact::ContactSystem::Answer answer;
+    int increments = 0, iterations = 0, pivots = 0;
+    const Seen* seen = nullptr;
+  };
+  /// Steps in which contacts rub: in as many increments as the card says, and once more in others
+  /// to tell their error, or in ever more until it is small (manual, contact.25).
+  bool walk_rubbing(Walk& walk, const model::Step& step, StepState& state, Refusal& refusal);
+  /// In so many equal increments from where `start` stands.
+  bool march(Walk& walk, const Place& start, int increments, Refusal& refusal);
+  [[nodiscard]] StepState begin_state() const;
+  /// Displacements of all bodies and what follows from them; false: not in equilibrium.
+  bool complete(std::vector<base::Vector> external, StepState& state, Refusal& refusal) const;
+  /// One increment between two parts of the step, halved where it does not converge.
+  bool advance(Walk& walk, std::pair<double, double> part, int halvings);
+  void remember(const Walk& walk);
+  void note_uniqueness(const Walk& walk, StepState& state);
+  bool refuse(const contact::ContactSystem::Answer& answer, Refusal& refusal) const;
+  [[nodiscard]] bool accept(const contact::ContactSystem::Answer& answer,
+                            const contact::ContactSystem::Demand& demand, StepState& state,
+                            Refusal& refusal);
+  void balance(StepState& state) const;
+  [[nodiscard]] base::Vector tie_forces(const base::Vector& left_over) const;
+
+  const model::Model& model_;
+  const Scene& scene_;
+  const std::vector<BodyNet>& bodies_;
+  std::vector<std::size_t> condensed_; ///< bodies that have externals
+  std::optional<contact::ContactSystem> system_;
+  StepFactors factors_;
+  base::Vector offset_;      ///< [row] gap taken on at MOUNT
+  base::Vector u_;           ///< [dim * node] end of the last step
+  std::vector<bool> closed_; ///< [row] end of the last step
+  FrictionHistory history_;
+  MountMemory* memory_ = nullptr;
+  std::vector<bool> tested_; ///< contacts in force when uniqueness was tested last
+  bool certain_ = false;     ///< that test's answer
+};
+
+} // namespace spricka::analysis

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/steps/step_walk.hpp"
+
+#include "analysis/steps/step_solver.hpp"
+#include "solve/friction_index.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace spricka::analysis {
+
+namespace {
+
+// An increment with friction that does not converge is halved so often.
+constexpr int most_halvings = 6;
+
+// A step that is cut by itself is cut until its shear changes by no more than this part of itself,
+// and no further than this.
+constexpr double shear_tolerance = 0.01;
+constexpr int most_increments = 64;
+// The work of friction and the largest slip by no more than this part of them.
+constexpr double work_tolerance = 0.05;
+// Shear that is less than this part of mu p is measured by that.
+constexpr double least_shear = 0.25;
+// It is warned of where its shear is off by more.
+constexpr double worst_shear = 0.05;
+// Less is not told.
+constexpr double round_off_shear = 1e-6;
+// A determinant of more rows takes as long as an increment.
+constexpr std::size_t most_rows_tested = 4000;
+
+// Shear of contacts that rub in two answers to the same demand: root mean square of what it changes
+// by over that of the shear, the largest of all contacts (manual, contact.25).
+double friction_change(const Scene& scene, const contact::ContactSystem::Demand& demand,
+                       const contact::ContactSystem::Answer& a,
+                       const contact::ContactSystem::Answer& b) {
+  struct Sum {
+    double change = 0.0, shear = 0.0, limit = 0.0;
+  };
+  std::vector<Sum> sums(scene.pairs.size());
+  for (const solve::FrictionRow& f : demand.friction) {
+    const std::size_t row = demand.rows[static_cast<std::size_t>(f.tangent)];
+    const auto c = scene.table.contact_of(row);
+    const double area = scene.table.rows[row]->area;
+    const base::Vector& q = b.solution.lambda;
+    sums[c].change += area * std::pow(a.solution.lambda[f.tangent] - q[f.tangent], 2);
+    sums[c].shear += area * std::pow(q[f.tangent], 2);
+    sums[c].limit += area * std::pow(least_shear * f.mu * q[f.normal], 2);
+  }
+  double most = 0.0;
+  for (const Sum& sum : sums) {
+    const double scale = std::max(sum.shear, sum.limit);
+    most = std::max(most, scale > 0.0 ? std::sqrt(sum.change / scale) : 0.0);
+  }
+  return most;
+}
+
+// Slip below this part of the displacements, and work below that of friction's forces along it, is
+// nothing: bodies that are pressed together alone hardly slip.
+constexpr double least_slip = 1e-3;
+
+// The same of the work of friction, over the largest of all contacts, or of the largest way that a
+// row has slid, whichever changes by more. `answer` and `b` are of the later walk.
+double slip_change(const Scene& scene, const contact::ContactSystem::Demand& demand,
+                   const contact::ContactSystem::Answer& answer, const FrictionMemory& a,
+                   const FrictionMemory& b) {
+  double motion = 0.0;
+  for (const base::Vector& u : answer.u) {
+    motion = std::max(motion, u.size() > 0 ? u.cwiseAbs().maxCoeff() : 0.0);
+  }
+  double force = 0.0;
+  for (const solve::FrictionRow& f : demand.friction) {
+    const std::size_t row = demand.rows[static_cast<std::size_t>(f.normal)];
+    force += f.mu * answer.solution.lambda[f.normal] * scene.table.rows[row]->area;
+  }
+  const double work = std::max(std::ranges::max(b.work), least_slip * force * motion);
+  double most = 0.0;
+  for (std::size_t c = 0; c < b.work.size() && work > 0.0; ++c) {
+    most = std::max(most, std::abs(a.work[c] - b.work[c]) / work);
+  }
+  double before = 0.0;
+  double now = 0.0;
+  for (std::size_t r = 0; r < b.path.size(); ++r) {
+    const double area = scene.table.rows[r]->area;
+    before = std::max(before, a.path[r] / area);
+    now = std::max(now, b.path[r] / area);
+  }
+  const double slip = std::max(now, least_slip * motion);
+  return slip > 0.0 ? std::max(most, std::abs(now - before) / slip) : most;
+}
+
+// An error that falls with 1/n leaves this of the change between two walks.
+struct Halving {
+  int before = 1, now = 2;
+  double change = 0.0; ///< of the shear
+  double slip = 0.0;   ///< of the work of friction and the largest slip
+
+  [[nodiscard]] double error() const { return change * part(); }
+  [[nodiscard]] double slip_error() const { return slip * part(); }
+  [[nodiscard]] double part() const { return before / static_cast<double>(std::abs(now - before)); }
+};
+
+void note_slips(const Halving& cut, bool given, StepState& state) {
+  if (cut.slip_error() > work_tolerance) {
+    state.notes.push_back(fmt::format(
+        "warning: friction walked in {} increments leaves its work or the largest slip off by "
+        "about {:.2g} %: {}",
+        cut.now, 100.0 * cut.slip_error(),
+        given ? "more SUBSTEPS, or none, make it less" : "SUBSTEPS may ask for more"));
+  }
+}
+
+void note_increments(const Halving& cut, bool given, StepState& state) {
+  const double error = cut.error();
+  if (error < round_off_shear) {
+    return;
+  }
+  const std::string off = fmt::format("shear off by about {:.2g} %", 100.0 * error);
+  if (error <= worst_shear) {
+    state.notes.push_back(
+        fmt::format("friction walked in {} increments: {} (root mean square)", cut.now, off));
+  } else if (given) {
+    state.notes.push_back(fmt::format(
+        "warning: SUBSTEPS={} leaves the {} (root mean square, from the change between {} and {} "
+        "increments); without SUBSTEPS the step is cut until 1 % is left",
+        cut.now, off, std::min(cut.before, cut.now), std::max(cut.before, cut.now)));
+  } else {
+    state.notes.push_back(fmt::format(
+        "warning: friction walked in {} increments leaves the {} (root mean square): SUBSTEPS may "
+        "ask for more",
+        cut.now, off));
+  }
+}
+
+solve::ContactSettings settings_of(const model::Model& model) {
+  solve::ContactSettings settings;
+  settings.max_block_iterations = model.control.max_iterations;
+  return settings;
+}
+
+} // namespace
+
+double row_opening(const contact::ConstraintRow& row, int dim, const base::Vector& u) {
+  double sum = 0.0;
+  for (const contact::RowEntry& entry : row.entries) {
+    const auto at = static_cast<Eigen::Index>(entry.node.index()) * dim;
+    for (int c = 0; c < dim; ++c) {
+      sum += entry.weight[c] * u[at + c];
+    }
+  }
+  return sum;
+}
+
+std::optional<contact::ContactSystem::Answer> StepSolver::walk(const StepFactors& from,
+                                                               const model::Step& step,
+                                                               StepState& state, Refusal& refusal) {
+  Walk way{from, factors_, demand(), {}, 0, 0, 0, nullptr};
+  const bool rubs = !way.demand.friction.empty();
+  if (rubs) {
+    if (!walk_rubbing(way, step, state, refusal)) {
+      return std::nullopt;
+    }
+    note_uniqueness(way, state);
+  } else {
+    way.answer = system_->solve(way.demand, settings_of(model_));
+    way.iterations = way.answer.solution.block_iterations;
+    way.pivots = way.answer.solution.pivots;
+    way.increments = 1;
+  }
+  state.iterations = way.iterations;
+  state.pivots = way.pivots;
+  state.increments = way.increments;
+  if (!accept(way.answer, way.demand, state, refusal)) {
+    return std::nullopt;
+  }
+  return std::move(way.answer);
+}
+
+bool StepSolver::march(Walk& walk, const Place& start, int increments, Refusal& refusal) {
+  go_back(start);
+  walk.increments = 0;
+  for (int k = 0; k < increments; ++k) {
+    const double n = increments;
+    if (!advance(walk, {k / n, (k + 1) / n}, 0)) {
+      refuse(walk.answer, refusal);
+      refusal.why = fmt::format("substep {} of {}: {}", k + 1, increments, refusal.why);
+      return false;
+    }
+  }
+  return true;
+}
+
+bool StepSolver::walk_rubbing(Walk& walk, const model::Step& step, StepState& state,
+                              Refusal& refusal) {
+  const Place start = place();
+  const bool given = step.substeps > 0;
+  Halving cut;
+  if (given) {
+    cut = {step.substeps == 1 ? 2 : step.substeps / 2, step.substeps, 0.0, 0.0};
+  }
+  Refusal coarse;
+  const bool compared = march(walk, start, cut.before, coarse);
+  if (!compared && !given) {
+    refusal = coarse;
+    return false;
+  }
+  for (;;) {
+    const contact::ContactSystem::Answer last = std::move(walk.answer);
+    const FrictionMemory slipped = history_.memory();
+    if (!march(walk, start, cut.now, refusal)) {
+      return false;
+    }
+    cut.change = compared ? friction_change(scene_, walk.demand, last, walk.answer) : 0.0;
+    cut.slip =
+        compared ? slip_change(scene_, walk.demand, walk.answer, slipped, history_.memory()) : 0.0;
+    const bool settled = cut.change <= shear_tolerance && cut.slip <= work_tolerance;
+    if (given || settled || cut.now >= most_increments) {
+      break;
+    }
+    cut.before = cut.now;
+    cut.now *= 2;
+  }
+  note_increments(cut, given, state);
+  note_slips(cut, given, state);
+  return true;
+}
+
+bool StepSolver::advance(Walk& walk, std::pair<double, double> part, int halvings) {
+  factors_ = part_way(walk.from, walk.to, part.second);
+  walk.demand = demand();
+  walk.answer = system_->solve(walk.demand, settings_of(model_));
+  const solve::ContactSolution& s = walk.answer.solution;
+  walk.iterations += s.block_iterations;
+  walk.pivots += s.pivots;
+  if (s.status == solve::ContactStatus::solved) {
+    ++walk.increments;
+    remember(walk);
+    if (walk.seen != nullptr) {
+      (*walk.seen)(walk.demand, walk.answer);
+    }
+    return true;
+  }
+  if (s.status != solve::ContactStatus::max_iterations || halvings == most_halvings) {
+    return false;
+  }
+  const double middle = 0.5 * (part.first + part.second);
+  return advance(walk, {part.first, middle}, halvings + 1) &&
+         advance(walk, {middle, part.second}, halvings + 1);
+}
+
+StepSolver::Place StepSolver::place() const {
+  return {factors_, offset_, closed_, history_.memory()};
+}
+
+void StepSolver::go_back(const Place& place) {
+  factors_ = place.factors;
+  offset_ = place.offset;
+  closed_ = place.closed;
+  history_.go_back(place.friction);
+}
+
+std::optional<contact::ContactSystem::Answer>
+StepSolver::go_to(const StepFactors& to, int increments, const Seen& seen, Refusal& refusal) {
+  Walk way{factors_, to, {}, {}, 0, 0, 0, &seen};
+  for (int k = 0; k < increments; ++k) {
+    const double n = increments;
+    if (!advance(way, {k / n, (k + 1) / n}, 0)) {
+      refuse(way.answer, refusal);
+      return std::nullopt;
+    }
+  }
+  return std::move(way.answer);
+}
+
+std::optional<StepState> StepSolver::recover(contact::ContactSystem::Answer answer,
+                                             Refusal& refusal) {
+  StepState state = begin_state();
+  if (!accept(answer, demand(), state, refusal) || !complete(std::move(answer.u), state, refusal)) {
+    return std::nullopt;
+  }
+  return state;
+}
+
+// Where rows stand tangentially now: slip counts from here.
+void StepSolver::remember(const Walk& walk) {
+  history_.take(walk.demand, walk.answer);
+  const base::Vector fixed = prescribed();
+  for (const std::size_t row : walk.demand.rows) {
+    if (history_.rubs(row)) {
+      offset_[static_cast<Eigen::Index>(row)] =
+          -system_->opening(row, walk.answer.u) -
+          row_opening(*scene_.table.rows[row], scene_.cracked.mesh.dim, fixed);
+    }
+  }
+}
+
+// A test that is sufficient only clears most; of the others the answer itself tells.
+void StepSolver::note_uniqueness(const Walk& walk, StepState& state) {
+  if (tested_ != factors_.mounted) {
+    tested_ = factors_.mounted;
+    certain_ = system_->unique(walk.demand).certain;
+  }
+  if (!certain_ && walk.demand.rows.size() <= most_rows_tested &&
+      solve::one_of_several({system_->condensed(walk.demand), walk.demand.friction, {}},
+                            walk.answer.solution.closed, walk.answer.touch)) {
+    state.notes.emplace_back(
+        "warning: with this much friction the end of the step is one of several solutions");
+  }
+}
+
+} // namespace spricka::analysis

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "archive/card_marks.hpp"
+
+#include "archive/deck_digest.hpp"
+#include "archive/safe_file.hpp"
+#include "deck/load.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <map>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace spricka::archive {
+
+namespace {
+
+constexpr std::array<std::string_view, 10> no_matter{"TEST",    "OUTPUT", "CHECK", "RESTART",
+                                                     "CONTROL", "TASK",   "SWEEP", "PARAMETER",
+                                                     "INCLUDE", "END"};
+
+bool blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\n';
+}
+
+char upper(char c) {
+  return static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+}
+
+// One blank between words, none at an equals sign, a new line for a data line; upper case but for
+// texts; no comments. A continued header is one line.
+std::string canonical(std::string_view text) {
+  std::string out;
+  bool quoted = false;
+  char gap = '\0';
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quoted) {
+      out += c;
+      quoted = c != '\'';
+    } else if (c == '!') {
+      i = std::min(text.find('\n', i), text.size()) - 1;
+    } else if (blank(c)) {
+      gap = c == '\n' || gap == '\n' ? '\n' : ' ';
+    } else if (c == '&' && gap == '\n') {
+      gap = ' ';
+    } else {
+      const bool bare = gap == ' ' && (c == '=' || (!out.empty() && out.back() == '='));
+      if (gap != '\0' && !out.empty() && !bare) {
+        out += gap;
+      }
+      gap = '\0';
+      quoted = c == '\'';
+      out += upper(c);
+    }
+  }
+  return out;
+}
+
+using Parameters =
+    std::map<std::string, std::pair<std::string, double>>; // upper case -> as written
+
+// Parameters whose names stand in a text.
+std::string uses(std::string_view text, const Parameters& parameters) {
+  std::map<std::string, std::string> found;
+  std::string word;
+  for (std::size_t i = 0; i <= text.size(); ++i) {
+    const char c = i < text.size() ? text[i] : ' ';
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_') {
+      word += upper(c);
+      continue;
+    }
+    if (const auto p = parameters.find(word); p != parameters.end()) {
+      found[p->second.first] = fmt::format("{} = {}", p->second.first, p->second.second);
+    }
+    word.clear();
+  }
+  std::string out;
+  for (const auto& [name, value] : found) {
+    out += (out.empty() ? "" : ", ") + value;
+  }
+  return out;
+}
+
+// What a card's FILE holds, for those that bring something in.
+std::string named_file(const grammar::Card& card, const base::Sources& sources) {
+  for (const grammar::Parameter& p : card.parameters) {
+    if (p.key == "FILE" && !p.values.empty()) {
+      const std::filesystem::path from = sources.name(card.name_span.file);
+      return (from.parent_path() / p.values.front().text).string();
+    }
+  }
+  return {};
+}
+
+// "$LOAD uses F = 80000; it was F = 75000": the first that differs.
+std::string of_uses(const CardMark& before, const CardMark& now) {
+  return fmt::format("${} uses {}; the earlier run had {}", now.name,
+                     now.uses.empty() ? "no parameter" : now.uses,
+                     before.uses.empty() ? "none" : before.uses);
+}
+
+bool same(const CardMark& a, const CardMark& b) {
+  return a.name == b.name && a.hash == b.hash && a.uses == b.uses;
+}
+
+} // namespace
+
+std::vector<CardMark> card_marks(const std::filesystem::path& deck, const model::Model& model) {
+  base::Sources sources;
+  base::Diagnostics known; // the deck has been read: it has no mistakes
+  const deck::LoadedDeck loaded = deck::load_deck(deck, sources, known);
+  Parameters parameters;
+  for (const auto& [name, value] : model.parameters) {
+    std::string key = name;
+    std::ranges::transform(key, key.begin(), upper);
+    parameters[key] = {name, value};
+  }
+  std::vector<CardMark> marks;
+  for (const grammar::Card& card : loaded.cards) {
+    if (std::ranges::find(no_matter, card.name) != no_matter.end()) {
+      continue;
+    }
+    CardMark mark;
+    mark.name = card.name;
+    std::string text = canonical(sources.text(card.header)) + '\n';
+    if (card.data.valid()) {
+      text += canonical(sources.text(card.data));
+    }
+    if (const std::string file = named_file(card, sources); !file.empty()) {
+      text += texts_of_import(file);
+    }
+    mark.hash = hash_of(text);
+    mark.uses = uses(text, parameters);
+    mark.file = std::filesystem::path(sources.name(card.name_span.file)).filename().string();
+    mark.line = static_cast<int>(sources.locate(card.name_span.file, card.name_span.begin).line);
+    mark.span = card.name_span;
+    marks.push_back(std::move(mark));
+  }
+  return marks;
+}
+
+std::optional<CardDifference> first_difference(const std::vector<CardMark>& before,
+                                               const std::vector<CardMark>& now) {
+  std::size_t i = 0;
+  while (i < before.size() && i < now.size() && same(before[i], now[i])) {
+    ++i;
+  }
+  if (i == before.size() && i == now.size()) {
+    return std::nullopt;
+  }
+  const auto in = [&](const std::vector<CardMark>& cards, const CardMark& wanted) {
+    return std::any_of(cards.begin() + static_cast<std::ptrdiff_t>(std::min(i, cards.size())),
+                       cards.end(), [&](const CardMark& c) { return same(c, wanted); });
+  };
+  const base::Span end = now.empty() ? base::Span{} : now.back().span;
+  const bool missing =
+      i == now.size() || (i < before.size() && in(now, before[i]) == false && in(before, now[i]));
+  if (missing) {
+    return CardDifference{i < now.size() ? now[i].span : end,
+                          fmt::format("a ${} is missing here, line {} of the earlier {}",
+                                      before[i].name, before[i].line, before[i].file)};
+  }
+  if (i == before.size() || in(now, before[i])) {
+    return CardDifference{now[i].span, fmt::format("${} was not in the earlier deck", now[i].name)};
+  }
+  if (before[i].name == now[i].name && before[i].hash == now[i].hash) {
+    return CardDifference{now[i].span, of_uses(before[i], now[i])};
+  }
+  return CardDifference{now[i].span,
+                        fmt::format("${} is not what the earlier deck has, ${} in "
+                                    "line {} of {}",
+                                    now[i].name, before[i].name, before[i].line, before[i].file)};
+}
+
+std::vector<CardMark> only(const std::vector<CardMark>& cards,
+                           const std::vector<std::string>& names) {
+  std::vector<CardMark> kept;
+  std::ranges::copy_if(cards, std::back_inserter(kept), [&](const CardMark& c) {
+    return std::ranges::find(names, c.name) != names.end();
+  });
+  return kept;
+}
+
+std::vector<CardMark> without(const std::vector<CardMark>& cards,
+                              const std::vector<std::string>& names) {
+  std::vector<CardMark> kept;
+  std::ranges::copy_if(cards, std::back_inserter(kept), [&](const CardMark& c) {
+    return std::ranges::find(names, c.name) == names.end();
+  });
+  return kept;
+}
+
+} // namespace spricka::archive

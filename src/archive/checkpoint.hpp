@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "archive/checkpoint_list.hpp"
+#include "base/clock.hpp"
+#include "base/exit_codes.hpp"
+#include "base/source.hpp"
+#include "model/model.hpp"
+#include "results/named_arrays.hpp"
+#include "results/results.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+/// The state of a run on disk, after its increments ($RESTART). A restart file NAME.rst lists the
+/// increments, each in a file of its own in NAME.rst.d; NAME.rst.1 is the list before the last.
+/// manual/restart.md says what they hold.
+namespace spricka::archive {
+
+/// An increment with what the loop carried behind it.
+struct KeptIncrement {
+  results::Increment increment;
+  results::NamedArrays state;
+  std::vector<results::LogLine> log;
+  double cpu = 0.0, wall = 0.0; ///< [s] that it took
+};
+
+/// The same of one that was solved just now.
+struct SolvedIncrement {
+  const results::Increment& increment;
+  results::NamedArrays state;
+  std::vector<results::LogLine> log;
+  double cpu = 0.0, wall = 0.0; ///< [s]
+};
+
+struct CheckpointPlace {
+  std::filesystem::path read;  ///< empty: from the start
+  std::filesystem::path write; ///< empty: nothing is kept
+  std::optional<int> at;       ///< last increment to take over; empty: all
+  int every = 1;
+  double seconds = 0.0;  ///< wall time that the program has; 0: no limit
+  base::Stopwatch since; ///< from here on
+};
+
+/// Why a state does not fit the deck: shown at its place, exit_code::deck_error.
+struct Misfit {
+  std::string code;
+  base::Span span;
+  std::string text;
+};
+
+class Checkpoint {
+public:
+  /// Opens both places. Throws FileTrouble for files that cannot be used.
+  Checkpoint(CheckpointPlace place, const std::filesystem::path& deck, const base::Sources& sources,
+             const model::Model& model);
+  ~Checkpoint();
+  Checkpoint(const Checkpoint&) = delete;
+  Checkpoint& operator=(const Checkpoint&) = delete;
+
+  /// Whether the state fits the deck. To be asked first, once.
+  [[nodiscard]] std::optional<Misfit> misfit();
+  using Listener = std::function<void(const std::string& code, const std::string& text)>;
+  /// Called with all that is told, so far and from now on.
+  void listen(Listener listener);
+  /// What was passed over or left out, each with its code.
+  [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& told() const {
+    return told_;
+  }
+
+  /// A run begins; with $TIPNET TOL there are several.
+  void begin_round() { ++round_; }
+  /// Whether increment `number` of this round is there to be taken.
+  [[nodiscard]] bool has(int number) const;
+  /// The crack length that increment was asked for.
+  [[nodiscard]] double asked(int number) const;
+  /// The increment of this round, which has(number). Throws FileTrouble.
+  [[nodiscard]] KeptIncrement look_at(int number) const;
+  /// It stands for what a run from the start would have solved: it is listed again.
+  void take(int number);
+  /// This increment and all after it will be solved, not taken; says why.
+  void solve_from(int number, const std::string& why);
+
+  /// Keeps an increment that was solved, on disk when `every` says so. Throws FileTrouble E563.
+  void keep(double asked, SolvedIncrement done);
+  /// Whether the next increment would probably not be finished in time: as long as the longer of
+  /// the last two. Never before one was solved, so that every session gets further.
+  [[nodiscard]] bool out_of_time() const;
+  /// Puts on disk what is not there yet; from any thread. The number of increments that are kept.
+  std::size_t flush();
+  [[nodiscard]] std::size_t taken() const { return taken_; }
+  [[nodiscard]] const std::filesystem::path& taken_from() const { return place_.read; }
+  /// Seconds and increments of the limit in words, for messages.
+  [[nodiscard]] std::string limit() const;
+  [[nodiscard]] bool writes() const { return !place_.write.empty(); }
+  [[nodiscard]] const std::filesystem::path& file() const { return place_.write; }
+
+private:
+  struct Pending {
+    std::string file, bytes;
+  };
+
+  [[nodiscard]] CheckpointList read_newest();
+  [[nodiscard]] std::string list_bytes() const;
+  std::optional<Misfit> misfit_of_steps();
+  std::optional<Misfit> misfit_of_growth() const;
+  void open_to_write();
+  void put_on_disk();
+  void sweep_folder() const;
+  [[nodiscard]] const KeptEntry* find(int number) const;
+  void tell(const std::string& code, const std::string& text);
+
+  CheckpointPlace place_;
+  const base::Sources& sources_;
+  const model::Model& model_;
+  std::vector<CardMark> cards_; ///< of the deck now
+  CheckpointList found_;        ///< in the file that is read
+  int round_ = 0;
+  std::vector<double> walls_;     ///< [s] of increments solved in this session
+  std::size_t dropped_steps_ = 0; ///< of the earlier deck, at its end
+  std::vector<std::pair<std::string, std::string>> told_;
+  Listener listener_;
+
+  std::mutex guard_;                ///< of all below
+  std::vector<KeptEntry> entries_;  ///< to be listed
+  std::vector<Pending> pending_;    ///< listed, not yet on disk
+  std::string pending_list_;        ///< that lists them: HDF5 is used by one thread only
+  std::size_t taken_ = 0;           ///< from an earlier run
+  std::size_t on_disk_ = 0;         ///< entries in the list on disk
+  std::vector<std::string> before_; ///< files of the list before
+  int lock_ = -1;                   ///< folder, locked against a second run
+};
+
+} // namespace spricka::archive

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "archive/card_marks.hpp"
+#include "model/model.hpp"
+#include "results/results.hpp"
+#include "results/store.hpp"
+
+#include <array>
+#include <string>
+#include <vector>
+
+/// The list of a restart file: what was kept, and of which deck.
+namespace spricka::archive {
+
+/// How the list knows an increment.
+struct KeptEntry {
+  int round = 1; ///< of $TIPNET TOL
+  int number = 1;
+  double asked = 0.0; ///< crack length that the loop asked for; 0: it found it itself
+  std::string file;   ///< in the folder
+  std::string hash;   ///< of the file's content
+  double cpu = 0.0, wall = 0.0;
+  std::vector<results::LogLine> log;
+};
+
+struct CheckpointList {
+  std::vector<CardMark> cards;
+  std::vector<KeptEntry> entries;
+  std::string growth;           ///< growth_rules() of the deck
+  std::array<double, 2> ends{}; ///< growth_ends() of the deck
+};
+
+void write_list(results::StoreGroup root, const CheckpointList& list);
+/// Throws StoreError.
+CheckpointList read_list(const results::StoreGroup& root);
+
+/// What of $GROW every increment depends on, in words. Lengths of LAW=INCREMENT are compared one by
+/// one; AMAX and CYCLES only say where a growth ends.
+std::string growth_rules(const model::Model& model);
+/// Where a growth by a law ends: AMAX, CYCLES; infinite where there is none.
+std::array<double, 2> growth_ends(const model::Model& model);
+
+} // namespace spricka::archive

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "archive/results_file.hpp"
+
+#include "archive/deck_digest.hpp"
+#include "archive/version.hpp"
+#include "report/drawing/file.hpp"
+#include "results/store_run.hpp"
+
+#include <algorithm>
+#include <system_error>
+#include <vector>
+
+namespace spricka::archive {
+
+namespace {
+
+constexpr std::int64_t format_version = 1;
+
+// Stations of a growth by a law are the program's choice, and many: of those between the first and
+// the last fields are kept only where the deck asks for fields of each.
+std::vector<bool> kept_fields(const model::Model& model, const results::Run& run) {
+  const bool law = model.growth && model.growth->law != model::GrowthLaw::increment;
+  const bool asked = std::ranges::any_of(model.outputs, [](const model::Output& output) {
+    return output.format == model::OutputFormat::vtu && output.every != model::OutputEvery::end;
+  });
+  std::vector<bool> kept(run.increments.size(), !law || asked);
+  if (!kept.empty()) {
+    kept.front() = true;
+    kept.back() = true;
+  }
+  return kept;
+}
+
+} // namespace
+
+void describe_origin(const results::StoreGroup& given, const model::Model& model) {
+  results::StoreGroup group = given;
+  group.describe("program", "spricka " SPRICKA_VERSION);
+  group.describe("libraries", version_text());
+  group.describe("title", model.title);
+  group.describe("length_unit", model.units.length_name);
+  group.describe("force_unit", model.units.force_name);
+  group.describe("stress_unit", model.units.stress_name());
+  group.describe("K_unit", model.units.stress_intensity_name());
+}
+
+void store_deck(const results::StoreGroup& given, const base::Sources& sources,
+                const model::Model& model) {
+  results::StoreGroup group = given.group("deck");
+  std::vector<std::string> names;
+  std::vector<std::string> texts;
+  for (std::int32_t f = 0; f < static_cast<std::int32_t>(sources.count()); ++f) {
+    names.emplace_back(std::filesystem::path(sources.name(f)).filename().string());
+    texts.emplace_back(sources.text(f));
+  }
+  results::Table files{{{"file", names}}};
+  group.write("files", files);
+  for (std::size_t f = 0; f < texts.size(); ++f) {
+    group.write("text_" + std::to_string(f + 1), std::span(&texts[f], 1));
+  }
+  std::vector<std::string> parameter;
+  std::vector<double> value;
+  for (const auto& [name, number] : model.parameters) {
+    parameter.push_back(name);
+    value.push_back(number);
+  }
+  if (!parameter.empty()) {
+    group.write("parameters", results::Table{{{"name", parameter}, {"value", value}}});
+  }
+  group.describe("hash", deck_digest(sources, model, {}));
+}
+
+void write_results_file(const std::filesystem::path& file, const base::Sources& sources,
+                        const model::Model& model, const results::Run& run) {
+  try {
+    results::Store store = results::Store::in_memory();
+    {
+      results::StoreGroup root = store.root();
+      root.describe("format", std::string_view("spricka results"));
+      root.describe("format_version", format_version);
+      describe_origin(root, model);
+      store_deck(root, sources, model);
+      results::write_reader_tables(root, run);
+      results::write_run(root, run, results::Times::left_out, kept_fields(model, run));
+    }
+    report::write_file(file, store.bytes());
+  } catch (const results::StoreError& trouble) {
+    throw std::system_error(std::make_error_code(std::errc::io_error),
+                            file.string() + ": " + trouble.what());
+  }
+}
+
+} // namespace spricka::archive

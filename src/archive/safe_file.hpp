@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/exit_codes.hpp"
+#pragma once
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+/// Files that are whole or not there: restart files and their parts.
+namespace spricka::archive {
+
+/// Trouble with a file, with the code that names it (run/error_codes.hpp): the program ends with
+/// exit_code::file_trouble.
+class FileTrouble : public std::runtime_error {
+public:
+  FileTrouble(std::string code, const std::string& what)
+      : std::runtime_error(what), code_(std::move(code)) {}
+  [[nodiscard]] const std::string& code() const { return code_; }
+
+private:
+  std::string code_;
+};
+
+/// Writes beside the name, syncs, renames and syncs the folder: whatever happens, the name stands
+/// for the old bytes or for all of the new. Throws FileTrouble E563.
+void write_safely(const std::filesystem::path& file, std::string_view bytes);
+
+/// What a framed file begins with: one line of text, padded to this [bytes], so that `head -1`
+/// shows what it is and HDF5's own tools read what follows.
+inline constexpr std::size_t frame_size = 512;
+
+/// The bytes with a line in front that says what they are ("state", "increment"), of which version
+/// of the format and program, how many, and their hash.
+std::string framed(std::string_view kind, std::string_view bytes);
+
+/// The bytes behind the line. Throws FileTrouble: E560 for a file that cannot be read, is cut off
+/// or changed, E564 for a foreign one, E565 for one of another version of format or program.
+std::string read_framed(const std::filesystem::path& file, std::string_view kind);
+
+/// 32 hexadecimal digits for some bytes (XXH3, 128 bit).
+std::string hash_of(std::string_view bytes);
+
+} // namespace spricka::archive

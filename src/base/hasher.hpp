@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string_view>
+#include <utility>
+
+#include <xxhash.h>
+
+namespace spricka::base {
+
+/// 128-bit hash of what it is fed, in order (XXH3, Collet).
+class Hasher {
+public:
+  Hasher() : state_(XXH3_createState()) { XXH3_128bits_reset(state_.get()); }
+
+  void add(const void* data, std::size_t bytes) { XXH3_128bits_update(state_.get(), data, bytes); }
+  template <class T> void value(const T& v) { add(&v, sizeof v); }
+  /// With its length, so that no two lists of texts are alike.
+  void text(std::string_view t) {
+    value(t.size());
+    add(t.data(), t.size());
+  }
+  [[nodiscard]] std::pair<std::uint64_t, std::uint64_t> key() const {
+    const XXH128_hash_t h = XXH3_128bits_digest(state_.get());
+    return {h.high64, h.low64};
+  }
+
+private:
+  struct Free {
+    void operator()(XXH3_state_t* s) const { XXH3_freeState(s); }
+  };
+  std::unique_ptr<XXH3_state_t, Free> state_;
+};
+
+} // namespace spricka::base

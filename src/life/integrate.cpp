@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "life/integrate.hpp"
+
+#include "life/gsl.hpp"
+
+#include <memory>
+
+#include <gsl/gsl_integration.h>
+
+namespace spricka::life {
+
+namespace {
+
+struct Free {
+  void operator()(gsl_integration_workspace* work) const { gsl_integration_workspace_free(work); }
+};
+
+constexpr std::size_t k_most_parts = 200;
+
+} // namespace
+
+double integrate(const std::function<double(double)>& f, double begin, double end,
+                 double tolerance) {
+  if (begin == end) {
+    return 0.0;
+  }
+  quiet_gsl();
+  const std::unique_ptr<gsl_integration_workspace, Free> work(
+      gsl_integration_workspace_alloc(k_most_parts));
+  const GslFunction function(f);
+  double sum = 0.0;
+  double error = 0.0;
+  gsl_integration_qag(function.get(), begin, end, 0.0, tolerance, k_most_parts, GSL_INTEG_GAUSS31,
+                      work.get(), &sum, &error);
+  return sum;
+}
+
+} // namespace spricka::life

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/cut/cavity.hpp"
+
+#include "mesh/boundary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <map>
+
+namespace spricka::mesh {
+namespace {
+
+using base::ElementId;
+using base::NodeId;
+using base::Vec2;
+
+/// How near to the crack, in crack lengths, and to its tip, in rosette radii, the host's elements
+/// are replaced: so near that triangles between would come out flat.
+constexpr double reach_of_line = 0.3;
+constexpr double reach_of_tip = 2.5;
+/// Least distance of an edge that stays from the crack and the rosette, in its own lengths.
+constexpr double edge_room = 1.2;
+
+class Finder {
+public:
+  /// `owner` tells of each element which cavity has it; `self` is the number of this one.
+  Finder(const Host& host, std::vector<const Placement*> placements,
+         std::vector<std::size_t>& owner, std::size_t self)
+      : host_(host), mesh_(host.mesh()), places_(std::move(placements)), owner_(owner), self_(self),
+        seed_(places_.front()->seed) {}
+
+  /// Takes what the cracks need; returns the cavity that has some of it already, or none.
+  std::size_t take_core() {
+    std::vector<ElementId> front;
+    for (const Placement* place : places_) {
+      front.push_back(place->seed);
+      if (place->mouth && place->mouth->node.valid()) {
+        const auto around = host_.around(place->mouth->node);
+        std::copy_if(around.begin(), around.end(), std::back_inserter(front),
+                     [&](ElementId e) { return allowed(e); });
+      }
+    }
+    std::size_t other = none;
+    for (const ElementId e : front) {
+      other = take(e) ? other : owner_[e.index()];
+    }
+    while (!front.empty()) {
+      const ElementId e = front.back();
+      front.pop_back();
+      for (int s = 0; s < base::info(mesh_.type[e.index()]).sides; ++s) {
+        const auto next = host_.beyond({e, s});
+        if (!next || has(*next) || !allowed(*next) || !near(*next)) {
+          continue;
+        }
+        if (take(*next)) {
+          front.push_back(*next);
+        } else {
+          other = owner_[next->index()];
+        }
+      }
+    }
+    return other;
+  }
+
+  void take_layer() {
+    for (const ElementId e : elements()) {
+      for (const NodeId n : mesh_.nodes_of(e)) {
+        take_around(n);
+      }
+    }
+  }
+
+  /// Takes in what lies beyond edges that are long against their distance from the crack: triangles
+  /// on them would come out flat, or, as they are seen as straight, reach over the crack. Returns
+  /// the cavity that has some of it already, or none.
+  std::size_t take_beyond_long_edges() {
+    std::size_t other = none;
+    for (bool more = true; more;) {
+      more = false;
+      for (const model::Face& face : outline()) {
+        const auto next = host_.beyond(face);
+        if (next && allowed(*next) && is_long(edge_of(mesh_, face))) {
+          const bool taken = take(*next);
+          other = taken ? other : owner_[next->index()];
+          more = more || taken;
+        }
+      }
+    }
+    return other;
+  }
+
+  /// A loop that meets itself at a node could not be meshed: takes in what lies round such nodes.
+  /// Returns the cavity that has some of it already, or none.
+  std::size_t take_pinched() {
+    for (bool more = true; more;) {
+      std::map<NodeId, int> leaving;
+      for (const model::Face& face : outline()) {
+        ++leaving[edge_of(mesh_, face).a];
+      }
+      more = false;
+      for (const auto& [node, count] : leaving) {
+        if (count > 1) {
+          if (!take_around(node)) {
+            return other_around(node);
+          }
+          more = true;
+        }
+      }
+    }
+    return none;
+  }
+
+  [[nodiscard]] Cavity cavity() const {
+    Cavity result;
+    result.elements = elements();
+    for (const Chain& chain : chains(mesh_, outline())) {
+      std::vector<OutlineEdge> loop;
+      for (const model::Face& face : chain.faces) {
+        loop.push_back({face, edge_of(mesh_, face), !host_.beyond(face).has_value()});
+      }
+      result.loops.push_back(std::move(loop));
+    }
+    return result;
+  }
+
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+private:
+  [[nodiscard]] bool has(ElementId e) const { return owner_[e.index()] == self_; }
+  bool take(ElementId e) {
+    std::size_t& owner = owner_[e.index()];
+    if (owner == none) {
+      owner = self_;
+      taken_.push_back(e);
+    }
+    return owner == self_;
+  }
+  [[nodiscard]] bool allowed(ElementId e) const {
+    return mesh_.element_net[e.index()] == mesh_.element_net[seed_.index()] &&
+           mesh_.property[e.index()] == mesh_.property[seed_.index()];
+  }
+  [[nodiscard]] bool near(ElementId e) const {
+    return std::ranges::any_of(places_, [&](const Placement* place) {
+      const std::vector<Vec2> shape = polygon(mesh_, e, place->frame);
+      return distance(shape, place->line) < reach_of_line + same ||
+             std::ranges::any_of(place->tips, [&](const TipPlace& tip) {
+               return distance(shape, {tip.at, tip.at}) < reach_of_tip * place->radius + same;
+             });
+    });
+  }
+  [[nodiscard]] bool is_long(const Edge& edge) const {
+    return std::ranges::any_of(places_, [&](const Placement* place) {
+      return mesh::is_long(mesh_, *place, edge, 1.0 / edge_room);
+    });
+  }
+  [[nodiscard]] std::vector<ElementId> elements() const {
+    std::vector<ElementId> result = taken_;
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  /// True if anything was taken.
+  bool take_around(NodeId n) {
+    bool more = false;
+    for (const ElementId e : host_.around(n)) {
+      more = (!has(e) && allowed(e) && take(e)) || more;
+    }
+    return more;
+  }
+
+  [[nodiscard]] std::size_t other_around(NodeId n) const {
+    for (const ElementId e : host_.around(n)) {
+      if (!has(e) && owner_[e.index()] != none) {
+        return owner_[e.index()];
+      }
+    }
+    return none;
+  }
+
+  [[nodiscard]] std::vector<model::Face> outline() const {
+    std::vector<model::Face> result;
+    for (const ElementId e : elements()) {
+      for (int s = 0; s < base::info(mesh_.type[e.index()]).sides; ++s) {
+        const model::Face face{e, s};
+        const auto other = host_.beyond(face);
+        if (!other || !has(*other)) {
+          result.push_back(face);
+        }
+      }
+    }
+    return result;
+  }
+
+  const Host& host_;
+  const model::Mesh& mesh_;
+  std::vector<const Placement*> places_;
+  std::vector<std::size_t>& owner_;
+  std::size_t self_;
+  ElementId seed_;
+  std::vector<ElementId> taken_;
+};
+
+/// Every cavity takes what it wants; returns two that want the same, if there are.
+std::optional<std::pair<std::size_t, std::size_t>> take_all(std::vector<Finder>& finders) {
+  for (std::size_t i = 0; i < finders.size(); ++i) {
+    if (const std::size_t other = finders[i].take_core(); other != Finder::none) {
+      return std::pair(other, i);
+    }
+  }
+  for (std::size_t i = 0; i < finders.size(); ++i) {
+    finders[i].take_layer();
+    if (const std::size_t other = finders[i].take_beyond_long_edges(); other != Finder::none) {
+      return std::pair(other, i);
+    }
+    if (const std::size_t other = finders[i].take_pinched(); other != Finder::none) {
+      return std::pair(other, i);
+    }
+  }
+  return std::nullopt;
+}
+
+} // namespace
+
+bool is_long(const model::Mesh& mesh, const Placement& placement, const Edge& edge, double part) {
+  const Vec2 a = placement.frame.local(mesh.x[edge.a.index()]);
+  const Vec2 b = placement.frame.local(mesh.x[edge.b.index()]);
+  double room = distance({a, b, a}, placement.line);
+  for (const TipPlace& tip : placement.tips) {
+    room = std::min(room, distance(tip.at, a, b) - placement.radius);
+  }
+  return part * room < (b - a).norm() - same;
+}
+
+std::vector<Vec2> polygon(const model::Mesh& mesh, ElementId e, const CrackFrame& frame) {
+  std::vector<Vec2> result;
+  for (int s = 0; s < base::info(mesh.type[e.index()]).sides; ++s) {
+    const Edge edge = edge_of(mesh, {e, s});
+    result.push_back(frame.local(mesh.x[edge.a.index()]));
+    if (edge.mid.valid()) {
+      result.push_back(frame.local(mesh.x[edge.mid.index()]));
+    }
+  }
+  return result;
+}
+
+Cavities find_cavities(const Host& host, std::span<const Placement> placements) {
+  std::vector<std::vector<std::size_t>> groups;
+  for (std::size_t i = 0; i < placements.size(); ++i) {
+    groups.push_back({i});
+  }
+  std::vector<Finder> finders;
+  std::vector<std::size_t> owner;
+  for (bool more = true; more;) { // until no two of them want the same elements
+    owner.assign(host.mesh().element_count(), Finder::none);
+    finders.clear();
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      std::vector<const Placement*> members;
+      for (const std::size_t i : groups[g]) {
+        members.push_back(&placements[i]);
+      }
+      finders.emplace_back(host, std::move(members), owner, g);
+    }
+    const auto clash = take_all(finders);
+    more = clash.has_value();
+    if (clash) {
+      const auto [a, b] = std::minmax(clash->first, clash->second);
+      groups[a].insert(groups[a].end(), groups[b].begin(), groups[b].end());
+      std::sort(groups[a].begin(), groups[a].end());
+      groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(b));
+    }
+  }
+  Cavities result;
+  for (const Finder& finder : finders) {
+    result.each.push_back(finder.cavity());
+  }
+  result.cracks = std::move(groups);
+  return result;
+}
+
+Placement seen_from(const Placement& placement, const CrackFrame& frame) {
+  Placement result = placement;
+  const CrackFrame& own = placement.frame;
+  if (own.origin == frame.origin && own.e1 == frame.e1 && own.a == frame.a) {
+    return result;
+  }
+  const double turn =
+      std::atan2(frame.e1.x() * own.e1.y() - frame.e1.y() * own.e1.x(), frame.e1.dot(own.e1));
+  for (Vec2& p : result.line) {
+    p = frame.exact(own.global(p));
+  }
+  for (TipPlace& tip : result.tips) {
+    tip.at = frame.exact(own.global(tip.at));
+    tip.direction += turn;
+  }
+  result.radius *= own.a / frame.a;
+  result.size *= own.a / frame.a;
+  result.frame = frame;
+  return result;
+}
+
+} // namespace spricka::mesh

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "mesh/cut/patch_mesh.hpp"
+
+#include <span>
+#include <vector>
+
+namespace spricka::mesh {
+
+/// A patch ready to be put into the host, and afterwards where its nodes are.
+struct Graft {
+  Patch patch;
+  Cavity cavity;
+  CrackFrame frame;
+  std::vector<base::NodeId> node; ///< [patch node] once grafted
+};
+
+/// The host with its cavities filled: mesh, `host` and all sets of the result, still uncracked.
+CrackedMesh graft(const model::Mesh& host, std::span<Graft> grafts);
+
+} // namespace spricka::mesh

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/cut/lip_faces.hpp"
+
+#include "mesh/boundary.hpp"
+#include "mesh/cut/host.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace spricka::mesh {
+namespace {
+
+using base::NodeId;
+
+// Sides whose nodes follow one another along a lip. Sides run with their body on the left: along
+// the left lip they go towards the tip, along the right lip away from it.
+std::vector<model::Face> along(const model::Mesh& mesh, const std::vector<NodeId>& lip, bool left) {
+  std::map<NodeId, std::size_t> place;
+  for (std::size_t i = 0; i < lip.size(); ++i) {
+    place.emplace(lip[i], i);
+  }
+  std::vector<std::pair<std::size_t, model::Face>> found;
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const base::ElementId element(e);
+    if (std::ranges::count_if(mesh.nodes_of(element), [&](NodeId n) { return place.contains(n); }) <
+        2) {
+      continue;
+    }
+    for (int s = 0; s < base::info(mesh.type[e]).sides; ++s) {
+      const Edge edge = edge_of(mesh, {element, s});
+      const auto from = place.find(left ? edge.a : edge.b);
+      const auto to = place.find(left ? edge.b : edge.a);
+      if (from == place.end() || to == place.end()) {
+        continue;
+      }
+      const std::size_t step = edge.mid.valid() ? 2 : 1;
+      if (to->second == from->second + step && (step == 1 || lip[from->second + 1] == edge.mid)) {
+        found.emplace_back(from->second, model::Face{element, s});
+      }
+    }
+  }
+  std::ranges::sort(found);
+  std::vector<model::Face> faces;
+  faces.reserve(found.size());
+  for (const auto& [at, face] : found) {
+    faces.push_back(face);
+  }
+  return faces;
+}
+
+} // namespace
+
+LipFaces lip_faces(const model::Mesh& mesh, const CrackedMesh::Lips& lips) {
+  return {along(mesh, lips.left, true), along(mesh, lips.right, false)};
+}
+
+} // namespace spricka::mesh

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/cut/lip_sets.hpp"
+
+#include "mesh/cut/host.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace spricka::mesh {
+namespace {
+
+using base::NodeId;
+using Ends = std::pair<NodeId, NodeId>;
+
+bool is_open(const CrackedMesh::Lips& lips) {
+  return !lips.left.empty() && lips.left.size() == lips.right.size();
+}
+
+std::vector<bool> corners_of(const model::Mesh& mesh) {
+  std::vector<bool> corner(mesh.node_count(), false);
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const auto nodes = mesh.nodes_of(base::ElementId(e));
+    for (int i = 0; i < base::info(mesh.type[e]).corners; ++i) {
+      corner[nodes[static_cast<std::size_t>(i)].index()] = true;
+    }
+  }
+  return corner;
+}
+
+} // namespace
+
+LipMembership::LipMembership(const model::Mesh& mesh, std::span<const CrackedMesh::Lips> lips)
+    : group_of_(mesh.node_count(), -1) {
+  for (const CrackedMesh::Lips& lip : lips) {
+    for (std::size_t i = 0; is_open(lip) && i < lip.left.size(); ++i) {
+      if (lip.left[i] != lip.right[i]) {
+        add_group(lip.left[i], lip.right[i]);
+      }
+    }
+  }
+  if (groups_.empty()) {
+    return;
+  }
+  corner_ = corners_of(mesh);
+  for (const CrackedMesh::Lips& lip : lips) {
+    if (is_open(lip)) {
+      add_neighbours(lip.left);
+      add_neighbours(lip.right);
+    }
+  }
+  find_sides(mesh, lips);
+}
+
+void LipMembership::add_group(NodeId left, NodeId right) {
+  std::int32_t& group = group_of_[left.index()];
+  if (group < 0) {
+    group = static_cast<std::int32_t>(groups_.size());
+    groups_.push_back({left});
+  }
+  groups_[static_cast<std::size_t>(group)].push_back(right);
+  group_of_[right.index()] = group;
+}
+
+void LipMembership::add_neighbours(const std::vector<NodeId>& lip) {
+  for (std::size_t i = 1; i + 1 < lip.size(); ++i) {
+    if (!corner_[lip[i].index()]) {
+      beside_.emplace_back(lip[i], lip[i - 1]);
+      beside_.emplace_back(lip[i], lip[i + 1]);
+    }
+  }
+}
+
+void LipMembership::find_sides(const model::Mesh& mesh, std::span<const CrackedMesh::Lips> lips) {
+  std::set<Ends> along;
+  for (const CrackedMesh::Lips& lip : lips) {
+    for (const std::vector<NodeId>* face : {&lip.left, &lip.right}) {
+      NodeId last;
+      for (const NodeId n : *face) {
+        if (is_open(lip) && corner_[n.index()]) {
+          if (last.valid()) {
+            along.insert(std::minmax(last, n));
+          }
+          last = n;
+        }
+      }
+    }
+  }
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const base::ElementId element(e);
+    if (std::ranges::none_of(mesh.nodes_of(element),
+                             [&](NodeId n) { return group_of_[n.index()] >= 0; })) {
+      continue;
+    }
+    for (int s = 0; s < base::info(mesh.type[e]).sides; ++s) {
+      const Edge edge = edge_of(mesh, {element, s});
+      if (group_of_[edge.a.index()] >= 0 || group_of_[edge.b.index()] >= 0) {
+        sides_.push_back({edge.a, edge.b, along.contains(std::minmax(edge.a, edge.b))});
+      }
+    }
+  }
+}
+
+std::vector<LipMembership::Choice>
+LipMembership::choices(const std::vector<NodeId>& members) const {
+  std::vector<bool> touched(groups_.size(), false);
+  bool any = false;
+  for (const NodeId n : members) {
+    if (n.index() < group_of_.size() && group_of_[n.index()] >= 0) {
+      touched[static_cast<std::size_t>(group_of_[n.index()])] = true;
+      any = true;
+    }
+  }
+  std::vector<Choice> result;
+  if (!any) {
+    return result;
+  }
+  std::vector<bool> in(group_of_.size(), false);
+  for (const NodeId n : members) {
+    in[n.index()] = true;
+  }
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    for (const NodeId n : touched[g] ? groups_[g] : std::vector<NodeId>()) {
+      in[n.index()] = true;
+    }
+  }
+  std::vector<bool> beside(group_of_.size(), false); // a side of the set leads away from the crack
+  std::vector<bool> line(group_of_.size(), false);   // one goes along it
+  for (const Side& side : sides_) {
+    if (in[side.a.index()] && in[side.b.index()]) {
+      std::vector<bool>& mark = side.along ? line : beside;
+      mark[side.a.index()] = mark[side.b.index()] = true;
+    }
+  }
+  for (const auto& [middle, corner] : beside_) {
+    beside[middle.index()] = beside[middle.index()] || beside[corner.index()];
+    line[middle.index()] = line[middle.index()] || in[corner.index()];
+  }
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    if (!touched[g]) {
+      continue;
+    }
+    Choice choice{groups_[g], {}, false};
+    std::ranges::copy_if(groups_[g], std::back_inserter(choice.chosen),
+                         [&](NodeId n) { return beside[n.index()]; });
+    if (choice.chosen.empty()) {
+      choice.chosen = groups_[g];
+      choice.alone = std::ranges::none_of(groups_[g], [&](NodeId n) { return line[n.index()]; });
+    }
+    result.push_back(std::move(choice));
+  }
+  return result;
+}
+
+std::span<const NodeId> LipMembership::nodes_with(NodeId node) const {
+  const bool doubled = node.index() < group_of_.size() && group_of_[node.index()] >= 0;
+  return doubled
+             ? std::span<const NodeId>(groups_[static_cast<std::size_t>(group_of_[node.index()])])
+             : std::span<const NodeId>();
+}
+
+void settle_lips(model::Mesh& mesh, std::span<const CrackedMesh::Lips> lips) {
+  const LipMembership membership(mesh, lips);
+  for (model::NodeSet& set : mesh.node_sets) {
+    std::vector<NodeId> late;
+    for (const LipMembership::Choice& choice : membership.choices(set.nodes)) {
+      // the set keeps its order: the first that is chosen stands where the host's node stood
+      std::ranges::replace(set.nodes, choice.nodes.front(), choice.chosen.front());
+      late.insert(late.end(), choice.chosen.begin() + 1, choice.chosen.end());
+    }
+    set.nodes.insert(set.nodes.end(), late.begin(), late.end());
+  }
+}
+
+} // namespace spricka::mesh

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/cut/patch_gaps.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace spricka::mesh {
+namespace {
+
+using base::Vec2;
+
+/// Gaps narrower than this part of a crack's length are not followed further.
+constexpr double least_gap = 1e-3;
+/// A gap is beside a crack, not where it starts or bends, if it is narrower than this part of the
+/// way along the crack or from the mouth.
+constexpr double beside = 0.5;
+
+double total_length(const Placement& placement) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < placement.line.size(); ++i) {
+    length += (placement.line[i] - placement.line[i - 1]).norm();
+  }
+  return length;
+}
+
+class Gaps {
+public:
+  Gaps(const std::vector<const Placement*>& cracks,
+       const std::vector<std::array<Vec2, 3>>& boundary)
+      : cracks_(cracks), boundary_(boundary) {}
+
+  /// At a point of segment k of a crack, `s` from its start.
+  [[nodiscard]] double at(const Placement& crack, const Vec2& p, double s, std::size_t k) const {
+    double gap = std::numeric_limits<double>::max();
+    for (const Placement* other : cracks_) {
+      gap = std::min(gap, other == &crack ? to_itself(crack, p, s, k) : to_line(other->line, p));
+    }
+    for (const auto& [a, mid, b] : boundary_) {
+      const double d = std::min(distance(p, a, mid), distance(p, mid, b));
+      gap = !crack.mouth || d < beside * s ? std::min(gap, d) : gap;
+    }
+    return gap;
+  }
+
+private:
+  static double to_line(const std::vector<Vec2>& line, const Vec2& p) {
+    double least = std::numeric_limits<double>::max();
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      least = std::min(least, distance(p, line[i - 1], line[i]));
+    }
+    return least;
+  }
+  static double to_itself(const Placement& crack, const Vec2& p, double s, std::size_t k) {
+    double gap = std::numeric_limits<double>::max();
+    double start = 0.0;
+    for (std::size_t i = 1; i < crack.line.size(); ++i) {
+      const double d = distance(p, crack.line[i - 1], crack.line[i]);
+      const double end = start + (crack.line[i] - crack.line[i - 1]).norm();
+      const double along = i < k ? s - end : start - s;
+      gap = i != k && d < beside * along ? std::min(gap, d) : gap;
+      start = end;
+    }
+    return gap;
+  }
+
+  const std::vector<const Placement*>& cracks_;
+  const std::vector<std::array<Vec2, 3>>& boundary_;
+};
+
+} // namespace
+
+double own_length(const Placement& placement) {
+  const double length = total_length(placement);
+  return placement.mouth ? length : 0.5 * length;
+}
+
+void add_gap_sizes(const std::vector<const Placement*>& cracks,
+                   const std::vector<std::array<Vec2, 3>>& boundary, Grading& size) {
+  const Gaps gaps(cracks, boundary);
+  for (const Placement* crack : cracks) {
+    const double total = total_length(*crack);
+    double before = 0.0; // up to the segment
+    for (std::size_t k = 1; k < crack->line.size(); ++k) {
+      const Vec2& a = crack->line[k - 1];
+      const Vec2 along = crack->line[k] - a;
+      const double length = along.norm();
+      for (double s = 0.0; s < length;) {
+        const Vec2 p = a + s / length * along;
+        const double gap = std::max(gaps.at(*crack, p, before + s, k), least_gap * total);
+        if (gap < total) {
+          size.add(p, gap);
+        }
+        s += gap;
+      }
+      before += length;
+    }
+  }
+}
+
+} // namespace spricka::mesh

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/cut/path.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace spricka::mesh {
+namespace {
+
+using base::ElementId;
+using base::NodeId;
+
+/// Room for round-off in a length along a path, as a part of the crack's length.
+constexpr double same_length = 1e-6;
+
+bool is_corner(const Host& host, NodeId n) {
+  const auto around = host.around(n);
+  return std::any_of(around.begin(), around.end(), [&](ElementId e) {
+    const auto nodes = host.mesh().nodes_of(e);
+    const auto corners = base::info(host.mesh().type[e.index()]).corners;
+    return std::find(nodes.begin(), nodes.begin() + corners, n) != nodes.begin() + corners;
+  });
+}
+
+std::optional<Edge> edge_between(const Host& host, NodeId from, NodeId to) {
+  for (const ElementId e : host.around(from)) {
+    for (int s = 0; s < base::info(host.mesh().type[e.index()]).sides; ++s) {
+      const Edge edge = edge_of(host.mesh(), {e, s});
+      if ((edge.a == from && edge.b == to) || (edge.a == to && edge.b == from)) {
+        return edge;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+double length_of(const std::vector<base::Vec3>& points) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    length += (points[i] - points[i - 1]).norm();
+  }
+  return length;
+}
+
+} // namespace
+
+bool body_on_left(const Host& host, NodeId from, NodeId to) {
+  const auto around = host.around(from);
+  return std::any_of(around.begin(), around.end(), [&](ElementId e) {
+    for (int s = 0; s < base::info(host.mesh().type[e.index()]).sides; ++s) {
+      const Edge edge = edge_of(host.mesh(), {e, s});
+      if (edge.a == from && edge.b == to) {
+        return true;
+      }
+    }
+    return false;
+  });
+}
+
+std::optional<std::vector<NodeId>> path_nodes(const Host& host, const CrackLine& line,
+                                              base::Span span, base::Diagnostics& diagnostics) {
+  const model::Mesh& mesh = host.mesh();
+  const double a = length_of(line.points);
+  std::vector<NodeId> corners;
+  std::copy_if(line.path.begin(), line.path.end(), std::back_inserter(corners),
+               [&](NodeId n) { return is_corner(host, n); });
+  if (corners.empty()) {
+    diagnostics.error(span, "E427", fmt::format("{}: PATH has no nodes", line.title()));
+    return std::nullopt;
+  }
+  std::vector<NodeId> result{corners.front()};
+  double s = 0.0;
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    const auto edge = edge_between(host, corners[i - 1], corners[i]);
+    if (!edge) {
+      diagnostics.error(span, "E427",
+                        fmt::format("{}: no element edge joins the nodes {} and {} of PATH",
+                                    line.title(), mesh.node_label[corners[i - 1].index()],
+                                    mesh.node_label[corners[i].index()]),
+                        "order the set from the mouth, ORDER=(..) on $NSET");
+      return std::nullopt;
+    }
+    const double before = s;
+    if (edge->mid.valid()) {
+      result.push_back(edge->mid);
+      s += (mesh.x[edge->mid.index()] - mesh.x[corners[i - 1].index()]).norm() +
+           (mesh.x[corners[i].index()] - mesh.x[edge->mid.index()]).norm();
+    } else {
+      s += (mesh.x[corners[i].index()] - mesh.x[corners[i - 1].index()]).norm();
+    }
+    result.push_back(corners[i]);
+    if (std::abs(s - a) <= same_length * a) {
+      return result;
+    }
+    if (s > a) {
+      diagnostics.error(
+          span, "E427",
+          fmt::format("{}: without a patch the tip must be a node of PATH, a = {:.6g} lies between "
+                      "node {} at {:.6g} and node {} at {:.6g}",
+                      line.title(), a, mesh.node_label[corners[i - 1].index()], before,
+                      mesh.node_label[corners[i].index()], s));
+      return std::nullopt;
+    }
+  }
+  diagnostics.error(
+      span, "E427",
+      fmt::format("{}: PATH ends at {:.6g}, before the tip at a = {:.6g}", line.title(), s, a));
+  return std::nullopt;
+}
+
+} // namespace spricka::mesh

@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/cut/cavity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace spricka::mesh {
+namespace {
+
+using base::NodeId;
+using base::Vec2;
+using base::Vec3;
+
+/// A start this near to the boundary, as a part of the edge there, is on it: arcs are approximated
+/// by the host's curves.
+constexpr double on_boundary = 1e-3;
+/// A mouth this near to a node is at the node.
+constexpr double at_node = 1e-6;
+/// A start inside the body that is nearer to the boundary than this part of the crack's length was
+/// meant to be on it.
+constexpr double short_of_boundary = 0.01;
+
+bool in_net(const Host& host, const model::Face& face, base::NetId net) {
+  return !net.valid() || host.mesh().element_net[face.element.index()] == net;
+}
+
+/// The mouth and how far the crack is moved to put it there; empty if it is too far away.
+struct Found {
+  Mouth mouth;
+  Vec3 at = Vec3::Zero();
+  double distance = std::numeric_limits<double>::max();
+  double chord = 0.0;
+};
+
+Found find_mouth(const Host& host, const Vec3& start, base::NetId net) {
+  const model::Mesh& mesh = host.mesh();
+  Found found;
+  for (const model::Face& face : host.boundary()) {
+    if (!in_net(host, face, net)) {
+      continue;
+    }
+    const Edge edge = edge_of(mesh, face);
+    const double chord = (mesh.x[edge.b.index()] - mesh.x[edge.a.index()]).norm();
+    if (is_beyond(mesh, edge, start, found.distance)) {
+      continue;
+    }
+    const EdgePoint p = nearest_on(mesh, edge, start);
+    if (p.distance < found.distance - 1e-9 * chord) {
+      found = {{face, p.xi, {}}, point_on(mesh, edge, p.xi), p.distance, chord};
+    }
+  }
+  if (found.distance <= on_boundary * found.chord) {
+    const Edge edge = edge_of(mesh, found.mouth.face);
+    for (const NodeId n : {edge.a, edge.b, edge.mid}) {
+      if (n.valid() && (mesh.x[n.index()] - found.at).norm() <= at_node * found.chord) {
+        found.mouth.node = n;
+        found.at = mesh.x[n.index()];
+      }
+    }
+  }
+  return found;
+}
+
+/// The element of the net that a point lies in, or an invalid one.
+base::ElementId element_at(const model::Mesh& mesh, const Vec3& point, base::NetId net) {
+  for (std::size_t i = 0; i < mesh.element_count(); ++i) {
+    const base::ElementId e(i);
+    if (net.valid() && mesh.element_net[i] != net) {
+      continue;
+    }
+    const Vec3& first = mesh.x[mesh.nodes_of(e).front().index()];
+    const double size = (mesh.x[mesh.nodes_of(e)[1].index()] - first).norm();
+    const std::vector<Vec2> shape = polygon(mesh, e, {point, Vec3::UnitX(), size});
+    if (distance(shape, {Vec2::Zero(), Vec2::Zero()}) < same) {
+      return e;
+    }
+  }
+  return {};
+}
+
+bool on_axis(const Vec2& p) {
+  return std::abs(p.y()) < same;
+}
+
+/// Which side of a crack along the boundary the body lies on.
+int side_of_body(const Host& host, const CrackFrame& frame) {
+  for (const model::Face& face : host.boundary()) {
+    const Edge edge = edge_of(host.mesh(), face);
+    const Vec2 a = frame.local(host.mesh().x[edge.a.index()]);
+    const Vec2 b = frame.local(host.mesh().x[edge.b.index()]);
+    if (on_axis(a) && on_axis(b) && std::max(a.x(), b.x()) > same &&
+        std::min(a.x(), b.x()) < 1.0 - same) {
+      return b.x() > a.x() ? 1 : -1;
+    }
+  }
+  return 0;
+}
+
+} // namespace
+
+double tip_clearance(const Host& host, const CrackFrame& frame, const std::vector<Vec2>& line,
+                     bool half, base::NetId net, const std::vector<model::Face>& faces) {
+  const model::Mesh& mesh = host.mesh();
+  const Vec3 tip = frame.global(line.back());
+  const Vec2 along = (line.back() - line[line.size() - 2]).normalized();
+  const auto on_line = [&](const Edge& edge) {
+    return std::abs(cross(along, frame.exact(mesh.x[edge.a.index()]) - line.back())) < same &&
+           std::abs(cross(along, frame.exact(mesh.x[edge.b.index()]) - line.back())) < same;
+  };
+  double least = std::numeric_limits<double>::max();
+  for (const model::Face& face : faces) {
+    const Edge edge = edge_of(mesh, face);
+    if (in_net(host, face, net) && !is_beyond(mesh, edge, tip, least) && !(half && on_line(edge))) {
+      least = std::min(least, nearest_on(mesh, edge, tip).distance);
+    }
+  }
+  return least / frame.a;
+}
+
+double tip_room(const Host& host, const CrackFrame& frame, const std::vector<Vec2>& line, bool half,
+                base::NetId net) {
+  return std::min(tip_clearance(host, frame, line, half, net, host.boundary()),
+                  tip_clearance(host, frame, line, half, net, host.borders()));
+}
+
+// Room for the tip, as a part of the crack's length, below which nothing is left of the ligament.
+constexpr double through = 1e-4;
+// The same for the straight part at a tip.
+constexpr double shortest_part = 1e-5;
+
+CrackFrame frame_of(const CrackLine& line) {
+  CrackFrame frame;
+  frame.origin = line.points.front();
+  frame.e1 = (line.points[1] - line.points[0]).normalized();
+  frame.a = 0.0;
+  for (std::size_t i = 1; i < line.points.size(); ++i) {
+    frame.a += (line.points[i] - line.points[i - 1]).norm();
+  }
+  if (line.embedded) {
+    frame.a *= 0.5;
+  }
+  return frame;
+}
+
+BoundaryPoint nearest_boundary(const Host& host, const Vec3& point, base::NetId net) {
+  const Found found = find_mouth(host, point, net);
+  return {found.at, found.distance};
+}
+
+CrackStart crack_start(const Host& host, const Vec3& point, base::NetId net) {
+  const Found found = find_mouth(host, point, net);
+  if (found.distance <= on_boundary * found.chord) {
+    return CrackStart::boundary;
+  }
+  return element_at(host.mesh(), point, net).valid() ? CrackStart::inside : CrackStart::outside;
+}
+
+namespace {
+
+std::string text(const Vec3& p) {
+  return fmt::format("({:.6g}, {:.6g})", p.x(), p.y());
+}
+
+/// Finds where the crack starts and moves its frame there.
+bool put_start(const Host& host, const CrackLine& line, Placement& result,
+               base::Diagnostics& diagnostics, base::Span span) {
+  const Vec3& start = line.points.front();
+  const Found found = find_mouth(host, start, line.net);
+  const bool mouth = found.distance <= on_boundary * found.chord;
+  if (mouth && !line.embedded) {
+    result.mouth = found.mouth;
+    result.seed = found.mouth.face.element;
+    result.frame.origin = found.at;
+    return true;
+  }
+  result.seed = element_at(host.mesh(), start, line.net);
+  if (!mouth && line.embedded && result.seed.valid() &&
+      found.distance > short_of_boundary * result.frame.a) {
+    return true;
+  }
+  const std::string hint = found.chord > 0.0
+                               ? fmt::format("the nearest boundary point is {}", text(found.at))
+                               : "the net has no boundary there";
+  if (!mouth && line.embedded && result.seed.valid()) {
+    diagnostics.error(
+        span, "E421",
+        fmt::format("{} starts at {}, {:.3g} short of the boundary: neither on it nor "
+                    "inside the body",
+                    line.title(), text(start), found.distance),
+        hint);
+    return false;
+  }
+  diagnostics.error(span, "E421",
+                    fmt::format("{} starts at {}, which is neither on the boundary nor inside the "
+                                "body",
+                                line.title(), text(start)),
+                    hint);
+  return false;
+}
+
+double angle_of(const Vec2& v) {
+  return std::atan2(v.y(), v.x());
+}
+
+/// The least distance of a tip from the boundary [a].
+double ligament_of(const Host& host, const Placement& placement, base::NetId net) {
+  const bool half = placement.half != 0;
+  const auto& faces = host.boundary();
+  double least = tip_clearance(host, placement.frame, placement.line, half, net, faces);
+  if (placement.tips.size() > 1) {
+    const std::vector<Vec2> reversed(placement.line.rbegin(), placement.line.rend());
+    least = std::min(least, tip_clearance(host, placement.frame, reversed, half, net, faces));
+  }
+  return least;
+}
+
+/// A tip on the boundary: the whole crack may lie there.
+void report_lost_section(const Host& host, const CrackLine& line, const CrackFrame& frame,
+                         double room, base::Diagnostics& diagnostics, base::Span span) {
+  const Vec3 middle = 0.5 * (line.points[0] + line.points[1]);
+  if (find_mouth(host, middle, line.net).distance < 1e-6 * frame.a) {
+    const bool path = !line.path.empty();
+    diagnostics.error(
+        span, "E423",
+        fmt::format("{} runs along the boundary{}", line.title(),
+                    path ? ", but not all nodes of PATH are suppressed across it" : ""),
+        path ? "on a line of symmetry every node of PATH is in a $FREEDOM CLASS=SUPPRESSED of the "
+               "direction across; the crack's part is set free by the program"
+             : "a crack on a line of symmetry is given by PATH, its nodes all suppressed across "
+               "that line");
+    return;
+  }
+  diagnostics.error(span, "E423",
+                    fmt::format("{}: with a = {:.6g} the net section is lost: a tip is {:.3g} from "
+                                "the boundary",
+                                line.title(), frame.a, room * frame.a),
+                    "a crack needs a ligament of at least 1e-4 of its length; a body cut through "
+                    "is two nets");
+}
+
+/// The tips of a line, each with its direction of growth.
+std::vector<TipPlace> tips_of(const std::vector<Vec2>& line, bool embedded) {
+  const bool straight = line.size() == 2; // then the angles are exact
+  const Vec2 last = line.back() - line[line.size() - 2];
+  const TipPlace end{line.back(), straight ? 0.0 : angle_of(last)};
+  if (!embedded) {
+    return {end};
+  }
+  return {{line.front(), straight ? std::numbers::pi : angle_of(line[0] - line[1])}, end};
+}
+
+/// Room for a rosette at the last point of a line: to the boundary, along the last stretch.
+double room_at_end(const Host& host, const Placement& placement, const std::vector<Vec2>& line,
+                   base::NetId net) {
+  const double last = (line.back() - line[line.size() - 2]).norm();
+  const bool shared = placement.tips.size() > 1 && line.size() == 2; // with the other tip
+  return std::min(tip_room(host, placement.frame, line, placement.half != 0, net),
+                  shared ? 0.5 * last : last);
+}
+
+// From ring to ring of a rosette thicknesses may grow by this; K is then 1 % off (an edge crack
+// with five rings), at 11 it is 4 %, both more than what the near-tip fields are good for.
+constexpr double steepest = 6.0;
+constexpr double usual_steep = 2.0;
+
+// What rings that grow by `factor` reach, in sizes of the first.
+double reach_of(int rings, double factor) {
+  double sum = 0.0;
+  for (int k = 0; k < rings; ++k) {
+    sum = sum * factor + 1.0;
+  }
+  return sum;
+}
+
+bool rings_follow(const TipMesh& tip) {
+  return tip.rings < 2 || tip.radius <= reach_of(tip.rings, steepest) * tip.size;
+}
+
+void report_steep_rings(const CrackLine& line, const TipMesh& tip, base::Diagnostics& diagnostics,
+                        base::Span span) {
+  int rings = tip.rings;
+  while (reach_of(rings, usual_steep) * tip.size < tip.radius) {
+    ++rings;
+  }
+  diagnostics.error(
+      span, "E457",
+      fmt::format("{}: {} rings from tip elements of {:.6g} to a radius of {:.6g} grow more than "
+                  "{:.0f} times from one to the next: K would be wrong",
+                  line.title(), tip.rings, tip.size, tip.radius, steepest),
+      fmt::format("SIZE={:.3g} of $TIPNET goes with these rings, or RINGS={} with that SIZE",
+                  tip.radius / reach_of(tip.rings, usual_steep), rings));
+}
+
+} // namespace
+
+std::optional<Placement> place(const Host& host, const CrackLine& line, const TipMesh& tip,
+                               base::Span span, base::Diagnostics& diagnostics) {
+  Placement result;
+  CrackFrame& frame = result.frame;
+  frame = frame_of(line);
+  if (!put_start(host, line, result, diagnostics, span)) {
+    return std::nullopt;
+  }
+  for (const Vec3& p : line.points) {
+    result.line.push_back(frame.exact(p - line.points[0] + frame.origin));
+  }
+  result.line[0].setZero();
+  if (result.line.size() == 2) {
+    result.line[1] = {line.embedded ? 2.0 : 1.0, 0.0};
+  }
+  result.tips = tips_of(result.line, line.embedded);
+  result.radius = tip.radius / frame.a;
+  result.size = tip.size / frame.a;
+  if (line.symmetric_half) {
+    result.half = side_of_body(host, frame);
+    if (result.half == 0 || result.line.size() != 2) {
+      diagnostics.error(span, "E422",
+                        fmt::format("{} lies on a symmetry line, which must be a straight part of "
+                                    "the boundary",
+                                    line.title()));
+      return std::nullopt;
+    }
+  }
+  double room = room_at_end(host, result, result.line, line.net);
+  if (line.embedded) {
+    const std::vector<Vec2> reversed(result.line.rbegin(), result.line.rend());
+    room = std::min(room, room_at_end(host, result, reversed, line.net));
+  }
+  if (const double ligament = ligament_of(host, result, line.net); ligament < through) {
+    report_lost_section(host, line, frame, ligament, diagnostics, span);
+    return std::nullopt;
+  }
+  if (room < shortest_part) { // of the crack, or up to a material boundary
+    diagnostics.error(span, "E423",
+                      fmt::format("{}: a tip has {:.3g} of room to a material boundary or to the "
+                                  "point before it: at least 1e-5 of a = {:.6g}",
+                                  line.title(), room * frame.a, frame.a),
+                      "end the crack before the boundary, or leave out the point before the tip");
+    return std::nullopt;
+  }
+  if (result.radius > 0.9 * room || result.size >= result.radius || !(result.size > 0.0)) {
+    diagnostics.error(
+        span, "E423",
+        fmt::format("{}: a rosette of radius {:.6g} with tip elements of {:.6g} does not fit, the "
+                    "tip has {:.6g} of room",
+                    line.title(), tip.radius, tip.size, room * frame.a),
+        "RADIUS of $TIPNET must be smaller than that, and SIZE smaller than RADIUS");
+    return std::nullopt;
+  }
+  if (!rings_follow(tip)) {
+    report_steep_rings(line, tip, diagnostics, span);
+    return std::nullopt;
+  }
+  return result;
+}
+
+} // namespace spricka::mesh

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/cut/patch_mesh.hpp"
+
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace spricka::mesh {
+namespace {
+
+/// Radii of the rings of a rosette, tip first: thicknesses grow geometrically from `size`.
+std::vector<double> ring_radii(double size, double radius, int rings) {
+  const auto sum = [&](double q) { // of 1 + q + .. q^(rings-1)
+    double s = 0.0;
+    for (int k = 0; k < rings; ++k) {
+      s = s * q + 1.0;
+    }
+    return s;
+  };
+  double low = 0.0;
+  double high = radius / size; // (radius/size)^(rings-1) alone is enough
+  for (int i = 0; i < 200 && rings > 1; ++i) {
+    const double q = 0.5 * (low + high);
+    (sum(q) * size < radius ? low : high) = q;
+  }
+  std::vector<double> r;
+  double thickness = size;
+  double at = 0.0;
+  for (int k = 0; k < rings; ++k) {
+    at += thickness;
+    thickness *= low;
+    r.push_back(at);
+  }
+  r.back() = radius;
+  return r;
+}
+
+} // namespace
+
+Rosette add_rosette(PatchNet& net, const Placement& placement, const TipPlace& at,
+                    const TipMesh& tip) {
+  constexpr double pi = std::numbers::pi;
+  const bool half = placement.half != 0;
+  const auto sectors = static_cast<std::size_t>(half ? (tip.sectors + 1) / 2 : tip.sectors);
+  const std::size_t rays = half ? sectors + 1 : sectors;
+  const double start = placement.half > 0 ? 0.0 : -pi;
+  const double turn = half ? pi : 2.0 * pi;
+  const std::vector<double> radii = ring_radii(placement.size, placement.radius, tip.rings);
+
+  Rosette result;
+  result.tip = net.new_node(at.at);
+  const bool backward = std::abs(at.direction) == pi; // along the axis, too
+  std::vector<std::vector<int>> corner(radii.size(), std::vector<int>(rays));
+  for (std::size_t k = 0; k < radii.size(); ++k) {
+    for (std::size_t j = 0; j < rays; ++j) {
+      const double t = start + turn * static_cast<double>(j) / static_cast<double>(sectors);
+      const double angle = at.direction + t;
+      const bool axis = (at.direction == 0.0 || backward) &&
+                        (std::abs(t) < same || std::abs(std::abs(t) - pi) < same);
+      const base::Vec2 unit = axis ? base::Vec2((std::abs(t) < same) != backward ? 1.0 : -1.0, 0.0)
+                                   : base::Vec2(std::cos(angle), std::sin(angle));
+      corner[k][j] = net.new_node(base::Vec2(at.at + radii[k] * unit));
+    }
+  }
+  for (std::size_t j = 0; j < rays; ++j) {
+    const double part = tip.quarter_point ? 0.25 : 0.5;
+    const base::Vec3& x = net.x(result.tip);
+    const base::Vec3 quarter = x + part * (net.x(corner[0][j]) - x);
+    net.set_mid(result.tip, corner[0][j], net.new_node(quarter));
+  }
+  for (std::size_t j = 0; j < sectors; ++j) {
+    const std::size_t next = (j + 1) % rays;
+    net.add_triangle(result.tip, corner[0][j], corner[0][next]);
+    for (std::size_t k = 1; k < radii.size(); ++k) {
+      net.add_quadrilateral(corner[k - 1][j], corner[k][j], corner[k][next], corner[k - 1][next]);
+    }
+  }
+  result.rim = corner.back();
+  const std::size_t behind = placement.half > 0 ? sectors : 0;
+  for (const std::vector<int>& ring : corner) {
+    result.behind.push_back(ring[behind]);
+    if (half) {
+      result.ahead.push_back(ring[sectors - behind]);
+    }
+  }
+  return result;
+}
+
+} // namespace spricka::mesh

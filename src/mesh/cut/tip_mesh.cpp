@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/cut/cavity.hpp"
+#include "mesh/cut/crack_check.hpp"
+#include "mesh/cut/path.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+/// What a patch will need, before it is cut: sizes at tips, elements of the host.
+namespace spricka::mesh {
+namespace {
+
+using base::ElementId;
+using base::NodeId;
+using base::Vec2;
+using base::Vec3;
+
+/// Rosette radius, as a part of the crack's length or of the room round its tip, and growth of its
+/// rings from the tip outward.
+constexpr double radius_part = 0.4;
+constexpr double ring_growth = 1.5;
+/// The smallest tip element, as a part of the radius: more rings than 17 grow more slowly.
+constexpr double smallest_part = 5e-4;
+
+} // namespace
+
+TipMesh choose_tip_mesh(const Host& host, const CrackLine& line, const model::TipNet* wishes,
+                        std::span<const CrackLine> all) {
+  TipMesh tip;
+  const double finer = wishes == nullptr ? 1.0 : wishes->finer;
+  if (wishes != nullptr) {
+    tip.rings = static_cast<int>(std::lround(finer * wishes->rings));
+    tip.sectors = static_cast<int>(std::lround(finer * wishes->sectors));
+    tip.quarter_point = wishes->quarter_point;
+    tip.patch = wishes->patch;
+    tip.transition = wishes->join == model::Join::transition;
+  }
+  const CrackFrame frame = frame_of(line);
+  if (wishes != nullptr && wishes->radius) {
+    tip.radius = *wishes->radius;
+  } else {
+    std::vector<Vec2> local;
+    for (const Vec3& p : line.points) {
+      local.push_back(frame.local(p));
+    }
+    double room = std::min(1.0, room_beside_cracks(line, all) / frame.a);
+    for (int end = 0; end < (line.embedded ? 2 : 1); ++end) {
+      const double last = (local.back() - local[local.size() - 2]).norm();
+      room = std::min({room, tip_room(host, frame, local, line.symmetric_half, line.net),
+                       1.5 * last / (line.embedded && local.size() == 2 ? 2.0 : 1.0)});
+      std::reverse(local.begin(), local.end());
+    }
+    tip.radius = radius_part * frame.a * room;
+  }
+  if (wishes != nullptr && wishes->size) {
+    tip.size = *wishes->size / finer;
+  } else {
+    const double q = std::pow(ring_growth, 1.0 / finer);
+    tip.size =
+        tip.radius * std::max(smallest_part / finer, (q - 1.0) / (std::pow(q, tip.rings) - 1.0));
+  }
+  tip.finer = finer;
+  return tip;
+}
+
+std::vector<ElementId> crack_region(const Host& host, std::span<const CrackLine> lines,
+                                    std::span<const TipMesh> tips) {
+  const model::Mesh& mesh = host.mesh();
+  std::vector<bool> in(mesh.element_count(), false);
+  base::Diagnostics ignored; // insert_cracks reports
+  std::vector<Placement> placements;
+  std::vector<ElementId> core;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (tips[i].patch) {
+      if (auto placement = place(host, lines[i], tips[i], {}, ignored)) {
+        placements.push_back(std::move(*placement));
+      }
+    } else if (const auto path = path_nodes(host, lines[i], {}, ignored)) {
+      for (const NodeId n : *path) {
+        core.insert(core.end(), host.around(n).begin(), host.around(n).end());
+      }
+    }
+  }
+  for (const Cavity& cavity : find_cavities(host, placements).each) {
+    core.insert(core.end(), cavity.elements.begin(), cavity.elements.end());
+  }
+  for (const ElementId e : core) {
+    for (const NodeId n : mesh.nodes_of(e)) {
+      for (const ElementId next : host.around(n)) {
+        in[next.index()] = true;
+      }
+    }
+  }
+  std::vector<ElementId> result;
+  for (std::size_t e = 0; e < in.size(); ++e) {
+    if (in[e]) {
+      result.emplace_back(e);
+    }
+  }
+  return result;
+}
+
+} // namespace spricka::mesh

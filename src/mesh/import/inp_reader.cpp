@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/import/inp_reader.hpp"
+
+#include "mesh/import/inp_lines.hpp"
+#include "mesh/set_name.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace spricka::mesh {
+namespace {
+
+/// A file that is wrong everywhere is not worth more words.
+constexpr std::size_t most_complaints = 50;
+
+/// Keywords without a say in the mechanics: titles, what is printed or kept, the frame of parts.
+constexpr std::array<std::string_view, 21> harmless{
+    "HEADING",      "PREPRINT",    "OUTPUT",      "NODEOUTPUT", "ELEMENTOUTPUT", "CONTACTOUTPUT",
+    "ENERGYOUTPUT", "NODEPRINT",   "NODEFILE",    "ELPRINT",    "ELFILE",        "ELEMENTPRINT",
+    "CONTACTPRINT", "CONTACTFILE", "ENERGYPRINT", "ENERGYFILE", "SECTIONPRINT",  "MONITOR",
+    "FILEFORMAT",   "ENDPART",     "ENDSTEP"};
+
+/// Where the deck says what a keyword of the file says.
+struct Advice {
+  std::string_view keywords; ///< each between blanks
+  std::string_view words;
+};
+constexpr std::array<Advice, 7> advices{
+    {{" BOUNDARY ", "supports are $FREEDOM, prescribed values $LOAD TYPE=DISP in the deck"},
+     {" CLOAD DLOAD DSLOAD ", "loads are $LOAD in the deck"},
+     {" STEP STATIC FREQUENCY BUCKLE DYNAMIC ", "steps are $STEP in the deck"},
+     {" CONTACTPAIR CONTACT CONTACTINCLUSIONS SURFACEINTERACTION SURFACEBEHAVIOR FRICTION ",
+      "contact is $CONTACT in the deck"},
+     {" TIE ", "a tie is $CONTACT TYPE=BONDED in the deck"},
+     {" MPC RIGIDBODY COUPLING KINEMATIC DISTRIBUTING ", "ties are $MPC in the deck"},
+     {" PLASTIC HYPERELASTIC CREEP VISCOELASTIC ORIENTATION USERMATERIAL ",
+      "materials are isotropic and linear elastic"}}};
+
+constexpr std::string_view skip_words = "; $IMPORT SKIP=LOADS passes over them";
+/// How many of the above SKIP=LOADS passes over, from the first one on.
+constexpr std::size_t skippable = 3;
+
+bool is_load(const std::string& name) {
+  const std::string word = fmt::format(" {} ", name);
+  return name == "AMPLITUDE" || name == "INITIALCONDITIONS" || name == "TEMPERATURE" ||
+         std::any_of(advices.begin(), advices.begin() + skippable, [&](const Advice& a) {
+           return a.keywords.find(word) != std::string_view::npos;
+         });
+}
+
+std::string advice(const std::string& name) {
+  const std::string word = fmt::format(" {} ", name);
+  const auto* const at = std::find_if(advices.begin(), advices.end(), [&](const Advice& a) {
+    return a.keywords.find(word) != std::string_view::npos;
+  });
+  std::string words(at == advices.end() ? "take it out of the file if it has no say" : at->words);
+  return is_load(name) ? words.append(skip_words) : words;
+}
+
+class Reader {
+public:
+  Reader(const std::filesystem::path& file, InpData& data, std::vector<InpComplaint>& complaints,
+         bool skip_loads)
+      : complaints_(complaints), skip_loads_(skip_loads),
+        text_(file, [this](InpPlace at, std::string words) { complain(at, std::move(words), {}); }),
+        shared_{text_, data, [this](InpPlace at, std::string words, std::string hint) {
+                  complain(at, std::move(words), std::move(hint));
+                }} {}
+
+  void run() {
+    std::unique_ptr<InpLines> lines;
+    while (text_.next()) {
+      if (text_.at_keyword()) {
+        if (lines != nullptr) {
+          lines->finish();
+        }
+        lines = lines_of(text_.keyword());
+      } else if (lines != nullptr) {
+        lines->line();
+      } else if (in_instance_) {
+        complain(text_.place(), "an *INSTANCE that is moved or turned is not imported", {});
+      }
+    }
+    if (lines != nullptr) {
+      lines->finish();
+    }
+    for (const auto& [name, met] : refused_) {
+      const std::string more = met.count > 1 ? fmt::format(" (and {} more)", met.count - 1) : "";
+      complain(met.first, fmt::format("*{} is not imported{}", met.shown, more), advice(name));
+    }
+    shared_.data.files = text_.paths();
+  }
+
+private:
+  struct Refused {
+    std::string shown;
+    InpPlace first;
+    std::size_t count = 0;
+  };
+
+  void complain(InpPlace at, std::string words, std::string hint) {
+    if (complaints_.size() < most_complaints) {
+      complaints_.push_back({at, std::move(words), std::move(hint)});
+    }
+  }
+
+  // All that stands in a step, and what loads or holds outside of one.
+  bool passed_over(const InpKeyword& key) {
+    if (!skip_loads_) {
+      return false;
+    }
+    const bool inside = in_step_ || key.name == "STEP";
+    in_step_ = inside && key.name != "ENDSTEP";
+    if (!inside && !is_load(key.name)) {
+      return false;
+    }
+    if (std::find(harmless.begin(), harmless.end(), key.name) == harmless.end()) {
+      InpData::LeftOut& left = shared_.data.keywords[key.shown];
+      left.first = left.count++ == 0 ? key.place : left.first;
+    }
+    return true;
+  }
+
+  std::unique_ptr<InpLines> lines_of(const InpKeyword& key) {
+    if (passed_over(key)) {
+      return nullptr;
+    }
+    for (const auto make : {inp_mesh_lines, inp_set_lines, inp_physics_lines}) {
+      if (auto lines = make(shared_, key)) {
+        return lines;
+      }
+    }
+    const bool skipped = std::find(harmless.begin(), harmless.end(), key.name) != harmless.end();
+    if (!frame(key) && !skipped) {
+      Refused& refused = refused_[key.name];
+      if (refused.count++ == 0) {
+        refused.shown = key.shown;
+        refused.first = key.place;
+      }
+    }
+    return nullptr;
+  }
+
+  /// *PART, *ASSEMBLY, *INSTANCE: one part, used once as it stands. False for other keywords.
+  bool frame(const InpKeyword& key) {
+    static constexpr std::string_view apart =
+        "write each body as a file of its own and import it into its own $NET";
+    if (key.name == "PART") {
+      if (++parts_ > 1) {
+        complain(key.place, "a second *PART is not imported", std::string(apart));
+      }
+    } else if (key.name == "ASSEMBLY") {
+      shared_.in_assembly = true;
+    } else if (key.name == "ENDASSEMBLY") {
+      shared_.in_assembly = false;
+    } else if (key.name == "INSTANCE") {
+      if (++instances_ > 1) {
+        complain(key.place, "a second *INSTANCE is not imported", std::string(apart));
+      }
+      in_instance_ = true;
+      if (const std::string* name = key.find("NAME")) {
+        shared_.instance = *name;
+      }
+    } else if (key.name == "ENDINSTANCE") {
+      in_instance_ = false;
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  std::vector<InpComplaint>& complaints_;
+  bool skip_loads_;
+  bool in_step_ = false;
+  InpText text_;
+  InpShared shared_;
+  std::map<std::string, Refused> refused_;
+  int parts_ = 0;
+  int instances_ = 0;
+  bool in_instance_ = false;
+};
+
+} // namespace
+
+bool InpLines::only(std::initializer_list<std::string_view> known) const {
+  bool ok = true;
+  for (const auto& [name, value] : key_.parameters) {
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      complain(key_.place, fmt::format("*{}: {} is not understood", key_.shown, name));
+      ok = false;
+    }
+  }
+  return ok;
+}
+
+bool InpLines::needs(std::string_view key, std::string& value) const {
+  const std::string* given = key_.find(key);
+  if (given == nullptr || given->empty()) {
+    complain(key_.place, fmt::format("*{} needs {}=", key_.shown, key));
+    return false;
+  }
+  value = *given;
+  return true;
+}
+
+std::size_t InpLines::set_of(std::vector<InpLabelSet>& sets,
+                             std::map<std::string, std::size_t>& index,
+                             const std::string& name) const {
+  const auto [at, fresh] = index.try_emplace(upper(plain(name)), sets.size());
+  if (fresh) {
+    sets.push_back({plain(name), {}, key_.place});
+  }
+  return at->second;
+}
+
+std::string InpLines::plain(std::string_view name) const {
+  const std::string prefix = upper(shared_.instance) + ".";
+  const bool own = !shared_.instance.empty() && upper(name).starts_with(prefix);
+  return std::string(own ? name.substr(prefix.size()) : name);
+}
+
+InpData read_inp(const std::filesystem::path& file, std::vector<InpComplaint>& complaints,
+                 bool skip_loads) {
+  InpData data;
+  Reader(file, data, complaints, skip_loads).run();
+  return data;
+}
+
+} // namespace spricka::mesh

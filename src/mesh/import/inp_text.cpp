@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/import/inp_text.hpp"
+
+#include "base/input_file.hpp"
+#include "base/label.hpp"
+#include "mesh/set_name.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <system_error>
+
+namespace spricka::mesh {
+namespace {
+
+constexpr std::size_t k_deepest_include = 16;
+constexpr std::size_t k_most_includes = 1000; ///< each as often as it is included
+constexpr std::string_view blanks = " \t\r";
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) {
+    return {};
+  }
+  return text.substr(first, text.find_last_not_of(blanks) + 1 - first);
+}
+
+std::string without_blanks(std::string_view text) {
+  std::string result = upper(text);
+  std::erase_if(result, [](char c) { return blanks.find(c) != std::string_view::npos; });
+  return result;
+}
+
+std::string unquoted(std::string_view text) {
+  text = trimmed(text);
+  if (text.size() >= 2 && text.front() == '"' && text.back() == '"') {
+    text = text.substr(1, text.size() - 2);
+  }
+  return std::string(text);
+}
+
+/// Fortran writes 1.5D3.
+std::optional<double> fortran(std::string_view text) {
+  std::string copy(text);
+  std::replace_if(
+      copy.begin(), copy.end(), [](char c) { return c == 'd' || c == 'D'; }, 'e');
+  double value = 0.0;
+  const auto [end, status] = std::from_chars(copy.data(), copy.data() + copy.size(), value);
+  return status == std::errc() && end == copy.data() + copy.size() ? std::optional(value)
+                                                                   : std::nullopt;
+}
+
+std::string_view unsigned_part(std::string_view text) {
+  return text.starts_with('+') ? text.substr(1) : text;
+}
+
+} // namespace
+
+const std::string* InpKeyword::find(std::string_view key) const {
+  const auto at = std::find_if(parameters.begin(), parameters.end(),
+                               [&](const auto& p) { return p.first == key; });
+  return at == parameters.end() ? nullptr : &at->second;
+}
+
+InpText::InpText(const std::filesystem::path& file, Complain complain)
+    : complain_(std::move(complain)) {
+  open(file, {});
+}
+
+void InpText::open(const std::filesystem::path& path, InpPlace from) {
+  const auto same = [&](std::uint32_t f) { return files_[f].path == path; };
+  if (std::any_of(open_.begin(), open_.end(), same)) {
+    complain_(from, fmt::format("*INCLUDE: '{}' includes itself", path.string()));
+    return;
+  }
+  if (open_.size() >= k_deepest_include) {
+    complain_(from, "*INCLUDE: files are nested too deep");
+    return;
+  }
+  if (files_.size() > k_most_includes) {
+    if (files_.size() == k_most_includes + 1) { // once: those that follow are as many again
+      complain_(from, fmt::format("*INCLUDE: more than {} files are included", k_most_includes));
+      files_.emplace_back();
+    }
+    return;
+  }
+  File file;
+  file.path = path;
+  std::error_code unknown;
+  if (!std::filesystem::exists(path, unknown)) {
+    complain_(from, fmt::format("there is no file '{}'", path.string()));
+    return;
+  }
+  try {
+    file.text = base::read_file(path, base::largest_mesh_file - bytes_);
+  } catch (const base::UnreadableFile& trouble) {
+    complain_(from, trouble.what());
+    return;
+  }
+  bytes_ += file.text.size();
+  open_.push_back(static_cast<std::uint32_t>(files_.size()));
+  files_.push_back(std::move(file));
+}
+
+bool InpText::raw_line() {
+  while (!open_.empty()) {
+    File& file = files_[open_.back()];
+    while (file.at < file.text.size()) {
+      const std::size_t end = std::min(file.text.find('\n', file.at), file.text.size());
+      line_ = trimmed(std::string_view(file.text).substr(file.at, end - file.at));
+      file.at = end + 1;
+      place_ = {open_.back(), ++file.line};
+      if (!line_.empty() && !line_.starts_with("**")) {
+        return true;
+      }
+    }
+    file.text = std::string(); // big files are not kept
+    open_.pop_back();
+  }
+  return false;
+}
+
+bool InpText::next() {
+  while (raw_line()) {
+    if (!at_keyword()) {
+      return true;
+    }
+    read_keyword();
+    if (keyword_.name != "INCLUDE") {
+      return true;
+    }
+    include();
+  }
+  return false;
+}
+
+void InpText::read_keyword() {
+  keyword_ = {};
+  keyword_.place = place_;
+  std::string whole(line_);
+  const std::size_t depth = open_.size();
+  while (whole.ends_with(',') && raw_line()) {
+    if (open_.size() != depth) {
+      complain_(keyword_.place, "a keyword line does not end in its file");
+    }
+    whole += line_;
+  }
+  line_ = "*";
+  std::string_view rest = std::string_view(whole).substr(1);
+  for (bool first = true; first || !rest.empty(); first = false) {
+    const std::size_t comma = std::min(rest.find(','), rest.size());
+    const std::string_view part = rest.substr(0, comma);
+    rest.remove_prefix(std::min(comma + 1, rest.size()));
+    const std::size_t equal = part.find('=');
+    if (first) {
+      keyword_.shown = upper(trimmed(part));
+      keyword_.name = without_blanks(part);
+    } else if (!trimmed(part).empty()) {
+      keyword_.parameters.emplace_back(
+          without_blanks(part.substr(0, equal)),
+          equal == std::string_view::npos ? "" : unquoted(part.substr(equal + 1)));
+    }
+  }
+}
+
+void InpText::include() {
+  const std::string* input = keyword_.find("INPUT");
+  if (input == nullptr) {
+    complain_(keyword_.place, "*INCLUDE needs INPUT=");
+    return;
+  }
+  open(files_[keyword_.place.file].path.parent_path() / *input, keyword_.place);
+}
+
+std::vector<std::string> InpText::paths() const {
+  std::vector<std::string> paths;
+  for (const File& file : files_) {
+    paths.push_back(file.path.string());
+  }
+  return paths;
+}
+
+std::string_view InpFields::text() {
+  const std::size_t comma = rest_.find(',');
+  const std::string_view field = trimmed(rest_.substr(0, comma));
+  // a comma at the end of the line opens no further field
+  rest_ = comma == std::string_view::npos ? std::string_view() : rest_.substr(comma + 1);
+  more_ = !rest_.empty();
+  return field;
+}
+
+std::optional<double> InpFields::real() {
+  const std::string_view field = unsigned_part(text());
+  if (field.empty()) {
+    return 0.0;
+  }
+  const bool digit = field[0] == '-' || field[0] == '.' || (field[0] >= '0' && field[0] <= '9');
+  double value = 0.0;
+  const auto [end, status] = std::from_chars(field.data(), field.data() + field.size(), value);
+  if (digit && status == std::errc() && end == field.data() + field.size()) {
+    return value;
+  }
+  return digit ? fortran(field) : std::nullopt;
+}
+
+std::optional<std::int64_t> InpFields::integer() {
+  return inp_integer(text());
+}
+
+std::optional<std::int64_t> inp_integer(std::string_view text) {
+  text = unsigned_part(text);
+  std::int64_t value = 0;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool whole = status == std::errc() && end == text.data() + text.size();
+  return whole && std::abs(value) <= base::largest_label ? std::optional(value) : std::nullopt;
+}
+
+} // namespace spricka::mesh

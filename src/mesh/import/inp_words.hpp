@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/diagnostics.hpp"
+#include "mesh/import/gmsh_import.hpp"
+#include "mesh/import/inp_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
+namespace spricka::mesh {
+
+/// Says what is wrong with an Abaqus input file: at the card that imports it, with the file's line.
+class InpWords {
+public:
+  InpWords(const ImportRequest& request, const InpData& data, base::Diagnostics& diagnostics)
+      : request_(request), data_(data), diagnostics_(diagnostics) {}
+
+  void error(InpPlace at, std::string code, std::string text, std::string hint = {}) {
+    diagnostics_.error(request_.span, std::move(code), fmt::format("{}: {}", place(at), text),
+                       std::move(hint));
+  }
+  void warning(InpPlace at, std::string code, const std::string& text) {
+    diagnostics_.warning(request_.span, std::move(code), fmt::format("{}: {}", place(at), text));
+  }
+
+private:
+  [[nodiscard]] std::string place(InpPlace at) const {
+    const std::string own = request_.file.filename().string();
+    const std::string name = at.file < data_.files.size()
+                                 ? std::filesystem::path(data_.files[at.file]).filename().string()
+                                 : own;
+    return at.line > 0 ? fmt::format("{}:{}", name, at.line) : own;
+  }
+
+  const ImportRequest& request_;
+  const InpData& data_;
+  base::Diagnostics& diagnostics_;
+};
+
+} // namespace spricka::mesh

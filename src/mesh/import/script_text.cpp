@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/import/script_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+#include <utility>
+
+namespace spricka::mesh {
+namespace {
+
+std::string in_case(std::string text, int (*convert)(int)) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [&](unsigned char c) { return static_cast<char>(convert(c)); });
+  return text;
+}
+
+/// gmsh's own newp, newl .. cannot be assigned.
+bool can_be_set(const std::string& name) {
+  return std::all_of(name.begin(), name.end(),
+                     [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; }) &&
+         !in_case(name, std::tolower).starts_with("new");
+}
+
+/// The constants that a parameter means.
+std::vector<std::string> meant_by(const std::string& parameter, const ScriptScan& scan) {
+  std::vector<std::string> alike;
+  for (const ScriptName& constant : scan.constants) {
+    if (constant.name == parameter) {
+      return {parameter};
+    }
+    if (in_case(constant.name, std::toupper) == in_case(parameter, std::toupper)) {
+      alike.push_back(constant.name);
+    }
+  }
+  return alike;
+}
+
+} // namespace
+
+ScriptText with_parameters(const std::string& text, const ScriptScan& scan,
+                           const ImportRequest& request, base::Diagnostics& diagnostics) {
+  ScriptText result;
+  std::set<std::string> from_deck;
+  std::set<std::string> constants;
+  for (const ScriptName& constant : scan.constants) {
+    constants.insert(constant.name);
+  }
+  std::set<std::string> assigned;
+  for (const ScriptName& own : scan.assigned) {
+    assigned.insert(own.name);
+  }
+  std::vector<ScriptConstant> used; // without being defined
+  result.text = "/**/";             // so that nothing but a script can begin here
+  for (const auto& [name, value] : request.parameters) {
+    if (!can_be_set(name)) {
+      continue;
+    }
+    const std::vector<std::string> meant = meant_by(name, scan);
+    if (meant.size() > 1) {
+      diagnostics.error(request.span, "E485",
+                        fmt::format("{}: the parameter {} may mean the constants {}",
+                                    request.file.filename().string(), name,
+                                    fmt::join(meant, " or ")),
+                        "write it as the one that is meant");
+      continue;
+    }
+    std::set<std::string> names(meant.begin(), meant.end());
+    from_deck.insert(meant.begin(), meant.end());
+    for (const std::string& other : {in_case(name, std::toupper), in_case(name, std::tolower)}) {
+      if (!constants.contains(other)) { // it may be used without a definition
+        names.insert(other);
+        if (scan.words.contains(other) && !assigned.contains(other)) {
+          used.push_back({other, true, true, value, {}});
+        }
+      }
+    }
+    for (const std::string& each : names) {
+      result.text += fmt::format("{} = {:.17g};", each, value);
+    }
+  }
+  result.text += text;
+  for (const ScriptName& constant : scan.constants) {
+    result.constants.push_back(
+        {constant.name, true, from_deck.contains(constant.name), std::nullopt, constant.text});
+  }
+  for (ScriptConstant& constant : used) {
+    const bool met = std::any_of(result.constants.begin(), result.constants.end(),
+                                 [&](const auto& c) { return c.name == constant.name; });
+    if (!met) {
+      result.constants.push_back(std::move(constant));
+    }
+  }
+  for (const ScriptName& own : scan.assigned) {
+    const bool is_parameter =
+        std::any_of(request.parameters.begin(), request.parameters.end(),
+                    [&](const auto& parameter) { return parameter.first == own.name; });
+    if (is_parameter && !constants.contains(own.name)) {
+      result.constants.push_back({own.name, false, false, std::nullopt, {}});
+    }
+  }
+  return result;
+}
+
+} // namespace spricka::mesh

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/link/fill.hpp"
+
+#include "mesh/link/mesher_link.hpp"
+#include "mesh/link/mesher_request.hpp"
+#include "mesh/plane.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace spricka::mesh {
+namespace {
+
+using base::Vec2;
+
+/// Triangles with no height, on three points of a straight boundary: the longest side goes over to
+/// the other diagonal of the quadrilateral that it halves. Given edges stay.
+class Flips {
+public:
+  Flips(const Region& region, Filling& filling) : region_(region), filling_(filling) {
+    for (const auto* chains : {&region.loops, &region.embedded}) {
+      for (const std::vector<int>& chain : *chains) {
+        const std::size_t count = chain.size() - (chains == &region.embedded ? 1 : 0);
+        for (std::size_t i = 0; i < count; ++i) {
+          given_.insert(std::minmax(chain[i], chain[(i + 1) % chain.size()]));
+        }
+      }
+    }
+  }
+
+  void run() {
+    constexpr int passes = 20; // a row of flat ones takes one for each
+    bool more = true;
+    for (int pass = 0; pass < passes && more; ++pass) {
+      more = false;
+      for (std::size_t i = 0; i < filling_.triangles.size(); ++i) {
+        more = (is_flat(filling_.triangles[i]) && flip(i)) || more;
+      }
+    }
+  }
+
+private:
+  using Triangle = std::array<int, 3>;
+  static constexpr double flat = 1e-5; ///< height over longest side
+
+  [[nodiscard]] Vec2 at(int n) const {
+    const auto i = static_cast<std::size_t>(n);
+    return i < region_.points.size() ? region_.points[i]
+                                     : filling_.added[i - region_.points.size()];
+  }
+  /// The corner before the longest side.
+  [[nodiscard]] std::size_t longest(const Triangle& t) const {
+    std::size_t best = 0;
+    for (std::size_t k = 1; k < 3; ++k) {
+      best = (at(t[(k + 1) % 3]) - at(t[k])).norm() > (at(t[(best + 1) % 3]) - at(t[best])).norm()
+                 ? k
+                 : best;
+    }
+    return best;
+  }
+  [[nodiscard]] bool is_flat(const Triangle& t) const {
+    const std::size_t k = longest(t);
+    const Vec2 side = at(t[(k + 1) % 3]) - at(t[k]);
+    return cross(side, at(t[(k + 2) % 3]) - at(t[k])) < flat * side.squaredNorm();
+  }
+  bool flip(std::size_t i) {
+    Triangle& t = filling_.triangles[i];
+    const std::size_t k = longest(t);
+    const int a = t[k];
+    const int c = t[(k + 1) % 3];
+    const int b = t[(k + 2) % 3];
+    if (given_.contains(std::minmax(a, c))) {
+      return false;
+    }
+    for (Triangle& other : filling_.triangles) {
+      for (std::size_t m = 0; m < 3; ++m) {
+        if (other[m] == c && other[(m + 1) % 3] == a) {
+          const int d = other[(m + 2) % 3];
+          t = {a, d, b};
+          other = {d, c, b};
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  const Region& region_;
+  Filling& filling_;
+  std::set<std::pair<int, int>> given_;
+};
+
+Filling made_by_gmsh(const Region& region, const Grading& size) {
+  const MesherAnswer answer = ask_mesher(fill_request(region, size));
+  Filling filling;
+  if (answer.end != MesherEnd::answered) {
+    filling.trouble = answer.trouble;
+    return filling;
+  }
+  ByteReader in(answer.frame);
+  if (in.one<MesherFrame>() != MesherFrame::filling || !read_fill_answer(in, region, filling)) {
+    filling = {};
+    filling.trouble = "gmsh gave no mesh";
+  }
+  return filling;
+}
+
+} // namespace
+
+Filling fill(const Region& region, const Grading& size) {
+  Filling filling = made_by_gmsh(region, size);
+  if (filling.trouble.empty()) {
+    Flips(region, filling).run();
+  }
+  if (filling.trouble.empty() && filling.triangles.empty()) {
+    filling.trouble = "no triangles were made";
+  }
+  return filling;
+}
+
+} // namespace spricka::mesh

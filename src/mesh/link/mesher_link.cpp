@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/link/mesher_link.hpp"
+
+#include "mesh/link/mesher_limits.hpp"
+#include "mesh/link/mesher_process.hpp"
+#include "mesh/link/mesher_request.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace spricka::mesh {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct Mesher {
+  std::mutex turn;
+  std::unique_ptr<MesherProcess> process;
+};
+
+Mesher& mesher() {
+  static Mesher one;
+  return one;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    if (end > at) {
+      lines.push_back(text.substr(at, end - at));
+    }
+    at = end + 1;
+  }
+  return lines;
+}
+
+MesherAnswer trouble(MesherEnd end, std::string text) {
+  MesherAnswer answer;
+  answer.end = end;
+  answer.trouble = std::move(text);
+  return answer;
+}
+
+/// What a mesher that is gone died of.
+MesherAnswer post_mortem(int status, const std::vector<std::string>& words) {
+  const auto said = [&](const char* what) {
+    return std::any_of(words.begin(), words.end(), [&](const std::string& line) {
+      return line.find(what) != std::string::npos;
+    });
+  };
+  if (said("Out of memory") || said("bad_alloc")) {
+    return trouble(MesherEnd::no_memory, "gmsh needs more memory than it may have");
+  }
+  if (WIFEXITED(status)) {
+    return trouble(MesherEnd::left, "gmsh ended in the middle of its work");
+  }
+  switch (const int signal = WTERMSIG(status)) {
+  case SIGSYS:
+    return trouble(MesherEnd::forbidden,
+                   "gmsh tried to start a program or to reach the network, and was stopped");
+  case SIGXCPU:
+    return trouble(MesherEnd::no_time, "gmsh took longer than it may");
+  default:
+    return trouble(MesherEnd::crashed, fmt::format("gmsh crashed ({})", strsignal(signal)));
+  }
+}
+
+class Exchange {
+public:
+  explicit Exchange(MesherProcess& process) : process_(process) {}
+
+  MesherAnswer run(std::string_view request) {
+    meshing_ = request.front() != static_cast<char>(MesherFrame::import);
+    process_.take_words(); // of earlier requests
+    const double used = process_.processor_time();
+    const Clock::time_point begin = Clock::now();
+    if (!process_.send(request)) {
+      return gone();
+    }
+    while (true) {
+      MesherAnswer answer;
+      switch (process_.listen(look_every, longest(), answer.frame)) {
+      case MesherProcess::News::gone:
+        return gone();
+      case MesherProcess::News::too_long:
+        return ended(trouble(MesherEnd::no_memory, "the mesh is larger than memory allows"));
+      case MesherProcess::News::frame:
+        if (is(answer.frame, MesherFrame::meshing)) {
+          meshing_ = true;
+          break;
+        }
+        if (is(answer.frame, MesherFrame::no_memory)) {
+          return ended(trouble(MesherEnd::no_memory, "gmsh needs more memory than it may have"));
+        }
+        return answer;
+      case MesherProcess::News::nothing:
+        break;
+      }
+      const std::chrono::duration<double> wall = Clock::now() - begin;
+      if (std::optional<MesherAnswer> late =
+              too_late(process_.processor_time() - used, wall.count())) {
+        return ended(*std::move(late));
+      }
+    }
+  }
+
+private:
+  static constexpr int look_every = 50; // ms
+
+  static bool is(const std::string& frame, MesherFrame kind) {
+    return !frame.empty() && frame.front() == static_cast<char>(kind);
+  }
+  static std::size_t longest() { return mesher_limits().memory; }
+
+  [[nodiscard]] std::optional<MesherAnswer> too_late(double processor, double wall) const {
+    const MesherLimits& limits = mesher_limits();
+    const double may = meshing_ ? limits.seconds : limits.reading();
+    const char* const doing = meshing_ ? "meshing" : "reading";
+    if (processor > may) {
+      return trouble(MesherEnd::no_time,
+                     fmt::format("{} took more than {:g} s of processor time", doing, may));
+    }
+    if (wall > (meshing_ ? limits.wall() : limits.wall_of_reading())) {
+      return trouble(MesherEnd::no_time, fmt::format("{} took more than {:.0f} s", doing, wall));
+    }
+    return std::nullopt;
+  }
+  MesherAnswer gone() {
+    const int status = process_.end();
+    std::vector<std::string> words = lines_of(process_.take_words());
+    MesherAnswer answer = post_mortem(status, words);
+    answer.words = std::move(words);
+    return answer;
+  }
+  MesherAnswer ended(MesherAnswer answer) {
+    process_.end();
+    answer.words = lines_of(process_.take_words());
+    return answer;
+  }
+
+  MesherProcess& process_;
+  bool meshing_ = false; ///< not reading a script
+};
+
+/// Ended from outside, not by what it was doing.
+bool was_killed(const MesherAnswer& answer, MesherProcess& process) {
+  if (answer.end != MesherEnd::crashed) {
+    return false;
+  }
+  const int status = process.end();
+  return WIFSIGNALED(status) && (WTERMSIG(status) == SIGKILL || WTERMSIG(status) == SIGTERM);
+}
+
+} // namespace
+
+MesherLimits& mesher_limits() {
+  static MesherLimits limits = [] {
+    MesherLimits l;
+    constexpr std::size_t least = std::size_t{2} << 30U;
+    const auto machine = static_cast<std::size_t>(std::max(0L, sysconf(_SC_PHYS_PAGES))) *
+                         static_cast<std::size_t>(std::max(0L, sysconf(_SC_PAGESIZE)));
+    l.memory = std::max(least, machine / 4);
+    return l;
+  }();
+  return limits;
+}
+
+MesherAnswer ask_mesher(std::string_view request) {
+  Mesher& m = mesher();
+  const std::scoped_lock lock(m.turn);
+  for (bool again : {true, false}) {
+    if (m.process && !m.process->mine()) {
+      m.process.reset(); // made before a fork; its owner goes on with it
+    }
+    std::string why;
+    if (!m.process && !(m.process = MesherProcess::start(mesher_limits().memory, why))) {
+      return trouble(MesherEnd::missing, why);
+    }
+    MesherAnswer answer = Exchange(*m.process).run(request);
+    if (answer.end == MesherEnd::answered) {
+      return answer;
+    }
+    again = again && was_killed(answer, *m.process);
+    m.process.reset();
+    if (!again) {
+      return answer;
+    }
+  }
+  return {};
+}
+
+void dismiss_mesher() {
+  Mesher& m = mesher();
+  const std::scoped_lock lock(m.turn);
+  m.process.reset();
+}
+
+} // namespace spricka::mesh

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/link/mesher_process.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <csignal>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace spricka::mesh {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* program = "spricka-mesher";
+constexpr int socket_of_mesher = 3;
+/// Descriptors of the parent are kept above those that the mesher gets.
+constexpr int first_own = 16;
+/// The end of what the mesher printed that is kept [bytes].
+constexpr std::size_t most_words = 8192;
+
+/// A file descriptor that closes itself.
+class Handle {
+public:
+  explicit Handle(int fd = -1) : fd_(fd) {}
+  ~Handle() { reset(-1); }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  void reset(int fd) {
+    if (fd_ >= 0) {
+      close(fd_);
+    }
+    fd_ = fd;
+  }
+  /// The same file under a number that the mesher's own do not meet.
+  void raise() { reset(fcntl(fd_, F_DUPFD_CLOEXEC, first_own)); }
+  int release() { return std::exchange(fd_, -1); }
+  [[nodiscard]] int get() const { return fd_; }
+  [[nodiscard]] bool open() const { return fd_ >= 0; }
+
+private:
+  int fd_;
+};
+
+/// Both ends of a new socket and of a new pipe.
+struct Ends {
+  Handle socket, of_mesher, words, printed;
+
+  bool make() {
+    std::array<int, 2> two{};
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, two.data()) != 0) {
+      return false;
+    }
+    socket.reset(two[0]);
+    of_mesher.reset(two[1]);
+    if (pipe2(two.data(), O_CLOEXEC | O_NONBLOCK) != 0) {
+      return false;
+    }
+    words.reset(two[0]);
+    printed.reset(two[1]);
+    for (Handle* handle : {&socket, &of_mesher, &words, &printed}) {
+      handle->raise();
+    }
+    return socket.open() && of_mesher.open() && words.open() && printed.open();
+  }
+};
+
+/// The mesher sees nothing of the environment but where its libraries are and how they are to run.
+std::vector<std::string> environment() {
+  std::vector<std::string> result{"OPENBLAS_NUM_THREADS=1", "OMP_NUM_THREADS=1", "LC_ALL=C",
+                                  "LIBC_FATAL_STDERR_=1"};
+  for (const char* name : {"LD_LIBRARY_PATH", "ASAN_OPTIONS", "UBSAN_OPTIONS", "LSAN_OPTIONS"}) {
+    if (const char* value = std::getenv(name)) {
+      result.push_back(fmt::format("{}={}", name, value));
+    }
+  }
+  return result;
+}
+
+std::vector<char*> pointers(std::vector<std::string>& texts) {
+  std::vector<char*> result;
+  for (std::string& text : texts) {
+    result.push_back(text.data());
+  }
+  result.push_back(nullptr);
+  return result;
+}
+
+pid_t spawn(const std::string& path, std::size_t memory, const Ends& ends) {
+  posix_spawn_file_actions_t actions{};
+  posix_spawnattr_t attributes{};
+  if (posix_spawn_file_actions_init(&actions) != 0 || posix_spawnattr_init(&attributes) != 0) {
+    return -1;
+  }
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, ends.printed.get(), STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, ends.printed.get(), STDERR_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, ends.of_mesher.get(), socket_of_mesher);
+  sigset_t none{};
+  sigemptyset(&none);
+  posix_spawnattr_setsigmask(&attributes, &none);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+  std::vector<std::string> words{program, std::to_string(memory), std::to_string(getpid())};
+  std::vector<std::string> variables = environment();
+  pid_t pid = -1;
+  const int trouble = posix_spawn(&pid, path.c_str(), &actions, &attributes, pointers(words).data(),
+                                  pointers(variables).data());
+  posix_spawn_file_actions_destroy(&actions);
+  posix_spawnattr_destroy(&attributes);
+  errno = trouble;
+  return trouble == 0 ? pid : -1;
+}
+
+} // namespace
+
+std::string mesher_path() {
+  std::error_code unknown;
+  const fs::path self = fs::read_symlink("/proc/self/exe", unknown);
+  std::vector<fs::path> places{self.parent_path() / program,
+                               self.parent_path().parent_path() / "libexec" / "spricka" / program};
+  const fs::path built = fs::path(SPRICKA_BUILD_TREE);
+  if (std::mismatch(built.begin(), built.end(), self.begin(), self.end()).first == built.end()) {
+    places.push_back(built / "libexec" / "spricka" / program);
+  }
+  for (const fs::path& place : places) {
+    if (!self.empty() && access(place.c_str(), X_OK) == 0) {
+      return place.string();
+    }
+  }
+  return {};
+}
+
+std::unique_ptr<MesherProcess> MesherProcess::start(std::size_t memory, std::string& trouble) {
+  const std::string path = mesher_path();
+  if (path.empty()) {
+    trouble = fmt::format("the program {} is not installed beside spricka", program);
+    return nullptr;
+  }
+  Ends ends;
+  const pid_t pid = ends.make() ? spawn(path, memory, ends) : -1;
+  if (pid < 0) {
+    trouble = fmt::format("{} cannot be started: {}", path, std::strerror(errno));
+    return nullptr;
+  }
+  return std::unique_ptr<MesherProcess>(
+      new MesherProcess(pid, ends.socket.release(), ends.words.release()));
+}
+
+MesherProcess::MesherProcess(pid_t pid, int socket, int words)
+    : owner_(getpid()), pid_(pid), socket_(socket), words_end_(words) {}
+
+MesherProcess::~MesherProcess() {
+  if (mine()) {
+    end();
+  }
+  close(socket_);
+  close(words_end_);
+}
+
+bool MesherProcess::mine() const {
+  return owner_ == getpid();
+}
+
+bool MesherProcess::send(std::string_view bytes) const {
+  const std::size_t size = bytes.size();
+  std::string whole(reinterpret_cast<const char*>(&size), sizeof size);
+  whole += bytes;
+  for (std::size_t done = 0; done < whole.size();) {
+    const ssize_t sent = ::send(socket_, whole.data() + done, whole.size() - done, MSG_NOSIGNAL);
+    if (sent < 0 && errno != EINTR) {
+      return false;
+    }
+    done += static_cast<std::size_t>(std::max<ssize_t>(sent, 0));
+  }
+  return true;
+}
+
+MesherProcess::News MesherProcess::listen(int milliseconds, std::size_t most, std::string& frame) {
+  const auto whole = [&] {
+    std::size_t size = 0;
+    if (received_.size() < sizeof size) {
+      return News::nothing;
+    }
+    std::memcpy(&size, received_.data(), sizeof size);
+    if (size > most) {
+      return News::too_long;
+    }
+    if (received_.size() < sizeof size + size) {
+      return News::nothing;
+    }
+    frame = received_.substr(sizeof size, size);
+    received_.erase(0, sizeof size + size);
+    return News::frame;
+  };
+  if (const News news = whole(); news != News::nothing) {
+    return news;
+  }
+  std::array<pollfd, 2> ends{pollfd{socket_, POLLIN, 0}, pollfd{words_end_, POLLIN, 0}};
+  if (poll(ends.data(), ends.size(), milliseconds) <= 0) {
+    return News::nothing;
+  }
+  if (ends[1].revents != 0) {
+    take_printed();
+  }
+  if (ends[0].revents == 0) {
+    return News::nothing;
+  }
+  static constexpr std::size_t chunk = std::size_t{1} << 18U;
+  const std::size_t filled = received_.size();
+  received_.resize(filled + chunk);
+  const ssize_t got = recv(socket_, received_.data() + filled, chunk, MSG_DONTWAIT);
+  received_.resize(filled + static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+  if (got == 0 || (got < 0 && errno != EINTR && errno != EAGAIN)) {
+    return News::gone;
+  }
+  return whole();
+}
+
+double MesherProcess::processor_time() const {
+  clockid_t clock{};
+  timespec now{};
+  if (clock_getcpuclockid(pid_, &clock) != 0 || clock_gettime(clock, &now) != 0) {
+    return 0.0;
+  }
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+void MesherProcess::take_printed() {
+  std::array<char, 4096> some{};
+  for (ssize_t got = 0; (got = read(words_end_, some.data(), some.size())) > 0;) {
+    words_.append(some.data(), static_cast<std::size_t>(got));
+    if (words_.size() > 2 * most_words) {
+      words_.erase(0, words_.size() - most_words);
+    }
+  }
+}
+
+std::string MesherProcess::take_words() {
+  take_printed();
+  return std::exchange(words_, {});
+}
+
+int MesherProcess::end() {
+  if (!status_) {
+    int status = 0;
+    // one that has ended by itself keeps its own status
+    kill(pid_, SIGKILL);
+    while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+    }
+    status_ = status;
+  }
+  return *status_;
+}
+
+} // namespace spricka::mesh

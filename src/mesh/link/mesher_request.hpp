@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "mesh/link/bytes.hpp"
+#include "mesh/link/fill.hpp"
+#include "mesh/link/gmsh_model.hpp"
+#include "mesh/size_wish.hpp"
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace spricka::mesh {
+
+// What spricka and spricka-mesher say to each other, each a frame of bytes: its length (8 bytes),
+// then its kind (1 byte), then what the kind has.
+
+enum class MesherFrame : char {
+  fill = 'f',        ///< to the mesher: a region and its sizes
+  import = 'i',      ///< to the mesher: a script or mesh file
+  meshing = 'm',     ///< from the mesher: the script is read, its mesh begins
+  filling = 'F',     ///< answer
+  model = 'M',       ///< answer
+  no_memory = 'o',   ///< answer, and its last one
+  no_sandbox = 's',  ///< answer: the kernel has no way to lock the mesher in
+  bad_request = 'b', ///< answer
+};
+
+/// A geometry script or mesh file, by its text.
+struct MesherImport {
+  std::string name; ///< for gmsh's messages: letters, digits, "._-"; ends with .geo or .msh
+  std::string text;
+  bool script = false;
+  bool quadratic = false;
+  SizeWish size;                      ///< of a script
+  std::vector<std::string> constants; ///< of a script, whose values at its end are asked for
+};
+
+std::string fill_request(const Region& region, const Grading& size);
+/// False if the bytes are none.
+bool read_fill_request(ByteReader& in, Region& region, Grading& size);
+
+std::string fill_answer(const Filling& filling);
+bool read_fill_answer(ByteReader& in, const Region& region, Filling& filling);
+
+std::string import_request(const MesherImport& import);
+bool read_import_request(ByteReader& in, MesherImport& import);
+
+std::string model_answer(const GmshModel& model);
+/// Checks that all lists belong together, so that nothing need be looked at twice.
+bool read_model_answer(ByteReader& in, GmshModel& model);
+
+} // namespace spricka::mesh

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "model/model.hpp"
+#include "results/results.hpp"
+
+#include <vector>
+
+namespace spricka::program {
+
+/// Evaluates every line of $CHECK on the results. A quantity that cannot be found (no such length,
+/// a point outside the body) fails with the reason in `trouble`.
+std::vector<results::CheckResult> evaluate_checks(const model::Model& model,
+                                                  const results::Run& run);
+
+} // namespace spricka::program

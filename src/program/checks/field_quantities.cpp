@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/checks/field_quantities.hpp"
+
+#include "analysis/scene/gone_nodes.hpp"
+#include "fe/locate.hpp"
+#include "fe/stress.hpp"
+#include "mesh/boundary.hpp"
+#include "model/property_points.hpp"
+#include "results/stress_invariants.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace spricka::program {
+
+Place find_place(const results::Run& run, const std::string& step, std::optional<double> a) {
+  for (auto it = run.increments.rbegin(); it != run.increments.rend(); ++it) {
+    const results::StepResult* found = results::find_step(*it, step);
+    if (found != nullptr && (!a || std::abs(it->a - *a) <= 1e-6 * std::abs(*a))) {
+      return {&*it, found};
+    }
+  }
+  std::string lengths;
+  for (const results::Increment& increment : run.increments) {
+    lengths += fmt::format("{}{:.9g}", lengths.empty() ? "" : ", ", increment.a);
+  }
+  throw Missing(
+      a ? fmt::format("no increment of length {:.9g} with step {}, only {}", *a, step, lengths)
+        : fmt::format("no results of step {}", step));
+}
+
+std::vector<base::NodeId> nodes_of_set(const model::Mesh& mesh, const std::string& name) {
+  for (const model::NodeSet& set : mesh.node_sets) {
+    if (set.name == name) {
+      return set.nodes;
+    }
+  }
+  for (const model::FaceSet& set : mesh.face_sets) {
+    if (set.name == name) {
+      return mesh::nodes_of_faces(mesh, set.faces);
+    }
+  }
+  for (const model::ElementSet& set : mesh.element_sets) {
+    if (set.name == name) {
+      std::vector<base::NodeId> nodes;
+      for (const base::ElementId e : set.elements) {
+        const std::span<const base::NodeId> own = mesh.nodes_of(e);
+        nodes.insert(nodes.end(), own.begin(), own.end());
+      }
+      return nodes;
+    }
+  }
+  throw Missing(fmt::format("no set {}", name));
+}
+
+Eigen::Index axis_of(const std::string& component) {
+  if (component == "X" || component == "Y" || component == "Z") {
+    return component[0] - 'X';
+  }
+  throw Missing(fmt::format("no displacement component {}", component));
+}
+
+namespace {
+
+/// "S.XX.MIN" -> what, component, how.
+struct FieldName {
+  std::string what, component, how;
+};
+FieldName split(const std::string& quantity) {
+  const std::size_t first = quantity.find('.');
+  const std::size_t last = quantity.rfind('.');
+  if (first == std::string::npos || first == last) {
+    throw Missing(fmt::format("{} is not a quantity", quantity));
+  }
+  return {quantity.substr(0, first), quantity.substr(first + 1, last - first - 1),
+          quantity.substr(last + 1)};
+}
+
+double stress_component(const fe::Stress& stress, const std::string& component) {
+  static constexpr std::array<const char*, 6> names{"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
+  results::Stress s{};
+  std::copy_n(stress.data(), 6, s.begin());
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (component == names[i]) {
+      return s[i];
+    }
+  }
+  if (component == "MISES") {
+    return results::von_mises(s);
+  }
+  if (component == "P1" || component == "P2" || component == "P3") {
+    return results::principal(s)[static_cast<std::size_t>(component[1] - '1')];
+  }
+  throw Missing(fmt::format("no stress component {}", component));
+}
+
+// Stresses of a set's elements at their own nodes; of a node set, the mean of the elements that
+// meet there, a value for each property.
+std::vector<double> stresses_of_set(const model::Model& model, const Place& at,
+                                    const std::string& name, const std::string& component) {
+  const model::Mesh& mesh = at.increment->mesh;
+  const std::vector<fe::Stress> stress =
+      fe::element_node_stress(model, mesh, {at.step->u, at.step->temperature});
+  std::vector<double> values;
+  for (const model::ElementSet& set : mesh.element_sets) {
+    if (set.name == name) {
+      for (const base::ElementId e : set.elements) {
+        const auto first = static_cast<std::size_t>(mesh.first[e.index()]);
+        for (std::size_t k = 0; k < mesh.nodes_of(e).size(); ++k) {
+          values.push_back(stress_component(stress[first + k], component));
+        }
+      }
+      return values;
+    }
+  }
+  std::vector<fe::Stress> nodal = fe::nodal_stress(model, mesh, stress);
+  analysis::fill_stresses(model, mesh, {at.step->u, at.step->temperature}, nodal);
+  std::vector<bool> wanted(mesh.node_count(), false);
+  for (const base::NodeId n : nodes_of_set(mesh, name)) {
+    wanted[n.index()] = true;
+  }
+  const model::PropertyPoints points = model::property_points(mesh);
+  for (std::size_t p = 0; p < points.node.size(); ++p) {
+    if (wanted[points.node[p].index()]) {
+      values.push_back(stress_component(nodal[p], component));
+    }
+  }
+  return values;
+}
+
+// Where faces of a crack, or two bodies, meet in a point and move apart there is no one
+// displacement.
+double displacement_at(const model::Mesh& mesh, const base::Vector& u, const base::Vec3& x,
+                       Eigen::Index axis) {
+  constexpr double alike = 1e-4; // of the largest displacement
+  const std::vector<fe::PointSide> sides = fe::sides_of(mesh, fe::elements_at(mesh, x));
+  if (sides.empty()) {
+    throw Missing("the point lies outside the body");
+  }
+  const double first = fe::displacement_at(mesh, u, sides.front())[axis];
+  double sum = 0.0;
+  for (const fe::PointSide& side : sides) {
+    const double value = fe::displacement_at(mesh, u, side)[axis];
+    if (std::abs(value - first) > alike * u.lpNorm<Eigen::Infinity>()) {
+      throw Missing(fmt::format("faces meet at that point that move apart, by {:.6g} and {:.6g}: "
+                                "ask a little beside it",
+                                first, value));
+    }
+    sum += value;
+  }
+  return sum / static_cast<double>(sides.size());
+}
+
+} // namespace
+
+double field_quantity(const model::Model& model, const std::string& quantity, Arguments& args,
+                      const results::Run& run) {
+  const FieldName field = split(quantity);
+  if (field.how == "AT") {
+    base::Vec3 x = base::Vec3::Zero();
+    x[0] = args.needed("x");
+    x[1] = args.needed("y");
+    if (model.mesh.dim == 3) {
+      x[2] = args.needed("z");
+    }
+    const std::string step = args.name("a step");
+    const Place at = find_place(run, step, args.number());
+    if (field.what == "U") {
+      return displacement_at(at.increment->mesh, at.step->u, x, axis_of(field.component));
+    }
+    const std::optional<fe::Stress> s =
+        fe::stress_at(model, at.increment->mesh, {at.step->u, at.step->temperature}, x);
+    if (!s) {
+      throw Missing("the point lies outside the body");
+    }
+    return stress_component(*s, field.component);
+  }
+  const std::string set = args.name("a set");
+  const std::string step = args.name("a step");
+  const Place at = find_place(run, step, args.number());
+  std::vector<double> values;
+  if (field.what == "S") {
+    values = stresses_of_set(model, at, set, field.component);
+  } else {
+    for (const base::NodeId n : nodes_of_set(at.increment->mesh, set)) {
+      values.push_back(at.step->u[static_cast<Eigen::Index>(n.index()) * at.increment->mesh.dim +
+                                  axis_of(field.component)]);
+    }
+  }
+  if (values.empty()) {
+    throw Missing(fmt::format("set {} is empty", set));
+  }
+  return field.how == "MIN" ? *std::min_element(values.begin(), values.end())
+                            : *std::max_element(values.begin(), values.end());
+}
+
+} // namespace spricka::program

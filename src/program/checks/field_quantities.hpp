@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "model/model.hpp"
+#include "results/results.hpp"
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+/// Displacements and stresses that $CHECK asks for, and what all its quantities share.
+namespace spricka::program {
+
+/// Why a quantity has no value; caught where the line is evaluated.
+struct Missing : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The arguments of one check, taken from the left.
+class Arguments {
+public:
+  explicit Arguments(const model::Check& check) : check_(check) {}
+
+  std::string name(const char* what) {
+    if (next_ >= check_.arguments.size() ||
+        !std::holds_alternative<std::string>(check_.arguments[next_])) {
+      throw Missing(fmt::format("{} expects {} as argument {}", check_.quantity, what, next_ + 1));
+    }
+    return std::get<std::string>(check_.arguments[next_++]);
+  }
+  std::optional<double> number() {
+    if (next_ < check_.arguments.size() &&
+        std::holds_alternative<double>(check_.arguments[next_])) {
+      return std::get<double>(check_.arguments[next_++]);
+    }
+    return std::nullopt;
+  }
+  double needed(const char* what) {
+    const std::optional<double> value = number();
+    if (!value) {
+      throw Missing(fmt::format("{} expects {} as argument {}", check_.quantity, what, next_ + 1));
+    }
+    return *value;
+  }
+
+private:
+  const model::Check& check_;
+  std::size_t next_ = 0;
+};
+
+struct Place {
+  const results::Increment* increment = nullptr;
+  const results::StepResult* step = nullptr;
+};
+
+/// The increment whose length is `a` (to 1e-6), or the last one when no length is given.
+Place find_place(const results::Run& run, const std::string& step, std::optional<double> a);
+
+/// Nodes of the node, face or element set of that name, perhaps several times.
+std::vector<base::NodeId> nodes_of_set(const model::Mesh& mesh, const std::string& name);
+
+/// The number of a direction X, Y or Z.
+Eigen::Index axis_of(const std::string& component);
+
+/// U.X.MAX, S.XX.AT and their like.
+double field_quantity(const model::Model& model, const std::string& quantity, Arguments& args,
+                      const results::Run& run);
+
+} // namespace spricka::program

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/checks/growth_readings.hpp"
+
+#include "analysis/lengths/growth_measure.hpp"
+#include "life/inversion.hpp"
+#include "life/life_curve.hpp"
+#include "life/spline.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+namespace {
+
+constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
+
+// The test's own rates, or the law of $GROW.
+life::GrowthLaw reference_of(const model::Model& model, const model::GrowthTest& test) {
+  if (test.delta_k.empty()) {
+    return analysis::law_of(*model.growth);
+  }
+  life::LawConstants constants;
+  constants.delta_k = test.delta_k;
+  constants.growth = test.growth;
+  constants.k_unit = test.k_unit;
+  constants.a_unit = test.a_unit;
+  return {life::Law::table, constants};
+}
+
+// The tip of a crack, the first of two.
+const results::TipResult* tip_of(const results::Increment& increment, const model::Step& step,
+                                 const std::string& crack) {
+  const results::StepResult* at = results::find_step(increment, step.name);
+  if (at == nullptr) {
+    return nullptr;
+  }
+  const results::TipResult* tip = results::find_tip(*at, crack);
+  return tip != nullptr ? tip : results::find_tip(*at, crack + ".1");
+}
+
+/// K and R of the increments between their lengths.
+class ComputedK {
+public:
+  ComputedK(const model::Model& model, const results::Run& run, const model::GrowthTest& test) {
+    const model::Growth& growth = *model.growth;
+    const std::string& crack = model.cracks[test.crack.index()].name;
+    std::vector<std::array<double, 3>> found; // log a, log K, R
+    for (const results::Increment& increment : run.increments) {
+      const auto* high = tip_of(increment, model.steps[growth.kmax.index()], crack);
+      if (high == nullptr || !high->doubt.empty() || !(high->K1 > 0.0)) {
+        continue;
+      }
+      tip_ = high->name;
+      double R = test.ratio.value_or(k_nan);
+      if (!test.ratio) {
+        const auto* low = tip_of(increment, model.steps[growth.kmin.index()], crack);
+        R = low == nullptr || !low->doubt.empty() ? k_nan : low->K1 / high->K1;
+      }
+      if (!std::isnan(R)) {
+        found.push_back({std::log(high->a), std::log(high->K1), R});
+      }
+    }
+    std::ranges::sort(found);
+    for (const auto& [a, K, R] : found) {
+      if (log_a_.empty() || a > log_a_.back()) {
+        log_a_.push_back(a);
+        log_K_.push_back(K);
+        R_.push_back(R);
+      }
+    }
+    constant_ = test.ratio;
+  }
+
+  [[nodiscard]] const std::string& tip() const { return tip_; }
+  /// The life by these K; empty where some of them do not grow, or have no end.
+  [[nodiscard]] std::optional<life::LifeCurve> curve(const life::GrowthLaw& law) const {
+    std::vector<double> lengths, rates;
+    for (std::size_t i = 0; i < log_a_.size(); ++i) {
+      const double K = std::exp(log_K_[i]);
+      lengths.push_back(std::exp(log_a_[i]));
+      rates.push_back(law.rate(K, R_[i] * K));
+    }
+    const bool grows =
+        std::ranges::all_of(rates, [](double rate) { return rate > 0.0 && std::isfinite(rate); });
+    return grows && rates.size() > 1 ? std::optional(life::LifeCurve(lengths, rates))
+                                     : std::nullopt;
+  }
+  [[nodiscard]] double K(double a) const { return at(a) ? std::exp(value(log_K_, a)) : k_nan; }
+  [[nodiscard]] double R(double a) const {
+    return constant_ ? *constant_ : at(a) ? value(R_, a) : k_nan;
+  }
+
+private:
+  [[nodiscard]] bool at(double a) const {
+    constexpr double room = 1e-9; // lengths of deck and mesh are rounded
+    return !log_a_.empty() && std::log(a) >= log_a_.front() - room &&
+           std::log(a) <= log_a_.back() + room;
+  }
+  [[nodiscard]] double value(const std::vector<double>& values, double a) const {
+    return log_a_.size() == 1 ? values.front() : life::Spline(log_a_, values)(std::log(a));
+  }
+
+  std::string tip_;
+  std::vector<double> log_a_, log_K_, R_;
+  std::optional<double> constant_;
+};
+
+life::RateMethod method_of(model::RateMethod method) {
+  switch (method) {
+  case model::RateMethod::secant:
+    return life::RateMethod::secant;
+  case model::RateMethod::e647:
+    return life::RateMethod::e647;
+  case model::RateMethod::spline:
+    return life::RateMethod::spline;
+  case model::RateMethod::polynomial:
+    break;
+  }
+  return life::RateMethod::polynomial;
+}
+
+std::string word_of(const model::GrowthTest& test) {
+  switch (test.method) {
+  case model::RateMethod::secant:
+    return "SECANT";
+  case model::RateMethod::e647:
+    return fmt::format("E647, {} readings", test.window);
+  case model::RateMethod::spline:
+    return "SPLINE";
+  case model::RateMethod::polynomial:
+    break;
+  }
+  return fmt::format("POLYNOMIAL, {} readings", test.window);
+}
+
+std::string reference_words(const model::Model& model, const model::GrowthTest& test) {
+  constexpr std::array names{"", "Paris", "Walker", "Forman", "NASGRO", "table"};
+  return test.delta_k.empty()
+             ? fmt::format("{} law of $GROW", names[static_cast<std::size_t>(model.growth->law)])
+             : fmt::format("{} rates of a reference specimen", test.delta_k.size());
+}
+
+// Cycles over the lengths that test and computation share.
+void compare_lives(const ComputedK& computed, const life::GrowthLaw& law,
+                   results::GrowthTest& test) {
+  std::vector<const results::TestPoint*> shared;
+  for (const results::TestPoint& p : test.points) {
+    if (!std::isnan(p.computed) && (shared.empty() || p.a > shared.back()->a)) {
+      shared.push_back(&p);
+    }
+  }
+  const std::optional<life::LifeCurve> curve = computed.curve(law);
+  test.cycles = test.computed_cycles = test.cycles_error = k_nan;
+  if (shared.size() < 2 || !curve) {
+    return;
+  }
+  const auto within = [&](double a) {
+    return std::clamp(a, curve->first_length(), curve->last_length());
+  };
+  const double from = within(shared.front()->a);
+  const double to = within(shared.back()->a);
+  test.cycles = shared.back()->cycles - shared.front()->cycles;
+  test.computed_cycles = curve->cycles(from, to);
+  test.cycles_error = curve->error(from, to);
+}
+
+// What is missing in the points, counted.
+void add_notes(results::GrowthTest& test) {
+  const auto count = [&](auto&& condition) {
+    return std::ranges::count_if(test.points, condition);
+  };
+  const auto outside = count([](const auto& p) { return std::isnan(p.computed); });
+  const auto none = count([](const auto& p) { return std::isnan(p.K) && !std::isnan(p.R); });
+  const auto beyond = count([](const auto& p) { return !std::isnan(p.K) && !p.covered; });
+  if (outside > 0) {
+    test.notes.push_back(fmt::format(
+        "{} of {} points lie outside the computed crack lengths: there is nothing to compare with",
+        outside, test.points.size()));
+  }
+  if (none > 0) {
+    test.notes.push_back(fmt::format(
+        "warning: {} of {} points have a rate that no K of the reference gives (scatter made it "
+        "negative, or it is below the threshold); they are left out",
+        none, test.points.size()));
+  }
+  if (beyond > 0) {
+    test.notes.push_back(fmt::format("warning: {} of {} points have a rate beyond the rows of the "
+                                     "reference, which was drawn straight on",
+                                     beyond, test.points.size()));
+  }
+}
+
+results::GrowthTest invert(const model::Model& model, const results::Run& run,
+                           const model::GrowthTest& card) {
+  const ComputedK computed(model, run, card);
+  results::GrowthTest test;
+  test.name = card.name;
+  test.tip = computed.tip();
+  test.method = word_of(card);
+  test.reference = reference_words(model, card);
+  test.readings = card.readings;
+  std::vector<life::Reading> readings;
+  for (const auto& [cycles, a] : card.readings) {
+    readings.push_back({cycles, a});
+  }
+  const life::MeasuredRates rates =
+      life::measured_rates(readings, method_of(card.method), card.window);
+  test.scatter = rates.scatter;
+  test.freedoms = rates.freedoms;
+  const life::GrowthLaw reference = reference_of(model, card);
+  for (const life::MeasuredK& k :
+       life::measured_K(rates, reference, [&](double a) { return computed.R(a); })) {
+    test.points.push_back({k.cycles, k.a, k.rate, k.rate_low, k.rate_high, k.R, k.K_max, k.low,
+                           k.high, computed.K(k.a), k.covered});
+  }
+  compare_lives(computed, reference, test);
+  add_notes(test);
+  return test;
+}
+
+const results::GrowthTest& test_of(const results::Run& run, const std::string& name) {
+  const auto found = std::ranges::find(run.tests, name, &results::GrowthTest::name);
+  if (found == run.tests.end()) {
+    throw Missing(fmt::format("no test {}", name));
+  }
+  return *found;
+}
+
+} // namespace
+
+std::vector<results::GrowthTest> invert_tests(const model::Model& model, const results::Run& run) {
+  std::vector<results::GrowthTest> tests;
+  for (const model::GrowthTest& card : model.tests) {
+    tests.push_back(invert(model, run, card));
+  }
+  return tests;
+}
+
+double test_quantity(const std::string& quantity, Arguments& args, const results::Run& run) {
+  const results::GrowthTest& test = test_of(run, args.name("a test"));
+  if (quantity == "TEST.SCATTER") {
+    return test.scatter;
+  }
+  if (quantity == "TEST.K") {
+    const double a = args.needed("a crack length");
+    const double K = results::measured_k_at(test, a);
+    if (std::isnan(K)) {
+      throw Missing(fmt::format("test {} has no K at a = {:.6g}", test.name, a));
+    }
+    return K;
+  }
+  if (quantity == "TEST.LIFE") {
+    if (std::isnan(test.life_ratio())) {
+      throw Missing(fmt::format("test {} shares no lengths with the computed K", test.name));
+    }
+    return test.life_ratio();
+  }
+  const double from = args.number().value_or(0.0);
+  const double to = args.number().value_or(std::numeric_limits<double>::infinity());
+  const results::TestComparison found = results::compare(test, from, to);
+  if (found.points == 0) {
+    throw Missing(
+        fmt::format("test {} has no point there with a measured and a computed K", test.name));
+  }
+  return quantity == "TEST.RMS"      ? found.rms
+         : quantity == "TEST.INSIDE" ? found.inside
+                                     : found.ratio;
+}
+
+} // namespace spricka::program

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/checks/path_quantities.hpp"
+
+#include <cmath>
+
+namespace spricka::program {
+
+namespace {
+
+const results::LoadPath& path_of(const results::Run& run, const std::string& name,
+                                 std::optional<double> a) {
+  for (auto it = run.increments.rbegin(); it != run.increments.rend(); ++it) {
+    const results::LoadPath* path = results::find_path(*it, name);
+    if (path == nullptr || (a && std::abs(it->a - *a) > 1e-6 * std::abs(*a))) {
+      continue;
+    }
+    if (path->t.empty()) {
+      throw Missing(fmt::format("load path {}: {}", name, path->stopped));
+    }
+    return *path;
+  }
+  throw Missing(a ? fmt::format("no increment of length {:.9g} with load path {}", *a, name)
+                  : fmt::format("no results of load path {}", name));
+}
+
+const results::PathTip& tip_of(const results::LoadPath& path, const std::string& name) {
+  const results::PathTip* tip = results::find_tip(path, name);
+  if (tip == nullptr) {
+    throw Missing(fmt::format("no tip {}", name));
+  }
+  if (!tip->doubt.empty()) {
+    throw Missing(tip->doubt);
+  }
+  return *tip;
+}
+
+// K1 < 0 is no answer, as at the end of a step.
+void refuse_closed(double K1, double K2) {
+  if (K1 < 0.0 && std::abs(K1) > 1e-9 * std::abs(K2)) {
+    throw Missing("K1 is negative there: the crack faces overlap, or the mesh at the tip is too "
+                  "coarse");
+  }
+}
+
+double at_place(const std::string& quantity, Arguments& args, const results::Run& run) {
+  const std::string tip_name = args.name("a crack");
+  const std::string path_name = args.name("a load path");
+  const double t = args.needed("a place t");
+  const results::LoadPath& path = path_of(run, path_name, args.number());
+  const results::PathTip& tip = tip_of(path, tip_name);
+  if (!(t >= path.t.front() && t <= path.t.back())) {
+    throw Missing(fmt::format("load path {} goes from t = {:.6g} to {:.6g}{}{}", path_name,
+                              path.t.front(), path.t.back(), path.stopped.empty() ? "" : ": ",
+                              path.stopped));
+  }
+  refuse_closed(tip.K1(t), tip.K2(t));
+  if (quantity == "PATH.SLOPE") {
+    std::size_t s = tip.K1.segment(t);
+    s += s + 1 < tip.K1.segments() && tip.K1.knots()[s + 1] <= t ? 1 : 0;
+    return tip.K1.slope(s);
+  }
+  return quantity == "PATH.K2" ? tip.K2(t) : tip.K1(t);
+}
+
+double of_two(Arguments& args, const results::Run& run) {
+  const std::string tip_name = args.name("a crack");
+  const std::string path_name = args.name("a load path");
+  const double from = args.needed("a factor of FROM");
+  const double to = args.needed("a factor of TO");
+  const results::LoadPath& path = path_of(run, path_name, args.number());
+  const results::PathTip& tip = tip_of(path, tip_name);
+  const std::optional<double> K1 = results::k_of_two(path, tip, 1, from, to);
+  if (!K1) {
+    throw Missing(path.homogeneous
+                      ? fmt::format("load path {} does not cover that ratio", path_name)
+                      : fmt::format("load path {}: gaps that no FIT scales are in it, so the two "
+                                    "factors must add up to 1",
+                                    path_name));
+  }
+  refuse_closed(*K1, results::k_of_two(path, tip, 2, from, to).value_or(0.0));
+  return *K1;
+}
+
+} // namespace
+
+double path_quantity(const std::string& quantity, Arguments& args, const results::Run& run) {
+  if (quantity == "PATH.K1.SUM") {
+    return of_two(args, run);
+  }
+  if (quantity == "PATH.KNOTS") {
+    const std::string name = args.name("a load path");
+    return static_cast<double>(path_of(run, name, args.number()).t.size()) - 2.0;
+  }
+  if (quantity == "PATH.OPENING") {
+    const std::string contact_name = args.name("a contact");
+    const std::string name = args.name("a load path");
+    const results::LoadPath& path = path_of(run, name, args.number());
+    const results::PathContact* contact = results::find_contact(path, contact_name);
+    if (contact == nullptr) {
+      throw Missing(fmt::format("contact {} is not mounted", contact_name));
+    }
+    if (!contact->opening) {
+      throw Missing(fmt::format("no closed pair of {} opens on load path {}", contact_name, name));
+    }
+    return *contact->opening;
+  }
+  return at_place(quantity, args, run);
+}
+
+} // namespace spricka::program

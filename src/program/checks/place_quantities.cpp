@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/checks/place_quantities.hpp"
+
+#include "analysis/recover/closed_parts.hpp"
+#include "program/checks/field_quantities.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace spricka::program {
+
+double pressure_near(const results::ContactResult& contact, double results::ContactPoint::*value,
+                     const base::Vec2& x) {
+  if (contact.points.empty()) {
+    throw Missing("the contact has no surface");
+  }
+  double best = std::numeric_limits<double>::infinity();
+  double found = 0.0;
+  for (std::size_t i = 0; i < contact.points.size(); ++i) {
+    const results::ContactPoint& a = contact.points[i];
+    const bool ends = i + 1 == contact.points.size();
+    const results::ContactPoint& next = ends ? a : contact.points[i + 1];
+    const double run = (next.x - a.x).norm(); // a jump or a mouth is no edge
+    const bool last = !(run > 0.0) || run > 1.6 * std::abs(next.arc - a.arc);
+    const results::ContactPoint& b = last ? a : next;
+    const base::Vec2 chord = (b.x - a.x).head<2>();
+    const base::Vec2 from = x - a.x.head<2>();
+    const double t = last ? 0.0 : std::clamp(from.dot(chord) / chord.squaredNorm(), 0.0, 1.0);
+    const double distance = (from - t * chord).norm();
+    if (distance < best) {
+      best = distance;
+      found = (1.0 - t) * a.*value + t * b.*value;
+    }
+  }
+  return found;
+}
+
+double end_of_part(const results::ContactResult& contact, const std::string& quantity,
+                   double number) {
+  const std::vector<std::array<double, 2>> parts = analysis::closed_parts(contact);
+  const auto count = static_cast<double>(parts.size());
+  if (!(number >= 1.0 && number <= count) || number != std::floor(number)) {
+    throw Missing(fmt::format("contact {} is closed in {} parts", contact.name, parts.size()));
+  }
+  return parts[static_cast<std::size_t>(number) - 1][quantity == "ARC.PART.FROM" ? 0 : 1];
+}
+
+} // namespace spricka::program

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/commands/check_deck.hpp"
+
+#include "analysis/lengths/growth_loop.hpp"
+#include "analysis/lengths/growth_rules.hpp"
+#include "analysis/steps/held_modes.hpp"
+#include "base/clock.hpp"
+#include "base/exit_codes.hpp"
+#include "base/memory.hpp"
+#include "growth/crack_lines.hpp"
+#include "mesh/quality.hpp"
+#include "program/commands/sweep_deck.hpp"
+#include "program/job/remedy.hpp"
+#include "program/job/script_constants.hpp"
+#include "program/job/standard_streams.hpp"
+#include "program/preview/forecast.hpp"
+#include "program/preview/preview_model.hpp"
+#include "report/check_listing.hpp"
+#include "sense/load_totals.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+namespace {
+
+constexpr double rate_seconds = 0.02; // long enough for a clock, short enough for a prompt
+
+// DA bounds how far the fastest tip goes between two stations, AMAX where the first one ends.
+double stations_at_least(const model::Model& model, const std::vector<mesh::CrackLine>& lines) {
+  const model::Growth& growth = *model.growth;
+  if (!growth.largest_advance || !growth.last_length) {
+    return 1.0;
+  }
+  double way = *growth.last_length;
+  for (const mesh::CrackLine& line : lines) {
+    double length = 0.0;
+    for (std::size_t i = 1; i < line.points.size(); ++i) {
+      length += (line.points[i] - line.points[i - 1]).norm();
+    }
+    if (growth::crack_grows(model, line.crack.index())) {
+      way = std::min(way, *growth.last_length - (line.embedded ? 0.5 : 1.0) * length);
+    }
+  }
+  return std::max(1.0, std::ceil(way / *growth.largest_advance * (1.0 - 1e-9)));
+}
+
+std::string growth_words(const model::Model& model, double stations) {
+  if (!analysis::grows_by_law(model)) {
+    return {};
+  }
+  return stations > 1.0
+             ? fmt::format(
+                   "  a growth by a law: DA asks for at least {:.0f} stations like the first, "
+                   "flops and CPU time are of that many\n",
+                   stations)
+             : "  a growth by a law: figures are of its first station, mostly there are some ten "
+               "or "
+               "more\n";
+}
+
+/// One deck's preview; what it finds wrong stays in its members.
+class Previewer {
+public:
+  Previewer(const model::Model& model, int threads) : model_(model), threads_(threads) {}
+
+  /// Every length. Without `forecast` only mistakes are looked for.
+  void look(bool forecast) {
+    if (analysis::grows_by_law(model_)) {
+      if (const auto lines = growth::crack_lines(model_, 0.0, diagnostics)) {
+        analysis::growth_can_begin(model_, *lines, diagnostics);
+        stations = stations_at_least(model_, *lines);
+      }
+      if (diagnostics.has_errors()) {
+        return;
+      }
+    }
+    const std::vector<double> lengths = growth::crack_lengths(model_);
+    const analysis::RegionPlan plan = analysis::plan_region(model_, lengths, diagnostics);
+    if (diagnostics.has_errors()) {
+      return;
+    }
+    const solve::FlopRate rate =
+        forecast ? solve::measure_flop_rate(rate_seconds) : solve::FlopRate{};
+    Forecast future(model_, threads_, rate);
+    preview.flop_rate = rate.measured;
+    for (std::size_t i = 0; i < lengths.size(); ++i) {
+      const base::Stopwatch watch;
+      const std::optional<analysis::Scene> scene =
+          analysis::make_scene(model_, lengths[i], plan, diagnostics);
+      if (!scene) {
+        return;
+      }
+      const double scene_cpu = watch.cpu();
+      const analysis::CondenseRequest request{model_,      scene->cracked.mesh, scene->cls,
+                                              scene->ties, scene->rest_element, base::Matrix(),
+                                              threads_};
+      const std::vector<analysis::BodyNet> bodies = analysis::prepare_bodies(request);
+      if (i == 0) {
+        look_closely(*scene, bodies);
+      }
+      results::LengthPreview length = preview_length(model_, *scene);
+      length.number = static_cast<int>(i) + 1;
+      if (forecast) {
+        future.add(request, bodies, *scene, scene_cpu, length);
+      }
+      preview.lengths.push_back(std::move(length));
+    }
+  }
+
+  results::Preview preview;
+  base::Diagnostics diagnostics;           ///< mistakes of cards
+  std::vector<analysis::Refusal> refusals; ///< what the whole model shows
+  double stations = 1.0;                   ///< that a growth by a law takes at least
+
+private:
+  // What does not change from length to length, or hardly: seen once.
+  void look_closely(const analysis::Scene& scene, const std::vector<analysis::BodyNet>& bodies) {
+    preview.nets = preview_nets(model_, scene);
+    preview.quality = preview_quality(model_, scene);
+    preview.inside_out = mesh::bad_elements(scene.cracked.mesh).size();
+    preview.pairs = preview_pairs(scene);
+    preview.bodies = analysis::held_modes(model_, scene, bodies);
+    preview.loads = sense::load_totals(model_);
+    refusals = analysis::unheld_loads(model_, scene, bodies);
+  }
+
+  const model::Model& model_;
+  int threads_;
+};
+
+int verdict(const base::Sources& sources, const Previewer& found, const Log& log) {
+  base::Diagnostics all = found.diagnostics;
+  for (const analysis::Refusal& refusal : found.refusals) {
+    all.error(refusal.span, "E510", refusal.why, remedy_of(refusal));
+  }
+  log.diagnostics(sources, all);
+  return found.diagnostics.has_errors() ? base::exit_code::deck_error
+         : !found.refusals.empty()      ? base::exit_code::not_solvable
+                                        : base::exit_code::done;
+}
+
+// The points of a sweep, read and put together one after another.
+int check_points(const RunOptions& options, const ReadyDeck& deck, const Log& log,
+                 results::Preview& preview) {
+  int worst = base::exit_code::done;
+  if (deck.model->sweeps.empty()) {
+    return worst;
+  }
+  const std::vector<PointValues> points = sweep_points(*deck.model);
+  base::Diagnostics told = deck.diagnostics;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    std::string words;
+    for (const auto& [name, value] : points[i]) {
+      words += fmt::format("{}{} = {:.6g}", words.empty() ? "" : ", ", name, value);
+    }
+    const ReadyDeck point = read_ready(
+        options.deck, {.defines = options.defines, .sweep_values = points[i]}, log, &told);
+    for (const base::Diagnostic& d : point.diagnostics.all()) {
+      told.warning(d.span, d.code, d.text); // of whatever severity
+    }
+    int code = point.refusal.exit_code;
+    if (point.model) {
+      Previewer look(*point.model, 1);
+      look.look(false);
+      code = verdict(point.sources, look, log);
+    }
+    if (code != base::exit_code::done) {
+      log.message(base::Severity::error, "E550",
+                  fmt::format("point {:03} ({}): exit code {}", i + 1, words, code));
+    }
+    preview.sweep.push_back(words);
+    worst = std::max(worst, code);
+  }
+  return worst;
+}
+
+void add_sums(double read_cpu, double stations, results::Preview& preview) {
+  preview.seconds = read_cpu;
+  for (const results::LengthPreview& length : preview.lengths) {
+    preview.flops += stations * length.flops;
+    preview.seconds += stations * length.seconds;
+    preview.memory = std::max(preview.memory, length.memory);
+  }
+  preview.machine_memory = static_cast<double>(base::memory_limit());
+}
+
+} // namespace
+
+int check_deck(const RunOptions& options, const ReadyDeck& deck, const Log& log) {
+  const double read_cpu = base::cpu_seconds();
+  const model::Model& model = *deck.model;
+  Previewer look(model, thread_count(options, model));
+  look.look(true);
+  const int own = verdict(deck.sources, look, log);
+  results::Preview& preview = look.preview;
+  preview.deck = options.deck.string();
+  preview.title = model.title;
+  preview.length_unit = model.units.length_name;
+  preview.force_unit = model.units.force_name;
+  preview.dim = model.mesh.dim;
+  preview.scripts = script_constants(deck);
+  for (const model::Step& step : model.steps) {
+    preview.steps.push_back(step.name);
+  }
+  for (const base::Diagnostic& d : deck.diagnostics.all()) {
+    if (d.severity == base::Severity::warning) {
+      preview.warnings.push_back(d.text);
+    }
+  }
+  add_sums(read_cpu, look.stations, preview);
+  const int points = own == base::exit_code::done ? check_points(options, deck, log, preview) : 0;
+  const int code = std::max(own, points);
+  if (options.json) {
+    to_stdout(report::check_json(preview, code));
+  } else if (!options.quiet && !preview.lengths.empty()) {
+    to_stdout(report::check_listing(preview));
+    to_stdout(growth_words(model, look.stations));
+    to_stdout(
+        fmt::format("\n{}: {}\n", options.deck.string(),
+                    code == base::exit_code::done ? "no mistakes found" : "see the messages"));
+  }
+  return code;
+}
+
+} // namespace spricka::program

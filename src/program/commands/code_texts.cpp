@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/commands/code_texts.hpp"
+
+#include <algorithm>
+
+namespace spricka::program {
+
+namespace {
+
+// Same form as the codes, with the remedy in place of the meaning.
+constexpr std::array advice{
+    ErrorCode{"E101", "Look at the token under the carets and at what stands before it: a missing "
+                      "value, bracket or quotation mark. A header goes on in the next line only if "
+                      "that starts with &."},
+    ErrorCode{"E102", "A comment starts with !. Data lines stand below the header of their card."},
+    ErrorCode{"E103", "Numbers have a point, not a comma, and e for the exponent (1e-3, not 1d-3). "
+                      "A range is first : last : step."},
+    ErrorCode{"E104", "Cards are never abbreviated. spricka help lists them."},
+    ErrorCode{"E105", "spricka help CARD lists the keys of a card."},
+    ErrorCode{"E106", "spricka help CARD says which keys are required, and which only together."},
+    ErrorCode{"E107", "Take one of them away; the order of keys is free."},
+    ErrorCode{"E108", "Words are those of spricka help CARD. The value of a parameter is written "
+                      "in brackets, THICK=(h); a text in quotes, FILE='lug.geo'."},
+    ErrorCode{"E109", "spricka help CARD gives the range. Is the unit the one you mean?"},
+    ErrorCode{"E110", "spricka help CARD says which keys go together. INTERFERENCE counts on the "
+                      "radius, DIAMETRAL on the diameter: give one."},
+    ErrorCode{"E111", "Start the deck with $DECK VERSION=1 LENGTH=MM FORCE=N; only comments may "
+                      "stand before it. A file for $INCLUDE is not run by itself."},
+    ErrorCode{"E112", "Write $END as the last line of the deck's own file. It shows that nothing "
+                      "was lost."},
+    ErrorCode{"E113",
+              "Paths count from the file that holds the $INCLUDE. Only plain files are read, "
+              "no pipes or devices: 1000 at most, 16 deep, 1 GiB together."},
+    ErrorCode{"E114", "Each $NET is closed by $ENDNET before the next one opens."},
+    ErrorCode{"E115", "spricka help CARD shows the form of a data line and an example."},
+    ErrorCode{"E117", "Names have letters A to Z, digits and _, and start with a letter."},
+    ErrorCode{"E118", "Move $END to the end, or take away what is behind it."},
+    ErrorCode{"E120", "Elements take as many nodes as their type has; continue a line with a "
+                      "leading &."},
+    ErrorCode{"E121", "One node or element a line. $COOR with DIM=2 has no z."},
+    ErrorCode{"E122", "Save the file as plain text in UTF-8."},
+    ErrorCode{"E201", "Parameters are defined above their use, or by -D NAME=value."},
+    ErrorCode{"E202", "spricka help functions lists them."},
+    ErrorCode{"E203", "spricka help functions shows how each is written."},
+    ErrorCode{"E204", "spricka help units lists them. Case counts: MPa, mm, kN."},
+    ErrorCode{"E205", "spricka help CARD names the dimension of each key."},
+    ErrorCode{"E206", "A division by zero, a root of a negative number or an overflow."},
+    ErrorCode{"E207", "One deck defines a parameter once; to try another value use -D NAME=value."},
+    ErrorCode{"E208", "Functions, pi, x, y, z, rho, theta, and, or are taken."},
+    ErrorCode{"E209", "The place has a value only in WHERE, ORDER and the values of $LOAD."},
+    ErrorCode{"E210", "Write -D NAME=expression, in quotes if it holds brackets: -D 'F=80[kN]'."},
+    ErrorCode{"E301",
+              "Mend the name, or define it by its card: $NSET, $FSET, $MATERIAL, $CONTACT .. "
+              "Outside its net a set is called NET.SET. spricka check lists the sets."},
+    ErrorCode{"E308",
+              "Paths count from the file that holds the card. Only plain files are read, no "
+              "pipes or devices: 256 MiB at most of numbers, 4 GiB of a mesh."},
+    ErrorCode{"E302", "Names of one kind differ; sets of different nets may be alike."},
+    ErrorCode{"E305", "Give every element set a $PROPERTY."},
+    ErrorCode{"E307", "Number the nodes against the clock, corners first, then mid-edge nodes."},
+    ErrorCode{"E309", "Does WHERE compare with = where rounding needs abs(x-1) < 1e-9? Are the "
+                      "lengths in the deck's units?"},
+    ErrorCode{"E311", "A face is taken when all of its nodes are in the set, mid-edge nodes too."},
+    ErrorCode{"E314", "spricka help quantities lists them."},
+    ErrorCode{"E315", "spricka help quantities shows the arguments of each."},
+    ErrorCode{"E317", "PATH is a node set with ORDER, from the mouth on."},
+    ErrorCode{"E319", "$FREEDOM CLASS=PRESCRIBED names the freedoms that $LOAD TYPE=DISP moves."},
+    ErrorCode{"E320",
+              "A step says how it ends: one LOAD for a case, one FIT or MOUNT for a contact."},
+    ErrorCode{"E321", "Look at the numbers of elements, NX NY NZ or NR NT, for a digit too many."},
+    ErrorCode{"E322",
+              "Choose another FILE: k_set.csv, not k.csv. It counts without its folders, as "
+              "all files lie in the run folder, and each $OUTPUT has its own."},
+    ErrorCode{"E323", "Take two different steps with no MOUNT or DISMOUNT between them: it changes "
+                      "where gaps count from. Paths before and behind it are two cards."},
+    ErrorCode{"E324",
+              "With friction K depends on the order of loads: run steps with SUBSTEPS. Only "
+              "the path of the spectrum of $GROW may be there: its loads are followed."},
+    ErrorCode{"E327", "With friction each turning point is a solution: take TYPE=BLOCKS, or leave "
+                      "out ranges below the threshold."},
+    ErrorCode{"E326", "A test needs readings N a, a reference of rates (the law of $GROW, or lines "
+                      "RATE), and $GROW with the crack lengths and steps to compare with."},
+    ErrorCode{"E331", "The words are gmsh's. Try the file in gmsh itself."},
+    ErrorCode{"E332", "Give curves and surfaces their names with Physical in the .geo file."},
+    ErrorCode{"E336",
+              "Supports, loads, steps and contact belong into the deck: take them out of the "
+              "file."},
+    ErrorCode{"E325", "All t of a spectrum lie between 0 and BEYOND of its load path: let the path "
+                      "begin at the smallest load and go on to the largest."},
+    ErrorCode{"E390", "Leave -D out, or the $SWEEP card."},
+    ErrorCode{"E401", "A free crack needs two points, or one with ANGLE and A0; a path two nodes."},
+    ErrorCode{"E402", "Give A0, points or the lengths of $GROW."},
+    ErrorCode{"E405", "A $STEP applies loads and fits: $STEP NAME=LOAD, below it LOAD case 1."},
+    ErrorCode{"E411", "Are the sets those of the right bodies and sides? SLAVE and MASTER look "
+                      "along their outward normals."},
+    ErrorCode{"E412", "Give a smaller RADIUS on $TIPNET, or other DOMAINS on $VCE."},
+    ErrorCode{"E413", "A bearing load needs faces of a bore on the side it pushes to."},
+    ErrorCode{"E414", "Keep the crack's patch away from the node: a smaller RADIUS on $TIPNET."},
+    ErrorCode{"E415", "SLAVE is the finer side; MASTER the faces of the coarser one that it lies "
+                      "on, within a tenth of a face."},
+    ErrorCode{"E416", "Ties say more than once, and differently, where a freedom goes: leave one "
+                      "out, or let a support or prescribed value follow the tie."},
+    ErrorCode{"E418",
+              "Each node of the set carries the force of its line. Tie a loose node by $MPC; "
+              "near a crack use TRACTION or RESULTANT on a face set."},
+    ErrorCode{"E421", "The first point of a free crack lies on the boundary of its net; the "
+                      "message names the nearest one."},
+    ErrorCode{"E423",
+              "RADIUS of $TIPNET must be smaller than the room named, SIZE smaller than "
+              "RADIUS. Where the net section is lost, take a shorter A0; a body cut through is "
+              "two nets. Along a line of symmetry a crack is a PATH whose nodes are all "
+              "suppressed across it."},
+    ErrorCode{"E424", "Give a smaller RADIUS on $TIPNET, or move the crack."},
+    ErrorCode{"E426", "Use TRIMC6, QUAMC8 or QUAMC9, or TYPE=QUADRATIC on $IMPORT."},
+    ErrorCode{"E428", "Refine the net there, or give a smaller RADIUS on $TIPNET."},
+    ErrorCode{"E429", "Refine the net near the crack or give RADIUS and SIZE on $TIPNET."},
+    ErrorCode{"E430", "End a crack before it meets another, and bend it by less than 165 degrees."},
+    ErrorCode{"E431", "Give an AMAX that is longer than the crack is at first; leave PATCH=NO to "
+                      "LAW=INCREMENT with lengths that end at nodes."},
+    ErrorCode{"E432",
+              "THICK is 1 where it is left out: give it to all plane properties, or to none "
+              "where forces are meant per unit of thickness."},
+    ErrorCode{"E433", "Lines of TYPE=DISP for one set add up. Different sets that share a node, a "
+                      "corner, must give it the same value, or one of them zero."},
+    ErrorCode{"E434", "Look at the expression where the body is: a division by zero, a root of a "
+                      "negative number, a value beyond 1e308."},
+    ErrorCode{"E435",
+              "Keep the crack's patch away from the rim of the load's set: a smaller RADIUS "
+              "on $TIPNET, or a set whose rim is straight."},
+    ErrorCode{"W432", "Give THICK, or THICK=1 where forces are meant per unit of thickness."},
+    ErrorCode{"W433", "A plane model spreads contact forces and stresses evenly through each "
+                      "thickness: meant only where the bodies share their middle plane."},
+    ErrorCode{"W434", "Give bodies that meet one STATE, unless a thick one holds a thin one."},
+    ErrorCode{"W435", "Refine the net where the load changes, or write it with fewer poles and "
+                      "waves: what may be missed is said in parts of its total."},
+    ErrorCode{"W436", "Refine the net along the set, with nodes at kinks and steps: the bars of K "
+                      "do not hold what is lost between them."},
+    ErrorCode{"E437",
+              "A crack gives the node at its mouth two, one for each face. Hold, tie or load "
+              "an edge that ends there, or move the crack or the node a little."},
+    ErrorCode{"E438", "Of a half model the body has one face of the crack: load that one."},
+    ErrorCode{"E464",
+              "Name another folder with --out, or take away what is in the way yourself: only "
+              "folders with the mark .spricka are replaced, and of them only the files that "
+              "the mark names. Exit code 7."},
+    ErrorCode{"E465", "Wait for that run, or give --out. The message names process and host. Exit "
+                      "code 7."},
+    ErrorCode{"E466", "Fewer or coarser elements, fewer --threads, a higher ulimit -v or another "
+                      "machine. spricka check foretells what a deck needs. Exit code 4."},
+    ErrorCode{"E467", "The folder is as it was: its listing says when and of which deck it is."},
+    ErrorCode{"E468", "Is the disk full, or the reader of a pipe gone? The run folder itself is "
+                      "whole: exit code 7."},
+    ErrorCode{"E469", "Let $RESTART WRITE name a file beside the run folder. Exit code 7."},
+    ErrorCode{"W464", "A bare number counts in the units of $DECK: write 80[kN], not 80, where the "
+                      "deck writes a unit."},
+    ErrorCode{"W465", "LENGTH=IN goes with FORCE=LBF (psi), LENGTH=MM with FORCE=N (MPa), LENGTH=M "
+                      "with FORCE=N (Pa)."},
+    ErrorCode{"W466",
+              "gmsh writes curves as bars: nothing is lost. Give them no section; bars that "
+              "carry load cannot be imported."},
+    ErrorCode{"W467", "Say in the deck how the model is held and loaded."},
+    ErrorCode{"E452", "Add $CRACK, or take $GROW away."},
+    ErrorCode{"E453", "KMAX names the step with the largest K of a cycle, KMIN that with the "
+                      "smallest: exchange them, or look at the sign of the load."},
+    ErrorCode{"E454", "KC and DKTH without a unit are in KUNIT: give both their units, "
+                      "35[MPa*m^0.5], or look at KUNIT."},
+    ErrorCode{"W452", "Apply it in a step, LOAD case 1, or take the $LOAD away."},
+    ErrorCode{"W453", "A step keeps what it does not name. Give it what it should do; a FIT scales "
+                      "what the contact declares, so that with GAP=0 it has nothing to scale."},
+    ErrorCode{"W454", "Lengths of $GROW take the place of A0."},
+    ErrorCode{"W455", "manual/theory/life.md has the laws with their exponents; other books name "
+                      "them otherwise."},
+    ErrorCode{"W456",
+              "The message says what: K that the law was not made for, a life of next to no "
+              "cycles, an end that is none. KUNIT and AUNIT are the first things to look "
+              "at."},
+    ErrorCode{"E480",
+              "A deck may come from anyone, so its scripts draw and mesh, no more. Write what "
+              "is included into the script itself; or mesh it by hand and import the .msh."},
+    ErrorCode{"E481", "Is a size or a number of the script far off? Else --mesh-time allows more "
+                      "seconds of processor time."},
+    ErrorCode{"E482",
+              "Is a size or a number of the script far off? Else --mesh-memory allows more."},
+    ErrorCode{"E483", "The message has gmsh's last words. Is the geometry sound for all values of "
+                      "its constants: no circle without radius, no division into nothing?"},
+    ErrorCode{"E484", "spricka-mesher is installed with spricka; seccomp filters are a part of the "
+                      "Linux kernel that a container may have switched off. Decks without scripts "
+                      "and .msh files need neither."},
+    ErrorCode{"E485", "Write the parameter as the constant that is meant, with the same letters."},
+    ErrorCode{"E486",
+              "Names match whatever the case of letters; the listing and spricka check show "
+              "what each constant got."},
+    ErrorCode{"W480", "Take it away, or is it a misspelt constant of a script?"},
+    ErrorCode{"W481",
+              "In a script DefineConstant[ R = 36 ]; takes the deck's R, R = 36; does not."},
+    ErrorCode{"E500", "The deck is right, but there is no analysis for this yet: exit code 4."},
+    ErrorCode{"E510",
+              "The message names the body and the direction that nothing holds, or the "
+              "crack that cannot be placed. Add a support or a contact; a body that slides needs "
+              "more friction, more pressure or less load: exit code 4."},
+    ErrorCode{"E520",
+              "With friction: more SUBSTEPS, or a smaller MU, as with much of it there may be no "
+              "solution. Without: please report it, with the deck. Exit code 5."},
+    ErrorCode{"E530", "Is the path right, may you read and write there, is the disk full? A folder "
+                      "that is no run folder is never overwritten: exit code 7."},
+    ErrorCode{"E540", "Write .msh or .vtu for the mesh alone: exit code 4."},
+    ErrorCode{"W307", "The element's stiffness is sound, as the Jacobian is positive where it is "
+                      "integrated; but some places in that corner belong to it twice."},
+    ErrorCode{"W336", "Refine where bending or near incompressibility made you choose the special "
+                      "form."},
+    ErrorCode{"W341",
+              "Bodies that share no node are separate: merge the nodes where the mesh is made, "
+              "or tie or pair the sides."},
+    ErrorCode{"W342", "Angles without a unit are radians; write 45[deg]."},
+    ErrorCode{"W344", "STATE of $CRACK only says how K follows from G; without it that is the "
+                      "elements' own."},
+    ErrorCode{"W345", "Two tips so near the surface hardly are what was drawn. Put the first point "
+                      "on the surface or outside by less than a thousandth of an element side."},
+    ErrorCode{"E351", "Contacts that are mounted one after the other may share faces: DISMOUNT one "
+                      "in the step that says MOUNT for the other."},
+    ErrorCode{"E352", "Tied surfaces cannot part: take the $CONTACT away, or the $MPC."},
+    ErrorCode{"E353", "Each $SWEEP multiplies the points of the others; WITH varies two parameters "
+                      "together."},
+    ErrorCode{"W351", "Load the pin where there is one; BEARING, PRESSURE and TRACTION stand for "
+                      "bodies that are not modelled."},
+    ErrorCode{"W352", "A line `SET 0 0` below $LOAD TYPE=DISP says that 0 is meant; a support has "
+                      "CLASS=SUPPRESSED."},
+    ErrorCode{"W353", "REL is a part of the value: 30 per cent is REL 0.3."},
+    ErrorCode{"W354", "Take one of the two $CONTACT away: only their sum means anything."},
+    ErrorCode{"W355", "Angles are radians: cos(30[deg]), theta > 30[deg]."},
+    ErrorCode{"W357", "Name it where it is meant, or take it away."},
+    ErrorCode{"W358", "Lines of one case add up."},
+    ErrorCode{"W361", "Name the parameter in an expression."},
+    ErrorCode{"W364", "FIT takes a part of the fit that $CONTACT declares: 1 is all of it."},
+    ErrorCode{"W337", "The moduli must be in deck units already."},
+    ErrorCode{"E550", "sweep.csv has the error of each point; started again, the sweep tries them "
+                      "again."},
+    ErrorCode{"E551", "Start it again with the same folder: finished points are taken over."},
+    ErrorCode{"E560",
+              "Is the path right? AT= up to an increment that is whole may help; else start "
+              "from the beginning: exit code 7."},
+    ErrorCode{"E561", "Take the deck that wrote the state, or start from the beginning. $OUTPUT, "
+                      "$CHECK, $CONTROL, $TASK and lengths of $GROW may change."},
+    ErrorCode{"E562", "Give an AT that the file holds, or none: exit code 3."},
+    ErrorCode{"E563", "Is the disk full, may you write there, does another run write it? What was "
+                      "kept before is still good: exit code 7."},
+    ErrorCode{"E564",
+              "Give another name; a file that is not ours is never overwritten: exit code 7."},
+    ErrorCode{"E565", "Go on with the version that wrote it, or start from the beginning: only the "
+                      "same program gives the same bits. Exit code 7."},
+    ErrorCode{"E566", "Run it again with --restart."},
+    ErrorCode{"E567", "Put $RESTART WRITE='file.rst' into the deck: exit code 2."},
+    ErrorCode{"W560", "Nothing but the last increments is lost: they are solved again."},
+    ErrorCode{"W561", "The message says which, and why."},
+    ErrorCode{"W503",
+              "Ties at points pass constant stress exactly only where every side of the fine "
+              "mesh lies on one face of the coarse one."},
+    ErrorCode{"W506",
+              "The table of rounds in the listing says what was tried and how far K came. A looser "
+              "TOL, or a deck whose own mesh can be made finer where the errors are: exit code 5."},
+    ErrorCode{
+        "W570",
+        "G and (K1^2 + K2^2)/E', domains of different size and the opening of the faces agree "
+        "to some 1e-4 of K on sound meshes. Something near the tip is not as smooth as the "
+        "mesh takes it: a narrow load or temperature, a front of pressure, another tip or "
+        "corner within a few elements. Refine there (a smaller SIZE or RADIUS, a finer host); "
+        "if the two do not come together, do not trust either: the difference is the error."},
+    ErrorCode{"W451",
+              "Tie the sides with $MPC, pair them with $CONTACT, or mesh the bodies as one. "
+              "Sides that lie on each other join nothing by themselves."},
+    ErrorCode{"W457", "The support takes the force at once. Is the set the one that is meant, or "
+                      "the support?"},
+    ErrorCode{"W458", "Where every node of a surface is held nothing reaches the body behind it."},
+    ErrorCode{"W459", "PATH is ordered from the mouth, where the boundary turns, to the tip, and "
+                      "lengths count from its first node."},
+    ErrorCode{"E457", "Leave SIZE out, or give it together with RINGS or RADIUS: fields at a tip "
+                      "change with the distance from it, which rings must follow."},
+    ErrorCode{"E458", "Begin PATH on the boundary; a crack inside a body is drawn by points."},
+    ErrorCode{"W571", "A DIAMETRAL or INTERFERENCE presses, a GAP keeps apart; a fit acts when a "
+                      "step has FIT. A stop that no load reaches deserves no more than this word."},
+    ErrorCode{"W572", "Pa for MPa in a law is a factor of 1e6 to the power of its exponent. The "
+                      "threshold of a law ends growth, DKTH."},
+    ErrorCode{"W573", "Readings are lengths in the unit of the deck, from the mouth on."},
+    ErrorCode{"W504",
+              "Refine near the elements named, or use quadratic elements: linear ones and few "
+              "distorted ones are stiff in bending. Sharp inner corners and edges of contact "
+              "have errors that refinement moves but does not end; if stresses "
+              "there are not wanted, the estimate can be left at that."},
+    ErrorCode{"W442", "Leave GAP, INTERFERENCE or DIAMETRAL out to have the drawn gap measured, or "
+                      "draw the surfaces in contact: the declared gap is taken as it is."},
+    ErrorCode{"W443", "Put the faces that the message tells the place of into the set, or give "
+                      "them a $CONTACT of their own."},
+    ErrorCode{"W444", "Look at the unit of the fit, and at the radii of the drawing. Strains above "
+                      "1 % are beyond small displacements and elastic materials."},
+    ErrorCode{"W445", "MU=0.15, not MU=15."},
+    ErrorCode{"W446",
+              "Give them a $CONTACT, or draw them apart. Bodies that lie upon each other "
+              "with more than a twentieth of their extent are meant to, and not warned of."},
+    ErrorCode{"W502",
+              "The faces of a crack overlap that FACES=FREE lets (K1 is negative), or are open at "
+              "a tip over less than its mesh resolves; a finite SHIFT of $VCE is too "
+              "large; bodies slide or run into each other where contact does not see it; SUBSTEPS "
+              "leave the shear of friction off, or the solution with friction is one of several. "
+              "The listing says the same."},
+    ErrorCode{
+        "W502",
+        "The faces of a crack overlap that FACES=FREE lets (K1 is negative), or are open at "
+        "a tip over less than its mesh resolves; a finite SHIFT of $VCE is too large, or K "
+        "hangs on a support of a single node, which gives way the more the finer the mesh is: "
+        "hold a side instead. The listing says the same."},
+};
+
+} // namespace
+
+std::vector<ErrorCode> all_codes() {
+  std::vector<ErrorCode> all(deck::error_codes.begin(), deck::error_codes.end());
+  all.insert(all.end(), later_codes.begin(), later_codes.end());
+  std::sort(all.begin(), all.end(),
+            [](const ErrorCode& a, const ErrorCode& b) { return a.code < b.code; });
+  return all;
+}
+
+std::string_view advice_on(std::string_view code) {
+  const auto* const it = std::find_if(advice.begin(), advice.end(),
+                                      [&](const ErrorCode& a) { return a.code == code; });
+  return it == advice.end() ? std::string_view() : it->meaning;
+}
+
+} // namespace spricka::program

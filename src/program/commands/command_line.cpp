@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/commands/command_line.hpp"
+
+#include "base/diagnostics.hpp"
+#include "base/exit_codes.hpp"
+#include "program/commands/command_tree.hpp"
+#include "program/job/log.hpp"
+#include "program/job/out_of_memory.hpp"
+#include "program/job/standard_streams.hpp"
+
+#include <algorithm>
+#include <csignal>
+#include <exception>
+
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+namespace {
+
+struct Trouble {
+  std::string text;
+  std::string hint;
+};
+
+bool is_option(const std::string& word) {
+  return word.size() > 1 && word.front() == '-';
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) {
+      names.push_back("--" + name);
+    }
+    for (const std::string& name : option->get_snames()) {
+      names.push_back("-" + name);
+    }
+  }
+  return names;
+}
+
+std::vector<std::string> command_names(CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    names.push_back(command->get_name());
+  }
+  return names;
+}
+
+// What was not understood, and what was probably meant.
+Trouble explain(CommandTree& tree, const CLI::ParseError& error) {
+  const CLI::App* command = tree.chosen();
+  const CLI::App& place = command != nullptr ? *command : tree.app();
+  const std::vector<std::string> extras = place.remaining();
+  const auto option = std::find_if(extras.begin(), extras.end(), is_option);
+  if (option != extras.end()) {
+    const std::string name = option->substr(0, option->find('='));
+    return {fmt::format("there is no option {}", name), base::suggest(name, option_names(place))};
+  }
+  if (command == nullptr && !extras.empty() && extras.front().ends_with(".deck")) {
+    return {"a command is missing", fmt::format("did you mean spricka run {}?", extras.front())};
+  }
+  if (command == nullptr && !extras.empty()) {
+    return {fmt::format("there is no command '{}'", extras.front()),
+            base::suggest(extras.front(), command_names(tree.app()))};
+  }
+  if (command == nullptr) {
+    return {"a command is missing",
+            fmt::format("one of: {}", fmt::join(command_names(tree.app()), ", "))};
+  }
+  if (!extras.empty()) {
+    return {fmt::format("'{}' is one argument too many", extras.front()), {}};
+  }
+  return {error.what(), {}};
+}
+
+int report(CommandTree& tree, const CLI::ParseError& error) {
+  const Trouble trouble = explain(tree, error);
+  const std::string called =
+      tree.chosen() == nullptr ? "spricka" : fmt::format("spricka {}", tree.chosen()->get_name());
+  to_stderr(fmt::format("{}: {}\n", called, trouble.text));
+  if (!trouble.hint.empty()) {
+    to_stderr(fmt::format("       = {}\n", trouble.hint));
+  }
+  to_stderr(fmt::format("       = {} --help shows how it is called\n", called));
+  return base::exit_code::usage;
+}
+
+} // namespace
+
+namespace {
+
+int act(CommandTree& tree, int argc, const char* const* argv) {
+  try {
+    tree.app().parse(argc, argv);
+  } catch (const CLI::Success& asked) { // --help, --version
+    return tree.app().exit(asked);
+  } catch (const CLI::ParseError& error) {
+    return report(tree, error);
+  }
+  try {
+    return tree.act();
+  } catch (const std::exception& e) {
+    if (is_out_of_memory(e)) {
+      Log(tree.log_format()).message(base::Severity::error, "E466", out_of_memory());
+      return base::exit_code::not_solvable;
+    }
+    to_stderr(fmt::format("spricka: internal error: {}\n", e.what()));
+    return base::exit_code::defect;
+  }
+}
+
+} // namespace
+
+int command_line(int argc, const char* const* argv) {
+  open_standard_streams();
+  std::signal(SIGXFSZ, SIG_IGN); // the limit on the size of files: the write fails, and is told
+  CommandTree tree;
+  const int code = act(tree, argc, argv);
+  return written_out(code, tree.log_format());
+}
+
+} // namespace spricka::program

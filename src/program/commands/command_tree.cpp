@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/commands/command_tree.hpp"
+#include "base/exit_codes.hpp"
+#include "program/job/standard_streams.hpp"
+
+#include "archive/version.hpp"
+#include "base/diagnostics.hpp"
+#include "mesh/link/mesher_limits.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+namespace {
+
+constexpr const char* k_about = "contact and stress intensity factors in one solution";
+
+std::string exit_footer() {
+  std::string out = "Exit codes:\n";
+  for (const base::ExitText& exit : base::exit_texts) {
+    out += fmt::format("  {:<3} {}\n", exit.code, exit.meaning);
+  }
+  return out + "\nThe deck language: spricka help";
+}
+
+// -D NAME=expression
+void add_define(const std::string& text, RunOptions& options) {
+  const std::size_t equal = text.find('=');
+  if (equal == std::string::npos || equal == 0) {
+    throw CLI::ValidationError("-D", "write -D NAME=expression, not '" + text + "'");
+  }
+  options.defines.emplace_back(text.substr(0, equal), text.substr(equal + 1));
+}
+
+// Refuses any other word, with a suggestion; CLI11's own check would show its list in every help.
+CLI::Validator one_of(std::vector<std::string> words) {
+  return {[words = std::move(words)](const std::string& given) {
+            const bool known = std::find(words.begin(), words.end(), given) != words.end();
+            const std::string hint = base::suggest(given, words);
+            return known ? std::string() : fmt::format("not '{}'; {}", given, hint);
+          },
+          ""};
+}
+
+CLI::Validator whole_number() {
+  return {[](const std::string& given) {
+            const bool digits = !given.empty() && given.size() < 7 &&
+                                given.find_first_not_of("0123456789") == std::string::npos;
+            return digits ? std::string() : fmt::format("a whole number from 0, not '{}'", given);
+          },
+          ""};
+}
+
+CLI::Validator positive() {
+  return {[](const std::string& given) {
+            double value = 0.0;
+            const char* const end = given.data() + given.size();
+            const auto read = std::from_chars(given.data(), end, value);
+            const bool good =
+                read.ec == std::errc() && read.ptr == end && value > 0.0 && std::isfinite(value);
+            return good ? std::string() : fmt::format("a number above 0, not '{}'", given);
+          },
+          ""};
+}
+
+OptionText describe(const CLI::Option& option) {
+  OptionText text;
+  text.positional = option.get_positional();
+  text.required = option.get_required();
+  text.doc = option.get_description();
+  if (text.positional) {
+    text.names.push_back(option.get_single_name());
+    return text;
+  }
+  for (const std::string& name : option.get_snames()) {
+    text.names.push_back("-" + name);
+  }
+  for (const std::string& name : option.get_lnames()) {
+    text.names.push_back("--" + name);
+  }
+  text.value = option.get_items_expected_max() > 0 ? option.get_type_name() : std::string();
+  return text;
+}
+
+std::vector<OptionText> describe_options(const CLI::App& app) {
+  std::vector<OptionText> texts;
+  for (const CLI::Option* option : app.get_options()) {
+    texts.push_back(describe(*option));
+  }
+  return texts;
+}
+
+} // namespace
+
+CommandTree::CommandTree() : app_(fmt::format("spricka: {}", k_about), "spricka") {
+  app_.set_version_flag("--version", archive::version_text,
+                        "version of the program and its libraries");
+  app_.get_help_ptr()->description("this text");
+  app_.require_subcommand(1);
+  app_.footer(exit_footer());
+  add_run();
+  add_check();
+  add_shell();
+  add_convert();
+  add_help();
+  add_format();
+  add_for_editors();
+  add_for_the_system();
+}
+
+CLI::App& CommandTree::add(const std::string& name, const std::string& doc, std::string examples,
+                           std::function<int()> act) {
+  CLI::App* command = app_.add_subcommand(name, doc);
+  command->get_help_ptr()->description("this text");
+  command->footer("Examples:\n" + examples);
+  commands_.push_back({command, std::move(examples), std::move(act)});
+  return *command;
+}
+
+void CommandTree::add_deck_options(CLI::App& command) {
+  command.add_option("DECK", run_.deck, "the deck file")->required()->type_name("");
+  command
+      .add_option_function<std::vector<std::string>>(
+          "-D",
+          [this](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) {
+              add_define(text, run_);
+            }
+          },
+          "overrides a parameter of the deck; may be given again")
+      ->type_name("NAME=EXPR")
+      ->allow_extra_args(false);
+  command
+      .add_option_function<std::string>(
+          "--log-format",
+          [this](const std::string& word) {
+            run_.log_format = word == "json" ? LogFormat::json : LogFormat::text;
+          },
+          "messages as text, or as JSON, one object a line")
+      ->check(one_of({"text", "json"}))
+      ->type_name("text|json");
+  add_mesh_limits(command);
+}
+
+void CommandTree::add_mesh_limits(CLI::App& command) {
+  command
+      .add_option_function<double>(
+          "--mesh-time", [](const double& seconds) { mesh::mesher_limits().seconds = seconds; },
+          "processor time that meshing one imported file may take (default: 12)")
+      ->check(positive())
+      ->type_name("SECONDS");
+  command
+      .add_option_function<double>(
+          "--mesh-memory",
+          [](const double& gigabytes) {
+            mesh::mesher_limits().memory = static_cast<std::size_t>(1e9 * gigabytes);
+          },
+          "memory it may take (default: a quarter of the machine's)")
+      ->check(positive())
+      ->type_name("GB");
+}
+
+void CommandTree::add_threads(CLI::App& command, const std::string& doc) {
+  command.add_option("--threads", run_.threads, doc)->check(whole_number())->type_name("NUMBER");
+}
+
+void CommandTree::add_run() {
+  CLI::App& command = add("run", "run a deck and write its run folder",
+                          "  spricka run lug.deck\n"
+                          "  spricka run lug.deck -D 'F=80[kN]' -D fine=2 --out lug_80\n"
+                          "  spricka run lug.deck --threads 4 --log-format json 2> lug.log\n"
+                          "  spricka run lug.deck --restart --time 3500   in a job queue",
+                          [this] { return run_deck(run_); });
+  add_deck_options(command);
+  command.add_option("--out", run_.out, "run folder (default: the deck's name with .run)")
+      ->type_name("FOLDER");
+  add_threads(command, "threads, 0: all cores; no result depends on it");
+  command.add_flag("--quiet", run_.quiet, "print messages only");
+  command.add_flag("--restart", run_.restart,
+                   "go on from the file of the deck's $RESTART WRITE, if it is there");
+  command
+      .add_option("--time", run_.seconds,
+                  "wall time; no increment is begun that would not fit, exit code 6")
+      ->check(positive())
+      ->type_name("SECONDS");
+}
+
+void CommandTree::add_check() {
+  CLI::App& command = add("check", "say all that can be known of a deck without solving it",
+                          "  spricka check lug.deck\n"
+                          "  spricka check lug.deck --json | jq .forecast\n"
+                          "  spricka check lug.deck --log-format json 2>&1 >/dev/null | jq .text",
+                          [this] {
+                            run_.check_only = true;
+                            return run_deck(run_);
+                          });
+  add_deck_options(command);
+  add_threads(command, "threads of the run that is foretold, 0: all cores");
+  command.add_flag("--json", run_.json, "print what was found as JSON");
+}
+
+void CommandTree::add_shell() {
+  CLI::App& command = add("shell", "try loads, fits and crack lengths of a deck at a prompt",
+                          "  spricka shell lug.deck\n"
+                          "  printf 'length TOP 0.3*R\\nK\\n' | spricka shell lug.deck\n"
+                          "  spricka shell lug.deck --strict < questions.txt > answers.txt",
+                          [this] {
+                            session_.deck = run_;
+                            return program::shell(session_);
+                          });
+  add_deck_options(command);
+  add_threads(command, "threads, 0: all cores; no result depends on it");
+  command.add_flag("--strict", session_.strict,
+                   "end with the exit code of the first command that fails");
+  command.add_flag("--quiet", run_.quiet, "do not say what an answer took");
+}
+
+void CommandTree::add_convert() {
+  CLI::App& command = add("convert", "write a mesh or deck in another form",
+                          "  spricka convert lug.deck lug.vtu      the mesh, for ParaView\n"
+                          "  spricka convert plate.inp plate.msh   for gmsh\n"
+                          "  spricka convert plate.deck plate.inp  the first step, for ccx",
+                          [this] {
+                            convert_.in = run_.deck;
+                            convert_.defines = run_.defines;
+                            convert_.log_format = run_.log_format;
+                            return convert(convert_);
+                          });
+  add_deck_options(command);
+  command.get_option("DECK")->description("a deck, or a mesh .msh, .geo or .inp");
+  command.add_flag("--replace", convert_.replace, "write over an OUT that is there already");
+  command.add_option("OUT", convert_.out, "its name says the form: .msh, .vtu or .inp")
+      ->required()
+      ->type_name("");
+}
+
+void CommandTree::add_help() {
+  CLI::App& command = add("help", "explain a card, a key, a result or an error code",
+                          "  spricka help                all cards by group\n"
+                          "  spricka help contact        the card $CONTACT\n"
+                          "  spricka help diametral      a key or word, wherever it stands\n"
+                          "  spricka help quantities     what $CHECK can name\n"
+                          "  spricka help functions      of expressions\n"
+                          "  spricka help units          of numbers\n"
+                          "  spricka help E108           an error code; codes: all of them\n"
+                          "  spricka help --markdown     the card reference of the manual",
+                          [this] { return help_command(help_, text()); });
+  command
+      .add_option(
+          "TOPIC", help_.topic,
+          "a card, key, result or error code, or one of quantities, functions, units, codes")
+      ->type_name("");
+  command.add_flag("--markdown", help_.markdown, "the card reference, or that of codes");
+}
+
+void CommandTree::add_format() {
+  CLI::App& command =
+      add("format", "write a deck in the canonical layout",
+          "  spricka format lug.deck               to the terminal\n"
+          "  spricka format --in-place lug.deck    rewrites the file\n"
+          "  spricka format --check lug.deck       for scripts: 1 if it would change\n"
+          "  spricka format - < lug.deck           as a filter, for editors",
+          [this] { return format_command(format_); });
+  command.add_option("DECK", format_.deck, "the deck file, - for standard input")
+      ->required()
+      ->type_name("");
+  CLI::Option* in_place = command.add_flag("--in-place", format_.in_place, "rewrite the file");
+  command.add_flag("--check", format_.check, "write nothing; end with 1 if the file would change")
+      ->excludes(in_place);
+}
+
+void CommandTree::add_for_editors() {
+  add("schema", "print the whole language as JSON",
+      "  spricka schema | jq -r '.cards[] | .name + \": \" + .doc'", schema_command);
+  CLI::App& editor = add("editor", "print a syntax file for an editor",
+                         "  spricka editor vim > ~/.vim/syntax/spricka.vim\n"
+                         "  spricka editor vscode > spricka.tmLanguage.json",
+                         [this] { return editor_command(editor_); });
+  editor.add_option("EDITOR", editor_, "vim or vscode")
+      ->required()
+      ->check(one_of({"vim", "vscode"}))
+      ->type_name("");
+}
+
+void CommandTree::add_for_the_system() {
+  CLI::App& completion =
+      add("completion", "print a completion script for a shell",
+          "  source <(spricka completion bash)\n"
+          "  spricka completion bash > ~/.local/share/bash-completion/completions/spricka",
+          [this] {
+            to_stdout(bash_completion(text()));
+            return base::exit_code::done;
+          });
+  completion.add_option("SHELL", shell_, "bash")
+      ->required()
+      ->check(one_of({"bash"}))
+      ->type_name("");
+  add("man", "print the man page", "  spricka man | man -l -", [this] {
+    to_stdout(man_page(text()));
+    return base::exit_code::done;
+  });
+}
+
+const CLI::App* CommandTree::chosen() const {
+  for (const Command& command : commands_) {
+    if (command.app->parsed()) {
+      return command.app;
+    }
+  }
+  return nullptr;
+}
+
+int CommandTree::act() const {
+  for (const Command& command : commands_) {
+    if (command.app->parsed()) {
+      return command.act();
+    }
+  }
+  return base::exit_code::usage;
+}
+
+ProgramText CommandTree::text() const {
+  ProgramText program{SPRICKA_VERSION, k_about, describe_options(app_), {}};
+  for (const Command& command : commands_) {
+    program.commands.push_back({command.app->get_name(), command.app->get_description(),
+                                describe_options(*command.app), command.examples});
+  }
+  return program;
+}
+
+} // namespace spricka::program

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "program/commands/commands.hpp"
+#include "program/commands/convert.hpp"
+#include "program/job/run_options.hpp"
+#include "program/shell/shell.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+namespace spricka::program {
+
+/// All commands with their options, and where CLI11 puts what the user gave. A new command is one
+/// function that calls add() and a line in the constructor.
+class CommandTree {
+public:
+  CommandTree();
+  CommandTree(const CommandTree&) = delete;
+  CommandTree& operator=(const CommandTree&) = delete;
+
+  [[nodiscard]] CLI::App& app() { return app_; }
+  /// The command that was parsed; null without one.
+  [[nodiscard]] const CLI::App* chosen() const;
+  /// Runs it.
+  [[nodiscard]] int act() const;
+  /// Everything in words, for completion and man page.
+  /// How messages are wanted, as far as the command line has been read.
+  [[nodiscard]] LogFormat log_format() const { return run_.log_format; }
+  [[nodiscard]] ProgramText text() const;
+
+private:
+  struct Command {
+    CLI::App* app = nullptr;
+    std::string examples;
+    std::function<int()> act;
+  };
+
+  CLI::App& add(const std::string& name, const std::string& doc, std::string examples,
+                std::function<int()> act);
+  void add_deck_options(CLI::App& command);
+  void add_mesh_limits(CLI::App& command);
+  void add_threads(CLI::App& command, const std::string& doc);
+  void add_run();
+  void add_check();
+  void add_shell();
+  void add_convert();
+  void add_help();
+  void add_format();
+  void add_for_editors();
+  void add_for_the_system();
+
+  CLI::App app_;
+  std::vector<Command> commands_;
+  RunOptions run_;
+  ShellOptions session_;
+  ConvertOptions convert_;
+  HelpOptions help_;
+  FormatOptions format_;
+  std::string editor_;
+  std::string shell_;
+};
+
+} // namespace spricka::program

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "program/job/log.hpp"
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace spricka::program {
+
+struct ConvertOptions {
+  std::filesystem::path in;  ///< .msh, .geo, .inp; any other name is a deck
+  std::filesystem::path out; ///< .msh, .vtu or .inp
+  std::vector<std::pair<std::string, std::string>> defines; ///< for a deck
+  LogFormat log_format = LogFormat::text;
+  bool replace = false; ///< an OUT that is there already
+};
+
+/// Reads a mesh or a deck and writes it in another form, as the name of the output says. Messages
+/// go to stderr. Returns the exit code: 3 for mistakes in the input, 4 for what the output's form
+/// cannot say (each card is named). See manual/meshes.md.
+int convert(const ConvertOptions& options);
+
+} // namespace spricka::program

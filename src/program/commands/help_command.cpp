@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/diagnostics.hpp"
+#include "base/exit_codes.hpp"
+#include "grammar/help.hpp"
+#include "grammar/lexeme.hpp"
+#include "grammar/wrap.hpp"
+#include "program/commands/code_texts.hpp"
+#include "program/commands/commands.hpp"
+#include "program/job/standard_streams.hpp"
+#include "program/job/terminal.hpp"
+
+#include <cstdio>
+#include <optional>
+
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+namespace {
+
+std::string overview(std::size_t width) {
+  return "The cards of the deck language, by group. spricka help CARD explains one of them.\n\n" +
+         grammar::cards_help(width) +
+         "More: spricka help quantities, functions, units, codes, or an error code such as E108;\n"
+         "spricka COMMAND --help for the commands.\n";
+}
+
+std::string code_help(const ErrorCode& code, std::size_t width) {
+  const std::string_view advice = advice_on(code.code);
+  return fmt::format("{}: {}\n", code.code, code.meaning) +
+         (advice.empty() ? "" : grammar::paragraph(advice, 2, width));
+}
+
+std::string codes_help(std::size_t width) {
+  grammar::Columns table{{}, {6, 0}};
+  for (const ErrorCode& code : all_codes()) {
+    table.rows.push_back({std::string(code.code), std::string(code.meaning)});
+  }
+  return "Errors E and warnings W; spricka help E108 says more about one:\n" + table.text(width);
+}
+
+// Codes whose meaning has a word, given in capitals.
+std::string codes_with(const std::string& topic, std::size_t width) {
+  grammar::Columns table{{}, {6, 0}};
+  for (const ErrorCode& code : all_codes()) {
+    if (topic.size() > 2 && grammar::to_upper(code.meaning).find(topic) != std::string::npos) {
+      table.rows.push_back({std::string(code.code), std::string(code.meaning)});
+    }
+  }
+  return table.rows.empty() ? std::string() : table.text(width);
+}
+
+std::string codes_markdown() {
+  std::string out =
+      "# Error codes\n\nMade by `spricka help codes --markdown`; do not edit. Codes are "
+      "stable. On the terminal:\n`spricka help E108`.\n\n"
+      "| code | meaning | what to do |\n|---|---|---|\n";
+  for (const ErrorCode& code : all_codes()) {
+    out += fmt::format("| {} | {} | {} |\n", code.code, code.meaning, advice_on(code.code));
+  }
+  return out;
+}
+
+std::optional<std::string> list_help(const std::string& topic, std::size_t width) {
+  if (topic == "QUANTITIES") {
+    return grammar::quantities_help(width);
+  }
+  if (topic == "FUNCTIONS") {
+    return grammar::functions_help(width);
+  }
+  if (topic == "UNITS") {
+    return grammar::units_help(width);
+  }
+  if (topic == "CODES") {
+    return codes_help(width);
+  }
+  return std::nullopt;
+}
+
+const CommandText* find_command(const ProgramText& program, std::string_view name) {
+  for (const CommandText& command : program.commands) {
+    if (grammar::to_upper(command.name) == name) {
+      return &command;
+    }
+  }
+  return nullptr;
+}
+
+// The help on a topic given in capitals, without $; empty when there is none.
+std::optional<std::string> help_on(const std::string& topic, const ProgramText& program,
+                                   std::size_t width) {
+  const CommandText* command = find_command(program, topic);
+  if (const grammar::CardSpec* card = grammar::find_card(topic)) {
+    return grammar::card_help(*card, width) +
+           (command == nullptr ? ""
+                               : fmt::format("\nThe command: spricka {} --help\n", command->name));
+  }
+  if (auto list = list_help(topic, width)) {
+    return list;
+  }
+  for (const ErrorCode& code : all_codes()) {
+    if (code.code == topic) {
+      return code_help(code, width);
+    }
+  }
+  if (const grammar::ResultQuantity* quantity = grammar::find_quantity(topic)) {
+    return grammar::quantities_help(width, quantity);
+  }
+  if (std::string words = grammar::word_help(topic, width); !words.empty()) {
+    return words;
+  }
+  if (command != nullptr) {
+    return fmt::format("spricka {}: {}\n\nspricka {} --help says more.\n", command->name,
+                       command->doc, command->name);
+  }
+  return std::nullopt;
+}
+
+std::string nearest(const std::string& topic, const ProgramText& program) {
+  std::vector<std::string> known{"quantities", "functions", "units", "codes"};
+  for (const grammar::CardSpec& card : grammar::catalogue()) {
+    known.emplace_back(card.name);
+  }
+  for (const grammar::ResultQuantity& quantity : grammar::result_quantities()) {
+    known.emplace_back(quantity.name);
+  }
+  for (const CommandText& command : program.commands) {
+    known.push_back(command.name);
+  }
+  return base::suggest(topic, known);
+}
+
+} // namespace
+
+int help_command(const HelpOptions& options, const ProgramText& program) {
+  const std::size_t width = columns_of_text();
+  std::string topic = grammar::to_upper(options.topic);
+  topic.erase(0, topic.starts_with('$') ? 1 : 0);
+  if (options.markdown && (topic.empty() || topic == "CODES")) {
+    to_stdout(topic.empty() ? grammar::cards_markdown() : codes_markdown());
+    return base::exit_code::done;
+  }
+  if (topic.empty()) {
+    to_stdout(overview(width));
+    return base::exit_code::done;
+  }
+  if (const auto text = help_on(topic, program, width)) {
+    to_stdout(*text);
+    return base::exit_code::done;
+  }
+  if (const std::string found = grammar::text_help(options.topic, width) + codes_with(topic, width);
+      !found.empty()) {
+    fmt::print("'{}' is no word of the language; it stands in the texts of\n{}", options.topic,
+               found);
+    return base::exit_code::done;
+  }
+  const std::string hint = nearest(topic, program);
+  to_stderr(fmt::format("spricka help: nothing is known about '{}'\n{}", options.topic,
+                        hint.empty() ? "       = spricka help lists the cards\n"
+                                     : fmt::format("       = {}\n", hint)));
+  return base::exit_code::usage;
+}
+
+} // namespace spricka::program

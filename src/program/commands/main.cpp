@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/clock.hpp"
+#include "program/commands/command_line.hpp"
+#include "solve/one_thread.hpp"
+
+int main(int argc, char** argv) {
+  spricka::base::return_large_blocks();
+  spricka::solve::end_idle_threads();
+  return spricka::program::command_line(argc, argv);
+}

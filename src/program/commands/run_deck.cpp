@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/commands/run_deck.hpp"
+
+#include "archive/safe_file.hpp"
+#include "base/exit_codes.hpp"
+#include "program/commands/check_deck.hpp"
+#include "program/commands/sweep_deck.hpp"
+#include "program/job/interrupt.hpp"
+#include "program/job/job.hpp"
+#include "program/job/restart_run.hpp"
+
+#include <mutex>
+#include <optional>
+#include <system_error>
+
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+namespace {
+
+// Nothing old is taken for a new result without a word.
+void tell_of_earlier(const RunOptions& options, const RunFolder& folder, const Log& log) {
+  if (folder.replaces()) {
+    log.message(base::Severity::note, "E467",
+                fmt::format("{} still holds the results of an earlier run", options.out.string()));
+  }
+}
+
+int run_once(const RunOptions& options, const ReadyDeck& deck, const Log& log) {
+  refuse_state_in_folder(options, *deck.model);
+  const OpenCheckpoint opened = open_checkpoint(options, deck, {}, log);
+  if (opened.refusal) {
+    return opened.refusal->exit_code;
+  }
+  std::mutex guard; // taken for ever by a signal
+  std::optional<RunFolder> folder;
+  const Interrupt interrupt([&](int signal) {
+    guard.lock();
+    if (folder) {
+      folder->abandon();
+    }
+    return opened.checkpoint && opened.checkpoint->writes()
+               ? stop_with_checkpoint(*opened.checkpoint, signal_name(signal), 128 + signal, log)
+               : 128 + signal;
+  });
+  {
+    const std::scoped_lock lock(guard);
+    folder.emplace(options.out);
+  }
+  RunOutcome outcome;
+  try {
+    outcome = solve_and_write(options, deck, *folder, opened.checkpoint.get(), log);
+  } catch (...) {
+    tell_of_earlier(options, *folder, log);
+    throw;
+  }
+  if (!outcome.run) {
+    tell_of_earlier(options, *folder, log);
+    return outcome.exit_code;
+  }
+  folder->commit();
+  if (!options.quiet) {
+    print_summary(*deck.model, *outcome.run, options.out);
+  }
+  return outcome.exit_code;
+}
+
+} // namespace
+
+int run_deck(const RunOptions& given) {
+  RunOptions options = given;
+  const Log log(options.log_format);
+  if (options.out.empty()) {
+    options.out = options.deck.filename().replace_extension(".run");
+  }
+  try {
+    const ReadyDeck deck = read_ready(options.deck, {.defines = options.defines}, log);
+    if (!deck.model) {
+      return deck.refusal.exit_code;
+    }
+    if (options.check_only) {
+      return check_deck(options, deck, log);
+    }
+    if (has_no_place(options, *deck.model, log)) {
+      return base::exit_code::usage;
+    }
+    return deck.model->sweeps.empty() ? run_once(options, deck, log)
+                                      : run_sweep(options, deck, log);
+  } catch (const archive::FileTrouble& trouble) {
+    log.message(base::Severity::error, trouble.code(), trouble.what());
+    return base::exit_code::file_trouble;
+  } catch (const std::system_error& trouble) {
+    log.message(base::Severity::error, "E530", trouble.what());
+    return base::exit_code::file_trouble;
+  }
+}
+
+} // namespace spricka::program

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "program/job/run_options.hpp"
+
+namespace spricka::program {
+
+/// Reads, checks and (unless check_only) solves a deck and writes its run folder; messages go to
+/// stderr, the table of results to stdout. Returns the exit code.
+int run_deck(const RunOptions& given);
+
+} // namespace spricka::program

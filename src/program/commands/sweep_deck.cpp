@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/commands/sweep_deck.hpp"
+
+#include "archive/deck_digest.hpp"
+#include "archive/folder_mark.hpp"
+#include "archive/safe_file.hpp"
+#include "base/exit_codes.hpp"
+#include "program/job/interrupt.hpp"
+#include "program/job/out_of_memory.hpp"
+#include "program/job/point_record.hpp"
+#include "program/job/restart_run.hpp"
+#include "program/job/standard_streams.hpp"
+#include "report/drawing/file.hpp"
+#include "report/sweep_files.hpp"
+#include "report/topics/result_tables.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <system_error>
+
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+namespace {
+
+namespace fs = std::filesystem;
+using results::SweepPoint;
+
+// "delta = 0.084, mu = 0"
+std::string in_words(const PointValues& values) {
+  std::string text;
+  for (const auto& [name, value] : values) {
+    text += fmt::format("{}{} = {:.6g}", text.empty() ? "" : ", ", name, value);
+  }
+  return text;
+}
+
+bool is_number(const std::string& name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(),
+                                      [](unsigned char c) { return c >= '0' && c <= '9'; });
+}
+
+class SweepRun {
+public:
+  SweepRun(const RunOptions& options, const ReadyDeck& deck, const Log& log)
+      : options_(options), deck_(deck), log_(log), out_(resolved_folder(options.out)),
+        points_(sweep_points(*deck.model)) {
+    sweep_.count = points_.size();
+    for (const auto& [name, value] : points_.front()) {
+      sweep_.parameters.push_back(name);
+    }
+  }
+
+  ~SweepRun() {
+    if (lock_) {
+      close_folder();
+    }
+  }
+  SweepRun(const SweepRun&) = delete;
+  SweepRun& operator=(const SweepRun&) = delete;
+
+  int run() {
+    open_folder();
+    const Interrupt interrupt([this](int signal) { return last_words(signal); });
+    return run_points();
+  }
+
+private:
+  int run_points() {
+    if (!fs::exists(out_ / sweep_table_name)) { // else of an earlier sweep, until there is a point
+      write_tables();
+    }
+    int worst = 0;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      SweepPoint point = take_over(i);
+      if (!point.reused) {
+        compute(i, point);
+      }
+      if (point.exit_code == base::exit_code::stopped) {
+        return base::exit_code::stopped;
+      }
+      worst = std::max(worst, point.exit_code);
+      tell(point, points_[i]);
+      sweep_.points.push_back(std::move(point));
+      write_tables();
+      ++done_;
+    }
+    remove_others();
+    if (!options_.quiet) {
+      to_stdout(fmt::format("{} points; results in {}\n", points_.size(), options_.out.string()));
+    }
+    return worst;
+  }
+
+  [[nodiscard]] std::string folder_name(std::size_t i) const {
+    const std::size_t digits = std::max<std::size_t>(3, std::to_string(points_.size()).size());
+    return fmt::format("{:0{}}", i + 1, digits);
+  }
+
+  // A folder of a sweep is gone on with, any other refused but for an empty one.
+  void open_folder() {
+    check_folder(out_, true);
+    fs::create_directories(out_);
+    lock_ = archive::FolderLock::take(out_, out_);
+    check_folder(out_, true); // another run may have ended meanwhile
+    if (!lock_) {
+      throw std::system_error(std::make_error_code(std::errc::no_such_file_or_directory),
+                              out_.string());
+    }
+    if (!archive::read_mark(out_)) {
+      archive::write_mark(out_, {archive::FolderKind::sweep, {}});
+    }
+    archive::write_owner(out_);
+  }
+
+  // Points that this sweep does not have.
+  void remove_others() const {
+    std::vector<fs::path> others;
+    for (const fs::directory_entry& entry : fs::directory_iterator(out_)) {
+      const std::string name = entry.path().filename().string();
+      bool wanted = !is_number(name);
+      for (std::size_t i = 0; i < points_.size() && !wanted; ++i) {
+        wanted = folder_name(i) == name;
+      }
+      if (!wanted) {
+        others.push_back(entry.path());
+      }
+    }
+    for (const fs::path& folder : others) {
+      archive::remove_own(folder);
+    }
+  }
+
+  void close_folder() const {
+    std::error_code ignored;
+    fs::remove(out_ / archive::owner_name, ignored);
+  }
+
+  SweepPoint take_over(std::size_t i) {
+    const std::string digest = archive::deck_digest(deck_.sources, *deck_.model, points_[i]);
+    const std::optional<SweepPoint> known = read_point_record(out_ / folder_name(i), digest);
+    SweepPoint point = known.value_or(SweepPoint{});
+    point.number = i + 1;
+    point.folder = folder_name(i);
+    point.reused = known.has_value();
+    for (const auto& [name, value] : points_[i]) {
+      point.values.push_back(value);
+    }
+    return point;
+  }
+
+  void compute(std::size_t i, SweepPoint& point) {
+    try {
+      open_point(point);
+      solve_point(i, point);
+    } catch (const archive::FileTrouble& trouble) {
+      point.exit_code = base::exit_code::file_trouble;
+      point.error = fmt::format("{}: {}", trouble.code(), trouble.what());
+    } catch (const std::system_error& trouble) {
+      point.exit_code = base::exit_code::file_trouble;
+      point.error = trouble.what();
+    } catch (const std::exception& trouble) {
+      const bool memory = is_out_of_memory(trouble);
+      point.exit_code = memory ? base::exit_code::not_solvable : base::exit_code::defect;
+      point.error =
+          memory ? "E466: " + out_of_memory() : fmt::format("internal error: {}", trouble.what());
+    }
+    close_point();
+  }
+
+  void solve_point(std::size_t i, SweepPoint& point) {
+    const ReadyDeck deck =
+        read_ready(options_.deck, {.defines = options_.defines, .sweep_values = points_[i]}, log_,
+                   &deck_.diagnostics);
+    const RunOutcome outcome = deck.model ? solve(deck, *folder_, point) : deck.refusal;
+    point.exit_code = outcome.exit_code;
+    point.error = outcome.error;
+    if (outcome.run) {
+      record(*deck.model, *outcome.run, point);
+      // The digest of what was read just now: a file edited meanwhile is not passed over later.
+      folder_->keep(
+          point_record_name,
+          write_point_record(sweep_, point,
+                             archive::deck_digest(deck.sources, *deck.model, points_[i])));
+      folder_->commit();
+    } else if (folder_->replaces()) {
+      log_.message(base::Severity::note, "E467",
+                   fmt::format("{} still holds the results of an earlier run",
+                               (out_ / point.folder).string()));
+    }
+  }
+
+  // Made and ended where last_words() knows of it.
+  void open_point(const SweepPoint& point) {
+    const std::scoped_lock lock(current_guard_);
+    folder_.emplace(out_ / point.folder);
+  }
+  void close_point() {
+    const std::scoped_lock lock(current_guard_);
+    folder_.reset();
+  }
+
+  // Each point keeps its state in a folder of its own, beside its run folder.
+  RunOutcome solve(const ReadyDeck& deck, RunFolder& folder, const SweepPoint& point) {
+    RunOptions options = options_;
+    options.quiet = true;
+    const OpenCheckpoint opened =
+        open_checkpoint(options, deck, out_ / (point.folder + ".restart"), log_);
+    if (opened.refusal) {
+      return *opened.refusal;
+    }
+    set_current(opened.checkpoint.get());
+    try {
+      RunOutcome outcome = solve_and_write(options, deck, folder, opened.checkpoint.get(), log_);
+      set_current(nullptr);
+      return outcome;
+    } catch (...) {
+      set_current(nullptr);
+      throw;
+    }
+  }
+
+  void set_current(archive::Checkpoint* checkpoint) {
+    const std::scoped_lock lock(current_guard_);
+    current_ = checkpoint;
+  }
+
+  static void record(const model::Model& model, const results::Run& run, SweepPoint& point) {
+    point.checks = static_cast<int>(run.checks.size());
+    point.passed = static_cast<int>(std::count_if(run.checks.begin(), run.checks.end(),
+                                                  [](const auto& c) { return c.passed; }));
+    point.warnings = static_cast<int>(run.warnings.size());
+    point.cells = report::sweep_cells(run);
+    for (const model::Output& output : model.outputs) {
+      if (output.format == model::OutputFormat::csv && output.every == model::OutputEvery::end) {
+        std::vector<results::SweepCell>& cells =
+            point.requested[fs::path(output.file).filename().string()];
+        const std::vector<results::SweepCell> more = report::requested_cells(model, output, run);
+        cells.insert(cells.end(), more.begin(), more.end());
+      }
+    }
+  }
+
+  void write_tables() {
+    const std::scoped_lock lock(tables_guard_);
+    const model::Model& model = *deck_.model;
+    for (const model::Output& output : model.outputs) {
+      const std::string name = fs::path(output.file).filename().string();
+      if (output.format == model::OutputFormat::csv && output.every == model::OutputEvery::end &&
+          name != sweep_table_name) {
+        report::write_sweep_request_csv(table_file(name), model, sweep_);
+      }
+    }
+    report::write_sweep_csv(table_file(sweep_table_name), model, sweep_);
+    report::write_file(table_file("sweep.html"), report::sweep_page(deck_.sources, model, sweep_));
+  }
+
+  // A table of ours, new or to be replaced.
+  [[nodiscard]] fs::path table_file(const std::string& name) const {
+    const archive::FolderMark mark = archive::read_mark(out_).value_or(archive::FolderMark{});
+    if (std::ranges::find(mark.files, name) == mark.files.end()) {
+      if (fs::exists(fs::symlink_status(out_ / name))) {
+        throw archive::FileTrouble("E464",
+                                   fmt::format("{} is there, and no sweep wrote it; name another "
+                                               "folder with --out",
+                                               (out_ / name).string()));
+      }
+      archive::add_to_mark(out_, name);
+    }
+    return out_ / name;
+  }
+
+  // One line for each point: failures to stderr, the others to stdout.
+  void tell(const SweepPoint& point, const PointValues& values) const {
+    const std::string head =
+        fmt::format("{} of {}: {}", point.folder, points_.size(), in_words(values));
+    if (point.exit_code != 0) {
+      log_.message(base::Severity::error, "E550",
+                   fmt::format("point {}: {} ({}): {}", head, report::status_word(point),
+                               point.exit_code, point.error));
+    }
+    if (options_.quiet) {
+      return;
+    }
+    to_stdout(
+        fmt::format("{}: {}{}", head, report::status_word(point), point.reused ? " earlier" : ""));
+    const std::string step = report::leading_step(*deck_.model);
+    int last = 0;
+    for (const results::SweepCell& cell : point.cells) {
+      last = std::max(last, cell.increment);
+    }
+    for (const results::SweepCell& cell : point.cells) {
+      if (cell.quantity == "K1" && cell.step == step && cell.increment == last) {
+        to_stdout(fmt::format("  K1 {} = {:.7g}", cell.name, cell.value));
+      }
+    }
+    to_stdout("\n");
+    std::fflush(stdout);
+  }
+
+  // On the watcher's thread, while the point goes on being computed. Its locks are not given back:
+  // nothing more is written.
+  int last_words(int signal) {
+    using namespace std::chrono_literals;
+    current_guard_.lock();
+    if (folder_) {
+      folder_->abandon();
+    }
+    int code = 128 + signal;
+    if (current_ != nullptr && current_->writes()) {
+      code = stop_with_checkpoint(*current_, signal_name(signal), code, log_);
+    }
+    [[maybe_unused]] const bool whole = tables_guard_.try_lock_for(10s);
+    close_folder();
+    log_.message(base::Severity::note, "E551",
+                 fmt::format("stopped by {}; {} of {} points are finished, run again to go on",
+                             signal_name(signal), done_.load(), points_.size()));
+    return code;
+  }
+
+  const RunOptions& options_;
+  const ReadyDeck& deck_;
+  const Log& log_;
+  fs::path out_;
+  std::optional<archive::FolderLock> lock_;
+  std::vector<PointValues> points_;
+  results::Sweep sweep_;
+  std::atomic<std::size_t> done_{0};
+  std::mutex current_guard_;
+  archive::Checkpoint* current_ = nullptr; ///< of the point that is computed; guarded
+  std::optional<RunFolder> folder_;        ///< of the same; guarded where it is made and ended
+  std::timed_mutex tables_guard_;
+};
+
+} // namespace
+
+std::vector<PointValues> sweep_points(const model::Model& model) {
+  std::vector<PointValues> points{{}};
+  for (const model::Sweep& card : model.sweeps) {
+    std::vector<PointValues> more;
+    for (const PointValues& point : points) {
+      for (const std::vector<double>& row : card.values) {
+        more.push_back(point);
+        for (std::size_t p = 0; p < card.parameters.size(); ++p) {
+          more.back().emplace_back(card.parameters[p], row[p]);
+        }
+      }
+    }
+    points = std::move(more);
+  }
+  return points;
+}
+
+int run_sweep(const RunOptions& options, const ReadyDeck& deck, const Log& log) {
+  return SweepRun(options, deck, log).run();
+}
+
+} // namespace spricka::program

@@ -1,0 +1,396 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/job/job.hpp"
+
+#include "analysis/lengths/solve_lengths.hpp"
+#include "analysis/recover/judge_size.hpp"
+#include "analysis/recover/net_errors.hpp"
+#include "base/clock.hpp"
+#include "base/exit_codes.hpp"
+#include "fe/law.hpp"
+#include "program/checks/check_quantities.hpp"
+#include "program/checks/growth_readings.hpp"
+#include "program/job/remedy.hpp"
+#include "program/job/restart_run.hpp"
+#include "program/job/script_constants.hpp"
+#include "program/job/solve_to_tolerance.hpp"
+#include "program/job/standard_streams.hpp"
+#include "report/topics/notes.hpp"
+#include "report/topics/result_tables.hpp"
+#include "results/growth_end.hpp"
+#include "sense/contact_sense.hpp"
+#include "sense/end_warnings.hpp"
+#include "sense/held_places.hpp"
+#include "sense/two_ways.hpp"
+#include "sense/unjoined_bodies.hpp"
+#include "solve/one_thread.hpp"
+
+#include <algorithm>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+namespace {
+
+// Cards that are understood but not available: each with its place.
+base::Diagnostics unavailable(const model::Model& model) {
+  base::Diagnostics list;
+  for (const model::Output& output : model.outputs) {
+    if (output.format == model::OutputFormat::json) {
+      list.error(output.span, "E500", "FORMAT=JSON is not available in this version");
+    }
+  }
+  for (const model::Unavailable& u : model.unavailable) {
+    list.error(u.span, "E500", fmt::format("{} is not available in this version", u.what));
+  }
+  return list;
+}
+
+// Where a material hardly changes its volume the dilatation is projected, but linear triangles,
+// tetrahedra and wedges have too few freedoms for that: they lock, more the nearer nu is to 0.5.
+bool locks(base::ElementType type) {
+  return type == base::ElementType::trim3 || type == base::ElementType::tet4 ||
+         type == base::ElementType::penta6;
+}
+
+void warn_of_locking(const model::Model& model, base::Diagnostics& list) {
+  std::vector<bool> told(model.properties.size(), false);
+  for (std::size_t e = 0; e < model.mesh.element_count(); ++e) {
+    const base::ElementType type = model.mesh.type[e];
+    const std::size_t p = model.mesh.property[e].index();
+    if (told[p] || !locks(type) || !fe::law_of(model, model.mesh, base::ElementId(e)).projected) {
+      continue;
+    }
+    told[p] = true;
+    const model::Material& material = model.materials[model.properties[p].material.index()];
+    list.warning(material.span, "W501",
+                 fmt::format("material {}: nu = {:.6g} is nearly incompressible and {} elements "
+                             "lock; results may be far off",
+                             material.name, material.nu, base::info(type).name),
+                 "use quadratic elements or quadrilaterals and hexahedra");
+  }
+}
+
+int report_checks(const results::Run& run, const Log& log) {
+  int failed = 0;
+  for (const results::CheckResult& check : run.checks) {
+    if (!check.passed) {
+      ++failed;
+      log.failed_check(check);
+    }
+  }
+  return failed;
+}
+
+// What a reader of the results must not miss: said on stderr and kept for listing and report.
+void collect_warnings(const model::Model& model, const base::Diagnostics& reading,
+                      results::Run& run, const Log& log) {
+  for (const base::Diagnostic& d : reading.all()) {
+    if (d.severity == base::Severity::warning) {
+      run.warnings.push_back(d.text);
+    }
+  }
+  for (const report::Note& note : report::collect_notes(run)) {
+    if (note.warning) {
+      run.warnings.push_back(report::words_of(note));
+      log.message(base::Severity::warning, "W502", run.warnings.back());
+    }
+  }
+  for (const std::string& coarse : analysis::coarse_nets(run)) {
+    run.warnings.push_back(coarse);
+    log.message(base::Severity::warning, "W504", coarse);
+  }
+  for (const std::string& parted : sense::two_ways_warnings(run)) {
+    run.warnings.push_back(parted);
+    log.message(base::Severity::warning, "W570", parted);
+  }
+  for (const sense::EndWarning& warning : sense::end_warnings(model, run)) {
+    run.warnings.push_back(warning.text);
+    log.message(base::Severity::warning, warning.code, warning.text);
+  }
+}
+
+// "lug.deck:12:18: E108: text" of the first error; empty without one.
+std::string first_error(const base::Sources& sources, const base::Diagnostics& diagnostics) {
+  for (const base::Diagnostic& d : diagnostics.all()) {
+    if (d.severity != base::Severity::error) {
+      continue;
+    }
+    if (!d.span.valid()) {
+      return fmt::format("{}: {}", d.code, d.text);
+    }
+    const base::Location at = sources.locate(d.span.file, d.span.begin);
+    return fmt::format("{}:{}:{}: {}: {}", sources.name(d.span.file), at.line, at.column, d.code,
+                       d.text);
+  }
+  return {};
+}
+
+// Without what was said before, word for word, of the same place.
+base::Diagnostics news_of(const base::Diagnostics& list, const base::Diagnostics* told) {
+  if (told == nullptr) {
+    return list;
+  }
+  base::Diagnostics news;
+  for (const base::Diagnostic& d : list.all()) {
+    const bool old = std::ranges::any_of(told->all(), [&](const base::Diagnostic& t) {
+      return t.code == d.code && t.span.file == d.span.file && t.span.begin == d.span.begin &&
+             t.text == d.text;
+    });
+    if (!old && d.severity == base::Severity::error) {
+      news.error(d.span, d.code, d.text, d.hint);
+    } else if (!old && d.severity == base::Severity::warning) {
+      news.warning(d.span, d.code, d.text, d.hint);
+    } else if (!old) {
+      news.note(d.span, d.code, d.text, d.hint);
+    }
+  }
+  return news;
+}
+
+RunOutcome refused(const base::Sources& sources, const base::Diagnostics& list, int code,
+                   const Log& log, const base::Diagnostics* told = nullptr) {
+  log.diagnostics(sources, news_of(list, told));
+  return {code, first_error(sources, list), {}};
+}
+
+} // namespace
+
+ReadyDeck read_ready(const std::filesystem::path& deck, const deck::ReadOptions& options,
+                     const Log& log, const base::Diagnostics* told) {
+  ReadyDeck ready;
+  ready.options = options;
+  std::optional<model::Model> model =
+      deck::read_deck(deck, options, ready.sources, ready.diagnostics, &ready.scripts);
+  if (model) {
+    warn_of_locking(*model, ready.diagnostics);
+    sense::warn_of_contacts(*model, ready.diagnostics);
+    sense::warn_of_unjoined_bodies(*model, ready.diagnostics);
+    sense::warn_of_held_places(*model, ready.diagnostics);
+    sense::warn_of_path_mouths(*model, ready.diagnostics);
+  }
+  if (model && !ready.diagnostics.has_errors()) {
+    base::Diagnostics missing = unavailable(*model);
+    if (missing.has_errors()) {
+      ready.refusal = refused(ready.sources, missing, base::exit_code::not_solvable, log, told);
+      return ready;
+    }
+    if (model->steps.empty()) {
+      ready.diagnostics.error({0, 0, 0}, "E405",
+                              "the deck has no $STEP, so there is nothing to solve");
+    }
+  }
+  if (!model || ready.diagnostics.has_errors()) {
+    ready.refusal =
+        refused(ready.sources, ready.diagnostics, base::exit_code::deck_error, log, told);
+    return ready;
+  }
+  log.diagnostics(ready.sources, news_of(ready.diagnostics, told));
+  ready.model = std::move(model);
+  return ready;
+}
+
+int thread_count(const RunOptions& options, const model::Model& model) {
+  const int wanted = options.threads >= 0 ? options.threads : model.control.threads;
+  return wanted > 0 ? wanted : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
+namespace {
+
+// A deck that has been read before, with its meshes finer: nothing new to tell of it.
+ReadyDeck read_silently(const std::filesystem::path& deck, const deck::ReadOptions& options) {
+  ReadyDeck ready;
+  ready.options = options;
+  std::optional<model::Model> model =
+      deck::read_deck(deck, options, ready.sources, ready.diagnostics);
+  if (!model || ready.diagnostics.has_errors()) {
+    ready.refusal.error = first_error(ready.sources, ready.diagnostics);
+  } else {
+    ready.model = std::move(model);
+  }
+  return ready;
+}
+
+struct Solved {
+  std::optional<results::Run> run;
+  std::optional<analysis::Refusal> refusal;
+  std::optional<ReadyDeck> finer; ///< what was solved, where it is not the deck as given
+  std::string why_not;            ///< why K is not within its tolerance
+};
+
+// Once, or as often as K needs to come within its tolerance.
+Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, archive::Checkpoint* checkpoint,
+                  base::Diagnostics& diagnostics, const Log& log) {
+  analysis::SolveOptions solve;
+  solve.checkpoint = checkpoint;
+  solve.threads = solve::reserve_kernels(thread_count(options, *deck.model));
+  solve.progress = log.progress(options.quiet);
+  Solved out;
+  bool first = true;
+  const auto once = [&](const model::Model& model, std::string& why) {
+    base::Diagnostics own;
+    std::optional<analysis::Refusal> refusal;
+    std::optional<results::Run> run = analysis::solve_run(model, solve, own, refusal);
+    const bool stopped = refusal && refusal->exit_code == base::exit_code::stopped;
+    if (run || first || stopped) {
+      diagnostics = std::move(own);
+      out.refusal = refusal;
+    } else {
+      why = refusal ? refusal->why : first_error(deck.sources, own);
+    }
+    first = false;
+    return run;
+  };
+  if (!wants_tolerance(*deck.model)) {
+    std::string why;
+    out.run = once(*deck.model, why);
+    return out;
+  }
+  const auto read_finer = [&](const std::map<std::string, deck::Refinement>& refine) {
+    deck::ReadOptions finer = deck.options;
+    finer.refine = refine;
+    return read_silently(options.deck, finer);
+  };
+  ToleratedRun found = solve_to_tolerance(deck, read_finer, once);
+  if (out.refusal && out.refusal->exit_code == base::exit_code::stopped) {
+    return out; // in a later round: no answer yet
+  }
+  out.run = std::move(found.run);
+  out.finer = std::move(found.deck);
+  out.why_not = std::move(found.why_not);
+  return out;
+}
+
+void tell_rounds(const Solved& solved, results::Run& run, const Log& log) {
+  if (solved.why_not.empty()) {
+    return;
+  }
+  run.warnings.push_back(fmt::format("K is not within its tolerance: {}", solved.why_not));
+  log.message(base::Severity::warning, "W506", run.warnings.back());
+}
+
+} // namespace
+
+RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, RunFolder& folder,
+                           archive::Checkpoint* checkpoint, const Log& log) {
+  const double cpu_before = base::cpu_seconds();
+  base::Diagnostics diagnostics;
+  tell_restart(checkpoint, log);
+  Solved solved = solve_deck(options, deck, checkpoint, diagnostics, log);
+  if (solved.refusal && solved.refusal->exit_code == base::exit_code::stopped) {
+    const std::string by = solved.refusal->why;
+    return {stop_with_checkpoint(*checkpoint, by, base::exit_code::stopped, log),
+            "stopped by " + by,
+            {}};
+  }
+  if (solved.refusal) {
+    const bool limit = solved.refusal->exit_code == base::exit_code::not_converged;
+    diagnostics.error(solved.refusal->span, limit ? "E520" : "E510", solved.refusal->why,
+                      remedy_of(*solved.refusal));
+  }
+  if (!solved.run) {
+    return refused(deck.sources, diagnostics,
+                   solved.refusal ? solved.refusal->exit_code : base::exit_code::deck_error, log);
+  }
+  const ReadyDeck& used = solved.finer ? *solved.finer : deck;
+  results::Run& run = *solved.run;
+  log.diagnostics(deck.sources, diagnostics);
+  run.tests = invert_tests(*used.model, run);
+  analysis::explain_lost_ligaments(run);
+  for (const std::string& text : run.warnings) { // so far those of the growth
+    log.message(base::Severity::warning, "W456", text);
+  }
+  collect_warnings(*used.model, deck.diagnostics, run, log);
+  for (const base::Diagnostic& d : diagnostics.all()) { // of meshes with cracks
+    if (d.severity == base::Severity::warning) {
+      run.warnings.push_back(d.text);
+    }
+  }
+  tell_rounds(solved, run, log);
+  finish_restart(checkpoint, run);
+  run.checks = evaluate_checks(*used.model, run);
+  run.cpu += cpu_before;
+  folder.write(deck.sources, *used.model, run, script_constants(deck));
+  const int failed = report_checks(run, log);
+  RunOutcome outcome;
+  if (failed > 0) {
+    outcome.exit_code = base::exit_code::check_failed;
+    outcome.error = fmt::format("{} of {} checks failed", failed, run.checks.size());
+  } else if (!solved.why_not.empty()) {
+    outcome.exit_code = base::exit_code::not_converged;
+    outcome.error = run.warnings.back();
+  }
+  if (outcome.exit_code == base::exit_code::done && run.growth &&
+      results::ended_early(*run.growth)) {
+    outcome.exit_code = base::exit_code::not_solvable;
+    outcome.error = run.growth->reason;
+    log.message(base::Severity::error, "E510", outcome.error);
+  }
+  outcome.run = std::move(solved.run);
+  return outcome;
+}
+
+namespace {
+
+void print_tip(const std::string& before, const results::TipResult& tip,
+               const base::UnitSystem& units) {
+  if (tip.two_materials) { // stresses oscillate there: it has a G alone
+    to_stdout(fmt::format("{} {:<8} a = {:<10.6g} G = {:<12.7g} {}/{}\n", before, tip.name, tip.a,
+                          tip.G, units.force_name, units.length_name));
+    return;
+  }
+  const auto bar = [&](std::size_t k) {
+    return tip.no_bar.empty() ? fmt::format(" +- {:<8.2g}", tip.bar[k].size()) : "";
+  };
+  to_stdout(fmt::format("{} {:<8} a = {:<10.6g} K1 = {:<12.7g}{} K2 = {:<12.7g}{} {}{}\n", before,
+                        tip.name, tip.a, tip.K1, bar(0), tip.K2, bar(1),
+                        units.stress_intensity_name(), tip.closed ? ", closed" : ""));
+}
+
+// A line for each tip: of a growth by a law at KMAX of each station, else of every step.
+void print_tips(const model::Model& model, const results::Run& run) {
+  const std::string leading = run.growth ? report::leading_step(model) : std::string();
+  const auto behind_the_end = [&](std::size_t i) { // its cycles are not lived
+    return run.growth && i > 0 && i < run.growth->stations.size() &&
+           run.growth->stations[i].cycles > run.growth->cycles() * (1.0 + 1e-9);
+  };
+  for (std::size_t i = 0; i < run.increments.size(); ++i) {
+    for (const results::StepResult& step : run.increments[i].steps) {
+      if (behind_the_end(i)) {
+        continue;
+      }
+      if (run.growth && step.step != leading) {
+        continue;
+      }
+      const std::string before = run.growth && i < run.growth->stations.size()
+                                     ? fmt::format("N = {:<11.6g}", run.growth->stations[i].cycles)
+                                     : fmt::format("{:<12}", step.step);
+      for (const results::TipResult& tip : step.tips) {
+        print_tip(before, tip, model.units);
+      }
+    }
+  }
+}
+
+} // namespace
+
+void print_summary(const model::Model& model, const results::Run& run,
+                   const std::filesystem::path& folder) {
+  print_tips(model, run);
+  if (run.growth) {
+    to_stdout(fmt::format("N = {:.7g} {}, ended by {}\n", run.growth->cycles(),
+                          run.growth->unit == "pass" ? "passes" : "cycles", run.growth->ended));
+  }
+  if (!run.checks.empty()) {
+    const auto passed = std::count_if(run.checks.begin(), run.checks.end(),
+                                      [](const auto& check) { return check.passed; });
+    to_stdout(fmt::format("{} of {} checks passed\n", passed, run.checks.size()));
+  }
+  to_stdout(fmt::format("{:.2f} s CPU, {:.0f} MiB; results in {}\n", run.cpu,
+                        static_cast<double>(run.peak_memory) / 1048576.0, folder.string()));
+}
+
+} // namespace spricka::program

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/job/log.hpp"
+
+#include "base/clock.hpp"
+#include "base/source_index.hpp"
+#include "program/job/standard_streams.hpp"
+#include "program/job/terminal.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+namespace spricka::program {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// One record, one line. Bytes of a deck that are not UTF-8 are replaced.
+void write_record(const Json& record) {
+  to_stderr(record.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+Json record_of(const base::Sources& sources, base::SourceIndex& places, const base::Diagnostic& d) {
+  Json record;
+  record["type"] = "diagnostic";
+  record["severity"] = base::word_of(d.severity);
+  record["code"] = d.code;
+  if (d.span.valid()) {
+    const base::Location begin = places.locate(d.span.file, d.span.begin);
+    const base::Location end = places.locate(d.span.file, d.span.end);
+    record["file"] = sources.name(d.span.file);
+    record["line"] = begin.line;
+    record["column"] = begin.column;
+    record["end_line"] = end.line;
+    record["end_column"] = end.column;
+  }
+  record["text"] = d.text;
+  if (!d.hint.empty()) {
+    record["hint"] = d.hint;
+  }
+  return record;
+}
+
+void write_progress_record(std::size_t done, std::size_t all, double left) {
+  write_record({{"type", "progress"}, {"increment", done}, {"of", all}, {"seconds_left", left}});
+}
+
+void write_progress_line(std::size_t done, std::size_t all, double left) {
+  to_stderr(fmt::format("\r  increment {} of {}, {:.1f} s left {}", done, all, left,
+                        done == all ? "\n" : ""));
+}
+
+} // namespace
+
+Log::Log(LogFormat format) : format_(format), colour_(colour_of_messages()) {}
+
+void Log::diagnostics(const base::Sources& sources, const base::Diagnostics& diagnostics) const {
+  if (format_ == LogFormat::text) {
+    to_stderr(base::format(sources, diagnostics, colour_));
+    return;
+  }
+  base::SourceIndex places(sources);
+  for (const base::Diagnostic* d : base::in_order(diagnostics)) {
+    write_record(record_of(sources, places, *d));
+  }
+}
+
+void Log::message(base::Severity severity, std::string_view code, std::string_view text,
+                  std::string_view file) const {
+  if (format_ == LogFormat::text) {
+    base::Diagnostics one;
+    const auto add = severity == base::Severity::error     ? &base::Diagnostics::error
+                     : severity == base::Severity::warning ? &base::Diagnostics::warning
+                                                           : &base::Diagnostics::note;
+    (one.*add)({}, std::string(code), std::string(text), {});
+    to_stderr(
+        fmt::format("{}{}{}", file, file.empty() ? "" : ": ", base::format({}, one, colour_)));
+    return;
+  }
+  Json record{{"type", "diagnostic"}, {"severity", base::word_of(severity)}, {"code", code}};
+  if (!file.empty()) {
+    record["file"] = file;
+  }
+  record["text"] = text;
+  write_record(record);
+}
+
+void Log::failed_check(const results::CheckResult& check) const {
+  if (format_ == LogFormat::json) {
+    Json record{{"type", "check"}, {"passed", false}, {"quantity", check.text}};
+    if (check.trouble.empty()) {
+      record.update({{"found", check.found},
+                     {"wanted", check.wanted},
+                     {"tolerance_kind", check.relative ? "REL" : "ABS"},
+                     {"error", check.error},
+                     {"tolerance", check.tolerance}});
+    } else {
+      record["trouble"] = check.trouble;
+    }
+    write_record(record);
+  } else if (!check.trouble.empty()) {
+    to_stderr(fmt::format("check failed: {}: {}\n", check.text, check.trouble));
+  } else {
+    to_stderr(fmt::format("check failed: {} = {:.8g}, wanted {:.8g}: {} {:.2e} > {:.2e}\n",
+                          check.text, check.found, check.wanted, check.relative ? "REL" : "ABS",
+                          std::abs(check.error), check.tolerance));
+  }
+}
+
+std::function<void(std::size_t, std::size_t)> Log::progress(bool quiet) const {
+  if (quiet || (format_ == LogFormat::text && isatty(STDERR_FILENO) == 0)) {
+    return {};
+  }
+  const auto write = format_ == LogFormat::json ? write_progress_record : write_progress_line;
+  return [watch = base::Stopwatch(), write](std::size_t done, std::size_t all) {
+    write(done, all, watch.wall() / static_cast<double>(done) * static_cast<double>(all - done));
+  };
+}
+
+} // namespace spricka::program

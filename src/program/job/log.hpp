@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/diagnostics.hpp"
+#include "base/messages.hpp"
+#include "results/results.hpp"
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace spricka::program {
+
+enum class LogFormat { text, json };
+
+/// Where the messages of a run go: stderr, as text for people or as one JSON object a line for
+/// programs (manual/command_line.md names the members).
+class Log {
+public:
+  explicit Log(LogFormat format);
+
+  /// Text: with source line and carets, at most 20 errors. JSON: all of them.
+  void diagnostics(const base::Sources& sources, const base::Diagnostics& diagnostics) const;
+  /// A message without a place in a deck; `file` may be empty.
+  void message(base::Severity severity, std::string_view code, std::string_view text,
+               std::string_view file = {}) const;
+  void failed_check(const results::CheckResult& check) const;
+  /// To be called with (increments done, all). Text goes to a terminal only; empty when quiet.
+  [[nodiscard]] std::function<void(std::size_t, std::size_t)> progress(bool quiet) const;
+
+private:
+  LogFormat format_;
+  base::Colour colour_;
+};
+
+} // namespace spricka::program

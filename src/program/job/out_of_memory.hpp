@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/exit_codes.hpp"
+#pragma once
+#include <exception>
+#include <string>
+
+/// Too little memory is no defect of the program: exit_code::not_solvable, with the amounts.
+namespace spricka::program {
+
+/// Whether an exception says that memory is at its end.
+bool is_out_of_memory(const std::exception& trouble);
+
+/// "out of memory: 480 MiB were in use, 488 MiB are allowed (..); .."
+std::string out_of_memory();
+
+} // namespace spricka::program

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/job/point_record.hpp"
+
+#include "base/input_file.hpp"
+#include "program/job/run_folder.hpp"
+
+#include <limits>
+
+#include <nlohmann/json.hpp>
+
+namespace spricka::program {
+
+namespace {
+
+using nlohmann::json;
+using results::SweepCell;
+using results::SweepPoint;
+
+json to_json(const std::vector<SweepCell>& cells) {
+  json list = json::array();
+  for (const SweepCell& c : cells) {
+    list.push_back({c.quantity, c.name, c.step, c.increment, c.value}); // not finite: null
+  }
+  return list;
+}
+
+std::vector<SweepCell> cells_from(const json& list) {
+  std::vector<SweepCell> cells;
+  for (const json& c : list) {
+    const double value =
+        c.at(4).is_null() ? std::numeric_limits<double>::quiet_NaN() : c.at(4).get<double>();
+    cells.push_back({c.at(0).get<std::string>(), c.at(1).get<std::string>(),
+                     c.at(2).get<std::string>(), c.at(3).get<int>(), value});
+  }
+  return cells;
+}
+
+SweepPoint point_from(const json& record) {
+  SweepPoint point;
+  point.exit_code = record.at("exit_code").get<int>();
+  point.error = record.at("error").get<std::string>();
+  point.checks = record.at("checks").get<int>();
+  point.passed = record.at("passed").get<int>();
+  point.warnings = record.at("warnings").get<int>();
+  point.cells = cells_from(record.at("cells"));
+  for (const auto& [file, cells] : record.at("requested").items()) {
+    point.requested.emplace(file, cells_from(cells));
+  }
+  return point;
+}
+
+} // namespace
+
+std::string write_point_record(const results::Sweep& sweep, const SweepPoint& point,
+                               const std::string& digest) {
+  json record{{"spricka", SPRICKA_VERSION},    {"digest", digest},
+              {"exit_code", point.exit_code},  {"error", point.error},
+              {"checks", point.checks},        {"passed", point.passed},
+              {"warnings", point.warnings},    {"parameters", json::object()},
+              {"cells", to_json(point.cells)}, {"requested", json::object()}};
+  for (std::size_t p = 0; p < sweep.parameters.size(); ++p) {
+    record["parameters"][sweep.parameters[p]] = point.values[p];
+  }
+  for (const auto& [file, cells] : point.requested) {
+    record["requested"][file] = to_json(cells);
+  }
+  return record.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+std::optional<SweepPoint> read_point_record(const std::filesystem::path& folder,
+                                            const std::string& digest) {
+  if (!std::filesystem::exists(folder / listing_name)) {
+    return std::nullopt;
+  }
+  try {
+    const json record =
+        json::parse(base::read_file(folder / point_record_name, base::largest_number_file));
+    if (record.at("digest").get<std::string>() != digest) {
+      return std::nullopt;
+    }
+    return point_from(record);
+  } catch (const json::exception&) {
+    return std::nullopt; // not whole: as good as none
+  } catch (const base::UnreadableFile&) {
+    return std::nullopt;
+  }
+}
+
+} // namespace spricka::program

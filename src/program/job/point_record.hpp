@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "results/sweep.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace spricka::program {
+
+/// The file by which the folder of a sweep's point is known to be complete.
+inline constexpr const char* point_record_name = "point.json";
+
+/// The record of a finished point: digest of its deck, version, values, outcome and cells. Numbers
+/// read back to the same bits.
+std::string write_point_record(const results::Sweep& sweep, const results::SweepPoint& point,
+                               const std::string& digest);
+
+/// The record in a point's folder; empty if there is none, it is not whole, or its digest is
+/// another one.
+std::optional<results::SweepPoint> read_point_record(const std::filesystem::path& folder,
+                                                     const std::string& digest);
+
+} // namespace spricka::program

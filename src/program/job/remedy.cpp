@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/job/remedy.hpp"
+
+#include "base/exit_codes.hpp"
+
+#include <array>
+#include <string_view>
+#include <utility>
+
+namespace spricka::program {
+
+std::string remedy_of(const analysis::Refusal& refusal) {
+  if (refusal.exit_code == base::exit_code::not_converged) {
+    return "with friction more SUBSTEPS or a smaller MU; spricka help E520 says more";
+  }
+  using Remedy = std::pair<std::string_view, std::string_view>;
+  static constexpr std::array<Remedy, 9> remedies{
+      {{"slides", "more friction, more pressure or less load, or a support: $FREEDOM"},
+       {"is not mounted before", "mount it before the body is loaded, or hold the body until then"},
+       {"was dismounted", "hold the body by a support or another contact before it is dismounted"},
+       {"only presses", "look at the sign of the load; else a support ($FREEDOM), or TYPE=BONDED"},
+       {"not held", "add a support ($FREEDOM), or the $CONTACT that holds it"},
+       {"singular", "add a support ($FREEDOM), or join the parts"},
+       {"mechanism", "add a support ($FREEDOM), or join the parts"},
+       {"memory", "take fewer or coarser elements, or a machine with more memory"},
+       {"mesh", "another place or length of the crack, or RADIUS and SIZE on $TIPNET"}}};
+  for (const auto& [word, remedy] : remedies) {
+    if (refusal.why.find(word) != std::string::npos) {
+      return std::string(remedy);
+    }
+  }
+  return "spricka help E510 says what can be done";
+}
+
+} // namespace spricka::program

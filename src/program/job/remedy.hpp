@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/steps/step_solver.hpp"
+
+#include <string>
+
+namespace spricka::program {
+
+/// What can be done about a model that cannot be solved (E510, E520), for the line below the
+/// message; empty where the message says it.
+std::string remedy_of(const analysis::Refusal& refusal);
+
+} // namespace spricka::program

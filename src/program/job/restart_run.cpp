@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/job/restart_run.hpp"
+
+#include "archive/safe_file.hpp"
+#include "base/exit_codes.hpp"
+
+#include <csignal>
+#include <cstring>
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_there(const fs::path& file) {
+  fs::path before = file;
+  before += ".1";
+  std::error_code unknown;
+  return fs::exists(file, unknown) || fs::exists(before, unknown);
+}
+
+archive::CheckpointPlace place_of(const RunOptions& options, const model::Restart& card,
+                                  const fs::path& folder) {
+  const fs::path beside = folder.empty() ? options.deck.parent_path() : folder;
+  archive::CheckpointPlace place;
+  const auto file = [&](const std::string& name) {
+    return folder.empty() ? (beside / name).lexically_normal() : beside / fs::path(name).filename();
+  };
+  if (!card.write.empty()) {
+    place.write = file(card.write);
+    place.every = card.every;
+  }
+  if (!card.read.empty()) {
+    place.read = file(card.read);
+    place.at = card.at;
+  }
+  if (options.restart && is_there(place.write)) {
+    place.read = place.write;
+    place.at.reset();
+  }
+  place.seconds = options.seconds;
+  place.since = options.since;
+  return place;
+}
+
+} // namespace
+
+bool has_no_place(const RunOptions& options, const model::Model& model, const Log& log) {
+  const bool writes = model.restart && !model.restart->write.empty();
+  if (writes || (!options.restart && options.seconds <= 0.0)) {
+    return false;
+  }
+  log.message(base::Severity::error, "E567",
+              fmt::format("{} needs a card $RESTART WRITE='file.rst' in the deck",
+                          options.restart ? "--restart" : "--time"));
+  return true;
+}
+
+void refuse_state_in_folder(const RunOptions& options, const model::Model& model) {
+  if (!model.restart || model.restart->write.empty()) {
+    return;
+  }
+  const fs::path file = options.deck.parent_path() / model.restart->write;
+  const fs::path inside = resolved_folder(file).lexically_relative(resolved_folder(options.out));
+  if (!inside.empty() && *inside.begin() != "..") {
+    throw archive::FileTrouble(
+        "E469", fmt::format("$RESTART WRITE='{}' lies in the run folder {}, which is "
+                            "replaced as a whole; give it a place beside",
+                            model.restart->write, options.out.string()));
+  }
+}
+
+OpenCheckpoint open_checkpoint(const RunOptions& options, const ReadyDeck& deck,
+                               const fs::path& folder, const Log& log) {
+  OpenCheckpoint out;
+  const std::optional<model::Restart>& card = deck.model->restart;
+  if (!card) {
+    return out;
+  }
+  if (!folder.empty()) {
+    fs::create_directories(folder);
+  }
+  auto checkpoint = std::make_unique<archive::Checkpoint>(place_of(options, *card, folder),
+                                                          options.deck, deck.sources, *deck.model);
+  if (const std::optional<archive::Misfit> misfit = checkpoint->misfit()) {
+    base::Diagnostics list;
+    list.error(misfit->span, misfit->code, misfit->text,
+               "start from the beginning, or take the deck that wrote the file");
+    log.diagnostics(deck.sources, list);
+    out.refusal = RunOutcome{base::exit_code::deck_error, misfit->text, {}};
+    return out;
+  }
+  out.checkpoint = std::move(checkpoint);
+  return out;
+}
+
+void tell_restart(archive::Checkpoint* checkpoint, const Log& log) {
+  if (checkpoint == nullptr) {
+    return;
+  }
+  checkpoint->listen([&log](const std::string& code, const std::string& text) {
+    log.message(code.front() == 'W' ? base::Severity::warning : base::Severity::note, code, text);
+  });
+}
+
+void finish_restart(archive::Checkpoint* checkpoint, results::Run& run) {
+  if (checkpoint == nullptr) {
+    return;
+  }
+  checkpoint->flush();
+  for (const auto& [code, text] : checkpoint->told()) {
+    run.log.push_back({"RESTART", text, 0.0, 0.0});
+  }
+  if (checkpoint->taken() > 0) {
+    run.log.push_back({"RESTART",
+                       fmt::format("{} of {} increments taken over from {}", checkpoint->taken(),
+                                   run.increments.size(), checkpoint->taken_from().string()),
+                       0.0, 0.0});
+  }
+}
+
+int stop_with_checkpoint(archive::Checkpoint& checkpoint, const std::string& by, int code_without,
+                         const Log& log) {
+  try {
+    const std::size_t kept = checkpoint.flush();
+    const std::string what =
+        kept == 0 ? "no increment is finished yet, so nothing is kept"
+                  : fmt::format("{} increment{} kept in {}, run --restart goes on", kept,
+                                kept == 1 ? " is" : "s are", checkpoint.file().string());
+    log.message(base::Severity::note, "E566", fmt::format("stopped by {}: {}", by, what));
+    return kept == 0 ? code_without : base::exit_code::stopped;
+  } catch (const archive::FileTrouble& trouble) {
+    log.message(base::Severity::error, trouble.code(), trouble.what());
+    return base::exit_code::file_trouble;
+  }
+}
+
+std::string signal_name(int signal) {
+  const char* name = ::sigabbrev_np(signal);
+  return name != nullptr ? fmt::format("SIG{}", name) : fmt::format("signal {}", signal);
+}
+
+} // namespace spricka::program

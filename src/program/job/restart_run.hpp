@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "archive/checkpoint.hpp"
+#include "program/job/job.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+/// What $RESTART, --restart and --time ask for.
+namespace spricka::program {
+
+/// Whether --restart or --time is given for a deck that keeps no state; it is told.
+bool has_no_place(const RunOptions& options, const model::Model& model, const Log& log);
+
+/// Throws FileTrouble E469 when the deck keeps its state inside the run folder, which is replaced
+/// as a whole while the state is written.
+void refuse_state_in_folder(const RunOptions& options, const model::Model& model);
+
+struct OpenCheckpoint {
+  std::unique_ptr<archive::Checkpoint> checkpoint; ///< null: nothing is asked for
+  std::optional<RunOutcome> refusal;               ///< the state does not fit the deck; it is told
+};
+
+/// Opens what deck and command line ask for. Files lie relative to the deck, those of a sweep's
+/// point in `folder`. Throws FileTrouble for files that cannot be used.
+OpenCheckpoint open_checkpoint(const RunOptions& options, const ReadyDeck& deck,
+                               const std::filesystem::path& folder, const Log& log);
+
+/// What a checkpoint (or null) passes over is said on stderr from now on, as it turns out.
+void tell_restart(archive::Checkpoint* checkpoint, const Log& log);
+/// Puts the last increments on disk, and what was taken over or passed over into the run's log.
+void finish_restart(archive::Checkpoint* checkpoint, results::Run& run);
+
+/// Puts what is finished on disk and says so: the exit code of a run that is stopped by a signal
+/// (128 + signal if nothing is finished) or its time limit. From any thread.
+int stop_with_checkpoint(archive::Checkpoint& checkpoint, const std::string& by, int code_without,
+                         const Log& log);
+
+/// "SIGTERM".
+std::string signal_name(int signal);
+
+} // namespace spricka::program

@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/job/run_folder.hpp"
+
+#include "archive/folder_mark.hpp"
+#include "archive/results_file.hpp"
+#include "archive/safe_file.hpp"
+#include "base/clock.hpp"
+#include "base/output_file.hpp"
+#include "report/report.hpp"
+#include "report/topics/growth_tables.hpp"
+#include "report/topics/growth_test_tables.hpp"
+#include "report/topics/load_path_tables.hpp"
+#include "report/topics/script_table.hpp"
+#include "report/topics/sensitivity_tables.hpp"
+#include "sense/load_totals.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+namespace spricka::program {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Names of the pictures: those of the first VTU output of the deck, else "results".
+std::string picture_stem(const model::Model& model) {
+  for (const model::Output& output : model.outputs) {
+    if (output.format == model::OutputFormat::vtu) {
+      return fs::path(output.file).stem().string();
+    }
+  }
+  return "results";
+}
+
+fs::path part_of(const fs::path& folder) {
+  fs::path part = folder;
+  part += ".part";
+  return part;
+}
+
+bool is_there(const fs::path& file) {
+  std::error_code unknown;
+  return fs::exists(fs::symlink_status(file, unknown));
+}
+
+bool is_mount_point(const fs::path& folder) {
+  struct stat own {};
+  struct stat above {};
+  return ::stat(folder.c_str(), &own) == 0 && ::stat(folder.parent_path().c_str(), &above) == 0 &&
+         own.st_dev != above.st_dev;
+}
+
+[[noreturn]] void not_ours(const std::string& why) {
+  throw archive::FileTrouble("E464", why + "; name another folder with --out");
+}
+
+std::system_error trouble_with(const fs::path& file) {
+  return {errno, std::generic_category(), "cannot put " + file.string() + " in place"};
+}
+
+// Renames without ever replacing anything.
+bool rename_to_free(const fs::path& from, const fs::path& to) {
+  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) {
+    return true;
+  }
+  if (errno != EINVAL && errno != ENOSYS) {
+    return false;
+  }
+  if (is_there(to)) { // a file system that cannot do both in one
+    errno = EEXIST;
+    return false;
+  }
+  return ::rename(from.c_str(), to.c_str()) == 0;
+}
+
+// Two folders change places. Afterwards the old one is at `part`.
+void exchange(const fs::path& part, const fs::path& folder) {
+  if (::renameat2(AT_FDCWD, part.c_str(), AT_FDCWD, folder.c_str(), RENAME_EXCHANGE) == 0) {
+    return;
+  }
+  if (errno != EINVAL && errno != ENOSYS) {
+    throw trouble_with(folder);
+  }
+  const fs::path old = base::free_part(folder); // a file system that cannot do it in one
+  if (!rename_to_free(folder, old) || !rename_to_free(part, folder) || !rename_to_free(old, part)) {
+    throw trouble_with(folder);
+  }
+}
+
+} // namespace
+
+fs::path resolved_folder(const fs::path& folder) {
+  fs::path path = fs::weakly_canonical(fs::absolute(folder)).lexically_normal();
+  return path.has_filename() ? path : path.parent_path();
+}
+
+void check_folder(const fs::path& folder, bool sweep) {
+  if (!is_there(folder)) {
+    return;
+  }
+  if (!fs::is_directory(folder)) {
+    not_ours(fmt::format("{} is not a folder, and is not overwritten", folder.string()));
+  }
+  const std::optional<archive::FolderMark> mark = archive::read_mark(folder);
+  if (mark && (mark->kind == archive::FolderKind::sweep) != sweep) {
+    not_ours(fmt::format("{} holds {}", folder.string(), sweep ? "a single run" : "a sweep"));
+  }
+  if (!mark && !fs::is_empty(folder)) {
+    not_ours(fmt::format("{} holds files that no run of spricka wrote (it has no mark {}), and is "
+                         "left as it is",
+                         folder.string(), archive::mark_name));
+  }
+}
+
+RunFolder::RunFolder(const fs::path& folder)
+    : folder_(resolved_folder(folder)), part_(part_of(folder_)) {
+  fs::create_directories(folder_.parent_path());
+  open_place();
+  open_part();
+}
+
+void RunFolder::open_place() {
+  check_folder(folder_, false);
+  if (is_there(folder_)) {
+    if (is_mount_point(folder_)) {
+      not_ours(fmt::format("{} is a mount point, which no folder can take the place of",
+                           folder_.string()));
+    }
+    place_lock_ = archive::FolderLock::take(folder_, part_);
+    check_folder(folder_, false); // another run may have ended meanwhile
+    replaces_ = is_there(folder_ / listing_name);
+  }
+}
+
+// What a killed run has left is removed; what is not ours is left, and the run refused.
+void RunFolder::open_part() {
+  constexpr int attempts = 100; // another run that ends takes the folder away
+  for (int attempt = 0; !part_lock_ && attempt < attempts; ++attempt) {
+    if (::mkdir(part_.c_str(), 0777) != 0 && errno != EEXIST) {
+      throw std::system_error(errno, std::generic_category(), "cannot make " + part_.string());
+    }
+    if (!is_there(part_)) {
+      continue;
+    }
+    if (fs::is_symlink(part_) || !fs::is_directory(part_)) {
+      not_ours(fmt::format("{} is in the way, which no run wrote", part_.string()));
+    }
+    std::optional<archive::FolderLock> lock = archive::FolderLock::take(part_, part_);
+    if (!lock) {
+      continue;
+    }
+    const std::optional<archive::FolderMark> mark = archive::read_mark(part_);
+    const std::vector<std::string> foreign =
+        archive::foreign_names(part_, mark.value_or(archive::FolderMark{}));
+    if (!foreign.empty()) {
+      not_ours(fmt::format("{} is in the way: it holds '{}', which no run wrote", part_.string(),
+                           foreign.front()));
+    }
+    archive::remove_own(part_);
+    if (!is_there(part_)) {
+      continue; // of a killed run: the name is free now
+    }
+    part_lock_ = std::move(lock);
+  }
+  if (!part_lock_) {
+    not_ours(fmt::format("{} is in the way and keeps changing", part_.string()));
+  }
+  try {
+    archive::write_mark(part_, {archive::FolderKind::run, {}});
+    archive::write_owner(part_);
+  } catch (...) { // a full disk
+    archive::remove_own(part_);
+    std::error_code ignored;
+    fs::remove(part_, ignored); // where it is empty
+    throw;
+  }
+}
+
+RunFolder::~RunFolder() {
+  if (!done_) {
+    archive::remove_own(part_);
+  }
+}
+
+void RunFolder::put(const std::string& name, const std::function<void(const fs::path&)>& write) {
+  const std::scoped_lock lock(writing_);
+  if (std::ranges::find(names_, name) != names_.end()) {
+    throw archive::FileTrouble("E464",
+                               fmt::format("two results would be written into one file '{}'; give "
+                                           "one $OUTPUT another FILE",
+                                           name));
+  }
+  names_.push_back(name);
+  archive::add_to_mark(part_, name);
+  write(part_ / name);
+}
+
+void RunFolder::put_pictures(const model::Model& model, const results::Run& run) {
+  const std::string stem = picture_stem(model);
+  std::vector<std::pair<double, std::string>> entries;
+  double time = 0.0;
+  for (const results::Increment& increment : run.increments) {
+    for (const results::StepResult& step : increment.steps) {
+      time += 1.0;
+      if (step.stress.empty()) {
+        continue;
+      }
+      const std::string name = fmt::format("{}_{:03}_{}.vtu", stem, increment.number, step.step);
+      put(name, [&](const fs::path& file) { report::write_vtu(file, model, increment, step); });
+      entries.emplace_back(time, name);
+    }
+  }
+  put(stem + ".pvd", [&](const fs::path& file) { report::write_pvd(file, entries); });
+}
+
+void RunFolder::put_requested(const model::Model& model, const results::Run& run) {
+  for (const model::Output& output : model.outputs) {
+    if (output.format == model::OutputFormat::csv) {
+      put(fs::path(output.file).filename().string(),
+          [&](const fs::path& file) { report::write_requested_csv(file, model, output, run); });
+    }
+  }
+}
+
+void RunFolder::write(const base::Sources& sources, const model::Model& model, results::Run& run,
+                      const std::vector<results::ScriptConstant>& scripts) {
+  const base::Stopwatch watch;
+  using Table = void (*)(const fs::path&, const model::Model&, const results::Run&);
+  constexpr std::array<std::pair<const char*, Table>, 8> tables{
+      {{"k.csv", report::write_k_csv},
+       {"sensitivity.csv", report::write_sensitivity_csv},
+       {"pressure.csv", report::write_pressure_csv},
+       {"load_path.csv", report::write_load_path_csv},
+       {"life.csv", report::write_life_csv},
+       {"life_curve.csv", report::write_life_curve_csv},
+       {"beta.csv", report::write_beta_csv},
+       {"test.csv", report::write_test_csv}}};
+  for (const auto& [name, table] : tables) {
+    put(name, [&, make = table](const fs::path& file) { make(file, model, run); });
+  }
+  put_pictures(model, run);
+  put_requested(model, run);
+  put(results_name,
+      [&](const fs::path& file) { archive::write_results_file(file, sources, model, run); });
+  const std::vector<results::LoadTotal> totals = sense::load_totals(model);
+  keep("report.html", report::html_report(sources, model, run, totals));
+  run.log.push_back({"OUTPUT", "tables, pictures, report", watch.cpu(), watch.wall()});
+  run.cpu += watch.cpu();
+  run.wall += watch.wall();
+  run.peak_memory = base::peak_memory();
+  keep(listing_name,
+       report::listing(sources, model, run, totals) + report::script_section(scripts));
+}
+
+void RunFolder::keep(const std::string& name, const std::string& text) {
+  put(name, [&](const fs::path& file) { base::write_whole(file, text); });
+}
+
+// Files that no run wrote keep their names, or where a result has that name now, get one more word.
+void RunFolder::take_over_foreign(const fs::path& old) const {
+  const std::optional<archive::FolderMark> mark = archive::read_mark(old);
+  for (const std::string& name :
+       archive::foreign_names(old, mark.value_or(archive::FolderMark{}))) {
+    fs::path to = folder_ / name;
+    for (int number = 0; !rename_to_free(old / name, to); ++number) {
+      if (errno != EEXIST) {
+        throw trouble_with(to);
+      }
+      to = folder_ / (number == 0 ? name + ".kept" : fmt::format("{}.kept{}", name, number));
+    }
+  }
+}
+
+void RunFolder::move_into_place() {
+  check_folder(folder_, false); // it may have been made meanwhile
+  if (rename_to_free(part_, folder_)) {
+    return;
+  }
+  if (errno != EEXIST) {
+    throw trouble_with(folder_);
+  }
+  if (!place_lock_) {
+    place_lock_ = archive::FolderLock::take(folder_, part_);
+  }
+  fs::permissions(part_, fs::status(folder_).permissions());
+  exchange(part_, folder_);
+  take_over_foreign(part_);
+  if (archive::read_mark(part_)) {
+    archive::remove_own(part_);
+  } else {
+    fs::remove(part_); // an empty folder
+  }
+}
+
+void RunFolder::commit() {
+  const std::scoped_lock lock(writing_);
+  std::erase_if(names_, [&](const std::string& name) { return !is_there(part_ / name); });
+  archive::write_mark(part_, {archive::FolderKind::run, names_});
+  done_ = true; // from now on the results are whole: whatever happens, they stay
+  try {
+    move_into_place();
+  } catch (const std::exception& trouble) {
+    throw archive::FileTrouble(
+        "E464", fmt::format("{}; the results are in {}", trouble.what(),
+                            is_there(part_ / listing_name) ? part_.string() : folder_.string()));
+  }
+  std::error_code ignored;
+  fs::remove(folder_ / archive::owner_name, ignored);
+}
+
+void RunFolder::abandon() {
+  using namespace std::chrono_literals;
+  const bool quiet = writing_.try_lock_for(10s); // not given back
+  if (quiet && !done_) {
+    archive::remove_own(part_);
+  }
+}
+
+} // namespace spricka::program

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "archive/folder_lock.hpp"
+#include "base/source.hpp"
+#include "model/model.hpp"
+#include "results/results.hpp"
+#include "results/script_constant.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace spricka::program {
+
+inline constexpr const char* listing_name = "listing.txt";
+inline constexpr const char* sweep_table_name = "sweep.csv";
+inline constexpr const char* results_name = "results.h5"; ///< whole, for programs
+
+/// The folder as the program uses it: absolute, links followed, without a slash at its end.
+std::filesystem::path resolved_folder(const std::filesystem::path& folder);
+
+/// Throws FileTrouble E464 when a folder that is there is not one that a run (a sweep) may write:
+/// it holds files and no mark, or the mark of the other kind (run/folder_mark.hpp).
+void check_folder(const std::filesystem::path& folder, bool sweep);
+
+/// The run folder. Everything is written into a folder FOLDER.part beside it, that takes its place
+/// in one move at the end, or not at all: results of an earlier run stay until then. Files in the
+/// earlier folder that no run wrote are taken over into the new one. Both folders are locked
+/// against a second run.
+class RunFolder {
+public:
+  /// Throws std::system_error or FileTrouble (E464, E465) when the folder cannot be used.
+  explicit RunFolder(const std::filesystem::path& folder);
+  ~RunFolder();
+  RunFolder(const RunFolder&) = delete;
+  RunFolder& operator=(const RunFolder&) = delete;
+
+  /// Whether results of an earlier run stand in the folder's place.
+  [[nodiscard]] bool replaces() const { return replaces_; }
+
+  /// Writes listing, k.csv, pressure.csv, pictures and requested files, and adds its own cost to
+  /// the run's log before the listing is made. Throws std::system_error.
+  void write(const base::Sources& sources, const model::Model& model, results::Run& run,
+             const std::vector<results::ScriptConstant>& scripts);
+  /// Adds a file of that name.
+  void keep(const std::string& name, const std::string& text);
+  /// Puts the folder in place; without it nothing stays.
+  void commit();
+  /// Removes what is written so far, from any thread: the program ends now. Whoever writes is let
+  /// finish his file first and waits for ever then.
+  void abandon();
+
+private:
+  void open_place();
+  void open_part();
+  /// Writes a file of ours with `write`, which gets its path.
+  void put(const std::string& name, const std::function<void(const std::filesystem::path&)>& write);
+  void put_pictures(const model::Model& model, const results::Run& run);
+  void put_requested(const model::Model& model, const results::Run& run);
+  void move_into_place();
+  void take_over_foreign(const std::filesystem::path& old) const;
+
+  std::filesystem::path folder_;
+  std::filesystem::path part_; ///< where it is written
+  bool replaces_ = false;
+  bool done_ = false;
+  std::optional<archive::FolderLock> place_lock_, part_lock_;
+  std::timed_mutex writing_;
+  std::vector<std::string> names_; ///< written so far
+};
+
+} // namespace spricka::program

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/clock.hpp"
+#include "program/job/log.hpp"
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace spricka::program {
+
+/// What the command line asks of a run, a check or a sweep.
+struct RunOptions {
+  std::filesystem::path deck;
+  std::filesystem::path out; ///< empty: the deck's name with .run, in the working directory
+  std::vector<std::pair<std::string, std::string>> defines;
+  int threads = -1; ///< below 0: as $CONTROL says; 0: all cores
+  bool quiet = false;
+  bool restart = false;  ///< go on from the deck's own $RESTART WRITE file, if it is there
+  double seconds = 0.0;  ///< wall time after which no increment is begun; 0: no limit
+  base::Stopwatch since; ///< when the program was started
+  bool check_only = false;
+  bool json = false; ///< check: the same as JSON
+  LogFormat log_format = LogFormat::text;
+};
+
+} // namespace spricka::program

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/job/script_constants.hpp"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+std::vector<results::ScriptConstant> script_constants(const ReadyDeck& deck) {
+  std::vector<results::ScriptConstant> result;
+  for (const deck::ScriptTable& script : deck.scripts) {
+    std::string file = std::filesystem::path(script.file).filename().string();
+    if (!script.net.empty()) {
+      file += fmt::format(" ({})", script.net);
+    }
+    for (const mesh::ScriptConstant& c : script.constants) {
+      if (c.defined) {
+        result.push_back({file, c.name, c.value ? fmt::format("{:.10g}", *c.value) : c.text,
+                          c.from_deck ? "deck" : "file"});
+      }
+    }
+  }
+  return result;
+}
+
+} // namespace spricka::program

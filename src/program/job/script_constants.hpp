@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "program/job/job.hpp"
+#include "results/script_constant.hpp"
+
+#include <vector>
+
+namespace spricka::program {
+
+/// The constants of a deck's geometry scripts, for listing and check.
+std::vector<results::ScriptConstant> script_constants(const ReadyDeck& deck);
+
+} // namespace spricka::program

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "program/job/log.hpp"
+
+#include <string_view>
+
+/// stdout and stderr, which can be a full disk, a pipe that nobody reads, or closed.
+namespace spricka::program {
+
+/// To be called before anything is opened: a standard stream that is closed is opened on nothing,
+/// so that no file of results takes its number. What is written to it fails, as it should.
+void open_standard_streams();
+
+/// Writes to stdout, as far as it goes: what is lost is told at the end by written_out.
+void to_stdout(std::string_view text);
+
+/// Writes to stderr; that it cannot is told by the exit code (written_out), as there is no other
+/// place to say so.
+void to_stderr(std::string_view text);
+
+/// The exit code with which the program ends: `code`, or file_trouble where it would be success but
+/// something written to stdout or stderr is lost.
+int written_out(int code, LogFormat format);
+
+} // namespace spricka::program

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/messages.hpp"
+
+#include <cstddef>
+
+namespace spricka::program {
+
+/// Whether messages may be coloured: stderr is a terminal that is not dumb, and NO_COLOR (see
+/// no-color.org) is unset or empty.
+base::Colour colour_of_messages();
+
+/// Columns of text on stdout: those of the terminal, at most 110; 100 where it is none.
+std::size_t columns_of_text();
+
+} // namespace spricka::program

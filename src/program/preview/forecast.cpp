@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/preview/forecast.hpp"
+
+#include "base/clock.hpp"
+#include "estimate/enrichment.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+#include <span>
+
+namespace spricka::program {
+
+namespace {
+
+// Work per element and occasion in units of one element stiffness: internal forces, balance and
+// pressures of a step; recovery, tables and pictures of a step that is shown. Ratios are those of
+// QUAMC8 plates of 10 000 and 160 000 elements.
+constexpr double step_share = 0.5;
+constexpr double output_share = 2.5;
+// Half solves touch each entry of the factor twice, each time for a product of blocks this wide.
+constexpr double solve_width = 2.0;
+// Block size of contact's dense algebra, in sizes that reach half the peak.
+constexpr double contact_width = 0.25;
+constexpr std::size_t sample_size = 4000;
+constexpr double number = 8.0; // bytes
+
+double externals_of(const analysis::Net& net) {
+  return static_cast<double>(net.map.externals());
+}
+
+double nodal_vector(const model::Mesh& mesh) {
+  return number * mesh.dim * static_cast<double>(mesh.node_count());
+}
+
+// Mesh, displacements and reactions of all steps, stresses of one: what the run keeps of a length.
+double results_bytes(const model::Mesh& mesh, std::size_t steps) {
+  const auto nodes = static_cast<double>(mesh.node_count());
+  const double topology = 4.0 * static_cast<double>(mesh.nodes.size()) +
+                          24.0 * static_cast<double>(mesh.element_count());
+  return topology + 40.0 * nodes + 2.0 * static_cast<double>(steps) * nodal_vector(mesh) +
+         6.0 * number * nodes;
+}
+
+} // namespace
+
+/// What one length asks for.
+struct Forecast::Needs {
+  double flops = 0.0;
+  double entries = 0.0;
+  double solve_entries = 0.0; ///< of all factors that a step passes through
+  double seconds = 0.0;
+  double kept = 0.0;           ///< [bytes] factors and condensed stiffnesses
+  std::vector<double> passing; ///< [bytes] on top, net by net, while it is factorised
+  int condensed = 0;
+  int reused = 0;
+  std::size_t unknowns = 0;
+};
+
+const solve::FactorReport& Forecast::report_of(const analysis::CondenseRequest& request,
+                                               const Piece& piece, Needs& needs) {
+  const auto& [net, key, body, first_part] = piece;
+  const auto at = known_.find(key);
+  if (at != known_.end()) {
+    ++needs.reused;
+    return at->second;
+  }
+  std::vector<std::vector<std::int32_t>> supers;
+  for (std::size_t p = 0; body != nullptr && p < body->parts.size(); ++p) {
+    const fe::DofMap& map = body->parts[p]->map;
+    supers.emplace_back(map.freedom.begin() + map.locals, map.freedom.end());
+  }
+  if (element_seconds_ == 0.0 && !net.elements.empty()) {
+    const std::span<const base::ElementId> sample =
+        std::span(net.elements).first(std::min(sample_size, net.elements.size()));
+    fe::assemble_stiffness(request.model, request.mesh, sample, {}, net.map); // warms up
+    const base::Stopwatch watch;
+    fe::assemble_stiffness(request.model, request.mesh, sample, {}, net.map);
+    element_seconds_ = watch.cpu() / static_cast<double>(sample.size());
+  }
+  std::vector<solve::DenseBlock> blocks;
+  blocks.reserve(supers.size());
+  for (const std::vector<std::int32_t>& super : supers) {
+    blocks.push_back({analysis::rows_on(net.map, super)});
+  }
+  const bool apart = analysis::keeps_apart(net.map, blocks);
+  if (apart) {
+    supers.clear();
+  }
+  base::SymmetricCsc pattern = fe::stiffness_pattern(request.mesh, net.elements, supers, net.map);
+  const solve::FactorReport report =
+      apart ? solve::Condensation::forecast(pattern, net.map.externals(), blocks,
+                                            analysis::may_stay_factor(*body) ? &early_[*first_part]
+                                                                             : nullptr)
+            : solve::Condensation::forecast(std::move(pattern), net.map.externals());
+  ++needs.condensed;
+  needs.unknowns += net.map.freedom.size();
+  needs.flops += report.flops;
+  needs.entries += report.factor_entries;
+  needs.seconds +=
+      report.analysis_cpu + element_seconds_ * static_cast<double>(net.elements.size());
+  if (report.factor_entries > 0.0) {
+    needs.seconds += report.flops / rate_.at(report.flops / report.factor_entries);
+  }
+  needs.passing.push_back(report.memory - report.kept_memory);
+  return known_.emplace(key, report).first->second;
+}
+
+// Dense algebra of the condensed bodies: Cholesky of S, compliances of the rows, and a few
+// factorisations of the closed rows for each step.
+double Forecast::contact_flops(const std::vector<analysis::BodyNet>& bodies,
+                               const analysis::Scene& scene) const {
+  const auto rows = static_cast<double>(scene.table.rows.size());
+  double flops = 0.0;
+  for (const analysis::BodyNet& body : bodies) {
+    const double m = externals_of(body.region);
+    flops += m * m * m / 3.0 + m * m * rows + m * rows * rows;
+  }
+  constexpr double factorisations = 4.0;
+  return flops +
+         factorisations * static_cast<double>(model_.steps.size()) * rows * rows * rows / 3.0;
+}
+
+void Forecast::add(const analysis::CondenseRequest& request,
+                   const std::vector<analysis::BodyNet>& bodies, const analysis::Scene& scene,
+                   double scene_cpu, results::LengthPreview& length) {
+  if (resident_ == 0.0) {
+    resident_ = static_cast<double>(base::resident_memory());
+  }
+  const std::vector<analysis::NetKeys> keys = analysis::hash_bodies(request, bodies);
+  Needs needs;
+  double contact_bytes = 0.0;
+  const auto rows = static_cast<double>(scene.table.rows.size());
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const analysis::BodyNet& body = bodies[b];
+    for (std::size_t p = 0; p < body.parts.size(); ++p) {
+      const double m = externals_of(*body.parts[p]);
+      const solve::FactorReport& part =
+          report_of(request, {*body.parts[p], keys[b].parts[p], nullptr, nullptr}, needs);
+      needs.kept += part.kept_memory + 2.0 * number * m * m; // its S, and the copy in the region
+      needs.solve_entries += part.factor_entries;
+    }
+    const analysis::HashKey* first = keys[b].parts.empty() ? nullptr : &keys[b].parts.front();
+    const solve::FactorReport& own =
+        report_of(request, {body.region, keys[b].region, &body, first}, needs);
+    const double m = externals_of(body.region);
+    needs.kept += own.kept_memory + number * m * m;
+    needs.solve_entries += own.factor_entries;
+    length.externals += static_cast<std::size_t>(m);
+    contact_bytes = std::max(contact_bytes, 3.0 * number * m * rows);
+  }
+  contact_bytes += 4.0 * number * rows * rows;
+
+  const double n = nodal_vector(scene.cracked.mesh);
+  const auto steps = static_cast<double>(model_.steps.size());
+  const auto elements = static_cast<double>(scene.cracked.mesh.element_count());
+  std::sort(needs.passing.rbegin(), needs.passing.rend());
+  const std::size_t at_once =
+      std::min(needs.passing.size(), static_cast<std::size_t>(std::max(1, threads_)));
+  const double factorising = std::accumulate(
+      needs.passing.begin(), needs.passing.begin() + static_cast<std::ptrdiff_t>(at_once), 0.0);
+  // Error bars of K: element matrices of the modes, adjoints and what they are made of.
+  const auto tips = static_cast<double>(scene.cracked.tips.size());
+  const bool barred =
+      tips > 0.0 && estimate::not_enriched(request.model, scene.cracked.mesh).empty();
+  const double modes = barred ? estimate::enrichment_bytes(scene.cracked.mesh) : 0.0;
+  const double estimating = barred ? modes + 8.0 * tips * n : 0.0;
+  const double solving = contact_bytes + 12.0 * n + estimating;
+  kept_results_ += results_bytes(scene.cracked.mesh, model_.steps.size());
+
+  length.condensed = needs.condensed;
+  length.reused = needs.reused;
+  length.unknowns = needs.unknowns;
+  length.flops = needs.flops;
+  length.factor_entries = needs.entries;
+  length.memory =
+      resident_ + needs.kept + kept_results_ + std::max(kept_modes_ + factorising, solving);
+  kept_modes_ = model_.growth ? modes : 0.0;
+  length.seconds = needs.seconds + scene_cpu +
+                   contact_flops(bodies, scene) / rate_.at(contact_width * rate_.half + 1.0) +
+                   steps * 4.0 * needs.solve_entries / rate_.at(solve_width) +
+                   element_seconds_ * elements * (step_share * steps + output_share);
+
+  std::set<analysis::HashKey> used;
+  for (const analysis::NetKeys& key : keys) {
+    used.insert(key.region);
+    used.insert(key.parts.begin(), key.parts.end());
+  }
+  std::erase_if(known_, [&](const auto& entry) { return !used.contains(entry.first); });
+  std::erase_if(early_, [&](const auto& entry) { return !used.contains(entry.first); });
+}
+
+} // namespace spricka::program

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/scene/scene.hpp"
+#include "model/model.hpp"
+#include "results/preview.hpp"
+
+#include <vector>
+
+/// Parts of a preview that need a scene and no more.
+namespace spricka::program {
+
+/// Nets with their elements by type and freedoms by class.
+std::vector<results::NetPreview> preview_nets(const model::Model& model,
+                                              const analysis::Scene& scene);
+
+/// The worst elements of the host and of the crack patches.
+std::vector<results::QualityPreview> preview_quality(const model::Model& model,
+                                                     const analysis::Scene& scene);
+
+/// What the surfaces of each pair see of each other.
+std::vector<results::PairPreview> preview_pairs(const analysis::Scene& scene);
+
+/// Mesh, tips and patches of one length; forecasts stay empty.
+results::LengthPreview preview_length(const model::Model& model, const analysis::Scene& scene);
+
+} // namespace spricka::program

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/shell/actions.hpp"
+
+#include "base/exit_codes.hpp"
+#include "grammar/lexeme.hpp"
+#include "program/shell/plots.hpp"
+#include "program/shell/replies.hpp"
+#include "program/shell/save.hpp"
+#include "report/drawing/file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+using grammar::Quantity;
+
+ShellTrouble wrong(const ShellCall& call) {
+  return {base::exit_code::usage, fmt::format("write {}", call.usage), {}};
+}
+
+std::string name_at(const ShellCall& call, std::size_t i) {
+  return grammar::to_upper(call.words[i].text);
+}
+
+std::string rest_from(const ShellCall& call, std::size_t i) {
+  if (i < call.words.size() && call.words[i].text == "=") {
+    ++i;
+  }
+  return i < call.words.size()
+             ? std::string(without_comment(std::string_view(call.line).substr(call.words[i].begin)))
+             : std::string();
+}
+
+ShellResult number_from(const ShellCall& call, std::size_t i, Quantity quantity, double& value) {
+  const std::string text = rest_from(call, i);
+  return text.empty() ? wrong(call) : read_number(text, call.session.model(), quantity, value);
+}
+
+ShellResult settle(ShellSession& session, ShellReply& reply) {
+  if (!session.pending()) {
+    return {};
+  }
+  ShellResult trouble = session.solve();
+  if (!trouble) {
+    reply.messages +=
+        session.rubs()
+            ? fmt::format("note: solved from the last state on, in {} substeps\n", default_substeps)
+            : std::string();
+    reply.messages += state_notes(session);
+  }
+  return trouble;
+}
+
+namespace {
+
+// What the last solution has to say, and with friction where it came from.
+void tell_state(const ShellCall& call) {
+  call.reply.out += state_reply(call.session);
+  call.reply.messages += state_notes(call.session);
+}
+
+ShellResult do_show(const ShellCall& call) {
+  call.reply.out = show_reply(call.session);
+  return {};
+}
+
+ShellResult do_step(const ShellCall& call) {
+  if (call.words.size() != 2) {
+    return wrong(call);
+  }
+  ShellResult trouble = call.session.step(name_at(call, 1));
+  if (!trouble) {
+    tell_state(call);
+  }
+  return trouble;
+}
+
+ShellResult do_load(const ShellCall& call) {
+  double factor = 0.0;
+  if (call.words.size() < 3) {
+    return wrong(call);
+  }
+  if (ShellResult trouble = number_from(call, 2, Quantity::number, factor)) {
+    return trouble;
+  }
+  return call.session.load(name_at(call, 1), factor);
+}
+
+ShellResult do_fit(const ShellCall& call) {
+  if (call.words.size() < 3) {
+    return wrong(call);
+  }
+  const bool declares = call.words[2].text == "=";
+  double value = 0.0;
+  if (ShellResult trouble =
+          number_from(call, 2, declares ? Quantity::length : Quantity::number, value)) {
+    return trouble;
+  }
+  if (!declares) {
+    return call.session.fit(name_at(call, 1), value);
+  }
+  ShellResult trouble = settle(call.session, call.reply);
+  trouble = trouble ? trouble : call.session.interference(name_at(call, 1), value);
+  if (!trouble) {
+    call.reply.messages +=
+        fmt::format("note: {} {:.6g} along the normal, on a radius; {:.6g} on a diameter\n",
+                    value < 0.0 ? "gap" : "interference", std::abs(value), 2.0 * std::abs(value));
+    tell_state(call);
+  }
+  return trouble;
+}
+
+ShellResult do_mount(const ShellCall& call) {
+  return call.words.size() == 2 ? call.session.mount(name_at(call, 1), true) : wrong(call);
+}
+
+ShellResult do_dismount(const ShellCall& call) {
+  return call.words.size() == 2 ? call.session.mount(name_at(call, 1), false) : wrong(call);
+}
+
+ShellResult do_length(const ShellCall& call) {
+  double a = 0.0;
+  if (call.words.size() < 3) {
+    return wrong(call);
+  }
+  ShellResult trouble = number_from(call, 2, Quantity::length, a);
+  trouble = trouble ? trouble : settle(call.session, call.reply);
+  trouble = trouble ? trouble : call.session.length(name_at(call, 1), a);
+  if (!trouble) {
+    const analysis::CondenseLog& log = call.session.condensed();
+    call.reply.messages +=
+        fmt::format("note: {} nets condensed, {} reused\n", log.condensed, log.reused);
+    tell_state(call);
+  }
+  return trouble;
+}
+
+ShellResult do_set(const ShellCall& call) {
+  if (call.words.size() < 4 || call.words[2].text != "=") {
+    return wrong(call);
+  }
+  ShellResult trouble = settle(call.session, call.reply);
+  const std::string before = state_reply(call.session);
+  trouble = trouble ? trouble : call.session.define(call.words[1].text, rest_from(call, 2));
+  if (trouble) {
+    return trouble;
+  }
+  for (const std::string& text : call.session.covered()) {
+    call.reply.messages += fmt::format("note: {}\n", text);
+  }
+  tell_state(call);
+  const bool same = !before.empty() && state_reply(call.session) == before;
+  if (call.session.covered().empty() && same) {
+    call.reply.messages += "note: K and the contacts are as they were before\n";
+  }
+  return {};
+}
+
+ShellResult do_solve(const ShellCall& call) {
+  int substeps = default_substeps;
+  if (call.words.size() > 1) {
+    double given = 0.0;
+    if (ShellResult trouble = number_from(call, 1, Quantity::number, given)) {
+      return trouble;
+    }
+    if (!(given >= 1.0 && given <= 1e5) || given != static_cast<int>(given)) {
+      return ShellTrouble{base::exit_code::usage, "the number of substeps is whole, from 1", {}};
+    }
+    substeps = static_cast<int>(given);
+  }
+  if (call.session.rubs() && call.session.pending()) {
+    call.reply.messages += fmt::format("note: from the last state on, in {} substeps\n", substeps);
+  }
+  ShellResult trouble = call.session.solve(substeps);
+  if (!trouble) {
+    tell_state(call);
+  }
+  return trouble;
+}
+
+// The file that a word names. One that is there is replaced when the word behind it says so, and
+// not else.
+ShellResult file_to_write(const ShellCall& call, std::size_t word, std::filesystem::path& file) {
+  namespace fs = std::filesystem;
+  if (call.words.size() < word + 1 || call.words.size() > word + 2) {
+    return wrong(call);
+  }
+  const bool forced = call.words.size() == word + 2;
+  const std::string& name = call.words[word].text;
+  if (forced && grammar::to_upper(call.words[word + 1].text) != "REPLACE") {
+    return wrong(call);
+  }
+  file = name;
+  std::error_code ignored;
+  for (std::int32_t f = 0; f < static_cast<std::int32_t>(call.session.sources().count()); ++f) {
+    if (fs::equivalent(file, call.session.sources().name(f), ignored)) {
+      return ShellTrouble{base::exit_code::usage, "the deck itself is not overwritten",
+                          "take another name"};
+    }
+  }
+  const fs::file_status status = fs::symlink_status(file, ignored);
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    return ShellTrouble{base::exit_code::file_trouble, fmt::format("{} is not a file", name),
+                        "take another name"};
+  }
+  if (fs::exists(status) && !forced) {
+    return ShellTrouble{base::exit_code::file_trouble,
+                        fmt::format("there is a file {} already, and it is left as it is", name),
+                        "take another name, or write replace behind it"};
+  }
+  return {};
+}
+
+ShellResult do_plot(const ShellCall& call) {
+  if (call.words.size() < 3) {
+    return wrong(call);
+  }
+  std::string kind = call.words[1].text;
+  std::ranges::transform(kind, kind.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  std::string svg;
+  std::filesystem::path file;
+  ShellResult trouble = file_to_write(call, 2, file);
+  trouble = trouble ? trouble : settle(call.session, call.reply);
+  trouble = trouble ? trouble : picture(call.session, kind, svg);
+  if (!trouble) {
+    report::write_file(file, svg);
+    call.reply.messages += fmt::format("note: {} written\n", file.string());
+  }
+  return trouble;
+}
+
+ShellResult do_save(const ShellCall& call) {
+  namespace fs = std::filesystem;
+  fs::path file;
+  std::string text;
+  ShellResult trouble = file_to_write(call, 1, file);
+  trouble = trouble ? trouble : settle(call.session, call.reply);
+  trouble = trouble ? trouble : saved_deck(call.session, fs::absolute(file).parent_path(), text);
+  if (!trouble) {
+    report::write_file(file, text);
+    call.reply.messages += fmt::format("note: {} written\n", file.string());
+  }
+  return trouble;
+}
+
+ShellResult do_reset(const ShellCall& call) {
+  ShellResult trouble = call.session.reset();
+  if (!trouble) {
+    tell_state(call);
+  }
+  return trouble;
+}
+
+} // namespace
+
+ShellResult carry_out(std::string_view command, const ShellCall& call) {
+  using Act = ShellResult (*)(const ShellCall&);
+  static const std::map<std::string_view, Act> acts{
+      {"show", do_show},
+      {"step", do_step},
+      {"load", do_load},
+      {"fit", do_fit},
+      {"mount", do_mount},
+      {"dismount", do_dismount},
+      {"length", do_length},
+      {"set", do_set},
+      {"solve", do_solve},
+      {"K", do_k},
+      {"pressure", do_pressure},
+      {"arc", do_arc},
+      {"reaction", do_reaction},
+      {"displacement", do_displacement},
+      {"stress", do_stress},
+      {"map", do_map},
+      {"sensitivity", do_sensitivity},
+      {"plot", do_plot},
+      {"save", do_save},
+      {"reset", do_reset},
+  };
+  return acts.at(command)(call);
+}
+
+} // namespace spricka::program

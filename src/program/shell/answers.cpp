@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a session answers from its bench.
+#include "base/exit_codes.hpp"
+#include "grammar/catalogue.hpp"
+#include "program/checks/check_quantities.hpp"
+#include "program/shell/known_names.hpp"
+#include "program/shell/session.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+ShellResult ShellSession::mappable() const {
+  if (!rubs()) {
+    return {};
+  }
+  return ShellTrouble{base::exit_code::usage,
+                      "with friction K depends on the way, not only on where it leads: there is no "
+                      "map of it",
+                      "load, solve and K go that way step by step"};
+}
+
+ShellResult ShellSession::map_path(const std::string& name) {
+  std::size_t index = 0;
+  ShellResult trouble = find_name(path_names(*model_), "load path", name, index);
+  trouble = trouble ? trouble : mappable();
+  trouble = trouble ? trouble : solve();
+  if (trouble) {
+    return trouble;
+  }
+  const model::LoadPath card = model_->load_paths[index];
+  trouble = bench_->follow(card, way_to(card.from.index()), way_to(card.to.index()));
+  if (!trouble) {
+    mapped_ = name;
+    range_ = {};
+  }
+  return trouble;
+}
+
+ShellResult ShellSession::map_case(const std::string& load_case, double from, double to) {
+  std::size_t index = 0;
+  ShellResult trouble = find_name(case_names(*model_), "load case", load_case, index);
+  trouble = trouble ? trouble : mappable();
+  trouble = trouble ? trouble : solve();
+  if (trouble) {
+    return trouble;
+  }
+  if (from == to) {
+    return ShellTrouble{base::exit_code::usage, "both ends of the map are the same", {}};
+  }
+  const auto end = [&](double factor) {
+    std::vector<model::Step> steps = way();
+    model::Step& last = steps.emplace_back();
+    last.name = fmt::format("{} {:.6g}", load_case, factor);
+    last.actions.emplace_back(model::ApplyLoad{base::CaseId(index), factor});
+    return steps;
+  };
+  model::LoadPath card;
+  card.name = load_case;
+  trouble = bench_->follow(card, end(from), end(to));
+  if (!trouble) {
+    mapped_ = load_case;
+    range_ = {"factor", from, to};
+  }
+  return trouble;
+}
+
+const results::LoadPath* ShellSession::mapped() const {
+  return mapped_.empty() || !bench_->ready()
+             ? nullptr
+             : results::find_path(bench_->run().increments.front(), mapped_);
+}
+
+ShellResult ShellSession::evaluate(const model::Check& check, double& value) {
+  if (ShellResult trouble = solve()) {
+    return trouble;
+  }
+  const grammar::ResultQuantity* is = grammar::find_quantity(check.quantity);
+  const std::string letters = argument_letters(*is, model_->mesh.dim);
+  for (std::size_t i = 0; i < check.arguments.size() && i < letters.size(); ++i) {
+    const auto* name = std::get_if<std::string>(&check.arguments[i]);
+    ShellResult trouble;
+    if (letters[i] == 's' && *name != "NOW") {
+      std::size_t index = 0;
+      trouble = find_name(step_names(*model_), "step", *name, index);
+      trouble = trouble ? trouble : bench_->add_step(index);
+    } else if (letters[i] == 'l') {
+      trouble = map_path(*name);
+    }
+    if (trouble) {
+      return trouble;
+    }
+  }
+  const std::string& q = check.quantity;
+  if (q.ends_with(".BAR") || q.ends_with(".BEST") || q.starts_with("DK")) {
+    if (ShellResult trouble = bench_->estimate()) {
+      return trouble;
+    }
+  } else if (q == "ERROR") {
+    bench_->estimate_nets();
+  }
+  std::vector<model::Check> asked{check};
+  std::swap(model_->checks, asked);
+  const results::CheckResult found = evaluate_checks(*model_, bench_->run()).front();
+  std::swap(model_->checks, asked);
+  if (!found.trouble.empty()) {
+    return ShellTrouble{base::exit_code::check_failed, found.trouble, {}};
+  }
+  value = found.found;
+  return {};
+}
+
+std::vector<std::string> ShellSession::new_notes() {
+  std::vector<std::string> warnings;
+  std::vector<std::string> notes;
+  for (const std::string& note : now().notes) {
+    if (note.starts_with("warning: ")) {
+      warnings.push_back(note);
+    } else if (told_.insert(note).second) {
+      notes.push_back("note: " + note);
+    }
+  }
+  warnings.insert(warnings.end(), notes.begin(), notes.end());
+  return warnings;
+}
+
+double ShellSession::length_of(std::size_t crack) const {
+  const results::StepResult& at = now();
+  for (std::size_t t = 0; t < at.tips.size(); ++t) {
+    const std::string& tip = at.tips[t].name;
+    const std::string& name = model_->cracks[crack].name;
+    if (tip == name || tip == name + ".1") {
+      return at.tips[t].a;
+    }
+  }
+  return model_->cracks[crack].a0.value_or(0.0);
+}
+
+// Everything that K depends on but the lengths.
+std::string ShellSession::setting() const {
+  std::string text;
+  const analysis::StepFactors& f = factors();
+  for (Eigen::Index c = 0; c < f.case_factor.size(); ++c) {
+    text += fmt::format("{} ", f.case_factor[c]);
+  }
+  for (std::size_t c = 0; c < model_->contacts.size(); ++c) {
+    text += fmt::format("{} {} {} ", f.fit[c], f.mounted[c] ? 1 : 0,
+                        model_->contacts[c].gap.value_or(0.0));
+  }
+  for (const auto& [name, value] : model_->parameters) {
+    text += fmt::format("{} {} ", name, value);
+  }
+  return text;
+}
+
+void ShellSession::remember() {
+  if (now().tips.empty()) {
+    return;
+  }
+  Known known{setting(), now().tips.front().a, now().tips};
+  std::erase_if(known_, [&](const Known& k) {
+    return k.setting == known.setting &&
+           std::ranges::equal(k.tips, known.tips,
+                              [](const auto& a, const auto& b) { return a.a == b.a; });
+  });
+  known_.push_back(std::move(known));
+}
+
+results::Run ShellSession::lengths() const {
+  results::Run out;
+  const std::string present = setting();
+  for (const Known& known : known_) {
+    if (known.setting == present) {
+      results::Increment& increment = out.increments.emplace_back();
+      increment.a = known.a;
+      increment.steps.emplace_back().step = "NOW";
+      increment.steps.back().tips = known.tips;
+    }
+  }
+  std::ranges::stable_sort(out.increments, {}, &results::Increment::a);
+  for (std::size_t i = 0; i < out.increments.size(); ++i) {
+    out.increments[i].number = static_cast<int>(i) + 1;
+  }
+  return out;
+}
+
+std::vector<std::string> ShellSession::pair_names() const {
+  return program::pair_names(*model_);
+}
+
+} // namespace spricka::program

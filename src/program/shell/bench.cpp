@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/shell/bench.hpp"
+
+#include "analysis/recover/finite_results.hpp"
+#include "analysis/recover/net_errors.hpp"
+#include "analysis/recover/recover_step.hpp"
+#include "analysis/scene/gone_nodes.hpp"
+#include "analysis/steps/lip_contact.hpp"
+#include "base/exit_codes.hpp"
+#include "base/tidy.hpp"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+namespace {
+
+constexpr std::size_t path_from = 0; // steps of `shown_`, which give a path's ends their names
+constexpr std::size_t path_to = 1;
+
+ShellTrouble interrupted() {
+  return {base::exit_code::stopped, "stopped; everything is as it was before", {}};
+}
+
+// The deck with three steps of no content in the place of its own: the ends of a path, and NOW.
+model::Model model_to_show(const model::Model& model) {
+  model::Model shown = model;
+  shown.growth.reset();
+  shown.load_paths.clear();
+  shown.checks.clear();
+  shown.steps.clear();
+  for (const char* name : {"FROM", "TO", "NOW"}) {
+    shown.steps.emplace_back().name = name;
+  }
+  return shown;
+}
+
+bool same_action(const model::Action& a, const model::Action& b) {
+  const auto* load = std::get_if<model::ApplyLoad>(&a);
+  const auto* fit = std::get_if<model::ApplyFit>(&a);
+  if (a.index() != b.index()) {
+    return false;
+  }
+  if (load != nullptr) {
+    const auto& other = std::get<model::ApplyLoad>(b);
+    return load->load_case == other.load_case && load->factor == other.factor;
+  }
+  if (fit != nullptr) {
+    const auto& other = std::get<model::ApplyFit>(b);
+    return fit->contact == other.contact && fit->factor == other.factor;
+  }
+  const auto* on = std::get_if<model::Mount>(&a);
+  return on != nullptr
+             ? on->contact == std::get<model::Mount>(b).contact
+             : std::get<model::Dismount>(a).contact == std::get<model::Dismount>(b).contact;
+}
+
+// Whether a way is another one and a single step more.
+bool is_one_further(const std::vector<model::Step>& way, const std::vector<model::Step>& than) {
+  return way.size() == than.size() + 1 &&
+         std::ranges::equal(than, std::span(way).first(than.size()),
+                            [](const model::Step& a, const model::Step& b) {
+                              return a.substeps == b.substeps &&
+                                     std::ranges::equal(a.actions, b.actions, same_action);
+                            });
+}
+
+} // namespace
+
+ShellBench::ShellBench(const BenchParts& parts, analysis::Scene scene)
+    : parts_(parts), scene_(std::move(scene)), shown_(model_to_show(parts.model)) {
+  results::Increment& increment = run_.increments.emplace_back();
+  increment.number = 1;
+  increment.a = scene_.cracked.tips.empty() ? 0.0 : base::tidy(scene_.cracked.tips.front().a);
+  increment.notes = scene_.notes;
+  increment.mesh = scene_.cracked.mesh;
+  analysis::keep_gone_members(parts_.model.mesh, increment.mesh);
+  increment.kept = static_cast<std::size_t>(
+      std::ranges::count_if(scene_.cracked.host, [](base::ElementId e) { return e.valid(); }));
+}
+
+std::unique_ptr<ShellBench> ShellBench::make(const BenchParts& parts,
+                                             const analysis::RegionPlan& plan,
+                                             base::Diagnostics& diagnostics, ShellResult& trouble) {
+  std::optional<analysis::Scene> scene = analysis::make_scene(parts.model, 0.0, plan, diagnostics);
+  if (!scene) {
+    return nullptr;
+  }
+  std::unique_ptr<ShellBench> bench(new ShellBench(parts, std::move(*scene)));
+  trouble = bench->stopped() ? interrupted() : bench->prepare();
+  if (!trouble && bench->stopped()) {
+    trouble = interrupted();
+  }
+  return trouble ? nullptr : std::move(bench);
+}
+
+ShellResult ShellBench::prepare() {
+  condensed_ = {};
+  std::vector<analysis::BodyNet> bodies = analysis::condense_bodies(
+      {parts_.model, scene_.cracked.mesh, scene_.cls, scene_.ties, scene_.rest_element,
+       analysis::loads_with_supports(parts_.model, scene_), parts_.threads},
+      parts_.cache, condensed_);
+  if (!condensed_.trouble.empty()) {
+    return ShellTrouble{base::exit_code::not_solvable, condensed_.trouble, {}};
+  }
+  bodies_ = std::move(bodies);
+  const model::Model& model = parts_.model;
+  fresh_ = std::make_unique<analysis::StepSolver>(model, scene_, bodies_, parts_.memory,
+                                                  &parts_.contact);
+  paths_ = std::make_unique<analysis::LoadPaths>(shown_, scene_, bodies_);
+  adjoints_ = std::make_unique<analysis::Adjoints>(model, scene_, bodies_);
+  bars_ = std::make_unique<analysis::ErrorBars>(model, scene_);
+  sensitivities_ = std::make_unique<analysis::Sensitivities>(model, scene_, bodies_);
+  solver_.reset();
+  state_.reset();
+  estimated_ = false;
+  run_.increments.front().steps.clear();
+  run_.increments.front().paths.clear();
+  return {};
+}
+
+ShellResult ShellBench::close(const std::vector<std::size_t>& lines) {
+  solver_.reset(); // it looks at the rows of the scene
+  analysis::add_lip_pairs(parts_.model, lines, scene_);
+  if (parts_.fills_memory && parts_.memory != nullptr) {
+    *parts_.memory = analysis::MountMemory(); // of steps that do not count
+  }
+  return prepare();
+}
+
+ShellResult ShellBench::advance(const std::vector<model::Step>& steps, Reached& reached) const {
+  for (const model::Step& step : steps) {
+    if (stopped()) {
+      return interrupted();
+    }
+    analysis::Refusal refusal;
+    reached.state = reached.solver->solve(step, refusal);
+    if (!reached.state) {
+      return ShellTrouble{
+          refusal.exit_code, fmt::format("step {}: {}", step.name, refusal.why), {}};
+    }
+    results::StepResult numbers;
+    numbers.u = reached.state->u;
+    numbers.reaction = reached.state->reaction;
+    if (const std::string what = analysis::not_finite(numbers); !what.empty()) {
+      return ShellTrouble{
+          base::exit_code::not_solvable, fmt::format("step {}: {}", step.name, what), {}};
+    }
+    reached.touching = analysis::touching_lines(parts_.model, scene_, reached.state->u);
+    if (!reached.touching.empty()) {
+      return {};
+    }
+  }
+  return {};
+}
+
+ShellResult ShellBench::reach(const std::vector<model::Step>& way, Reached& reached) {
+  while (true) {
+    if (parts_.memory != nullptr) {
+      parts_.memory->restart();
+    }
+    reached = {std::make_unique<analysis::StepSolver>(*fresh_), {}, {}};
+    if (ShellResult trouble = advance(way, reached)) {
+      return trouble;
+    }
+    if (reached.touching.empty()) {
+      return {};
+    }
+    if (ShellResult trouble = close(reached.touching)) {
+      return trouble;
+    }
+  }
+}
+
+results::StepResult ShellBench::gather(const Reached& reached, const std::string& name) const {
+  model::Step step;
+  step.name = name;
+  results::StepResult out =
+      analysis::gather_step(parts_.model, scene_, bodies_, step, *reached.state);
+  const model::Mesh& mesh = scene_.cracked.mesh;
+  analysis::fill_displacements(mesh, analysis::gone_places(parts_.model.mesh, mesh), out.u);
+  return out;
+}
+
+void ShellBench::take(Reached reached, const std::vector<model::Step>& way) {
+  std::vector<results::StepResult>& steps = run_.increments.front().steps;
+  results::StepResult now = gather(reached, "NOW");
+  if (steps.empty()) {
+    steps.push_back(std::move(now));
+  } else {
+    steps.front() = std::move(now);
+  }
+  solver_ = std::move(reached.solver);
+  state_ = std::move(reached.state);
+  estimated_ = false;
+  way_ = way;
+}
+
+ShellResult ShellBench::walk(const std::vector<model::Step>& way) {
+  const std::vector<model::Step> before = way_;
+  Reached reached;
+  if (ShellResult trouble = reach(way, reached)) {
+    if (!solver_ && !before.empty() && !reach(before, reached)) { // faces were closed meanwhile
+      take(std::move(reached), before);
+    }
+    return trouble;
+  }
+  take(std::move(reached), way);
+  return {};
+}
+
+ShellResult ShellBench::go_on(const model::Step& step, const std::vector<model::Step>& way) {
+  Reached reached{std::make_unique<analysis::StepSolver>(*solver_), {}, {}};
+  if (ShellResult trouble = advance({step}, reached)) {
+    return trouble;
+  }
+  if (!reached.touching.empty()) { // solved anew with contact between them, from the beginning
+    return walk(way);
+  }
+  take(std::move(reached), way);
+  return {};
+}
+
+ShellResult ShellBench::estimate() {
+  if (estimated_ || scene_.cracked.tips.empty()) {
+    return {};
+  }
+  results::StepResult found = now();
+  const std::vector<estimate::Adjoint>& of_K = adjoints_->of_last_step(*solver_);
+  if (stopped()) {
+    return interrupted();
+  }
+  bars_->add(*state_, of_K, adjoints_->held(), found);
+  if (stopped()) {
+    return interrupted();
+  }
+  sensitivities_->add(*solver_, *state_, *adjoints_, found);
+  run_.increments.front().steps.front() = std::move(found);
+  estimated_ = true;
+  return {};
+}
+
+void ShellBench::estimate_nets() {
+  results::StepResult& step = run_.increments.front().steps.front();
+  if (step.errors.empty()) {
+    analysis::add_errors(parts_.model, scene_, state_->energy, step);
+  }
+}
+
+ShellResult ShellBench::add_step(std::size_t step) {
+  const std::vector<model::Step>& steps = parts_.model.steps;
+  if (results::find_step(run_.increments.front(), steps[step].name) != nullptr) {
+    return {};
+  }
+  const std::vector<model::Step> now = way_;
+  Reached reached;
+  const std::vector<model::Step> way(steps.begin(),
+                                     steps.begin() + static_cast<std::ptrdiff_t>(step) + 1);
+  ShellResult trouble = reach(way, reached);
+  if (!solver_) { // its faces met, so that the present state is to be found again
+    Reached present;
+    if (ShellResult lost = reach(now, present)) {
+      return lost;
+    }
+    take(std::move(present), now);
+  }
+  if (!trouble) {
+    run_.increments.front().steps.push_back(gather(reached, steps[step].name));
+  }
+  return trouble;
+}
+
+ShellResult ShellBench::follow(const model::LoadPath& card, const std::vector<model::Step>& from,
+                               const std::vector<model::Step>& to) {
+  const std::vector<model::Step> now = way_;
+  model::LoadPath own = card;
+  own.from = base::StepId(path_from);
+  own.to = base::StepId(path_to);
+  std::vector<results::LoadPath> found;
+  ShellResult trouble;
+  const auto to_end = [&](const std::vector<model::Step>& way, Reached& reached) {
+    if (solver_ && is_one_further(way, now)) {
+      reached = {std::make_unique<analysis::StepSolver>(*solver_), {}, {}};
+      ShellResult stuck = advance({way.back()}, reached);
+      if (stuck || reached.touching.empty()) {
+        return stuck;
+      }
+    }
+    return reach(way, reached);
+  };
+  while (!trouble) {
+    shown_.load_paths = {own};
+    Reached at_from;
+    Reached at_to;
+    trouble = to_end(from, at_from);
+    analysis::LoadPaths* const before = paths_.get();
+    trouble = trouble ? trouble : to_end(to, at_to);
+    if (trouble || paths_.get() != before) {
+      continue; // faces met at the second end: the first is not the same any more
+    }
+    paths_->keep(path_from, *at_from.solver, gather(at_from, "FROM"));
+    paths_->keep(path_to, *at_to.solver, gather(at_to, "TO"));
+    found = paths_->follow(*at_to.solver);
+    const std::vector<std::size_t> touching = paths_->touching();
+    if (touching.empty()) {
+      break;
+    }
+    trouble = close(touching);
+  }
+  shown_.load_paths.clear();
+  if (!solver_) {
+    Reached present;
+    if (ShellResult lost = reach(now, present)) {
+      return lost;
+    }
+    take(std::move(present), now);
+  }
+  if (!trouble) {
+    found.front().from = from.back().name;
+    found.front().to = to.back().name;
+    std::vector<results::LoadPath>& paths = run_.increments.front().paths;
+    std::erase_if(paths, [&](const results::LoadPath& p) { return p.name == card.name; });
+    paths.push_back(std::move(found.front()));
+  }
+  return trouble;
+}
+
+} // namespace spricka::program

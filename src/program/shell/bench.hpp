@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/adjoint/adjoints.hpp"
+#include "analysis/adjoint/error_bars.hpp"
+#include "analysis/adjoint/sensitivities.hpp"
+#include "analysis/recover/load_paths.hpp"
+#include "analysis/steps/contact_memory.hpp"
+#include "program/shell/trouble.hpp"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace spricka::program {
+
+/// What a bench is made of; all must outlive it.
+struct BenchParts {
+  const model::Model& model; ///< its cracks have the lengths wanted
+  analysis::CondensationCache& cache;
+  analysis::ContactMemory& contact; ///< compliances that lengths share
+  analysis::MountMemory* memory =
+      nullptr;               ///< of what was mounted at the first length; null: none is kept
+  bool fills_memory = false; ///< this is the first length
+  int threads = 1;
+  std::function<bool()> stopped; ///< asked between the stages of a computation; may be empty
+};
+
+/// One set of crack lengths of a deck, condensed and ready to be asked: loads and fits change the
+/// contact solution only. Nothing in it prints or reads. An operation that fails leaves the state
+/// as it was, or the bench not ready().
+class ShellBench {
+public:
+  /// Cuts the cracks and condenses the nets. Mistakes that only show here go to `diagnostics`.
+  static std::unique_ptr<ShellBench> make(const BenchParts& parts, const analysis::RegionPlan& plan,
+                                          base::Diagnostics& diagnostics, ShellResult& trouble);
+  ShellBench(const ShellBench&) = delete;
+  ShellBench& operator=(const ShellBench&) = delete;
+
+  /// From the unloaded state through all these steps; their end is the present state.
+  ShellResult walk(const std::vector<model::Step>& way);
+  /// On from the present state by one more step; `way` leads to the same end.
+  ShellResult go_on(const model::Step& step, const std::vector<model::Step>& way);
+
+  /// One increment with the mesh and the present state as its step NOW; then what was asked of the
+  /// deck's own steps, and the load paths that were followed.
+  [[nodiscard]] const results::Run& run() const { return run_; }
+  [[nodiscard]] const results::StepResult& now() const { return run_.increments.front().steps[0]; }
+  /// The model as it is shown: its only step with results is NOW.
+  [[nodiscard]] const model::Model& shown() const { return shown_; }
+  [[nodiscard]] const analysis::StepFactors& factors() const { return solver_->factors(); }
+  /// False when an operation failed so late that nothing is left to ask: make a new bench.
+  [[nodiscard]] bool ready() const { return solver_ != nullptr; }
+  /// Figures of the last condensation.
+  [[nodiscard]] const analysis::CondenseLog& condensed() const { return condensed_; }
+
+  /// Error bars and sensitivities of the present state, once.
+  ShellResult estimate();
+  /// Estimated errors of the nets in the energy norm, once.
+  void estimate_nets();
+  /// The end of a step of the deck becomes a further step of run().
+  ShellResult add_step(std::size_t step);
+  /// The straight path between two steps that follow `way`, t from 0 to `beyond`; it replaces paths
+  /// of that name in run(). Without friction only.
+  ShellResult follow(const model::LoadPath& card, const std::vector<model::Step>& from,
+                     const std::vector<model::Step>& to);
+
+private:
+  ShellBench(const BenchParts& parts, analysis::Scene scene);
+  ShellResult prepare();
+  /// Lines whose faces would overlap become pairs, and everything that stood on it is made anew.
+  ShellResult close(const std::vector<std::size_t>& lines);
+  struct Reached {
+    std::unique_ptr<analysis::StepSolver> solver;
+    std::optional<analysis::StepState> state;
+    std::vector<std::size_t> touching; ///< lines to close before this is an answer
+  };
+  /// Solves the steps one by one; stops where faces touch.
+  ShellResult advance(const std::vector<model::Step>& steps, Reached& reached) const;
+  /// advance() from the unloaded state, faces closed where they meet.
+  ShellResult reach(const std::vector<model::Step>& way, Reached& reached);
+  void take(Reached reached, const std::vector<model::Step>& way);
+  [[nodiscard]] results::StepResult gather(const Reached& reached, const std::string& name) const;
+  [[nodiscard]] bool stopped() const { return parts_.stopped && parts_.stopped(); }
+
+  BenchParts parts_;
+  analysis::Scene scene_;
+  std::vector<analysis::BodyNet> bodies_;
+  analysis::CondenseLog condensed_;
+  model::Model shown_;
+  std::unique_ptr<analysis::StepSolver> fresh_; ///< at the unloaded state
+  std::unique_ptr<analysis::StepSolver> solver_;
+  std::unique_ptr<analysis::LoadPaths> paths_;
+  std::unique_ptr<analysis::Adjoints> adjoints_;
+  std::unique_ptr<analysis::ErrorBars> bars_;
+  std::unique_ptr<analysis::Sensitivities> sensitivities_;
+  std::optional<analysis::StepState> state_;
+  std::vector<model::Step> way_;
+  bool estimated_ = false;
+  results::Run run_;
+};
+
+} // namespace spricka::program

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/exit_codes.hpp"
+#include "program/shell/session.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// The words of `spricka shell`: one table from which help, completion and the manual come. Nothing
+/// here prints; what a command has to say is text in its reply.
+namespace spricka::program {
+
+/// What a command's arguments stand for, for completion; '.' is anything that cannot be listed.
+/// Letters are those of grammar/catalogue.hpp, and w a command, k a kind of picture, v a parameter,
+/// f a file.
+struct ShellCommand {
+  std::string_view word;
+  std::string_view arguments; ///< as a user reads them
+  std::string_view letters;   ///< of the arguments in order
+  std::string_view doc;       ///< one line
+  std::string_view more;      ///< further lines; may be empty
+};
+const std::vector<ShellCommand>& shell_commands();
+
+struct ShellReply {
+  std::string out;      ///< data
+  std::string messages; ///< notes, warnings and errors
+  int exit_code = base::exit_code::done;
+  double cpu = 0.0; ///< [s]
+  bool quit = false;
+};
+
+/// What has been typed so far, for `history`.
+using ShellHistory = std::vector<std::string>;
+
+/// Carries out one line; an empty one does nothing.
+ShellReply run_shell_line(ShellSession& session, const ShellHistory& history,
+                          const std::string& line);
+
+/// What the word that begins at `begin` of a line typed so far may become; empty: a file, or
+/// nothing is known. Names are in the case of the word's beginning.
+std::vector<std::string> complete_shell_line(const ShellSession& session, std::string_view line,
+                                             std::size_t begin);
+
+/// The commands as a table of the manual.
+std::string shell_commands_markdown();
+
+/// "LOAD* a = 10.8> ": the step that the state began with, + where changes came after it, *
+/// where some are pending; (path) where friction makes the order count.
+std::string shell_prompt(const ShellSession& session);
+
+} // namespace spricka::program

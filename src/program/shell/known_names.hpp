@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "grammar/catalogue.hpp"
+#include "model/model.hpp"
+#include "program/shell/trouble.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// The names that words of the shell can stand for.
+namespace spricka::program {
+
+std::vector<std::string> step_names(const model::Model& model);
+std::vector<std::string> case_names(const model::Model& model);
+std::vector<std::string> contact_names(const model::Model& model);
+/// Contacts, and the faces of cracks that may touch.
+std::vector<std::string> pair_names(const model::Model& model);
+std::vector<std::string> crack_names(const model::Model& model);
+std::vector<std::string> path_names(const model::Model& model);
+std::vector<std::string> set_names(const model::Model& model); ///< of nodes, faces, elements
+std::vector<std::string> net_names(const model::Model& model); ///< and *
+std::vector<std::string> material_names(const model::Model& model);
+std::vector<std::string> parameter_names(const model::Model& model); ///< as the deck writes them
+std::vector<std::string> quantity_names();
+
+/// The place of a name (upper case) in a list, or what it is not and which was meant.
+ShellResult find_name(const std::vector<std::string>& names, const char* what,
+                      const std::string& name, std::size_t& index);
+
+/// The same word but for the case of its letters.
+bool same_word(std::string_view a, std::string_view b);
+
+/// The letters of a quantity's arguments (grammar/catalogue.hpp), without ? and in the plane
+/// without z.
+std::string argument_letters(const grammar::ResultQuantity& quantity, int dim);
+
+} // namespace spricka::program

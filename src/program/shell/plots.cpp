@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/shell/plots.hpp"
+
+#include "base/diagnostics.hpp"
+#include "base/exit_codes.hpp"
+#include "report/drawing/plot.hpp"
+#include "report/drawing/svg.hpp"
+#include "report/drawing/table.hpp"
+#include "report/topics/figures.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+namespace {
+
+// The number of an attribute of the drawing's own element.
+double attribute(const std::string& svg, const char* name) {
+  const std::string head = svg.substr(0, svg.find('>'));
+  const std::string key = fmt::format(" {}=\"", name);
+  const std::size_t at = head.find(key);
+  double value = 0.0;
+  if (at != std::string::npos) {
+    const char* first = head.data() + at + key.size();
+    std::from_chars(first, head.data() + head.size(), value);
+  }
+  return value;
+}
+
+// Drawings one below the other on white paper; tables of a page are left out.
+std::string stacked(const std::vector<report::Figure>& figures) {
+  std::vector<std::string> drawings;
+  const auto add = [&](const std::string& text) {
+    if (text.starts_with("<svg")) {
+      drawings.push_back(text);
+    }
+  };
+  for (const report::Figure& figure : figures) {
+    std::ranges::for_each(figure.drawings, add);
+    add(figure.legend);
+  }
+  double width = 0.0;
+  double height = 0.0;
+  std::string body;
+  for (const std::string& drawing : drawings) {
+    body += fmt::format("<svg y=\"{:.2f}\"{}", height, drawing.substr(4));
+    width = std::max(width, attribute(drawing, "width"));
+    height += attribute(drawing, "height");
+  }
+  return fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.2f}\" "
+                     "height=\"{1:.2f}\" viewBox=\"0 0 {0:.2f} {1:.2f}\">\n"
+                     "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n{2}</svg>\n",
+                     width, height, body);
+}
+
+std::string path_picture(const ShellSession& session, const results::LoadPath& path) {
+  const MapRange& range = session.map_range();
+  report::Plot plot;
+  plot.label = fmt::format("K1 from {} to {}", path.from, path.to);
+  plot.x_name = range.what == "t" ? fmt::format("t  ({} to {})", path.from, path.to)
+                                  : fmt::format("factor of {}", path.name);
+  plot.y_name =
+      fmt::format("K₁  [{}]", report::print_unit(session.model().units.stress_intensity_name()));
+  for (std::size_t i = 0; i < path.tips.size(); ++i) {
+    report::Series series;
+    series.name = path.tips[i].name;
+    series.colour = report::colour(i);
+    series.dash = report::dash(i);
+    for (std::size_t k = 0; k < path.t.size(); ++k) {
+      series.points.push_back(
+          {range.from + (range.to - range.from) * path.t[k], path.tips[i].K1.at_knot(k)});
+    }
+    plot.series.push_back(std::move(series));
+  }
+  return report::draw(plot);
+}
+
+ShellResult nothing(std::string why, std::string hint = {}) {
+  return ShellTrouble{base::exit_code::usage, std::move(why), std::move(hint)};
+}
+
+} // namespace
+
+std::vector<std::string> picture_kinds() {
+  return {"k", "pressure", "mesh", "path"};
+}
+
+ShellResult picture(const ShellSession& session, const std::string& kind, std::string& svg) {
+  if (kind == "k") {
+    const std::optional<report::Figure> figure =
+        report::k_figure(session.shown(), session.lengths());
+    if (!figure) {
+      return nothing("K over the crack length needs two lengths with these loads and fits",
+                     "length CRACK a tries another one");
+    }
+    svg = stacked({*figure});
+  } else if (kind == "pressure") {
+    const std::vector<report::Figure> figures =
+        report::pressure_figures(session.shown(), session.run());
+    if (figures.empty()) {
+      return nothing("no contact is mounted");
+    }
+    svg = stacked(figures);
+  } else if (kind == "mesh") {
+    svg = stacked(report::mesh_figures(session.shown(), session.run()));
+  } else if (kind == "path") {
+    const results::LoadPath* path = session.mapped();
+    if (path == nullptr || path->tips.empty()) {
+      return nothing("there is no map at this state", "map CASE 0 1.5, or map LOADPATH");
+    }
+    svg = stacked({{{path_picture(session, *path)}, {}, {}}});
+  } else {
+    return nothing(fmt::format("there is no picture of '{}'", kind),
+                   base::suggest(kind, picture_kinds()));
+  }
+  return {};
+}
+
+} // namespace spricka::program

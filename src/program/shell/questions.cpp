@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/exit_codes.hpp"
+#include "program/shell/actions.hpp"
+#include "program/shell/known_names.hpp"
+#include "program/shell/replies.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+namespace {
+
+using grammar::Quantity;
+
+std::string unit_name(const base::UnitSystem& units, Quantity quantity) {
+  switch (quantity) {
+  case Quantity::length:
+    return units.length_name;
+  case Quantity::stress:
+    return units.stress_name();
+  case Quantity::angle:
+    return "rad";
+  case Quantity::stress_intensity:
+    return units.stress_intensity_name();
+  case Quantity::force:
+    return units.force_name;
+  case Quantity::energy_release:
+    return units.force_name + "/" + units.length_name;
+  case Quantity::energy:
+    return units.force_name + "*" + units.length_name;
+  case Quantity::number:
+    break;
+  }
+  return {};
+}
+
+} // namespace
+
+ShellResult do_k(const ShellCall& call) {
+  const std::string only = call.words.size() > 1 ? name_at(call, 1) : std::string();
+  const results::StepResult& before = call.session.now();
+  if (before.tips.empty()) {
+    return ShellTrouble{base::exit_code::usage, "the deck has no crack", {}};
+  }
+  std::vector<std::string> names;
+  for (const results::TipResult& tip : before.tips) {
+    names.push_back(tip.name);
+  }
+  for (const std::string& crack : crack_names(call.session.model())) {
+    if (std::ranges::find(names, crack) == names.end()) { // of two tips
+      names.push_back(crack);
+    }
+  }
+  std::size_t index = 0;
+  ShellResult trouble = only.empty() ? ShellResult() : find_name(names, "crack", only, index);
+  trouble = trouble ? trouble : settle(call.session, call.reply);
+  trouble = trouble ? trouble : call.session.estimate();
+  if (!trouble) {
+    call.reply.out = k_reply(call.session, only);
+    call.reply.messages += k_notes(call.session, only);
+  }
+  return trouble;
+}
+
+namespace {
+
+// The contact of that name at the present state.
+ShellResult contact_now(const ShellCall& call, const results::ContactResult** contact) {
+  const std::string name = name_at(call, 1);
+  std::size_t index = 0;
+  ShellResult trouble = find_name(pair_names(call.session.model()), "contact", name, index);
+  trouble = trouble ? trouble : settle(call.session, call.reply);
+  if (trouble) {
+    return trouble;
+  }
+  *contact = results::find_contact(call.session.now(), name);
+  if (*contact == nullptr) {
+    return ShellTrouble{
+        base::exit_code::check_failed, fmt::format("the faces of {} touch nowhere", name), {}};
+  }
+  return {};
+}
+
+} // namespace
+
+ShellResult do_pressure(const ShellCall& call) {
+  if (call.words.size() < 2) {
+    return wrong(call);
+  }
+  if (call.words.size() == 3) {
+    return answer_quantity(
+        call.session, fmt::format("CPRESS.AT({},NOW,{})", name_at(call, 1), call.words[2].text),
+        call.reply);
+  }
+  if (call.words.size() == 4) {
+    return answer_quantity(call.session,
+                           fmt::format("CPRESS.NEAR({},{},{},NOW)", name_at(call, 1),
+                                       call.words[2].text, call.words[3].text),
+                           call.reply);
+  }
+  const results::ContactResult* contact = nullptr;
+  if (call.words.size() != 2) {
+    return wrong(call);
+  }
+  if (ShellResult trouble = contact_now(call, &contact)) {
+    return trouble;
+  }
+  call.reply.out = pressure_reply(call.session, *contact);
+  if (!contact->unbounded.empty()) {
+    call.reply.messages += "note: it is pressed up to an edge: there the pressure has no bound\n";
+  }
+  return {};
+}
+
+ShellResult do_arc(const ShellCall& call) {
+  if (call.words.size() != 2) {
+    return wrong(call);
+  }
+  const results::ContactResult* contact = nullptr;
+  ShellResult trouble = contact_now(call, &contact);
+  if (!trouble) {
+    call.reply.out = arc_reply(call.session, *contact);
+  }
+  return trouble;
+}
+
+namespace {
+
+ShellResult answer_all(const ShellCall& call, const std::vector<std::string>& quantities) {
+  for (const std::string& quantity : quantities) {
+    if (ShellResult trouble = answer_quantity(call.session, quantity, call.reply)) {
+      return trouble;
+    }
+  }
+  return {};
+}
+
+} // namespace
+
+ShellResult do_reaction(const ShellCall& call) {
+  if (call.words.size() != 2) {
+    return wrong(call);
+  }
+  std::vector<std::string> quantities;
+  quantities.reserve(3);
+  for (int axis = 0; axis < call.session.model().mesh.dim; ++axis) {
+    quantities.push_back(fmt::format("REACTION({},NOW,{})", call.words[1].text, "XYZ"[axis]));
+  }
+  return answer_all(call, quantities);
+}
+
+namespace {
+
+// The point of a command as arguments of a quantity; empty: not as many numbers as there are axes.
+std::string point_of(const ShellCall& call) {
+  const auto dim = static_cast<std::size_t>(call.session.model().mesh.dim);
+  std::string point;
+  for (std::size_t i = 1; i < call.words.size(); ++i) {
+    point += call.words[i].text + ",";
+  }
+  return call.words.size() == dim + 1 ? point : std::string();
+}
+
+} // namespace
+
+ShellResult do_displacement(const ShellCall& call) {
+  const std::string point = point_of(call);
+  std::vector<std::string> quantities;
+  quantities.reserve(3);
+  for (int axis = 0; axis < call.session.model().mesh.dim; ++axis) {
+    quantities.push_back(fmt::format("U.{}.AT({}NOW)", "XYZ"[axis], point));
+  }
+  return point.empty() ? wrong(call) : answer_all(call, quantities);
+}
+
+ShellResult do_stress(const ShellCall& call) {
+  const std::string point = point_of(call);
+  std::vector<std::string> quantities;
+  const bool solid = call.session.model().mesh.dim == 3;
+  for (const char* component : {"XX", "YY", "ZZ", "XY", "YZ", "XZ", "P1", "MISES"}) {
+    if (solid || (std::string_view(component) != "YZ" && std::string_view(component) != "XZ")) {
+      quantities.push_back(fmt::format("S.{}.AT({}NOW)", component, point));
+    }
+  }
+  return point.empty() ? wrong(call) : answer_all(call, quantities);
+}
+
+ShellResult do_map(const ShellCall& call) {
+  if (call.words.size() != 2 && call.words.size() != 4) {
+    return wrong(call);
+  }
+  ShellResult trouble = settle(call.session, call.reply);
+  if (trouble) {
+    return trouble;
+  }
+  if (call.words.size() == 2) {
+    trouble = call.session.map_path(name_at(call, 1));
+  } else {
+    double from = 0.0;
+    double to = 1.0;
+    const model::Model& model = call.session.model();
+    trouble = read_number(call.words[2].text, model, Quantity::number, from);
+    trouble = trouble ? trouble : read_number(call.words[3].text, model, Quantity::number, to);
+    trouble = trouble ? trouble : call.session.map_case(name_at(call, 1), from, to);
+  }
+  if (trouble) {
+    return trouble;
+  }
+  const results::LoadPath& path = *call.session.mapped();
+  call.reply.out = map_reply(call.session);
+  for (const std::string& note : path.notes) {
+    call.reply.messages += note.starts_with("warning: ") ? note + "\n" : "note: " + note + "\n";
+  }
+  return {};
+}
+
+ShellResult do_sensitivity(const ShellCall& call) {
+  ShellResult trouble = settle(call.session, call.reply);
+  trouble = trouble ? trouble : call.session.estimate();
+  if (trouble) {
+    return trouble;
+  }
+  if (call.session.now().tips.empty()) {
+    return ShellTrouble{base::exit_code::usage, "the deck has no crack", {}};
+  }
+  call.reply.out = sensitivity_reply(call.session);
+  for (const results::TipResult& tip : call.session.now().tips) {
+    for (const std::string& note : tip.sensitivities.notes) {
+      call.reply.messages += fmt::format("note: {}: {}\n", tip.name, note);
+    }
+  }
+  return {};
+}
+
+ShellResult answer_quantity(ShellSession& session, const std::string& text, ShellReply& reply) {
+  model::Check check;
+  double value = 0.0;
+  ShellResult trouble = read_quantity(text, session.model(), check);
+  trouble = trouble ? trouble : settle(session, reply);
+  trouble = trouble ? trouble : session.evaluate(check, value);
+  if (trouble) {
+    return trouble;
+  }
+  const std::string unit =
+      unit_name(session.model().units, grammar::find_quantity(check.quantity)->quantity);
+  std::string name = check.quantity + "(";
+  for (std::size_t i = 0; i < check.arguments.size(); ++i) {
+    name += i > 0 ? "," : "";
+    name += std::holds_alternative<std::string>(check.arguments[i])
+                ? std::get<std::string>(check.arguments[i])
+                : fmt::format("{:.6g}", std::get<double>(check.arguments[i]));
+  }
+  reply.out += fmt::format("{}) = {:.10g}{}{}\n", name, value, unit.empty() ? "" : " ", unit);
+  return {};
+}
+
+} // namespace spricka::program

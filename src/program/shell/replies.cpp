@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/shell/replies.hpp"
+
+#include "analysis/recover/closed_parts.hpp"
+#include "program/shell/known_names.hpp"
+#include "report/drawing/table.hpp"
+#include "report/topics/sensitivity_tables.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+namespace {
+
+constexpr double degree = 180.0 / std::numbers::pi;
+using report::Table;
+
+std::string number(double value) {
+  return fmt::format("{:.7g}", value);
+}
+
+bool is_wanted(const results::TipResult& tip, const std::string& only) {
+  return only.empty() || tip.name == only || tip.name.starts_with(only + ".");
+}
+
+std::string bar(const results::TipResult& tip, std::size_t mode) {
+  return tip.no_bar.empty() ? fmt::format("{:.2g}", tip.bar[mode].size()) : std::string("-");
+}
+
+std::string place(const results::ContactResult& contact, double at, const base::UnitSystem& units) {
+  return contact.round ? fmt::format("{:.1f} deg", at * degree)
+                       : fmt::format("{:.5g} {}", at, units.length_name);
+}
+
+const char* word_of(const results::ContactPoint& point) {
+  switch (point.state) {
+  case results::ContactState::stick:
+    return "sticks";
+  case results::ContactState::slip:
+    return "slips";
+  case results::ContactState::closed:
+    return "closed";
+  case results::ContactState::open:
+    break;
+  }
+  return point.closed ? "closed" : "open";
+}
+
+std::string closed_part(const results::ContactResult& contact, const base::UnitSystem& units) {
+  if (!contact.mounted) {
+    return "not mounted";
+  }
+  if (contact.closed == 0) {
+    return "open";
+  }
+  return fmt::format("{}/{} closed, {} .. {}", contact.closed, contact.rows,
+                     place(contact, contact.arc_from, units),
+                     place(contact, contact.arc_to, units));
+}
+
+} // namespace
+
+std::string k_reply(const ShellSession& session, const std::string& only) {
+  const base::UnitSystem& units = session.model().units;
+  const std::string K = units.stress_intensity_name();
+  Table table{"",
+              {{"tip", "", true},
+               {"a", units.length_name, false},
+               {"K1", K, false},
+               {"+-", K, false},
+               {"K2", K, false},
+               {"+-", K, false},
+               {"G", units.force_name + "/" + units.length_name, false},
+               {"T", units.stress_name(), false}},
+              {}};
+  for (const results::TipResult& tip : session.now().tips) {
+    if (!is_wanted(tip, only)) {
+      continue;
+    }
+    if (tip.two_materials) {
+      table.rows.push_back({tip.name, number(tip.a), "", "", "", "", number(tip.G), ""});
+    } else {
+      table.rows.push_back({tip.name, number(tip.a), number(tip.K1), bar(tip, 0), number(tip.K2),
+                            bar(tip, 1), number(tip.G), fmt::format("{:.5g}", tip.T)});
+    }
+  }
+  return report::to_text(table);
+}
+
+std::string k_notes(const ShellSession& session, const std::string& only) {
+  std::string text;
+  for (const results::TipResult& tip : session.now().tips) {
+    if (!is_wanted(tip, only)) {
+      continue;
+    }
+    if (!tip.doubt.empty()) {
+      text += fmt::format("warning: {}: {}\n", tip.name, tip.doubt);
+    }
+    if (tip.closed) {
+      text += fmt::format("note: {}: the crack's faces touch at the tip, K1 is 0\n", tip.name);
+    }
+    if (!tip.no_bar.empty()) {
+      text += fmt::format("note: {}: no error bar: {}\n", tip.name, tip.no_bar);
+    }
+  }
+  return text;
+}
+
+std::string state_reply(const ShellSession& session) {
+  const base::UnitSystem& units = session.model().units;
+  std::string text;
+  for (const results::TipResult& tip : session.now().tips) {
+    text += tip.two_materials
+                ? fmt::format("{:<12} a = {:<10.6g} G = {:.7g}\n", tip.name, tip.a, tip.G)
+                : fmt::format("{:<12} a = {:<10.6g} K1 = {:<12.7g} K2 = {:<12.7g} {}\n", tip.name,
+                              tip.a, tip.K1, tip.K2, units.stress_intensity_name());
+  }
+  for (const results::ContactResult& contact : session.now().contacts) {
+    text += fmt::format("{:<12} {}\n", contact.name, closed_part(contact, units));
+  }
+  return text;
+}
+
+std::string state_notes(ShellSession& session) {
+  std::string text;
+  for (const std::string& note : session.new_notes()) {
+    text += note + "\n";
+  }
+  for (const results::TipResult& tip : session.now().tips) {
+    if (!tip.doubt.empty()) {
+      text += fmt::format("warning: {}: {}\n", tip.name, tip.doubt);
+    }
+  }
+  return text;
+}
+
+std::string pressure_reply(const ShellSession& session, const results::ContactResult& contact) {
+  const base::UnitSystem& units = session.model().units;
+  const auto card =
+      std::ranges::find(session.model().contacts, contact.name, &model::Contact::name);
+  const bool consistent =
+      card != session.model().contacts.end() && card->recovery == model::Recovery::consistent;
+  Table table{
+      "",
+      {{"x", units.length_name, false},
+       {"y", units.length_name, false},
+       {contact.round ? "theta" : "along", contact.round ? "deg" : units.length_name, false},
+       {"p", units.stress_name(), false}},
+      {}};
+  const bool solid = session.model().mesh.dim == 3;
+  if (solid) {
+    table.columns.insert(table.columns.begin() + 2, {"z", units.length_name, false});
+  }
+  if (contact.sheared) {
+    table.columns.push_back({"q", units.stress_name(), false});
+  }
+  table.columns.push_back({"gap", units.length_name, false});
+  table.columns.push_back({"", "", true});
+  for (const results::ContactPoint& p : contact.points) {
+    std::vector<std::string> row{number(p.x.x()), number(p.x.y())};
+    if (solid) {
+      row.push_back(number(p.x.z()));
+    }
+    row.push_back(contact.round ? fmt::format("{:.3f}", p.theta * degree) : number(p.arc));
+    row.push_back(number(consistent ? p.p_consistent : p.p_lumped));
+    if (contact.sheared) {
+      row.push_back(number(consistent ? p.q_consistent : p.q_lumped));
+    }
+    row.push_back(fmt::format("{:.4g}", p.gap));
+    row.emplace_back(word_of(p));
+    table.rows.push_back(std::move(row));
+  }
+  return report::to_text(table);
+}
+
+std::string arc_reply(const ShellSession& session, const results::ContactResult& contact) {
+  std::string text =
+      fmt::format("{:<12} {}\n", contact.name, closed_part(contact, session.model().units));
+  const std::vector<std::array<double, 2>> parts = analysis::closed_parts(contact);
+  for (std::size_t i = 0; contact.mounted && parts.size() > 1 && i < parts.size(); ++i) {
+    text += fmt::format("  part {} of {}: {} .. {}\n", i + 1, parts.size(),
+                        place(contact, parts[i][0], session.model().units),
+                        place(contact, parts[i][1], session.model().units));
+  }
+  return text;
+}
+
+std::string map_reply(const ShellSession& session) {
+  const results::LoadPath& path = *session.mapped();
+  const MapRange& range = session.map_range();
+  const std::string K = session.model().units.stress_intensity_name();
+  Table table{"", {{range.what, "", false}}, {}};
+  for (const results::PathTip& tip : path.tips) {
+    const std::string of = path.tips.size() > 1 ? " " + tip.name : "";
+    table.columns.push_back({"K1" + of, K, false});
+    table.columns.push_back({fmt::format("dK1/d{}{}", range.what, of), K, false});
+    table.columns.push_back({"K2" + of, K, false});
+  }
+  for (const results::PathContact& contact : path.contacts) {
+    table.columns.push_back({contact.name, "closed", false});
+  }
+  const double width = range.to - range.from;
+  for (std::size_t k = 0; k < path.t.size(); ++k) {
+    std::vector<std::string> row{number(range.from + width * path.t[k])};
+    for (const results::PathTip& tip : path.tips) {
+      row.push_back(number(tip.K1.at_knot(k)));
+      row.push_back(number(tip.K1.slope_after(k) / width));
+      row.push_back(number(tip.K2.at_knot(k)));
+    }
+    for (const results::PathContact& contact : path.contacts) {
+      row.push_back(fmt::format("{}/{}", contact.closed[k], contact.rows));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return report::to_text(table);
+}
+
+std::string sensitivity_reply(const ShellSession& session) {
+  return report::to_text(report::untitled(
+      report::sensitivity_table(session.shown(), session.run().increments.front())));
+}
+
+namespace {
+
+std::string action_text(const model::Model& model, const model::Action& action) {
+  if (const auto* load = std::get_if<model::ApplyLoad>(&action)) {
+    return fmt::format("LOAD {} {:.10g}", model.cases[load->load_case.index()].name, load->factor);
+  }
+  if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {
+    return fmt::format("FIT {} {:.10g}", model.contacts[fit->contact.index()].name, fit->factor);
+  }
+  if (const auto* on = std::get_if<model::Mount>(&action)) {
+    return "MOUNT " + model.contacts[on->contact.index()].name;
+  }
+  return "DISMOUNT " + model.contacts[std::get<model::Dismount>(action).contact.index()].name;
+}
+
+std::string actions_text(const model::Model& model, const model::Step& step) {
+  std::string text;
+  for (const model::Action& action : step.actions) {
+    text += (text.empty() ? "" : ", ") + action_text(model, action);
+  }
+  return text;
+}
+
+std::string gap_text(const ShellSession& session, std::size_t contact) {
+  const model::Contact& card = session.model().contacts[contact];
+  const std::string& unit = session.model().units.length_name;
+  if (!card.gap) {
+    return "gap measured";
+  }
+  const bool own = session.set_interferences().contains(card.name);
+  return fmt::format("{} {:.6g} {}{}", *card.gap < 0.0 ? "interference" : "gap",
+                     std::abs(*card.gap), unit, own ? ", set here" : "");
+}
+
+} // namespace
+
+std::string show_reply(const ShellSession& session) {
+  const model::Model& model = session.model();
+  std::string text;
+  const auto line = [&](const std::string& what, const std::string& name,
+                        const std::string& value) {
+    text += fmt::format("{:<10} {:<14} {}\n", what, name, value);
+  };
+  if (!model.title.empty()) {
+    line("deck", "", model.title);
+  }
+  line("state", session.base_step(), "the end of this step");
+  for (const model::Step& step : session.changes()) {
+    line("then", "", actions_text(model, step));
+  }
+  if (session.pending()) {
+    line("pending", "", actions_text(model, session.pending_changes()));
+  }
+  const analysis::StepFactors& factors = session.factors();
+  for (std::size_t c = 0; c < model.cases.size(); ++c) {
+    line("load", model.cases[c].name,
+         fmt::format("{:.10g}", factors.case_factor[static_cast<Eigen::Index>(c)]));
+  }
+  for (std::size_t c = 0; c < model.contacts.size(); ++c) {
+    std::string value = fmt::format("{:.10g} ({})", factors.fit[c], gap_text(session, c));
+    value += model.contacts[c].mu > 0.0 ? fmt::format(", MU {:.6g}", model.contacts[c].mu) : "";
+    value += factors.mounted[c] ? "" : ", not mounted";
+    line("fit", model.contacts[c].name, value);
+  }
+  for (std::size_t c = 0; c < model.cracks.size(); ++c) {
+    const bool own = session.set_lengths().contains(model.cracks[c].name);
+    line("length", model.cracks[c].name,
+         fmt::format("{:.10g} {}{}", session.length_of(c), model.units.length_name,
+                     own ? ", set here" : ""));
+  }
+  for (const auto& [name, expression] : session.defines()) {
+    line("set", name, expression);
+  }
+  line("steps", "", fmt::format("{}", fmt::join(step_names(model), " ")));
+  if (!model.load_paths.empty()) {
+    line("paths", "", fmt::format("{}", fmt::join(path_names(model), " ")));
+  }
+  return text;
+}
+
+} // namespace spricka::program

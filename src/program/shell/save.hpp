@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "program/shell/session.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace spricka::program {
+
+/// The deck with what is set now: lengths, interferences and parameters in their own cards, loads
+/// and fits in steps at the end, the last of them with the name NOW (or the next that is free).
+/// $CHECK, $GROW, $SWEEP and $RESTART become comments where they speak of other values. `folder`:
+/// where the text will be, for the names of files in it. Trouble where a card that would have to
+/// change is in an included file, or where the order of steps cannot be kept.
+ShellResult saved_deck(const ShellSession& session, const std::filesystem::path& folder,
+                       std::string& text);
+
+} // namespace spricka::program

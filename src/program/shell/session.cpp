@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/shell/session.hpp"
+
+#include "base/exit_codes.hpp"
+#include "growth/crack_lines.hpp"
+#include "program/shell/known_names.hpp"
+#include "report/topics/result_tables.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+namespace {
+
+// Condensed nets that are kept for lengths to come back to.
+constexpr std::size_t most_nets = 48;
+
+// What an action is about; of two with the same the later one counts.
+std::pair<int, std::size_t> subject(const model::Action& action) {
+  if (const auto* load = std::get_if<model::ApplyLoad>(&action)) {
+    return {0, load->load_case.index()};
+  }
+  if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {
+    return {1, fit->contact.index()};
+  }
+  const auto* on = std::get_if<model::Mount>(&action);
+  return {2,
+          on != nullptr ? on->contact.index() : std::get<model::Dismount>(action).contact.index()};
+}
+
+void put(std::vector<model::Action>& actions, const model::Action& action) {
+  std::erase_if(actions, [&](const model::Action& a) { return subject(a) == subject(action); });
+  actions.push_back(action);
+}
+
+bool mounts(const model::Step& step) {
+  return std::ranges::any_of(step.actions, [](const model::Action& a) {
+    return std::holds_alternative<model::Mount>(a) || std::holds_alternative<model::Dismount>(a);
+  });
+}
+
+ShellResult usage(std::string why, std::string hint = {}) {
+  return ShellTrouble{base::exit_code::usage, std::move(why), std::move(hint)};
+}
+
+bool same_names(const model::Model& a, const model::Model& b) {
+  const auto same = [](const auto& one, const auto& two) {
+    return std::ranges::equal(one, two,
+                              [](const auto& x, const auto& y) { return x.name == y.name; });
+  };
+  return same(a.cases, b.cases) && same(a.contacts, b.contacts) && same(a.steps, b.steps) &&
+         same(a.cracks, b.cracks);
+}
+
+bool keeps_mounts(const model::Model& model) {
+  return model.growth && model.growth->mounted == model::Mounted::first;
+}
+
+void join(analysis::RegionPlan& plan, const analysis::RegionPlan& more) {
+  for (std::size_t e = 0; e < plan.region.size(); ++e) {
+    plan.region[e] = plan.region[e] || more.region[e];
+  }
+}
+
+// Lengths of $GROW are those of its cracks: begin with the first.
+void begin_growth(model::Model& model) {
+  if (!model.growth || model.growth->lengths.empty()) {
+    return;
+  }
+  const std::vector<base::CrackId>& grow = model.growth->cracks;
+  for (std::size_t c = 0; c < model.cracks.size(); ++c) {
+    if (grow.empty() || std::ranges::find(grow, base::CrackId(c)) != grow.end()) {
+      model.cracks[c].a0 = model.growth->lengths.front();
+    }
+  }
+}
+
+} // namespace
+
+ShellSession::ShellSession(SessionOptions options) : options_(std::move(options)) {
+  changes_.name = "NOW";
+  given_ = options_.defines;
+}
+
+ShellResult ShellSession::open() {
+  return read_again(options_.defines, false);
+}
+
+ShellResult ShellSession::reset() {
+  return read_again(given_, false);
+}
+
+ShellResult ShellSession::define(const std::string& name, const std::string& expression) {
+  Defines defines = options_.defines;
+  std::erase_if(defines, [&](const auto& d) { return same_word(d.first, name); });
+  defines.emplace_back(name, expression);
+  const OwnCards before = own_;
+  if (ShellResult trouble = read_again(defines, true)) {
+    return trouble;
+  }
+  covered_ = covered_by(before);
+  return {};
+}
+
+// All that depends on the deck is made aside and takes its place at the end.
+ShellResult ShellSession::read_again(const Defines& defines, bool keep) {
+  auto deck = std::make_unique<ReadyDeck>(options_.read(defines));
+  if (!deck->model) {
+    return ShellTrouble{deck->refusal.exit_code, {}, {}, true};
+  }
+  ShellSession next(options_);
+  next.options_.defines = defines;
+  next.given_ = given_;
+  next.model_ = std::make_unique<model::Model>(std::move(*deck->model));
+  deck->model.reset();
+  next.deck_ = std::move(deck);
+  next.cache_ = cache_;
+  const bool same = keep && bench_ && same_names(*model_, *next.model_);
+  if (same) {
+    next.base_ = base_;
+    next.after_ = after_;
+    next.changes_ = changes_;
+    next.lengths_ = lengths_;
+    next.gaps_ = gaps_;
+  } else {
+    const std::string leading = report::leading_step(*next.model_);
+    next.base_ = static_cast<std::size_t>(
+        std::ranges::find(next.model_->steps, leading, &model::Step::name) -
+        next.model_->steps.begin());
+  }
+  if (keep) { // after a reset the deck may be another one
+    next.known_ = known_;
+    next.told_ = told_;
+  }
+  if (ShellResult trouble = next.open_model()) {
+    return trouble;
+  }
+  *this = std::move(next);
+  return {};
+}
+
+ShellResult ShellSession::open_model() {
+  own_ = {model_->cracks, model_->contacts, model_->steps};
+  begin_growth(*model_);
+  for (const auto& [name, value] : gaps_) {
+    std::ranges::find(model_->contacts, name, &model::Contact::name)->gap = -value;
+  }
+  base::Diagnostics diagnostics;
+  plan_ = analysis::plan_region(*model_, growth::crack_lengths(*model_), diagnostics);
+  if (diagnostics.has_errors()) {
+    return ShellTrouble{
+        base::exit_code::deck_error, base::format(deck_->sources, diagnostics), {}, true};
+  }
+  if (keeps_mounts(*model_)) { // what is mounted at the first length, by all steps
+    memory_ = std::make_unique<analysis::MountMemory>();
+    std::unique_ptr<ShellBench> first;
+    ShellResult trouble = make_bench(true, first);
+    trouble = trouble ? trouble : first->walk(model_->steps);
+    if (trouble) {
+      return trouble;
+    }
+  }
+  set_lengths_on(*model_);
+  if (!lengths_.empty()) {
+    plan_ = plan_lengths();
+  }
+  return rebuild();
+}
+
+void ShellSession::set_lengths_on(model::Model& model) const {
+  for (const auto& [name, a] : lengths_) {
+    std::ranges::find(model.cracks, name, &model::Crack::name)->a0 = a;
+  }
+}
+
+ShellResult ShellSession::make_bench(bool first, std::unique_ptr<ShellBench>& bench) {
+  base::Diagnostics diagnostics;
+  ShellResult trouble;
+  bench = ShellBench::make({*model_, *cache_, *contact_, memory_.get(), first,
+                            options_.threads ? options_.threads(*model_) : 1, options_.stopped},
+                           plan_, diagnostics, trouble);
+  if (diagnostics.has_errors()) {
+    return ShellTrouble{
+        base::exit_code::deck_error, base::format(deck_->sources, diagnostics), {}, true};
+  }
+  return trouble;
+}
+
+ShellResult ShellSession::rebuild() {
+  std::unique_ptr<ShellBench> bench;
+  if (ShellResult trouble = make_bench(false, bench)) {
+    return trouble;
+  }
+  if (ShellResult trouble = bench->walk(way())) {
+    return trouble;
+  }
+  bench_ = std::move(bench);
+  if (cache_->nets.size() > most_nets) {
+    std::erase_if(cache_->nets, [](const auto& entry) { return entry.second.use_count() == 1; });
+    std::erase_if(cache_->bodies, [](const auto& entry) { return entry.second.use_count() == 1; });
+  }
+  mapped_.clear();
+  remember();
+  return {};
+}
+
+ShellResult ShellSession::restore() {
+  return bench_->ready() ? ShellResult() : rebuild();
+}
+
+std::vector<model::Step> ShellSession::way_to(std::size_t step) const {
+  return {model_->steps.begin(), model_->steps.begin() + static_cast<std::ptrdiff_t>(step) + 1};
+}
+
+std::vector<model::Step> ShellSession::way() const {
+  std::vector<model::Step> steps = way_to(base_);
+  steps.insert(steps.end(), after_.begin(), after_.end());
+  return steps;
+}
+
+ShellResult ShellSession::step(const std::string& name) {
+  std::size_t index = 0;
+  if (ShellResult trouble = find_name(step_names(*model_), "step", name, index)) {
+    return trouble;
+  }
+  if (ShellResult trouble = bench_->walk(way_to(index))) {
+    return trouble;
+  }
+  base_ = index;
+  after_.clear();
+  changes_.actions.clear();
+  mapped_.clear();
+  remember();
+  return {};
+}
+
+void ShellSession::change(const model::Action& action) {
+  put(changes_.actions, action);
+}
+
+ShellResult ShellSession::load(const std::string& load_case, double factor) {
+  std::size_t index = 0;
+  if (ShellResult trouble = find_name(case_names(*model_), "load case", load_case, index)) {
+    return trouble;
+  }
+  change(model::ApplyLoad{base::CaseId(index), factor});
+  return {};
+}
+
+ShellResult ShellSession::fit(const std::string& contact, double factor) {
+  std::size_t index = 0;
+  if (ShellResult trouble = find_name(contact_names(*model_), "contact", contact, index)) {
+    return trouble;
+  }
+  if (!model_->contacts[index].gap) {
+    return usage(fmt::format("contact {} has no declared fit that a factor could scale", contact),
+                 fmt::format("fit {} = 0.05 declares an interference", contact));
+  }
+  change(model::ApplyFit{base::ContactId(index), factor});
+  return {};
+}
+
+ShellResult ShellSession::mount(const std::string& contact, bool on) {
+  std::size_t index = 0;
+  if (ShellResult trouble = find_name(contact_names(*model_), "contact", contact, index)) {
+    return trouble;
+  }
+  if (keeps_mounts(*model_)) {
+    return usage("with $GROW MOUNTED=FIRST a contact keeps what it took on at the first length: "
+                 "nothing is mounted or dismounted here");
+  }
+  const base::ContactId id(index);
+  change(on ? model::Action(model::Mount{id}) : model::Action(model::Dismount{id}));
+  return {};
+}
+
+ShellResult ShellSession::interference(const std::string& contact, double value) {
+  std::size_t index = 0;
+  if (ShellResult trouble = find_name(contact_names(*model_), "contact", contact, index)) {
+    return trouble;
+  }
+  if (keeps_mounts(*model_)) {
+    return usage("with $GROW MOUNTED=FIRST a contact keeps what it took on at the first length",
+                 "make the interference a parameter of the deck and use set");
+  }
+  if (model_->contacts[index].rigid.valid() && !model_->contacts[index].gap) {
+    return usage(fmt::format("contact {} meets a rigid target and has no declared gap", contact));
+  }
+  const std::optional<double> before = model_->contacts[index].gap;
+  const std::vector<model::Step> after = after_;
+  model_->contacts[index].gap = -value;
+  if (factors().fit[index] != 1.0) { // the value itself is meant, not a part of it
+    model::Step& whole = after_.emplace_back();
+    whole.name = "NOW";
+    whole.substeps = rubs() ? default_substeps : 1;
+    whole.actions.emplace_back(model::ApplyFit{base::ContactId(index), 1.0});
+  }
+  if (ShellResult trouble = rebuild()) {
+    model_->contacts[index].gap = before;
+    after_ = after;
+    return trouble;
+  }
+  gaps_[contact] = value;
+  return {};
+}
+
+analysis::RegionPlan ShellSession::plan_lengths() const {
+  base::Diagnostics ignored;
+  analysis::RegionPlan needed = analysis::plan_region(*model_, {0.0, 0.0}, ignored);
+  if (!needed.split ||
+      (plan_.split && std::ranges::equal(plan_.region, needed.region,
+                                         [](bool has, bool needs) { return has || !needs; }))) {
+    return needed.split ? plan_ : needed;
+  }
+  if (plan_.split) {
+    join(needed, plan_);
+  }
+  // Lengths to come are likely to be near: room for half and for half as much again.
+  model::Model near = *model_;
+  for (const double times : {0.5, 0.75, 1.25, 1.5}) {
+    base::Diagnostics misfit; // a length that does not fit needs no room
+    for (std::size_t c = 0; c < near.cracks.size(); ++c) {
+      const std::optional<double> a = model_->cracks[c].a0;
+      near.cracks[c].a0 = a ? std::optional(times * *a) : std::nullopt;
+    }
+    const analysis::RegionPlan more = analysis::plan_region(near, {0.0, 0.0}, misfit);
+    if (!misfit.has_errors()) {
+      join(needed, more);
+    }
+  }
+  return needed;
+}
+
+ShellResult ShellSession::length(const std::string& crack, double a) {
+  std::size_t index = 0;
+  if (ShellResult trouble = find_name(crack_names(*model_), "crack", crack, index)) {
+    return trouble;
+  }
+  if (!(a > 0.0) || !std::isfinite(a)) {
+    return usage(fmt::format("a crack length is positive, not {:.6g}", a));
+  }
+  if (model_->cracks[index].kind == model::CrackKind::front) {
+    return usage(fmt::format("crack {} has a front, no length", crack));
+  }
+  const std::optional<double> before = model_->cracks[index].a0;
+  analysis::RegionPlan plan = plan_;
+  model_->cracks[index].a0 = a;
+  plan_ = plan_lengths();
+  if (ShellResult trouble = rebuild()) {
+    model_->cracks[index].a0 = before;
+    plan_ = std::move(plan);
+    return trouble;
+  }
+  lengths_[crack] = a;
+  return {};
+}
+
+ShellResult ShellSession::solve(int substeps) {
+  if (!pending()) {
+    return {};
+  }
+  model::Step next = changes_;
+  next.substeps = rubs() ? substeps : 1;
+  const std::vector<model::Step> before = after_;
+  if (!after_.empty() && !rubs() && !mounts(next) && !mounts(after_.back())) {
+    for (const model::Action& action : next.actions) {
+      put(after_.back().actions, action);
+    }
+  } else {
+    after_.push_back(next);
+  }
+  if (ShellResult trouble = bench_->go_on(next, way())) {
+    after_ = before;
+    return trouble;
+  }
+  changes_.actions.clear();
+  mapped_.clear();
+  remember();
+  return {};
+}
+
+ShellResult ShellSession::estimate() {
+  if (ShellResult trouble = solve()) {
+    return trouble;
+  }
+  return bench_->estimate();
+}
+
+bool ShellSession::rubs() const {
+  return std::ranges::any_of(model_->contacts, [](const auto& c) { return c.mu > 0.0; }) ||
+         std::ranges::any_of(model_->cracks,
+                             [](const auto& c) { return c.faces_in_contact && c.mu > 0.0; });
+}
+
+} // namespace spricka::program

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/steps/mount_memory.hpp"
+#include "program/job/job.hpp"
+#include "program/shell/bench.hpp"
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace spricka::program {
+
+using Defines = std::vector<std::pair<std::string, std::string>>;
+
+struct SessionOptions {
+  std::function<ReadyDeck(const Defines&)> read;   ///< reads and checks the deck with these
+  Defines defines;                                 ///< -D of the command line
+  std::function<int(const model::Model&)> threads; ///< empty: one
+  std::function<bool()> stopped; ///< asked between the stages of a computation; may be empty
+};
+
+/// Substeps of a change where something rubs.
+inline constexpr int default_substeps = 10;
+
+/// What a map runs over: t of a load path, or the factor of a load case.
+struct MapRange {
+  std::string what = "t";
+  double from = 0.0, to = 1.0; ///< at t = 0 and t = 1
+};
+
+/// A deck on the bench: what its steps have set, what was changed since, and the answers. It knows
+/// nothing of words typed or texts printed; names are those of the deck, upper case, or an
+/// operation ends with trouble and the name that was probably meant. An operation that fails leaves
+/// everything as it was.
+class ShellSession {
+public:
+  explicit ShellSession(SessionOptions options);
+
+  /// Reads the deck, condenses it and goes to the end of its leading step (KMAX of $GROW, else the
+  /// last). Called once; trouble with the deck has been told by `read`.
+  ShellResult open();
+
+  // What is set. Factors and lengths take effect at the next solve().
+  ShellResult step(const std::string& name); ///< the state at the end of a step of the deck
+  ShellResult load(const std::string& load_case, double factor);
+  ShellResult fit(const std::string& contact, double factor);
+  /// The interference itself [length], negative: clearance: its factor becomes 1. Solves from the
+  /// first step on.
+  ShellResult interference(const std::string& contact, double value);
+  ShellResult mount(const std::string& contact, bool on);
+  /// Cuts the crack anew, condenses what it touches and solves the same way again.
+  ShellResult length(const std::string& crack, double a);
+  /// A parameter: the deck is read again; what was set by name is kept.
+  ShellResult define(const std::string& name, const std::string& expression);
+  /// What the last define() would have changed, had it not been set by name (or by $GROW) before.
+  [[nodiscard]] const std::vector<std::string>& covered() const { return covered_; }
+  ShellResult reset(); ///< as after open(); the deck is read again
+
+  /// Makes the changes that are pending; where something rubs in so many substeps from the last
+  /// state on, else path-free.
+  ShellResult solve(int substeps = default_substeps);
+  /// After an operation that failed late makes what it left unusable anew. Call it before others.
+  ShellResult restore();
+  [[nodiscard]] bool pending() const { return !changes_.actions.empty(); }
+
+  // Answers about the present state; what is pending is solved before.
+  ShellResult estimate(); ///< error bars and sensitivities of K, once for a state
+  [[nodiscard]] const results::Run& run() const { return bench_->run(); }
+  [[nodiscard]] const results::StepResult& now() const { return bench_->now(); }
+  /// Notes of the present state that were not given before, and its warnings, first.
+  std::vector<std::string> new_notes();
+  [[nodiscard]] const analysis::StepFactors& factors() const { return bench_->factors(); }
+  /// A quantity of $CHECK with the value at the present state for the step NOW, at the end of one
+  /// of the deck's for another name.
+  ShellResult evaluate(const model::Check& check, double& value);
+  /// K along a $LOADPATH of the deck.
+  ShellResult map_path(const std::string& name);
+  /// K while the factor of a load case goes from one value to another, all else as it is; the path
+  /// has the name of the case.
+  ShellResult map_case(const std::string& load_case, double from, double to);
+  /// The path that was followed last; null: none at this state.
+  [[nodiscard]] const results::LoadPath* mapped() const;
+  [[nodiscard]] const MapRange& map_range() const { return range_; }
+
+  /// States with the present loads and fits at different lengths, ascending: each an increment
+  /// whose only step is NOW, tips only.
+  [[nodiscard]] results::Run lengths() const;
+
+  [[nodiscard]] const model::Model& model() const { return *model_; } ///< as it is now
+  [[nodiscard]] const model::Model& shown() const { return bench_->shown(); }
+  [[nodiscard]] const base::Sources& sources() const { return deck_->sources; }
+  /// Name of the deck's step that the state began with, and what came after it: one step where the
+  /// order does not count.
+  [[nodiscard]] const std::string& base_step() const { return model_->steps[base_].name; }
+  [[nodiscard]] const std::vector<model::Step>& changes() const { return after_; }
+  [[nodiscard]] const model::Step& pending_changes() const { return changes_; }
+  /// Values given by the user here.
+  [[nodiscard]] const std::map<std::string, double>& set_lengths() const { return lengths_; }
+  [[nodiscard]] const std::map<std::string, double>& set_interferences() const { return gaps_; }
+  [[nodiscard]] const Defines& defines() const { return options_.defines; }
+  [[nodiscard]] bool rubs() const; ///< a contact or crack with friction: the order counts
+  /// Nets condensed and reused when the lengths changed last.
+  [[nodiscard]] const analysis::CondenseLog& condensed() const { return bench_->condensed(); }
+  [[nodiscard]] double length_of(std::size_t crack) const;
+  /// Contacts, and the faces of cracks that may touch.
+  [[nodiscard]] std::vector<std::string> pair_names() const;
+
+private:
+  /// A bench for the model of a deck just read, with what is set by name.
+  ShellResult open_model();
+  ShellResult read_again(const Defines& defines, bool keep);
+  /// Cards that parameters reach and that names set here may cover, as the deck has them.
+  struct OwnCards {
+    std::vector<model::Crack> cracks;
+    std::vector<model::Contact> contacts;
+    std::vector<model::Step> steps;
+  };
+  [[nodiscard]] std::vector<std::string> covered_by(const OwnCards& before) const;
+  [[nodiscard]] analysis::StepFactors factors_at_base(const OwnCards& cards) const;
+  /// A new bench for the model as it is, at the end of the way so far.
+  ShellResult rebuild();
+  ShellResult make_bench(bool first, std::unique_ptr<ShellBench>& bench);
+  [[nodiscard]] std::vector<model::Step> way_to(std::size_t step) const;
+  [[nodiscard]] std::vector<model::Step> way() const; ///< to the base step and what came after it
+  /// The region that cracks of these lengths touch, and some more, to be condensed apart.
+  [[nodiscard]] analysis::RegionPlan plan_lengths() const;
+  void set_lengths_on(model::Model& model) const;
+  [[nodiscard]] ShellResult mappable() const;
+  [[nodiscard]] std::string setting() const;
+  void remember();
+  void change(const model::Action& action);
+
+  SessionOptions options_;
+  std::unique_ptr<ReadyDeck> deck_;
+  std::unique_ptr<model::Model> model_; ///< with the lengths and gaps that were set
+  analysis::RegionPlan plan_;
+  std::shared_ptr<analysis::CondensationCache> cache_ =
+      std::make_shared<analysis::CondensationCache>();
+  std::unique_ptr<analysis::ContactMemory> contact_ = std::make_unique<analysis::ContactMemory>();
+  std::unique_ptr<analysis::MountMemory> memory_; ///< where $GROW says MOUNTED=FIRST
+  std::unique_ptr<ShellBench> bench_;
+  std::size_t base_ = 0;
+  std::vector<model::Step> after_;
+  model::Step changes_;
+  std::map<std::string, double> lengths_; ///< by crack
+  std::map<std::string, double> gaps_;    ///< by contact, interference
+  OwnCards own_;
+  std::vector<std::string> covered_;
+  std::string mapped_;
+  MapRange range_;
+  struct Known {
+    std::string setting; ///< of all but lengths
+    double a = 0.0;
+    std::vector<results::TipResult> tips;
+  };
+  std::vector<Known> known_;
+  Defines given_; ///< by the command line
+  std::set<std::string> told_;
+};
+
+} // namespace spricka::program

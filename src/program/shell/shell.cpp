@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/shell/shell.hpp"
+
+#include "base/clock.hpp"
+#include "base/exit_codes.hpp"
+#include "program/job/job.hpp"
+#include "program/job/solve_to_tolerance.hpp"
+#include "program/job/standard_streams.hpp"
+#include "program/shell/command_table.hpp"
+#include "program/shell/line_input.hpp"
+#include "solve/one_thread.hpp"
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace spricka::program {
+
+namespace {
+
+class Shell {
+public:
+  explicit Shell(const ShellOptions& options) : options_(options), log_(options.deck.log_format) {}
+
+  int run() {
+    // Prompts and the line being typed go to stderr, so that stdout can be a file.
+    const bool terminal = isatty(STDIN_FILENO) != 0 && isatty(STDERR_FILENO) != 0;
+    std::optional<LineEditor> editor;
+    if (terminal) {
+      editor.emplace();
+    }
+    if (const int refused = open(terminal)) {
+      return refused;
+    }
+    if (editor) {
+      editor->complete_with([this](std::string_view line, std::size_t begin) {
+        return complete_shell_line(*session_, line, begin);
+      });
+    }
+    std::string line;
+    while (next_line(editor, line)) {
+      const ShellReply reply = run_shell_line(*session_, history_, line);
+      if (!without_blanks(line).empty()) {
+        history_.push_back(line);
+      }
+      tell(reply, terminal);
+      if (reply.quit) {
+        break;
+      }
+      if (reply.exit_code != base::exit_code::done && options_.strict) {
+        return reply.exit_code;
+      }
+    }
+    return base::exit_code::done;
+  }
+
+private:
+  static std::string_view without_blanks(std::string_view line) {
+    const std::size_t first = line.find_first_not_of(" \t\r");
+    return first == std::string_view::npos ? std::string_view() : line.substr(first);
+  }
+
+  int open(bool terminal) {
+    SessionOptions options;
+    options.defines = options_.deck.defines;
+    options.stopped = terminal ? LineEditor::interrupted : std::function<bool()>();
+    options.read = [this](const Defines& defines) {
+      return read_ready(options_.deck.deck, {.defines = defines}, log_);
+    };
+    options.threads = [this](const model::Model& model) {
+      return solve::reserve_kernels(thread_count(options_.deck, model));
+    };
+    const base::Stopwatch watch;
+    session_ = std::make_unique<ShellSession>(std::move(options));
+    if (const ShellResult trouble = session_->open()) {
+      tell(*trouble);
+      return trouble->exit_code;
+    }
+    if (wants_tolerance(session_->model())) {
+      to_stderr(fmt::format("note: TOL of $TIPNET is for runs: here the mesh stays as it is\n"));
+    }
+    if (!session_->model().sweeps.empty()) {
+      fmt::print(stderr,
+                 "note: parameters of $SWEEP have the deck's own values; set changes them\n");
+    }
+    if (terminal) {
+      to_stderr(fmt::format("{}: at the end of step {}, {:.2f} s CPU; help lists the commands\n",
+                            options_.deck.deck.string(), session_->base_step(), watch.cpu()));
+    }
+    return base::exit_code::done;
+  }
+
+  // What has no end of line (a device) is no command either.
+  static bool read_line(std::string& line) {
+    constexpr std::size_t longest = std::size_t{1} << 20U;
+    line.clear();
+    for (int c = std::getc(stdin); c != EOF; c = std::getc(stdin)) {
+      if (c == '\n') {
+        return true;
+      }
+      if (line.size() == longest) {
+        throw std::system_error(std::make_error_code(std::errc::file_too_large),
+                                "standard input: a line without an end");
+      }
+      line += static_cast<char>(c);
+    }
+    return !line.empty();
+  }
+
+  bool next_line(std::optional<LineEditor>& editor, std::string& line) const {
+    return editor ? editor->read(shell_prompt(*session_), line) : read_line(line);
+  }
+
+  static void tell(const ShellTrouble& trouble) {
+    if (trouble.complete) {
+      to_stderr(fmt::format("{}", trouble.why));
+    } else {
+      to_stderr(fmt::format("error: {}\n", trouble.why));
+    }
+  }
+
+  void tell(const ShellReply& reply, bool terminal) const {
+    to_stdout(reply.out);
+    std::fflush(stdout);
+    to_stderr(fmt::format("{}", reply.messages));
+    if (terminal && !options_.deck.quiet && reply.cpu >= 5e-4) {
+      to_stderr(fmt::format("({:.0f} ms CPU)\n", 1e3 * reply.cpu));
+    }
+  }
+
+  const ShellOptions& options_;
+  Log log_;
+  std::unique_ptr<ShellSession> session_;
+  ShellHistory history_;
+};
+
+} // namespace
+
+int shell(const ShellOptions& options) {
+  try {
+    return Shell(options).run();
+  } catch (const std::system_error& trouble) {
+    Log(options.deck.log_format).message(base::Severity::error, "E530", trouble.what());
+    return base::exit_code::file_trouble;
+  }
+}
+
+} // namespace spricka::program

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/drawing/colour_scale.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace spricka::report {
+namespace {
+
+constexpr std::array<std::array<double, 3>, 5> ramp{
+    {{68, 1, 84}, {59, 82, 139}, {33, 145, 140}, {94, 201, 98}, {253, 231, 37}}};
+
+} // namespace
+
+std::size_t ColourScale::band(double value) const {
+  const double t = high > low ? std::clamp((value - low) / (high - low), 0.0, 1.0) : 0.0;
+  return std::min(static_cast<std::size_t>(t * static_cast<double>(colour_bands)),
+                  colour_bands - 1);
+}
+
+ColourScale scale_between(double low, double high) {
+  // A uniform field has one colour, not round-off in twelve.
+  return high - low > 1e-6 * std::abs(high) ? ColourScale{low, high} : ColourScale{0.0, high};
+}
+
+std::string band_colour(std::size_t band) {
+  const double at = static_cast<double>(band) / static_cast<double>(colour_bands - 1) *
+                    static_cast<double>(ramp.size() - 1);
+  const auto below = std::min(static_cast<std::size_t>(at), ramp.size() - 2);
+  const double part = at - static_cast<double>(below);
+  std::array<int, 3> rgb{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    rgb[c] =
+        static_cast<int>(std::lround((1.0 - part) * ramp[below][c] + part * ramp[below + 1][c]));
+  }
+  return fmt::format("#{:02x}{:02x}{:02x}", rgb[0], rgb[1], rgb[2]);
+}
+
+void draw_colour_legend(Svg& svg, const ColourScale& scale, Point corner, double width,
+                        std::string_view words) {
+  const double part = width / static_cast<double>(colour_bands);
+  for (std::size_t b = 0; b < colour_bands; ++b) {
+    const std::string fill = band_colour(b);
+    svg.rectangle({corner.x + part * static_cast<double>(b), corner.y}, part, 11.0,
+                  {fill, 0.3, fill, ""});
+  }
+  const std::vector<double> ticks = round_ticks(scale.low, scale.high, 5);
+  for (const double value : ticks) {
+    const double x = corner.x + width * (value - scale.low) / (scale.high - scale.low);
+    svg.line({x, corner.y + 11.0}, {x, corner.y + 15.0}, {"#000", 0.8, "none", ""});
+    svg.text({x, corner.y + 27.0}, tick_text(value, ticks.size() > 1 ? ticks[1] - ticks[0] : value),
+             {Anchor::middle, 11.0});
+  }
+  svg.text({corner.x + width, corner.y - 5.0}, words, {Anchor::end, 11.0});
+}
+
+} // namespace spricka::report

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "report/drawing/svg.hpp"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace spricka::report {
+
+/// Colours told apart in a picture of a field.
+inline constexpr std::size_t colour_bands = 12;
+
+/// Values of the colours' ends; what lies beyond has the colour of the end.
+struct ColourScale {
+  double low = 0.0;
+  double high = 0.0;
+  [[nodiscard]] std::size_t band(double value) const;
+};
+
+/// From low to high, or from 0 where there is nothing between them but round-off.
+ColourScale scale_between(double low, double high);
+
+/// Dark to light, even steps to the eye (Smith and van der Walt's viridis, five of its colours).
+std::string band_colour(std::size_t band);
+
+/// The bands with round numbers below and `words` above; corner: upper left.
+void draw_colour_legend(Svg& svg, const ColourScale& scale, Point corner, double width,
+                        std::string_view words);
+
+} // namespace spricka::report

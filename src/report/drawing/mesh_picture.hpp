@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/vec.hpp"
+#include "model/model.hpp"
+#include "report/drawing/colour_scale.hpp"
+#include "report/drawing/svg.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace spricka::report {
+
+/// A window onto a plane mesh. Curved edges are drawn as the parabolas they are; edges of one
+/// element only, outlines and crack lips, are heavy.
+struct MeshView {
+  const model::Mesh* mesh = nullptr;
+  std::string id; ///< unique on the page
+  std::string title;
+  Point low; ///< the window's corners [length]
+  Point high;
+  base::NetId net;                 ///< the only net to be drawn; invalid: all
+  const base::Vector* u = nullptr; ///< displacements to add; null: none
+  double magnify = 1.0;
+  base::Vec2 rest = base::Vec2::Zero(); ///< the displacement that stays where it is
+  std::vector<std::pair<Point, std::string>> labels;
+  std::vector<model::Rigid> rigids;    ///< targets to be drawn
+  const model::Model* marks = nullptr; ///< its supports, loads and contacts are shown; null: none
+  /// Colours in the place of tints and inner edges, with their legend below the picture.
+  std::vector<double> field; ///< [connectivity index] values; empty: none
+  ColourScale scale;
+  std::string field_words; ///< "von Mises, MPa"
+  std::string length_name;
+  double width = 320.0; ///< [px]
+};
+
+std::string draw(const MeshView& view);
+
+} // namespace spricka::report

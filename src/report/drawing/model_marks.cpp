@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/drawing/model_marks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace spricka::report {
+namespace {
+
+using model::LoadType;
+
+constexpr std::size_t most_marks = 24; ///< of one set: more run into each other
+constexpr double longest_arrow = 34.0; ///< [px]
+constexpr const char* held_colour = "#0072b2";
+constexpr const char* moved_colour = "#009e73";
+constexpr const char* load_colour = "#b00000";
+constexpr const char* heat_colour = "#d55e00";
+constexpr std::size_t most_dots = 150; ///< of one heated set
+
+bool is_held(model::FreedomClass cls) {
+  return cls == model::FreedomClass::suppressed || cls == model::FreedomClass::prescribed;
+}
+
+/// Every k-th index so that at most `most_marks` are left.
+std::size_t stride(std::size_t count) {
+  return std::max<std::size_t>(1, (count + most_marks - 1) / most_marks);
+}
+
+Point point_of(const base::Vec3& x) {
+  return {x[0], x[1]};
+}
+
+/// A side of a plane element: ends, middle and outer normal; the body lies on the left of it.
+struct Side {
+  base::Vec3 from, to, middle, normal;
+};
+
+Side side_of(const model::Mesh& mesh, const model::Face& face) {
+  const base::ElementInfo& info = base::info(mesh.type[face.element.index()]);
+  const auto corners = static_cast<std::size_t>(info.corners);
+  const auto s = static_cast<std::size_t>(face.side);
+  const std::span<const base::NodeId> nodes = mesh.nodes_of(face.element);
+  Side side;
+  side.from = mesh.x[nodes[s].index()];
+  side.to = mesh.x[nodes[(s + 1) % corners].index()];
+  side.middle =
+      info.quadratic ? mesh.x[nodes[corners + s].index()] : base::Vec3(0.5 * (side.from + side.to));
+  const base::Vec3 along = side.to - side.from;
+  side.normal = base::Vec3(along.y(), -along.x(), 0.0).normalized();
+  return side;
+}
+
+/// An arrow that ends at a place, with the value it stands for.
+struct Arrow {
+  base::Vec3 at;
+  base::Vec3 value;
+};
+
+base::Vec3 vector_of(const model::Load& load, const base::Vec3& x) {
+  base::Vec3 value = base::Vec3::Zero();
+  for (std::size_t c = 0; c < std::min<std::size_t>(load.value.size(), 2); ++c) {
+    value[static_cast<Eigen::Index>(c)] = load.value[c](x);
+  }
+  return value;
+}
+
+void add_on_faces(const model::Mesh& mesh, const model::Load& load, std::vector<Arrow>& arrows) {
+  const std::vector<model::Face>& faces = mesh.set(load.faces).faces;
+  for (std::size_t i = 0; i < faces.size(); i += stride(faces.size())) {
+    const Side side = side_of(mesh, faces[i]);
+    const bool pressure = load.type == LoadType::pressure;
+    const base::Vec3 value = pressure && !load.value.empty()
+                                 ? base::Vec3(-load.value.front()(side.middle) * side.normal)
+                                 : vector_of(load, side.middle);
+    arrows.push_back({side.middle, value});
+  }
+}
+
+/// The middle of what a total acts on.
+base::Vec3 middle_of(const model::Mesh& mesh, const model::Load& load) {
+  base::Vec3 sum = base::Vec3::Zero();
+  double count = 0.0;
+  const auto add = [&](const base::Vec3& x) {
+    sum += x;
+    count += 1.0;
+  };
+  if (load.faces.valid()) {
+    for (const model::Face& face : mesh.set(load.faces).faces) {
+      add(side_of(mesh, face).middle);
+    }
+  } else if (load.elements.valid()) {
+    for (const base::ElementId e : mesh.set(load.elements).elements) {
+      for (const base::NodeId n : mesh.nodes_of(e)) {
+        add(mesh.x[n.index()]);
+      }
+    }
+  }
+  return count > 0.0 ? base::Vec3(sum / count) : sum;
+}
+
+std::vector<Arrow> arrows_of(const model::Mesh& mesh, const model::Load& load) {
+  std::vector<Arrow> arrows;
+  const bool at_nodes = load.type == LoadType::force || load.type == LoadType::displacement;
+  if (at_nodes && load.nodes.valid()) {
+    const std::vector<base::NodeId>& nodes = mesh.set(load.nodes).nodes;
+    for (std::size_t i = 0; i < nodes.size(); i += stride(nodes.size())) {
+      const base::Vec3& x = mesh.x[nodes[i].index()];
+      arrows.push_back({x, vector_of(load, x)});
+    }
+  } else if ((load.type == LoadType::traction || load.type == LoadType::pressure) &&
+             load.faces.valid()) {
+    add_on_faces(mesh, load, arrows);
+  } else if (load.type == LoadType::resultant || load.type == LoadType::bearing ||
+             load.type == LoadType::body) {
+    const base::Vec3 x = middle_of(mesh, load);
+    arrows.push_back({x, vector_of(load, x)});
+  }
+  return arrows;
+}
+
+void draw_arrow(Svg& svg, Point tip, const base::Vec2& way, const char* colour) {
+  const base::Vec2 along = way.normalized();
+  const base::Vec2 across(-along.y(), along.x());
+  const Point tail{tip.x - way.x(), tip.y - way.y()};
+  svg.line(tail, tip, {colour, 1.3, "none", ""});
+  PathData head;
+  head.move(tip);
+  for (const double side : {1.0, -1.0}) {
+    const base::Vec2 back = -7.0 * along + side * 2.8 * across;
+    head.line({tip.x + back.x(), tip.y + back.y()});
+  }
+  svg.path(head.close(), {colour, 0.5, colour, ""});
+}
+
+void draw_loads(Svg& svg, const model::Model& model, const Window& window) {
+  for (const model::LoadCase& load_case : model.cases) {
+    for (const model::Load& load : load_case.loads) {
+      const std::vector<Arrow> arrows = arrows_of(model.mesh, load);
+      double largest = 0.0;
+      for (const Arrow& arrow : arrows) {
+        const double size = arrow.value.norm();
+        largest = std::isfinite(size) ? std::max(largest, size) : largest;
+      }
+      for (const Arrow& arrow : arrows) {
+        const double part = largest > 0.0 ? arrow.value.norm() / largest : 0.0;
+        if (std::isfinite(part) && part > 0.05) {
+          const base::Vec2 up = longest_arrow * part * arrow.value.head<2>().normalized();
+          draw_arrow(svg, window.project(point_of(arrow.at)), {up.x(), -up.y()},
+                     load.type == LoadType::displacement ? moved_colour : load_colour);
+        }
+      }
+    }
+  }
+}
+
+void draw_dot(Svg& svg, Point at) {
+  svg.circle(at, 1.7, {heat_colour, 0.5, heat_colour, ""});
+}
+
+/// Dots inside the elements that a case gives a temperature.
+void draw_heated(Svg& svg, const model::Model& model, const Window& window) {
+  for (const model::LoadCase& load_case : model.cases) {
+    for (const model::Load& load : load_case.loads) {
+      if (load.type != LoadType::temperature || !load.elements.valid()) {
+        continue;
+      }
+      const std::vector<base::ElementId>& elements = model.mesh.set(load.elements).elements;
+      const std::size_t step = std::max<std::size_t>(1, elements.size() / most_dots);
+      for (std::size_t i = 0; i < elements.size(); i += step) {
+        const auto corners =
+            static_cast<std::size_t>(base::info(model.mesh.type[elements[i].index()]).corners);
+        base::Vec3 sum = base::Vec3::Zero();
+        for (const base::NodeId n : model.mesh.nodes_of(elements[i]).first(corners)) {
+          sum += model.mesh.x[n.index()];
+        }
+        draw_dot(svg, window.project(point_of(sum / static_cast<double>(corners))));
+      }
+    }
+  }
+}
+
+/// A triangle below a node for y, beside it for x; both for both.
+void draw_held(Svg& svg, Point at, const std::array<bool, 3>& dof) {
+  const auto triangle = [&](double dx, double dy) {
+    PathData path;
+    path.move(at);
+    path.line({at.x + 7.0 * dx + 4.0 * dy, at.y + 7.0 * dy + 4.0 * dx});
+    path.line({at.x + 7.0 * dx - 4.0 * dy, at.y + 7.0 * dy - 4.0 * dx});
+    svg.path(path.close(), {held_colour, 0.9, "#fff", ""});
+  };
+  if (dof[0]) {
+    triangle(-1.0, 0.0);
+  }
+  if (dof[1]) {
+    triangle(0.0, 1.0);
+  }
+}
+
+void draw_supports(Svg& svg, const model::Model& model, const Window& window) {
+  for (const model::Freedom& freedom : model.freedoms) {
+    if (!is_held(freedom.cls) || !freedom.nodes.valid()) {
+      continue;
+    }
+    const std::vector<base::NodeId>& nodes = model.mesh.set(freedom.nodes).nodes;
+    for (std::size_t i = 0; i < nodes.size(); i += stride(nodes.size())) {
+      draw_held(svg, window.project(point_of(model.mesh.x[nodes[i].index()])), freedom.dof);
+    }
+  }
+}
+
+void draw_contacts(Svg& svg, const model::Model& model, const Window& window) {
+  for (std::size_t c = 0; c < model.contacts.size(); ++c) {
+    for (const base::FaceSetId set : {model.contacts[c].slave, model.contacts[c].master}) {
+      PathData path;
+      for (const model::Face& face :
+           set.valid() ? model.mesh.set(set).faces : std::vector<model::Face>()) {
+        const Side side = side_of(model.mesh, face);
+        const base::Vec3 control = 2.0 * side.middle - 0.5 * (side.from + side.to);
+        path.move(window.project(point_of(side.from)));
+        path.quadratic(window.project(point_of(control)), window.project(point_of(side.to)));
+      }
+      if (!path.empty()) {
+        svg.path(path, {std::string(colour(c)), 2.6, "none", ""});
+      }
+    }
+  }
+}
+
+/// One entry of the legend: a sign and words.
+struct Entry {
+  enum class Sign { held, load, moved, heated, contact } sign;
+  std::string words;
+  std::size_t number = 0; ///< of a contact
+};
+
+std::vector<Entry> entries_of(const model::Model& model) {
+  std::vector<Entry> entries;
+  const bool held =
+      std::ranges::any_of(model.freedoms, [](const model::Freedom& f) { return is_held(f.cls); });
+  if (held) {
+    entries.push_back({Entry::Sign::held, "held in x (beside), in y (below)"});
+  }
+  for (const model::LoadCase& load_case : model.cases) {
+    std::vector<bool> kinds(2, false);
+    for (const model::Load& load : load_case.loads) {
+      kinds[load.type == LoadType::displacement ? 1 : 0] =
+          kinds[load.type == LoadType::displacement ? 1 : 0] || load.type != LoadType::temperature;
+    }
+    if (kinds[0]) {
+      entries.push_back({Entry::Sign::load, "load " + load_case.name});
+    }
+    if (kinds[1]) {
+      entries.push_back({Entry::Sign::moved, "displacement " + load_case.name});
+    }
+  }
+  std::string heated;
+  for (const model::LoadCase& load_case : model.cases) {
+    if (std::ranges::any_of(load_case.loads, [](const model::Load& load) {
+          return load.type == LoadType::temperature;
+        })) {
+      heated += (heated.empty() ? "temperature " : ", ") + load_case.name;
+    }
+  }
+  if (!heated.empty()) {
+    entries.push_back({Entry::Sign::heated, heated});
+  }
+  for (std::size_t c = 0; c < model.contacts.size(); ++c) {
+    entries.push_back({Entry::Sign::contact, "contact " + model.contacts[c].name, c});
+  }
+  return entries;
+}
+
+} // namespace
+
+void draw_model_marks(Svg& svg, const model::Model& model, const Window& window) {
+  draw_heated(svg, model, window);
+  draw_contacts(svg, model, window);
+  draw_supports(svg, model, window);
+  draw_loads(svg, model, window);
+}
+
+std::string model_legend(const model::Model& model, double width) {
+  constexpr double column = 220.0;
+  constexpr double line = 17.0;
+  const std::vector<Entry> entries = entries_of(model);
+  if (entries.empty()) {
+    return {};
+  }
+  const auto across = static_cast<std::size_t>(std::max(1.0, std::floor(width / column)));
+  const std::size_t down = (entries.size() + across - 1) / across;
+  Svg svg(width, line * static_cast<double>(down) + 4.0, "Signs in the picture of the model");
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const std::size_t row = i / across;
+    const Point at{column * static_cast<double>(i % across),
+                   line * (static_cast<double>(row) + 0.5)};
+    const Entry& entry = entries[i];
+    if (entry.sign == Entry::Sign::held) {
+      draw_held(svg, {at.x + 14.0, at.y - 2.0}, {true, true, false});
+    } else if (entry.sign == Entry::Sign::heated) {
+      for (const double x : {6.0, 13.0, 20.0}) {
+        draw_dot(svg, {at.x + x, at.y});
+      }
+    } else if (entry.sign == Entry::Sign::contact) {
+      svg.line({at.x, at.y}, {at.x + 26.0, at.y},
+               {std::string(colour(entry.number)), 2.6, "none", ""});
+    } else {
+      draw_arrow(svg, {at.x + 26.0, at.y}, {24.0, 0.0},
+                 entry.sign == Entry::Sign::load ? load_colour : moved_colour);
+    }
+    svg.text({at.x + 34.0, at.y + 4.0}, entry.words, {Anchor::start, 11.0});
+  }
+  return svg.finish();
+}
+
+} // namespace spricka::report

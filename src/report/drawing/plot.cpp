@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/drawing/plot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+namespace spricka::report {
+namespace {
+
+constexpr double least_left = 66.0;  // of the box
+constexpr double title_room = 32.0;  // left of an axis' numbers
+constexpr double letter_width = 6.8; // of a number
+constexpr double box_top = 12.0;
+constexpr double box_width = 400.0;
+constexpr double box_height = 290.0;
+constexpr double legend_gap = 18.0;
+constexpr double line_height = 15.0;
+constexpr double legend_width = 285.0;
+constexpr std::size_t letters_beside = 28;
+constexpr std::size_t letters_below = 48;
+
+/// What an axis shows; of a logarithmic one the powers of ten.
+struct Range {
+  double low = 0.0;
+  double high = 0.0;
+  bool log = false;
+  double left = least_left; ///< of the horizontal one: where the box begins [px]
+  [[nodiscard]] double on(double value) const { return log ? std::log10(value) : value; }
+};
+
+/// Both axes show 0: crack lengths and stress intensities are compared with it.
+Range range_of(const Plot& plot, double Point::*member) {
+  const bool upright = member == &Point::y;
+  Range range;
+  range.log = upright ? plot.log_y : plot.log_x;
+  if (range.log) {
+    range.low = std::numeric_limits<double>::max();
+    range.high = std::numeric_limits<double>::lowest();
+  }
+  for (const Series& series : plot.series) {
+    for (std::size_t i = 0; i < series.points.size(); ++i) {
+      const double at = series.points[i].*member;
+      const bool barred = upright && i < series.bars.size() && std::isfinite(series.bars[i]);
+      const double bar = barred ? series.bars[i] : 0.0;
+      if (std::isfinite(range.on(at))) {
+        range.low = std::min(range.low, range.log ? range.on(at) : at - bar);
+        range.high = std::max(range.high, range.log ? range.on(at) : at + bar);
+      }
+    }
+  }
+  if (!(range.high > range.low)) {
+    range.low = range.log && std::abs(range.low) < 300.0 ? range.low - 0.5 : 0.0;
+    range.high = range.low + 1.0;
+  }
+  const double margin = 0.05 * (range.high - range.low);
+  range.high += margin;
+  range.low -= range.low < 0.0 || range.log ? margin : 0.0;
+  return range;
+}
+
+Point place(Point p, const Range& x, const Range& y) {
+  return {x.left + box_width * (x.on(p.x) - x.low) / (x.high - x.low),
+          box_top + box_height * (y.high - y.on(p.y)) / (y.high - y.low)};
+}
+
+double distance(const std::vector<double>& ticks) {
+  return ticks.size() > 1 ? ticks[1] - ticks[0] : 1.0;
+}
+
+/// Where an axis has a number, and the number.
+struct Tick {
+  double value = 0.0;
+  std::string text;
+};
+
+/// lead times ten to the power d: 0.02, 1000, 2·10⁷.
+std::string decade_text(int lead, int d) {
+  constexpr std::array<const char*, 10> raised{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  if (d > -4 && d < 5) {
+    return fmt::format("{:.{}f}", lead * std::pow(10.0, d), std::max(0, -d));
+  }
+  std::string text = lead == 1 ? "10" : fmt::format("{}·10", lead);
+  text += d < 0 ? "⁻" : "";
+  for (const char digit : std::to_string(std::abs(d))) {
+    text += raised[static_cast<std::size_t>(digit - '0')];
+  }
+  return text;
+}
+
+/// Powers of ten, with 2 and 5 between them where there are few, or all digits within one.
+std::vector<Tick> decade_ticks(const Range& range) {
+  std::vector<Tick> ticks;
+  const auto first = static_cast<int>(std::floor(range.low));
+  const auto last = static_cast<int>(std::ceil(range.high));
+  const int skip = std::max(1, (last - first) / 8);
+  for (int d = first; d <= last; d += skip) {
+    for (const int lead : {1, 2, 3, 4, 5, 6, 7, 8, 9}) {
+      const double value = lead * std::pow(10.0, d);
+      const double decades = range.high - range.low;
+      const bool wanted = lead == 1 || decades < 0.9 || (decades < 2.5 && (lead == 2 || lead == 5));
+      if (wanted && std::log10(value) >= range.low && std::log10(value) <= range.high) {
+        ticks.push_back({value, decade_text(lead, d)});
+      }
+    }
+  }
+  return ticks;
+}
+
+std::vector<Tick> ticks_of(const Range& range, int wanted) {
+  if (range.log) {
+    return decade_ticks(range);
+  }
+  std::vector<Tick> ticks;
+  const std::vector<double> values = round_ticks(range.low, range.high, wanted);
+  ticks.reserve(values.size());
+  for (const double value : values) {
+    ticks.push_back({value, tick_text(value, distance(values))});
+  }
+  return ticks;
+}
+
+/// Wide enough for the numbers of the upright axis and its title beside them.
+double box_left(const Range& y) {
+  std::ptrdiff_t letters = 0;
+  for (const Tick& tick : ticks_of(y, 6)) {
+    letters = std::max(letters, std::ranges::count_if(tick.text, [](char c) {
+                         return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; // UTF-8
+                       }));
+  }
+  return std::max(least_left, title_room + letter_width * static_cast<double>(letters));
+}
+
+void draw_axes(Svg& svg, const Plot& plot, const Range& x, const Range& y) {
+  const Style grid{"#ddd", 0.7, "none", ""};
+  const Style axis{"#000", 0.9, "none", ""};
+  const double bottom = box_top + box_height;
+  for (const Tick& tick : ticks_of(x, 7)) {
+    const double at = place({tick.value, 1.0}, x, y).x;
+    svg.line({at, box_top}, {at, bottom}, grid);
+    svg.line({at, bottom}, {at, bottom - 5.0}, axis);
+    svg.text({at, bottom + 16.0}, tick.text, {Anchor::middle});
+  }
+  for (const Tick& tick : ticks_of(y, 6)) {
+    const double at = place({1.0, tick.value}, x, y).y;
+    svg.line({x.left, at}, {x.left + box_width, at}, grid);
+    svg.line({x.left, at}, {x.left + 5.0, at}, axis);
+    svg.text({x.left - 7.0, at + 4.0}, tick.text, {Anchor::end});
+  }
+  svg.rectangle({x.left, box_top}, box_width, box_height, axis);
+  svg.text({x.left + 0.5 * box_width, bottom + 36.0}, plot.x_name, {Anchor::middle, 13.0});
+  svg.text({18.0, box_top + 0.5 * box_height}, plot.y_name, {Anchor::middle, 13.0, "#000", 90.0});
+}
+
+Style line_style(const Series& series) {
+  return {series.colour, 1.6, "none", series.dash};
+}
+
+void draw_marker(Svg& svg, const Series& series, Point at) {
+  const bool open = *series.marker == Marker::plus || *series.marker == Marker::cross;
+  svg.marker(*series.marker, at, {series.colour, open ? 1.6 : 1.3, open ? "none" : "#fff", ""});
+}
+
+/// A vertical line with a foot at either end; shorter than a pixel it would not be seen.
+void draw_bars(Svg& svg, const Series& series, const Range& x, const Range& y) {
+  constexpr double foot = 3.0;
+  const Style style{series.colour, 1.1, "none", ""};
+  for (std::size_t i = 0; i < series.bars.size(); ++i) {
+    const Point& p = series.points[i];
+    if (!std::isfinite(series.bars[i]) || !std::isfinite(p.x) || !std::isfinite(p.y)) {
+      continue;
+    }
+    const Point top = place({p.x, p.y + series.bars[i]}, x, y);
+    const Point bottom = place({p.x, p.y - series.bars[i]}, x, y);
+    if (bottom.y - top.y < 1.0) {
+      continue;
+    }
+    svg.line(top, bottom, style);
+    for (const Point& end : {top, bottom}) {
+      svg.line({end.x - foot, end.y}, {end.x + foot, end.y}, style);
+    }
+  }
+}
+
+void draw_series(Svg& svg, const Series& series, const Range& x, const Range& y) {
+  std::vector<Point> points;
+  for (const Point& p : series.points) {
+    const Point at = place(p, x, y);
+    if (std::isfinite(at.x) && std::isfinite(at.y)) {
+      points.push_back(at);
+    }
+  }
+  if (series.joined) {
+    svg.polyline(points, line_style(series));
+  }
+  draw_bars(svg, series, x, y);
+  if (series.marker) {
+    for (const Point& p : points) {
+      draw_marker(svg, series, p);
+    }
+  }
+}
+
+/// Words in lines of at most `letters` bytes; a longer word stands alone.
+std::vector<std::string> wrap(std::string_view words, std::size_t letters) {
+  std::vector<std::string> lines{""};
+  while (!words.empty()) {
+    const std::size_t end = std::min(words.find(' '), words.size());
+    const std::string_view word = words.substr(0, end);
+    words.remove_prefix(std::min(end + 1, words.size()));
+    if (!lines.back().empty() && lines.back().size() + 1 + word.size() > letters) {
+      lines.emplace_back();
+    }
+    (lines.back() += lines.back().empty() ? "" : " ") += word;
+  }
+  return lines;
+}
+
+/// Legend lines of all series: what stands there and how many lines each entry takes.
+struct Entry {
+  const Series* series = nullptr;
+  std::vector<std::string> lines;
+};
+
+std::vector<Entry> legend_entries(const Plot& plot) {
+  std::vector<Entry> entries;
+  for (const Series& series : plot.series) {
+    if (!series.name.empty()) {
+      entries.push_back(
+          {&series, wrap(series.name, plot.legend_below ? letters_below : letters_beside)});
+    }
+  }
+  return entries;
+}
+
+double legend_height(const std::vector<Entry>& entries) {
+  double height = 0.0;
+  for (const Entry& entry : entries) {
+    height += line_height * static_cast<double>(entry.lines.size()) + 4.0;
+  }
+  return height;
+}
+
+void draw_legend(Svg& svg, const std::vector<Entry>& entries, Point corner) {
+  double y = corner.y + 10.0;
+  for (const Entry& entry : entries) {
+    const Series& series = *entry.series;
+    if (series.joined) {
+      svg.line({corner.x, y - 4.0}, {corner.x + 30.0, y - 4.0}, line_style(series));
+    }
+    if (series.marker) {
+      draw_marker(svg, series, {corner.x + 15.0, y - 4.0});
+    }
+    for (const std::string& line : entry.lines) {
+      svg.text({corner.x + 38.0, y}, line, {});
+      y += line_height;
+    }
+    y += 4.0;
+  }
+}
+
+} // namespace
+
+std::string draw(const Plot& plot) {
+  Range x = range_of(plot, &Point::x);
+  const Range y = range_of(plot, &Point::y);
+  x.left = box_left(y);
+  const double legend_left = x.left + box_width + legend_gap;
+  const std::vector<Entry> entries = legend_entries(plot);
+  const double foot = box_top + box_height + 46.0;
+  const double beside = legend_left + legend_width;
+  Svg svg(plot.legend_below ? legend_left : beside,
+          plot.legend_below ? foot + 6.0 + legend_height(entries)
+                            : std::max(foot, box_top + legend_height(entries)),
+          plot.label);
+  draw_axes(svg, plot, x, y);
+  for (const Series& series : plot.series) {
+    draw_series(svg, series, x, y);
+  }
+  draw_legend(svg, entries,
+              plot.legend_below ? Point{x.left, foot + 6.0} : Point{legend_left, box_top});
+  return svg.finish();
+}
+
+std::string bar_words(const std::vector<Series>& all) {
+  double widest = 0.0;
+  std::size_t barred = 0;
+  std::size_t count = 0;
+  for (const Series& series : all) {
+    for (std::size_t i = 0; i < series.bars.size(); ++i) {
+      const double K = std::abs(series.points[i].y);
+      const bool found = std::isfinite(series.bars[i]);
+      ++count;
+      barred += found ? 1 : 0;
+      widest = found && K > 0.0 ? std::max(widest, series.bars[i] / K) : widest;
+    }
+  }
+  if (!(widest > 0.0)) {
+    return {};
+  }
+  constexpr const char* unseen = "those shorter than a pixel are not drawn.";
+  return barred == count
+             ? fmt::format(" Error bars: what the mesh may have done to K₁, at most {:.2g} % of "
+                           "it; {}",
+                           100.0 * widest, unseen)
+             : fmt::format(" Error bars: what the mesh may have done to K₁, worked out for {} of "
+                           "{} points only, and there at most {:.2g} % of it; {}",
+                           barred, count, 100.0 * widest, unseen);
+}
+
+} // namespace spricka::report

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/drawing/round_off.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace spricka::report {
+namespace {
+
+/// Diagonal of the box round the nodes that elements have.
+double size_of(const model::Mesh& mesh) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  base::Vec3 low = base::Vec3::Constant(infinite);
+  base::Vec3 high = -low;
+  for (const base::NodeId n : mesh.nodes) {
+    low = low.cwiseMin(mesh.x[n.index()]);
+    high = high.cwiseMax(mesh.x[n.index()]);
+  }
+  return mesh.nodes.empty() ? 0.0 : (high - low).norm();
+}
+
+/// E times displacement [stress * length].
+double stiffness_times_way(const model::Model& model, const results::Increment& increment) {
+  double softest = std::numeric_limits<double>::infinity(); // so that nothing real is hidden
+  for (const model::Property& property : model.properties) {
+    softest = std::min(softest, model.materials[property.material.index()].E);
+  }
+  double way = 0.0;
+  for (const results::StepResult& step : increment.steps) {
+    way = step.u.size() > 0 ? std::max(way, step.u.lpNorm<Eigen::Infinity>()) : way;
+  }
+  return std::isfinite(softest) ? softest * way : 0.0;
+}
+
+} // namespace
+
+double elastic_stress(const model::Model& model, const results::Increment& increment) {
+  const double size = size_of(increment.mesh);
+  return size > 0.0 ? stiffness_times_way(model, increment) / size : 0.0;
+}
+
+double elastic_force(const model::Model& model, const results::Increment& increment) {
+  double depth = 0.0;
+  for (const model::Property& property : model.properties) {
+    const bool plane = property.state == model::State::plane_stress ||
+                       property.state == model::State::plane_strain;
+    depth = std::max(depth, plane ? property.thickness : size_of(increment.mesh));
+  }
+  return stiffness_times_way(model, increment) * depth;
+}
+
+double largest_stress(const results::StepResult& step) {
+  double largest = 0.0;
+  for (const results::Stress& stress : step.stress) {
+    largest = std::max(largest, results::von_mises(stress));
+  }
+  return largest;
+}
+
+bool is_stressed(const model::Model& model, const results::Increment& increment,
+                 const results::StepResult& step) {
+  constexpr double round_off = 1e-9;
+  double scale = elastic_stress(model, increment);
+  for (const results::StepResult& other : increment.steps) {
+    scale = std::max(scale, largest_stress(other));
+  }
+  return largest_stress(step) > round_off * scale;
+}
+
+} // namespace spricka::report

@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/drawing/mesh_picture.hpp"
+#include "report/drawing/plot.hpp"
+#include "report/topics/figures.hpp"
+#include "report/topics/growth_tables.hpp"
+#include "report/topics/result_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+
+namespace spricka::report {
+namespace {
+
+using results::Growth;
+using results::GrowthStation;
+
+constexpr double label_room = 0.1; // of a picture's width
+
+/// Lengths over cycles: the curve as a line, what was solved as marks on it.
+void add_tip_curve(Plot& plot, const Growth& growth, std::size_t tip) {
+  Series line;
+  line.name = growth.tips[tip];
+  line.colour = colour(tip);
+  line.dash = dash(tip);
+  for (const results::LifePoint& point : growth.curve) {
+    line.points.push_back({point.cycles, point.a[tip]});
+  }
+  Series marks;
+  marks.joined = false;
+  marks.marker = closed_marker(tip);
+  marks.colour = line.colour;
+  for (const GrowthStation& station : growth.stations) {
+    marks.points.push_back({station.cycles, station.tips[tip].a});
+  }
+  plot.series.push_back(std::move(line));
+  plot.series.push_back(std::move(marks));
+}
+
+/// Cycles that a $CHECK N(a) compares with.
+void add_checks(Plot& plot, const model::Model& model) {
+  Series marks;
+  marks.name = "reference";
+  marks.joined = false;
+  marks.marker = Marker::plus;
+  for (const model::Check& check : model.checks) {
+    const double* const a = check.quantity == "N" && check.arguments.size() == 1
+                                ? std::get_if<double>(&check.arguments[0])
+                                : nullptr;
+    if (a != nullptr) {
+      marks.points.push_back({check.value, *a});
+    }
+  }
+  if (!marks.points.empty()) {
+    plot.series.push_back(std::move(marks));
+  }
+}
+
+/// The largest t of a spectrum.
+double largest_place(const model::Spectrum& spectrum) {
+  double top = 0.0;
+  for (const double t : spectrum.turning_points) {
+    top = std::max(top, t);
+  }
+  for (const std::array<double, 3>& cycle : spectrum.cycles) {
+    top = std::max(top, cycle[1]);
+  }
+  return top;
+}
+
+/// K over the load at a length in the middle, and the lines that the other lives have taken it
+/// from; empty: there is no map.
+std::string lines_picture(const model::Model& model, const results::Run& run) {
+  if (run.growth->scaled.empty() || !model.growth->spectrum || run.increments.empty()) {
+    return {};
+  }
+  const model::Spectrum& spectrum = model.spectra[*model.growth->spectrum];
+  const results::Increment& increment = run.increments[run.increments.size() / 2];
+  const results::LoadPath& path = increment.paths.at(spectrum.path);
+  const double top = largest_place(spectrum);
+  if (path.tips.size() != 1 || path.t.empty() || top > path.t.back()) {
+    return {};
+  }
+  const base::PiecewiseLinear& K1 = path.tips.front().K1;
+  Plot plot{fmt::format("K₁ over load path {} at a = {:.4g} {}", path.name, increment.a,
+                        model.units.length_name),
+            fmt::format("t, a = {:.4g} {}", increment.a, model.units.length_name),
+            fmt::format("K₁  [{}]", print_unit(model.units.stress_intensity_name())),
+            {}};
+  plot.legend_below = true;
+  Series exact;
+  exact.name = "K of every load";
+  exact.colour = colour(0);
+  for (std::size_t k = 0; k < path.t.size(); ++k) {
+    exact.points.push_back({path.t[k], K1.at_knot(k)});
+  }
+  plot.series.push_back(std::move(exact));
+  for (std::size_t k = 0; k < run.growth->scaled.size(); ++k) {
+    const bool scaled = run.growth->scaled[k].name == "scaled";
+    Series line;
+    line.name = scaled ? "scaled with the load" : "a line through t = 0 and the largest load";
+    line.colour = colour(1 + k);
+    line.dash = dash(1 + k);
+    line.points = {{0.0, scaled ? 0.0 : K1(0.0)}, {top, K1(top)}};
+    plot.series.push_back(std::move(line));
+  }
+  return draw(plot);
+}
+
+Figure life_figure(const model::Model& model, const results::Run& run) {
+  const Growth& growth = *run.growth;
+  const std::string units = growth.unit + (growth.unit == "pass" ? "es" : "s");
+  Plot plot{"Crack length over " + units,
+            fmt::format("N  [{}]", units),
+            fmt::format("a  [{}]", model.units.length_name),
+            {}};
+  for (std::size_t t = 0; t < growth.tips.size(); ++t) {
+    add_tip_curve(plot, growth, t);
+  }
+  add_checks(plot, model);
+  std::string more;
+  for (std::size_t k = 0; k < growth.scaled.size(); ++k) {
+    Series series;
+    series.name = scaled_words(growth.scaled[k]);
+    series.colour = colour(growth.tips.size() + k);
+    series.dash = dash(1 + k);
+    for (const results::LifePoint& point : growth.scaled[k].curve) {
+      series.points.push_back({point.cycles, point.a[0]});
+    }
+    plot.series.push_back(std::move(series));
+    plot.legend_below = true;
+    plot.series.front().name = growth.tips.front() + ", K of every load";
+    more = " Dashed: what comes out where K is read off a line instead, which it does not follow.";
+  }
+  std::vector<std::string> pictures{draw(plot)};
+  if (std::string lines = lines_picture(model, run); !lines.empty()) {
+    pictures.push_back(std::move(lines));
+  }
+  return {
+      std::move(pictures), "",
+      fmt::format(
+          "Crack length over {}, {:.6g} in all{}. The growth ended: {}.{}", units, growth.cycles(),
+          std::isfinite(growth.error)
+              ? fmt::format(", estimated to be right to {:.2g} % as far as the lengths that were "
+                            "solved (marks) are concerned",
+                            100.0 * growth.error)
+              : "; of the lengths that were solved (marks) there are too few to tell their error",
+          growth.reason, more)};
+}
+
+/// Error bar of K1 at the largest load of a station.
+double bar_at(const model::Model& model, const results::Run& run, const GrowthStation& station,
+              const std::string& name) {
+  for (const results::Increment& increment : run.increments) {
+    const results::StepResult* const step = increment.number == station.increment
+                                                ? results::find_step(increment, leading_step(model))
+                                                : nullptr;
+    const results::TipResult* const tip =
+        step == nullptr ? nullptr : results::find_tip(*step, name);
+    if (tip != nullptr) {
+      return tip->no_bar.empty() ? tip->bar[0].size() : no_bar;
+    }
+  }
+  return no_bar;
+}
+
+/// What the law was given at the stations.
+Figure range_figure(const model::Model& model, const results::Run& run) {
+  const Growth& growth = *run.growth;
+  Plot plot{"K of the growth law over crack length",
+            fmt::format("a  [{}]", model.units.length_name),
+            fmt::format("K  [{}]", print_unit(model.units.stress_intensity_name())),
+            {}};
+  for (std::size_t t = 0; t < growth.tips.size(); ++t) {
+    for (const bool largest : {true, false}) {
+      Series series;
+      series.name = fmt::format("{}, {}", growth.tips[t], largest ? "largest" : "smallest");
+      series.colour = colour(t);
+      series.dash = dash(largest ? 0 : 1);
+      series.marker = closed_marker(t);
+      for (const GrowthStation& station : growth.stations) {
+        const results::GrowingTip& tip = station.tips[t];
+        series.points.push_back({tip.a, largest ? tip.K_max : tip.K_min});
+        if (largest) {
+          series.bars.push_back(bar_at(model, run, station, tip.name));
+        }
+      }
+      plot.series.push_back(std::move(series));
+    }
+  }
+  return {
+      {draw(plot)},
+      "",
+      fmt::format(
+          "Largest and smallest K of {} as the growth law was given them, at the lengths that were "
+          "solved.{}",
+          growth.unit == "pass" ? "a pass of the spectrum" : "a cycle", bar_words(plot.series))};
+}
+
+/// Growth per cycle or pass over the range of K, as the law gave it at the stations: the part of
+/// the law that was used.
+std::optional<Figure> law_figure(const model::Model& model, const Growth& growth) {
+  const std::string unit = print_unit(model.units.stress_intensity_name());
+  Plot plot{"Growth law over the range it was used in",
+            fmt::format("ΔK  [{}]", unit),
+            fmt::format("da/dN  [{}/{}]", model.units.length_name, growth.unit),
+            {}};
+  plot.log_x = true;
+  plot.log_y = true;
+  double low = std::numeric_limits<double>::max();
+  double high = 0.0;
+  for (std::size_t t = 0; t < growth.tips.size(); ++t) {
+    Series series;
+    series.name = growth.tips[t];
+    series.colour = colour(t);
+    series.marker = closed_marker(t);
+    for (const GrowthStation& station : growth.stations) {
+      const results::GrowingTip& tip = station.tips[t];
+      const double range = tip.K_max - tip.K_min;
+      if (range > 0.0 && tip.rate > 0.0) {
+        series.points.push_back({range, tip.rate});
+        low = std::min(low, range);
+        high = std::max(high, range);
+      }
+    }
+    plot.series.push_back(std::move(series));
+  }
+  if (!(high > low)) {
+    return std::nullopt;
+  }
+  return Figure{
+      {draw(plot)},
+      "",
+      fmt::format("Growth per {} as the law gave it at the lengths that were solved, over ΔK = "
+                  "K_max - K_min{}: of the law the part from {:.4g} to {:.4g} {} was used.",
+                  growth.unit, growth.unit == "pass" ? " of the pass" : "", low, high, unit)};
+}
+
+/// The least and the largest load of a cycle, and how often it comes.
+struct Peak {
+  double top = 0.0;
+  double count = 0.0;
+};
+
+std::vector<Peak> peaks_of(const model::Spectrum& spectrum) {
+  std::vector<Peak> peaks;
+  for (const std::array<double, 3>& cycle : spectrum.cycles) {
+    peaks.push_back({cycle[1], cycle[2]});
+  }
+  const std::vector<double>& t = spectrum.turning_points;
+  for (std::size_t i = 0; i < t.size(); ++i) { // the pass is repeated: its ends meet
+    const double before = t[(i + t.size() - 1) % t.size()];
+    const double after = t[(i + 1) % t.size()];
+    if (t[i] > before && t[i] >= after) {
+      peaks.push_back({t[i], 1.0});
+    }
+  }
+  std::ranges::sort(peaks, std::greater<>(), &Peak::top);
+  return peaks;
+}
+
+/// Levels, falling, and how many reach them, as a curve of steps that begins at half a one.
+std::vector<Point> steps(const std::vector<std::array<double, 2>>& reached) {
+  std::vector<Point> points;
+  double before = 0.5;
+  for (const auto& [level, count] : reached) {
+    points.push_back({std::min(before, count), level}); // a step, down and on
+    points.push_back({count, level});
+    before = count;
+  }
+  return points;
+}
+
+/// How often one pass of the spectrum exceeds each load, and by cycles of which ranges; none of a
+/// spectrum of one level, which there is nothing to show of.
+std::optional<Figure> exceedance_figure(const model::Model& model, const Growth& growth) {
+  if (!model.growth->spectrum) {
+    return std::nullopt;
+  }
+  const model::Spectrum& spectrum = model.spectra[*model.growth->spectrum];
+  std::vector<std::array<double, 2>> reached;
+  double sum = 0.0;
+  for (const Peak& peak : peaks_of(spectrum)) {
+    sum += peak.count;
+    if (!reached.empty() && reached.back()[0] == peak.top) {
+      reached.back()[1] = sum;
+    } else {
+      reached.push_back({peak.top, sum});
+    }
+  }
+  if (reached.size() < 2 && growth.ranges.size() < 2) {
+    return std::nullopt;
+  }
+  const std::string& path = model.load_paths[spectrum.path].name;
+  const auto curve = [](const std::string& title, const std::string& x, const std::string& y,
+                        const std::vector<std::array<double, 2>>& of) {
+    Series series;
+    series.colour = colour(0);
+    series.points = steps(of);
+    Plot plot{title, x, y, {series}};
+    plot.log_x = true;
+    plot.legend_below = true; // beside each other
+    return draw(plot);
+  };
+  return Figure{{curve("Exceedances of the spectrum", "peaks in a pass that reach the load",
+                       fmt::format("t of load path {}", path), reached),
+                 curve("Ranges of the spectrum's cycles", "cycles in a pass of this range or more",
+                       fmt::format("range of t of load path {}", path), growth.ranges)},
+                "",
+                fmt::format("Spectrum {}: how many of the {:.6g} peaks of a pass reach a load, and "
+                            "how many of its {:.6g} cycles have a range{}.",
+                            spectrum.name, sum, growth.cycles_per_pass,
+                            spectrum.sequence ? ", counted by rainflow on the loads" : "")};
+}
+
+/// A square that holds all places of tips and the cracks behind them, with room round it.
+void set_window(MeshView& view, const Growth& growth) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  base::Vec2 low = base::Vec2::Constant(infinite);
+  base::Vec2 high = -low;
+  double longest = 0.0;
+  for (const GrowthStation& station : growth.stations) {
+    for (const results::GrowingTip& tip : station.tips) {
+      low = low.cwiseMin(tip.x.head<2>());
+      high = high.cwiseMax(tip.x.head<2>());
+      longest = std::max(longest, tip.a);
+    }
+  }
+  const base::Vec2 middle = 0.5 * (low + high);
+  const double half = std::max(0.65 * (high - low).maxCoeff(), 0.8 * longest);
+  view.low = {middle.x() - half, middle.y() - half};
+  view.high = {middle.x() + half, middle.y() + half};
+}
+
+/// The last mesh with the way that the tips took, K beside it.
+std::optional<Figure> path_figure(const model::Model& model, const results::Run& run,
+                                  const Growth& growth) {
+  if (run.increments.empty() || run.increments.back().mesh.dim != 2 ||
+      run.increments.back().mesh.nodes.empty() || growth.stations.empty()) {
+    return std::nullopt;
+  }
+  MeshView view;
+  view.mesh = &run.increments.back().mesh;
+  view.id = "growth-path";
+  view.title = "The way of the cracks";
+  view.length_name = model.units.length_name;
+  view.width = 560.0;
+  set_window(view, growth);
+  const double apart = label_room * (view.high.x - view.low.x);
+  for (std::size_t t = 0; t < growth.tips.size(); ++t) {
+    std::optional<base::Vec3> last;
+    for (const GrowthStation& station : growth.stations) {
+      const results::GrowingTip& tip = station.tips[t];
+      if (!last || (tip.x - *last).norm() >= apart) {
+        view.labels.push_back({{tip.x[0], tip.x[1]}, fmt::format("{:.4g}", tip.K_max)});
+        last = tip.x;
+      }
+    }
+  }
+  return Figure{
+      {draw(view)},
+      "",
+      fmt::format("The mesh at the last length that was solved, and where the tips were: K at the "
+                  "largest load [{}].",
+                  print_unit(model.units.stress_intensity_name()))};
+}
+
+} // namespace
+
+std::vector<Figure> growth_figures(const model::Model& model, const results::Run& run) {
+  std::vector<Figure> figures;
+  if (!run.growth || run.growth->stations.empty()) {
+    return figures;
+  }
+  figures.push_back(life_figure(model, run));
+  figures.push_back(range_figure(model, run));
+  for (std::optional<Figure> figure :
+       {law_figure(model, *run.growth), exceedance_figure(model, *run.growth)}) {
+    if (figure) {
+      figures.push_back(std::move(*figure));
+    }
+  }
+  if (std::optional<Figure> path = path_figure(model, run, *run.growth)) {
+    figures.push_back(std::move(*path));
+  }
+  return figures;
+}
+
+} // namespace spricka::report

@@ -1,0 +1,372 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/topics/growth_tables.hpp"
+
+#include "report/drawing/file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace spricka::report {
+
+namespace {
+
+constexpr double degree = 180.0 / std::numbers::pi;
+
+std::string number(double value) {
+  return fmt::format("{:.6g}", value);
+}
+
+/// Factors of load cases and fits at the end of a step.
+struct Factors {
+  std::vector<double> of_case, of_fit;
+};
+
+// A fit that no step names is there from the beginning.
+std::vector<Factors> factors_of_steps(const model::Model& model) {
+  Factors now{std::vector<double>(model.cases.size(), 0.0),
+              std::vector<double>(model.contacts.size(), 1.0)};
+  for (const model::Step& step : model.steps) {
+    for (const model::Action& action : step.actions) {
+      if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {
+        now.of_fit[fit->contact.index()] = 0.0;
+      }
+    }
+  }
+  std::vector<Factors> out;
+  for (const model::Step& step : model.steps) {
+    for (const model::Action& action : step.actions) {
+      if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {
+        now.of_fit[fit->contact.index()] = fit->factor;
+      } else if (const auto* load = std::get_if<model::ApplyLoad>(&action)) {
+        now.of_case[load->load_case.index()] = load->factor;
+      }
+    }
+    out.push_back(now);
+  }
+  return out;
+}
+
+Factors between(const Factors& from, const Factors& to, double t) {
+  Factors out = from;
+  for (std::size_t i = 0; i < out.of_case.size(); ++i) {
+    out.of_case[i] += t * (to.of_case[i] - from.of_case[i]);
+  }
+  for (std::size_t i = 0; i < out.of_fit.size(); ++i) {
+    out.of_fit[i] += t * (to.of_fit[i] - from.of_fit[i]);
+  }
+  return out;
+}
+
+std::string factor_cells(const Factors& factors) {
+  std::string text;
+  for (const double f : factors.of_case) {
+    text += fmt::format(",{}", f);
+  }
+  for (const double f : factors.of_fit) {
+    text += fmt::format(",{}", f);
+  }
+  return text;
+}
+
+std::string k_cells(double a, double K1, double K2) {
+  return fmt::format(",{},{},{}\n", K1, K2, K1 / std::sqrt(std::numbers::pi * a));
+}
+
+// Smallest and largest K_min / K_max of what the law was given; empty where nothing is open.
+std::optional<std::pair<double, double>> range_of_R(const results::Growth& growth) {
+  std::optional<std::pair<double, double>> R;
+  for (const results::GrowthStation& station : growth.stations) {
+    for (const results::GrowingTip& tip : station.tips) {
+      if (tip.K_max > 0.0) {
+        const double here = tip.K_min / tip.K_max;
+        R = R ? std::pair(std::min(R->first, here), std::max(R->second, here))
+              : std::pair(here, here);
+      }
+    }
+  }
+  return R;
+}
+
+// Where faces close K_min below 0 is not that of the crack as it is (run/free_faces.hpp).
+bool continued_below_closing(const model::Model& model, const results::Growth& growth) {
+  const bool knows_R = model.growth->law == model::GrowthLaw::nasgro ||
+                       model.growth->law == model::GrowthLaw::walker;
+  const bool touching = std::ranges::any_of(model.cracks, &model::Crack::faces_in_contact);
+  const auto R = range_of_R(growth);
+  return knows_R && touching && R && R->first < 0.0;
+}
+
+// Whether the faces of a crack touch at its tip at the smallest load, somewhere in the growth.
+bool closes_at_smallest(const model::Model& model, const results::Run& run) {
+  if (model.growth->spectrum || !model.growth->kmin.valid()) {
+    return false;
+  }
+  return std::ranges::any_of(run.increments, [&](const results::Increment& increment) {
+    const std::size_t smallest = model.growth->kmin.index();
+    return smallest < increment.steps.size() &&
+           std::ranges::any_of(increment.steps[smallest].tips, &results::TipResult::closed);
+  });
+}
+
+std::string ratio_words(const model::Model& model, const results::Run& run) {
+  const results::Growth& growth = *run.growth;
+  const auto R = range_of_R(growth);
+  if (!R) {
+    return {};
+  }
+  std::string out = fmt::format("K_min / K_max as the law was given it: {:.4g} to {:.4g}.\n",
+                                R->first, R->second);
+  if (continued_below_closing(model, growth)) {
+    out += "K_min below 0 is that of crack faces that could overlap, all other contacts as they "
+           "are: so the laws with R < 0 mean it.\n";
+  }
+  const bool below = R->first < 0.0 || closes_at_smallest(model, run);
+  if (below && model.growth->law == model::GrowthLaw::nasgro) {
+    out += "At R < 0 Newman's opening function is that of R, down to R = -2.\n";
+  } else if (below) {
+    out +=
+        "This law counts R < 0 as R = 0: delta K = K_max, as in ASTM E647. Constants from a test "
+        "at R < 0 whose delta K is K_max - K_min do not fit it.\n";
+  }
+  return out;
+}
+
+std::size_t step_index(const model::Model& model, std::string_view name) {
+  const auto found = std::ranges::find(model.steps, name, &model::Step::name);
+  return static_cast<std::size_t>(found - model.steps.begin());
+}
+
+} // namespace
+
+void write_life_csv(const std::filesystem::path& file, const model::Model& model,
+                    const results::Run& run) {
+  if (!run.growth) {
+    return;
+  }
+  const results::Growth& growth = *run.growth;
+  std::string text = fmt::format(
+      "# units: a x y [{0}], K_max K_min delta_K K2_max [{1}], da_dN [{0}/{2}], turn [deg], N "
+      "[{2}]; ended: {3}{5}\n"
+      "increment,N,tip,a,K_max,K_min,delta_K,K2_max,da_dN,turn,x,y{4}\n",
+      model.units.length_name, model.units.stress_intensity_name(), growth.unit, growth.ended,
+      growth.followed ? ",K_max_first,K_min_first,passes,change" : "",
+      continued_below_closing(model, growth) ? "; K_min below 0: of faces that could overlap" : "");
+  auto out = std::back_inserter(text);
+  for (const results::GrowthStation& station : growth.stations) {
+    for (const results::GrowingTip& tip : station.tips) {
+      fmt::format_to(out, "{},{},{},{},{},{},{},{},{},{},{},{}", station.increment, station.cycles,
+                     tip.name, tip.a, tip.K_max, tip.K_min, tip.K_max - tip.K_min, tip.K2_max,
+                     tip.rate, tip.turn * degree, tip.x[0], tip.x[1]);
+      if (growth.followed) {
+        fmt::format_to(out, ",{},{},{},{}", tip.first_max, tip.first_min, station.passes,
+                       station.change);
+      }
+      text += '\n';
+    }
+  }
+  write_file(file, text);
+}
+
+void write_life_curve_csv(const std::filesystem::path& file, const model::Model& model,
+                          const results::Run& run) {
+  if (!run.growth) {
+    return;
+  }
+  const results::Growth& growth = *run.growth;
+  std::string text =
+      fmt::format("# units: N [{}], a of each tip [{}]\nN", growth.unit, model.units.length_name);
+  for (const std::string& tip : growth.tips) {
+    text += ",a_" + tip;
+  }
+  for (const results::ScaledLife& other : growth.scaled) {
+    text += ",N_" + other.name;
+  }
+  text += '\n';
+  for (std::size_t k = 0; k < growth.curve.size(); ++k) {
+    text += fmt::format("{}", growth.curve[k].cycles);
+    for (const double a : growth.curve[k].a) {
+      text += fmt::format(",{}", a);
+    }
+    for (const results::ScaledLife& other : growth.scaled) { // at the same lengths
+      text += k < other.curve.size() ? fmt::format(",{}", other.curve[k].cycles) : ",";
+    }
+    text += '\n';
+  }
+  write_file(file, text);
+}
+
+void write_beta_csv(const std::filesystem::path& file, const model::Model& model,
+                    const results::Run& run) {
+  if (model.cracks.empty()) {
+    return;
+  }
+  std::string text = fmt::format(
+      "# units: a [{0}], K1 K2 [{1}], beta [{2}] = K1/sqrt(pi a), factors and t [1]\n"
+      "increment,tip,a,where,t",
+      model.units.length_name, model.units.stress_intensity_name(), model.units.stress_name());
+  for (const model::LoadCase& load_case : model.cases) {
+    text += ",load_" + load_case.name;
+  }
+  for (const model::Contact& contact : model.contacts) {
+    text += ",fit_" + contact.name;
+  }
+  text += ",K1,K2,beta\n";
+  const std::vector<Factors> factors = factors_of_steps(model);
+  for (const results::Increment& increment : run.increments) {
+    for (const results::StepResult& step : increment.steps) {
+      for (const results::TipResult& tip : step.tips) {
+        if (!tip.two_materials) {
+          text += fmt::format("{},{},{},{},{}", increment.number, tip.name, tip.a, step.step, "") +
+                  factor_cells(factors[step_index(model, step.step)]) +
+                  k_cells(tip.a, tip.K1, tip.K2);
+        }
+      }
+    }
+    for (const results::LoadPath& path : increment.paths) {
+      for (const results::PathTip& tip : path.tips) {
+        for (std::size_t k = 0; k < path.t.size(); ++k) {
+          text += fmt::format("{},{},{},{},{}", increment.number, tip.name, tip.a, path.name,
+                              path.t[k]) +
+                  factor_cells(between(factors[step_index(model, path.from)],
+                                       factors[step_index(model, path.to)], path.t[k])) +
+                  k_cells(tip.a, tip.K1.at_knot(k), tip.K2.at_knot(k));
+        }
+      }
+    }
+  }
+  write_file(file, text);
+}
+
+Table life_table(const model::Model& model, const results::Run& run) {
+  const base::UnitSystem& units = model.units;
+  const std::string unit = run.growth ? run.growth->unit : "";
+  const std::string K = units.stress_intensity_name();
+  Table table{"Growth",
+              {{"increment", "", false},
+               {"N", unit, false},
+               {"tip", "", true},
+               {"a", units.length_name, false},
+               {"K max", K, false},
+               {"K min", K, false},
+               {"K2", K, false},
+               {"da/dN", units.length_name + "/" + unit, false},
+               {"turn", "deg", false}},
+              {}};
+  if (!run.growth) {
+    return table;
+  }
+  const bool followed = run.growth->followed;
+  if (followed) {
+    table.columns.insert(
+        table.columns.end(),
+        {{"K max first", K, false}, {"K min first", K, false}, {"passes", "", false}});
+  }
+  for (const results::GrowthStation& station : run.growth->stations) {
+    for (const results::GrowingTip& tip : station.tips) {
+      std::vector<std::string>& row = table.rows.emplace_back(std::vector<std::string>{
+          std::to_string(station.increment), number(station.cycles), tip.name, number(tip.a),
+          number(tip.K_max), number(tip.K_min), number(tip.K2_max), fmt::format("{:.4g}", tip.rate),
+          fmt::format("{:.3f}", tip.turn * degree)});
+      if (followed) {
+        row.insert(row.end(),
+                   {number(tip.first_max), number(tip.first_min), std::to_string(station.passes)});
+      }
+    }
+  }
+  return table;
+}
+
+namespace {
+
+// Whether K of the first cycle is that of all others, and how sure it is that they are alike.
+std::string history_summary(const model::Model& model, const results::Growth& growth) {
+  constexpr double same = 1e-4; // of the largest K
+  double largest = 0.0;
+  double apart = 0.0;
+  double change = 0.0;
+  int passes = 0;
+  for (const results::GrowthStation& station : growth.stations) {
+    passes = std::max(passes, station.passes);
+    change = std::max(change, station.change);
+    for (const results::GrowingTip& tip : station.tips) {
+      largest = std::max(largest, tip.K_max);
+      apart = std::max(
+          {apart, std::abs(tip.K_max - tip.first_max), std::abs(tip.K_min - tip.first_min)});
+    }
+  }
+  if (passes == 0) {
+    return "Friction makes K a history, but the loads were not repeated: see the warnings.\n";
+  }
+  // with slip carried over a length begins with what was before, not with the steps
+  const bool carried = model.growth->history == model::History::carry_on;
+  const std::string first = growth.unit == "pass" ? "first pass at a length"
+                            : carried             ? "cycle of the steps run once at a length"
+                                                  : "first cycle";
+  std::string out = fmt::format("Friction makes K a history: the loads were followed one after "
+                                "another until K repeated itself, at most {} times; from one time "
+                                "to the next it changes by {:.1e} of the largest K.\n",
+                                passes, change);
+  out += apart > same * largest
+             ? fmt::format("The {} is another: its K differs by up to {:.2g} % of the largest. The "
+                           "life is that of those that follow.\n",
+                           first, 100.0 * apart / largest)
+             : fmt::format("The {} is like those that follow.\n", first);
+  return out;
+}
+
+} // namespace
+
+std::string scaled_words(const results::ScaledLife& other) {
+  const std::string what = other.name == "scaled" ? "one K scaled with the load"
+                                                  : "a line through t = 0 and the largest load";
+  return other.ratio < 0.5 ? fmt::format("{}: 1/{:.2f} of the life", what, 1.0 / other.ratio)
+                           : fmt::format("{}: {:.2f} times the life", what, other.ratio);
+}
+
+std::string life_summary(const model::Model& model, const results::Run& run) {
+  if (!run.growth) {
+    return {};
+  }
+  const results::Growth& growth = *run.growth;
+  std::string out = fmt::format("Ended by {}: {}.\n", growth.ended, growth.reason);
+  out += fmt::format("N = {:.7g} {}", growth.cycles(),
+                     growth.unit == "pass" ? "passes of the spectrum" : "cycles");
+  if (growth.unit == "pass") {
+    out += fmt::format(" of {:.7g} cycles, {:.7g} cycles in all; cycles are counted on {}",
+                       growth.cycles_per_pass, growth.cycles() * growth.cycles_per_pass,
+                       growth.counted);
+  }
+  out += std::isfinite(growth.error)
+             ? fmt::format("; the stations miss some {:.2g} % of them (TOL {:.2g} %)\n",
+                           100.0 * growth.error, 100.0 * model.growth->tolerance)
+             : "; too few stations to tell their error\n";
+  if (growth.followed) {
+    out += history_summary(model, growth);
+  }
+  out += ratio_words(model, run);
+  for (const results::ScaledLife& other : growth.scaled) {
+    out += fmt::format("For comparison, {}.\n", scaled_words(other));
+  }
+  if (!growth.curve.empty()) {
+    for (std::size_t i = 0; i < growth.tips.size(); ++i) {
+      out += fmt::format("{}: a = {:.7g} {} at the end\n", growth.tips[i], growth.curve.back().a[i],
+                         model.units.length_name);
+    }
+  }
+  out += growth.corrected
+             ? "K was given to the law with the error bar's bias taken out (CORRECT=YES).\n"
+             : "K was given to the law as computed; error bars and sensitivities are those of the "
+               "first increment unless the deck asks for more.\n";
+  return out;
+}
+
+} // namespace spricka::report

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "model/model.hpp"
+#include "report/drawing/table.hpp"
+#include "results/results.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace spricka::report {
+
+/// life.csv: the stations of a growth by a law, a row for each tip; life_curve.csv: a(N) between
+/// them, a column for each tip. Columns in manual/run_folder.md. Nothing is written without one.
+void write_life_csv(const std::filesystem::path& file, const model::Model& model,
+                    const results::Run& run);
+void write_life_curve_csv(const std::filesystem::path& file, const model::Model& model,
+                          const results::Run& run);
+
+/// beta.csv: K1, K2 and K1/sqrt(pi a) of every length, tip and step, and of every breakpoint of the
+/// load paths, with the factors of load cases and fits that belong to them.
+void write_beta_csv(const std::filesystem::path& file, const model::Model& model,
+                    const results::Run& run);
+
+/// Stations of a growth by a law; without rows where there is none.
+Table life_table(const model::Model& model, const results::Run& run);
+/// How it ended, after how many cycles, and how good they are: lines of text.
+std::string life_summary(const model::Model& model, const results::Run& run);
+
+/// What a life by one line of K is and how it compares, for legends: "one K scaled with the load:
+/// 1/4.03 of the life".
+std::string scaled_words(const results::ScaledLife& other);
+
+} // namespace spricka::report

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/topics/k_bars.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace spricka::report {
+
+std::string k_with_bar(double K, const results::KBar& bar) {
+  const double size = bar.size();
+  if (!(size > 0.0) || !std::isfinite(size) || std::abs(std::log10(size)) > 9.0) {
+    return fmt::format("{:.6g} +- {:.2g}; best {:.6g}", K, size, bar.best);
+  }
+  const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(size))));
+  const auto number = [&](double value) {
+    const double unit = std::pow(10.0, -decimals);
+    return fmt::format("{:.{}f}", std::abs(value) < 0.5 * unit ? 0.0 : value, decimals);
+  };
+  return fmt::format("{} +- {} (mesh {}, contact edge {}, floor {}); best {}", number(K),
+                     number(size), number(bar.mesh), number(bar.edge), number(bar.floor),
+                     number(bar.best));
+}
+
+std::string bar_size(double size) {
+  if (!(size >= 99.5) || size >= 1e6) {
+    return fmt::format("{:.2g}", size);
+  }
+  const double unit = std::pow(10.0, std::floor(std::log10(size)) - 1.0);
+  return fmt::format("{:.0f}", unit * std::round(size / unit));
+}
+
+std::string k_bar_lines(const results::Increment& increment) {
+  std::size_t step_width = 0;
+  std::size_t tip_width = 0;
+  for (const results::StepResult& step : increment.steps) {
+    for (const results::TipResult& tip : step.tips) {
+      step_width = std::max(step_width, step.step.size());
+      tip_width = std::max(tip_width, tip.name.size());
+    }
+  }
+  std::string lines;
+  for (const results::StepResult& step : increment.steps) {
+    for (const results::TipResult& tip : step.tips) {
+      for (std::size_t k = 0; k < 2 && tip.no_bar.empty(); ++k) {
+        lines += fmt::format("  {:<{}}  {:<{}}  K{} = {}\n", step.step, step_width, tip.name,
+                             tip_width, k + 1, k_with_bar(k == 0 ? tip.K1 : tip.K2, tip.bar[k]));
+      }
+    }
+  }
+  return lines;
+}
+
+} // namespace spricka::report

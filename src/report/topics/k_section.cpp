@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/topics/k_section.hpp"
+
+#include "report/topics/result_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace spricka::report {
+namespace {
+
+using Names = std::vector<std::string>;
+
+constexpr std::size_t most_rows = 80; // of all steps' tables: more nobody reads
+
+bool has(const Names& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+void add(Names& names, const std::string& name) {
+  if (!has(names, name)) {
+    names.push_back(name);
+  }
+}
+
+double size_of(const results::TipResult& tip) {
+  return std::hypot(tip.K1, tip.K2) + (tip.two_materials ? std::abs(tip.G) : 0.0);
+}
+
+/// Steps in order, with the largest K of each.
+std::vector<std::pair<std::string, double>> largest_of_steps(const results::Run& run) {
+  std::vector<std::pair<std::string, double>> steps;
+  for (const results::Increment& increment : run.increments) {
+    for (const results::StepResult& step : increment.steps) {
+      auto at = std::ranges::find(steps, step.step, &std::pair<std::string, double>::first);
+      if (at == steps.end()) {
+        at = steps.insert(at, {step.step, 0.0});
+      }
+      for (const results::TipResult& tip : step.tips) {
+        at->second = std::max(at->second, size_of(tip));
+      }
+    }
+  }
+  return steps;
+}
+
+/// "2, 3, 4, 7" as "2 to 4, 7".
+std::string ranges_of(const std::set<int>& numbers) {
+  std::string text;
+  for (auto at = numbers.begin(); at != numbers.end();) {
+    const int first = *at;
+    int last = first;
+    while (++at != numbers.end() && *at == last + 1) {
+      last = *at;
+    }
+    text += text.empty() ? "" : ", ";
+    text += first == last ? fmt::format("{}", first) : fmt::format("{} to {}", first, last);
+  }
+  return text;
+}
+
+/// Where K has no bar for one reason.
+struct Gap {
+  std::string why;
+  std::set<int> increments;
+  Names steps;
+  Names tips;
+  std::size_t count = 0;
+};
+
+/// All that there is, to say "everywhere" where it is so.
+struct Extent {
+  std::set<int> increments;
+  Names steps;
+  Names tips;
+  std::size_t count = 0;
+};
+
+void extend(Extent& all, const results::Increment& increment, const results::StepResult& step,
+            const results::TipResult& tip) {
+  all.increments.insert(increment.number);
+  add(all.steps, step.step);
+  add(all.tips, tip.name);
+  ++all.count;
+}
+
+std::string place_of(const Gap& gap, const Extent& all) {
+  Names parts;
+  if (gap.increments != all.increments) {
+    parts.push_back(fmt::format("increment{} {}", gap.increments.size() > 1 ? "s" : "",
+                                ranges_of(gap.increments)));
+  }
+  if (gap.steps.size() != all.steps.size()) {
+    parts.push_back(
+        fmt::format("step{} {}", gap.steps.size() > 1 ? "s" : "", fmt::join(gap.steps, ", ")));
+  }
+  if (gap.tips.size() != all.tips.size()) {
+    parts.push_back(
+        fmt::format("tip{} {}", gap.tips.size() > 1 ? "s" : "", fmt::join(gap.tips, ", ")));
+  }
+  if (parts.empty()) {
+    return gap.count == all.count ? "for any K here" : "for some K here";
+  }
+  // not a block of the table: of each of these some
+  const bool whole = gap.count == gap.increments.size() * gap.steps.size() * gap.tips.size();
+  return fmt::format("{}for {}", whole ? "" : "in part ", fmt::join(parts, ", "));
+}
+
+std::string words_of(const std::string& why) {
+  return why == results::TipResult().no_bar
+             ? "there it was not worked out (of a life that is done at the first length only, "
+               "unless the deck asks for a bar by $CHECK, TOL on $TIPNET or CORRECT=YES)"
+             : why;
+}
+
+Names others_than(const std::string& name, Names names) {
+  std::erase(names, name);
+  return names;
+}
+
+std::size_t rows_of(const std::vector<Table>& tables) {
+  std::size_t rows = 0;
+  for (const Table& table : tables) {
+    rows += table.rows.size();
+  }
+  return rows;
+}
+
+} // namespace
+
+std::vector<std::string> missing_bars(const results::Run& run, const Names& steps) {
+  std::vector<Gap> gaps;
+  Extent all;
+  for (const results::Increment& increment : run.increments) {
+    for (const results::StepResult& step : increment.steps) {
+      for (const results::TipResult& tip : step.tips) {
+        if (tip.two_materials || !has(steps, step.step)) {
+          continue; // it has no K
+        }
+        extend(all, increment, step, tip);
+        if (tip.no_bar.empty()) {
+          continue;
+        }
+        auto gap = std::ranges::find(gaps, tip.no_bar, &Gap::why);
+        if (gap == gaps.end()) {
+          gap = gaps.insert(gap, Gap{tip.no_bar, {}, {}, {}, 0});
+        }
+        gap->increments.insert(increment.number);
+        add(gap->steps, step.step);
+        add(gap->tips, tip.name);
+        ++gap->count;
+      }
+    }
+  }
+  std::vector<std::string> words;
+  words.reserve(gaps.size());
+  for (const Gap& gap : gaps) {
+    words.push_back(fmt::format("No error bar {}: {}.", place_of(gap, all), words_of(gap.why)));
+  }
+  return words;
+}
+
+KSection k_section(const model::Model& model, const results::Run& run) {
+  KSection section;
+  const auto steps = largest_of_steps(run);
+  const std::string leading = leading_step(model);
+  double largest = 0.0;
+  for (const auto& [step, size] : steps) {
+    largest = std::max(largest, size);
+  }
+  Names shown;
+  Names nothing;
+  for (const auto& [step, size] : steps) {
+    add(step == leading || size > 1e-9 * largest ? shown : nothing, step);
+  }
+  if (run.increments.size() == 1) {
+    shown.insert(shown.end(), nothing.begin(), nothing.end());
+    section.tables = {k_table(model, run.increments.front())};
+    section.tables.front().title = "Stress intensity factors at the ends of the steps";
+  } else {
+    std::stable_partition(shown.begin(), shown.end(),
+                          [&](const std::string& s) { return s == leading; });
+    for (const std::string& step : shown) {
+      section.tables.push_back(k_history_table(model, run, step));
+    }
+    if (rows_of(section.tables) > most_rows && shown.size() > 1) {
+      section.tables = {k_history_table(model, run, leading)};
+      section.remarks.push_back(
+          fmt::format("K at the ends of the other steps ({}) is in k.csv and in the listing.",
+                      fmt::join(others_than(leading, shown), ", ")));
+      shown = {leading};
+    }
+    if (!nothing.empty()) {
+      section.remarks.push_back(fmt::format("K is 0 at the end of {}.", fmt::join(nothing, ", ")));
+    }
+  }
+  std::erase_if(section.tables, [](const Table& table) { return table.rows.empty(); });
+  for (std::string& words : missing_bars(run, shown)) {
+    section.remarks.push_back(std::move(words));
+  }
+  return section;
+}
+
+} // namespace spricka::report

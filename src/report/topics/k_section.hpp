@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "model/model.hpp"
+#include "report/drawing/table.hpp"
+#include "results/results.hpp"
+
+#include <string>
+#include <vector>
+
+namespace spricka::report {
+
+/// K of every step of a run, and what a reader has to know of it.
+struct KSection {
+  /// One length: one table of all steps. Several: one of each step whose K is not nothing, the
+  /// leading step's first, of too many rows alone.
+  std::vector<Table> tables;
+  std::vector<std::string> remarks; ///< what the tables leave out, and why some K have no bar
+};
+KSection k_section(const model::Model& model, const results::Run& run);
+
+/// For each reason why a K of these steps has no error bar: "No error bar at increments 2 to 7:
+/// they are worked out at the first length only ..". Empty where all have one.
+std::vector<std::string> missing_bars(const results::Run& run,
+                                      const std::vector<std::string>& steps);
+
+} // namespace spricka::report

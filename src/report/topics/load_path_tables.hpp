@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "model/model.hpp"
+#include "report/drawing/table.hpp"
+#include "report/topics/figures.hpp"
+#include "results/results.hpp"
+
+#include <filesystem>
+#include <vector>
+
+/// What the run folder shows of load paths.
+namespace spricka::report {
+
+/// load_path.csv: one row for each breakpoint, first and last t of each path and increment:
+/// increment,path,t,changes, then of each tip K1,K2 and their slopes before and behind, then of
+/// each contact the closed pairs and the first and last of them behind the breakpoint (angles in
+/// degrees). Nothing is written without paths.
+void write_load_path_csv(const std::filesystem::path& file, const model::Model& model,
+                         const results::Run& run);
+
+/// K1 and its slope at both ends and the sharpest kink, for each path and tip.
+Table load_path_table(const model::Model& model, const results::Increment& increment);
+/// When each contact begins to open, and what is closed at both ends.
+Table opening_table(const results::Increment& increment);
+
+/// K1 over t and its slope, with the kinks; one figure for each path, at most six lengths.
+std::vector<Figure> load_path_figures(const model::Model& model, const results::Run& run);
+
+} // namespace spricka::report

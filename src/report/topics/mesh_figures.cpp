@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/property_points.hpp"
+#include "report/drawing/mesh_picture.hpp"
+#include "report/drawing/model_marks.hpp"
+#include "report/drawing/round_off.hpp"
+#include "report/drawing/solid_picture.hpp"
+#include "report/topics/figures.hpp"
+#include "report/topics/result_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace spricka::report {
+namespace {
+
+const results::StepResult* leading(const model::Model& model, const results::Increment& increment) {
+  const results::StepResult* const step = results::find_step(increment, leading_step(model));
+  return step != nullptr || increment.steps.empty() ? step : &increment.steps.back();
+}
+
+/// The node of an element nearest to a place, and its distance.
+base::NodeId nearest_node(const model::Mesh& mesh, const base::Vec3& x) {
+  base::NodeId nearest = mesh.nodes.front();
+  for (const base::NodeId n : mesh.nodes) {
+    if ((mesh.x[n.index()] - x).squaredNorm() < (mesh.x[nearest.index()] - x).squaredNorm()) {
+      nearest = n;
+    }
+  }
+  return nearest;
+}
+
+struct TipPlace {
+  base::NodeId node;
+  base::NetId net;
+  double element = 0.0; ///< largest extent of the elements that meet at the tip
+};
+
+TipPlace find_tip_place(const model::Mesh& mesh, const base::Vec3& x) {
+  TipPlace place;
+  place.node = nearest_node(mesh, x);
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const std::span<const base::NodeId> nodes = mesh.nodes_of(base::ElementId(e));
+    if (std::find(nodes.begin(), nodes.end(), place.node) == nodes.end()) {
+      continue;
+    }
+    place.net = mesh.element_net[e];
+    for (const base::NodeId n : nodes) {
+      place.element = std::max(place.element, (mesh.x[n.index()] - x).norm());
+    }
+  }
+  return place;
+}
+
+/// Shows the mesh as it is deformed, the tip held, so that the largest motion in the window takes
+/// a twelfth of it.
+void deform(MeshView& view, const results::StepResult& step, base::NodeId tip) {
+  const model::Mesh& mesh = *view.mesh;
+  if (step.u.size() != static_cast<Eigen::Index>(2 * mesh.node_count())) {
+    return;
+  }
+  view.rest = step.u.segment<2>(static_cast<Eigen::Index>(2 * tip.index()));
+  double largest = 0.0;
+  for (const base::NodeId n : mesh.nodes) {
+    const base::Vec3& x = mesh.x[n.index()];
+    const bool inside =
+        x[0] > view.low.x && x[0] < view.high.x && x[1] > view.low.y && x[1] < view.high.y;
+    if (inside && (!view.net.valid() || mesh.node_net[n.index()] == view.net)) {
+      const base::Vec2 u = step.u.segment<2>(static_cast<Eigen::Index>(2 * n.index()));
+      largest = std::max(largest, (u - view.rest).norm());
+    }
+  }
+  if (largest > 0.0) {
+    view.u = &step.u;
+    view.magnify = round_down((view.high.x - view.low.x) / 12.0 / largest);
+  }
+}
+
+void set_window(MeshView& view, const base::Vec3& centre, double half) {
+  view.low = {centre[0] - half, centre[1] - half};
+  view.high = {centre[0] + half, centre[1] + half};
+}
+
+std::string tip_drawing(const model::Model& model, const results::Increment& increment,
+                        const results::TipResult& tip, bool close) {
+  const TipPlace place = find_tip_place(increment.mesh, tip.x);
+  MeshView view;
+  view.mesh = &increment.mesh;
+  view.id = fmt::format("mesh-{}-{}-{}", tip.name, increment.number, close ? "tip" : "crack");
+  view.net = place.net;
+  view.length_name = model.units.length_name;
+  view.title = fmt::format("{}{}, a = {:.4g} {}", tip.name, close ? ", the tip" : "", tip.a,
+                           model.units.length_name);
+  const base::Vec3 middle = tip.x - 0.45 * tip.a * tip.direction;
+  set_window(view, close ? tip.x : middle, close ? 5.0 * place.element : 0.85 * tip.a);
+  if (const results::StepResult* const step = leading(model, increment)) {
+    deform(view, *step, place.node);
+  }
+  return draw(view);
+}
+
+/// A view of all there is, at most `width` wide, with room for what stands beside the bodies.
+MeshView whole_view(const model::Model& model, const results::Increment& increment, double width,
+                    double share) {
+  const model::Mesh& mesh = increment.mesh;
+  MeshView view;
+  view.mesh = &mesh;
+  view.length_name = model.units.length_name;
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  view.low = {infinite, infinite};
+  view.high = {-infinite, -infinite};
+  for (const base::NodeId n : mesh.nodes) {
+    const base::Vec3& x = mesh.x[n.index()];
+    view.low = {std::min(view.low.x, x[0]), std::min(view.low.y, x[1])};
+    view.high = {std::max(view.high.x, x[0]), std::max(view.high.y, x[1])};
+  }
+  view.rigids = model.rigids;
+  const double margin = share * std::max(view.high.x - view.low.x, view.high.y - view.low.y);
+  view.low = {view.low.x - margin, view.low.y - margin};
+  view.high = {view.high.x + margin, view.high.y + margin};
+  const double slender = (view.high.y - view.low.y) / (view.high.x - view.low.x);
+  view.width = std::min(width, 480.0 / slender);
+  return view;
+}
+
+Figure whole_mesh(const model::Model& model, const results::Increment& increment) {
+  const model::Mesh& mesh = increment.mesh;
+  MeshView view = whole_view(model, increment, 660.0, 0.06); // room for arrows and hatches
+  view.id = "mesh-whole";
+  view.title = "Mesh";
+  view.marks = &model;
+  std::string cracks;
+  if (const results::StepResult* const step = leading(model, increment)) {
+    for (const results::TipResult& tip : step->tips) {
+      if (!tip.direction.isZero()) {
+        view.labels.push_back({{tip.x[0], tip.x[1]}, tip.name});
+        cracks += fmt::format("{}{}: a = {:.4g} {}", cracks.empty() ? "; " : ", ", tip.name, tip.a,
+                              model.units.length_name);
+      }
+    }
+  }
+  return {{draw(view)},
+          model_legend(model, 660.0),
+          fmt::format("The mesh, {} elements, one tint for each net{}. Heavy lines are edges of "
+                      "one element only: outlines and crack lips.{}",
+                      mesh.element_count(), cracks,
+                      model.rigids.empty() ? "" : " Hatched lines: rigid targets.")};
+}
+
+/// Elements beyond which a picture of a field is left to ParaView.
+constexpr std::size_t most_coloured = 20000;
+
+/// So that the largest displacement is a round share, at most a fifteenth, of the size.
+void deform_all(MeshView& view, const results::StepResult& step) {
+  double largest = 0.0;
+  for (Eigen::Index n = 0; n + 1 < step.u.size(); n += 2) {
+    largest = std::max(largest, step.u.segment<2>(n).norm());
+  }
+  if (largest > 0.0) {
+    view.u = &step.u;
+    view.magnify =
+        round_down(std::max(view.high.x - view.low.x, view.high.y - view.low.y) / 15.0 / largest);
+  }
+}
+
+/// The value that 99 % of the area stay below: a crack tip would have all colours for itself.
+double level_of_most(const model::Mesh& mesh, const std::vector<double>& field) {
+  constexpr double counted = 0.99;
+  std::vector<std::pair<double, double>> values; // with their share of the area
+  double total = 0.0;
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    const std::span<const base::NodeId> nodes = mesh.nodes_of(base::ElementId(e));
+    const auto corners = static_cast<std::size_t>(base::info(mesh.type[e]).corners);
+    double area = 0.0;
+    for (std::size_t i = 0; i < corners; ++i) {
+      const base::Vec3& a = mesh.x[nodes[i].index()];
+      const base::Vec3& b = mesh.x[nodes[(i + 1) % corners].index()];
+      area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
+    }
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const double share = area / static_cast<double>(nodes.size());
+      values.emplace_back(field[static_cast<std::size_t>(mesh.first[e]) + i], share);
+      total += share;
+    }
+  }
+  std::ranges::sort(values);
+  double sum = 0.0;
+  for (const auto& [value, share] : values) {
+    sum += share;
+    if (sum >= counted * total) {
+      return value;
+    }
+  }
+  return values.empty() ? 0.0 : values.back().first;
+}
+
+std::string stress_drawing(const model::Model& model, const results::Increment& increment,
+                           const results::StepResult& step, double& largest) {
+  const model::Mesh& mesh = increment.mesh;
+  const model::PropertyPoints points = model::property_points(mesh);
+  MeshView view = whole_view(model, increment, 480.0, 0.06);
+  view.id = "stress-whole";
+  view.title = "Von Mises stress";
+  for (std::size_t k = 0; k < mesh.nodes.size(); ++k) {
+    view.field.push_back(results::von_mises(step.stress[static_cast<std::size_t>(points.of[k])]));
+  }
+  const auto [low, high] = std::ranges::minmax(view.field);
+  largest = high;
+  const double most = level_of_most(mesh, view.field);
+  view.scale = scale_between(low, most > low ? most : high);
+  view.field_words = fmt::format("von Mises, {}", print_unit(model.units.stress_name()));
+  deform_all(view, step);
+  return draw(view);
+}
+
+std::string displacement_drawing(const model::Model& model, const results::Increment& increment,
+                                 const results::StepResult& step) {
+  const model::Mesh& mesh = increment.mesh;
+  MeshView view = whole_view(model, increment, 480.0, 0.06);
+  view.id = "displacement-whole";
+  view.title = "Displacement";
+  double largest = 0.0;
+  for (const base::NodeId n : mesh.nodes) {
+    view.field.push_back(step.u.segment<2>(static_cast<Eigen::Index>(2 * n.index())).norm());
+    largest = std::max(largest, view.field.back());
+  }
+  view.scale = scale_between(0.0, largest);
+  view.field_words = fmt::format("|u|, {}", model.units.length_name);
+  deform_all(view, step);
+  return draw(view);
+}
+
+/// The leading step, or where its stresses are round-off that with the largest; null without
+/// stresses.
+const results::StepResult* stressed(const model::Model& model,
+                                    const results::Increment& increment) {
+  const results::StepResult* best = leading(model, increment);
+  if (best == nullptr || is_stressed(model, increment, *best)) {
+    return best == nullptr || best->stress.empty() ? nullptr : best;
+  }
+  for (const results::StepResult& step : increment.steps) {
+    best = largest_stress(step) > largest_stress(*best) ? &step : best;
+  }
+  return best->stress.empty() ? nullptr : best;
+}
+
+/// "step LOAD, a = 3.6 mm"
+std::string place_words(const model::Model& model, const results::Increment& increment,
+                        const results::StepResult& step) {
+  return increment.a > 0.0 ? fmt::format("step {}, a = {:.4g} {}", step.step, increment.a,
+                                         model.units.length_name)
+                           : fmt::format("step {}", step.step);
+}
+
+/// Stresses and displacements of the last length's leading step, where they were recovered.
+std::optional<Figure> field_figure(const model::Model& model, const results::Increment& increment) {
+  const results::StepResult* const step = stressed(model, increment);
+  const model::Mesh& mesh = increment.mesh;
+  if (step == nullptr || mesh.element_count() > most_coloured ||
+      step->u.size() != static_cast<Eigen::Index>(2 * mesh.node_count())) {
+    return std::nullopt;
+  }
+  double largest = 0.0;
+  Figure figure;
+  const std::string place = place_words(model, increment, *step);
+  if (!is_stressed(model, increment, *step)) {
+    figure.drawings.push_back(displacement_drawing(model, increment, *step));
+    figure.caption = fmt::format(
+        "Displacement at the end of {}, deformed. Its stresses are nothing but round-off and not "
+        "drawn{}.",
+        place,
+        increment.steps.size() > 1
+            ? "; those of other steps a card $OUTPUT FORMAT=VTU EVERY=STEP asks for"
+            : "");
+    return figure;
+  }
+  figure.drawings.push_back(stress_drawing(model, increment, *step, largest));
+  figure.drawings.push_back(displacement_drawing(model, increment, *step));
+  figure.caption = fmt::format(
+      "Von Mises stress, mean of the elements that meet at a node, and displacement at the end of "
+      "{}, deformed. The stress colours end where 99 % of the area lie below; the largest, "
+      "{:.4g} {}, belongs to the mesh where it stands at a crack tip or a sharp corner.",
+      place, largest, print_unit(model.units.stress_name()));
+  return figure;
+}
+
+/// First and last length, then the last tip from near by.
+std::optional<Figure> crack_figure(const model::Model& model, const results::Run& run,
+                                   const std::string& name) {
+  Figure figure;
+  const results::Increment* last = nullptr;
+  const results::TipResult* last_tip = nullptr;
+  for (const results::Increment* const increment : chosen_increments(run, 2)) {
+    const results::StepResult* const step = leading(model, *increment);
+    const results::TipResult* const tip =
+        step == nullptr ? nullptr : results::find_tip(*step, name);
+    if (tip != nullptr && !tip->direction.isZero() && tip->a > 0.0) {
+      figure.drawings.push_back(tip_drawing(model, *increment, *tip, false));
+      last = increment;
+      last_tip = tip;
+    }
+  }
+  if (last == nullptr) {
+    return std::nullopt;
+  }
+  figure.drawings.push_back(tip_drawing(model, *last, *last_tip, true));
+  figure.caption = fmt::format("The mesh round crack {} at the end of step {}, deformed, the tip "
+                               "held in its place; other bodies are left out.",
+                               name, leading(model, *last)->step);
+  return figure;
+}
+
+/// The surface of the last length's leading step, or where to see it.
+std::vector<Figure> solid_figures(const model::Model& model, const results::Increment& increment) {
+  const results::StepResult* const step = stressed(model, increment);
+  if (step == nullptr || increment.surface.empty()) {
+    return {};
+  }
+  if (increment.surface.size() > most_drawn_faces) {
+    return {{{},
+             "",
+             fmt::format("The surface has {} faces: its picture is left to ParaView, which opens "
+                         "the .pvd file of this folder.",
+                         increment.surface.size())}};
+  }
+  SolidView view;
+  view.increment = &increment;
+  view.step = step;
+  view.stress_name = model.units.stress_name();
+  return {{{draw(view)},
+           "",
+           fmt::format("The outer surface at the end of {}, {} elements, deformed. Colours: von "
+                       "Mises stress, mean over the nodes of each face{}.",
+                       place_words(model, increment, *step), increment.mesh.element_count(),
+                       is_stressed(model, increment, *step) ? "" : ": nothing but round-off")}};
+}
+
+} // namespace
+
+std::vector<Figure> mesh_figures(const model::Model& model, const results::Run& run) {
+  std::vector<Figure> figures;
+  if (!run.increments.empty() && run.increments.back().mesh.dim == 3) {
+    return solid_figures(model, run.increments.back());
+  }
+  if (run.increments.empty() || run.increments.back().mesh.dim != 2 ||
+      run.increments.back().mesh.nodes.empty()) {
+    return figures;
+  }
+  const results::Increment& last = run.increments.back();
+  figures.push_back(whole_mesh(model, last));
+  if (std::optional<Figure> figure = field_figure(model, last)) {
+    figures.push_back(std::move(*figure));
+  }
+  if (const results::StepResult* const step = leading(model, last)) {
+    for (const results::TipResult& tip : step->tips) {
+      if (std::optional<Figure> figure = crack_figure(model, run, tip.name)) {
+        figures.push_back(std::move(*figure));
+      }
+    }
+  }
+  return figures;
+}
+
+} // namespace spricka::report

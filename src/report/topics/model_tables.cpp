@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/topics/model_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+namespace spricka::report {
+
+Table net_table(const model::Model& model) {
+  Table table{
+      "Nets",
+      {{"net", "", true}, {"nodes", "", false}, {"elements", "", false}, {"of type", "", true}},
+      {}};
+  const model::Mesh& mesh = model.mesh;
+  for (std::size_t n = 0; n < model.nets.size(); ++n) {
+    std::size_t nodes = 0;
+    for (const base::NetId net : mesh.node_net) {
+      nodes += net == base::NetId(n) ? 1 : 0;
+    }
+    std::array<std::size_t, base::element_infos.size()> count{};
+    std::size_t elements = 0;
+    for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+      if (mesh.element_net[e] == base::NetId(n)) {
+        ++count[static_cast<std::size_t>(mesh.type[e])];
+        ++elements;
+      }
+    }
+    if (nodes == 0 && elements == 0) {
+      continue;
+    }
+    std::string types;
+    for (std::size_t t = 0; t < count.size(); ++t) {
+      if (count[t] > 0) {
+        types += fmt::format("{}{} {}", types.empty() ? "" : ", ", count[t],
+                             base::element_infos[t].name);
+      }
+    }
+    const std::string& name = model.nets[n].name;
+    table.rows.push_back({name.empty() ? "(deck)" : name, fmt::format("{}", nodes),
+                          fmt::format("{}", elements), types});
+  }
+  return table;
+}
+
+Table property_table(const model::Model& model) {
+  constexpr std::array<const char*, 4> state{"plane stress", "plane strain", "axisymmetric",
+                                             "solid"};
+  Table table{"Properties",
+              {{"elements", "", true},
+               {"material", "", true},
+               {"E", model.units.stress_name(), false},
+               {"nu", "", false},
+               {"state", "", true},
+               {"thickness", model.units.length_name, false}},
+              {}};
+  for (const model::Property& p : model.properties) {
+    const model::Material& m = model.materials[p.material.index()];
+    const bool plane =
+        p.state == model::State::plane_stress || p.state == model::State::plane_strain;
+    table.rows.push_back({model.mesh.set(p.elements).name, m.name, fmt::format("{:.6g}", m.E),
+                          fmt::format("{:.4g}", m.nu), state[static_cast<std::size_t>(p.state)],
+                          plane ? fmt::format("{:.6g}", p.thickness) : ""});
+  }
+  return table;
+}
+
+namespace {
+
+const std::string& master_name(const model::Model& model, const model::Contact& contact) {
+  return contact.rigid.valid() ? model.rigids[contact.rigid.index()].name
+                               : model.mesh.set(contact.master).name;
+}
+
+} // namespace
+
+Table contact_pair_table(const model::Model& model) {
+  Table table{"Contacts",
+              {{"contact", "", true},
+               {"slave", "", true},
+               {"master", "", true},
+               {"type", "", true},
+               {"pairing", "", true},
+               {"declared gap", model.units.length_name, false},
+               {"mu", "", false}},
+              {}};
+  for (const model::Contact& c : model.contacts) {
+    table.rows.push_back({c.name, model.mesh.set(c.slave).name, master_name(model, c),
+                          c.type == model::ContactType::bonded ? "bonded" : "unilateral",
+                          c.pairing == model::Pairing::node ? "node" : "segment",
+                          c.gap ? fmt::format("{:.6g}", *c.gap) : "measured",
+                          fmt::format("{:.4g}", c.mu)});
+  }
+  return table;
+}
+
+Table rigid_table(const model::Model& model) {
+  const std::string& unit = model.units.length_name;
+  Table table{"Rigid targets",
+              {{"target", "", true},
+               {"shape", "", true},
+               {"from or centre", unit, true},
+               {"to", unit, true},
+               {"radius", unit, false}},
+              {}};
+  const auto place = [](const base::Vec3& x) {
+    return fmt::format("({:.6g}, {:.6g})", x[0], x[1]);
+  };
+  for (const model::Rigid& r : model.rigids) {
+    const bool line = r.shape == model::RigidShape::line;
+    table.rows.push_back({r.name, line ? "line" : (r.radius > 0.0 ? "arc" : "arc, a bore"),
+                          place(r.first), line ? place(r.second) : "",
+                          line ? "" : fmt::format("{:.6g}", std::abs(r.radius))});
+  }
+  return table;
+}
+
+} // namespace spricka::report

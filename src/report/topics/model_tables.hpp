@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "model/model.hpp"
+#include "report/drawing/table.hpp"
+
+/// Tables of what the deck describes.
+namespace spricka::report {
+
+/// Nodes and elements of each net that has any.
+Table net_table(const model::Model& model);
+
+/// Material, state and thickness of each element set that has a property.
+Table property_table(const model::Model& model);
+
+/// The contact pairs as declared.
+Table contact_pair_table(const model::Model& model);
+Table rigid_table(const model::Model& model);
+
+} // namespace spricka::report

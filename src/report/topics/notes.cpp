@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/topics/notes.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <map>
+#include <string_view>
+#include <utility>
+
+namespace spricka::report {
+namespace {
+
+constexpr std::string_view warning_mark = "warning: ";
+
+/// The text with '#' for each number.
+std::string without_numbers(std::string_view text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool digit = std::isdigit(static_cast<unsigned char>(text[i])) != 0;
+    const bool inside = !out.empty() && out.back() == '#';
+    // a point, exponent or sign between digits belongs to the number
+    const bool joint = inside && i + 1 < text.size() &&
+                       std::string_view(".e+-").find(text[i]) != std::string_view::npos &&
+                       std::isalnum(static_cast<unsigned char>(text[i + 1])) != 0;
+    if (digit) {
+      out += inside ? "" : "#";
+    } else if (!joint) {
+      out += text[i];
+    }
+  }
+  return out;
+}
+
+class Collector {
+public:
+  void add(std::string where, std::string_view text, const std::string& group) {
+    Note note{std::move(where), std::string(text), text.starts_with(warning_mark), 1, {}};
+    if (note.warning) {
+      note.text = note.text.substr(warning_mark.size());
+    }
+    const auto [at, fresh] = seen_.try_emplace(group + '\n' + without_numbers(text), notes.size());
+    if (fresh) {
+      notes.push_back(std::move(note));
+    } else {
+      Note& first = notes[at->second];
+      ++first.times;
+      first.last = std::move(note.where);
+    }
+  }
+
+  std::vector<Note> notes;
+
+private:
+  std::map<std::string, std::size_t> seen_;
+};
+
+} // namespace
+
+std::vector<Note> collect_notes(const results::Run& run) {
+  Collector found;
+  for (const results::Increment& increment : run.increments) {
+    const std::string where = fmt::format("increment {}", increment.number);
+    for (const std::string& note : increment.notes) {
+      found.add(where, note, "");
+    }
+    for (const results::StepResult& step : increment.steps) {
+      for (const std::string& note : step.notes) {
+        found.add(fmt::format("{}, step {}", where, step.step), note, "");
+      }
+    }
+  }
+  for (const results::Increment& increment : run.increments) {
+    for (const results::LoadPath& path : increment.paths) {
+      for (const std::string& note : path.notes) {
+        found.add(fmt::format("increment {}, load path {}", increment.number, path.name), note,
+                  path.name);
+      }
+    }
+  }
+  for (const results::GrowthTest& test : run.tests) {
+    for (const std::string& note : test.notes) {
+      found.add(fmt::format("test {}", test.name), note, test.name);
+    }
+  }
+  return std::move(found.notes);
+}
+
+std::string words_of(const Note& note) {
+  std::string words = fmt::format("{}: {}", note.where, note.text);
+  if (note.times > 1) {
+    words += fmt::format(" (alike {} more time{}, last in {})", note.times - 1,
+                         note.times > 2 ? "s" : "", note.last);
+  }
+  return words;
+}
+
+} // namespace spricka::report

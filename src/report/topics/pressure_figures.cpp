@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/drawing/plot.hpp"
+#include "report/topics/figures.hpp"
+#include "report/topics/result_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+
+namespace spricka::report {
+namespace {
+
+using results::ContactPoint;
+
+double pressure(const model::Contact& contact, const ContactPoint& point) {
+  return contact.recovery == model::Recovery::consistent ? point.p_consistent : point.p_lumped;
+}
+
+double turn(const ContactPoint& from, const ContactPoint& to) {
+  return std::abs(std::remainder(to.theta - from.theta, 2.0 * std::numbers::pi));
+}
+
+/// A circle, or so much of one that a polar plot shows more than a needle.
+bool on_bore(const results::ContactResult& contact) {
+  double round = 0.0;
+  for (std::size_t i = 1; i < contact.points.size(); ++i) {
+    round += turn(contact.points[i - 1], contact.points[i]);
+  }
+  return contact.round && round > 0.5 * std::numbers::pi;
+}
+
+double typical_turn(const std::vector<ContactPoint>& points) {
+  std::vector<double> turns;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    turns.push_back(turn(points[i - 1], points[i]));
+  }
+  if (turns.empty()) {
+    return 0.0;
+  }
+  std::nth_element(turns.begin(), turns.begin() + static_cast<std::ptrdiff_t>(turns.size() / 2),
+                   turns.end());
+  return turns[turns.size() / 2];
+}
+
+/// Cuts the curve between the lips of a mouth and between chains; joins the ends of a full circle.
+std::vector<std::vector<Point>> pieces(const model::Contact& contact,
+                                       const std::vector<ContactPoint>& points) {
+  std::vector<std::vector<Point>> out;
+  const double far = 6.0 * typical_turn(points);
+  const auto joined = [&](const ContactPoint& a, const ContactPoint& b) {
+    return !(a.lip != 0 && b.lip != 0) && turn(a, b) <= far;
+  };
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i == 0 || !joined(points[i - 1], points[i])) {
+      out.emplace_back();
+    }
+    out.back().push_back({points[i].theta, pressure(contact, points[i])});
+  }
+  if (points.size() > 2 && joined(points.back(), points.front())) {
+    out.back().push_back({points.front().theta, pressure(contact, points.front())});
+  }
+  return out;
+}
+
+const results::ContactResult* mounted(const results::StepResult& step, const std::string& name) {
+  const results::ContactResult* const found = results::find_contact(step, name);
+  return found != nullptr && found->mounted && !found->points.empty() ? found : nullptr;
+}
+
+constexpr double near_mouth = std::numbers::pi / 18.0; ///< ten degrees
+
+/// The pressures a plot must show. Those next to a mouth are left out: they have no bound.
+void widen(PolarPlot& plot, const model::Contact& contact, const results::ContactResult& result) {
+  std::vector<ContactPoint> mouths;
+  std::copy_if(result.points.begin(), result.points.end(), std::back_inserter(mouths),
+               [](const ContactPoint& point) { return point.lip != 0; });
+  for (const ContactPoint& point : result.points) {
+    if (std::none_of(mouths.begin(), mouths.end(),
+                     [&](const ContactPoint& m) { return turn(m, point) < near_mouth; })) {
+      plot.low = std::min(plot.low, pressure(contact, point));
+      plot.high = std::max(plot.high, pressure(contact, point));
+    }
+  }
+}
+
+PolarPlot polar_plot(const model::Model& model, const model::Contact& contact,
+                     const results::Increment& increment) {
+  PolarPlot plot;
+  plot.title = model.cracks.empty() ? contact.name
+                                    : fmt::format("{}, a = {:.4g} {}", contact.name, increment.a,
+                                                  model.units.length_name);
+  plot.unit = model.units.stress_name();
+  const std::string first = leading_step(model);
+  std::size_t others = 0; // their dashes show where curves lie on each other
+  for (std::size_t s = 0; s < model.steps.size(); ++s) {
+    const std::string& name = model.steps[s].name;
+    const results::StepResult* const step = results::find_step(increment, name);
+    const results::ContactResult* const result =
+        step == nullptr ? nullptr : mounted(*step, contact.name);
+    if (result == nullptr) {
+      continue;
+    }
+    plot.curves.push_back({name, std::string(colour(s)),
+                           std::string(dash(name == first ? 0 : others++)),
+                           pieces(contact, result->points), name == first});
+    plot.mouths.clear();
+    for (const ContactPoint& point : result->points) {
+      if (point.lip > 0) {
+        plot.mouths.push_back(point.theta);
+      }
+    }
+  }
+  return plot;
+}
+
+std::string recovery_text(const model::Contact& contact) {
+  return contact.recovery == model::Recovery::consistent ? "consistent" : "lumped";
+}
+
+Figure polar_figure(const model::Model& model, const results::Run& run,
+                    const model::Contact& contact) {
+  // One scale for all, so that lengths can be compared.
+  PolarPlot range;
+  range.high = 0.0;
+  for (const results::Increment& increment : run.increments) {
+    for (const results::StepResult& step : increment.steps) {
+      if (const results::ContactResult* const result = mounted(step, contact.name)) {
+        widen(range, contact, *result);
+      }
+    }
+  }
+  Figure figure;
+  bool mouths = false;
+  for (const results::Increment* const increment : chosen_increments(run, 9)) {
+    PolarPlot plot = polar_plot(model, contact, *increment);
+    if (plot.curves.empty()) {
+      continue;
+    }
+    mouths = mouths || !plot.mouths.empty();
+    plot.low = range.low;
+    plot.high = range.high > 0.0 ? 1.05 * range.high : 1.0;
+    figure.drawings.push_back(draw(plot));
+    figure.legend = draw_legend(plot.curves);
+  }
+  figure.caption = fmt::format(
+      "Pressure of contact {} at the ends of the steps, outward from the circle that stands for "
+      "the bore ({} recovery; θ from +x){}.{}",
+      contact.name, recovery_text(contact),
+      range.low < -0.02 * range.high ? "; inside the circle: tension" : "",
+      mouths ? " Radial bars: crack mouths; there the pressure has no bound, and the curves are "
+               "cut a little above the largest value more than 10° away."
+             : "");
+  return figure;
+}
+
+/// Next to an edge the pressure has no bound: a twentieth of the part in contact is left out.
+bool at_edge(const results::ContactResult& contact, const ContactPoint& point) {
+  if (contact.unbounded.empty()) {
+    return false;
+  }
+  double length = 0.0; // of the surface's closed part
+  for (std::size_t i = 1; i < contact.points.size(); ++i) {
+    const ContactPoint& a = contact.points[i - 1];
+    const ContactPoint& b = contact.points[i];
+    length += a.closed && b.closed && b.arc > a.arc ? b.arc - a.arc : 0.0;
+  }
+  return std::any_of(contact.unbounded.begin(), contact.unbounded.end(),
+                     [&](const base::Vec3& x) { return (x - point.x).norm() < 0.05 * length; });
+}
+
+Figure straight_figure(const model::Model& model, const results::Run& run,
+                       const model::Contact& contact) {
+  Figure figure;
+  bool edges = false;
+  for (const results::Increment* const increment : chosen_increments(run, 9)) {
+    Plot plot{contact.name,
+              fmt::format("distance along the surface  [{}]", model.units.length_name),
+              fmt::format("p  [{}]", print_unit(model.units.stress_name())),
+              {}};
+    for (std::size_t s = 0; s < increment->steps.size(); ++s) {
+      const results::StepResult& step = increment->steps[s];
+      const results::ContactResult* const result = mounted(step, contact.name);
+      if (result == nullptr) {
+        continue;
+      }
+      Series series;
+      series.name = step.step;
+      series.colour = colour(s);
+      series.dash = dash(s);
+      for (const ContactPoint& point : result->points) {
+        if (!at_edge(*result, point)) {
+          series.points.push_back({point.arc, pressure(contact, point)});
+        }
+      }
+      edges = edges || !result->unbounded.empty();
+      plot.series.push_back(series);
+    }
+    if (!plot.series.empty()) {
+      figure.drawings.push_back(draw(plot));
+    }
+  }
+  figure.caption = fmt::format(
+      "Pressure of contact {} at the ends of the steps ({} recovery).{}", contact.name,
+      recovery_text(contact),
+      edges ? " Next to edges up to which it is pressed values are left out: there the pressure "
+              "has no bound."
+            : "");
+  return figure;
+}
+
+} // namespace
+
+namespace {
+
+/// The deck's contacts, and the faces of its cracks where they touch.
+std::vector<model::Contact> shown_contacts(const model::Model& model, const results::Run& run) {
+  std::vector<model::Contact> shown = model.contacts;
+  for (const results::Increment& increment : run.increments) {
+    for (const results::StepResult& step : increment.steps) {
+      for (const results::ContactResult& contact : step.contacts) {
+        if (std::ranges::find(shown, contact.name, &model::Contact::name) == shown.end()) {
+          shown.emplace_back().name = contact.name;
+        }
+      }
+    }
+  }
+  return shown;
+}
+
+} // namespace
+
+std::vector<Figure> pressure_figures(const model::Model& model, const results::Run& run) {
+  std::vector<Figure> figures;
+  for (const model::Contact& contact : shown_contacts(model, run)) {
+    bool bore = false;
+    for (const results::Increment& increment : run.increments) {
+      for (const results::StepResult& step : increment.steps) {
+        const results::ContactResult* const result = mounted(step, contact.name);
+        bore = bore || (result != nullptr && on_bore(*result));
+      }
+    }
+    Figure figure = bore ? polar_figure(model, run, contact) : straight_figure(model, run, contact);
+    if (!figure.drawings.empty()) {
+      figures.push_back(std::move(figure));
+    }
+  }
+  return figures;
+}
+
+} // namespace spricka::report

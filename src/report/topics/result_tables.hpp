@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "model/model.hpp"
+#include "report/drawing/table.hpp"
+#include "results/results.hpp"
+
+#include <vector>
+
+/// The tables of listing and page, made from the results.
+namespace spricka::report {
+
+/// K1, K2, G and (K1^2 + K2^2)/E' beside each other, for each step and tip of one increment.
+Table k_table(const model::Model& model, const results::Increment& increment);
+
+/// The same at the end of one step, one row for each increment and tip.
+Table k_history_table(const model::Model& model, const results::Run& run, std::string_view step);
+
+/// Penetration, pressures, closed rows, force, arc and iterations for each step and contact.
+Table contact_table(const model::Model& model, const results::Increment& increment);
+
+/// What friction did, by step and contact; empty without friction.
+Table friction_table(const model::Model& model, const results::Increment& increment);
+
+/// Applied loads, reactions, contact forces and, where there are any, forces of ties of each body,
+/// what is left of their sum, and strain energy.
+Table balance_table(const model::Model& model, const results::Increment& increment);
+
+/// The same of each net; no rows where every net is one body.
+Table net_balance_table(const model::Model& model, const results::Increment& increment);
+
+/// Estimated error of each net in the energy norm and the elements with most of it, for the steps
+/// whose stresses were recovered.
+Table error_table(const results::Increment& increment);
+
+/// What a reader of forces has to know of the model; may be empty.
+std::string direction_note(const model::Model& model);
+
+/// Every check of the deck: found, wanted, error, tolerance, source.
+Table check_table(const results::Run& run);
+
+/// The processors that ran, with times.
+Table log_table(const results::Run& run);
+
+/// The step whose K the report shows first: KMAX of the growth, else the deck's last step; empty
+/// without steps.
+std::string leading_step(const model::Model& model);
+
+} // namespace spricka::report

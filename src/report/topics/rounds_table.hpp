@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "report/drawing/table.hpp"
+#include "results/results.hpp"
+
+namespace spricka::report {
+
+/// The solutions on the way to K within its tolerance; without rows where no $TIPNET has TOL.
+/// `times`: with the CPU time of each, which is another in every run.
+Table rounds_table(const results::Run& run, bool times);
+
+} // namespace spricka::report

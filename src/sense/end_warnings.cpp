@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sense/end_warnings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace spricka::sense {
+
+namespace {
+
+constexpr double no_pressure = 1e-12; // of a modulus: round-off
+constexpr double endless = 1e12;      // cycles: at 100 a second some 300 years
+
+// What a contact of the deck did in all steps of a run.
+struct Doings {
+  bool mounted = false;
+  bool pressed = false;
+  double nearest = 0.0; ///< the least gap of the steps
+};
+
+Doings doings_of(const results::Run& run, const std::string& name, double no_load) {
+  Doings found;
+  bool first = true;
+  for (const results::Increment& increment : run.increments) {
+    // between its steps a path may close what they leave open
+    const bool turns = std::ranges::any_of(
+        increment.paths, [](const results::LoadPath& path) { return path.t.size() > 2; });
+    found.pressed = found.pressed || turns;
+    for (const results::StepResult& step : increment.steps) {
+      const results::ContactResult* contact = results::find_contact(step, name);
+      if (contact == nullptr || !contact->mounted) {
+        continue;
+      }
+      found.mounted = true;
+      found.pressed = found.pressed || contact->max_pressure > no_load;
+      for (const results::ContactPoint& point : contact->points) {
+        found.nearest = first ? point.gap : std::min(found.nearest, point.gap);
+        first = false;
+      }
+    }
+  }
+  return found;
+}
+
+void add_idle_contacts(const model::Model& model, const results::Run& run,
+                       std::vector<EndWarning>& list) {
+  double softest = 0.0;
+  for (const model::Material& material : model.materials) {
+    softest = softest > 0.0 ? std::min(softest, material.E) : material.E;
+  }
+  for (const model::Contact& contact : model.contacts) {
+    const Doings found = doings_of(run, contact.name, no_pressure * softest);
+    if (contact.type == model::ContactType::bonded || !found.mounted || found.pressed) {
+      continue;
+    }
+    list.push_back(
+        {"W571",
+         fmt::format("contact {} is mounted and presses in no step of the run{}: as far as the "
+                     "results go it might as well not be there; is its fit the one that is meant "
+                     "(GAP keeps apart, INTERFERENCE presses), and is a step missing?",
+                     contact.name,
+                     found.nearest > 0.0
+                         ? fmt::format(" (its surfaces stay {:.3g} {} apart or more)",
+                                       found.nearest, model.units.length_name)
+                         : "")});
+  }
+}
+
+void add_endless_life(const results::Run& run, std::vector<EndWarning>& list) {
+  if (!run.growth) {
+    return;
+  }
+  const results::Growth& growth = *run.growth;
+  const double cycles = growth.cycles() * growth.cycles_per_pass;
+  if (cycles > endless) {
+    list.push_back(
+        {"W572", fmt::format("the life is {:.3g} {}: at 100 a second {:.2g} years. Are "
+                             "the loads, C, KUNIT and AUNIT those you mean?",
+                             growth.cycles(), growth.unit == "pass" ? "passes" : "cycles",
+                             cycles / (100.0 * 3600.0 * 24.0 * 365.25))});
+  }
+}
+
+void add_strange_tests(const model::Model& model, const results::Run& run,
+                       std::vector<EndWarning>& list) {
+  for (const results::GrowthTest& test : run.tests) {
+    const bool outside =
+        !test.readings.empty() && std::ranges::all_of(test.points, [](const auto& point) {
+          return std::isnan(point.computed);
+        });
+    double low = 0.0;
+    double high = 0.0;
+    for (const results::Increment& increment : run.increments) {
+      for (const results::StepResult& step : increment.steps) {
+        if (const results::TipResult* tip = results::find_tip(step, test.tip)) {
+          low = high == 0.0 ? tip->a : std::min(low, tip->a);
+          high = std::max(high, tip->a);
+        }
+      }
+    }
+    if (!outside || !(high > 0.0)) {
+      continue;
+    }
+    const auto [first, last] = std::ranges::minmax_element(
+        test.readings, {}, [](const auto& reading) { return reading[1]; });
+    list.push_back({"W573", fmt::format("test {}: its lengths, {:.4g} to {:.4g} {unit}, lie all "
+                                        "outside those of {} that were computed, {:.4g} to {:.4g} "
+                                        "{unit}: nothing is compared. Are they in the unit meant, "
+                                        "and counted from the crack's mouth?",
+                                        test.name, (*first)[1], (*last)[1], test.tip, low, high,
+                                        fmt::arg("unit", model.units.length_name))});
+  }
+}
+
+} // namespace
+
+std::vector<EndWarning> end_warnings(const model::Model& model, const results::Run& run) {
+  std::vector<EndWarning> list;
+  add_idle_contacts(model, run, list);
+  add_endless_life(run, list);
+  add_strange_tests(model, run, list);
+  return list;
+}
+
+} // namespace spricka::sense

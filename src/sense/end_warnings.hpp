@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "model/model.hpp"
+#include "results/results.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace spricka::sense {
+
+/// A warning about a run as a whole.
+struct EndWarning {
+  std::string_view code;
+  std::string text;
+};
+
+/// What only the whole run shows: contacts that press nowhere in any step (W571), lives that no
+/// machine sees (W572), tests whose readings all lie outside the computed lengths (W573). Takes
+/// the tests as they are in `run`.
+std::vector<EndWarning> end_warnings(const model::Model& model, const results::Run& run);
+
+} // namespace spricka::sense

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sense/load_totals.hpp"
+
+#include "fe/assemble.hpp"
+#include "fe/between_nodes.hpp"
+#include "fe/heat.hpp"
+#include "fe/load_rule.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace spricka::sense {
+
+namespace {
+
+bool is_force(const model::Load& load) {
+  return load.type != model::LoadType::displacement && load.type != model::LoadType::temperature;
+}
+
+results::LoadTotal total_of(const model::Model& model, const model::Mesh& mesh,
+                            const base::Vector& f) {
+  results::LoadTotal total;
+  const bool axial = model::axisymmetric(model);
+  for (std::size_t n = 0; n < mesh.node_count(); ++n) {
+    base::Vec3 force = base::Vec3::Zero();
+    force.head(mesh.dim) = f.segment(mesh.dim * static_cast<Eigen::Index>(n), mesh.dim);
+    total.spread += force.norm();
+    if (axial) { // what is radial balances round the circumference
+      force.x() = 0.0;
+    } else {
+      total.moment += mesh.x[n].cross(force);
+    }
+    total.force += force;
+  }
+  return total;
+}
+
+void tidy(results::LoadTotal& total, const model::Mesh& mesh) {
+  constexpr double round_off = 1e-12;
+  double size = 0.0;
+  for (const base::Vec3& x : mesh.x) {
+    size = std::max(size, x.norm());
+  }
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    total.force[k] = std::abs(total.force[k]) < round_off * total.spread ? 0.0 : total.force[k];
+    total.moment[k] =
+        std::abs(total.moment[k]) < round_off * total.spread * size ? 0.0 : total.moment[k];
+  }
+}
+
+bool on_the_deck(const model::Model& model, const model::Load& load) {
+  return std::ranges::none_of(model.cracks, [&](const model::Crack& crack) {
+    return load.faces.valid() && (load.faces == crack.left || load.faces == crack.right);
+  });
+}
+
+bool is_number(const base::Vector& f, const model::LoadCase& load_case, const model::Load& load,
+               base::Diagnostics& diagnostics) {
+  if (f.allFinite()) {
+    return true;
+  }
+  diagnostics.error(
+      load.span, "E434",
+      fmt::format("load case {}: this load is not a finite number everywhere", load_case.name),
+      "a division by zero, a root or logarithm of a negative number, or a value "
+      "beyond the range of numbers (1e308)");
+  return false;
+}
+
+bool keeps_its_total(const results::LoadTotal& before, const results::LoadTotal& after,
+                     const model::LoadCase& load_case, const model::Load& load,
+                     base::Diagnostics& diagnostics) {
+  // Curved rims of sets are polygons; fields that jump are followed to load_tolerance in each
+  // element.
+  const double kept = fe::is_constant(load) ? 1e-6 : 1e-4;
+  const double change = (after.force - before.force).norm();
+  const double size = std::max(before.spread, after.spread);
+  if (change <= kept * size) {
+    return true;
+  }
+  diagnostics.error(
+      load.span, "E435",
+      fmt::format("load case {}: the mesh round a crack changes the total of this load, {:.6g}, by "
+                  "{:.3g}",
+                  load_case.name, before.force.norm(), change),
+      "keep the crack's patch away from the rim of the set: a smaller RADIUS on $TIPNET");
+  return false;
+}
+
+void warn_of_unresolved(const model::Model& model, const model::Mesh& mesh,
+                        const model::LoadCase& load_case, const model::Load& load,
+                        base::Diagnostics& diagnostics) {
+  const auto told = [&](const base::Diagnostic& d) {
+    return d.code == "W435" && d.span.file == load.span.file && d.span.begin == load.span.begin;
+  };
+  if (fe::is_constant(load) || std::ranges::any_of(diagnostics.all(), told)) {
+    return;
+  }
+  const double missed = load.type == model::LoadType::temperature
+                            ? fe::unresolved_heat(model, mesh, load)
+                            : fe::unresolved_part(model, mesh, load);
+  constexpr double little = 1e-5; // integrable poles
+  if (missed > little) {
+    diagnostics.warning(load.span, "W435",
+                        fmt::format("load case {}: no rule follows this load within an element; "
+                                    "up to {} % of its total may be missed",
+                                    load_case.name,
+                                    missed > 0.995 ? "100" : fmt::format("{:.2g}", 100.0 * missed)),
+                        "refine the net where the load changes");
+  }
+}
+
+// Displacements are taken at nodes; K and its bar know nothing else of them.
+void warn_of_lost_displacement(const model::Mesh& mesh, double largest,
+                               const model::LoadCase& load_case, const model::Load& load,
+                               base::Diagnostics& diagnostics) {
+  const fe::BetweenNodes lost = fe::between_nodes(mesh, load, largest);
+  constexpr double little = 0.01;
+  if (!(lost.off > little * std::max(largest, lost.off))) {
+    return;
+  }
+  const base::Vec3& x = lost.place;
+  const std::string place = mesh.dim == 2
+                                ? fmt::format("({:.4g}, {:.4g})", x[0], x[1])
+                                : fmt::format("({:.4g}, {:.4g}, {:.4g})", x[0], x[1], x[2]);
+  diagnostics.warning(
+      load.span, "W436",
+      fmt::format("load case {}: between the nodes at {} this displacement is {:.2g} off what they "
+                  "carry, {:.2g} % of the case's largest; results and their bars do not know it",
+                  load_case.name, place, lost.off, 100.0 * lost.off / std::max(largest, lost.off)),
+      "refine the net there, with nodes at kinks and steps");
+}
+
+double largest_displacement(const model::Model& model, const model::Mesh& mesh,
+                            const model::LoadCase& load_case) {
+  return fe::prescribed_displacement(model, mesh, load_case).cwiseAbs().maxCoeff();
+}
+
+} // namespace
+
+std::vector<results::LoadTotal> load_totals(const model::Model& model) {
+  std::vector<results::LoadTotal> totals;
+  for (const model::LoadCase& load_case : model.cases) {
+    model::LoadCase forces{load_case.name, {}};
+    std::ranges::copy_if(load_case.loads, std::back_inserter(forces.loads), is_force);
+    results::LoadTotal total =
+        total_of(model, model.mesh, fe::nodal_load(model, model.mesh, forces));
+    if (total.spread > 0.0) {
+      total.load_case = load_case.name;
+      tidy(total, model.mesh);
+      totals.push_back(std::move(total));
+    }
+  }
+  return totals;
+}
+
+bool loads_are_sound(const model::Model& model, const model::Mesh& cracked,
+                     base::Diagnostics& diagnostics) {
+  bool sound = true;
+  for (const model::LoadCase& load_case : model.cases) {
+    for (const model::Load& load : load_case.loads) {
+      const model::LoadCase alone{load_case.name, {load}};
+      if (load.type == model::LoadType::displacement) {
+        if (is_number(fe::prescribed_displacement(model, cracked, alone), load_case, load,
+                      diagnostics)) {
+          warn_of_lost_displacement(cracked, largest_displacement(model, cracked, load_case),
+                                    load_case, load, diagnostics);
+        } else {
+          sound = false;
+        }
+        continue;
+      }
+      const base::Vector f = fe::nodal_load(model, cracked, alone);
+      if (!is_number(f, load_case, load, diagnostics)) {
+        sound = false;
+      } else if (is_force(load)) {
+        if (!model.cracks.empty() && on_the_deck(model, load)) {
+          sound =
+              keeps_its_total(total_of(model, model.mesh, fe::nodal_load(model, model.mesh, alone)),
+                              total_of(model, cracked, f), load_case, load, diagnostics) &&
+              sound;
+        }
+      }
+      if (sound) {
+        warn_of_unresolved(model, cracked, load_case, load, diagnostics);
+      }
+    }
+  }
+  return sound;
+}
+
+} // namespace spricka::sense

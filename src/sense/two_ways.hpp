@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "results/results.hpp"
+
+#include <string>
+#include <vector>
+
+/// K found in two ways that should agree: by the near-tip fields, by the energy release rate, by
+/// domains of different size, by the opening of the faces.
+namespace spricka::sense {
+
+/// A K of which two ways part by more than its error bar and what they differ by on sound meshes.
+struct Parting {
+  const results::Increment* increment = nullptr;
+  const results::StepResult* step = nullptr;
+  const results::TipResult* tip = nullptr;
+  std::string what; ///< "G = 1.92e-06 and (K1^2 + K2^2)/E' = 1.86e-06: as K, 1.6 % apart .."
+};
+
+/// The ways that part at one tip of a step; empty: they agree, there is but one, or K is round-off.
+std::string parting_at(const results::StepResult& step, const results::TipResult& tip);
+
+/// All of a run, but for tips that nothing loads. They look into `run`.
+std::vector<Parting> partings(const results::Run& run);
+
+/// One line for each tip, the worst of its steps and lengths.
+std::vector<std::string> two_ways_warnings(const results::Run& run);
+
+} // namespace spricka::sense

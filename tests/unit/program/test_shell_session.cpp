@@ -1,0 +1,395 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/shell/save.hpp"
+#include "tests/unit/support/shell_text.hpp"
+#include "tests/unit/support/solved_text.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace spricka {
+namespace {
+
+using test::cracked_hub;
+using test::ShellOnText;
+using test::solve_text;
+using test::Solved;
+
+void good(const program::ShellResult& trouble) {
+  ShellOnText::good(trouble);
+}
+
+// K of the first tip at the end of a run's last step.
+base::Vec2 k_of_run(const std::string& deck) {
+  const std::optional<Solved> solved = solve_text(deck);
+  if (!solved) {
+    return base::Vec2::Zero();
+  }
+  const results::TipResult& tip = solved->run.increments.back().steps.back().tips.front();
+  return {tip.K1, tip.K2};
+}
+
+void expect_k(const ShellOnText& shell, const base::Vec2& wanted, double tolerance) {
+  const double size = wanted.norm();
+  ASSERT_GT(size, 0.0);
+  EXPECT_NEAR(shell.K1(), wanted[0], tolerance * size);
+  EXPECT_NEAR(shell.K2(), wanted[1], tolerance * size);
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  const std::size_t at = text.find(what);
+  EXPECT_NE(at, std::string::npos) << what;
+  return text.replace(at, what.size(), by);
+}
+
+TEST(ShellSession, OpensAtTheLeadingStep) {
+  const ShellOnText shell(cracked_hub());
+  EXPECT_EQ(shell->base_step(), "PULLED");
+  expect_k(shell, k_of_run(cracked_hub()), 1e-13);
+}
+
+TEST(ShellSession, LoadIsThatOfARun) {
+  const ShellOnText shell(cracked_hub());
+  good(shell->load("PULL", 3.5));
+  EXPECT_TRUE(shell->pending());
+  good(shell->solve());
+  EXPECT_FALSE(shell->pending());
+  expect_k(shell, k_of_run(replaced(cracked_hub(), "LOAD PULL 1", "LOAD PULL 3.5")), 1e-10);
+  good(shell->load("PULL", 0.2)); // and back on another way
+  good(shell->load("PULL", 0.7));
+  good(shell->solve());
+  expect_k(shell, k_of_run(replaced(cracked_hub(), "LOAD PULL 1", "LOAD PULL 0.7")), 1e-10);
+}
+
+TEST(ShellSession, IsHomogeneous) {
+  const ShellOnText shell(cracked_hub());
+  const double K1 = shell.K1();
+  const double K2 = shell.K2();
+  good(shell->load("PULL", 2.0));
+  good(shell->fit("SEAT", 2.0));
+  good(shell->solve());
+  EXPECT_NEAR(shell.K1(), 2.0 * K1, 1e-10 * std::abs(K1));
+  EXPECT_NEAR(shell.K2(), 2.0 * K2, 1e-10 * std::abs(K1));
+}
+
+TEST(ShellSession, LengthIsThatOfARun) {
+  const ShellOnText shell(cracked_hub());
+  const double first = shell.K1();
+  good(shell->length("C", 6.0));
+  const base::Vec2 wanted = k_of_run(cracked_hub("A0=6"));
+  expect_k(shell, wanted, 1e-10);
+  EXPECT_GT(std::abs(shell.K1() - first), 0.01 * first);
+  EXPECT_GT(shell->condensed().reused, 0); // the pin at least
+  good(shell->length("C", 4.0));
+  EXPECT_NEAR(shell.K1(), first, 1e-10 * first);
+}
+
+TEST(ShellSession, WhatACrackDoesNotTouchStaysCondensed) {
+  const auto hub = [](const char* crack) {
+    return replaced(cracked_hub(crack), "NR=4 NT=36", "NR=10 NT=90");
+  };
+  const ShellOnText shell(hub("A0=4"));
+  good(shell->length("C", 6.0)); // region and rest are parted here
+  good(shell->length("C", 6.5));
+  EXPECT_EQ(shell->condensed().condensed, 1); // the region
+  EXPECT_EQ(shell->condensed().reused, 2);    // the rest and the pin
+  expect_k(shell, k_of_run(hub("A0=6.5")), 1e-9);
+}
+
+// With the lengths that a growth run has, region and rest are the same: so are the bits.
+TEST(ShellSession, LengthOfAGrowthRunToTheBit) {
+  const std::string deck =
+      cracked_hub("A0=4", "INTERFERENCE=0.01", "$GROW LAW=INCREMENT KMAX=PULLED\n  4 6 9\n");
+  const std::optional<Solved> run = solve_text(deck);
+  ASSERT_TRUE(run);
+  const ShellOnText shell(deck);
+  for (const int i : {0, 2, 1, 0}) {
+    const results::TipResult& wanted =
+        run->run.increments[static_cast<std::size_t>(i)].steps.back().tips.front();
+    good(shell->length("C", wanted.a));
+    good(shell->step("PULLED"));
+    EXPECT_EQ(shell.K1(), wanted.K1) << wanted.a;
+    EXPECT_EQ(shell.K2(), wanted.K2) << wanted.a;
+  }
+}
+
+TEST(ShellSession, ChangesStayAcrossLengths) {
+  const ShellOnText shell(cracked_hub());
+  good(shell->load("PULL", 2.0));
+  good(shell->solve());
+  good(shell->length("C", 6.0));
+  expect_k(shell, k_of_run(replaced(cracked_hub("A0=6"), "LOAD PULL 1", "LOAD PULL 2")), 1e-10);
+  good(shell->step("PRESS"));
+  const std::optional<Solved> run = solve_text(cracked_hub("A0=6"));
+  ASSERT_TRUE(run);
+  EXPECT_NEAR(shell.K1(), run->step(0).tips.front().K1, 1e-10 * shell.K1());
+}
+
+TEST(ShellSession, InterferenceAndParameterAreThoseOfARun) {
+  const ShellOnText shell(cracked_hub());
+  good(shell->interference("SEAT", 0.02));
+  expect_k(shell, k_of_run(cracked_hub("A0=4", "INTERFERENCE=0.02")), 1e-10);
+  good(shell->define("T", "5"));
+  const std::string thin = replaced(cracked_hub("A0=4", "INTERFERENCE=0.02"), "T = 10", "T = 5 ");
+  expect_k(shell, k_of_run(thin), 1e-10);
+  good(shell->reset());
+  expect_k(shell, k_of_run(cracked_hub()), 1e-10);
+}
+
+// What is typed is the interference, whatever its factor was before.
+TEST(ShellSession, InterferenceIsTheValueItself) {
+  const ShellOnText shell(cracked_hub());
+  const base::Vec2 wanted = k_of_run(cracked_hub("A0=4", "INTERFERENCE=0.02"));
+  good(shell->fit("SEAT", 0.4));
+  good(shell->solve());
+  good(shell->interference("SEAT", 0.02));
+  expect_k(shell, wanted, 1e-10);
+  EXPECT_EQ(shell->factors().fit[0], 1.0);
+}
+
+TEST(ShellSession, ParameterThatIsCoveredSaysSo) {
+  const std::string fit = "INTERFERENCE=(T/1000)";
+  const ShellOnText shell(cracked_hub("A0=(T/2)", fit));
+  good(shell->length("C", 6.0));
+  good(shell->interference("SEAT", 0.02));
+  good(shell->define("T", "9"));
+  ASSERT_EQ(shell->covered().size(), 2U);
+  EXPECT_NE(shell->covered()[0].find("crack C keeps the length set here, 6"), std::string::npos);
+  EXPECT_NE(shell->covered()[1].find("contact SEAT keeps the interference"), std::string::npos);
+  good(shell->reset());
+  good(shell->define("T", "9"));
+  EXPECT_TRUE(shell->covered().empty());
+}
+
+TEST(ShellSession, MapAgreesWithSolutions) {
+  const ShellOnText shell(cracked_hub());
+  const double before = shell.K1();
+  good(shell->map_case("PULL", 0.0, 6.0));
+  EXPECT_EQ(shell.K1(), before);
+  const results::LoadPath path = *shell->mapped();
+  ASSERT_GT(path.t.size(), 4U); // the contact opens on the way
+  for (const double t : {0.0, 0.21, 0.5, 0.83, 1.0}) {
+    good(shell->load("PULL", 6.0 * t));
+    good(shell->solve());
+    EXPECT_NEAR(path.tips.front().K1(t), shell.K1(), 1e-9 * path.tips.front().K1.highest()) << t;
+  }
+  EXPECT_EQ(shell->mapped(), nullptr); // of another state
+}
+
+TEST(ShellSession, QuantitiesOfNowAndOfSteps) {
+  const std::string deck = cracked_hub();
+  const std::optional<Solved> run = solve_text(deck);
+  ASSERT_TRUE(run);
+  const ShellOnText shell(deck);
+  good(shell->load("PULL", 2.0));
+  model::Check check;
+  check.relative = false;
+  check.quantity = "K1";
+  double value = 0.0;
+  check.arguments = {std::string("C"), std::string("PRESS")};
+  good(shell->evaluate(check, value));
+  EXPECT_NEAR(value, run->step(0).tips.front().K1, 1e-10 * value);
+  check.arguments = {std::string("C"), std::string("NOW")};
+  good(shell->evaluate(check, value));
+  EXPECT_EQ(value, shell.K1()); // what was pending is solved
+  EXPECT_FALSE(shell->pending());
+  check.quantity = "SUM"; // equilibrium of the pin
+  check.arguments = {std::string("SEAT"), std::string("NOW"), std::string("X")};
+  good(shell->evaluate(check, value));
+  EXPECT_NEAR(value, -40000.0, 1e-4);
+}
+
+TEST(ShellSession, ErrorBarsAreThoseOfARun) {
+  const std::string deck = cracked_hub();
+  const std::optional<Solved> run = solve_text(deck);
+  ASSERT_TRUE(run);
+  const ShellOnText shell(deck);
+  good(shell->step("PRESS"));
+  good(shell->estimate());
+  good(shell->step("PULLED"));
+  good(shell->estimate());
+  const results::TipResult& wanted = run->step(1).tips.front();
+  const results::TipResult& found = shell->now().tips.front();
+  ASSERT_EQ(found.no_bar, wanted.no_bar);
+  EXPECT_NEAR(found.bar[0].size(), wanted.bar[0].size(), 1e-8 * wanted.K1);
+  ASSERT_EQ(found.sensitivities.of.size(), wanted.sensitivities.of.size());
+}
+
+TEST(ShellSession, FailuresLeaveEverything) {
+  const ShellOnText shell(cracked_hub());
+  const double before = shell.K1();
+  const program::ShellResult unknown = shell->load("PUL", 1.0);
+  ASSERT_TRUE(unknown);
+  EXPECT_EQ(unknown->exit_code, base::exit_code::usage);
+  EXPECT_NE(unknown->hint.find("PULL"), std::string::npos);
+  const program::ShellResult long_one = shell->length("C", 200.0);
+  ASSERT_TRUE(long_one);
+  EXPECT_EQ(long_one->exit_code, base::exit_code::deck_error);
+  EXPECT_TRUE(shell->length("C", -1.0));
+  testing::internal::CaptureStderr();
+  EXPECT_TRUE(shell->define("T", "1/"));
+  EXPECT_NE(testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(shell.K1(), before);
+  good(shell->reset());
+  EXPECT_NEAR(shell.K1(), before, 1e-12 * before);
+}
+
+TEST(ShellSession, LooseBodyIsNamedAndTheStateStays) {
+  const ShellOnText shell(cracked_hub("A0=4", "GAP=0.01"));
+  const double before = shell->now().energy;
+  good(shell->load("PULL", 1e-3));
+  good(shell->solve());
+  const double small = shell->now().energy;
+  EXPECT_LT(small, before);
+  good(shell->mount("SEAT", false)); // nothing holds the pin
+  const program::ShellResult loose = shell->solve();
+  ASSERT_TRUE(loose);
+  EXPECT_EQ(loose->exit_code, base::exit_code::not_solvable);
+  EXPECT_NE(loose->why.find("PIN"), std::string::npos) << loose->why;
+  EXPECT_EQ(shell->now().energy, small);
+}
+
+TEST(ShellSession, StopsWhenAsked) {
+  ShellOnText shell(cracked_hub());
+  const double before = shell.K1();
+  shell.stop = true;
+  const program::ShellResult stopped = shell->length("C", 6.0);
+  ASSERT_TRUE(stopped);
+  EXPECT_EQ(stopped->exit_code, base::exit_code::stopped);
+  EXPECT_TRUE(shell->step("PRESS"));
+  EXPECT_TRUE(shell->map_case("PULL", 0.0, 1.0));
+  shell.stop = false;
+  good(shell->restore());
+  EXPECT_EQ(shell.K1(), before);
+  EXPECT_EQ(shell->length_of(0), 4.0);
+}
+
+// With friction the order counts: the shell follows it as steps of a run do.
+TEST(ShellSession, FollowsFriction) {
+  const std::string contact = "INTERFERENCE=0.01 MU=0.2";
+  const std::string deck = cracked_hub("A0=4", contact);
+  const ShellOnText shell(deck);
+  EXPECT_TRUE(shell->rubs());
+  const double before = shell.K1();
+  good(shell->load("PULL", 3.0));
+  good(shell->solve(5));
+  good(shell->load("PULL", 1.0));
+  good(shell->solve(5));
+  const std::string steps = "  LOAD PULL 1\n$STEP NAME=UP SUBSTEPS=5\n  LOAD PULL 3\n"
+                            "$STEP NAME=DOWN SUBSTEPS=5\n  LOAD PULL 1\n";
+  const base::Vec2 wanted = k_of_run(replaced(deck, "  LOAD PULL 1\n", steps));
+  expect_k(shell, wanted, 1e-10);
+  EXPECT_GT(std::abs(shell.K1() - before), 1e-3 * before);
+  EXPECT_TRUE(shell->map_case("PULL", 0.0, 1.0));
+  good(shell->length("C", 5.0)); // the whole history again
+  expect_k(shell, k_of_run(replaced(cracked_hub("A0=5", contact), "  LOAD PULL 1\n", steps)), 1e-9);
+}
+
+TEST(ShellSession, MountsAsARunDoes) {
+  std::string deck = replaced(cracked_hub(), "  HELD\n", "  HELD\n  PIN.INNER\n");
+  deck = replaced(deck, "  FIT SEAT 1\n", "  LOAD PULL 5\n");
+  deck = replaced(deck, "  LOAD PULL 1\n", "  MOUNT SEAT\n$STEP NAME=BACK\n  LOAD PULL 0\n");
+  const ShellOnText shell(deck);
+  expect_k(shell, k_of_run(deck), 1e-12);
+  const double mounted = shell.K1();
+  good(shell->mount("SEAT", false));
+  good(shell->solve());
+  EXPECT_NEAR(shell.K1(), 0.0, 1e-12 * mounted); // nothing acts on the hub
+  good(shell->step("PRESS"));
+  good(shell->mount("SEAT", true)); // onto the pin as it is pulled
+  good(shell->solve());
+  good(shell->load("PULL", 0.0));
+  good(shell->solve());
+  EXPECT_NEAR(shell.K1(), mounted, 1e-10 * mounted);
+  EXPECT_EQ(shell->changes().size(), 2U); // mounting is not merged into what comes after it
+}
+
+// Faces that would overlap become a pair, as in a run.
+TEST(ShellSession, ClosesFaces) {
+  const std::string plate = R"($DECK VERSION=1 LENGTH=mm FORCE=N
+$MESH SHAPE=BLOCK TYPE=QUAMC8 LX=20 LY=20 NX=10 NY=10
+$MATERIAL NAME=S E=210000 NU=0.3
+$PROPERTY ESET=BODY MATERIAL=S STATE=STRESS
+$FREEDOM CLASS=SUPPRESSED DOF=XY
+  YMIN
+$LOAD CASE=PULL TYPE=TRACTION
+  YMAX 20 100
+$STEP NAME=UP
+  LOAD PULL 1
+$CRACK NAME=C ANGLE=0 A0=5
+  0 10
+$END
+)";
+  const ShellOnText shell(plate);
+  const double open = shell.K1();
+  EXPECT_GT(open, 0.0);
+  good(shell->load("PULL", -1.0));
+  good(shell->solve());
+  expect_k(shell, k_of_run(replaced(plate, "LOAD PULL 1", "LOAD PULL -1")), 1e-9);
+  EXPECT_EQ(shell.K1(), 0.0);
+  good(shell->load("PULL", 1.0));
+  good(shell->solve());
+  EXPECT_NEAR(shell.K1(), open, 1e-9 * open);
+}
+
+void expect_saved(const ShellOnText& shell, double tolerance) {
+  std::string text;
+  good(program::saved_deck(*shell, shell.folder.path(), text));
+  SCOPED_TRACE(text);
+  expect_k(shell, k_of_run(text), tolerance);
+}
+
+TEST(ShellSave, RunsToTheSameK) {
+  const ShellOnText shell(cracked_hub());
+  expect_saved(shell, 1e-10);
+  good(shell->load("PULL", 2.5));
+  good(shell->fit("SEAT", 0.9));
+  good(shell->solve());
+  expect_saved(shell, 1e-10);
+  good(shell->length("C", 5.5));
+  good(shell->interference("SEAT", 0.03));
+  good(shell->define("T", "7[mm]"));
+  expect_saved(shell, 1e-10);
+}
+
+TEST(ShellSave, KeepsTheOrderWithFriction) {
+  const ShellOnText shell(cracked_hub("A0=4", "INTERFERENCE=0.01 MU=0.2"));
+  good(shell->load("PULL", 3.0));
+  good(shell->solve(3));
+  good(shell->load("PULL", 1.0));
+  good(shell->solve(4));
+  expect_saved(shell, 1e-10);
+  good(shell->step("PRESS"));
+  std::string text;
+  const program::ShellResult refused = program::saved_deck(*shell, shell.folder.path(), text);
+  ASSERT_TRUE(refused); // the deck's further steps would come in between
+  EXPECT_NE(refused->hint.find("PULLED"), std::string::npos);
+}
+
+// A fit that no step names is 1 from the beginning and stays so in the earlier steps.
+TEST(ShellSave, NamesAFitThatNoStepNamed) {
+  const std::string deck = replaced(cracked_hub(), "  FIT SEAT 1\n", "  LOAD PULL 0\n");
+  const ShellOnText shell(deck);
+  good(shell->fit("SEAT", 2.0));
+  good(shell->solve());
+  expect_saved(shell, 1e-10);
+  std::string text;
+  good(program::saved_deck(*shell, shell.folder.path(), text));
+  const std::optional<Solved> before = solve_text(deck);
+  const std::optional<Solved> after = solve_text(text);
+  ASSERT_TRUE(before && after);
+  EXPECT_NEAR(after->step(0).tips.front().K1, before->step(0).tips.front().K1,
+              1e-10 * before->step(0).tips.front().K1);
+}
+
+TEST(ShellSave, LeavesOutWhatSpeaksOfOtherLengths) {
+  const ShellOnText shell(
+      cracked_hub("A0=4", "INTERFERENCE=0.01",
+                  "$GROW LAW=INCREMENT KMAX=PULLED\n  4 6\n$CHECK\n  K(C,PULLED,4) = 1 REL 1\n"));
+  good(shell->length("C", 6.0));
+  expect_saved(shell, 1e-10);
+}
+
+} // namespace
+} // namespace spricka
