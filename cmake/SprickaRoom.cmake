@@ -15,6 +15,23 @@ function(spricka_room name)
   endforeach()
   target_link_libraries(spricka_${name} PUBLIC ${room_LINKS} PRIVATE ${room_HIDES})
   spricka_warnings(spricka_${name})
+  spricka_precompiled(spricka_${name} spricka_base)
+endfunction()
+
+# The headers nearly every source reads, parsed once by the target OWNER and read ready-made by the
+# others, which must be compiled with its flags (a room with more of them sets
+# DISABLE_PRECOMPILE_HEADERS). A source still includes what it uses: CMAKE_DISABLE_PRECOMPILE_HEADERS=ON
+# builds without, and tools that only read the sources do not see these. ccache keeps the objects if
+# CCACHE_SLOPPINESS is pch_defines,time_macros,include_file_mtime,include_file_ctime.
+function(spricka_precompiled target owner)
+  if(NOT target STREQUAL owner)
+    target_precompile_headers(${target} REUSE_FROM ${owner})
+    return()
+  endif()
+  target_precompile_headers(
+    ${target} PRIVATE <algorithm> <array> <cmath> <cstddef> <cstdint> <deque> <filesystem> <functional>
+    <limits> <map> <memory> <numbers> <optional> <set> <span> <string> <string_view> <utility>
+    <variant> <vector> <Eigen/Core> <fmt/format.h> ${ARGN})
 endfunction()
 
 # Our own targets compile without a warning; what others ship is included as SYSTEM. The four that
