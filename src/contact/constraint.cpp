@@ -1,100 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/constraint.hpp"
 
-#include "contact/node_pairing.hpp"
-#include "contact/segment_pairing.hpp"
-#include "contact/sharp_end.hpp"
-#include "mesh/boundary.hpp"
-
-#include <utility>
-
-#include <fmt/format.h>
-
 namespace spricka::contact {
-
-namespace {
-
-// Whether two chains of the surface end in one place of one net: a crack opens there. Where nets
-// meet a tie may join the ends, and two rows would ask the same of one displacement.
-bool has_mouth(const model::Mesh& mesh, const Surface& surface) {
-  struct End {
-    Vec2 x;
-    base::NetId net;
-  };
-  std::vector<End> ends;
-  for (const EdgeChain& chain : surface.chains) {
-    if (!chain.closed) {
-      const Edge& first = chain.edges.front();
-      const Edge& last = chain.edges.back();
-      ends.push_back({first.x[0], mesh.node_net[first.nodes[0].index()]});
-      ends.push_back({last.x[1], mesh.node_net[last.nodes[1].index()]});
-    }
-  }
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    for (std::size_t k = i + 1; k < ends.size(); ++k) {
-      if (ends[i].net == ends[k].net && (ends[i].x - ends[k].x).norm() < 1e-9 * surface.extent) {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
-// Sizes alike: within a factor 1.5. There the softer side carries the multipliers, because a finer
-// and stiffer one makes the compliance of the rows lose rank; else the coarser side does.
-constexpr double alike = 1.5;
-
-struct Choice {
-  bool swap = false;
-  std::string why;
-};
-
-// The lips of a mouth are pressed each for itself: functions of the other side, which go across the
-// mouth, know one pressure for both (K2 of short cracks then is off by some per cent of K1).
-// Pressures of the stiffer side would go up and down where a coarse soft one can't follow its small
-// elements.
-Choice choose_side(const model::Mesh& mesh, const Surface& slave, const Surface& master) {
-  const bool mouth = has_mouth(mesh, master);
-  const double stiffer =
-      mouth ? master.stiffness / slave.stiffness : slave.stiffness / master.stiffness;
-  if (mouth != has_mouth(mesh, slave) && stiffer < alike) {
-    return {mouth,
-            mouth ? "master side: a crack opens into it" : "slave side: a crack opens into it"};
-  }
-  const double ratio = slave.mean_length / master.mean_length;
-  if (ratio > alike) {
-    return {false, "slave side: coarser"};
-  }
-  if (ratio < 1.0 / alike) {
-    return {true, "master side: coarser"};
-  }
-  if (slave.stiffness > master.stiffness) {
-    return {true, "master side: softer, sizes alike"};
-  }
-  return {false, slave.stiffness < master.stiffness ? "slave side: softer, sizes alike"
-                                                    : "slave side: alike in size and stiffness"};
-}
-
-Choice choose_node_side(const model::Mesh& mesh, const Surface& slave, const Surface& master) {
-  // both lips of a mouth need their row
-  return has_mouth(mesh, master) && !has_mouth(mesh, slave)
-             ? Choice{true, "master side: node pairs, a crack opens into it"}
-             : Choice{false, "slave side: node pairs"};
-}
-
-void add_rows(PairRows& pair, const model::Contact& contact) {
-  const bool tangents = contact.type == model::ContactType::bonded || contact.mu > 0.0;
-  if (contact.pairing == model::Pairing::node) {
-    node_rows(pair, contact.gap, tangents);
-  } else {
-    segment_rows(pair, contact.gap, tangents);
-  }
-  if (pair.found) {
-    pair.sharp_ends = sharp_ends(pair);
-  }
-}
-
-} // namespace
 
 std::map<base::NodeId, std::size_t> normal_rows(const PairRows& pair) {
   std::map<base::NodeId, std::size_t> row_of;
@@ -102,46 +9,6 @@ std::map<base::NodeId, std::size_t> normal_rows(const PairRows& pair) {
     row_of.emplace(pair.normal[r].node, r);
   }
   return row_of;
-}
-
-PairRows pair_rows(const model::Model& model, const model::Mesh& mesh,
-                   const model::Contact& contact) {
-  PairRows pair;
-  const bool nodes = contact.pairing == model::Pairing::node;
-  Surface slave = make_surface(model, mesh, contact.slave);
-  if (contact.rigid.valid()) {
-    pair.contact = std::move(slave);
-    pair.target.thickness = pair.contact.thickness;
-    pair.rigid = model.rigids[contact.rigid.index()];
-    pair.choice = "slave side: the master is rigid";
-    add_rows(pair, contact);
-    return pair;
-  }
-  Surface master = make_surface(model, mesh, contact.master);
-  if (slave.chains.empty() || master.chains.empty()) {
-    pair.trouble = "a surface has no edges";
-    return pair;
-  }
-  const Choice choice =
-      nodes ? choose_node_side(mesh, slave, master) : choose_side(mesh, slave, master);
-  pair.swapped = choice.swap;
-  pair.choice = choice.why;
-  if (choice.swap) {
-    std::swap(slave, master);
-  }
-  pair.contact = std::move(slave);
-  pair.target = std::move(master);
-  add_rows(pair, contact);
-  return pair;
-}
-
-std::vector<base::NodeId> surface_nodes(const model::Mesh& mesh, const model::Contact& contact) {
-  std::vector<model::Face> faces = mesh.set(contact.slave).faces;
-  if (contact.master.valid()) {
-    const std::vector<model::Face>& other = mesh.set(contact.master).faces;
-    faces.insert(faces.end(), other.begin(), other.end());
-  }
-  return mesh::nodes_of_faces(mesh, faces);
 }
 
 } // namespace spricka::contact

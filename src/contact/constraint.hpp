@@ -54,21 +54,11 @@ struct PairRows {
   std::string trouble;   ///< why there are no rows (node pairing that does not match)
   std::string choice;    ///< which side carries the multipliers and why, for the listing
   int merged = 0;        ///< rows covered by less than 20 % that went to a neighbour
-  std::vector<SharpEnd> sharp_ends; ///< of pair_rows
+  std::vector<SharpEnd> sharp_ends; ///< in the order of the contact surface; none on crack faces
 };
 
-/// Of the normal rows by their nodes: the first of each.
+/// Maps each contact node to its place in `pair.normal`; where a node has several normal rows, to
+/// the first of them.
 std::map<base::NodeId, std::size_t> normal_rows(const PairRows& pair);
-
-/// Builds the rows of a pair on a mesh. SEGMENT: mortar with hat functions on half edges, weighted
-/// by exact segment integration (Puso and Laursen 2004 in the plane); the multipliers are
-/// non-negative functions that contain constants. NODE: nodes that lie opposite each other.
-/// Declared gaps replace the measured ones; normals are radial on circles, and those of the target
-/// where that is rigid: there the slave carries the multipliers, and the rows are exact.
-PairRows pair_rows(const model::Model& model, const model::Mesh& mesh,
-                   const model::Contact& contact);
-
-/// Nodes of both surfaces of a pair: their freedoms must be external.
-std::vector<base::NodeId> surface_nodes(const model::Mesh& mesh, const model::Contact& contact);
 
 } // namespace spricka::contact

@@ -7,6 +7,7 @@
 #include "analysis/scene/scene_nodes.hpp"
 #include "analysis/scene/scene_ties.hpp"
 #include "analysis/scene/tip_surroundings.hpp"
+#include "contact/pairing.hpp"
 #include "fe/assemble.hpp"
 #include "fe/dof_map.hpp"
 #include "growth/crack_lines.hpp"

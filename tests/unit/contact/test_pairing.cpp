@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "contact/constraint.hpp"
+#include "contact/pairing.hpp"
 #include "two_rings.hpp"
 
 #include <functional>

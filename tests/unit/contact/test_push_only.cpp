@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/outline.hpp"
+#include "contact/pairing.hpp"
 #include "contact/push_only.hpp"
 #include "mesh/boundary.hpp"
 #include "two_blocks.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/pairing.hpp"
 #include "contact/recovery.hpp"
 #include "contact/smooth.hpp"
 #include "two_rings.hpp"

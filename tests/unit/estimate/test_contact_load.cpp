@@ -2,6 +2,7 @@
 #include "estimate/contact_load.hpp"
 
 #include "../contact/two_blocks.hpp"
+#include "contact/pairing.hpp"
 
 #include <gtest/gtest.h>
 
