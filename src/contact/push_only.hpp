@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "contact/recovery.hpp"
+#include "contact/constraint.hpp"
+#include "contact/node_pressure.hpp"
 #include "contact/smooth.hpp"
 
 #include <cstddef>

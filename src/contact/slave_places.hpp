@@ -2,6 +2,7 @@
 #pragma once
 #include "contact/arc.hpp"
 #include "contact/constraint.hpp"
+#include "contact/node_pressure.hpp"
 
 #include <vector>
 
