@@ -2,6 +2,8 @@
 #include "solve/contact_qp.hpp"
 #include "solve/blas.hpp"
 #include "solve/criss_cross.hpp"
+#include "solve/held_problem.hpp"
+#include "solve/load_balance.hpp"
 #include "solve/mode_split.hpp"
 #include "solve/rest.hpp"
 #include "solve/set_solution.hpp"

@@ -2,6 +2,8 @@
 #include "solve/friction.hpp"
 #include "solve/blas.hpp"
 #include "solve/friction_search.hpp"
+#include "solve/held_problem.hpp"
+#include "solve/load_balance.hpp"
 #include "solve/mode_split.hpp"
 
 #include <Eigen/QR>

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/held_problem.hpp"
 
-#include "solve/contact_qp.hpp"
-#include "solve/mode_split.hpp"
-
 #include <algorithm>
 
 namespace spricka::solve {

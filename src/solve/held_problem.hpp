@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "base/vec.hpp"
+#include "solve/contact_problem.hpp"
+#include "solve/mode_split.hpp"
 
 #include <vector>
 
 namespace spricka::solve {
-
-struct ContactProblem;
-struct ModeSplit;
 
 /// The contact problem without the modes that no row touches; modes scaled so that the largest
 /// entry of each column of B is 1.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "solve/bordered_factor.hpp"
-#include "solve/contact_qp.hpp"
+#include "solve/contact_problem.hpp"
+#include "solve/held_problem.hpp"
 #include "solve/mode_split.hpp"
 
 namespace spricka::solve {

@@ -6,6 +6,7 @@
 #include "analysis/steps/rigid_motion.hpp"
 #include "analysis/steps/step_factors.hpp"
 #include "solve/friction.hpp"
+#include "solve/load_balance.hpp"
 #include "solve/mode_split.hpp"
 
 #include <algorithm>

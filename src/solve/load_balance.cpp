@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/load_balance.hpp"
+#include "solve/nnls.hpp"
+
+#include <algorithm>
+
+namespace spricka::solve {
+
+namespace {
+
+constexpr double along = 1e-9; ///< share of a row across the equality rows that is round-off
+
+/// The rows that are in the cone's face so far, orthonormal [m, r], grown one row at a time.
+class Span {
+public:
+  explicit Span(Eigen::Index m) : Q_(m, 0) {}
+
+  [[nodiscard]] base::Vector across(const base::Vector& v) const {
+    const base::Vector once = v - Q_ * (Q_.transpose() * v);
+    return once - Q_ * (Q_.transpose() * once); // twice is enough (Parlett 1980)
+  }
+  bool add(const base::Vector& v) {
+    const base::Vector part = across(v);
+    if (!(part.norm() > 1e-7 * v.norm())) {
+      return false;
+    }
+    Q_.conservativeResize(Eigen::NoChange, Q_.cols() + 1);
+    Q_.rightCols(1) = part.normalized();
+    return true;
+  }
+  [[nodiscard]] bool full() const { return Q_.cols() == Q_.rows(); }
+
+private:
+  base::Matrix Q_;
+};
+
+} // namespace
+
+Holding hold_loads(const HeldProblem& problem) {
+  const int n = problem.rows();
+  Span fixed(problem.modes());
+  for (int i = 0; i < n; ++i) {
+    if (problem.equality[std::size_t(i)] && !fixed.full()) {
+      fixed.add(problem.B.row(i).transpose());
+    }
+  }
+  // A x = t: what inequality rows give and what they must carry, seen across the equality rows;
+  // a row that stands along them gives nothing, whatever direction its round-off has
+  base::Matrix A = base::Matrix::Zero(problem.modes(), n);
+  for (int i = 0; i < n; ++i) {
+    if (!problem.equality[std::size_t(i)]) {
+      const base::Vector across = fixed.across(problem.B.row(i).transpose());
+      if (across.norm() > along * problem.B.row(i).norm()) {
+        A.col(i) = across;
+      }
+    }
+  }
+  const base::Vector t = -fixed.across(problem.h);
+  const NonNegative best = non_negative_least_squares(A, t);
+  return {A * best.x - t, best.positive};
+}
+
+base::Vector opening_motion(const ModeSplit& split, const Holding& holding, double least) {
+  if (holding.remainder.size() == 0) {
+    return {};
+  }
+  // in units of h: the columns of felt have a unit of their own
+  const base::Vector per_unit = split.felt.colwise().norm().cwiseInverse().transpose();
+  if (!(holding.remainder.cwiseProduct(per_unit).norm() > least)) {
+    return {};
+  }
+  return (split.felt * holding.remainder).normalized();
+}
+
+std::vector<int> holding_rows(const HeldProblem& problem, const std::vector<int>& pressed) {
+  Span span(problem.modes());
+  std::vector<int> rows;
+  for (int i = 0; i < problem.rows(); ++i) {
+    if (problem.equality[std::size_t(i)]) {
+      rows.push_back(i);
+      if (!span.full()) {
+        span.add(problem.B.row(i).transpose());
+      }
+    }
+  }
+  for (const int i : pressed) {
+    if (!span.full() && span.add(problem.B.row(i).transpose())) {
+      rows.push_back(i);
+    }
+  }
+  while (!span.full()) {
+    int best = -1;
+    double most = 0.0;
+    for (int i = 0; i < problem.rows(); ++i) {
+      const double across = span.across(problem.B.row(i).transpose()).norm();
+      if (!problem.equality[std::size_t(i)] && across > most * (1.0 + 1e-9)) {
+        most = across;
+        best = i;
+      }
+    }
+    if (best < 0 || !span.add(problem.B.row(best).transpose())) {
+      break;
+    }
+    rows.push_back(best);
+  }
+  std::sort(rows.begin(), rows.end());
+  return rows;
+}
+
+} // namespace spricka::solve
