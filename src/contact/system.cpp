@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/system.hpp"
 
+#include "solve/contact_qp.hpp"
+#include "solve/friction.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>

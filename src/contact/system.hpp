@@ -2,9 +2,10 @@
 #pragma once
 #include "base/vec.hpp"
 #include "contact/constraint.hpp"
-#include "solve/contact_qp.hpp"
+#include "solve/contact_problem.hpp"
 #include "solve/dense_cholesky.hpp"
-#include "solve/friction.hpp"
+#include "solve/friction_problem.hpp"
+#include "solve/friction_unique.hpp"
 #include "solve/layered_cholesky.hpp"
 
 #include <optional>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/friction.hpp"
 #include "solve/blas.hpp"
+#include "solve/contact_qp.hpp"
+#include "solve/friction_cones.hpp"
 #include "solve/friction_search.hpp"
 #include "solve/held_problem.hpp"
 #include "solve/load_balance.hpp"
@@ -19,22 +21,6 @@ namespace {
 constexpr double accepted_residual = 1e-7; ///< above it the answer is none
 constexpr double at_rest = 1e-10;          ///< of the gap scale: no slip
 constexpr int anchorings = 12;             ///< of bodies that nothing holds, before they slide
-
-/// What rows can push the modes with: generators of the cones of all forces, as rows of B.
-HeldProblem force_cones(const base::Matrix& B, const base::Vector& h,
-                        const std::vector<bool>& equality,
-                        const std::vector<FrictionRow>& friction) {
-  static const base::Matrix none;
-  const FrictionCones cones = friction_cones(B, equality, friction);
-  return {none, cones.B, base::Vector::Zero(cones.B.rows()), h, cones.equality, 0.0, {}};
-}
-
-std::vector<FrictionRow> without_mu(std::vector<FrictionRow> friction) {
-  for (FrictionRow& f : friction) {
-    f.mu = 0.0;
-  }
-  return friction;
-}
 
 /// Rigid motions that no row in contact hinders.
 int loose_motions(const ScaledFriction& problem, const std::vector<Touch>& touch) {
@@ -215,37 +201,6 @@ void walk_to_rest(const ScaledFriction& scaled, const HeldProblem& held, const M
 
 } // namespace
 
-base::Vector sliding_motion(const ModeSplit& split, const HeldProblem& held,
-                            const std::vector<FrictionRow>& friction, const Holding& holding) {
-  // what the cones leave lifts the body off the rows it slides on: they keep it there
-  std::vector<bool> kept = held.equality;
-  for (const FrictionRow& f : friction) {
-    kept[std::size_t(f.normal)] = true;
-  }
-  const Holding level =
-      hold_loads(force_cones(held.B, holding.remainder, kept, without_mu(friction)));
-  const bool lifts = !(level.remainder.norm() > 1e-9 * holding.remainder.norm());
-  return opening_motion(split, lifts ? holding : level, 0.0);
-}
-
-FrictionCones friction_cones(const base::Matrix& B, const std::vector<bool>& equality,
-                             const std::vector<FrictionRow>& friction) {
-  std::vector<int> normal_of(equality.size(), -1); // of tangents
-  for (std::size_t f = 0; f < friction.size(); ++f) {
-    normal_of[std::size_t(friction[f].tangent)] = static_cast<int>(f);
-  }
-  FrictionCones cones{B, equality};
-  for (std::size_t i = 0; i < equality.size(); ++i) {
-    if (normal_of[i] < 0) {
-      continue;
-    }
-    const FrictionRow& f = friction[std::size_t(normal_of[i])];
-    cones.B.row(f.normal) = B.row(f.normal) + f.mu * B.row(f.tangent);
-    cones.B.row(f.tangent) = B.row(f.normal) - f.mu * B.row(f.tangent);
-  }
-  return cones;
-}
-
 FrictionSolution solve_friction(const FrictionProblem& problem, const ContactSettings& settings,
                                 const std::vector<Touch>& start) {
   blas::single_thread();
@@ -268,7 +223,7 @@ FrictionSolution solve_friction(const FrictionProblem& problem, const ContactSet
   if (c.unheld.size() == 0) {
     const double least = rest_load * std::max(scale, contact.h.norm());
     const Holding holding =
-        hold_loads(force_cones(held.B, held.h, held.equality, problem.friction));
+        hold_loads(cone_problem(held.B, held.h, held.equality, problem.friction));
     c.unheld = opening_motion(split, holding, least);
     if (c.unheld.size() > 0) {
       answer.slides = true;

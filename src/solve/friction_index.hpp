@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "solve/friction.hpp"
+#include "solve/friction_problem.hpp"
 
 #include <vector>
 

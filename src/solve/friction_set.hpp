@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "solve/friction.hpp"
+#include "base/vec.hpp"
+#include "solve/friction_problem.hpp"
 #include "solve/held_problem.hpp"
 
 #include <vector>

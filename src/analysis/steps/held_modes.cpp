@@ -5,7 +5,7 @@
 #include "analysis/steps/missing_contact.hpp"
 #include "analysis/steps/rigid_motion.hpp"
 #include "analysis/steps/step_factors.hpp"
-#include "solve/friction.hpp"
+#include "solve/friction_cones.hpp"
 #include "solve/load_balance.hpp"
 #include "solve/mode_split.hpp"
 
@@ -217,9 +217,8 @@ std::vector<Refusal> unheld_loads(const model::Model& model, const Scene& scene,
                                      equality,
                                      0.0,
                                      {}};
-      solve::HeldProblem cones = plain;
-      cones.B = solve::friction_cones(plain.B, equality, friction).B;
-      const solve::Holding holding = solve::hold_loads(cones);
+      const solve::Holding holding =
+          solve::hold_loads(solve::cone_problem(plain.B, plain.h, equality, friction));
       motion = solve::opening_motion(split, holding, solve::rest_load * std::max(scale, h.norm()));
       if (motion.size() > 0 && !friction.empty()) {
         motion = solve::sliding_motion(split, plain, friction, holding);

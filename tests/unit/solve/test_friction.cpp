@@ -2,6 +2,7 @@
 #include "dice.hpp"
 #include "solve/friction.hpp"
 #include "solve/friction_index.hpp"
+#include "solve/friction_unique.hpp"
 #include "solve/lemke.hpp"
 
 #include <Eigen/LU>

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "solve/friction_problem.hpp"
+
+namespace spricka::solve {
+
+/// Whether a sufficient test finds that an increment has one solution whatever its loads and gaps
+/// (manual, solve.27).
+struct Uniqueness {
+  bool certain = false;
+  bool apart_from_motions = false; ///< rigid motions of bodies were left out of the test
+};
+Uniqueness unique_increment(const FrictionProblem& problem);
+
+} // namespace spricka::solve
