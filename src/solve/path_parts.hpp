@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "solve/parametric.hpp"
+#include "solve/held_problem.hpp"
+#include "solve/parametric_problem.hpp"
 #include "solve/swept_matrix.hpp"
 
 #include <vector>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/path_walk.hpp"
 
+#include "solve/contact_qp.hpp"
 #include "solve/path_parts.hpp"
 
 #include <array>

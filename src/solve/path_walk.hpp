@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "solve/held_problem.hpp"
 #include "solve/mode_split.hpp"
-#include "solve/parametric.hpp"
+#include "solve/parametric_problem.hpp"
 #include "solve/swept_matrix.hpp"
 
 #include <algorithm>

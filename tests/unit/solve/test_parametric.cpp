@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dice.hpp"
+#include "solve/contact_qp.hpp"
 #include "solve/parametric.hpp"
 
 #include <cmath>
