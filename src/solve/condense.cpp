@@ -1,287 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/condense.hpp"
-#include "base/clock.hpp"
-#include "base/memory.hpp"
 #include "solve/blas.hpp"
-#include "solve/cholmod_session.hpp"
-#include "solve/factor_checks.hpp"
-#include "solve/stacked.hpp"
-#include "solve/supernodes.hpp"
 
-#include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <ctime>
-#include <limits>
 #include <new>
-#include <optional>
-#include <span>
 #include <utility>
-#include <vector>
 
 namespace spricka::solve {
 
-namespace {
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
-
-/// Owns a CHOLMOD factor; freeing needs no more than a fresh session.
-class Factor {
-public:
-  Factor() = default;
-  explicit Factor(cholmod_factor* factor) : factor_(factor) {}
-  ~Factor() {
-    if (factor_ != nullptr) {
-      CholmodSession session;
-      cholmod_l_free_factor(&factor_, session.get());
-    }
-  }
-  Factor(const Factor&) = delete;
-  Factor& operator=(const Factor&) = delete;
-  Factor& operator=(Factor&& other) noexcept {
-    std::swap(factor_, other.factor_);
-    return *this;
-  }
-  Factor(Factor&& other) noexcept : factor_(std::exchange(other.factor_, nullptr)) {}
-
-  [[nodiscard]] cholmod_factor* get() const { return factor_; }
-  [[nodiscard]] cholmod_factor* operator->() const { return factor_; }
-
-private:
-  cholmod_factor* factor_ = nullptr;
-};
-
-/// K with the shift on the external diagonal and the first external column full: then L22 is full
-/// from its first column on and becomes one supernode.
-base::SymmetricCsc with_full_externals(const base::SymmetricCsc& K, std::int64_t locals,
-                                       double shift) {
-  base::SymmetricCsc A;
-  A.n = K.n;
-  A.start.reserve(K.start.size());
-  A.row.reserve(K.row.size() + at(K.n - locals));
-  A.value.reserve(A.row.capacity());
-  A.start.push_back(0);
-  for (std::int64_t j = 0; j < K.n; ++j) {
-    std::int64_t p = K.start[at(j)];
-    const std::int64_t end = K.start[at(j) + 1];
-    if (j == locals) {
-      for (std::int64_t i = j; i < K.n; ++i) {
-        const bool stored = p < end && K.row[at(p)] == i;
-        A.row.push_back(i);
-        A.value.push_back(stored ? K.value[at(p)] : 0.0);
-        p += stored ? 1 : 0;
-      }
-    } else {
-      A.row.insert(A.row.end(), K.row.begin() + p, K.row.begin() + end);
-      A.value.insert(A.value.end(), K.value.begin() + p, K.value.begin() + end);
-    }
-    if (j >= locals) {
-      A.value[at(A.start.back())] += shift;
-    }
-    A.start.push_back(static_cast<std::int64_t>(A.row.size()));
-  }
-  return A;
-}
-
-std::vector<double> diagonal_of(const base::SymmetricCsc& K) {
-  std::vector<double> diagonal(at(K.n));
-  for (std::int64_t j = 0; j < K.n; ++j) {
-    diagonal[at(j)] = K.value[at(K.start[at(j)])];
-  }
-  return diagonal;
-}
-
-double mean_external_diagonal(const base::SymmetricCsc& K, std::int64_t locals) {
-  double sum = 0.0;
-  for (std::int64_t j = locals; j < K.n; ++j) {
-    sum += K.value[at(K.start[at(j)])];
-  }
-  return K.n == locals ? 0.0 : sum / static_cast<double>(K.n - locals);
-}
-
-Factor analyse(const base::SymmetricCsc& A, std::vector<std::int64_t>& order,
-               CholmodSession& session) {
-  session->supernodal = CHOLMOD_SUPERNODAL;
-  session->nmethods = 1;
-  session->method[0].ordering = CHOLMOD_GIVEN;
-  session->postorder = 0;
-  session->final_ll = 1;
-  session->quick_return_if_not_posdef = 1;
-  cholmod_sparse view = lower_view(A.n, A.start.data(), A.row.data(), A.value.data());
-  return Factor(cholmod_l_analyze_p(&view, order.data(), nullptr, 0, session.get()));
-}
-
-} // namespace
-
-struct Condensation::Impl {
-  FactorReport report;
-  std::int64_t n = 0;
-  std::int64_t locals = 0;
-  std::vector<std::int64_t> order; ///< [n] row of K at each position of the elimination
-  Factor factor;
-  base::Matrix S;
-  std::optional<Stacked> stacked; ///< does it all where there are dense blocks
-
-  void build(base::SymmetricCsc K, Ordering ordering);
-  base::SymmetricCsc analyse_matrix(base::SymmetricCsc K, double shift, Ordering ordering,
-                                    CholmodSession& session);
-  void factorise(const base::SymmetricCsc& A, CholmodSession& session);
-  void check_pivots(const std::vector<double>& diagonal);
-  void read_schur(double shift);
-  void drop_externals();
-
-  [[nodiscard]] Supernodes supernodes() const {
-    const auto integers = [](void* p) { return static_cast<const std::int64_t*>(p); };
-    return {.n = n,
-            .locals = locals,
-            .count = static_cast<std::int64_t>(factor->nsuper),
-            .column = integers(factor->super),
-            .row_start = integers(factor->pi),
-            .value_start = integers(factor->px),
-            .row = integers(factor->s),
-            .value = static_cast<const double*>(factor->x)};
-  }
-};
-
-base::SymmetricCsc Condensation::Impl::analyse_matrix(base::SymmetricCsc K, double shift,
-                                                      Ordering ordering, CholmodSession& session) {
-  const double started = thread_cpu();
-  order = elimination_order(K, locals, ordering);
-  base::SymmetricCsc A = with_full_externals(K, locals, shift);
-  K = base::SymmetricCsc();
-  factor = analyse(A, order, session);
-  report.analysis_cpu = thread_cpu() - started;
-  if (factor.get() == nullptr) {
-    report.status = FactorStatus::out_of_memory;
-    return A;
-  }
-  const double externals = static_cast<double>(n - locals);
-  report.flops = session->fl;
-  report.factor_entries = session->lnz;
-  // The factor, and on top of it the matrix with its permuted copy and, one after the other, the
-  // workspace of the largest front and two dense matrices of the externals.
-  report.memory =
-      8.0 * static_cast<double>(factor->xsize + factor->ssize) +
-      24.0 * static_cast<double>(A.row.size()) +
-      std::max(8.0 * static_cast<double>(factor->maxcsize), 16.0 * externals * externals);
-  report.kept_memory = 8.0 * static_cast<double>(factor->xsize + factor->ssize);
-  return A;
-}
-
-void Condensation::Impl::build(base::SymmetricCsc K, Ordering ordering) {
-  blas::single_thread();
-  const double shift = 1e-2 * mean_external_diagonal(K, locals);
-  const std::vector<double> diagonal = diagonal_of(K);
-  CholmodSession session;
-  const base::SymmetricCsc A = analyse_matrix(std::move(K), shift, ordering, session);
-  if (report.status != FactorStatus::ok) {
-    return;
-  }
-  // Refused before any of it is asked for: a machine that swaps is no help.
-  report.memory_left =
-      static_cast<double>(base::memory_limit()) - static_cast<double>(base::resident_memory());
-  if (report.memory > report.memory_left) {
-    report.status = FactorStatus::out_of_memory;
-    return;
-  }
-  const double analysed = thread_cpu();
-  factorise(A, session);
-  if (report.status == FactorStatus::ok) {
-    check_pivots(diagonal);
-  }
-  if (report.status == FactorStatus::ok) {
-    read_schur(shift);
-  }
-  report.numeric_cpu = thread_cpu() - analysed;
-}
-
-void Condensation::Impl::factorise(const base::SymmetricCsc& A, CholmodSession& session) {
-  cholmod_sparse view = lower_view(A.n, A.start.data(), A.row.data(), A.value.data());
-  const int done = cholmod_l_factorize(&view, factor.get(), session.get());
-  if (session->status == CHOLMOD_NOT_POSDEF || factor->minor < at(n)) {
-    report.status = FactorStatus::not_positive_definite;
-    report.failed_row = order[factor->minor];
-    report.smallest_pivot = 0.0;
-  } else if (done == 0 || session->status < CHOLMOD_OK) {
-    report.status = FactorStatus::out_of_memory;
-  }
-}
-
-void Condensation::Impl::check_pivots(const std::vector<double>& diagonal) {
-  const Supernodes L = supernodes();
-  std::int64_t weakest = -1;
-  for (std::int64_t s = 0; s < L.count; ++s) {
-    const std::int64_t rows = L.row_start[s + 1] - L.row_start[s];
-    for (std::int64_t j = L.column[s]; j < std::min(L.column[s + 1], locals); ++j) {
-      const double pivot = L.value[L.value_start[s] + (j - L.column[s]) * (rows + 1)];
-      const double ratio = pivot * pivot / diagonal[at(order[at(j)])];
-      if (!(ratio >= report.smallest_pivot)) {
-        report.smallest_pivot = ratio;
-        weakest = j;
-      }
-    }
-  }
-  if (weakest >= 0 && !(report.smallest_pivot > smallest_allowed_pivot(n))) {
-    report.status = FactorStatus::not_positive_definite;
-    report.failed_row = order[at(weakest)];
-  }
-}
-
-void Condensation::Impl::read_schur(double shift) {
-  const base::Matrix R = trailing_factor(supernodes());
-  drop_externals();
-  S = lower_times_transpose(R);
-  S.diagonal().array() -= shift;
-}
-
-/// Gives back the memory of the supernodes that hold externals only; the half solves of the locals
-/// never look at them.
-void Condensation::Impl::drop_externals() {
-  const Supernodes L = supernodes();
-  std::int64_t s = L.count;
-  while (s > 0 && L.column[s - 1] >= locals) {
-    --s;
-  }
-  const std::size_t kept = std::max<std::size_t>(at(L.value_start[s]), 1);
-  if (s < L.count) {
-    CholmodSession session;
-    factor->x = cholmod_l_realloc(kept, sizeof(double), factor->x, &factor->xsize, session.get());
-  }
-}
-
-Condensation::Condensation(base::SymmetricCsc K, std::int64_t externals, Ordering ordering)
-    : impl_(std::make_unique<Impl>()) {
-  assert(externals >= 0 && externals <= K.n);
-  impl_->n = K.n;
-  impl_->locals = K.n - externals;
-  if (K.n == 0) {
-    return;
-  }
-  try {
-    impl_->build(std::move(K), ordering);
-  } catch (const std::bad_alloc&) {
-    impl_->report.status = FactorStatus::out_of_memory;
-  }
-  if (impl_->report.status != FactorStatus::ok) {
-    impl_->factor = Factor();
-  }
+Condensation::Condensation(base::SymmetricCsc K, std::int64_t externals, Ordering ordering) {
+  sparse_.emplace(std::move(K), externals, ordering);
+  report_ = sparse_->report();
+  S_ = sparse_->take_schur();
 }
 
 Condensation::Condensation(const base::SymmetricCsc& K, std::int64_t externals,
                            std::span<const DenseBlock> blocks,
-                           std::shared_ptr<const EarlyRows>* early)
-    : impl_(std::make_unique<Impl>()) {
+                           std::shared_ptr<const EarlyRows>* early) {
   blas::single_thread();
-  impl_->n = K.n;
-  impl_->locals = K.n - externals;
   try {
-    impl_->stacked.emplace(K, externals, blocks, early, impl_->report);
-    impl_->S = std::move(impl_->stacked->top().S);
+    stacked_.emplace(K, externals, blocks, early, report_);
+    S_ = std::move(stacked_->top().S);
   } catch (const std::bad_alloc&) {
-    impl_->report.status = FactorStatus::out_of_memory;
+    report_.status = FactorStatus::out_of_memory;
   }
+}
+
+FactorReport Condensation::forecast(base::SymmetricCsc pattern, std::int64_t externals,
+                                    Ordering ordering) {
+  return SparseCondensation::forecast(std::move(pattern), externals, ordering);
 }
 
 FactorReport Condensation::forecast(const base::SymmetricCsc& pattern, std::int64_t externals,
@@ -289,84 +36,22 @@ FactorReport Condensation::forecast(const base::SymmetricCsc& pattern, std::int6
   return Stacked::forecast(pattern, externals, blocks, early);
 }
 
-FactorReport Condensation::forecast(base::SymmetricCsc pattern, std::int64_t externals,
-                                    Ordering ordering) {
-  assert(externals >= 0 && externals <= pattern.n);
-  Impl impl;
-  impl.n = pattern.n;
-  impl.locals = pattern.n - externals;
-  if (pattern.n > 0) {
-    try {
-      CholmodSession session;
-      impl.analyse_matrix(std::move(pattern), 0.0, ordering, session);
-    } catch (const std::bad_alloc&) {
-      impl.report.status = FactorStatus::out_of_memory;
-    }
-  }
-  return impl.report;
-}
-
-Condensation::~Condensation() = default;
-Condensation::Condensation(Condensation&&) noexcept = default;
-Condensation& Condensation::operator=(Condensation&&) noexcept = default;
-
-const FactorReport& Condensation::report() const {
-  return impl_->report;
-}
-
-const base::Matrix& Condensation::schur() const {
-  return impl_->S;
-}
-
 base::Matrix Condensation::take_schur() {
-  return std::exchange(impl_->S, base::Matrix());
+  return std::exchange(S_, base::Matrix());
 }
 
 std::optional<FactoredExternals> Condensation::take_factor() {
-  return impl_->stacked ? std::exchange(impl_->stacked->top().factor, std::nullopt) : std::nullopt;
+  return stacked_ ? std::exchange(stacked_->top().factor, std::nullopt) : std::nullopt;
 }
 
 base::Matrix Condensation::condense_load(const base::Matrix& f) const {
-  const Impl& c = *impl_;
-  assert(f.rows() == c.n && c.report.status == FactorStatus::ok);
-  if (c.n == 0) {
-    return f;
-  }
-  if (c.stacked) {
-    return c.stacked->condense_load(f);
-  }
-  base::Matrix X(c.n, f.cols());
-  for (std::int64_t k = 0; k < c.n; ++k) {
-    X.row(k) = f.row(c.order[at(k)]);
-  }
-  eliminate_locals(c.supernodes(), X);
-  return X.bottomRows(c.n - c.locals);
+  assert(report_.status == FactorStatus::ok);
+  return stacked_ ? stacked_->condense_load(f) : sparse_->condense_load(f);
 }
 
 base::Matrix Condensation::recover(const base::Matrix& u_external, const base::Matrix& f) const {
-  const Impl& c = *impl_;
-  assert(f.rows() == c.n && c.report.status == FactorStatus::ok);
-  assert(c.n == c.locals || (u_external.rows() == c.n - c.locals && u_external.cols() == f.cols()));
-  if (c.n == 0) {
-    return f;
-  }
-  if (c.stacked) {
-    return c.stacked->recover(u_external, f);
-  }
-  base::Matrix X(c.n, f.cols());
-  for (std::int64_t k = 0; k < c.n; ++k) {
-    X.row(k) = f.row(c.order[at(k)]);
-  }
-  eliminate_locals(c.supernodes(), X);
-  if (c.n > c.locals) {
-    X.bottomRows(c.n - c.locals) = u_external;
-  }
-  substitute_locals(c.supernodes(), X);
-  base::Matrix u(c.n, f.cols());
-  for (std::int64_t k = 0; k < c.n; ++k) {
-    u.row(c.order[at(k)]) = X.row(k);
-  }
-  return u;
+  assert(report_.status == FactorStatus::ok);
+  return stacked_ ? stacked_->recover(u_external, f) : sparse_->recover(u_external, f);
 }
 
 } // namespace spricka::solve

@@ -2,46 +2,23 @@
 #pragma once
 #include "base/sparse.hpp"
 #include "base/vec.hpp"
+#include "solve/dense_block.hpp"
+#include "solve/factor_report.hpp"
 #include "solve/layered_cholesky.hpp"
 #include "solve/ordering.hpp"
+#include "solve/sparse_condensation.hpp"
+#include "solve/stacked.hpp"
 
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
-#include <vector>
 
 namespace spricka::solve {
 
-enum class FactorStatus { ok, not_positive_definite, out_of_memory };
-
-struct FactorReport {
-  FactorStatus status = FactorStatus::ok;
-  std::int64_t failed_row = -1; ///< row of the matrix as given where a pivot was not positive
-  double flops = 0.0;           ///< of the numeric phase, exact
-  double memory = 0.0;          ///< [bytes] forecast of the largest need, from the symbolic phase
-  double memory_left = 0.0;     ///< [bytes] what could be had when it was begun
-  double smallest_pivot = 1.0;  ///< of the locals, over the diagonal entry of the matrix
-  double kept_memory = 0.0;     ///< [bytes] of the factor, external part included
-  double factor_entries = 0.0;  ///< nonzeros of L
-  double analysis_cpu = 0.0;    ///< [s] of the calling thread, as below
-  double numeric_cpu = 0.0;     ///< [s]
-};
-
-/// A condensed net as one full block on rows of another matrix.
-struct DenseBlock {
-  std::vector<std::int64_t> rows;          ///< [m] rows there, -1: none
-  const base::Matrix* stiffness = nullptr; ///< [m, m] symmetric; not looked at by forecasts
-};
-
-/// Whether such blocks are better kept out of the sparse matrix: together with the externals they
-/// fill most of what they touch.
-bool stacking_pays(std::span<const DenseBlock> blocks, std::int64_t rows, std::int64_t externals);
-
-/// One Cholesky factorisation of K with the external rows last, and everything that is read off
-/// it: the Schur complement S = K_ee - K_el K_ll^-1 K_le, condensed loads, recovered locals.
-/// Externals carry a shift s on their diagonal, taken off again (condensation rule 3), so that a
-/// floating body needs no support. With no externals it is a plain solver.
+/// A stiffness matrix K condensed to its external rows, which stand last: the Schur complement
+/// S = K_ee - K_el K_ll^-1 K_le, condensed loads, recovered locals; by one sparse factorisation, or
+/// stacked where dense blocks stand on top of K. With no externals it is a plain solver.
 class Condensation {
 public:
   /// K [n, n] lower triangle, the last `externals` rows external. Check the report: when its status
@@ -62,13 +39,10 @@ public:
   /// `early`: rows of the block that would be there already; those of this matrix from then on.
   static FactorReport forecast(const base::SymmetricCsc& pattern, std::int64_t externals,
                                std::span<const DenseBlock> blocks, EarlyLists* early = nullptr);
-  ~Condensation();
-  Condensation(Condensation&&) noexcept;
-  Condensation& operator=(Condensation&&) noexcept;
 
-  [[nodiscard]] const FactorReport& report() const;
+  [[nodiscard]] const FactorReport& report() const { return report_; }
   /// S [externals, externals], symmetric to the last bit.
-  [[nodiscard]] const base::Matrix& schur() const;
+  [[nodiscard]] const base::Matrix& schur() const { return S_; }
   /// Hands S over to who needs it last; schur() is empty from then on.
   [[nodiscard]] base::Matrix take_schur();
   /// The factor that stands in its place, if one does.
@@ -79,8 +53,10 @@ public:
   [[nodiscard]] base::Matrix recover(const base::Matrix& u_external, const base::Matrix& f) const;
 
 private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  FactorReport report_;
+  base::Matrix S_;
+  std::optional<SparseCondensation> sparse_; ///< without dense blocks
+  std::optional<Stacked> stacked_;           ///< with dense blocks
 };
 
 } // namespace spricka::solve

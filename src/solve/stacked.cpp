@@ -43,8 +43,8 @@ Eigen::Index first_bad_pivot(base::Matrix A) {
 FactorReport Stacked::forecast(const base::SymmetricCsc& K, std::int64_t externals,
                                std::span<const DenseBlock> blocks, EarlyLists* early) {
   StackedRows rows = divide_rows(K, externals, blocks);
-  FactorReport report =
-      Condensation::forecast(sparse_part(K, rows), static_cast<std::int64_t>(rows.touched.size()));
+  FactorReport report = SparseCondensation::forecast(
+      sparse_part(K, rows), static_cast<std::int64_t>(rows.touched.size()));
   bool kept = false;
   if (early != nullptr) {
     find_early(K, blocks, rows);

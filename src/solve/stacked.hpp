@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "solve/condense.hpp"
+#include "base/sparse.hpp"
+#include "base/vec.hpp"
+#include "solve/dense_block.hpp"
+#include "solve/factor_report.hpp"
 #include "solve/layered_cholesky.hpp"
+#include "solve/sparse_condensation.hpp"
 #include "solve/stacked_rows.hpp"
 
 #include <cstdint>
@@ -63,7 +67,7 @@ private:
 
   StackedRows rows_;
   Top top_;
-  std::optional<Condensation> below_;
+  std::optional<SparseCondensation> below_;
   base::Matrix L_;        ///< [inner, inner] Cholesky factor of the rows eliminated on top
   base::Matrix coupling_; ///< [inner, externals] of them with the externals
 };

@@ -16,22 +16,6 @@ constexpr double least_early = 0.25;
 
 } // namespace
 
-bool stacking_pays(std::span<const DenseBlock> blocks, std::int64_t rows, std::int64_t externals) {
-  std::vector<bool> on_top(at(rows), false);
-  std::fill(on_top.end() - externals, on_top.end(), true);
-  double filled = 0.0;
-  for (const DenseBlock& b : blocks) {
-    for (const std::int64_t row : b.rows) {
-      if (row >= 0) {
-        on_top[at(row)] = true;
-      }
-    }
-    filled += static_cast<double>(b.rows.size()) * static_cast<double>(b.rows.size());
-  }
-  const auto size = static_cast<double>(std::ranges::count(on_top, true));
-  return !blocks.empty() && 2.0 * filled > size * size;
-}
-
 StackedRows divide_rows(const base::SymmetricCsc& K, std::int64_t externals,
                         std::span<const DenseBlock> blocks) {
   std::vector<bool> in_block(at(K.n), false);

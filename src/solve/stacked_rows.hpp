@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "base/sparse.hpp"
-#include "solve/condense.hpp"
+#include "solve/dense_block.hpp"
+#include "solve/factor_report.hpp"
+#include "solve/layered_cholesky.hpp"
 
 #include <cstdint>
 #include <span>

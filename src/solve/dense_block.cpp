@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/dense_block.hpp"
+
+#include <algorithm>
+
+namespace spricka::solve {
+
+namespace {
+
+std::size_t at(std::int64_t i) {
+  return static_cast<std::size_t>(i);
+}
+
+} // namespace
+
+bool stacking_pays(std::span<const DenseBlock> blocks, std::int64_t rows, std::int64_t externals) {
+  std::vector<bool> on_top(at(rows), false);
+  std::fill(on_top.end() - externals, on_top.end(), true);
+  double filled = 0.0;
+  for (const DenseBlock& b : blocks) {
+    for (const std::int64_t row : b.rows) {
+      if (row >= 0) {
+        on_top[at(row)] = true;
+      }
+    }
+    filled += static_cast<double>(b.rows.size()) * static_cast<double>(b.rows.size());
+  }
+  const auto size = static_cast<double>(std::ranges::count(on_top, true));
+  return !blocks.empty() && 2.0 * filled > size * size;
+}
+
+} // namespace spricka::solve
