@@ -216,6 +216,16 @@ class Page(Tree):
         (self.top / architecture.PICTURE).unlink()
         self.aged(architecture.PICTURE)
 
+    def test_a_file_that_a_page_names_is_missed(self):
+        put(self.top, "manual/glossary.md", "In `solve/solve.cpp` and\n`mesh/cut`, `grammar/card.cpp`,"
+            " `src/base/base.hpp`, `deck/no_*.cpp`.\n")
+        self.assertEqual(run(self.top)[0], 0)
+        add(self.top, "manual/glossary.md", "Not `solve/gone.cpp`, nor `mesh/gone`.\n")
+        code, text = run(self.top)
+        self.assertEqual(code, 1)
+        self.assertIn("manual/glossary.md:3: there is no solve/gone.cpp", text)
+        self.assertIn("manual/glossary.md:3: there is no mesh/gone", text)
+
     def test_a_page_without_its_marks_is_refused(self):
         put(self.top, architecture.PAGE, "# House\n")
         code, text = run(self.top)
