@@ -28,10 +28,6 @@ void write_pressure_csv(const std::filesystem::path& file, const model::Model& m
 void write_requested_csv(const std::filesystem::path& file, const model::Model& model,
                          const model::Output& output, const results::Run& run);
 
-/// The steps of an increment that an output card wants, by index.
-std::vector<std::size_t> wanted_steps(const model::Model& model, const model::Output& output,
-                                      bool last_increment);
-
 /// One .vtu for an increment and step: cells of all types, displacement, reaction, stress (6
 /// components, principal, von Mises; nodal and mean of each element), net number. A node where
 /// properties meet is one point for each, so that stresses may jump. Appended binary, zlib.

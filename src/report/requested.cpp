@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/wanted_steps.hpp"
 #include "report/drawing/file.hpp"
 #include "report/drawing/set_members.hpp"
 #include "report/report.hpp"
@@ -7,7 +8,6 @@
 
 #include <array>
 #include <iterator>
-#include <numeric>
 
 namespace spricka::report {
 
@@ -139,19 +139,6 @@ private:
 
 } // namespace
 
-std::vector<std::size_t> wanted_steps(const model::Model& model, const model::Output& output,
-                                      bool last_increment) {
-  std::vector<std::size_t> steps;
-  if (output.every == model::OutputEvery::step) {
-    steps.resize(model.steps.size());
-    std::iota(steps.begin(), steps.end(), std::size_t{0});
-  } else if (output.every == model::OutputEvery::increment || last_increment) {
-    const bool growing = model.growth && model.growth->kmax.valid();
-    steps.push_back(growing ? model.growth->kmax.index() : model.steps.size() - 1);
-  }
-  return steps;
-}
-
 void write_requested_csv(const std::filesystem::path& file, const model::Model& model,
                          const model::Output& output, const results::Run& run) {
   const bool solid = model.mesh.dim == 3;
@@ -163,7 +150,7 @@ void write_requested_csv(const std::filesystem::path& file, const model::Model& 
       model.units.force_name, solid ? " z" : "", solid ? "z," : "");
   for (const results::Increment& increment : run.increments) {
     const bool last = &increment == &run.increments.back();
-    for (const std::size_t s : wanted_steps(model, output, last)) {
+    for (const std::size_t s : model::wanted_steps(model, output, last)) {
       for (const model::OutputRequest& request : output.requests) {
         Rows(increment, increment.steps[s], request, text).write();
       }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/wanted_steps.hpp"
 #include "report/drawing/set_members.hpp"
 #include "report/report.hpp"
 #include "report/sweep_files.hpp"
@@ -151,7 +152,7 @@ std::vector<SweepCell> requested_cells(const model::Model& model, const model::O
     return cells;
   }
   const results::Increment& last = run.increments.back();
-  for (const std::size_t s : wanted_steps(model, output, true)) {
+  for (const std::size_t s : model::wanted_steps(model, output, true)) {
     Requested requested(last, last.steps[s], cells);
     for (const model::OutputRequest& request : output.requests) {
       requested.add(request);

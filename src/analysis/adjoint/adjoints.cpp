@@ -127,7 +127,7 @@ std::unique_ptr<contact::HeldContact> hold(const StepSolver& solver,
 
 const std::vector<estimate::Adjoint>& Adjoints::of_last_step(const StepSolver& solver) {
   const std::size_t tips = scene_.cracked.tips.size();
-  std::vector<bool> closed(scene_.table.rows.size(), false);
+  std::vector<bool> closed(scene_.table.size(), false);
   bool rubs = false;
   if (solver.system() != nullptr) {
     const contact::ContactSystem::Demand demand = solver.demand();

@@ -141,7 +141,7 @@ std::vector<ContactFlips> contact_flips(const Scene& scene, const StepState& sta
     most = std::max(most, pivot[static_cast<Eigen::Index>(i)]);
   }
   const auto by_force = [&](const Candidate& c, std::size_t t, Eigen::Index k) {
-    return opening(*scene.table.rows[c.row], scene.cracked.mesh.dim, adjoints[t].z, k) +
+    return opening(scene.row(c.row), scene.cracked.mesh.dim, adjoints[t].z, k) +
            adjoints[t].by_force(static_cast<Eigen::Index>(c.row), k);
   };
   for (std::size_t i = 0; i < candidates.size(); ++i) {

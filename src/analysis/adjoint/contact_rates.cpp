@@ -26,14 +26,14 @@ FrozenContact::FrozenContact(const StepSolver& solver, const Scene& scene, const
     if (!row.equality) {
       row.gap = state.pair_gap[c][static_cast<Eigen::Index>(local)];
     }
-    const double area = scene.table.rows[row.row]->area;
+    const double area = scene.row(row.row).area;
     const double given = std::abs(demand.gap[static_cast<Eigen::Index>(i)]);
     force_size = std::max(force_size, std::abs(row.force));
     gap_size = std::max(gap_size, (given + std::abs(row.gap)) / area);
     rows_.push_back(row);
   }
   for (Row& row : rows_) {
-    const double area = scene.table.rows[row.row]->area;
+    const double area = scene.row(row.row).area;
     row.weak = !row.equality &&
                (row.closed ? row.force <= small * force_size : row.gap / area <= small * gap_size);
     weak_ += row.weak ? 1 : 0;

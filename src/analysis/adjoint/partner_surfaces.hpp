@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "analysis/scene/scene.hpp"
-#include "analysis/steps/step_solver.hpp"
+#include "analysis/steps/step_state.hpp"
 #include "estimate/edges.hpp"
 
 #include <string>

@@ -2,9 +2,10 @@
 #include "analysis/adjoint/sensitivities.hpp"
 
 #include "analysis/scene/scene_heat.hpp"
+#include "analysis/scene/scene_loads.hpp"
 #include "analysis/scene/tip_name.hpp"
 #include "analysis/steps/lip_contact.hpp"
-#include "analysis/steps/step_walk.hpp"
+#include "analysis/steps/row_opening.hpp"
 #include "estimate/modulus.hpp"
 
 #include <algorithm>
@@ -106,9 +107,9 @@ void Sensitivities::add_loads(const StepSolver& solver,
     const base::Vector given = scene_.case_displacement.col(k);
     const bool moves = (given.array() != 0.0).any();
     if (moves) {
-      one.gap.resize(static_cast<Eigen::Index>(scene_.table.rows.size()));
-      for (std::size_t r = 0; r < scene_.table.rows.size(); ++r) {
-        one.gap[static_cast<Eigen::Index>(r)] = row_opening(*scene_.table.rows[r], dim, given);
+      one.gap.resize(static_cast<Eigen::Index>(scene_.table.size()));
+      for (std::size_t r = 0; r < scene_.table.size(); ++r) {
+        one.gap[static_cast<Eigen::Index>(r)] = row_opening(scene_.row(r), dim, given);
       }
     }
     for (std::size_t t = 0; t < scene_.tips.size(); ++t) {
@@ -130,7 +131,7 @@ void Sensitivities::add_fits(const StepSolver& solver, std::vector<KCause>& caus
     }
     const double interference = -*contact.gap * solver.factors().fit[c];
     KCause one = cause(results::Cause::fit, contact.name, interference == 0.0 ? 0.0 : interference);
-    one.gap = base::Vector::Zero(static_cast<Eigen::Index>(scene_.table.rows.size()));
+    one.gap = base::Vector::Zero(static_cast<Eigen::Index>(scene_.table.size()));
     for (std::size_t i = 0; i < scene_.pairs[c].normal.size(); ++i) {
       one.gap[static_cast<Eigen::Index>(scene_.table.first[c] + i)] =
           -scene_.pairs[c].normal[i].area;
@@ -201,7 +202,7 @@ Rates Sensitivities::rates(const StepSolver& solver, const std::vector<KCause>& 
     of_cases_ = contact::free_response(*solver.system(), case_externals_);
   }
   const auto k = static_cast<Eigen::Index>(count);
-  const auto rows = static_cast<Eigen::Index>(scene_.table.rows.size());
+  const auto rows = static_cast<Eigen::Index>(scene_.table.size());
   Rates out;
   out.gap = base::Matrix::Zero(rows, k);
   out.load_scale = base::Vector::Zero(k);

@@ -82,8 +82,8 @@ TipAdvance::TipAdvance(const model::Model& model, const Scene& scene, std::size_
 
 void TipAdvance::find_hindrances(const std::vector<bool>& moves) {
   const int dim = scene_.cracked.mesh.dim;
-  for (std::size_t r = 0; r < scene_.table.rows.size(); ++r) {
-    if (std::ranges::any_of(scene_.table.rows[r]->entries,
+  for (std::size_t r = 0; r < scene_.table.size(); ++r) {
+    if (std::ranges::any_of(scene_.row(r).entries,
                             [&](const contact::RowEntry& e) { return moves[e.node.index()]; })) {
       rows_.push_back(r);
     }

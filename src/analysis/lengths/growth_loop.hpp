@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "analysis/lengths/solve_lengths.hpp"
+#include "analysis/lengths/solve_options.hpp"
+#include "analysis/steps/step_state.hpp"
 #include "base/diagnostics.hpp"
 #include "model/model.hpp"
 #include "results/results.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/lengths/growth_region.hpp"
 
-#include "analysis/lengths/length_solver.hpp"
+#include "analysis/lengths/log_writer.hpp"
 #include "growth/crack_lines.hpp"
 
 #include <algorithm>

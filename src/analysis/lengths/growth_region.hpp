@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "analysis/scene/scene.hpp"
+#include "analysis/scene/cut_cracks.hpp"
 #include "growth/march.hpp"
 #include "results/named_arrays.hpp"
 #include "results/results.hpp"

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "analysis/bodies/condense_bodies.hpp"
+#include "analysis/lengths/length.hpp"
 #include "analysis/lengths/load_history.hpp"
-#include "analysis/lengths/solve_lengths.hpp"
+#include "analysis/lengths/log_writer.hpp"
+#include "analysis/lengths/solve_options.hpp"
 #include "analysis/scene/free_faces.hpp"
-#include "analysis/scene/scene.hpp"
 #include "analysis/steps/carried_state.hpp"
 #include "analysis/steps/contact_memory.hpp"
 #include "analysis/steps/mount_memory.hpp"
 #include "analysis/steps/step_solver.hpp"
-#include "base/clock.hpp"
 #include "base/diagnostics.hpp"
 #include "estimate/enrichment.hpp"
 #include "mesh/cut/patch.hpp"
@@ -21,33 +20,6 @@
 #include <vector>
 
 namespace spricka::analysis {
-
-/// Writes lines of the processor log, each with the time since the one before.
-class LogWriter {
-public:
-  explicit LogWriter(std::vector<results::LogLine>& lines) : lines_(lines) {}
-  void add(const std::string& processor, const std::string& text) {
-    lines_.push_back({processor, text, watch_.cpu(), watch_.wall()});
-    watch_ = base::Stopwatch();
-  }
-
-private:
-  std::vector<results::LogLine>& lines_;
-  base::Stopwatch watch_;
-};
-
-/// Stresses are recovered where something shows them: at KMAX of a growth run, else at the last
-/// step, and where an output asks for pictures or stresses or a check for their error. [step]
-std::vector<bool> pictured_steps(const model::Model& model, bool last_increment);
-
-/// The same, of outputs and checks alone.
-std::vector<bool> asked_steps(const model::Model& model, bool last_increment);
-
-/// Stresses at nodes and of elements, from the step's own displacements.
-void add_stress(const model::Model& model, const model::Mesh& mesh, results::StepResult& step);
-
-/// Face sets that outputs name become node sets of the results' mesh, once.
-void add_face_nodes(const model::Model& model, model::Mesh& mesh);
 
 /// One state of the cracks to be solved.
 struct LengthRequest {
@@ -93,21 +65,26 @@ public:
   }
 
 private:
-  struct Way {
-    const Scene& scene;
-    const std::vector<BodyNet>& bodies;
-    const LengthRequest& request;
+  /// A step of the deck and the state it ended in.
+  struct SolvedStep {
+    std::size_t step = 0;
+    const StepSolver& solver;
+    const StepState& state;
   };
-  std::optional<std::vector<BodyNet>> condense(const Scene& scene, LogWriter& log);
-  void close_faces(const std::vector<std::size_t>& lines, Scene& scene, LogWriter& log);
+  [[nodiscard]] LengthParts parts();
+  bool condense(Length& length, LogWriter& log);
+  void close_faces(const std::vector<std::size_t>& lines, Length& length, LogWriter& log);
   /// Takes K of faces that may overlap from the first solution of a state whose faces meet.
   void keep_free(const std::vector<std::size_t>& touching, results::Increment& increment);
   /// Follows the loads of the growth behind the steps; false: no answer.
   bool follow(LoadHistory& history, StepSolver& solver, LogWriter& log);
   /// Whether the results of a step are numbers; else the refusal says which are not.
   bool numbers_are_sound(const results::StepResult& result, const model::Step& step);
-  bool walk_steps(const Way& way, LogWriter& log, results::Increment& increment,
-                  std::vector<std::size_t>& touching);
+  bool walk_steps(Length& length, const LengthRequest& request, LogWriter& log,
+                  results::Increment& increment, std::vector<std::size_t>& touching);
+  /// Bars, sensitivities, stresses of a step's end, as far as they are asked for; false: no number.
+  bool estimate(Length& length, const LengthRequest& request, const SolvedStep& solved,
+                LogWriter& log, results::StepResult& result);
 
   const model::Model& model_;
   const SolveOptions& options_;

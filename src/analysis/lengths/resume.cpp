@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/lengths/resume.hpp"
 
-#include "analysis/lengths/length_solver.hpp"
+#include "analysis/lengths/shown_results.hpp"
 #include "analysis/scene/gone_nodes.hpp"
 #include "base/exit_codes.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "analysis/steps/step_solver.hpp"
+#include "analysis/steps/step_state.hpp"
 #include "archive/checkpoint.hpp"
 #include "base/clock.hpp"
 

@@ -3,7 +3,9 @@
 
 #include "analysis/lengths/growth_loop.hpp"
 #include "analysis/lengths/length_solver.hpp"
+#include "analysis/lengths/pictured_steps.hpp"
 #include "analysis/lengths/resume.hpp"
+#include "archive/checkpoint.hpp"
 #include "base/clock.hpp"
 #include "base/memory.hpp"
 #include "growth/crack_lines.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 #include "analysis/bodies/condense_bodies.hpp"
 #include "analysis/scene/scene.hpp"
-#include "analysis/steps/step_solver.hpp"
+#include "analysis/steps/step_state.hpp"
 #include "results/results.hpp"
 
 #include <vector>

@@ -5,7 +5,7 @@
 #include "analysis/steps/history_program.hpp"
 #include "analysis/steps/lip_contact.hpp"
 #include "analysis/steps/lip_overlap.hpp"
-#include "analysis/steps/step_walk.hpp"
+#include "analysis/steps/row_opening.hpp"
 #include "contact/lip_pairing.hpp"
 #include "crack/stress_intensity.hpp"
 

@@ -110,7 +110,7 @@ LoadPaths::Functionals LoadPaths::functionals(const StepSolver& solver) const {
   for (const std::size_t b : solver.condensed()) {
     modes += bodies_[b].condensed->modes().cols();
   }
-  const auto rows = static_cast<Eigen::Index>(scene_.table.rows.size());
+  const auto rows = static_cast<Eigen::Index>(scene_.table.size());
   out.of_row.resize(count, rows);
   out.of_mode.resize(count, modes);
   for (Eigen::Index first = 0; first < count;) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "analysis/bodies/condense_bodies.hpp"
 #include "analysis/scene/scene.hpp"
-#include "analysis/steps/step_solver.hpp"
+#include "analysis/steps/step_state.hpp"
 #include "results/results.hpp"
 
 namespace spricka::analysis {

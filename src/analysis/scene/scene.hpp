@@ -13,7 +13,6 @@
 #include <string>
 #include <vector>
 
-/// Processor TOPOLOGY: one crack length made ready to be solved.
 namespace spricka::fe {
 struct CaseHeat;
 }
@@ -23,16 +22,18 @@ namespace spricka::analysis {
 /// Rows of all pairs, one after another; pair p has rows first[p] .. first[p + 1] - 1, its normal
 /// rows before its tangent rows.
 struct RowTable {
-  std::vector<const contact::ConstraintRow*> rows;
-  std::vector<std::size_t> first;
-  /// What the rows ask of independent freedoms: the rows themselves, or one of `reduced`.
-  std::vector<const contact::ConstraintRow*> acting;
-  std::vector<contact::ConstraintRow> reduced;
+  struct Place {
+    std::size_t pair = 0;
+    std::size_t index = 0; ///< among the pair's normal rows, then its tangent rows
+  };
+  std::vector<Place> places;                    ///< [row]
+  std::vector<std::size_t> first;               ///< [pair + 1]
+  std::vector<contact::ConstraintRow> reduced;  ///< of rows with dependent freedoms
+  std::vector<std::optional<std::size_t>> tied; ///< [row] its place in `reduced`; empty: none is
 
+  [[nodiscard]] std::size_t size() const { return places.size(); }
   /// The contact that a row belongs to.
-  [[nodiscard]] std::size_t contact_of(std::size_t row) const {
-    return static_cast<std::size_t>(std::ranges::upper_bound(first, row) - first.begin() - 1);
-  }
+  [[nodiscard]] std::size_t contact_of(std::size_t row) const { return places[row].pair; }
 };
 
 struct TipScene {
@@ -41,12 +42,14 @@ struct TipScene {
   std::optional<crack::ExtensionField> beyond; ///< one ring more than the largest, if it fits
 };
 
-/// Contact between the faces of a crack, once they have been found to touch (run/lip_contact.hpp).
+/// Contact between the faces of a crack, once they have been found to touch
+/// (analysis/steps/lip_contact.hpp).
 struct LipPair {
   std::size_t pair = 0;           ///< of the scene
   std::vector<model::Face> sides; ///< of the elements on both faces
 };
 
+/// One crack length made ready to be solved: what processor TOPOLOGY leaves (make_scene.hpp).
 struct Scene {
   mesh::CrackedMesh cracked;
   std::vector<model::FreedomClass> cls; ///< [dim * node]
@@ -63,38 +66,26 @@ struct Scene {
   base::Matrix case_displacement; ///< [dim * node, case] of prescribed freedoms and their followers
   base::Matrix case_temperature;  ///< [connectivity index, case]; empty: no case heats
   std::vector<std::shared_ptr<const fe::CaseHeat>> case_heat; ///< [case] the same, and the rest
+
+  /// Row r of the table, as its pair has it.
+  [[nodiscard]] const contact::ConstraintRow& row(std::size_t r) const {
+    const RowTable::Place at = table.places[r];
+    const contact::PairRows& pair = pairs[at.pair];
+    return at.index < pair.normal.size() ? pair.normal[at.index]
+                                         : pair.tangent[at.index - pair.normal.size()];
+  }
+  /// What row r asks of independent freedoms: the row itself where none of its freedoms follows.
+  [[nodiscard]] const contact::ConstraintRow& acting_row(std::size_t r) const {
+    return !table.tied.empty() && table.tied[r] ? table.reduced[*table.tied[r]] : row(r);
+  }
+  /// All acting rows, for as long as the scene does not change.
+  [[nodiscard]] std::vector<const contact::ConstraintRow*> acting_rows() const {
+    std::vector<const contact::ConstraintRow*> rows;
+    for (std::size_t r = 0; r < table.size(); ++r) {
+      rows.push_back(&acting_row(r));
+    }
+    return rows;
+  }
 };
-
-/// What stays the same for all lengths of a run.
-struct RegionPlan {
-  std::vector<bool> region; ///< [host element] some length's cavity touches it
-  bool split = false;       ///< worth condensing region and rest apart (several lengths)
-};
-
-/// The region of the host that the cracks of all lengths touch.
-RegionPlan plan_region(const model::Model& model, const std::vector<double>& lengths,
-                       base::Diagnostics& diagnostics);
-
-/// Adds what these cracks touch.
-void add_to_region(const model::Model& model, const std::vector<mesh::CrackLine>& lines,
-                   RegionPlan& plan);
-
-/// Mesh with cracks of length `a`, classes of freedoms, contact rows, virtual extension fields.
-/// Mistakes that only show here (a crack that touches no element, surfaces that never face each
-/// other) go to `diagnostics` at their card and give an empty result.
-std::optional<Scene> make_scene(const model::Model& model, double a, const RegionPlan& plan,
-                                base::Diagnostics& diagnostics);
-
-/// The same with the cracks as given.
-std::optional<Scene> make_scene(const model::Model& model,
-                                const std::vector<mesh::CrackLine>& lines, const RegionPlan& plan,
-                                base::Diagnostics& diagnostics);
-
-/// Strings the rows of all pairs into the table and reduces them to independent freedoms.
-void make_table(Scene& scene);
-
-/// Loads of all cases on independent freedoms [dim * node, case], T^T (f - K g): prescribed
-/// displacements g load the others by their pull.
-base::Matrix loads_with_supports(const model::Model& model, const Scene& scene);
 
 } // namespace spricka::analysis

@@ -131,49 +131,6 @@ bool make_scene_ties(const model::Model& model, Scene& scene, base::Diagnostics&
   return good;
 }
 
-void reduce_rows(Scene& scene) {
-  const int dim = scene.cracked.mesh.dim;
-  const fe::Dependence& ties = *scene.ties;
-  scene.table.acting = scene.table.rows;
-  if (ties.rows().empty()) {
-    return;
-  }
-  scene.table.reduced.reserve(scene.table.rows.size()); // pointers into it stay good
-  for (std::size_t r = 0; r < scene.table.rows.size(); ++r) {
-    const contact::ConstraintRow& row = *scene.table.rows[r];
-    std::map<std::size_t, base::Vec3> weight; // by node
-    bool follows = false;
-    const auto add = [&](std::size_t freedom, double w) {
-      const auto at = static_cast<std::size_t>(dim);
-      weight.try_emplace(freedom / at, base::Vec3::Zero())
-          .first->second[static_cast<Eigen::Index>(freedom % at)] += w;
-    };
-    for (const contact::RowEntry& entry : row.entries) {
-      for (int c = 0; c < dim; ++c) {
-        const std::size_t freedom =
-            static_cast<std::size_t>(dim) * entry.node.index() + static_cast<std::size_t>(c);
-        const fe::Dependence::Row* tie = ties.row_of(static_cast<std::int32_t>(freedom));
-        if (tie == nullptr) {
-          add(freedom, entry.weight[c]);
-          continue;
-        }
-        follows = true;
-        for (const fe::Term& t : tie->terms) {
-          add(static_cast<std::size_t>(t.freedom), entry.weight[c] * t.coefficient);
-        }
-      }
-    }
-    if (follows) {
-      contact::ConstraintRow& reduced = scene.table.reduced.emplace_back(row);
-      reduced.entries.clear();
-      for (const auto& [node, w] : weight) {
-        reduced.entries.push_back({base::NodeId(node), w});
-      }
-      scene.table.acting[r] = &reduced;
-    }
-  }
-}
-
 bool follow_prescribed(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics) {
   const fe::Dependence& ties = *scene.ties;
   const auto cases = static_cast<Eigen::Index>(model.cases.size());

@@ -15,9 +15,6 @@ bool make_scene_ties(const model::Model& model, Scene& scene, base::Diagnostics&
 void make_external(std::size_t freedom, const fe::Dependence& ties,
                    std::vector<model::FreedomClass>& cls);
 
-/// What contact rows ask of independent freedoms; rows without dependent ones stay as they are.
-void reduce_rows(Scene& scene);
-
 /// Gives dependent freedoms their part of the prescribed displacements and finds ties that
 /// contradict prescribed or suppressed freedoms. Returns whether there are none.
 bool follow_prescribed(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics);

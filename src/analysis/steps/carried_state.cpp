@@ -15,7 +15,7 @@ namespace {
 std::vector<std::int64_t> key_of(const Scene& scene, std::size_t contact) {
   base::Hasher hash;
   for (std::size_t r = scene.table.first[contact]; r < scene.table.first[contact + 1]; ++r) {
-    const contact::ConstraintRow& row = *scene.table.rows[r];
+    const contact::ConstraintRow& row = scene.row(r);
     hash.value(row.node.value);
     hash.value(row.tangential);
     hash.value(row.area);

@@ -31,7 +31,7 @@ contact::Lasting ContactMemory::lasting(const Scene& scene, const std::vector<Bo
     return lasting;
   }
   const std::vector<bool> node = lasting_nodes(scene);
-  for (const contact::ConstraintRow* row : scene.table.acting) {
+  for (const contact::ConstraintRow* row : scene.acting_rows()) {
     lasting.row.push_back(std::ranges::all_of(
         row->entries, [&](const contact::RowEntry& e) { return node[e.node.index()]; }));
   }
@@ -75,7 +75,7 @@ std::vector<bool> ContactMemory::start(const Scene& scene, std::size_t step,
     return {};
   }
   std::vector<bool> closed = before;
-  closed.resize(scene.table.rows.size(), true);
+  closed.resize(scene.table.size(), true);
   for_rows(scene, [&](std::size_t row, const Place& place) {
     if (const auto known = closed_[step].find(place); known != closed_[step].end()) {
       closed[row] = known->second;

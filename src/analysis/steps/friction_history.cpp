@@ -7,9 +7,8 @@
 namespace spricka::analysis {
 
 FrictionHistory::FrictionHistory(const Scene& scene)
-    : scene_(scene), normal_of_(scene.table.rows.size(), -1),
-      contact_of_(scene.table.rows.size(), 0) {
-  const std::size_t rows = scene.table.rows.size();
+    : scene_(scene), normal_of_(scene.table.size(), -1), contact_of_(scene.table.size(), 0) {
+  const std::size_t rows = scene.table.size();
   memory_ = {std::vector<solve::Touch>(rows, solve::Touch::stick),
              std::vector<double>(rows, 0.0),
              std::vector<double>(rows, 0.0),

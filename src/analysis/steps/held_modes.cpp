@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/steps/held_modes.hpp"
 
+#include "analysis/scene/scene_loads.hpp"
 #include "analysis/steps/let_go.hpp"
 #include "analysis/steps/missing_contact.hpp"
 #include "analysis/steps/rigid_motion.hpp"
@@ -46,7 +47,7 @@ public:
     const int dim = scene_.cracked.mesh.dim;
     base::Matrix B = base::Matrix::Zero(static_cast<Eigen::Index>(rows.size()), count());
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      for (const contact::RowEntry& entry : scene_.table.rows[rows[i]]->entries) {
+      for (const contact::RowEntry& entry : scene_.row(rows[i]).entries) {
         const std::int32_t b = body_of_[entry.node.index()];
         if (b < 0) {
           continue;
@@ -71,7 +72,7 @@ public:
     double scale = 0.0;
     for (const std::size_t r : rows) {
       double size = 0.0;
-      for (const contact::RowEntry& entry : scene_.table.rows[r]->entries) {
+      for (const contact::RowEntry& entry : scene_.row(r).entries) {
         size += entry.weight.lpNorm<1>();
       }
       scale = std::max(scale, motion * size);
@@ -98,7 +99,7 @@ private:
 
 std::vector<std::size_t> all_rows(const Scene& scene) {
   std::vector<std::size_t> rows;
-  for (std::size_t r = 0; r < scene.table.rows.size(); ++r) {
+  for (std::size_t r = 0; r < scene.table.size(); ++r) {
     rows.push_back(r);
   }
   return rows;
@@ -191,7 +192,7 @@ std::vector<Refusal> unheld_loads(const model::Model& model, const Scene& scene,
            ++r) {
         rows.push_back(r);
         equality.push_back(scene.contacts[c].type == model::ContactType::bonded);
-        if (scene.table.rows[r]->tangential && !equality.back()) {
+        if (scene.row(r).tangential && !equality.back()) {
           const int at = static_cast<int>(rows.size()) - 1;
           friction.push_back(
               {at - static_cast<int>(scene.pairs[c].normal.size()), at, scene.contacts[c].mu});

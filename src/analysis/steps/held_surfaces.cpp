@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/steps/held_surfaces.hpp"
 
-#include "analysis/steps/step_walk.hpp"
+#include "analysis/steps/row_opening.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +46,7 @@ void tell_held_surfaces(const Scene& scene, const contact::ContactSystem::Demand
   for (std::size_t i = 0; i < demand.rows.size(); ++i) {
     const std::size_t r = demand.rows[i];
     const auto c = scene.table.contact_of(r);
-    const contact::ConstraintRow& row = *scene.table.acting[r];
+    const contact::ConstraintRow& row = scene.acting_row(r);
     const bool bonded = scene.contacts[c].type == model::ContactType::bonded;
     if (bonded || row.area <= 0.0 || !is_held(scene, row)) {
       continue;

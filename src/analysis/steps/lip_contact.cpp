@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/steps/lip_contact.hpp"
 
+#include "analysis/scene/scene_rows.hpp"
 #include "analysis/scene/scene_ties.hpp"
 #include "analysis/steps/lip_overlap.hpp"
 #include "contact/lip_pairing.hpp"
@@ -139,7 +140,7 @@ std::optional<std::size_t> row_at_tip(const Scene& scene, const mesh::Tip& tip) 
 
 base::Matrix intensity_of_forces(const model::Model& model, const Scene& scene) {
   base::Matrix of_row = base::Matrix::Zero(2 * static_cast<Eigen::Index>(scene.cracked.tips.size()),
-                                           static_cast<Eigen::Index>(scene.table.rows.size()));
+                                           static_cast<Eigen::Index>(scene.table.size()));
   for (std::size_t t = 0; t < scene.cracked.tips.size(); ++t) {
     const mesh::Tip& tip = scene.cracked.tips[t];
     const std::optional<LipPair>& lip = scene.lip_pairs[tip.crack.index()];
@@ -150,7 +151,7 @@ base::Matrix intensity_of_forces(const model::Model& model, const Scene& scene) 
         crack::lip_intensity_rows(model, scene.cracked, tip, scene.tips[t].fields,
                                   model.cracks[tip.crack.index()].state, lip->sides);
     for (std::size_t r = scene.table.first[lip->pair]; r < scene.table.first[lip->pair + 1]; ++r) {
-      for (const contact::RowEntry& entry : scene.table.rows[r]->entries) {
+      for (const contact::RowEntry& entry : scene.row(r).entries) {
         const auto at = 2 * static_cast<Eigen::Index>(entry.node.index());
         of_row.col(static_cast<Eigen::Index>(r)).segment<2>(2 * static_cast<Eigen::Index>(t)) +=
             weight.middleRows<2>(at).transpose() * entry.weight.head<2>();
@@ -172,7 +173,7 @@ std::optional<crack::LipForces> lip_forces(const Scene& scene, const mesh::Tip& 
   forces.at_tip = 0.0 - state.pair_lambda[lip->pair][static_cast<Eigen::Index>(next)];
   for (std::size_t r = first; r < scene.table.first[lip->pair + 1]; ++r) {
     const double value = state.pair_lambda[lip->pair][static_cast<Eigen::Index>(r - first)];
-    for (const contact::RowEntry& entry : scene.table.rows[r]->entries) {
+    for (const contact::RowEntry& entry : scene.row(r).entries) {
       forces.force.segment<2>(2 * static_cast<Eigen::Index>(entry.node.index())) +=
           value * entry.weight.head<2>();
     }

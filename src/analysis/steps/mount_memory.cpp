@@ -106,7 +106,7 @@ bool MountMemory::keep_or_take(const Scene& scene, std::size_t contact, bool rub
   if (next_ == events_.size()) {
     Event event{contact, {}, part};
     for (std::size_t r = 0; r < count; ++r) {
-      event.rows.push_back(*scene.table.rows[first + r]);
+      event.rows.push_back(scene.row(first + r));
     }
     events_.push_back(std::move(event));
     ++next_;
@@ -115,7 +115,7 @@ bool MountMemory::keep_or_take(const Scene& scene, std::size_t contact, bool rub
   const Event& event = events_[next_++];
   bool same = event.contact == contact && event.rows.size() == count;
   for (std::size_t r = 0; same && r < count; ++r) {
-    const contact::ConstraintRow& row = *scene.table.rows[first + r];
+    const contact::ConstraintRow& row = scene.row(first + r);
     same = same_row(event.rows[r], row);
     if (same && !(rubs && row.tangential)) {
       part[static_cast<Eigen::Index>(r)] = event.offset[static_cast<Eigen::Index>(r)];

@@ -22,7 +22,7 @@ contact::ContactSystem::Demand without_friction(const Scene& scene,
   std::vector<double> gap;
   for (std::size_t i = 0; i < of.rows.size(); ++i) {
     const bool rubs = scene.contacts[scene.table.contact_of(of.rows[i])].mu > 0.0;
-    if (rubs && scene.table.rows[of.rows[i]]->tangential) {
+    if (rubs && scene.row(of.rows[i]).tangential) {
       continue;
     }
     d.rows.push_back(of.rows[i]);
@@ -91,7 +91,7 @@ void tell_round_gaps(const Scene& scene, const contact::ContactSystem& system,
   contact::ContactSystem::Demand round = drawn;
   std::vector<bool> differs(scene.contacts.size(), false);
   for (std::size_t i = 0; i < round.rows.size(); ++i) {
-    const contact::ConstraintRow& row = *scene.table.rows[round.rows[i]];
+    const contact::ConstraintRow& row = scene.row(round.rows[i]);
     round.gap[static_cast<Eigen::Index>(i)] += row.round_gap - row.gap;
     if (row.round_gap != row.gap) {
       differs[scene.table.contact_of(round.rows[i])] = true;

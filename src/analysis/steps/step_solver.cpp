@@ -6,7 +6,7 @@
 #include "analysis/steps/missing_contact.hpp"
 #include "analysis/steps/rigid_motion.hpp"
 #include "analysis/steps/round_gaps.hpp"
-#include "analysis/steps/step_walk.hpp"
+#include "analysis/steps/row_opening.hpp"
 #include "fe/assemble.hpp"
 #include "fe/thermal.hpp"
 #include "solve/mode_split.hpp"
@@ -51,7 +51,7 @@ StepSolver::StepSolver(const model::Model& model, const Scene& scene,
                        ContactMemory* contact)
     : model_(model), scene_(scene), bodies_(bodies),
       factors_(first_factors(model, scene.case_load.cols(), scene.contacts.size())),
-      offset_(base::Vector::Zero(static_cast<Eigen::Index>(scene.table.rows.size()))),
+      offset_(base::Vector::Zero(static_cast<Eigen::Index>(scene.table.size()))),
       u_(base::Vector::Zero(static_cast<Eigen::Index>(scene.cracked.mesh.node_count()) *
                             scene.cracked.mesh.dim)),
       history_(scene), memory_(memory) {
@@ -66,7 +66,7 @@ StepSolver::StepSolver(const model::Model& model, const Scene& scene,
     }
   }
   if (!condensed.empty()) {
-    system_.emplace(std::move(condensed), scene.table.acting, scene.cracked.mesh.dim,
+    system_.emplace(std::move(condensed), scene.acting_rows(), scene.cracked.mesh.dim,
                     static_cast<std::size_t>(u_.size()),
                     contact == nullptr ? contact::Lasting{}
                                        : contact->lasting(scene, bodies, condensed_));
@@ -76,7 +76,7 @@ StepSolver::StepSolver(const model::Model& model, const Scene& scene,
 bool StepSolver::mount(std::size_t contact) {
   const bool declared = scene_.contacts[contact].gap.has_value();
   for (std::size_t r = scene_.table.first[contact]; r < scene_.table.first[contact + 1]; ++r) {
-    const contact::ConstraintRow& row = *scene_.table.rows[r];
+    const contact::ConstraintRow& row = scene_.row(r);
     // Measured from the deformed state: what the bodies have moved so far no longer counts.
     const bool taken = row.tangential || declared;
     offset_[static_cast<Eigen::Index>(r)] =
@@ -121,7 +121,7 @@ contact::ContactSystem::Demand StepSolver::demand() const {
     }
     const model::Contact& contact = scene_.contacts[c];
     for (std::size_t r = scene_.table.first[c]; r < scene_.table.first[c + 1]; ++r) {
-      const contact::ConstraintRow& row = *scene_.table.rows[r];
+      const contact::ConstraintRow& row = scene_.row(r);
       d.rows.push_back(r);
       d.equality.push_back(contact.type == model::ContactType::bonded);
       gap.push_back((contact.gap ? factors_.fit[c] : 1.0) * row.gap +
@@ -148,7 +148,7 @@ base::Vector StepSolver::unscaled_gap(const std::vector<std::size_t>& rows) cons
     const base::ContactId contact(c);
     const bool scaled = scene_.contacts[c].gap && fit_is_named(model_, contact);
     rest[static_cast<Eigen::Index>(i)] =
-        offset_[static_cast<Eigen::Index>(r)] + (scaled ? 0.0 : scene_.table.rows[r]->gap);
+        offset_[static_cast<Eigen::Index>(r)] + (scaled ? 0.0 : scene_.row(r).gap);
   }
   return rest;
 }
@@ -219,7 +219,7 @@ bool StepSolver::accept(const contact::ContactSystem::Answer& answer,
   if (s.redundant > 0) {
     state.notes.push_back(fmt::format("{} redundant contact row(s) left out", s.redundant));
   }
-  closed_.assign(scene_.table.rows.size(), true);
+  closed_.assign(scene_.table.size(), true);
   for (std::size_t i = 0; i < demand.rows.size(); ++i) {
     const std::size_t row = demand.rows[i];
     const auto c = scene_.table.contact_of(row);
@@ -248,7 +248,7 @@ void StepSolver::balance(StepState& state) const {
     for (std::size_t r = scene_.table.first[c]; r < scene_.table.first[c + 1]; ++r) {
       const double value =
           state.pair_lambda[c][static_cast<Eigen::Index>(r - scene_.table.first[c])];
-      for (const contact::RowEntry& entry : scene_.table.rows[r]->entries) {
+      for (const contact::RowEntry& entry : scene_.row(r).entries) {
         state.contact.segment(static_cast<Eigen::Index>(entry.node.index()) * dim, dim) +=
             value * entry.weight.head(dim);
       }

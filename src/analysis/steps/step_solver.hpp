@@ -6,6 +6,7 @@
 #include "analysis/steps/friction_history.hpp"
 #include "analysis/steps/mount_memory.hpp"
 #include "analysis/steps/step_factors.hpp"
+#include "analysis/steps/step_state.hpp"
 #include "contact/recovery.hpp"
 #include "contact/system.hpp"
 #include "solve/contact_qp.hpp"
@@ -18,35 +19,6 @@
 
 /// Processor CONTACT: walks the steps on the condensed bodies.
 namespace spricka::analysis {
-
-/// Why a step has no answer, with the exit code that says so (design section 5).
-struct Refusal {
-  int exit_code = 4;
-  std::string why;
-  base::Span span;
-};
-
-/// The state at the end of a step.
-struct StepState {
-  base::Vector u;                             ///< [dim * node]
-  base::Vector case_factor;                   ///< [case]
-  base::Vector temperature;                   ///< [connectivity index]; empty: nothing is heated
-  std::vector<base::Vector> pair_lambda;      ///< [contact][row of the pair] pressures; 0 if absent
-  std::vector<base::Vector> pair_gap;         ///< [contact][normal row] weighted
-  std::vector<std::vector<bool>> pair_closed; ///< [contact][normal row]
-  std::vector<bool> mounted;                  ///< [contact]
-  std::vector<PairFriction> friction;         ///< [contact]
-  base::Vector force;                         ///< [dim * node] applied loads
-  base::Vector contact;                       ///< [dim * node] contact forces
-  base::Vector reaction;                      ///< [dim * node] support forces
-  base::Matrix internal;      ///< [dim * node, material] internal forces K u; without cracks of all
-  base::Vector tie;           ///< [dim * node] forces of ties; empty: there are none
-  std::vector<double> energy; ///< [element] strain energy
-  double imbalance = 0.0;     ///< largest force left over at a free freedom, over the force scale
-  int iterations = 0, pivots = 0;
-  int increments = 1; ///< solved in this step; more than 1 only where contacts rub
-  std::vector<std::string> notes;
-};
 
 class StepSolver {
 public:

@@ -3,6 +3,7 @@
 
 #include "analysis/lengths/growth_loop.hpp"
 #include "analysis/lengths/growth_rules.hpp"
+#include "analysis/lengths/length.hpp"
 #include "analysis/steps/held_modes.hpp"
 #include "base/clock.hpp"
 #include "base/exit_codes.hpp"
@@ -87,27 +88,26 @@ public:
         forecast ? solve::measure_flop_rate(rate_seconds) : solve::FlopRate{};
     Forecast future(model_, threads_, rate);
     preview.flop_rate = rate.measured;
+    analysis::CondensationCache cache; // stays empty: nothing is condensed
     for (std::size_t i = 0; i < lengths.size(); ++i) {
       const base::Stopwatch watch;
-      const std::optional<analysis::Scene> scene =
-          analysis::make_scene(model_, lengths[i], plan, diagnostics);
-      if (!scene) {
+      const std::unique_ptr<analysis::Length> length = analysis::Length::make(
+          {.model = model_, .cache = cache, .threads = threads_}, lengths[i], plan, diagnostics);
+      if (!length) {
         return;
       }
       const double scene_cpu = watch.cpu();
-      const analysis::CondenseRequest request{model_,      scene->cracked.mesh, scene->cls,
-                                              scene->ties, scene->rest_element, base::Matrix(),
-                                              threads_};
-      const std::vector<analysis::BodyNet> bodies = analysis::prepare_bodies(request);
+      length->prepare();
+      const analysis::Scene& scene = length->scene();
       if (i == 0) {
-        look_closely(*scene, bodies);
+        look_closely(scene, length->bodies());
       }
-      results::LengthPreview length = preview_length(model_, *scene);
-      length.number = static_cast<int>(i) + 1;
+      results::LengthPreview figures = preview_length(model_, scene);
+      figures.number = static_cast<int>(i) + 1;
       if (forecast) {
-        future.add(request, bodies, *scene, scene_cpu, length);
+        future.add(length->request(), length->bodies(), scene, scene_cpu, figures);
       }
-      preview.lengths.push_back(std::move(length));
+      preview.lengths.push_back(std::move(figures));
     }
   }
 

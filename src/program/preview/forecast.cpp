@@ -110,7 +110,7 @@ const solve::FactorReport& Forecast::report_of(const analysis::CondenseRequest& 
 // factorisations of the closed rows for each step.
 double Forecast::contact_flops(const std::vector<analysis::BodyNet>& bodies,
                                const analysis::Scene& scene) const {
-  const auto rows = static_cast<double>(scene.table.rows.size());
+  const auto rows = static_cast<double>(scene.table.size());
   double flops = 0.0;
   for (const analysis::BodyNet& body : bodies) {
     const double m = externals_of(body.region);
@@ -130,7 +130,7 @@ void Forecast::add(const analysis::CondenseRequest& request,
   const std::vector<analysis::NetKeys> keys = analysis::hash_bodies(request, bodies);
   Needs needs;
   double contact_bytes = 0.0;
-  const auto rows = static_cast<double>(scene.table.rows.size());
+  const auto rows = static_cast<double>(scene.table.size());
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const analysis::BodyNet& body = bodies[b];
     for (std::size_t p = 0; p < body.parts.size(); ++p) {

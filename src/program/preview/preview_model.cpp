@@ -164,7 +164,7 @@ results::LengthPreview preview_length(const model::Model& model, const analysis:
       static_cast<std::size_t>(std::count_if(cracked.host.begin(), cracked.host.end(),
                                              [](base::ElementId host) { return !host.valid(); }));
   length.replaced = model.mesh.element_count() - (length.elements - length.fresh);
-  length.rows = scene.table.rows.size();
+  length.rows = scene.table.size();
   length.notes = scene.notes;
   for (const mesh::Tip& tip : cracked.tips) {
     results::TipPreview preview;

@@ -2,10 +2,7 @@
 #include "program/shell/bench.hpp"
 
 #include "analysis/recover/finite_results.hpp"
-#include "analysis/recover/net_errors.hpp"
-#include "analysis/recover/recover_step.hpp"
 #include "analysis/scene/gone_nodes.hpp"
-#include "analysis/steps/lip_contact.hpp"
 #include "base/exit_codes.hpp"
 #include "base/tidy.hpp"
 
@@ -71,26 +68,24 @@ bool is_one_further(const std::vector<model::Step>& way, const std::vector<model
 
 } // namespace
 
-ShellBench::ShellBench(const BenchParts& parts, analysis::Scene scene)
-    : parts_(parts), scene_(std::move(scene)), shown_(model_to_show(parts.model)) {
-  results::Increment& increment = run_.increments.emplace_back();
-  increment.number = 1;
-  increment.a = scene_.cracked.tips.empty() ? 0.0 : base::tidy(scene_.cracked.tips.front().a);
-  increment.notes = scene_.notes;
-  increment.mesh = scene_.cracked.mesh;
-  analysis::keep_gone_members(parts_.model.mesh, increment.mesh);
-  increment.kept = static_cast<std::size_t>(
-      std::ranges::count_if(scene_.cracked.host, [](base::ElementId e) { return e.valid(); }));
-}
+ShellBench::ShellBench(const BenchParts& parts)
+    : parts_(parts), shown_(model_to_show(parts.model)) {}
 
 std::unique_ptr<ShellBench> ShellBench::make(const BenchParts& parts,
                                              const analysis::RegionPlan& plan,
                                              base::Diagnostics& diagnostics, ShellResult& trouble) {
-  std::optional<analysis::Scene> scene = analysis::make_scene(parts.model, 0.0, plan, diagnostics);
-  if (!scene) {
+  std::unique_ptr<ShellBench> bench(new ShellBench(parts));
+  bench->length_ = analysis::Length::make({.model = parts.model,
+                                           .cache = parts.cache,
+                                           .threads = parts.threads,
+                                           .mounted = parts.memory,
+                                           .contact = &parts.contact,
+                                           .with_paths = &bench->shown_},
+                                          0.0, plan, diagnostics);
+  if (!bench->length_) {
     return nullptr;
   }
-  std::unique_ptr<ShellBench> bench(new ShellBench(parts, std::move(*scene)));
+  bench->begin_run();
   trouble = bench->stopped() ? interrupted() : bench->prepare();
   if (!trouble && bench->stopped()) {
     trouble = interrupted();
@@ -98,23 +93,24 @@ std::unique_ptr<ShellBench> ShellBench::make(const BenchParts& parts,
   return trouble ? nullptr : std::move(bench);
 }
 
+void ShellBench::begin_run() {
+  const mesh::CrackedMesh& cracked = length_->scene().cracked;
+  results::Increment& increment = run_.increments.emplace_back();
+  increment.number = 1;
+  increment.a = cracked.tips.empty() ? 0.0 : base::tidy(cracked.tips.front().a);
+  increment.notes = length_->scene().notes;
+  increment.mesh = cracked.mesh;
+  analysis::keep_gone_members(parts_.model.mesh, increment.mesh);
+  increment.kept = static_cast<std::size_t>(
+      std::ranges::count_if(cracked.host, [](base::ElementId e) { return e.valid(); }));
+}
+
 ShellResult ShellBench::prepare() {
   condensed_ = {};
-  std::vector<analysis::BodyNet> bodies = analysis::condense_bodies(
-      {parts_.model, scene_.cracked.mesh, scene_.cls, scene_.ties, scene_.rest_element,
-       analysis::loads_with_supports(parts_.model, scene_), parts_.threads},
-      parts_.cache, condensed_);
-  if (!condensed_.trouble.empty()) {
+  if (!length_->condense(condensed_)) {
     return ShellTrouble{base::exit_code::not_solvable, condensed_.trouble, {}};
   }
-  bodies_ = std::move(bodies);
-  const model::Model& model = parts_.model;
-  fresh_ = std::make_unique<analysis::StepSolver>(model, scene_, bodies_, parts_.memory,
-                                                  &parts_.contact);
-  paths_ = std::make_unique<analysis::LoadPaths>(shown_, scene_, bodies_);
-  adjoints_ = std::make_unique<analysis::Adjoints>(model, scene_, bodies_);
-  bars_ = std::make_unique<analysis::ErrorBars>(model, scene_);
-  sensitivities_ = std::make_unique<analysis::Sensitivities>(model, scene_, bodies_);
+  fresh_ = length_->start();
   solver_.reset();
   state_.reset();
   estimated_ = false;
@@ -125,7 +121,9 @@ ShellResult ShellBench::prepare() {
 
 ShellResult ShellBench::close(const std::vector<std::size_t>& lines) {
   solver_.reset(); // it looks at the rows of the scene
-  analysis::add_lip_pairs(parts_.model, lines, scene_);
+  fresh_.reset();
+  ++closings_;
+  length_->close_faces(lines);
   if (parts_.fills_memory && parts_.memory != nullptr) {
     *parts_.memory = analysis::MountMemory(); // of steps that do not count
   }
@@ -150,7 +148,7 @@ ShellResult ShellBench::advance(const std::vector<model::Step>& steps, Reached& 
       return ShellTrouble{
           base::exit_code::not_solvable, fmt::format("step {}: {}", step.name, what), {}};
     }
-    reached.touching = analysis::touching_lines(parts_.model, scene_, reached.state->u);
+    reached.touching = length_->touching(reached.state->u);
     if (!reached.touching.empty()) {
       return {};
     }
@@ -179,9 +177,8 @@ ShellResult ShellBench::reach(const std::vector<model::Step>& way, Reached& reac
 results::StepResult ShellBench::gather(const Reached& reached, const std::string& name) const {
   model::Step step;
   step.name = name;
-  results::StepResult out =
-      analysis::gather_step(parts_.model, scene_, bodies_, step, *reached.state);
-  const model::Mesh& mesh = scene_.cracked.mesh;
+  results::StepResult out = length_->recover(step, *reached.state);
+  const model::Mesh& mesh = length_->scene().cracked.mesh;
   analysis::fill_displacements(mesh, analysis::gone_places(parts_.model.mesh, mesh), out.u);
   return out;
 }
@@ -226,19 +223,19 @@ ShellResult ShellBench::go_on(const model::Step& step, const std::vector<model::
 }
 
 ShellResult ShellBench::estimate() {
-  if (estimated_ || scene_.cracked.tips.empty()) {
+  if (estimated_ || length_->scene().cracked.tips.empty()) {
     return {};
   }
   results::StepResult found = now();
-  const std::vector<estimate::Adjoint>& of_K = adjoints_->of_last_step(*solver_);
+  length_->solve_adjoints(*solver_);
   if (stopped()) {
     return interrupted();
   }
-  bars_->add(*state_, of_K, adjoints_->held(), found);
+  length_->add_bars(*state_, found);
   if (stopped()) {
     return interrupted();
   }
-  sensitivities_->add(*solver_, *state_, *adjoints_, found);
+  length_->add_sensitivities(*solver_, *state_, found);
   run_.increments.front().steps.front() = std::move(found);
   estimated_ = true;
   return {};
@@ -247,7 +244,7 @@ ShellResult ShellBench::estimate() {
 void ShellBench::estimate_nets() {
   results::StepResult& step = run_.increments.front().steps.front();
   if (step.errors.empty()) {
-    analysis::add_errors(parts_.model, scene_, state_->energy, step);
+    length_->add_net_errors(*state_, step);
   }
 }
 
@@ -297,15 +294,16 @@ ShellResult ShellBench::follow(const model::LoadPath& card, const std::vector<mo
     Reached at_from;
     Reached at_to;
     trouble = to_end(from, at_from);
-    analysis::LoadPaths* const before = paths_.get();
+    const int before = closings_;
     trouble = trouble ? trouble : to_end(to, at_to);
-    if (trouble || paths_.get() != before) {
+    if (trouble || closings_ != before) {
       continue; // faces met at the second end: the first is not the same any more
     }
-    paths_->keep(path_from, *at_from.solver, gather(at_from, "FROM"));
-    paths_->keep(path_to, *at_to.solver, gather(at_to, "TO"));
-    found = paths_->follow(*at_to.solver);
-    const std::vector<std::size_t> touching = paths_->touching();
+    analysis::LoadPaths& paths = length_->paths();
+    paths.keep(path_from, *at_from.solver, gather(at_from, "FROM"));
+    paths.keep(path_to, *at_to.solver, gather(at_to, "TO"));
+    found = paths.follow(*at_to.solver);
+    const std::vector<std::size_t> touching = paths.touching();
     if (touching.empty()) {
       break;
     }

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "analysis/adjoint/adjoints.hpp"
-#include "analysis/adjoint/error_bars.hpp"
-#include "analysis/adjoint/sensitivities.hpp"
-#include "analysis/recover/load_paths.hpp"
-#include "analysis/steps/contact_memory.hpp"
+#include "analysis/lengths/length.hpp"
 #include "program/shell/trouble.hpp"
 
 #include <functional>
@@ -66,7 +62,8 @@ public:
                      const std::vector<model::Step>& to);
 
 private:
-  ShellBench(const BenchParts& parts, analysis::Scene scene);
+  explicit ShellBench(const BenchParts& parts);
+  void begin_run();
   ShellResult prepare();
   /// Lines whose faces would overlap become pairs, and everything that stood on it is made anew.
   ShellResult close(const std::vector<std::size_t>& lines);
@@ -84,16 +81,12 @@ private:
   [[nodiscard]] bool stopped() const { return parts_.stopped && parts_.stopped(); }
 
   BenchParts parts_;
-  analysis::Scene scene_;
-  std::vector<analysis::BodyNet> bodies_;
-  analysis::CondenseLog condensed_;
   model::Model shown_;
+  std::unique_ptr<analysis::Length> length_;
+  int closings_ = 0; ///< times that faces were closed
+  analysis::CondenseLog condensed_;
   std::unique_ptr<analysis::StepSolver> fresh_; ///< at the unloaded state
   std::unique_ptr<analysis::StepSolver> solver_;
-  std::unique_ptr<analysis::LoadPaths> paths_;
-  std::unique_ptr<analysis::Adjoints> adjoints_;
-  std::unique_ptr<analysis::ErrorBars> bars_;
-  std::unique_ptr<analysis::Sensitivities> sensitivities_;
   std::optional<analysis::StepState> state_;
   std::vector<model::Step> way_;
   bool estimated_ = false;

@@ -44,7 +44,7 @@ base::Matrix constraints(const analysis::Scene& scene, const base::Matrix& K,
     }
     contact.push_back(r);
     base::Vector& row = rows.emplace_back(base::Vector::Zero(n));
-    for (const contact::RowEntry& entry : scene.table.rows[r]->entries) {
+    for (const contact::RowEntry& entry : scene.row(r).entries) {
       row.segment(static_cast<Eigen::Index>(entry.node.index()) * mesh.dim, mesh.dim) +=
           entry.weight.head(mesh.dim);
     }

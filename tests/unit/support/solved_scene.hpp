@@ -90,7 +90,7 @@ struct SolvedScene {
   /// What z and w turn into K, at the end of the last step.
   [[nodiscard]] base::Vec2 intensity(const estimate::Adjoint& adjoint) const {
     const base::Vector& factor = solver->factors().case_factor;
-    base::Vector gap = base::Vector::Zero(static_cast<Eigen::Index>(scene->table.rows.size()));
+    base::Vector gap = base::Vector::Zero(static_cast<Eigen::Index>(scene->table.size()));
     if (solver->system() != nullptr) {
       const contact::ContactSystem::Demand demand = solver->demand();
       for (std::size_t i = 0; i < demand.rows.size(); ++i) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/steps/step_walk.hpp"
-
+#include "analysis/steps/row_opening.hpp"
 #include "analysis/steps/step_solver.hpp"
 #include "solve/friction_index.hpp"
 
@@ -43,7 +42,7 @@ double friction_change(const Scene& scene, const contact::ContactSystem::Demand&
   for (const solve::FrictionRow& f : demand.friction) {
     const std::size_t row = demand.rows[static_cast<std::size_t>(f.tangent)];
     const auto c = scene.table.contact_of(row);
-    const double area = scene.table.rows[row]->area;
+    const double area = scene.row(row).area;
     const base::Vector& q = b.solution.lambda;
     sums[c].change += area * std::pow(a.solution.lambda[f.tangent] - q[f.tangent], 2);
     sums[c].shear += area * std::pow(q[f.tangent], 2);
@@ -73,7 +72,7 @@ double slip_change(const Scene& scene, const contact::ContactSystem::Demand& dem
   double force = 0.0;
   for (const solve::FrictionRow& f : demand.friction) {
     const std::size_t row = demand.rows[static_cast<std::size_t>(f.normal)];
-    force += f.mu * answer.solution.lambda[f.normal] * scene.table.rows[row]->area;
+    force += f.mu * answer.solution.lambda[f.normal] * scene.row(row).area;
   }
   const double work = std::max(std::ranges::max(b.work), least_slip * force * motion);
   double most = 0.0;
@@ -83,7 +82,7 @@ double slip_change(const Scene& scene, const contact::ContactSystem::Demand& dem
   double before = 0.0;
   double now = 0.0;
   for (std::size_t r = 0; r < b.path.size(); ++r) {
-    const double area = scene.table.rows[r]->area;
+    const double area = scene.row(r).area;
     before = std::max(before, a.path[r] / area);
     now = std::max(now, b.path[r] / area);
   }
@@ -141,17 +140,6 @@ solve::ContactSettings settings_of(const model::Model& model) {
 }
 
 } // namespace
-
-double row_opening(const contact::ConstraintRow& row, int dim, const base::Vector& u) {
-  double sum = 0.0;
-  for (const contact::RowEntry& entry : row.entries) {
-    const auto at = static_cast<Eigen::Index>(entry.node.index()) * dim;
-    for (int c = 0; c < dim; ++c) {
-      sum += entry.weight[c] * u[at + c];
-    }
-  }
-  return sum;
-}
 
 std::optional<contact::ContactSystem::Answer> StepSolver::walk(const StepFactors& from,
                                                                const model::Step& step,
@@ -291,7 +279,7 @@ void StepSolver::remember(const Walk& walk) {
     if (history_.rubs(row)) {
       offset_[static_cast<Eigen::Index>(row)] =
           -system_->opening(row, walk.answer.u) -
-          row_opening(*scene_.table.rows[row], scene_.cracked.mesh.dim, fixed);
+          row_opening(scene_.row(row), scene_.cracked.mesh.dim, fixed);
     }
   }
 }

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/adjoint/adjoints.hpp"
+#include "analysis/adjoint/error_bars.hpp"
+#include "analysis/adjoint/sensitivities.hpp"
+#include "analysis/bodies/condense_bodies.hpp"
+#include "analysis/recover/load_paths.hpp"
+#include "analysis/scene/make_scene.hpp"
+#include "analysis/steps/contact_memory.hpp"
+#include "analysis/steps/mount_memory.hpp"
+#include "analysis/steps/step_solver.hpp"
+#include "estimate/enrichment.hpp"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace spricka::analysis {
+
+/// What a crack length is made of, and what one leaves for the next; all must outlive it.
+struct LengthParts {
+  const model::Model& model;
+  CondensationCache& cache;                 ///< nets that did not change
+  int threads = 1;                          ///< of the condensation
+  MountMemory* mounted = nullptr;           ///< at the first length; null: each length mounts anew
+  ContactMemory* contact = nullptr;         ///< compliances that lengths share
+  estimate::ModeMemory* modes = nullptr;    ///< of the error bars
+  const model::Model* with_paths = nullptr; ///< whose load paths are followed; null: the model's
+};
+
+/// One crack length: cut (TOPOLOGY), condensed (STIFFNESS, CONDENSE) and ready to be asked. It owns
+/// the scene, its bodies and all processors that stand on them; a run walks the steps of its deck
+/// on it, the shell asks it, `check` looks at it without factors.
+class Length {
+public:
+  /// Cracks cut in, pairs made, nothing condensed. Mistakes of the deck that only show here go to
+  /// `diagnostics` and give null.
+  static std::unique_ptr<Length> make(const LengthParts& parts,
+                                      const std::vector<mesh::CrackLine>& lines,
+                                      const RegionPlan& plan, base::Diagnostics& diagnostics);
+  /// The same with cracks of length `a`; 0: as the deck gives them.
+  static std::unique_ptr<Length> make(const LengthParts& parts, double a, const RegionPlan& plan,
+                                      base::Diagnostics& diagnostics);
+  Length(const LengthParts& parts, Scene scene);
+  Length(const Length&) = delete;
+  Length& operator=(const Length&) = delete;
+
+  [[nodiscard]] const model::Model& model() const { return parts_.model; }
+  [[nodiscard]] const Scene& scene() const { return scene_; }
+  [[nodiscard]] const std::vector<BodyNet>& bodies() const { return bodies_; }
+
+  /// What condense() is going to ask for, without loads.
+  [[nodiscard]] CondenseRequest request() const;
+  /// Bodies and nets, their freedoms numbered, nothing assembled: enough to be looked at.
+  void prepare();
+  /// Condenses all bodies; false: a net is singular, which `figures.trouble` names.
+  bool condense(CondenseLog& figures);
+  /// Faces of these crack lines become pairs; the length is to be condensed again.
+  void close_faces(const std::vector<std::size_t>& lines);
+
+  /// A solver at the unloaded state of the condensed length, which must outlive it.
+  [[nodiscard]] std::unique_ptr<StepSolver> start() const;
+  /// Crack lines whose faces overlap in u [dim * node] and have no pair yet.
+  [[nodiscard]] std::vector<std::size_t> touching(const base::Vector& u) const;
+  /// VCE and RECOVER: K, pressures, reactions at the end of a step.
+  [[nodiscard]] results::StepResult recover(const model::Step& step, const StepState& state) const;
+  /// LOADPATH.
+  [[nodiscard]] LoadPaths& paths() { return processors_->paths; }
+
+  /// ADJOINT: of K at the end of the step that `solver` solved last [tip].
+  const std::vector<estimate::Adjoint>& solve_adjoints(const StepSolver& solver);
+  /// ESTIMATE: bars of K, from those adjoints.
+  void add_bars(const StepState& state, results::StepResult& result);
+  /// SENSITIVITY of K to loads, fits, moduli and lengths.
+  void add_sensitivities(const StepSolver& solver, const StepState& state,
+                         results::StepResult& result);
+  /// ESTIMATE: errors of the nets in the energy norm.
+  void add_net_errors(const StepState& state, results::StepResult& result) const;
+
+  /// The scene of a length that is done with.
+  [[nodiscard]] static Scene take_scene(std::unique_ptr<Length> length) {
+    return std::move(length->scene_);
+  }
+
+private:
+  /// What stands on the scene and its condensed bodies.
+  struct Processors {
+    explicit Processors(const Length& length);
+    LoadPaths paths;
+    Adjoints adjoints;
+    ErrorBars bars;
+    Sensitivities sensitivities;
+    const std::vector<estimate::Adjoint>* of_K = nullptr; ///< [tip] of the last step
+  };
+
+  LengthParts parts_;
+  Scene scene_;
+  std::vector<BodyNet> bodies_;
+  std::optional<Processors> processors_; ///< empty: not condensed
+};
+
+} // namespace spricka::analysis

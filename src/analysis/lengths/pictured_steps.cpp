@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/lengths/pictured_steps.hpp"
+
+#include "model/wanted_steps.hpp"
+
+#include <algorithm>
+#include <string>
+#include <variant>
+
+namespace spricka::analysis {
+
+std::vector<bool> pictured_steps(const model::Model& model, bool last_increment) {
+  std::vector<bool> pictured = asked_steps(model, last_increment);
+  if (model.growth && model.growth->kmax.valid()) {
+    pictured[model.growth->kmax.index()] = true;
+  } else if (!pictured.empty()) {
+    pictured.back() = true;
+  }
+  return pictured;
+}
+
+std::vector<bool> asked_steps(const model::Model& model, bool last_increment) {
+  std::vector<bool> pictured(model.steps.size(), false);
+  for (const model::Output& output : model.outputs) {
+    const bool stress = std::any_of(output.requests.begin(), output.requests.end(),
+                                    [](const auto& request) { return request.quantity == "S"; });
+    if (output.format == model::OutputFormat::vtu || stress) {
+      for (const std::size_t s : model::wanted_steps(model, output, last_increment)) {
+        pictured[s] = true;
+      }
+    }
+  }
+  for (const model::Check& check : model.checks) {
+    for (std::size_t s = 0; check.quantity == "ERROR" && s < model.steps.size(); ++s) {
+      const auto* step = std::get_if<std::string>(&check.arguments.at(1));
+      pictured[s] = pictured[s] || (step != nullptr && *step == model.steps[s].name);
+    }
+  }
+  return pictured;
+}
+
+} // namespace spricka::analysis

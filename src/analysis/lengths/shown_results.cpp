@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/lengths/shown_results.hpp"
+
+#include "analysis/scene/gone_nodes.hpp"
+#include "fe/stress.hpp"
+#include "mesh/boundary.hpp"
+#include "shape/topology.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace spricka::analysis {
+
+namespace {
+
+std::vector<results::Stress> as_results(const std::vector<fe::Stress>& stress) {
+  std::vector<results::Stress> out(stress.size());
+  for (std::size_t n = 0; n < stress.size(); ++n) {
+    std::copy_n(stress[n].data(), 6, out[n].begin());
+  }
+  return out;
+}
+
+} // namespace
+
+std::vector<results::SurfaceFace> outer_surface(const model::Mesh& mesh) {
+  std::vector<results::SurfaceFace> surface;
+  if (mesh.dim != 3) {
+    return surface;
+  }
+  for (const model::Face& face : mesh::boundary_faces(mesh)) {
+    const base::ElementType type = mesh.type[face.element.index()];
+    const std::span<const int> side = shape::side_nodes(type, face.side);
+    results::SurfaceFace out;
+    out.element = face.element;
+    const std::size_t corners = shape::side_corners(type, face.side);
+    const auto node = [&](std::size_t i) {
+      return mesh.nodes_of(face.element)[static_cast<std::size_t>(side[i])];
+    };
+    for (std::size_t i = 0; i < corners; ++i) {
+      out.outline.push_back(node(i));
+      if (side.size() >= 2 * corners) {
+        out.outline.push_back(node(corners + i));
+      }
+    }
+    surface.push_back(std::move(out));
+  }
+  return surface;
+}
+
+// Reports know nodes of sets but not of faces.
+void add_face_nodes(const model::Model& model, model::Mesh& mesh) {
+  for (const model::FaceSet& set : mesh.face_sets) {
+    const bool wanted = std::ranges::any_of(model.outputs, [&](const model::Output& output) {
+      return std::ranges::any_of(output.requests,
+                                 [&](const auto& request) { return request.name == set.name; });
+    });
+    const bool there = std::ranges::any_of(
+        mesh.node_sets, [&](const model::NodeSet& nodes) { return nodes.name == set.name; });
+    if (wanted && !there && !set.name.empty()) {
+      mesh.node_sets.push_back({set.name, mesh::nodes_of_faces(mesh, set.faces), set.span});
+    }
+  }
+}
+
+void add_stress(const model::Model& model, const model::Mesh& mesh, results::StepResult& step) {
+  const fe::StateField field{step.u, step.temperature};
+  std::vector<fe::Stress> nodal =
+      fe::nodal_stress(model, mesh, fe::element_node_stress(model, mesh, field));
+  fill_stresses(model, mesh, field, nodal);
+  step.stress = as_results(nodal);
+  step.element_stress = as_results(fe::mean_stress(model, mesh, field));
+}
+
+} // namespace spricka::analysis

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "model/model.hpp"
+#include "results/results.hpp"
+
+#include <vector>
+
+/// What results have in them for those who look at them: stresses, surfaces, nodes of sets.
+namespace spricka::analysis {
+
+/// Stresses at nodes and of elements, from the step's own displacements.
+void add_stress(const model::Model& model, const model::Mesh& mesh, results::StepResult& step);
+
+/// Face sets that outputs name become node sets of the results' mesh, once.
+void add_face_nodes(const model::Model& model, model::Mesh& mesh);
+
+/// The outer faces of a solid mesh by their nodes; none in the plane.
+std::vector<results::SurfaceFace> outer_surface(const model::Mesh& mesh);
+
+} // namespace spricka::analysis

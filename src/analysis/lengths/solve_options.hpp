@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <cstddef>
+#include <functional>
+
+namespace spricka::archive {
+class Checkpoint;
+}
+
+namespace spricka::analysis {
+
+struct SolveOptions {
+  int threads = 1;
+  /// Keeps increments, and gives back those of an earlier run.
+  archive::Checkpoint* checkpoint = nullptr;
+  std::function<void(std::size_t done, std::size_t all)> progress; ///< may be empty
+};
+
+} // namespace spricka::analysis

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/scene/cut_cracks.hpp"
+
+#include "growth/crack_lines.hpp"
+#include "mesh/cut/host.hpp"
+
+#include <algorithm>
+
+namespace spricka::analysis {
+
+namespace {
+
+bool opens_into_contact(const model::Model& model, const mesh::CrackLine& line) {
+  constexpr double on_it = 1e-2; // of an edge: mouths are moved onto the boundary
+  const auto has = [&](base::FaceSetId set) {
+    return set.valid() && std::ranges::any_of(model.mesh.set(set).faces, [&](const model::Face& f) {
+             const mesh::Edge edge = mesh::edge_of(model.mesh, f);
+             const double length =
+                 (model.mesh.x[edge.b.index()] - model.mesh.x[edge.a.index()]).norm();
+             return mesh::nearest_on(model.mesh, edge, line.points.front()).distance <
+                    on_it * length;
+           });
+  };
+  return model.mesh.dim == 2 && !line.embedded &&
+         std::ranges::any_of(model.contacts, [&](const model::Contact& contact) {
+           return has(contact.slave) || has(contact.master);
+         });
+}
+
+std::vector<mesh::TipMesh> tip_meshes(const model::Model& model, const mesh::Host& host,
+                                      const std::vector<mesh::CrackLine>& lines) {
+  std::vector<mesh::TipMesh> tips;
+  tips.reserve(lines.size());
+  for (const mesh::CrackLine& line : lines) {
+    tips.push_back(mesh::choose_tip_mesh(host, line, tip_net_of(model, line.crack), lines));
+    tips.back().pressed = opens_into_contact(model, line);
+  }
+  return tips;
+}
+
+mesh::CrackedMesh without_cracks(const model::Mesh& host) {
+  mesh::CrackedMesh cracked;
+  cracked.mesh = host;
+  for (std::size_t e = 0; e < host.element_count(); ++e) {
+    cracked.host.emplace_back(e);
+  }
+  return cracked;
+}
+
+} // namespace
+
+const model::TipNet* tip_net_of(const model::Model& model, base::CrackId crack) {
+  for (const model::TipNet& tip : model.tip_nets) {
+    if (tip.crack == crack) {
+      return &tip;
+    }
+  }
+  return nullptr;
+}
+
+std::optional<mesh::CrackedMesh> cracked_mesh(const model::Model& model,
+                                              const std::vector<mesh::CrackLine>& lines,
+                                              base::Diagnostics& diagnostics) {
+  if (model.cracks.empty()) {
+    return without_cracks(model.mesh);
+  }
+  std::vector<base::Span> spans;
+  spans.reserve(lines.size());
+  for (const mesh::CrackLine& line : lines) {
+    spans.push_back(model.cracks[line.crack.index()].span);
+  }
+  const mesh::Host host(model.mesh);
+  return mesh::insert_cracks(host, lines, tip_meshes(model, host, lines), spans, diagnostics);
+}
+
+RegionPlan plan_region(const model::Model& model, const std::vector<double>& lengths,
+                       base::Diagnostics& diagnostics) {
+  RegionPlan plan;
+  plan.region.assign(model.mesh.element_count(), false);
+  plan.split = lengths.size() > 1 && !model.cracks.empty();
+  if (!plan.split) {
+    return plan;
+  }
+  for (const double a : lengths) {
+    const std::optional<std::vector<mesh::CrackLine>> lines =
+        growth::crack_lines(model, a, diagnostics);
+    if (!lines) {
+      return plan;
+    }
+    add_to_region(model, *lines, plan);
+  }
+  return plan;
+}
+
+void add_to_region(const model::Model& model, const std::vector<mesh::CrackLine>& lines,
+                   RegionPlan& plan) {
+  plan.region.resize(model.mesh.element_count(), false);
+  plan.split = true;
+  const mesh::Host host(model.mesh);
+  for (const base::ElementId e : mesh::crack_region(host, lines, tip_meshes(model, host, lines))) {
+    plan.region[e.index()] = true;
+  }
+}
+
+} // namespace spricka::analysis

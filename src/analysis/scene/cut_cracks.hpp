@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/diagnostics.hpp"
+#include "mesh/cut/patch.hpp"
+#include "model/model.hpp"
+
+#include <optional>
+#include <vector>
+
+/// Cracks in the mesh of the deck, and the part of it that they touch.
+namespace spricka::analysis {
+
+/// The settings of a crack's tips; null: none are given.
+const model::TipNet* tip_net_of(const model::Model& model, base::CrackId crack);
+
+/// The deck's mesh with these cracks in it; mistakes go to `diagnostics` and give an empty result.
+std::optional<mesh::CrackedMesh> cracked_mesh(const model::Model& model,
+                                              const std::vector<mesh::CrackLine>& lines,
+                                              base::Diagnostics& diagnostics);
+
+/// What stays the same for all lengths of a run.
+struct RegionPlan {
+  std::vector<bool> region; ///< [host element] some length's cavity touches it
+  bool split = false;       ///< worth condensing region and rest apart (several lengths)
+};
+
+/// The region of the host that the cracks of all lengths touch.
+RegionPlan plan_region(const model::Model& model, const std::vector<double>& lengths,
+                       base::Diagnostics& diagnostics);
+
+/// Adds what these cracks touch.
+void add_to_region(const model::Model& model, const std::vector<mesh::CrackLine>& lines,
+                   RegionPlan& plan);
+
+} // namespace spricka::analysis

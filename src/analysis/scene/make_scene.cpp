@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/scene/make_scene.hpp"
+
+#include "contact/pairing.hpp"
+#include "analysis/scene/gone_nodes.hpp"
+#include "analysis/scene/scene_loads.hpp"
+#include "analysis/scene/scene_mouths.hpp"
+#include "analysis/scene/scene_nodes.hpp"
+#include "analysis/scene/scene_rows.hpp"
+#include "analysis/scene/scene_ties.hpp"
+#include "analysis/scene/tip_surroundings.hpp"
+#include "fe/dof_map.hpp"
+#include "growth/crack_lines.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace spricka::analysis {
+
+namespace {
+
+bool make_pairs(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics) {
+  const model::Mesh& mesh = scene.cracked.mesh;
+  bool good = true;
+  scene.contacts = model.contacts;
+  scene.lip_pairs.resize(scene.cracked.lips.size());
+  for (const model::Contact& contact : model.contacts) {
+    scene.pairs.push_back(contact::pair_rows(model, mesh, contact));
+    const contact::PairRows& pair = scene.pairs.back();
+    if (!pair.trouble.empty()) {
+      diagnostics.error(contact.span, "E410",
+                        fmt::format("contact {}: {}", contact.name, pair.trouble));
+      good = false;
+    } else if (!pair.found) {
+      diagnostics.error(contact.span, "E411",
+                        fmt::format("contact {}: the surfaces never face each other", contact.name),
+                        contact.rigid.valid()
+                            ? "the body is on the left of a LINE, round an ARC, or inside it where "
+                              "R is negative; what lies beyond the ends of a LINE faces nothing"
+                            : "look at the sets and at the side their elements lie on");
+      good = false;
+    }
+  }
+  return good;
+}
+
+// Default domains: rings 2 and on, as the tip ring alone sees the singular elements only.
+std::vector<int> domains_of(const model::Model& model, base::CrackId crack) {
+  for (const model::Vce& vce : model.vces) {
+    if (vce.crack == crack && !vce.domains.empty()) {
+      return vce.domains;
+    }
+  }
+  const model::TipNet* tip = tip_net_of(model, crack);
+  const int rings = tip != nullptr ? tip->rings : model::TipNet{}.rings;
+  std::vector<int> domains;
+  for (int ring = 2; ring <= rings; ++ring) {
+    domains.push_back(ring);
+  }
+  return domains;
+}
+
+bool make_tips(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics) {
+  if (scene.cracked.tips.empty()) {
+    return true;
+  }
+  bool good = true;
+  const crack::Neighbourhood around(scene.cracked.mesh);
+  for (const mesh::Tip& tip : scene.cracked.tips) {
+    TipScene ring;
+    const crack::DomainLimits limits = domain_limits(model, scene, tip);
+    ring.fields =
+        around.fields(scene.cracked, tip, domains_of(model, tip.crack), ring.left_out, limits);
+    if (!ring.fields.empty()) {
+      std::vector<int> ignored;
+      std::vector<crack::ExtensionField> wider =
+          around.fields(scene.cracked, tip, {ring.fields.back().rings + 1}, ignored, limits);
+      if (!wider.empty()) {
+        ring.beyond = std::move(wider.front());
+      }
+    }
+    const model::Crack& crack = model.cracks[tip.crack.index()];
+    if (ring.fields.empty()) {
+      diagnostics.error(crack.span, "E412",
+                        fmt::format("crack {}: no ring domain fits round the tip at a = {:.6g} (it "
+                                    "would leave the body, or reach another tip, another "
+                                    "material, a support, a force or the rim of what is heated)",
+                                    crack.name, tip.a),
+                        "give a smaller RADIUS on $TIPNET or other DOMAINS on $VCE");
+      good = false;
+    }
+    for (const int rings : ring.left_out) {
+      scene.notes.push_back(fmt::format("{}: domain of {} rings left out, it would leave the body",
+                                        crack.name, rings));
+    }
+    scene.tips.push_back(std::move(ring));
+  }
+  return good;
+}
+
+} // namespace
+
+std::optional<Scene> make_scene(const model::Model& model, double a, const RegionPlan& plan,
+                                base::Diagnostics& diagnostics) {
+  const std::optional<std::vector<mesh::CrackLine>> lines =
+      growth::crack_lines(model, a, diagnostics);
+  return lines ? make_scene(model, *lines, plan, diagnostics) : std::nullopt;
+}
+
+std::optional<Scene> make_scene(const model::Model& model,
+                                const std::vector<mesh::CrackLine>& lines, const RegionPlan& plan,
+                                base::Diagnostics& diagnostics) {
+  Scene scene;
+  std::optional<mesh::CrackedMesh> cracked = cracked_mesh(model, lines, diagnostics);
+  if (!cracked) {
+    return std::nullopt;
+  }
+  scene.cracked = std::move(*cracked);
+  fill_lip_sets(model, scene.cracked);
+  add_second_sides(model.mesh, scene.cracked.mesh);
+  scene.notes = scene.cracked.notes;
+  note_gone_nodes(model, scene);
+  const model::Mesh& mesh = scene.cracked.mesh;
+  scene.cls = fe::classify_freedoms(model, mesh);
+  release_lips(model, lines, scene);
+  const bool ties = make_scene_ties(model, scene, diagnostics);
+  const bool pairs = make_pairs(model, scene, diagnostics);
+  const bool tips = make_tips(model, scene, diagnostics);
+  const bool lips = lips_carry_no_totals(model, scene, diagnostics);
+  const bool held = supports_are_kept(model, scene, diagnostics);
+  const bool told = mouths_are_told(model, scene, diagnostics);
+  if (!ties || !pairs || !tips || !lips || !held || !told ||
+      !loaded_faces_are_there(model, scene, diagnostics)) {
+    return std::nullopt;
+  }
+  make_table(scene);
+  const auto dim = static_cast<std::size_t>(mesh.dim);
+  for (const model::Contact& contact : model.contacts) {
+    for (const base::NodeId n : contact::surface_nodes(mesh, contact)) {
+      for (std::size_t c = 0; c < dim; ++c) {
+        make_external(dim * n.index() + c, *scene.ties, scene.cls);
+      }
+    }
+  }
+  scene.rest_element.assign(mesh.element_count(), false);
+  for (std::size_t e = 0; plan.split && e < mesh.element_count(); ++e) {
+    const base::ElementId host = scene.cracked.host[e];
+    scene.rest_element[e] = host.valid() && !plan.region[host.index()];
+  }
+  if (!make_loads(model, scene, diagnostics)) {
+    return std::nullopt;
+  }
+  return scene;
+}
+
+} // namespace spricka::analysis

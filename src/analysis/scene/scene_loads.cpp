@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/scene/scene_loads.hpp"
+
+#include "analysis/scene/scene_heat.hpp"
+#include "analysis/scene/scene_nodes.hpp"
+#include "analysis/scene/scene_ties.hpp"
+#include "fe/assemble.hpp"
+#include "sense/load_totals.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace spricka::analysis {
+
+namespace {
+
+// A resultant that does not arrive (a bearing load whose pin misses the bore) must not pass for a
+// load of nothing.
+bool arrives(const model::Model& model, const model::Mesh& mesh, const model::Load& load) {
+  if (load.type != model::LoadType::bearing && load.type != model::LoadType::resultant) {
+    return true;
+  }
+  const base::Vector f = fe::nodal_load(model, mesh, {"", {load}});
+  for (int c = 0; c < mesh.dim && c < static_cast<int>(load.value.size()); ++c) {
+    double sum = 0.0;
+    for (Eigen::Index i = c; i < f.size(); i += mesh.dim) {
+      sum += f[i];
+    }
+    const double wanted = load.value[static_cast<std::size_t>(c)](base::Vec3::Zero());
+    if (std::abs(sum - wanted) > 1e-9 * (std::abs(wanted) + f.lpNorm<1>())) {
+      return false;
+    }
+  }
+  return f.lpNorm<1>() > 0.0 || load.value.empty() ||
+         std::all_of(load.value.begin(), load.value.end(),
+                     [](const base::Expression& v) { return v(base::Vec3::Zero()) == 0.0; });
+}
+
+} // namespace
+
+bool make_loads(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics) {
+  const model::Mesh& mesh = scene.cracked.mesh;
+  bool good = true;
+  const auto n = static_cast<Eigen::Index>(mesh.node_count()) * mesh.dim;
+  const auto cases = static_cast<Eigen::Index>(model.cases.size());
+  const Eigen::Index columns = cases + (scene.ties->has_constants() ? 1 : 0);
+  scene.case_load = base::Matrix::Zero(n, columns);
+  scene.case_displacement = base::Matrix::Zero(n, columns);
+  for (Eigen::Index c = 0; c < cases; ++c) {
+    const model::LoadCase& load_case = model.cases[static_cast<std::size_t>(c)];
+    scene.case_load.col(c) = fe::nodal_load(model, mesh, without_heat(load_case));
+    scene.case_displacement.col(c) = fe::prescribed_displacement(model, mesh, load_case);
+    for (Eigen::Index i = 0; i < n; ++i) { // a crack may have freed one face of what a load moves
+      if (scene.cls[static_cast<std::size_t>(i)] == model::FreedomClass::local ||
+          scene.cls[static_cast<std::size_t>(i)] == model::FreedomClass::external) {
+        scene.case_displacement(i, c) = 0.0;
+      }
+    }
+    scene.case_heat.push_back(heat_of(model, scene, load_case));
+    const fe::CaseHeat& heat = *scene.case_heat.back();
+    if (heat.temperature.size() > 0) {
+      if (scene.case_temperature.size() == 0) {
+        scene.case_temperature = base::Matrix::Zero(heat.temperature.size(), columns);
+      }
+      scene.case_temperature.col(c) = heat.temperature;
+      scene.case_load.col(c) += heat_load(model, mesh, heat);
+    }
+    for (const model::Load& load : load_case.loads) {
+      if (!arrives(model, mesh, load)) {
+        diagnostics.error(load.span, "E413",
+                          fmt::format("load case {}: the resultant cannot be carried by this set",
+                                      load_case.name),
+                          "a bearing load needs faces of a bore on the side it pushes to");
+        good = false;
+      }
+    }
+  }
+  return forces_are_taken(model, scene, diagnostics) && good &&
+         sense::loads_are_sound(model, mesh, diagnostics) &&
+         follow_prescribed(model, scene, diagnostics);
+}
+
+base::Matrix loads_with_supports(const model::Model& model, const Scene& scene) {
+  base::Matrix load = scene.case_load;
+  std::vector<base::ElementId> all;
+  for (std::size_t e = 0; e < scene.cracked.mesh.element_count(); ++e) {
+    all.emplace_back(e);
+  }
+  for (Eigen::Index c = 0; c < load.cols(); ++c) {
+    if ((scene.case_displacement.col(c).array() != 0.0).any()) {
+      base::Vector pull = base::Vector::Zero(load.rows());
+      fe::add_internal_force(model, scene.cracked.mesh, all, scene.case_displacement.col(c), pull);
+      load.col(c) -= pull;
+    }
+  }
+  scene.ties->reduce(load);
+  return load;
+}
+
+} // namespace spricka::analysis

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/steps/friction_history.hpp"
+#include "base/source.hpp"
+#include "base/sparse.hpp"
+
+#include <string>
+#include <vector>
+
+/// What a step of the deck ends with, or why it has no answer.
+namespace spricka::analysis {
+
+/// Why a step has no answer, with the exit code that says so.
+struct Refusal {
+  int exit_code = 4;
+  std::string why;
+  base::Span span;
+};
+
+/// The state at the end of a step.
+struct StepState {
+  base::Vector u;                             ///< [dim * node]
+  base::Vector case_factor;                   ///< [case]
+  base::Vector temperature;                   ///< [connectivity index]; empty: nothing is heated
+  std::vector<base::Vector> pair_lambda;      ///< [contact][row of the pair] pressures; 0 if absent
+  std::vector<base::Vector> pair_gap;         ///< [contact][normal row] weighted
+  std::vector<std::vector<bool>> pair_closed; ///< [contact][normal row]
+  std::vector<bool> mounted;                  ///< [contact]
+  std::vector<PairFriction> friction;         ///< [contact]
+  base::Vector force;                         ///< [dim * node] applied loads
+  base::Vector contact;                       ///< [dim * node] contact forces
+  base::Vector reaction;                      ///< [dim * node] support forces
+  base::Matrix internal;      ///< [dim * node, material] internal forces K u; without cracks of all
+  base::Vector tie;           ///< [dim * node] forces of ties; empty: there are none
+  std::vector<double> energy; ///< [element] strain energy
+  double imbalance = 0.0;     ///< largest force left over at a free freedom, over the force scale
+  int iterations = 0, pivots = 0;
+  int increments = 1; ///< solved in this step; more than 1 only where contacts rub
+  std::vector<std::string> notes;
+};
+
+} // namespace spricka::analysis

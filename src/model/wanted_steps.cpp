@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/wanted_steps.hpp"
+
+#include <numeric>
+
+namespace spricka::model {
+
+std::vector<std::size_t> wanted_steps(const Model& model, const Output& output,
+                                      bool last_increment) {
+  std::vector<std::size_t> steps;
+  if (output.every == OutputEvery::step) {
+    steps.resize(model.steps.size());
+    std::iota(steps.begin(), steps.end(), std::size_t{0});
+  } else if (output.every == OutputEvery::increment || last_increment) {
+    const bool growing = model.growth && model.growth->kmax.valid();
+    steps.push_back(growing ? model.growth->kmax.index() : model.steps.size() - 1);
+  }
+  return steps;
+}
+
+} // namespace spricka::model

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "model/model.hpp"
+
+#include <vector>
+
+namespace spricka::model {
+
+/// The steps of an increment that an output card wants, by index.
+std::vector<std::size_t> wanted_steps(const Model& model, const Output& output,
+                                      bool last_increment);
+
+} // namespace spricka::model
