@@ -3,7 +3,7 @@
 // against analysis and numeric phase of one plain factorisation of the whole model, in one run.
 // Usage: bench_condensation DECK [REPEATS]
 #include "analysis/bodies/condense_bodies.hpp"
-#include "analysis/scene/scene.hpp"
+#include "analysis/scene/make_scene.hpp"
 #include "base/diagnostics.hpp"
 #include "deck/read_deck.hpp"
 #include "growth/crack_lines.hpp"

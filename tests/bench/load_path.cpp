@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the map of K over a load path costs, and a later K from it. Usage: bench_load_path DECK
 // [REPEATS]: the first length and the first $LOADPATH of the deck.
-#include "analysis/bodies/condense_bodies.hpp"
-#include "analysis/recover/load_paths.hpp"
-#include "analysis/recover/recover_step.hpp"
-#include "analysis/scene/scene.hpp"
-#include "analysis/steps/step_solver.hpp"
+#include "analysis/lengths/length.hpp"
 #include "base/clock.hpp"
 #include "base/diagnostics.hpp"
 #include "deck/read_deck.hpp"
@@ -86,20 +82,17 @@ int main(int argc, char** argv) {
   }
   const std::vector<double> lengths = growth::crack_lengths(*model);
   const analysis::RegionPlan plan = analysis::plan_region(*model, lengths, diagnostics);
-  const std::optional<analysis::Scene> scene =
-      analysis::make_scene(*model, lengths.front(), plan, diagnostics);
-  if (!scene) {
+  analysis::CondensationCache cache;
+  analysis::CondenseLog log;
+  const std::unique_ptr<analysis::Length> length =
+      analysis::Length::make({.model = *model, .cache = cache}, lengths.front(), plan, diagnostics);
+  if (!length || !length->condense(log)) {
     fmt::print(stderr, "the deck has mistakes\n");
     return 2;
   }
-  analysis::CondensationCache cache;
-  analysis::CondenseLog log;
-  const std::vector<analysis::BodyNet> bodies = analysis::condense_bodies(
-      {*model, scene->cracked.mesh, scene->cls, scene->ties, scene->rest_element,
-       analysis::loads_with_supports(*model, *scene), 1},
-      cache, log);
-  analysis::StepSolver solver(*model, *scene, bodies);
-  analysis::LoadPaths paths(*model, *scene, bodies);
+  const std::unique_ptr<analysis::StepSolver> first = length->start();
+  analysis::StepSolver& solver = *first;
+  analysis::LoadPaths& paths = length->paths();
   for (std::size_t s = 0; s < model->steps.size(); ++s) {
     analysis::Refusal why;
     const auto state = solver.solve(model->steps[s], why);
@@ -107,7 +100,7 @@ int main(int argc, char** argv) {
       fmt::print(stderr, "{}\n", why.why);
       return 4;
     }
-    paths.keep(s, solver, analysis::gather_step(*model, *scene, bodies, model->steps[s], *state));
+    paths.keep(s, solver, length->recover(model->steps[s], *state));
   }
   const model::LoadPath& card = model->load_paths.front();
   const base::Stopwatch posing;

@@ -2,7 +2,7 @@
 // The floor: plain assemble, factorise, solve of a cracked lug, all bodies in one matrix and no
 // contact, by the same elements and CHOLMOD: called plainly, and with this program's ordering.
 // Prints one line. Usage: bench_plain_lug DECK FINE COUNT
-#include "analysis/scene/scene.hpp"
+#include "analysis/scene/make_scene.hpp"
 #include "base/clock.hpp"
 #include "base/diagnostics.hpp"
 #include "deck/read_deck.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "analysis/scene/scene.hpp"
+#include "analysis/scene/make_scene.hpp"
 #include "fe/assemble.hpp"
 #include "fe/dof_map.hpp"
 #include "solve/condense.hpp"

@@ -11,6 +11,7 @@
 #include "analysis/steps/lip_contact.hpp"
 #include "base/tidy.hpp"
 #include "contact/marked_arc.hpp"
+#include "contact/recovery.hpp"
 #include "contact/slave_places.hpp"
 #include "crack/rough_loads.hpp"
 #include "crack/stress_intensity.hpp"

@@ -7,6 +7,7 @@
 #include "program/job/log.hpp"
 #include "program/job/out_of_memory.hpp"
 #include "program/job/standard_streams.hpp"
+#include "program/job/written_out.hpp"
 
 #include <algorithm>
 #include <csignal>

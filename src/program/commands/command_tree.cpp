@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/commands/command_tree.hpp"
 #include "base/exit_codes.hpp"
+#include "program/commands/run_deck.hpp"
 #include "program/job/standard_streams.hpp"
 
 #include "archive/version.hpp"

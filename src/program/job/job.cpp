@@ -6,7 +6,6 @@
 #include "analysis/recover/net_errors.hpp"
 #include "base/clock.hpp"
 #include "base/exit_codes.hpp"
-#include "fe/law.hpp"
 #include "program/checks/check_quantities.hpp"
 #include "program/checks/growth_readings.hpp"
 #include "program/job/remedy.hpp"
@@ -17,16 +16,12 @@
 #include "report/topics/notes.hpp"
 #include "report/topics/result_tables.hpp"
 #include "results/growth_end.hpp"
-#include "sense/contact_sense.hpp"
 #include "sense/end_warnings.hpp"
-#include "sense/held_places.hpp"
 #include "sense/two_ways.hpp"
-#include "sense/unjoined_bodies.hpp"
 #include "solve/one_thread.hpp"
 
 #include <algorithm>
 #include <system_error>
-#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
@@ -34,45 +29,6 @@
 namespace spricka::program {
 
 namespace {
-
-// Cards that are understood but not available: each with its place.
-base::Diagnostics unavailable(const model::Model& model) {
-  base::Diagnostics list;
-  for (const model::Output& output : model.outputs) {
-    if (output.format == model::OutputFormat::json) {
-      list.error(output.span, "E500", "FORMAT=JSON is not available in this version");
-    }
-  }
-  for (const model::Unavailable& u : model.unavailable) {
-    list.error(u.span, "E500", fmt::format("{} is not available in this version", u.what));
-  }
-  return list;
-}
-
-// Where a material hardly changes its volume the dilatation is projected, but linear triangles,
-// tetrahedra and wedges have too few freedoms for that: they lock, more the nearer nu is to 0.5.
-bool locks(base::ElementType type) {
-  return type == base::ElementType::trim3 || type == base::ElementType::tet4 ||
-         type == base::ElementType::penta6;
-}
-
-void warn_of_locking(const model::Model& model, base::Diagnostics& list) {
-  std::vector<bool> told(model.properties.size(), false);
-  for (std::size_t e = 0; e < model.mesh.element_count(); ++e) {
-    const base::ElementType type = model.mesh.type[e];
-    const std::size_t p = model.mesh.property[e].index();
-    if (told[p] || !locks(type) || !fe::law_of(model, model.mesh, base::ElementId(e)).projected) {
-      continue;
-    }
-    told[p] = true;
-    const model::Material& material = model.materials[model.properties[p].material.index()];
-    list.warning(material.span, "W501",
-                 fmt::format("material {}: nu = {:.6g} is nearly incompressible and {} elements "
-                             "lock; results may be far off",
-                             material.name, material.nu, base::info(type).name),
-                 "use quadratic elements or quadrilaterals and hexahedra");
-  }
-}
 
 int report_checks(const results::Run& run, const Log& log) {
   int failed = 0;
@@ -111,107 +67,6 @@ void collect_warnings(const model::Model& model, const base::Diagnostics& readin
     run.warnings.push_back(warning.text);
     log.message(base::Severity::warning, warning.code, warning.text);
   }
-}
-
-// "lug.deck:12:18: E108: text" of the first error; empty without one.
-std::string first_error(const base::Sources& sources, const base::Diagnostics& diagnostics) {
-  for (const base::Diagnostic& d : diagnostics.all()) {
-    if (d.severity != base::Severity::error) {
-      continue;
-    }
-    if (!d.span.valid()) {
-      return fmt::format("{}: {}", d.code, d.text);
-    }
-    const base::Location at = sources.locate(d.span.file, d.span.begin);
-    return fmt::format("{}:{}:{}: {}: {}", sources.name(d.span.file), at.line, at.column, d.code,
-                       d.text);
-  }
-  return {};
-}
-
-// Without what was said before, word for word, of the same place.
-base::Diagnostics news_of(const base::Diagnostics& list, const base::Diagnostics* told) {
-  if (told == nullptr) {
-    return list;
-  }
-  base::Diagnostics news;
-  for (const base::Diagnostic& d : list.all()) {
-    const bool old = std::ranges::any_of(told->all(), [&](const base::Diagnostic& t) {
-      return t.code == d.code && t.span.file == d.span.file && t.span.begin == d.span.begin &&
-             t.text == d.text;
-    });
-    if (!old && d.severity == base::Severity::error) {
-      news.error(d.span, d.code, d.text, d.hint);
-    } else if (!old && d.severity == base::Severity::warning) {
-      news.warning(d.span, d.code, d.text, d.hint);
-    } else if (!old) {
-      news.note(d.span, d.code, d.text, d.hint);
-    }
-  }
-  return news;
-}
-
-RunOutcome refused(const base::Sources& sources, const base::Diagnostics& list, int code,
-                   const Log& log, const base::Diagnostics* told = nullptr) {
-  log.diagnostics(sources, news_of(list, told));
-  return {code, first_error(sources, list), {}};
-}
-
-} // namespace
-
-ReadyDeck read_ready(const std::filesystem::path& deck, const deck::ReadOptions& options,
-                     const Log& log, const base::Diagnostics* told) {
-  ReadyDeck ready;
-  ready.options = options;
-  std::optional<model::Model> model =
-      deck::read_deck(deck, options, ready.sources, ready.diagnostics, &ready.scripts);
-  if (model) {
-    warn_of_locking(*model, ready.diagnostics);
-    sense::warn_of_contacts(*model, ready.diagnostics);
-    sense::warn_of_unjoined_bodies(*model, ready.diagnostics);
-    sense::warn_of_held_places(*model, ready.diagnostics);
-    sense::warn_of_path_mouths(*model, ready.diagnostics);
-  }
-  if (model && !ready.diagnostics.has_errors()) {
-    base::Diagnostics missing = unavailable(*model);
-    if (missing.has_errors()) {
-      ready.refusal = refused(ready.sources, missing, base::exit_code::not_solvable, log, told);
-      return ready;
-    }
-    if (model->steps.empty()) {
-      ready.diagnostics.error({0, 0, 0}, "E405",
-                              "the deck has no $STEP, so there is nothing to solve");
-    }
-  }
-  if (!model || ready.diagnostics.has_errors()) {
-    ready.refusal =
-        refused(ready.sources, ready.diagnostics, base::exit_code::deck_error, log, told);
-    return ready;
-  }
-  log.diagnostics(ready.sources, news_of(ready.diagnostics, told));
-  ready.model = std::move(model);
-  return ready;
-}
-
-int thread_count(const RunOptions& options, const model::Model& model) {
-  const int wanted = options.threads >= 0 ? options.threads : model.control.threads;
-  return wanted > 0 ? wanted : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-}
-
-namespace {
-
-// A deck that has been read before, with its meshes finer: nothing new to tell of it.
-ReadyDeck read_silently(const std::filesystem::path& deck, const deck::ReadOptions& options) {
-  ReadyDeck ready;
-  ready.options = options;
-  std::optional<model::Model> model =
-      deck::read_deck(deck, options, ready.sources, ready.diagnostics);
-  if (!model || ready.diagnostics.has_errors()) {
-    ready.refusal.error = first_error(ready.sources, ready.diagnostics);
-  } else {
-    ready.model = std::move(model);
-  }
-  return ready;
 }
 
 struct Solved {

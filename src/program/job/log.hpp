@@ -2,6 +2,7 @@
 #pragma once
 #include "base/diagnostics.hpp"
 #include "base/messages.hpp"
+#include "program/job/log_format.hpp"
 #include "results/results.hpp"
 
 #include <functional>
@@ -9,8 +10,6 @@
 #include <string_view>
 
 namespace spricka::program {
-
-enum class LogFormat { text, json };
 
 /// Where the messages of a run go: stderr, as text for people or as one JSON object a line for
 /// programs (manual/command_line.md names the members).

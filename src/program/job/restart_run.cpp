@@ -3,6 +3,7 @@
 
 #include "archive/safe_file.hpp"
 #include "base/exit_codes.hpp"
+#include "program/job/run_folder.hpp"
 
 #include <csignal>
 #include <cstring>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "archive/checkpoint.hpp"
-#include "program/job/job.hpp"
+#include "program/job/ready_deck.hpp"
+#include "program/job/run_options.hpp"
 
 #include <filesystem>
 #include <memory>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "base/clock.hpp"
-#include "program/job/log.hpp"
+#include "model/model.hpp"
+#include "program/job/log_format.hpp"
 
 #include <filesystem>
 #include <string>
@@ -24,5 +25,8 @@ struct RunOptions {
   bool json = false; ///< check: the same as JSON
   LogFormat log_format = LogFormat::text;
 };
+
+/// As the command line says, else $CONTROL; 0 means all cores.
+int thread_count(const RunOptions& options, const model::Model& model);
 
 } // namespace spricka::program

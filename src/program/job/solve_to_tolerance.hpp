@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "program/job/job.hpp"
+#include "program/job/ready_deck.hpp"
 
 #include <functional>
 #include <map>

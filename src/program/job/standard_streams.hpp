@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "program/job/log.hpp"
-
 #include <string_view>
 
 /// stdout and stderr, which can be a full disk, a pipe that nobody reads, or closed.
@@ -17,9 +15,5 @@ void to_stdout(std::string_view text);
 /// Writes to stderr; that it cannot is told by the exit code (written_out), as there is no other
 /// place to say so.
 void to_stderr(std::string_view text);
-
-/// The exit code with which the program ends: `code`, or file_trouble where it would be success but
-/// something written to stdout or stderr is lost.
-int written_out(int code, LogFormat format);
 
 } // namespace spricka::program

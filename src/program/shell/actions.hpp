@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "program/shell/command_table.hpp"
+#include "program/shell/reply.hpp"
 #include "program/shell/reply_text.hpp"
+#include "program/shell/session.hpp"
 
 #include <string>
 #include <string_view>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "base/exit_codes.hpp"
+#include "program/shell/reply.hpp"
 #include "program/shell/session.hpp"
 
 #include <string>
@@ -22,17 +22,6 @@ struct ShellCommand {
   std::string_view more;      ///< further lines; may be empty
 };
 const std::vector<ShellCommand>& shell_commands();
-
-struct ShellReply {
-  std::string out;      ///< data
-  std::string messages; ///< notes, warnings and errors
-  int exit_code = base::exit_code::done;
-  double cpu = 0.0; ///< [s]
-  bool quit = false;
-};
-
-/// What has been typed so far, for `history`.
-using ShellHistory = std::vector<std::string>;
 
 /// Carries out one line; an empty one does nothing.
 ShellReply run_shell_line(ShellSession& session, const ShellHistory& history,

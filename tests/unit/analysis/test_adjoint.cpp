@@ -71,9 +71,9 @@ base::Matrix constraints(const analysis::Scene& scene, const base::Matrix& K,
 
 // z and w as one dense solution with multipliers gives them.
 void compare_with_dense(SolvedScene& solved) {
-  const analysis::Scene& scene = *solved.scene;
+  const analysis::Scene& scene = solved.scene();
   const base::Matrix K = dense_stiffness(solved.model(), scene.cracked.mesh);
-  for (const estimate::Adjoint& adjoint : solved.adjoints->of_last_step(*solved.solver)) {
+  for (const estimate::Adjoint& adjoint : solved.length->solve_adjoints(*solved.solver)) {
     ASSERT_TRUE(adjoint.ok()) << adjoint.why_not;
     std::vector<std::size_t> contact;
     const base::Matrix C = constraints(scene, K, adjoint.closed, contact);
@@ -105,7 +105,7 @@ void compare_with_dense(SolvedScene& solved) {
 
 // The adjoint gives back K of the displacements, by tip.
 void compare_intensities(SolvedScene& solved, const analysis::StepState& state, double tolerance) {
-  for (const estimate::Adjoint& adjoint : solved.adjoints->of_last_step(*solved.solver)) {
+  for (const estimate::Adjoint& adjoint : solved.length->solve_adjoints(*solved.solver)) {
     ASSERT_TRUE(adjoint.ok()) << adjoint.why_not;
     const base::Vec2 K = adjoint.rows.transpose() * state.u;
     EXPECT_GT(K.norm(), 0.0);
@@ -212,7 +212,7 @@ TEST(Adjoint, OfSlidingContactsIsNotGiven) {
   deck.replace(deck.find("INTERFERENCE=0.01"), 17, "INTERFERENCE=0.01 MU=0.2");
   SolvedScene solved(deck);
   ASSERT_TRUE(solved.solve(0));
-  const auto& adjoint = solved.adjoints->of_last_step(*solved.solver).at(0);
+  const auto& adjoint = solved.length->solve_adjoints(*solved.solver).at(0);
   EXPECT_FALSE(adjoint.ok());
   EXPECT_EQ(adjoint.z.size(), 0);
 }

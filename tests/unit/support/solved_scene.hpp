@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "analysis/adjoint/sensitivities.hpp"
-#include "analysis/recover/recover_step.hpp"
+#include "analysis/lengths/length.hpp"
+#include "analysis/scene/scene_loads.hpp"
 #include "program/job/job.hpp"
 #include "tests/unit/support/run_text.hpp"
 
@@ -21,12 +21,9 @@ struct SolvedScene {
   };
 
   program::ReadyDeck deck;
-  std::optional<analysis::Scene> scene;
   analysis::CondensationCache cache;
-  std::vector<analysis::BodyNet> bodies;
+  std::unique_ptr<analysis::Length> length; ///< null where the deck has no scene
   std::unique_ptr<analysis::StepSolver> solver;
-  std::unique_ptr<analysis::Adjoints> adjoints;
-  std::unique_ptr<analysis::Sensitivities> sensitivities;
 
   explicit SolvedScene(const std::string& text, const Changes& changes = {}) {
     const Folder folder;
@@ -41,25 +38,26 @@ struct SolvedScene {
       changes.model(*deck.model);
     }
     const analysis::RegionPlan plan = analysis::plan_region(*deck.model, {0.0}, diagnostics);
-    scene = analysis::make_scene(*deck.model, 0.0, plan, diagnostics);
-    if (!scene) {
+    std::optional<analysis::Scene> made = analysis::make_scene(*deck.model, 0.0, plan, diagnostics);
+    if (!made) {
       for (const base::Diagnostic& d : diagnostics.all()) {
         ADD_FAILURE() << d.text;
       }
       return;
     }
     if (changes.scene) {
-      changes.scene(*scene, *deck.model);
+      changes.scene(*made, *deck.model);
     }
+    length = std::make_unique<analysis::Length>(
+        analysis::LengthParts{.model = *deck.model, .cache = cache}, std::move(*made));
     analysis::CondenseLog log;
-    bodies = analysis::condense_bodies({*deck.model, scene->cracked.mesh, scene->cls, scene->ties,
-                                        scene->rest_element,
-                                        analysis::loads_with_supports(*deck.model, *scene), 1},
-                                       cache, log);
-    solver = std::make_unique<analysis::StepSolver>(*deck.model, *scene, bodies);
-    adjoints = std::make_unique<analysis::Adjoints>(*deck.model, *scene, bodies);
-    sensitivities = std::make_unique<analysis::Sensitivities>(*deck.model, *scene, bodies);
+    if (!length->condense(log)) {
+      ADD_FAILURE() << log.trouble;
+      return;
+    }
+    solver = length->start();
   }
+  [[nodiscard]] const analysis::Scene& scene() const { return length->scene(); }
   [[nodiscard]] const model::Model& model() const { return *deck.model; }
 
   /// The end of a step, the next of the deck; empty with a failure.
@@ -81,24 +79,25 @@ struct SolvedScene {
     if (!state) {
       return std::nullopt;
     }
-    results::StepResult out =
-        analysis::gather_step(model(), *scene, bodies, model().steps.at(step), *state);
-    sensitivities->add(*solver, *state, *adjoints, out);
+    results::StepResult out = length->recover(model().steps.at(step), *state);
+    length->solve_adjoints(*solver);
+    length->add_sensitivities(*solver, *state, out);
     return out;
   }
 
   /// What z and w turn into K, at the end of the last step.
   [[nodiscard]] base::Vec2 intensity(const estimate::Adjoint& adjoint) const {
     const base::Vector& factor = solver->factors().case_factor;
-    base::Vector gap = base::Vector::Zero(static_cast<Eigen::Index>(scene->table.size()));
+    base::Vector gap = base::Vector::Zero(static_cast<Eigen::Index>(scene().table.size()));
     if (solver->system() != nullptr) {
       const contact::ContactSystem::Demand demand = solver->demand();
       for (std::size_t i = 0; i < demand.rows.size(); ++i) {
         gap[static_cast<Eigen::Index>(demand.rows[i])] = demand.gap[static_cast<Eigen::Index>(i)];
       }
     }
-    return estimate::intensity_of(adjoint, {analysis::loads_with_supports(model(), *scene) * factor,
-                                            scene->case_displacement * factor, gap});
+    return estimate::intensity_of(adjoint,
+                                  {analysis::loads_with_supports(model(), scene()) * factor,
+                                   scene().case_displacement * factor, gap});
   }
 };
 

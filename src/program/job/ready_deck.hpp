@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/diagnostics.hpp"
+#include "base/source.hpp"
+#include "deck/read_deck.hpp"
+#include "model/model.hpp"
+#include "program/job/log.hpp"
+#include "results/results.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace spricka::program {
+
+struct RunOutcome {
+  int exit_code = 0;
+  std::string error; ///< the first one, with its place, or how many checks failed
+  std::optional<results::Run> run;
+};
+
+/// A deck that has been read: fit to be solved (model) or refused with an exit code.
+struct ReadyDeck {
+  base::Sources sources;
+  base::Diagnostics diagnostics;          ///< of reading
+  deck::ReadOptions options;              ///< as it was read
+  std::vector<deck::ScriptTable> scripts; ///< the constants of geometry scripts
+  std::optional<model::Model> model;
+  RunOutcome refusal; ///< without a model
+};
+
+/// Reads and checks a deck; messages go to the log. Cards that this version does not have are
+/// refused (not_solvable), so is a deck without a step. Throws std::system_error on file trouble.
+/// What was `told` already is not said again, as of the other points of a sweep.
+ReadyDeck read_ready(const std::filesystem::path& deck, const deck::ReadOptions& options,
+                     const Log& log, const base::Diagnostics* told = nullptr);
+
+/// A deck that has been read before, with its meshes finer: nothing new to tell of it.
+ReadyDeck read_silently(const std::filesystem::path& deck, const deck::ReadOptions& options);
+
+/// What is wrong goes to the log, but for what was `told` before of the same place, and the first
+/// error into the outcome.
+RunOutcome refused(const base::Sources& sources, const base::Diagnostics& list, int code,
+                   const Log& log, const base::Diagnostics* told = nullptr);
+
+/// "lug.deck:12:18: E108: text" of the first error; empty without one.
+std::string first_error(const base::Sources& sources, const base::Diagnostics& diagnostics);
+
+} // namespace spricka::program

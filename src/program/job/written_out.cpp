@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/job/written_out.hpp"
+
+#include "base/exit_codes.hpp"
+#include "program/job/log.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <iostream>
+#include <string>
+
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+int written_out(int code, LogFormat format) {
+  errno = 0;
+  std::cout.flush();
+  const bool lost =
+      std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || std::cout.fail() || std::cout.bad();
+  if (lost) {
+    const std::string why = errno != 0 ? fmt::format(": {}", std::strerror(errno)) : "";
+    Log(format).message(base::Severity::error, "E468", "standard output is incomplete" + why);
+  }
+  const bool silent = std::ferror(stderr) != 0;
+  return code == base::exit_code::done && (lost || silent) ? base::exit_code::file_trouble : code;
+}
+
+} // namespace spricka::program

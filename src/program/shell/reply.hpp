@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/exit_codes.hpp"
+
+#include <string>
+#include <vector>
+
+namespace spricka::program {
+
+/// What a line of the shell gives back.
+struct ShellReply {
+  std::string out;      ///< data
+  std::string messages; ///< notes, warnings and errors
+  int exit_code = base::exit_code::done;
+  double cpu = 0.0; ///< [s]
+  bool quit = false;
+};
+
+/// What has been typed so far, for `history`.
+using ShellHistory = std::vector<std::string>;
+
+} // namespace spricka::program
