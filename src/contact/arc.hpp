@@ -7,6 +7,7 @@
 
 namespace spricka::contact {
 
+/// A stretch of a surface: angles [rad] or lengths.
 struct Arc {
   double from = 0.0, to = 0.0;
 };

@@ -7,13 +7,15 @@
 #include <map>
 #include <vector>
 
-/// What nodal pressures need next to the axis of bodies about it.
+/// Nodal pressures next to the axis of axisymmetric bodies.
 namespace spricka::contact {
 
-/// Pressures of the ends of chains next to the axis, on quadratic edges (contact.14).
+/// Sets the pressures p [node] [stress] of chain ends next to the axis: on quadratic edges the
+/// value there of a + b r^2 through the other two nodes (contact.14).
 void mend_axis_ends(const Surface& surface, const Numbering& number, base::Vector& p);
 
-/// A NODE pair has no row where the axis leaves a corner no area: the node does as its neighbour.
+/// Copies state and gap of the mid node to a chain end next to the axis that has no row: in a NODE
+/// pair the axis leaves such a corner no area.
 void copy_to_axis_ends(const PairRows& pair, const std::map<base::NodeId, std::size_t>& row_of,
                        std::vector<NodePressure>& nodes);
 

@@ -7,13 +7,13 @@
 
 namespace spricka::contact {
 
-/// What loads do to bodies that nothing presses: openings of all rows and loads on the modes.
+/// Displacements, openings and loads on the modes of bodies under loads, without contact forces.
 struct FreeResponse {
   std::vector<base::Matrix> u; ///< [body][m, k] external displacements
   base::Matrix opening;        ///< [row, k]
   base::Matrix on_mode;        ///< [mode, k]
 };
-/// Of condensed loads [body][m, k].
+/// The response to condensed loads [body][m, k].
 FreeResponse free_response(const ContactSystem& system, const std::vector<base::Matrix>& load);
 
 /// A contact system with some rows held at zero gap, whatever the sign of their forces, and all
@@ -30,9 +30,9 @@ public:
     base::Matrix force;     ///< [row, k] zero where not held
     base::Matrix mode;      ///< [mode, k]
     base::Matrix gap;       ///< [row, k]
-    double left_over = 0.0; ///< largest load on motions that no held row feels: they rest
+    double left_over = 0.0; ///< largest load on motions that open no held row: they rest
   };
-  /// To gaps of all rows before they press [row, k] and loads on the modes [mode, k].
+  /// The response to gaps of all rows before they press [row, k] and loads on the modes [mode, k].
   [[nodiscard]] Response respond(const base::Matrix& gap, const base::Matrix& on_mode) const;
   /// External displacements [body][m, k] under condensed loads and a response to them.
   [[nodiscard]] std::vector<base::Matrix> displacement(const std::vector<base::Matrix>& load,

@@ -18,8 +18,8 @@ struct OutlinePlace {
 
 class Outline {
 public:
-  /// Of a surface moved by u [2 * node]; empty: as drawn. Quadratic edges become four straight
-  /// ones.
+  /// The outline of a surface moved by u [2 * node] [length]; empty: as drawn. Quadratic edges
+  /// become four straight ones.
   Outline(const Surface& surface, const base::Vector& u);
 
   /// The nearest place no further off than `reach`, if there is one.

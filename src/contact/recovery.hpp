@@ -21,8 +21,9 @@ struct PairPressure {
   int closed = 0;
 };
 
-/// lambda [normal rows, then tangent rows], gap [normal rows] weighted, closed [normal rows].
-/// `may_pull`: of a bonded pair.
+/// Recovers the pressures of a pair from lambda [normal rows, then tangent rows] [stress], weighted
+/// gap [normal rows] and closed [normal rows]. `may_pull`: a bonded pair, whose pressures may be
+/// negative.
 PairPressure recover_pressure(const PairRows& pair, const base::Vector& lambda,
                               const base::Vector& gap, const std::vector<bool>& closed,
                               bool may_pull = false);

@@ -56,7 +56,7 @@ struct Surface {
   bool axial = false; ///< a meridian: x is the radius, the surface goes round the axis
 };
 
-/// Of all chains, one after another.
+/// Pointers to all edges, chain by chain; `surface` must outlive them.
 std::vector<const Edge*> edges_of(const Surface& surface);
 
 /// What a unit of length at a point of the section stands for: the smaller thickness, about an axis

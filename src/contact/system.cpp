@@ -173,7 +173,7 @@ void ContactSystem::add_body(std::size_t body, const Lasting& lasting,
     if (factor != nullptr) {
       const solve::EarlyRows& early = *factor->L.early();
       kept.Y = early.half_solve(as_columns(staying, static_cast<std::size_t>(early.count())));
-      kept.handed = early.handed(kept.Y);
+      kept.late_load = early.late_load(kept.Y);
     } else {
       kept.Y = own.half_compliance(as_columns(staying, own.freedom().size()));
     }
@@ -184,7 +184,7 @@ void ContactSystem::add_body(std::size_t body, const Lasting& lasting,
   add_modes(body, stay, kept.rows);
   base::Matrix between = solve::product(kept.Y, Y.topRows(kept.Y.rows()));
   if (factor != nullptr) {
-    const base::Matrix late = factor->L.late_half(kept.handed);
+    const base::Matrix late = factor->L.late_half(kept.late_load);
     add_compliance(stay, stay, solve::gram(late));
     between += solve::product(late, Y.bottomRows(late.rows()));
   }

@@ -26,7 +26,7 @@ public:
   [[nodiscard]] const std::vector<std::int32_t>& freedom() const { return freedom_; }
   [[nodiscard]] const base::Matrix& modes() const { return Q_; } ///< [m, r] orthonormal
   [[nodiscard]] bool ok() const { return layered_ ? layered_->L.ok() : factor_.ok(); }
-  /// Of S as a factor, else null.
+  /// The factor in the place of S, else null.
   [[nodiscard]] const solve::FactoredExternals* layered() const {
     return layered_ ? &*layered_ : nullptr;
   }
@@ -53,19 +53,19 @@ struct RowShare {
   bool operator==(const RowShare&) const = default;
 };
 
-/// What the compliance of one body has in it of rows that the next crack length has again.
+/// The part of a body's compliance that belongs to rows which the next crack length has again.
 struct LastingRows {
   std::vector<std::vector<RowShare>> rows; ///< [k] in a canonical order
   base::Matrix Y;                          ///< [m, k] their half compliance; of early rows only
   base::Matrix W;                          ///< [k, k] Y^T Y
-  base::Matrix handed;                     ///< [late, k] what Y hands down from early rows
+  base::Matrix late_load;                  ///< [late, k] EarlyRows::late_load of Y
 };
 
-/// Which rows those are, and by body what is kept of them, null where nothing may be. The
+/// The rows that the next crack length has again, and what is kept of them for each body. The
 /// compliances come out with the same bits whether anything was kept before or not.
 struct Lasting {
-  std::vector<bool> row; ///< [row]; empty: none
-  std::vector<LastingRows*> kept;
+  std::vector<bool> row;          ///< [row] whether it is one of them; empty: none is
+  std::vector<LastingRows*> kept; ///< [body]; null where nothing may be kept
 };
 
 /// All constraint rows of an increment on all bodies, condensed to compliances once; then any

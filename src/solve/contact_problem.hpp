@@ -33,14 +33,14 @@ enum class ContactStatus {
 struct ContactSolution {
   ContactStatus status = ContactStatus::solved;
   base::Vector lambda;      ///< [n] >= 0 on inequality rows
-  base::Vector alpha;       ///< [m] rigid modes; unloaded untouched modes rest (minimum norm)
+  base::Vector alpha;       ///< [m] rigid modes; uncontrollable ones rest (minimum norm)
   base::Vector gap;         ///< [n]
   std::vector<bool> closed; ///< [n] rows that hold; redundant ones are not among them
-  std::vector<int> basis;   ///< independent rows that hold all felt modes: closed, or at rest
-  base::Vector unheld;      ///< [m] direction of the mode that is not held, else empty
-  int resting_modes = 0;    ///< motions that no row stops and nothing loads
-  double left_over = 0.0;   ///< load on them over the load scale, at most resting_load
-  int redundant = 0;        ///< rows left out because others say the same
+  std::vector<int> basis; ///< independent rows that span all controllable modes: closed, or at rest
+  base::Vector unheld;    ///< [m] direction of the mode that is not held, else empty
+  int resting_modes = 0;  ///< number of motions that no row stops and no load drives
+  double left_over = 0.0; ///< load on them over the load scale, at most resting_load
+  int redundant = 0;      ///< number of rows left out because they depend on others
   int block_iterations = 0;
   int pivots = 0;        ///< of the finite fallback
   double residual = 0.0; ///< largest violation of the conditions above, scaled

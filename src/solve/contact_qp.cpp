@@ -31,10 +31,10 @@ struct Search {
 /// Closes and opens all violated rows at once (primal-dual active set; Hintermueller, Ito and
 /// Kunisch 2003) until none is left, a set comes back or progress ends.
 Search block_pivoting(const HeldProblem& problem, const ContactSettings& settings,
-                      const std::vector<int>& holding, std::vector<bool> closed,
+                      const std::vector<int>& spanning, std::vector<bool> closed,
                       BorderedFactor& factor) {
   Search search;
-  search.best = holding;
+  search.best = spanning;
   std::size_t least = closed.size() + 1;
   int stalled = 0;
   std::set<std::vector<bool>> met;
@@ -47,7 +47,7 @@ Search block_pivoting(const HeldProblem& problem, const ContactSettings& setting
     }
     ++search.iterations;
     if (!factor.factorise(A)) {
-      for (const int i : holding) {
+      for (const int i : spanning) {
         closed[std::size_t(i)] = true; // too few rows left to hold the modes
       }
       continue;
@@ -158,8 +158,8 @@ void take_solution(const HeldProblem& problem, const ModeSplit& split, const Bor
   }
   answer.lambda = s.lambda;
   answer.gap = s.gap;
-  const base::Vector alpha = split.felt * s.alpha;
-  answer.alpha = alpha - split.unfelt * (split.unfelt.transpose() * alpha);
+  const base::Vector alpha = split.controllable * s.alpha;
+  answer.alpha = alpha - split.uncontrollable * (split.uncontrollable.transpose() * alpha);
 }
 
 } // namespace
@@ -179,27 +179,27 @@ ContactSolution solve_contact(const ContactProblem& problem, const ContactSettin
 
   // 1. modes that no row touches rest, or nothing holds them
   const ModeSplit split = split_modes(problem.B, problem.opening_scale);
-  answer.resting_modes = static_cast<int>(split.unfelt.cols());
-  answer.unheld = unfelt_motion(split, problem.h, resting_load * scale);
+  answer.resting_modes = static_cast<int>(split.uncontrollable.cols());
+  answer.unheld = uncontrollable_motion(split, problem.h, resting_load * scale);
   if (answer.unheld.size() > 0) {
     answer.status = ContactStatus::unheld_mode;
     return answer;
   }
 
-  if (split.unfelt.cols() > 0 && scale > 0.0) {
-    answer.left_over = (split.unfelt.transpose() * problem.h).cwiseAbs().maxCoeff() / scale;
+  if (split.uncontrollable.cols() > 0 && scale > 0.0) {
+    answer.left_over = (split.uncontrollable.transpose() * problem.h).cwiseAbs().maxCoeff() / scale;
   }
 
   // 2. loads that the rows cannot take: the motion that opens them all
   HeldProblem held = held_problem(problem, split);
-  const Holding holding = hold_loads(held);
-  answer.unheld = opening_motion(split, holding, rest_load * std::max(scale, problem.h.norm()));
+  const LoadBalance balance = balance_loads(held);
+  answer.unheld = opening_motion(split, balance, rest_load * std::max(scale, problem.h.norm()));
   if (answer.unheld.size() > 0) {
     answer.status = ContactStatus::unheld_mode;
     return answer;
   }
-  if (holding.remainder.size() > 0) {
-    held.h -= holding.remainder;
+  if (balance.remainder.size() > 0) {
+    held.h -= balance.remainder;
   }
 
   // 3. block pivoting, and the finite fallback where it does not settle
@@ -209,7 +209,7 @@ ContactSolution solve_contact(const ContactProblem& problem, const ContactSettin
     closed[std::size_t(i)] = closed[std::size_t(i)] || held.equality[std::size_t(i)];
   }
   BorderedFactor factor(held);
-  const Search search = block_pivoting(held, settings, holding_rows(held, holding.pressed),
+  const Search search = block_pivoting(held, settings, spanning_rows(held, balance.pressed),
                                        std::move(closed), factor);
   answer.block_iterations = search.iterations;
   if (!search.settled) {

@@ -86,12 +86,12 @@ void take_solution(const ScaledFriction& scaled, const HeldProblem& held, const 
       c.gap(i) = gap(i) * held.d(i);
     }
   }
-  const base::Vector alpha = split.felt * (s.alpha * std::sqrt(held.tau));
-  c.alpha = alpha - split.unfelt * (split.unfelt.transpose() * alpha);
+  const base::Vector alpha = split.controllable * (s.alpha * std::sqrt(held.tau));
+  c.alpha = alpha - split.uncontrollable * (split.uncontrollable.transpose() * alpha);
   c.resting_modes += loose_motions(scaled, search.touch);
 }
 
-/// Rows that no freedom feels must keep their conditions by themselves.
+/// Rows without compliance and modes must keep their conditions by themselves.
 bool dead_rows_hold(const HeldProblem& held, const std::vector<FrictionRow>& friction) {
   std::vector<bool> slips(std::size_t(held.rows()), false);
   for (const FrictionRow& f : friction) {
@@ -114,7 +114,7 @@ base::Vector anchor_at(const base::Vector& alpha, const HeldProblem& held, const
   if (alpha.size() == 0 || held.modes() == 0) {
     return base::Vector::Zero(held.modes());
   }
-  const base::Vector a = split.felt.colPivHouseholderQr().solve(alpha);
+  const base::Vector a = split.controllable.colPivHouseholderQr().solve(alpha);
   return a / std::sqrt(held.tau);
 }
 
@@ -190,7 +190,7 @@ void walk_to_rest(const ScaledFriction& scaled, const HeldProblem& held, const M
     }
     if (turn > 0 && (drive - before).norm() <= 1e-6 * drive.norm()) {
       c.status = ContactStatus::unheld_mode;
-      c.unheld = (split.felt * drive).normalized();
+      c.unheld = (split.controllable * drive).normalized();
       answer.slides = true;
       return;
     }
@@ -217,20 +217,20 @@ FrictionSolution solve_friction(const FrictionProblem& problem, const ContactSet
 
   // 1. modes that no row touches, and loads that no force within the cones can take
   const ModeSplit split = split_modes(contact.B, contact.opening_scale);
-  c.resting_modes = static_cast<int>(split.unfelt.cols());
-  c.unheld = unfelt_motion(split, contact.h, resting_load * scale);
+  c.resting_modes = static_cast<int>(split.uncontrollable.cols());
+  c.unheld = uncontrollable_motion(split, contact.h, resting_load * scale);
   HeldProblem held = held_problem(contact, split);
   if (c.unheld.size() == 0) {
     const double least = rest_load * std::max(scale, contact.h.norm());
-    const Holding holding =
-        hold_loads(cone_problem(held.B, held.h, held.equality, problem.friction));
-    c.unheld = opening_motion(split, holding, least);
+    const LoadBalance balance =
+        balance_loads(cone_problem(held.B, held.h, held.equality, problem.friction));
+    c.unheld = opening_motion(split, balance, least);
     if (c.unheld.size() > 0) {
       answer.slides = true;
-      c.unheld = sliding_motion(split, held, problem.friction, holding);
+      c.unheld = sliding_motion(split, held, problem.friction, balance);
     }
-    if (holding.remainder.size() > 0) {
-      held.h -= holding.remainder;
+    if (balance.remainder.size() > 0) {
+      held.h -= balance.remainder;
     }
   }
   if (c.unheld.size() > 0) {

@@ -47,16 +47,16 @@ HeldProblem cone_problem(const base::Matrix& B, const base::Vector& h,
 }
 
 base::Vector sliding_motion(const ModeSplit& split, const HeldProblem& held,
-                            const std::vector<FrictionRow>& friction, const Holding& holding) {
+                            const std::vector<FrictionRow>& friction, const LoadBalance& balance) {
   // what the cones leave lifts the body off the rows it slides on: they keep it there
   std::vector<bool> kept = held.equality;
   for (const FrictionRow& f : friction) {
     kept[std::size_t(f.normal)] = true;
   }
-  const Holding level =
-      hold_loads(cone_problem(held.B, holding.remainder, kept, without_mu(friction)));
-  const bool lifts = !(level.remainder.norm() > 1e-9 * holding.remainder.norm());
-  return opening_motion(split, lifts ? holding : level, 0.0);
+  const LoadBalance level =
+      balance_loads(cone_problem(held.B, balance.remainder, kept, without_mu(friction)));
+  const bool lifts = !(level.remainder.norm() > 1e-9 * balance.remainder.norm());
+  return opening_motion(split, lifts ? balance : level, 0.0);
 }
 
 } // namespace spricka::solve

@@ -18,9 +18,9 @@ HeldProblem cone_problem(const base::Matrix& B, const base::Vector& h,
                          const std::vector<bool>& equality,
                          const std::vector<FrictionRow>& friction);
 
-/// The motion [m] in which bodies slide, from what the cones cannot hold (`holding`): along rows,
+/// The motion [m] in which bodies slide, from what the cones cannot hold (`balance`): along rows,
 /// not off them.
 base::Vector sliding_motion(const ModeSplit& split, const HeldProblem& held,
-                            const std::vector<FrictionRow>& friction, const Holding& holding);
+                            const std::vector<FrictionRow>& friction, const LoadBalance& balance);
 
 } // namespace spricka::solve

@@ -6,9 +6,9 @@
 
 namespace spricka::solve {
 
-/// Whether an answer, with its closed rows and states [n], is one that friction has turned over:
-/// the determinant of its conditions has the other sign than without friction. Indices of solutions
-/// add up, so that there are others (manual, solve.34). False where round-off hides the sign.
+/// Whether friction has turned the index of a solution, so that there are others (the indices of
+/// all solutions add up; manual, solve.34): the determinant of its conditions, with its closed rows
+/// and states [n], has the other sign than without friction. False where round-off hides the sign.
 bool one_of_several(const FrictionProblem& problem, const std::vector<bool>& closed,
                     const std::vector<Touch>& touch);
 

@@ -28,7 +28,8 @@ struct ScaledFriction {
   [[nodiscard]] int modes() const { return static_cast<int>(h.size()); }
 };
 
-/// Rows that no freedom feels are left out; a slip that none feels has no force.
+/// The problem in these units. Rows without compliance and modes are left out; a slip without them
+/// has no force.
 ScaledFriction scaled_friction(const HeldProblem& held, const std::vector<FrictionRow>& friction,
                                double load_scale);
 

@@ -5,7 +5,6 @@
 
 namespace spricka::solve {
 
-/// Force that a gap of the size of b needs, and loads on modes: which loads count as round-off.
 double load_scale(const ContactProblem& problem) {
   double scale = problem.load_scale;
   if (problem.h.size() > 0) {
@@ -36,9 +35,9 @@ double rigid_compliance(const HeldProblem& held) {
 
 HeldProblem held_problem(const ContactProblem& problem, const ModeSplit& split) {
   HeldProblem held{.W = problem.W,
-                   .B = problem.B * split.felt,
+                   .B = problem.B * split.controllable,
                    .b = problem.b,
-                   .h = split.felt.transpose() * problem.h,
+                   .h = split.controllable.transpose() * problem.h,
                    .equality = problem.equality,
                    .tau = 0.0,
                    .d = {}};

@@ -8,8 +8,8 @@
 
 namespace spricka::solve {
 
-/// The contact problem without the modes that no row touches; modes scaled so that the largest
-/// entry of each column of B is 1.
+/// The contact problem on its controllable modes, scaled so that the largest entry of each column
+/// of B is 1.
 struct HeldProblem {
   const base::Matrix& W; ///< [n, n]
   base::Matrix B;        ///< [n, m], full column rank
@@ -23,14 +23,15 @@ struct HeldProblem {
   [[nodiscard]] int modes() const { return static_cast<int>(h.size()); }
 };
 
-/// Which loads on modes count: the loads themselves, and the force that a gap of the size of b
-/// needs.
+/// The force [force] that loads on modes are judged by: the largest of load_scale, of the loads h
+/// and of the force that closes a gap of the size of b.
 double load_scale(const ContactProblem& problem);
 
-/// The problem on the modes that some row feels; `problem` must outlive it.
+/// The problem on the controllable modes of `split`; `problem` must outlive it.
 HeldProblem held_problem(const ContactProblem& problem, const ModeSplit& split);
 
-/// Rows whose pivot, over the diagonal, is below this are combinations of the rows before them.
+/// A row whose pivot is below this share of its diagonal entry is a combination of the rows before
+/// it.
 inline constexpr double redundancy = 1e-11;
 
 } // namespace spricka::solve

@@ -21,15 +21,15 @@ HeldRows::Response HeldRows::respond(const base::Matrix& b, const base::Matrix& 
   blas::single_thread();
   Response out;
   out.lambda = base::Matrix::Zero(b.rows(), b.cols());
-  if (split_.unfelt.cols() > 0 && h.cols() > 0) {
-    out.left_over = (split_.unfelt.transpose() * h).cwiseAbs().maxCoeff();
+  if (split_.uncontrollable.cols() > 0 && h.cols() > 0) {
+    out.left_over = (split_.uncontrollable.transpose() * h).cwiseAbs().maxCoeff();
   }
-  base::Matrix felt = base::Matrix::Zero(held_.modes(), b.cols());
-  const base::Matrix load = split_.felt.transpose() * h;
+  base::Matrix a = base::Matrix::Zero(held_.modes(), b.cols());
+  const base::Matrix load = split_.controllable.transpose() * h;
   const std::vector<int>& A = factor_.rows();
   // once more with what the first solution leaves over
   for (int turn = 0; turn < 2; ++turn) {
-    const base::Matrix left = b + rows_.W * out.lambda + held_.B * felt;
+    const base::Matrix left = b + rows_.W * out.lambda + held_.B * a;
     base::Matrix top(static_cast<Eigen::Index>(A.size()), b.cols());
     for (std::size_t r = 0; r < A.size(); ++r) {
       top.row(static_cast<Eigen::Index>(r)) = -left.row(A[r]);
@@ -39,10 +39,10 @@ HeldRows::Response HeldRows::respond(const base::Matrix& b, const base::Matrix& 
     for (std::size_t r = 0; r < A.size(); ++r) {
       out.lambda.row(A[r]) += top.row(static_cast<Eigen::Index>(r));
     }
-    felt += bottom;
+    a += bottom;
   }
-  out.alpha = split_.felt * felt;
-  out.alpha -= split_.unfelt * (split_.unfelt.transpose() * out.alpha);
+  out.alpha = split_.controllable * a;
+  out.alpha -= split_.uncontrollable * (split_.uncontrollable.transpose() * out.alpha);
   return out;
 }
 

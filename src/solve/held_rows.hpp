@@ -21,10 +21,10 @@ public:
 
   struct Response {
     base::Matrix lambda;    ///< [n, k]
-    base::Matrix alpha;     ///< [m, k] motions that no row feels rest
-    double left_over = 0.0; ///< largest load on those
+    base::Matrix alpha;     ///< [m, k] modes; uncontrollable motions rest
+    double left_over = 0.0; ///< largest load on uncontrollable motions
   };
-  /// For gaps b [n, k] and loads h [m, k] on the modes; ok() must hold.
+  /// The response to gaps b [n, k] and loads h [m, k] on the modes; ok() must hold.
   [[nodiscard]] Response respond(const base::Matrix& b, const base::Matrix& h) const;
 
 private:

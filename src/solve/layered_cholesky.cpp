@@ -10,7 +10,7 @@ EarlyRows::EarlyRows(const base::Matrix& A, EarlyLists lists)
       X_(A(lists_.early, lists_.late)) {
   if (L_.ok()) {
     X_ = L_.half_solve(std::move(X_));
-    left_ = A(lists_.late, lists_.late) - gram(X_);
+    schur_ = A(lists_.late, lists_.late) - gram(X_);
   }
 }
 
@@ -18,7 +18,7 @@ base::Matrix EarlyRows::half_solve(base::Matrix B) const {
   return L_.half_solve(std::move(B));
 }
 
-base::Matrix EarlyRows::handed(const base::Matrix& Y) const {
+base::Matrix EarlyRows::late_load(const base::Matrix& Y) const {
   return product(X_, Y);
 }
 
@@ -31,10 +31,10 @@ LayeredCholesky::LayeredCholesky(std::shared_ptr<const EarlyRows> early,
                                  std::vector<Eigen::Index> place, base::Matrix D)
     : early_(std::move(early)), place_(std::move(place)), late_(std::move(D)) {}
 
-base::Matrix LayeredCholesky::late_half(const base::Matrix& handed) const {
-  base::Matrix B = base::Matrix::Zero(late_.size(), handed.cols());
+base::Matrix LayeredCholesky::late_half(const base::Matrix& late_load) const {
+  base::Matrix B = base::Matrix::Zero(late_.size(), late_load.cols());
   for (std::size_t i = 0; i < place_.size(); ++i) {
-    B.row(place_[i]) = -handed.row(static_cast<Eigen::Index>(i));
+    B.row(place_[i]) = -late_load.row(static_cast<Eigen::Index>(i));
   }
   return late_.half_solve(std::move(B));
 }
@@ -43,9 +43,9 @@ base::Matrix LayeredCholesky::half_solve(const base::Matrix& B) const {
   base::Matrix Y(size(), B.cols());
   const base::Matrix first = early_->half_solve(B.topRows(early_rows()));
   base::Matrix rest = B.bottomRows(late_.size());
-  const base::Matrix handed = early_->handed(first);
+  const base::Matrix late_load = early_->late_load(first);
   for (std::size_t i = 0; i < place_.size(); ++i) {
-    rest.row(place_[i]) -= handed.row(static_cast<Eigen::Index>(i));
+    rest.row(place_[i]) -= late_load.row(static_cast<Eigen::Index>(i));
   }
   Y.topRows(early_rows()) = first;
   Y.bottomRows(late_.size()) = late_.half_solve(std::move(rest));

@@ -8,7 +8,7 @@
 
 namespace spricka::solve {
 
-/// Rows of a full matrix: what is eliminated early, and what stays. Others are left out.
+/// Rows of a full matrix: those eliminated early, and those that stay. Others are left out.
 struct EarlyLists {
   std::vector<Eigen::Index> early, late; ///< each row once
   bool operator==(const EarlyLists&) const = default;
@@ -26,26 +26,27 @@ public:
   [[nodiscard]] Eigen::Index count() const {
     return static_cast<Eigen::Index>(lists_.early.size());
   }
-  /// What is left of the late rows: A_ll - X^T X, symmetric to the last bit.
-  [[nodiscard]] const base::Matrix& left() const { return left_; }
+  /// Schur complement of the late rows, A_ll - X^T X [late, late], symmetric to the last bit.
+  [[nodiscard]] const base::Matrix& schur() const { return schur_; }
   /// L^-1 B [early, k].
   [[nodiscard]] base::Matrix half_solve(base::Matrix B) const;
-  /// What that hands down to the late rows: X^T Y [late, k].
-  [[nodiscard]] base::Matrix handed(const base::Matrix& Y) const;
-  /// L^-T (Y - X U) [early, k], with U [late, k].
+  /// X^T Y [late, k]: what elimination of early loads, Y = L^-1 B [early, k], takes off the late
+  /// rows.
+  [[nodiscard]] base::Matrix late_load(const base::Matrix& Y) const;
+  /// The solution on the early rows, L^-T (Y - X U) [early, k], from U [late, k] on the late ones.
   [[nodiscard]] base::Matrix finish(base::Matrix Y, const base::Matrix& U) const;
 
 private:
   EarlyLists lists_;
   DenseCholesky L_;
-  base::Matrix X_, left_;
+  base::Matrix X_, schur_;
 };
 
 /// Cholesky factor of a full matrix of which the first rows have been eliminated before.
 class LayeredCholesky {
 public:
-  /// D [n, n]: the matrix of the other rows with early->left() added in; `place` [late] are the
-  /// rows of D that those are.
+  /// D [n, n]: the matrix of the rows that are not early, with early->schur() added in; `place`
+  /// [late]: the row of D of each late row.
   LayeredCholesky(std::shared_ptr<const EarlyRows> early, std::vector<Eigen::Index> place,
                   base::Matrix D);
 
@@ -55,8 +56,9 @@ public:
   /// Early and late rows.
   [[nodiscard]] Eigen::Index size() const { return early_rows() + late_.size(); }
 
-  /// The late part of a half solve of what is on early rows only: from `handed` there.
-  [[nodiscard]] base::Matrix late_half(const base::Matrix& handed) const;
+  /// The lower part [n, k] of L^-1 B for a B that is zero below its early rows, from their
+  /// late_load [late, k].
+  [[nodiscard]] base::Matrix late_half(const base::Matrix& late_load) const;
   /// L^-1 B and A^-1 B [size, k], early rows first.
   [[nodiscard]] base::Matrix half_solve(const base::Matrix& B) const;
   [[nodiscard]] base::Matrix solve(const base::Matrix& B) const;
@@ -70,7 +72,7 @@ private:
 /// A factor in the place of a condensed matrix.
 struct FactoredExternals {
   LayeredCholesky L;
-  std::vector<Eigen::Index> row; ///< [externals] in it; of its other rows none bears a load
+  std::vector<Eigen::Index> row; ///< [externals] row of L of each; its other rows bear no load
 };
 
 } // namespace spricka::solve

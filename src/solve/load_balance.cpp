@@ -36,7 +36,7 @@ private:
 
 } // namespace
 
-Holding hold_loads(const HeldProblem& problem) {
+LoadBalance balance_loads(const HeldProblem& problem) {
   const int n = problem.rows();
   Span fixed(problem.modes());
   for (int i = 0; i < n; ++i) {
@@ -60,19 +60,19 @@ Holding hold_loads(const HeldProblem& problem) {
   return {A * best.x - t, best.positive};
 }
 
-base::Vector opening_motion(const ModeSplit& split, const Holding& holding, double least) {
-  if (holding.remainder.size() == 0) {
+base::Vector opening_motion(const ModeSplit& split, const LoadBalance& balance, double least) {
+  if (balance.remainder.size() == 0) {
     return {};
   }
-  // in units of h: the columns of felt have a unit of their own
-  const base::Vector per_unit = split.felt.colwise().norm().cwiseInverse().transpose();
-  if (!(holding.remainder.cwiseProduct(per_unit).norm() > least)) {
+  // in units of h: the columns of controllable have a unit of their own
+  const base::Vector per_unit = split.controllable.colwise().norm().cwiseInverse().transpose();
+  if (!(balance.remainder.cwiseProduct(per_unit).norm() > least)) {
     return {};
   }
-  return (split.felt * holding.remainder).normalized();
+  return (split.controllable * balance.remainder).normalized();
 }
 
-std::vector<int> holding_rows(const HeldProblem& problem, const std::vector<int>& pressed) {
+std::vector<int> spanning_rows(const HeldProblem& problem, const std::vector<int>& pressed) {
   Span span(problem.modes());
   std::vector<int> rows;
   for (int i = 0; i < problem.rows(); ++i) {

@@ -68,18 +68,18 @@ std::vector<bool> pivot_rows(base::Matrix U) {
 ModeSplit split_modes(const base::Matrix& B, double opening_scale) {
   const Eigen::Index m = B.cols();
   const double largest = B.size() == 0 ? 0.0 : B.cwiseAbs().maxCoeff();
-  const double floor = unfelt_opening * (opening_scale > 0.0 ? opening_scale : largest);
+  const double floor = uncontrollable_opening * (opening_scale > 0.0 ? opening_scale : largest);
   std::vector<Eigen::Index> touched;
-  base::Matrix unfelt(m, 0);
-  const auto add_unfelt = [&unfelt](const base::Vector& direction) {
-    unfelt.conservativeResize(Eigen::NoChange, unfelt.cols() + 1);
-    unfelt.rightCols(1) = direction;
+  base::Matrix uncontrollable(m, 0);
+  const auto add_uncontrollable = [&uncontrollable](const base::Vector& direction) {
+    uncontrollable.conservativeResize(Eigen::NoChange, uncontrollable.cols() + 1);
+    uncontrollable.rightCols(1) = direction;
   };
   for (Eigen::Index j = 0; j < m; ++j) {
     if (B.rows() > 0 && B.col(j).cwiseAbs().maxCoeff() > floor) {
       touched.push_back(j);
     } else {
-      add_unfelt(base::Vector::Unit(m, j));
+      add_uncontrollable(base::Vector::Unit(m, j));
     }
   }
   const Eigen::Index k = static_cast<Eigen::Index>(touched.size());
@@ -88,7 +88,7 @@ ModeSplit split_modes(const base::Matrix& B, double opening_scale) {
     const Eigen::Index j = touched[static_cast<std::size_t>(c)];
     scale(j, c) = 1.0 / B.col(j).cwiseAbs().maxCoeff();
   }
-  base::Matrix felt = scale;
+  base::Matrix controllable = scale;
   if (k > 0) {
     const auto [V, s] = right_vectors(B * scale);
     Eigen::Index rank = (s.array() > dependent * s(0)).count();
@@ -100,33 +100,33 @@ ModeSplit split_modes(const base::Matrix& B, double opening_scale) {
     }
     if (rank < k) {
       for (Eigen::Index c = rank; c < k; ++c) {
-        add_unfelt(scale * V.col(c));
+        add_uncontrollable(scale * V.col(c));
       }
-      // Beside them stand the given modes themselves: what a load on an unfelt one leaves over is
-      // then a load on modes left out here, a couple but no force if those are rotations.
+      // Beside them stand the given modes themselves: what a load on an uncontrollable one leaves
+      // over is then a load on modes left out here, a couple but no force if those are rotations.
       const std::vector<bool> out = pivot_rows(orthonormal(scale * V.rightCols(k - rank)));
-      felt = base::Matrix(m, rank);
+      controllable = base::Matrix(m, rank);
       Eigen::Index to = 0;
       for (Eigen::Index c = 0; c < k; ++c) {
         const Eigen::Index j = touched[static_cast<std::size_t>(c)];
         if (!out[std::size_t(j)]) {
-          felt.col(to++) = scale.col(c);
+          controllable.col(to++) = scale.col(c);
         }
       }
     }
     for (Eigen::Index c = 0; c < rank; ++c) {
-      felt.col(c) /= (B * felt.col(c)).cwiseAbs().maxCoeff();
+      controllable.col(c) /= (B * controllable.col(c)).cwiseAbs().maxCoeff();
     }
   }
-  return {felt, orthonormal(unfelt)};
+  return {controllable, orthonormal(uncontrollable)};
 }
 
-base::Vector unfelt_motion(const ModeSplit& split, const base::Vector& h, double least) {
-  const base::Vector load = split.unfelt.transpose() * h;
+base::Vector uncontrollable_motion(const ModeSplit& split, const base::Vector& h, double least) {
+  const base::Vector load = split.uncontrollable.transpose() * h;
   if (load.size() == 0 || !(load.cwiseAbs().maxCoeff() > least)) {
     return {};
   }
-  return (split.unfelt * load).normalized();
+  return (split.uncontrollable * load).normalized();
 }
 
 } // namespace spricka::solve

@@ -11,16 +11,16 @@ namespace spricka::solve {
 
 namespace {
 
-/// Modes that no row feels must not be loaded anywhere on the path, but for what steps let rest.
-base::Vector unfelt_on_path(const ParametricProblem& problem, const ModeSplit& split, double from,
-                            double to) {
+/// The uncontrollable motion that loads on the path drive; loads that steps let rest do not count.
+base::Vector uncontrollable_on_path(const ParametricProblem& problem, const ModeSplit& split,
+                                    double from, double to) {
   const base::Vector first = problem.at_zero.h + from * problem.dh;
   const base::Vector last = problem.at_zero.h + to * problem.dh;
   double scale = problem.at_zero.load_scale;
   for (const base::Vector* h : {&first, &last}) {
     scale = h->size() > 0 ? std::max(scale, h->cwiseAbs().maxCoeff()) : scale;
   }
-  return unfelt_motion(split, last, resting_load * scale);
+  return uncontrollable_motion(split, last, resting_load * scale);
 }
 
 } // namespace
@@ -30,11 +30,11 @@ SolutionPath follow_path(const ParametricProblem& problem, double from, double t
   assert(to > from);
   blas::single_thread();
   const ModeSplit split = split_modes(problem.at_zero.B, problem.at_zero.opening_scale);
-  const base::Vector unfelt = unfelt_on_path(problem, split, from, to);
-  if (unfelt.size() > 0) {
+  const base::Vector uncontrollable = uncontrollable_on_path(problem, split, from, to);
+  if (uncontrollable.size() > 0) {
     SolutionPath path;
     path.status = PathStatus::unheld_mode;
-    path.unheld = unfelt;
+    path.unheld = uncontrollable;
     path.end = from;
     return path;
   }

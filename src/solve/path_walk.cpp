@@ -204,7 +204,7 @@ bool PathWalk::no_way_on(int i, const base::Vector& x) {
   if (!closed(i)) {
     return stop(PathStatus::inconsistent);
   }
-  path_.unheld = split_.felt * matrix_.modes(x);
+  path_.unheld = split_.controllable * matrix_.modes(x);
   const double norm = path_.unheld.norm();
   if (norm > 0.0) {
     path_.unheld /= norm;

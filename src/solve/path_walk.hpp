@@ -11,23 +11,24 @@
 
 namespace spricka::solve {
 
-/// What can be returned to: the path as it was when the matrix was last factorised.
+/// A state to return to: the path as it was when the matrix was last factorised.
 struct PathMark {
   double t = 0.0;
   std::vector<bool> closed, reported;
   std::size_t segments = 0, changes = 0;
 };
 
-/// The walk along one path: follow_path without its modes that no row feels. Functions that return
+/// The walk along one path: follow_path on its controllable modes. Functions that return
 /// bool return false when the walk is over.
 class PathWalk {
 public:
   PathWalk(const ParametricProblem& problem, const ModeSplit& split, double from, double to,
            const PathSettings& settings)
       : problem_(problem), split_(split), settings_(settings),
-        held_(held_problem(problem.at_zero, split)), dh_(split.felt.transpose() * problem.dh),
-        matrix_(held_, problem.of_force, problem.of_mode * split.felt), t_(from), from_(from),
-        to_(to), interval_(settings.refactor) {}
+        held_(held_problem(problem.at_zero, split)),
+        dh_(split.controllable.transpose() * problem.dh),
+        matrix_(held_, problem.of_force, problem.of_mode * split.controllable), t_(from),
+        from_(from), to_(to), interval_(settings.refactor) {}
 
   /// From the solution at the first t to the end; once.
   SolutionPath run(const std::vector<bool>& start);

@@ -33,11 +33,12 @@ int rest_free_motions(const HeldProblem& problem, const ModeSplit& split,
   if (problem.modes() == 0) {
     return 0;
   }
-  const Eigen::RowVectorXd per_unit = split.felt.colwise().norm().cwiseInverse();
+  const Eigen::RowVectorXd per_unit = split.controllable.colwise().norm().cwiseInverse();
   std::vector<int> fixed;
   std::vector<int> others;
   for (int i = 0; i < problem.rows(); ++i) {
-    // in units of h: the columns of B are those of felt, whose size carries a unit of its own
+    // in units of h: the columns of B are those of `controllable`, whose size carries a unit of
+    // its own
     const double force = lambda(i) * problem.B.row(i).cwiseAbs().cwiseProduct(per_unit).maxCoeff();
     (problem.equality[std::size_t(i)] || force > least ? fixed : others).push_back(i);
   }
@@ -45,13 +46,14 @@ int rest_free_motions(const HeldProblem& problem, const ModeSplit& split,
   if (Z.cols() == 0) {
     return 0;
   }
-  // alpha + Z y with  felt Z = Q R,  v = R y + Q^T felt alpha:  min |v|  subject to  E v >= f
+  // alpha + Z y with F = C Z = Q R, C = split.controllable, v = R y + Q^T C alpha:
+  // min |v| subject to E v >= f
   const Eigen::Index z = Z.cols();
-  const base::Matrix F = split.felt * Z;
+  const base::Matrix F = split.controllable * Z;
   const Eigen::HouseholderQR<base::Matrix> qr(F);
   const base::Matrix R = base::Matrix(qr.matrixQR().topRows(z)).triangularView<Eigen::Upper>();
   const base::Matrix Q = qr.householderQ() * base::Matrix::Identity(F.rows(), z);
-  const base::Vector shift = Q.transpose() * (split.felt * alpha);
+  const base::Vector shift = Q.transpose() * (split.controllable * alpha);
   const base::Matrix ZR =
       R.transpose().triangularView<Eigen::Lower>().solve(Z.transpose()).transpose();
   const base::Vector gap = problem.b + problem.W * lambda + problem.B * alpha;

@@ -5,10 +5,11 @@
 
 namespace spricka::solve {
 
-/// Motions that no pressed row stops leave forces and energy as they are: of all such answers the
-/// one with the least modes |felt alpha|, gaps kept non-negative (least distance programming,
-/// Lawson and Hanson 1974, chapter 23). Rows press that give a mode more than `least`. alpha [m] is
-/// changed; returns the number of free motions.
+/// Brings motions to rest that no pressed row stops and that change neither forces nor energy:
+/// among the solutions that differ by them takes the one with the least modes |controllable alpha|
+/// whose gaps are not negative (least distance programming, Lawson and Hanson 1974, chapter 23). A
+/// row presses if it loads some mode by more than `least`. Changes alpha [m]; returns the number of
+/// free motions.
 int rest_free_motions(const HeldProblem& problem, const ModeSplit& split,
                       const base::Vector& lambda, double least, base::Vector& alpha);
 

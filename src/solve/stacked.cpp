@@ -81,7 +81,7 @@ Stacked::Stacked(const base::SymmetricCsc& K, std::int64_t externals,
   const double started = thread_cpu();
   const base::Matrix touched = below_->take_schur();
   Parts parts = assemble(K, blocks, touched);
-  if (!rows_.early.empty() && !stand_on({blocks.front(), std::move(lists)}, *early, parts)) {
+  if (!rows_.early.empty() && !eliminate_early(blocks.front(), std::move(lists), *early, parts)) {
     rows_.early.clear();
     parts = assemble(K, blocks, touched);
   }
@@ -138,27 +138,28 @@ Stacked::Parts Stacked::assemble(const base::SymmetricCsc& K, std::span<const De
   return parts;
 }
 
-bool Stacked::stand_on(Ground ground, std::shared_ptr<const EarlyRows>& early, Parts& parts) {
-  const std::vector<Eigen::Index> top = places_of(ground.block, rows_.top);
+bool Stacked::eliminate_early(const DenseBlock& dense, EarlyLists lists,
+                              std::shared_ptr<const EarlyRows>& early, Parts& parts) {
+  const std::vector<Eigen::Index> top = places_of(dense, rows_.top);
   std::vector<Eigen::Index> row(rows_.top.size(), -1); // by place on top: in the layered factor
-  for (std::size_t k = 0; k < ground.lists.early.size(); ++k) {
-    row[at(top[at(ground.lists.early[k])])] = static_cast<Eigen::Index>(k);
+  for (std::size_t k = 0; k < lists.early.size(); ++k) {
+    row[at(top[at(lists.early[k])])] = static_cast<Eigen::Index>(k);
   }
   std::vector<Eigen::Index> place; // of the late ones among the rest
-  for (const Eigen::Index r : ground.lists.late) {
+  for (const Eigen::Index r : lists.late) {
     place.push_back(parts.place[at(top[at(r)])]);
   }
-  if (!early || early->lists() != ground.lists) {
-    early = std::make_shared<const EarlyRows>(*ground.block.stiffness, std::move(ground.lists));
+  if (!early || early->lists() != lists) {
+    early = std::make_shared<const EarlyRows>(*dense.stiffness, std::move(lists));
   }
   if (!early->ok()) {
     return false; // the block alone does not hold its rows
   }
-  const base::Matrix& left = early->left();
+  const base::Matrix& schur = early->schur();
   for (std::size_t c = 0; c < place.size(); ++c) {
     for (std::size_t r = 0; r < place.size(); ++r) {
       parts.rest(place[r], place[c]) +=
-          left(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c));
+          schur(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c));
     }
   }
   const auto firsts = early->count();
@@ -223,9 +224,9 @@ base::Matrix Stacked::on_top(const base::Matrix& f, const base::Matrix& f_below)
   for (Eigen::Index i = 0; i < g.rows(); ++i) {
     g.row(i) = f.row(rows_.top[at(i)]);
   }
-  const base::Matrix handed = below_->condense_load(f_below);
+  const base::Matrix condensed = below_->condense_load(f_below);
   for (std::size_t t = 0; t < rows_.touched.size(); ++t) {
-    g.row(rows_.touched[t]) += handed.row(static_cast<Eigen::Index>(t));
+    g.row(rows_.touched[t]) += condensed.row(static_cast<Eigen::Index>(t));
   }
   return g;
 }

@@ -50,15 +50,13 @@ private:
     base::Matrix inner, coupling, rest;
     std::vector<Eigen::Index> place; ///< by place on top: among the rest, -1: not in it
   };
-  /// `touched`: what the rows below leave of those they touch.
+  /// `touched`: Schur complement of the rows below on those that they touch.
   [[nodiscard]] Parts assemble(const base::SymmetricCsc& K, std::span<const DenseBlock> blocks,
                                const base::Matrix& touched) const;
-  /// Eliminates the early rows, if `early` has not got them; false: the block does not hold them.
-  struct Ground {
-    const DenseBlock& block;
-    EarlyLists lists;
-  };
-  bool stand_on(Ground ground, std::shared_ptr<const EarlyRows>& early, Parts& parts);
+  /// Makes the factor of the externals on the early rows of `block`, which are eliminated unless
+  /// `early` has them already; false: the block alone is not positive definite there.
+  bool eliminate_early(const DenseBlock& block, EarlyLists lists,
+                       std::shared_ptr<const EarlyRows>& early, Parts& parts);
   bool eliminate(Parts parts, FactorReport& report);
   /// The inner rows of g [top, k] <- L^-1 or L^-T times them.
   void solve_inner(base::Matrix& g, bool transposed) const;

@@ -32,9 +32,9 @@ public:
 
   /// c [size] for gaps b [n] and loads h [m], at begin: no pivots must have been made.
   [[nodiscard]] base::Vector state(const base::Vector& b, const base::Vector& h) const;
-  /// T z for z_i = 1 [size]. Columns of `likely` rows are made along with it.
+  /// Column i of T [size]. Columns of `likely` rows are made along with it.
   [[nodiscard]] base::Vector column(int i, std::span<const int> likely);
-  /// Whether that needs no solution with the factor any more.
+  /// Whether column i needs no solution with the factor any more.
   [[nodiscard]] bool made(int i) const { return made_[static_cast<std::size_t>(i)].size() > 0; }
   /// Exchanges y and z of row i, whose column is given, in the matrix and in states.
   void pivot(int i, const base::Vector& column, std::span<base::Vector* const> states);

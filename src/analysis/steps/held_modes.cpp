@@ -168,8 +168,8 @@ std::vector<results::BodyPreview> held_modes(const model::Model& model, const Sc
     preview.modes = static_cast<int>(fe::rigid_modes(model, mesh, body.pieces).cols());
     const auto free = static_cast<int>(body.free_modes.cols());
     preview.by_supports = preview.modes - free;
-    preview.by_nothing =
-        motions(model, mesh, body, split.unfelt.middleRows(modes.first(b), body.free_modes.cols()));
+    preview.by_nothing = motions(
+        model, mesh, body, split.uncontrollable.middleRows(modes.first(b), body.free_modes.cols()));
     preview.by_contact = free - static_cast<int>(preview.by_nothing.size());
     found.push_back(std::move(preview));
   }
@@ -207,22 +207,22 @@ std::vector<Refusal> unheld_loads(const model::Model& model, const Scene& scene,
     const double scale =
         std::max((scene.case_load * factors.case_factor).lpNorm<1>(), h.cwiseAbs().maxCoeff());
     const solve::ModeSplit split = solve::split_modes(B, modes.opening_scale(rows));
-    base::Vector motion = solve::unfelt_motion(split, h, solve::resting_load * scale);
+    base::Vector motion = solve::uncontrollable_motion(split, h, solve::resting_load * scale);
     if (motion.size() == 0) {
       // Stiffness plays no part in whether rows can take the loads.
       const base::Matrix none;
       const solve::HeldProblem plain{none,
-                                     B * split.felt,
+                                     B * split.controllable,
                                      base::Vector::Zero(B.rows()),
-                                     split.felt.transpose() * h,
+                                     split.controllable.transpose() * h,
                                      equality,
                                      0.0,
                                      {}};
-      const solve::Holding holding =
-          solve::hold_loads(solve::cone_problem(plain.B, plain.h, equality, friction));
-      motion = solve::opening_motion(split, holding, solve::rest_load * std::max(scale, h.norm()));
+      const solve::LoadBalance balance =
+          solve::balance_loads(solve::cone_problem(plain.B, plain.h, equality, friction));
+      motion = solve::opening_motion(split, balance, solve::rest_load * std::max(scale, h.norm()));
       if (motion.size() > 0 && !friction.empty()) {
-        motion = solve::sliding_motion(split, plain, friction, holding);
+        motion = solve::sliding_motion(split, plain, friction, balance);
       }
     }
     if (motion.size() > 0) {

@@ -99,7 +99,7 @@ TEST(ContactQp, BodyPulledAwayIsNamed) {
 }
 
 TEST(ContactQp, BlockSlidesOnAnInclinedFloorOnly) {
-  // both translations are felt, but not the one along the floor
+  // both translations are controllable, but not the one along the floor
   const double c = std::cos(0.4);
   const double s = std::sin(0.4);
   ContactProblem p = problem_of(Matrix::Identity(3, 3), Vector::Zero(3));

@@ -19,7 +19,7 @@ std::size_t at(Eigen::Index i) {
   return static_cast<std::size_t>(i);
 }
 
-/// Elastic freedoms with compliance C = F F^T, rows G, loads f + t df, rigid modes felt by B. The
+/// Elastic freedoms with compliance C = F F^T, rows G, loads f + t df, rigid modes that open B. The
 /// functionals are elastic displacements, which are unique however redundant the rows are.
 struct Body {
   Matrix F, G, B;
