@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/held_contact.hpp"
+#include "base/index.hpp"
 
 #include <algorithm>
 #include <utility>
 
 namespace spricka::contact {
+
+using base::index;
 
 FreeResponse free_response(const ContactSystem& system, const std::vector<base::Matrix>& load) {
   const std::vector<const CondensedBody*>& bodies = system.bodies();
@@ -24,9 +27,9 @@ HeldContact::HeldContact(const ContactSystem& system, std::vector<std::size_t> r
 
 HeldContact::Response HeldContact::respond(const base::Matrix& gap,
                                            const base::Matrix& on_mode) const {
-  base::Matrix before(static_cast<Eigen::Index>(rows_.size()), gap.cols());
+  base::Matrix before(index(rows_.size()), gap.cols());
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    before.row(static_cast<Eigen::Index>(i)) = gap.row(static_cast<Eigen::Index>(rows_[i]));
+    before.row(index(i)) = gap.row(index(rows_[i]));
   }
   solve::HeldRows::Response found = held_.respond(before, on_mode);
   Response out;
@@ -34,8 +37,7 @@ HeldContact::Response HeldContact::respond(const base::Matrix& gap,
   out.mode = std::move(found.alpha);
   out.force = base::Matrix::Zero(gap.rows(), gap.cols());
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    out.force.row(static_cast<Eigen::Index>(rows_[i])) =
-        found.lambda.row(static_cast<Eigen::Index>(i));
+    out.force.row(index(rows_[i])) = found.lambda.row(index(i));
   }
   out.gap = gap + system_.W() * out.force + system_.B() * out.mode;
   return out;
@@ -45,7 +47,7 @@ std::vector<base::Matrix> HeldContact::displacement(const std::vector<base::Matr
                                                     const Response& response) const {
   std::vector<base::Matrix> force = load;
   for (const std::size_t row : rows_) {
-    system_.add_force(row, response.force.row(static_cast<Eigen::Index>(row)), force);
+    system_.add_force(row, response.force.row(index(row)), force);
   }
   std::vector<base::Matrix> u;
   for (std::size_t b = 0; b < force.size(); ++b) {
@@ -57,15 +59,15 @@ std::vector<base::Matrix> HeldContact::displacement(const std::vector<base::Matr
 }
 
 base::Vector HeldContact::pivots(const std::vector<std::size_t>& candidates) const {
-  const auto count = static_cast<Eigen::Index>(candidates.size());
+  const auto count = index(candidates.size());
   const base::Matrix& W = system_.W();
   const base::Matrix& B = system_.B();
   base::Matrix gap = base::Matrix::Zero(W.rows(), count);
   base::Matrix on_mode = base::Matrix::Zero(B.cols(), count);
   std::vector<bool> is_held(candidates.size());
   for (std::size_t c = 0; c < candidates.size(); ++c) {
-    const auto at = static_cast<Eigen::Index>(c);
-    const auto row = static_cast<Eigen::Index>(candidates[c]);
+    const auto at = index(c);
+    const auto row = index(candidates[c]);
     is_held[c] = std::ranges::find(rows_, candidates[c]) != rows_.end();
     if (is_held[c]) {
       gap(row, at) = 1.0;
@@ -77,8 +79,8 @@ base::Vector HeldContact::pivots(const std::vector<std::size_t>& candidates) con
   const Response response = respond(gap, on_mode);
   base::Vector pivot(count);
   for (std::size_t c = 0; c < candidates.size(); ++c) {
-    const auto at = static_cast<Eigen::Index>(c);
-    const auto row = static_cast<Eigen::Index>(candidates[c]);
+    const auto at = index(c);
+    const auto row = index(candidates[c]);
     pivot[at] = is_held[c] ? -response.force(row, at) : response.gap(row, at);
   }
   return pivot;

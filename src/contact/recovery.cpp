@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/recovery.hpp"
 
+#include "base/index.hpp"
 #include "contact/arc.hpp"
 #include "contact/axis_ends.hpp"
 #include "contact/push_only.hpp"
@@ -8,6 +9,7 @@
 #include "contact/smooth.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <unordered_map>
@@ -16,8 +18,12 @@
 
 namespace spricka::contact {
 
+using base::at;
+using base::index;
+
 namespace {
 
+// Gauss-Legendre; the weights of shape::line_rule differ from these in the last bits.
 constexpr std::array<double, 4> gauss_r{-0.8611363115940526, -0.3399810435848563,
                                         0.3399810435848563, 0.8611363115940526};
 constexpr std::array<double, 4> gauss_w{0.3478548451374538, 0.6521451548625461, 0.6521451548625461,
@@ -46,7 +52,7 @@ Eigen::SparseMatrix<double> surface_mass(const PairRows& pair, const Numbering& 
       }
     }
   }
-  const auto n = static_cast<Eigen::Index>(number.size());
+  const auto n = index(number.size());
   Eigen::SparseMatrix<double> C(n, n);
   C.setFromTriplets(entries.begin(), entries.end());
   return C;
@@ -106,17 +112,11 @@ std::vector<Place> ordered_places(const Surface& surface) {
 // A crack mouth cuts the surface: two nodes of different numbers stand in one point.
 void mark_lips(const Surface& surface, std::vector<Place>& places) {
   std::vector<std::size_t> ends;
-  std::size_t at = 0;
-  for (const EdgeChain& chain : surface.chains) {
-    std::size_t count = chain.closed ? 0 : 1;
-    for (const Edge& edge : chain.edges) {
-      count += static_cast<std::size_t>(edge.count) - 1;
-    }
+  for (const ChainRange& chain : chain_ranges(surface)) {
     if (!chain.closed) {
-      ends.push_back(at);
-      ends.push_back(at + count - 1);
+      ends.push_back(chain.first);
+      ends.push_back(chain.first + chain.count - 1);
     }
-    at += count;
   }
   for (const std::size_t a : ends) {
     for (const std::size_t b : ends) {
@@ -131,14 +131,10 @@ void mark_lips(const Surface& surface, std::vector<Place>& places) {
 // Chain after chain: lengths along the whole surface.
 void string_chains(const Surface& surface, std::vector<Place>& places) {
   const std::vector<double> starts = chain_starts(surface);
-  std::size_t at = 0;
-  for (std::size_t c = 0; c < surface.chains.size(); ++c) {
-    std::size_t count = surface.chains[c].closed ? 0 : 1;
-    for (const Edge& edge : surface.chains[c].edges) {
-      count += static_cast<std::size_t>(edge.count) - 1;
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      places[at++].at.arc += starts[c];
+  const std::vector<ChainRange> chains = chain_ranges(surface);
+  for (std::size_t c = 0; c < chains.size(); ++c) {
+    for (std::size_t i = 0; i < chains[c].count; ++i) {
+      places[chains[c].first + i].at.arc += starts[c];
     }
   }
 }
@@ -161,10 +157,10 @@ SideForce side_force(const PairRows& pair, const base::Vector& lambda, const Num
     }
   };
   for (std::size_t i = 0; i < pair.normal.size(); ++i) {
-    add(pair.normal[i], lambda[static_cast<Eigen::Index>(i)]);
+    add(pair.normal[i], lambda[index(i)]);
   }
   for (std::size_t i = 0; i < pair.tangent.size(); ++i) {
-    add(pair.tangent[i], lambda[static_cast<Eigen::Index>(pair.normal.size() + i)]);
+    add(pair.tangent[i], lambda[index(pair.normal.size() + i)]);
   }
   return force;
 }
@@ -190,11 +186,11 @@ struct NodeArea {
 NodeArea node_areas(const PairRows& pair, const std::vector<Place>& places,
                     const Numbering& number) {
   const Surface& surface = pair.contact;
-  const auto n = static_cast<Eigen::Index>(number.size());
+  const auto n = index(number.size());
   NodeArea area{base::Vector::Zero(n), base::Vector::Zero(n)};
   std::vector<Vec2> normal(number.size());
   for (const Place& p : places) {
-    normal[static_cast<std::size_t>(number.at(p.at.node))] = p.normal;
+    normal[at(number.at(p.at.node))] = p.normal;
   }
   const auto add = [&](const Edge& edge, double xi, double weight) {
     const std::array<double, 3> N = edge_N(edge, xi);
@@ -204,7 +200,7 @@ NodeArea node_areas(const PairRows& pair, const std::vector<Place>& places,
         weight * tangent_on(edge, xi).norm() * depth_at(surface, pair.target, point_on(edge, xi));
     for (std::size_t i = 0; i < static_cast<std::size_t>(edge.count); ++i) {
       const Eigen::Index k = number.at(edge.nodes[i]);
-      area.facing[k] += w * N[i] * here.dot(normal[static_cast<std::size_t>(k)]);
+      area.facing[k] += w * N[i] * here.dot(normal[at(k)]);
       area.hat[k] += w * hat[i];
     }
   };
@@ -227,16 +223,14 @@ std::vector<bool> whole_edges(const PairRows& pair, const base::Vector& hat,
   std::vector<bool> good(number.size(), false);
   for (std::size_t i = 0; i < pair.normal.size(); ++i) {
     const Eigen::Index k = number.at(pair.normal[i].node);
-    good[static_cast<std::size_t>(k)] =
+    good[at(k)] =
         std::abs(pair.normal[i].area - hat[k]) <= covered * hat[k] && (!closed || (*closed)[i]);
   }
   std::vector<bool> whole;
   for (const EdgeChain& chain : pair.contact.chains) {
     for (const Edge& edge : chain.edges) {
-      whole.push_back(
-          std::all_of(edge.nodes.begin(), edge.nodes.begin() + edge.count, [&](base::NodeId node) {
-            return good[static_cast<std::size_t>(number.at(node))];
-          }));
+      whole.push_back(std::all_of(edge.nodes.begin(), edge.nodes.begin() + edge.count,
+                                  [&](base::NodeId node) { return good[at(number.at(node))]; }));
     }
   }
   return whole;
@@ -262,7 +256,7 @@ void rim_pressure(const PairRows& pair, const Numbering& number, const std::vect
 // meets the turn of the normal, which the facing areas count.
 NodalPressure recover(const PairRows& pair, const Multipliers& row, const SideForce& force,
                       const std::vector<Place>& places, const Numbering& number) {
-  const auto n = static_cast<Eigen::Index>(number.size());
+  const auto n = index(number.size());
   base::Vector R = base::Vector::Zero(n);
   base::Vector T = base::Vector::Zero(n); // along the tangent, normal turned to the left
   for (const Place& p : places) {
@@ -303,7 +297,7 @@ NodalPressure recover(const PairRows& pair, const Multipliers& row, const SideFo
     return p;
   }
   for (std::size_t i = 0; i < pair.normal.size(); ++i) {
-    p.consistent[number.at(pair.normal[i].node)] = row.lambda[static_cast<Eigen::Index>(i)];
+    p.consistent[number.at(pair.normal[i].node)] = row.lambda[index(i)];
   }
   const std::vector<bool> paired = whole_edges(pair, area.hat, number, nullptr);
   const std::vector<bool> sound = whole_edges(pair, area.hat, number, &row.closed);
@@ -312,7 +306,7 @@ NodalPressure recover(const PairRows& pair, const Multipliers& row, const SideFo
   if (!pair.tangent.empty()) { // shear is treated as pressure, so that their ratio keeps its bound
     for (std::size_t i = 0; i < pair.tangent.size(); ++i) {
       p.shear_consistent[number.at(pair.tangent[i].node)] =
-          -row.lambda[static_cast<Eigen::Index>(pair.normal.size() + i)];
+          -row.lambda[index(pair.normal.size() + i)];
     }
     rim_pressure(pair, number, paired, p.shear_consistent, p.shear_lumped);
     smooth_pressure(pair.contact, number, sound, p.shear_consistent, p.shear_lumped);
@@ -347,7 +341,7 @@ PairPressure recover_pressure(const PairRows& pair, const base::Vector& lambda,
   string_chains(pair.contact, places);
   Numbering number;
   for (const Place& p : places) {
-    number.try_emplace(p.at.node, static_cast<Eigen::Index>(number.size()));
+    number.try_emplace(p.at.node, index(number.size()));
   }
   const SideForce force = side_force(pair, lambda, number);
   const NodalPressure p = recover(pair, {lambda, closed, may_pull}, force, places, number);
@@ -357,7 +351,7 @@ PairPressure recover_pressure(const PairRows& pair, const base::Vector& lambda,
   double thrust = 0.0;
   std::map<base::NodeId, std::size_t> row_of;
   for (std::size_t i = 0; i < pair.normal.size(); ++i) {
-    const auto at = static_cast<Eigen::Index>(i);
+    const auto at = index(i);
     row_of[pair.normal[i].node] = i;
     thrust += lambda[at] * pair.normal[i].area;
     result.min_pressure = i == 0 ? lambda[at] : std::min(result.min_pressure, lambda[at]);
@@ -375,7 +369,7 @@ PairPressure recover_pressure(const PairRows& pair, const base::Vector& lambda,
     if (row != row_of.end()) {
       place.at.row = static_cast<int>(row->second);
       place.at.closed = closed[row->second];
-      place.at.gap = gap[static_cast<Eigen::Index>(row->second)] / pair.normal[row->second].area;
+      place.at.gap = gap[index(row->second)] / pair.normal[row->second].area;
     }
     result.nodes.push_back(place.at);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/system.hpp"
 
+#include "base/index.hpp"
 #include "solve/contact_qp.hpp"
 #include "solve/friction.hpp"
 
@@ -11,6 +12,9 @@
 #include <Eigen/QR>
 
 namespace spricka::contact {
+
+using base::at;
+using base::index;
 
 namespace {
 
@@ -34,11 +38,10 @@ base::Matrix held(base::Matrix S, const base::Matrix& Q) {
 
 // The rows of a body as columns [m, k].
 base::Matrix as_columns(const std::vector<std::vector<RowShare>>& rows, std::size_t freedoms) {
-  base::Matrix GT = base::Matrix::Zero(static_cast<Eigen::Index>(freedoms),
-                                       static_cast<Eigen::Index>(rows.size()));
+  base::Matrix GT = base::Matrix::Zero(index(freedoms), index(rows.size()));
   for (std::size_t k = 0; k < rows.size(); ++k) {
     for (const RowShare& share : rows[k]) {
-      GT(share.at, static_cast<Eigen::Index>(k)) += share.weight;
+      GT(share.at, index(k)) += share.weight;
     }
   }
   return GT;
@@ -60,8 +63,8 @@ CondensedBody::CondensedBody(std::vector<std::int32_t> freedom, base::Matrix S,
     : freedom_(std::move(freedom)), Q_(orthonormal(modes)), factor_(held(std::move(S), Q_)) {}
 
 CondensedBody::CondensedBody(std::vector<std::int32_t> freedom, solve::FactoredExternals factor)
-    : freedom_(std::move(freedom)), Q_(static_cast<Eigen::Index>(freedom_.size()), 0),
-      factor_(base::Matrix()), layered_(std::move(factor)) {}
+    : freedom_(std::move(freedom)), Q_(index(freedom_.size()), 0), factor_(base::Matrix()),
+      layered_(std::move(factor)) {}
 
 base::Matrix CondensedBody::project(base::Matrix F) const {
   if (Q_.cols() > 0) {
@@ -97,8 +100,7 @@ ContactSystem::ContactSystem(std::vector<const CondensedBody*> bodies,
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const std::vector<std::int32_t>& freedom = bodies_[b]->freedom();
     for (std::size_t i = 0; i < freedom.size(); ++i) {
-      place[static_cast<std::size_t>(freedom[i])] = {static_cast<std::int32_t>(b),
-                                                     static_cast<std::int32_t>(i)};
+      place[at(freedom[i])] = {static_cast<std::int32_t>(b), static_cast<std::int32_t>(i)};
     }
     mode_start_.push_back(mode_start_.back() + bodies_[b]->modes().cols());
   }
@@ -114,7 +116,7 @@ ContactSystem::ContactSystem(std::vector<const CondensedBody*> bodies,
       }
     }
   }
-  const auto n = static_cast<Eigen::Index>(rows.size());
+  const auto n = index(rows.size());
   W_ = base::Matrix::Zero(n, n);
   B_ = base::Matrix::Zero(n, mode_start_.back());
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
@@ -125,8 +127,7 @@ ContactSystem::ContactSystem(std::vector<const CondensedBody*> bodies,
 bool ContactSystem::may_last(std::size_t body, std::size_t row) const {
   const solve::FactoredExternals* factor = bodies_[body]->layered();
   return factor == nullptr || std::ranges::all_of(rows_[row], [&](const Entry& e) {
-           return e.body != body ||
-                  factor->row[static_cast<std::size_t>(e.at)] < factor->L.early_rows();
+           return e.body != body || factor->row[at(e.at)] < factor->L.early_rows();
          });
 }
 
@@ -137,8 +138,7 @@ ContactSystem::shares_of(std::size_t body, const std::vector<std::size_t>& list,
     std::vector<RowShare>& own = out.emplace_back();
     for (const Entry& e : rows_[r]) {
       if (e.body == body) {
-        own.push_back({early ? bodies_[body]->layered()->row[static_cast<std::size_t>(e.at)] : e.at,
-                       e.weight});
+        own.push_back({early ? bodies_[body]->layered()->row[at(e.at)] : e.at, e.weight});
       }
     }
   }
@@ -195,10 +195,9 @@ void ContactSystem::add_body(std::size_t body, const Lasting& lasting,
 void ContactSystem::add_compliance(const std::vector<std::size_t>& r,
                                    const std::vector<std::size_t>& c, const base::Matrix& part) {
   for (std::size_t k = 0; k < c.size(); ++k) {
-    auto column = W_.col(static_cast<Eigen::Index>(c[k]));
+    auto column = W_.col(index(c[k]));
     for (std::size_t i = 0; i < r.size(); ++i) {
-      column[static_cast<Eigen::Index>(r[i])] +=
-          part(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k));
+      column[index(r[i])] += part(index(i), index(k));
     }
   }
 }
@@ -208,7 +207,7 @@ void ContactSystem::add_modes(std::size_t body, const std::vector<std::size_t>& 
   const base::Matrix& Q = bodies_[body]->modes();
   const double motion = Q.size() > 0 ? Q.cwiseAbs().maxCoeff() : 0.0;
   for (std::size_t k = 0; k < list.size() && Q.cols() > 0; ++k) {
-    auto row = B_.block(static_cast<Eigen::Index>(list[k]), mode_start_[body], 1, Q.cols());
+    auto row = B_.block(index(list[k]), mode_start_[body], 1, Q.cols());
     for (const RowShare& share : shares[k]) {
       row += share.weight * Q.row(share.at);
     }
@@ -233,7 +232,7 @@ std::size_t ContactSystem::body_of_mode(Eigen::Index mode) const {
 }
 
 solve::ContactProblem ContactSystem::condensed(const Demand& demand) const {
-  const auto n = static_cast<Eigen::Index>(demand.rows.size());
+  const auto n = index(demand.rows.size());
   std::vector<base::Vector> u(bodies_.size());
   solve::ContactProblem problem = compliance(demand.rows);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
@@ -242,7 +241,7 @@ solve::ContactProblem ContactSystem::condensed(const Demand& demand) const {
         bodies_[b]->modes().transpose() * demand.load[b];
   }
   for (Eigen::Index i = 0; i < n; ++i) {
-    problem.b[i] = demand.gap[i] + opening(demand.rows[static_cast<std::size_t>(i)], u);
+    problem.b[i] = demand.gap[i] + opening(demand.rows[at(i)], u);
   }
   problem.equality = demand.equality;
   problem.load_scale = demand.load_scale;
@@ -250,14 +249,14 @@ solve::ContactProblem ContactSystem::condensed(const Demand& demand) const {
 }
 
 solve::ContactProblem ContactSystem::compliance(const std::vector<std::size_t>& rows) const {
-  const auto n = static_cast<Eigen::Index>(rows.size());
+  const auto n = index(rows.size());
   solve::ContactProblem problem;
   problem.W.resize(n, n);
   problem.B.resize(n, B_.cols());
   for (Eigen::Index i = 0; i < n; ++i) {
-    const auto row = static_cast<Eigen::Index>(rows[static_cast<std::size_t>(i)]);
+    const auto row = index(rows[at(i)]);
     for (Eigen::Index k = 0; k < n; ++k) {
-      problem.W(k, i) = W_(static_cast<Eigen::Index>(rows[static_cast<std::size_t>(k)]), row);
+      problem.W(k, i) = W_(index(rows[at(k)]), row);
     }
     problem.B.row(i) = B_.row(row);
   }
@@ -269,11 +268,10 @@ solve::ContactProblem ContactSystem::compliance(const std::vector<std::size_t>& 
 }
 
 base::Matrix ContactSystem::openings(const std::vector<base::Matrix>& u) const {
-  base::Matrix out =
-      base::Matrix::Zero(static_cast<Eigen::Index>(rows_.size()), u.empty() ? 0 : u.front().cols());
+  base::Matrix out = base::Matrix::Zero(index(rows_.size()), u.empty() ? 0 : u.front().cols());
   for (std::size_t r = 0; r < rows_.size(); ++r) {
     for (const Entry& e : rows_[r]) {
-      out.row(static_cast<Eigen::Index>(r)) += e.weight * u[e.body].row(e.at);
+      out.row(index(r)) += e.weight * u[e.body].row(e.at);
     }
   }
   return out;
@@ -308,7 +306,7 @@ ContactSystem::Answer ContactSystem::solve(const Demand& demand,
   }
   std::vector<base::Vector> force = demand.load;
   for (Eigen::Index i = 0; i < s.lambda.size(); ++i) {
-    for (const Entry& e : rows_[demand.rows[static_cast<std::size_t>(i)]]) {
+    for (const Entry& e : rows_[demand.rows[at(i)]]) {
       force[e.body][e.at] += s.lambda[i] * e.weight;
     }
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/bordered_factor.hpp"
+#include "base/index.hpp"
 #include "solve/blas.hpp"
 
 #include <algorithm>
@@ -7,6 +8,8 @@
 #include <utility>
 
 namespace spricka::solve {
+
+using base::at;
 
 namespace {
 
@@ -34,7 +37,7 @@ std::vector<int> independent_of(base::Matrix& M, const std::vector<int>& rows) {
   std::vector<int> kept;
   kept.reserve(rows.size());
   for (int k = 0; k < rank; ++k) {
-    kept.push_back(rows[std::size_t(order[std::size_t(k)])]);
+    kept.push_back(rows[at(order[at(k)])]);
   }
   return kept;
 }
@@ -64,12 +67,12 @@ void BorderedFactor::gather() {
   }
   B_.resize(a, m);
   for (int c = 0; c < a; ++c) {
-    const double* W = problem_.W.data() + static_cast<std::ptrdiff_t>(rows_[std::size_t(c)]) * n;
+    const double* W = problem_.W.data() + static_cast<std::ptrdiff_t>(rows_[at(c)]) * n;
     double* L = L_.data() + static_cast<std::ptrdiff_t>(c) * n;
     for (int r = c; r < a; ++r) {
-      L[r] = W[rows_[std::size_t(r)]];
+      L[r] = W[rows_[at(r)]];
     }
-    B_.row(c) = problem_.B.row(rows_[std::size_t(c)]);
+    B_.row(c) = problem_.B.row(rows_[at(c)]);
   }
   if (m > 0 && a > 0) {
     // panels below the diagonal only
@@ -97,7 +100,7 @@ bool BorderedFactor::cholesky() {
     return false;
   }
   for (int i = 0; i < a; ++i) {
-    const double ratio = L_(i, i) / problem_.d(rows_[std::size_t(i)]);
+    const double ratio = L_(i, i) / problem_.d(rows_[at(i)]);
     if (!(ratio * ratio > redundancy)) {
       return false;
     }
@@ -110,9 +113,9 @@ base::Matrix BorderedFactor::scaled(const std::vector<int>& r, const std::vector
   base::Matrix M(count(r), count(c));
   for (int j = 0; j < count(c); ++j) {
     for (int i = 0; i < count(r); ++i) {
-      const int a = r[std::size_t(i)];
-      const int b = c[std::size_t(j)];
-      const double scale = problem_.d(rows_[std::size_t(a)]) * problem_.d(rows_[std::size_t(b)]);
+      const int a = r[at(i)];
+      const int b = c[at(j)];
+      const double scale = problem_.d(rows_[at(a)]) * problem_.d(rows_[at(b)]);
       M(i, j) = scale > 0.0 ? L_(std::max(a, b), std::min(a, b)) / scale : 0.0;
     }
   }
@@ -126,7 +129,7 @@ void BorderedFactor::leave_out_redundant() {
   std::vector<int> fixed;
   std::vector<int> others;
   for (int i = 0; i < count(rows_); ++i) {
-    (problem_.equality[std::size_t(rows_[std::size_t(i)])] ? fixed : others).push_back(i);
+    (problem_.equality[at(rows_[at(i)])] ? fixed : others).push_back(i);
   }
   base::Matrix M = scaled(fixed, fixed);
   fixed = independent_of(M, fixed);
@@ -148,12 +151,12 @@ void BorderedFactor::leave_out_redundant() {
   std::vector<bool> kept(rows_.size(), false);
   for (const std::vector<int>* list : {&fixed, &others}) {
     for (const int i : *list) {
-      kept[std::size_t(i)] = true;
+      kept[at(i)] = true;
     }
   }
   std::vector<int> rows;
   for (int i = 0; i < count(rows_); ++i) {
-    (kept[std::size_t(i)] ? rows : left_out_).push_back(rows_[std::size_t(i)]);
+    (kept[at(i)] ? rows : left_out_).push_back(rows_[at(i)]);
   }
   rows_ = std::move(rows);
 }
@@ -211,7 +214,7 @@ double BorderedFactor::independence(int i) const {
   }
   base::Matrix column(a, 1);
   for (int r = 0; r < a; ++r) {
-    column(r, 0) = problem_.W(rows_[std::size_t(r)], i);
+    column(r, 0) = problem_.W(rows_[at(r)], i);
   }
   column += problem_.tau * (B_ * problem_.B.row(i).transpose());
   if (a > 0) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/contact_qp.hpp"
+#include "base/index.hpp"
 #include "solve/blas.hpp"
 #include "solve/criss_cross.hpp"
 #include "solve/held_problem.hpp"
@@ -14,6 +15,8 @@
 #include <set>
 
 namespace spricka::solve {
+
+using base::at;
 
 namespace {
 
@@ -41,14 +44,14 @@ Search block_pivoting(const HeldProblem& problem, const ContactSettings& setting
   while (search.iterations < settings.max_block_iterations && met.insert(closed).second) {
     std::vector<int> A;
     for (int i = 0; i < problem.rows(); ++i) {
-      if (closed[std::size_t(i)]) {
+      if (closed[at(i)]) {
         A.push_back(i);
       }
     }
     ++search.iterations;
     if (!factor.factorise(A)) {
       for (const int i : spanning) {
-        closed[std::size_t(i)] = true; // too few rows left to hold the modes
+        closed[at(i)] = true; // too few rows left to hold the modes
       }
       continue;
     }
@@ -68,11 +71,11 @@ Search block_pivoting(const HeldProblem& problem, const ContactSettings& setting
       return search;
     }
     for (const int i : factor.left_out()) {
-      closed[std::size_t(i)] = problem.equality[std::size_t(i)];
+      closed[at(i)] = problem.equality[at(i)];
     }
     for (const int i : violated) {
-      if (!problem.equality[std::size_t(i)]) {
-        closed[std::size_t(i)] = !closed[std::size_t(i)];
+      if (!problem.equality[at(i)]) {
+        closed[at(i)] = !closed[at(i)];
       }
     }
   }
@@ -121,8 +124,8 @@ double residual_of(const HeldProblem& problem, const SetSolution& s,
     residual = std::max(residual, relative(std::abs(balance(j)), size(j) + s.force_scale));
   }
   for (int i = 0; i < problem.rows(); ++i) {
-    const bool equality = problem.equality[std::size_t(i)];
-    const bool zero = closed[std::size_t(i)] || equality;
+    const bool equality = problem.equality[at(i)];
+    const bool zero = closed[at(i)] || equality;
     const double wrong_gap = zero ? std::abs(s.gap(i)) : std::max(-s.gap(i), 0.0);
     const double wrong_force = equality ? 0.0 : std::max(-s.lambda(i), 0.0);
     residual = std::max(
@@ -137,7 +140,7 @@ void take_solution(const HeldProblem& problem, const ModeSplit& split, const Bor
   SetSolution s = solve_set(problem, factor, true);
   answer.basis = factor.rows();
   for (const int i : factor.rows()) {
-    answer.closed[std::size_t(i)] = true;
+    answer.closed[at(i)] = true;
   }
   answer.residual = residual_of(problem, s, answer.closed);
   const base::Vector settled = s.alpha;
@@ -146,14 +149,14 @@ void take_solution(const HeldProblem& problem, const ModeSplit& split, const Bor
   s.gap += problem.B * (s.alpha - settled);
   for (int i = 0; i < problem.rows(); ++i) {
     const double touching = 1e-10 * s.gap_scale(i);
-    const bool closed = answer.closed[std::size_t(i)];
+    const bool closed = answer.closed[at(i)];
     if (!closed && s.gap(i) <= touching && factor.independence(i) < 10.0 * redundancy) {
       ++answer.redundant;
     }
-    if (!problem.equality[std::size_t(i)]) {
-      answer.closed[std::size_t(i)] = closed && (free == 0 || s.gap(i) <= touching);
-      s.lambda(i) = answer.closed[std::size_t(i)] ? std::max(s.lambda(i), 0.0) : 0.0;
-      s.gap(i) = answer.closed[std::size_t(i)] ? 0.0 : std::max(s.gap(i), 0.0);
+    if (!problem.equality[at(i)]) {
+      answer.closed[at(i)] = closed && (free == 0 || s.gap(i) <= touching);
+      s.lambda(i) = answer.closed[at(i)] ? std::max(s.lambda(i), 0.0) : 0.0;
+      s.gap(i) = answer.closed[at(i)] ? 0.0 : std::max(s.gap(i), 0.0);
     }
   }
   answer.lambda = s.lambda;
@@ -206,7 +209,7 @@ ContactSolution solve_contact(const ContactProblem& problem, const ContactSettin
   std::vector<bool> closed = start;
   closed.resize(static_cast<std::size_t>(n), start.empty());
   for (int i = 0; i < held.rows(); ++i) {
-    closed[std::size_t(i)] = closed[std::size_t(i)] || held.equality[std::size_t(i)];
+    closed[at(i)] = closed[at(i)] || held.equality[at(i)];
   }
   BorderedFactor factor(held);
   const Search search = block_pivoting(held, settings, spanning_rows(held, balance.pressed),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/criss_cross.hpp"
+#include "base/index.hpp"
 #include "solve/blas.hpp"
 #include "solve/set_solution.hpp"
 
@@ -8,6 +9,9 @@
 #include <cmath>
 
 namespace spricka::solve {
+
+using base::at;
+using base::index;
 
 namespace {
 
@@ -36,20 +40,20 @@ struct Columns {
 
 Columns columns_of(const HeldProblem& problem, const BorderedFactor& factor, const Tableau& t) {
   const std::vector<int>& A = factor.rows();
-  const Eigen::Index a = static_cast<Eigen::Index>(A.size());
+  const Eigen::Index a = index(A.size());
   std::vector<int> place(std::size_t(problem.rows()), -1);
   for (std::size_t r = 0; r < A.size(); ++r) {
-    place[std::size_t(A[r])] = static_cast<int>(r);
+    place[at(A[r])] = static_cast<int>(r);
   }
   Columns columns{base::Matrix::Zero(a, t.size()), base::Matrix::Zero(problem.modes(), t.size())};
   for (int j = 0; j < t.size(); ++j) {
-    const int i = t.row[std::size_t(j)];
-    if (t.closed[std::size_t(j)]) {
-      columns.top(place[std::size_t(i)], j) = 1.0;
+    const int i = t.row[at(j)];
+    if (t.closed[at(j)]) {
+      columns.top(place[at(i)], j) = 1.0;
       continue;
     }
     for (Eigen::Index r = 0; r < a; ++r) {
-      columns.top(r, j) = -problem.W(A[std::size_t(r)], i);
+      columns.top(r, j) = -problem.W(A[at(r)], i);
     }
     columns.bottom.col(j) = -problem.B.row(i).transpose();
   }
@@ -62,13 +66,13 @@ Tableau tableau_of(const HeldProblem& problem, const BorderedFactor& factor) {
   const std::vector<int>& A = factor.rows();
   std::vector<int> place(std::size_t(n), -1);
   for (std::size_t r = 0; r < A.size(); ++r) {
-    place[std::size_t(A[r])] = static_cast<int>(r);
+    place[at(A[r])] = static_cast<int>(r);
   }
   Tableau t;
   for (int i = 0; i < n; ++i) {
-    if (!problem.equality[std::size_t(i)]) {
+    if (!problem.equality[at(i)]) {
       t.row.push_back(i);
-      t.closed.push_back(place[std::size_t(i)] >= 0);
+      t.closed.push_back(place[at(i)] >= 0);
     }
   }
   const Columns z = columns_of(problem, factor, t);
@@ -78,9 +82,9 @@ Tableau tableau_of(const HeldProblem& problem, const BorderedFactor& factor) {
   base::Matrix W_kA(k, a);
   base::Matrix B_k(k, problem.modes());
   for (int j = 0; j < k; ++j) {
-    const int i = t.row[std::size_t(j)];
+    const int i = t.row[at(j)];
     for (int r = 0; r < a; ++r) {
-      W_kA(j, r) = problem.W(i, A[std::size_t(r)]);
+      W_kA(j, r) = problem.W(i, A[at(r)]);
     }
     B_k.row(j) = problem.B.row(i);
   }
@@ -93,20 +97,20 @@ Tableau tableau_of(const HeldProblem& problem, const BorderedFactor& factor) {
   t.level.resize(k);
   base::Vector unit(k); // from the problem's units to those of d
   for (int j = 0; j < k; ++j) {
-    const int i = t.row[std::size_t(j)];
+    const int i = t.row[at(j)];
     const double d = problem.d(i) > 0.0 ? problem.d(i) : 1.0;
-    unit(j) = t.closed[std::size_t(j)] ? d : 1.0 / d;
+    unit(j) = t.closed[at(j)] ? d : 1.0 / d;
     t.level(j) = std::abs(problem.b(i)) / d;
-    t.q(j) = t.closed[std::size_t(j)] ? s.lambda(i) : s.gap(i);
+    t.q(j) = t.closed[at(j)] ? s.lambda(i) : s.gap(i);
   }
   for (int j = 0; j < k; ++j) {
-    const int i = t.row[std::size_t(j)];
-    if (t.closed[std::size_t(j)]) {
-      t.T.row(j) = z.top.row(place[std::size_t(i)]);
+    const int i = t.row[at(j)];
+    if (t.closed[at(j)]) {
+      t.T.row(j) = z.top.row(place[at(i)]);
       continue;
     }
     for (int c = 0; c < k; ++c) {
-      t.T(j, c) += t.closed[std::size_t(c)] ? 0.0 : problem.W(i, t.row[std::size_t(c)]);
+      t.T(j, c) += t.closed[at(c)] ? 0.0 : problem.W(i, t.row[at(c)]);
     }
   }
   t.T = unit.asDiagonal() * t.T * unit.asDiagonal();
@@ -123,11 +127,11 @@ void pivot(Tableau& t, const std::vector<int>& P) {
   base::Matrix core(p, p);
   base::Vector q_P(p);
   for (int c = 0; c < p; ++c) {
-    column.col(c) = t.T.col(P[std::size_t(c)]);
-    row.row(c) = t.T.row(P[std::size_t(c)]);
-    q_P(c) = t.q(P[std::size_t(c)]);
+    column.col(c) = t.T.col(P[at(c)]);
+    row.row(c) = t.T.row(P[at(c)]);
+    q_P(c) = t.q(P[at(c)]);
     for (int r = 0; r < p; ++r) {
-      core(r, c) = t.T(P[std::size_t(r)], P[std::size_t(c)]);
+      core(r, c) = t.T(P[at(r)], P[at(c)]);
     }
   }
   const base::Matrix inverse = core.inverse();
@@ -138,17 +142,17 @@ void pivot(Tableau& t, const std::vector<int>& P) {
   t.q -= column_inverse * q_P;
   const base::Vector q_new = -(inverse * q_P);
   for (int c = 0; c < p; ++c) {
-    const int j = P[std::size_t(c)];
+    const int j = P[at(c)];
     t.T.col(j) = column_inverse.col(c);
     t.q(j) = q_new(c);
   }
   for (int c = 0; c < p; ++c) {
-    const int j = P[std::size_t(c)];
+    const int j = P[at(c)];
     t.T.row(j) = -inverse_row.row(c);
     for (int e = 0; e < p; ++e) {
-      t.T(j, P[std::size_t(e)]) = inverse(c, e);
+      t.T(j, P[at(e)]) = inverse(c, e);
     }
-    t.closed[std::size_t(j)] = !t.closed[std::size_t(j)];
+    t.closed[at(j)] = !t.closed[at(j)];
   }
 }
 
@@ -156,7 +160,7 @@ void pivot(Tableau& t, const std::vector<int>& P) {
 int violated_row(const Tableau& t, double tolerance, bool first) {
   double force = 0.0;
   for (int j = 0; j < t.size(); ++j) {
-    force = t.closed[std::size_t(j)] ? std::max(force, std::abs(t.q(j))) : force;
+    force = t.closed[at(j)] ? std::max(force, std::abs(t.q(j))) : force;
   }
   int worst = -1;
   for (int j = 0; j < t.size(); ++j) {
@@ -178,7 +182,7 @@ std::vector<int> choose_pivot(const Tableau& t, int i) {
   }
   // T_ii = 0 and T semidefinite: row and column are opposite, and zero between rows of one kind
   for (int j = 0; j < t.size(); ++j) {
-    if (t.closed[std::size_t(j)] != t.closed[std::size_t(i)] && t.T(i, j) > 1e-9) {
+    if (t.closed[at(j)] != t.closed[at(i)] && t.T(i, j) > 1e-9) {
       return {i, j};
     }
   }
@@ -214,13 +218,13 @@ PivotResult criss_cross(const HeldProblem& problem, const std::vector<int>& A, d
     ++result.pivots;
   }
   for (int i = 0; i < problem.rows(); ++i) {
-    if (problem.equality[std::size_t(i)]) {
+    if (problem.equality[at(i)]) {
       result.closed.push_back(i);
     }
   }
   for (int j = 0; j < t.size(); ++j) {
-    if (t.closed[std::size_t(j)]) {
-      result.closed.push_back(t.row[std::size_t(j)]);
+    if (t.closed[at(j)]) {
+      result.closed.push_back(t.row[at(j)]);
     }
   }
   std::sort(result.closed.begin(), result.closed.end());

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/dense_block.hpp"
+#include "base/index.hpp"
 
 #include <algorithm>
 
 namespace spricka::solve {
 
-namespace {
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
-
-} // namespace
+using base::at;
 
 bool stacking_pays(std::span<const DenseBlock> blocks, std::int64_t rows, std::int64_t externals) {
   std::vector<bool> on_top(at(rows), false);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/dissection.hpp"
+#include "base/index.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,6 +10,8 @@
 
 namespace spricka::solve {
 
+using base::at;
+
 namespace {
 
 using Indices = std::vector<std::int64_t>;
@@ -16,10 +19,6 @@ using Indices = std::vector<std::int64_t>;
 // Separators found with weights, one below the other: further down METIS goes on by itself.
 constexpr int weighted_levels = 4;
 constexpr std::int64_t fewest = 200; // vertices that are worth a separator of their own
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 class Dissection {
 public:

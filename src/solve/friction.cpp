@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/friction.hpp"
+#include "base/index.hpp"
 #include "solve/blas.hpp"
 #include "solve/contact_qp.hpp"
 #include "solve/friction_cones.hpp"
@@ -16,6 +17,9 @@
 
 namespace spricka::solve {
 
+using base::at;
+using base::index;
+
 namespace {
 
 constexpr double accepted_residual = 1e-7; ///< above it the answer is none
@@ -26,7 +30,7 @@ constexpr int anchorings = 12;             ///< of bodies that nothing holds, be
 int loose_motions(const ScaledFriction& problem, const std::vector<Touch>& touch) {
   std::vector<int> rows = problem.fixed;
   for (const ScaledFriction::Unit& u : problem.units) {
-    const Touch state = touch[std::size_t(u.normal)];
+    const Touch state = touch[at(u.normal)];
     if (state != Touch::open) {
       rows.push_back(u.normal);
       if (u.tangent >= 0 && state == Touch::stick) {
@@ -37,9 +41,9 @@ int loose_motions(const ScaledFriction& problem, const std::vector<Touch>& touch
   if (rows.empty() || problem.modes() == 0) {
     return problem.modes();
   }
-  base::Matrix B(static_cast<Eigen::Index>(rows.size()), problem.modes());
+  base::Matrix B(index(rows.size()), problem.modes());
   for (std::size_t r = 0; r < rows.size(); ++r) {
-    B.row(static_cast<Eigen::Index>(r)) = problem.B.row(rows[r]);
+    B.row(index(r)) = problem.B.row(rows[r]);
   }
   Eigen::ColPivHouseholderQR<base::Matrix> qr(B.rows(), B.cols());
   qr.setThreshold(1e-9);
@@ -57,14 +61,14 @@ void take_solution(const ScaledFriction& scaled, const HeldProblem& held, const 
   base::Vector lambda = s.lambda;
   base::Vector gap = s.gap;
   const auto close = [&](int i, bool closed) {
-    c.closed[std::size_t(i)] = closed;
+    c.closed[at(i)] = closed;
     lambda(i) = closed ? lambda(i) : 0.0;
   };
   for (const int i : scaled.fixed) {
     close(i, true);
   }
   for (const ScaledFriction::Unit& u : scaled.units) {
-    const Touch state = search.touch[std::size_t(u.normal)];
+    const Touch state = search.touch[at(u.normal)];
     const bool closed = state != Touch::open;
     close(u.normal, closed);
     lambda(u.normal) = std::max(lambda(u.normal), 0.0);
@@ -74,10 +78,10 @@ void take_solution(const ScaledFriction& scaled, const HeldProblem& held, const 
       const double limit = u.mu * lambda(u.normal);
       lambda(u.tangent) = std::clamp(lambda(u.tangent), -limit, limit);
       if (closed && std::abs(gap(u.tangent)) <= at_rest * s.gap_scale(u.tangent)) {
-        answer.touch[std::size_t(u.normal)] = Touch::stick; // at the limit, but it does not move
-        answer.touch[std::size_t(u.tangent)] = Touch::stick;
+        answer.touch[at(u.normal)] = Touch::stick; // at the limit, but it does not move
+        answer.touch[at(u.tangent)] = Touch::stick;
       }
-      gap(u.tangent) = answer.touch[std::size_t(u.tangent)] == Touch::stick ? 0.0 : gap(u.tangent);
+      gap(u.tangent) = answer.touch[at(u.tangent)] == Touch::stick ? 0.0 : gap(u.tangent);
     }
   }
   for (int i = 0; i < held.rows(); ++i) {
@@ -95,14 +99,13 @@ void take_solution(const ScaledFriction& scaled, const HeldProblem& held, const 
 bool dead_rows_hold(const HeldProblem& held, const std::vector<FrictionRow>& friction) {
   std::vector<bool> slips(std::size_t(held.rows()), false);
   for (const FrictionRow& f : friction) {
-    slips[std::size_t(f.tangent)] = true;
+    slips[at(f.tangent)] = true;
   }
   const double size = held.rows() > 0 ? held.b.cwiseAbs().maxCoeff() : 0.0;
   for (int i = 0; i < held.rows(); ++i) {
-    const bool wrong = held.equality[std::size_t(i)]
-                           ? std::abs(held.b(i)) > accepted_residual * size
-                           : held.b(i) < -accepted_residual * size;
-    if (!(held.d(i) > 0.0) && !slips[std::size_t(i)] && wrong) {
+    const bool wrong = held.equality[at(i)] ? std::abs(held.b(i)) > accepted_residual * size
+                                            : held.b(i) < -accepted_residual * size;
+    if (!(held.d(i) > 0.0) && !slips[at(i)] && wrong) {
       return false;
     }
   }
@@ -129,7 +132,7 @@ SmoothStart smooth_start(const FrictionProblem& problem, const ContactSettings& 
   const ContactProblem& whole = problem.contact;
   std::vector<bool> slips(whole.equality.size(), false);
   for (const FrictionRow& f : problem.friction) {
-    slips[std::size_t(f.tangent)] = true;
+    slips[at(f.tangent)] = true;
   }
   std::vector<int> rows;
   for (std::size_t i = 0; i < slips.size(); ++i) {
@@ -143,7 +146,7 @@ SmoothStart smooth_start(const FrictionProblem& problem, const ContactSettings& 
   plain.b = whole.b(rows);
   plain.equality.clear();
   for (const int i : rows) {
-    plain.equality.push_back(whole.equality[std::size_t(i)]);
+    plain.equality.push_back(whole.equality[at(i)]);
   }
   const ContactSolution found = solve_contact(plain, settings, {});
   if (found.status != ContactStatus::solved) {
@@ -152,15 +155,14 @@ SmoothStart smooth_start(const FrictionProblem& problem, const ContactSettings& 
   SmoothStart start{std::vector<Touch>(slips.size(), Touch::open), found.alpha};
   base::Vector lambda = base::Vector::Zero(whole.b.size());
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    start.touch[std::size_t(rows[k])] = found.closed[k] ? Touch::stick : Touch::open;
-    lambda(rows[k]) = found.lambda(static_cast<Eigen::Index>(k));
+    start.touch[at(rows[k])] = found.closed[k] ? Touch::stick : Touch::open;
+    lambda(rows[k]) = found.lambda(index(k));
   }
   const base::Vector moved = whole.b + whole.W * lambda + whole.B * found.alpha;
   for (const FrictionRow& f : problem.friction) {
-    if (start.touch[std::size_t(f.normal)] != Touch::open) {
-      start.touch[std::size_t(f.tangent)] =
-          moved(f.tangent) > 0.0 ? Touch::forward : Touch::backward;
-      start.touch[std::size_t(f.normal)] = start.touch[std::size_t(f.tangent)];
+    if (start.touch[at(f.normal)] != Touch::open) {
+      start.touch[at(f.tangent)] = moved(f.tangent) > 0.0 ? Touch::forward : Touch::backward;
+      start.touch[at(f.normal)] = start.touch[at(f.tangent)];
     }
   }
   return start;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/friction_cones.hpp"
+#include "base/index.hpp"
 
 namespace spricka::solve {
+
+using base::at;
 
 namespace {
 
@@ -17,14 +20,14 @@ base::Matrix cone_edges(const base::Matrix& B, const std::vector<bool>& equality
                         const std::vector<FrictionRow>& friction) {
   std::vector<int> normal_of(equality.size(), -1); // of tangents
   for (std::size_t f = 0; f < friction.size(); ++f) {
-    normal_of[std::size_t(friction[f].tangent)] = static_cast<int>(f);
+    normal_of[at(friction[f].tangent)] = static_cast<int>(f);
   }
   base::Matrix edges = B;
   for (std::size_t i = 0; i < equality.size(); ++i) {
     if (normal_of[i] < 0) {
       continue;
     }
-    const FrictionRow& f = friction[std::size_t(normal_of[i])];
+    const FrictionRow& f = friction[at(normal_of[i])];
     edges.row(f.normal) = B.row(f.normal) + f.mu * B.row(f.tangent);
     edges.row(f.tangent) = B.row(f.normal) - f.mu * B.row(f.tangent);
   }
@@ -51,7 +54,7 @@ base::Vector sliding_motion(const ModeSplit& split, const HeldProblem& held,
   // what the cones leave lifts the body off the rows it slides on: they keep it there
   std::vector<bool> kept = held.equality;
   for (const FrictionRow& f : friction) {
-    kept[std::size_t(f.normal)] = true;
+    kept[at(f.normal)] = true;
   }
   const LoadBalance level =
       balance_loads(cone_problem(held.B, balance.remainder, kept, without_mu(friction)));

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/friction_index.hpp"
+#include "base/index.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 namespace spricka::solve {
+
+using base::at;
+using base::index;
 
 namespace {
 
@@ -31,21 +35,21 @@ int determinant_sign(const base::Matrix& J) {
 base::Matrix jacobian(const FrictionProblem& problem, const std::vector<int>& rows,
                       const std::vector<double>& ratio, const std::vector<int>& tangent) {
   const ContactProblem& p = problem.contact;
-  const auto n = static_cast<Eigen::Index>(rows.size());
+  const auto n = index(rows.size());
   const Eigen::Index m = p.B.cols();
   base::Vector scale(n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const int r = rows[static_cast<std::size_t>(i)];
+    const int r = rows[at(i)];
     scale(i) = p.W(r, r) > 0.0 ? 1.0 / std::sqrt(p.W(r, r)) : 1.0;
   }
   double motion = 0.0;
   base::Matrix J = base::Matrix::Zero(n + m, n + m);
   for (Eigen::Index j = 0; j < n; ++j) {
-    const int c = rows[static_cast<std::size_t>(j)];
-    const double mu = ratio[static_cast<std::size_t>(c)];
-    const int t = tangent[static_cast<std::size_t>(c)];
+    const int c = rows[at(j)];
+    const double mu = ratio[at(c)];
+    const int t = tangent[at(c)];
     for (Eigen::Index i = 0; i < n; ++i) {
-      const int r = rows[static_cast<std::size_t>(i)];
+      const int r = rows[at(i)];
       J(i, j) = scale(i) * scale(j) * (p.W(r, c) + (mu != 0.0 ? mu * p.W(r, t) : 0.0));
     }
     for (Eigen::Index k = 0; k < m; ++k) {
@@ -78,7 +82,7 @@ bool one_of_several(const FrictionProblem& problem, const std::vector<bool>& clo
       any = true;
     }
     tangent[row] = f.tangent;
-    slides[static_cast<std::size_t>(f.tangent)] = state != Touch::stick || !closed[row];
+    slides[at(f.tangent)] = state != Touch::stick || !closed[row];
   }
   if (!any) {
     return false;

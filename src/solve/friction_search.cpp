@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/friction_search.hpp"
+#include "base/index.hpp"
 #include "solve/lemke.hpp"
 
 #include <algorithm>
@@ -8,6 +9,8 @@
 #include <utility>
 
 namespace spricka::solve {
+
+using base::at;
 
 namespace {
 
@@ -57,7 +60,7 @@ Search one_by_one(const ScaledFriction& problem, const base::Vector& anchor,
       if (next[n] != touch[n]) {
         touch[n] = next[n];
         if (u.tangent >= 0) {
-          touch[std::size_t(u.tangent)] = next[n];
+          touch[at(u.tangent)] = next[n];
         }
         break;
       }
@@ -96,11 +99,11 @@ Complementarity complementarity(const ScaledFriction& problem, const Interface& 
   lcp.q.head(units) = face.q.head(units);
   tangent = units;
   for (int i = 0; i < units; ++i) {
-    const int f = lcp.forward[std::size_t(i)];
+    const int f = lcp.forward[at(i)];
     if (f < 0) {
       continue;
     }
-    const double mu = problem.units[std::size_t(i)].mu;
+    const double mu = problem.units[at(i)].mu;
     lcp.M.row(f) = mu * columns.row(i) + columns.row(tangent);
     lcp.M.row(f + 1) = mu * columns.row(i) - columns.row(tangent);
     lcp.q(f) = mu * face.q(i) + face.q(tangent);
@@ -138,13 +141,13 @@ std::vector<Touch> pivoted(const ScaledFriction& problem, const base::Vector& an
     const int f = lcp.forward[i];
     Touch state = result.basic[i] ? Touch::open : Touch::stick;
     if (f >= 0 && state == Touch::stick) {
-      const bool forward = result.basic[std::size_t(f)];
-      const bool backward = result.basic[std::size_t(f) + 1];
+      const bool forward = result.basic[at(f)];
+      const bool backward = result.basic[at(f) + 1];
       state = forward == backward ? Touch::stick : forward ? Touch::forward : Touch::backward;
     }
-    touch[std::size_t(u.normal)] = state;
+    touch[at(u.normal)] = state;
     if (u.tangent >= 0) {
-      touch[std::size_t(u.tangent)] = state;
+      touch[at(u.tangent)] = state;
     }
   }
   return touch;

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/friction_set.hpp"
+#include "base/index.hpp"
 #include "solve/blas.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace spricka::solve {
+
+using base::at;
 
 namespace {
 
@@ -33,7 +36,7 @@ ActiveRows active_rows(const ScaledFriction& problem, const std::vector<Touch>& 
     active.add(i);
   }
   for (const ScaledFriction::Unit& u : problem.units) {
-    const Touch state = touch[std::size_t(u.normal)];
+    const Touch state = touch[at(u.normal)];
     if (state == Touch::open) {
       continue;
     }
@@ -56,15 +59,15 @@ public:
       : a_(active.size()), m_(problem.modes()), K_(a_ + m_, a_ + m_) {
     base::Vector column(problem.rows());
     for (int c = 0; c < a_; ++c) {
-      const int i = active.row[std::size_t(c)];
+      const int i = active.row[at(c)];
       column = problem.W.col(i);
       base::Vector opened = problem.B.row(i).transpose();
-      if (const int t = active.follower[std::size_t(c)]; t >= 0) {
-        column += active.share[std::size_t(c)] * problem.W.col(t);
-        opened += active.share[std::size_t(c)] * problem.B.row(t).transpose();
+      if (const int t = active.follower[at(c)]; t >= 0) {
+        column += active.share[at(c)] * problem.W.col(t);
+        opened += active.share[at(c)] * problem.B.row(t).transpose();
       }
       for (int r = 0; r < a_; ++r) {
-        K_(r, c) = column(active.row[std::size_t(r)]);
+        K_(r, c) = column(active.row[at(r)]);
       }
       K_(c, c) += row_spring;
       K_.block(a_, c, m_, 1) = opened;
@@ -92,9 +95,9 @@ private:
 void add(const ScaledFriction& problem, const ActiveRows& active, const base::Matrix& x,
          TouchSolution& s) {
   for (int c = 0; c < active.size(); ++c) {
-    s.lambda(active.row[std::size_t(c)]) += x(c, 0);
-    if (const int t = active.follower[std::size_t(c)]; t >= 0) {
-      s.lambda(t) += active.share[std::size_t(c)] * x(c, 0);
+    s.lambda(active.row[at(c)]) += x(c, 0);
+    if (const int t = active.follower[at(c)]; t >= 0) {
+      s.lambda(t) += active.share[at(c)] * x(c, 0);
     }
   }
   s.alpha += x.col(0).tail(problem.modes());
@@ -162,20 +165,20 @@ ScaledFriction scaled_friction(const HeldProblem& held, const std::vector<Fricti
   std::vector<double> mu(std::size_t(n), 0.0);
   std::vector<bool> slips(std::size_t(n), false);
   for (const FrictionRow& f : friction) {
-    slips[std::size_t(f.tangent)] = true;
+    slips[at(f.tangent)] = true;
     if (held.d(f.tangent) > no_freedom * held.d(f.normal) && f.mu > 0.0) {
-      tangent[std::size_t(f.normal)] = f.tangent;
-      mu[std::size_t(f.normal)] = f.mu * held.d(f.tangent) * inverse(f.normal);
+      tangent[at(f.normal)] = f.tangent;
+      mu[at(f.normal)] = f.mu * held.d(f.tangent) * inverse(f.normal);
     }
   }
   for (int i = 0; i < n; ++i) {
-    if (!(held.d(i) > 0.0) || slips[std::size_t(i)]) {
+    if (!(held.d(i) > 0.0) || slips[at(i)]) {
       continue;
     }
-    if (held.equality[std::size_t(i)]) {
+    if (held.equality[at(i)]) {
       p.fixed.push_back(i);
     } else {
-      p.units.push_back({i, tangent[std::size_t(i)], mu[std::size_t(i)]});
+      p.units.push_back({i, tangent[at(i)], mu[at(i)]});
     }
   }
   return p;
@@ -197,7 +200,7 @@ TouchSolution solve_touch(const ScaledFriction& problem, const std::vector<Touch
   }
   base::Matrix x(a + m, 1);
   for (int r = 0; r < a; ++r) {
-    x(r, 0) = -problem.b(active.row[std::size_t(r)]);
+    x(r, 0) = -problem.b(active.row[at(r)]);
   }
   x.col(0).tail(m) = -problem.h - mode_spring * anchor;
   equations.solve(x);
@@ -206,7 +209,7 @@ TouchSolution solve_touch(const ScaledFriction& problem, const std::vector<Touch
   TouchSolution exact = s;
   for (int k = 0; k < refinements && s.regular; ++k) {
     for (int r = 0; r < a; ++r) {
-      x(r, 0) = -exact.gap(active.row[std::size_t(r)]);
+      x(r, 0) = -exact.gap(active.row[at(r)]);
     }
     x.col(0).tail(m) = -balance_of(problem, exact);
     equations.solve(x);
@@ -222,7 +225,7 @@ int change_states(const ScaledFriction& problem, const TouchSolution& s, double 
   int changed = 0;
   const double force = tolerance * s.force_scale;
   for (const ScaledFriction::Unit& u : problem.units) {
-    Touch& state = touch[std::size_t(u.normal)];
+    Touch& state = touch[at(u.normal)];
     const Touch before = state;
     const double pressure = s.lambda(u.normal);
     const double slip = u.tangent < 0 ? 0.0 : s.gap(u.tangent);
@@ -246,7 +249,7 @@ int change_states(const ScaledFriction& problem, const TouchSolution& s, double 
       }
     }
     if (u.tangent >= 0) {
-      touch[std::size_t(u.tangent)] = state;
+      touch[at(u.tangent)] = state;
     }
     changed += state != before ? 1 : 0;
   }
@@ -266,7 +269,7 @@ double friction_residual(const ScaledFriction& problem, const TouchSolution& s,
     gap_error(i, std::abs(s.gap(i)));
   }
   for (const ScaledFriction::Unit& u : problem.units) {
-    const Touch state = touch[std::size_t(u.normal)];
+    const Touch state = touch[at(u.normal)];
     const double gap = s.gap(u.normal);
     gap_error(u.normal, state == Touch::open ? std::max(-gap, 0.0) : std::abs(gap));
     force_error(-s.lambda(u.normal));
@@ -309,7 +312,7 @@ Interface interface_stiffness(const ScaledFriction& problem, const base::Vector&
   base::Matrix x = base::Matrix::Zero(equations.size(), k + 1);
   x.topLeftCorner(k, k).setIdentity();
   for (int r = 0; r < all.size(); ++r) {
-    x(r, k) = -problem.b(all.row[std::size_t(r)]);
+    x(r, k) = -problem.b(all.row[at(r)]);
   }
   x.col(k).tail(m) = -problem.h - mode_spring * anchor;
   equations.solve(x);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/friction_unique.hpp"
+#include "base/index.hpp"
 #include "solve/blas.hpp"
 #include "solve/friction_set.hpp"
 #include "solve/mode_split.hpp"
@@ -12,6 +13,9 @@
 #include <span>
 
 namespace spricka::solve {
+
+using base::at;
+using base::index;
 
 namespace {
 
@@ -26,13 +30,13 @@ struct Weights {
 base::Matrix rigid_openings(const ScaledFriction& problem, const std::vector<int>& rows) {
   const int m = problem.modes();
   if (m == 0) {
-    return base::Matrix::Zero(static_cast<Eigen::Index>(rows.size()), 0);
+    return base::Matrix::Zero(index(rows.size()), 0);
   }
   base::Matrix free = base::Matrix::Identity(m, m);
   if (!problem.fixed.empty()) {
-    base::Matrix B_T(m, static_cast<Eigen::Index>(problem.fixed.size()));
+    base::Matrix B_T(m, index(problem.fixed.size()));
     for (std::size_t k = 0; k < problem.fixed.size(); ++k) {
-      B_T.col(static_cast<Eigen::Index>(k)) = problem.B.row(problem.fixed[k]).transpose();
+      B_T.col(index(k)) = problem.B.row(problem.fixed[k]).transpose();
     }
     Eigen::ColPivHouseholderQR<base::Matrix> qr(B_T.rows(), B_T.cols());
     qr.setThreshold(1e-9);
@@ -40,9 +44,9 @@ base::Matrix rigid_openings(const ScaledFriction& problem, const std::vector<int
     const base::Matrix Q = qr.householderQ() * base::Matrix::Identity(m, m);
     free = Q.rightCols(m - qr.rank());
   }
-  base::Matrix moved(static_cast<Eigen::Index>(rows.size()), free.cols());
+  base::Matrix moved(index(rows.size()), free.cols());
   for (std::size_t r = 0; r < rows.size(); ++r) {
-    moved.row(static_cast<Eigen::Index>(r)) = problem.B.row(rows[r]) * free;
+    moved.row(index(r)) = problem.B.row(rows[r]) * free;
   }
   if (moved.size() == 0) {
     return moved;
@@ -55,14 +59,14 @@ base::Matrix rigid_openings(const ScaledFriction& problem, const std::vector<int
 /// Whether the form of (solve.27) is positive definite across the rigid motions N.
 bool positive(const ScaledFriction& problem, const Interface& face, const Weights& weights,
               const base::Matrix& N) {
-  const Eigen::Index units = static_cast<Eigen::Index>(problem.units.size());
+  const Eigen::Index units = index(problem.units.size());
   base::Matrix F = face.A;
   F.topRows(units) += 0.5 * (weights.openings.asDiagonal() * face.A.topRows(units));
   F.leftCols(units) += 0.5 * (face.A.leftCols(units) * weights.openings.asDiagonal());
   base::Matrix pressure = face.A.topRows(units); // of the units with friction, weighted
   Eigen::Index tangent = units;
   for (Eigen::Index i = 0; i < units; ++i) {
-    const ScaledFriction::Unit& u = problem.units[static_cast<std::size_t>(i)];
+    const ScaledFriction::Unit& u = problem.units[at(i)];
     const double kappa = weights.share(i);
     pressure.row(i) *= u.tangent >= 0 ? std::sqrt(0.5 * u.mu / kappa) : 0.0;
     if (u.tangent >= 0) {
@@ -83,11 +87,11 @@ bool positive(const ScaledFriction& problem, const Interface& face, const Weight
 
 Weights weights_of(const ScaledFriction& problem, const Interface& face, double share,
                    double openings) {
-  const Eigen::Index units = static_cast<Eigen::Index>(problem.units.size());
+  const Eigen::Index units = index(problem.units.size());
   Weights w{base::Vector::Ones(units), base::Vector::Constant(units, openings)};
   Eigen::Index tangent = units;
   for (Eigen::Index i = 0; i < units; ++i) {
-    const ScaledFriction::Unit& u = problem.units[static_cast<std::size_t>(i)];
+    const ScaledFriction::Unit& u = problem.units[at(i)];
     if (u.tangent < 0) {
       continue;
     }

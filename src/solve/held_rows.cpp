@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/held_rows.hpp"
 
+#include "base/index.hpp"
 #include "solve/blas.hpp"
 
 #include <numeric>
 #include <utility>
 
 namespace spricka::solve {
+
+using base::index;
 
 HeldRows::HeldRows(ContactProblem rows)
     : rows_(std::move(rows)), split_(split_modes(rows_.B, rows_.opening_scale)),
@@ -30,14 +33,14 @@ HeldRows::Response HeldRows::respond(const base::Matrix& b, const base::Matrix& 
   // once more with what the first solution leaves over
   for (int turn = 0; turn < 2; ++turn) {
     const base::Matrix left = b + rows_.W * out.lambda + held_.B * a;
-    base::Matrix top(static_cast<Eigen::Index>(A.size()), b.cols());
+    base::Matrix top(index(A.size()), b.cols());
     for (std::size_t r = 0; r < A.size(); ++r) {
-      top.row(static_cast<Eigen::Index>(r)) = -left.row(A[r]);
+      top.row(index(r)) = -left.row(A[r]);
     }
     base::Matrix bottom = -(load + held_.B.transpose() * out.lambda);
     factor_.solve(top, bottom);
     for (std::size_t r = 0; r < A.size(); ++r) {
-      out.lambda.row(A[r]) += top.row(static_cast<Eigen::Index>(r));
+      out.lambda.row(A[r]) += top.row(index(r));
     }
     a += bottom;
   }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/layered_cholesky.hpp"
+#include "base/index.hpp"
 
 #include <utility>
 
 namespace spricka::solve {
+
+using base::index;
 
 EarlyRows::EarlyRows(const base::Matrix& A, EarlyLists lists)
     : lists_(std::move(lists)), L_(A(lists_.early, lists_.early)),
@@ -34,7 +37,7 @@ LayeredCholesky::LayeredCholesky(std::shared_ptr<const EarlyRows> early,
 base::Matrix LayeredCholesky::late_half(const base::Matrix& late_load) const {
   base::Matrix B = base::Matrix::Zero(late_.size(), late_load.cols());
   for (std::size_t i = 0; i < place_.size(); ++i) {
-    B.row(place_[i]) = -late_load.row(static_cast<Eigen::Index>(i));
+    B.row(place_[i]) = -late_load.row(index(i));
   }
   return late_.half_solve(std::move(B));
 }
@@ -45,7 +48,7 @@ base::Matrix LayeredCholesky::half_solve(const base::Matrix& B) const {
   base::Matrix rest = B.bottomRows(late_.size());
   const base::Matrix late_load = early_->late_load(first);
   for (std::size_t i = 0; i < place_.size(); ++i) {
-    rest.row(place_[i]) -= late_load.row(static_cast<Eigen::Index>(i));
+    rest.row(place_[i]) -= late_load.row(index(i));
   }
   Y.topRows(early_rows()) = first;
   Y.bottomRows(late_.size()) = late_.half_solve(std::move(rest));
@@ -55,9 +58,9 @@ base::Matrix LayeredCholesky::half_solve(const base::Matrix& B) const {
 base::Matrix LayeredCholesky::solve(const base::Matrix& B) const {
   base::Matrix Y = half_solve(B);
   const base::Matrix late = late_.half_solve_transposed(Y.bottomRows(late_.size()));
-  base::Matrix U(static_cast<Eigen::Index>(place_.size()), B.cols());
+  base::Matrix U(index(place_.size()), B.cols());
   for (std::size_t i = 0; i < place_.size(); ++i) {
-    U.row(static_cast<Eigen::Index>(i)) = late.row(place_[i]);
+    U.row(index(i)) = late.row(place_[i]);
   }
   const base::Matrix first = early_->finish(Y.topRows(early_rows()), U);
   Y.topRows(early_rows()) = first;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/index.hpp"
 #include "base/vec.hpp"
 #include "solve/dense_cholesky.hpp"
 
@@ -23,9 +24,7 @@ public:
 
   [[nodiscard]] bool ok() const { return L_.ok(); }
   [[nodiscard]] const EarlyLists& lists() const { return lists_; }
-  [[nodiscard]] Eigen::Index count() const {
-    return static_cast<Eigen::Index>(lists_.early.size());
-  }
+  [[nodiscard]] Eigen::Index count() const { return base::index(lists_.early.size()); }
   /// Schur complement of the late rows, A_ll - X^T X [late, late], symmetric to the last bit.
   [[nodiscard]] const base::Matrix& schur() const { return schur_; }
   /// L^-1 B [early, k].

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/lemke.hpp"
+#include "base/index.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace spricka::solve {
+
+using base::at;
 
 namespace {
 
@@ -24,8 +27,8 @@ constexpr double least_pivot = 1e-11;
 
 /// Entry k of the lexicographic order of a row: what a disturbance of q_k does to it.
 double disturbed(const Dictionary& t, int row, int k) {
-  const int c = t.column[std::size_t(k)];
-  return c >= 0 ? -t.D(row, c) : (t.basic[std::size_t(row)] == k ? 1.0 : 0.0);
+  const int c = t.column[at(k)];
+  return c >= 0 ? -t.D(row, c) : (t.basic[at(row)] == k ? 1.0 : 0.0);
 }
 
 /// Whether row a leaves before row b, their ratios being alike; c is the entering column.
@@ -55,7 +58,7 @@ int leaving_row(const Dictionary& t, int c) {
     if (!(t.D(i, c) < -floor) || std::max(t.q(i), 0.0) / -t.D(i, c) > alike) {
       continue;
     }
-    if (t.basic[std::size_t(i)] == 2 * t.size()) {
+    if (t.basic[at(i)] == 2 * t.size()) {
       return i; // the artificial variable leaves: done
     }
     if (best < 0 || before(t, i, best, c)) {
@@ -76,9 +79,9 @@ void pivot(Dictionary& t, int r, int c) {
   t.q += column * q;
   t.D.row(r) = row;
   t.q(r) = q;
-  std::swap(t.basic[std::size_t(r)], t.nonbasic[std::size_t(c)]);
-  t.column[std::size_t(t.nonbasic[std::size_t(c)])] = c;
-  t.column[std::size_t(t.basic[std::size_t(r)])] = -1;
+  std::swap(t.basic[at(r)], t.nonbasic[at(c)]);
+  t.column[at(t.nonbasic[at(c)])] = c;
+  t.column[at(t.basic[at(r)])] = -1;
 }
 
 Dictionary first_dictionary(const base::Matrix& M, const base::Vector& q,
@@ -120,19 +123,19 @@ LemkeResult lemke(const base::Matrix& M, const base::Vector& q, const base::Vect
   while (result.pivots < max_pivots) {
     pivot(t, leaving, entering);
     ++result.pivots;
-    const int left = t.nonbasic[std::size_t(entering)];
+    const int left = t.nonbasic[at(entering)];
     if (left == 2 * n) {
       result.solved = true;
       break;
     }
-    entering = t.column[std::size_t(left < n ? left + n : left - n)]; // the complement comes in
+    entering = t.column[at(left < n ? left + n : left - n)]; // the complement comes in
     leaving = leaving_row(t, entering);
     if (leaving < 0) {
       break;
     }
   }
   for (int i = 0; i < n; ++i) {
-    result.basic[std::size_t(i)] = t.column[std::size_t(n) + std::size_t(i)] < 0;
+    result.basic[at(i)] = t.column[std::size_t(n) + std::size_t(i)] < 0;
   }
   return result;
 }

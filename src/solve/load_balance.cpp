@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/load_balance.hpp"
+#include "base/index.hpp"
 #include "solve/nnls.hpp"
 
 #include <algorithm>
 
 namespace spricka::solve {
+
+using base::at;
 
 namespace {
 
@@ -40,7 +43,7 @@ LoadBalance balance_loads(const HeldProblem& problem) {
   const int n = problem.rows();
   Span fixed(problem.modes());
   for (int i = 0; i < n; ++i) {
-    if (problem.equality[std::size_t(i)] && !fixed.full()) {
+    if (problem.equality[at(i)] && !fixed.full()) {
       fixed.add(problem.B.row(i).transpose());
     }
   }
@@ -48,7 +51,7 @@ LoadBalance balance_loads(const HeldProblem& problem) {
   // a row that stands along them gives nothing, whatever direction its round-off has
   base::Matrix A = base::Matrix::Zero(problem.modes(), n);
   for (int i = 0; i < n; ++i) {
-    if (!problem.equality[std::size_t(i)]) {
+    if (!problem.equality[at(i)]) {
       const base::Vector across = fixed.across(problem.B.row(i).transpose());
       if (across.norm() > along * problem.B.row(i).norm()) {
         A.col(i) = across;
@@ -76,7 +79,7 @@ std::vector<int> spanning_rows(const HeldProblem& problem, const std::vector<int
   Span span(problem.modes());
   std::vector<int> rows;
   for (int i = 0; i < problem.rows(); ++i) {
-    if (problem.equality[std::size_t(i)]) {
+    if (problem.equality[at(i)]) {
       rows.push_back(i);
       if (!span.full()) {
         span.add(problem.B.row(i).transpose());
@@ -93,7 +96,7 @@ std::vector<int> spanning_rows(const HeldProblem& problem, const std::vector<int
     double most = 0.0;
     for (int i = 0; i < problem.rows(); ++i) {
       const double across = span.across(problem.B.row(i).transpose()).norm();
-      if (!problem.equality[std::size_t(i)] && across > most * (1.0 + 1e-9)) {
+      if (!problem.equality[at(i)] && across > most * (1.0 + 1e-9)) {
         most = across;
         best = i;
       }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/mode_split.hpp"
+#include "base/index.hpp"
 
 #include <Eigen/QR>
 #include <Eigen/SVD>
@@ -7,6 +8,9 @@
 #include <cmath>
 
 namespace spricka::solve {
+
+using base::at;
+using base::index;
 
 namespace {
 
@@ -46,14 +50,14 @@ std::vector<bool> pivot_rows(base::Matrix U) {
     double most = 0.0;
     for (Eigen::Index i = 0; i < U.rows(); ++i) {
       for (Eigen::Index j = 0; j < U.cols(); ++j) {
-        if (!taken[std::size_t(i)] && std::abs(U(i, j)) >= most * (1.0 - 1e-6)) {
+        if (!taken[at(i)] && std::abs(U(i, j)) >= most * (1.0 - 1e-6)) {
           most = std::max(most, std::abs(U(i, j)));
           row = i;
           col = j;
         }
       }
     }
-    taken[std::size_t(row)] = true;
+    taken[at(row)] = true;
     const base::Vector pivot = U.col(col) / U(row, col);
     for (Eigen::Index j = 0; j < U.cols(); ++j) {
       U.col(j) -= U(row, j) * pivot;
@@ -82,10 +86,10 @@ ModeSplit split_modes(const base::Matrix& B, double opening_scale) {
       add_uncontrollable(base::Vector::Unit(m, j));
     }
   }
-  const Eigen::Index k = static_cast<Eigen::Index>(touched.size());
+  const Eigen::Index k = index(touched.size());
   base::Matrix scale = base::Matrix::Zero(m, k);
   for (Eigen::Index c = 0; c < k; ++c) {
-    const Eigen::Index j = touched[static_cast<std::size_t>(c)];
+    const Eigen::Index j = touched[at(c)];
     scale(j, c) = 1.0 / B.col(j).cwiseAbs().maxCoeff();
   }
   base::Matrix controllable = scale;
@@ -108,8 +112,8 @@ ModeSplit split_modes(const base::Matrix& B, double opening_scale) {
       controllable = base::Matrix(m, rank);
       Eigen::Index to = 0;
       for (Eigen::Index c = 0; c < k; ++c) {
-        const Eigen::Index j = touched[static_cast<std::size_t>(c)];
-        if (!out[std::size_t(j)]) {
+        const Eigen::Index j = touched[at(c)];
+        if (!out[at(j)]) {
           controllable.col(to++) = scale.col(c);
         }
       }

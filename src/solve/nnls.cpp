@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/nnls.hpp"
+#include "base/index.hpp"
 
 #include <Eigen/QR>
 #include <algorithm>
 
 namespace spricka::solve {
 
+using base::index;
+
 namespace {
 
 /// Least squares for the chosen columns of A [m, n]: A_P x = t.
 base::Vector least_squares(const base::Matrix& A, const std::vector<int>& P,
                            const base::Vector& t) {
-  base::Matrix A_P(A.rows(), static_cast<Eigen::Index>(P.size()));
+  base::Matrix A_P(A.rows(), index(P.size()));
   for (std::size_t k = 0; k < P.size(); ++k) {
-    A_P.col(static_cast<Eigen::Index>(k)) = A.col(P[k]);
+    A_P.col(index(k)) = A.col(P[k]);
   }
   return A_P.colPivHouseholderQr().solve(t);
 }
@@ -25,13 +28,13 @@ void settle(const base::Matrix& A, const base::Vector& t, std::vector<int>& P, b
     const base::Vector s = least_squares(A, P, t);
     double step = 1.0;
     for (std::size_t k = 0; k < P.size(); ++k) {
-      const double s_k = s(static_cast<Eigen::Index>(k));
+      const double s_k = s(index(k));
       if (s_k <= 0.0) {
         step = std::min(step, x(P[k]) / (x(P[k]) - s_k));
       }
     }
     for (std::size_t k = 0; k < P.size(); ++k) {
-      x(P[k]) += step * (s(static_cast<Eigen::Index>(k)) - x(P[k]));
+      x(P[k]) += step * (s(index(k)) - x(P[k]));
     }
     if (step >= 1.0) {
       return;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/ordering.hpp"
+#include "base/index.hpp"
 #include "solve/cholmod_session.hpp"
 #include "solve/dissection.hpp"
 
@@ -9,6 +10,8 @@
 #include <numeric>
 
 namespace spricka::solve {
+
+using base::at;
 
 namespace {
 
@@ -24,10 +27,6 @@ void demand(bool done) {
   if (!done) {
     throw std::bad_alloc(); // the calls below can fail for memory only
   }
-}
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
 }
 
 Pattern local_pattern(const base::SymmetricCsc& K, std::int64_t locals) {

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/path_parts.hpp"
+#include "base/index.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace spricka::solve {
 
+using base::at;
+using base::index;
+
 ContactProblem rate_problem(const ParametricProblem& problem, const std::vector<int>& rows,
                             const std::vector<bool>& pressing, double length) {
   const ContactProblem& whole = problem.at_zero;
-  const auto k = static_cast<Eigen::Index>(rows.size());
+  const auto k = index(rows.size());
   ContactProblem rate;
   rate.W.resize(k, k);
   rate.B.resize(k, whole.B.cols());
@@ -20,9 +24,9 @@ ContactProblem rate_problem(const ParametricProblem& problem, const std::vector<
       std::max(whole.opening_scale, whole.B.size() > 0 ? whole.B.cwiseAbs().maxCoeff() : 0.0);
   rate.equality = pressing;
   for (Eigen::Index c = 0; c < k; ++c) {
-    const int i = rows[std::size_t(c)];
+    const int i = rows[at(c)];
     for (Eigen::Index r = 0; r < k; ++r) {
-      rate.W(r, c) = whole.W(rows[std::size_t(r)], i);
+      rate.W(r, c) = whole.W(rows[at(r)], i);
     }
     rate.B.row(c) = whole.B.row(i);
     rate.b(c) = problem.db(i);
@@ -44,8 +48,8 @@ double path_residual(const HeldProblem& problem, const SweptMatrix& matrix,
     const double d = (problem.d(i) > 0.0 ? problem.d(i) : 1.0) * size;
     worst = std::max(worst, std::abs(gap(i) - told(i)) / d);
     // equality rows left out as redundant must hold all the same
-    worst = std::max(worst, problem.equality[std::size_t(i)] ? std::abs(gap(i)) / d
-                                                             : std::max(-state(i), 0.0) / size);
+    worst = std::max(worst, problem.equality[at(i)] ? std::abs(gap(i)) / d
+                                                    : std::max(-state(i), 0.0) / size);
   }
   const base::Vector balance = problem.h + problem.B.transpose() * lambda;
   const base::Vector terms = scale.load + problem.B.cwiseAbs().transpose() * lambda.cwiseAbs();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/path_walk.hpp"
 
+#include "base/index.hpp"
 #include "solve/contact_qp.hpp"
 #include "solve/path_parts.hpp"
 
@@ -9,6 +10,8 @@
 #include <limits>
 
 namespace spricka::solve {
+
+using base::at;
 
 namespace {
 
@@ -29,7 +32,7 @@ SolutionPath PathWalk::run(const std::vector<bool>& start) {
   }
   std::vector<bool> closed(std::size_t(rows()), false);
   for (const int i : first.basis) {
-    closed[std::size_t(i)] = true;
+    closed[at(i)] = true;
   }
   if (begin(closed) && set_out()) {
     walk();
@@ -61,7 +64,7 @@ bool PathWalk::begin(const std::vector<bool>& closed) {
   d_.tail(problem_.df.size()) += problem_.df;
   double size = 0.0;
   for (int i = 0; i < rows(); ++i) {
-    if (closed[std::size_t(i)]) {
+    if (closed[at(i)]) {
       size = std::max(size, std::abs(y(i)) + (to_ - from_) * std::abs(d_(i)));
     }
   }
@@ -220,8 +223,8 @@ void PathWalk::emit(double t1) {
       path_.closed = now;
     } else {
       for (int i = 0; i < rows(); ++i) {
-        if (now[std::size_t(i)] != reported_[std::size_t(i)]) {
-          path_.changes.push_back({path_.segments.size(), i, now[std::size_t(i)]});
+        if (now[at(i)] != reported_[at(i)]) {
+          path_.changes.push_back({path_.segments.size(), i, now[at(i)]});
         }
       }
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/index.hpp"
 #include "solve/held_problem.hpp"
 #include "solve/mode_split.hpp"
 #include "solve/parametric_problem.hpp"
@@ -38,8 +39,8 @@ private:
   static constexpr int tied_rows = 4;
 
   [[nodiscard]] int rows() const { return held_.rows(); }
-  [[nodiscard]] bool free_to_change(int i) const { return !held_.equality[std::size_t(i)]; }
-  [[nodiscard]] bool closed(int i) const { return matrix_.closed()[std::size_t(i)]; }
+  [[nodiscard]] bool free_to_change(int i) const { return !held_.equality[base::at(i)]; }
+  [[nodiscard]] bool closed(int i) const { return matrix_.closed()[base::at(i)]; }
   [[nodiscard]] double y(int i) const { return v_(i) + t_ * d_(i); }
   [[nodiscard]] base::Vector state() const { return v_ + t_ * d_; }
   [[nodiscard]] bool zero(int i) const { return y(i) <= tolerance_(i); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/path_walk.hpp"
 
+#include "base/index.hpp"
 #include "solve/contact_qp.hpp"
 #include "solve/path_parts.hpp"
 
@@ -9,6 +10,8 @@
 
 // Where many rows tie: at the beginning of a path, and where all forces vanish.
 namespace spricka::solve {
+
+using base::at;
 
 namespace {
 
@@ -37,7 +40,7 @@ bool PathWalk::turn() {
   if (direction.status == ContactStatus::solved) {
     std::vector<bool> closed(std::size_t(rows()), false);
     for (const int k : direction.basis) {
-      closed[std::size_t(taking_part[std::size_t(k)])] = true;
+      closed[at(taking_part[at(k)])] = true;
     }
     return take(closed) || begin(before);
   }
@@ -51,7 +54,7 @@ bool PathWalk::turn() {
     }
     std::vector<bool> closed(std::size_t(rows()), false);
     for (const int i : next.basis) {
-      closed[std::size_t(i)] = true;
+      closed[at(i)] = true;
     }
     if (take(closed) && reaches_back(f)) {
       path_.jumps.push_back(t_);

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/rest.hpp"
+#include "base/index.hpp"
 #include "solve/nnls.hpp"
 
 #include <Eigen/QR>
 #include <algorithm>
 
 namespace spricka::solve {
+
+using base::at;
+using base::index;
 
 namespace {
 
@@ -15,9 +19,9 @@ base::Matrix free_directions(const HeldProblem& problem, const std::vector<int>&
   if (rows.empty()) {
     return base::Matrix::Identity(m, m);
   }
-  base::Matrix B_T(m, static_cast<Eigen::Index>(rows.size()));
+  base::Matrix B_T(m, index(rows.size()));
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    B_T.col(static_cast<Eigen::Index>(k)) = problem.B.row(rows[k]).transpose();
+    B_T.col(index(k)) = problem.B.row(rows[k]).transpose();
   }
   Eigen::ColPivHouseholderQR<base::Matrix> qr(m, B_T.cols());
   qr.setThreshold(1e-9);
@@ -40,7 +44,7 @@ int rest_free_motions(const HeldProblem& problem, const ModeSplit& split,
     // in units of h: the columns of B are those of `controllable`, whose size carries a unit of
     // its own
     const double force = lambda(i) * problem.B.row(i).cwiseAbs().cwiseProduct(per_unit).maxCoeff();
-    (problem.equality[std::size_t(i)] || force > least ? fixed : others).push_back(i);
+    (problem.equality[at(i)] || force > least ? fixed : others).push_back(i);
   }
   const base::Matrix Z = free_directions(problem, fixed);
   if (Z.cols() == 0) {
@@ -57,11 +61,11 @@ int rest_free_motions(const HeldProblem& problem, const ModeSplit& split,
   const base::Matrix ZR =
       R.transpose().triangularView<Eigen::Lower>().solve(Z.transpose()).transpose();
   const base::Vector gap = problem.b + problem.W * lambda + problem.B * alpha;
-  const Eigen::Index k = static_cast<Eigen::Index>(others.size());
+  const Eigen::Index k = index(others.size());
   base::Matrix E(k, z);
   base::Vector f(k);
   for (Eigen::Index r = 0; r < k; ++r) {
-    const int i = others[static_cast<std::size_t>(r)];
+    const int i = others[at(r)];
     E.row(r) = problem.B.row(i) * ZR;
     f(r) = E.row(r).dot(shift) - std::max(gap(i), 0.0);
   }

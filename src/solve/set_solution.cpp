@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/set_solution.hpp"
+#include "base/index.hpp"
 #include "solve/blas.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace spricka::solve {
+
+using base::at;
+using base::index;
 
 namespace {
 
@@ -15,7 +19,7 @@ void add_solution(const BorderedFactor& factor, base::Matrix top, base::Matrix b
   factor.solve(top, bottom);
   const std::vector<int>& A = factor.rows();
   for (std::size_t r = 0; r < A.size(); ++r) {
-    s.lambda(A[r]) += top(static_cast<Eigen::Index>(r), 0);
+    s.lambda(A[r]) += top(index(r), 0);
   }
   s.alpha += bottom.col(0);
 }
@@ -34,9 +38,9 @@ SetSolution solve_set(const HeldProblem& problem, const BorderedFactor& factor, 
     if (again && !refine) {
       break;
     }
-    base::Matrix top(static_cast<Eigen::Index>(A.size()), 1);
+    base::Matrix top(index(A.size()), 1);
     for (std::size_t r = 0; r < A.size(); ++r) {
-      top(static_cast<Eigen::Index>(r), 0) = -s.gap(A[r]);
+      top(index(r), 0) = -s.gap(A[r]);
     }
     add_solution(factor, top, -(problem.h + problem.B.transpose() * s.lambda), s);
     blas::gemm({.m = n, .n = 1, .k = n}, {problem.W.data(), n}, {s.lambda.data(), n},
@@ -67,12 +71,12 @@ std::vector<int> violated_rows(const HeldProblem& problem, const BorderedFactor&
                                const SetSolution& solution, double tolerance) {
   std::vector<bool> closed(std::size_t(problem.rows()), false);
   for (const int i : factor.rows()) {
-    closed[std::size_t(i)] = true;
+    closed[at(i)] = true;
   }
   std::vector<int> violated;
   for (int i = 0; i < problem.rows(); ++i) {
-    const bool equality = problem.equality[std::size_t(i)];
-    if (closed[std::size_t(i)]) {
+    const bool equality = problem.equality[at(i)];
+    if (closed[at(i)]) {
       if (!equality && solution.lambda(i) < -tolerance * solution.force_scale) {
         violated.push_back(i);
       }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/sparse_condensation.hpp"
 #include "base/clock.hpp"
+#include "base/index.hpp"
 #include "base/memory.hpp"
 #include "solve/blas.hpp"
 #include "solve/cholmod_session.hpp"
@@ -15,11 +16,9 @@
 
 namespace spricka::solve {
 
-namespace {
+using base::at;
 
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
+namespace {
 
 /// Owns a CHOLMOD factor; freeing needs no more than a fresh session.
 class Factor {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/stacked.hpp"
+#include "base/index.hpp"
 #include "solve/blas.hpp"
 #include "solve/dense_cholesky.hpp"
 #include "solve/factor_checks.hpp"
@@ -10,11 +11,10 @@
 
 namespace spricka::solve {
 
-namespace {
+using base::at;
+using base::index;
 
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
+namespace {
 
 blas::Block block(base::Matrix& A) {
   return {A.data(), static_cast<int>(A.rows())};
@@ -96,7 +96,7 @@ Stacked::Parts Stacked::assemble(const base::SymmetricCsc& K, std::span<const De
   Parts parts;
   Eigen::Index rest = 0;
   for (std::size_t t = 0; t < rows_.top.size(); ++t) {
-    const auto k = static_cast<Eigen::Index>(t);
+    const auto k = index(t);
     const bool in = layered ? !std::ranges::binary_search(rows_.early, k) : k >= inner;
     parts.place.push_back(in ? rest++ : -1);
   }
@@ -105,7 +105,7 @@ Stacked::Parts Stacked::assemble(const base::SymmetricCsc& K, std::span<const De
   parts.rest = base::Matrix::Zero(rest, rest);
   const auto add = [&](const std::vector<Eigen::Index>& top, const auto& part, bool to_rest) {
     for (std::size_t c = 0; c < top.size(); ++c) {
-      const auto from = static_cast<Eigen::Index>(c);
+      const auto from = index(c);
       if (top[c] < 0) {
         continue;
       }
@@ -115,7 +115,7 @@ Stacked::Parts Stacked::assemble(const base::SymmetricCsc& K, std::span<const De
         if (top[r] < 0) {
           continue;
         }
-        const double value = part(static_cast<Eigen::Index>(r), from);
+        const double value = part(index(r), from);
         if (top[r] < inner) {
           first[top[r]] += value;
         }
@@ -127,7 +127,7 @@ Stacked::Parts Stacked::assemble(const base::SymmetricCsc& K, std::span<const De
   };
   add(rows_.touched, touched, true);
   for (std::size_t i = 0; i < rows_.top.size(); ++i) {
-    const auto k = static_cast<Eigen::Index>(i);
+    const auto k = index(i);
     if (!std::ranges::binary_search(rows_.touched, k)) {
       add({k}, base::Matrix::Constant(1, 1, K.value[at(K.start[at(rows_.top[i])])]), true);
     }
@@ -143,7 +143,7 @@ bool Stacked::eliminate_early(const DenseBlock& dense, EarlyLists lists,
   const std::vector<Eigen::Index> top = places_of(dense, rows_.top);
   std::vector<Eigen::Index> row(rows_.top.size(), -1); // by place on top: in the layered factor
   for (std::size_t k = 0; k < lists.early.size(); ++k) {
-    row[at(top[at(lists.early[k])])] = static_cast<Eigen::Index>(k);
+    row[at(top[at(lists.early[k])])] = index(k);
   }
   std::vector<Eigen::Index> place; // of the late ones among the rest
   for (const Eigen::Index r : lists.late) {
@@ -158,8 +158,7 @@ bool Stacked::eliminate_early(const DenseBlock& dense, EarlyLists lists,
   const base::Matrix& schur = early->schur();
   for (std::size_t c = 0; c < place.size(); ++c) {
     for (std::size_t r = 0; r < place.size(); ++r) {
-      parts.rest(place[r], place[c]) +=
-          schur(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c));
+      parts.rest(place[r], place[c]) += schur(index(r), index(c));
     }
   }
   const auto firsts = early->count();
@@ -209,9 +208,8 @@ void Stacked::solve_inner(base::Matrix& g, bool transposed) const {
 
 // Loads of the sparse matrix: f of the rows below; what acts on top stays there.
 base::Matrix Stacked::below(const base::Matrix& f) const {
-  const auto locals = static_cast<Eigen::Index>(rows_.below.size());
-  base::Matrix out =
-      base::Matrix::Zero(locals + static_cast<Eigen::Index>(rows_.touched.size()), f.cols());
+  const auto locals = index(rows_.below.size());
+  base::Matrix out = base::Matrix::Zero(locals + index(rows_.touched.size()), f.cols());
   for (Eigen::Index i = 0; i < locals; ++i) {
     out.row(i) = f.row(rows_.below[at(i)]);
   }
@@ -220,13 +218,13 @@ base::Matrix Stacked::below(const base::Matrix& f) const {
 
 // f on top with what the rows below hand over.
 base::Matrix Stacked::on_top(const base::Matrix& f, const base::Matrix& f_below) const {
-  base::Matrix g(static_cast<Eigen::Index>(rows_.top.size()), f.cols());
+  base::Matrix g(index(rows_.top.size()), f.cols());
   for (Eigen::Index i = 0; i < g.rows(); ++i) {
     g.row(i) = f.row(rows_.top[at(i)]);
   }
   const base::Matrix condensed = below_->condense_load(f_below);
   for (std::size_t t = 0; t < rows_.touched.size(); ++t) {
-    g.row(rows_.touched[t]) += condensed.row(static_cast<Eigen::Index>(t));
+    g.row(rows_.touched[t]) += condensed.row(index(t));
   }
   return g;
 }
@@ -247,17 +245,17 @@ base::Matrix Stacked::recover(const base::Matrix& u_external, const base::Matrix
   }
   solve_inner(g, false);
   solve_inner(g, true);
-  base::Matrix u_touched(static_cast<Eigen::Index>(rows_.touched.size()), f.cols());
+  base::Matrix u_touched(index(rows_.touched.size()), f.cols());
   for (std::size_t t = 0; t < rows_.touched.size(); ++t) {
-    u_touched.row(static_cast<Eigen::Index>(t)) = g.row(rows_.touched[t]);
+    u_touched.row(index(t)) = g.row(rows_.touched[t]);
   }
   const base::Matrix inner = below_->recover(u_touched, f_below);
   base::Matrix u(f.rows(), f.cols());
   for (std::size_t i = 0; i < rows_.below.size(); ++i) {
-    u.row(rows_.below[i]) = inner.row(static_cast<Eigen::Index>(i));
+    u.row(rows_.below[i]) = inner.row(index(i));
   }
   for (std::size_t i = 0; i < rows_.top.size(); ++i) {
-    u.row(rows_.top[i]) = g.row(static_cast<Eigen::Index>(i));
+    u.row(rows_.top[i]) = g.row(index(i));
   }
   return u;
 }

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/stacked_rows.hpp"
+#include "base/index.hpp"
 
 #include <algorithm>
 
 namespace spricka::solve {
 
-namespace {
+using base::at;
+using base::index;
 
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
+namespace {
 
 // Externals that only the block has must be this part of the top to be worth a floor of their own.
 constexpr double least_early = 0.25;
@@ -41,7 +41,7 @@ StackedRows divide_rows(const base::SymmetricCsc& K, std::int64_t externals,
       continue;
     }
     if (coupled[at(i)]) {
-      rows.touched.push_back(static_cast<Eigen::Index>(rows.top.size()));
+      rows.touched.push_back(index(rows.top.size()));
     }
     rows.top.push_back(i);
   }
@@ -110,7 +110,7 @@ void find_early(const base::SymmetricCsc& K, std::span<const DenseBlock> blocks,
   }
   for (std::size_t t = 0; t < only.size(); ++t) {
     if (only[t]) {
-      rows.early.push_back(static_cast<Eigen::Index>(t));
+      rows.early.push_back(index(t));
     }
   }
   if (static_cast<double>(rows.early.size()) < least_early * static_cast<double>(only.size())) {
@@ -124,7 +124,7 @@ EarlyLists early_lists(const StackedRows& rows, const DenseBlock& block) {
   for (std::size_t r = 0; r < top.size(); ++r) {
     if (top[r] >= 0) {
       const bool early = std::ranges::binary_search(rows.early, top[r]);
-      (early ? lists.early : lists.late).push_back(static_cast<Eigen::Index>(r));
+      (early ? lists.early : lists.late).push_back(index(r));
     }
   }
   return lists;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/index.hpp"
 #include "base/sparse.hpp"
 #include "solve/dense_block.hpp"
 #include "solve/factor_report.hpp"
@@ -19,9 +20,7 @@ struct StackedRows {
   Eigen::Index external = 0;
   std::vector<Eigen::Index> early; ///< places in `top` of externals that only the block has
 
-  [[nodiscard]] Eigen::Index inner() const {
-    return static_cast<Eigen::Index>(top.size()) - external;
-  }
+  [[nodiscard]] Eigen::Index inner() const { return base::index(top.size()) - external; }
 };
 
 /// `early` stays empty.

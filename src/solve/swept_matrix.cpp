@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/swept_matrix.hpp"
+#include "base/index.hpp"
 #include "solve/blas.hpp"
 #include "solve/set_solution.hpp"
 
@@ -9,6 +10,9 @@
 #include <Eigen/LU>
 
 namespace spricka::solve {
+
+using base::at;
+using base::index;
 
 SweptMatrix::SweptMatrix(const HeldProblem& problem, base::Matrix of_force, base::Matrix of_mode)
     : problem_(problem), n_(problem.rows()), m_(problem.modes()), of_force_(std::move(of_force)),
@@ -30,23 +34,23 @@ bool SweptMatrix::begin(const std::vector<bool>& closed) {
   std::vector<int> A;
   open_.clear();
   for (int i = 0; i < n_; ++i) {
-    (closed[std::size_t(i)] ? A : open_).push_back(i);
+    (closed[at(i)] ? A : open_).push_back(i);
   }
-  W_open_.resize(static_cast<Eigen::Index>(open_.size()), n_);
+  W_open_.resize(index(open_.size()), n_);
   for (Eigen::Index k = 0; k < W_open_.rows(); ++k) {
-    W_open_.row(k) = problem_.W.col(open_[std::size_t(k)]); // symmetric
+    W_open_.row(k) = problem_.W.col(open_[at(k)]); // symmetric
   }
   return factor_.factorise(std::move(A)) && factor_.left_out().empty();
 }
 
 base::Vector SweptMatrix::state(const base::Vector& b, const base::Vector& h) const {
-  HeldProblem at = problem_;
-  at.b = b;
-  at.h = h;
-  const SetSolution s = solve_set(at, factor_, true);
+  HeldProblem problem = problem_;
+  problem.b = b;
+  problem.h = h;
+  const SetSolution s = solve_set(problem, factor_, true);
   base::Vector c(size());
   for (int i = 0; i < n_; ++i) {
-    const bool closed = first_closed_[std::size_t(i)];
+    const bool closed = first_closed_[at(i)];
     c(i) = (closed ? s.lambda(i) : s.gap(i)) * unit(i, closed);
   }
   c.segment(n_, m_) = s.alpha;
@@ -61,7 +65,7 @@ void SweptMatrix::add_to_block(const Pivot& pivot) {
   if (!block_.sound) {
     return;
   }
-  const auto l = static_cast<Eigen::Index>(block_.rows.size());
+  const auto l = index(block_.rows.size());
   if (l == block_.columns.cols()) {
     const Eigen::Index more = 2 * l + 64;
     block_.columns.conservativeResize(Eigen::NoChange, more);
@@ -76,11 +80,11 @@ void SweptMatrix::add_to_block(const Pivot& pivot) {
 }
 
 void SweptMatrix::advance(base::Matrix& columns) const {
-  const auto l = static_cast<Eigen::Index>(block_.rows.size());
+  const auto l = index(block_.rows.size());
   base::Matrix s(l, columns.cols());
   for (Eigen::Index j = 0; j < l; ++j) {
-    s.row(j) = columns.row(block_.rows[std::size_t(j)]);
-    columns.row(block_.rows[std::size_t(j)]).setZero();
+    s.row(j) = columns.row(block_.rows[at(j)]);
+    columns.row(block_.rows[at(j)]).setZero();
   }
   block_.core.topLeftCorner(l, l).triangularView<Eigen::Lower>().solveInPlace(s);
   base::Matrix change(columns.rows(), columns.cols());
@@ -90,7 +94,7 @@ void SweptMatrix::advance(base::Matrix& columns) const {
              {block_.columns.data(), length}, {s.data(), count}, {change.data(), length});
   columns -= change;
   for (Eigen::Index j = 0; j < l; ++j) {
-    columns.row(block_.rows[std::size_t(j)]) -= s.row(j);
+    columns.row(block_.rows[at(j)]) -= s.row(j);
   }
 }
 
@@ -98,18 +102,18 @@ void SweptMatrix::advance(base::Matrix& columns) const {
 // closed rows and the modes, and these open the others.
 void SweptMatrix::make_columns(const std::vector<int>& rows) {
   const std::vector<int>& A = factor_.rows();
-  const auto a = static_cast<Eigen::Index>(A.size());
-  const auto k = static_cast<Eigen::Index>(rows.size());
+  const auto a = index(A.size());
+  const auto k = index(rows.size());
   base::Matrix top = base::Matrix::Zero(a, k);
   base::Matrix bottom = base::Matrix::Zero(m_, k);
   for (Eigen::Index c = 0; c < k; ++c) {
-    const int i = rows[std::size_t(c)];
-    if (first_closed_[std::size_t(i)]) {
+    const int i = rows[at(c)];
+    if (first_closed_[at(i)]) {
       top(std::lower_bound(A.begin(), A.end(), i) - A.begin(), c) = 1.0;
       continue;
     }
     for (Eigen::Index r = 0; r < a; ++r) {
-      top(r, c) = -problem_.W(A[std::size_t(r)], i);
+      top(r, c) = -problem_.W(A[at(r)], i);
     }
     bottom.col(c) = -problem_.B.row(i).transpose();
   }
@@ -117,10 +121,10 @@ void SweptMatrix::make_columns(const std::vector<int>& rows) {
   base::Matrix force = base::Matrix::Zero(n_, k);
   for (Eigen::Index c = 0; c < k; ++c) {
     for (Eigen::Index r = 0; r < a; ++r) {
-      force(A[std::size_t(r)], c) = top(r, c);
+      force(A[at(r)], c) = top(r, c);
     }
-    if (!first_closed_[std::size_t(rows[std::size_t(c)])]) {
-      force(rows[std::size_t(c)], c) = 1.0;
+    if (!first_closed_[at(rows[at(c)])]) {
+      force(rows[at(c)], c) = 1.0;
     }
   }
   const int open = static_cast<int>(open_.size());
@@ -130,19 +134,19 @@ void SweptMatrix::make_columns(const std::vector<int>& rows) {
   blas::gemm({.m = open, .n = columns, .k = n}, {W_open_.data(), open}, {force.data(), n},
              {gap.data(), open});
   for (Eigen::Index r = 0; r < open; ++r) {
-    gap.row(r) += problem_.B.row(open_[std::size_t(r)]) * bottom;
+    gap.row(r) += problem_.B.row(open_[at(r)]) * bottom;
   }
   const base::Matrix more = of_force_ * force + of_mode_ * bottom;
   base::Matrix all(size(), k);
   for (Eigen::Index c = 0; c < k; ++c) {
-    const int i = rows[std::size_t(c)];
-    const double own = unit(i, first_closed_[std::size_t(i)]);
+    const int i = rows[at(c)];
+    const double own = unit(i, first_closed_[at(i)]);
     auto column = all.col(c);
     for (Eigen::Index r = 0; r < a; ++r) {
-      column(A[std::size_t(r)]) = top(r, c) * own * unit(A[std::size_t(r)], true);
+      column(A[at(r)]) = top(r, c) * own * unit(A[at(r)], true);
     }
     for (Eigen::Index r = 0; r < open; ++r) {
-      column(open_[std::size_t(r)]) = gap(r, c) * own * unit(open_[std::size_t(r)], false);
+      column(open_[at(r)]) = gap(r, c) * own * unit(open_[at(r)], false);
     }
     column.segment(n_, m_) = bottom.col(c) * own;
     column.tail(more.rows()) = more.col(c) * own;
@@ -152,8 +156,8 @@ void SweptMatrix::make_columns(const std::vector<int>& rows) {
     advance(all);
   }
   for (Eigen::Index c = 0; c < k; ++c) {
-    made_[std::size_t(rows[std::size_t(c)])] = all.col(c);
-    age_[std::size_t(rows[std::size_t(c)])] = at_once ? list_.size() : 0;
+    made_[at(rows[at(c)])] = all.col(c);
+    age_[at(rows[at(c)])] = at_once ? list_.size() : 0;
   }
 }
 
@@ -170,17 +174,17 @@ base::Vector SweptMatrix::column(int i, std::span<const int> likely) {
   if (from > 0) {
     x = own_column(list_[from - 1], i);
   } else {
-    if (made_[std::size_t(i)].size() == 0) {
+    if (made_[at(i)].size() == 0) {
       std::vector<int> rows{i};
       for (const int j : likely) {
-        if (j != i && made_[std::size_t(j)].size() == 0) {
+        if (j != i && made_[at(j)].size() == 0) {
           rows.push_back(j);
         }
       }
       make_columns(rows);
     }
-    x = made_[std::size_t(i)];
-    from = age_[std::size_t(i)];
+    x = made_[at(i)];
+    from = age_[at(i)];
   }
   for (; from < list_.size(); ++from) {
     apply(list_[from], x);
@@ -209,23 +213,23 @@ base::Vector SweptMatrix::own_column(const Pivot& pivot, int i) {
   const Eigen::Index k = pivot.rows[0] == i ? 0 : 1;
   base::Vector x = pivot.columns * pivot.inverse.col(k);
   for (std::size_t r = 0; r < pivot.rows.size(); ++r) {
-    x(pivot.rows[r]) = pivot.inverse(static_cast<Eigen::Index>(r), k);
+    x(pivot.rows[r]) = pivot.inverse(index(r), k);
   }
   return x;
 }
 
 void SweptMatrix::exchange(Pivot pivot, std::span<base::Vector* const> states) {
-  const auto p = static_cast<Eigen::Index>(pivot.rows.size());
+  const auto p = index(pivot.rows.size());
   base::Matrix core(p, p);
   for (Eigen::Index r = 0; r < p; ++r) {
-    core.row(r) = pivot.columns.row(pivot.rows[std::size_t(r)]);
+    core.row(r) = pivot.columns.row(pivot.rows[at(r)]);
   }
   pivot.inverse = core.inverse();
   for (base::Vector* state : states) {
     apply(pivot, *state);
   }
   for (const int i : pivot.rows) {
-    closed_[std::size_t(i)] = !closed_[std::size_t(i)];
+    closed_[at(i)] = !closed_[at(i)];
   }
   add_to_block(pivot);
   list_.push_back(std::move(pivot));
@@ -246,7 +250,7 @@ void SweptMatrix::pivot(std::array<int, 2> rows, std::array<base::Vector, 2> col
 base::Vector SweptMatrix::forces(const base::Vector& state) const {
   base::Vector lambda = base::Vector::Zero(n_);
   for (int i = 0; i < n_; ++i) {
-    if (closed_[std::size_t(i)]) {
+    if (closed_[at(i)]) {
       lambda(i) = state(i) / unit(i, true);
     }
   }
@@ -256,7 +260,7 @@ base::Vector SweptMatrix::forces(const base::Vector& state) const {
 base::Vector SweptMatrix::gaps(const base::Vector& state) const {
   base::Vector gap = base::Vector::Zero(n_);
   for (int i = 0; i < n_; ++i) {
-    if (!closed_[std::size_t(i)]) {
+    if (!closed_[at(i)]) {
       gap(i) = state(i) / unit(i, false);
     }
   }

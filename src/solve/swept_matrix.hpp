@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/index.hpp"
 #include "base/vec.hpp"
 #include "solve/bordered_factor.hpp"
 #include "solve/held_problem.hpp"
@@ -35,7 +36,7 @@ public:
   /// Column i of T [size]. Columns of `likely` rows are made along with it.
   [[nodiscard]] base::Vector column(int i, std::span<const int> likely);
   /// Whether column i needs no solution with the factor any more.
-  [[nodiscard]] bool made(int i) const { return made_[static_cast<std::size_t>(i)].size() > 0; }
+  [[nodiscard]] bool made(int i) const { return made_[base::at(i)].size() > 0; }
   /// Exchanges y and z of row i, whose column is given, in the matrix and in states.
   void pivot(int i, const base::Vector& column, std::span<base::Vector* const> states);
   /// The same for two rows at once, of which neither need have a pivot alone.
