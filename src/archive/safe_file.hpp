@@ -9,8 +9,8 @@
 /// Files that are whole or not there: restart files and their parts.
 namespace spricka::archive {
 
-/// Trouble with a file, with the code that names it (run/error_codes.hpp): the program ends with
-/// exit_code::file_trouble.
+/// Trouble with a file, with the code that names it (program/commands/code_texts.cpp): the program
+/// ends with exit_code::file_trouble.
 class FileTrouble : public std::runtime_error {
 public:
   FileTrouble(std::string code, const std::string& what)

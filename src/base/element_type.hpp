@@ -7,7 +7,9 @@
 namespace spricka::base {
 
 /// The element library, by ASKA's names. M = membrane, C = curved (isoparametric), the number =
-/// nodes. Corners first, then mid-edge nodes, then face and volume nodes, as gmsh and Abaqus.
+/// nodes. Corners first, then mid-edge nodes, then face and volume nodes, as Abaqus and CalculiX;
+/// gmsh orders some solids otherwise (mesh/gmsh_elements.cpp), and so does VTK
+/// (report/drawing/vtu_grid.cpp).
 enum class ElementType : std::uint8_t {
   trim3,
   trimc6,

@@ -6,7 +6,7 @@
 
 namespace spricka::contact {
 
-/// Fills the rows of a NODE pair (the paper's matching node pairs) whose two surfaces stand in
+/// Fills the rows of a NODE pair (matching nodes; manual, contact.5) whose two surfaces stand in
 /// `pair`: each contact node with the target node on its normal. Rows are scaled by the lumped
 /// area of the node. Without a partner within 1e-3 of the edge length off the normal the pair is
 /// in `trouble`.

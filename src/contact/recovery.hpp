@@ -5,9 +5,10 @@
 
 #include <vector>
 
-/// Pressures from contact forces, C p = R with the surface mass C (the paper's equations 6 to 8),
-/// lumped or consistent. SEGMENT pairs have a pressure of their own, the multiplier, which is never
-/// negative: it stands for the consistent one. No pressure of a contact that can part is negative.
+/// Pressures from contact forces, C p = R with the surface mass C (Ansell and Fredriksson,
+/// equations 6 to 8; manual, contact.9), lumped or consistent. SEGMENT pairs have a pressure of
+/// their own, the multiplier, which is never negative: it stands for the consistent one. No
+/// pressure of a contact that can part is negative.
 namespace spricka::contact {
 
 struct PairPressure {

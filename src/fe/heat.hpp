@@ -11,7 +11,7 @@
 
 /// Temperatures as the deck gives them. Elements take a linear part (thermal.hpp); what a
 /// temperature has beyond that, a kink, a jump, a root at a tip, the rim of a heated set within an
-/// element, acts on their displacements as well, and is known at points (manual, fe.39 to fe.41).
+/// element, acts on their displacements as well, and is known at points (manual, fe.38 and fe.39).
 namespace spricka::fe {
 
 /// The stress that a degree takes out, beta of manual fe.21.

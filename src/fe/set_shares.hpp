@@ -30,8 +30,8 @@ struct SetShares {
 };
 
 /// The shares of a set of the deck on `mesh`, the deck's own or one with cracks in it: there new
-/// elements stand in the place of some of the deck's (mesh/patch.hpp). Integrals of the shares add
-/// up to the area of what the set covers on the deck's mesh, and to its first moments but for
+/// elements stand in the place of some of the deck's (mesh/cut/patch.hpp). Integrals of the shares
+/// add up to the area of what the set covers on the deck's mesh, and to its first moments but for
 /// curved rims.
 SetShares set_shares(const model::Model& model, const model::Mesh& mesh, base::ElementSetId set);
 

@@ -11,8 +11,8 @@
 
 namespace spricka::model {
 
-/// A side of an element: an edge in 2D, a face in 3D. Side s of an element is described by
-/// shape::side(type, s).
+/// A side of an element: an edge in 2D, a face in 3D. Side s of an element has the nodes
+/// shape::side_nodes(type, s).
 struct Face {
   base::ElementId element;
   int side = 0;

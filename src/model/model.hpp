@@ -160,7 +160,7 @@ struct Crack {
 
 enum class Join { conforming, transition };
 
-/// How the patch round a tip is made; what is empty follows the crack (see mesh/patch.hpp).
+/// How the patch round a tip is made; what is empty follows the crack (see mesh/cut/patch.hpp).
 struct TipNet {
   base::CrackId crack;
   std::optional<double> radius; ///< of the rosette [length]

@@ -13,7 +13,7 @@ namespace spricka::analysis {
 
 namespace {
 
-// Edges over their distance from the tip: as inside one net (mesh/cavity_check.cpp).
+// Edges over their distance from the tip: as inside one net (mesh/cut/cavity_check.cpp).
 constexpr double longest = 2.0;
 // Of hypot(K1, K2) at edges as long as their distance, and from which length on: it grows with the
 // third power. Read off blocks bonded, tied or pressed to much finer ones, cracks of random length

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-/// Cracks in meshes: a patch is cut out of the host and refilled round the crack (design section
-/// 2, "Cracks in meshes"), or nodes of the deck's own mesh are doubled (PATCH=NO).
+/// Cracks in meshes: a patch is cut out of the host and refilled round the crack (manual,
+/// mesh.1 to 5 and 12), or nodes of the deck's own mesh are doubled (PATCH=NO).
 namespace spricka::mesh {
 
 /// A crack of one length, as a polyline in the plane, mouth first, tip last. A crack along a

@@ -23,7 +23,7 @@ inline constexpr const char* results_name = "results.h5"; ///< whole, for progra
 std::filesystem::path resolved_folder(const std::filesystem::path& folder);
 
 /// Throws FileTrouble E464 when a folder that is there is not one that a run (a sweep) may write:
-/// it holds files and no mark, or the mark of the other kind (run/folder_mark.hpp).
+/// it holds files and no mark, or the mark of the other kind (archive/folder_mark.hpp).
 void check_folder(const std::filesystem::path& folder, bool sweep);
 
 /// The run folder. Everything is written into a folder FOLDER.part beside it, that takes its place

@@ -96,7 +96,8 @@ std::optional<std::pair<double, double>> range_of_R(const results::Growth& growt
   return R;
 }
 
-// Where faces close K_min below 0 is not that of the crack as it is (run/free_faces.hpp).
+// Where faces close K_min below 0 is not that of the crack as it is
+// (analysis/scene/free_faces.hpp).
 bool continued_below_closing(const model::Model& model, const results::Growth& growth) {
   const bool knows_R = model.growth->law == model::GrowthLaw::nasgro ||
                        model.growth->law == model::GrowthLaw::walker;
