@@ -3,7 +3,7 @@
 
 Usage: check_layers.py TOP [--write]. Prints everything that breaks a rule and ends with 1 if there
 is such a thing. manual/architecture.md and its picture are made from the same rooms: --write renews
-them, without it they are compared. Files that pages for developers name must be there.
+them, without it they are compared. What pages for developers and comments cite must be there.
 """
 
 import re
@@ -13,7 +13,7 @@ from pathlib import Path
 import architecture
 from circles import circles
 from house import read_house
-from pages import lost_names
+from pages import lost_citations, lost_names
 
 LARGEST_SHARE = 0.15  # of all lines of src and grammar, for one room
 
@@ -125,8 +125,8 @@ def check(top):
 
 def main(arguments):
     top = Path(arguments[0])
-    errors = check(top) + lost_names(top)
     house = read_house(top)
+    errors = check(top) + lost_names(top) + lost_citations(top, house)
     if circles(architecture.graph_of(house)):
         errors.append(f"{architecture.PAGE}: rooms in a circle cannot be drawn")
     elif house.rooms and "--write" in arguments:

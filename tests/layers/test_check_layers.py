@@ -226,6 +226,16 @@ class Page(Tree):
         self.assertIn("manual/glossary.md:3: there is no solve/gone.cpp", text)
         self.assertIn("manual/glossary.md:3: there is no mesh/gone", text)
 
+    def test_what_a_comment_cites_is_missed(self):
+        put(self.top, "manual/theory/mesh.md", "$$ x = 1 \\tag{mesh.1} $$ and (mesh.2)\n")
+        add(self.top, "src/solve/solve.cpp", "int i; // mesh.1 to 2 of mesh/mesh.hpp (life.hpp)\n")
+        self.assertEqual(run(self.top)[0], 0)
+        add(self.top, "src/solve/solve.cpp", "// mesh.3, path/mesh.hpp, moon.3\n")
+        code, text = run(self.top)
+        self.assertEqual((code, text.count("\n")), (1, 2), text)
+        self.assertIn("src/solve/solve.cpp:4: there is no mesh.3", text)
+        self.assertIn("src/solve/solve.cpp:4: there is no path/mesh.hpp", text)
+
     def test_a_page_without_its_marks_is_refused(self):
         put(self.top, architecture.PAGE, "# House\n")
         code, text = run(self.top)
