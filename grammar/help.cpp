@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "grammar/help.hpp"
 
-#include "base/unit_words.hpp"
+#include "base/units.hpp"
 #include "grammar/compile.hpp"
 #include "grammar/phrases.hpp"
 #include "grammar/wrap.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "base/unit_words.hpp"
+#include "base/units.hpp"
 #include "grammar/compile.hpp"
 #include "grammar/help.hpp"
 #include "grammar/phrases.hpp"

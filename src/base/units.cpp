@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/units.hpp"
 
-#include "base/unit_words.hpp"
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -20,17 +18,12 @@ namespace {
 constexpr double newton_per_lbf = 4.4482216152605;
 constexpr double metre_per_inch = 0.0254;
 
-struct Word {
-  std::string_view name;
-  Unit unit;
-};
-
 constexpr Dimension length_dimension{1.0, 0.0, 0.0};
 constexpr Dimension force_dimension{0.0, 1.0, 0.0};
 constexpr Dimension stress_dimension{-2.0, 1.0, 0.0};
 constexpr Dimension angle_dimension{0.0, 0.0, 1.0};
 
-constexpr std::array<Word, 17> words{{
+constexpr std::array<UnitWord, 17> words{{
     {"m", {1.0, length_dimension}},
     {"mm", {1e-3, length_dimension}},
     {"um", {1e-6, length_dimension}},
@@ -52,7 +45,7 @@ constexpr std::array<Word, 17> words{{
 
 const Unit* find_word(std::string_view name) {
   const auto* const it =
-      std::find_if(words.begin(), words.end(), [&](const Word& w) { return w.name == name; });
+      std::find_if(words.begin(), words.end(), [&](const UnitWord& w) { return w.name == name; });
   return it == words.end() ? nullptr : &it->unit;
 }
 
@@ -122,12 +115,7 @@ bool same_word(std::string_view a, std::string_view upper_case) {
 } // namespace
 
 std::vector<UnitWord> unit_words() {
-  std::vector<UnitWord> all;
-  all.reserve(words.size());
-  for (const Word& word : words) {
-    all.push_back({word.name, word.unit});
-  }
-  return all;
+  return {words.begin(), words.end()};
 }
 
 std::string UnitSystem::stress_name() const {

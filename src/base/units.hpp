@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace spricka::base {
 
@@ -30,6 +31,13 @@ struct Unit {
   double si = 1.0;
   Dimension dimension;
 };
+
+/// A unit that the language knows by name; products, quotients and powers are made of these.
+struct UnitWord {
+  std::string_view name;
+  Unit unit;
+};
+std::vector<UnitWord> unit_words();
 
 /// Reads the text between [ and ]: m mm um in, N kN MN lbf, Pa kPa MPa GPa psi ksi, deg rad cycle
 /// with * / and ^. Empty when a word or the form is unknown.
