@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "grammar/compile.hpp"
 
-#include "base/messages.hpp"
-
+#include "base/diagnostics.hpp"
 #include "grammar/lexeme.hpp"
 
 #include <algorithm>

@@ -35,12 +35,15 @@ private:
   std::size_t errors_ = 0;
 };
 
-/// The messages as text: `file:line:col: error E108: text`, source line, carets under the whole
-/// token, hint. In order of file and place; at most `limit` errors, then a count of the rest.
-std::string format(const Sources& sources, const Diagnostics& diagnostics, std::size_t limit = 20);
-
 /// "did you mean 'STRESS'?" for the nearest word within a third of the length
 /// (Damerau-Levenshtein), else "one of: A, B, C" while the list is short, else empty.
 std::string suggest(std::string_view word, const std::vector<std::string>& valid);
+
+/// Whether a suggestion for one more error is worth its search through all names: who has made so
+/// many mistakes does not read them, and with as many names it takes for ever.
+inline bool is_worth_a_hint(const Diagnostics& diagnostics) {
+  constexpr std::size_t many = 100;
+  return diagnostics.error_count() < many;
+}
 
 } // namespace spricka::base

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "base/messages.hpp"
 #include "deck/context.hpp"
 #include "deck/lost_header.hpp"
 #include "deck/overrides.hpp"

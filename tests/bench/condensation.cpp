@@ -5,6 +5,7 @@
 #include "analysis/bodies/condense_bodies.hpp"
 #include "analysis/scene/make_scene.hpp"
 #include "base/diagnostics.hpp"
+#include "base/messages.hpp"
 #include "deck/read_deck.hpp"
 #include "growth/crack_lines.hpp"
 #include "solve/rate.hpp"

@@ -7,6 +7,7 @@
 #include "analysis/lengths/length_solver.hpp"
 #include "base/clock.hpp"
 #include "base/diagnostics.hpp"
+#include "base/messages.hpp"
 #include "deck/read_deck.hpp"
 #include "growth/crack_lines.hpp"
 

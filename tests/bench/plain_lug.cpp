@@ -5,6 +5,7 @@
 #include "analysis/scene/make_scene.hpp"
 #include "base/clock.hpp"
 #include "base/diagnostics.hpp"
+#include "base/messages.hpp"
 #include "deck/read_deck.hpp"
 #include "fe/assemble.hpp"
 #include "growth/crack_lines.hpp"

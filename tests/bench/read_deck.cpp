@@ -3,6 +3,7 @@
 // from_chars loop over the same bytes, in one run. Usage: bench_read_deck [CUBES] [REPEATS]; CUBES
 // along a side, six tetrahedra in each.
 #include "base/clock.hpp"
+#include "base/messages.hpp"
 #include "deck/context.hpp"
 #include "deck/load.hpp"
 #include "grammar/bulk_table.hpp"

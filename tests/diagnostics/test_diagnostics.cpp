@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/messages.hpp"
 #include "deck/read_deck.hpp"
 
 #include <algorithm>

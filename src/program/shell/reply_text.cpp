@@ -3,6 +3,7 @@
 
 #include "base/diagnostics.hpp"
 #include "base/exit_codes.hpp"
+#include "base/messages.hpp"
 #include "grammar/argument_word.hpp"
 #include "grammar/compile.hpp"
 #include "grammar/lexeme.hpp"

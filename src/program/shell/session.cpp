@@ -2,6 +2,7 @@
 #include "program/shell/session.hpp"
 
 #include "base/exit_codes.hpp"
+#include "base/messages.hpp"
 #include "growth/crack_lines.hpp"
 #include "program/shell/known_names.hpp"
 #include "report/topics/result_tables.hpp"

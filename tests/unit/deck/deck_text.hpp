@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/messages.hpp"
 #include "deck/read_deck.hpp"
 
 #include <atomic>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/messages.hpp"
 #include "grammar/catalogue.hpp"
 #include "grammar/format.hpp"
 #include "grammar/lexeme.hpp"

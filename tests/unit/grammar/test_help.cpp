@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/messages.hpp"
 #include "grammar/compile.hpp"
 #include "grammar/editor.hpp"
 #include "grammar/format.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/unit/support/run_text.hpp"
 
+#include "base/messages.hpp"
 #include "deck/read_deck.hpp"
 
 #include <array>
