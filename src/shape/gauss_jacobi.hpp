@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "shape/quadrature.hpp"
+#include "shape/quadrature_point.hpp"
 
 #include <vector>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shape/gauss_jacobi.hpp"
 #include "shape/quadrature.hpp"
+
+#include "shape/gauss_jacobi.hpp"
 
 #include <algorithm>
 #include <cmath>
