@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "grammar/catalogue.hpp"
+#include "grammar/card_spec.hpp"
 
 /// The two halves of the catalogue and the words its entries are written with.
 namespace spricka::grammar {

@@ -5,8 +5,7 @@
 
 #include <algorithm>
 #include <array>
-
-#include <fmt/format.h>
+#include <vector>
 
 namespace spricka::grammar {
 
@@ -125,113 +124,6 @@ constexpr std::array quantities{
 
 } // namespace
 
-std::string_view word_of(Kind kind) {
-  switch (kind) {
-  case Kind::node_set:
-    return "node set";
-  case Kind::element_set:
-    return "element set";
-  case Kind::face_set:
-    return "face set";
-  case Kind::set:
-    return "node or face set";
-  case Kind::any_set:
-    return "set";
-  case Kind::material:
-    return "material";
-  case Kind::net:
-    return "net";
-  case Kind::load_case:
-    return "load case";
-  case Kind::contact:
-    return "contact";
-  case Kind::crack:
-    return "crack";
-  case Kind::step:
-    return "step";
-  case Kind::parameter:
-    return "parameter";
-  case Kind::rigid:
-    return "rigid target";
-  case Kind::path:
-    return "load path";
-  case Kind::spectrum:
-    return "spectrum";
-  case Kind::test:
-    return "test";
-  case Kind::surface:
-    return "set or rigid target";
-  case Kind::none:
-    break;
-  }
-  return "name";
-}
-
-base::Dimension dimension_of(Quantity quantity) {
-  switch (quantity) {
-  case Quantity::length:
-    return {1.0, 0.0, 0.0};
-  case Quantity::stress:
-    return {-2.0, 1.0, 0.0};
-  case Quantity::angle:
-    return {0.0, 0.0, 1.0};
-  case Quantity::stress_intensity:
-    return {-1.5, 1.0, 0.0};
-  case Quantity::force:
-    return {0.0, 1.0, 0.0};
-  case Quantity::energy_release:
-    return {-1.0, 1.0, 0.0};
-  case Quantity::energy:
-    return {1.0, 1.0, 0.0};
-  case Quantity::number:
-    break;
-  }
-  return {};
-}
-
-std::string_view word_of(Quantity quantity) {
-  switch (quantity) {
-  case Quantity::length:
-    return "a length";
-  case Quantity::stress:
-    return "a stress";
-  case Quantity::angle:
-    return "an angle";
-  case Quantity::stress_intensity:
-    return "a stress intensity";
-  case Quantity::force:
-    return "a force";
-  case Quantity::energy_release:
-    return "an energy release rate";
-  case Quantity::energy:
-    return "an energy";
-  case Quantity::number:
-    break;
-  }
-  return "a plain number";
-}
-
-std::string Range::text() const {
-  if (low == high) {
-    return fmt::format("{}", low);
-  }
-  const bool has_low = low > -k_unbounded;
-  const bool has_high = high < k_unbounded;
-  if (has_low && has_high) {
-    return fmt::format("{}{}..{}{}", low, low_open ? "<" : "", high_open ? "<" : "", high);
-  }
-  if (has_low) {
-    return fmt::format("{}{}", low_open ? ">" : ">=", low);
-  }
-  return has_high ? fmt::format("{}{}", high_open ? "<" : "<=", high) : std::string();
-}
-
-const KeySpec* CardSpec::find(std::string_view key) const {
-  const auto it =
-      std::find_if(keys.begin(), keys.end(), [&](const KeySpec& k) { return k.name == key; });
-  return it == keys.end() ? nullptr : &*it;
-}
-
 std::span<const CardSpec> catalogue() {
   static const std::vector<CardSpec> all = [] {
     std::vector<CardSpec> cards(model_cards().begin(), model_cards().end());
@@ -252,18 +144,6 @@ const CardSpec* find_card(std::string_view name) {
   const auto it =
       std::find_if(all.begin(), all.end(), [&](const CardSpec& c) { return c.name == name; });
   return it == all.end() ? nullptr : &*it;
-}
-
-std::vector<std::string> split_words(std::string_view words) {
-  std::vector<std::string> result;
-  while (!words.empty()) {
-    const std::size_t end = std::min(words.find_first_of("| "), words.size());
-    if (end > 0) {
-      result.emplace_back(words.substr(0, end));
-    }
-    words.remove_prefix(std::min(end + 1, words.size()));
-  }
-  return result;
 }
 
 std::span<const ResultQuantity> result_quantities() {
