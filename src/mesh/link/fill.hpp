@@ -1,26 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "mesh/link/grading.hpp"
-
-#include <array>
-#include <string>
-#include <vector>
+#include "mesh/link/region.hpp"
 
 namespace spricka::mesh {
 
-/// A plane region to be filled with triangles that use every given edge as it is.
-struct Region {
-  std::vector<base::Vec2> points;
-  std::vector<std::vector<int>> loops;    ///< closed polygons of points, region on the left
-  std::vector<std::vector<int>> embedded; ///< open polygons inside, ends on the loops
-};
-
-struct Filling {
-  std::vector<base::Vec2> added;             ///< points that follow those of the region
-  std::vector<std::array<int, 3>> triangles; ///< anticlockwise
-  std::string trouble;                       ///< what the mesher said, if it failed
-};
-
+/// Fills a region with triangles by gmsh; with `trouble` there are none.
 Filling fill(const Region& region, const Grading& size);
 
 } // namespace spricka::mesh

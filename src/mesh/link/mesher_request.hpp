@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "mesh/link/bytes.hpp"
-#include "mesh/link/fill.hpp"
 #include "mesh/link/gmsh_model.hpp"
+#include "mesh/link/grading.hpp"
+#include "mesh/link/region.hpp"
 #include "mesh/size_wish.hpp"
 
 #include <string>
