@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "mesh/import/gmsh_import.hpp"
+#include "base/diagnostics.hpp"
+#include "mesh/import/import_request.hpp"
 #include "mesh/label_index.hpp"
 #include "mesh/link/gmsh_model.hpp"
+#include "model/mesh.hpp"
 
 #include <optional>
 #include <string>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "mesh/import/gmsh_import.hpp"
+#include "base/diagnostics.hpp"
+#include "mesh/import/import_request.hpp"
+#include "mesh/import/script_scan.hpp"
 #include "mesh/link/gmsh_model.hpp"
 
 #include <optional>

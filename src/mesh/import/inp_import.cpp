@@ -2,6 +2,9 @@
 #include "mesh/import/inp_import.hpp"
 
 #include "mesh/import/inp_physics.hpp"
+#include "mesh/import/inp_reader.hpp"
+#include "mesh/import/inp_words.hpp"
+#include "mesh/label_index.hpp"
 #include "mesh/numbering.hpp"
 #include "mesh/set_name.hpp"
 
@@ -319,19 +322,6 @@ private:
 ImportedPhysics import_inp(model::Mesh& mesh, const ImportRequest& request,
                            base::Diagnostics& diagnostics) {
   return Import(mesh, request, diagnostics).run();
-}
-
-void append_physics(model::Model& model, const ImportedPhysics& physics) {
-  const std::size_t first = model.materials.size();
-  model.materials.insert(model.materials.end(), physics.materials.begin(), physics.materials.end());
-  for (model::Property property : physics.properties) {
-    property.material = base::MaterialId(first + property.material.index());
-    for (const ElementId e : model.mesh.set(property.elements).elements) {
-      model.mesh.property[e.index()] = base::PropertyId(model.properties.size());
-    }
-    model.properties.push_back(property);
-  }
-  model.mpcs.insert(model.mpcs.end(), physics.equations.begin(), physics.equations.end());
 }
 
 } // namespace spricka::mesh

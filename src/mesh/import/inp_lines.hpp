@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "mesh/import/inp_reader.hpp"
+#include "mesh/import/inp_data.hpp"
 
 #include <functional>
 #include <initializer_list>

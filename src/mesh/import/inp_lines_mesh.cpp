@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/import/inp_lines.hpp"
+
 #include "mesh/set_name.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "mesh/import/inp_import.hpp"
+#include "mesh/import/import_request.hpp"
+#include "mesh/import/imported_physics.hpp"
+#include "mesh/import/inp_data.hpp"
 #include "mesh/import/inp_words.hpp"
 #include "mesh/label_index.hpp"
 

@@ -2,7 +2,6 @@
 #include "mesh/import/inp_reader.hpp"
 
 #include "mesh/import/inp_lines.hpp"
-#include "mesh/set_name.hpp"
 
 #include <fmt/format.h>
 
@@ -184,43 +183,6 @@ private:
 };
 
 } // namespace
-
-bool InpLines::only(std::initializer_list<std::string_view> known) const {
-  bool ok = true;
-  for (const auto& [name, value] : key_.parameters) {
-    if (std::find(known.begin(), known.end(), name) == known.end()) {
-      complain(key_.place, fmt::format("*{}: {} is not understood", key_.shown, name));
-      ok = false;
-    }
-  }
-  return ok;
-}
-
-bool InpLines::needs(std::string_view key, std::string& value) const {
-  const std::string* given = key_.find(key);
-  if (given == nullptr || given->empty()) {
-    complain(key_.place, fmt::format("*{} needs {}=", key_.shown, key));
-    return false;
-  }
-  value = *given;
-  return true;
-}
-
-std::size_t InpLines::set_of(std::vector<InpLabelSet>& sets,
-                             std::map<std::string, std::size_t>& index,
-                             const std::string& name) const {
-  const auto [at, fresh] = index.try_emplace(upper(plain(name)), sets.size());
-  if (fresh) {
-    sets.push_back({plain(name), {}, key_.place});
-  }
-  return at->second;
-}
-
-std::string InpLines::plain(std::string_view name) const {
-  const std::string prefix = upper(shared_.instance) + ".";
-  const bool own = !shared_.instance.empty() && upper(name).starts_with(prefix);
-  return std::string(own ? name.substr(prefix.size()) : name);
-}
 
 InpData read_inp(const std::filesystem::path& file, std::vector<InpComplaint>& complaints,
                  bool skip_loads) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "base/diagnostics.hpp"
-#include "mesh/import/gmsh_import.hpp"
-#include "mesh/import/inp_reader.hpp"
+#include "mesh/import/import_request.hpp"
+#include "mesh/import/inp_data.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -28,6 +29,15 @@ struct ScriptScan {
   std::vector<ScriptName> constants; ///< each name once
   std::vector<ScriptName> assigned;  ///< numbers, each name once; also those of constants
   std::set<std::string> words;       ///< all names and words of the language
+};
+
+/// A number to which a geometry script gives a name.
+struct ScriptConstant {
+  std::string name;       ///< as the script writes it
+  bool defined = true;    ///< by DefineConstant; else the script sets it, whatever the deck says
+  bool from_deck = false; ///< a parameter of the deck has set it
+  std::optional<double> value; ///< at the end of the script; empty if it is no number or has none
+  std::string text;            ///< its default, as the script writes it
 };
 
 /// Looks through a gmsh geometry script, past comments and texts in quotes, for statements that

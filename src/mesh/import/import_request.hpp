@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/id.hpp"
+#include "base/source.hpp"
+#include "mesh/size_wish.hpp"
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace spricka::mesh {
+
+enum class ImportFormat { geo, msh };
+
+/// A mesh file or geometry script of another program, and how it is taken over.
+struct ImportRequest {
+  std::filesystem::path file;
+  ImportFormat format = ImportFormat::geo;
+  double scale = 1.0;     ///< every coordinate times this
+  bool quadratic = false; ///< raise linear elements to quadratic ones
+  std::string prefix;     ///< "LUG." or empty
+  base::NetId net;
+  std::vector<std::pair<std::string, std::string>> renames; ///< physical group -> set name
+  std::vector<std::pair<std::string, double>> parameters;   ///< for DefineConstant of a .geo
+  SizeWish size = {};      ///< for a .geo, in its own coordinates; empty: as the script has it
+  base::Span span;         ///< the $IMPORT card
+  bool skip_loads = false; ///< of an .inp: supports, loads and steps are passed over, not refused
+};
+
+} // namespace spricka::mesh

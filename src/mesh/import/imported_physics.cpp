@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/import/imported_physics.hpp"
+
+namespace spricka::mesh {
+
+void append_physics(model::Model& model, const ImportedPhysics& physics) {
+  const std::size_t first = model.materials.size();
+  model.materials.insert(model.materials.end(), physics.materials.begin(), physics.materials.end());
+  for (model::Property property : physics.properties) {
+    property.material = base::MaterialId(first + property.material.index());
+    for (const base::ElementId e : model.mesh.set(property.elements).elements) {
+      model.mesh.property[e.index()] = base::PropertyId(model.properties.size());
+    }
+    model.properties.push_back(property);
+  }
+  model.mpcs.insert(model.mpcs.end(), physics.equations.begin(), physics.equations.end());
+}
+
+} // namespace spricka::mesh
