@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "deck/bind.hpp"
+#include "deck/imported_script.hpp"
 #include "deck/labels.hpp"
 #include "deck/names.hpp"
-#include "deck/read_deck.hpp"
+#include "deck/read_options.hpp"
 #include "grammar/compile.hpp"
-#include "mesh/import/inp_import.hpp"
+#include "mesh/import/imported_physics.hpp"
 #include "model/model.hpp"
 
 #include <cstdint>

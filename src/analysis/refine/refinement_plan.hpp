@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "deck/read_deck.hpp"
+#include "deck/read_options.hpp"
 #include "mesh/size_map.hpp"
 #include "model/model.hpp"
 #include "results/results.hpp"

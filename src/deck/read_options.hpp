@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "mesh/size_wish.hpp"
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace spricka::deck {
+
+/// How much finer than its cards say a net is meshed, in the plane.
+struct Refinement {
+  /// Size of elements wanted at a point [length], for $IMPORT FORMAT=GEO; empty: as its script has.
+  mesh::SizeWish size = {};
+  int counts = 1; ///< numbers of elements of $MESH times this
+  int splits = 0; ///< how often all other elements are divided into four
+};
+
+/// What the command line adds to a deck, and what is too large to try.
+struct ReadOptions {
+  std::vector<std::pair<std::string, std::string>> defines = {}; ///< -D NAME=expression
+  /// Nodes of all elements together, counted for each element, that $MESH may make.
+  std::size_t largest_mesh = 500'000'000;
+  /// One point of the deck's $SWEEP: these parameters take these values.
+  std::vector<std::pair<std::string, double>> sweep_values = {};
+  std::map<std::string, Refinement> refine = {}; ///< by net; "" is what stands in no net
+};
+
+} // namespace spricka::deck
