@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/items.hpp"
 
-#include "deck/sets.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -18,8 +16,8 @@ using grammar::Field;
 /// Lists the nodes or elements that the data lines of a card name.
 class ItemReader {
 public:
-  ItemReader(Context& context, const BoundCard& card, Kind kind)
-      : c_(context), card_(card), kind_(kind),
+  ItemReader(Context& context, const BoundCard& card, Kind kind, const SetFinder& sets)
+      : c_(context), card_(card), kind_(kind), sets_(sets),
         labels_((kind == Kind::node_set ? context.node_labels
                                         : context.element_labels)[card.net_id.index()]) {}
 
@@ -163,13 +161,13 @@ private:
     const bool minus = field.kind == Field::Kind::minus_name;
     const auto put = [&](std::size_t i) { minus ? collection.remove(i) : collection.add(i); };
     if (kind_ == Kind::node_set) {
-      if (const auto id = use_node_set(c_, reference)) {
+      if (const auto id = sets_.nodes(reference)) {
         for (const base::NodeId n : c_.model.mesh.set(*id).nodes) {
           put(n.index());
         }
         return;
       }
-    } else if (const auto id = use_element_set(c_, reference)) {
+    } else if (const auto id = sets_.elements(reference)) {
       for (const base::ElementId e : c_.model.mesh.set(*id).elements) {
         put(e.index());
       }
@@ -181,23 +179,16 @@ private:
   Context& c_;
   const BoundCard& card_;
   Kind kind_;
+  const SetFinder& sets_;
   const Labels& labels_;
   bool ok_ = true;
 };
 
 } // namespace
 
-bool read_items(Context& context, const BoundCard& card, Kind kind, Collection& collection) {
-  return ItemReader(context, card, kind).read(collection);
-}
-
-std::optional<std::vector<base::NodeId>> node_items(Context& context, const BoundCard& card) {
-  Collection collection(context.model.mesh.node_count());
-  if (!read_items(context, card, Kind::node_set, collection)) {
-    return std::nullopt;
-  }
-  const std::vector<std::size_t> indices = collection.take();
-  return std::vector<base::NodeId>(indices.begin(), indices.end());
+bool read_items(Context& context, const BoundCard& card, Kind kind, const SetFinder& sets,
+                Collection& collection) {
+  return ItemReader(context, card, kind, sets).read(collection);
 }
 
 } // namespace spricka::deck

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "deck/context.hpp"
+#include "deck/set_finder.hpp"
 
 #include <vector>
 
@@ -37,6 +38,7 @@ private:
 /// Adds what the data lines of a card name, numbers, ranges and sets of nodes or elements, and
 /// removes what -SET takes away. False if an item is not understood; the others are collected all
 /// the same.
-bool read_items(Context& context, const BoundCard& card, Kind kind, Collection& collection);
+bool read_items(Context& context, const BoundCard& card, Kind kind, const SetFinder& sets,
+                Collection& collection);
 
 } // namespace spricka::deck

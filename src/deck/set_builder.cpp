@@ -2,7 +2,6 @@
 #include "deck/set_builder.hpp"
 
 #include "deck/items.hpp"
-#include "deck/sets.hpp"
 #include "mesh/boundary.hpp"
 
 #include <algorithm>
@@ -75,7 +74,8 @@ bool sort_nodes(Context& c, const BoundCard& card, std::vector<std::size_t>& nod
   return true;
 }
 
-std::optional<std::vector<base::NodeId>> nodes_of_card(Context& c, const BoundCard& card) {
+std::optional<std::vector<base::NodeId>> nodes_of_card(Context& c, const BoundCard& card,
+                                                       const SetFinder& sets) {
   const model::Mesh& mesh = c.model.mesh;
   if (!has_start(c, card)) {
     return std::nullopt;
@@ -90,13 +90,13 @@ std::optional<std::vector<base::NodeId>> nodes_of_card(Context& c, const BoundCa
   }
   bool ok = true;
   if (card.has("FROM")) {
-    const auto from = use_node_set(c, card.reference("FROM"));
+    const auto from = sets.nodes(card.reference("FROM"));
     ok = from.has_value();
     for (std::size_t i = 0; ok && i < mesh.set(*from).nodes.size(); ++i) {
       collection.add(mesh.set(*from).nodes[i].index());
     }
   }
-  ok = read_items(c, card, Kind::node_set, collection) && ok;
+  ok = read_items(c, card, Kind::node_set, sets, collection) && ok;
   std::vector<std::size_t> indices = collection.take();
   std::erase_if(indices, [&](std::size_t i) { return !holds(card, mesh.x[i]); });
   if (!ok || !sort_nodes(c, card, indices)) {
@@ -105,7 +105,8 @@ std::optional<std::vector<base::NodeId>> nodes_of_card(Context& c, const BoundCa
   return std::vector<base::NodeId>(indices.begin(), indices.end());
 }
 
-std::optional<std::vector<base::ElementId>> elements_of_card(Context& c, const BoundCard& card) {
+std::optional<std::vector<base::ElementId>> elements_of_card(Context& c, const BoundCard& card,
+                                                             const SetFinder& sets) {
   const model::Mesh& mesh = c.model.mesh;
   if (!has_start(c, card)) {
     return std::nullopt;
@@ -120,13 +121,13 @@ std::optional<std::vector<base::ElementId>> elements_of_card(Context& c, const B
   }
   bool ok = true;
   if (card.has("FROM")) {
-    const auto from = use_element_set(c, card.reference("FROM"));
+    const auto from = sets.elements(card.reference("FROM"));
     ok = from.has_value();
     for (std::size_t i = 0; ok && i < mesh.set(*from).elements.size(); ++i) {
       collection.add(mesh.set(*from).elements[i].index());
     }
   }
-  ok = read_items(c, card, Kind::element_set, collection) && ok;
+  ok = read_items(c, card, Kind::element_set, sets, collection) && ok;
   std::vector<std::size_t> indices = collection.take();
   std::erase_if(indices,
                 [&](std::size_t i) { return !holds(card, centroid(mesh, base::ElementId(i))); });
@@ -146,7 +147,8 @@ std::uint64_t number_of_face(const model::Face& face) {
 }
 
 // Faces of the sets that the data lines name, taken away by -SET.
-bool face_items(Context& c, const BoundCard& card, std::vector<model::Face>& faces) {
+bool face_items(Context& c, const BoundCard& card, const SetFinder& sets,
+                std::vector<model::Face>& faces) {
   bool ok = true;
   std::unordered_set<std::uint64_t> present;
   for (const model::Face& face : faces) {
@@ -160,7 +162,7 @@ bool face_items(Context& c, const BoundCard& card, std::vector<model::Face>& fac
         ok = false;
         continue;
       }
-      const auto id = use_face_set(c, {field.text, field.span, card.net});
+      const auto id = sets.faces({field.text, field.span, card.net});
       if (!id) {
         ok = false;
         continue;
@@ -183,7 +185,8 @@ bool face_items(Context& c, const BoundCard& card, std::vector<model::Face>& fac
   return ok;
 }
 
-std::optional<std::vector<model::Face>> faces_of_card(Context& c, const BoundCard& card) {
+std::optional<std::vector<model::Face>> faces_of_card(Context& c, const BoundCard& card,
+                                                      const SetFinder& sets) {
   const model::Mesh& mesh = c.model.mesh;
   if (!has_start(c, card)) {
     return std::nullopt;
@@ -197,13 +200,13 @@ std::optional<std::vector<model::Face>> faces_of_card(Context& c, const BoundCar
       }
     }
   } else if (card.has("FROM")) {
-    const auto from = use_face_set(c, card.reference("FROM"));
+    const auto from = sets.faces(card.reference("FROM"));
     ok = from.has_value();
     if (ok) {
       faces = mesh.set(*from).faces;
     }
   }
-  ok = face_items(c, card, faces) && ok;
+  ok = face_items(c, card, sets, faces) && ok;
   if (card.has("WHERE")) {
     std::vector<bool> inside(mesh.node_count(), false);
     for (const base::NodeId n : mesh::nodes_of_faces(mesh, faces)) {
@@ -252,26 +255,26 @@ std::vector<model::Face> boundary_within(Context& context, const std::vector<bas
   return result;
 }
 
-void build_set(Context& context, const BoundCard& card) {
+void build_set(Context& context, const BoundCard& card, const SetFinder& sets) {
   const BoundValue& name = *card.find("NAME");
   const std::string full = qualify(card.net, name.text);
   const Kind kind = name.key->kind;
   model::Mesh& mesh = context.model.mesh;
   std::optional<std::size_t> size;
   std::size_t index = 0;
-  const auto keep = [&](auto& sets, auto members) {
+  const auto keep = [&](auto& into, auto members) {
     if (members) {
       size = members->size();
-      index = sets.size();
-      sets.push_back({full, std::move(*members), card.span});
+      index = into.size();
+      into.push_back({full, std::move(*members), card.span});
     }
   };
   if (kind == Kind::node_set) {
-    keep(mesh.node_sets, nodes_of_card(context, card));
+    keep(mesh.node_sets, nodes_of_card(context, card, sets));
   } else if (kind == Kind::element_set) {
-    keep(mesh.element_sets, elements_of_card(context, card));
+    keep(mesh.element_sets, elements_of_card(context, card, sets));
   } else {
-    keep(mesh.face_sets, faces_of_card(context, card));
+    keep(mesh.face_sets, faces_of_card(context, card, sets));
   }
   // where a mesh is missing, as one in space may, an empty set says nothing
   const bool whole = std::all_of(context.node_labels.begin(), context.node_labels.end(),
@@ -284,26 +287,6 @@ void build_set(Context& context, const BoundCard& card) {
     context.names.poison(kind, full);
   }
   context.names.built(kind, full, index);
-}
-
-void build_sets(Context& context) {
-  for (const BoundCard& card : context.cards) {
-    if (card.bad ||
-        (card.spec->name != "NSET" && card.spec->name != "ESET" && card.spec->name != "FSET")) {
-      continue;
-    }
-    const BoundValue& name = *card.find("NAME");
-    const Reference reference{qualify(card.net, name.text), name.span, {}};
-    const Definition* found = context.names.find({name.key->kind}, reference.name, {});
-    if (found == nullptr || found->poisoned) {
-      continue;
-    }
-    if (name.key->kind == Kind::element_set) {
-      use_element_set(context, reference);
-    } else {
-      kind_of_set(context, name.key->kind, reference);
-    }
-  }
 }
 
 } // namespace spricka::deck

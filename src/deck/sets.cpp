@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/sets.hpp"
 
+#include "deck/items.hpp"
 #include "deck/set_builder.hpp"
 #include "mesh/boundary.hpp"
 
@@ -12,6 +13,13 @@
 namespace spricka::deck {
 
 namespace {
+
+// Sets that the card of another one names.
+SetFinder finder(Context& c) {
+  return {[&c](const Reference& reference) { return use_node_set(c, reference); },
+          [&c](const Reference& reference) { return use_element_set(c, reference); },
+          [&c](const Reference& reference) { return use_face_set(c, reference); }};
+}
 
 // The definition of a set, its card built if it has not been yet.
 const Definition* find_set(Context& c, Kind kind, const Reference& reference) {
@@ -25,7 +33,7 @@ const Definition* find_set(Context& c, Kind kind, const Reference& reference) {
     return nullptr;
   }
   c.building.push_back(card);
-  build_set(c, c.cards[card]);
+  build_set(c, c.cards[card], finder(c));
   c.building.pop_back();
   return found->poisoned ? nullptr : found;
 }
@@ -88,6 +96,15 @@ std::optional<base::ElementSetId> use_element_set(Context& context, const Refere
   return found == nullptr ? std::nullopt : std::optional(base::ElementSetId(found->index));
 }
 
+std::optional<std::vector<base::NodeId>> node_items(Context& context, const BoundCard& card) {
+  Collection collection(context.model.mesh.node_count());
+  if (!read_items(context, card, Kind::node_set, finder(context), collection)) {
+    return std::nullopt;
+  }
+  const std::vector<std::size_t> indices = collection.take();
+  return std::vector<base::NodeId>(indices.begin(), indices.end());
+}
+
 std::optional<Reference> set_field(Context& context, const BoundCard& card,
                                    const grammar::Field& field) {
   if (field.kind == grammar::Field::Kind::name) {
@@ -96,6 +113,26 @@ std::optional<Reference> set_field(Context& context, const BoundCard& card,
   context.error(field.span, "E115", "the name of a set is expected",
                 std::string(card.spec->data_form));
   return std::nullopt;
+}
+
+void build_sets(Context& context) {
+  for (const BoundCard& card : context.cards) {
+    if (card.bad ||
+        (card.spec->name != "NSET" && card.spec->name != "ESET" && card.spec->name != "FSET")) {
+      continue;
+    }
+    const BoundValue& name = *card.find("NAME");
+    const Reference reference{qualify(card.net, name.text), name.span, {}};
+    const Definition* found = context.names.find({name.key->kind}, reference.name, {});
+    if (found == nullptr || found->poisoned) {
+      continue;
+    }
+    if (name.key->kind == Kind::element_set) {
+      use_element_set(context, reference);
+    } else {
+      kind_of_set(context, name.key->kind, reference);
+    }
+  }
 }
 
 } // namespace spricka::deck
