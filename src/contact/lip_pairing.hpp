@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "contact/constraint.hpp"
-#include "mesh/cut/patch.hpp"
+#include "mesh/cut/cracked.hpp"
 
 /// The two faces of a crack as a contact pair.
 namespace spricka::contact {

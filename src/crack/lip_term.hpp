@@ -2,7 +2,7 @@
 #pragma once
 #include "crack/extension.hpp"
 #include "crack/williams.hpp"
-#include "mesh/cut/patch.hpp"
+#include "mesh/cut/cracked.hpp"
 #include "model/model.hpp"
 
 #include <array>

@@ -4,7 +4,7 @@
 #include "crack/lip_term.hpp"
 #include "crack/tip_loads.hpp"
 #include "crack/williams.hpp"
-#include "mesh/cut/patch.hpp"
+#include "mesh/cut/cracked.hpp"
 #include "model/model.hpp"
 #include "shape/shape.hpp"
 

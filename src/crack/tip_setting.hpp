@@ -4,7 +4,7 @@
 #include "crack/tip_loads.hpp"
 #include "crack/williams.hpp"
 #include "fe/element.hpp"
-#include "mesh/cut/patch.hpp"
+#include "mesh/cut/cracked.hpp"
 
 #include <array>
 #include <map>

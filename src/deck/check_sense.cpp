@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
-#include "mesh/cut/cavity.hpp"
 #include "mesh/cut/host.hpp"
+#include "mesh/cut/mouth.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,7 @@
 
 #include "fe/dof_map.hpp"
 #include "growth/smooth_line.hpp"
+#include "mesh/cut/mouth.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "growth/ahead.hpp"
 #include "growth/state.hpp"
 #include "growth/trajectory.hpp"
-#include "mesh/cut/patch.hpp"
+#include "mesh/cut/cracked.hpp"
 #include "model/model.hpp"
 
 #include <cstddef>

@@ -4,7 +4,7 @@
 #include "fe/assemble.hpp"
 #include "fe/dof_map.hpp"
 #include "mesh/boundary.hpp"
-#include "mesh/cut/cavity.hpp"
+#include "mesh/cut/mouth.hpp"
 #include "mesh/cut/host.hpp"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "growth/march.hpp"
 #include "life/growth_law.hpp"
 #include "life/spectrum.hpp"
-#include "mesh/cut/patch.hpp"
+#include "mesh/cut/cracked.hpp"
 #include "model/model.hpp"
 #include "results/named_arrays.hpp"
 #include "results/results.hpp"

@@ -11,7 +11,7 @@
 #include "analysis/steps/step_solver.hpp"
 #include "base/diagnostics.hpp"
 #include "estimate/enrichment.hpp"
-#include "mesh/cut/patch.hpp"
+#include "mesh/cut/cracked.hpp"
 #include "model/model.hpp"
 #include "results/results.hpp"
 

@@ -2,7 +2,10 @@
 #include "analysis/scene/cut_cracks.hpp"
 
 #include "growth/crack_lines.hpp"
+#include "mesh/cut/crack_region.hpp"
 #include "mesh/cut/host.hpp"
+#include "mesh/cut/patch.hpp"
+#include "mesh/cut/tip_mesh.hpp"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 #include "contact/constraint.hpp"
 #include "crack/extension.hpp"
 #include "fe/dependence.hpp"
-#include "mesh/cut/patch.hpp"
+#include "mesh/cut/cracked.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>

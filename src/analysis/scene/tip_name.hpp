@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "mesh/cut/patch.hpp"
+#include "mesh/cut/cracked.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>

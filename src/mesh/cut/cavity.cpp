@@ -4,10 +4,11 @@
 #include "mesh/boundary.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <limits>
 #include <map>
+#include <optional>
+#include <utility>
 
 namespace spricka::mesh {
 namespace {
@@ -233,18 +234,6 @@ bool is_long(const model::Mesh& mesh, const Placement& placement, const Edge& ed
   return part * room < (b - a).norm() - same;
 }
 
-std::vector<Vec2> polygon(const model::Mesh& mesh, ElementId e, const CrackFrame& frame) {
-  std::vector<Vec2> result;
-  for (int s = 0; s < base::info(mesh.type[e.index()]).sides; ++s) {
-    const Edge edge = edge_of(mesh, {e, s});
-    result.push_back(frame.local(mesh.x[edge.a.index()]));
-    if (edge.mid.valid()) {
-      result.push_back(frame.local(mesh.x[edge.mid.index()]));
-    }
-  }
-  return result;
-}
-
 Cavities find_cavities(const Host& host, std::span<const Placement> placements) {
   std::vector<std::vector<std::size_t>> groups;
   for (std::size_t i = 0; i < placements.size(); ++i) {
@@ -276,27 +265,6 @@ Cavities find_cavities(const Host& host, std::span<const Placement> placements) 
     result.each.push_back(finder.cavity());
   }
   result.cracks = std::move(groups);
-  return result;
-}
-
-Placement seen_from(const Placement& placement, const CrackFrame& frame) {
-  Placement result = placement;
-  const CrackFrame& own = placement.frame;
-  if (own.origin == frame.origin && own.e1 == frame.e1 && own.a == frame.a) {
-    return result;
-  }
-  const double turn =
-      std::atan2(frame.e1.x() * own.e1.y() - frame.e1.y() * own.e1.x(), frame.e1.dot(own.e1));
-  for (Vec2& p : result.line) {
-    p = frame.exact(own.global(p));
-  }
-  for (TipPlace& tip : result.tips) {
-    tip.at = frame.exact(own.global(tip.at));
-    tip.direction += turn;
-  }
-  result.radius *= own.a / frame.a;
-  result.size *= own.a / frame.a;
-  result.frame = frame;
   return result;
 }
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/cut/cavity.hpp"
+#include "mesh/cut/cavity_check.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
+#include <vector>
 
 namespace spricka::mesh {
 namespace {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "mesh/cut/cracked.hpp"
 #include "mesh/cut/patch_mesh.hpp"
 
 #include <span>

@@ -57,6 +57,23 @@ bool is_beyond(const model::Mesh& mesh, const Edge& edge, const base::Vec3& p, d
   return (a - p).norm() - 2.0 * (mesh.x[edge.b.index()] - a).norm() > distance;
 }
 
+std::vector<base::Vec2> polygon(const model::Mesh& mesh, base::ElementId e,
+                                const CrackFrame& frame) {
+  std::vector<base::Vec2> result;
+  for (int s = 0; s < base::info(mesh.type[e.index()]).sides; ++s) {
+    const Edge edge = edge_of(mesh, {e, s});
+    result.push_back(frame.local(mesh.x[edge.a.index()]));
+    if (edge.mid.valid()) {
+      result.push_back(frame.local(mesh.x[edge.mid.index()]));
+    }
+  }
+  return result;
+}
+
+bool in_net(const model::Mesh& mesh, const model::Face& face, base::NetId net) {
+  return !net.valid() || mesh.element_net[face.element.index()] == net;
+}
+
 Host::Host(const model::Mesh& mesh) : mesh_(mesh), elements_(mesh) {
   assert(mesh.dim == 2);
   beyond_.assign(most_sides * mesh.element_count(), -1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "mesh/node_elements.hpp"
+#include "mesh/plane.hpp"
 #include "model/mesh.hpp"
 
 #include <cstddef>
@@ -30,6 +31,13 @@ EdgePoint nearest_on(const model::Mesh& mesh, const Edge& edge, const base::Vec3
 
 /// Whether an edge is for certain farther from p than `distance`: a quick test.
 bool is_beyond(const model::Mesh& mesh, const Edge& edge, const base::Vec3& p, double distance);
+
+/// Corner and mid nodes of an element in the crack's frame, in order round it.
+std::vector<base::Vec2> polygon(const model::Mesh& mesh, base::ElementId e,
+                                const CrackFrame& frame);
+
+/// Whether the element of a face belongs to a net (any net: invalid).
+bool in_net(const model::Mesh& mesh, const model::Face& face, base::NetId net);
 
 /// A 2D mesh with its neighbourhoods. Functions that want one take a mesh as well; who calls
 /// several makes it once.

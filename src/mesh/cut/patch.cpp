@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/cut/patch.hpp"
 
+#include "mesh/cut/cavity_check.hpp"
 #include "mesh/cut/crack_check.hpp"
 #include "mesh/cut/graft.hpp"
 #include "mesh/cut/lip_sets.hpp"

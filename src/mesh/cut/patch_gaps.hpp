@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "mesh/cut/cavity.hpp"
+#include "mesh/cut/placement.hpp"
 #include "mesh/link/grading.hpp"
 
 #include <array>

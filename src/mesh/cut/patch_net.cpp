@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/cut/patch_mesh.hpp"
+#include "mesh/cut/patch_net.hpp"
 
 #include <algorithm>
 

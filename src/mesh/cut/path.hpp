@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "base/diagnostics.hpp"
+#include "mesh/cut/cracked.hpp"
 #include "mesh/cut/host.hpp"
-#include "mesh/cut/patch.hpp"
 
 #include <optional>
 #include <vector>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/cut/cavity.hpp"
+#include "mesh/cut/placement.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -12,76 +11,17 @@
 namespace spricka::mesh {
 namespace {
 
-using base::NodeId;
 using base::Vec2;
 using base::Vec3;
 
-/// A start this near to the boundary, as a part of the edge there, is on it: arcs are approximated
-/// by the host's curves.
-constexpr double on_boundary = 1e-3;
-/// A mouth this near to a node is at the node.
-constexpr double at_node = 1e-6;
 /// A start inside the body that is nearer to the boundary than this part of the crack's length was
 /// meant to be on it.
 constexpr double short_of_boundary = 0.01;
 
-bool in_net(const Host& host, const model::Face& face, base::NetId net) {
-  return !net.valid() || host.mesh().element_net[face.element.index()] == net;
-}
-
-/// The mouth and how far the crack is moved to put it there; empty if it is too far away.
-struct Found {
-  Mouth mouth;
-  Vec3 at = Vec3::Zero();
-  double distance = std::numeric_limits<double>::max();
-  double chord = 0.0;
-};
-
-Found find_mouth(const Host& host, const Vec3& start, base::NetId net) {
-  const model::Mesh& mesh = host.mesh();
-  Found found;
-  for (const model::Face& face : host.boundary()) {
-    if (!in_net(host, face, net)) {
-      continue;
-    }
-    const Edge edge = edge_of(mesh, face);
-    const double chord = (mesh.x[edge.b.index()] - mesh.x[edge.a.index()]).norm();
-    if (is_beyond(mesh, edge, start, found.distance)) {
-      continue;
-    }
-    const EdgePoint p = nearest_on(mesh, edge, start);
-    if (p.distance < found.distance - 1e-9 * chord) {
-      found = {{face, p.xi, {}}, point_on(mesh, edge, p.xi), p.distance, chord};
-    }
-  }
-  if (found.distance <= on_boundary * found.chord) {
-    const Edge edge = edge_of(mesh, found.mouth.face);
-    for (const NodeId n : {edge.a, edge.b, edge.mid}) {
-      if (n.valid() && (mesh.x[n.index()] - found.at).norm() <= at_node * found.chord) {
-        found.mouth.node = n;
-        found.at = mesh.x[n.index()];
-      }
-    }
-  }
-  return found;
-}
-
-/// The element of the net that a point lies in, or an invalid one.
-base::ElementId element_at(const model::Mesh& mesh, const Vec3& point, base::NetId net) {
-  for (std::size_t i = 0; i < mesh.element_count(); ++i) {
-    const base::ElementId e(i);
-    if (net.valid() && mesh.element_net[i] != net) {
-      continue;
-    }
-    const Vec3& first = mesh.x[mesh.nodes_of(e).front().index()];
-    const double size = (mesh.x[mesh.nodes_of(e)[1].index()] - first).norm();
-    const std::vector<Vec2> shape = polygon(mesh, e, {point, Vec3::UnitX(), size});
-    if (distance(shape, {Vec2::Zero(), Vec2::Zero()}) < same) {
-      return e;
-    }
-  }
-  return {};
-}
+// Room for the tip, as a part of the crack's length, below which nothing is left of the ligament.
+constexpr double through = 1e-4;
+// The same for the straight part at a tip.
+constexpr double shortest_part = 1e-5;
 
 bool on_axis(const Vec2& p) {
   return std::abs(p.y()) < same;
@@ -101,8 +41,8 @@ int side_of_body(const Host& host, const CrackFrame& frame) {
   return 0;
 }
 
-} // namespace
-
+/// Distance from the last point of a line to some faces of its net, but for the line itself of a
+/// symmetric half [a].
 double tip_clearance(const Host& host, const CrackFrame& frame, const std::vector<Vec2>& line,
                      bool half, base::NetId net, const std::vector<model::Face>& faces) {
   const model::Mesh& mesh = host.mesh();
@@ -115,23 +55,20 @@ double tip_clearance(const Host& host, const CrackFrame& frame, const std::vecto
   double least = std::numeric_limits<double>::max();
   for (const model::Face& face : faces) {
     const Edge edge = edge_of(mesh, face);
-    if (in_net(host, face, net) && !is_beyond(mesh, edge, tip, least) && !(half && on_line(edge))) {
+    if (in_net(mesh, face, net) && !is_beyond(mesh, edge, tip, least) && !(half && on_line(edge))) {
       least = std::min(least, nearest_on(mesh, edge, tip).distance);
     }
   }
   return least / frame.a;
 }
 
+} // namespace
+
 double tip_room(const Host& host, const CrackFrame& frame, const std::vector<Vec2>& line, bool half,
                 base::NetId net) {
   return std::min(tip_clearance(host, frame, line, half, net, host.boundary()),
                   tip_clearance(host, frame, line, half, net, host.borders()));
 }
-
-// Room for the tip, as a part of the crack's length, below which nothing is left of the ligament.
-constexpr double through = 1e-4;
-// The same for the straight part at a tip.
-constexpr double shortest_part = 1e-5;
 
 CrackFrame frame_of(const CrackLine& line) {
   CrackFrame frame;
@@ -147,19 +84,6 @@ CrackFrame frame_of(const CrackLine& line) {
   return frame;
 }
 
-BoundaryPoint nearest_boundary(const Host& host, const Vec3& point, base::NetId net) {
-  const Found found = find_mouth(host, point, net);
-  return {found.at, found.distance};
-}
-
-CrackStart crack_start(const Host& host, const Vec3& point, base::NetId net) {
-  const Found found = find_mouth(host, point, net);
-  if (found.distance <= on_boundary * found.chord) {
-    return CrackStart::boundary;
-  }
-  return element_at(host.mesh(), point, net).valid() ? CrackStart::inside : CrackStart::outside;
-}
-
 namespace {
 
 std::string text(const Vec3& p) {
@@ -170,8 +94,8 @@ std::string text(const Vec3& p) {
 bool put_start(const Host& host, const CrackLine& line, Placement& result,
                base::Diagnostics& diagnostics, base::Span span) {
   const Vec3& start = line.points.front();
-  const Found found = find_mouth(host, start, line.net);
-  const bool mouth = found.distance <= on_boundary * found.chord;
+  const NearestMouth found = find_mouth(host, start, line.net);
+  const bool mouth = found.on_boundary();
   if (mouth && !line.embedded) {
     result.mouth = found.mouth;
     result.seed = found.mouth.face.element;
@@ -356,6 +280,27 @@ std::optional<Placement> place(const Host& host, const CrackLine& line, const Ti
     report_steep_rings(line, tip, diagnostics, span);
     return std::nullopt;
   }
+  return result;
+}
+
+Placement seen_from(const Placement& placement, const CrackFrame& frame) {
+  Placement result = placement;
+  const CrackFrame& own = placement.frame;
+  if (own.origin == frame.origin && own.e1 == frame.e1 && own.a == frame.a) {
+    return result;
+  }
+  const double turn =
+      std::atan2(frame.e1.x() * own.e1.y() - frame.e1.y() * own.e1.x(), frame.e1.dot(own.e1));
+  for (Vec2& p : result.line) {
+    p = frame.exact(own.global(p));
+  }
+  for (TipPlace& tip : result.tips) {
+    tip.at = frame.exact(own.global(tip.at));
+    tip.direction += turn;
+  }
+  result.radius *= own.a / frame.a;
+  result.size *= own.a / frame.a;
+  result.frame = frame;
   return result;
 }
 

@@ -2,6 +2,8 @@
 #include "crack/lip_term.hpp"
 #include "crack/stress_intensity.hpp"
 #include "mesh/boundary.hpp"
+#include "mesh/cut/patch.hpp"
+#include "mesh/cut/tip_mesh.hpp"
 #include "mesh/generate/generate.hpp"
 
 #include <cmath>

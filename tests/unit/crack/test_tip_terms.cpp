@@ -2,6 +2,8 @@
 #include "crack/finite_shift.hpp"
 #include "crack/stress_intensity.hpp"
 #include "mesh/cut/lip_faces.hpp"
+#include "mesh/cut/patch.hpp"
+#include "mesh/cut/tip_mesh.hpp"
 #include "mesh/generate/generate.hpp"
 
 #include <cmath>

@@ -2,6 +2,7 @@
 #include "fe/heat.hpp"
 #include "fe/thermal.hpp"
 #include "mesh/cut/patch.hpp"
+#include "mesh/cut/tip_mesh.hpp"
 #include "mesh/generate/generate.hpp"
 
 #include <Eigen/Geometry>

@@ -2,6 +2,7 @@
 #pragma once
 #include "mesh/boundary.hpp"
 #include "mesh/cut/patch.hpp"
+#include "mesh/cut/tip_mesh.hpp"
 #include "mesh/generate/generate.hpp"
 #include "mesh/quality.hpp"
 #include "meshes.hpp"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cracked.hpp"
 #include "mesh/cut/lip_sets.hpp"
+#include "mesh/cut/patch.hpp"
+#include "mesh/cut/tip_mesh.hpp"
 
 #include <cmath>
 

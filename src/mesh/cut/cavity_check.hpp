@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/diagnostics.hpp"
+#include "mesh/cut/cavity.hpp"
+
+namespace spricka::mesh {
+
+/// Whether the crack stays inside its cavity, in one material; errors at `span`.
+bool check_cavity(const Host& host, const Placement& placement, const Cavity& cavity,
+                  base::Span span, base::Diagnostics& diagnostics);
+
+} // namespace spricka::mesh

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/cut/mouth.hpp"
+
+#include <cmath>
+
+namespace spricka::mesh {
+
+using base::NodeId;
+using base::Vec2;
+using base::Vec3;
+
+NearestMouth find_mouth(const Host& host, const Vec3& start, base::NetId net) {
+  constexpr double at_node = 1e-6; // of the edge: a mouth this near to a node is at the node
+  const model::Mesh& mesh = host.mesh();
+  NearestMouth found;
+  for (const model::Face& face : host.boundary()) {
+    if (!in_net(mesh, face, net)) {
+      continue;
+    }
+    const Edge edge = edge_of(mesh, face);
+    const double chord = (mesh.x[edge.b.index()] - mesh.x[edge.a.index()]).norm();
+    if (is_beyond(mesh, edge, start, found.distance)) {
+      continue;
+    }
+    const EdgePoint p = nearest_on(mesh, edge, start);
+    if (p.distance < found.distance - 1e-9 * chord) {
+      found = {{face, p.xi, {}}, point_on(mesh, edge, p.xi), p.distance, chord};
+    }
+  }
+  if (found.on_boundary()) {
+    const Edge edge = edge_of(mesh, found.mouth.face);
+    for (const NodeId n : {edge.a, edge.b, edge.mid}) {
+      if (n.valid() && (mesh.x[n.index()] - found.at).norm() <= at_node * found.chord) {
+        found.mouth.node = n;
+        found.at = mesh.x[n.index()];
+      }
+    }
+  }
+  return found;
+}
+
+base::ElementId element_at(const model::Mesh& mesh, const Vec3& point, base::NetId net) {
+  for (std::size_t i = 0; i < mesh.element_count(); ++i) {
+    const base::ElementId e(i);
+    if (net.valid() && mesh.element_net[i] != net) {
+      continue;
+    }
+    const Vec3& first = mesh.x[mesh.nodes_of(e).front().index()];
+    const double size = (mesh.x[mesh.nodes_of(e)[1].index()] - first).norm();
+    const std::vector<Vec2> shape = polygon(mesh, e, {point, Vec3::UnitX(), size});
+    if (distance(shape, {Vec2::Zero(), Vec2::Zero()}) < same) {
+      return e;
+    }
+  }
+  return {};
+}
+
+BoundaryPoint nearest_boundary(const Host& host, const Vec3& point, base::NetId net) {
+  const NearestMouth found = find_mouth(host, point, net);
+  return {found.at, found.distance};
+}
+
+CrackStart crack_start(const Host& host, const Vec3& point, base::NetId net) {
+  const NearestMouth found = find_mouth(host, point, net);
+  if (found.on_boundary()) {
+    return CrackStart::boundary;
+  }
+  return element_at(host.mesh(), point, net).valid() ? CrackStart::inside : CrackStart::outside;
+}
+
+} // namespace spricka::mesh

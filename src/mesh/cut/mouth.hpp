@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "mesh/cut/host.hpp"
+
+#include <limits>
+
+namespace spricka::mesh {
+
+/// Where a crack starts: on a boundary edge of the host, at a node of it if `node` is valid.
+struct Mouth {
+  model::Face face;
+  double xi = 0.0;
+  base::NodeId node;
+};
+
+/// The boundary point nearest to the start of a crack.
+struct NearestMouth {
+  Mouth mouth;
+  base::Vec3 at = base::Vec3::Zero();
+  double distance = std::numeric_limits<double>::max();
+  double chord = 0.0; ///< of the edge it lies on; 0: the net has no boundary
+
+  /// Whether the crack starts on the boundary: so near to it, as a part of the edge there, that
+  /// arcs, which the host's curves approximate, do not matter.
+  [[nodiscard]] bool on_boundary() const {
+    constexpr double near = 1e-3;
+    return distance <= near * chord;
+  }
+};
+/// On the boundary of a net (any net: invalid); at a node where one is there.
+NearestMouth find_mouth(const Host& host, const base::Vec3& start, base::NetId net);
+
+/// The element of a net (any net: invalid) that a point lies in, or an invalid one.
+base::ElementId element_at(const model::Mesh& mesh, const base::Vec3& point, base::NetId net);
+
+/// The nearest point of a net's boundary (any net: invalid) and how far it is.
+struct BoundaryPoint {
+  base::Vec3 x = base::Vec3::Zero();
+  double distance = 0.0;
+};
+BoundaryPoint nearest_boundary(const Host& host, const base::Vec3& point, base::NetId net);
+
+/// Where the first point of a free crack lies: on the boundary of the net (any net if invalid),
+/// inside it, or neither.
+enum class CrackStart { boundary, inside, outside };
+CrackStart crack_start(const Host& host, const base::Vec3& point, base::NetId net);
+
+} // namespace spricka::mesh
