@@ -27,6 +27,14 @@ base::Vec3 point_on(const model::Mesh& mesh, const Edge& edge, double xi) {
   return N[0] * a + N[1] * b + N[2] * mesh.x[edge.mid.index()];
 }
 
+base::Vec2 point_on(const model::Mesh& mesh, const CrackFrame& frame, const Edge& edge, double xi) {
+  const base::Vec2 a = frame.local(mesh.x[edge.a.index()]);
+  const base::Vec2 b = frame.local(mesh.x[edge.b.index()]);
+  const base::Vec2 m = frame.local(mesh.x[edge.mid.index()]);
+  const Eigen::Vector3d N = shape::Line3::N(shape::Point<1>(xi));
+  return N[0] * a + N[1] * b + N[2] * m;
+}
+
 EdgePoint nearest_on(const model::Mesh& mesh, const Edge& edge, const base::Vec3& p) {
   EdgePoint best{0.0, std::numeric_limits<double>::max()};
   const auto meet = [&](double xi) {

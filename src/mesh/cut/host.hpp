@@ -22,6 +22,9 @@ Edge edge_of(const model::Mesh& mesh, const model::Face& face);
 /// Point of an edge at xi in [-1, 1] on its own, straight or quadratic, curve.
 base::Vec3 point_on(const model::Mesh& mesh, const Edge& edge, double xi);
 
+/// The same, of an edge with a middle node, in a crack's frame: from rounded coordinates.
+base::Vec2 point_on(const model::Mesh& mesh, const CrackFrame& frame, const Edge& edge, double xi);
+
 /// The point of an edge nearest to p.
 struct EdgePoint {
   double xi = 0.0;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "mesh/cut/cavity.hpp"
+#include "mesh/cut/patch_crack.hpp"
 #include "mesh/cut/patch_net.hpp"
-#include "mesh/cut/rosette.hpp"
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace spricka::mesh {
@@ -17,9 +16,7 @@ struct Patch {
   std::vector<PatchElement> elements;
   /// [crack] its nodes from the mouth, or the first tip, to the (last) tip, mid nodes too.
   std::vector<std::vector<int>> paths;
-  /// Edges of the cavity that belonged to its elements, and the edges (from, to) that take the
-  /// place of each, in its direction.
-  std::vector<std::pair<model::Face, std::vector<std::pair<int, int>>>> edges;
+  std::vector<EdgePieces> edges; ///< of the cavity that belonged to its elements
   /// Nodes inside edges that the host keeps, and where on them; their ties, with a transition.
   struct Tied {
     int node = 0;
@@ -28,12 +25,6 @@ struct Patch {
   };
   std::vector<Tied> tied;
   std::string trouble; ///< why there is no patch
-};
-
-/// A crack of a cavity, in the frame that all of them share, and its mesh.
-struct PatchCrack {
-  Placement place;
-  const TipMesh* tip = nullptr;
 };
 
 /// Meshes a cavity round its cracks: rosettes at the tips, graded triangles in the rest. `fineness`

@@ -23,6 +23,10 @@ struct PatchElement {
   std::vector<int> nodes;
 };
 
+/// An edge of the cavity and the edges (from, to) of the patch that take its place, in its
+/// direction.
+using EdgePieces = std::pair<model::Face, std::vector<std::pair<int, int>>>;
+
 /// Collects nodes and quadratic elements of a patch; an edge gets its mid node when first met.
 class PatchNet {
 public:

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/cut/patch_fill.hpp"
+
+#include "mesh/link/fill.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <map>
+
+namespace spricka::mesh {
+
+std::string fill_patch(PatchNet& net, const PatchContours& contours, const Grading& size) {
+  Region region;
+  std::map<int, int> place; // patch node -> point
+  std::vector<int> node;    // and back
+  const auto point = [&](int n) {
+    const auto [at, fresh] = place.try_emplace(n, static_cast<int>(node.size()));
+    if (fresh) {
+      node.push_back(n);
+      region.points.push_back(net.local(n));
+    }
+    return at->second;
+  };
+  const auto points = [&](const std::vector<int>& chain) {
+    std::vector<int> result;
+    std::transform(chain.begin(), chain.end(), std::back_inserter(result), point);
+    return result;
+  };
+  for (const std::vector<int>& loop : contours.loops) {
+    region.loops.push_back(points(loop));
+  }
+  for (const std::vector<int>& line : contours.embedded) {
+    region.embedded.push_back(points(line));
+  }
+  const Filling filling = fill(region, size);
+  if (!filling.trouble.empty()) {
+    return filling.trouble;
+  }
+  for (const base::Vec2& p : filling.added) {
+    node.push_back(net.new_node(p));
+  }
+  for (const std::array<int, 3>& t : filling.triangles) {
+    net.add_triangle(node[static_cast<std::size_t>(t[0])], node[static_cast<std::size_t>(t[1])],
+                     node[static_cast<std::size_t>(t[2])]);
+  }
+  return {};
+}
+
+} // namespace spricka::mesh

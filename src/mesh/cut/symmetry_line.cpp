@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/cut/symmetry_line.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace spricka::mesh {
+
+using base::NodeId;
+using base::Vec2;
+
+bool SymmetryLine::holds(const OutlineEdge& edge) const {
+  const auto local = [&](double xi) { return point_on(host_, frame_, edge.edge, xi); };
+  return edge.free && std::abs(local(-1.0).y()) < same && std::abs(local(0.0).y()) < same &&
+         std::abs(local(1.0).y()) < same && std::max(local(-1.0).x(), local(1.0).x()) > same;
+}
+
+SymmetryLine::End SymmetryLine::end() const {
+  End result;
+  for (const OutlineEdge& edge : edges_) {
+    for (const NodeId n : {edge.edge.a, edge.edge.b}) {
+      const double x = frame_.local(host_.x[n.index()]).x();
+      if (x > result.x) {
+        result = {n, x};
+      }
+    }
+  }
+  return result;
+}
+
+std::vector<EdgePieces> SymmetryLine::pieces(const PatchNet& net,
+                                             const std::vector<int>& line) const {
+  std::vector<EdgePieces> result;
+  for (const OutlineEdge& edge : edges_) {
+    const double x0 = point_on(host_, frame_, edge.edge, -1.0).x();
+    const double x1 = point_on(host_, frame_, edge.edge, 1.0).x();
+    std::vector<std::pair<int, int>> pieces;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      const double x = 0.5 * (net.local(line[i]).x() + net.local(line[i + 1]).x());
+      if (x >= std::min(x0, x1) - same && x < std::max(x0, x1) - same) {
+        pieces.emplace_back(line[i], line[i + 1]);
+      }
+    }
+    if (x1 < x0) { // in the direction of the host's edge
+      std::reverse(pieces.begin(), pieces.end());
+      for (auto& [from, to] : pieces) {
+        std::swap(from, to);
+      }
+    }
+    result.emplace_back(edge.face, std::move(pieces));
+  }
+  return result;
+}
+
+bool replace_between(std::vector<std::vector<int>>& loops, const std::vector<int>& contour) {
+  for (std::vector<int>& loop : loops) {
+    const auto first = std::find(loop.begin(), loop.end(), contour.front());
+    if (first == loop.end()) {
+      continue;
+    }
+    std::rotate(loop.begin(), first, loop.end());
+    const auto last = std::find(loop.begin(), loop.end(), contour.back());
+    std::vector<int> whole(contour.begin(), contour.end() - 1);
+    whole.insert(whole.end(), last, loop.end());
+    loop = std::move(whole);
+    return true;
+  }
+  return false;
+}
+
+} // namespace spricka::mesh
