@@ -39,13 +39,14 @@ Adjoints::Adjoints(const model::Model& model, const Scene& scene,
 
 void Adjoints::condense_rows() {
   const mesh::CrackedMesh& cracked = scene_.cracked;
+  const crack::KLayout layout = scene_.k_layout();
   base::Matrix nodal(static_cast<Eigen::Index>(cracked.mesh.node_count()) * cracked.mesh.dim,
-                     2 * static_cast<Eigen::Index>(cracked.tips.size()));
+                     layout.count());
   for (std::size_t t = 0; t < cracked.tips.size(); ++t) {
     const mesh::Tip& tip = cracked.tips[t];
     rows_.push_back(crack::intensity_rows(model_, cracked, tip, scene_.tips[t].fields,
                                           model_.cracks[tip.crack.index()].state));
-    nodal.middleCols(2 * static_cast<Eigen::Index>(t), 2) = rows_.back();
+    layout.columns(nodal, t) = rows_.back();
   }
   by_force_ = intensity_of_forces(model_, scene_).transpose();
   scene_.ties->reduce(nodal);
@@ -62,7 +63,8 @@ std::vector<estimate::Adjoint> Adjoints::of_set(const StepSolver& solver,
   if (rows_.empty()) {
     condense_rows();
   }
-  const Eigen::Index columns = 2 * static_cast<Eigen::Index>(rows_.size());
+  const crack::KLayout layout = scene_.k_layout();
+  const Eigen::Index columns = layout.count();
   std::vector<base::Matrix> external(bodies_.size());
   base::Matrix w = base::Matrix::Zero(static_cast<Eigen::Index>(closed.size()), columns);
   std::string why_not;
@@ -97,16 +99,15 @@ std::vector<estimate::Adjoint> Adjoints::of_set(const StepSolver& solver,
   }
   std::vector<estimate::Adjoint> out(rows_.size());
   for (std::size_t t = 0; t < rows_.size(); ++t) {
-    const Eigen::Index first = 2 * static_cast<Eigen::Index>(t);
     out[t].why_not = why_not;
     out[t].rows = rows_[t];
-    out[t].by_force = by_force_.middleCols(first, 2);
+    out[t].by_force = layout.columns(by_force_, t);
     out[t].closed = closed;
     if (!why_not.empty()) {
       continue;
     }
-    out[t].z = z.middleCols(first, 2);
-    out[t].w = w.middleCols(first, 2);
+    out[t].z = layout.columns(z, t);
+    out[t].w = layout.columns(w, t);
   }
   return out;
 }

@@ -41,7 +41,7 @@ private:
   std::vector<BodyLoad> condensed_; ///< [body] columns: K1 and K2 of the first tip, of the next ..
   std::vector<base::Matrix> external_; ///< [body of the contact system] the same at externals
   contact::FreeResponse free_;         ///< to those, where there is a contact system
-  base::Matrix by_force_; ///< [table row, 2 * tip + mode - 1] of forces between crack faces
+  base::Matrix by_force_; ///< [table row, crack::KLayout] of forces between crack faces
   std::unique_ptr<contact::HeldContact> held_;
   std::vector<estimate::Adjoint> last_;
 };

@@ -96,7 +96,7 @@ std::string why_no_limit(const Scene& scene, const estimate::PointGiving& giving
                          const results::TipResult& tip) {
   for (std::size_t k = 0; k < 2 && giving.node.valid(); ++k) {
     const double bar = tip.bar[k].size();
-    const double change = giving.change[static_cast<Eigen::Index>(2 * t + k)];
+    const double change = giving.change[scene.k_layout().at(t, static_cast<int>(k) + 1)];
     if (bar > 0.0 && halvings * change > bar) {
       const base::Vec3& x = scene.cracked.mesh.x[giving.node.index()];
       return fmt::format(
@@ -142,10 +142,11 @@ void ErrorBars::prepare() {
                       estimate::KeptModes{memory_, &scene_.cracked.host});
   supports_ = estimate::mode_supports(*enrichment_, scene_.cls, *scene_.ties);
   case_load_.resize(model_.cases.size());
-  goals_.resize(enrichment_->freedoms(), 2 * static_cast<Eigen::Index>(scene_.cracked.tips.size()));
+  const crack::KLayout layout = scene_.k_layout();
+  goals_.resize(enrichment_->freedoms(), layout.count());
   for (std::size_t t = 0; t < scene_.cracked.tips.size(); ++t) {
     const mesh::Tip& tip = scene_.cracked.tips[t];
-    goals_.middleCols(2 * static_cast<Eigen::Index>(t), 2) = enrichment_->functional(
+    layout.columns(goals_, t) = enrichment_->functional(
         crack::intensity_points(model_, scene_.cracked, tip, scene_.tips[t].fields,
                                 model_.cracks[tip.crack.index()].state));
   }
@@ -191,7 +192,7 @@ void ErrorBars::add_pressures(const StepState& state,
       const auto mode = static_cast<Eigen::Index>(m.freedom);
       f[mode] += m.weight * state.pair_lambda[c][static_cast<Eigen::Index>(m.row)];
       for (std::size_t t = 0; t < adjoints.size(); ++t) {
-        g.row(mode).segment<2>(2 * static_cast<Eigen::Index>(t)) +=
+        scene_.k_layout().of(g.row(mode), t) +=
             m.weight * adjoints[t].w.row(static_cast<Eigen::Index>(scene_.table.first[c] + m.row));
       }
     }
@@ -270,13 +271,14 @@ void ErrorBars::add(const StepState& state, const std::vector<estimate::Adjoint>
   for (const estimate::Adjoint& adjoint : adjoints) {
     why_not = why_not.empty() ? adjoint.why_not : why_not;
   }
-  std::vector<estimate::GoalError> errors;
+  const crack::KLayout layout = scene_.k_layout();
+  std::vector<estimate::GoalError> errors; // by the layout
   std::vector<ContactFlips> flips;
   estimate::PointGiving giving;
   if (why_not.empty()) {
     base::Matrix z(state.u.size(), goals_.cols());
     for (std::size_t t = 0; t < adjoints.size(); ++t) {
-      z.middleCols(2 * static_cast<Eigen::Index>(t), 2) = adjoints[t].z;
+      layout.columns(z, t) = adjoints[t].z;
     }
     base::Vector f = load(state.case_factor);
     base::Matrix g = goals_;
@@ -305,7 +307,9 @@ void ErrorBars::add(const StepState& state, const std::vector<estimate::Adjoint>
                 tip.name),
             step);
       }
-      const std::array<const estimate::GoalError*, 2> own{&errors[2 * t], &errors[2 * t + 1]};
+      const std::array<const estimate::GoalError*, 2> own{
+          &errors[static_cast<std::size_t>(layout.at(t, 1))],
+          &errors[static_cast<std::size_t>(layout.at(t, 2))]};
       const std::array<double, 2> K{tip.K1, tip.K2};
       const ContactFlips& flip = flips[t];
       const std::array<estimate::ErrorBar, 2> bars = estimate::error_bars(

@@ -12,11 +12,10 @@ namespace spricka::analysis {
 
 namespace {
 
-base::Vector intensities_of(const results::StepResult& result) {
-  base::Vector K(2 * static_cast<Eigen::Index>(result.tips.size()));
+base::Vector intensities_of(const crack::KLayout& layout, const results::StepResult& result) {
+  base::Vector K(layout.count());
   for (std::size_t t = 0; t < result.tips.size(); ++t) {
-    K.segment<2>(2 * static_cast<Eigen::Index>(t)) =
-        base::Vec2(result.tips[t].K1, result.tips[t].K2);
+    layout.of(K, t) = base::Vec2(result.tips[t].K1, result.tips[t].K2);
   }
   return K;
 }
@@ -30,7 +29,7 @@ void LoadHistory::keep(std::size_t step, const StepSolver& solver,
   places_.resize(step);
   places_.push_back(solver.place());
   of_steps_.resize(step);
-  of_steps_.push_back(intensities_of(result));
+  of_steps_.push_back(intensities_of(scene_.k_layout(), result));
   const int given = model_.steps[step].substeps;
   parts_.resize(step);
   parts_.push_back(given > 0 ? given : result.increments);
@@ -127,6 +126,7 @@ bool LoadHistory::pass(const HistoryProgram& program, FollowedPass& out, Refusal
 bool LoadHistory::compare_with_recovered(FollowedLoads& out, Refusal& refusal) {
   const bool shifted =
       std::ranges::any_of(model_.vces, [](const model::Vce& vce) { return vce.shift.has_value(); });
+  const crack::KLayout layout = scene_.k_layout();
   const base::Vector K = here_;
   const std::optional<StepState> state = solver_->recover(answer_, refusal);
   if (!state) {
@@ -137,11 +137,10 @@ bool LoadHistory::compare_with_recovered(FollowedLoads& out, Refusal& refusal) {
       gather_step(model_, scene_, bodies_, model_.steps.front(), *state);
   for (std::size_t t = 0; t < own.tips.size() && !shifted && largest_ > 0.0; ++t) {
     const results::TipResult& tip = own.tips[t];
-    const auto at = 2 * static_cast<Eigen::Index>(t);
     const bool judged = tip.closed || tip.two_materials || tip.K1 == 0.0;
     const double apart =
-        std::max(judged ? 0.0 : std::abs(tip.K1 - K[at]),
-                 tip.two_materials || tip.closed ? 0.0 : std::abs(tip.K2 - K[at + 1]));
+        std::max(judged ? 0.0 : std::abs(tip.K1 - K[layout.at(t, 1)]),
+                 tip.two_materials || tip.closed ? 0.0 : std::abs(tip.K2 - K[layout.at(t, 2)]));
     out.mismatch = std::max(out.mismatch, apart / largest_);
   }
   return true;

@@ -12,7 +12,7 @@
 /// Loads one after another as increments with friction, until K of a pass repeats itself.
 namespace spricka::analysis {
 
-/// K of all tips, increment by increment: [2 * tip + mode - 1].
+/// K of all tips, increment by increment: [crack::KLayout].
 using WayOfK = std::vector<base::Vector>;
 
 struct FollowedPass {

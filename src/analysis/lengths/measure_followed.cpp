@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/lengths/growth_measure.hpp"
+#include "crack/k_layout.hpp"
 #include "life/rainflow.hpp"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace {
 constexpr double worst_mismatch = 1e-6; // of K against that of recovered displacements
 
 base::Vec2 of_tip(const base::Vector& K, std::size_t tip) {
-  return K.segment<2>(2 * static_cast<Eigen::Index>(tip));
+  return crack::KLayout(tip + 1, 2).of(K, tip);
 }
 
 std::vector<double> along(const WayOfK& way, std::size_t tip, const base::Vec2& part) {

@@ -48,12 +48,13 @@ std::vector<LoadPaths::Watch> LoadPaths::watch_faces(const model::Model& model,
 base::Matrix LoadPaths::functional_columns(Eigen::Index first, Eigen::Index most) const {
   const auto size =
       static_cast<Eigen::Index>(scene_.cracked.mesh.node_count()) * scene_.cracked.mesh.dim;
-  const auto K = 2 * static_cast<Eigen::Index>(scene_.cracked.tips.size());
+  const crack::KLayout layout = scene_.k_layout();
+  const Eigen::Index K = layout.count();
   if (first < K) { // all K at once
     base::Matrix nodal = base::Matrix::Zero(size, K);
     for (std::size_t t = 0; t < scene_.cracked.tips.size(); ++t) {
       const mesh::Tip& tip = scene_.cracked.tips[t];
-      nodal.middleCols(2 * static_cast<Eigen::Index>(t), 2) =
+      layout.columns(nodal, t) =
           crack::intensity_rows(model_, scene_.cracked, tip, scene_.tips[t].fields,
                                 model_.cracks[tip.crack.index()].state);
     }
@@ -90,7 +91,7 @@ base::Vector LoadPaths::watched(const base::Vector& u) const {
 }
 
 void LoadPaths::look_at_faces(const base::Vector& value) {
-  const auto K = 2 * static_cast<Eigen::Index>(scene_.cracked.tips.size());
+  const Eigen::Index K = first_watched();
   for (std::size_t w = 0; w < watches_.size();) {
     const std::size_t line = watches_[w].line;
     std::vector<double> overlap; // along the face
@@ -144,19 +145,19 @@ base::Vector LoadPaths::intensities(const contact::ContactSystem::Demand& demand
       }
     }
   }
+  const crack::KLayout layout = scene_.k_layout();
   for (std::size_t t = 0; t < scene_.cracked.tips.size(); ++t) {
     const std::optional<std::size_t> row = row_at_tip(scene_, scene_.cracked.tips[t]);
     const auto at = row ? std::ranges::find(demand.rows, *row) : demand.rows.end();
     if (at != demand.rows.end() &&
         answer.solution.closed[static_cast<std::size_t>(at - demand.rows.begin())]) {
-      value[2 * static_cast<Eigen::Index>(t)] = 0.0;
+      value[layout.at(t, 1)] = 0.0;
     }
-    const auto k = 2 * static_cast<Eigen::Index>(t);
-    if (free.size() > 0 && free[k] < 0.0) {
-      value.segment<2>(k) = free.segment<2>(k);
+    if (free.size() > 0 && free[layout.at(t, 1)] < 0.0) {
+      layout.of(value, t) = layout.of(free, t);
     }
   }
-  return value.head(2 * static_cast<Eigen::Index>(scene_.cracked.tips.size()));
+  return value.head(layout.count());
 }
 
 bool LoadPaths::close_tip(std::size_t t, const End& end, const solve::SolutionPath& found,

@@ -136,8 +136,7 @@ LoadPaths::Functionals LoadPaths::functionals(const StepSolver& solver) const {
     }
     first += nodal.cols();
   }
-  out.of_row.topRows(2 * static_cast<Eigen::Index>(scene_.cracked.tips.size())) +=
-      intensity_of_forces(model_, scene_);
+  out.of_row.topRows(first_watched()) += intensity_of_forces(model_, scene_);
   return out;
 }
 
@@ -152,9 +151,10 @@ base::Vector LoadPaths::free_values(const base::Vector& case_factor) const {
     recover_body(body, external, case_factor, u);
   }
   base::Vector values(functional_count());
+  const crack::KLayout layout = scene_.k_layout();
   for (std::size_t t = 0; t < scene_.cracked.tips.size(); ++t) {
     const crack::StressIntensity found = intensity(model_, scene_, t, u, case_factor);
-    values.segment<2>(2 * static_cast<Eigen::Index>(t)) = base::Vec2(found.K1, found.K2);
+    layout.of(values, t) = base::Vec2(found.K1, found.K2);
   }
   values.tail(2 * static_cast<Eigen::Index>(watches_.size())) = watched(u);
   return values;
@@ -204,15 +204,15 @@ bool LoadPaths::homogeneous(const End& from, const End& to, const StepSolver& so
 
 void LoadPaths::tips(const solve::SolutionPath& found, const End& from, const End& to,
                      results::LoadPath& path) const {
+  const crack::KLayout layout = scene_.k_layout();
   double size = 0.0;
   double apart = 0.0;
   for (std::size_t t = 0; t < scene_.cracked.tips.size(); ++t) {
-    const auto k = 2 * static_cast<Eigen::Index>(t);
     results::PathTip tip;
     tip.name = from.result.tips[t].name;
     tip.a = from.result.tips[t].a;
-    tip.K1 = functional(found, k);
-    tip.K2 = functional(found, k + 1);
+    tip.K1 = functional(found, layout.at(t, 1));
+    tip.K2 = functional(found, layout.at(t, 2));
     size = std::max({size, std::abs(tip.K1.lowest()), std::abs(tip.K1.highest())});
     if (close_tip(t, from, found, tip.K1)) {
       path.notes.push_back(fmt::format(

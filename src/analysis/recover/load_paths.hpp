@@ -25,7 +25,7 @@ public:
   /// Crack lines whose faces would overlap somewhere on the paths followed, and that have no pair
   /// yet (analysis/steps/lip_contact.hpp).
   [[nodiscard]] const std::vector<std::size_t>& touching() const { return touching_; }
-  /// K1 and K2 of each tip in a solved increment [2 * tip + mode - 1]; K1 is 0 where its faces
+  /// K1 and K2 of each tip in a solved increment [crack::KLayout]; K1 is 0 where its faces
   /// touch at the tip, or what a law with R < 0 wants there. Looks at the faces, too.
   [[nodiscard]] base::Vector intensities(const contact::ContactSystem::Demand& demand,
                                          const contact::ContactSystem::Answer& answer,
@@ -50,8 +50,10 @@ private:
   };
   [[nodiscard]] static std::vector<Watch> watch_faces(const model::Model& model,
                                                       const Scene& scene);
+  /// K of all tips, then two for each watch.
+  [[nodiscard]] Eigen::Index first_watched() const { return scene_.k_layout().count(); }
   [[nodiscard]] Eigen::Index functional_count() const {
-    return 2 * static_cast<Eigen::Index>(scene_.cracked.tips.size() + watches_.size());
+    return first_watched() + 2 * static_cast<Eigen::Index>(watches_.size());
   }
   /// Columns [dim * node] of functionals from `first` on, at most so many.
   [[nodiscard]] base::Matrix functional_columns(Eigen::Index first, Eigen::Index most) const;

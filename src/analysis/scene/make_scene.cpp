@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/scene/make_scene.hpp"
 
-#include "contact/pairing.hpp"
 #include "analysis/scene/gone_nodes.hpp"
 #include "analysis/scene/scene_loads.hpp"
 #include "analysis/scene/scene_mouths.hpp"
@@ -9,6 +8,7 @@
 #include "analysis/scene/scene_rows.hpp"
 #include "analysis/scene/scene_ties.hpp"
 #include "analysis/scene/tip_surroundings.hpp"
+#include "contact/pairing.hpp"
 #include "fe/dof_map.hpp"
 #include "growth/crack_lines.hpp"
 

@@ -3,6 +3,7 @@
 #include "base/diagnostics.hpp"
 #include "contact/constraint.hpp"
 #include "crack/extension.hpp"
+#include "crack/k_layout.hpp"
 #include "fe/dependence.hpp"
 #include "mesh/cut/cracked.hpp"
 #include "model/model.hpp"
@@ -67,6 +68,8 @@ struct Scene {
   base::Matrix case_temperature;  ///< [connectivity index, case]; empty: no case heats
   std::vector<std::shared_ptr<const fe::CaseHeat>> case_heat; ///< [case] the same, and the rest
 
+  /// Where K of which tip stands among functionals.
+  [[nodiscard]] crack::KLayout k_layout() const { return {tips.size(), cracked.mesh.dim}; }
   /// Row r of the table, as its pair has it.
   [[nodiscard]] const contact::ConstraintRow& row(std::size_t r) const {
     const RowTable::Place at = table.places[r];

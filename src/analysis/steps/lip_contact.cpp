@@ -139,8 +139,9 @@ std::optional<std::size_t> row_at_tip(const Scene& scene, const mesh::Tip& tip) 
 }
 
 base::Matrix intensity_of_forces(const model::Model& model, const Scene& scene) {
-  base::Matrix of_row = base::Matrix::Zero(2 * static_cast<Eigen::Index>(scene.cracked.tips.size()),
-                                           static_cast<Eigen::Index>(scene.table.size()));
+  const crack::KLayout layout = scene.k_layout();
+  base::Matrix of_row =
+      base::Matrix::Zero(layout.count(), static_cast<Eigen::Index>(scene.table.size()));
   for (std::size_t t = 0; t < scene.cracked.tips.size(); ++t) {
     const mesh::Tip& tip = scene.cracked.tips[t];
     const std::optional<LipPair>& lip = scene.lip_pairs[tip.crack.index()];
@@ -153,7 +154,7 @@ base::Matrix intensity_of_forces(const model::Model& model, const Scene& scene) 
     for (std::size_t r = scene.table.first[lip->pair]; r < scene.table.first[lip->pair + 1]; ++r) {
       for (const contact::RowEntry& entry : scene.row(r).entries) {
         const auto at = 2 * static_cast<Eigen::Index>(entry.node.index());
-        of_row.col(static_cast<Eigen::Index>(r)).segment<2>(2 * static_cast<Eigen::Index>(t)) +=
+        layout.of(of_row.col(static_cast<Eigen::Index>(r)), t) +=
             weight.middleRows<2>(at).transpose() * entry.weight.head<2>();
       }
     }

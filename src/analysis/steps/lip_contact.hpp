@@ -34,7 +34,7 @@ TipFaces tip_faces(const Scene& scene, const mesh::Tip& tip, const StepState& st
 std::optional<std::size_t> row_at_tip(const Scene& scene, const mesh::Tip& tip);
 
 /// What a unit of each row's force adds to K1 and K2 itself, beside what it moves: the terms of
-/// forces between the faces of cracks (crack.33). [2 * tip + mode - 1, table row]
+/// forces between the faces of cracks (crack.33). [crack::KLayout, table row]
 base::Matrix intensity_of_forces(const model::Model& model, const Scene& scene);
 
 /// Forces between the faces of the tip's crack; none without a pair.
