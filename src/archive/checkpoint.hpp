@@ -2,7 +2,6 @@
 #pragma once
 #include "archive/checkpoint_list.hpp"
 #include "base/clock.hpp"
-#include "base/exit_codes.hpp"
 #include "base/source.hpp"
 #include "model/model.hpp"
 #include "results/named_arrays.hpp"
@@ -46,7 +45,7 @@ struct CheckpointPlace {
   base::Stopwatch since; ///< from here on
 };
 
-/// Why a state does not fit the deck: shown at its place, exit_code::deck_error.
+/// Why a state does not fit the deck: shown at its place, Outcome::deck_error.
 struct Misfit {
   std::string code;
   base::Span span;

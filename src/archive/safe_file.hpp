@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "base/exit_codes.hpp"
 #pragma once
 #include <filesystem>
 #include <stdexcept>
@@ -10,7 +9,7 @@
 namespace spricka::archive {
 
 /// Trouble with a file, with the code that names it (program/commands/code_texts.cpp): the program
-/// ends with exit_code::file_trouble.
+/// ends with Outcome::file_trouble.
 class FileTrouble : public std::runtime_error {
 public:
   FileTrouble(std::string code, const std::string& what)

@@ -1,42 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/outcome.hpp"
+
+#include <algorithm>
 #include <array>
+#include <cstddef>
+#include <optional>
 #include <string_view>
 
+/// What scripts see of an outcome: numbers, for the command line and for what it prints. The table
+/// of manual/exit_codes.md is this one.
 namespace spricka::base {
 
-/// How the program ends, for scripts. The table of manual/exit_codes.md is this one.
-namespace exit_code {
-inline constexpr int done = 0;
-inline constexpr int check_failed = 1;
-inline constexpr int usage = 2;
-inline constexpr int deck_error = 3;
-inline constexpr int not_solvable = 4;
-inline constexpr int not_converged = 5;
-inline constexpr int stopped = 6;
-inline constexpr int file_trouble = 7;
-inline constexpr int defect = 70; ///< EX_SOFTWARE: a defect of the program, never of the deck
-} // namespace exit_code
-
 struct ExitText {
+  Outcome outcome;
   int code;
   std::string_view meaning;
 };
 
+/// [Outcome]
 inline constexpr std::array exit_texts{
-    ExitText{exit_code::done, "done; every $CHECK passed"},
-    ExitText{exit_code::check_failed,
+    ExitText{Outcome::done, 0, "done; every $CHECK passed"},
+    ExitText{Outcome::check_failed, 1,
              "done, but a $CHECK failed; format --check: the layout would change"},
-    ExitText{exit_code::usage, "the command line is wrong"},
-    ExitText{exit_code::deck_error, "the deck has mistakes; each is printed with its place"},
-    ExitText{exit_code::not_solvable,
+    ExitText{Outcome::usage, 2, "the command line is wrong"},
+    ExitText{Outcome::deck_error, 3, "the deck has mistakes; each is printed with its place"},
+    ExitText{Outcome::not_solvable, 4,
              "the model cannot be solved, or has a card this version does not have"},
-    ExitText{exit_code::not_converged, "the solution did not converge"},
-    ExitText{exit_code::stopped,
+    ExitText{Outcome::not_converged, 5, "the solution did not converge"},
+    ExitText{Outcome::stopped, 6,
              "stopped by --time or a signal, what is finished is kept; run --restart goes on"},
-    ExitText{exit_code::file_trouble,
+    ExitText{Outcome::file_trouble, 7,
              "trouble with a file: the deck itself, the run folder or a restart file"},
-    ExitText{exit_code::defect, "a defect of the program: please report it, with the deck"},
+    ExitText{Outcome::defect, 70, // EX_SOFTWARE
+             "a defect of the program: please report it, with the deck"},
 };
+
+constexpr int exit_code(Outcome outcome) {
+  return exit_texts.at(static_cast<std::size_t>(outcome)).code;
+}
+
+/// Empty: a number with which the program does not end.
+constexpr std::optional<Outcome> outcome_of(int code) {
+  const auto* const found = std::ranges::find(exit_texts, code, &ExitText::code);
+  return found == exit_texts.end() ? std::nullopt : std::optional(found->outcome);
+}
 
 } // namespace spricka::base

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/exit_codes.hpp"
 #include "report/check_listing.hpp"
 
 #include <nlohmann/json.hpp>
@@ -112,13 +113,13 @@ json of(const results::ScriptConstant& c) {
 
 } // namespace
 
-std::string check_json(const results::Preview& p, int exit_code) {
+std::string check_json(const results::Preview& p, base::Outcome outcome) {
   const auto make = [](const auto& entry) { return of(entry); };
   const json out{{"spricka", SPRICKA_VERSION},
                  {"deck", p.deck},
                  {"title", p.title},
                  {"length_unit", p.length_unit},
-                 {"exit_code", exit_code},
+                 {"exit_code", base::exit_code(outcome)},
                  {"nets", array_of(p.nets, make)},
                  {"quality", array_of(p.quality, make)},
                  {"inside_out", p.inside_out},

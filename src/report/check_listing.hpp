@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/outcome.hpp"
 #include "results/preview.hpp"
 
 #include <string>
@@ -10,6 +11,6 @@ namespace spricka::report {
 std::string check_listing(const results::Preview& preview);
 
 /// The same as one JSON object; memory in bytes, angles in degrees, lengths in deck units.
-std::string check_json(const results::Preview& preview, int exit_code);
+std::string check_json(const results::Preview& preview, base::Outcome outcome);
 
 } // namespace spricka::report

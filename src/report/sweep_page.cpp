@@ -259,8 +259,9 @@ std::string sweep_page(const base::Sources& sources, const model::Model& model,
   Page page;
   const std::string title = model.title.empty() ? "spricka sweep" : model.title;
   page.add(fmt::format("<h1>{}</h1>\n", escape(title)));
-  const auto failed = std::count_if(sweep.points.begin(), sweep.points.end(),
-                                    [](const SweepPoint& p) { return p.exit_code != 0; });
+  const auto failed =
+      std::count_if(sweep.points.begin(), sweep.points.end(),
+                    [](const SweepPoint& p) { return p.outcome != base::Outcome::done; });
   page.add(fmt::format("<p class=\"{}\">Sweep of {} over {}: {} of {} points, {} of them without "
                        "success. Computed by spricka {}.</p>\n",
                        failed > 0 ? "failed" : "about", escape(deck_name(sources, 0)),

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/exit_codes.hpp"
 #include "report/drawing/file.hpp"
 #include "report/sweep_files.hpp"
 
@@ -86,8 +87,8 @@ std::string table(const model::Model& model, const results::Sweep& sweep, const 
                  fmt::join(columns, ","));
   for (const SweepPoint& point : sweep.points) {
     fmt::format_to(out, "{},{},{},{},{},{},{}", fmt::join(point.values, ","), point.folder,
-                   status_word(point), point.exit_code, quoted(point.error), point.checks,
-                   point.passed);
+                   status_word(point), base::exit_code(point.outcome), quoted(point.error),
+                   point.checks, point.passed);
     std::vector<const std::vector<SweepCell>*> lists;
     if (all) {
       lists.push_back(&point.cells);
@@ -106,7 +107,9 @@ std::string table(const model::Model& model, const results::Sweep& sweep, const 
 } // namespace
 
 std::string status_word(const SweepPoint& point) {
-  return point.exit_code == 0 ? "done" : point.exit_code == 1 ? "check failed" : "failed";
+  return point.outcome == base::Outcome::done           ? "done"
+         : point.outcome == base::Outcome::check_failed ? "check failed"
+                                                        : "failed";
 }
 
 void write_sweep_csv(const std::filesystem::path& file, const model::Model& model,

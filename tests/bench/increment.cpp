@@ -39,14 +39,14 @@ struct Costs {
 
 Costs solve_all(const model::Model& model) {
   base::Diagnostics diagnostics;
-  std::optional<analysis::Refusal> refusal;
+  base::Trouble trouble;
   std::vector<results::LogLine> lines;
   const analysis::SolveOptions options{.threads = 1, .progress = {}};
   const std::vector<double> lengths = growth::crack_lengths(model);
   Costs costs;
   base::Stopwatch watch;
   const analysis::RegionPlan plan = analysis::plan_region(model, lengths, diagnostics);
-  analysis::LengthSolver solver(model, options, lines, diagnostics, refusal);
+  analysis::LengthSolver solver(model, options, lines, diagnostics, trouble);
   for (const double a : lengths) {
     lines.clear();
     auto cracks = growth::crack_lines(model, a, diagnostics);

@@ -94,10 +94,10 @@ int main(int argc, char** argv) {
   analysis::StepSolver& solver = *first;
   analysis::LoadPaths& paths = length->paths();
   for (std::size_t s = 0; s < model->steps.size(); ++s) {
-    analysis::Refusal why;
-    const auto state = solver.solve(model->steps[s], why);
+    base::Trouble trouble;
+    const auto state = solver.solve(model->steps[s], trouble);
     if (!state) {
-      fmt::print(stderr, "{}\n", why.why);
+      fmt::print(stderr, "{}\n", trouble->why);
       return 4;
     }
     paths.keep(s, solver, length->recover(model->steps[s], *state));

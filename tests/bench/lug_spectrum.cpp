@@ -26,9 +26,9 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "no deck with a $LOADPATH\n");
     return 2;
   }
-  std::optional<analysis::Refusal> refusal;
+  base::Trouble trouble;
   const std::optional<results::Run> run =
-      analysis::solve_run(*model, {.threads = 1, .progress = {}}, diagnostics, refusal);
+      analysis::solve_run(*model, {.threads = 1, .progress = {}}, diagnostics, trouble);
   if (!run) {
     fmt::print(stderr, "not solved\n");
     return 4;

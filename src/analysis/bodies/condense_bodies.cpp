@@ -77,28 +77,33 @@ void factorise(const CondenseRequest& request, std::vector<Task>& tasks, Condens
   }
 }
 
-std::string trouble_of(const model::Mesh& mesh, const std::string& body, const Net& net) {
+base::Trouble trouble_of(const model::Mesh& mesh, const std::string& body, const Net& net) {
   const solve::FactorReport& report = net.factor->report();
+  const auto not_solvable = [](std::string why) {
+    return base::NoAnswer{.kind = base::Outcome::not_solvable, .why = std::move(why)};
+  };
   switch (report.status) {
   case solve::FactorStatus::ok:
     return {};
   case solve::FactorStatus::out_of_memory:
-    return fmt::format("{}: its factor needs {:.0f} MB of memory ({} unknowns, {:.2g} entries), "
-                       "{:.0f} MB can be had",
-                       body, 1e-6 * report.memory, net.map.size(), report.factor_entries,
-                       1e-6 * report.memory_left);
+    return not_solvable(
+        fmt::format("{}: its factor needs {:.0f} MB of memory ({} unknowns, {:.2g} entries), "
+                    "{:.0f} MB can be had",
+                    body, 1e-6 * report.memory, net.map.size(), report.factor_entries,
+                    1e-6 * report.memory_left));
   case solve::FactorStatus::not_positive_definite:
     break;
   }
   if (report.failed_row < 0) {
-    return fmt::format("{}: the stiffness is singular (a mechanism?)", body);
+    return not_solvable(fmt::format("{}: the stiffness is singular (a mechanism?)", body));
   }
   const auto freedom =
       static_cast<std::size_t>(net.map.freedom[static_cast<std::size_t>(report.failed_row)]);
   const auto dim = static_cast<std::size_t>(mesh.dim);
-  return fmt::format("{}: the stiffness is singular at node {}, direction {} (a mechanism or a "
-                     "part that hangs on one node)",
-                     body, mesh.node_label[freedom / dim], "XYZ"[freedom % dim]);
+  return not_solvable(
+      fmt::format("{}: the stiffness is singular at node {}, direction {} (a mechanism or a "
+                  "part that hangs on one node)",
+                  body, mesh.node_label[freedom / dim], "XYZ"[freedom % dim]));
 }
 
 // Externals of a part are unknowns of the region or follow some, by construction of split().
@@ -205,14 +210,13 @@ std::vector<BodyNet> condense_bodies(const CondenseRequest& request, Condensatio
   factorise(request, parts, cache, log);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     for (const std::unique_ptr<Net>& part : bodies[b].parts) {
-      log.trouble =
-          log.trouble.empty() ? trouble_of(request.mesh, bodies[b].name, *part) : log.trouble;
-      if (log.trouble.empty()) {
+      log.trouble = log.trouble ? log.trouble : trouble_of(request.mesh, bodies[b].name, *part);
+      if (!log.trouble) {
         regions[b].supers.push_back(super_of(*part));
       }
     }
   }
-  if (!log.trouble.empty()) {
+  if (log.trouble) {
     return bodies;
   }
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -227,10 +231,9 @@ std::vector<BodyNet> condense_bodies(const CondenseRequest& request, Condensatio
     }
   }
   for (const BodyNet& body : bodies) {
-    log.trouble =
-        log.trouble.empty() ? trouble_of(request.mesh, body.name, body.region) : log.trouble;
+    log.trouble = log.trouble ? log.trouble : trouble_of(request.mesh, body.name, body.region);
   }
-  if (!log.trouble.empty()) {
+  if (log.trouble) {
     return bodies;
   }
 
@@ -258,9 +261,11 @@ std::vector<BodyNet> condense_bodies(const CondenseRequest& request, Condensatio
   });
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     if (bodies[b].condensed) {
-      if (!bodies[b].condensed->ok() && log.trouble.empty()) {
-        log.trouble =
-            fmt::format("{}: the condensed stiffness is singular (a mechanism?)", bodies[b].name);
+      if (!bodies[b].condensed->ok() && !log.trouble) {
+        log.trouble = base::NoAnswer{
+            .kind = base::Outcome::not_solvable,
+            .why = fmt::format("{}: the condensed stiffness is singular (a mechanism?)",
+                               bodies[b].name)};
       }
       cache.bodies.emplace(regions[b].key, bodies[b].condensed);
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/outcome.hpp"
 #include "contact/system.hpp"
 #include "fe/assemble.hpp"
 #include "fe/dof_map.hpp"
@@ -56,7 +57,7 @@ struct CondenseLog {
   double stiffness_cpu = 0.0;
   double flops = 0.0;
   int condensed = 0, reused = 0;
-  std::string trouble; ///< a singular local block, named; empty normally
+  base::Trouble trouble; ///< a singular local block, named, or too little memory
 };
 
 struct CondenseRequest {

@@ -38,9 +38,9 @@ bool wants_bars(const model::Model& model) {
 class GrowthLoop {
 public:
   GrowthLoop(const model::Model& model, const SolveOptions& options, base::Diagnostics& diagnostics,
-             std::optional<Refusal>& refusal, results::Run& run)
-      : model_(model), options_(options), diagnostics_(diagnostics), refusal_(refusal), run_(run),
-        measure_(model), solver_(model, options, run.log, trial_, trial_refusal_),
+             base::Trouble& trouble, results::Run& run)
+      : model_(model), options_(options), diagnostics_(diagnostics), trouble_(trouble), run_(run),
+        measure_(model), solver_(model, options, run.log, trial_, trial_trouble_),
         on_the_way_(asked_steps(model, false)) {}
 
   bool run() {
@@ -61,7 +61,7 @@ public:
     }
     mark_.emplace(run_.log);
     while (!march.end()) {
-      if (stop_here(options_.checkpoint, refusal_)) {
+      if (stop_here(options_.checkpoint, trouble_)) {
         return false;
       }
       trial_ = {};
@@ -75,16 +75,16 @@ public:
       if (!(next && station(*next, region, march))) {
         if (run_.increments.empty()) {
           diagnostics_ = std::move(trial_);
-          refusal_ = trial_refusal_;
+          trouble_ = trial_trouble_;
           return false;
         }
         if (march.end()) {
           break;
         }
-        const std::string why = trouble();
+        const std::string why = why_not_solved();
         march.shorten(why);
         LogWriter(run_.log).add("GROW", fmt::format("a shorter advance: {}", why));
-        trial_refusal_.reset();
+        trial_trouble_.reset();
       }
     }
     finish(march);
@@ -147,7 +147,7 @@ private:
         {*increment, solver_.tips(), lines, solver_.followed(), solver_.free_faces()},
         march.tips());
     if (!found) {
-      trial_refusal_ = Refusal{4, measure_.trouble(), model_.growth->span};
+      trial_trouble_ = measure_.trouble();
       return false;
     }
     if (first && !measure_.spectrum() && measure_.upside_down()) {
@@ -182,9 +182,9 @@ private:
     return true;
   }
 
-  [[nodiscard]] std::string trouble() const {
-    if (trial_refusal_) {
-      return trial_refusal_->why;
+  [[nodiscard]] std::string why_not_solved() const {
+    if (trial_trouble_) {
+      return trial_trouble_->why;
     }
     for (const base::Diagnostic& d : trial_.all()) {
       if (d.severity == base::Severity::error) {
@@ -222,10 +222,10 @@ private:
   const model::Model& model_;
   const SolveOptions& options_;
   base::Diagnostics& diagnostics_;
-  std::optional<Refusal>& refusal_;
+  base::Trouble& trouble_;
   results::Run& run_;
-  base::Diagnostics trial_;              ///< of the state that is tried
-  std::optional<Refusal> trial_refusal_; ///< the same
+  base::Diagnostics trial_;     ///< of the state that is tried
+  base::Trouble trial_trouble_; ///< the same
   GrowthMeasure measure_;
   LengthSolver solver_;
   std::vector<bool> on_the_way_;
@@ -239,9 +239,8 @@ bool grows_by_law(const model::Model& model) {
 }
 
 bool grow_by_law(const model::Model& model, const SolveOptions& options,
-                 base::Diagnostics& diagnostics, std::optional<Refusal>& refusal,
-                 results::Run& run) {
-  return GrowthLoop(model, options, diagnostics, refusal, run).run();
+                 base::Diagnostics& diagnostics, base::Trouble& trouble, results::Run& run) {
+  return GrowthLoop(model, options, diagnostics, trouble, run).run();
 }
 
 } // namespace spricka::analysis

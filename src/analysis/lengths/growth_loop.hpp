@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "analysis/lengths/solve_options.hpp"
-#include "analysis/steps/step_state.hpp"
 #include "base/diagnostics.hpp"
+#include "base/outcome.hpp"
 #include "model/model.hpp"
 #include "results/results.hpp"
 
@@ -15,10 +15,9 @@ bool grows_by_law(const model::Model& model);
 
 /// Processor GROW: solves the cracks of one state, measures, advances, until the growth ends; fills
 /// increments, log, warnings and `growth` of a run. False: a mistake of the deck (in the
-/// diagnostics), or a first state that cannot be solved (in the refusal). A later state that cannot
+/// diagnostics), or a first state that cannot be solved (in `trouble`). A later state that cannot
 /// be meshed or solved ends the growth with the word MESH.
 bool grow_by_law(const model::Model& model, const SolveOptions& options,
-                 base::Diagnostics& diagnostics, std::optional<Refusal>& refusal,
-                 results::Run& run);
+                 base::Diagnostics& diagnostics, base::Trouble& trouble, results::Run& run);
 
 } // namespace spricka::analysis

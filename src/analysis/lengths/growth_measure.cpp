@@ -98,6 +98,12 @@ GrowthMeasure::GrowthMeasure(const model::Model& model)
     : model_(model), law_(law_of(*model.growth)), spectrum_(spectrum_of(model)),
       around_(model.mesh) {}
 
+bool GrowthMeasure::no_rate(std::string why) {
+  trouble_ = base::NoAnswer{
+      .kind = base::Outcome::not_solvable, .why = std::move(why), .span = model_.growth->span};
+  return false;
+}
+
 // The step whose loads stand for the largest: of a spectrum the one at the end of its path.
 std::size_t GrowthMeasure::largest_step() const {
   return spectrum_ ? model_.load_paths[model_.spectra[*model_.growth->spectrum].path].to.index()
@@ -212,8 +218,7 @@ bool GrowthMeasure::by_steps(const SolvedLength& at, const std::string& name, bo
   const results::TipResult* low =
       results::find_tip(increment.steps[model_.growth->kmin.index()], name);
   if (high == nullptr || low == nullptr || high->two_materials) {
-    trouble_ = fmt::format("{} has no K to grow by: its tip lies between two materials", name);
-    return false;
+    return no_rate(fmt::format("{} has no K to grow by: its tip lies between two materials", name));
   }
   if (!high->doubt.empty() && high->K1 > 0.0) {
     warnings_.insert(fmt::format("{}: K at KMAX is in doubt: {}", name, high->doubt));
@@ -255,14 +260,12 @@ bool GrowthMeasure::by_spectrum(const SolvedLength& at, const std::string& name,
   const results::TipResult* at_end = results::find_tip(increment.steps[largest_step()], name);
   const results::PathTip* tip = results::find_tip(path, name);
   if (at_end != nullptr && at_end->two_materials) {
-    trouble_ = fmt::format("{} has no K to grow by: its tip lies between two materials", name);
-    return false;
+    return no_rate(fmt::format("{} has no K to grow by: its tip lies between two materials", name));
   }
   if (tip == nullptr || path.t.empty() || path.t.back() < spectrum_->highest()) {
-    trouble_ =
+    return no_rate(
         fmt::format("spectrum {}: there is no K up to t = {:.6g}, load path {} ends before: {}",
-                    card.name, spectrum_->highest(), path.name, path.stopped);
-    return false;
+                    card.name, spectrum_->highest(), path.name, path.stopped));
   }
   if (!tip->doubt.empty()) {
     warnings_.insert(
@@ -277,9 +280,8 @@ bool GrowthMeasure::by_spectrum(const SolvedLength& at, const std::string& name,
   found.rate = spectrum_->growth(law_, K);
   counted_on_K_ = counted_on_K_ || spectrum_->counts_on_K(K);
   if (std::isnan(found.rate)) {
-    trouble_ = fmt::format("spectrum {}: the growth of a pass is not a number at a = {:.6g}",
-                           card.name, tip->a);
-    return false;
+    return no_rate(fmt::format("spectrum {}: the growth of a pass is not a number at a = {:.6g}",
+                               card.name, tip->a));
   }
   return true;
 }

@@ -2,6 +2,7 @@
 #pragma once
 #include "analysis/lengths/load_history.hpp"
 #include "analysis/scene/free_faces.hpp"
+#include "base/outcome.hpp"
 #include "growth/march.hpp"
 #include "life/growth_law.hpp"
 #include "life/spectrum.hpp"
@@ -39,7 +40,7 @@ public:
   [[nodiscard]] std::optional<std::vector<growth::TipStation>>
   measure(const SolvedLength& at, const std::vector<growth::GrowingTip>& growing);
 
-  [[nodiscard]] const std::string& trouble() const { return trouble_; }
+  [[nodiscard]] const base::Trouble& trouble() const { return trouble_; }
   /// Whether of the last state K at KMIN was above K at KMAX, and above 0, at all tips that grow.
   [[nodiscard]] bool upside_down() const { return upside_down_; }
   /// What a reader must not miss, each once.
@@ -60,6 +61,8 @@ public:
   }
 
 private:
+  /// Says why a state has no rate; false.
+  bool no_rate(std::string why);
   bool by_steps(const SolvedLength& at, const std::string& name, bool straight,
                 growth::TipStation& found);
   bool by_spectrum(const SolvedLength& at, const std::string& name, bool straight,
@@ -93,7 +96,7 @@ private:
   life::GrowthLaw law_;
   std::optional<life::Spectrum> spectrum_;
   growth::Surroundings around_;
-  std::string trouble_;
+  base::Trouble trouble_;
   bool upside_down_ = false;
   std::set<std::string> warnings_;
   bool counted_on_K_ = false;

@@ -54,7 +54,7 @@ bool Length::condense(CondenseLog& figures) {
   CondenseRequest asked = request();
   asked.case_load = loads_with_supports(parts_.model, scene_);
   bodies_ = condense_bodies(asked, parts_.cache, figures);
-  if (!figures.trouble.empty()) {
+  if (figures.trouble) {
     bodies_.clear();
     return false;
   }

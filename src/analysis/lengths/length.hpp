@@ -53,7 +53,7 @@ public:
   [[nodiscard]] CondenseRequest request() const;
   /// Bodies and nets, their freedoms numbered, nothing assembled: enough to be looked at.
   void prepare();
-  /// Condenses all bodies; false: a net is singular, which `figures.trouble` names.
+  /// Condenses all bodies; false: a net is singular, `figures.trouble` says which.
   bool condense(CondenseLog& figures);
   /// Faces of these crack lines become pairs; the length is to be condensed again.
   void close_faces(const std::vector<std::size_t>& lines);

@@ -110,7 +110,7 @@ std::optional<results::Increment> LengthSolver::solve(const LengthRequest& reque
 bool LengthSolver::condense(Length& length, LogWriter& log) {
   CondenseLog figures;
   if (!length.condense(figures)) {
-    refusal_ = Refusal{4, figures.trouble, {}};
+    trouble_ = figures.trouble;
     return false;
   }
   log.add("CONDENSE",
@@ -142,10 +142,8 @@ void LengthSolver::close_faces(const std::vector<std::size_t>& lines, Length& le
 
 bool LengthSolver::follow(LoadHistory& history, StepSolver& solver, LogWriter& log) {
   next_carried_ = carried_;
-  Refusal why;
   FollowedLoads loads;
-  if (!history.follow(solver, next_carried_, loads, why)) {
-    refusal_ = why;
+  if (!history.follow(solver, next_carried_, loads, trouble_)) {
     return false;
   }
   if (loads.none.empty()) {
@@ -160,7 +158,9 @@ bool LengthSolver::follow(LoadHistory& history, StepSolver& solver, LogWriter& l
 bool LengthSolver::numbers_are_sound(const results::StepResult& result, const model::Step& step) {
   const std::string what = not_finite(result);
   if (!what.empty()) {
-    refusal_ = Refusal{4, fmt::format("step {}: {}", step.name, what), step.span};
+    trouble_ = base::NoAnswer{.kind = base::Outcome::not_solvable,
+                              .why = fmt::format("step {}: {}", step.name, what),
+                              .span = step.span};
   }
   return what.empty();
 }
@@ -229,15 +229,15 @@ bool LengthSolver::walk_steps(Length& length, const LengthRequest& request, LogW
     if (std::vector<bool> start = contact_.start(scene, s, solver.closed()); !start.empty()) {
       solver.begin_from(std::move(start));
     }
-    Refusal why;
-    const std::optional<StepState> state = solver.solve(step, why);
+    base::Trouble trouble;
+    const std::optional<StepState> state = solver.solve(step, trouble);
     if (!state && !touching.empty()) {
       return true; // with faces that may overlap there is no answer
     }
     if (!state) {
-      why.why = fmt::format("step {}: {}", step.name, why.why);
-      why.why += let_go(model_, scene, length.bodies(), step, why.why);
-      refusal_ = why;
+      trouble->why = fmt::format("step {}: {}", step.name, trouble->why);
+      trouble->why += let_go(model_, scene, length.bodies(), step, trouble->why);
+      trouble_ = std::move(trouble);
       return false;
     }
     log.add("CONTACT", fmt::format("step {}: {} iterations, {} pivots, imbalance {:.1e}", step.name,
@@ -272,7 +272,8 @@ bool LengthSolver::walk_steps(Length& length, const LengthRequest& request, LogW
   increment.paths = paths.follow(solver);
   for (const results::LoadPath& path : increment.paths) {
     if (const std::string what = not_finite(path); !what.empty()) {
-      refusal_ = Refusal{4, fmt::format("load path {}: {}", path.name, what), {}};
+      trouble_ = base::NoAnswer{.kind = base::Outcome::not_solvable,
+                                .why = fmt::format("load path {}: {}", path.name, what)};
       return false;
     }
   }

@@ -10,6 +10,7 @@
 #include "analysis/steps/mount_memory.hpp"
 #include "analysis/steps/step_solver.hpp"
 #include "base/diagnostics.hpp"
+#include "base/outcome.hpp"
 #include "estimate/enrichment.hpp"
 #include "mesh/cut/cracked.hpp"
 #include "model/model.hpp"
@@ -35,10 +36,10 @@ class LengthSolver {
 public:
   LengthSolver(const model::Model& model, const SolveOptions& options,
                std::vector<results::LogLine>& log, base::Diagnostics& diagnostics,
-               std::optional<Refusal>& refusal)
-      : model_(model), options_(options), log_(log), diagnostics_(diagnostics), refusal_(refusal) {}
+               base::Trouble& trouble)
+      : model_(model), options_(options), log_(log), diagnostics_(diagnostics), trouble_(trouble) {}
 
-  /// Empty: a mistake of the deck (in the diagnostics) or a model that cannot be solved (refusal).
+  /// Empty: a mistake of the deck (in the diagnostics) or a model that cannot be solved (trouble).
   std::optional<results::Increment> solve(const LengthRequest& request, const RegionPlan& plan);
 
   /// Of the state that was solved last.
@@ -78,7 +79,7 @@ private:
   void keep_free(const std::vector<std::size_t>& touching, results::Increment& increment);
   /// Follows the loads of the growth behind the steps; false: no answer.
   bool follow(LoadHistory& history, StepSolver& solver, LogWriter& log);
-  /// Whether the results of a step are numbers; else the refusal says which are not.
+  /// Whether the results of a step are numbers; else the trouble says which are not.
   bool numbers_are_sound(const results::StepResult& result, const model::Step& step);
   bool walk_steps(Length& length, const LengthRequest& request, LogWriter& log,
                   results::Increment& increment, std::vector<std::size_t>& touching);
@@ -90,7 +91,7 @@ private:
   const SolveOptions& options_;
   std::vector<results::LogLine>& log_;
   base::Diagnostics& diagnostics_;
-  std::optional<Refusal>& refusal_;
+  base::Trouble& trouble_;
   CondensationCache cache_;
   MountMemory mounted_;
   CarriedState carried_, next_carried_;

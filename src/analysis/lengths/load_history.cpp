@@ -44,7 +44,7 @@ double LoadHistory::change(const WayOfK& a, const WayOfK& b) const {
 }
 
 // To a place; K of the increments joins the way.
-bool LoadHistory::go(const LoadPlace& place, WayOfK& way, Refusal& refusal) {
+bool LoadHistory::go(const LoadPlace& place, WayOfK& way, base::Trouble& trouble) {
   const int by_t =
       std::max(1, static_cast<int>(std::ceil(per_unit_ * std::abs(place.t - t_) - 1e-9)));
   const auto seen = [&](const contact::ContactSystem::Demand& demand,
@@ -57,10 +57,10 @@ bool LoadHistory::go(const LoadPlace& place, WayOfK& way, Refusal& refusal) {
     ++increments_;
   };
   std::optional<contact::ContactSystem::Answer> answer =
-      solver_->go_to(place.factors, place.increments > 0 ? place.increments : by_t, seen, refusal);
+      solver_->go_to(place.factors, place.increments > 0 ? place.increments : by_t, seen, trouble);
   if (!answer) {
-    refusal.why = fmt::format("while the loads of the growth were followed: {}", refusal.why);
-    refusal.span = model_.growth->span;
+    trouble->why = fmt::format("while the loads of the growth were followed: {}", trouble->why);
+    trouble->span = model_.growth->span;
     return false;
   }
   answer_ = std::move(*answer);
@@ -70,10 +70,10 @@ bool LoadHistory::go(const LoadPlace& place, WayOfK& way, Refusal& refusal) {
 
 // All cycles of a leg until they repeat themselves; those that are left are told by the last.
 bool LoadHistory::leg(const HistoryProgram& program, const LoadLeg& leg, FollowedPass& out,
-                      Refusal& refusal) {
+                      base::Trouble& trouble) {
   WayOfK before; // marks of the last cycle but one
   WayOfK on_the_way;
-  if (leg.alone && !go(leg.places.back(), on_the_way, refusal)) {
+  if (leg.alone && !go(leg.places.back(), on_the_way, trouble)) {
     return false;
   }
   double left = leg.count;
@@ -85,7 +85,7 @@ bool LoadHistory::leg(const HistoryProgram& program, const LoadLeg& leg, Followe
       cycle.push_back(here_);
     }
     for (std::size_t p = 0; p < leg.places.size(); ++p) {
-      if (!go(leg.places[p], cycle, refusal)) {
+      if (!go(leg.places[p], cycle, trouble)) {
         return false;
       }
       marks.push_back(here_);
@@ -116,21 +116,21 @@ bool LoadHistory::leg(const HistoryProgram& program, const LoadLeg& leg, Followe
   return true;
 }
 
-bool LoadHistory::pass(const HistoryProgram& program, FollowedPass& out, Refusal& refusal) {
+bool LoadHistory::pass(const HistoryProgram& program, FollowedPass& out, base::Trouble& trouble) {
   out = {};
   unsettled_ = 0.0;
   return std::ranges::all_of(program.legs,
-                             [&](const LoadLeg& part) { return leg(program, part, out, refusal); });
+                             [&](const LoadLeg& part) { return leg(program, part, out, trouble); });
 }
 
-bool LoadHistory::compare_with_recovered(FollowedLoads& out, Refusal& refusal) {
+bool LoadHistory::compare_with_recovered(FollowedLoads& out, base::Trouble& trouble) {
   const bool shifted =
       std::ranges::any_of(model_.vces, [](const model::Vce& vce) { return vce.shift.has_value(); });
   const crack::KLayout layout = scene_.k_layout();
   const base::Vector K = here_;
-  const std::optional<StepState> state = solver_->recover(answer_, refusal);
+  const std::optional<StepState> state = solver_->recover(answer_, trouble);
   if (!state) {
-    refusal.span = model_.growth->span;
+    trouble->span = model_.growth->span;
     return false;
   }
   const results::StepResult own =
@@ -149,15 +149,14 @@ bool LoadHistory::compare_with_recovered(FollowedLoads& out, Refusal& refusal) {
 // Behind the first step of the loads, or to where the cracks have grown to this length. `before`:
 // K of the pass that has been, where there is one.
 bool LoadHistory::begin(const HistoryProgram& program, const CarriedState& carried, WayOfK& before,
-                        Refusal& refusal) {
+                        base::Trouble& trouble) {
   if (carried.empty()) {
     solver_->go_back(places_[program.start]);
     return true;
   }
-  std::string trouble;
   const std::optional<StepSolver::Place> place = carried.put(scene_, solver_->place(), trouble);
   if (!place) {
-    refusal = {4, trouble, model_.growth->span};
+    trouble->span = model_.growth->span;
     return false;
   }
   solver_->go_back(*place);
@@ -167,11 +166,11 @@ bool LoadHistory::begin(const HistoryProgram& program, const CarriedState& carri
   }
   before.clear();
   WayOfK grown; // under the loads they had
-  return go({place->factors, marks[program.grow_at].t, 1}, grown, refusal);
+  return go({place->factors, marks[program.grow_at].t, 1}, grown, trouble);
 }
 
 bool LoadHistory::follow(StepSolver& solver, CarriedState& carried, FollowedLoads& out,
-                         Refusal& refusal) {
+                         base::Trouble& trouble) {
   const HistoryProgram program = history_program(model_, of_step_, parts_);
   out = {};
   out.none = solver.system() == nullptr ? "nothing is in contact" : program.none;
@@ -193,9 +192,9 @@ bool LoadHistory::follow(StepSolver& solver, CarriedState& carried, FollowedLoad
       largest_ = std::max(largest_, K.lpNorm<Eigen::Infinity>());
     }
   }
-  bool good = begin(program, carried, before, refusal);
+  bool good = begin(program, carried, before, trouble);
   for (bool settled = false; good && !settled && out.passes < most_passes;) {
-    good = pass(program, out.last, refusal);
+    good = pass(program, out.last, trouble);
     ++out.passes;
     out.change = std::max(unsettled_, before.empty() ? 1.0 : change(out.last.marks, before));
     settled = out.change <= repeats_to;
@@ -204,7 +203,7 @@ bool LoadHistory::follow(StepSolver& solver, CarriedState& carried, FollowedLoad
     }
     before = out.last.marks;
   }
-  good = good && compare_with_recovered(out, refusal);
+  good = good && compare_with_recovered(out, trouble);
   if (good && model_.growth->history == model::History::carry_on) {
     carried.take(scene_, at_growth_);
   }

@@ -4,6 +4,7 @@
 #include "analysis/steps/carried_state.hpp"
 #include "analysis/steps/history_program.hpp"
 #include "analysis/steps/step_solver.hpp"
+#include "base/outcome.hpp"
 
 #include <string>
 #include <utility>
@@ -48,15 +49,17 @@ public:
   /// Follows the loads from their first step on, or from what `carried` holds; where the crack
   /// grows is in `carried` after it. The solver is left as it was. False: an increment has no
   /// answer.
-  bool follow(StepSolver& solver, CarriedState& carried, FollowedLoads& out, Refusal& refusal);
+  bool follow(StepSolver& solver, CarriedState& carried, FollowedLoads& out,
+              base::Trouble& trouble);
 
 private:
-  bool go(const LoadPlace& place, WayOfK& way, Refusal& refusal);
+  bool go(const LoadPlace& place, WayOfK& way, base::Trouble& trouble);
   bool begin(const HistoryProgram& program, const CarriedState& carried, WayOfK& before,
-             Refusal& refusal);
-  bool pass(const HistoryProgram& program, FollowedPass& out, Refusal& refusal);
-  bool leg(const HistoryProgram& program, const LoadLeg& leg, FollowedPass& out, Refusal& refusal);
-  bool compare_with_recovered(FollowedLoads& out, Refusal& refusal);
+             base::Trouble& trouble);
+  bool pass(const HistoryProgram& program, FollowedPass& out, base::Trouble& trouble);
+  bool leg(const HistoryProgram& program, const LoadLeg& leg, FollowedPass& out,
+           base::Trouble& trouble);
+  bool compare_with_recovered(FollowedLoads& out, base::Trouble& trouble);
   [[nodiscard]] double change(const WayOfK& a, const WayOfK& b) const;
 
   const model::Model& model_;

@@ -78,8 +78,7 @@ bool GrowthMeasure::by_history(const SolvedLength& at, const std::string& name, 
   const std::vector<results::TipResult>& tips = at.increment.steps[largest_step()].tips;
   const auto own = std::ranges::find(tips, name, &results::TipResult::name);
   if (own == tips.end() || own->two_materials) {
-    trouble_ = fmt::format("{} has no K to grow by: its tip lies between two materials", name);
-    return false;
+    return no_rate(fmt::format("{} has no K to grow by: its tip lies between two materials", name));
   }
   const auto tip = static_cast<std::size_t>(own - tips.begin());
   growth::TipStation first; // of the first cycle or pass
@@ -116,7 +115,7 @@ bool GrowthMeasure::by_history(const SolvedLength& at, const std::string& name, 
   if (model_.growth->corrected) {
     warnings_.insert("CORRECT=YES, but with friction K has no error bar: K is as computed");
   }
-  return !std::isnan(found.rate);
+  return !std::isnan(found.rate) || no_rate({});
 }
 
 } // namespace spricka::analysis

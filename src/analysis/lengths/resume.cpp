@@ -3,7 +3,6 @@
 
 #include "analysis/lengths/shown_results.hpp"
 #include "analysis/scene/gone_nodes.hpp"
-#include "base/exit_codes.hpp"
 
 #include <fmt/format.h>
 
@@ -58,11 +57,11 @@ void take_over(archive::KeptIncrement kept, results::Run& run) {
   run.increments.push_back(std::move(kept.increment));
 }
 
-bool stop_here(const archive::Checkpoint* checkpoint, std::optional<Refusal>& refusal) {
+bool stop_here(const archive::Checkpoint* checkpoint, base::Trouble& trouble) {
   if (checkpoint == nullptr || !checkpoint->out_of_time()) {
     return false;
   }
-  refusal = Refusal{base::exit_code::stopped, checkpoint->limit(), {}};
+  trouble = base::NoAnswer{.kind = base::Outcome::stopped, .why = checkpoint->limit()};
   return true;
 }
 

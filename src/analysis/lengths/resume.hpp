@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "analysis/steps/step_state.hpp"
 #include "archive/checkpoint.hpp"
 #include "base/clock.hpp"
+#include "base/outcome.hpp"
 
 #include <optional>
 #include <vector>
@@ -19,8 +19,8 @@ std::optional<archive::KeptIncrement> resume(const model::Model& model,
 /// Adds it to a run as if it had been solved now.
 void take_over(archive::KeptIncrement kept, results::Run& run);
 
-/// Whether the time is up before the next increment; then `refusal` says so.
-bool stop_here(const archive::Checkpoint* checkpoint, std::optional<Refusal>& refusal);
+/// Whether the time is up before the next increment; then `trouble` says so.
+bool stop_here(const archive::Checkpoint* checkpoint, base::Trouble& trouble);
 
 /// Where a loop stood when it began with an increment.
 class IncrementMark {

@@ -49,14 +49,13 @@ void compare_extremes(const model::Model& model, results::Run& run) {
 
 // The lengths of the deck, one after another.
 bool solve_lengths(const model::Model& model, const SolveOptions& options,
-                   base::Diagnostics& diagnostics, std::optional<Refusal>& refusal,
-                   results::Run& run) {
+                   base::Diagnostics& diagnostics, base::Trouble& trouble, results::Run& run) {
   const std::vector<double> lengths = growth::crack_lengths(model);
   const RegionPlan plan = plan_region(model, lengths, diagnostics);
   if (diagnostics.has_errors()) {
     return false;
   }
-  LengthSolver solver(model, options, run.log, diagnostics, refusal);
+  LengthSolver solver(model, options, run.log, diagnostics, trouble);
   for (std::size_t i = 0; i < lengths.size(); ++i) {
     const int number = static_cast<int>(i) + 1;
     const std::vector<bool> pictured = pictured_steps(model, i + 1 == lengths.size());
@@ -65,7 +64,7 @@ bool solve_lengths(const model::Model& model, const SolveOptions& options,
       take_over(std::move(*kept), run);
       continue;
     }
-    if (stop_here(options.checkpoint, refusal)) {
+    if (stop_here(options.checkpoint, trouble)) {
       return false;
     }
     const IncrementMark mark(run.log);
@@ -95,15 +94,14 @@ bool solve_lengths(const model::Model& model, const SolveOptions& options,
 } // namespace
 
 std::optional<results::Run> solve_run(const model::Model& model, const SolveOptions& options,
-                                      base::Diagnostics& diagnostics,
-                                      std::optional<Refusal>& refusal) {
+                                      base::Diagnostics& diagnostics, base::Trouble& trouble) {
   const base::Stopwatch watch;
   results::Run run;
   if (options.checkpoint != nullptr) {
     options.checkpoint->begin_round();
   }
-  const bool done = grows_by_law(model) ? grow_by_law(model, options, diagnostics, refusal, run)
-                                        : solve_lengths(model, options, diagnostics, refusal, run);
+  const bool done = grows_by_law(model) ? grow_by_law(model, options, diagnostics, trouble, run)
+                                        : solve_lengths(model, options, diagnostics, trouble, run);
   if (!done) {
     return std::nullopt;
   }

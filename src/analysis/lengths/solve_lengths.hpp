@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "analysis/lengths/solve_options.hpp"
-#include "analysis/steps/step_state.hpp"
 #include "base/diagnostics.hpp"
+#include "base/outcome.hpp"
 #include "model/model.hpp"
 #include "results/results.hpp"
 
@@ -12,9 +12,8 @@ namespace spricka::analysis {
 
 /// The chain of processors over all crack lengths: TOPOLOGY, STIFFNESS, CONDENSE, CONTACT, VCE,
 /// GROW. Deck mistakes that only the whole model shows go to `diagnostics`; a model that cannot be
-/// solved fills `refusal`. In both cases the result is empty.
+/// solved fills `trouble`. In both cases the result is empty.
 std::optional<results::Run> solve_run(const model::Model& model, const SolveOptions& options,
-                                      base::Diagnostics& diagnostics,
-                                      std::optional<Refusal>& refusal);
+                                      base::Diagnostics& diagnostics, base::Trouble& trouble);
 
 } // namespace spricka::analysis

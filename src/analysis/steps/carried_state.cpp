@@ -70,17 +70,19 @@ void CarriedState::take(const Scene& scene, const StepSolver::Place& place) {
 }
 
 std::optional<StepSolver::Place> CarriedState::put(const Scene& scene, const StepSolver::Place& now,
-                                                   std::string& trouble) const {
+                                                   base::Trouble& trouble) const {
   StepSolver::Place place = now;
   place.closed.clear();
   place.factors.case_factor = as_vector(case_factor_);
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
     const Pair& pair = contacts_[c];
     if (pair.key != key_of(scene, c)) {
-      trouble = fmt::format("HISTORY=CONTINUE: the surfaces of contact {} are meshed differently "
-                            "at this length, so that what slipped at the last one cannot be "
-                            "carried over",
-                            scene.contacts[c].name);
+      trouble = base::NoAnswer{
+          .kind = base::Outcome::not_solvable,
+          .why = fmt::format("HISTORY=CONTINUE: the surfaces of contact {} are meshed differently "
+                             "at this length, so that what slipped at the last one cannot be "
+                             "carried over",
+                             scene.contacts[c].name)};
       return std::nullopt;
     }
     place.factors.fit[c] = pair.fit;

@@ -2,6 +2,7 @@
 #pragma once
 #include "analysis/scene/scene.hpp"
 #include "analysis/steps/step_solver.hpp"
+#include "base/outcome.hpp"
 #include "results/named_arrays.hpp"
 
 #include <cstdint>
@@ -21,9 +22,9 @@ public:
   /// Keeps a place of a solver on this scene.
   void take(const Scene& scene, const StepSolver::Place& place);
   /// The same place on another scene; `now` is where its solver is, for what is not carried. Empty:
-  /// the rows of a contact are not those they were; `trouble` names it.
+  /// the rows of a contact are not those they were; `trouble` says so.
   [[nodiscard]] std::optional<StepSolver::Place>
-  put(const Scene& scene, const StepSolver::Place& now, std::string& trouble) const;
+  put(const Scene& scene, const StepSolver::Place& now, base::Trouble& trouble) const;
 
   /// As arrays "carried...", for a restart file.
   void save(results::NamedArrays& arrays) const;

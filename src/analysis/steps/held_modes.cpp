@@ -176,11 +176,11 @@ std::vector<results::BodyPreview> held_modes(const model::Model& model, const Sc
   return found;
 }
 
-std::vector<Refusal> unheld_loads(const model::Model& model, const Scene& scene,
-                                  const std::vector<BodyNet>& bodies) {
+std::vector<base::NoAnswer> unheld_loads(const model::Model& model, const Scene& scene,
+                                         const std::vector<BodyNet>& bodies) {
   const AllModes modes(scene, bodies);
   const base::Matrix pull = loads_with_supports(model, scene);
-  std::vector<Refusal> refusals;
+  std::vector<base::NoAnswer> unheld;
   StepFactors factors = first_factors(model, scene.case_load.cols(), scene.contacts.size());
   for (const model::Step& step : model.steps) {
     apply_actions(step, factors);
@@ -236,10 +236,10 @@ std::vector<Refusal> unheld_loads(const model::Model& model, const Scene& scene,
                       describe_motion(scene.cracked.mesh, bodies[b].body, own),
                       missing_contact(model, scene, bodies, b));
       why += let_go(model, scene, bodies, step, why);
-      refusals.push_back({4, std::move(why), step.span});
+      unheld.push_back({.why = std::move(why), .span = step.span});
     }
   }
-  return refusals;
+  return unheld;
 }
 
 } // namespace spricka::analysis

@@ -3,6 +3,7 @@
 #include "analysis/bodies/condense_bodies.hpp"
 #include "analysis/scene/scene.hpp"
 #include "analysis/steps/step_state.hpp"
+#include "base/outcome.hpp"
 #include "model/model.hpp"
 #include "results/preview.hpp"
 
@@ -14,9 +15,9 @@ namespace spricka::analysis {
 std::vector<results::BodyPreview> held_modes(const model::Model& model, const Scene& scene,
                                              const std::vector<BodyNet>& bodies);
 
-/// Loads that no contact can take, step by step, as the solution would find: the first refusal of
-/// each step that has one. Needs no stiffness.
-std::vector<Refusal> unheld_loads(const model::Model& model, const Scene& scene,
-                                  const std::vector<BodyNet>& bodies);
+/// Loads that no contact can take, step by step, as the solution would find: of each step the
+/// first, as not_solvable. Needs no stiffness.
+std::vector<base::NoAnswer> unheld_loads(const model::Model& model, const Scene& scene,
+                                         const std::vector<BodyNet>& bodies);
 
 } // namespace spricka::analysis

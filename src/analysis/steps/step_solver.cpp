@@ -88,15 +88,16 @@ bool StepSolver::mount(std::size_t contact) {
          memory_->keep_or_take(scene_, contact, scene_.contacts[contact].mu > 0.0, offset_);
 }
 
-bool StepSolver::act(const model::Step& step, Refusal& refusal) {
+bool StepSolver::act(const model::Step& step, base::Trouble& trouble) {
   const MountChanges changes = apply_actions(step, factors_);
   for (const std::size_t contact : changes.mounted) {
     if (!mount(contact)) {
-      refusal = {4,
-                 fmt::format("MOUNTED=FIRST: the surfaces of contact {} are meshed differently at "
+      trouble = base::NoAnswer{
+          .kind = base::Outcome::not_solvable,
+          .why = fmt::format("MOUNTED=FIRST: the surfaces of contact {} are meshed differently at "
                              "this length, so that what it took on at the first one cannot be kept",
                              scene_.contacts[contact].name),
-                 step.span};
+          .span = step.span};
       return false;
     }
   }
@@ -175,34 +176,33 @@ std::string StepSolver::unheld(const base::Vector& mode, bool slides) const {
                      slides ? "" : missing_contact(model_, scene_, bodies_, condensed_[at]));
 }
 
-// Sets the refusal where the answer is none.
-bool StepSolver::refuse(const contact::ContactSystem::Answer& answer, Refusal& refusal) const {
+base::Trouble StepSolver::trouble_of(const contact::ContactSystem::Answer& answer) const {
   const solve::ContactSolution& s = answer.solution;
   switch (s.status) {
   case solve::ContactStatus::solved:
-    return false;
+    break;
   case solve::ContactStatus::unheld_mode:
-    refusal = {4, unheld(s.unheld, answer.slides), {}};
-    return true;
+    return base::NoAnswer{.kind = base::Outcome::not_solvable,
+                          .why = unheld(s.unheld, answer.slides)};
   case solve::ContactStatus::inconsistent:
-    refusal = {
-        4, "bonded contacts, supports and prescribed displacements contradict each other", {}};
-    return true;
+    return base::NoAnswer{
+        .kind = base::Outcome::not_solvable,
+        .why = "bonded contacts, supports and prescribed displacements contradict each other"};
   case solve::ContactStatus::max_iterations:
-    refusal = {5,
-               fmt::format("the contact solution did not end ({} iterations, {} pivots)",
-                           s.block_iterations, s.pivots),
-               {}};
-    return true;
+    return base::NoAnswer{
+        .kind = base::Outcome::not_converged,
+        .why = fmt::format("the contact solution did not end ({} iterations, {} pivots)",
+                           s.block_iterations, s.pivots)};
   }
-  return true;
+  return std::nullopt;
 }
 
 bool StepSolver::accept(const contact::ContactSystem::Answer& answer,
                         const contact::ContactSystem::Demand& demand, StepState& state,
-                        Refusal& refusal) {
+                        base::Trouble& trouble) {
   const solve::ContactSolution& s = answer.solution;
-  if (refuse(answer, refusal)) {
+  if (base::Trouble none = trouble_of(answer)) {
+    trouble = std::move(none);
     return false;
   }
   if (s.resting_modes > 0) {
@@ -334,7 +334,7 @@ StepState StepSolver::begin_state() const {
 }
 
 bool StepSolver::complete(std::vector<base::Vector> external, StepState& state,
-                          Refusal& refusal) const {
+                          base::Trouble& trouble) const {
   std::vector<base::Vector> of_body(bodies_.size());
   for (std::size_t i = 0; i < external.size(); ++i) {
     of_body[condensed_[i]] = std::move(external[i]);
@@ -346,31 +346,31 @@ bool StepSolver::complete(std::vector<base::Vector> external, StepState& state,
   if (state.imbalance <= worst_imbalance) {
     return true;
   }
-  refusal = {5,
-             fmt::format("the solution is not in equilibrium: {:.1e} of the load is left over (the "
+  trouble = base::NoAnswer{
+      .kind = base::Outcome::not_converged,
+      .why = fmt::format("the solution is not in equilibrium: {:.1e} of the load is left over (the "
                          "stiffness is close to singular)",
-                         state.imbalance),
-             {}};
+                         state.imbalance)};
   return false;
 }
 
-std::optional<StepState> StepSolver::solve(const model::Step& step, Refusal& refusal) {
+std::optional<StepState> StepSolver::solve(const model::Step& step, base::Trouble& trouble) {
   const StepFactors before = factors_;
-  if (!act(step, refusal)) {
+  if (!act(step, trouble)) {
     return std::nullopt;
   }
   StepState state = begin_state();
   std::vector<base::Vector> external;
   if (system_) {
-    std::optional<contact::ContactSystem::Answer> answer = walk(before, step, state, refusal);
+    std::optional<contact::ContactSystem::Answer> answer = walk(before, step, state, trouble);
     if (!answer) {
-      refusal.span = step.span;
+      trouble->span = step.span;
       return std::nullopt;
     }
     external = std::move(answer->u);
   }
-  if (!complete(std::move(external), state, refusal)) {
-    refusal.span = step.span;
+  if (!complete(std::move(external), state, trouble)) {
+    trouble->span = step.span;
     return std::nullopt;
   }
   if (scene_.cracked.mesh.dim == 2) {

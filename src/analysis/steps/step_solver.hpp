@@ -7,6 +7,7 @@
 #include "analysis/steps/mount_memory.hpp"
 #include "analysis/steps/step_factors.hpp"
 #include "analysis/steps/step_state.hpp"
+#include "base/outcome.hpp"
 #include "contact/recovery.hpp"
 #include "contact/system.hpp"
 #include "solve/contact_qp.hpp"
@@ -28,7 +29,7 @@ public:
              MountMemory* memory = nullptr, ContactMemory* contact = nullptr);
 
   /// Carries out the actions of a step and solves for its end. Steps are called in deck order.
-  std::optional<StepState> solve(const model::Step& step, Refusal& refusal);
+  std::optional<StepState> solve(const model::Step& step, base::Trouble& trouble);
 
   /// All that the next increment depends on.
   struct Place {
@@ -45,9 +46,9 @@ public:
   /// Loads and fits go in a straight line to others in equal increments, contacts as they are:
   /// nothing is recovered. Empty: refused.
   std::optional<contact::ContactSystem::Answer> go_to(const StepFactors& to, int increments,
-                                                      const Seen& seen, Refusal& refusal);
+                                                      const Seen& seen, base::Trouble& trouble);
   /// The state at the end of go_to, from its answer; empty: refused.
-  std::optional<StepState> recover(contact::ContactSystem::Answer answer, Refusal& refusal);
+  std::optional<StepState> recover(contact::ContactSystem::Answer answer, base::Trouble& trouble);
   /// Instead: goes on from an earlier step that ended in the same state (repeated_steps), from its
   /// displacements and closed rows.
   void repeat(const model::Step& step, const base::Vector& u, const std::vector<bool>& closed);
@@ -71,13 +72,13 @@ public:
   [[nodiscard]] const base::Vector& offset() const { return offset_; } ///< [row] since MOUNT
 
 private:
-  bool act(const model::Step& step, Refusal& refusal);
+  bool act(const model::Step& step, base::Trouble& trouble);
   [[nodiscard]] bool mount(std::size_t contact);
   [[nodiscard]] base::Vector prescribed() const;
   /// The answer at the end of the step, in increments from the factors `from` where contacts rub;
   /// none: refused.
   std::optional<contact::ContactSystem::Answer>
-  walk(const StepFactors& from, const model::Step& step, StepState& state, Refusal& refusal);
+  walk(const StepFactors& from, const model::Step& step, StepState& state, base::Trouble& trouble);
   struct Walk {
     StepFactors from, to;
     contact::ContactSystem::Demand demand; ///< of the last increment
@@ -87,20 +88,21 @@ private:
   };
   /// Steps in which contacts rub: in as many increments as the card says, and once more in others
   /// to tell their error, or in ever more until it is small (manual, contact.25).
-  bool walk_rubbing(Walk& walk, const model::Step& step, StepState& state, Refusal& refusal);
+  bool walk_rubbing(Walk& walk, const model::Step& step, StepState& state, base::Trouble& trouble);
   /// In so many equal increments from where `start` stands.
-  bool march(Walk& walk, const Place& start, int increments, Refusal& refusal);
+  bool march(Walk& walk, const Place& start, int increments, base::Trouble& trouble);
   [[nodiscard]] StepState begin_state() const;
   /// Displacements of all bodies and what follows from them; false: not in equilibrium.
-  bool complete(std::vector<base::Vector> external, StepState& state, Refusal& refusal) const;
+  bool complete(std::vector<base::Vector> external, StepState& state, base::Trouble& trouble) const;
   /// One increment between two parts of the step, halved where it does not converge.
   bool advance(Walk& walk, std::pair<double, double> part, int halvings);
   void remember(const Walk& walk);
   void note_uniqueness(const Walk& walk, StepState& state);
-  bool refuse(const contact::ContactSystem::Answer& answer, Refusal& refusal) const;
+  /// Empty: the answer is one.
+  [[nodiscard]] base::Trouble trouble_of(const contact::ContactSystem::Answer& answer) const;
   [[nodiscard]] bool accept(const contact::ContactSystem::Answer& answer,
                             const contact::ContactSystem::Demand& demand, StepState& state,
-                            Refusal& refusal);
+                            base::Trouble& trouble);
   void balance(StepState& state) const;
   [[nodiscard]] base::Vector tie_forces(const base::Vector& left_over) const;
 

@@ -143,11 +143,12 @@ solve::ContactSettings settings_of(const model::Model& model) {
 
 std::optional<contact::ContactSystem::Answer> StepSolver::walk(const StepFactors& from,
                                                                const model::Step& step,
-                                                               StepState& state, Refusal& refusal) {
+                                                               StepState& state,
+                                                               base::Trouble& trouble) {
   Walk way{from, factors_, demand(), {}, 0, 0, 0, nullptr};
   const bool rubs = !way.demand.friction.empty();
   if (rubs) {
-    if (!walk_rubbing(way, step, state, refusal)) {
+    if (!walk_rubbing(way, step, state, trouble)) {
       return std::nullopt;
     }
     note_uniqueness(way, state);
@@ -160,20 +161,20 @@ std::optional<contact::ContactSystem::Answer> StepSolver::walk(const StepFactors
   state.iterations = way.iterations;
   state.pivots = way.pivots;
   state.increments = way.increments;
-  if (!accept(way.answer, way.demand, state, refusal)) {
+  if (!accept(way.answer, way.demand, state, trouble)) {
     return std::nullopt;
   }
   return std::move(way.answer);
 }
 
-bool StepSolver::march(Walk& walk, const Place& start, int increments, Refusal& refusal) {
+bool StepSolver::march(Walk& walk, const Place& start, int increments, base::Trouble& trouble) {
   go_back(start);
   walk.increments = 0;
   for (int k = 0; k < increments; ++k) {
     const double n = increments;
     if (!advance(walk, {k / n, (k + 1) / n}, 0)) {
-      refuse(walk.answer, refusal);
-      refusal.why = fmt::format("substep {} of {}: {}", k + 1, increments, refusal.why);
+      trouble = trouble_of(walk.answer);
+      trouble->why = fmt::format("substep {} of {}: {}", k + 1, increments, trouble->why);
       return false;
     }
   }
@@ -181,23 +182,23 @@ bool StepSolver::march(Walk& walk, const Place& start, int increments, Refusal& 
 }
 
 bool StepSolver::walk_rubbing(Walk& walk, const model::Step& step, StepState& state,
-                              Refusal& refusal) {
+                              base::Trouble& trouble) {
   const Place start = place();
   const bool given = step.substeps > 0;
   Halving cut;
   if (given) {
     cut = {step.substeps == 1 ? 2 : step.substeps / 2, step.substeps, 0.0, 0.0};
   }
-  Refusal coarse;
+  base::Trouble coarse;
   const bool compared = march(walk, start, cut.before, coarse);
   if (!compared && !given) {
-    refusal = coarse;
+    trouble = coarse;
     return false;
   }
   for (;;) {
     const contact::ContactSystem::Answer last = std::move(walk.answer);
     const FrictionMemory slipped = history_.memory();
-    if (!march(walk, start, cut.now, refusal)) {
+    if (!march(walk, start, cut.now, trouble)) {
       return false;
     }
     cut.change = compared ? friction_change(scene_, walk.demand, last, walk.answer) : 0.0;
@@ -250,12 +251,12 @@ void StepSolver::go_back(const Place& place) {
 }
 
 std::optional<contact::ContactSystem::Answer>
-StepSolver::go_to(const StepFactors& to, int increments, const Seen& seen, Refusal& refusal) {
+StepSolver::go_to(const StepFactors& to, int increments, const Seen& seen, base::Trouble& trouble) {
   Walk way{factors_, to, {}, {}, 0, 0, 0, &seen};
   for (int k = 0; k < increments; ++k) {
     const double n = increments;
     if (!advance(way, {k / n, (k + 1) / n}, 0)) {
-      refuse(way.answer, refusal);
+      trouble = trouble_of(way.answer);
       return std::nullopt;
     }
   }
@@ -263,9 +264,9 @@ StepSolver::go_to(const StepFactors& to, int increments, const Seen& seen, Refus
 }
 
 std::optional<StepState> StepSolver::recover(contact::ContactSystem::Answer answer,
-                                             Refusal& refusal) {
+                                             base::Trouble& trouble) {
   StepState state = begin_state();
-  if (!accept(answer, demand(), state, refusal) || !complete(std::move(answer.u), state, refusal)) {
+  if (!accept(answer, demand(), state, trouble) || !complete(std::move(answer.u), state, trouble)) {
     return std::nullopt;
   }
   return state;

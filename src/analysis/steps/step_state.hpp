@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "analysis/steps/friction_history.hpp"
-#include "base/source.hpp"
 #include "base/sparse.hpp"
 
 #include <string>
 #include <vector>
 
-/// What a step of the deck ends with, or why it has no answer.
+/// What a step of the deck ends with.
 namespace spricka::analysis {
-
-/// Why a step has no answer, with the exit code that says so.
-struct Refusal {
-  int exit_code = 4;
-  std::string why;
-  base::Span span;
-};
 
 /// The state at the end of a step.
 struct StepState {

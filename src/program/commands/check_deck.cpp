@@ -112,9 +112,9 @@ public:
   }
 
   results::Preview preview;
-  base::Diagnostics diagnostics;           ///< mistakes of cards
-  std::vector<analysis::Refusal> refusals; ///< what the whole model shows
-  double stations = 1.0;                   ///< that a growth by a law takes at least
+  base::Diagnostics diagnostics;      ///< mistakes of cards
+  std::vector<base::NoAnswer> unheld; ///< what the whole model shows
+  double stations = 1.0;              ///< that a growth by a law takes at least
 
 private:
   // What does not change from length to length, or hardly: seen once.
@@ -125,28 +125,28 @@ private:
     preview.pairs = preview_pairs(scene);
     preview.bodies = analysis::held_modes(model_, scene, bodies);
     preview.loads = sense::load_totals(model_);
-    refusals = analysis::unheld_loads(model_, scene, bodies);
+    unheld = analysis::unheld_loads(model_, scene, bodies);
   }
 
   const model::Model& model_;
   int threads_;
 };
 
-int verdict(const base::Sources& sources, const Previewer& found, const Log& log) {
+base::Outcome verdict(const base::Sources& sources, const Previewer& found, const Log& log) {
   base::Diagnostics all = found.diagnostics;
-  for (const analysis::Refusal& refusal : found.refusals) {
-    all.error(refusal.span, "E510", refusal.why, remedy_of(refusal));
+  for (const base::NoAnswer& load : found.unheld) {
+    all.error(load.span, "E510", load.why, remedy_of(load));
   }
   log.diagnostics(sources, all);
-  return found.diagnostics.has_errors() ? base::exit_code::deck_error
-         : !found.refusals.empty()      ? base::exit_code::not_solvable
-                                        : base::exit_code::done;
+  return found.diagnostics.has_errors() ? base::Outcome::deck_error
+         : !found.unheld.empty()        ? base::Outcome::not_solvable
+                                        : base::Outcome::done;
 }
 
 // The points of a sweep, read and put together one after another.
-int check_points(const RunOptions& options, const ReadyDeck& deck, const Log& log,
-                 results::Preview& preview) {
-  int worst = base::exit_code::done;
+base::Outcome check_points(const RunOptions& options, const ReadyDeck& deck, const Log& log,
+                           results::Preview& preview) {
+  base::Outcome worst = base::Outcome::done;
   if (deck.model->sweeps.empty()) {
     return worst;
   }
@@ -162,18 +162,19 @@ int check_points(const RunOptions& options, const ReadyDeck& deck, const Log& lo
     for (const base::Diagnostic& d : point.diagnostics.all()) {
       told.warning(d.span, d.code, d.text); // of whatever severity
     }
-    int code = point.refusal.exit_code;
+    base::Outcome outcome = point.refusal.kind;
     if (point.model) {
       Previewer look(*point.model, 1);
       look.look(false);
-      code = verdict(point.sources, look, log);
+      outcome = verdict(point.sources, look, log);
     }
-    if (code != base::exit_code::done) {
-      log.message(base::Severity::error, "E550",
-                  fmt::format("point {:03} ({}): exit code {}", i + 1, words, code));
+    if (outcome != base::Outcome::done) {
+      log.message(
+          base::Severity::error, "E550",
+          fmt::format("point {:03} ({}): exit code {}", i + 1, words, base::exit_code(outcome)));
     }
     preview.sweep.push_back(words);
-    worst = std::max(worst, code);
+    worst = std::max(worst, outcome);
   }
   return worst;
 }
@@ -190,12 +191,12 @@ void add_sums(double read_cpu, double stations, results::Preview& preview) {
 
 } // namespace
 
-int check_deck(const RunOptions& options, const ReadyDeck& deck, const Log& log) {
+base::Outcome check_deck(const RunOptions& options, const ReadyDeck& deck, const Log& log) {
   const double read_cpu = base::cpu_seconds();
   const model::Model& model = *deck.model;
   Previewer look(model, thread_count(options, model));
   look.look(true);
-  const int own = verdict(deck.sources, look, log);
+  const base::Outcome own = verdict(deck.sources, look, log);
   results::Preview& preview = look.preview;
   preview.deck = options.deck.string();
   preview.title = model.title;
@@ -212,18 +213,19 @@ int check_deck(const RunOptions& options, const ReadyDeck& deck, const Log& log)
     }
   }
   add_sums(read_cpu, look.stations, preview);
-  const int points = own == base::exit_code::done ? check_points(options, deck, log, preview) : 0;
-  const int code = std::max(own, points);
+  const base::Outcome points =
+      own == base::Outcome::done ? check_points(options, deck, log, preview) : own;
+  const base::Outcome outcome = std::max(own, points);
   if (options.json) {
-    to_stdout(report::check_json(preview, code));
+    to_stdout(report::check_json(preview, outcome));
   } else if (!options.quiet && !preview.lengths.empty()) {
     to_stdout(report::check_listing(preview));
     to_stdout(growth_words(model, look.stations));
     to_stdout(
         fmt::format("\n{}: {}\n", options.deck.string(),
-                    code == base::exit_code::done ? "no mistakes found" : "see the messages"));
+                    outcome == base::Outcome::done ? "no mistakes found" : "see the messages"));
   }
-  return code;
+  return outcome;
 }
 
 } // namespace spricka::program

@@ -76,7 +76,7 @@ Trouble explain(CommandTree& tree, const CLI::ParseError& error) {
   return {error.what(), {}};
 }
 
-int report(CommandTree& tree, const CLI::ParseError& error) {
+base::Outcome report(CommandTree& tree, const CLI::ParseError& error) {
   const Trouble trouble = explain(tree, error);
   const std::string called =
       tree.chosen() == nullptr ? "spricka" : fmt::format("spricka {}", tree.chosen()->get_name());
@@ -85,18 +85,19 @@ int report(CommandTree& tree, const CLI::ParseError& error) {
     to_stderr(fmt::format("       = {}\n", trouble.hint));
   }
   to_stderr(fmt::format("       = {} --help shows how it is called\n", called));
-  return base::exit_code::usage;
+  return base::Outcome::usage;
 }
 
 } // namespace
 
 namespace {
 
-int act(CommandTree& tree, int argc, const char* const* argv) {
+base::Outcome act(CommandTree& tree, int argc, const char* const* argv) {
   try {
     tree.app().parse(argc, argv);
   } catch (const CLI::Success& asked) { // --help, --version
-    return tree.app().exit(asked);
+    tree.app().exit(asked);
+    return base::Outcome::done;
   } catch (const CLI::ParseError& error) {
     return report(tree, error);
   }
@@ -105,10 +106,10 @@ int act(CommandTree& tree, int argc, const char* const* argv) {
   } catch (const std::exception& e) {
     if (is_out_of_memory(e)) {
       Log(tree.log_format()).message(base::Severity::error, "E466", out_of_memory());
-      return base::exit_code::not_solvable;
+      return base::Outcome::not_solvable;
     }
     to_stderr(fmt::format("spricka: internal error: {}\n", e.what()));
-    return base::exit_code::defect;
+    return base::Outcome::defect;
   }
 }
 
@@ -118,8 +119,10 @@ int command_line(int argc, const char* const* argv) {
   open_standard_streams();
   std::signal(SIGXFSZ, SIG_IGN); // the limit on the size of files: the write fails, and is told
   CommandTree tree;
-  const int code = act(tree, argc, argv);
-  return written_out(code, tree.log_format());
+  const base::Outcome outcome = act(tree, argc, argv);
+  const bool whole = written_out(tree.log_format());
+  return base::exit_code(outcome == base::Outcome::done && !whole ? base::Outcome::file_trouble
+                                                                  : outcome);
 }
 
 } // namespace spricka::program

@@ -115,7 +115,7 @@ CommandTree::CommandTree() : app_(fmt::format("spricka: {}", k_about), "spricka"
 }
 
 CLI::App& CommandTree::add(const std::string& name, const std::string& doc, std::string examples,
-                           std::function<int()> act) {
+                           std::function<base::Outcome()> act) {
   CLI::App* command = app_.add_subcommand(name, doc);
   command->get_help_ptr()->description("this text");
   command->footer("Examples:\n" + examples);
@@ -295,7 +295,7 @@ void CommandTree::add_for_the_system() {
           "  spricka completion bash > ~/.local/share/bash-completion/completions/spricka",
           [this] {
             to_stdout(bash_completion(text()));
-            return base::exit_code::done;
+            return base::Outcome::done;
           });
   completion.add_option("SHELL", shell_, "bash")
       ->required()
@@ -303,7 +303,7 @@ void CommandTree::add_for_the_system() {
       ->type_name("");
   add("man", "print the man page", "  spricka man | man -l -", [this] {
     to_stdout(man_page(text()));
-    return base::exit_code::done;
+    return base::Outcome::done;
   });
 }
 
@@ -316,13 +316,13 @@ const CLI::App* CommandTree::chosen() const {
   return nullptr;
 }
 
-int CommandTree::act() const {
+base::Outcome CommandTree::act() const {
   for (const Command& command : commands_) {
     if (command.app->parsed()) {
       return command.act();
     }
   }
-  return base::exit_code::usage;
+  return base::Outcome::usage;
 }
 
 ProgramText CommandTree::text() const {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/outcome.hpp"
 #include "program/commands/commands.hpp"
 #include "program/commands/convert.hpp"
 #include "program/job/run_options.hpp"
@@ -25,7 +26,7 @@ public:
   /// The command that was parsed; null without one.
   [[nodiscard]] const CLI::App* chosen() const;
   /// Runs it.
-  [[nodiscard]] int act() const;
+  [[nodiscard]] base::Outcome act() const;
   /// Everything in words, for completion and man page.
   /// How messages are wanted, as far as the command line has been read.
   [[nodiscard]] LogFormat log_format() const { return run_.log_format; }
@@ -35,11 +36,11 @@ private:
   struct Command {
     CLI::App* app = nullptr;
     std::string examples;
-    std::function<int()> act;
+    std::function<base::Outcome()> act;
   };
 
   CLI::App& add(const std::string& name, const std::string& doc, std::string examples,
-                std::function<int()> act);
+                std::function<base::Outcome()> act);
   void add_deck_options(CLI::App& command);
   void add_mesh_limits(CLI::App& command);
   void add_threads(CLI::App& command, const std::string& doc);

@@ -3,7 +3,6 @@
 
 #include "archive/safe_file.hpp"
 #include "base/diagnostics.hpp"
-#include "base/exit_codes.hpp"
 #include "deck/read_deck.hpp"
 #include "fe/assemble.hpp"
 #include "fe/dof_map.hpp"
@@ -231,8 +230,8 @@ void refuse_to_replace_output(const ConvertOptions& options) {
   }
 }
 
-int write(const ConvertOptions& options, const base::Sources& sources, const model::Model& model,
-          const Log& log) {
+base::Outcome write(const ConvertOptions& options, const base::Sources& sources,
+                    const model::Model& model, const Log& log) {
   const std::string kind = extension(options.out);
   if (kind == ".msh") {
     report::write_file(options.out, mesh::msh_text(model.mesh));
@@ -243,7 +242,7 @@ int write(const ConvertOptions& options, const base::Sources& sources, const mod
     const std::string text = ToInp(model, refusals).text();
     log.diagnostics(sources, refusals);
     if (refusals.has_errors()) {
-      return base::exit_code::not_solvable;
+      return base::Outcome::not_solvable;
     }
     report::write_file(options.out, text);
     if (model.steps.size() > 1) {
@@ -252,25 +251,25 @@ int write(const ConvertOptions& options, const base::Sources& sources, const mod
                   options.out.string());
     }
   }
-  return base::exit_code::done;
+  return base::Outcome::done;
 }
 
 } // namespace
 
-int convert(const ConvertOptions& options) {
+base::Outcome convert(const ConvertOptions& options) {
   const Log log(options.log_format);
   const std::string kind = extension(options.out);
   if (kind != ".msh" && kind != ".vtu" && kind != ".inp") {
     to_stderr(fmt::format("spricka convert: OUT ends with .msh, .vtu or .inp, not '{}'\n",
                           options.out.string()));
-    return base::exit_code::usage;
+    return base::Outcome::usage;
   }
   try {
     std::error_code unknown;
     if (!std::filesystem::is_regular_file(options.in, unknown)) {
       log.message(base::Severity::error, "E530",
                   fmt::format("there is no file '{}'", options.in.string()));
-      return base::exit_code::file_trouble;
+      return base::Outcome::file_trouble;
     }
     base::Sources sources;
     base::Diagnostics diagnostics;
@@ -282,17 +281,17 @@ int convert(const ConvertOptions& options) {
     }
     log.diagnostics(sources, diagnostics);
     if (!model || diagnostics.has_errors()) {
-      return base::exit_code::deck_error;
+      return base::Outcome::deck_error;
     }
     refuse_to_replace_input(options, sources, *model);
     refuse_to_replace_output(options);
     return write(options, sources, *model, log);
   } catch (const archive::FileTrouble& trouble) {
     log.message(base::Severity::error, trouble.code(), trouble.what());
-    return base::exit_code::file_trouble;
+    return base::Outcome::file_trouble;
   } catch (const std::system_error& trouble) {
     log.message(base::Severity::error, "E530", trouble.what());
-    return base::exit_code::file_trouble;
+    return base::Outcome::file_trouble;
   }
 }
 

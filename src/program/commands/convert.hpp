@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/outcome.hpp"
 #include "program/job/log.hpp"
 
 #include <filesystem>
@@ -18,8 +19,8 @@ struct ConvertOptions {
 };
 
 /// Reads a mesh or a deck and writes it in another form, as the name of the output says. Messages
-/// go to stderr. Returns the exit code: 3 for mistakes in the input, 4 for what the output's form
-/// cannot say (each card is named). See manual/meshes.md.
-int convert(const ConvertOptions& options);
+/// go to stderr. Returns deck_error for mistakes in the input, not_solvable for what the output's
+/// form cannot say (each card is named). See manual/meshes.md.
+base::Outcome convert(const ConvertOptions& options);
 
 } // namespace spricka::program

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "base/exit_codes.hpp"
 #include "grammar/editor.hpp"
 #include "grammar/help.hpp"
 #include "program/commands/commands.hpp"
@@ -9,14 +8,14 @@
 
 namespace spricka::program {
 
-int schema_command() {
+base::Outcome schema_command() {
   to_stdout(grammar::schema_json());
-  return base::exit_code::done;
+  return base::Outcome::done;
 }
 
-int editor_command(const std::string& editor) {
+base::Outcome editor_command(const std::string& editor) {
   to_stdout(editor == "vim" ? grammar::vim_syntax() : grammar::textmate_grammar());
-  return base::exit_code::done;
+  return base::Outcome::done;
 }
 
 } // namespace spricka::program

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "base/exit_codes.hpp"
 #include "base/input_file.hpp"
 #include "grammar/format.hpp"
 #include "program/commands/commands.hpp"
@@ -47,7 +46,7 @@ void replace(const fs::path& path, const std::string& text) {
   fs::permissions(file, permissions);
 }
 
-int format(const FormatOptions& options, const Log& log) {
+base::Outcome format(const FormatOptions& options, const Log& log) {
   base::Sources sources;
   base::Diagnostics diagnostics;
   const bool standard_input = options.deck == "-";
@@ -56,14 +55,14 @@ int format(const FormatOptions& options, const Log& log) {
   const auto formatted = grammar::format_deck(sources, file, diagnostics);
   log.diagnostics(sources, diagnostics);
   if (!formatted) {
-    return base::exit_code::deck_error;
+    return base::Outcome::deck_error;
   }
   const bool same = *formatted == sources.text(file);
   if (options.check) {
     if (!same) {
       to_stderr(fmt::format("{}: the layout would change\n", options.deck.string()));
     }
-    return same ? base::exit_code::done : base::exit_code::check_failed;
+    return same ? base::Outcome::done : base::Outcome::check_failed;
   }
   if (options.in_place && !standard_input) {
     if (!same) {
@@ -72,18 +71,18 @@ int format(const FormatOptions& options, const Log& log) {
   } else {
     to_stdout(*formatted);
   }
-  return base::exit_code::done;
+  return base::Outcome::done;
 }
 
 } // namespace
 
-int format_command(const FormatOptions& options) {
+base::Outcome format_command(const FormatOptions& options) {
   const Log log(LogFormat::text);
   try {
     return format(options, log);
   } catch (const std::system_error& trouble) {
     log.message(base::Severity::error, "E530", trouble.what());
-    return base::exit_code::file_trouble;
+    return base::Outcome::file_trouble;
   }
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/diagnostics.hpp"
-#include "base/exit_codes.hpp"
 #include "grammar/help.hpp"
 #include "grammar/lexeme.hpp"
 #include "grammar/wrap.hpp"
@@ -132,33 +131,33 @@ std::string nearest(const std::string& topic, const ProgramText& program) {
 
 } // namespace
 
-int help_command(const HelpOptions& options, const ProgramText& program) {
+base::Outcome help_command(const HelpOptions& options, const ProgramText& program) {
   const std::size_t width = columns_of_text();
   std::string topic = grammar::to_upper(options.topic);
   topic.erase(0, topic.starts_with('$') ? 1 : 0);
   if (options.markdown && (topic.empty() || topic == "CODES")) {
     to_stdout(topic.empty() ? grammar::cards_markdown() : codes_markdown());
-    return base::exit_code::done;
+    return base::Outcome::done;
   }
   if (topic.empty()) {
     to_stdout(overview(width));
-    return base::exit_code::done;
+    return base::Outcome::done;
   }
   if (const auto text = help_on(topic, program, width)) {
     to_stdout(*text);
-    return base::exit_code::done;
+    return base::Outcome::done;
   }
   if (const std::string found = grammar::text_help(options.topic, width) + codes_with(topic, width);
       !found.empty()) {
     fmt::print("'{}' is no word of the language; it stands in the texts of\n{}", options.topic,
                found);
-    return base::exit_code::done;
+    return base::Outcome::done;
   }
   const std::string hint = nearest(topic, program);
   to_stderr(fmt::format("spricka help: nothing is known about '{}'\n{}", options.topic,
                         hint.empty() ? "       = spricka help lists the cards\n"
                                      : fmt::format("       = {}\n", hint)));
-  return base::exit_code::usage;
+  return base::Outcome::usage;
 }
 
 } // namespace spricka::program

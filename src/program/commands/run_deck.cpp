@@ -27,11 +27,11 @@ void tell_of_earlier(const RunOptions& options, const RunFolder& folder, const L
   }
 }
 
-int run_once(const RunOptions& options, const ReadyDeck& deck, const Log& log) {
+base::Outcome run_once(const RunOptions& options, const ReadyDeck& deck, const Log& log) {
   refuse_state_in_folder(options, *deck.model);
   const OpenCheckpoint opened = open_checkpoint(options, deck, {}, log);
   if (opened.refusal) {
-    return opened.refusal->exit_code;
+    return opened.refusal->kind;
   }
   std::mutex guard; // taken for ever by a signal
   std::optional<RunFolder> folder;
@@ -40,9 +40,11 @@ int run_once(const RunOptions& options, const ReadyDeck& deck, const Log& log) {
     if (folder) {
       folder->abandon();
     }
-    return opened.checkpoint && opened.checkpoint->writes()
-               ? stop_with_checkpoint(*opened.checkpoint, signal_name(signal), 128 + signal, log)
-               : 128 + signal;
+    std::optional<base::Outcome> kept;
+    if (opened.checkpoint && opened.checkpoint->writes()) {
+      kept = stop_with_checkpoint(*opened.checkpoint, signal_name(signal), log);
+    }
+    return kept ? base::exit_code(*kept) : 128 + signal;
   });
   {
     const std::scoped_lock lock(guard);
@@ -57,18 +59,18 @@ int run_once(const RunOptions& options, const ReadyDeck& deck, const Log& log) {
   }
   if (!outcome.run) {
     tell_of_earlier(options, *folder, log);
-    return outcome.exit_code;
+    return outcome.kind;
   }
   folder->commit();
   if (!options.quiet) {
     print_summary(*deck.model, *outcome.run, options.out);
   }
-  return outcome.exit_code;
+  return outcome.kind;
 }
 
 } // namespace
 
-int run_deck(const RunOptions& given) {
+base::Outcome run_deck(const RunOptions& given) {
   RunOptions options = given;
   const Log log(options.log_format);
   if (options.out.empty()) {
@@ -77,22 +79,22 @@ int run_deck(const RunOptions& given) {
   try {
     const ReadyDeck deck = read_ready(options.deck, {.defines = options.defines}, log);
     if (!deck.model) {
-      return deck.refusal.exit_code;
+      return deck.refusal.kind;
     }
     if (options.check_only) {
       return check_deck(options, deck, log);
     }
     if (has_no_place(options, *deck.model, log)) {
-      return base::exit_code::usage;
+      return base::Outcome::usage;
     }
     return deck.model->sweeps.empty() ? run_once(options, deck, log)
                                       : run_sweep(options, deck, log);
   } catch (const archive::FileTrouble& trouble) {
     log.message(base::Severity::error, trouble.code(), trouble.what());
-    return base::exit_code::file_trouble;
+    return base::Outcome::file_trouble;
   } catch (const std::system_error& trouble) {
     log.message(base::Severity::error, "E530", trouble.what());
-    return base::exit_code::file_trouble;
+    return base::Outcome::file_trouble;
   }
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/outcome.hpp"
 #include "program/job/run_options.hpp"
 
 namespace spricka::program {
 
 /// Reads, checks and (unless check_only) solves a deck and writes its run folder; messages go to
-/// stderr, the table of results to stdout. Returns the exit code.
-int run_deck(const RunOptions& given);
+/// stderr, the table of results to stdout. Returns how it ended.
+base::Outcome run_deck(const RunOptions& given);
 
 } // namespace spricka::program

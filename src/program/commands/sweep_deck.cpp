@@ -65,27 +65,27 @@ public:
   SweepRun(const SweepRun&) = delete;
   SweepRun& operator=(const SweepRun&) = delete;
 
-  int run() {
+  base::Outcome run() {
     open_folder();
     const Interrupt interrupt([this](int signal) { return last_words(signal); });
     return run_points();
   }
 
 private:
-  int run_points() {
+  base::Outcome run_points() {
     if (!fs::exists(out_ / sweep_table_name)) { // else of an earlier sweep, until there is a point
       write_tables();
     }
-    int worst = 0;
+    base::Outcome worst = base::Outcome::done;
     for (std::size_t i = 0; i < points_.size(); ++i) {
       SweepPoint point = take_over(i);
       if (!point.reused) {
         compute(i, point);
       }
-      if (point.exit_code == base::exit_code::stopped) {
-        return base::exit_code::stopped;
+      if (point.outcome == base::Outcome::stopped) {
+        return base::Outcome::stopped;
       }
-      worst = std::max(worst, point.exit_code);
+      worst = std::max(worst, point.outcome);
       tell(point, points_[i]);
       sweep_.points.push_back(std::move(point));
       write_tables();
@@ -160,14 +160,14 @@ private:
       open_point(point);
       solve_point(i, point);
     } catch (const archive::FileTrouble& trouble) {
-      point.exit_code = base::exit_code::file_trouble;
+      point.outcome = base::Outcome::file_trouble;
       point.error = fmt::format("{}: {}", trouble.code(), trouble.what());
     } catch (const std::system_error& trouble) {
-      point.exit_code = base::exit_code::file_trouble;
+      point.outcome = base::Outcome::file_trouble;
       point.error = trouble.what();
     } catch (const std::exception& trouble) {
       const bool memory = is_out_of_memory(trouble);
-      point.exit_code = memory ? base::exit_code::not_solvable : base::exit_code::defect;
+      point.outcome = memory ? base::Outcome::not_solvable : base::Outcome::defect;
       point.error =
           memory ? "E466: " + out_of_memory() : fmt::format("internal error: {}", trouble.what());
     }
@@ -179,7 +179,7 @@ private:
         read_ready(options_.deck, {.defines = options_.defines, .sweep_values = points_[i]}, log_,
                    &deck_.diagnostics);
     const RunOutcome outcome = deck.model ? solve(deck, *folder_, point) : deck.refusal;
-    point.exit_code = outcome.exit_code;
+    point.outcome = outcome.kind;
     point.error = outcome.error;
     if (outcome.run) {
       record(*deck.model, *outcome.run, point);
@@ -280,10 +280,10 @@ private:
   void tell(const SweepPoint& point, const PointValues& values) const {
     const std::string head =
         fmt::format("{} of {}: {}", point.folder, points_.size(), in_words(values));
-    if (point.exit_code != 0) {
+    if (point.outcome != base::Outcome::done) {
       log_.message(base::Severity::error, "E550",
                    fmt::format("point {}: {} ({}): {}", head, report::status_word(point),
-                               point.exit_code, point.error));
+                               base::exit_code(point.outcome), point.error));
     }
     if (options_.quiet) {
       return;
@@ -312,16 +312,16 @@ private:
     if (folder_) {
       folder_->abandon();
     }
-    int code = 128 + signal;
+    std::optional<base::Outcome> kept;
     if (current_ != nullptr && current_->writes()) {
-      code = stop_with_checkpoint(*current_, signal_name(signal), code, log_);
+      kept = stop_with_checkpoint(*current_, signal_name(signal), log_);
     }
     [[maybe_unused]] const bool whole = tables_guard_.try_lock_for(10s);
     close_folder();
     log_.message(base::Severity::note, "E551",
                  fmt::format("stopped by {}; {} of {} points are finished, run again to go on",
                              signal_name(signal), done_.load(), points_.size()));
-    return code;
+    return kept ? base::exit_code(*kept) : 128 + signal;
   }
 
   const RunOptions& options_;
@@ -357,7 +357,7 @@ std::vector<PointValues> sweep_points(const model::Model& model) {
   return points;
 }
 
-int run_sweep(const RunOptions& options, const ReadyDeck& deck, const Log& log) {
+base::Outcome run_sweep(const RunOptions& options, const ReadyDeck& deck, const Log& log) {
   return SweepRun(options, deck, log).run();
 }
 

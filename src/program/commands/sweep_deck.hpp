@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/outcome.hpp"
 #include "program/job/job.hpp"
 #include "program/job/run_options.hpp"
 
@@ -18,9 +19,9 @@ std::vector<PointValues> sweep_points(const model::Model& model);
 /// Runs the deck once for each point, in order, each in its own folder OUT/001, OUT/002, .. and
 /// writes sweep.csv, sweep.html and the tables of $OUTPUT EVERY=END into OUT after each point. A
 /// point that fails is a row with its error. Points whose folder holds a result of the same deck,
-/// values and program are taken over. Returns the largest exit code of all points. SIGINT and
+/// values and program are taken over. Returns the worst outcome of all points. SIGINT and
 /// SIGTERM end the program with 130 and 143; finished points stay. Throws std::system_error when
 /// OUT cannot be used.
-int run_sweep(const RunOptions& options, const ReadyDeck& deck, const Log& log);
+base::Outcome run_sweep(const RunOptions& options, const ReadyDeck& deck, const Log& log);
 
 } // namespace spricka::program

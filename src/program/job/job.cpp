@@ -5,7 +5,6 @@
 #include "analysis/recover/judge_size.hpp"
 #include "analysis/recover/net_errors.hpp"
 #include "base/clock.hpp"
-#include "base/exit_codes.hpp"
 #include "program/checks/check_quantities.hpp"
 #include "program/checks/growth_readings.hpp"
 #include "program/job/remedy.hpp"
@@ -71,10 +70,14 @@ void collect_warnings(const model::Model& model, const base::Diagnostics& readin
 
 struct Solved {
   std::optional<results::Run> run;
-  std::optional<analysis::Refusal> refusal;
+  base::Trouble trouble;
   std::optional<ReadyDeck> finer; ///< what was solved, where it is not the deck as given
   std::string why_not;            ///< why K is not within its tolerance
 };
+
+bool is_stopped(const base::Trouble& trouble) {
+  return trouble && trouble->kind == base::Outcome::stopped;
+}
 
 // Once, or as often as K needs to come within its tolerance.
 Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, archive::Checkpoint* checkpoint,
@@ -85,23 +88,23 @@ Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, archive::Che
   solve.progress = log.progress(options.quiet);
   Solved out;
   bool first = true;
-  const auto once = [&](const model::Model& model, std::string& why) {
+  const auto once = [&](const model::Model& model, base::Trouble& trouble) {
     base::Diagnostics own;
-    std::optional<analysis::Refusal> refusal;
-    std::optional<results::Run> run = analysis::solve_run(model, solve, own, refusal);
-    const bool stopped = refusal && refusal->exit_code == base::exit_code::stopped;
-    if (run || first || stopped) {
+    std::optional<results::Run> run = analysis::solve_run(model, solve, own, trouble);
+    if (!run && !trouble) {
+      trouble =
+          base::NoAnswer{.kind = base::Outcome::deck_error, .why = first_error(deck.sources, own)};
+    }
+    if (run || first || is_stopped(trouble)) {
       diagnostics = std::move(own);
-      out.refusal = refusal;
-    } else {
-      why = refusal ? refusal->why : first_error(deck.sources, own);
+      out.trouble = trouble;
     }
     first = false;
     return run;
   };
   if (!wants_tolerance(*deck.model)) {
-    std::string why;
-    out.run = once(*deck.model, why);
+    base::Trouble trouble;
+    out.run = once(*deck.model, trouble);
     return out;
   }
   const auto read_finer = [&](const std::map<std::string, deck::Refinement>& refine) {
@@ -110,7 +113,7 @@ Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, archive::Che
     return read_silently(options.deck, finer);
   };
   ToleratedRun found = solve_to_tolerance(deck, read_finer, once);
-  if (out.refusal && out.refusal->exit_code == base::exit_code::stopped) {
+  if (is_stopped(out.trouble)) {
     return out; // in a later round: no answer yet
   }
   out.run = std::move(found.run);
@@ -127,6 +130,15 @@ void tell_rounds(const Solved& solved, results::Run& run, const Log& log) {
   log.message(base::Severity::warning, "W506", run.warnings.back());
 }
 
+// Mistakes of the deck are told already.
+void tell_of(const base::NoAnswer& answer, base::Diagnostics& diagnostics) {
+  if (answer.kind == base::Outcome::deck_error) {
+    return;
+  }
+  diagnostics.error(answer.span, answer.kind == base::Outcome::not_converged ? "E520" : "E510",
+                    answer.why, remedy_of(answer));
+}
+
 } // namespace
 
 RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, RunFolder& folder,
@@ -135,20 +147,15 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
   base::Diagnostics diagnostics;
   tell_restart(checkpoint, log);
   Solved solved = solve_deck(options, deck, checkpoint, diagnostics, log);
-  if (solved.refusal && solved.refusal->exit_code == base::exit_code::stopped) {
-    const std::string by = solved.refusal->why;
-    return {stop_with_checkpoint(*checkpoint, by, base::exit_code::stopped, log),
+  if (is_stopped(solved.trouble)) {
+    const std::string by = solved.trouble->why;
+    return {stop_with_checkpoint(*checkpoint, by, log).value_or(base::Outcome::stopped),
             "stopped by " + by,
             {}};
   }
-  if (solved.refusal) {
-    const bool limit = solved.refusal->exit_code == base::exit_code::not_converged;
-    diagnostics.error(solved.refusal->span, limit ? "E520" : "E510", solved.refusal->why,
-                      remedy_of(*solved.refusal));
-  }
-  if (!solved.run) {
-    return refused(deck.sources, diagnostics,
-                   solved.refusal ? solved.refusal->exit_code : base::exit_code::deck_error, log);
+  if (solved.trouble) {
+    tell_of(*solved.trouble, diagnostics);
+    return refused(deck.sources, diagnostics, solved.trouble->kind, log);
   }
   const ReadyDeck& used = solved.finer ? *solved.finer : deck;
   results::Run& run = *solved.run;
@@ -172,15 +179,14 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
   const int failed = report_checks(run, log);
   RunOutcome outcome;
   if (failed > 0) {
-    outcome.exit_code = base::exit_code::check_failed;
+    outcome.kind = base::Outcome::check_failed;
     outcome.error = fmt::format("{} of {} checks failed", failed, run.checks.size());
   } else if (!solved.why_not.empty()) {
-    outcome.exit_code = base::exit_code::not_converged;
+    outcome.kind = base::Outcome::not_converged;
     outcome.error = run.warnings.back();
   }
-  if (outcome.exit_code == base::exit_code::done && run.growth &&
-      results::ended_early(*run.growth)) {
-    outcome.exit_code = base::exit_code::not_solvable;
+  if (outcome.kind == base::Outcome::done && run.growth && results::ended_early(*run.growth)) {
+    outcome.kind = base::Outcome::not_solvable;
     outcome.error = run.growth->reason;
     log.message(base::Severity::error, "E510", outcome.error);
   }

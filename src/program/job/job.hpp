@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/outcome.hpp"
 #include "model/model.hpp"
 #include "program/job/log.hpp"
 #include "program/job/ready_deck.hpp"

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "base/exit_codes.hpp"
 #pragma once
 #include <exception>
 #include <string>
 
-/// Too little memory is no defect of the program: exit_code::not_solvable, with the amounts.
+/// Too little memory is no defect of the program: Outcome::not_solvable, with the amounts.
 namespace spricka::program {
 
 /// Whether an exception says that memory is at its end.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/job/point_record.hpp"
 
+#include "base/exit_codes.hpp"
 #include "base/input_file.hpp"
 #include "program/job/run_folder.hpp"
 
@@ -35,9 +36,14 @@ std::vector<SweepCell> cells_from(const json& list) {
   return cells;
 }
 
-SweepPoint point_from(const json& record) {
+// Empty: it ends with a number that no outcome has.
+std::optional<SweepPoint> point_from(const json& record) {
+  const std::optional<base::Outcome> outcome = base::outcome_of(record.at("exit_code").get<int>());
+  if (!outcome) {
+    return std::nullopt;
+  }
   SweepPoint point;
-  point.exit_code = record.at("exit_code").get<int>();
+  point.outcome = *outcome;
   point.error = record.at("error").get<std::string>();
   point.checks = record.at("checks").get<int>();
   point.passed = record.at("passed").get<int>();
@@ -53,11 +59,16 @@ SweepPoint point_from(const json& record) {
 
 std::string write_point_record(const results::Sweep& sweep, const SweepPoint& point,
                                const std::string& digest) {
-  json record{{"spricka", SPRICKA_VERSION},    {"digest", digest},
-              {"exit_code", point.exit_code},  {"error", point.error},
-              {"checks", point.checks},        {"passed", point.passed},
-              {"warnings", point.warnings},    {"parameters", json::object()},
-              {"cells", to_json(point.cells)}, {"requested", json::object()}};
+  json record{{"spricka", SPRICKA_VERSION},
+              {"digest", digest},
+              {"exit_code", base::exit_code(point.outcome)},
+              {"error", point.error},
+              {"checks", point.checks},
+              {"passed", point.passed},
+              {"warnings", point.warnings},
+              {"parameters", json::object()},
+              {"cells", to_json(point.cells)},
+              {"requested", json::object()}};
   for (std::size_t p = 0; p < sweep.parameters.size(); ++p) {
     record["parameters"][sweep.parameters[p]] = point.values[p];
   }

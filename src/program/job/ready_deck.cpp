@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/job/ready_deck.hpp"
 
-#include "base/exit_codes.hpp"
 #include "fe/law.hpp"
 #include "sense/contact_sense.hpp"
 #include "sense/held_places.hpp"
@@ -95,10 +94,10 @@ std::string first_error(const base::Sources& sources, const base::Diagnostics& d
   return {};
 }
 
-RunOutcome refused(const base::Sources& sources, const base::Diagnostics& list, int code,
+RunOutcome refused(const base::Sources& sources, const base::Diagnostics& list, base::Outcome kind,
                    const Log& log, const base::Diagnostics* told) {
   log.diagnostics(sources, news_of(list, told));
-  return {code, first_error(sources, list), {}};
+  return {kind, first_error(sources, list), {}};
 }
 
 ReadyDeck read_ready(const std::filesystem::path& deck, const deck::ReadOptions& options,
@@ -117,7 +116,7 @@ ReadyDeck read_ready(const std::filesystem::path& deck, const deck::ReadOptions&
   if (model && !ready.diagnostics.has_errors()) {
     base::Diagnostics missing = unavailable(*model);
     if (missing.has_errors()) {
-      ready.refusal = refused(ready.sources, missing, base::exit_code::not_solvable, log, told);
+      ready.refusal = refused(ready.sources, missing, base::Outcome::not_solvable, log, told);
       return ready;
     }
     if (model->steps.empty()) {
@@ -126,8 +125,7 @@ ReadyDeck read_ready(const std::filesystem::path& deck, const deck::ReadOptions&
     }
   }
   if (!model || ready.diagnostics.has_errors()) {
-    ready.refusal =
-        refused(ready.sources, ready.diagnostics, base::exit_code::deck_error, log, told);
+    ready.refusal = refused(ready.sources, ready.diagnostics, base::Outcome::deck_error, log, told);
     return ready;
   }
   log.diagnostics(ready.sources, news_of(ready.diagnostics, told));

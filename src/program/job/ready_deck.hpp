@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "base/diagnostics.hpp"
+#include "base/outcome.hpp"
 #include "base/source.hpp"
 #include "deck/read_deck.hpp"
 #include "model/model.hpp"
@@ -14,13 +15,14 @@
 
 namespace spricka::program {
 
+/// How one deck has ended, with its results where there are some.
 struct RunOutcome {
-  int exit_code = 0;
+  base::Outcome kind = base::Outcome::done;
   std::string error; ///< the first one, with its place, or how many checks failed
   std::optional<results::Run> run;
 };
 
-/// A deck that has been read: fit to be solved (model) or refused with an exit code.
+/// A deck that has been read: fit to be solved (model) or refused.
 struct ReadyDeck {
   base::Sources sources;
   base::Diagnostics diagnostics;          ///< of reading
@@ -41,7 +43,7 @@ ReadyDeck read_silently(const std::filesystem::path& deck, const deck::ReadOptio
 
 /// What is wrong goes to the log, but for what was `told` before of the same place, and the first
 /// error into the outcome.
-RunOutcome refused(const base::Sources& sources, const base::Diagnostics& list, int code,
+RunOutcome refused(const base::Sources& sources, const base::Diagnostics& list, base::Outcome kind,
                    const Log& log, const base::Diagnostics* told = nullptr);
 
 /// "lug.deck:12:18: E108: text" of the first error; empty without one.

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/job/remedy.hpp"
 
-#include "base/exit_codes.hpp"
-
 #include <array>
 #include <string_view>
 #include <utility>
 
 namespace spricka::program {
 
-std::string remedy_of(const analysis::Refusal& refusal) {
-  if (refusal.exit_code == base::exit_code::not_converged) {
+std::string remedy_of(const base::NoAnswer& answer) {
+  if (answer.kind == base::Outcome::not_converged) {
     return "with friction more SUBSTEPS or a smaller MU; spricka help E520 says more";
   }
   using Remedy = std::pair<std::string_view, std::string_view>;
@@ -25,7 +23,7 @@ std::string remedy_of(const analysis::Refusal& refusal) {
        {"memory", "take fewer or coarser elements, or a machine with more memory"},
        {"mesh", "another place or length of the crack, or RADIUS and SIZE on $TIPNET"}}};
   for (const auto& [word, remedy] : remedies) {
-    if (refusal.why.find(word) != std::string::npos) {
+    if (answer.why.find(word) != std::string::npos) {
       return std::string(remedy);
     }
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "analysis/steps/step_state.hpp"
+#include "base/outcome.hpp"
 
 #include <string>
 
@@ -8,6 +8,6 @@ namespace spricka::program {
 
 /// What can be done about a model that cannot be solved (E510, E520), for the line below the
 /// message; empty where the message says it.
-std::string remedy_of(const analysis::Refusal& refusal);
+std::string remedy_of(const base::NoAnswer& answer);
 
 } // namespace spricka::program

@@ -2,7 +2,6 @@
 #include "program/job/restart_run.hpp"
 
 #include "archive/safe_file.hpp"
-#include "base/exit_codes.hpp"
 #include "program/job/run_folder.hpp"
 
 #include <csignal>
@@ -90,7 +89,7 @@ OpenCheckpoint open_checkpoint(const RunOptions& options, const ReadyDeck& deck,
     list.error(misfit->span, misfit->code, misfit->text,
                "start from the beginning, or take the deck that wrote the file");
     log.diagnostics(deck.sources, list);
-    out.refusal = RunOutcome{base::exit_code::deck_error, misfit->text, {}};
+    out.refusal = RunOutcome{base::Outcome::deck_error, misfit->text, {}};
     return out;
   }
   out.checkpoint = std::move(checkpoint);
@@ -122,8 +121,8 @@ void finish_restart(archive::Checkpoint* checkpoint, results::Run& run) {
   }
 }
 
-int stop_with_checkpoint(archive::Checkpoint& checkpoint, const std::string& by, int code_without,
-                         const Log& log) {
+std::optional<base::Outcome> stop_with_checkpoint(archive::Checkpoint& checkpoint,
+                                                  const std::string& by, const Log& log) {
   try {
     const std::size_t kept = checkpoint.flush();
     const std::string what =
@@ -131,10 +130,10 @@ int stop_with_checkpoint(archive::Checkpoint& checkpoint, const std::string& by,
                   : fmt::format("{} increment{} kept in {}, run --restart goes on", kept,
                                 kept == 1 ? " is" : "s are", checkpoint.file().string());
     log.message(base::Severity::note, "E566", fmt::format("stopped by {}: {}", by, what));
-    return kept == 0 ? code_without : base::exit_code::stopped;
+    return kept == 0 ? std::nullopt : std::optional(base::Outcome::stopped);
   } catch (const archive::FileTrouble& trouble) {
     log.message(base::Severity::error, trouble.code(), trouble.what());
-    return base::exit_code::file_trouble;
+    return base::Outcome::file_trouble;
   }
 }
 

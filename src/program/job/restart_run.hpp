@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "archive/checkpoint.hpp"
+#include "base/outcome.hpp"
 #include "program/job/ready_deck.hpp"
 #include "program/job/run_options.hpp"
 
@@ -33,10 +34,10 @@ void tell_restart(archive::Checkpoint* checkpoint, const Log& log);
 /// Puts the last increments on disk, and what was taken over or passed over into the run's log.
 void finish_restart(archive::Checkpoint* checkpoint, results::Run& run);
 
-/// Puts what is finished on disk and says so: the exit code of a run that is stopped by a signal
-/// (128 + signal if nothing is finished) or its time limit. From any thread.
-int stop_with_checkpoint(archive::Checkpoint& checkpoint, const std::string& by, int code_without,
-                         const Log& log);
+/// Puts what is finished on disk and says so: how a run ends that is stopped by a signal or its
+/// time limit. Empty: nothing is finished yet. From any thread.
+std::optional<base::Outcome> stop_with_checkpoint(archive::Checkpoint& checkpoint,
+                                                  const std::string& by, const Log& log);
 
 /// "SIGTERM".
 std::string signal_name(int signal);

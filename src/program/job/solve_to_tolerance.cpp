@@ -161,10 +161,10 @@ ToleratedRun solve_to_tolerance(const ReadyDeck& deck, const ReadFiner& read_fin
   std::optional<ReadyDeck> finer;
   for (int number = 1; out.why_not.empty(); ++number) {
     const base::Stopwatch watch;
-    std::string why;
-    std::optional<results::Run> run = solve(finer ? *finer->model : *deck.model, why);
+    base::Trouble trouble;
+    std::optional<results::Run> run = solve(finer ? *finer->model : *deck.model, trouble);
     if (!run) {
-      out.why_not = "a finer mesh has no solution: " + why;
+      out.why_not = "a finer mesh has no solution: " + trouble->why;
       break;
     }
     out.run = std::move(run);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/outcome.hpp"
 #include "program/job/ready_deck.hpp"
 
 #include <functional>
@@ -23,7 +24,8 @@ struct ToleratedRun {
 };
 
 /// One solution of a model; where there is none, why.
-using SolveOnce = std::function<std::optional<results::Run>(const model::Model&, std::string& why)>;
+using SolveOnce =
+    std::function<std::optional<results::Run>(const model::Model&, base::Trouble& trouble)>;
 
 /// Solves, finds by the error bars of K what is too coarse, meshes that finer and solves again
 /// (manual, tolerance.1 to 4). Where a finer mesh cannot be read or solved, the round before

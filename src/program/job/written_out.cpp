@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/job/written_out.hpp"
 
-#include "base/exit_codes.hpp"
 #include "program/job/log.hpp"
 
 #include <cerrno>
@@ -14,7 +13,7 @@
 
 namespace spricka::program {
 
-int written_out(int code, LogFormat format) {
+bool written_out(LogFormat format) {
   errno = 0;
   std::cout.flush();
   const bool lost =
@@ -24,7 +23,7 @@ int written_out(int code, LogFormat format) {
     Log(format).message(base::Severity::error, "E468", "standard output is incomplete" + why);
   }
   const bool silent = std::ferror(stderr) != 0;
-  return code == base::exit_code::done && (lost || silent) ? base::exit_code::file_trouble : code;
+  return !lost && !silent;
 }
 
 } // namespace spricka::program

@@ -4,8 +4,7 @@
 
 namespace spricka::program {
 
-/// The exit code with which the program ends: `code`, or file_trouble where it would be success but
-/// something written to stdout or stderr is lost.
-int written_out(int code, LogFormat format);
+/// Whether all that was written to stdout and stderr has got there; what stdout lacks is told.
+bool written_out(LogFormat format);
 
 } // namespace spricka::program

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/shell/actions.hpp"
 
-#include "base/exit_codes.hpp"
 #include "grammar/lexeme.hpp"
 #include "program/shell/plots.hpp"
 #include "program/shell/replies.hpp"
 #include "program/shell/save.hpp"
+#include "program/shell/trouble.hpp"
 #include "report/drawing/file.hpp"
 
 #include <algorithm>
@@ -19,8 +19,8 @@ namespace spricka::program {
 
 using grammar::Quantity;
 
-ShellTrouble wrong(const ShellCall& call) {
-  return {base::exit_code::usage, fmt::format("write {}", call.usage), {}};
+base::NoAnswer wrong(const ShellCall& call) {
+  return misuse(fmt::format("write {}", call.usage));
 }
 
 std::string name_at(const ShellCall& call, std::size_t i) {
@@ -36,16 +36,16 @@ std::string rest_from(const ShellCall& call, std::size_t i) {
              : std::string();
 }
 
-ShellResult number_from(const ShellCall& call, std::size_t i, Quantity quantity, double& value) {
+base::Trouble number_from(const ShellCall& call, std::size_t i, Quantity quantity, double& value) {
   const std::string text = rest_from(call, i);
   return text.empty() ? wrong(call) : read_number(text, call.session.model(), quantity, value);
 }
 
-ShellResult settle(ShellSession& session, ShellReply& reply) {
+base::Trouble settle(ShellSession& session, ShellReply& reply) {
   if (!session.pending()) {
     return {};
   }
-  ShellResult trouble = session.solve();
+  base::Trouble trouble = session.solve();
   if (!trouble) {
     reply.messages +=
         session.rubs()
@@ -64,47 +64,47 @@ void tell_state(const ShellCall& call) {
   call.reply.messages += state_notes(call.session);
 }
 
-ShellResult do_show(const ShellCall& call) {
+base::Trouble do_show(const ShellCall& call) {
   call.reply.out = show_reply(call.session);
   return {};
 }
 
-ShellResult do_step(const ShellCall& call) {
+base::Trouble do_step(const ShellCall& call) {
   if (call.words.size() != 2) {
     return wrong(call);
   }
-  ShellResult trouble = call.session.step(name_at(call, 1));
+  base::Trouble trouble = call.session.step(name_at(call, 1));
   if (!trouble) {
     tell_state(call);
   }
   return trouble;
 }
 
-ShellResult do_load(const ShellCall& call) {
+base::Trouble do_load(const ShellCall& call) {
   double factor = 0.0;
   if (call.words.size() < 3) {
     return wrong(call);
   }
-  if (ShellResult trouble = number_from(call, 2, Quantity::number, factor)) {
+  if (base::Trouble trouble = number_from(call, 2, Quantity::number, factor)) {
     return trouble;
   }
   return call.session.load(name_at(call, 1), factor);
 }
 
-ShellResult do_fit(const ShellCall& call) {
+base::Trouble do_fit(const ShellCall& call) {
   if (call.words.size() < 3) {
     return wrong(call);
   }
   const bool declares = call.words[2].text == "=";
   double value = 0.0;
-  if (ShellResult trouble =
+  if (base::Trouble trouble =
           number_from(call, 2, declares ? Quantity::length : Quantity::number, value)) {
     return trouble;
   }
   if (!declares) {
     return call.session.fit(name_at(call, 1), value);
   }
-  ShellResult trouble = settle(call.session, call.reply);
+  base::Trouble trouble = settle(call.session, call.reply);
   trouble = trouble ? trouble : call.session.interference(name_at(call, 1), value);
   if (!trouble) {
     call.reply.messages +=
@@ -115,20 +115,20 @@ ShellResult do_fit(const ShellCall& call) {
   return trouble;
 }
 
-ShellResult do_mount(const ShellCall& call) {
+base::Trouble do_mount(const ShellCall& call) {
   return call.words.size() == 2 ? call.session.mount(name_at(call, 1), true) : wrong(call);
 }
 
-ShellResult do_dismount(const ShellCall& call) {
+base::Trouble do_dismount(const ShellCall& call) {
   return call.words.size() == 2 ? call.session.mount(name_at(call, 1), false) : wrong(call);
 }
 
-ShellResult do_length(const ShellCall& call) {
+base::Trouble do_length(const ShellCall& call) {
   double a = 0.0;
   if (call.words.size() < 3) {
     return wrong(call);
   }
-  ShellResult trouble = number_from(call, 2, Quantity::length, a);
+  base::Trouble trouble = number_from(call, 2, Quantity::length, a);
   trouble = trouble ? trouble : settle(call.session, call.reply);
   trouble = trouble ? trouble : call.session.length(name_at(call, 1), a);
   if (!trouble) {
@@ -140,11 +140,11 @@ ShellResult do_length(const ShellCall& call) {
   return trouble;
 }
 
-ShellResult do_set(const ShellCall& call) {
+base::Trouble do_set(const ShellCall& call) {
   if (call.words.size() < 4 || call.words[2].text != "=") {
     return wrong(call);
   }
-  ShellResult trouble = settle(call.session, call.reply);
+  base::Trouble trouble = settle(call.session, call.reply);
   const std::string before = state_reply(call.session);
   trouble = trouble ? trouble : call.session.define(call.words[1].text, rest_from(call, 2));
   if (trouble) {
@@ -161,22 +161,22 @@ ShellResult do_set(const ShellCall& call) {
   return {};
 }
 
-ShellResult do_solve(const ShellCall& call) {
+base::Trouble do_solve(const ShellCall& call) {
   int substeps = default_substeps;
   if (call.words.size() > 1) {
     double given = 0.0;
-    if (ShellResult trouble = number_from(call, 1, Quantity::number, given)) {
+    if (base::Trouble trouble = number_from(call, 1, Quantity::number, given)) {
       return trouble;
     }
     if (!(given >= 1.0 && given <= 1e5) || given != static_cast<int>(given)) {
-      return ShellTrouble{base::exit_code::usage, "the number of substeps is whole, from 1", {}};
+      return misuse("the number of substeps is whole, from 1");
     }
     substeps = static_cast<int>(given);
   }
   if (call.session.rubs() && call.session.pending()) {
     call.reply.messages += fmt::format("note: from the last state on, in {} substeps\n", substeps);
   }
-  ShellResult trouble = call.session.solve(substeps);
+  base::Trouble trouble = call.session.solve(substeps);
   if (!trouble) {
     tell_state(call);
   }
@@ -185,7 +185,7 @@ ShellResult do_solve(const ShellCall& call) {
 
 // The file that a word names. One that is there is replaced when the word behind it says so, and
 // not else.
-ShellResult file_to_write(const ShellCall& call, std::size_t word, std::filesystem::path& file) {
+base::Trouble file_to_write(const ShellCall& call, std::size_t word, std::filesystem::path& file) {
   namespace fs = std::filesystem;
   if (call.words.size() < word + 1 || call.words.size() > word + 2) {
     return wrong(call);
@@ -199,24 +199,25 @@ ShellResult file_to_write(const ShellCall& call, std::size_t word, std::filesyst
   std::error_code ignored;
   for (std::int32_t f = 0; f < static_cast<std::int32_t>(call.session.sources().count()); ++f) {
     if (fs::equivalent(file, call.session.sources().name(f), ignored)) {
-      return ShellTrouble{base::exit_code::usage, "the deck itself is not overwritten",
-                          "take another name"};
+      return misuse("the deck itself is not overwritten", "take another name");
     }
   }
   const fs::file_status status = fs::symlink_status(file, ignored);
   if (fs::exists(status) && !fs::is_regular_file(status)) {
-    return ShellTrouble{base::exit_code::file_trouble, fmt::format("{} is not a file", name),
-                        "take another name"};
+    return base::NoAnswer{.kind = base::Outcome::file_trouble,
+                          .why = fmt::format("{} is not a file", name),
+                          .hint = "take another name"};
   }
   if (fs::exists(status) && !forced) {
-    return ShellTrouble{base::exit_code::file_trouble,
-                        fmt::format("there is a file {} already, and it is left as it is", name),
-                        "take another name, or write replace behind it"};
+    return base::NoAnswer{
+        .kind = base::Outcome::file_trouble,
+        .why = fmt::format("there is a file {} already, and it is left as it is", name),
+        .hint = "take another name, or write replace behind it"};
   }
   return {};
 }
 
-ShellResult do_plot(const ShellCall& call) {
+base::Trouble do_plot(const ShellCall& call) {
   if (call.words.size() < 3) {
     return wrong(call);
   }
@@ -226,7 +227,7 @@ ShellResult do_plot(const ShellCall& call) {
   });
   std::string svg;
   std::filesystem::path file;
-  ShellResult trouble = file_to_write(call, 2, file);
+  base::Trouble trouble = file_to_write(call, 2, file);
   trouble = trouble ? trouble : settle(call.session, call.reply);
   trouble = trouble ? trouble : picture(call.session, kind, svg);
   if (!trouble) {
@@ -236,11 +237,11 @@ ShellResult do_plot(const ShellCall& call) {
   return trouble;
 }
 
-ShellResult do_save(const ShellCall& call) {
+base::Trouble do_save(const ShellCall& call) {
   namespace fs = std::filesystem;
   fs::path file;
   std::string text;
-  ShellResult trouble = file_to_write(call, 1, file);
+  base::Trouble trouble = file_to_write(call, 1, file);
   trouble = trouble ? trouble : settle(call.session, call.reply);
   trouble = trouble ? trouble : saved_deck(call.session, fs::absolute(file).parent_path(), text);
   if (!trouble) {
@@ -250,8 +251,8 @@ ShellResult do_save(const ShellCall& call) {
   return trouble;
 }
 
-ShellResult do_reset(const ShellCall& call) {
-  ShellResult trouble = call.session.reset();
+base::Trouble do_reset(const ShellCall& call) {
+  base::Trouble trouble = call.session.reset();
   if (!trouble) {
     tell_state(call);
   }
@@ -260,8 +261,8 @@ ShellResult do_reset(const ShellCall& call) {
 
 } // namespace
 
-ShellResult carry_out(std::string_view command, const ShellCall& call) {
-  using Act = ShellResult (*)(const ShellCall&);
+base::Trouble carry_out(std::string_view command, const ShellCall& call) {
+  using Act = base::Trouble (*)(const ShellCall&);
   static const std::map<std::string_view, Act> acts{
       {"show", do_show},
       {"step", do_step},

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a session answers from its bench.
-#include "base/exit_codes.hpp"
 #include "grammar/catalogue.hpp"
 #include "program/checks/check_quantities.hpp"
 #include "program/shell/known_names.hpp"
 #include "program/shell/session.hpp"
+#include "program/shell/trouble.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -13,19 +13,18 @@
 
 namespace spricka::program {
 
-ShellResult ShellSession::mappable() const {
+base::Trouble ShellSession::mappable() const {
   if (!rubs()) {
     return {};
   }
-  return ShellTrouble{base::exit_code::usage,
-                      "with friction K depends on the way, not only on where it leads: there is no "
-                      "map of it",
-                      "load, solve and K go that way step by step"};
+  return misuse("with friction K depends on the way, not only on where it leads: there is no "
+                "map of it",
+                "load, solve and K go that way step by step");
 }
 
-ShellResult ShellSession::map_path(const std::string& name) {
+base::Trouble ShellSession::map_path(const std::string& name) {
   std::size_t index = 0;
-  ShellResult trouble = find_name(path_names(*model_), "load path", name, index);
+  base::Trouble trouble = find_name(path_names(*model_), "load path", name, index);
   trouble = trouble ? trouble : mappable();
   trouble = trouble ? trouble : solve();
   if (trouble) {
@@ -40,16 +39,16 @@ ShellResult ShellSession::map_path(const std::string& name) {
   return trouble;
 }
 
-ShellResult ShellSession::map_case(const std::string& load_case, double from, double to) {
+base::Trouble ShellSession::map_case(const std::string& load_case, double from, double to) {
   std::size_t index = 0;
-  ShellResult trouble = find_name(case_names(*model_), "load case", load_case, index);
+  base::Trouble trouble = find_name(case_names(*model_), "load case", load_case, index);
   trouble = trouble ? trouble : mappable();
   trouble = trouble ? trouble : solve();
   if (trouble) {
     return trouble;
   }
   if (from == to) {
-    return ShellTrouble{base::exit_code::usage, "both ends of the map are the same", {}};
+    return misuse("both ends of the map are the same");
   }
   const auto end = [&](double factor) {
     std::vector<model::Step> steps = way();
@@ -74,15 +73,15 @@ const results::LoadPath* ShellSession::mapped() const {
              : results::find_path(bench_->run().increments.front(), mapped_);
 }
 
-ShellResult ShellSession::evaluate(const model::Check& check, double& value) {
-  if (ShellResult trouble = solve()) {
+base::Trouble ShellSession::evaluate(const model::Check& check, double& value) {
+  if (base::Trouble trouble = solve()) {
     return trouble;
   }
   const grammar::ResultQuantity* is = grammar::find_quantity(check.quantity);
   const std::string letters = argument_letters(*is, model_->mesh.dim);
   for (std::size_t i = 0; i < check.arguments.size() && i < letters.size(); ++i) {
     const auto* name = std::get_if<std::string>(&check.arguments[i]);
-    ShellResult trouble;
+    base::Trouble trouble;
     if (letters[i] == 's' && *name != "NOW") {
       std::size_t index = 0;
       trouble = find_name(step_names(*model_), "step", *name, index);
@@ -96,7 +95,7 @@ ShellResult ShellSession::evaluate(const model::Check& check, double& value) {
   }
   const std::string& q = check.quantity;
   if (q.ends_with(".BAR") || q.ends_with(".BEST") || q.starts_with("DK")) {
-    if (ShellResult trouble = bench_->estimate()) {
+    if (base::Trouble trouble = bench_->estimate()) {
       return trouble;
     }
   } else if (q == "ERROR") {
@@ -107,7 +106,7 @@ ShellResult ShellSession::evaluate(const model::Check& check, double& value) {
   const results::CheckResult found = evaluate_checks(*model_, bench_->run()).front();
   std::swap(model_->checks, asked);
   if (!found.trouble.empty()) {
-    return ShellTrouble{base::exit_code::check_failed, found.trouble, {}};
+    return base::NoAnswer{.kind = base::Outcome::check_failed, .why = found.trouble};
   }
   value = found.found;
   return {};

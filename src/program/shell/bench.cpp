@@ -3,7 +3,6 @@
 
 #include "analysis/recover/finite_results.hpp"
 #include "analysis/scene/gone_nodes.hpp"
-#include "base/exit_codes.hpp"
 #include "base/tidy.hpp"
 
 #include <algorithm>
@@ -19,8 +18,8 @@ namespace {
 constexpr std::size_t path_from = 0; // steps of `shown_`, which give a path's ends their names
 constexpr std::size_t path_to = 1;
 
-ShellTrouble interrupted() {
-  return {base::exit_code::stopped, "stopped; everything is as it was before", {}};
+base::NoAnswer interrupted() {
+  return {.kind = base::Outcome::stopped, .why = "stopped; everything is as it was before"};
 }
 
 // The deck with three steps of no content in the place of its own: the ends of a path, and NOW.
@@ -73,7 +72,8 @@ ShellBench::ShellBench(const BenchParts& parts)
 
 std::unique_ptr<ShellBench> ShellBench::make(const BenchParts& parts,
                                              const analysis::RegionPlan& plan,
-                                             base::Diagnostics& diagnostics, ShellResult& trouble) {
+                                             base::Diagnostics& diagnostics,
+                                             base::Trouble& trouble) {
   std::unique_ptr<ShellBench> bench(new ShellBench(parts));
   bench->length_ = analysis::Length::make({.model = parts.model,
                                            .cache = parts.cache,
@@ -105,10 +105,10 @@ void ShellBench::begin_run() {
       std::ranges::count_if(cracked.host, [](base::ElementId e) { return e.valid(); }));
 }
 
-ShellResult ShellBench::prepare() {
+base::Trouble ShellBench::prepare() {
   condensed_ = {};
   if (!length_->condense(condensed_)) {
-    return ShellTrouble{base::exit_code::not_solvable, condensed_.trouble, {}};
+    return condensed_.trouble;
   }
   fresh_ = length_->start();
   solver_.reset();
@@ -119,7 +119,7 @@ ShellResult ShellBench::prepare() {
   return {};
 }
 
-ShellResult ShellBench::close(const std::vector<std::size_t>& lines) {
+base::Trouble ShellBench::close(const std::vector<std::size_t>& lines) {
   solver_.reset(); // it looks at the rows of the scene
   fresh_.reset();
   ++closings_;
@@ -130,23 +130,23 @@ ShellResult ShellBench::close(const std::vector<std::size_t>& lines) {
   return prepare();
 }
 
-ShellResult ShellBench::advance(const std::vector<model::Step>& steps, Reached& reached) const {
+base::Trouble ShellBench::advance(const std::vector<model::Step>& steps, Reached& reached) const {
   for (const model::Step& step : steps) {
     if (stopped()) {
       return interrupted();
     }
-    analysis::Refusal refusal;
-    reached.state = reached.solver->solve(step, refusal);
+    base::Trouble trouble;
+    reached.state = reached.solver->solve(step, trouble);
     if (!reached.state) {
-      return ShellTrouble{
-          refusal.exit_code, fmt::format("step {}: {}", step.name, refusal.why), {}};
+      trouble->why = fmt::format("step {}: {}", step.name, trouble->why);
+      return trouble;
     }
     results::StepResult numbers;
     numbers.u = reached.state->u;
     numbers.reaction = reached.state->reaction;
     if (const std::string what = analysis::not_finite(numbers); !what.empty()) {
-      return ShellTrouble{
-          base::exit_code::not_solvable, fmt::format("step {}: {}", step.name, what), {}};
+      return base::NoAnswer{.kind = base::Outcome::not_solvable,
+                            .why = fmt::format("step {}: {}", step.name, what)};
     }
     reached.touching = length_->touching(reached.state->u);
     if (!reached.touching.empty()) {
@@ -156,19 +156,19 @@ ShellResult ShellBench::advance(const std::vector<model::Step>& steps, Reached& 
   return {};
 }
 
-ShellResult ShellBench::reach(const std::vector<model::Step>& way, Reached& reached) {
+base::Trouble ShellBench::reach(const std::vector<model::Step>& way, Reached& reached) {
   while (true) {
     if (parts_.memory != nullptr) {
       parts_.memory->restart();
     }
     reached = {std::make_unique<analysis::StepSolver>(*fresh_), {}, {}};
-    if (ShellResult trouble = advance(way, reached)) {
+    if (base::Trouble trouble = advance(way, reached)) {
       return trouble;
     }
     if (reached.touching.empty()) {
       return {};
     }
-    if (ShellResult trouble = close(reached.touching)) {
+    if (base::Trouble trouble = close(reached.touching)) {
       return trouble;
     }
   }
@@ -197,10 +197,10 @@ void ShellBench::take(Reached reached, const std::vector<model::Step>& way) {
   way_ = way;
 }
 
-ShellResult ShellBench::walk(const std::vector<model::Step>& way) {
+base::Trouble ShellBench::walk(const std::vector<model::Step>& way) {
   const std::vector<model::Step> before = way_;
   Reached reached;
-  if (ShellResult trouble = reach(way, reached)) {
+  if (base::Trouble trouble = reach(way, reached)) {
     if (!solver_ && !before.empty() && !reach(before, reached)) { // faces were closed meanwhile
       take(std::move(reached), before);
     }
@@ -210,9 +210,9 @@ ShellResult ShellBench::walk(const std::vector<model::Step>& way) {
   return {};
 }
 
-ShellResult ShellBench::go_on(const model::Step& step, const std::vector<model::Step>& way) {
+base::Trouble ShellBench::go_on(const model::Step& step, const std::vector<model::Step>& way) {
   Reached reached{std::make_unique<analysis::StepSolver>(*solver_), {}, {}};
-  if (ShellResult trouble = advance({step}, reached)) {
+  if (base::Trouble trouble = advance({step}, reached)) {
     return trouble;
   }
   if (!reached.touching.empty()) { // solved anew with contact between them, from the beginning
@@ -222,7 +222,7 @@ ShellResult ShellBench::go_on(const model::Step& step, const std::vector<model::
   return {};
 }
 
-ShellResult ShellBench::estimate() {
+base::Trouble ShellBench::estimate() {
   if (estimated_ || length_->scene().cracked.tips.empty()) {
     return {};
   }
@@ -248,7 +248,7 @@ void ShellBench::estimate_nets() {
   }
 }
 
-ShellResult ShellBench::add_step(std::size_t step) {
+base::Trouble ShellBench::add_step(std::size_t step) {
   const std::vector<model::Step>& steps = parts_.model.steps;
   if (results::find_step(run_.increments.front(), steps[step].name) != nullptr) {
     return {};
@@ -257,10 +257,10 @@ ShellResult ShellBench::add_step(std::size_t step) {
   Reached reached;
   const std::vector<model::Step> way(steps.begin(),
                                      steps.begin() + static_cast<std::ptrdiff_t>(step) + 1);
-  ShellResult trouble = reach(way, reached);
+  base::Trouble trouble = reach(way, reached);
   if (!solver_) { // its faces met, so that the present state is to be found again
     Reached present;
-    if (ShellResult lost = reach(now, present)) {
+    if (base::Trouble lost = reach(now, present)) {
       return lost;
     }
     take(std::move(present), now);
@@ -271,18 +271,18 @@ ShellResult ShellBench::add_step(std::size_t step) {
   return trouble;
 }
 
-ShellResult ShellBench::follow(const model::LoadPath& card, const std::vector<model::Step>& from,
-                               const std::vector<model::Step>& to) {
+base::Trouble ShellBench::follow(const model::LoadPath& card, const std::vector<model::Step>& from,
+                                 const std::vector<model::Step>& to) {
   const std::vector<model::Step> now = way_;
   model::LoadPath own = card;
   own.from = base::StepId(path_from);
   own.to = base::StepId(path_to);
   std::vector<results::LoadPath> found;
-  ShellResult trouble;
+  base::Trouble trouble;
   const auto to_end = [&](const std::vector<model::Step>& way, Reached& reached) {
     if (solver_ && is_one_further(way, now)) {
       reached = {std::make_unique<analysis::StepSolver>(*solver_), {}, {}};
-      ShellResult stuck = advance({way.back()}, reached);
+      base::Trouble stuck = advance({way.back()}, reached);
       if (stuck || reached.touching.empty()) {
         return stuck;
       }
@@ -312,7 +312,7 @@ ShellResult ShellBench::follow(const model::LoadPath& card, const std::vector<mo
   shown_.load_paths.clear();
   if (!solver_) {
     Reached present;
-    if (ShellResult lost = reach(now, present)) {
+    if (base::Trouble lost = reach(now, present)) {
       return lost;
     }
     take(std::move(present), now);

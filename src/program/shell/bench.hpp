@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "analysis/lengths/length.hpp"
-#include "program/shell/trouble.hpp"
+#include "base/outcome.hpp"
 
 #include <functional>
 #include <memory>
@@ -29,14 +29,14 @@ class ShellBench {
 public:
   /// Cuts the cracks and condenses the nets. Mistakes that only show here go to `diagnostics`.
   static std::unique_ptr<ShellBench> make(const BenchParts& parts, const analysis::RegionPlan& plan,
-                                          base::Diagnostics& diagnostics, ShellResult& trouble);
+                                          base::Diagnostics& diagnostics, base::Trouble& trouble);
   ShellBench(const ShellBench&) = delete;
   ShellBench& operator=(const ShellBench&) = delete;
 
   /// From the unloaded state through all these steps; their end is the present state.
-  ShellResult walk(const std::vector<model::Step>& way);
+  base::Trouble walk(const std::vector<model::Step>& way);
   /// On from the present state by one more step; `way` leads to the same end.
-  ShellResult go_on(const model::Step& step, const std::vector<model::Step>& way);
+  base::Trouble go_on(const model::Step& step, const std::vector<model::Step>& way);
 
   /// One increment with the mesh and the present state as its step NOW; then what was asked of the
   /// deck's own steps, and the load paths that were followed.
@@ -51,31 +51,31 @@ public:
   [[nodiscard]] const analysis::CondenseLog& condensed() const { return condensed_; }
 
   /// Error bars and sensitivities of the present state, once.
-  ShellResult estimate();
+  base::Trouble estimate();
   /// Estimated errors of the nets in the energy norm, once.
   void estimate_nets();
   /// The end of a step of the deck becomes a further step of run().
-  ShellResult add_step(std::size_t step);
+  base::Trouble add_step(std::size_t step);
   /// The straight path between two steps that follow `way`, t from 0 to `beyond`; it replaces paths
   /// of that name in run(). Without friction only.
-  ShellResult follow(const model::LoadPath& card, const std::vector<model::Step>& from,
-                     const std::vector<model::Step>& to);
+  base::Trouble follow(const model::LoadPath& card, const std::vector<model::Step>& from,
+                       const std::vector<model::Step>& to);
 
 private:
   explicit ShellBench(const BenchParts& parts);
   void begin_run();
-  ShellResult prepare();
+  base::Trouble prepare();
   /// Lines whose faces would overlap become pairs, and everything that stood on it is made anew.
-  ShellResult close(const std::vector<std::size_t>& lines);
+  base::Trouble close(const std::vector<std::size_t>& lines);
   struct Reached {
     std::unique_ptr<analysis::StepSolver> solver;
     std::optional<analysis::StepState> state;
     std::vector<std::size_t> touching; ///< lines to close before this is an answer
   };
   /// Solves the steps one by one; stops where faces touch.
-  ShellResult advance(const std::vector<model::Step>& steps, Reached& reached) const;
+  base::Trouble advance(const std::vector<model::Step>& steps, Reached& reached) const;
   /// advance() from the unloaded state, faces closed where they meet.
-  ShellResult reach(const std::vector<model::Step>& way, Reached& reached);
+  base::Trouble reach(const std::vector<model::Step>& way, Reached& reached);
   void take(Reached reached, const std::vector<model::Step>& way);
   [[nodiscard]] results::StepResult gather(const Reached& reached, const std::string& name) const;
   [[nodiscard]] bool stopped() const { return parts_.stopped && parts_.stopped(); }

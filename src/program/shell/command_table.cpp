@@ -3,12 +3,12 @@
 
 #include "base/clock.hpp"
 #include "base/diagnostics.hpp"
-#include "base/exit_codes.hpp"
 #include "grammar/lexeme.hpp"
 #include "program/shell/actions.hpp"
 #include "program/shell/known_names.hpp"
 #include "program/shell/plots.hpp"
 #include "program/shell/reply_text.hpp"
+#include "program/shell/trouble.hpp"
 
 #include <algorithm>
 #include <system_error>
@@ -40,11 +40,11 @@ std::string usage_of(const ShellCommand& command) {
                      command.arguments);
 }
 
-ShellTrouble unknown(const std::string& word) {
+base::NoAnswer unknown(const std::string& word) {
   const std::vector<std::string> words = command_words();
   std::string hint = base::suggest(word, words);
-  return {base::exit_code::usage, fmt::format("there is no command '{}'", word),
-          hint.empty() ? "help lists them" : std::move(hint)};
+  return misuse(fmt::format("there is no command '{}'", word),
+                hint.empty() ? "help lists them" : std::move(hint));
 }
 
 } // namespace
@@ -116,7 +116,7 @@ std::string help_text() {
                "expressions: 0.3*R, 5[kN].\n";
 }
 
-ShellResult help(const std::string& word, std::string& out) {
+base::Trouble help(const std::string& word, std::string& out) {
   if (word.empty()) {
     out = help_text();
     return {};
@@ -137,17 +137,17 @@ ShellResult help(const std::string& word, std::string& out) {
 }
 
 // Half a sentence may be meant for something else.
-ShellResult leave(const std::vector<ShellWord>& words, ShellReply& reply) {
+base::Trouble leave(const std::vector<ShellWord>& words, ShellReply& reply) {
   if (words.size() > 1) {
-    return ShellTrouble{base::exit_code::usage, fmt::format("use: {}", words.front().text), {}};
+    return misuse(fmt::format("use: {}", words.front().text));
   }
   reply.quit = true;
   return {};
 }
 
-ShellResult act(ShellSession& session, const ShellHistory& history, const std::string& line,
-                ShellReply& reply) {
-  if (ShellResult trouble = session.restore()) {
+base::Trouble act(ShellSession& session, const ShellHistory& history, const std::string& line,
+                  ShellReply& reply) {
+  if (base::Trouble trouble = session.restore()) {
     return trouble;
   }
   if (asks_quantity(line)) {
@@ -188,14 +188,14 @@ ShellReply run_shell_line(ShellSession& session, const ShellHistory& history,
     return reply;
   }
   const base::Stopwatch watch;
-  ShellResult trouble;
+  base::Trouble trouble;
   try {
     trouble = act(session, history, line, reply);
   } catch (const std::system_error& file) {
-    trouble = ShellTrouble{base::exit_code::file_trouble, file.what(), {}};
+    trouble = base::NoAnswer{.kind = base::Outcome::file_trouble, .why = file.what()};
   }
   if (trouble) {
-    reply.exit_code = trouble->exit_code;
+    reply.outcome = trouble->kind;
     if (trouble->complete) {
       reply.messages += trouble->why;
     } else {

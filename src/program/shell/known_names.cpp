@@ -2,8 +2,8 @@
 #include "program/shell/known_names.hpp"
 
 #include "base/diagnostics.hpp"
-#include "base/exit_codes.hpp"
 #include "grammar/lexeme.hpp"
+#include "program/shell/trouble.hpp"
 
 #include <algorithm>
 
@@ -80,14 +80,13 @@ std::vector<std::string> quantity_names() {
   return names;
 }
 
-ShellResult find_name(const std::vector<std::string>& names, const char* what,
-                      const std::string& name, std::size_t& index) {
+base::Trouble find_name(const std::vector<std::string>& names, const char* what,
+                        const std::string& name, std::size_t& index) {
   const auto found = std::ranges::find(names, name);
   if (found == names.end()) {
-    return ShellTrouble{base::exit_code::usage,
-                        names.empty() ? fmt::format("the deck has no {}", what)
-                                      : fmt::format("there is no {} '{}'", what, name),
-                        base::suggest(name, names)};
+    return misuse(names.empty() ? fmt::format("the deck has no {}", what)
+                                : fmt::format("there is no {} '{}'", what, name),
+                  base::suggest(name, names));
   }
   index = static_cast<std::size_t>(found - names.begin());
   return {};

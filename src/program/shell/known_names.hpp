@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/outcome.hpp"
 #include "grammar/catalogue.hpp"
 #include "model/model.hpp"
-#include "program/shell/trouble.hpp"
 
 #include <string>
 #include <string_view>
@@ -25,8 +25,8 @@ std::vector<std::string> parameter_names(const model::Model& model); ///< as the
 std::vector<std::string> quantity_names();
 
 /// The place of a name (upper case) in a list, or what it is not and which was meant.
-ShellResult find_name(const std::vector<std::string>& names, const char* what,
-                      const std::string& name, std::size_t& index);
+base::Trouble find_name(const std::vector<std::string>& names, const char* what,
+                        const std::string& name, std::size_t& index);
 
 /// The same word but for the case of its letters.
 bool same_word(std::string_view a, std::string_view b);

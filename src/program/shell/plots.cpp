@@ -2,7 +2,7 @@
 #include "program/shell/plots.hpp"
 
 #include "base/diagnostics.hpp"
-#include "base/exit_codes.hpp"
+#include "program/shell/trouble.hpp"
 #include "report/drawing/plot.hpp"
 #include "report/drawing/svg.hpp"
 #include "report/drawing/table.hpp"
@@ -78,30 +78,26 @@ std::string path_picture(const ShellSession& session, const results::LoadPath& p
   return report::draw(plot);
 }
 
-ShellResult nothing(std::string why, std::string hint = {}) {
-  return ShellTrouble{base::exit_code::usage, std::move(why), std::move(hint)};
-}
-
 } // namespace
 
 std::vector<std::string> picture_kinds() {
   return {"k", "pressure", "mesh", "path"};
 }
 
-ShellResult picture(const ShellSession& session, const std::string& kind, std::string& svg) {
+base::Trouble picture(const ShellSession& session, const std::string& kind, std::string& svg) {
   if (kind == "k") {
     const std::optional<report::Figure> figure =
         report::k_figure(session.shown(), session.lengths());
     if (!figure) {
-      return nothing("K over the crack length needs two lengths with these loads and fits",
-                     "length CRACK a tries another one");
+      return misuse("K over the crack length needs two lengths with these loads and fits",
+                    "length CRACK a tries another one");
     }
     svg = stacked({*figure});
   } else if (kind == "pressure") {
     const std::vector<report::Figure> figures =
         report::pressure_figures(session.shown(), session.run());
     if (figures.empty()) {
-      return nothing("no contact is mounted");
+      return misuse("no contact is mounted");
     }
     svg = stacked(figures);
   } else if (kind == "mesh") {
@@ -109,12 +105,12 @@ ShellResult picture(const ShellSession& session, const std::string& kind, std::s
   } else if (kind == "path") {
     const results::LoadPath* path = session.mapped();
     if (path == nullptr || path->tips.empty()) {
-      return nothing("there is no map at this state", "map CASE 0 1.5, or map LOADPATH");
+      return misuse("there is no map at this state", "map CASE 0 1.5, or map LOADPATH");
     }
     svg = stacked({{{path_picture(session, *path)}, {}, {}}});
   } else {
-    return nothing(fmt::format("there is no picture of '{}'", kind),
-                   base::suggest(kind, picture_kinds()));
+    return misuse(fmt::format("there is no picture of '{}'", kind),
+                  base::suggest(kind, picture_kinds()));
   }
   return {};
 }

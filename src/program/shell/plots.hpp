@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/outcome.hpp"
 #include "program/shell/session.hpp"
 
 #include <string>
@@ -13,6 +14,6 @@ std::vector<std::string> picture_kinds();
 /// One SVG of a kind: K1 over the lengths tried at the present loads and fits, the pressures, the
 /// mesh with its cracks, or K1 along the path that was mapped last. The session has nothing
 /// pending.
-ShellResult picture(const ShellSession& session, const std::string& kind, std::string& svg);
+base::Trouble picture(const ShellSession& session, const std::string& kind, std::string& svg);
 
 } // namespace spricka::program

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "base/exit_codes.hpp"
 #include "program/shell/actions.hpp"
 #include "program/shell/known_names.hpp"
 #include "program/shell/replies.hpp"
+#include "program/shell/trouble.hpp"
 
 #include <algorithm>
 
@@ -38,11 +38,11 @@ std::string unit_name(const base::UnitSystem& units, Quantity quantity) {
 
 } // namespace
 
-ShellResult do_k(const ShellCall& call) {
+base::Trouble do_k(const ShellCall& call) {
   const std::string only = call.words.size() > 1 ? name_at(call, 1) : std::string();
   const results::StepResult& before = call.session.now();
   if (before.tips.empty()) {
-    return ShellTrouble{base::exit_code::usage, "the deck has no crack", {}};
+    return misuse("the deck has no crack");
   }
   std::vector<std::string> names;
   for (const results::TipResult& tip : before.tips) {
@@ -54,7 +54,7 @@ ShellResult do_k(const ShellCall& call) {
     }
   }
   std::size_t index = 0;
-  ShellResult trouble = only.empty() ? ShellResult() : find_name(names, "crack", only, index);
+  base::Trouble trouble = only.empty() ? base::Trouble() : find_name(names, "crack", only, index);
   trouble = trouble ? trouble : settle(call.session, call.reply);
   trouble = trouble ? trouble : call.session.estimate();
   if (!trouble) {
@@ -67,25 +67,25 @@ ShellResult do_k(const ShellCall& call) {
 namespace {
 
 // The contact of that name at the present state.
-ShellResult contact_now(const ShellCall& call, const results::ContactResult** contact) {
+base::Trouble contact_now(const ShellCall& call, const results::ContactResult** contact) {
   const std::string name = name_at(call, 1);
   std::size_t index = 0;
-  ShellResult trouble = find_name(pair_names(call.session.model()), "contact", name, index);
+  base::Trouble trouble = find_name(pair_names(call.session.model()), "contact", name, index);
   trouble = trouble ? trouble : settle(call.session, call.reply);
   if (trouble) {
     return trouble;
   }
   *contact = results::find_contact(call.session.now(), name);
   if (*contact == nullptr) {
-    return ShellTrouble{
-        base::exit_code::check_failed, fmt::format("the faces of {} touch nowhere", name), {}};
+    return base::NoAnswer{.kind = base::Outcome::check_failed,
+                          .why = fmt::format("the faces of {} touch nowhere", name)};
   }
   return {};
 }
 
 } // namespace
 
-ShellResult do_pressure(const ShellCall& call) {
+base::Trouble do_pressure(const ShellCall& call) {
   if (call.words.size() < 2) {
     return wrong(call);
   }
@@ -104,7 +104,7 @@ ShellResult do_pressure(const ShellCall& call) {
   if (call.words.size() != 2) {
     return wrong(call);
   }
-  if (ShellResult trouble = contact_now(call, &contact)) {
+  if (base::Trouble trouble = contact_now(call, &contact)) {
     return trouble;
   }
   call.reply.out = pressure_reply(call.session, *contact);
@@ -114,12 +114,12 @@ ShellResult do_pressure(const ShellCall& call) {
   return {};
 }
 
-ShellResult do_arc(const ShellCall& call) {
+base::Trouble do_arc(const ShellCall& call) {
   if (call.words.size() != 2) {
     return wrong(call);
   }
   const results::ContactResult* contact = nullptr;
-  ShellResult trouble = contact_now(call, &contact);
+  base::Trouble trouble = contact_now(call, &contact);
   if (!trouble) {
     call.reply.out = arc_reply(call.session, *contact);
   }
@@ -128,9 +128,9 @@ ShellResult do_arc(const ShellCall& call) {
 
 namespace {
 
-ShellResult answer_all(const ShellCall& call, const std::vector<std::string>& quantities) {
+base::Trouble answer_all(const ShellCall& call, const std::vector<std::string>& quantities) {
   for (const std::string& quantity : quantities) {
-    if (ShellResult trouble = answer_quantity(call.session, quantity, call.reply)) {
+    if (base::Trouble trouble = answer_quantity(call.session, quantity, call.reply)) {
       return trouble;
     }
   }
@@ -139,7 +139,7 @@ ShellResult answer_all(const ShellCall& call, const std::vector<std::string>& qu
 
 } // namespace
 
-ShellResult do_reaction(const ShellCall& call) {
+base::Trouble do_reaction(const ShellCall& call) {
   if (call.words.size() != 2) {
     return wrong(call);
   }
@@ -165,7 +165,7 @@ std::string point_of(const ShellCall& call) {
 
 } // namespace
 
-ShellResult do_displacement(const ShellCall& call) {
+base::Trouble do_displacement(const ShellCall& call) {
   const std::string point = point_of(call);
   std::vector<std::string> quantities;
   quantities.reserve(3);
@@ -175,7 +175,7 @@ ShellResult do_displacement(const ShellCall& call) {
   return point.empty() ? wrong(call) : answer_all(call, quantities);
 }
 
-ShellResult do_stress(const ShellCall& call) {
+base::Trouble do_stress(const ShellCall& call) {
   const std::string point = point_of(call);
   std::vector<std::string> quantities;
   const bool solid = call.session.model().mesh.dim == 3;
@@ -187,11 +187,11 @@ ShellResult do_stress(const ShellCall& call) {
   return point.empty() ? wrong(call) : answer_all(call, quantities);
 }
 
-ShellResult do_map(const ShellCall& call) {
+base::Trouble do_map(const ShellCall& call) {
   if (call.words.size() != 2 && call.words.size() != 4) {
     return wrong(call);
   }
-  ShellResult trouble = settle(call.session, call.reply);
+  base::Trouble trouble = settle(call.session, call.reply);
   if (trouble) {
     return trouble;
   }
@@ -216,14 +216,14 @@ ShellResult do_map(const ShellCall& call) {
   return {};
 }
 
-ShellResult do_sensitivity(const ShellCall& call) {
-  ShellResult trouble = settle(call.session, call.reply);
+base::Trouble do_sensitivity(const ShellCall& call) {
+  base::Trouble trouble = settle(call.session, call.reply);
   trouble = trouble ? trouble : call.session.estimate();
   if (trouble) {
     return trouble;
   }
   if (call.session.now().tips.empty()) {
-    return ShellTrouble{base::exit_code::usage, "the deck has no crack", {}};
+    return misuse("the deck has no crack");
   }
   call.reply.out = sensitivity_reply(call.session);
   for (const results::TipResult& tip : call.session.now().tips) {
@@ -234,10 +234,10 @@ ShellResult do_sensitivity(const ShellCall& call) {
   return {};
 }
 
-ShellResult answer_quantity(ShellSession& session, const std::string& text, ShellReply& reply) {
+base::Trouble answer_quantity(ShellSession& session, const std::string& text, ShellReply& reply) {
   model::Check check;
   double value = 0.0;
-  ShellResult trouble = read_quantity(text, session.model(), check);
+  base::Trouble trouble = read_quantity(text, session.model(), check);
   trouble = trouble ? trouble : settle(session, reply);
   trouble = trouble ? trouble : session.evaluate(check, value);
   if (trouble) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "base/exit_codes.hpp"
+#include "base/outcome.hpp"
 
 #include <string>
 #include <vector>
@@ -11,7 +11,7 @@ namespace spricka::program {
 struct ShellReply {
   std::string out;      ///< data
   std::string messages; ///< notes, warnings and errors
-  int exit_code = base::exit_code::done;
+  base::Outcome outcome = base::Outcome::done;
   double cpu = 0.0; ///< [s]
   bool quit = false;
 };

@@ -2,13 +2,13 @@
 #include "program/shell/reply_text.hpp"
 
 #include "base/diagnostics.hpp"
-#include "base/exit_codes.hpp"
 #include "base/messages.hpp"
 #include "grammar/argument_word.hpp"
 #include "grammar/compile.hpp"
 #include "grammar/lexeme.hpp"
 #include "grammar/parse.hpp"
 #include "program/shell/known_names.hpp"
+#include "program/shell/trouble.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -35,15 +35,14 @@ struct Line {
       scope.values.emplace(grammar::to_upper(name), value);
     }
   }
-  [[nodiscard]] ShellResult trouble() const {
-    return ShellTrouble{base::exit_code::usage, base::format(sources, diagnostics), {}, true};
+  [[nodiscard]] base::Trouble trouble() const {
+    return told_at_places(base::Outcome::usage, base::format(sources, diagnostics));
   }
 };
 
-ShellResult no_such(const std::string& what, const std::string& name,
-                    const std::vector<std::string>& names) {
-  return ShellTrouble{base::exit_code::usage, fmt::format("there is no {} '{}'", what, name),
-                      base::suggest(name, names)};
+base::Trouble no_such(const std::string& what, const std::string& name,
+                      const std::vector<std::string>& names) {
+  return misuse(fmt::format("there is no {} '{}'", what, name), base::suggest(name, names));
 }
 
 // Tips of cracks with two: NAME.1, NAME.2.
@@ -54,19 +53,17 @@ bool is_name(char letter, const std::string& name, const std::vector<std::string
   return std::ranges::find(names, tip ? name.substr(0, dot) : name) != names.end();
 }
 
-ShellResult read_argument(char letter, const grammar::Expression& expression,
-                          const model::Model& model, Line& line, model::Check& check) {
+base::Trouble read_argument(char letter, const grammar::Expression& expression,
+                            const model::Model& model, Line& line, model::Check& check) {
   if (letter == 'a' || letter == 'z') {
     const std::optional<double> value = grammar::evaluate(expression, line.scope, line.diagnostics);
     check.arguments.emplace_back(value.value_or(0.0));
-    return value ? ShellResult() : line.trouble();
+    return value ? base::Trouble() : line.trouble();
   }
   const std::string written(line.sources.text(expression.span));
   if (expression.terms.size() != 1 || expression.terms[0].kind != grammar::Term::Kind::name) {
-    return ShellTrouble{
-        base::exit_code::usage,
-        fmt::format("a {} is expected, not '{}'", grammar::argument_word(letter), written),
-        {}};
+    return misuse(
+        fmt::format("a {} is expected, not '{}'", grammar::argument_word(letter), written));
   }
   const std::string name = grammar::to_upper(written);
   const std::vector<std::string> names = names_for(letter, model);
@@ -152,8 +149,8 @@ std::vector<ShellWord> shell_words(std::string_view line) {
   return words;
 }
 
-ShellResult read_number(const std::string& text, const model::Model& model,
-                        grammar::Quantity quantity, double& value) {
+base::Trouble read_number(const std::string& text, const model::Model& model,
+                          grammar::Quantity quantity, double& value) {
   Line line(text, model);
   const std::optional<grammar::Expression> expression =
       grammar::parse_expression(line.sources, line.whole, line.diagnostics);
@@ -171,7 +168,7 @@ ShellResult read_number(const std::string& text, const model::Model& model,
   }
   const std::optional<double> found = grammar::evaluate(*expression, line.scope, line.diagnostics);
   value = found.value_or(0.0);
-  return found ? ShellResult() : line.trouble();
+  return found ? base::Trouble() : line.trouble();
 }
 
 bool asks_quantity(std::string_view line) {
@@ -211,7 +208,8 @@ std::vector<std::string> names_for(char letter, const model::Model& model) {
   }
 }
 
-ShellResult read_quantity(const std::string& text, const model::Model& model, model::Check& check) {
+base::Trouble read_quantity(const std::string& text, const model::Model& model,
+                            model::Check& check) {
   Line line(text, model);
   const std::vector<grammar::Row> rows =
       grammar::parse_rows(line.sources, line.whole, line.diagnostics);
@@ -220,8 +218,7 @@ ShellResult read_quantity(const std::string& text, const model::Model& model, mo
   }
   if (rows.size() != 1 || rows[0].fields.size() != 1 ||
       rows[0].fields[0].kind != grammar::Field::Kind::quantity) {
-    return ShellTrouble{base::exit_code::usage, "one result with its arguments is expected",
-                        "K1(CRACK, NOW)"};
+    return misuse("one result with its arguments is expected", "K1(CRACK, NOW)");
   }
   const grammar::Field& field = rows[0].fields[0];
   const grammar::ResultQuantity* is = grammar::find_quantity(field.text);
@@ -229,21 +226,19 @@ ShellResult read_quantity(const std::string& text, const model::Model& model, mo
     return no_such("result", field.text, quantity_names());
   }
   if (is->name == "N" || is->name == "LIFE" || is->name.starts_with("TEST.")) {
-    return ShellTrouble{base::exit_code::usage,
-                        fmt::format("{} needs a growth run; the shell looks at states", is->name),
-                        {}};
+    return misuse(fmt::format("{} needs a growth run; the shell looks at states", is->name));
   }
   const int dim = model.mesh.dim;
   const std::string letters = argument_letters(*is, dim);
   const std::size_t count = field.arguments.size();
   if (count < least(*is, dim) || count > letters.size()) {
-    return ShellTrouble{base::exit_code::usage, fmt::format("write {}", form_of(*is, dim)), {}};
+    return misuse(fmt::format("write {}", form_of(*is, dim)));
   }
   check = {};
   check.quantity = field.text;
   check.relative = false;
   for (std::size_t i = 0; i < count; ++i) {
-    if (ShellResult trouble = read_argument(letters[i], field.arguments[i], model, line, check)) {
+    if (base::Trouble trouble = read_argument(letters[i], field.arguments[i], model, line, check)) {
       return trouble;
     }
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/outcome.hpp"
 #include "grammar/catalogue.hpp"
 #include "model/model.hpp"
-#include "program/shell/trouble.hpp"
 
 #include <string>
 #include <string_view>
@@ -26,14 +26,15 @@ std::vector<ShellWord> shell_words(std::string_view line);
 std::string_view without_comment(std::string_view line);
 
 /// A number: an expression of the deck language with the deck's parameters, units of this quantity.
-ShellResult read_number(const std::string& text, const model::Model& model,
-                        grammar::Quantity quantity, double& value);
+base::Trouble read_number(const std::string& text, const model::Model& model,
+                          grammar::Quantity quantity, double& value);
 
 /// Whether a line asks for a quantity of $CHECK: NAME(arguments).
 bool asks_quantity(std::string_view line);
 
 /// A quantity of $CHECK with its arguments; every name is one of the deck, a step may be NOW.
-ShellResult read_quantity(const std::string& text, const model::Model& model, model::Check& check);
+base::Trouble read_quantity(const std::string& text, const model::Model& model,
+                            model::Check& check);
 
 /// Names that an argument of this letter (grammar/catalogue.hpp) can be; empty for numbers.
 std::vector<std::string> names_for(char letter, const model::Model& model);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/shell/save.hpp"
 
-#include "base/exit_codes.hpp"
 #include "grammar/lexeme.hpp"
 #include "grammar/parse.hpp"
 #include "program/shell/known_names.hpp"
+#include "program/shell/trouble.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,10 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using grammar::Card;
-
-ShellTrouble cannot(std::string why, std::string hint = {}) {
-  return {base::exit_code::usage, std::move(why), std::move(hint)};
-}
 
 std::string value_of(const Card& card, std::string_view key) {
   for (const grammar::Parameter& p : card.parameters) {
@@ -136,7 +132,7 @@ void quiet_cards(const ShellSession& session, Edits& edits) {
   }
 }
 
-ShellResult set_lengths(const ShellSession& session, Edits& edits) {
+base::Trouble set_lengths(const ShellSession& session, Edits& edits) {
   std::map<std::string, double> lengths = session.set_lengths();
   if (session.model().growth) { // its lengths are gone with its card
     for (std::size_t c = 0; c < session.model().cracks.size(); ++c) {
@@ -149,7 +145,7 @@ ShellResult set_lengths(const ShellSession& session, Edits& edits) {
   for (const auto& [name, a] : lengths) {
     const Card* card = edits.find("CRACK", name);
     if (card == nullptr) {
-      return cannot(fmt::format("crack {} is described in an included file, which save does not "
+      return misuse(fmt::format("crack {} is described in an included file, which save does not "
                                 "change",
                                 name));
     }
@@ -158,11 +154,11 @@ ShellResult set_lengths(const ShellSession& session, Edits& edits) {
   return {};
 }
 
-ShellResult set_interferences(const ShellSession& session, Edits& edits) {
+base::Trouble set_interferences(const ShellSession& session, Edits& edits) {
   for (const auto& [name, value] : session.set_interferences()) {
     const Card* card = edits.find("CONTACT", name);
     if (card == nullptr) {
-      return cannot(fmt::format("contact {} is described in an included file, which save does not "
+      return misuse(fmt::format("contact {} is described in an included file, which save does not "
                                 "change",
                                 name));
     }
@@ -199,10 +195,10 @@ bool set_parameter(Edits& edits, const std::string& name, const std::string& exp
   return false;
 }
 
-ShellResult set_parameters(const ShellSession& session, Edits& edits) {
+base::Trouble set_parameters(const ShellSession& session, Edits& edits) {
   for (const auto& [name, expression] : session.defines()) {
     if (!set_parameter(edits, name, expression)) {
-      return cannot(fmt::format("parameter {} is defined in an included file, which save does not "
+      return misuse(fmt::format("parameter {} is defined in an included file, which save does not "
                                 "change",
                                 name),
                     fmt::format("save without it and run with -D '{}={}'", name, expression));
@@ -282,8 +278,8 @@ model::Step all_factors(const ShellSession& session) {
 }
 
 // A fit that no step of the deck names is 1 from the beginning: naming it now would change that.
-ShellResult keep_first_fits(const ShellSession& session, const std::vector<model::Step>& added,
-                            Edits& edits) {
+base::Trouble keep_first_fits(const ShellSession& session, const std::vector<model::Step>& added,
+                              Edits& edits) {
   const model::Model& model = session.model();
   std::string rows;
   for (std::size_t c = 0; c < model.contacts.size(); ++c) {
@@ -302,13 +298,13 @@ ShellResult keep_first_fits(const ShellSession& session, const std::vector<model
   }
   const Card* first = edits.find("STEP", model.steps.front().name);
   if (first == nullptr) {
-    return cannot("the first step is in an included file, which save does not change");
+    return misuse("the first step is in an included file, which save does not change");
   }
   edits.replace(edits.below(*first), edits.below(*first), rows);
   return {};
 }
 
-ShellResult add_steps(const ShellSession& session, Edits& edits) {
+base::Trouble add_steps(const ShellSession& session, Edits& edits) {
   const model::Model& model = session.model();
   const bool last = session.base_step() == model.steps.back().name;
   const bool ordered = session.rubs() || mounts(session.changes()) || mounts(model.steps);
@@ -319,12 +315,12 @@ ShellResult add_steps(const ShellSession& session, Edits& edits) {
   if (!ordered) {
     steps = {all_factors(session)};
   } else if (!last) {
-    return cannot(fmt::format("the state goes on from step {}, but the deck has steps behind it, "
+    return misuse(fmt::format("the state goes on from step {}, but the deck has steps behind it, "
                               "and with friction or mounted contacts the order counts",
                               session.base_step()),
                   fmt::format("step {} and the changes again", model.steps.back().name));
   }
-  if (ShellResult trouble = keep_first_fits(session, steps, edits)) {
+  if (base::Trouble trouble = keep_first_fits(session, steps, edits)) {
     return trouble;
   }
   std::string text;
@@ -342,11 +338,11 @@ ShellResult add_steps(const ShellSession& session, Edits& edits) {
 
 } // namespace
 
-ShellResult saved_deck(const ShellSession& session, const fs::path& folder, std::string& text) {
+base::Trouble saved_deck(const ShellSession& session, const fs::path& folder, std::string& text) {
   Edits edits(session);
   quiet_cards(session, edits);
   move_files(session, folder, edits);
-  ShellResult trouble = set_parameters(session, edits);
+  base::Trouble trouble = set_parameters(session, edits);
   trouble = trouble ? trouble : set_lengths(session, edits);
   trouble = trouble ? trouble : set_interferences(session, edits);
   trouble = trouble ? trouble : add_steps(session, edits);

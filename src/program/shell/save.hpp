@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/outcome.hpp"
 #include "program/shell/session.hpp"
 
 #include <filesystem>
@@ -12,7 +13,7 @@ namespace spricka::program {
 /// $CHECK, $GROW, $SWEEP and $RESTART become comments where they speak of other values. `folder`:
 /// where the text will be, for the names of files in it. Trouble where a card that would have to
 /// change is in an included file, or where the order of steps cannot be kept.
-ShellResult saved_deck(const ShellSession& session, const std::filesystem::path& folder,
-                       std::string& text);
+base::Trouble saved_deck(const ShellSession& session, const std::filesystem::path& folder,
+                         std::string& text);
 
 } // namespace spricka::program

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/shell/session.hpp"
 
-#include "base/exit_codes.hpp"
 #include "base/messages.hpp"
 #include "growth/crack_lines.hpp"
 #include "program/shell/known_names.hpp"
+#include "program/shell/trouble.hpp"
 #include "report/topics/result_tables.hpp"
 
 #include <algorithm>
@@ -42,10 +42,6 @@ bool mounts(const model::Step& step) {
   return std::ranges::any_of(step.actions, [](const model::Action& a) {
     return std::holds_alternative<model::Mount>(a) || std::holds_alternative<model::Dismount>(a);
   });
-}
-
-ShellResult usage(std::string why, std::string hint = {}) {
-  return ShellTrouble{base::exit_code::usage, std::move(why), std::move(hint)};
 }
 
 bool same_names(const model::Model& a, const model::Model& b) {
@@ -87,20 +83,20 @@ ShellSession::ShellSession(SessionOptions options) : options_(std::move(options)
   given_ = options_.defines;
 }
 
-ShellResult ShellSession::open() {
+base::Trouble ShellSession::open() {
   return read_again(options_.defines, false);
 }
 
-ShellResult ShellSession::reset() {
+base::Trouble ShellSession::reset() {
   return read_again(given_, false);
 }
 
-ShellResult ShellSession::define(const std::string& name, const std::string& expression) {
+base::Trouble ShellSession::define(const std::string& name, const std::string& expression) {
   Defines defines = options_.defines;
   std::erase_if(defines, [&](const auto& d) { return same_word(d.first, name); });
   defines.emplace_back(name, expression);
   const OwnCards before = own_;
-  if (ShellResult trouble = read_again(defines, true)) {
+  if (base::Trouble trouble = read_again(defines, true)) {
     return trouble;
   }
   covered_ = covered_by(before);
@@ -108,10 +104,10 @@ ShellResult ShellSession::define(const std::string& name, const std::string& exp
 }
 
 // All that depends on the deck is made aside and takes its place at the end.
-ShellResult ShellSession::read_again(const Defines& defines, bool keep) {
+base::Trouble ShellSession::read_again(const Defines& defines, bool keep) {
   auto deck = std::make_unique<ReadyDeck>(options_.read(defines));
   if (!deck->model) {
-    return ShellTrouble{deck->refusal.exit_code, {}, {}, true};
+    return told_at_places(deck->refusal.kind, {});
   }
   ShellSession next(options_);
   next.options_.defines = defines;
@@ -137,14 +133,14 @@ ShellResult ShellSession::read_again(const Defines& defines, bool keep) {
     next.known_ = known_;
     next.told_ = told_;
   }
-  if (ShellResult trouble = next.open_model()) {
+  if (base::Trouble trouble = next.open_model()) {
     return trouble;
   }
   *this = std::move(next);
   return {};
 }
 
-ShellResult ShellSession::open_model() {
+base::Trouble ShellSession::open_model() {
   own_ = {model_->cracks, model_->contacts, model_->steps};
   begin_growth(*model_);
   for (const auto& [name, value] : gaps_) {
@@ -153,13 +149,12 @@ ShellResult ShellSession::open_model() {
   base::Diagnostics diagnostics;
   plan_ = analysis::plan_region(*model_, growth::crack_lengths(*model_), diagnostics);
   if (diagnostics.has_errors()) {
-    return ShellTrouble{
-        base::exit_code::deck_error, base::format(deck_->sources, diagnostics), {}, true};
+    return told_at_places(base::Outcome::deck_error, base::format(deck_->sources, diagnostics));
   }
   if (keeps_mounts(*model_)) { // what is mounted at the first length, by all steps
     memory_ = std::make_unique<analysis::MountMemory>();
     std::unique_ptr<ShellBench> first;
-    ShellResult trouble = make_bench(true, first);
+    base::Trouble trouble = make_bench(true, first);
     trouble = trouble ? trouble : first->walk(model_->steps);
     if (trouble) {
       return trouble;
@@ -178,25 +173,24 @@ void ShellSession::set_lengths_on(model::Model& model) const {
   }
 }
 
-ShellResult ShellSession::make_bench(bool first, std::unique_ptr<ShellBench>& bench) {
+base::Trouble ShellSession::make_bench(bool first, std::unique_ptr<ShellBench>& bench) {
   base::Diagnostics diagnostics;
-  ShellResult trouble;
+  base::Trouble trouble;
   bench = ShellBench::make({*model_, *cache_, *contact_, memory_.get(), first,
                             options_.threads ? options_.threads(*model_) : 1, options_.stopped},
                            plan_, diagnostics, trouble);
   if (diagnostics.has_errors()) {
-    return ShellTrouble{
-        base::exit_code::deck_error, base::format(deck_->sources, diagnostics), {}, true};
+    return told_at_places(base::Outcome::deck_error, base::format(deck_->sources, diagnostics));
   }
   return trouble;
 }
 
-ShellResult ShellSession::rebuild() {
+base::Trouble ShellSession::rebuild() {
   std::unique_ptr<ShellBench> bench;
-  if (ShellResult trouble = make_bench(false, bench)) {
+  if (base::Trouble trouble = make_bench(false, bench)) {
     return trouble;
   }
-  if (ShellResult trouble = bench->walk(way())) {
+  if (base::Trouble trouble = bench->walk(way())) {
     return trouble;
   }
   bench_ = std::move(bench);
@@ -209,8 +203,8 @@ ShellResult ShellSession::rebuild() {
   return {};
 }
 
-ShellResult ShellSession::restore() {
-  return bench_->ready() ? ShellResult() : rebuild();
+base::Trouble ShellSession::restore() {
+  return bench_->ready() ? base::Trouble() : rebuild();
 }
 
 std::vector<model::Step> ShellSession::way_to(std::size_t step) const {
@@ -223,12 +217,12 @@ std::vector<model::Step> ShellSession::way() const {
   return steps;
 }
 
-ShellResult ShellSession::step(const std::string& name) {
+base::Trouble ShellSession::step(const std::string& name) {
   std::size_t index = 0;
-  if (ShellResult trouble = find_name(step_names(*model_), "step", name, index)) {
+  if (base::Trouble trouble = find_name(step_names(*model_), "step", name, index)) {
     return trouble;
   }
-  if (ShellResult trouble = bench_->walk(way_to(index))) {
+  if (base::Trouble trouble = bench_->walk(way_to(index))) {
     return trouble;
   }
   base_ = index;
@@ -243,53 +237,53 @@ void ShellSession::change(const model::Action& action) {
   put(changes_.actions, action);
 }
 
-ShellResult ShellSession::load(const std::string& load_case, double factor) {
+base::Trouble ShellSession::load(const std::string& load_case, double factor) {
   std::size_t index = 0;
-  if (ShellResult trouble = find_name(case_names(*model_), "load case", load_case, index)) {
+  if (base::Trouble trouble = find_name(case_names(*model_), "load case", load_case, index)) {
     return trouble;
   }
   change(model::ApplyLoad{base::CaseId(index), factor});
   return {};
 }
 
-ShellResult ShellSession::fit(const std::string& contact, double factor) {
+base::Trouble ShellSession::fit(const std::string& contact, double factor) {
   std::size_t index = 0;
-  if (ShellResult trouble = find_name(contact_names(*model_), "contact", contact, index)) {
+  if (base::Trouble trouble = find_name(contact_names(*model_), "contact", contact, index)) {
     return trouble;
   }
   if (!model_->contacts[index].gap) {
-    return usage(fmt::format("contact {} has no declared fit that a factor could scale", contact),
-                 fmt::format("fit {} = 0.05 declares an interference", contact));
+    return misuse(fmt::format("contact {} has no declared fit that a factor could scale", contact),
+                  fmt::format("fit {} = 0.05 declares an interference", contact));
   }
   change(model::ApplyFit{base::ContactId(index), factor});
   return {};
 }
 
-ShellResult ShellSession::mount(const std::string& contact, bool on) {
+base::Trouble ShellSession::mount(const std::string& contact, bool on) {
   std::size_t index = 0;
-  if (ShellResult trouble = find_name(contact_names(*model_), "contact", contact, index)) {
+  if (base::Trouble trouble = find_name(contact_names(*model_), "contact", contact, index)) {
     return trouble;
   }
   if (keeps_mounts(*model_)) {
-    return usage("with $GROW MOUNTED=FIRST a contact keeps what it took on at the first length: "
-                 "nothing is mounted or dismounted here");
+    return misuse("with $GROW MOUNTED=FIRST a contact keeps what it took on at the first length: "
+                  "nothing is mounted or dismounted here");
   }
   const base::ContactId id(index);
   change(on ? model::Action(model::Mount{id}) : model::Action(model::Dismount{id}));
   return {};
 }
 
-ShellResult ShellSession::interference(const std::string& contact, double value) {
+base::Trouble ShellSession::interference(const std::string& contact, double value) {
   std::size_t index = 0;
-  if (ShellResult trouble = find_name(contact_names(*model_), "contact", contact, index)) {
+  if (base::Trouble trouble = find_name(contact_names(*model_), "contact", contact, index)) {
     return trouble;
   }
   if (keeps_mounts(*model_)) {
-    return usage("with $GROW MOUNTED=FIRST a contact keeps what it took on at the first length",
-                 "make the interference a parameter of the deck and use set");
+    return misuse("with $GROW MOUNTED=FIRST a contact keeps what it took on at the first length",
+                  "make the interference a parameter of the deck and use set");
   }
   if (model_->contacts[index].rigid.valid() && !model_->contacts[index].gap) {
-    return usage(fmt::format("contact {} meets a rigid target and has no declared gap", contact));
+    return misuse(fmt::format("contact {} meets a rigid target and has no declared gap", contact));
   }
   const std::optional<double> before = model_->contacts[index].gap;
   const std::vector<model::Step> after = after_;
@@ -300,7 +294,7 @@ ShellResult ShellSession::interference(const std::string& contact, double value)
     whole.substeps = rubs() ? default_substeps : 1;
     whole.actions.emplace_back(model::ApplyFit{base::ContactId(index), 1.0});
   }
-  if (ShellResult trouble = rebuild()) {
+  if (base::Trouble trouble = rebuild()) {
     model_->contacts[index].gap = before;
     after_ = after;
     return trouble;
@@ -336,22 +330,22 @@ analysis::RegionPlan ShellSession::plan_lengths() const {
   return needed;
 }
 
-ShellResult ShellSession::length(const std::string& crack, double a) {
+base::Trouble ShellSession::length(const std::string& crack, double a) {
   std::size_t index = 0;
-  if (ShellResult trouble = find_name(crack_names(*model_), "crack", crack, index)) {
+  if (base::Trouble trouble = find_name(crack_names(*model_), "crack", crack, index)) {
     return trouble;
   }
   if (!(a > 0.0) || !std::isfinite(a)) {
-    return usage(fmt::format("a crack length is positive, not {:.6g}", a));
+    return misuse(fmt::format("a crack length is positive, not {:.6g}", a));
   }
   if (model_->cracks[index].kind == model::CrackKind::front) {
-    return usage(fmt::format("crack {} has a front, no length", crack));
+    return misuse(fmt::format("crack {} has a front, no length", crack));
   }
   const std::optional<double> before = model_->cracks[index].a0;
   analysis::RegionPlan plan = plan_;
   model_->cracks[index].a0 = a;
   plan_ = plan_lengths();
-  if (ShellResult trouble = rebuild()) {
+  if (base::Trouble trouble = rebuild()) {
     model_->cracks[index].a0 = before;
     plan_ = std::move(plan);
     return trouble;
@@ -360,7 +354,7 @@ ShellResult ShellSession::length(const std::string& crack, double a) {
   return {};
 }
 
-ShellResult ShellSession::solve(int substeps) {
+base::Trouble ShellSession::solve(int substeps) {
   if (!pending()) {
     return {};
   }
@@ -374,7 +368,7 @@ ShellResult ShellSession::solve(int substeps) {
   } else {
     after_.push_back(next);
   }
-  if (ShellResult trouble = bench_->go_on(next, way())) {
+  if (base::Trouble trouble = bench_->go_on(next, way())) {
     after_ = before;
     return trouble;
   }
@@ -384,8 +378,8 @@ ShellResult ShellSession::solve(int substeps) {
   return {};
 }
 
-ShellResult ShellSession::estimate() {
-  if (ShellResult trouble = solve()) {
+base::Trouble ShellSession::estimate() {
+  if (base::Trouble trouble = solve()) {
     return trouble;
   }
   return bench_->estimate();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "analysis/steps/mount_memory.hpp"
+#include "base/outcome.hpp"
 #include "program/job/job.hpp"
 #include "program/shell/bench.hpp"
 
@@ -43,33 +44,33 @@ public:
 
   /// Reads the deck, condenses it and goes to the end of its leading step (KMAX of $GROW, else the
   /// last). Called once; trouble with the deck has been told by `read`.
-  ShellResult open();
+  base::Trouble open();
 
   // What is set. Factors and lengths take effect at the next solve().
-  ShellResult step(const std::string& name); ///< the state at the end of a step of the deck
-  ShellResult load(const std::string& load_case, double factor);
-  ShellResult fit(const std::string& contact, double factor);
+  base::Trouble step(const std::string& name); ///< the state at the end of a step of the deck
+  base::Trouble load(const std::string& load_case, double factor);
+  base::Trouble fit(const std::string& contact, double factor);
   /// The interference itself [length], negative: clearance: its factor becomes 1. Solves from the
   /// first step on.
-  ShellResult interference(const std::string& contact, double value);
-  ShellResult mount(const std::string& contact, bool on);
+  base::Trouble interference(const std::string& contact, double value);
+  base::Trouble mount(const std::string& contact, bool on);
   /// Cuts the crack anew, condenses what it touches and solves the same way again.
-  ShellResult length(const std::string& crack, double a);
+  base::Trouble length(const std::string& crack, double a);
   /// A parameter: the deck is read again; what was set by name is kept.
-  ShellResult define(const std::string& name, const std::string& expression);
+  base::Trouble define(const std::string& name, const std::string& expression);
   /// What the last define() would have changed, had it not been set by name (or by $GROW) before.
   [[nodiscard]] const std::vector<std::string>& covered() const { return covered_; }
-  ShellResult reset(); ///< as after open(); the deck is read again
+  base::Trouble reset(); ///< as after open(); the deck is read again
 
   /// Makes the changes that are pending; where something rubs in so many substeps from the last
   /// state on, else path-free.
-  ShellResult solve(int substeps = default_substeps);
+  base::Trouble solve(int substeps = default_substeps);
   /// After an operation that failed late makes what it left unusable anew. Call it before others.
-  ShellResult restore();
+  base::Trouble restore();
   [[nodiscard]] bool pending() const { return !changes_.actions.empty(); }
 
   // Answers about the present state; what is pending is solved before.
-  ShellResult estimate(); ///< error bars and sensitivities of K, once for a state
+  base::Trouble estimate(); ///< error bars and sensitivities of K, once for a state
   [[nodiscard]] const results::Run& run() const { return bench_->run(); }
   [[nodiscard]] const results::StepResult& now() const { return bench_->now(); }
   /// Notes of the present state that were not given before, and its warnings, first.
@@ -77,12 +78,12 @@ public:
   [[nodiscard]] const analysis::StepFactors& factors() const { return bench_->factors(); }
   /// A quantity of $CHECK with the value at the present state for the step NOW, at the end of one
   /// of the deck's for another name.
-  ShellResult evaluate(const model::Check& check, double& value);
+  base::Trouble evaluate(const model::Check& check, double& value);
   /// K along a $LOADPATH of the deck.
-  ShellResult map_path(const std::string& name);
+  base::Trouble map_path(const std::string& name);
   /// K while the factor of a load case goes from one value to another, all else as it is; the path
   /// has the name of the case.
-  ShellResult map_case(const std::string& load_case, double from, double to);
+  base::Trouble map_case(const std::string& load_case, double from, double to);
   /// The path that was followed last; null: none at this state.
   [[nodiscard]] const results::LoadPath* mapped() const;
   [[nodiscard]] const MapRange& map_range() const { return range_; }
@@ -112,8 +113,8 @@ public:
 
 private:
   /// A bench for the model of a deck just read, with what is set by name.
-  ShellResult open_model();
-  ShellResult read_again(const Defines& defines, bool keep);
+  base::Trouble open_model();
+  base::Trouble read_again(const Defines& defines, bool keep);
   /// Cards that parameters reach and that names set here may cover, as the deck has them.
   struct OwnCards {
     std::vector<model::Crack> cracks;
@@ -123,14 +124,14 @@ private:
   [[nodiscard]] std::vector<std::string> covered_by(const OwnCards& before) const;
   [[nodiscard]] analysis::StepFactors factors_at_base(const OwnCards& cards) const;
   /// A new bench for the model as it is, at the end of the way so far.
-  ShellResult rebuild();
-  ShellResult make_bench(bool first, std::unique_ptr<ShellBench>& bench);
+  base::Trouble rebuild();
+  base::Trouble make_bench(bool first, std::unique_ptr<ShellBench>& bench);
   [[nodiscard]] std::vector<model::Step> way_to(std::size_t step) const;
   [[nodiscard]] std::vector<model::Step> way() const; ///< to the base step and what came after it
   /// The region that cracks of these lengths touch, and some more, to be condensed apart.
   [[nodiscard]] analysis::RegionPlan plan_lengths() const;
   void set_lengths_on(model::Model& model) const;
-  [[nodiscard]] ShellResult mappable() const;
+  [[nodiscard]] base::Trouble mappable() const;
   [[nodiscard]] std::string setting() const;
   void remember();
   void change(const model::Action& action);

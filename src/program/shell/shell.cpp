@@ -2,7 +2,7 @@
 #include "program/shell/shell.hpp"
 
 #include "base/clock.hpp"
-#include "base/exit_codes.hpp"
+#include "base/outcome.hpp"
 #include "program/job/job.hpp"
 #include "program/job/solve_to_tolerance.hpp"
 #include "program/job/standard_streams.hpp"
@@ -27,15 +27,16 @@ class Shell {
 public:
   explicit Shell(const ShellOptions& options) : options_(options), log_(options.deck.log_format) {}
 
-  int run() {
+  base::Outcome run() {
     // Prompts and the line being typed go to stderr, so that stdout can be a file.
     const bool terminal = isatty(STDIN_FILENO) != 0 && isatty(STDERR_FILENO) != 0;
     std::optional<LineEditor> editor;
     if (terminal) {
       editor.emplace();
     }
-    if (const int refused = open(terminal)) {
-      return refused;
+    if (const base::Trouble trouble = open(terminal)) {
+      tell(*trouble);
+      return trouble->kind;
     }
     if (editor) {
       editor->complete_with([this](std::string_view line, std::size_t begin) {
@@ -52,11 +53,11 @@ public:
       if (reply.quit) {
         break;
       }
-      if (reply.exit_code != base::exit_code::done && options_.strict) {
-        return reply.exit_code;
+      if (reply.outcome != base::Outcome::done && options_.strict) {
+        return reply.outcome;
       }
     }
-    return base::exit_code::done;
+    return base::Outcome::done;
   }
 
 private:
@@ -65,7 +66,7 @@ private:
     return first == std::string_view::npos ? std::string_view() : line.substr(first);
   }
 
-  int open(bool terminal) {
+  base::Trouble open(bool terminal) {
     SessionOptions options;
     options.defines = options_.deck.defines;
     options.stopped = terminal ? LineEditor::interrupted : std::function<bool()>();
@@ -77,9 +78,8 @@ private:
     };
     const base::Stopwatch watch;
     session_ = std::make_unique<ShellSession>(std::move(options));
-    if (const ShellResult trouble = session_->open()) {
-      tell(*trouble);
-      return trouble->exit_code;
+    if (base::Trouble trouble = session_->open()) {
+      return trouble;
     }
     if (wants_tolerance(session_->model())) {
       to_stderr(fmt::format("note: TOL of $TIPNET is for runs: here the mesh stays as it is\n"));
@@ -92,7 +92,7 @@ private:
       to_stderr(fmt::format("{}: at the end of step {}, {:.2f} s CPU; help lists the commands\n",
                             options_.deck.deck.string(), session_->base_step(), watch.cpu()));
     }
-    return base::exit_code::done;
+    return {};
   }
 
   // What has no end of line (a device) is no command either.
@@ -116,7 +116,7 @@ private:
     return editor ? editor->read(shell_prompt(*session_), line) : read_line(line);
   }
 
-  static void tell(const ShellTrouble& trouble) {
+  static void tell(const base::NoAnswer& trouble) {
     if (trouble.complete) {
       to_stderr(fmt::format("{}", trouble.why));
     } else {
@@ -141,12 +141,12 @@ private:
 
 } // namespace
 
-int shell(const ShellOptions& options) {
+base::Outcome shell(const ShellOptions& options) {
   try {
     return Shell(options).run();
   } catch (const std::system_error& trouble) {
     Log(options.deck.log_format).message(base::Severity::error, "E530", trouble.what());
-    return base::exit_code::file_trouble;
+    return base::Outcome::file_trouble;
   }
 }
 

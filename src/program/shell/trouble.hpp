@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "base/exit_codes.hpp"
+#include "base/outcome.hpp"
 
-#include <optional>
 #include <string>
 #include <utility>
 
+/// Why a command of the shell has no answer; its outcome is the one a run would end with.
 namespace spricka::program {
 
-/// Why a command of the shell has no answer, with the exit code that a run would end with.
-struct ShellTrouble {
-  int exit_code = base::exit_code::usage;
-  std::string why;
-  std::string hint;      ///< what was probably meant; may be empty
-  bool complete = false; ///< `why` is whole messages with their places, ended by a newline
-};
+/// What was typed cannot be done so.
+inline base::NoAnswer misuse(std::string why, std::string hint = {}) {
+  return {.kind = base::Outcome::usage, .why = std::move(why), .hint = std::move(hint)};
+}
 
-/// Empty: done.
-using ShellResult = std::optional<ShellTrouble>;
+/// Mistakes as base::format() gives them, with their places.
+inline base::NoAnswer told_at_places(base::Outcome kind, std::string messages) {
+  return {.kind = kind, .why = std::move(messages), .complete = true};
+}
 
 } // namespace spricka::program

@@ -75,11 +75,11 @@ TEST(Mounted, FirstNeedsTheSameRowsAtAllLengths) {
   program::ReadyDeck ready = program::read_ready(file, {}, program::Log(program::LogFormat::text));
   ASSERT_TRUE(ready.model);
   base::Diagnostics diagnostics;
-  std::optional<analysis::Refusal> refusal;
-  EXPECT_FALSE(analysis::solve_run(*ready.model, {}, diagnostics, refusal));
-  ASSERT_TRUE(refusal);
-  EXPECT_EQ(refusal->exit_code, 4);
-  EXPECT_NE(refusal->why.find("GLUE"), std::string::npos) << refusal->why;
+  base::Trouble trouble;
+  EXPECT_FALSE(analysis::solve_run(*ready.model, {}, diagnostics, trouble));
+  ASSERT_TRUE(trouble);
+  EXPECT_EQ(trouble->kind, base::Outcome::not_solvable);
+  EXPECT_NE(trouble->why.find("GLUE"), std::string::npos) << trouble->why;
 }
 
 } // namespace

@@ -14,8 +14,8 @@ Outcome convert(const Folder& folder, const std::string& in, const std::string& 
                 bool replace = true) {
   testing::internal::CaptureStderr();
   Outcome outcome;
-  outcome.exit_code = program::convert(
-      {folder.path() / in, folder.path() / out, {}, program::LogFormat::text, replace});
+  outcome.exit_code = base::exit_code(program::convert(
+      {folder.path() / in, folder.path() / out, {}, program::LogFormat::text, replace}));
   outcome.messages = testing::internal::GetCapturedStderr();
   return outcome;
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/exit_codes.hpp"
 #include "tests/unit/support/run_text.hpp"
 
 namespace spricka {
@@ -207,7 +208,7 @@ TEST(ExitCode, MissingDeckIsFileTrouble) {
   options.deck = "no_such.deck";
   options.out = "no_such_out";
   testing::internal::CaptureStderr();
-  EXPECT_EQ(program::run_deck(options), 7);
+  EXPECT_EQ(program::run_deck(options), base::Outcome::file_trouble);
   EXPECT_NE(testing::internal::GetCapturedStderr().find("no_such.deck"), std::string::npos);
 }
 
@@ -229,6 +230,23 @@ TEST(ExitCode, OldResultsOutliveAFailedRun) {
                 .exit_code,
             4);
   EXPECT_TRUE(has_results(folder));
+}
+
+// What scripts rely on is said in one place of the sources and in one of the manual.
+TEST(ExitCode, OfEachOutcomeIsThatOfTheManual) {
+  const std::string page = test::slurp(std::string(SOURCE_DIR) + "/manual/exit_codes.md");
+  for (std::size_t i = 0; i < base::exit_texts.size(); ++i) {
+    const auto outcome = static_cast<base::Outcome>(i);
+    const int code = base::exit_code(outcome);
+    EXPECT_EQ(base::exit_texts.at(i).outcome, outcome) << i;
+    EXPECT_EQ(base::outcome_of(code), outcome) << code;
+    EXPECT_NE(page.find("\n| " + std::to_string(code) + " | "), std::string::npos) << code;
+    if (i > 0) { // the worst outcome of a sweep's points has the largest code
+      EXPECT_GT(code, base::exit_texts.at(i - 1).code);
+    }
+  }
+  EXPECT_EQ(base::exit_texts.back().outcome, base::Outcome::defect);
+  EXPECT_EQ(base::outcome_of(8), std::nullopt);
 }
 
 } // namespace

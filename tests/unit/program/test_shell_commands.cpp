@@ -55,7 +55,7 @@ TEST(ShellCommands, LeavingTakesNoMoreWords) {
   for (const char* line : {"quit now please", "exit 1"}) {
     const ShellReply reply = type(shell, line);
     EXPECT_FALSE(reply.quit) << line;
-    EXPECT_EQ(reply.exit_code, base::exit_code::usage) << line;
+    EXPECT_EQ(reply.outcome, base::Outcome::usage) << line;
   }
   EXPECT_TRUE(type(shell, "exit").quit);
 }
@@ -64,13 +64,13 @@ TEST(ShellCommands, EveryWordIsCarriedOut) {
   for (const program::ShellCommand& command : program::shell_commands()) {
     const ShellOnText shell(cracked_hub());
     const ShellReply help = type(shell, fmt::format("help {}", command.word));
-    EXPECT_EQ(help.exit_code, 0);
+    EXPECT_EQ(help.outcome, base::Outcome::done);
     EXPECT_NE(help.out.find(command.doc), std::string::npos);
     const ShellReply reply = type(shell, std::string(command.word)); // without arguments
     EXPECT_EQ(reply.messages.find("there is no command"), std::string::npos) << command.word;
     EXPECT_EQ(reply.quit, command.word == "quit");
     const bool needs = !command.arguments.empty() && command.arguments.front() != '[';
-    EXPECT_EQ(reply.exit_code, needs ? base::exit_code::usage : 0)
+    EXPECT_EQ(reply.outcome, needs ? base::Outcome::usage : base::Outcome::done)
         << command.word << reply.messages;
   }
 }
@@ -78,10 +78,10 @@ TEST(ShellCommands, EveryWordIsCarriedOut) {
 TEST(ShellCommands, ASession) {
   const ShellOnText shell(cracked_hub());
   EXPECT_EQ(program::shell_prompt(*shell), "PULLED> ");
-  EXPECT_EQ(type(shell, "LOAD pull 2*1").exit_code, 0);
+  EXPECT_EQ(type(shell, "LOAD pull 2*1").outcome, base::Outcome::done);
   EXPECT_EQ(program::shell_prompt(*shell), "PULLED*> ");
   const ShellReply K = type(shell, "k c");
-  EXPECT_EQ(K.exit_code, 0) << K.messages;
+  EXPECT_EQ(K.outcome, base::Outcome::done) << K.messages;
   EXPECT_NE(K.out.find(fmt::format("{:.7g}", shell.K1())), std::string::npos) << K.out;
   EXPECT_EQ(program::shell_prompt(*shell), "PULLED+> ");
   const ShellReply asked = type(shell, "K1(C, NOW)");
@@ -92,7 +92,7 @@ TEST(ShellCommands, ASession) {
         "displacement -50 0", "stress 0 30", "map PULL 0 2", "sensitivity", "show", "K1.BAR(C,NOW)",
         "ENERGY(*,PRESS)", "ERROR(HUB,NOW)", "length C 5", "fit SEAT = 0.02[mm]", "set T = 8"}) {
     const ShellReply reply = type(shell, line);
-    EXPECT_EQ(reply.exit_code, 0) << line << "\n" << reply.messages;
+    EXPECT_EQ(reply.outcome, base::Outcome::done) << line << "\n" << reply.messages;
     EXPECT_NE(reply.out, "") << line;
   }
 }
@@ -116,7 +116,7 @@ TEST(ShellCommands, MistakesAreAnswered) {
       {"pressure SEAT 1 2 3", "write pressure"}};
   for (const auto& [line, answer] : mistakes) {
     const ShellReply reply = type(shell, line);
-    EXPECT_NE(reply.exit_code, 0) << line;
+    EXPECT_NE(reply.outcome, base::Outcome::done) << line;
     EXPECT_NE(reply.messages.find(answer), std::string::npos) << line << ": " << reply.messages;
     EXPECT_EQ(reply.out, "") << line;
   }
@@ -125,21 +125,22 @@ TEST(ShellCommands, MistakesAreAnswered) {
 TEST(ShellCommands, PicturesAndDeck) {
   const ShellOnText shell(cracked_hub());
   const auto at = [&](const char* name) { return (shell.folder.path() / name).string(); };
-  EXPECT_NE(type(shell, "plot k " + at("k.svg")).exit_code, 0); // one length only
+  EXPECT_NE(type(shell, "plot k " + at("k.svg")).outcome, base::Outcome::done); // one length only
   type(shell, "length C 5");
   type(shell, "map PULL 0 2");
   for (const char* kind : {"k", "pressure", "mesh", "path"}) {
     const std::string file = at(fmt::format("{}.svg", kind).c_str());
     const ShellReply reply = type(shell, fmt::format("plot {} '{}'", kind, file));
-    EXPECT_EQ(reply.exit_code, 0) << reply.messages;
+    EXPECT_EQ(reply.outcome, base::Outcome::done) << reply.messages;
     const std::string svg = test::slurp(file);
     EXPECT_TRUE(svg.starts_with("<svg xmlns")) << kind;
     EXPECT_TRUE(svg.ends_with("</svg>\n")) << kind;
   }
-  EXPECT_EQ(type(shell, "save " + at("new.deck")).exit_code, 0);
+  EXPECT_EQ(type(shell, "save " + at("new.deck")).outcome, base::Outcome::done);
   EXPECT_TRUE(std::filesystem::exists(at("new.deck")));
-  EXPECT_NE(type(shell, "save " + shell.file.string()).exit_code, 0); // the deck itself
-  EXPECT_EQ(type(shell, "save /no/such/folder/x.deck").exit_code, base::exit_code::file_trouble);
+  EXPECT_NE(type(shell, "save " + shell.file.string()).outcome,
+            base::Outcome::done); // the deck itself
+  EXPECT_EQ(type(shell, "save /no/such/folder/x.deck").outcome, base::Outcome::file_trouble);
 }
 
 TEST(ShellCommands, Completion) {

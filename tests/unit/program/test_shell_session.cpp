@@ -16,7 +16,7 @@ using test::ShellOnText;
 using test::solve_text;
 using test::Solved;
 
-void good(const program::ShellResult& trouble) {
+void good(const base::Trouble& trouble) {
   ShellOnText::good(trouble);
 }
 
@@ -219,13 +219,13 @@ TEST(ShellSession, ErrorBarsAreThoseOfARun) {
 TEST(ShellSession, FailuresLeaveEverything) {
   const ShellOnText shell(cracked_hub());
   const double before = shell.K1();
-  const program::ShellResult unknown = shell->load("PUL", 1.0);
+  const base::Trouble unknown = shell->load("PUL", 1.0);
   ASSERT_TRUE(unknown);
-  EXPECT_EQ(unknown->exit_code, base::exit_code::usage);
+  EXPECT_EQ(unknown->kind, base::Outcome::usage);
   EXPECT_NE(unknown->hint.find("PULL"), std::string::npos);
-  const program::ShellResult long_one = shell->length("C", 200.0);
+  const base::Trouble long_one = shell->length("C", 200.0);
   ASSERT_TRUE(long_one);
-  EXPECT_EQ(long_one->exit_code, base::exit_code::deck_error);
+  EXPECT_EQ(long_one->kind, base::Outcome::deck_error);
   EXPECT_TRUE(shell->length("C", -1.0));
   testing::internal::CaptureStderr();
   EXPECT_TRUE(shell->define("T", "1/"));
@@ -243,9 +243,9 @@ TEST(ShellSession, LooseBodyIsNamedAndTheStateStays) {
   const double small = shell->now().energy;
   EXPECT_LT(small, before);
   good(shell->mount("SEAT", false)); // nothing holds the pin
-  const program::ShellResult loose = shell->solve();
+  const base::Trouble loose = shell->solve();
   ASSERT_TRUE(loose);
-  EXPECT_EQ(loose->exit_code, base::exit_code::not_solvable);
+  EXPECT_EQ(loose->kind, base::Outcome::not_solvable);
   EXPECT_NE(loose->why.find("PIN"), std::string::npos) << loose->why;
   EXPECT_EQ(shell->now().energy, small);
 }
@@ -254,9 +254,9 @@ TEST(ShellSession, StopsWhenAsked) {
   ShellOnText shell(cracked_hub());
   const double before = shell.K1();
   shell.stop = true;
-  const program::ShellResult stopped = shell->length("C", 6.0);
+  const base::Trouble stopped = shell->length("C", 6.0);
   ASSERT_TRUE(stopped);
-  EXPECT_EQ(stopped->exit_code, base::exit_code::stopped);
+  EXPECT_EQ(stopped->kind, base::Outcome::stopped);
   EXPECT_TRUE(shell->step("PRESS"));
   EXPECT_TRUE(shell->map_case("PULL", 0.0, 1.0));
   shell.stop = false;
@@ -362,7 +362,7 @@ TEST(ShellSave, KeepsTheOrderWithFriction) {
   expect_saved(shell, 1e-10);
   good(shell->step("PRESS"));
   std::string text;
-  const program::ShellResult refused = program::saved_deck(*shell, shell.folder.path(), text);
+  const base::Trouble refused = program::saved_deck(*shell, shell.folder.path(), text);
   ASSERT_TRUE(refused); // the deck's further steps would come in between
   EXPECT_NE(refused->hint.find("PULLED"), std::string::npos);
 }

@@ -259,7 +259,7 @@ TEST(SweepPage, HasErrorBarsStepChecksAndUnits) {
     point.values = {delta};
     point.checks = 4;
     point.passed = 3;
-    point.exit_code = 1;
+    point.outcome = base::Outcome::check_failed;
     point.warnings = delta > 0.15 ? 7 : 0;
     results::Run run = sample.run;
     run.increments.resize(1);
@@ -268,7 +268,7 @@ TEST(SweepPage, HasErrorBarsStepChecksAndUnits) {
   }
   results::SweepPoint failed;
   failed.values = {0.3};
-  failed.exit_code = 4;
+  failed.outcome = base::Outcome::not_solvable;
   failed.error = "it is singular";
   sweep.points.push_back(failed);
   const std::string page = sweep_page(sample.sources, sample.model, sweep);

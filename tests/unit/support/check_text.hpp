@@ -24,7 +24,7 @@ inline Checked check_text(const Folder& folder, const std::string& deck, int thr
   testing::internal::CaptureStderr();
   testing::internal::CaptureStdout();
   Checked checked;
-  checked.outcome.exit_code = program::run_deck(options);
+  checked.outcome.exit_code = base::exit_code(program::run_deck(options));
   const std::string text = testing::internal::GetCapturedStdout();
   checked.outcome.messages = testing::internal::GetCapturedStderr();
   checked.found = text.empty() ? nlohmann::json() : nlohmann::json::parse(text);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/exit_codes.hpp"
 #include "program/commands/run_deck.hpp"
 
 #include <atomic>
@@ -57,7 +58,7 @@ inline Outcome run_text(const Folder& folder, const std::string& deck, int threa
   options.quiet = true;
   testing::internal::CaptureStderr();
   Outcome outcome;
-  outcome.exit_code = program::run_deck(options);
+  outcome.exit_code = base::exit_code(program::run_deck(options));
   outcome.messages = testing::internal::GetCapturedStderr();
   return outcome;
 }

@@ -52,7 +52,7 @@ struct SolvedScene {
         analysis::LengthParts{.model = *deck.model, .cache = cache}, std::move(*made));
     analysis::CondenseLog log;
     if (!length->condense(log)) {
-      ADD_FAILURE() << log.trouble;
+      ADD_FAILURE() << log.trouble->why;
       return;
     }
     solver = length->start();
@@ -62,13 +62,13 @@ struct SolvedScene {
 
   /// The end of a step, the next of the deck; empty with a failure.
   std::optional<analysis::StepState> solve(std::size_t step) {
-    analysis::Refusal refusal;
+    base::Trouble trouble;
     std::optional<analysis::StepState> state;
     if (solver) {
-      state = solver->solve(model().steps.at(step), refusal);
+      state = solver->solve(model().steps.at(step), trouble);
     }
     if (!state) {
-      ADD_FAILURE() << "not solved: " << refusal.why;
+      ADD_FAILURE() << "not solved: " << (trouble ? trouble->why : "no scene");
     }
     return state;
   }

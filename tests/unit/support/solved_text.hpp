@@ -64,11 +64,11 @@ inline std::optional<Solved> solve_text(const std::string& deck, int threads = 1
   analysis::SolveOptions options;
   options.threads = threads;
   base::Diagnostics diagnostics;
-  std::optional<analysis::Refusal> refusal;
+  base::Trouble trouble;
   std::optional<results::Run> run =
-      analysis::solve_run(*ready.model, options, diagnostics, refusal);
+      analysis::solve_run(*ready.model, options, diagnostics, trouble);
   if (!run) {
-    ADD_FAILURE() << "not solved: " << (refusal ? refusal->why : "mistakes in the deck");
+    ADD_FAILURE() << "not solved: " << (trouble ? trouble->why : "mistakes in the deck");
     return std::nullopt;
   }
   return Solved{std::move(*ready.model), std::move(*run)};
