@@ -181,8 +181,8 @@ void add_notes(Page& page, const results::Run& run) {
   for (const std::string& warning : run.warnings) {
     items += fmt::format("<li><b>Warning:</b> {}</li>\n", escape(warning));
   }
-  for (const Note& note : collect_notes(run)) {
-    if (!note.warning) {
+  for (const PlacedNote& note : collect_notes(run)) {
+    if (note.first.severity != base::Severity::warning) {
       items += fmt::format("<li>{}</li>\n", escape(words_of(note)));
     }
   }

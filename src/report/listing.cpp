@@ -90,17 +90,17 @@ std::string increment_text(const model::Model& model, const results::Increment& 
   if (const std::string note = direction_note(model); !note.empty()) {
     out += "note: " + note + "\n";
   }
-  for (const std::string& note : increment.notes) {
-    out += "note: " + note + "\n";
+  for (const results::Note& note : increment.notes) {
+    out += "note: " + results::marked(note) + "\n";
   }
   for (const results::StepResult& step : increment.steps) {
-    for (const std::string& note : step.notes) {
-      out += fmt::format("note: step {}: {}\n", step.step, note);
+    for (const results::Note& note : step.notes) {
+      out += fmt::format("note: step {}: {}\n", step.step, results::marked(note));
     }
   }
   for (const results::LoadPath& path : increment.paths) {
-    for (const std::string& note : path.notes) {
-      out += fmt::format("note: load path {}: {}\n", path.name, note);
+    for (const results::Note& note : path.notes) {
+      out += fmt::format("note: load path {}: {}\n", path.name, results::marked(note));
     }
   }
   for (const std::string& note : sensitivity_notes(model, increment)) {
@@ -127,8 +127,8 @@ std::string tests_text(const model::Model& model, const results::Run& run) {
   }
   std::string out = heading("Crack growth tests") + to_text(untitled(test_table(model, run)));
   for (const results::GrowthTest& test : run.tests) {
-    for (const std::string& note : test.notes) {
-      out += fmt::format("note: test {}: {}\n", test.name, note);
+    for (const results::Note& note : test.notes) {
+      out += fmt::format("note: test {}: {}\n", test.name, results::marked(note));
     }
     (out += '\n') += to_text(test_points_table(model, test));
   }

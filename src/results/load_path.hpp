@@ -2,6 +2,7 @@
 #pragma once
 #include "base/id.hpp"
 #include "base/piecewise_linear.hpp"
+#include "results/note.hpp"
 
 #include <optional>
 #include <string>
@@ -51,7 +52,7 @@ struct LoadPath {
   int pivots = 0, factorisations = 0;
   double residual = 0.0; ///< largest violation of the contact conditions, scaled
   double mismatch = 0.0; ///< largest difference of K to the steps' own, over the largest K
-  std::vector<std::string> notes;
+  std::vector<Note> notes;
 };
 
 /// The entries of that name, or null.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "results/note.hpp"
 #pragma once
 #include <array>
 #include <string>
@@ -34,7 +35,7 @@ struct GrowthTest {
   /// the computed K gives by the reference, with their error by the lengths between which K is
   /// interpolated. Not numbers where there are not.
   double cycles = 0.0, computed_cycles = 0.0, cycles_error = 0.0;
-  std::vector<std::string> notes;
+  std::vector<Note> notes;
 
   /// Computed over measured cycles.
   [[nodiscard]] double life_ratio() const { return computed_cycles / cycles; }

@@ -6,6 +6,7 @@
 #include "results/k_bar.hpp"
 #include "results/load_path.hpp"
 #include "results/measured_growth.hpp"
+#include "results/note.hpp"
 #include "results/sensitivity.hpp"
 #include "results/stress_invariants.hpp"
 #include "results/tolerance_round.hpp"
@@ -135,7 +136,7 @@ struct StepResult {
   int increments = 1;           ///< solved in the step
   int iterations = 0;           ///< block iterations of the contact solution
   int pivots = 0;
-  std::vector<std::string> notes;
+  std::vector<Note> notes;
 };
 
 /// One crack length: the mesh with the crack in it, and its steps.
@@ -147,7 +148,7 @@ struct Increment {
   std::vector<SurfaceFace> surface; ///< of solids; empty in the plane
   std::vector<StepResult> steps;
   std::vector<LoadPath> paths; ///< in deck order
-  std::vector<std::string> notes;
+  std::vector<Note> notes;
 };
 
 /// One line of the processor log.

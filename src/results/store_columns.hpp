@@ -3,6 +3,7 @@
 #include "base/id.hpp"
 #include "base/piecewise_linear.hpp"
 #include "base/vec.hpp"
+#include "results/note.hpp"
 #include "results/store.hpp"
 
 #include <algorithm>
@@ -102,6 +103,9 @@ public:
       (*this)("values", f.values());
       (*this)("slopes", f.slopes());
     });
+  }
+  void operator()(const char* name, const std::vector<Note>& notes) {
+    (*this)(name, marked(notes));
   }
   template <class T> void operator()(const char* name, const std::vector<T>& values) {
     within(name, [&] { (*this)("count", values.size()); });
@@ -247,6 +251,11 @@ public:
       }
       f = base::PiecewiseLinear(std::move(knots), std::move(values), std::move(slopes));
     });
+  }
+  void operator()(const char* name, std::vector<Note>& notes) {
+    std::vector<std::string> texts;
+    (*this)(name, texts);
+    notes = notes_from(texts);
   }
   template <class T> void operator()(const char* name, std::vector<T>& values) {
     std::size_t count = 0;

@@ -134,7 +134,7 @@ void write_step(StoreGroup group, const StepResult& step, std::size_t dim) {
   write_list(group, "nets", step.nets);
   write_list(group, "errors", step.errors);
   write_list(group, "targets", step.targets);
-  put(group, "notes", step.notes);
+  put(group, "notes", marked(step.notes));
   group.describe("tied", std::int64_t{step.tied});
   group.describe("energy", step.energy);
   group.describe("friction_work", step.friction_work);
@@ -157,7 +157,7 @@ StepResult read_step(const StoreGroup& group, const std::string& name) {
   step.nets = read_list<Balance>(group, "nets");
   step.errors = read_list<NetError>(group, "errors");
   step.targets = read_list<Balance>(group, "targets");
-  step.notes = texts(group, "notes");
+  step.notes = notes_from(texts(group, "notes"));
   step.tied = group.integer("tied") != 0;
   step.energy = group.real("energy");
   step.friction_work = group.real("friction_work");
@@ -177,7 +177,7 @@ void write_increment(const StoreGroup& given, const Increment& increment) {
   write_mesh(group.group("mesh"), increment.mesh);
   write_list(group, "surface", increment.surface);
   write_list(group, "paths", increment.paths);
-  put(group, "notes", increment.notes);
+  put(group, "notes", marked(increment.notes));
   const StoreGroup steps = group.group("steps");
   std::vector<std::string> names;
   for (const StepResult& step : increment.steps) {
@@ -195,7 +195,7 @@ Increment read_increment(const StoreGroup& group) {
   increment.mesh = read_mesh(group.group("mesh"));
   increment.surface = read_list<SurfaceFace>(group, "surface");
   increment.paths = read_list<LoadPath>(group, "paths");
-  increment.notes = texts(group, "notes");
+  increment.notes = notes_from(texts(group, "notes"));
   const StoreGroup steps = group.group("steps");
   for (const std::string& name : texts(group, "order")) {
     increment.steps.push_back(read_step(steps.group(name), name));

@@ -219,10 +219,10 @@ bool ErrorBars::coarse_contact(const StepState& state, const mesh::Tip& tip) con
   return false;
 }
 
-void ErrorBars::tell_once(const std::string& text, results::StepResult& step) {
-  if (std::ranges::find(told_, text) == told_.end()) {
-    told_.push_back(text);
-    step.notes.push_back(text);
+void ErrorBars::tell_once(results::Note note, results::StepResult& step) {
+  if (std::ranges::find(told_, note) == told_.end()) {
+    told_.push_back(note);
+    step.notes.push_back(std::move(note));
   }
 }
 
@@ -237,27 +237,26 @@ void ErrorBars::tell_of_meshes(const StepState& state, results::StepResult& step
       apart += !edge.target_side && edge.covered && !edge.opposite ? 1 : 0;
     }
     if (state.mounted[c] && 4 * apart > paired && !scene_.pairs[c].rigid) {
-      tell_once(
-          fmt::format("the meshes of contact {} do not match: error bars of K have only a part "
-                      "of the error of its pressures",
-                      model_.contacts[c].name),
-          step);
+      tell_once(results::note(fmt::format("the meshes of contact {} do not match: error bars of K "
+                                          "have only a part of the error of its pressures",
+                                          model_.contacts[c].name)),
+                step);
     }
   }
 }
 
 void ErrorBars::tell(const results::TipResult& tip, results::StepResult& step) {
   if (!tip.no_bar.empty()) {
-    tell_once(fmt::format("K of {} has no error bar: {}", tip.name, tip.no_bar), step);
+    tell_once(results::note(fmt::format("K of {} has no error bar: {}", tip.name, tip.no_bar)),
+              step);
     return;
   }
   for (std::size_t k = 0; k < 2; ++k) {
     if (tip.bar[k].cancels && tip.bar[k].mesh > counts * tip.bar[k].floor) {
-      tell_once(
-          fmt::format("K{} of {}: errors of opposite sign cancel in it; its error bar takes them "
-                      "without their signs",
-                      k + 1, tip.name),
-          step);
+      tell_once(results::note(fmt::format("K{} of {}: errors of opposite sign cancel in it; its "
+                                          "error bar takes them without their signs",
+                                          k + 1, tip.name)),
+                step);
     }
   }
 }
@@ -300,12 +299,11 @@ void ErrorBars::add(const StepState& state, const std::vector<estimate::Adjoint>
     if (tip.no_bar.empty()) {
       const bool coarse = coarse_contact(state, scene_.cracked.tips[t]);
       if (coarse) {
-        tell_once(
-            fmt::format(
-                "{}: nodes of a contact surface near the crack stand further apart "
-                "than half the crack's length; the error bar takes errors without their signs",
-                tip.name),
-            step);
+        tell_once(results::note(fmt::format("{}: nodes of a contact surface near the crack stand "
+                                            "further apart than half the crack's length; the error "
+                                            "bar takes errors without their signs",
+                                            tip.name)),
+                  step);
       }
       const std::array<const estimate::GoalError*, 2> own{
           &errors[static_cast<std::size_t>(layout.at(t, 1))],
@@ -328,7 +326,7 @@ void ErrorBars::add(const StepState& state, const std::vector<estimate::Adjoint>
             tip);
       }
       if (!tip.no_bar.empty()) {
-        tell_once(fmt::format("warning: K of {}: {}", tip.name, tip.no_bar), step);
+        tell_once(results::warning(fmt::format("K of {}: {}", tip.name, tip.no_bar)), step);
       }
     }
     tell(tip, step);

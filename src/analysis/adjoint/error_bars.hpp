@@ -6,6 +6,7 @@
 #include "estimate/adjoint.hpp"
 #include "estimate/contact_load.hpp"
 #include "estimate/goal_error.hpp"
+#include "results/note.hpp"
 #include "results/results.hpp"
 
 #include <optional>
@@ -35,7 +36,7 @@ private:
                      base::Vector& f, base::Matrix& g) const;
   [[nodiscard]] bool coarse_contact(const StepState& state, const mesh::Tip& tip) const;
   void tell(const results::TipResult& tip, results::StepResult& step);
-  void tell_once(const std::string& text, results::StepResult& step);
+  void tell_once(results::Note note, results::StepResult& step);
   void tell_of_meshes(const StepState& state, results::StepResult& step);
 
   const model::Model& model_;
@@ -49,7 +50,7 @@ private:
   std::vector<std::vector<estimate::ModeWeight>> mode_weights_;   ///< [contact]
   std::vector<std::optional<base::Vector>> case_load_;            ///< [case] on the modes
   base::Matrix goals_;                                            ///< [freedoms of modes, 2 tips]
-  std::vector<std::string> told_;
+  std::vector<results::Note> told_;
 };
 
 } // namespace spricka::analysis

@@ -83,7 +83,7 @@ std::optional<results::Increment> LengthSolver::solve(const LengthRequest& reque
     }
     increment = {};
     increment.a = a > 0.0 || tips.empty() ? a : base::tidy(tips.front().a);
-    increment.notes = cut.notes;
+    increment.notes = results::notes_of(cut.notes);
     touching.clear();
     if (!walk_steps(*length, request, log, increment, touching)) {
       return std::nullopt;

@@ -179,13 +179,13 @@ private:
     }
     const Vec2 x = place(worst.node);
     const std::optional<std::string> contact = between(a, b);
-    out.notes.push_back(fmt::format(
-        "warning: bodies {} and {} run into each other by {:.3g} at ({:.6g}, {:.6g}): {}",
-        bodies_[a].name, bodies_[b].name, worst.depth, x.x(), x.y(),
+    out.notes.push_back(results::warning(fmt::format(
+        "bodies {} and {} run into each other by {:.3g} at ({:.6g}, {:.6g}): {}", bodies_[a].name,
+        bodies_[b].name, worst.depth, x.x(), x.y(),
         contact ? fmt::format("contact {} sees nothing there (surfaces farther apart than a fifth "
                               "of their extent, or not in its sets)",
                               *contact)
-                : "no $CONTACT stands between them"));
+                : "no $CONTACT stands between them")));
   }
 
   const Scene& scene_;

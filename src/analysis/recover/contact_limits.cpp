@@ -57,7 +57,7 @@ void tell_slides(const Scene& scene, const StepState& state, results::StepResult
       continue;
     }
     std::string text =
-        fmt::format("warning: contact {}: the bodies slide by {:.3g} ({:.2g} element "
+        fmt::format("contact {}: the bodies slide by {:.3g} ({:.2g} element "
                     "lengths) along {:.3g} that is pressed",
                     scene.contacts[c].name, slide.way,
                     slide.facet > 0.0 ? slide.way / slide.facet : 0.0, slide.pressed);
@@ -69,8 +69,8 @@ void tell_slides(const Scene& scene, const StepState& state, results::StepResult
       text += fmt::format(", and their gap changes by {:.2g} that small displacements do not see",
                           slide.misfit);
     }
-    out.notes.push_back(text +
-                        ": contact pairs bodies as drawn, so this state is not to be trusted");
+    out.notes.push_back(results::warning(
+        text + ": contact pairs bodies as drawn, so this state is not to be trusted"));
   }
 }
 

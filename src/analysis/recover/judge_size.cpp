@@ -16,8 +16,7 @@ namespace spricka::analysis {
 
 namespace {
 
-// How the notes begin and end.
-constexpr std::string_view beginning = "warning: ";
+// How the warnings go on and end.
 constexpr std::array<std::string_view, 2> beginnings_of_judgement{" is strained by ",
                                                                   " is bent or turned by "};
 constexpr std::string_view units_of_all = "; are moduli, loads and fits in the units meant?";
@@ -113,12 +112,12 @@ double mean_strain(const model::Model& model, const model::Mesh& mesh, const Bod
   return stiff > 0.0 ? std::sqrt(std::max(0.0, 2.0 * held / stiff)) : 0.0;
 }
 
-/// The body that a note of judge_size speaks of; empty: it is another note.
-std::string_view body_judged(std::string_view note) {
+/// The body that a warning of judge_size speaks of; empty: it is another note.
+std::string_view body_judged(const results::Note& note) {
   for (const std::string_view words : beginnings_of_judgement) {
-    const std::size_t at = note.find(words);
-    if (note.starts_with(beginning) && at != std::string_view::npos) {
-      return note.substr(beginning.size(), at - beginning.size());
+    const std::size_t at = note.text.find(words);
+    if (note.severity == base::Severity::warning && at != std::string::npos) {
+      return std::string_view(note.text).substr(0, at);
     }
   }
   return {};
@@ -126,7 +125,7 @@ std::string_view body_judged(std::string_view note) {
 
 bool judges(const results::Increment& increment, std::string_view step, std::string_view body) {
   const results::StepResult* found = results::find_step(increment, step);
-  return found == nullptr || std::ranges::any_of(found->notes, [&](const std::string& note) {
+  return found == nullptr || std::ranges::any_of(found->notes, [&](const results::Note& note) {
            return body_judged(note) == body;
          });
 }
@@ -136,15 +135,16 @@ bool judges(const results::Increment& increment, std::string_view step, std::str
 void explain_lost_ligaments(results::Run& run) {
   for (std::size_t i = 1; i < run.increments.size(); ++i) {
     for (results::StepResult& step : run.increments[i].steps) {
-      for (std::string& note : step.notes) {
+      for (results::Note& note : step.notes) {
         const std::string_view body = body_judged(note);
         if (body.empty() || judges(run.increments.front(), step.step, body)) {
           continue;
         }
         for (const std::string_view units : {units_of_all, units_of_loads}) {
-          if (note.ends_with(units)) {
-            note.replace(note.size() - units.size(), units.size(),
-                         "; at the first length it was within that: the crack takes its ligament");
+          if (note.text.ends_with(units)) {
+            note.text.replace(
+                note.text.size() - units.size(), units.size(),
+                "; at the first length it was within that: the crack takes its ligament");
             break;
           }
         }
@@ -162,15 +162,15 @@ void judge_size(const model::Model& model, const Scene& scene, const std::vector
     const double strain = mean_strain(model, mesh, body, state.energy);
     const Reach reach = reach_of(mesh, body, out.u);
     if (strain > small_strain) {
-      out.notes.push_back(fmt::format(
-          "warning: {} is strained by {:.3g} % on the whole: linear theory holds for less than "
-          "about 1 %{}",
-          body.name, 100.0 * strain, units_of_all));
+      out.notes.push_back(results::warning(
+          fmt::format("{} is strained by {:.3g} % on the whole: linear theory holds for less than "
+                      "about 1 %{}",
+                      body.name, 100.0 * strain, units_of_all)));
     } else if (reach.motion > small_turn * reach.size) {
-      out.notes.push_back(fmt::format(
-          "warning: {} is bent or turned by {:.3g} % of its size (largest displacement {:.3g}): "
+      out.notes.push_back(results::warning(fmt::format(
+          "{} is bent or turned by {:.3g} % of its size (largest displacement {:.3g}): "
           "linear theory holds for less than about 10 %{}",
-          body.name, 100.0 * reach.motion / reach.size, reach.largest, units_of_loads));
+          body.name, 100.0 * reach.motion / reach.size, reach.largest, units_of_loads)));
     }
   }
 }

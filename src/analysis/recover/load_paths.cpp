@@ -215,34 +215,36 @@ void LoadPaths::tips(const solve::SolutionPath& found, const End& from, const En
     tip.K2 = functional(found, layout.at(t, 2));
     size = std::max({size, std::abs(tip.K1.lowest()), std::abs(tip.K1.highest())});
     if (close_tip(t, from, found, tip.K1)) {
-      path.notes.push_back(fmt::format(
-          "{}: the crack faces touch at the tip on a part of the path: K1 = 0 there", tip.name));
+      path.notes.push_back(results::note(fmt::format(
+          "{}: the crack faces touch at the tip on a part of the path: K1 = 0 there", tip.name)));
     }
     const model::Crack& crack = model_.cracks[scene_.cracked.tips[t].crack.index()];
     const bool of_law = model_.growth && model_.growth->spectrum && !crack.faces_in_contact;
     if (tip.K1.lowest() < -1e-9 * tip.K1.highest() && of_law) {
-      path.notes.push_back(fmt::format("{}: K1 is negative on a part of the path, as FACES=FREE "
-                                       "lets the crack faces overlap: the law of $GROW knows it as "
-                                       "a K_min",
-                                       tip.name));
-    } else if (tip.K1.lowest() < -1e-9 * tip.K1.highest()) {
       path.notes.push_back(
-          fmt::format("warning: {}: K1 is negative on a part of the path: there this K is not an "
+          results::note(fmt::format("{}: K1 is negative on a part of the path, as FACES=FREE "
+                                    "lets the crack faces overlap: the law of $GROW knows it as "
+                                    "a K_min",
+                                    tip.name)));
+    } else if (tip.K1.lowest() < -1e-9 * tip.K1.highest()) {
+      path.notes.push_back(results::warning(
+          fmt::format("{}: K1 is negative on a part of the path: there this K is not an "
                       "answer (the crack faces overlap, or the mesh at the tip is too coarse)",
-                      tip.name));
+                      tip.name)));
     }
     for (const End* end : {&from, &to}) {
       const results::TipResult& own = end->result.tips[t];
       if (own.K1 >= 0.0 && !own.doubt.empty() && tip.doubt.empty()) {
         tip.doubt = own.doubt;
         path.notes.push_back(
-            fmt::format("warning: {}: at an end of the path {}", tip.name, own.doubt));
+            results::warning(fmt::format("{}: at an end of the path {}", tip.name, own.doubt)));
       }
     }
     if (shifted(model_, scene_.cracked.tips[t].crack)) {
-      path.notes.push_back(fmt::format("{}: K on the path is the analytic one, without the SHIFT "
-                                       "of $VCE",
-                                       tip.name));
+      path.notes.push_back(
+          results::note(fmt::format("{}: K on the path is the analytic one, without the SHIFT "
+                                    "of $VCE",
+                                    tip.name)));
     } else {
       for (const auto& [at, end] : {std::pair(0.0, &from), std::pair(1.0, &to)}) {
         if (found.end >= at) {
@@ -258,9 +260,10 @@ void LoadPaths::tips(const solve::SolutionPath& found, const End& from, const En
   }
   path.mismatch = size > 0.0 ? apart / size : 0.0;
   if (!(path.mismatch <= worst_mismatch)) {
-    path.notes.push_back(fmt::format("warning: K on the path differs from K of the steps at its "
+    path.notes.push_back(
+        results::warning(fmt::format("K on the path differs from K of the steps at its "
                                      "ends by {:.1e} of the largest",
-                                     path.mismatch));
+                                     path.mismatch)));
   }
 }
 
@@ -356,16 +359,17 @@ results::LoadPath LoadPaths::path(const model::LoadPath& card, const StepSolver&
   out.residual = found.residual;
   out.stopped = why_stopped(found, solver);
   if (!out.stopped.empty()) {
-    out.notes.push_back(fmt::format("warning: it ends at t = {:.6g} of {:.6g}: {}", found.end,
-                                    card.beyond, out.stopped));
+    out.notes.push_back(results::warning(
+        fmt::format("it ends at t = {:.6g} of {:.6g}: {}", found.end, card.beyond, out.stopped)));
   }
   if (found.segments.empty()) {
     return out;
   }
   for (const double t : found.jumps) {
-    out.notes.push_back(fmt::format("at t = {:.6g} nothing holds a body: it moves until contact "
-                                    "stops it, which changes no K",
-                                    t));
+    out.notes.push_back(
+        results::note(fmt::format("at t = {:.6g} nothing holds a body: it moves until contact "
+                                  "stops it, which changes no K",
+                                  t)));
   }
   out.t = knots_of(found);
   out.homogeneous = homogeneous(from, to, solver);

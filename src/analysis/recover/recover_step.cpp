@@ -79,17 +79,18 @@ void gather_tips(const model::Model& model, const Scene& scene, const StepState&
       }
     }
     if (K.shift_error && std::abs(*K.shift_error) > 2e-5) {
-      out.notes.push_back(fmt::format(
-          "warning: {}: G by the finite shift is {:+.2g} of the analytic one off; the shift is too "
+      out.notes.push_back(results::warning(fmt::format(
+          "{}: G by the finite shift is {:+.2g} of the analytic one off; the shift is too "
           "large or lost in round-off",
-          result.name, *K.shift_error));
+          result.name, *K.shift_error)));
     }
     if (!K.domains.empty() && std::ranges::all_of(K.domains, [](const crack::DomainValue& d) {
           return std::isnan(d.G);
         })) {
-      out.notes.push_back(fmt::format("{}: loads or temperatures jump within all domains of K, "
-                                      "which leave G to K: it is (K1^2 + K2^2)/E'",
-                                      result.name));
+      out.notes.push_back(
+          results::note(fmt::format("{}: loads or temperatures jump within all domains of K, "
+                                    "which leave G to K: it is (K1^2 + K2^2)/E'",
+                                    result.name)));
     }
     result.two_materials = K.two_materials;
     judge_faces({model, scene, tip, state, K}, result, out);
@@ -212,10 +213,11 @@ void note_parting(const Scene& scene, std::size_t pair, results::ContactResult& 
       const results::ContactPoint& b = result.points[i];
       const double reach = 0.5 * (b.arc - a.arc);
       if (a.closed != b.closed && end >= a.arc - reach && end <= b.arc + reach) {
-        out.notes.push_back(fmt::format(
-            "{}: the faces part at {:.4g} along the crack, +- {:.2g} "
-            "by the distance of its nodes there",
-            result.name, end, (many_alike(result.points, i) ? known_part : 1.0) * (b.arc - a.arc)));
+        out.notes.push_back(results::note(
+            fmt::format("{}: the faces part at {:.4g} along the crack, +- {:.2g} "
+                        "by the distance of its nodes there",
+                        result.name, end,
+                        (many_alike(result.points, i) ? known_part : 1.0) * (b.arc - a.arc))));
         break;
       }
     }
@@ -272,12 +274,12 @@ void gather_contacts(const Scene& scene, const StepState& state, results::StepRe
     note_parting(scene, c, result, out);
     result.unbounded = pressed_edges(pair, p.nodes);
     if (!result.unbounded.empty()) {
-      out.notes.push_back(unbounded_note(result));
+      out.notes.push_back(results::note(unbounded_note(result)));
     }
     const bool unilateral = scene.contacts[c].type == model::ContactType::unilateral;
     const std::string parts = result.mounted && unilateral ? parts_note(result) : std::string();
     if (!parts.empty()) {
-      out.notes.push_back(parts);
+      out.notes.push_back(results::note(parts));
     }
     out.contacts.push_back(std::move(result));
   }

@@ -41,7 +41,7 @@ struct Held {
 } // namespace
 
 void tell_held_surfaces(const Scene& scene, const contact::ContactSystem::Demand& demand,
-                        const StepMotion& motion, std::vector<std::string>& notes) {
+                        const StepMotion& motion, std::vector<results::Note>& notes) {
   std::vector<Held> found(scene.contacts.size());
   for (std::size_t i = 0; i < demand.rows.size(); ++i) {
     const std::size_t r = demand.rows[i];
@@ -66,18 +66,18 @@ void tell_held_surfaces(const Scene& scene, const contact::ContactSystem::Demand
     const std::string& name = scene.contacts[c].name;
     if (found[c].overlap > least) {
       const base::Vec3& x = scene.cracked.mesh.x[found[c].node.index()];
-      notes.push_back(fmt::format(
-          "warning: contact {}: both sides are held or prescribed where they overlap by up to "
+      notes.push_back(results::warning(fmt::format(
+          "contact {}: both sides are held or prescribed where they overlap by up to "
           "{:.3g}, at ({:.5g}, {:.5g}): contact cannot press there; free one of them along the "
           "normal",
-          name, found[c].overlap, x.x(), x.y()));
+          name, found[c].overlap, x.x(), x.y())));
     }
     if (found[c].slip > least && motion.pressed[c]) {
-      notes.push_back(fmt::format(
-          "warning: contact {}: both sides are held or prescribed where they slide by up to "
+      notes.push_back(results::warning(fmt::format(
+          "contact {}: both sides are held or prescribed where they slide by up to "
           "{:.3g}: what friction does there is in no reaction, shear or work; free one of them "
           "along the surface",
-          name, found[c].slip));
+          name, found[c].slip)));
     }
   }
 }

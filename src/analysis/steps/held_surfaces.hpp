@@ -2,6 +2,7 @@
 #pragma once
 #include "analysis/scene/scene.hpp"
 #include "contact/system.hpp"
+#include "results/note.hpp"
 
 #include <string>
 #include <vector>
@@ -18,6 +19,6 @@ struct StepMotion {
 /// displacements press surfaces into each other, or pull them along each other under pressure:
 /// contact and friction cannot act there. `demand` is that of the end of the step.
 void tell_held_surfaces(const Scene& scene, const contact::ContactSystem::Demand& demand,
-                        const StepMotion& motion, std::vector<std::string>& notes);
+                        const StepMotion& motion, std::vector<results::Note>& notes);
 
 } // namespace spricka::analysis

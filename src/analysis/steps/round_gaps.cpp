@@ -86,7 +86,7 @@ double depth(const contact::PairRows& pair) {
 void tell_round_gaps(const Scene& scene, const contact::ContactSystem& system,
                      const contact::ContactSystem::Demand& demand,
                      const contact::ContactSystem::Answer& answer,
-                     std::vector<std::string>& notes) {
+                     std::vector<results::Note>& notes) {
   const contact::ContactSystem::Demand drawn = without_friction(scene, demand);
   contact::ContactSystem::Demand round = drawn;
   std::vector<bool> differs(scene.contacts.size(), false);
@@ -115,11 +115,11 @@ void tell_round_gaps(const Scene& scene, const contact::ContactSystem& system,
     const double most =
         change(pressures(scene, drawn, smooth, c), pressures(scene, round, other, c));
     if (most > worst_change) {
-      notes.push_back(fmt::format(
-          "warning: contact {}: its gap is measured between element edges, which leave the circles "
+      notes.push_back(results::warning(fmt::format(
+          "contact {}: its gap is measured between element edges, which leave the circles "
           "through their nodes by {:.2g}: between those circles pressures differ by up to {:.2g} % "
           "of the largest; declare GAP, INTERFERENCE or DIAMETRAL, or use more or curved elements",
-          scene.contacts[c].name, depth(scene.pairs[c]), 100.0 * most));
+          scene.contacts[c].name, depth(scene.pairs[c]), 100.0 * most)));
     }
   }
 }

@@ -2,6 +2,7 @@
 #pragma once
 #include "analysis/scene/scene.hpp"
 #include "contact/system.hpp"
+#include "results/note.hpp"
 
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@ namespace spricka::analysis {
 /// of those circles, without friction, and compares.
 void tell_round_gaps(const Scene& scene, const contact::ContactSystem& system,
                      const contact::ContactSystem::Demand& demand,
-                     const contact::ContactSystem::Answer& answer, std::vector<std::string>& notes);
+                     const contact::ContactSystem::Answer& answer,
+                     std::vector<results::Note>& notes);
 
 } // namespace spricka::analysis

@@ -206,18 +206,20 @@ bool StepSolver::accept(const contact::ContactSystem::Answer& answer,
     return false;
   }
   if (s.resting_modes > 0) {
-    state.notes.push_back(
+    state.notes.push_back(results::note(
         fmt::format("{} rigid mode(s) that no contact touches and nothing loads stay at rest",
-                    s.resting_modes));
+                    s.resting_modes)));
   }
   if (s.left_over > solve::rest_load) {
-    state.notes.push_back(fmt::format("{:.1e} of the load acts on motions that no contact touches "
-                                      "(its moment about the axis of the meshed body) and is left "
-                                      "over",
-                                      s.left_over));
+    state.notes.push_back(
+        results::note(fmt::format("{:.1e} of the load acts on motions that no contact touches "
+                                  "(its moment about the axis of the meshed body) and is left "
+                                  "over",
+                                  s.left_over)));
   }
   if (s.redundant > 0) {
-    state.notes.push_back(fmt::format("{} redundant contact row(s) left out", s.redundant));
+    state.notes.push_back(
+        results::note(fmt::format("{} redundant contact row(s) left out", s.redundant)));
   }
   closed_.assign(scene_.table.size(), true);
   for (std::size_t i = 0; i < demand.rows.size(); ++i) {

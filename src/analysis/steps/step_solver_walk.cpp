@@ -103,11 +103,11 @@ struct Halving {
 
 void note_slips(const Halving& cut, bool given, StepState& state) {
   if (cut.slip_error() > work_tolerance) {
-    state.notes.push_back(fmt::format(
-        "warning: friction walked in {} increments leaves its work or the largest slip off by "
-        "about {:.2g} %: {}",
-        cut.now, 100.0 * cut.slip_error(),
-        given ? "more SUBSTEPS, or none, make it less" : "SUBSTEPS may ask for more"));
+    state.notes.push_back(results::warning(
+        fmt::format("friction walked in {} increments leaves its work or the largest slip off by "
+                    "about {:.2g} %: {}",
+                    cut.now, 100.0 * cut.slip_error(),
+                    given ? "more SUBSTEPS, or none, make it less" : "SUBSTEPS may ask for more")));
   }
 }
 
@@ -118,18 +118,18 @@ void note_increments(const Halving& cut, bool given, StepState& state) {
   }
   const std::string off = fmt::format("shear off by about {:.2g} %", 100.0 * error);
   if (error <= worst_shear) {
-    state.notes.push_back(
-        fmt::format("friction walked in {} increments: {} (root mean square)", cut.now, off));
+    state.notes.push_back(results::note(
+        fmt::format("friction walked in {} increments: {} (root mean square)", cut.now, off)));
   } else if (given) {
-    state.notes.push_back(fmt::format(
-        "warning: SUBSTEPS={} leaves the {} (root mean square, from the change between {} and {} "
+    state.notes.push_back(results::warning(fmt::format(
+        "SUBSTEPS={} leaves the {} (root mean square, from the change between {} and {} "
         "increments); without SUBSTEPS the step is cut until 1 % is left",
-        cut.now, off, std::min(cut.before, cut.now), std::max(cut.before, cut.now)));
+        cut.now, off, std::min(cut.before, cut.now), std::max(cut.before, cut.now))));
   } else {
-    state.notes.push_back(fmt::format(
-        "warning: friction walked in {} increments leaves the {} (root mean square): SUBSTEPS may "
+    state.notes.push_back(results::warning(fmt::format(
+        "friction walked in {} increments leaves the {} (root mean square): SUBSTEPS may "
         "ask for more",
-        cut.now, off));
+        cut.now, off)));
   }
 }
 
@@ -294,8 +294,8 @@ void StepSolver::note_uniqueness(const Walk& walk, StepState& state) {
   if (!certain_ && walk.demand.rows.size() <= most_rows_tested &&
       solve::one_of_several({system_->condensed(walk.demand), walk.demand.friction, {}},
                             walk.answer.solution.closed, walk.answer.touch)) {
-    state.notes.emplace_back(
-        "warning: with this much friction the end of the step is one of several solutions");
+    state.notes.push_back(results::warning(
+        "with this much friction the end of the step is one of several solutions"));
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include "analysis/steps/friction_history.hpp"
 #include "base/sparse.hpp"
+#include "results/note.hpp"
 
 #include <string>
 #include <vector>
@@ -28,7 +29,7 @@ struct StepState {
   double imbalance = 0.0;     ///< largest force left over at a free freedom, over the force scale
   int iterations = 0, pivots = 0;
   int increments = 1; ///< solved in this step; more than 1 only where contacts rub
-  std::vector<std::string> notes;
+  std::vector<results::Note> notes;
 };
 
 } // namespace spricka::analysis

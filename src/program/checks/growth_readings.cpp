@@ -180,20 +180,21 @@ void add_notes(results::GrowthTest& test) {
   const auto none = count([](const auto& p) { return std::isnan(p.K) && !std::isnan(p.R); });
   const auto beyond = count([](const auto& p) { return !std::isnan(p.K) && !p.covered; });
   if (outside > 0) {
-    test.notes.push_back(fmt::format(
+    test.notes.push_back(results::note(fmt::format(
         "{} of {} points lie outside the computed crack lengths: there is nothing to compare with",
-        outside, test.points.size()));
+        outside, test.points.size())));
   }
   if (none > 0) {
-    test.notes.push_back(fmt::format(
-        "warning: {} of {} points have a rate that no K of the reference gives (scatter made it "
-        "negative, or it is below the threshold); they are left out",
-        none, test.points.size()));
+    test.notes.push_back(results::warning(
+        fmt::format("{} of {} points have a rate that no K of the reference gives (scatter made it "
+                    "negative, or it is below the threshold); they are left out",
+                    none, test.points.size())));
   }
   if (beyond > 0) {
-    test.notes.push_back(fmt::format("warning: {} of {} points have a rate beyond the rows of the "
+    test.notes.push_back(
+        results::warning(fmt::format("{} of {} points have a rate beyond the rows of the "
                                      "reference, which was drawn straight on",
-                                     beyond, test.points.size()));
+                                     beyond, test.points.size())));
   }
 }
 

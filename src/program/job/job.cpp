@@ -48,8 +48,8 @@ void collect_warnings(const model::Model& model, const base::Diagnostics& readin
       run.warnings.push_back(d.text);
     }
   }
-  for (const report::Note& note : report::collect_notes(run)) {
-    if (note.warning) {
+  for (const report::PlacedNote& note : report::collect_notes(run)) {
+    if (note.first.severity == base::Severity::warning) {
       run.warnings.push_back(report::words_of(note));
       log.message(base::Severity::warning, "W502", run.warnings.back());
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a session answers from its bench.
+#include "base/messages.hpp"
 #include "grammar/catalogue.hpp"
 #include "program/checks/check_quantities.hpp"
 #include "program/shell/known_names.hpp"
@@ -115,11 +116,12 @@ base::Trouble ShellSession::evaluate(const model::Check& check, double& value) {
 std::vector<std::string> ShellSession::new_notes() {
   std::vector<std::string> warnings;
   std::vector<std::string> notes;
-  for (const std::string& note : now().notes) {
-    if (note.starts_with("warning: ")) {
-      warnings.push_back(note);
-    } else if (told_.insert(note).second) {
-      notes.push_back("note: " + note);
+  for (const results::Note& note : now().notes) {
+    const std::string line = fmt::format("{}: {}", base::word_of(note.severity), note.text);
+    if (note.severity == base::Severity::warning) {
+      warnings.push_back(line);
+    } else if (told_.insert(note.text).second) {
+      notes.push_back(line);
     }
   }
   warnings.insert(warnings.end(), notes.begin(), notes.end());

@@ -98,7 +98,7 @@ void ShellBench::begin_run() {
   results::Increment& increment = run_.increments.emplace_back();
   increment.number = 1;
   increment.a = cracked.tips.empty() ? 0.0 : base::tidy(cracked.tips.front().a);
-  increment.notes = length_->scene().notes;
+  increment.notes = results::notes_of(length_->scene().notes);
   increment.mesh = cracked.mesh;
   analysis::keep_gone_members(parts_.model.mesh, increment.mesh);
   increment.kept = static_cast<std::size_t>(

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/messages.hpp"
 #include "program/shell/actions.hpp"
 #include "program/shell/known_names.hpp"
 #include "program/shell/replies.hpp"
@@ -210,8 +211,8 @@ base::Trouble do_map(const ShellCall& call) {
   }
   const results::LoadPath& path = *call.session.mapped();
   call.reply.out = map_reply(call.session);
-  for (const std::string& note : path.notes) {
-    call.reply.messages += note.starts_with("warning: ") ? note + "\n" : "note: " + note + "\n";
+  for (const results::Note& note : path.notes) {
+    call.reply.messages += fmt::format("{}: {}\n", base::word_of(note.severity), note.text);
   }
   return {};
 }

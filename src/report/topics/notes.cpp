@@ -11,8 +11,6 @@
 namespace spricka::report {
 namespace {
 
-constexpr std::string_view warning_mark = "warning: ";
-
 /// The text with '#' for each number.
 std::string without_numbers(std::string_view text) {
   std::string out;
@@ -34,22 +32,19 @@ std::string without_numbers(std::string_view text) {
 
 class Collector {
 public:
-  void add(std::string where, std::string_view text, const std::string& group) {
-    Note note{std::move(where), std::string(text), text.starts_with(warning_mark), 1, {}};
-    if (note.warning) {
-      note.text = note.text.substr(warning_mark.size());
-    }
-    const auto [at, fresh] = seen_.try_emplace(group + '\n' + without_numbers(text), notes.size());
+  void add(std::string where, const results::Note& note, const std::string& group) {
+    const auto [at, fresh] =
+        seen_.try_emplace(group + '\n' + without_numbers(results::marked(note)), notes.size());
     if (fresh) {
-      notes.push_back(std::move(note));
+      notes.push_back({.where = std::move(where), .first = note, .last = {}});
     } else {
-      Note& first = notes[at->second];
-      ++first.times;
-      first.last = std::move(note.where);
+      PlacedNote& alike = notes[at->second];
+      ++alike.times;
+      alike.last = std::move(where);
     }
   }
 
-  std::vector<Note> notes;
+  std::vector<PlacedNote> notes;
 
 private:
   std::map<std::string, std::size_t> seen_;
@@ -57,37 +52,37 @@ private:
 
 } // namespace
 
-std::vector<Note> collect_notes(const results::Run& run) {
+std::vector<PlacedNote> collect_notes(const results::Run& run) {
   Collector found;
   for (const results::Increment& increment : run.increments) {
     const std::string where = fmt::format("increment {}", increment.number);
-    for (const std::string& note : increment.notes) {
+    for (const results::Note& note : increment.notes) {
       found.add(where, note, "");
     }
     for (const results::StepResult& step : increment.steps) {
-      for (const std::string& note : step.notes) {
+      for (const results::Note& note : step.notes) {
         found.add(fmt::format("{}, step {}", where, step.step), note, "");
       }
     }
   }
   for (const results::Increment& increment : run.increments) {
     for (const results::LoadPath& path : increment.paths) {
-      for (const std::string& note : path.notes) {
+      for (const results::Note& note : path.notes) {
         found.add(fmt::format("increment {}, load path {}", increment.number, path.name), note,
                   path.name);
       }
     }
   }
   for (const results::GrowthTest& test : run.tests) {
-    for (const std::string& note : test.notes) {
+    for (const results::Note& note : test.notes) {
       found.add(fmt::format("test {}", test.name), note, test.name);
     }
   }
   return std::move(found.notes);
 }
 
-std::string words_of(const Note& note) {
-  std::string words = fmt::format("{}: {}", note.where, note.text);
+std::string words_of(const PlacedNote& note) {
+  std::string words = fmt::format("{}: {}", note.where, note.first.text);
   if (note.times > 1) {
     words += fmt::format(" (alike {} more time{}, last in {})", note.times - 1,
                          note.times > 2 ? "s" : "", note.last);

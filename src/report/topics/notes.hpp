@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "results/note.hpp"
 #include "results/results.hpp"
 
 #include <string>
@@ -7,19 +8,18 @@
 
 namespace spricka::report {
 
-/// A note of the run; notes that differ by their numbers only are one.
-struct Note {
+/// Notes of the run that differ by their numbers only, as one.
+struct PlacedNote {
   std::string where; ///< "increment 3, step LOAD" of the first
-  std::string text;  ///< the first, without "warning: "
-  bool warning = false;
+  results::Note first;
   int times = 1;
   std::string last; ///< where the last one is, if there are more
 };
 
 /// All notes of increments, steps, load paths and tests, in the order of their first appearance.
-std::vector<Note> collect_notes(const results::Run& run);
+std::vector<PlacedNote> collect_notes(const results::Run& run);
 
 /// "increment 1, step LOAD: text (alike 11 more times, last in increment 6, step LOAD)".
-std::string words_of(const Note& note);
+std::string words_of(const PlacedNote& note);
 
 } // namespace spricka::report

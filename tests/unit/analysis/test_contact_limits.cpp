@@ -10,7 +10,7 @@ namespace {
 
 std::string notes_of(const test::Solved& s, std::size_t step = 0) {
   std::string all;
-  for (const std::string& note : s.step(step).notes) {
+  for (const std::string& note : results::marked(s.step(step).notes)) {
     all += note + "\n";
   }
   return all;

@@ -102,7 +102,7 @@ TEST(CornerBars, ABodyThatNothingLoadsHasKOfZero) {
   EXPECT_EQ(idle.K2, 0.0);
   EXPECT_EQ(idle.no_bar, "");
   EXPECT_EQ(idle.bar[1].size(), 0.0);
-  for (const std::string& note : one.notes) {
+  for (const std::string& note : results::marked(one.notes)) {
     EXPECT_EQ(note.find("warning"), std::string::npos) << note;
   }
 }

@@ -151,7 +151,7 @@ TEST(ErrorBars, AreRefusedWithTheirReasonOnce) {
   EXPECT_EQ(tip_of(*found).no_bar, "some elements are linear");
   const auto told = [](const Solved& solved) {
     int count = 0;
-    for (const std::string& note : solved.step().notes) {
+    for (const std::string& note : results::marked(solved.step().notes)) {
       count += note.find("has no error bar") != std::string::npos ? 1 : 0;
     }
     return count;

@@ -54,7 +54,7 @@ TEST(Friction, WorkIsThatOfTheMeanPressure) {
 
 std::string notes_of(const results::StepResult& step) {
   std::string all;
-  for (const std::string& note : step.notes) {
+  for (const std::string& note : results::marked(step.notes)) {
     all += note + "\n";
   }
   return all;

@@ -36,7 +36,7 @@ TEST(Growth, ExchangedStepsOfGivenLengths) {
     ASSERT_TRUE(solved);
     std::string all;
     for (const results::StepResult& step : solved->run.increments.back().steps) {
-      for (const std::string& note : step.notes) {
+      for (const std::string& note : results::marked(step.notes)) {
         all += note + "\n";
       }
     }

@@ -12,7 +12,8 @@ std::string notes_of(const std::string& deck) {
   const auto s = test::solve_text(deck);
   EXPECT_TRUE(s);
   std::string all;
-  for (const std::string& note : s ? s->step().notes : std::vector<std::string>{}) {
+  for (const std::string& note :
+       s ? results::marked(s->step().notes) : std::vector<std::string>{}) {
     all += note + "\n";
   }
   return all;

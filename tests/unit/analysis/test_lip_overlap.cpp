@@ -43,7 +43,7 @@ TEST(LipOverlap, LeavesAnOpenCrackAlone) {
   ASSERT_TRUE(solved);
   EXPECT_TRUE(solved->step().tips[0].doubt.empty());
   EXPECT_TRUE(solved->step().tips[1].doubt.empty());
-  for (const std::string& note : solved->step().notes) {
+  for (const std::string& note : results::marked(solved->step().notes)) {
     EXPECT_EQ(note.find("overlap"), std::string::npos) << note;
   }
   EXPECT_NEAR(solved->step().tips[0].K1, 0.1 * std::sqrt(std::numbers::pi), 0.01);

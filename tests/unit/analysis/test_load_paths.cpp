@@ -186,7 +186,7 @@ $CRACK NAME=C NET=HUB ANGLE=90[deg] A0=4
   EXPECT_LT(through.mismatch, 1e-11);
   EXPECT_NEAR(tip.K1(0.5), 0.0, 1e-9 * tip.K1.highest());
   ASSERT_FALSE(through.notes.empty());
-  EXPECT_NE(through.notes.front().find("at t = 0.5 nothing holds a body"), std::string::npos);
+  EXPECT_NE(through.notes.front().text.find("at t = 0.5 nothing holds a body"), std::string::npos);
   // a pin that rests somewhere until it is loaded
   const results::LoadPath& up = increment.paths[1];
   EXPECT_TRUE(up.stopped.empty()) << up.stopped;

@@ -50,6 +50,10 @@ public:
     constexpr std::array texts{"", "LOAD", "Rissöffnung µm ≤ 1", "a\nb", " blank "};
     v = texts[engine_() % texts.size()];
   }
+  void operator()(const char* n, Note& v) {
+    (*this)(n, v.text);
+    v.severity = engine_() % 2 == 0 ? base::Severity::warning : base::Severity::note;
+  }
   template <class Tag> void operator()(const char*, base::Id<Tag>& v) {
     v.value = static_cast<std::int32_t>(engine_() % 1000) - 1;
   }
@@ -175,7 +179,7 @@ WholeRun random_run() {
     increment.mesh.face_sets = dice.list<model::FaceSet>(2);
     increment.surface = dice.list<SurfaceFace>(4);
     increment.paths = dice.list<LoadPath>(2);
-    increment.notes = {"first", "second"};
+    increment.notes = {note("first"), note("second")};
     for (const char* name : {"PRESS", "LOAD"}) {
       StepResult step;
       step.step = name;
@@ -195,7 +199,7 @@ WholeRun random_run() {
       step.increments = 4;
       step.iterations = 5;
       step.pivots = 6;
-      step.notes = {"warning: öäü"};
+      step.notes = {warning("öäü"), note("")};
       increment.steps.push_back(std::move(step));
     }
     run.increments.push_back(std::move(increment));

@@ -116,23 +116,23 @@ results::Run run_with_notes(const std::string& first, const std::string& later) 
     increment.steps.emplace_back().step = "S";
   }
   if (!first.empty()) {
-    run.increments[0].steps[0].notes.push_back(first);
+    run.increments[0].steps[0].notes.push_back(results::warning(first));
   }
-  run.increments[1].steps[0].notes.push_back(later);
+  run.increments[1].steps[0].notes.push_back(results::warning(later));
   return run;
 }
 
 TEST(LostLigaments, OnlyWhatWasSmallAtFirst) {
-  const std::string bent = "warning: LUG is bent or turned by 12 % of its size (largest "
+  const std::string bent = "LUG is bent or turned by 12 % of its size (largest "
                            "displacement 3): linear theory holds for less than about 10 %; are "
                            "moduli and loads in the units meant?";
   results::Run grown = run_with_notes("", bent);
   analysis::explain_lost_ligaments(grown);
-  EXPECT_FALSE(has(grown.increments[1].steps[0].notes[0], "units meant"));
-  EXPECT_TRUE(has(grown.increments[1].steps[0].notes[0], "bent or turned by 12 %"));
+  EXPECT_FALSE(has(grown.increments[1].steps[0].notes[0].text, "units meant"));
+  EXPECT_TRUE(has(grown.increments[1].steps[0].notes[0].text, "bent or turned by 12 %"));
   results::Run ever = run_with_notes(bent, bent);
   analysis::explain_lost_ligaments(ever);
-  EXPECT_EQ(ever.increments[1].steps[0].notes[0], bent);
+  EXPECT_EQ(ever.increments[1].steps[0].notes[0], results::warning(bent));
 }
 
 // A net that nothing strains has no error worth a word, whatever round-off looks like.
