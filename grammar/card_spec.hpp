@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "base/units.hpp"
+#include "base/quantity.hpp"
 
 #include <limits>
 #include <span>
@@ -48,16 +48,7 @@ enum class Kind {
 /// The field's word for a kind: "node set".
 std::string_view word_of(Kind kind);
 
-enum class Quantity {
-  number,
-  length,
-  stress,
-  angle,
-  stress_intensity,
-  force,
-  energy_release,
-  energy
-};
+using base::Quantity;
 base::Dimension dimension_of(Quantity quantity);
 /// "a length": for messages.
 std::string_view word_of(Quantity quantity);

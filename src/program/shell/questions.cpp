@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/messages.hpp"
+#include "base/quantity.hpp"
 #include "program/shell/actions.hpp"
 #include "program/shell/known_names.hpp"
 #include "program/shell/replies.hpp"
@@ -10,34 +11,6 @@
 #include <fmt/format.h>
 
 namespace spricka::program {
-
-namespace {
-
-using grammar::Quantity;
-
-std::string unit_name(const base::UnitSystem& units, Quantity quantity) {
-  switch (quantity) {
-  case Quantity::length:
-    return units.length_name;
-  case Quantity::stress:
-    return units.stress_name();
-  case Quantity::angle:
-    return "rad";
-  case Quantity::stress_intensity:
-    return units.stress_intensity_name();
-  case Quantity::force:
-    return units.force_name;
-  case Quantity::energy_release:
-    return units.force_name + "/" + units.length_name;
-  case Quantity::energy:
-    return units.force_name + "*" + units.length_name;
-  case Quantity::number:
-    break;
-  }
-  return {};
-}
-
-} // namespace
 
 base::Trouble do_k(const ShellCall& call) {
   const std::string only = call.words.size() > 1 ? name_at(call, 1) : std::string();
@@ -202,8 +175,9 @@ base::Trouble do_map(const ShellCall& call) {
     double from = 0.0;
     double to = 1.0;
     const model::Model& model = call.session.model();
-    trouble = read_number(call.words[2].text, model, Quantity::number, from);
-    trouble = trouble ? trouble : read_number(call.words[3].text, model, Quantity::number, to);
+    trouble = read_number(call.words[2].text, model, base::Quantity::number, from);
+    trouble =
+        trouble ? trouble : read_number(call.words[3].text, model, base::Quantity::number, to);
     trouble = trouble ? trouble : call.session.map_case(name_at(call, 1), from, to);
   }
   if (trouble) {
@@ -245,7 +219,7 @@ base::Trouble answer_quantity(ShellSession& session, const std::string& text, Sh
     return trouble;
   }
   const std::string unit =
-      unit_name(session.model().units, grammar::find_quantity(check.quantity)->quantity);
+      base::unit_name(session.model().units, grammar::find_quantity(check.quantity)->quantity);
   std::string name = check.quantity + "(";
   for (std::size_t i = 0; i < check.arguments.size(); ++i) {
     name += i > 0 ? "," : "";
