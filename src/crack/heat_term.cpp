@@ -4,6 +4,8 @@
 #include "fe/corner_rule.hpp"
 #include "shape/topology.hpp"
 
+#include <Eigen/Cholesky>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>

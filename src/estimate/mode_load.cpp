@@ -121,21 +121,20 @@ base::Vector mode_load(const Enrichment& enrichment, const model::LoadCase& load
   const model::Model& model = enrichment.model();
   const model::Mesh& mesh = enrichment.mesh();
   base::Vector f = base::Vector::Zero(enrichment.freedoms());
+  const auto on_side = [&](const model::Face& face, std::span<const fe::LoadPoint> points) {
+    for (const fe::LoadPoint& p : points) {
+      add_on_side(enrichment, face, p.r[0], p.force, f);
+    }
+  };
+  const auto inside = [&](base::ElementId e, std::span<const fe::LoadPoint> points) {
+    with_mode_shape(mesh.type[e.index()], [&]<shape::PlaneShape S>(S) {
+      for (const fe::LoadPoint& p : points) {
+        add_inside<S>(enrichment, e, p.r.head<2>(), p.force, f);
+      }
+    });
+  };
   for (const model::Load& load : load_case.loads) {
-    fe::for_load_points(
-        model, mesh, load,
-        [&]<shape::Shape Side>(Side, const model::Face& face, const shape::Point<Side::dim>& r,
-                               const Vec3& force) {
-          if constexpr (Side::dim == 1) {
-            add_on_side(enrichment, face, r[0], force, f);
-          }
-        },
-        [&]<shape::Shape S>(S, base::ElementId e, const shape::Point<S::dim>& r,
-                            const Vec3& force) {
-          if constexpr (has_modes(S::type)) {
-            add_inside<S>(enrichment, e, r, force, f);
-          }
-        });
+    fe::for_load_points(model, mesh, load, {on_side, inside});
   }
   const fe::CaseHeat own =
       heat == nullptr ? fe::case_heat(model, {mesh, mesh, nullptr, {}}, load_case) : fe::CaseHeat();

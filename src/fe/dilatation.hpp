@@ -3,15 +3,14 @@
 #include "fe/jacobian.hpp"
 #include "fe/law.hpp"
 
-#include <Eigen/LU>
-
 namespace spricka::fe {
 
 /// Projected dilatation (mixed elements with a discontinuous pressure, condensed; Hughes 1980,
 /// B-bar; stability of the pairs: Boffi, Brezzi, Fortin 2013). The volume change theta = div u is
 /// replaced by its projection onto phi: 1 on triangles, tetrahedra, wedges and linear elements,
 /// 1 and the reference coordinates on quadratic quadrilaterals and hexahedra. The energy of the
-/// volume change is lambda/2 times the integral of the projected theta squared.
+/// volume change is lambda/2 times the integral of the projected theta squared. Compiled in
+/// dilatation.cpp for each element.
 template <shape::ElementShape S> struct Dilatation {
   static constexpr bool full = base::info(S::type).corners == 1 << S::dim;
   static constexpr int modes = full && base::info(S::type).quadratic ? 1 + S::dim : 1;
@@ -30,26 +29,10 @@ template <shape::ElementShape S> struct Dilatation {
     return p;
   }
 
-  Dilatation(const NodeVectors<S>& X, const Law& law) {
-    for (const auto& point : stiffness_rule<S>(law)) {
-      const Jacobian<S> at = jacobian<S>(X, point.r);
-      const Hoop<S> hoop(X, law, point.r);
-      const double w = point.weight * at.det * law.depth(hoop.x);
-      const Modes p = phi(point.r);
-      Eigen::Matrix<double, 1, S::dim * S::nodes> theta;
-      for (int i = 0; i < S::nodes; ++i) {
-        theta.template segment<S::dim>(S::dim * i) = at.dNdx.row(i);
-        theta[S::dim * i] += hoop.h[i];
-      }
-      C.noalias() += (w * p) * theta;
-      G.noalias() += (w * p) * p.transpose();
-    }
-  }
+  Dilatation(const NodeVectors<S>& X, const Law& law);
 
   /// Coefficients of the projected volume change of displacements u [dim * nodes].
-  [[nodiscard]] Modes of(const Eigen::Matrix<double, S::dim * S::nodes, 1>& u) const {
-    return G.inverse() * (C * u);
-  }
+  [[nodiscard]] Modes of(const Eigen::Matrix<double, S::dim * S::nodes, 1>& u) const;
 };
 
 } // namespace spricka::fe

@@ -51,17 +51,22 @@ base::Vec3 area_vector(const SideNodes<Side>& X, const shape::Point<Side::dim>& 
   }
 }
 
+/// Calls f(Side{}) with the shape of a side.
+template <class F> void with_side(const model::Mesh& mesh, const model::Face& face, F&& f) {
+  const base::ElementType type = mesh.type[face.element.index()];
+  if (base::info(type).dim == 2) {
+    shape::with_plane_shape(type, [&]<shape::PlaneShape S>(S) { f(typename S::Side{}); });
+  } else {
+    shape::with_plane_shape(shape::solid_side(type, face.side),
+                            [&]<shape::PlaneShape Side>(Side side) { f(side); });
+  }
+}
+
 /// Calls f(Side{}, face) for each face with the shape of the side.
 template <class F>
 void for_faces(const model::Mesh& mesh, const std::vector<model::Face>& faces, F&& f) {
   for (const model::Face& face : faces) {
-    const base::ElementType type = mesh.type[face.element.index()];
-    if (base::info(type).dim == 2) {
-      shape::with_plane_shape(type, [&]<shape::PlaneShape S>(S) { f(typename S::Side{}, face); });
-    } else {
-      shape::with_plane_shape(shape::solid_side(type, face.side),
-                              [&]<shape::PlaneShape Side>(Side side) { f(side, face); });
-    }
+    with_side(mesh, face, [&]<shape::Shape Side>(Side side) { f(side, face); });
   }
 }
 

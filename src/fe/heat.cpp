@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/heat.hpp"
 
-#include "fe/heat_points.hpp"
+#include "fe/corner_rule.hpp"
 #include "fe/load_points.hpp"
+#include "fe/load_rule.hpp"
 #include "fe/thermal.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace spricka::fe {
@@ -15,14 +15,9 @@ namespace {
 
 using base::ElementId;
 using base::Vec2;
-using base::Vec3;
 
 // A rest below this part of the largest temperature is round-off of the linear part.
 constexpr double round_off = 1e-9;
-
-Vec3 in_space(const Vec2& x) {
-  return {x.x(), x.y(), 0.0};
-}
 
 // The function that an element takes, nearest to the temperature at the points: linear in x where
 // it does not hold quadratic functions, else in its reference coordinates (thermal_kernel.hpp).
@@ -81,12 +76,13 @@ void add_points(const model::Model& model, const PatchedMesh& patched, const Fie
     if (takes_rest(law, mesh.type[i]) && heat.field.varies(e)) {
       shape::with_plane_shape(mesh.type[i], [&]<shape::PlaneShape S>(S) {
         const NodeVectors<S> X = coordinates<S>(mesh, e);
-        HeatSampler<S> sampler(X, heat.field, e, scale);
-        std::vector<HeatPoint> points = sampler.points(corner_at<S>(mesh, e, patched.tips));
+        SampledHeat sampled =
+            sample_heat<S>(X, heat.field, e, scale, corner_at<S>(mesh, e, patched.tips));
+        std::vector<HeatPoint>& points = sampled.points;
         if (missed != nullptr) {
-          missed->add(sampler.missed(), sampler.amount(), law.thickness);
+          missed->add(sampled.missed, sampled.amount, law.thickness);
         }
-        if (sampler.rough()) {
+        if (sampled.rough) {
           heat.rough.resize(mesh.element_count(), false);
           heat.rough[i] = true;
         }
@@ -110,74 +106,6 @@ void add_points(const model::Model& model, const PatchedMesh& patched, const Fie
 }
 
 } // namespace
-
-HeatField::HeatField(const PatchedMesh& patched, const model::LoadCase& load_case) {
-  const model::Mesh& mesh = patched.mesh;
-  for (const model::Load& load : load_case.loads) {
-    if (load.type != model::LoadType::temperature) {
-      continue;
-    }
-    if (places_ == nullptr) {
-      places_ = std::make_shared<HostPlaces>(patched);
-      is_new_.resize(mesh.element_count());
-      for (std::size_t e = 0; e < is_new_.size(); ++e) {
-        is_new_[e] = patched.is_new(ElementId(e));
-      }
-    }
-    Part part{load.value.front(), std::vector<bool>(mesh.element_count(), false), false};
-    for (const ElementId e : mesh.set(load.elements).elements) {
-      part.member[e.index()] = true;
-    }
-    std::vector<bool> host(patched.host_mesh.element_count(), false);
-    if (!places_->taken().empty()) {
-      for (const ElementId e : patched.host_mesh.set(load.elements).elements) {
-        host[e.index()] = true;
-      }
-      const auto in = [&](ElementId e) { return host[e.index()]; };
-      part.by_place =
-          std::ranges::any_of(places_->taken(), in) && !std::ranges::all_of(places_->taken(), in);
-    }
-    parts_.push_back(std::move(part));
-    host_member_.push_back(std::move(host));
-  }
-}
-
-bool HeatField::cut() const {
-  return std::ranges::any_of(parts_, [](const Part& part) { return part.by_place; });
-}
-
-bool HeatField::varies(ElementId e) const {
-  return std::ranges::any_of(parts_, [&](const Part& part) {
-    return (part.by_place && is_new_[e.index()]) ||
-           (part.member[e.index()] && !part.value.is_constant());
-  });
-}
-
-bool HeatField::acts(std::size_t part, ElementId e, const Vec2& x) const {
-  if (parts_[part].by_place && is_new_[e.index()]) {
-    return host_member_[part][places_->at(x).index()];
-  }
-  return parts_[part].member[e.index()];
-}
-
-double HeatField::operator()(ElementId e, const Vec2& x) const {
-  double T = 0.0;
-  for (std::size_t i = 0; i < parts_.size(); ++i) {
-    T += acts(i, e, x) ? parts_[i].value(in_space(x)) : 0.0;
-  }
-  return T;
-}
-
-base::ValueRange HeatField::range(ElementId e, const base::PlaceCell& cell) const {
-  base::ValueRange sum;
-  for (std::size_t i = 0; i < parts_.size(); ++i) {
-    if (acts(i, e, cell.centre.head<2>())) {
-      const base::ValueRange own = base::range_over(parts_[i].value, cell);
-      sum = {sum.low + own.low, sum.high + own.high};
-    }
-  }
-  return sum;
-}
 
 double unresolved_heat(const model::Model& model, const model::Mesh& mesh,
                        const model::Load& load) {

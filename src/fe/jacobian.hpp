@@ -52,15 +52,9 @@ template <shape::Shape S> struct Jacobian {
   Gradients<S> dNdx;
 };
 
-template <shape::Shape S>
-Jacobian<S> jacobian(const NodeVectors<S>& X, const shape::Point<S::dim>& r) {
-  const Gradients<S> dN = S::dN(r);
-  Jacobian<S> at;
-  at.J.noalias() = X * dN;
-  at.det = at.J.determinant();
-  at.dNdx.noalias() = dN * at.J.inverse();
-  return at;
-}
+/// Compiled in jacobian.cpp for each element.
+template <shape::ElementShape S>
+Jacobian<S> jacobian(const NodeVectors<S>& X, const shape::Point<S::dim>& r);
 
 /// The rule that an element is integrated with. About an axis the strains of a TRIM3 are not
 /// constant: one point would leave it a second free mode.

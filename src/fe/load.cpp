@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/assemble.hpp"
 #include "fe/bearing.hpp"
+#include "fe/face.hpp"
 #include "fe/load_points.hpp"
+#include "fe/load_rule.hpp"
+#include "fe/set_shares.hpp"
 #include "fe/thermal.hpp"
 
 #include <cmath>
@@ -105,23 +108,30 @@ void add_load(const model::Model& model, const model::Mesh& mesh, const model::L
     add_body_total(model, mesh, load, f);
     return;
   }
-  for_load_points(
-      model, mesh, load,
-      [&]<shape::Shape Side>(Side, const model::Face& face, const shape::Point<Side::dim>& r,
-                             const Vec3& force) {
-        const std::array<base::NodeId, Side::nodes> nodes = nodes_of_face<Side>(mesh, face);
-        const Eigen::Matrix<double, Side::nodes, 1> N = Side::N(r);
+  LoadVisit visit;
+  visit.on_face = [&](const model::Face& face, std::span<const LoadPoint> points) {
+    with_side(mesh, face, [&]<shape::Shape Side>(Side) {
+      const std::array<base::NodeId, Side::nodes> nodes = nodes_of_face<Side>(mesh, face);
+      for (const LoadPoint& p : points) {
+        const Eigen::Matrix<double, Side::nodes, 1> N = Side::N(p.r.head<Side::dim>());
         for (std::size_t i = 0; i < nodes.size(); ++i) {
-          add_at_node(mesh, nodes[i], N[static_cast<Eigen::Index>(i)] * force, f);
+          add_at_node(mesh, nodes[i], N[static_cast<Eigen::Index>(i)] * p.force, f);
         }
-      },
-      [&]<shape::Shape S>(S, base::ElementId e, const shape::Point<S::dim>& r, const Vec3& force) {
-        const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
-        const Eigen::Matrix<double, S::nodes, 1> N = S::N(r);
+      }
+    });
+  };
+  visit.on_body = [&](base::ElementId e, std::span<const LoadPoint> points) {
+    const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
+    shape::with_shape(mesh.type[e.index()], [&]<shape::ElementShape S>(S) {
+      for (const LoadPoint& p : points) {
+        const Eigen::Matrix<double, S::nodes, 1> N = S::N(p.r.head<S::dim>());
         for (std::size_t i = 0; i < nodes.size(); ++i) {
-          add_at_node(mesh, nodes[i], N[static_cast<Eigen::Index>(i)] * force, f);
+          add_at_node(mesh, nodes[i], N[static_cast<Eigen::Index>(i)] * p.force, f);
         }
-      });
+      }
+    });
+  };
+  for_load_points(model, mesh, load, visit);
 }
 
 } // namespace
@@ -143,9 +153,8 @@ double unresolved_part(const model::Model& model, const model::Mesh& mesh,
                        const model::Load& load) {
   Unresolved missed;
   if (!is_constant(load)) {
-    const auto nothing = [](auto /*shape*/, const auto& /*where*/, const auto& /*r*/,
-                            const Vec3& /*force*/) {};
-    for_load_points(model, mesh, load, nothing, nothing, &missed);
+    const auto nothing = [](const auto& /*where*/, std::span<const LoadPoint> /*points*/) {};
+    for_load_points(model, mesh, load, {nothing, nothing}, &missed);
   }
   return missed.share();
 }

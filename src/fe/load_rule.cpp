@@ -100,4 +100,27 @@ FieldScale load_scale(const model::Mesh& mesh, const model::Load& load,
   return scale;
 }
 
+template <shape::Shape S>
+AdaptedRule<S::dim> load_rule(const Eigen::Matrix<double, 3, S::nodes>& X, const model::Load& load,
+                              const FieldScale& scale) {
+  if (is_constant(load)) {
+    const auto usual = shape::quadrature<S>(load_degree);
+    return {{usual.begin(), usual.end()}, 0.0, 0.0, 0.0};
+  }
+  return adapted_rule<S>(
+      load_degree,
+      [&](const shape::Point<S::dim>& r) { return load_value(load, base::Vec3(X * S::N(r))); },
+      [&](const UnitBox& box, const SeenValues& seen) {
+        return hidden_value(load, place_cell<S>(X, box.low, box.high), seen);
+      },
+      {load_tolerance(S::dim), scale, is_smooth(load)});
+}
+
+#define LOAD_RULE(S)                                                                               \
+  template AdaptedRule<S::dim> load_rule<S>(const Eigen::Matrix<double, 3, S::nodes>&,             \
+                                            const model::Load&, const FieldScale&);
+LOAD_RULE(shape::Line2)
+LOAD_RULE(shape::Line3)
+SPRICKA_EACH_SHAPE(LOAD_RULE)
+
 } // namespace spricka::fe

@@ -114,22 +114,10 @@ inline double hidden_value(const model::Load& load, const base::PlaceCell& cell,
 }
 
 /// The rule that a load wants over a side or an element with nodes X [3, nodes]; `scale` as
-/// load_scale gives it.
+/// load_scale gives it. Compiled in load_rule.cpp for each.
 template <shape::Shape S>
 AdaptedRule<S::dim> load_rule(const Eigen::Matrix<double, 3, S::nodes>& X, const model::Load& load,
-                              const FieldScale& scale) {
-  if (is_constant(load)) {
-    const auto usual = shape::quadrature<S>(load_degree);
-    return {{usual.begin(), usual.end()}, 0.0, 0.0, 0.0};
-  }
-  return adapted_rule<S>(
-      load_degree,
-      [&](const shape::Point<S::dim>& r) { return load_value(load, base::Vec3(X * S::N(r))); },
-      [&](const UnitBox& box, const SeenValues& seen) {
-        return hidden_value(load, place_cell<S>(X, box.low, box.high), seen);
-      },
-      {load_tolerance(S::dim), scale, is_smooth(load)});
-}
+                              const FieldScale& scale);
 
 /// The same with nodes in the plane or in space [dim, nodes].
 template <shape::ElementShape S>

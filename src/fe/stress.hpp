@@ -1,27 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "base/vec.hpp"
+#include "fe/state_field.hpp"
 #include "model/model.hpp"
 
 #include <optional>
 #include <vector>
 
 namespace spricka::fe {
-
-/// Stresses as six components xx yy zz xy yz zx, whatever the dimension (plane strain has zz; about
-/// an axis xx is radial, yy axial and zz the hoop stress).
-using Stress = Eigen::Matrix<double, 6, 1>;
-
-/// What a stress depends on: displacements [dim * node] and, where there are any, temperatures
-/// [connectivity index], see thermal.hpp. Both stay with the caller.
-struct StateField {
-  const base::Vector& u;
-  const base::Vector* temperature = nullptr;
-
-  StateField(const base::Vector& u_) : u(u_) {} // NOLINT(google-explicit-constructor): a plain u
-  StateField(const base::Vector& u_, const base::Vector& T)
-      : u(u_), temperature(T.size() > 0 ? &T : nullptr) {}
-};
 
 /// Stress at the nodes of every element, evaluated there from the element's own displacements
 /// [connectivity index, as Mesh::nodes]; infinite values at quarter-point tips are replaced by the

@@ -2,6 +2,7 @@
 #include "fe/thermal.hpp"
 
 #include "fe/load_points.hpp"
+#include "fe/load_rule.hpp"
 #include "fe/thermal_kernel.hpp"
 
 namespace spricka::fe {
@@ -35,7 +36,7 @@ double held_energy(const NodeVectors<S>& X, const Law& law, const CornerValues<S
 template <shape::ElementShape S>
 CornerValues<S> taken_by(const NodeVectors<S>& X, const Law& law, const model::Load& load,
                          const FieldScale& scale, Unresolved* missed) {
-  const auto field = [&](const Eigen::Matrix<double, S::dim, 1>& x) {
+  const Temperature<S> field = [&](const Eigen::Matrix<double, S::dim, 1>& x) {
     base::Vec3 at = base::Vec3::Zero();
     at.template head<S::dim>() = x;
     return load.value.front()(at);

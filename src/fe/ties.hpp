@@ -1,19 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "fe/dependence.hpp"
-
-#include <string>
+#include "fe/tie_trouble.hpp"
 
 namespace spricka::fe {
-
-enum class TieSeverity { error, warning, note };
-
-/// What is wrong with an entry of Model::mpcs, or worth knowing.
-struct TieTrouble {
-  std::size_t mpc = 0;
-  std::string why;
-  TieSeverity severity = TieSeverity::error;
-};
 
 /// The ties of all entries of Model::mpcs on a mesh, in deck order. TRANSITION: a slave node takes
 /// the displacement of the point of the master faces nearest to it, by their shape functions; where

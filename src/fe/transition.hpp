@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "fe/ties.hpp"
+#include "fe/dependence.hpp"
+#include "fe/tie_trouble.hpp"
 
 namespace spricka::fe {
 

@@ -276,6 +276,11 @@ template <Shape S> double outside(const Point<S::dim>& r) {
   }
 }
 
+/// ONE(S) for each plane element: what a source compiles for all of them, so that headers need not
+/// hold it (a kernel takes seconds for each shape, in every source that has its body).
+#define SPRICKA_EACH_PLANE_SHAPE(ONE)                                                              \
+  ONE(shape::Trim3) ONE(shape::Trimc6) ONE(shape::Quam4) ONE(shape::Quamc8) ONE(shape::Quamc9)
+
 /// Calls f with a value of the shape struct of a plane element and returns what it returns; f is a
 /// generic lambda, `[&]<shape::PlaneShape S>(S) { .. S::N(r) .. }`. Dispatch once for a block of
 /// equal elements, not once for each.

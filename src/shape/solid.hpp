@@ -308,6 +308,14 @@ private:
   };
 };
 
+/// SPRICKA_EACH_PLANE_SHAPE for every type of the element library.
+#define SPRICKA_EACH_SHAPE(ONE)                                                                    \
+  SPRICKA_EACH_PLANE_SHAPE(ONE)                                                                    \
+  ONE(shape::Tet4)                                                                                 \
+  ONE(shape::Tet10)                                                                                \
+  ONE(shape::Penta6)                                                                               \
+  ONE(shape::Pentac15) ONE(shape::Hexe8) ONE(shape::Hexec20) ONE(shape::Hexec27)
+
 /// with_plane_shape for every type of the element library.
 template <class F> decltype(auto) with_shape(base::ElementType type, F&& f) {
   switch (type) {

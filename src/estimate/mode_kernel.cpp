@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "estimate/mode_kernel.hpp"
+
+#include <Eigen/LU>
+
+namespace spricka::estimate {
+
+template <shape::PlaneShape S>
+ModeGradients<S> mode_gradients(const fe::NodeVectors<S>& X, const shape::Point<2>& r,
+                                const Eigen::Matrix2d& J, const SideState& sides) {
+  using M = Modes<S>;
+  const Eigen::Matrix2d inverse = J.inverse();
+  Eigen::Matrix<double, M::count, 2> d = M::dpsi(r) * inverse;
+  for (int s = 0; s < M::sides; ++s) {
+    d.row(s) *= sides.sign[static_cast<std::size_t>(s)];
+  }
+  ModeGradients<S> G = ModeGradients<S>::Zero();
+  for (int m = 0; m < M::count; ++m) {
+    G.template block<2, 1>(0, 2 * m) = d.row(m).transpose();
+    G.template block<2, 1>(2, 2 * m + 1) = d.row(m).transpose();
+  }
+  if (!sides.any_framed()) {
+    return G;
+  }
+  const Eigen::Matrix<double, M::count, 1> psi = M::psi(r);
+  for (int s = 0; s < M::sides; ++s) {
+    if (!sides.framed[static_cast<std::size_t>(s)]) {
+      continue;
+    }
+    const SideFrame frame = side_frame(side_points<S>(X, s), M::along(r, s));
+    const Eigen::RowVector2d turn =
+        sides.sign[static_cast<std::size_t>(s)] * psi[s] * (M::d_along(s) * inverse);
+    for (int k = 0; k < 2; ++k) {
+      const base::Vec2& axis = frame.axis[static_cast<std::size_t>(k)];
+      const base::Vec2& slope = frame.slope[static_cast<std::size_t>(k)];
+      for (int i = 0; i < 2; ++i) {
+        G.template block<2, 1>(2 * i, 2 * s + k) =
+            (axis[i] * d.row(s) + slope[i] * turn).transpose();
+      }
+    }
+  }
+  return G;
+}
+
+namespace {
+
+// Strains xx yy xy of gradients as above.
+template <class Derived> auto strains_of(const Eigen::MatrixBase<Derived>& G) {
+  Eigen::Matrix<double, 3, Derived::ColsAtCompileTime> B;
+  B.row(0) = G.row(0);
+  B.row(1) = G.row(3);
+  B.row(2) = G.row(1) + G.row(2);
+  return B;
+}
+
+} // namespace
+
+template <shape::PlaneShape S>
+EnrichedStiffness<S>::EnrichedStiffness(const fe::NodeVectors<S>& X, const fe::Law& law,
+                                        const SideState& sides) {
+  if (sides.any_framed()) {
+    by_strains(X, law, sides);
+  } else {
+    by_moments(X, law, sides);
+  }
+}
+
+template <shape::PlaneShape S>
+void EnrichedStiffness<S>::by_strains(const fe::NodeVectors<S>& X, const fe::Law& law,
+                                      const SideState& sides) {
+  Eigen::Matrix3d D = Eigen::Matrix3d::Zero();
+  D.topLeftCorner<2, 2>().setConstant(law.lambda);
+  D.diagonal().array() += law.mu;
+  D.diagonal().head<2>().array() += law.mu;
+  ee.setZero();
+  ep.setZero();
+  for (const auto& point : shape::quadrature<S>(Modes<S>::degree)) {
+    const fe::Jacobian<S> at = fe::jacobian<S>(X, point.r);
+    const double w = point.weight * at.det * law.thickness;
+    const auto B = strains_of(mode_gradients<S>(X, point.r, at.J, sides));
+    const Eigen::Matrix<double, 3, mode_freedoms<S>> DB = (w * D) * B;
+    ee.noalias() += B.transpose() * DB;
+    ep.noalias() += DB.transpose() * fe::strain_matrix<S>(at.dNdx);
+  }
+}
+
+// As fe::element_stiffness: with the moments M_pq = integral of d_p d_q^T dV of the gradients the
+// block of directions a, b is lambda M_ab + mu M_ba + mu delta_ab sum_p M_pp.
+template <shape::PlaneShape S>
+void EnrichedStiffness<S>::by_moments(const fe::NodeVectors<S>& X, const fe::Law& law,
+                                      const SideState& sides) {
+  using Square = Eigen::Matrix<double, modes, modes>;
+  using Mixed = Eigen::Matrix<double, modes, S::nodes>;
+  std::array<std::array<Square, 2>, 2> E;
+  std::array<std::array<Mixed, 2>, 2> P;
+  for (std::size_t p = 0; p < 2; ++p) {
+    for (std::size_t q = 0; q < 2; ++q) {
+      E[p][q].setZero();
+      P[p][q].setZero();
+    }
+  }
+  for (const auto& point : shape::quadrature<S>(Modes<S>::degree)) {
+    const fe::Jacobian<S> at = fe::jacobian<S>(X, point.r);
+    Eigen::Matrix<double, modes, 2> d = Modes<S>::dpsi(point.r) * at.J.inverse();
+    for (int s = 0; s < Modes<S>::sides; ++s) {
+      d.row(s) *= sides.sign[static_cast<std::size_t>(s)];
+    }
+    const Eigen::Matrix<double, modes, 2> weighted = (point.weight * at.det * law.thickness) * d;
+    for (int p = 0; p < 2; ++p) {
+      for (int q = 0; q < 2; ++q) {
+        const auto i = static_cast<std::size_t>(p);
+        const auto j = static_cast<std::size_t>(q);
+        P[i][j].noalias() += weighted.col(p) * at.dNdx.col(q).transpose();
+        if (p <= q) {
+          E[i][j].noalias() += weighted.col(p) * d.col(q).transpose();
+        }
+      }
+    }
+  }
+  E[1][0] = E[0][1].transpose();
+  for (int a = 0; a < 2; ++a) {
+    for (int b = 0; b < 2; ++b) {
+      const auto i = static_cast<std::size_t>(a);
+      const auto j = static_cast<std::size_t>(b);
+      Square e = law.lambda * E[i][j] + law.mu * E[j][i];
+      Mixed m = law.lambda * P[i][j] + law.mu * P[j][i];
+      if (a == b) {
+        e += law.mu * (E[0][0] + E[1][1]);
+        m += law.mu * (P[0][0] + P[1][1]);
+      }
+      for (int k = 0; k < modes; ++k) {
+        for (int l = 0; l < modes; ++l) {
+          ee(2 * k + a, 2 * l + b) = e(k, l);
+        }
+        for (int l = 0; l < S::nodes; ++l) {
+          ep(2 * k + a, 2 * l + b) = m(k, l);
+        }
+      }
+    }
+  }
+}
+
+#define MODE_KERNEL(S)                                                                             \
+  template ModeGradients<S> mode_gradients<S>(const fe::NodeVectors<S>&, const shape::Point<2>&,   \
+                                              const Eigen::Matrix2d&, const SideState&);           \
+  template struct EnrichedStiffness<S>;
+MODE_KERNEL(shape::Trimc6)
+MODE_KERNEL(shape::Quamc8)
+MODE_KERNEL(shape::Quamc9)
+
+} // namespace spricka::estimate

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fe/element.hpp"
+
+namespace spricka::fe {
+
+template <shape::ElementShape S>
+NodeVectors<S> element_force(const NodeVectors<S>& X, const Law& law, const NodeVectors<S>& U) {
+  using Square = Eigen::Matrix<double, S::dim, S::dim>;
+  NodeVectors<S> F = NodeVectors<S>::Zero();
+  const VolumeChange<S> change(X, law, U);
+  for (const auto& point : stiffness_rule<S>(law)) {
+    const Gradients<S> dN = S::dN(point.r);
+    const Square J = X * dN;
+    const Square J_inverse = J.inverse();
+    const Hoop<S> hoop(X, law, point.r);
+    const double w = point.weight * J.determinant() * law.depth(hoop.x);
+    const Square H = (U * dN).eval() * J_inverse;
+    const double ring = U.row(0) * hoop.h;
+    const double pressure = law.lambda * change.at(point.r, H.trace() + ring);
+    Square T = law.mu * (H + H.transpose());
+    T.diagonal().array() += pressure;
+    const Square flow = w * T * J_inverse.transpose();
+    F.noalias() += flow * dN.transpose();
+    if (law.axisymmetric) {
+      F.row(0) += (w * (pressure + 2.0 * law.mu * ring)) * hoop.h.transpose();
+    }
+  }
+  return F;
+}
+
+#define FORCE(S)                                                                                   \
+  template NodeVectors<S> element_force<S>(const NodeVectors<S>&, const Law&,                      \
+                                           const NodeVectors<S>&);
+SPRICKA_EACH_SHAPE(FORCE)
+
+} // namespace spricka::fe

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fe/element.hpp"
+
+#include <array>
+
+namespace spricka::fe {
+
+namespace {
+
+/// Moments of the shape function gradients, M_pq = integral of dN/dx_p (dN/dx_q)^T dV for p <= q,
+/// and for axisymmetric elements those with the hoop function h = N / x: H = integral of h h^T dV,
+/// L_p = integral of h (dN/dx_p)^T dV.
+template <shape::ElementShape S> struct Moments {
+  static constexpr int dim = S::dim;
+  using Square = Eigen::Matrix<double, S::nodes, S::nodes>;
+  std::array<std::array<Square, dim>, dim> M;
+  Square H;
+  std::array<Square, dim> L;
+
+  Moments(const NodeVectors<S>& X, const Law& law) {
+    for (std::size_t p = 0; p < dim; ++p) {
+      for (std::size_t q = p; q < dim; ++q) {
+        M[p][q].setZero();
+      }
+      L[p].setZero();
+    }
+    H.setZero();
+    for (const auto& point : stiffness_rule<S>(law)) {
+      const Jacobian<S> at = jacobian<S>(X, point.r);
+      const Hoop<S> hoop(X, law, point.r);
+      const double w = point.weight * at.det * law.depth(hoop.x);
+      const Gradients<S> weighted = w * at.dNdx;
+      for (int p = 0; p < dim; ++p) {
+        for (int q = p; q < dim; ++q) {
+          M[static_cast<std::size_t>(p)][static_cast<std::size_t>(q)].noalias() +=
+              weighted.col(p) * at.dNdx.col(q).transpose();
+        }
+      }
+      if (law.axisymmetric) {
+        H.noalias() += (w * hoop.h) * hoop.h.transpose();
+        for (int p = 0; p < dim; ++p) {
+          L[static_cast<std::size_t>(p)].noalias() += hoop.h * weighted.col(p).transpose();
+        }
+      }
+    }
+  }
+};
+
+/// Adds what the hoop strain h^T u_x brings to a stiffness.
+template <shape::ElementShape S>
+void add_hoop(const Moments<S>& moments, double lambda, double mu, ElementMatrix<S>& Ke) {
+  constexpr int dim = S::dim;
+  for (int i = 0; i < S::nodes; ++i) {
+    for (int j = 0; j < S::nodes; ++j) {
+      Ke(dim * i, dim * j) += (lambda + 2.0 * mu) * moments.H(i, j);
+      for (int b = 0; b < dim; ++b) {
+        const auto& L = moments.L[static_cast<std::size_t>(b)];
+        Ke(dim * i, dim * j + b) += lambda * L(i, j);
+        Ke(dim * j + b, dim * i) += lambda * L(i, j);
+      }
+    }
+  }
+}
+
+} // namespace
+
+template <shape::ElementShape S>
+ElementMatrix<S> element_stiffness(const NodeVectors<S>& X, const Law& law) {
+  constexpr int dim = S::dim;
+  const Moments<S> moments(X, law);
+  const auto& M = moments.M;
+  const double lambda = law.projected ? 0.0 : law.lambda;
+  const double mu = law.mu;
+  typename Moments<S>::Square trace = M[0][0];
+  for (std::size_t p = 1; p < dim; ++p) {
+    trace += M[p][p];
+  }
+  ElementMatrix<S> Ke;
+  for (int i = 0; i < S::nodes; ++i) {
+    for (int j = 0; j < S::nodes; ++j) {
+      for (int a = 0; a < dim; ++a) {
+        const auto p = static_cast<std::size_t>(a);
+        Ke(dim * i + a, dim * j + a) = (lambda + mu) * M[p][p](i, j) + mu * trace(i, j);
+        for (int b = a + 1; b < dim; ++b) {
+          const auto q = static_cast<std::size_t>(b);
+          const double k = lambda * M[p][q](i, j) + mu * M[p][q](j, i);
+          Ke(dim * i + a, dim * j + b) = k;
+          Ke(dim * j + b, dim * i + a) = k;
+        }
+      }
+    }
+  }
+  if (law.axisymmetric) {
+    add_hoop<S>(moments, lambda, mu, Ke);
+  }
+  if (law.projected) {
+    const Dilatation<S> theta(X, law);
+    Ke.noalias() += law.lambda * theta.C.transpose() * theta.G.inverse() * theta.C;
+    Ke = (0.5 * (Ke + Ke.transpose())).eval(); // symmetric to the last bit
+  }
+  return Ke;
+}
+
+#define STIFFNESS(S)                                                                               \
+  template ElementMatrix<S> element_stiffness<S>(const NodeVectors<S>&, const Law&);
+SPRICKA_EACH_SHAPE(STIFFNESS)
+
+} // namespace spricka::fe

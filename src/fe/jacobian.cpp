@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fe/jacobian.hpp"
+
+namespace spricka::fe {
+
+template <shape::ElementShape S>
+Jacobian<S> jacobian(const NodeVectors<S>& X, const shape::Point<S::dim>& r) {
+  const Gradients<S> dN = S::dN(r);
+  Jacobian<S> at;
+  at.J.noalias() = X * dN;
+  at.det = at.J.determinant();
+  at.dNdx.noalias() = dN * at.J.inverse();
+  return at;
+}
+
+#define JACOBIAN(S)                                                                                \
+  template Jacobian<S> jacobian<S>(const NodeVectors<S>&, const shape::Point<S::dim>&);
+SPRICKA_EACH_SHAPE(JACOBIAN)
+
+} // namespace spricka::fe

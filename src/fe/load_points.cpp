@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fe/load_points.hpp"
+
+#include "fe/bearing.hpp"
+#include "fe/face.hpp"
+#include "fe/load_rule.hpp"
+#include "fe/set_shares.hpp"
+
+#include <vector>
+
+namespace spricka::fe {
+
+namespace {
+
+using base::Vec3;
+
+using OnFace = std::function<void(const model::Face&, std::span<const LoadPoint>)>;
+using OnBody = std::function<void(base::ElementId, std::span<const LoadPoint>)>;
+
+/// Force at x with the area vector a: value(x) |a| is a traction, -p a a pressure.
+using FaceDensity = std::function<Vec3(const Vec3& x, const Vec3& a)>;
+using BodyDensity = std::function<Vec3(const Vec3& x)>;
+
+/// A load, where it acts, and where what its rules cannot follow goes.
+struct Spread {
+  const model::Model& model;
+  const model::Mesh& mesh;
+  const model::Load& load;
+  Unresolved* missed = nullptr;
+};
+
+void for_face_points(const Spread& spread, const FaceDensity& density, const OnFace& visit) {
+  const auto& [model, mesh, load, missed] = spread;
+  const FieldScale scale = load_scale(mesh, load);
+  std::vector<LoadPoint> points;
+  for_faces(
+      mesh, mesh.set(load.faces).faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
+        const SideNodes<Side> X = side_coordinates<Side>(mesh, face);
+        const Law law = law_of(model, mesh, face.element);
+        const AdaptedRule<Side::dim> rule = load_rule<Side>(X, load, scale);
+        points.clear();
+        for (const auto& point : rule.points) {
+          const Vec3 x = X * Side::N(point.r);
+          LoadPoint& at = points.emplace_back();
+          at.r.template head<Side::dim>() = point.r;
+          at.force = point.weight * law.depth(x.x()) * density(x, area_vector<Side>(X, point.r));
+        }
+        visit(face, points);
+        if (missed != nullptr) {
+          const auto centre = unit_cube_point<Side>({0.5, 0.5, 0.5}).r;
+          const double depth = law.depth((X * Side::N(centre)).x());
+          missed->add(rule.missed, rule.amount, depth * area_vector<Side>(X, centre).norm());
+        }
+      });
+}
+
+// The density counts by the elements' shares where the rim of the set cuts them.
+void for_body_points(const Spread& spread, const BodyDensity& density, const OnBody& visit) {
+  const auto& [model, mesh, load, missed] = spread;
+  const SetShares shares = set_shares(model, mesh, load.elements);
+  const FieldScale scale = load_scale(mesh, load, shares.elements);
+  std::vector<LoadPoint> points;
+  for_blocks(mesh, shares.elements,
+             [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
+               for (const base::ElementId e : block) {
+                 const NodeVectors<S> X = coordinates<S>(mesh, e);
+                 const Law law = law_of(model, mesh, e);
+                 const ElementShare* share = shares.of(e);
+                 const AdaptedRule<S::dim> rule = body_load_rule<S>(X, load, scale);
+                 points.clear();
+                 for (const auto& point : rule.points) {
+                   const Eigen::Matrix<double, S::dim, S::dim> J = X * S::dN(point.r);
+                   Vec3 x = Vec3::Zero();
+                   x.template head<S::dim>() = X * S::N(point.r);
+                   const double part = share == nullptr ? 1.0 : (*share)(x);
+                   LoadPoint& at = points.emplace_back();
+                   at.r.template head<S::dim>() = point.r;
+                   at.force = point.weight * J.determinant() * part * law.depth(x.x()) * density(x);
+                 }
+                 visit(e, points);
+                 if (missed != nullptr) {
+                   const auto centre = unit_cube_point<S>({0.5, 0.5, 0.5}).r;
+                   const Eigen::Matrix<double, S::dim, S::dim> J = X * S::dN(centre);
+                   const double depth = law.depth((X * S::N(centre))[0]);
+                   missed->add(rule.missed, rule.amount, depth * J.determinant());
+                 }
+               }
+             });
+}
+
+// A total spreads evenly over area or volume.
+void for_total_points(const Spread& spread, const LoadVisit& visit) {
+  double total = 0.0;
+  const Vec3 F = load_value(spread.load, Vec3::Zero());
+  const auto add = [&](const auto& /*where*/, std::span<const LoadPoint> points) {
+    for (const LoadPoint& p : points) {
+      total += p.force.x();
+    }
+  };
+  const bool on_faces = spread.load.faces.valid();
+  if (on_faces) {
+    for_face_points(
+        spread, [](const Vec3& /*x*/, const Vec3& a) { return Vec3(a.norm(), 0.0, 0.0); }, add);
+  } else {
+    for_body_points(
+        spread, [](const Vec3& /*x*/) { return Vec3(1.0, 0.0, 0.0); }, add);
+  }
+  if (!(total > 0.0)) {
+    return;
+  }
+  if (on_faces) {
+    for_face_points(
+        spread, [&](const Vec3& /*x*/, const Vec3& a) { return Vec3((a.norm() / total) * F); },
+        visit.on_face);
+  } else {
+    for_body_points(
+        spread, [&](const Vec3& /*x*/) { return Vec3(F / total); }, visit.on_body);
+  }
+}
+
+} // namespace
+
+void for_load_points(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
+                     const LoadVisit& visit, Unresolved* missed) {
+  const Spread spread{model, mesh, load, missed};
+  switch (load.type) {
+  case model::LoadType::resultant:
+    for_total_points({model, mesh, load, nullptr}, visit);
+    return;
+  case model::LoadType::traction:
+    for_face_points(
+        spread, [&](const Vec3& x, const Vec3& a) { return Vec3(a.norm() * load_value(load, x)); },
+        visit.on_face);
+    return;
+  case model::LoadType::pressure:
+    for_face_points(
+        spread, [&](const Vec3& x, const Vec3& a) { return Vec3(-load_value(load, x)[0] * a); },
+        visit.on_face);
+    return;
+  case model::LoadType::body:
+    for_body_points(
+        spread, [&](const Vec3& x) { return load_value(load, x); }, visit.on_body);
+    return;
+  case model::LoadType::bearing:
+    if (mesh.dim == 2) {
+      for_bearing_points(
+          model, mesh, load, [&](const model::Face& face, double t, const base::Vec2& force) {
+            const LoadPoint point{Vec3(t, 0.0, 0.0), Vec3(force.x(), force.y(), 0.0)};
+            visit.on_face(face, std::span(&point, 1));
+          });
+    }
+    return;
+  case model::LoadType::force:
+  case model::LoadType::displacement:
+  case model::LoadType::temperature:
+    return;
+  }
+}
+
+} // namespace spricka::fe

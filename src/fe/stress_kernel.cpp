@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fe/stress_kernel.hpp"
+
+namespace spricka::fe {
+
+template <shape::ElementShape S>
+StressElement<S>::StressElement(const model::Model& model, const model::Mesh& mesh,
+                                base::ElementId e, const StateField& field)
+    : X(coordinates<S>(mesh, e)), U(gather<S>(mesh, e, field.u)), law(law_of(model, mesh, e)),
+      change(X, law, U), thermal(X, law, held_temperature(mesh, e, field)) {}
+
+// In the plane and about an axis, zz is across the mesh: nothing, or what lambda and the hoop
+// strain make of it.
+template <shape::ElementShape S>
+Stress StressElement<S>::from(const Jacobian<S>& at, const shape::Point<S::dim>& r) const {
+  const Eigen::Matrix<double, S::dim, S::dim> H = U * at.dNdx;
+  const double ring = hoop_strain(H, r);
+  const double pressure = law.lambda * change.at(r, H.trace() + ring) - thermal.at(r);
+  Eigen::Matrix3d s = Eigen::Matrix3d::Zero();
+  s.template topLeftCorner<S::dim, S::dim>() = law.mu * (H + H.transpose());
+  s(2, 2) += S::dim == 2 ? 2.0 * law.mu * ring : 0.0;
+  s.diagonal().array() += pressure;
+  if (law.plane_stress) {
+    s(2, 2) = 0.0;
+  }
+  Stress six;
+  six << s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(0, 2);
+  return six;
+}
+
+template <shape::ElementShape S> Stress StressElement<S>::at(const shape::Point<S::dim>& r) const {
+  const Jacobian<S> here = jacobian<S>(X, r);
+  const Jacobian<S> centre = jacobian<S>(X, shape::centre<S>());
+  return here.det > 1e-2 * centre.det ? from(here, r) : from(centre, shape::centre<S>());
+}
+
+// What stays of the temperature once bent elements have expanded freely.
+template <shape::ElementShape S>
+CornerValues<S> StressElement<S>::held_temperature(const model::Mesh& mesh, base::ElementId e,
+                                                   const StateField& field) {
+  if (field.temperature == nullptr) {
+    return CornerValues<S>::Zero();
+  }
+  CornerValues<S> T = corner_temperature<S>(mesh, e, *field.temperature);
+  if constexpr (plane_quadratic<S>) {
+    if (FreeExpansion<S>::wanted(X, law)) {
+      U -= FreeExpansion<S>(X, law, T).at_nodes(X);
+      return CornerValues<S>::Zero();
+    }
+  }
+  return T;
+}
+
+// u / x, and on the axis its limit du/dx.
+template <shape::ElementShape S>
+double StressElement<S>::hoop_strain(const Eigen::Matrix<double, S::dim, S::dim>& H,
+                                     const shape::Point<S::dim>& r) const {
+  if (!law.axisymmetric) {
+    return 0.0;
+  }
+  const Eigen::Matrix<double, S::nodes, 1> N = S::N(r);
+  const double x = X.row(0) * N;
+  const double size = X.row(0).maxCoeff() - X.row(0).minCoeff();
+  return x > 1e-9 * size ? (U.row(0) * N).value() / x : H(0, 0);
+}
+
+#define STRESS(S) template struct StressElement<S>;
+SPRICKA_EACH_SHAPE(STRESS)
+
+} // namespace spricka::fe
