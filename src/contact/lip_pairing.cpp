@@ -49,10 +49,10 @@ Surface face_surface(const model::Model& model, const model::Mesh& mesh,
 
 } // namespace
 
-PairRows lip_rows(const model::Model& model, const model::Mesh& mesh,
-                  const mesh::CrackedMesh::Lips& lips, bool friction) {
-  const bool half = lips.left.empty() || lips.right.empty();
-  const std::vector<base::NodeId>& own = lips.left.empty() ? lips.right : lips.left;
+PairRows lip_rows(const model::Model& model, const model::Mesh& mesh, const mesh::CrackFaces& lips,
+                  bool friction) {
+  const bool half = lips.half();
+  const std::vector<base::NodeId>& own = lips.own();
   PairRows pair;
   pair.faces = true;
   pair.found = true;
@@ -64,10 +64,11 @@ PairRows lip_rows(const model::Model& model, const model::Mesh& mesh,
     pair.target = face_surface(model, mesh, lips.right);
   }
   std::map<base::NodeId, base::NodeId> opposite; // the tips are left out
-  for (std::size_t i = 0; i < own.size(); ++i) {
-    if (half ? i + 1 < own.size() : own[i] != lips.right[i]) {
-      opposite[own[i]] = half ? base::NodeId() : lips.right[i];
-    }
+  for (const auto& [left, right] : lips.twins()) {
+    opposite[left] = right;
+  }
+  for (std::size_t i = 0; half && i + 1 < own.size(); ++i) {
+    opposite[own[i]] = base::NodeId();
   }
   const FaceNodes nodes = face_nodes(
       pair.contact, depth_at(pair.contact, pair.target, mesh.x[own.front().index()].head<2>()));

@@ -16,8 +16,9 @@ namespace {
 // half model the symmetry line ahead of the tip.
 class Movable {
 public:
-  Movable(const mesh::CrackedMesh& cracked, const mesh::Tip& tip) : mesh_(cracked.mesh), tip_(tip) {
-    for (const mesh::CrackedMesh::Lips& lips : cracked.lips) {
+  Movable(const mesh::CrackedMesh& cracked, const mesh::Front& front)
+      : mesh_(cracked.mesh), front_(front) {
+    for (const mesh::CrackFaces& lips : cracked.faces) {
       const bool embedded = !lips.left.empty() && !lips.right.empty() &&
                             lips.left.front() == lips.right.front(); // no mouth, a tip
       for (const std::vector<base::NodeId>* lip : {&lips.left, &lips.right}) {
@@ -27,18 +28,18 @@ public:
   }
 
   [[nodiscard]] bool contains(base::NodeId n) const {
-    return lips_.contains(n) || (tip_.symmetric_half && (n == tip_.node || is_ahead(n)));
+    return lips_.contains(n) || (front_.symmetric_half && (n == front_.tip().node || is_ahead(n)));
   }
 
 private:
   [[nodiscard]] bool is_ahead(base::NodeId n) const {
-    const base::Vec3 e2(-tip_.direction.y(), tip_.direction.x(), 0.0);
-    const base::Vec3 d = mesh_.x[n.index()] - tip_.x;
-    return std::abs(d.dot(e2)) < 1e-9 * tip_.a && d.dot(tip_.direction) > 0.0;
+    const base::Vec3 e2(-front_.tip().growth.y(), front_.tip().growth.x(), 0.0);
+    const base::Vec3 d = mesh_.x[n.index()] - front_.tip().x;
+    return std::abs(d.dot(e2)) < 1e-9 * front_.a && d.dot(front_.tip().growth) > 0.0;
   }
 
   const model::Mesh& mesh_;
-  const mesh::Tip& tip_;
+  const mesh::Front& front_;
   std::set<base::NodeId> lips_;
 };
 
@@ -129,16 +130,17 @@ ExtensionField Neighbourhood::field(base::NodeId tip, int rings) const {
 }
 
 std::vector<ExtensionField> Neighbourhood::fields(const mesh::CrackedMesh& cracked,
-                                                  const mesh::Tip& tip,
+                                                  const mesh::Front& front,
                                                   const std::vector<int>& rings,
                                                   std::vector<int>& left_out,
                                                   const DomainLimits& limits) const {
-  const Movable movable(cracked, tip);
+  const Movable movable(cracked, front);
   const auto fixed = [&](base::NodeId n) {
     return (!limits.node.empty() && limits.node[n.index()]) ||
-           std::ranges::any_of(
-               cracked.tips,
-               [&](const mesh::Tip& other) { return other.node == n && n != tip.node; }) ||
+           std::ranges::any_of(cracked.fronts,
+                               [&](const mesh::Front& other) {
+                                 return other.tip().node == n && n != front.tip().node;
+                               }) ||
            (!movable.contains(n) && on_boundary(n));
   };
   // One zone on each side of the tip's line; between two materials they differ.
@@ -148,13 +150,13 @@ std::vector<ExtensionField> Neighbourhood::fields(const mesh::CrackedMesh& crack
   const auto on_left = [&](base::ElementId e) {
     base::Vec3 middle = base::Vec3::Zero();
     for (const base::NodeId n : mesh_.nodes_of(e)) {
-      middle += mesh_.x[n.index()] - tip.x;
+      middle += mesh_.x[n.index()] - front.tip().x;
     }
-    return tip.direction.x() * middle.y() - tip.direction.y() * middle.x() > 0.0;
+    return front.tip().growth.x() * middle.y() - front.tip().growth.y() * middle.x() > 0.0;
   };
   std::array<std::int64_t, 2> side{-1, -1}; // right, left
   bool split = false;
-  for (const base::ElementId e : elements_.around(tip.node)) {
+  for (const base::ElementId e : elements_.around(front.tip().node)) {
     std::int64_t& own = side[on_left(e) ? 1 : 0];
     split = split || (own >= 0 && own != zone(e));
     own = zone(e);
@@ -164,7 +166,7 @@ std::vector<ExtensionField> Neighbourhood::fields(const mesh::CrackedMesh& crack
   };
   std::vector<ExtensionField> result;
   for (const int count : rings) {
-    ExtensionField f = field(tip.node, count);
+    ExtensionField f = field(front.tip().node, count);
     const bool moves_fixed =
         std::ranges::any_of(f.q, [&](const auto& nq) { return fixed(nq.first); });
     const bool leaves = std::any_of(f.q.begin(), f.q.end(), [&](const auto& nq) {

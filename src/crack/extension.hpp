@@ -39,7 +39,7 @@ public:
   /// another tip, a node of the limits, or leave the tip's property or zone is left out and named
   /// in `left_out`.
   [[nodiscard]] std::vector<ExtensionField>
-  fields(const mesh::CrackedMesh& cracked, const mesh::Tip& tip, const std::vector<int>& rings,
+  fields(const mesh::CrackedMesh& cracked, const mesh::Front& front, const std::vector<int>& rings,
          std::vector<int>& left_out, const DomainLimits& limits = {}) const;
 
 private:

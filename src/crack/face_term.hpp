@@ -10,6 +10,6 @@ void add_face_terms(const TipSetting& set, const base::Vector& u, NodalForces& o
 
 /// Normal stress that acts on the lips at the tip itself, their mean [stress]: pressure gives its
 /// negative.
-double stress_on_lips_at_tip(const TipSetting& set, const mesh::Tip& tip);
+double stress_on_lips_at_tip(const TipSetting& set, const mesh::Front& front);
 
 } // namespace spricka::crack

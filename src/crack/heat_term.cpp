@@ -96,8 +96,8 @@ public:
     return -beta() * area * D * (grad.dot(carried) + extension(r) * along);
   }
 
-  void add(const mesh::Tip& tip, bool wants_G, std::array<double, partners>& sum) const {
-    const std::array<base::NodeId, 1> tips{tip.node};
+  void add(const mesh::Front& front, bool wants_G, std::array<double, partners>& sum) const {
+    const std::array<base::NodeId, 1> tips{front.tip().node};
     for (const fe::Chart& chart : fe::charts<S>(fe::corner_at<S>(set_.mesh, e_, tips))) {
       fe::for_chart_points(chart, {0.0, 0.0, 1.0}, [&](const shape::Point<2>& r, double weight) {
         const double area = weight * fe::jacobian<S>(X_, r).det;
@@ -275,7 +275,7 @@ bool is_taken(const TipSetting& set, const std::vector<ElementId>& all) {
 
 } // namespace
 
-std::optional<AffineHeat> affine_heat(const TipSetting& set, const mesh::Tip& tip,
+std::optional<AffineHeat> affine_heat(const TipSetting& set, const mesh::Front& front,
                                       const std::vector<ExtensionField>& fields) {
   if (set.loads.temperature.size() == 0 || set.loads.heat.empty()) {
     return std::nullopt;
@@ -290,7 +290,7 @@ std::optional<AffineHeat> affine_heat(const TipSetting& set, const mesh::Tip& ti
   double weight = 0.0;
   for (const ElementId e : all) {
     const auto nodes = set.mesh.nodes_of(e);
-    if (std::ranges::find(nodes, tip.node) != nodes.end()) {
+    if (std::ranges::find(nodes, front.tip().node) != nodes.end()) {
       affine.at_tip += temperature_at(set.loads, e, set.tip.x);
       weight += 1.0;
     }
@@ -317,7 +317,7 @@ bool jumps_in(const TipSetting& set, const ExtensionField& field) {
   });
 }
 
-std::array<double, partners> heat_term(const TipSetting& set, const mesh::Tip& tip,
+std::array<double, partners> heat_term(const TipSetting& set, const mesh::Front& front,
                                        const ExtensionField& field, const base::Vector& u) {
   std::array<double, partners> sum{};
   const std::map<base::NodeId, double> q(field.q.begin(), field.q.end());
@@ -326,7 +326,7 @@ std::array<double, partners> heat_term(const TipSetting& set, const mesh::Tip& t
   fe::for_plane_blocks(set.mesh, all,
                        [&]<shape::ElementShape S>(S, std::span<const ElementId> block) {
                          for (const ElementId e : block) {
-                           Element<S>(set, e, q, u).add(tip, wants_G, sum);
+                           Element<S>(set, e, q, u).add(front, wants_G, sum);
                          }
                        });
   if (!wants_G) {

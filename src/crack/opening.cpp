@@ -23,30 +23,30 @@ base::Vec2 at(const base::Vector& u, base::NodeId n) {
 
 std::optional<std::array<double, 2>> opening_intensity(const TipSetting& set,
                                                        const mesh::CrackedMesh& cracked,
-                                                       const mesh::Tip& tip,
+                                                       const mesh::Front& front,
                                                        const base::Vector& u) {
-  if (tip.crack.index() >= cracked.lips.size()) {
+  if (front.crack.index() >= cracked.faces.size()) {
     return std::nullopt;
   }
-  const mesh::CrackedMesh::Lips& lips = cracked.lips[tip.crack.index()];
-  const bool half = tip.symmetric_half;
-  const Lip& one = lips.left.empty() ? lips.right : lips.left;
+  const mesh::CrackFaces& lips = cracked.faces[front.crack.index()];
+  const bool half = front.symmetric_half;
+  const Lip& one = lips.own();
   if (one.size() < 3 || (!half && lips.right.size() != one.size())) {
     return std::nullopt;
   }
   std::array<double, 2> r{};
   std::array<base::Vec2, 2> apart;
   for (std::size_t k = 0; k < 2; ++k) {
-    const base::NodeId n = behind(one, tip.node, k + 1);
-    r[k] = (cracked.mesh.x[n.index()] - tip.x).norm();
+    const base::NodeId n = behind(one, front.tip().node, k + 1);
+    r[k] = (cracked.mesh.x[n.index()] - front.tip().x).norm();
     if (half) { // the other half is its mirror image
       const double up = lips.left.empty() ? -1.0 : 1.0;
       const base::Vec2 opening = 2.0 * up * at(u, n);
       apart[k] = {0.0, opening.dot(set.tip.e2)};
     } else {
       // The tips of an embedded crack see its lips from opposite ends.
-      const double turn = one.back() == tip.node ? 1.0 : -1.0;
-      const base::Vec2 d = turn * (at(u, n) - at(u, behind(lips.right, tip.node, k + 1)));
+      const double turn = one.back() == front.tip().node ? 1.0 : -1.0;
+      const base::Vec2 d = turn * (at(u, n) - at(u, behind(lips.right, front.tip().node, k + 1)));
       apart[k] = {d.dot(set.tip.e1), d.dot(set.tip.e2)};
     }
   }

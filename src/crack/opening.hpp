@@ -12,6 +12,7 @@ namespace spricka::crack {
 /// common with the domains. Empty where the mesh has no lips.
 std::optional<std::array<double, 2>> opening_intensity(const TipSetting& set,
                                                        const mesh::CrackedMesh& cracked,
-                                                       const mesh::Tip& tip, const base::Vector& u);
+                                                       const mesh::Front& front,
+                                                       const base::Vector& u);
 
 } // namespace spricka::crack

@@ -41,11 +41,11 @@ struct Factors {
   [[nodiscard]] double T() const { return E_own * halves; }
 };
 
-Factors factors_of(const TipSetting& set, const mesh::Tip& tip, model::CrackState wish) {
+Factors factors_of(const TipSetting& set, const mesh::Front& front, model::CrackState wish) {
   Factors f;
   f.E_own = fe::effective_modulus(set.material, set.state());
   f.E_used = crack_modulus(set.material, set.state(), wish);
-  f.halves = tip.symmetric_half ? 2.0 : 1.0;
+  f.halves = front.symmetric_half ? 2.0 : 1.0;
   return f;
 }
 
@@ -146,20 +146,20 @@ base::Vector partner_row(const TipSetting& set, const std::vector<ExtensionField
   return row;
 }
 
-TipPlace tip_place(const TipSetting& set, const mesh::Tip& tip) {
-  return {set.tip, tip.node, set.material, set.state(), set.property.thickness};
+TipPlace tip_place(const TipSetting& set, const mesh::Front& front) {
+  return {set.tip, front.tip().node, set.material, set.state(), set.property.thickness};
 }
 
 // What temperatures and forces between the lips add to the sums of one domain.
-std::array<double, partners> added_terms(const TipSetting& set, const mesh::Tip& tip,
+std::array<double, partners> added_terms(const TipSetting& set, const mesh::Front& front,
                                          const ExtensionField& field, const LipForces* lips,
                                          const base::Vector& u) {
   std::array<double, partners> sum{};
   if (set.affine) {
-    sum = heat_term(set, tip, field, u);
+    sum = heat_term(set, front, field, u);
   }
   if (lips != nullptr) {
-    const std::array<double, 3> more = lip_term(set.mesh, tip_place(set, tip), field, *lips, u);
+    const std::array<double, 3> more = lip_term(set.mesh, tip_place(set, front), field, *lips, u);
     for (std::size_t k = 0; k < more.size(); ++k) {
       sum[k] += more[k];
     }
@@ -174,21 +174,22 @@ Eigen::Index freedoms(const mesh::CrackedMesh& cracked) {
 } // namespace
 
 StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedMesh& cracked,
-                                 const mesh::Tip& tip, const std::vector<ExtensionField>& fields,
+                                 const mesh::Front& front,
+                                 const std::vector<ExtensionField>& fields,
                                  const VceRequest& request, const base::Vector& u,
                                  const TipLoads& loads) {
   StressIntensity result;
   if (fields.empty()) {
     return result;
   }
-  TipSetting set = tip_setting(model, cracked, tip, fields, loads);
-  set.affine = affine_heat(set, tip, fields);
-  const Factors factors = factors_of(set, tip, request.state);
+  TipSetting set = tip_setting(model, cracked, front, fields, loads);
+  set.affine = affine_heat(set, front, fields);
+  const Factors factors = factors_of(set, front, request.state);
   result.E_effective = factors.E_used;
   result.two_materials = std::ranges::any_of(
       fields, [&](const ExtensionField& f) { return between_materials(set, f); });
   const NodalForces forces = configurational_forces(set, fields, u);
-  const double T_of_tip = stress_on_lips_at_tip(set, tip) - thermal_stress_at_tip(set, tip) +
+  const double T_of_tip = stress_on_lips_at_tip(set, front) - thermal_stress_at_tip(set, front) +
                           (request.lips != nullptr ? request.lips->at_tip : 0.0);
   double shifted = 0.0;
   double analytic = 0.0;
@@ -198,17 +199,17 @@ StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedM
   }
   for (const ExtensionField& field : fields) {
     std::array<double, partners> sum = forces.along(field, set.tip.e1);
-    const std::array<double, partners> more = added_terms(set, tip, field, request.lips, u);
+    const std::array<double, partners> more = added_terms(set, front, field, request.lips, u);
     for (std::size_t k = 0; k < partners; ++k) {
       sum[k] += more[k];
     }
     DomainValue value{field.rings, factors.K() * sum[1],
-                      tip.symmetric_half ? 0.0 : factors.K() * sum[2], factors.halves * sum[0],
+                      front.symmetric_half ? 0.0 : factors.K() * sum[2], factors.halves * sum[0],
                       factors.T() * sum[3] + T_of_tip};
     const bool jumps = set.affine && jumps_in(set, field);
     if (request.shift && !jumps) {
       const double G =
-          factors.halves * shifted_release_rate(set, field, *request.shift * tip.size, u) +
+          factors.halves * shifted_release_rate(set, field, *request.shift * front.size, u) +
           factors.halves * more[0];
       shifted += G;
       analytic += value.G;
@@ -227,7 +228,7 @@ StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedM
     result.shift_error = shifted / analytic - 1.0;
   }
   if (request.opening) {
-    result.opening = opening_intensity(set, cracked, tip, u);
+    result.opening = opening_intensity(set, cracked, front, u);
     if (result.opening) {
       (*result.opening)[0] *= factors.restate();
       (*result.opening)[1] *= factors.restate();
@@ -238,27 +239,28 @@ StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedM
 }
 
 base::Matrix intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
-                            const mesh::Tip& tip, const std::vector<ExtensionField>& fields,
+                            const mesh::Front& front, const std::vector<ExtensionField>& fields,
                             model::CrackState state) {
   base::Matrix rows = base::Matrix::Zero(freedoms(cracked), 2);
   if (fields.empty()) {
     return rows;
   }
   const TipLoads none;
-  const TipSetting set = tip_setting(model, cracked, tip, fields, none);
+  const TipSetting set = tip_setting(model, cracked, front, fields, none);
   if (between_materials(set, fields.front())) {
     return rows;
   }
-  const double factor = factors_of(set, tip, state).K();
+  const double factor = factors_of(set, front, state).K();
   rows.col(0) = factor * partner_row(set, fields, 1);
-  if (!tip.symmetric_half) {
+  if (!front.symmetric_half) {
     rows.col(1) = factor * partner_row(set, fields, 2);
   }
   return rows;
 }
 
 std::vector<IntensityPoint> intensity_points(const model::Model& model,
-                                             const mesh::CrackedMesh& cracked, const mesh::Tip& tip,
+                                             const mesh::CrackedMesh& cracked,
+                                             const mesh::Front& front,
                                              const std::vector<ExtensionField>& fields,
                                              model::CrackState state) {
   std::vector<IntensityPoint> points;
@@ -266,11 +268,11 @@ std::vector<IntensityPoint> intensity_points(const model::Model& model,
   if (fields.empty()) {
     return points;
   }
-  const TipSetting set = tip_setting(model, cracked, tip, fields, none);
+  const TipSetting set = tip_setting(model, cracked, front, fields, none);
   if (between_materials(set, fields.front())) {
     return points;
   }
-  const double factor = factors_of(set, tip, state).K();
+  const double factor = factors_of(set, front, state).K();
   const auto visit = [&](std::size_t partner, auto&& take) {
     for_points(set, fields, partner,
                [&](base::ElementId e, const shape::Point<2>& r, const auto& /*at*/,
@@ -279,7 +281,7 @@ std::vector<IntensityPoint> intensity_points(const model::Model& model,
   visit(1, [&](base::ElementId e, const shape::Point<2>& r, const Eigen::Matrix2d& M) {
     points.push_back({e, r, {M, Eigen::Matrix2d::Zero()}});
   });
-  if (!tip.symmetric_half) { // the points come in the same order
+  if (!front.symmetric_half) { // the points come in the same order
     std::size_t i = 0;
     visit(2, [&](base::ElementId, const shape::Point<2>&, const Eigen::Matrix2d& M) {
       points[i++].M[1] = M;
@@ -289,41 +291,41 @@ std::vector<IntensityPoint> intensity_points(const model::Model& model,
 }
 
 base::Matrix lip_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
-                                const mesh::Tip& tip, const std::vector<ExtensionField>& fields,
+                                const mesh::Front& front, const std::vector<ExtensionField>& fields,
                                 model::CrackState state, const std::vector<model::Face>& faces) {
   base::Matrix rows = base::Matrix::Zero(freedoms(cracked), 2);
   if (fields.empty()) {
     return rows;
   }
   const TipLoads none;
-  const TipSetting set = tip_setting(model, cracked, tip, fields, none);
-  const double factor = factors_of(set, tip, state).K() / static_cast<double>(fields.size());
+  const TipSetting set = tip_setting(model, cracked, front, fields, none);
+  const double factor = factors_of(set, front, state).K() / static_cast<double>(fields.size());
   for (const ExtensionField& field : fields) {
     for (const auto& [node, weight] :
-         lip_weights(cracked.mesh, tip_place(set, tip), field, faces)) {
+         lip_weights(cracked.mesh, tip_place(set, front), field, faces)) {
       const auto at = 2 * static_cast<Eigen::Index>(node.index());
       rows.col(0).segment<2>(at) += factor * weight[0];
       rows.col(1).segment<2>(at) += factor * weight[1];
     }
   }
-  if (tip.symmetric_half) {
+  if (front.symmetric_half) {
     rows.col(1).setZero();
   }
   return rows;
 }
 
 base::Vector t_stress_row(const model::Model& model, const mesh::CrackedMesh& cracked,
-                          const mesh::Tip& tip, const std::vector<ExtensionField>& fields) {
+                          const mesh::Front& front, const std::vector<ExtensionField>& fields) {
   if (fields.empty()) {
     return base::Vector::Zero(freedoms(cracked));
   }
   const TipLoads none;
-  const TipSetting set = tip_setting(model, cracked, tip, fields, none);
-  return factors_of(set, tip, model::CrackState::automatic).T() * partner_row(set, fields, 3);
+  const TipSetting set = tip_setting(model, cracked, front, fields, none);
+  return factors_of(set, front, model::CrackState::automatic).T() * partner_row(set, fields, 3);
 }
 
 IntensityConstant intensity_constant(const model::Model& model, const mesh::CrackedMesh& cracked,
-                                     const mesh::Tip& tip,
+                                     const mesh::Front& front,
                                      const std::vector<ExtensionField>& fields,
                                      model::CrackState state, const TipLoads& loads) {
   if (loads.loads.empty() && loads.temperature.size() == 0) {
@@ -331,7 +333,7 @@ IntensityConstant intensity_constant(const model::Model& model, const mesh::Crac
   }
   VceRequest request;
   request.state = state;
-  const StressIntensity K = stress_intensity(model, cracked, tip, fields, request,
+  const StressIntensity K = stress_intensity(model, cracked, front, fields, request,
                                              base::Vector::Zero(freedoms(cracked)), loads);
   return {K.K1, K.K2, K.T};
 }

@@ -55,14 +55,15 @@ struct VceRequest {
 /// magnitude of K comes from the differenced energy (Hellen 1975; Parks 1974), the ratio K2/K1 from
 /// the interaction form.
 StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedMesh& cracked,
-                                 const mesh::Tip& tip, const std::vector<ExtensionField>& fields,
+                                 const mesh::Front& front,
+                                 const std::vector<ExtensionField>& fields,
                                  const VceRequest& request, const base::Vector& u,
                                  const TipLoads& loads);
 
 /// K1 and K2 as functions of u, rows^T u + intensity_constant: what stress_intensity finds by the
 /// analytic derivative. The rows are their exact gradient. [dim * node, 2]
 base::Matrix intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
-                            const mesh::Tip& tip, const std::vector<ExtensionField>& fields,
+                            const mesh::Front& front, const std::vector<ExtensionField>& fields,
                             model::CrackState state);
 
 /// The same functional of any displacement gradient, also of functions that are not the mesh's: K_m
@@ -73,24 +74,25 @@ struct IntensityPoint {
   std::array<Eigen::Matrix2d, 2> M;            ///< by mode, integration weight included
 };
 std::vector<IntensityPoint> intensity_points(const model::Model& model,
-                                             const mesh::CrackedMesh& cracked, const mesh::Tip& tip,
+                                             const mesh::CrackedMesh& cracked,
+                                             const mesh::Front& front,
                                              const std::vector<ExtensionField>& fields,
                                              model::CrackState state);
 /// The same for forces between the faces: rows^T f is what those of VceRequest add to K1 and K2.
 /// [dim * node, 2]
 base::Matrix lip_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
-                                const mesh::Tip& tip, const std::vector<ExtensionField>& fields,
+                                const mesh::Front& front, const std::vector<ExtensionField>& fields,
                                 model::CrackState state, const std::vector<model::Face>& faces);
 /// The same of T. [dim * node]
 base::Vector t_stress_row(const model::Model& model, const mesh::CrackedMesh& cracked,
-                          const mesh::Tip& tip, const std::vector<ExtensionField>& fields);
+                          const mesh::Front& front, const std::vector<ExtensionField>& fields);
 
 /// What K1, K2 and T have at u = 0: linear in the loads.
 struct IntensityConstant {
   double K1 = 0.0, K2 = 0.0, T = 0.0;
 };
 IntensityConstant intensity_constant(const model::Model& model, const mesh::CrackedMesh& cracked,
-                                     const mesh::Tip& tip,
+                                     const mesh::Front& front,
                                      const std::vector<ExtensionField>& fields,
                                      model::CrackState state, const TipLoads& loads);
 

@@ -9,10 +9,10 @@ namespace spricka::crack {
 
 namespace {
 
-TipFrame frame_of(const mesh::Tip& tip) {
+TipFrame frame_of(const mesh::Front& front) {
   TipFrame frame;
-  frame.x = tip.x.head<2>();
-  frame.e1 = tip.direction.head<2>();
+  frame.x = front.tip().x.head<2>();
+  frame.e1 = front.tip().growth.head<2>();
   frame.e2 = {-frame.e1.y(), frame.e1.x()};
   return frame;
 }
@@ -20,14 +20,14 @@ TipFrame frame_of(const mesh::Tip& tip) {
 } // namespace
 
 TipSetting tip_setting(const model::Model& model, const mesh::CrackedMesh& cracked,
-                       const mesh::Tip& tip, const std::vector<ExtensionField>& fields,
+                       const mesh::Front& front, const std::vector<ExtensionField>& fields,
                        const TipLoads& loads) {
   const base::ElementId near = fields.front().elements.front();
   return {model,
           cracked.mesh,
           model.material_of(cracked.mesh, near),
           model.property_of(cracked.mesh, near),
-          frame_of(tip),
+          frame_of(front),
           loads,
           std::nullopt};
 }

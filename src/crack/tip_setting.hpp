@@ -42,7 +42,7 @@ struct TipSetting {
   }
 };
 TipSetting tip_setting(const model::Model& model, const mesh::CrackedMesh& cracked,
-                       const mesh::Tip& tip, const std::vector<ExtensionField>& fields,
+                       const mesh::Front& front, const std::vector<ExtensionField>& fields,
                        const TipLoads& loads);
 
 /// Whether the elements of a field have more than one material or state.

@@ -39,12 +39,12 @@ TipMotion tip_motion(const mesh::CrackedMesh& cracked, std::size_t tip,
 
 mesh::CrackedMesh moved(const mesh::CrackedMesh& cracked, const TipMotion& motion, double by) {
   mesh::CrackedMesh out = cracked;
-  mesh::Tip& tip = out.tips[motion.tip];
+  mesh::Front& front = out.fronts[motion.tip];
   for (const auto& [node, q] : motion.field.q) {
-    out.mesh.x[node.index()] += (by * motion.step * q) * tip.direction;
+    out.mesh.x[node.index()] += (by * motion.step * q) * front.tip().growth;
   }
-  tip.x += (by * motion.step) * tip.direction;
-  tip.a += by * motion.step;
+  front.tip().x += (by * motion.step) * front.tip().growth;
+  front.a += by * motion.step;
   return out;
 }
 

@@ -42,10 +42,10 @@ void Adjoints::condense_rows() {
   const crack::KLayout layout = scene_.k_layout();
   base::Matrix nodal(static_cast<Eigen::Index>(cracked.mesh.node_count()) * cracked.mesh.dim,
                      layout.count());
-  for (std::size_t t = 0; t < cracked.tips.size(); ++t) {
-    const mesh::Tip& tip = cracked.tips[t];
-    rows_.push_back(crack::intensity_rows(model_, cracked, tip, scene_.tips[t].fields,
-                                          model_.cracks[tip.crack.index()].state));
+  for (std::size_t t = 0; t < cracked.fronts.size(); ++t) {
+    const mesh::Front& front = cracked.fronts[t];
+    rows_.push_back(crack::intensity_rows(model_, cracked, front, scene_.tips[t].fields,
+                                          model_.cracks[front.crack.index()].state));
     layout.columns(nodal, t) = rows_.back();
   }
   by_force_ = intensity_of_forces(model_, scene_).transpose();
@@ -127,7 +127,7 @@ std::unique_ptr<contact::HeldContact> hold(const StepSolver& solver,
 }
 
 const std::vector<estimate::Adjoint>& Adjoints::of_last_step(const StepSolver& solver) {
-  const std::size_t tips = scene_.cracked.tips.size();
+  const std::size_t tips = scene_.cracked.fronts.size();
   std::vector<bool> closed(scene_.table.size(), false);
   bool rubs = false;
   if (solver.system() != nullptr) {

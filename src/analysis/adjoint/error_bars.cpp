@@ -27,8 +27,8 @@ constexpr double halvings = 4.0;
 
 std::vector<base::NodeId> tip_nodes(const Scene& scene) {
   std::vector<base::NodeId> tips;
-  for (const mesh::Tip& tip : scene.cracked.tips) {
-    tips.push_back(tip.node);
+  for (const mesh::Front& front : scene.cracked.fronts) {
+    tips.push_back(front.tip().node);
   }
   return tips;
 }
@@ -144,11 +144,11 @@ void ErrorBars::prepare() {
   case_load_.resize(model_.cases.size());
   const crack::KLayout layout = scene_.k_layout();
   goals_.resize(enrichment_->freedoms(), layout.count());
-  for (std::size_t t = 0; t < scene_.cracked.tips.size(); ++t) {
-    const mesh::Tip& tip = scene_.cracked.tips[t];
+  for (std::size_t t = 0; t < scene_.cracked.fronts.size(); ++t) {
+    const mesh::Front& front = scene_.cracked.fronts[t];
     layout.columns(goals_, t) = enrichment_->functional(
-        crack::intensity_points(model_, scene_.cracked, tip, scene_.tips[t].fields,
-                                model_.cracks[tip.crack.index()].state));
+        crack::intensity_points(model_, scene_.cracked, front, scene_.tips[t].fields,
+                                model_.cracks[front.crack.index()].state));
   }
 }
 
@@ -200,16 +200,16 @@ void ErrorBars::add_pressures(const StepState& state,
 }
 
 // Nodes of a contact that the crack feels stand further apart than half its length.
-bool ErrorBars::coarse_contact(const StepState& state, const mesh::Tip& tip) const {
+bool ErrorBars::coarse_contact(const StepState& state, const mesh::Front& front) const {
   for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
     if (!state.mounted[c]) {
       continue;
     }
     const auto near_and_coarse = [&](const contact::Edge* edge) {
       const double spacing = 0.5 * edge->length;
-      const double reach = 2.0 * tip.a + 0.5 * edge->length;
+      const double reach = 2.0 * front.a + 0.5 * edge->length;
       const base::Vec2 middle = contact::point_on(*edge, 0.0);
-      return spacing > 0.5 * tip.a && (middle - tip.x.head<2>()).norm() < reach;
+      return spacing > 0.5 * front.a && (middle - front.tip().x.head<2>()).norm() < reach;
     };
     if (std::ranges::any_of(contact::edges_of(scene_.pairs[c].contact), near_and_coarse) ||
         std::ranges::any_of(contact::edges_of(scene_.pairs[c].target), near_and_coarse)) {
@@ -297,7 +297,7 @@ void ErrorBars::add(const StepState& state, const std::vector<estimate::Adjoint>
       tip.no_bar = "there is no domain that K could be taken from";
     }
     if (tip.no_bar.empty()) {
-      const bool coarse = coarse_contact(state, scene_.cracked.tips[t]);
+      const bool coarse = coarse_contact(state, scene_.cracked.fronts[t]);
       if (coarse) {
         tell_once(results::note(fmt::format("{}: nodes of a contact surface near the crack stand "
                                             "further apart than half the crack's length; the error "
@@ -322,7 +322,7 @@ void ErrorBars::add(const StepState& state, const std::vector<estimate::Adjoint>
       tip.no_bar = why_no_limit(scene_, giving, t, tip);
       if (tip.no_bar.empty() && std::max(tip.bar[0].size(), tip.bar[1].size()) > 0.0) {
         add_partners(
-            coarse_partner({model_, scene_, state, enrichment_->edges()}, scene_.cracked.tips[t]),
+            coarse_partner({model_, scene_, state, enrichment_->edges()}, scene_.cracked.fronts[t]),
             tip);
       }
       if (!tip.no_bar.empty()) {

@@ -34,7 +34,7 @@ private:
   [[nodiscard]] estimate::ModeMap modes(const StepState& state) const;
   void add_pressures(const StepState& state, const std::vector<estimate::Adjoint>& adjoints,
                      base::Vector& f, base::Matrix& g) const;
-  [[nodiscard]] bool coarse_contact(const StepState& state, const mesh::Tip& tip) const;
+  [[nodiscard]] bool coarse_contact(const StepState& state, const mesh::Front& front) const;
   void tell(const results::TipResult& tip, results::StepResult& step);
   void tell_once(results::Note note, results::StepResult& step);
   void tell_of_meshes(const StepState& state, results::StepResult& step);

@@ -95,8 +95,8 @@ Partners partners_of(const PartnerSetting& set, const model::Transition& transit
 
 // The node where a tip's crack starts on a surface; invalid: inside its body, or elsewhere.
 base::NodeId mouth_on(const Partners& partners, const mesh::CrackedMesh& cracked,
-                      const mesh::Tip& tip) {
-  const mesh::CrackedMesh::Lips& lips = cracked.lips[tip.crack.index()];
+                      const mesh::Front& front) {
+  const mesh::CrackFaces& lips = cracked.faces[front.crack.index()];
   for (const std::vector<base::NodeId>* lip : {&lips.left, &lips.right}) {
     for (const Side& side : partners.sides) {
       if (!lip->empty() && std::ranges::find(side.ends, lip->front()) != side.ends.end()) {
@@ -108,13 +108,13 @@ base::NodeId mouth_on(const Partners& partners, const mesh::CrackedMesh& cracked
 }
 
 CoarsePartner effect_of(const Partners& partners, const mesh::CrackedMesh& cracked,
-                        const mesh::Tip& tip) {
-  const Vec2 x = tip.x.head<2>();
+                        const mesh::Front& front) {
+  const Vec2 x = front.tip().x.head<2>();
   double closest = std::numeric_limits<double>::infinity();
   for (const Side& side : partners.sides) {
     closest = std::min(closest, distance_to(side, x));
   }
-  const base::NodeId mouth = mouth_on(partners, cracked, tip);
+  const base::NodeId mouth = mouth_on(partners, cracked, front);
   if (mouth.valid() && (cracked.mesh.x[mouth.index()].head<2>() - x).norm() <= near * closest) {
     return {};
   }
@@ -147,10 +147,10 @@ CoarsePartner effect_of(const Partners& partners, const mesh::CrackedMesh& crack
 
 } // namespace
 
-CoarsePartner coarse_partner(const PartnerSetting& set, const mesh::Tip& tip) {
+CoarsePartner coarse_partner(const PartnerSetting& set, const mesh::Front& front) {
   CoarsePartner all;
   const auto add = [&](const Partners& partners) {
-    const CoarsePartner one = effect_of(partners, set.scene.cracked, tip);
+    const CoarsePartner one = effect_of(partners, set.scene.cracked, front);
     all.part += one.part;
     all.why_not = all.why_not.empty() ? one.why_not : all.why_not;
   };

@@ -26,7 +26,7 @@ struct CoarsePartner {
   double part = 0.0;   ///< of hypot(K1, K2), what it may be off by
   std::string why_not; ///< why there can be no bar; empty: `part` is all
 };
-CoarsePartner coarse_partner(const PartnerSetting& setting, const mesh::Tip& tip);
+CoarsePartner coarse_partner(const PartnerSetting& setting, const mesh::Front& front);
 
 /// Nodes that another body or a rigid one holds by a BONDED contact, TRANSITION or RIGID. [node]
 std::vector<bool> tied_nodes(const PartnerSetting& setting);

@@ -32,7 +32,7 @@ std::size_t tip_material(const model::Model& model, const Scene& scene, std::siz
 // K1 stays 0 while the faces touch at the tip.
 std::array<double, 2> slope(const Scene& scene, const KCause& cause,
                             const estimate::Adjoint& adjoint, std::size_t t) {
-  const std::optional<std::size_t> row = row_at_tip(scene, scene.cracked.tips[t]);
+  const std::optional<std::size_t> row = row_at_tip(scene, scene.cracked.fronts[t]);
   base::Vec2 dK = cause.direct.col(static_cast<Eigen::Index>(t));
   if (cause.load.size() > 0) {
     dK += adjoint.z.transpose() * cause.load;
@@ -181,7 +181,7 @@ void Sensitivities::add_lengths(const StepState& state, const std::vector<bool>&
       }
       continue;
     }
-    KCause one = cause(results::Cause::length, name, scene_.cracked.tips[t].a);
+    KCause one = cause(results::Cause::length, name, scene_.cracked.fronts[t].a);
     one.load = advances_[t]->load(state.u, state.case_factor);
     for (std::size_t other = 0; other < scene_.tips.size(); ++other) {
       one.direct.col(static_cast<Eigen::Index>(other)) =

@@ -15,9 +15,9 @@ namespace spricka::analysis {
 namespace {
 
 base::Matrix rows_of(const model::Model& model, const Scene& scene, std::size_t t) {
-  const mesh::Tip& tip = scene.cracked.tips[t];
-  return crack::intensity_rows(model, scene.cracked, tip, scene.tips[t].fields,
-                               model.cracks[tip.crack.index()].state);
+  const mesh::Front& front = scene.cracked.fronts[t];
+  return crack::intensity_rows(model, scene.cracked, front, scene.tips[t].fields,
+                               model.cracks[front.crack.index()].state);
 }
 
 // Whether a case acts on an element or a node that moves.
@@ -41,12 +41,12 @@ bool acts_on(const model::Mesh& mesh, const model::LoadCase& load_case,
 
 base::Matrix intensity_of_loads(const model::Model& model, const Scene& scene, std::size_t t) {
   const auto cases = static_cast<Eigen::Index>(model.cases.size());
-  const mesh::Tip& tip = scene.cracked.tips[t];
+  const mesh::Front& front = scene.cracked.fronts[t];
   base::Matrix out = base::Matrix::Zero(2, cases);
   const Eigen::Index columns = std::max(cases, scene.case_temperature.cols()); // that of ties, too
   for (Eigen::Index c = 0; c < cases; ++c) {
     const crack::IntensityConstant K = crack::intensity_constant(
-        model, scene.cracked, tip, scene.tips[t].fields, model.cracks[tip.crack.index()].state,
+        model, scene.cracked, front, scene.tips[t].fields, model.cracks[front.crack.index()].state,
         tip_loads(model, scene, scene.tips[t].fields, base::Vector::Unit(columns, c)));
     out.col(c) = base::Vec2(K.K1, K.K2);
   }

@@ -130,10 +130,11 @@ GrowthMeasure::measure(const SolvedLength& at, const std::vector<growth::Growing
     if (!good) {
       return std::nullopt;
     }
-    for (const mesh::Tip& tip : at.tips) {
-      const bool second = tip.number == 2 || !line.embedded;
-      if (model_.growth->flow_stress && tip.crack == line.crack && second != growing[i].at_first) {
-        plastic(at.increment, tip, line, found[i]);
+    for (const mesh::Front& front : at.tips) {
+      const bool second = front.number == 2 || !line.embedded;
+      if (model_.growth->flow_stress && front.crack == line.crack &&
+          second != growing[i].at_first) {
+        plastic(at.increment, front, line, found[i]);
       }
     }
   }
@@ -286,13 +287,14 @@ bool GrowthMeasure::by_spectrum(const SolvedLength& at, const std::string& name,
   return true;
 }
 
-void GrowthMeasure::plastic(const results::Increment& increment, const mesh::Tip& tip,
+void GrowthMeasure::plastic(const results::Increment& increment, const mesh::Front& front,
                             const mesh::CrackLine& line, growth::TipStation& found) const {
-  const growth::Heading heading{tip.x, tip.direction};
+  const growth::Heading heading{front.tip().x, front.tip().growth};
   if (const auto edge = around_.edge_ahead(line, heading)) {
-    found.plastic = growth::plastic_part(
-        model_, increment.mesh, {tip.node, tip.x, tip.direction, edge->distance},
-        increment.steps[largest_step()].u, *model_.growth->flow_stress);
+    found.plastic =
+        growth::plastic_part(model_, increment.mesh,
+                             {front.tip().node, front.tip().x, front.tip().growth, edge->distance},
+                             increment.steps[largest_step()].u, *model_.growth->flow_stress);
   }
 }
 

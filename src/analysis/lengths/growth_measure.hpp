@@ -24,7 +24,7 @@ life::GrowthLaw law_of(const model::Growth& growth);
 /// A solved state of the cracks.
 struct SolvedLength {
   const results::Increment& increment;
-  const std::vector<mesh::Tip>& tips;
+  const std::vector<mesh::Front>& tips;
   const std::vector<mesh::CrackLine>& lines;
   const std::optional<FollowedLoads>& followed; ///< where friction makes K a history
   const std::optional<FreeFaces>& free;         ///< faces that may overlap, where they close
@@ -88,7 +88,7 @@ private:
                                 growth::TipStation& found) const;
   /// Whether a tip with this K is open at the largest load: a closed one grows nowhere.
   [[nodiscard]] static bool opens(const base::Vec2& K);
-  void plastic(const results::Increment& increment, const mesh::Tip& tip,
+  void plastic(const results::Increment& increment, const mesh::Front& front,
                const mesh::CrackLine& line, growth::TipStation& found) const;
   [[nodiscard]] std::size_t largest_step() const;
 

@@ -68,7 +68,7 @@ std::optional<results::Increment> LengthSolver::solve(const LengthRequest& reque
   }
   base::return_free_memory();
   const Scene& cut = length->scene();
-  const std::vector<mesh::Tip>& tips = cut.cracked.tips;
+  const std::vector<mesh::Front>& tips = cut.cracked.fronts;
   log.add("TOPOLOGY",
           fmt::format("{}{} nodes, {} elements, {} contact rows, {} tips",
                       tips.empty() ? "" : fmt::format("a = {:.6g}: ", a > 0.0 ? a : tips.front().a),
@@ -92,7 +92,7 @@ std::optional<results::Increment> LengthSolver::solve(const LengthRequest& reque
     close_faces(touching, *length, log);
   } while (!touching.empty());
   Scene scene = Length::take_scene(std::move(length));
-  tips_ = scene.cracked.tips;
+  tips_ = scene.cracked.fronts;
   first_ = false;
   increment.kept = static_cast<std::size_t>(
       std::ranges::count_if(scene.cracked.host, [](base::ElementId e) { return e.valid(); }));
@@ -182,7 +182,7 @@ void LengthSolver::keep_free(const std::vector<std::size_t>& touching,
 bool LengthSolver::estimate(Length& length, const LengthRequest& request, const SolvedStep& solved,
                             LogWriter& log, results::StepResult& result) {
   const model::Step& step = model_.steps[solved.step];
-  if (!length.scene().cracked.tips.empty() && request.bars) {
+  if (!length.scene().cracked.fronts.empty() && request.bars) {
     const std::size_t tips = length.solve_adjoints(solved.solver).size();
     log.add("ADJOINT", fmt::format("step {}: {} tips", step.name, tips));
     length.add_bars(solved.state, result);
@@ -257,7 +257,7 @@ bool LengthSolver::walk_steps(Length& length, const LengthRequest& request, LogW
       return false;
     }
     log.add("VCE", fmt::format("step {}: {} tips, pressures, balance", step.name,
-                               scene.cracked.tips.size()));
+                               scene.cracked.fronts.size()));
     paths.keep(s, solver, increment.steps.back());
     if (follows) {
       history.keep(s, solver, increment.steps.back());

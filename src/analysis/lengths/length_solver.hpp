@@ -43,7 +43,7 @@ public:
   std::optional<results::Increment> solve(const LengthRequest& request, const RegionPlan& plan);
 
   /// Of the state that was solved last.
-  [[nodiscard]] const std::vector<mesh::Tip>& tips() const { return tips_; }
+  [[nodiscard]] const std::vector<mesh::Front>& tips() const { return tips_; }
 
   /// K of that state with faces that may overlap, where they close and the law wants it.
   [[nodiscard]] const std::optional<FreeFaces>& free_faces() const { return free_; }
@@ -99,7 +99,7 @@ private:
   std::optional<FreeFaces> free_;
   ContactMemory contact_;
   estimate::ModeMemory modes_;
-  std::vector<mesh::Tip> tips_;
+  std::vector<mesh::Front> tips_;
   bool first_ = true;
 };
 

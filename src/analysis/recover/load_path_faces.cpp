@@ -29,12 +29,12 @@ std::vector<LoadPaths::Watch> LoadPaths::watch_faces(const model::Model& model,
                                                      const Scene& scene) {
   std::vector<Watch> watches;
   const bool wanted = !model.load_paths.empty() || follows_history(model);
-  for (std::size_t i = 0; i < scene.cracked.lips.size() && wanted; ++i) {
+  for (std::size_t i = 0; i < scene.cracked.faces.size() && wanted; ++i) {
     if (!model.cracks[i].faces_in_contact || scene.lip_pairs[i]) {
       continue;
     }
     contact::PairRows pair =
-        contact::lip_rows(model, scene.cracked.mesh, scene.cracked.lips[i], true);
+        contact::lip_rows(model, scene.cracked.mesh, scene.cracked.faces[i], true);
     for (std::size_t r = 0; r < pair.normal.size(); ++r) {
       Watch& watch = watches.emplace_back(Watch{i, std::move(pair.normal[r]), {}});
       if (!pair.tangent.empty()) {
@@ -52,11 +52,11 @@ base::Matrix LoadPaths::functional_columns(Eigen::Index first, Eigen::Index most
   const Eigen::Index K = layout.count();
   if (first < K) { // all K at once
     base::Matrix nodal = base::Matrix::Zero(size, K);
-    for (std::size_t t = 0; t < scene_.cracked.tips.size(); ++t) {
-      const mesh::Tip& tip = scene_.cracked.tips[t];
+    for (std::size_t t = 0; t < scene_.cracked.fronts.size(); ++t) {
+      const mesh::Front& front = scene_.cracked.fronts[t];
       layout.columns(nodal, t) =
-          crack::intensity_rows(model_, scene_.cracked, tip, scene_.tips[t].fields,
-                                model_.cracks[tip.crack.index()].state);
+          crack::intensity_rows(model_, scene_.cracked, front, scene_.tips[t].fields,
+                                model_.cracks[front.crack.index()].state);
     }
     return nodal;
   }
@@ -146,8 +146,8 @@ base::Vector LoadPaths::intensities(const contact::ContactSystem::Demand& demand
     }
   }
   const crack::KLayout layout = scene_.k_layout();
-  for (std::size_t t = 0; t < scene_.cracked.tips.size(); ++t) {
-    const std::optional<std::size_t> row = row_at_tip(scene_, scene_.cracked.tips[t]);
+  for (std::size_t t = 0; t < scene_.cracked.fronts.size(); ++t) {
+    const std::optional<std::size_t> row = row_at_tip(scene_, scene_.cracked.fronts[t]);
     const auto at = row ? std::ranges::find(demand.rows, *row) : demand.rows.end();
     if (at != demand.rows.end() &&
         answer.solution.closed[static_cast<std::size_t>(at - demand.rows.begin())]) {
@@ -162,7 +162,7 @@ base::Vector LoadPaths::intensities(const contact::ContactSystem::Demand& demand
 
 bool LoadPaths::close_tip(std::size_t t, const End& end, const solve::SolutionPath& found,
                           base::PiecewiseLinear& K1) const {
-  const std::optional<std::size_t> row = row_at_tip(scene_, scene_.cracked.tips[t]);
+  const std::optional<std::size_t> row = row_at_tip(scene_, scene_.cracked.fronts[t]);
   const auto at = row ? std::ranges::find(end.demand.rows, *row) : end.demand.rows.end();
   if (at == end.demand.rows.end()) {
     return false;

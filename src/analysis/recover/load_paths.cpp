@@ -26,10 +26,10 @@ constexpr Eigen::Index most_columns = 64;
 
 crack::StressIntensity intensity(const model::Model& model, const Scene& scene, std::size_t t,
                                  const base::Vector& u, const base::Vector& case_factor) {
-  const mesh::Tip& tip = scene.cracked.tips[t];
+  const mesh::Front& front = scene.cracked.fronts[t];
   crack::VceRequest request; // without SHIFT: linear in u
-  request.state = model.cracks[tip.crack.index()].state;
-  return crack::stress_intensity(model, scene.cracked, tip, scene.tips[t].fields, request, u,
+  request.state = model.cracks[front.crack.index()].state;
+  return crack::stress_intensity(model, scene.cracked, front, scene.tips[t].fields, request, u,
                                  tip_loads(model, scene, scene.tips[t].fields, case_factor));
 }
 
@@ -152,7 +152,7 @@ base::Vector LoadPaths::free_values(const base::Vector& case_factor) const {
   }
   base::Vector values(functional_count());
   const crack::KLayout layout = scene_.k_layout();
-  for (std::size_t t = 0; t < scene_.cracked.tips.size(); ++t) {
+  for (std::size_t t = 0; t < scene_.cracked.fronts.size(); ++t) {
     const crack::StressIntensity found = intensity(model_, scene_, t, u, case_factor);
     layout.of(values, t) = base::Vec2(found.K1, found.K2);
   }
@@ -207,7 +207,7 @@ void LoadPaths::tips(const solve::SolutionPath& found, const End& from, const En
   const crack::KLayout layout = scene_.k_layout();
   double size = 0.0;
   double apart = 0.0;
-  for (std::size_t t = 0; t < scene_.cracked.tips.size(); ++t) {
+  for (std::size_t t = 0; t < scene_.cracked.fronts.size(); ++t) {
     results::PathTip tip;
     tip.name = from.result.tips[t].name;
     tip.a = from.result.tips[t].a;
@@ -218,7 +218,7 @@ void LoadPaths::tips(const solve::SolutionPath& found, const End& from, const En
       path.notes.push_back(results::note(fmt::format(
           "{}: the crack faces touch at the tip on a part of the path: K1 = 0 there", tip.name)));
     }
-    const model::Crack& crack = model_.cracks[scene_.cracked.tips[t].crack.index()];
+    const model::Crack& crack = model_.cracks[scene_.cracked.fronts[t].crack.index()];
     const bool of_law = model_.growth && model_.growth->spectrum && !crack.faces_in_contact;
     if (tip.K1.lowest() < -1e-9 * tip.K1.highest() && of_law) {
       path.notes.push_back(
@@ -240,7 +240,7 @@ void LoadPaths::tips(const solve::SolutionPath& found, const End& from, const En
             results::warning(fmt::format("{}: at an end of the path {}", tip.name, own.doubt)));
       }
     }
-    if (shifted(model_, scene_.cracked.tips[t].crack)) {
+    if (shifted(model_, scene_.cracked.fronts[t].crack)) {
       path.notes.push_back(
           results::note(fmt::format("{}: K on the path is the analytic one, without the SHIFT "
                                     "of $VCE",

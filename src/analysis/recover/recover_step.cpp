@@ -41,26 +41,26 @@ const model::Vce* vce_of(const model::Model& model, base::CrackId crack) {
 
 void gather_tips(const model::Model& model, const Scene& scene, const StepState& state,
                  results::StepResult& out) {
-  for (std::size_t t = 0; t < scene.cracked.tips.size(); ++t) {
-    const mesh::Tip& tip = scene.cracked.tips[t];
-    const model::Crack& crack = model.cracks[tip.crack.index()];
+  for (std::size_t t = 0; t < scene.cracked.fronts.size(); ++t) {
+    const mesh::Front& front = scene.cracked.fronts[t];
+    const model::Crack& crack = model.cracks[front.crack.index()];
     crack::VceRequest request;
     request.state = crack.state;
-    if (const model::Vce* vce = vce_of(model, tip.crack)) {
+    if (const model::Vce* vce = vce_of(model, front.crack)) {
       request.shift = vce->shift;
       request.opening = vce->opening;
     }
-    const std::optional<crack::LipForces> lips = lip_forces(scene, tip, state);
+    const std::optional<crack::LipForces> lips = lip_forces(scene, front, state);
     request.lips = lips ? &*lips : nullptr;
     const std::vector<crack::ExtensionField>& fields = scene.tips[t].fields;
     const crack::TipLoads loads = tip_loads(model, scene, fields, state.case_factor);
     const crack::StressIntensity K =
-        crack::stress_intensity(model, scene.cracked, tip, fields, request, state.u, loads);
+        crack::stress_intensity(model, scene.cracked, front, fields, request, state.u, loads);
     results::TipResult result;
-    result.name = tip_name(model, scene.cracked, tip);
-    result.a = base::tidy(tip.a);
-    result.x = tip.x;
-    result.direction = tip.direction;
+    result.name = tip_name(model, scene.cracked, front);
+    result.a = base::tidy(front.a);
+    result.x = front.tip().x;
+    result.direction = front.tip().growth;
     result.K1 = K.K1;
     result.K2 = K.K2;
     result.G = K.G;
@@ -70,7 +70,7 @@ void gather_tips(const model::Model& model, const Scene& scene, const StepState&
     result.K_opening = K.opening;
     std::vector<bool> rough;
     if (!fields.empty()) {
-      rough = crack::rough_rims(crack::tip_setting(model, scene.cracked, tip, fields, loads),
+      rough = crack::rough_rims(crack::tip_setting(model, scene.cracked, front, fields, loads),
                                 fields, std::hypot(K.K1, K.K2));
     }
     for (std::size_t d = 0; d < K.domains.size(); ++d) {
@@ -93,7 +93,7 @@ void gather_tips(const model::Model& model, const Scene& scene, const StepState&
                                     result.name)));
     }
     result.two_materials = K.two_materials;
-    judge_faces({model, scene, tip, state, K}, result, out);
+    judge_faces({model, scene, front, state, K}, result, out);
     out.tips.push_back(std::move(result));
   }
 }
@@ -172,7 +172,7 @@ std::string unbounded_note(const results::ContactResult& contact) {
 void count_from_mouth(const Scene& scene, std::size_t pair, results::ContactResult& result) {
   for (std::size_t i = 0; i < scene.lip_pairs.size(); ++i) {
     if (scene.lip_pairs[i] && scene.lip_pairs[i]->pair == pair &&
-        scene.cracked.lips[i].left.empty() && !result.points.empty()) {
+        scene.cracked.faces[i].left.empty() && !result.points.empty()) {
       const double length = result.points.back().arc;
       std::ranges::reverse(result.points);
       for (results::ContactPoint& point : result.points) {

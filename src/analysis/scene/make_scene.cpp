@@ -24,7 +24,7 @@ bool make_pairs(const model::Model& model, Scene& scene, base::Diagnostics& diag
   const model::Mesh& mesh = scene.cracked.mesh;
   bool good = true;
   scene.contacts = model.contacts;
-  scene.lip_pairs.resize(scene.cracked.lips.size());
+  scene.lip_pairs.resize(scene.cracked.faces.size());
   for (const model::Contact& contact : model.contacts) {
     scene.pairs.push_back(contact::pair_rows(model, mesh, contact));
     const contact::PairRows& pair = scene.pairs.back();
@@ -62,31 +62,31 @@ std::vector<int> domains_of(const model::Model& model, base::CrackId crack) {
 }
 
 bool make_tips(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics) {
-  if (scene.cracked.tips.empty()) {
+  if (scene.cracked.fronts.empty()) {
     return true;
   }
   bool good = true;
   const crack::Neighbourhood around(scene.cracked.mesh);
-  for (const mesh::Tip& tip : scene.cracked.tips) {
+  for (const mesh::Front& front : scene.cracked.fronts) {
     TipScene ring;
-    const crack::DomainLimits limits = domain_limits(model, scene, tip);
+    const crack::DomainLimits limits = domain_limits(model, scene, front);
     ring.fields =
-        around.fields(scene.cracked, tip, domains_of(model, tip.crack), ring.left_out, limits);
+        around.fields(scene.cracked, front, domains_of(model, front.crack), ring.left_out, limits);
     if (!ring.fields.empty()) {
       std::vector<int> ignored;
       std::vector<crack::ExtensionField> wider =
-          around.fields(scene.cracked, tip, {ring.fields.back().rings + 1}, ignored, limits);
+          around.fields(scene.cracked, front, {ring.fields.back().rings + 1}, ignored, limits);
       if (!wider.empty()) {
         ring.beyond = std::move(wider.front());
       }
     }
-    const model::Crack& crack = model.cracks[tip.crack.index()];
+    const model::Crack& crack = model.cracks[front.crack.index()];
     if (ring.fields.empty()) {
       diagnostics.error(crack.span, "E412",
                         fmt::format("crack {}: no ring domain fits round the tip at a = {:.6g} (it "
                                     "would leave the body, or reach another tip, another "
                                     "material, a support, a force or the rim of what is heated)",
-                                    crack.name, tip.a),
+                                    crack.name, front.a),
                         "give a smaller RADIUS on $TIPNET or other DOMAINS on $VCE");
       good = false;
     }

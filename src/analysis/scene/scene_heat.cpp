@@ -11,8 +11,8 @@ std::shared_ptr<const fe::CaseHeat> heat_of(const model::Model& model, const Sce
   if (scene.cracked.host.size() == scene.cracked.mesh.element_count()) {
     patched.host = &scene.cracked.host;
   }
-  for (const mesh::Tip& tip : scene.cracked.tips) {
-    patched.tips.push_back(tip.node);
+  for (const mesh::Front& front : scene.cracked.fronts) {
+    patched.tips.push_back(front.tip().node);
   }
   return std::make_shared<const fe::CaseHeat>(fe::case_heat(model, patched, load_case));
 }

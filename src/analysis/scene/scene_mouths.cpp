@@ -20,7 +20,7 @@ class Mouths {
 public:
   Mouths(const model::Model& model, const Scene& scene, base::Diagnostics& diagnostics)
       : model_(model), scene_(scene), diagnostics_(diagnostics),
-        membership_(scene.cracked.mesh, scene.cracked.lips) {}
+        membership_(scene.cracked.mesh, scene.cracked.faces) {}
 
   void set(base::NodeSetId id, const base::Span& span, const char* what) {
     for (const auto& choice : membership_.choices(scene_.cracked.mesh.set(id).nodes)) {
@@ -41,8 +41,9 @@ public:
 
 private:
   [[nodiscard]] std::string crack_at(base::NodeId n) const {
-    for (std::size_t i = 0; i < scene_.cracked.lips.size(); ++i) {
-      if (std::ranges::find(scene_.cracked.lips[i].left, n) != scene_.cracked.lips[i].left.end()) {
+    for (std::size_t i = 0; i < scene_.cracked.faces.size(); ++i) {
+      if (std::ranges::find(scene_.cracked.faces[i].left, n) !=
+          scene_.cracked.faces[i].left.end()) {
         return model_.cracks[i].name;
       }
     }
@@ -163,8 +164,8 @@ void release_lips(const model::Model& model, const std::vector<mesh::CrackLine>&
     }
     const base::Vec3 along = (lines[i].points.back() - lines[i].points.front()).normalized();
     const std::size_t across = std::abs(along.x()) > std::abs(along.y()) ? 1 : 0;
-    const mesh::CrackedMesh::Lips& lips = scene.cracked.lips[i];
-    const std::vector<base::NodeId>& lip = lips.left.empty() ? lips.right : lips.left;
+    const mesh::CrackFaces& lips = scene.cracked.faces[i];
+    const std::vector<base::NodeId>& lip = lips.own();
     const std::vector<bool> held = held_beside(model, mesh, lip, across);
     for (std::size_t k = 0; k + 1 < lip.size(); ++k) {
       FreedomClass& c = scene.cls[dim * lip[k].index() + across];

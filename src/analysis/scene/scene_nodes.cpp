@@ -31,7 +31,7 @@ std::vector<base::NodeId> sorted(std::vector<base::NodeId> nodes) {
 // crack's mouth may be that of the other face.
 std::string changed(const model::Model& model, const Scene& scene, const model::Load& load) {
   const model::Mesh& mesh = scene.cracked.mesh;
-  const mesh::LipMembership lips(mesh, scene.cracked.lips);
+  const mesh::LipMembership lips(mesh, scene.cracked.faces);
   const std::vector<base::NodeId> before = sorted(model.mesh.set(load.nodes).nodes);
   const std::vector<base::NodeId> now = sorted(mesh.set(load.nodes).nodes);
   for (const base::NodeId n : before) {

@@ -153,7 +153,7 @@ crack::TipLoads tip_loads(const model::Model& model, const Scene& scene,
 }
 
 crack::DomainLimits domain_limits(const model::Model& model, const Scene& scene,
-                                  const mesh::Tip& tip) {
+                                  const mesh::Front& front) {
   using model::FreedomClass;
   const model::Mesh& mesh = scene.cracked.mesh;
   const auto dim = static_cast<std::size_t>(mesh.dim);
@@ -167,11 +167,11 @@ crack::DomainLimits domain_limits(const model::Model& model, const Scene& scene,
       limits.node[i / dim] = true;
     }
   }
-  if (tip.symmetric_half) {
+  if (front.symmetric_half) {
     for (std::size_t n = 0; n < mesh.node_count(); ++n) {
-      const base::Vec3 d = mesh.x[n] - tip.x;
-      const base::Vec3 across(-tip.direction.y(), tip.direction.x(), 0.0);
-      if (std::abs(d.dot(across)) < 1e-9 * tip.a) {
+      const base::Vec3 d = mesh.x[n] - front.tip().x;
+      const base::Vec3 across(-front.tip().growth.y(), front.tip().growth.x(), 0.0);
+      if (std::abs(d.dot(across)) < 1e-9 * front.a) {
         limits.node[n] = false;
       }
     }
@@ -195,12 +195,12 @@ crack::DomainLimits domain_limits(const model::Model& model, const Scene& scene,
 }
 
 void fill_lip_sets(const model::Model& model, mesh::CrackedMesh& cracked) {
-  for (std::size_t i = 0; i < cracked.lips.size() && i < model.cracks.size(); ++i) {
+  for (std::size_t i = 0; i < cracked.faces.size() && i < model.cracks.size(); ++i) {
     const model::Crack& crack = model.cracks[i];
     if (!crack.left.valid() || !crack.right.valid()) {
       continue;
     }
-    mesh::LipFaces faces = mesh::lip_faces(cracked.mesh, cracked.lips[i]);
+    mesh::LipFaces faces = mesh::lip_faces(cracked.mesh, cracked.faces[i]);
     cracked.mesh.face_sets[crack.left.index()].faces = std::move(faces.left);
     cracked.mesh.face_sets[crack.right.index()].faces = std::move(faces.right);
   }
@@ -210,7 +210,7 @@ bool lips_carry_no_totals(const model::Model& model, const Scene& scene,
                           base::Diagnostics& diagnostics) {
   const model::Mesh& mesh = scene.cracked.mesh;
   std::set<model::Face> lips;
-  for (const mesh::CrackedMesh::Lips& lip : scene.cracked.lips) {
+  for (const mesh::CrackFaces& lip : scene.cracked.faces) {
     const mesh::LipFaces faces = mesh::lip_faces(mesh, lip);
     lips.insert(faces.left.begin(), faces.left.end());
     lips.insert(faces.right.begin(), faces.right.end());

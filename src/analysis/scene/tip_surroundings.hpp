@@ -17,7 +17,7 @@ crack::TipLoads tip_loads(const model::Model& model, const Scene& scene,
 /// What the domains of a tip must keep clear of: nodes that are held, tied or loaded one by one
 /// (those of a half model's own line are not), and the rims of what is heated.
 crack::DomainLimits domain_limits(const model::Model& model, const Scene& scene,
-                                  const mesh::Tip& tip);
+                                  const mesh::Front& front);
 
 /// Puts the faces of all cracks into the sets that loads name.
 void fill_lip_sets(const model::Model& model, mesh::CrackedMesh& cracked);

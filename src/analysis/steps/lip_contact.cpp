@@ -18,7 +18,7 @@ namespace {
 // Slips below this part of the largest displacement of a face are round-off.
 constexpr double slip_of_round_off = 1e-9;
 
-std::vector<model::Face> sides_of(const model::Mesh& mesh, const mesh::CrackedMesh::Lips& lips) {
+std::vector<model::Face> sides_of(const model::Mesh& mesh, const mesh::CrackFaces& lips) {
   std::vector<model::Face> sides;
   for (const std::vector<base::NodeId>* lip : {&lips.left, &lips.right}) {
     if (!lip->empty()) {
@@ -29,12 +29,12 @@ std::vector<model::Face> sides_of(const model::Mesh& mesh, const mesh::CrackedMe
   return sides;
 }
 
-const std::vector<base::NodeId>& own_lip(const mesh::CrackedMesh::Lips& lips) {
-  return lips.left.empty() ? lips.right : lips.left;
+const std::vector<base::NodeId>& own_lip(const mesh::CrackFaces& lips) {
+  return lips.own();
 }
 
 // Nodes of the lip that carries the rows, from a tip on.
-std::vector<base::NodeId> from_tip(const mesh::CrackedMesh::Lips& lips, base::NodeId tip) {
+std::vector<base::NodeId> from_tip(const mesh::CrackFaces& lips, base::NodeId tip) {
   std::vector<base::NodeId> nodes = own_lip(lips);
   if (nodes.back() == tip) {
     std::ranges::reverse(nodes);
@@ -54,7 +54,7 @@ std::size_t row_of(const contact::PairRows& pair, base::NodeId node) {
 std::vector<std::size_t> touching_lines(const model::Model& model, const Scene& scene,
                                         const base::Vector& u) {
   std::vector<std::size_t> lines;
-  for (std::size_t i = 0; i < scene.cracked.lips.size(); ++i) {
+  for (std::size_t i = 0; i < scene.cracked.faces.size(); ++i) {
     if (model.cracks[i].faces_in_contact && !scene.lip_pairs[i] &&
         lip_overlap(scene.cracked, i, u).resolved > overlap_of_round_off) {
       lines.push_back(i);
@@ -66,11 +66,11 @@ std::vector<std::size_t> touching_lines(const model::Model& model, const Scene& 
 void add_lip_pairs(const model::Model& model, const std::vector<std::size_t>& lines, Scene& scene) {
   const model::Mesh& mesh = scene.cracked.mesh;
   for (const std::size_t i : lines) {
-    const mesh::CrackedMesh::Lips& lips = scene.cracked.lips[i];
+    const mesh::CrackFaces& lips = scene.cracked.faces[i];
     const model::Crack& crack = model.cracks[i];
     model::Contact contact;
     contact.name = crack.name + ".FACES";
-    contact.mu = lips.left.empty() || lips.right.empty() ? 0.0 : crack.mu; // mirrored: no slip
+    contact.mu = lips.half() ? 0.0 : crack.mu; // mirrored: no slip
     contact.pairing = model::Pairing::node;
     contact.span = crack.span;
     scene.lip_pairs[i] = LipPair{scene.pairs.size(), sides_of(mesh, lips)};
@@ -87,9 +87,9 @@ void add_lip_pairs(const model::Model& model, const std::vector<std::size_t>& li
   make_table(scene);
 }
 
-TipFaces tip_faces(const Scene& scene, const mesh::Tip& tip, const StepState& state) {
+TipFaces tip_faces(const Scene& scene, const mesh::Front& front, const StepState& state) {
   TipFaces faces;
-  const std::optional<LipPair>& lip = scene.lip_pairs[tip.crack.index()];
+  const std::optional<LipPair>& lip = scene.lip_pairs[front.crack.index()];
   if (!lip) {
     return faces;
   }
@@ -102,7 +102,8 @@ TipFaces tip_faces(const Scene& scene, const mesh::Tip& tip, const StepState& st
   }
   bool met = false;
   std::vector<bool> along; // closed, from the tip on
-  for (const base::NodeId n : from_tip(scene.cracked.lips[tip.crack.index()], tip.node)) {
+  for (const base::NodeId n :
+       from_tip(scene.cracked.faces[front.crack.index()], front.tip().node)) {
     const std::size_t row = row_of(pair, n);
     along.push_back(row < closed.size() && closed[row]);
     met = met || along.back();
@@ -114,7 +115,8 @@ TipFaces tip_faces(const Scene& scene, const mesh::Tip& tip, const StepState& st
   faces.closed = met && faces.open_nodes == 0;
   faces.open_nodes = met ? faces.open_nodes : 0;
   if (faces.closed && !pair.tangent.empty()) {
-    const base::NodeId next = from_tip(scene.cracked.lips[tip.crack.index()], tip.node).front();
+    const base::NodeId next =
+        from_tip(scene.cracked.faces[front.crack.index()], front.tip().node).front();
     const contact::ConstraintRow& slip = pair.tangent[row_of(pair, next)];
     double size = 0.0;
     double jump = 0.0;
@@ -128,29 +130,29 @@ TipFaces tip_faces(const Scene& scene, const mesh::Tip& tip, const StepState& st
   return faces;
 }
 
-std::optional<std::size_t> row_at_tip(const Scene& scene, const mesh::Tip& tip) {
-  const std::optional<LipPair>& lip = scene.lip_pairs[tip.crack.index()];
+std::optional<std::size_t> row_at_tip(const Scene& scene, const mesh::Front& front) {
+  const std::optional<LipPair>& lip = scene.lip_pairs[front.crack.index()];
   if (!lip) {
     return std::nullopt;
   }
   return scene.table.first[lip->pair] +
          row_of(scene.pairs[lip->pair],
-                from_tip(scene.cracked.lips[tip.crack.index()], tip.node).front());
+                from_tip(scene.cracked.faces[front.crack.index()], front.tip().node).front());
 }
 
 base::Matrix intensity_of_forces(const model::Model& model, const Scene& scene) {
   const crack::KLayout layout = scene.k_layout();
   base::Matrix of_row =
       base::Matrix::Zero(layout.count(), static_cast<Eigen::Index>(scene.table.size()));
-  for (std::size_t t = 0; t < scene.cracked.tips.size(); ++t) {
-    const mesh::Tip& tip = scene.cracked.tips[t];
-    const std::optional<LipPair>& lip = scene.lip_pairs[tip.crack.index()];
+  for (std::size_t t = 0; t < scene.cracked.fronts.size(); ++t) {
+    const mesh::Front& front = scene.cracked.fronts[t];
+    const std::optional<LipPair>& lip = scene.lip_pairs[front.crack.index()];
     if (!lip) {
       continue;
     }
     const base::Matrix weight =
-        crack::lip_intensity_rows(model, scene.cracked, tip, scene.tips[t].fields,
-                                  model.cracks[tip.crack.index()].state, lip->sides);
+        crack::lip_intensity_rows(model, scene.cracked, front, scene.tips[t].fields,
+                                  model.cracks[front.crack.index()].state, lip->sides);
     for (std::size_t r = scene.table.first[lip->pair]; r < scene.table.first[lip->pair + 1]; ++r) {
       for (const contact::RowEntry& entry : scene.row(r).entries) {
         const auto at = 2 * static_cast<Eigen::Index>(entry.node.index());
@@ -162,15 +164,15 @@ base::Matrix intensity_of_forces(const model::Model& model, const Scene& scene) 
   return of_row;
 }
 
-std::optional<crack::LipForces> lip_forces(const Scene& scene, const mesh::Tip& tip,
+std::optional<crack::LipForces> lip_forces(const Scene& scene, const mesh::Front& front,
                                            const StepState& state) {
-  const std::optional<LipPair>& lip = scene.lip_pairs[tip.crack.index()];
+  const std::optional<LipPair>& lip = scene.lip_pairs[front.crack.index()];
   if (!lip) {
     return std::nullopt;
   }
   crack::LipForces forces{lip->sides, base::Vector::Zero(state.u.size()), 0.0};
   const std::size_t first = scene.table.first[lip->pair];
-  const std::size_t next = *row_at_tip(scene, tip) - first;
+  const std::size_t next = *row_at_tip(scene, front) - first;
   forces.at_tip = 0.0 - state.pair_lambda[lip->pair][static_cast<Eigen::Index>(next)];
   for (std::size_t r = first; r < scene.table.first[lip->pair + 1]; ++r) {
     const double value = state.pair_lambda[lip->pair][static_cast<Eigen::Index>(r - first)];

@@ -15,9 +15,9 @@ struct Jump {
 };
 
 Jump look(const mesh::CrackedMesh& cracked, std::size_t line, const base::Vector& u) {
-  const mesh::CrackedMesh::Lips& lips = cracked.lips[line];
-  const bool half = lips.left.empty() || lips.right.empty();
-  const std::vector<base::NodeId>& path = lips.left.empty() ? lips.right : lips.left;
+  const mesh::CrackFaces& lips = cracked.faces[line];
+  const bool half = lips.half();
+  const std::vector<base::NodeId>& path = lips.own();
   const auto displacement = [&](const std::vector<base::NodeId>& lip, std::size_t i) -> base::Vec2 {
     // the other face of a half model mirrors this one: what moves off the line opens
     return lip.empty() ? base::Vec2::Zero()
@@ -63,8 +63,8 @@ LipOverlap lip_overlap(const mesh::CrackedMesh& cracked, std::size_t line, const
 }
 
 double lip_jump(const mesh::CrackedMesh& cracked, std::size_t line, const base::Vector& u) {
-  const mesh::CrackedMesh::Lips& lips = cracked.lips[line];
-  const bool half = lips.left.empty() || lips.right.empty();
+  const mesh::CrackFaces& lips = cracked.faces[line];
+  const bool half = lips.half();
   return (half ? 2.0 : 1.0) * look(cracked, line, u).largest;
 }
 

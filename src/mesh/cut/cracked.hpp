@@ -4,6 +4,7 @@
 
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// Cracks in meshes: a patch is cut out of the host and refilled round the crack, or nodes of the
@@ -50,17 +51,50 @@ struct RimTie {
   base::CrackId crack;
 };
 
-/// Where a tip ended up in the mesh.
-struct Tip {
-  base::CrackId crack;
-  int number = 1; ///< 1, or 1 and 2 of an embedded crack
+/// A point of a crack's front and the axes of the crack there.
+struct FrontPoint {
   base::NodeId node;
   base::Vec3 x = base::Vec3::Zero();
-  base::Vec3 direction = base::Vec3::Zero(); ///< unit, the way the crack grows
-  double a = 0.0;                            ///< crack length, half of it if embedded
-  double size = 0.0;                         ///< radial length of the tip elements
-  double radius = 0.0;                       ///< of the rosette
+  base::Vec3 growth = base::Vec3::Zero(); ///< unit, the way the crack grows
+};
+
+/// Where a front of a crack ended up in the mesh. K belongs to its points; in the plane there is
+/// one, the tip.
+struct Front {
+  base::CrackId crack;
+  int number = 1;      ///< 1, or 1 and 2 of an embedded crack
+  double a = 0.0;      ///< crack length, half of it if embedded
+  double size = 0.0;   ///< radial length of the tip elements
+  double radius = 0.0; ///< of the rosette
   bool symmetric_half = false;
+  std::vector<FrontPoint> points{FrontPoint{}}; ///< along the front
+
+  /// The one point of a front in the plane.
+  [[nodiscard]] const FrontPoint& tip() const { return points.front(); }
+  [[nodiscard]] FrontPoint& tip() { return points.front(); }
+};
+
+/// The two faces of a crack by their nodes, the left one first, seen along the crack; of a
+/// symmetric half the one that is meshed. In the plane their order is that along the crack, from
+/// the mouth to the tip, which both have.
+struct CrackFaces {
+  std::vector<base::NodeId> left;
+  std::vector<base::NodeId> right; ///< as many as left, where both are meshed
+
+  /// Whether one is the mirror image of the other and not meshed.
+  [[nodiscard]] bool half() const { return left.empty() || right.empty(); }
+  /// The face that is meshed, the left one of two.
+  [[nodiscard]] const std::vector<base::NodeId>& own() const { return left.empty() ? right : left; }
+  /// Nodes of both faces that lie on one another, left and right; not those that are one node.
+  [[nodiscard]] std::vector<std::pair<base::NodeId, base::NodeId>> twins() const {
+    std::vector<std::pair<base::NodeId, base::NodeId>> pairs;
+    for (std::size_t i = 0; i < left.size() && i < right.size(); ++i) {
+      if (left[i] != right[i]) {
+        pairs.emplace_back(left[i], right[i]);
+      }
+    }
+    return pairs;
+  }
 };
 
 /// A mesh with cracks in it. Host nodes keep their numbers (some may be left without an element);
@@ -69,16 +103,10 @@ struct Tip {
 /// host with the cavity's members replaced, under the same set numbers.
 struct CrackedMesh {
   model::Mesh mesh;
-  std::vector<Tip> tips;
+  std::vector<Front> fronts;
   std::vector<base::ElementId> host; ///< [element] the host element it is, or invalid if new
-  /// [crack line] the two lips, ordered from the mouth to the tip (tips included in both); one lip
-  /// for a symmetric half (the other is empty). Left lip first, seen along the crack.
-  struct Lips {
-    std::vector<base::NodeId> left;
-    std::vector<base::NodeId> right;
-  };
-  std::vector<Lips> lips;
-  std::vector<RimTie> ties; ///< of patches with a transition
+  std::vector<CrackFaces> faces;     ///< [crack line]
+  std::vector<RimTie> ties;          ///< of patches with a transition
   /// [node set] members that a cavity took and nothing stands in for: single nodes, as the new
   /// nodes of whole sides and of cavities take their place. Empty where no patch was cut.
   std::vector<std::vector<base::NodeId>> lost;

@@ -51,7 +51,7 @@ std::vector<model::Face> along(const model::Mesh& mesh, const std::vector<NodeId
 
 } // namespace
 
-LipFaces lip_faces(const model::Mesh& mesh, const CrackedMesh::Lips& lips) {
+LipFaces lip_faces(const model::Mesh& mesh, const CrackFaces& lips) {
   return {along(mesh, lips.left, true), along(mesh, lips.right, false)};
 }
 

@@ -11,6 +11,6 @@ namespace spricka::mesh {
 struct LipFaces {
   std::vector<model::Face> left, right;
 };
-LipFaces lip_faces(const model::Mesh& mesh, const CrackedMesh::Lips& lips);
+LipFaces lip_faces(const model::Mesh& mesh, const CrackFaces& lips);
 
 } // namespace spricka::mesh

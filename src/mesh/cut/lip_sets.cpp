@@ -12,7 +12,7 @@ namespace {
 using base::NodeId;
 using Ends = std::pair<NodeId, NodeId>;
 
-bool is_open(const CrackedMesh::Lips& lips) {
+bool is_open(const CrackFaces& lips) {
   return !lips.left.empty() && lips.left.size() == lips.right.size();
 }
 
@@ -29,20 +29,18 @@ std::vector<bool> corners_of(const model::Mesh& mesh) {
 
 } // namespace
 
-LipMembership::LipMembership(const model::Mesh& mesh, std::span<const CrackedMesh::Lips> lips)
+LipMembership::LipMembership(const model::Mesh& mesh, std::span<const CrackFaces> lips)
     : group_of_(mesh.node_count(), -1) {
-  for (const CrackedMesh::Lips& lip : lips) {
-    for (std::size_t i = 0; is_open(lip) && i < lip.left.size(); ++i) {
-      if (lip.left[i] != lip.right[i]) {
-        add_group(lip.left[i], lip.right[i]);
-      }
+  for (const CrackFaces& lip : lips) {
+    for (const auto& [left, right] : lip.twins()) {
+      add_group(left, right);
     }
   }
   if (groups_.empty()) {
     return;
   }
   corner_ = corners_of(mesh);
-  for (const CrackedMesh::Lips& lip : lips) {
+  for (const CrackFaces& lip : lips) {
     if (is_open(lip)) {
       add_neighbours(lip.left);
       add_neighbours(lip.right);
@@ -70,9 +68,9 @@ void LipMembership::add_neighbours(const std::vector<NodeId>& lip) {
   }
 }
 
-void LipMembership::find_sides(const model::Mesh& mesh, std::span<const CrackedMesh::Lips> lips) {
+void LipMembership::find_sides(const model::Mesh& mesh, std::span<const CrackFaces> lips) {
   std::set<Ends> along;
-  for (const CrackedMesh::Lips& lip : lips) {
+  for (const CrackFaces& lip : lips) {
     for (const std::vector<NodeId>* face : {&lip.left, &lip.right}) {
       NodeId last;
       for (const NodeId n : *face) {
@@ -158,7 +156,7 @@ std::span<const NodeId> LipMembership::nodes_with(NodeId node) const {
              : std::span<const NodeId>();
 }
 
-void settle_lips(model::Mesh& mesh, std::span<const CrackedMesh::Lips> lips) {
+void settle_lips(model::Mesh& mesh, std::span<const CrackFaces> lips) {
   const LipMembership membership(mesh, lips);
   for (model::NodeSet& set : mesh.node_sets) {
     std::vector<NodeId> late;

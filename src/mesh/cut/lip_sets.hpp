@@ -14,7 +14,7 @@ namespace spricka::mesh {
 class LipMembership {
 public:
   /// The mesh with all cracks open. Half lips double nothing.
-  LipMembership(const model::Mesh& mesh, std::span<const CrackedMesh::Lips> lips);
+  LipMembership(const model::Mesh& mesh, std::span<const CrackFaces> lips);
 
   /// Nodes of one place, and those of them that belong to a set.
   struct Choice {
@@ -38,7 +38,7 @@ private:
   };
   void add_group(base::NodeId left, base::NodeId right);
   void add_neighbours(const std::vector<base::NodeId>& lip);
-  void find_sides(const model::Mesh& mesh, std::span<const CrackedMesh::Lips> lips);
+  void find_sides(const model::Mesh& mesh, std::span<const CrackFaces> lips);
 
   std::vector<std::int32_t> group_of_; ///< [node] or -1
   std::vector<bool> corner_;           ///< [node]
@@ -49,6 +49,6 @@ private:
 };
 
 /// Puts the nodes that cracks have made into the node sets of the host's, face by face.
-void settle_lips(model::Mesh& mesh, std::span<const CrackedMesh::Lips> lips);
+void settle_lips(model::Mesh& mesh, std::span<const CrackFaces> lips);
 
 } // namespace spricka::mesh

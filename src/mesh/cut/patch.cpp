@@ -236,7 +236,7 @@ private:
       if (work.line->symmetric_half) {
         add_half_lip(work);
       } else if (auto lips = split_along(result_.mesh, work.path, work.line->embedded)) {
-        result_.lips.push_back(std::move(*lips));
+        result_.faces.push_back(std::move(*lips));
       } else {
         diagnostics_.error(work.span, "E427",
                            fmt::format("{} does not start on the boundary", work.line->title()));
@@ -244,17 +244,17 @@ private:
       }
       add_tips(work);
     }
-    settle_lips(result_.mesh, result_.lips);
+    settle_lips(result_.mesh, result_.faces);
     return true;
   }
 
   void add_half_lip(const Work& work) {
-    CrackedMesh::Lips lips;
+    CrackFaces lips;
     const bool left = work.tip->patch
                           ? placements_[work.place].half > 0
                           : body_on_left(host_, work.path[0], work.path[path_step(work)]);
     (left ? lips.left : lips.right) = work.path;
-    result_.lips.push_back(std::move(lips));
+    result_.faces.push_back(std::move(lips));
   }
   /// Places from one corner of a path without a patch to the next: 2 on quadratic edges.
   [[nodiscard]] std::size_t path_step(const Work& work) const {
@@ -263,32 +263,33 @@ private:
   }
 
   void add_tips(const Work& work) {
-    Tip tip;
-    tip.crack = work.line->crack;
-    tip.a = frame_of(*work.line).a;
-    tip.symmetric_half = work.line->symmetric_half;
-    result_.notes.push_back(work.tip->patch ? add_patch_tips(work, tip) : add_own_tip(work, tip));
+    Front front;
+    front.crack = work.line->crack;
+    front.a = frame_of(*work.line).a;
+    front.symmetric_half = work.line->symmetric_half;
+    result_.notes.push_back(work.tip->patch ? add_patch_tips(work, front)
+                                            : add_own_tip(work, front));
   }
 
-  std::string add_patch_tips(const Work& work, Tip tip) {
+  std::string add_patch_tips(const Work& work, Front front) {
     const Placement& placement = placements_[work.place];
     const CrackFrame& frame = placement.frame;
-    tip.size = work.tip->size;
-    tip.radius = work.tip->radius;
+    front.size = work.tip->size;
+    front.radius = work.tip->radius;
     for (std::size_t i = 0; i < placement.tips.size(); ++i) {
-      tip.number = static_cast<int>(i) + 1;
-      tip.node = i + 1 == placement.tips.size() ? work.path.back() : work.path.front();
-      tip.x = result_.mesh.x[tip.node.index()];
-      tip.direction = (frame.global(placement.tips[i].ahead()) - frame.origin).normalized();
-      result_.tips.push_back(tip);
+      front.number = static_cast<int>(i) + 1;
+      front.tip().node = i + 1 == placement.tips.size() ? work.path.back() : work.path.front();
+      front.tip().x = result_.mesh.x[front.tip().node.index()];
+      front.tip().growth = (frame.global(placement.tips[i].ahead()) - frame.origin).normalized();
+      result_.fronts.push_back(front);
     }
     const Graft& g = grafts_[work.graft];
     return fmt::format("{}: a = {:.6g}{}, patch of {} elements for {} of the net, {} of radius "
                        "{:.6g} with {} rings of {} sectors, tip elements {:.6g}{}",
-                       work.line->title(), tip.a, work.line->embedded ? " (half its length)" : "",
+                       work.line->title(), front.a, work.line->embedded ? " (half its length)" : "",
                        g.patch.elements.size(), g.cavity.elements.size(),
-                       placement.tips.size() > 1 ? "rosettes" : "rosette", tip.radius,
-                       work.tip->rings, work.tip->sectors, tip.size, more_about(work));
+                       placement.tips.size() > 1 ? "rosettes" : "rosette", front.radius,
+                       work.tip->rings, work.tip->sectors, front.size, more_about(work));
   }
 
   /// The cracks that share a patch, and its rim.
@@ -303,15 +304,16 @@ private:
     return text + (tied == 0 ? "" : fmt::format(", {} nodes of its rim tied", tied));
   }
 
-  std::string add_own_tip(const Work& work, Tip tip) {
-    tip.node = work.path.back();
+  std::string add_own_tip(const Work& work, Front front) {
+    front.tip().node = work.path.back();
     const std::size_t before = work.path.size() - 1 - path_step(work);
-    const Vec3 last = mesh_.x[tip.node.index()] - mesh_.x[work.path[before].index()];
-    tip.direction = last.normalized();
-    tip.size = last.norm();
-    tip.radius = tip.size;
-    const int moved = work.tip->quarter_point ? move_quarter_points(result_.mesh, tip.node) : 0;
-    if (const double part = odd_middle(result_.mesh, tip.node);
+    const Vec3 last = mesh_.x[front.tip().node.index()] - mesh_.x[work.path[before].index()];
+    front.tip().growth = last.normalized();
+    front.size = last.norm();
+    front.radius = front.size;
+    const int moved =
+        work.tip->quarter_point ? move_quarter_points(result_.mesh, front.tip().node) : 0;
+    if (const double part = odd_middle(result_.mesh, front.tip().node);
         std::min(std::abs(part - 0.25), std::abs(part - 0.5)) > neither) {
       diagnostics_.warning(work.span, "W505",
                            fmt::format("{}: middle nodes at {:.3g} of edges that leave the tip are "
@@ -319,11 +321,11 @@ private:
                                        work.line->title(), part),
                            "QUARTER=YES on $TIPNET moves them to the quarter points");
     }
-    tip.x = result_.mesh.x[tip.node.index()];
-    result_.tips.push_back(tip);
+    front.tip().x = result_.mesh.x[front.tip().node.index()];
+    result_.fronts.push_back(front);
     return fmt::format("{}: a = {:.6g}, tip at node {} of the net, elements of {:.6g}, {}",
-                       work.line->title(), tip.a, mesh_.node_label[tip.node.index()], tip.size,
-                       moved > 0 ? "quarter points moved" : "no quarter points");
+                       work.line->title(), front.a, mesh_.node_label[front.tip().node.index()],
+                       front.size, moved > 0 ? "quarter points moved" : "no quarter points");
   }
 
   const model::Mesh& mesh_;

@@ -89,8 +89,8 @@ private:
 
 } // namespace
 
-std::optional<CrackedMesh::Lips> split_along(model::Mesh& mesh, const std::vector<NodeId>& path,
-                                             bool embedded) {
+std::optional<CrackFaces> split_along(model::Mesh& mesh, const std::vector<NodeId>& path,
+                                      bool embedded) {
   std::map<NodeId, std::vector<ElementId>> around;
   for (const NodeId n : path) {
     around[n];
@@ -133,7 +133,7 @@ std::optional<CrackedMesh::Lips> split_along(model::Mesh& mesh, const std::vecto
     }
     right.push_back(std::move(*elements));
   }
-  CrackedMesh::Lips lips{path, {}};
+  CrackFaces lips{path, {}};
   if (embedded) {
     lips.right.push_back(path.front());
   }

@@ -160,7 +160,7 @@ void Forecast::add(const analysis::CondenseRequest& request,
   const double factorising = std::accumulate(
       needs.passing.begin(), needs.passing.begin() + static_cast<std::ptrdiff_t>(at_once), 0.0);
   // Error bars of K: element matrices of the modes, adjoints and what they are made of.
-  const auto tips = static_cast<double>(scene.cracked.tips.size());
+  const auto tips = static_cast<double>(scene.cracked.fronts.size());
   const bool barred =
       tips > 0.0 && estimate::not_enriched(request.model, scene.cracked.mesh).empty();
   const double modes = barred ? estimate::enrichment_bytes(scene.cracked.mesh) : 0.0;

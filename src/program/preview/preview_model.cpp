@@ -166,19 +166,19 @@ results::LengthPreview preview_length(const model::Model& model, const analysis:
   length.replaced = model.mesh.element_count() - (length.elements - length.fresh);
   length.rows = scene.table.size();
   length.notes = scene.notes;
-  for (const mesh::Tip& tip : cracked.tips) {
+  for (const mesh::Front& front : cracked.fronts) {
     results::TipPreview preview;
-    preview.name = analysis::tip_name(model, cracked, tip);
-    const mesh::CrackedMesh::Lips& lips = cracked.lips[tip.crack.index()];
-    const std::vector<base::NodeId>& lip = lips.left.empty() ? lips.right : lips.left;
+    preview.name = analysis::tip_name(model, cracked, front);
+    const mesh::CrackFaces& lips = cracked.faces[front.crack.index()];
+    const std::vector<base::NodeId>& lip = lips.own();
     if (!lip.empty()) {
       preview.mouth = cracked.mesh.x[lip.front().index()];
     }
-    preview.tip = tip.x;
-    preview.a = tip.a;
-    preview.radius = tip.radius;
-    preview.size = tip.size;
-    length.a = length.a > 0.0 ? length.a : tip.a;
+    preview.tip = front.tip().x;
+    preview.a = front.a;
+    preview.radius = front.radius;
+    preview.size = front.size;
+    length.a = length.a > 0.0 ? length.a : front.a;
     length.tips.push_back(std::move(preview));
   }
   return length;

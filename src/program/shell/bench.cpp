@@ -97,7 +97,7 @@ void ShellBench::begin_run() {
   const mesh::CrackedMesh& cracked = length_->scene().cracked;
   results::Increment& increment = run_.increments.emplace_back();
   increment.number = 1;
-  increment.a = cracked.tips.empty() ? 0.0 : base::tidy(cracked.tips.front().a);
+  increment.a = cracked.fronts.empty() ? 0.0 : base::tidy(cracked.fronts.front().a);
   increment.notes = results::notes_of(length_->scene().notes);
   increment.mesh = cracked.mesh;
   analysis::keep_gone_members(parts_.model.mesh, increment.mesh);
@@ -223,7 +223,7 @@ base::Trouble ShellBench::go_on(const model::Step& step, const std::vector<model
 }
 
 base::Trouble ShellBench::estimate() {
-  if (estimated_ || length_->scene().cracked.tips.empty()) {
+  if (estimated_ || length_->scene().cracked.fronts.empty()) {
     return {};
   }
   results::StepResult found = now();

@@ -209,7 +209,7 @@ void compare_with_moved_nodes(const std::string& deck) {
   const estimate::TipMotion motion = estimate::tip_motion(
       solved.scene().cracked, 0,
       crack::Neighbourhood(solved.scene().cracked.mesh)
-          .fields(solved.scene().cracked, solved.scene().cracked.tips[0], {wide}, left_out)
+          .fields(solved.scene().cracked, solved.scene().cracked.fronts[0], {wide}, left_out)
           .at(0));
   const auto moved = [&motion](double by) {
     return SolvedScene::Changes{{},

@@ -51,8 +51,8 @@ struct Plate {
     cracked = std::move(*made);
     const crack::Neighbourhood around(cracked.mesh);
     std::vector<int> left_out;
-    fields = around.fields(cracked, cracked.tips[1], {1, 2, 4}, left_out);
-    for (const auto* lip : {&cracked.lips[0].left, &cracked.lips[0].right}) {
+    fields = around.fields(cracked, cracked.fronts[1], {1, 2, 4}, left_out);
+    for (const auto* lip : {&cracked.faces[0].left, &cracked.faces[0].right}) {
       const std::vector<model::Face> own = mesh::faces_within(cracked.mesh, *lip);
       faces.insert(faces.end(), own.begin(), own.end());
     }
@@ -64,7 +64,7 @@ struct Plate {
     base::Vector f = base::Vector::Zero(2 * static_cast<Eigen::Index>(cracked.mesh.node_count()));
     const double thickness = model.properties[0].thickness;
     for (const double side : {1.0, -1.0}) {
-      const auto& lip = side > 0.0 ? cracked.lips[0].left : cracked.lips[0].right;
+      const auto& lip = side > 0.0 ? cracked.faces[0].left : cracked.faces[0].right;
       for (std::size_t i = 0; i + 2 < lip.size(); i += 2) {
         // integral of the shape functions of an edge with its middle node at a part m of it
         const double h =
@@ -102,7 +102,7 @@ TEST(LipTerm, IsThatOfTractionsNextToTheTip) {
       for (const crack::ExtensionField& field : plate.fields) {
         double R = 0.0;
         double S = 1e9;
-        for (const base::NodeId n : plate.cracked.lips[0].left) {
+        for (const base::NodeId n : plate.cracked.faces[0].left) {
           const auto q = std::ranges::find(field.q, n, &std::pair<base::NodeId, double>::first);
           if (q != field.q.end() && q->second == 1.0) {
             R = std::max(R, plate.from_tip(n));
@@ -111,7 +111,7 @@ TEST(LipTerm, IsThatOfTractionsNextToTheTip) {
           }
         }
         const base::Matrix rows =
-            crack::lip_intensity_rows(plate.model, plate.cracked, plate.cracked.tips[1], {field},
+            crack::lip_intensity_rows(plate.model, plate.cracked, plate.cracked.fronts[1], {field},
                                       model::CrackState::automatic, plate.faces);
         const base::Vector pressed = rows.transpose() * plate.forces(0.0, 3.0);
         const base::Vector sheared = rows.transpose() * plate.forces(3.0, 0.0);
@@ -135,9 +135,9 @@ TEST(LipTerm, RowsAreTheTerm) {
   request.lips = &lips;
   request.state = model::CrackState::stress;
   const crack::StressIntensity K = crack::stress_intensity(
-      plate.model, plate.cracked, plate.cracked.tips[1], plate.fields, request, none, {});
+      plate.model, plate.cracked, plate.cracked.fronts[1], plate.fields, request, none, {});
   const base::Vector of_rows =
-      crack::lip_intensity_rows(plate.model, plate.cracked, plate.cracked.tips[1], plate.fields,
+      crack::lip_intensity_rows(plate.model, plate.cracked, plate.cracked.fronts[1], plate.fields,
                                 model::CrackState::stress, plate.faces)
           .transpose() *
       lips.force;

@@ -89,9 +89,9 @@ TEST_P(PointForce, FindsTheTOfAKnownField) {
   model.mesh.property.assign(model.mesh.element_count(), base::PropertyId(std::size_t{0}));
   mesh::CrackedMesh cracked;
   cracked.mesh = model.mesh;
-  mesh::Tip tip;
-  tip.direction = base::Vec3::UnitX();
-  tip.a = 1.0;
+  mesh::Front front;
+  front.tip().growth = base::Vec3::UnitX();
+  front.a = 1.0;
   crack::ExtensionField field;
   const double K1 = 3.0;
   const double K2 = -1.25;
@@ -111,7 +111,7 @@ TEST_P(PointForce, FindsTheTOfAKnownField) {
     field.elements.emplace_back(e);
   }
   const crack::StressIntensity found =
-      crack::stress_intensity(model, cracked, tip, {field}, {}, u, {});
+      crack::stress_intensity(model, cracked, front, {field}, {}, u, {});
   EXPECT_NEAR(found.T, T, 1e-3 * std::abs(T));
   EXPECT_NEAR(found.K1, K1, 1e-3 * K1);
 }

@@ -19,7 +19,7 @@ constexpr double K2 = -1.25;
 struct Annulus {
   model::Model model;
   mesh::CrackedMesh cracked;
-  mesh::Tip tip;
+  mesh::Front front;
   std::vector<crack::ExtensionField> fields;
   base::Vector u;
 
@@ -40,9 +40,9 @@ struct Annulus {
         {base::ElementSetId(std::size_t{0}), base::MaterialId(std::size_t{0}), state, 1.0, {}}};
     model.mesh.property.assign(model.mesh.element_count(), base::PropertyId(std::size_t{0}));
     cracked.mesh = model.mesh;
-    tip.direction = base::Vec3::UnitX();
-    tip.a = 1.0;
-    tip.size = 0.5;
+    front.tip().growth = base::Vec3::UnitX();
+    front.a = 1.0;
+    front.size = 0.5;
     crack::ExtensionField field;
     for (std::size_t n = 0; n < model.mesh.node_count(); ++n) {
       const double r = model.mesh.x[n].norm();

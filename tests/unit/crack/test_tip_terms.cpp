@@ -61,7 +61,7 @@ struct Plate {
     cracked =
         mesh::insert_cracks(model.mesh, {&line, 1}, tips, std::vector<base::Span>(1), diagnostics)
             .value();
-    lips = mesh::lip_faces(cracked.mesh, cracked.lips.front());
+    lips = mesh::lip_faces(cracked.mesh, cracked.faces.front());
     std::vector<int> left_out;
     fields = crack::Neighbourhood(cracked.mesh).fields(cracked, tip(), {2, 4}, left_out);
     u.resize(2 * static_cast<Eigen::Index>(cracked.mesh.node_count()));
@@ -69,7 +69,7 @@ struct Plate {
       u[i] = std::sin(1.7 * static_cast<double>(i * i % 97));
     }
   }
-  [[nodiscard]] const mesh::Tip& tip() const { return cracked.tips.front(); }
+  [[nodiscard]] const mesh::Front& front() const { return cracked.fronts.front(); }
   [[nodiscard]] std::vector<base::ElementId> all() const {
     std::vector<base::ElementId> elements;
     for (std::size_t e = 0; e < cracked.mesh.element_count(); ++e) {
@@ -108,9 +108,9 @@ model::Load load_of(What what) {
 crack::TipLoads acting(const Plate& plate, const model::Load& load, double factor) {
   crack::ActingLoad a{&load, factor, {}, {}};
   if (load.type == model::LoadType::pressure || load.type == model::LoadType::traction) {
-    a.faces = plate.lips.left;
+    a.faces = plate.faces.left;
     if (load.type == model::LoadType::pressure) {
-      a.faces.insert(a.faces.end(), plate.lips.right.begin(), plate.lips.right.end());
+      a.faces.insert(a.faces.end(), plate.faces.right.begin(), plate.faces.right.end());
     }
   } else {
     a.elements = plate.all();
@@ -204,10 +204,10 @@ INSTANTIATE_TEST_SUITE_P(Loads, TipTerm,
 // Lips of the plate: as many sides on each, opposite each other, ending at the tip.
 TEST(LipFaces, LieOppositeEachOther) {
   const Plate plate(model::State::plane_stress);
-  ASSERT_EQ(plate.lips.left.size(), plate.lips.right.size());
-  EXPECT_EQ(2 * plate.lips.left.size() + 1, plate.cracked.lips.front().left.size());
+  ASSERT_EQ(plate.faces.left.size(), plate.faces.right.size());
+  EXPECT_EQ(2 * plate.faces.left.size() + 1, plate.cracked.faces.front().left.size());
   double length = 0.0;
-  for (const model::Face& face : plate.lips.left) {
+  for (const model::Face& face : plate.faces.left) {
     const auto nodes = plate.cracked.mesh.nodes_of(face.element);
     const auto corners =
         static_cast<std::size_t>(base::info(plate.cracked.mesh.type[face.element.index()]).corners);

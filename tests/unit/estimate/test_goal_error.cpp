@@ -62,7 +62,7 @@ struct Strip {
     suppress();
     move(turn, unit);
     std::vector<int> left_out;
-    fields = crack::Neighbourhood(cracked.mesh).fields(cracked, cracked.tips[0], {2}, left_out);
+    fields = crack::Neighbourhood(cracked.mesh).fields(cracked, cracked.fronts[0], {2}, left_out);
     std::vector<base::NodeId> nodes;
     const std::vector<bool> used = model::nodes_in_use(cracked.mesh);
     for (std::size_t n = 0; n < used.size(); ++n) {
@@ -100,12 +100,12 @@ struct Strip {
     for (base::Vec3& x : cracked.mesh.x) {
       x = unit * (R * x);
     }
-    for (mesh::Tip& tip : cracked.tips) {
-      tip.x = unit * (R * tip.x);
-      tip.direction = R * tip.direction;
-      tip.a *= unit;
-      tip.size *= unit;
-      tip.radius *= unit;
+    for (mesh::Front& front : cracked.fronts) {
+      front.tip().x = unit * (R * front.tip().x);
+      front.tip().growth = R * front.tip().growth;
+      front.a *= unit;
+      front.size *= unit;
+      front.radius *= unit;
     }
   }
 
@@ -149,11 +149,11 @@ Found estimate_of(const Strip& s, const model::LoadCase& load) {
                                    std::vector<bool>(count, false));
   const estimate::ModeMap map =
       estimate::mode_map(modes, estimate::mode_supports(modes, s.cls, s.ties), {});
-  const mesh::Tip& tip = s.cracked.tips[0];
+  const mesh::Front& front = s.cracked.fronts[0];
   const base::Matrix g =
-      crack::intensity_rows(s.model, s.cracked, tip, s.fields, model::CrackState::automatic);
+      crack::intensity_rows(s.model, s.cracked, front, s.fields, model::CrackState::automatic);
   const base::Matrix g_e = modes.functional(
-      crack::intensity_points(s.model, s.cracked, tip, s.fields, model::CrackState::automatic));
+      crack::intensity_points(s.model, s.cracked, front, s.fields, model::CrackState::automatic));
   const base::Vector f = fe::nodal_load(s.model, s.cracked.mesh, load);
   const base::Vector f_e = estimate::mode_load(modes, load);
   const Eigen::LDLT<base::Matrix> factor(s.K);
@@ -260,9 +260,9 @@ TEST_P(GoalError, IsNothingWhereTheMeshIsExact) {
   const double s = 5.0;
   const double E = 1000.0;
   const double nu = 0.3;
-  const base::Vec2 e1 = strip.cracked.tips[0].direction.head<2>();
+  const base::Vec2 e1 = strip.cracked.fronts[0].direction.head<2>();
   const base::Vec2 e2(-e1.y(), e1.x());
-  const base::Vec2 tip = strip.cracked.tips[0].x.head<2>();
+  const base::Vec2 tip = strip.cracked.fronts[0].x.head<2>();
   base::Vector u(2 * static_cast<Eigen::Index>(strip.cracked.mesh.node_count()));
   for (std::size_t n = 0; n < strip.cracked.mesh.node_count(); ++n) {
     const base::Vec2 d = strip.cracked.mesh.x[n].head<2>() - tip;
@@ -331,10 +331,10 @@ TEST_P(GoalError, DoesNotDependOnTheNumbersOfNodes) {
   for (base::NodeId& id : mesh.nodes) {
     id = turned(id);
   }
-  for (mesh::Tip& tip : other.cracked.tips) {
-    tip.node = turned(tip.node);
+  for (mesh::Front& front : other.cracked.fronts) {
+    front.tip().node = turned(front.tip().node);
   }
-  for (mesh::CrackedMesh::Lips& lips : other.cracked.lips) {
+  for (mesh::CrackFaces& lips : other.cracked.faces) {
     for (auto* lip : {&lips.left, &lips.right}) {
       for (base::NodeId& id : *lip) {
         id = turned(id);

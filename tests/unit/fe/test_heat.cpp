@@ -70,7 +70,7 @@ struct Plate {
     load.elements = base::ElementSetId(set);
     load.value = {std::move(T)};
     return fe::case_heat(model,
-                         {cracked.mesh, model.mesh, &cracked.host, {cracked.tips.front().node}},
+                         {cracked.mesh, model.mesh, &cracked.host, {cracked.fronts.front().node}},
                          {"", {load}});
   }
   [[nodiscard]] std::size_t left() const { return model.mesh.element_sets.size() - 1; }
@@ -116,11 +116,11 @@ TEST(Heat, AJumpInsideElementsIsIntegrated) {
 // 0.4 R(t)^2.5 by angle, R the distance of the opposite side.
 TEST(Heat, TheRootOfTheDistanceFromATipIsSmooth) {
   const Plate plate;
-  const mesh::Tip& tip = plate.cracked.tips.front();
+  const mesh::Front& front = plate.cracked.fronts.front();
   std::vector<base::Instruction> code{
-      x, number(tip.x.x()), {Op::subtract, 0.0}, number(2.0), {Op::power, 0.0}};
+      x, number(front.tip().x.x()), {Op::subtract, 0.0}, number(2.0), {Op::power, 0.0}};
   for (const base::Instruction& i :
-       {y, number(tip.x.y()), base::Instruction{Op::subtract, 0.0}, number(2.0),
+       {y, number(front.tip().x.y()), base::Instruction{Op::subtract, 0.0}, number(2.0),
         base::Instruction{Op::power, 0.0}, base::Instruction{Op::add, 0.0}, number(0.25),
         base::Instruction{Op::power, 0.0}}) {
     code.push_back(i);
@@ -131,13 +131,13 @@ TEST(Heat, TheRootOfTheDistanceFromATipIsSmooth) {
   for (std::size_t i = 0; i < mesh.element_count(); ++i) {
     const base::ElementId e(i);
     const auto nodes = mesh.nodes_of(e);
-    const auto at = std::ranges::find(nodes, tip.node);
+    const auto at = std::ranges::find(nodes, front.tip().node);
     if (at == nodes.end() || mesh.type[i] != base::ElementType::trimc6) {
       continue;
     }
     const auto c = static_cast<std::size_t>(at - nodes.begin());
-    const base::Vec3 a = mesh.x[nodes[(c + 1) % 3].index()] - tip.x;
-    const base::Vec3 b = mesh.x[nodes[(c + 2) % 3].index()] - tip.x;
+    const base::Vec3 a = mesh.x[nodes[(c + 1) % 3].index()] - front.tip().x;
+    const base::Vec3 b = mesh.x[nodes[(c + 2) % 3].index()] - front.tip().x;
     const double height = a.cross(b).norm() / (b - a).norm();
     double exact = 0.0;
     constexpr int steps = 400;

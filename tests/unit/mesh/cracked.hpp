@@ -105,7 +105,7 @@ inline void expect_conforming(const mesh::CrackedMesh& cracked) {
   }
   std::set<Ends> lips;
   double expected = 0.0;
-  for (const auto& lip : cracked.lips) {
+  for (const auto& lip : cracked.faces) {
     for (const auto* side : {&lip.left, &lip.right}) {
       for (std::size_t i = 0; i + 1 < side->size(); ++i) {
         for (const std::size_t j : {i + 1, std::min(i + 2, side->size() - 1)}) {
@@ -177,11 +177,11 @@ inline double curve_length(const model::Mesh& mesh, const std::vector<model::Fac
 
 /// Lips from mouth to tip: same places on both sides, ends of length a, ordered.
 inline void expect_lips(const mesh::CrackedMesh& cracked, std::size_t i, double a) {
-  const auto& lips = cracked.lips[i];
+  const auto& lips = cracked.faces[i];
   const auto& x = cracked.mesh.x;
   ASSERT_EQ(lips.left.size(), lips.right.size());
   EXPECT_EQ(lips.left.back(), lips.right.back());
-  EXPECT_EQ(lips.left.back(), cracked.tips[i].node);
+  EXPECT_EQ(lips.left.back(), cracked.fronts[i].node);
   double length = 0.0;
   for (std::size_t k = 0; k < lips.left.size(); ++k) {
     EXPECT_EQ(x[lips.left[k].index()], x[lips.right[k].index()]);

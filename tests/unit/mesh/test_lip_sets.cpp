@@ -42,7 +42,7 @@ struct Held {
 Held held(const mesh::CrackedMesh& cracked, const std::string& name, std::size_t at) {
   const auto set = std::ranges::find(cracked.mesh.node_sets, name, &model::NodeSet::name);
   const auto has = [&](NodeId n) { return std::ranges::find(set->nodes, n) != set->nodes.end(); };
-  return {has(cracked.lips[0].left[at]), has(cracked.lips[0].right[at])};
+  return {has(cracked.faces[0].left[at]), has(cracked.faces[0].right[at])};
 }
 
 void expect_sides(const mesh::CrackedMesh& cracked) {
@@ -54,7 +54,7 @@ void expect_sides(const mesh::CrackedMesh& cracked) {
     EXPECT_EQ(found.left, left) << name;
     EXPECT_EQ(found.right, right) << name;
   }
-  const mesh::LipMembership membership(cracked.mesh, cracked.lips);
+  const mesh::LipMembership membership(cracked.mesh, cracked.faces);
   for (const model::NodeSet& set : cracked.mesh.node_sets) {
     const bool line = set.name == "LINE"; // a patch has taken the rest of it
     for (const auto& choice :

@@ -15,14 +15,14 @@ mesh::CrackLine inside(std::vector<Vec3> points) {
 
 /// Lips of the first crack: one place, two nodes everywhere but at both tips.
 void expect_two_tips(const mesh::CrackedMesh& cracked, double length) {
-  ASSERT_EQ(cracked.tips.size(), 2U);
-  const auto& lips = cracked.lips[0];
+  ASSERT_EQ(cracked.fronts.size(), 2U);
+  const auto& lips = cracked.faces[0];
   const auto& x = cracked.mesh.x;
   ASSERT_EQ(lips.left.size(), lips.right.size());
-  EXPECT_EQ(lips.left.front(), cracked.tips[0].node);
-  EXPECT_EQ(lips.right.front(), cracked.tips[0].node);
-  EXPECT_EQ(lips.left.back(), cracked.tips[1].node);
-  EXPECT_EQ(lips.right.back(), cracked.tips[1].node);
+  EXPECT_EQ(lips.left.front(), cracked.fronts[0].node);
+  EXPECT_EQ(lips.right.front(), cracked.fronts[0].node);
+  EXPECT_EQ(lips.left.back(), cracked.fronts[1].node);
+  EXPECT_EQ(lips.right.back(), cracked.fronts[1].node);
   double along = 0.0;
   for (std::size_t k = 1; k < lips.left.size(); ++k) {
     EXPECT_EQ(x[lips.left[k].index()], x[lips.right[k].index()]);
@@ -30,12 +30,12 @@ void expect_two_tips(const mesh::CrackedMesh& cracked, double length) {
     along += (x[lips.left[k].index()] - x[lips.left[k - 1].index()]).norm();
   }
   EXPECT_NEAR(along, length, 1e-12 * length);
-  for (const mesh::Tip& tip : cracked.tips) {
-    EXPECT_NEAR(tip.a, 0.5 * length, 1e-12 * length);
-    EXPECT_EQ(test::expect_quarter_points(cracked, tip.node), 2 * mesh::TipMesh{}.sectors);
+  for (const mesh::Front& front : cracked.fronts) {
+    EXPECT_NEAR(front.a, 0.5 * length, 1e-12 * length);
+    EXPECT_EQ(test::expect_quarter_points(cracked, front.tip().node), 2 * mesh::TipMesh{}.sectors);
   }
-  EXPECT_EQ(cracked.tips[0].number, 1);
-  EXPECT_EQ(cracked.tips[1].number, 2);
+  EXPECT_EQ(cracked.fronts[0].number, 1);
+  EXPECT_EQ(cracked.fronts[1].number, 2);
 }
 
 TEST(PatchEmbedded, SlantCrackHasTwoTipsThatLookAway) {
@@ -46,10 +46,10 @@ TEST(PatchEmbedded, SlantCrackHasTwoTipsThatLookAway) {
   test::expect_sound(host, cracked);
   expect_two_tips(cracked, 3.0);
   const Vec3 along = (to - from).normalized();
-  EXPECT_NEAR((cracked.tips[0].direction + along).norm(), 0.0, 1e-14);
-  EXPECT_NEAR((cracked.tips[1].direction - along).norm(), 0.0, 1e-14);
-  EXPECT_NEAR((cracked.tips[0].x - from).norm(), 0.0, 1e-14 * 8);
-  EXPECT_NEAR((cracked.tips[1].x - to).norm(), 0.0, 1e-14 * 8);
+  EXPECT_NEAR((cracked.fronts[0].direction + along).norm(), 0.0, 1e-14);
+  EXPECT_NEAR((cracked.fronts[1].direction - along).norm(), 0.0, 1e-14);
+  EXPECT_NEAR((cracked.fronts[0].x - from).norm(), 0.0, 1e-14 * 8);
+  EXPECT_NEAR((cracked.fronts[1].x - to).norm(), 0.0, 1e-14 * 8);
 }
 
 TEST(PatchEmbedded, KinkedCrack) {

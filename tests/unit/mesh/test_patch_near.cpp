@@ -17,13 +17,13 @@ mesh::CrackLine inside(std::vector<Vec3> points, std::size_t number) {
 
 /// Both lips of every crack have its length and its places.
 void expect_all_lips(const mesh::CrackedMesh& cracked, const std::vector<mesh::CrackLine>& lines) {
-  ASSERT_EQ(cracked.lips.size(), lines.size());
+  ASSERT_EQ(cracked.faces.size(), lines.size());
   for (std::size_t i = 0; i < lines.size(); ++i) {
     double length = 0.0;
     for (std::size_t k = 1; k < lines[i].points.size(); ++k) {
       length += (lines[i].points[k] - lines[i].points[k - 1]).norm();
     }
-    const auto& lips = cracked.lips[i];
+    const auto& lips = cracked.faces[i];
     ASSERT_EQ(lips.left.size(), lips.right.size());
     double along = 0.0;
     for (std::size_t k = 0; k < lips.left.size(); ++k) {

@@ -36,8 +36,8 @@ TEST(PathCrack, WithoutPatchNodesAreDoubled) {
   EXPECT_EQ(cracked.mesh.element_count(), host.element_count());
   EXPECT_NEAR(test::area(cracked.mesh), 80.0, 1e-11);
   EXPECT_TRUE(mesh::bad_elements(cracked.mesh).empty());
-  EXPECT_EQ(test::expect_quarter_points(cracked, cracked.tips[0].node), 8);
-  EXPECT_NEAR(cracked.tips[0].size, 1.0, 1e-15);
+  EXPECT_EQ(test::expect_quarter_points(cracked, cracked.fronts[0].node), 8);
+  EXPECT_NEAR(cracked.fronts[0].size, 1.0, 1e-15);
   EXPECT_EQ(cracked.host[17], base::ElementId(std::size_t{17}));
 }
 
@@ -54,13 +54,13 @@ TEST(PathCrack, WithoutPatchOnASymmetryLineNothingIsDoubled) {
   const model::TipNet wishes = no_patch();
   const auto cracked = test::insert(host, {path_crack(host, 0.0, 3.0, true)}, &wishes);
   EXPECT_EQ(cracked.mesh.node_count(), host.node_count());
-  EXPECT_EQ(cracked.lips[0].left.size(), 7U);
-  EXPECT_TRUE(cracked.lips[0].right.empty());
-  EXPECT_TRUE(cracked.tips[0].symmetric_half);
-  EXPECT_EQ(test::expect_quarter_points(cracked, cracked.tips[0].node), 4);
+  EXPECT_EQ(cracked.faces[0].left.size(), 7U);
+  EXPECT_TRUE(cracked.faces[0].right.empty());
+  EXPECT_TRUE(cracked.fronts[0].symmetric_half);
+  EXPECT_EQ(test::expect_quarter_points(cracked, cracked.fronts[0].node), 4);
   const auto above = test::insert(host, {path_crack(host, 8.0, 3.0, true)}, &wishes);
-  EXPECT_TRUE(above.lips[0].left.empty());
-  EXPECT_EQ(above.lips[0].right.size(), 7U);
+  EXPECT_TRUE(above.faces[0].left.empty());
+  EXPECT_EQ(above.faces[0].right.size(), 7U);
 }
 
 TEST(PathCrack, WithoutPatchTheTipMustBeANode) {
@@ -98,7 +98,7 @@ TEST_P(HalfCrack, OnASymmetryLine) {
     const double a = GetParam();
     const auto cracked = test::insert(host, {path_crack(host, y, a, true)});
     test::expect_sound(host, cracked);
-    const auto& lips = cracked.lips[0];
+    const auto& lips = cracked.faces[0];
     const auto& lip = y == 0.0 ? lips.left : lips.right;
     EXPECT_TRUE((y == 0.0 ? lips.right : lips.left).empty());
     ASSERT_GE(lip.size(), 3U);
@@ -108,7 +108,7 @@ TEST_P(HalfCrack, OnASymmetryLine) {
     }
     EXPECT_EQ(cracked.mesh.x[lip[0].index()], Vec3(0, y, 0));
     EXPECT_NEAR(cracked.mesh.x[lip.back().index()].x(), a, 1e-14);
-    EXPECT_EQ(test::expect_quarter_points(cracked, cracked.tips[0].node),
+    EXPECT_EQ(test::expect_quarter_points(cracked, cracked.fronts[0].node),
               mesh::TipMesh{}.sectors); // half of them, two edges each
     // the set of the line has the nodes of the line, none more, none less
     std::set<NodeId> expected;

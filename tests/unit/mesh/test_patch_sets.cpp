@@ -52,8 +52,8 @@ TEST(PatchSets, NodesOnABoundarySetJoinIt) {
   const auto& set = node_set(cracked.mesh, "EDGE").nodes;
   EXPECT_EQ(std::set<NodeId>(set.begin(), set.end()), expected); // both mouth nodes too
   EXPECT_EQ(set.size(), expected.size());
-  EXPECT_TRUE(expected.contains(cracked.lips[0].left[0]));
-  EXPECT_TRUE(expected.contains(cracked.lips[0].right[0]));
+  EXPECT_TRUE(expected.contains(cracked.faces[0].left[0]));
+  EXPECT_TRUE(expected.contains(cracked.faces[0].right[0]));
 }
 
 TEST(PatchSets, SetOfAllNodesTakesAllNewOnes) {
