@@ -100,7 +100,10 @@ double k2_zero_angle(double K1, double K2) {
 
 KinkFunctions kink_functions(double angle) {
   const double m = angle / P;
-  return {in_squares(f11, m), m * in_squares(f12, m), m * in_squares(f21, m), in_squares(f22, m)};
+  return {.F11 = in_squares(f11, m),
+          .F12 = m * in_squares(f12, m),
+          .F21 = m * in_squares(f21, m),
+          .F22 = in_squares(f22, m)};
 }
 
 double kink_angle(Criterion criterion, double K1, double K2) {

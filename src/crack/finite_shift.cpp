@@ -145,8 +145,10 @@ double shifted_release_rate(const TipSetting& set, const ExtensionField& field, 
                             const base::Vector& u) {
   const std::map<base::NodeId, double> q(field.q.begin(), field.q.end());
   const std::vector<BodyField> fields = body_fields(set);
-  const double back = potential_energy({set, q, -s, u, fields}, field);
-  const double ahead = potential_energy({set, q, s, u, fields}, field);
+  const double back =
+      potential_energy({.set = set, .q = q, .s = -s, .u = u, .fields = fields}, field);
+  const double ahead =
+      potential_energy({.set = set, .q = q, .s = s, .u = u, .fields = fields}, field);
   return (back - ahead) / (2.0 * s);
 }
 

@@ -203,9 +203,11 @@ StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedM
     for (std::size_t k = 0; k < partners; ++k) {
       sum[k] += more[k];
     }
-    DomainValue value{field.rings, factors.K() * sum[1],
-                      front.symmetric_half ? 0.0 : factors.K() * sum[2], factors.halves * sum[0],
-                      factors.T() * sum[3] + T_of_tip};
+    DomainValue value{.rings = field.rings,
+                      .K1 = factors.K() * sum[1],
+                      .K2 = front.symmetric_half ? 0.0 : factors.K() * sum[2],
+                      .G = factors.halves * sum[0],
+                      .T = factors.T() * sum[3] + T_of_tip};
     const bool jumps = set.affine && jumps_in(set, field);
     if (request.shift && !jumps) {
       const double G =

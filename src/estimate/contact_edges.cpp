@@ -109,8 +109,10 @@ void add_closed(const std::vector<ContactEdge>& edges, const contact::PairRows& 
   for (const ContactEdge& edge : edges) {
     if (edge.covered && !edge.rows.empty() &&
         std::ranges::all_of(edge.rows, [&](std::size_t r) { return bonded || closed[r]; })) {
-      result.push_back({&edge, bonded, pair.contact.stiffness / pair.target.stiffness,
-                        loaded && edge.target_side && !edge.opposite});
+      result.push_back({.at = &edge,
+                        .bonded = bonded,
+                        .support = pair.contact.stiffness / pair.target.stiffness,
+                        .loaded = loaded && edge.target_side && !edge.opposite});
     }
   }
 }

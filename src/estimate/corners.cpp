@@ -166,7 +166,11 @@ private:
       }
     }
     for (const auto& [n, own] : elements) {
-      found.push_back({n, of_point, points[n], own, neighbourhood(own)});
+      found.push_back({.node = n,
+                       .exponent = of_point,
+                       .held_alone = points[n],
+                       .elements = own,
+                       .around = neighbourhood(own)});
     }
   }
 
@@ -200,9 +204,10 @@ private:
       }
       const std::size_t next = (i + 1) % corners;
       const std::size_t last = (i + corners - 1) % corners;
-      Slice slice{e, set_.edges.edge(e, static_cast<int>(i)),
-                  set_.edges.edge(e, static_cast<int>(last)),
-                  direction(mesh, nodes[i], nodes[next], nodes[corners + i]), 0.0};
+      Slice slice{.element = e,
+                  .out = set_.edges.edge(e, static_cast<int>(i)),
+                  .in = set_.edges.edge(e, static_cast<int>(last)),
+                  .from = direction(mesh, nodes[i], nodes[next], nodes[corners + i])};
       slice.to =
           ahead_of(slice.from, direction(mesh, nodes[i], nodes[last], nodes[corners + last]));
       slices_[nodes[i].index()].push_back(slice);
@@ -308,7 +313,7 @@ private:
     if (exponent >= nearly_regular) {
       return;
     }
-    Corner corner{node, exponent, {}, {}, {}};
+    Corner corner{.node = node, .exponent = exponent, .elements = {}, .around = {}};
     for (const Slice& slice : list) {
       corner.elements.push_back(slice.element);
     }

@@ -104,7 +104,9 @@ std::vector<Piece> pieces_of(const Wedge& wedge) {
     const int count = std::max(1, static_cast<int>(std::ceil((sector.to - sector.from) / widest)));
     const double width = (sector.to - sector.from) / count;
     for (int i = 0; i < count; ++i) {
-      pieces.push_back({sector.from + i * width, sector.from + (i + 1) * width, &sector.law});
+      pieces.push_back({.from = sector.from + i * width,
+                        .to = sector.from + (i + 1) * width,
+                        .law = &sector.law});
     }
   }
   return pieces;
@@ -114,8 +116,9 @@ Pencil pencil_of(const Wedge& wedge) {
   const std::vector<Piece> pieces = pieces_of(wedge);
   const auto ends = static_cast<Eigen::Index>(degree * pieces.size());
   const Eigen::Index size = 2 * (wedge.whole ? ends : ends + 1);
-  Pencil pencil{base::Matrix::Zero(size, size), base::Matrix::Zero(size, size),
-                base::Matrix::Zero(size, size)};
+  Pencil pencil{.K0 = base::Matrix::Zero(size, size),
+                .K1 = base::Matrix::Zero(size, size),
+                .M = base::Matrix::Zero(size, size)};
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     std::array<Eigen::Index, nodes> at{};
     for (std::size_t i = 0; i < nodes; ++i) {

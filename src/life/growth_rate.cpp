@@ -54,8 +54,10 @@ MeasuredRates secants(std::span<const Reading> readings) {
     const Reading& before = readings[i - 1];
     const Reading& now = readings[i];
     const double passed = now.cycles - before.cycles;
-    found.points.push_back({0.5 * (before.cycles + now.cycles), 0.5 * (before.a + now.a),
-                            (now.a - before.a) / passed, both_ends / passed});
+    found.points.push_back({.cycles = 0.5 * (before.cycles + now.cycles),
+                            .a = 0.5 * (before.a + now.a),
+                            .rate = (now.a - before.a) / passed,
+                            .half_width = both_ends / passed});
   }
   return found;
 }
@@ -86,7 +88,10 @@ Parabola fit(std::span<const Reading> window, bool logarithmic) {
   const Eigen::Matrix3d R = qr.matrixQR().topRows<3>().triangularView<Eigen::Upper>();
   const Eigen::Vector3d contrast =
       R.transpose().triangularView<Eigen::Lower>().solve(Eigen::Vector3d::Unit(1));
-  return {b[0], b[1] / scale, contrast.norm() / scale, (y - X * b).squaredNorm()};
+  return {.value = b[0],
+          .slope = b[1] / scale,
+          .slope_error = contrast.norm() / scale,
+          .square = (y - X * b).squaredNorm()};
 }
 
 MeasuredRates polynomials(std::span<const Reading> readings, std::size_t window, bool logarithmic) {
@@ -100,8 +105,10 @@ MeasuredRates polynomials(std::span<const Reading> readings, std::size_t window,
     const double a = logarithmic ? std::exp(p.value) : p.value;
     const double by_value = logarithmic ? a : 1.0;
     const double deviation = std::sqrt(p.square / freedoms);
-    found.points.push_back({part[window / 2].cycles, a, by_value * p.slope,
-                            quantile * by_value * p.slope_error * deviation});
+    found.points.push_back({.cycles = part[window / 2].cycles,
+                            .a = a,
+                            .rate = by_value * p.slope,
+                            .half_width = quantile * by_value * p.slope_error * deviation});
     square += p.square / freedoms;
   }
   found.scatter = std::sqrt(square / static_cast<double>(found.points.size()));
@@ -122,7 +129,10 @@ MeasuredRates splines(std::span<const Reading> readings) {
   const double quantile = student_quantile(static_cast<double>(x.size()) - curve.freedoms);
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double a = std::exp(curve.value[i]);
-    found.points.push_back({x[i], a, a * curve.slope[i], quantile * a * curve.slope_error[i]});
+    found.points.push_back({.cycles = x[i],
+                            .a = a,
+                            .rate = a * curve.slope[i],
+                            .half_width = quantile * a * curve.slope_error[i]});
   }
   return found;
 }

@@ -12,7 +12,7 @@ namespace spricka::life {
 namespace {
 
 LoadCycle cycle(double from, double to, double count) {
-  return {std::min(from, to), std::max(from, to), count};
+  return {.low = std::min(from, to), .high = std::max(from, to), .count = count};
 }
 
 // The history from its highest point round to it again.

@@ -102,7 +102,7 @@ Spectrum::Spectrum(const std::vector<LoadCycle>& counted) {
   }
   cycles_.reserve(counted.size());
   for (std::size_t i = 0; i < counted.size(); ++i) {
-    cycles_.push_back({level[2 * i], level[2 * i + 1], counted[i].count});
+    cycles_.push_back({.low = level[2 * i], .high = level[2 * i + 1], .count = counted[i].count});
   }
   std::sort(cycles_.begin(), cycles_.end(), [](const IndexedCycle& a, const IndexedCycle& b) {
     return a.low != b.low ? a.low < b.low : a.high != b.high ? a.high < b.high : a.count < b.count;
@@ -132,7 +132,7 @@ Spectrum Spectrum::of_sequence(std::vector<double> history, bool repeated) {
   assert(!history.empty());
   std::vector<LoadCycle> counted = rainflow(history, repeated);
   if (counted.empty()) { // a constant load
-    counted.push_back({history.front(), history.front(), 0.0});
+    counted.push_back({.low = history.front(), .high = history.front(), .count = 0.0});
   }
   Spectrum spectrum(counted);
   if (repeated) {
@@ -155,7 +155,7 @@ std::vector<LoadCycle> Spectrum::cycles() const {
   std::vector<LoadCycle> all;
   all.reserve(cycles_.size());
   for (const IndexedCycle& cycle : cycles_) {
-    all.push_back({levels_[cycle.low], levels_[cycle.high], cycle.count});
+    all.push_back({.low = levels_[cycle.low], .high = levels_[cycle.high], .count = cycle.count});
   }
   return all;
 }

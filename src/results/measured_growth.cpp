@@ -22,7 +22,10 @@ TestComparison compare(const GrowthTest& test, double from, double to) {
     sum.inside += !(point.computed < point.low) && !(point.computed > point.high) ? 1.0 : 0.0;
   }
   const double n = sum.points;
-  return {sum.points, std::exp(sum.ratio / n), std::sqrt(sum.rms / n), sum.inside / n};
+  return {.points = sum.points,
+          .ratio = std::exp(sum.ratio / n),
+          .rms = std::sqrt(sum.rms / n),
+          .inside = sum.inside / n};
 }
 
 double measured_k_at(const GrowthTest& test, double a) {

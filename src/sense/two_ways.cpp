@@ -74,9 +74,10 @@ Ways energy(const results::StepResult& step, const results::TipResult& tip, doub
   const double bar = bar_of(tip, K);
   const double other = std::copysign(std::sqrt(std::abs(tip.G) / tip.G_from_K), tip.G);
   const double apart = std::abs(other - 1.0);
-  return {apart, std::max(of_energy, in_bars * bar) + left_of_K1(step, tip) / K,
-          fmt::format("G = {:.5g} and (K1^2 + K2^2)/E' = {:.5g} are {}", tip.G, tip.G_from_K,
-                      apart_text(apart, bar))};
+  return {.apart = apart,
+          .allowed = std::max(of_energy, in_bars * bar) + left_of_K1(step, tip) / K,
+          .what = fmt::format("G = {:.5g} and (K1^2 + K2^2)/E' = {:.5g} are {}", tip.G,
+                              tip.G_from_K, apart_text(apart, bar))};
 }
 
 Ways domains(const results::TipResult& tip, double K) {
@@ -86,9 +87,10 @@ Ways domains(const results::TipResult& tip, double K) {
   const auto [low, high] = std::ranges::minmax(tip.K1_domain);
   const double bar = tip.no_bar.empty() ? tip.bar[0].size() / K : 0.0;
   const double apart = (high - low) / K;
-  return {apart, std::max(of_domains, in_bars * bar),
-          fmt::format("K1 of the domains goes from {:.5g} to {:.5g}, {}", low, high,
-                      apart_text(apart, bar))};
+  return {.apart = apart,
+          .allowed = std::max(of_domains, in_bars * bar),
+          .what = fmt::format("K1 of the domains goes from {:.5g} to {:.5g}, {}", low, high,
+                              apart_text(apart, bar))};
 }
 
 Ways opening(const results::TipResult& tip, double K) {
@@ -98,9 +100,11 @@ Ways opening(const results::TipResult& tip, double K) {
   const std::array<double, 2>& other = *tip.K_opening;
   const double bar = bar_of(tip, K);
   const double apart = std::hypot(other[0] - tip.K1, other[1] - tip.K2) / K;
-  return {apart, std::max(of_opening, in_bars * bar),
-          fmt::format("K1 = {:.5g}, K2 = {:.5g}, by the opening of the faces {:.5g}, {:.5g}: {}",
-                      tip.K1, tip.K2, other[0], other[1], apart_text(apart, bar))};
+  return {.apart = apart,
+          .allowed = std::max(of_opening, in_bars * bar),
+          .what = fmt::format(
+              "K1 = {:.5g}, K2 = {:.5g}, by the opening of the faces {:.5g}, {:.5g}: {}", tip.K1,
+              tip.K2, other[0], other[1], apart_text(apart, bar))};
 }
 
 // Whether K is what round-off leaves of displacements that do not open the crack, or of pressure

@@ -100,7 +100,12 @@ void add_candidates(const Scene& scene, const StepState& state, std::size_t c,
   const std::vector<bool> sharp = beside_sharp_ends(pair, closed);
   for (std::size_t r = 0; r < ends.size(); ++r) {
     if (ends[r] || sharp[r]) {
-      found.push_back({c, r, scene.table.first[c] + r, closed[r], ends[r], sharp[r]});
+      found.push_back({.pair = c,
+                       .local = r,
+                       .row = scene.table.first[c] + r,
+                       .closed = closed[r],
+                       .end = ends[r],
+                       .sharp = sharp[r]});
     }
   }
 }

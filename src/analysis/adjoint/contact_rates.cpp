@@ -19,7 +19,7 @@ FrozenContact::FrozenContact(const StepSolver& solver, const Scene& scene, const
   double force_size = 0.0;
   double gap_size = 0.0;
   for (std::size_t i = 0; i < demand.rows.size(); ++i) {
-    Row row{demand.rows[i], demand.equality[i], demand.start[i], false, 0.0, 0.0};
+    Row row{.row = demand.rows[i], .equality = demand.equality[i], .closed = demand.start[i]};
     const std::size_t c = scene.table.contact_of(row.row);
     const std::size_t local = row.row - scene.table.first[c];
     row.force = state.pair_lambda[c][static_cast<Eigen::Index>(local)];

@@ -64,11 +64,28 @@ estimate::PointGiving add_corners(const model::Model& model, const Scene& scene,
                                   std::vector<estimate::GoalError>& errors) {
   const std::vector<base::NodeId> tips = tip_nodes(scene);
   const std::vector<bool> tied = tied_nodes({model, scene, state, request.enrichment.edges()});
-  const estimate::CornerSetting setting{
-      model, scene.cracked.mesh, request.enrichment.edges(), scene.cls, *scene.ties, tips, &tied};
+  const estimate::CornerSetting setting{.model = model,
+                                        .mesh = scene.cracked.mesh,
+                                        .edges = request.enrichment.edges(),
+                                        .cls = scene.cls,
+                                        .ties = *scene.ties,
+                                        .tips = tips,
+                                        .tied = &tied};
   const std::vector<estimate::Corner> corners = estimate::singular_corners(setting);
   estimate::raise_at_corners(request, corners, errors);
   return estimate::point_giving(setting, corners, state.reaction, request.goal.z);
+}
+
+results::KBar k_bar(const estimate::GoalError& error, double flip, const estimate::ErrorBar& bar) {
+  return {.eta = error.eta,
+          .sum = error.sum,
+          .flip = flip,
+          .mesh = bar.mesh,
+          .edge = bar.edge,
+          .floor = bar.floor,
+          .best = bar.best,
+          .cancels = bar.cancels,
+          .of_element = error.of_element};
 }
 
 // K that is 0 whatever the mesh has no bar: K1 where faces touch, both where nothing loads the
@@ -283,7 +300,7 @@ void ErrorBars::add(const StepState& state, const std::vector<estimate::Adjoint>
     base::Matrix g = goals_;
     add_pressures(state, adjoints, f, g);
     const estimate::ModeMap map = modes(state);
-    const estimate::GoalRequest request{state.u, z, f, g};
+    const estimate::GoalRequest request{.u = state.u, .z = z, .load = f, .goals = g};
     errors = estimate::goal_errors(*enrichment_, map, request);
     giving = add_corners(model_, scene_, state,
                          {*enrichment_, map, request, fixed_freedoms(scene_, state)}, errors);
@@ -310,13 +327,13 @@ void ErrorBars::add(const StepState& state, const std::vector<estimate::Adjoint>
           &errors[static_cast<std::size_t>(layout.at(t, 2))]};
       const std::array<double, 2> K{tip.K1, tip.K2};
       const ContactFlips& flip = flips[t];
-      const std::array<estimate::ErrorBar, 2> bars = estimate::error_bars(
-          scene_.cracked.mesh, K, own,
-          {estimate::Flip{flip.ends[0], flip.sharp[0]}, {flip.ends[1], flip.sharp[1]}}, coarse);
+      const std::array<estimate::ErrorBar, 2> bars =
+          estimate::error_bars(scene_.cracked.mesh, K, own,
+                               {estimate::Flip{.end = flip.ends[0], .sharp = flip.sharp[0]},
+                                estimate::Flip{.end = flip.ends[1], .sharp = flip.sharp[1]}},
+                               coarse);
       for (std::size_t k = 0; k < 2; ++k) {
-        tip.bar[k] = {own[k]->eta,  own[k]->sum,     flip.ends[static_cast<Eigen::Index>(k)],
-                      bars[k].mesh, bars[k].edge,    bars[k].floor,
-                      bars[k].best, bars[k].cancels, own[k]->of_element};
+        tip.bar[k] = k_bar(*own[k], flip.ends[static_cast<Eigen::Index>(k)], bars[k]);
       }
       clear_exact(scene_.cracked.mesh.element_count(), tip);
       tip.no_bar = why_no_limit(scene_, giving, t, tip);

@@ -47,7 +47,7 @@ std::optional<life::Spectrum> spectrum_of(const model::Model& model) {
   }
   std::vector<life::LoadCycle> cycles;
   for (const auto& [low, high, count] : card.cycles) {
-    cycles.push_back({low, high, count});
+    cycles.push_back({.low = low, .high = high, .count = count});
   }
   return life::Spectrum::of_cycles(std::move(cycles));
 }
@@ -90,8 +90,18 @@ double place_of_largest(const base::PiecewiseLinear& K1, double low, double high
 life::GrowthLaw law_of(const model::Growth& growth) {
   const model::LawConstants& c = growth.constants;
   return {kind_of(growth.law),
-          {c.C, c.m, c.p, c.q, c.alpha, c.stress_ratio, c.threshold, c.k_c, c.k_unit, c.a_unit,
-           c.delta_k, c.growth}};
+          {.C = c.C,
+           .m = c.m,
+           .p = c.p,
+           .q = c.q,
+           .alpha = c.alpha,
+           .stress_ratio = c.stress_ratio,
+           .threshold = c.threshold,
+           .k_c = c.k_c,
+           .k_unit = c.k_unit,
+           .a_unit = c.a_unit,
+           .delta_k = c.delta_k,
+           .growth = c.growth}};
 }
 
 GrowthMeasure::GrowthMeasure(const model::Model& model)

@@ -47,6 +47,19 @@ std::vector<std::array<double, 2>> ranges_of(const life::Spectrum& spectrum) {
   return ranges;
 }
 
+results::GrowingTip record_of(const std::string& name, const growth::TipStation& t) {
+  return {.name = name,
+          .a = base::tidy(t.a),
+          .K_max = t.K_max,
+          .K_min = t.K_min,
+          .K2_max = t.K2_max,
+          .rate = t.rate,
+          .turn = t.turn,
+          .x = base::Vec3(t.x, t.y, 0.0),
+          .first_max = t.first_max,
+          .first_min = t.first_min};
+}
+
 } // namespace
 
 results::Growth growth_records(const model::Model& model, const growth::March& march,
@@ -78,8 +91,7 @@ results::Growth growth_records(const model::Model& model, const growth::March& m
     station.cycles = at_station;
     for (std::size_t tip = 0; tip < out.tips.size(); ++tip) {
       const growth::TipStation& t = stations[i].tips[tip];
-      station.tips.push_back({out.tips[tip], base::tidy(t.a), t.K_max, t.K_min, t.K2_max, t.rate,
-                              t.turn, base::Vec3(t.x, t.y, 0.0), t.first_max, t.first_min});
+      station.tips.push_back(record_of(out.tips[tip], t));
       station.passes = std::max(station.passes, static_cast<int>(t.passes));
       station.change = std::max(station.change, t.change);
     }

@@ -166,7 +166,8 @@ bool LoadHistory::begin(const HistoryProgram& program, const CarriedState& carri
   }
   before.clear();
   WayOfK grown; // under the loads they had
-  return go({place->factors, marks[program.grow_at].t, 1}, grown, trouble);
+  return go({.factors = place->factors, .t = marks[program.grow_at].t, .increments = 1}, grown,
+            trouble);
 }
 
 bool LoadHistory::follow(StepSolver& solver, CarriedState& carried, FollowedLoads& out,

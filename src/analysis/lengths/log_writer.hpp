@@ -13,7 +13,8 @@ class LogWriter {
 public:
   explicit LogWriter(std::vector<results::LogLine>& lines) : lines_(lines) {}
   void add(const std::string& processor, const std::string& text) {
-    lines_.push_back({processor, text, watch_.cpu(), watch_.wall()});
+    lines_.push_back(
+        {.processor = processor, .text = text, .cpu = watch_.cpu(), .wall = watch_.wall()});
     watch_ = base::Stopwatch();
   }
 

@@ -82,13 +82,18 @@ void add_places(const model::Model& model, const WideBar& wide, std::vector<Plac
       const results::ContactPoint& b = contact.points[i];
       if ((a.state == results::ContactState::open) != (b.state == results::ContactState::open)) {
         const base::CrackId faces = crack_of_faces(model, contact.name);
-        places.push_back({0.5 * (a.x + b.x).head<2>(), factor, faces, 0.0, faces.valid()});
+        places.push_back({.at = 0.5 * (a.x + b.x).head<2>(),
+                          .factor = factor,
+                          .crack = faces,
+                          .on_faces = faces.valid()});
       }
     }
     for (const base::Vec3& x : contact.unbounded) {
       if (wide.bar.edge - ends > least_share * may) {
-        places.push_back(
-            {x.head<2>(), factor, wide.crack, patch_size(wide.increment, x.head<2>()), false});
+        places.push_back({.at = x.head<2>(),
+                          .factor = factor,
+                          .crack = wide.crack,
+                          .patch = patch_size(wide.increment, x.head<2>())});
       }
     }
   }

@@ -60,7 +60,7 @@ struct Rest {
   double sum = 0.0, allowed = 0.0;
 };
 Rest share_peaks(const std::vector<double>& error, double sum, double allowed, Factors& factors) {
-  Rest rest{error, 0.0, allowed};
+  Rest rest{.error = error, .allowed = allowed};
   rest.error.resize(factors.host.size());
   const std::vector<bool> peaks = peaks_of(error, rest.error.size(), sum);
   double high = 0.0;

@@ -68,8 +68,14 @@ std::vector<WideBar> wide_bars(const model::Model& model, const results::Run& ru
                  const double allowed = tolerance * std::hypot(tip.K1, tip.K2);
                  for (std::size_t m = 0; m < 2 && tip.no_bar.empty(); ++m) {
                    if (tip.bar[m].size() > allowed && allowed > 0.0) {
-                     list.push_back({increment, step, tip, tip.bar[m], static_cast<int>(m) + 1,
-                                     crack_of(model, tip.name), allowed, tolerance});
+                     list.push_back({.increment = increment,
+                                     .step = step,
+                                     .tip = tip,
+                                     .bar = tip.bar[m],
+                                     .mode = static_cast<int>(m) + 1,
+                                     .crack = crack_of(model, tip.name),
+                                     .allowed = allowed,
+                                     .wanted = tolerance});
                    }
                  }
                });

@@ -141,10 +141,15 @@ CarriedState CarriedState::load(const results::NamedArrays& arrays) {
   state.alpha_ = reals("carried.alpha");
   for (std::size_t c = 0; c < static_cast<std::size_t>(count->second.at(0)); ++c) {
     const std::vector<double> of_pair = reals(name_of(c, "state"));
-    state.contacts_.push_back({integers(name_of(c, "key")), reals(name_of(c, "offset")),
-                               reals(name_of(c, "slip")), reals(name_of(c, "path")),
-                               reals(name_of(c, "pressure")), integers(name_of(c, "touch")),
-                               of_pair.at(0), of_pair.at(1), of_pair.at(2) != 0.0});
+    state.contacts_.push_back({.key = integers(name_of(c, "key")),
+                               .offset = reals(name_of(c, "offset")),
+                               .slip = reals(name_of(c, "slip")),
+                               .path = reals(name_of(c, "path")),
+                               .pressure = reals(name_of(c, "pressure")),
+                               .touch = integers(name_of(c, "touch")),
+                               .work = of_pair.at(0),
+                               .fit = of_pair.at(1),
+                               .mounted = of_pair.at(2) != 0.0});
     Pair& pair = state.contacts_.back();
     pair.pressure.resize(pair.slip.size()); // all zeros may have been left out
   }

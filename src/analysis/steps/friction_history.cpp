@@ -9,12 +9,12 @@ namespace spricka::analysis {
 FrictionHistory::FrictionHistory(const Scene& scene)
     : scene_(scene), normal_of_(scene.table.size(), -1), contact_of_(scene.table.size(), 0) {
   const std::size_t rows = scene.table.size();
-  memory_ = {std::vector<solve::Touch>(rows, solve::Touch::stick),
-             std::vector<double>(rows, 0.0),
-             std::vector<double>(rows, 0.0),
-             std::vector<double>(rows, 0.0),
-             std::vector<double>(scene.pairs.size(), 0.0),
-             {}};
+  memory_ = {.touch = std::vector<solve::Touch>(rows, solve::Touch::stick),
+             .slip = std::vector<double>(rows, 0.0),
+             .path = std::vector<double>(rows, 0.0),
+             .pressure = std::vector<double>(rows, 0.0),
+             .work = std::vector<double>(scene.pairs.size(), 0.0),
+             .alpha = {}};
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     const std::size_t first = scene.table.first[c];
     const std::size_t normals = scene.pairs[c].normal.size();

@@ -2,7 +2,6 @@
 #pragma once
 #include "analysis/bodies/condense_bodies.hpp"
 #include "analysis/scene/scene.hpp"
-#include "analysis/steps/step_state.hpp"
 #include "base/outcome.hpp"
 #include "model/model.hpp"
 #include "results/preview.hpp"

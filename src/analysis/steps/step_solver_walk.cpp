@@ -145,7 +145,7 @@ std::optional<contact::ContactSystem::Answer> StepSolver::walk(const StepFactors
                                                                const model::Step& step,
                                                                StepState& state,
                                                                base::Trouble& trouble) {
-  Walk way{from, factors_, demand(), {}, 0, 0, 0, nullptr};
+  Walk way{.from = from, .to = factors_, .demand = demand(), .answer = {}};
   const bool rubs = !way.demand.friction.empty();
   if (rubs) {
     if (!walk_rubbing(way, step, state, trouble)) {
@@ -187,7 +187,7 @@ bool StepSolver::walk_rubbing(Walk& walk, const model::Step& step, StepState& st
   const bool given = step.substeps > 0;
   Halving cut;
   if (given) {
-    cut = {step.substeps == 1 ? 2 : step.substeps / 2, step.substeps, 0.0, 0.0};
+    cut = {.before = step.substeps == 1 ? 2 : step.substeps / 2, .now = step.substeps};
   }
   base::Trouble coarse;
   const bool compared = march(walk, start, cut.before, coarse);
@@ -252,7 +252,7 @@ void StepSolver::go_back(const Place& place) {
 
 std::optional<contact::ContactSystem::Answer>
 StepSolver::go_to(const StepFactors& to, int increments, const Seen& seen, base::Trouble& trouble) {
-  Walk way{factors_, to, {}, {}, 0, 0, 0, &seen};
+  Walk way{.from = factors_, .to = to, .demand = {}, .answer = {}, .seen = &seen};
   for (int k = 0; k < increments; ++k) {
     const double n = increments;
     if (!advance(way, {k / n, (k + 1) / n}, 0)) {

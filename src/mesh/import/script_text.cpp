@@ -73,7 +73,7 @@ ScriptText with_parameters(const std::string& text, const ScriptScan& scan,
       if (!constants.contains(other)) { // it may be used without a definition
         names.insert(other);
         if (scan.words.contains(other) && !assigned.contains(other)) {
-          used.push_back({other, true, true, value, {}});
+          used.push_back({.name = other, .from_deck = true, .value = value, .text = {}});
         }
       }
     }
@@ -83,8 +83,10 @@ ScriptText with_parameters(const std::string& text, const ScriptScan& scan,
   }
   result.text += text;
   for (const ScriptName& constant : scan.constants) {
-    result.constants.push_back(
-        {constant.name, true, from_deck.contains(constant.name), std::nullopt, constant.text});
+    result.constants.push_back({.name = constant.name,
+                                .from_deck = from_deck.contains(constant.name),
+                                .value = std::nullopt,
+                                .text = constant.text});
   }
   for (ScriptConstant& constant : used) {
     const bool met = std::any_of(result.constants.begin(), result.constants.end(),
@@ -98,7 +100,8 @@ ScriptText with_parameters(const std::string& text, const ScriptScan& scan,
         std::any_of(request.parameters.begin(), request.parameters.end(),
                     [&](const auto& parameter) { return parameter.first == own.name; });
     if (is_parameter && !constants.contains(own.name)) {
-      result.constants.push_back({own.name, false, false, std::nullopt, {}});
+      result.constants.push_back(
+          {.name = own.name, .defined = false, .value = std::nullopt, .text = {}});
     }
   }
   return result;

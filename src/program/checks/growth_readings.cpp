@@ -218,8 +218,17 @@ results::GrowthTest invert(const model::Model& model, const results::Run& run,
   const life::GrowthLaw reference = reference_of(model, card);
   for (const life::MeasuredK& k :
        life::measured_K(rates, reference, [&](double a) { return computed.R(a); })) {
-    test.points.push_back({k.cycles, k.a, k.rate, k.rate_low, k.rate_high, k.R, k.K_max, k.low,
-                           k.high, computed.K(k.a), k.covered});
+    test.points.push_back({.cycles = k.cycles,
+                           .a = k.a,
+                           .rate = k.rate,
+                           .rate_low = k.rate_low,
+                           .rate_high = k.rate_high,
+                           .R = k.R,
+                           .K = k.K_max,
+                           .low = k.low,
+                           .high = k.high,
+                           .computed = computed.K(k.a),
+                           .covered = k.covered});
   }
   compare_lives(computed, reference, test);
   add_notes(test);

@@ -8,6 +8,7 @@
 #include "program/job/out_of_memory.hpp"
 #include "program/job/standard_streams.hpp"
 #include "program/job/written_out.hpp"
+#include "program/shell/trouble.hpp"
 
 #include <algorithm>
 #include <csignal>
@@ -18,11 +19,6 @@
 namespace spricka::program {
 
 namespace {
-
-struct Trouble {
-  std::string text;
-  std::string hint;
-};
 
 bool is_option(const std::string& word) {
   return word.size() > 1 && word.front() == '-';
@@ -50,42 +46,44 @@ std::vector<std::string> command_names(CLI::App& app) {
 }
 
 // What was not understood, and what was probably meant.
-Trouble explain(CommandTree& tree, const CLI::ParseError& error) {
+base::NoAnswer explain(CommandTree& tree, const CLI::ParseError& error) {
   const CLI::App* command = tree.chosen();
   const CLI::App& place = command != nullptr ? *command : tree.app();
   const std::vector<std::string> extras = place.remaining();
   const auto option = std::find_if(extras.begin(), extras.end(), is_option);
   if (option != extras.end()) {
     const std::string name = option->substr(0, option->find('='));
-    return {fmt::format("there is no option {}", name), base::suggest(name, option_names(place))};
+    return misuse(fmt::format("there is no option {}", name),
+                  base::suggest(name, option_names(place)));
   }
   if (command == nullptr && !extras.empty() && extras.front().ends_with(".deck")) {
-    return {"a command is missing", fmt::format("did you mean spricka run {}?", extras.front())};
+    return misuse("a command is missing",
+                  fmt::format("did you mean spricka run {}?", extras.front()));
   }
   if (command == nullptr && !extras.empty()) {
-    return {fmt::format("there is no command '{}'", extras.front()),
-            base::suggest(extras.front(), command_names(tree.app()))};
+    return misuse(fmt::format("there is no command '{}'", extras.front()),
+                  base::suggest(extras.front(), command_names(tree.app())));
   }
   if (command == nullptr) {
-    return {"a command is missing",
-            fmt::format("one of: {}", fmt::join(command_names(tree.app()), ", "))};
+    return misuse("a command is missing",
+                  fmt::format("one of: {}", fmt::join(command_names(tree.app()), ", ")));
   }
   if (!extras.empty()) {
-    return {fmt::format("'{}' is one argument too many", extras.front()), {}};
+    return misuse(fmt::format("'{}' is one argument too many", extras.front()));
   }
-  return {error.what(), {}};
+  return misuse(error.what());
 }
 
 base::Outcome report(CommandTree& tree, const CLI::ParseError& error) {
-  const Trouble trouble = explain(tree, error);
+  const base::NoAnswer answer = explain(tree, error);
   const std::string called =
       tree.chosen() == nullptr ? "spricka" : fmt::format("spricka {}", tree.chosen()->get_name());
-  to_stderr(fmt::format("{}: {}\n", called, trouble.text));
-  if (!trouble.hint.empty()) {
-    to_stderr(fmt::format("       = {}\n", trouble.hint));
+  to_stderr(fmt::format("{}: {}\n", called, answer.why));
+  if (!answer.hint.empty()) {
+    to_stderr(fmt::format("       = {}\n", answer.hint));
   }
   to_stderr(fmt::format("       = {} --help shows how it is called\n", called));
-  return base::Outcome::usage;
+  return answer.kind;
 }
 
 } // namespace

@@ -30,8 +30,11 @@ std::vector<SweepCell> cells_from(const json& list) {
   for (const json& c : list) {
     const double value =
         c.at(4).is_null() ? std::numeric_limits<double>::quiet_NaN() : c.at(4).get<double>();
-    cells.push_back({c.at(0).get<std::string>(), c.at(1).get<std::string>(),
-                     c.at(2).get<std::string>(), c.at(3).get<int>(), value});
+    cells.push_back({.quantity = c.at(0).get<std::string>(),
+                     .name = c.at(1).get<std::string>(),
+                     .step = c.at(2).get<std::string>(),
+                     .increment = c.at(3).get<int>(),
+                     .value = value});
   }
   return cells;
 }

@@ -16,8 +16,10 @@ std::vector<results::ScriptConstant> script_constants(const ReadyDeck& deck) {
     }
     for (const mesh::ScriptConstant& c : script.constants) {
       if (c.defined) {
-        result.push_back({file, c.name, c.value ? fmt::format("{:.10g}", *c.value) : c.text,
-                          c.from_deck ? "deck" : "file"});
+        result.push_back({.file = file,
+                          .name = c.name,
+                          .value = c.value ? fmt::format("{:.10g}", *c.value) : c.text,
+                          .from = c.from_deck ? "deck" : "file"});
       }
     }
   }

@@ -63,8 +63,12 @@ void add_quality(const model::Model& model, const model::Mesh& mesh, const std::
   }
   const auto add = [&](const char* measure, const mesh::WorstElement& worst, double unit) {
     const std::size_t e = worst.element.index();
-    list.push_back({where, measure, worst.value / unit, net_name(model, mesh.element_net[e]),
-                    mesh.element_label[e], worst.at});
+    list.push_back({.where = where,
+                    .measure = measure,
+                    .value = worst.value / unit,
+                    .net = net_name(model, mesh.element_net[e]),
+                    .element = mesh.element_label[e],
+                    .at = worst.at});
   };
   add("scaled Jacobian", quality->scaled_jacobian, 1.0);
   add("aspect", quality->aspect, 1.0);

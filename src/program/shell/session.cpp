@@ -176,8 +176,13 @@ void ShellSession::set_lengths_on(model::Model& model) const {
 base::Trouble ShellSession::make_bench(bool first, std::unique_ptr<ShellBench>& bench) {
   base::Diagnostics diagnostics;
   base::Trouble trouble;
-  bench = ShellBench::make({*model_, *cache_, *contact_, memory_.get(), first,
-                            options_.threads ? options_.threads(*model_) : 1, options_.stopped},
+  bench = ShellBench::make({.model = *model_,
+                            .cache = *cache_,
+                            .contact = *contact_,
+                            .memory = memory_.get(),
+                            .fills_memory = first,
+                            .threads = options_.threads ? options_.threads(*model_) : 1,
+                            .stopped = options_.stopped},
                            plan_, diagnostics, trouble);
   if (diagnostics.has_errors()) {
     return told_at_places(base::Outcome::deck_error, base::format(deck_->sources, diagnostics));

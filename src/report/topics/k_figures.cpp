@@ -228,8 +228,13 @@ std::vector<Reference> k_references(const model::Model& model, const results::Ru
     const results::TipResult* const found =
         results::find_tip_at(run, *step, *tip, a == nullptr ? 0.0 : *a);
     if (found != nullptr) {
-      references.push_back({*tip, *step, a == nullptr ? found->a : *a, check.value, found->K1,
-                            check.source, found->no_bar.empty() ? found->bar[0].size() : 0.0});
+      references.push_back({.tip = *tip,
+                            .step = *step,
+                            .a = a == nullptr ? found->a : *a,
+                            .wanted = check.value,
+                            .found = found->K1,
+                            .source = check.source,
+                            .bar = found->no_bar.empty() ? found->bar[0].size() : 0.0});
     }
   }
   return references;
