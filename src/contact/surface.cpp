@@ -2,8 +2,6 @@
 #include "contact/surface.hpp"
 
 #include "mesh/boundary.hpp"
-#include "shape/quadrature.hpp"
-#include "shape/topology.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,22 +13,6 @@
 namespace spricka::contact {
 
 namespace {
-
-Edge make_edge(const model::Mesh& mesh, model::Face face) {
-  const std::span<const base::NodeId> nodes = mesh.nodes_of(face.element);
-  const std::span<const int> side = shape::side_nodes(mesh.type[face.element.index()], face.side);
-  Edge edge;
-  edge.count = static_cast<int>(side.size());
-  for (std::size_t i = 0; i < side.size(); ++i) {
-    edge.nodes[i] = nodes[static_cast<std::size_t>(side[i])];
-    edge.x[i] = mesh.x[edge.nodes[i].index()].head<2>();
-  }
-  // exact for the length of a straight edge, 1e-8 for arcs of 30 degrees
-  for (const auto& [r, weight] : shape::line_rule(5)) {
-    edge.length += weight * tangent_on(edge, r[0]).norm();
-  }
-  return edge;
-}
 
 // Kasa's fit: |x|^2 = 2 c.x + (r^2 - |c|^2) in the least-squares sense, about the mean for
 // accuracy.
@@ -75,48 +57,11 @@ std::optional<Circle> fit_circle(const std::vector<Vec2>& points, double extent)
 
 } // namespace
 
-std::array<double, 3> edge_N(const Edge& edge, double xi) {
-  if (edge.count == 2) {
-    return {0.5 * (1.0 - xi), 0.5 * (1.0 + xi), 0.0};
-  }
-  return {0.5 * xi * (xi - 1.0), 0.5 * xi * (xi + 1.0), 1.0 - xi * xi};
-}
-
-std::array<double, 3> edge_dN(const Edge& edge, double xi) {
-  if (edge.count == 2) {
-    return {-0.5, 0.5, 0.0};
-  }
-  return {xi - 0.5, xi + 0.5, -2.0 * xi};
-}
-
 std::array<double, 3> edge_hats(const Edge& edge, double xi) {
   if (edge.count == 2) {
     return {0.5 * (1.0 - xi), 0.5 * (1.0 + xi), 0.0};
   }
   return {std::max(0.0, -xi), std::max(0.0, xi), 1.0 - std::abs(xi)};
-}
-
-Vec2 point_on(const Edge& edge, double xi) {
-  const std::array<double, 3> N = edge_N(edge, xi);
-  Vec2 x = N[0] * edge.x[0] + N[1] * edge.x[1];
-  if (edge.count == 3) {
-    x += N[2] * edge.x[2];
-  }
-  return x;
-}
-
-Vec2 tangent_on(const Edge& edge, double xi) {
-  const std::array<double, 3> dN = edge_dN(edge, xi);
-  Vec2 t = dN[0] * edge.x[0] + dN[1] * edge.x[1];
-  if (edge.count == 3) {
-    t += dN[2] * edge.x[2];
-  }
-  return t;
-}
-
-Vec2 outer_normal(const Edge& edge, double xi) {
-  const Vec2 t = tangent_on(edge, xi).normalized();
-  return {t.y(), -t.x()};
 }
 
 std::vector<const Edge*> edges_of(const Surface& surface) {
@@ -157,7 +102,7 @@ Surface make_surface(const model::Model& model, const model::Mesh& mesh,
     EdgeChain edges;
     edges.closed = chain.closed;
     for (const model::Face face : chain.faces) {
-      const Edge edge = make_edge(mesh, face);
+      const Edge edge = mesh::plane_edge(mesh, face);
       for (int i = 0; i < edge.count; ++i) {
         const Vec2& p = edge.x[static_cast<std::size_t>(i)];
         points.push_back(p);

@@ -2,6 +2,7 @@
 #pragma once
 #include "base/id.hpp"
 #include "base/vec.hpp"
+#include "mesh/plane_edge.hpp"
 #include "model/mesh.hpp"
 #include "model/model.hpp"
 
@@ -15,24 +16,16 @@ namespace spricka::contact {
 
 using base::Vec2;
 
-/// One edge, run with the body on its left; xi = -1 at nodes[0], +1 at nodes[1], mid node last.
-struct Edge {
-  std::array<base::NodeId, 3> nodes;
-  int count = 2; ///< 2 straight, 3 quadratic
-  std::array<Vec2, 3> x;
-  double length = 0.0;
-};
+using Edge = mesh::PlaneEdge;
+using mesh::edge_dN;
+using mesh::edge_N;
+using mesh::outer_normal;
+using mesh::point_on;
+using mesh::tangent_on;
 
-/// Shape functions of an edge and their derivatives at xi; entry 2 is zero for straight edges.
-std::array<double, 3> edge_N(const Edge& edge, double xi);
-std::array<double, 3> edge_dN(const Edge& edge, double xi);
 /// Hats on half edges: piecewise linear, non-negative, sum 1. Pressures of SEGMENT pairs are sums
 /// of these.
 std::array<double, 3> edge_hats(const Edge& edge, double xi);
-Vec2 point_on(const Edge& edge, double xi);
-Vec2 tangent_on(const Edge& edge, double xi); ///< dx/dxi
-/// Unit normal that leaves the body.
-Vec2 outer_normal(const Edge& edge, double xi);
 
 /// A circle that all nodes of a surface lie on.
 struct Circle {

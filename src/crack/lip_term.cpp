@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crack/lip_term.hpp"
 
+#include "mesh/plane_edge.hpp"
 #include "shape/quadrature.hpp"
-#include "shape/topology.hpp"
 
 #include <cmath>
-#include <span>
 
 namespace spricka::crack {
+
+using mesh::PlaneEdge;
 
 namespace {
 
@@ -18,34 +19,8 @@ constexpr int degree = 9;
 // tip inside the body.
 constexpr double inside = 1e-9;
 
-// One side of an element on a face: ends and, if there is one, the middle node; the body on the
-// left from the first end to the second.
-struct FaceEdge {
-  std::array<base::NodeId, 3> node;
-  std::array<base::Vec2, 3> x;
-  std::size_t count = 2;
-};
-
-FaceEdge edge_of(const model::Mesh& mesh, const model::Face& face) {
-  const std::span<const base::NodeId> nodes = mesh.nodes_of(face.element);
-  const std::span<const int> side = shape::side_nodes(mesh.type[face.element.index()], face.side);
-  FaceEdge edge;
-  edge.count = side.size();
-  for (std::size_t i = 0; i < side.size(); ++i) {
-    edge.node[i] = nodes[static_cast<std::size_t>(side[i])];
-    edge.x[i] = mesh.x[edge.node[i].index()].head<2>();
-  }
-  return edge;
-}
-
-std::array<double, 3> shape_at(const FaceEdge& edge, double xi) {
-  return edge.count == 2
-             ? std::array<double, 3>{0.5 * (1.0 - xi), 0.5 * (1.0 + xi), 0.0}
-             : std::array<double, 3>{0.5 * xi * (xi - 1.0), 0.5 * xi * (xi + 1.0), 1.0 - xi * xi};
-}
-std::array<double, 3> slope_at(const FaceEdge& edge, double xi) {
-  return edge.count == 2 ? std::array<double, 3>{-0.5, 0.5, 0.0}
-                         : std::array<double, 3>{xi - 0.5, xi + 0.5, -2.0 * xi};
+std::size_t nodes_of(const PlaneEdge& edge) {
+  return static_cast<std::size_t>(edge.count);
 }
 
 // A point of a face: what integrals along it need.
@@ -57,23 +32,23 @@ struct FacePoint {
   std::array<double, 3> N, dN;
 };
 
-std::vector<FacePoint> points_of(const FaceEdge& edge, base::NodeId tip) {
+std::vector<FacePoint> points_of(const PlaneEdge& edge, base::NodeId tip) {
   std::vector<FacePoint> points;
   for (const auto& [r, weight] : shape::line_rule(degree)) {
     double xi = r[0];
     double w = weight;
-    if (edge.node[0] == tip || edge.node[1] == tip) {
+    if (edge.nodes[0] == tip || edge.nodes[1] == tip) {
       const double t = 0.5 * (1.0 + r[0]);
-      const double from = edge.node[0] == tip ? 1.0 : -1.0;
+      const double from = edge.nodes[0] == tip ? 1.0 : -1.0;
       xi = from * (2.0 * t * t - 1.0);
       w = 2.0 * t * weight;
     }
     FacePoint p;
-    p.N = shape_at(edge, xi);
-    p.dN = slope_at(edge, xi);
+    p.N = edge_N(edge, xi);
+    p.dN = edge_dN(edge, xi);
     p.x = base::Vec2::Zero();
     base::Vec2 dx = base::Vec2::Zero();
-    for (std::size_t i = 0; i < edge.count; ++i) {
+    for (std::size_t i = 0; i < nodes_of(edge); ++i) {
       p.x += p.N[i] * edge.x[i];
       dx += p.dN[i] * edge.x[i];
     }
@@ -87,12 +62,12 @@ std::vector<FacePoint> points_of(const FaceEdge& edge, base::NodeId tip) {
 
 using NodeAreas = std::map<base::NodeId, double>;
 
-NodeAreas areas_of(const std::vector<FaceEdge>& edges, base::NodeId tip) {
+NodeAreas areas_of(const std::vector<PlaneEdge>& edges, base::NodeId tip) {
   NodeAreas area;
-  for (const FaceEdge& edge : edges) {
+  for (const PlaneEdge& edge : edges) {
     for (const FacePoint& p : points_of(edge, tip)) {
-      for (std::size_t i = 0; i < edge.count; ++i) {
-        area[edge.node[i]] += p.w * p.ds * p.N[i];
+      for (std::size_t i = 0; i < nodes_of(edge); ++i) {
+        area[edge.nodes[i]] += p.w * p.ds * p.N[i];
       }
     }
   }
@@ -101,11 +76,11 @@ NodeAreas areas_of(const std::vector<FaceEdge>& edges, base::NodeId tip) {
 
 // Where the pressure of a node acts on an edge: its own function, with that of the tip added to its
 // neighbour's, as no force between the faces is known there.
-std::array<double, 3> pressed(const FaceEdge& edge, const std::array<double, 3>& N,
+std::array<double, 3> pressed(const PlaneEdge& edge, const std::array<double, 3>& N,
                               base::NodeId tip) {
   std::array<double, 3> own = N;
   for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
-    if (edge.node[end] == tip) {
+    if (edge.nodes[end] == tip) {
       own[edge.count == 3 ? 2 : 1 - end] += N[end];
       own[end] = 0.0;
     }
@@ -118,18 +93,18 @@ std::array<double, 3> pressed(const FaceEdge& edge, const std::array<double, 3>&
 template <class Add>
 void for_faces(const model::Mesh& mesh, const TipPlace& tip, const ExtensionField& field,
                const std::vector<model::Face>& faces, Add&& add) {
-  std::vector<FaceEdge> edges;
+  std::vector<PlaneEdge> edges;
   edges.reserve(faces.size());
   for (const model::Face& face : faces) {
-    edges.push_back(edge_of(mesh, face));
+    edges.push_back(mesh::plane_edge(mesh, face));
   }
   const NodeAreas area = areas_of(edges, tip.node);
   const std::map<base::NodeId, double> q(field.q.begin(), field.q.end());
-  for (const FaceEdge& edge : edges) {
+  for (const PlaneEdge& edge : edges) {
     std::array<double, 3> moved{};
     bool moves = false;
-    for (std::size_t i = 0; i < edge.count; ++i) {
-      const auto at = q.find(edge.node[i]);
+    for (std::size_t i = 0; i < nodes_of(edge); ++i) {
+      const auto at = q.find(edge.nodes[i]);
       moved[i] = at == q.end() ? 0.0 : at->second;
       moves = moves || moved[i] > 0.0;
     }
@@ -138,13 +113,13 @@ void for_faces(const model::Mesh& mesh, const TipPlace& tip, const ExtensionFiel
     }
     for (const FacePoint& p : points_of(edge, tip.node)) {
       double here = 0.0;
-      for (std::size_t i = 0; i < edge.count; ++i) {
+      for (std::size_t i = 0; i < nodes_of(edge); ++i) {
         here += p.N[i] * moved[i];
       }
       const std::array<double, 3> own = pressed(edge, p.N, tip.node);
-      for (std::size_t i = 0; i < edge.count; ++i) {
-        if (edge.node[i] != tip.node) {
-          add(edge, i, p, p.w * p.ds * here * own[i] / (area.at(edge.node[i]) * tip.thickness));
+      for (std::size_t i = 0; i < nodes_of(edge); ++i) {
+        if (edge.nodes[i] != tip.node) {
+          add(edge, i, p, p.w * p.ds * here * own[i] / (area.at(edge.nodes[i]) * tip.thickness));
         }
       }
     }
@@ -157,9 +132,9 @@ LipWeights lip_weights(const model::Mesh& mesh, const TipPlace& tip, const Exten
                        const std::vector<model::Face>& faces) {
   LipWeights weights;
   for_faces(mesh, tip, field, faces,
-            [&](const FaceEdge& edge, std::size_t i, const FacePoint& p, double weight) {
+            [&](const PlaneEdge& edge, std::size_t i, const FacePoint& p, double weight) {
               const auto [at, fresh] = weights.try_emplace(
-                  edge.node[i], std::array<base::Vec2, 2>{base::Vec2::Zero(), base::Vec2::Zero()});
+                  edge.nodes[i], std::array<base::Vec2, 2>{base::Vec2::Zero(), base::Vec2::Zero()});
               const base::Vec2 inward(-p.along.y(), p.along.x());
               const base::Vec2 x = p.x + inside * (p.x - tip.frame.x).norm() * inward;
               for (int mode = 1; mode <= 2; ++mode) {
@@ -183,12 +158,12 @@ std::array<double, 3> lip_term(const model::Mesh& mesh, const TipPlace& tip,
     sum[2] += weight[1].dot(at(lips.force, node));
   }
   for_faces(mesh, tip, field, lips.faces,
-            [&](const FaceEdge& edge, std::size_t i, const FacePoint& p, double weight) {
+            [&](const PlaneEdge& edge, std::size_t i, const FacePoint& p, double weight) {
               base::Vec2 along = base::Vec2::Zero(); // du/ds
-              for (std::size_t k = 0; k < edge.count; ++k) {
-                along += p.dN[k] / p.ds * at(u, edge.node[k]);
+              for (std::size_t k = 0; k < nodes_of(edge); ++k) {
+                along += p.dN[k] / p.ds * at(u, edge.nodes[k]);
               }
-              sum[0] -= weight * at(lips.force, edge.node[i]).dot(tip.frame.e1) *
+              sum[0] -= weight * at(lips.force, edge.nodes[i]).dot(tip.frame.e1) *
                         along.dot(tip.frame.e1) * p.along.dot(tip.frame.e1);
             });
   return sum;

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/plane_edge.hpp"
+
+#include "shape/quadrature.hpp"
+#include "shape/topology.hpp"
+
+#include <span>
+
+namespace spricka::mesh {
+
+using base::Vec2;
+
+PlaneEdge plane_edge(const model::Mesh& mesh, const model::Face& face) {
+  const std::span<const base::NodeId> nodes = mesh.nodes_of(face.element);
+  const std::span<const int> side = shape::side_nodes(mesh.type[face.element.index()], face.side);
+  PlaneEdge edge;
+  edge.count = static_cast<int>(side.size());
+  for (std::size_t i = 0; i < side.size(); ++i) {
+    edge.nodes[i] = nodes[static_cast<std::size_t>(side[i])];
+    edge.x[i] = mesh.x[edge.nodes[i].index()].head<2>();
+  }
+  // exact for the length of a straight edge, 1e-8 for arcs of 30 degrees
+  for (const auto& [r, weight] : shape::line_rule(5)) {
+    edge.length += weight * tangent_on(edge, r[0]).norm();
+  }
+  return edge;
+}
+
+std::array<double, 3> edge_N(int count, double xi) {
+  if (count == 2) {
+    return {0.5 * (1.0 - xi), 0.5 * (1.0 + xi), 0.0};
+  }
+  return {0.5 * xi * (xi - 1.0), 0.5 * xi * (xi + 1.0), 1.0 - xi * xi};
+}
+
+std::array<double, 3> edge_dN(int count, double xi) {
+  if (count == 2) {
+    return {-0.5, 0.5, 0.0};
+  }
+  return {xi - 0.5, xi + 0.5, -2.0 * xi};
+}
+
+Vec2 point_on(const PlaneEdge& edge, double xi) {
+  const std::array<double, 3> N = edge_N(edge, xi);
+  Vec2 x = N[0] * edge.x[0] + N[1] * edge.x[1];
+  if (edge.count == 3) {
+    x += N[2] * edge.x[2];
+  }
+  return x;
+}
+
+Vec2 tangent_on(const PlaneEdge& edge, double xi) {
+  const std::array<double, 3> dN = edge_dN(edge, xi);
+  Vec2 t = dN[0] * edge.x[0] + dN[1] * edge.x[1];
+  if (edge.count == 3) {
+    t += dN[2] * edge.x[2];
+  }
+  return t;
+}
+
+Vec2 outer_normal(const PlaneEdge& edge, double xi) {
+  const Vec2 t = tangent_on(edge, xi).normalized();
+  return {t.y(), -t.x()};
+}
+
+} // namespace spricka::mesh

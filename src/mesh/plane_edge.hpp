@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/vec.hpp"
+#include "model/mesh.hpp"
+
+#include <array>
+
+/// A straight or quadratic edge of a plane element with its shape functions.
+namespace spricka::mesh {
+
+/// One edge, run with the body on its left; xi = -1 at nodes[0], +1 at nodes[1], mid node last.
+struct PlaneEdge {
+  std::array<base::NodeId, 3> nodes;
+  int count = 2; ///< 2 straight, 3 quadratic
+  std::array<base::Vec2, 3> x;
+  double length = 0.0; ///< of the curve, by three Gauss points
+};
+
+PlaneEdge plane_edge(const model::Mesh& mesh, const model::Face& face);
+
+/// Shape functions of an edge of `count` nodes and their derivatives at xi; entry 2 is zero for
+/// straight edges.
+std::array<double, 3> edge_N(int count, double xi);
+std::array<double, 3> edge_dN(int count, double xi);
+inline std::array<double, 3> edge_N(const PlaneEdge& edge, double xi) {
+  return edge_N(edge.count, xi);
+}
+inline std::array<double, 3> edge_dN(const PlaneEdge& edge, double xi) {
+  return edge_dN(edge.count, xi);
+}
+
+base::Vec2 point_on(const PlaneEdge& edge, double xi);
+base::Vec2 tangent_on(const PlaneEdge& edge, double xi); ///< dx/dxi
+/// Unit normal that leaves the body.
+base::Vec2 outer_normal(const PlaneEdge& edge, double xi);
+
+} // namespace spricka::mesh
