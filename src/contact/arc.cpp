@@ -27,9 +27,9 @@ Links links_of(const Surface& surface, const std::vector<NodePressure>& nodes) {
               .last = std::vector<std::optional<std::size_t>>(nodes.size())};
   std::vector<std::pair<std::size_t, std::size_t>> open; // first and last node of open chains
   std::size_t first = 0;
-  for (const EdgeChain& chain : surface.chains) {
+  for (const EdgeChain& chain : surface.plane.chains) {
     std::size_t count = chain.closed ? 0 : 1;
-    for (const Edge& edge : chain.edges) {
+    for (const Edge& edge : surface.plane.of(chain)) {
       count += static_cast<std::size_t>(edge.count) - 1;
     }
     for (std::size_t i = first; i + 1 < first + count; ++i) {
@@ -144,7 +144,7 @@ Arc longest_arc(const Surface& surface, const std::vector<NodePressure>& nodes, 
       return {};
     }
     double length = 0.0; // closed all round
-    for (const Edge& edge : surface.chains.front().edges) {
+    for (const Edge& edge : surface.plane.of(surface.plane.chains.front())) {
       length += edge.length;
     }
     return round ? Arc{-pi, pi} : Arc{0.0, length};

@@ -17,10 +17,10 @@ template <class Mend> void for_axis_ends(const Surface& surface, Mend&& mend) {
       mend(edge, end, next);
     }
   };
-  for (const EdgeChain& chain : surface.chains) {
+  for (const EdgeChain& chain : surface.plane.chains) {
     if (!chain.closed) {
-      look(chain.edges.front(), 0, 1);
-      look(chain.edges.back(), 1, 0);
+      look(surface.plane.of(chain).front(), 0, 1);
+      look(surface.plane.of(chain).back(), 1, 0);
     }
   }
 }

@@ -19,21 +19,19 @@ struct FaceNodes {
 
 FaceNodes face_nodes(const Surface& surface, double depth) {
   FaceNodes nodes;
-  for (const EdgeChain& chain : surface.chains) {
-    for (const Edge& edge : chain.edges) {
-      for (const std::size_t i : {std::size_t{0}, std::size_t{2}, std::size_t{1}}) {
-        if (static_cast<int>(i) >= edge.count) {
-          continue;
-        }
-        const auto [at, fresh] = nodes.push.try_emplace(edge.nodes[i], Vec2::Zero());
-        if (fresh) {
-          nodes.order.push_back(edge.nodes[i]);
-        }
-        // exact for straight edges with a quarter point: N times the Jacobian is of degree 3
-        for (const auto& [r, weight] : shape::line_rule(5)) {
-          const Vec2 t = tangent_on(edge, r[0]);
-          at->second += depth * weight * edge_N(edge, r[0])[i] * Vec2(t.y(), -t.x());
-        }
+  for (const Edge& edge : surface.plane.edges) {
+    for (const std::size_t i : {std::size_t{0}, std::size_t{2}, std::size_t{1}}) {
+      if (static_cast<int>(i) >= edge.count) {
+        continue;
+      }
+      const auto [at, fresh] = nodes.push.try_emplace(edge.nodes[i], Vec2::Zero());
+      if (fresh) {
+        nodes.order.push_back(edge.nodes[i]);
+      }
+      // exact for straight edges with a quarter point: N times the Jacobian is of degree 3
+      for (const auto& [r, weight] : shape::line_rule(5)) {
+        const Vec2 t = tangent_on(edge, r[0]);
+        at->second += depth * weight * edge_N(edge, r[0])[i] * Vec2(t.y(), -t.x());
       }
     }
   }

@@ -52,22 +52,20 @@ std::array<double, 3> nodal_areas(const Edge& edge, const PairRows& pair) {
 
 SurfaceNodes collect(const Surface& surface, const PairRows& pair) {
   SurfaceNodes all;
-  for (const EdgeChain& chain : surface.chains) {
-    for (const Edge& edge : chain.edges) {
-      const std::array<double, 3> xi{-1.0, 1.0, 0.0};
-      const std::array<double, 3> area = nodal_areas(edge, pair);
-      for (const std::size_t i : {std::size_t{0}, std::size_t{2}, std::size_t{1}}) {
-        if (static_cast<int>(i) >= edge.count) {
-          continue;
-        }
-        const auto [at, fresh] = all.node.try_emplace(edge.nodes[i]);
-        if (fresh) {
-          all.order.push_back(edge.nodes[i]);
-        }
-        at->second.x = edge.x[i];
-        at->second.normal += surface_normal(surface, edge, xi[i]);
-        at->second.area += area[i];
+  for (const Edge& edge : surface.plane.edges) {
+    const std::array<double, 3> xi{-1.0, 1.0, 0.0};
+    const std::array<double, 3> area = nodal_areas(edge, pair);
+    for (const std::size_t i : {std::size_t{0}, std::size_t{2}, std::size_t{1}}) {
+      if (static_cast<int>(i) >= edge.count) {
+        continue;
       }
+      const auto [at, fresh] = all.node.try_emplace(edge.nodes[i]);
+      if (fresh) {
+        all.order.push_back(edge.nodes[i]);
+      }
+      at->second.x = edge.x[i];
+      at->second.normal += surface_normal(surface, edge, xi[i]);
+      at->second.area += area[i];
     }
   }
   return all;

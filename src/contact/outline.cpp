@@ -24,10 +24,11 @@ double turn_between(const Vec2& n, const Vec2& m) {
 } // namespace
 
 Outline::Outline(const Surface& surface, const base::Vector& u) {
-  for (const EdgeChain& chain : surface.chains) {
+  for (const EdgeChain& chain : surface.plane.chains) {
+    const std::span<const Edge> edges = surface.plane.of(chain);
     std::vector<Vec2> points;
-    for (std::size_t e = 0; e < chain.edges.size(); ++e) {
-      Edge edge = chain.edges[e];
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      Edge edge = edges[e];
       for (std::size_t i = 0; i < static_cast<std::size_t>(edge.count) && u.size() > 0; ++i) {
         edge.x[i] += u.segment<2>(2 * static_cast<Eigen::Index>(edge.nodes[i].index()));
       }
@@ -35,7 +36,7 @@ Outline::Outline(const Surface& surface, const base::Vector& u) {
       for (int k = 0; k < n; ++k) {
         points.push_back(point_on(edge, -1.0 + 2.0 * k / n));
       }
-      if (!chain.closed && e + 1 == chain.edges.size()) {
+      if (!chain.closed && e + 1 == edges.size()) {
         points.push_back(edge.x[1]);
       }
     }

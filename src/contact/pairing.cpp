@@ -22,10 +22,10 @@ bool has_mouth(const model::Mesh& mesh, const Surface& surface) {
     base::NetId net;
   };
   std::vector<End> ends;
-  for (const EdgeChain& chain : surface.chains) {
+  for (const EdgeChain& chain : surface.plane.chains) {
     if (!chain.closed) {
-      const Edge& first = chain.edges.front();
-      const Edge& last = chain.edges.back();
+      const Edge& first = surface.plane.of(chain).front();
+      const Edge& last = surface.plane.of(chain).back();
       ends.push_back({first.x[0], mesh.node_net[first.nodes[0].index()]});
       ends.push_back({last.x[1], mesh.node_net[last.nodes[1].index()]});
     }
@@ -110,7 +110,7 @@ PairRows pair_rows(const model::Model& model, const model::Mesh& mesh,
     return pair;
   }
   Surface master = make_surface(model, mesh, contact.master);
-  if (slave.chains.empty() || master.chains.empty()) {
+  if (slave.facets.empty() || master.facets.empty()) {
     pair.trouble = "a surface has no edges";
     return pair;
   }

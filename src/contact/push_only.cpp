@@ -92,7 +92,7 @@ private:
 
 // Part of the way to its neighbour that a node's row stands for.
 double own_part(const PairRows& pair, const ChainRange& chain, std::size_t i) {
-  const bool quadratic = chain.count > 1 && pair.contact.chains.front().edges.front().count == 3;
+  const bool quadratic = chain.count > 1 && pair.contact.plane.edges.front().count == 3;
   if (pair.segments || !quadratic) {
     return 0.5;
   }
@@ -122,9 +122,9 @@ double end_of_contact(const std::vector<std::array<double, 2>>& last, double ope
 std::vector<ChainRange> chain_ranges(const Surface& surface) {
   std::vector<ChainRange> all;
   std::size_t first = 0;
-  for (const EdgeChain& chain : surface.chains) {
+  for (const EdgeChain& chain : surface.plane.chains) {
     std::size_t count = chain.closed ? 0 : 1;
-    for (const Edge& edge : chain.edges) {
+    for (const Edge& edge : surface.plane.of(chain)) {
       count += static_cast<std::size_t>(edge.count) - 1;
     }
     all.push_back({first, count, chain.closed});

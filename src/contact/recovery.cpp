@@ -45,11 +45,9 @@ Eigen::SparseMatrix<double> surface_mass(const PairRows& pair, const Numbering& 
       }
     }
   };
-  for (const EdgeChain& chain : pair.contact.chains) {
-    for (const Edge& edge : chain.edges) {
-      for (std::size_t g = 0; g < gauss_r.size(); ++g) {
-        add(edge, gauss_r[g], gauss_w[g]);
-      }
+  for (const Edge& edge : pair.contact.plane.edges) {
+    for (std::size_t g = 0; g < gauss_r.size(); ++g) {
+      add(edge, gauss_r[g], gauss_w[g]);
     }
   }
   const auto n = index(number.size());
@@ -65,6 +63,7 @@ struct Place {
 };
 
 void append_chain(const Surface& surface, const EdgeChain& chain, std::vector<Place>& places) {
+  const std::span<const Edge> edges = surface.plane.of(chain);
   const std::size_t first = places.size();
   double arc = 0.0;
   const auto add = [&](const Edge& edge, std::size_t i, double xi, double s) {
@@ -75,18 +74,18 @@ void append_chain(const Surface& surface, const EdgeChain& chain, std::vector<Pl
     p.normal = surface_normal(surface, edge, xi);
     places.push_back(p);
   };
-  for (std::size_t e = 0; e < chain.edges.size(); ++e) {
-    const Edge& edge = chain.edges[e];
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const Edge& edge = edges[e];
     add(edge, 0, -1.0, arc);
     if (e > 0) {
-      places.back().normal += surface_normal(surface, chain.edges[e - 1], 1.0);
+      places.back().normal += surface_normal(surface, edges[e - 1], 1.0);
     }
     if (edge.count == 3) {
       add(edge, 2, 0.0, arc + 0.5 * edge.length);
     }
     arc += edge.length;
   }
-  const Edge& last = chain.edges.back();
+  const Edge& last = edges.back();
   if (chain.closed) {
     places[first].normal += surface_normal(surface, last, 1.0);
   } else {
@@ -96,7 +95,7 @@ void append_chain(const Surface& surface, const EdgeChain& chain, std::vector<Pl
 
 std::vector<Place> ordered_places(const Surface& surface) {
   std::vector<Place> places;
-  for (const EdgeChain& chain : surface.chains) {
+  for (const EdgeChain& chain : surface.plane.chains) {
     append_chain(surface, chain, places);
   }
   for (Place& p : places) {
@@ -204,12 +203,10 @@ NodeArea node_areas(const PairRows& pair, const std::vector<Place>& places,
       area.hat[k] += w * hat[i];
     }
   };
-  for (const EdgeChain& chain : surface.chains) {
-    for (const Edge& edge : chain.edges) {
-      for (const double half : {-0.5, 0.5}) {
-        for (std::size_t g = 0; g < gauss_r.size(); ++g) {
-          add(edge, half + 0.5 * gauss_r[g], 0.5 * gauss_w[g]);
-        }
+  for (const Edge& edge : surface.plane.edges) {
+    for (const double half : {-0.5, 0.5}) {
+      for (std::size_t g = 0; g < gauss_r.size(); ++g) {
+        add(edge, half + 0.5 * gauss_r[g], 0.5 * gauss_w[g]);
       }
     }
   }
@@ -227,11 +224,9 @@ std::vector<bool> whole_edges(const PairRows& pair, const base::Vector& hat,
         std::abs(pair.normal[i].area - hat[k]) <= covered * hat[k] && (!closed || (*closed)[i]);
   }
   std::vector<bool> whole;
-  for (const EdgeChain& chain : pair.contact.chains) {
-    for (const Edge& edge : chain.edges) {
-      whole.push_back(std::all_of(edge.nodes.begin(), edge.nodes.begin() + edge.count,
-                                  [&](base::NodeId node) { return good[at(number.at(node))]; }));
-    }
+  for (const Edge& edge : pair.contact.plane.edges) {
+    whole.push_back(std::all_of(edge.nodes.begin(), edge.nodes.begin() + edge.count,
+                                [&](base::NodeId node) { return good[at(number.at(node))]; }));
   }
   return whole;
 }
@@ -241,13 +236,11 @@ std::vector<bool> whole_edges(const PairRows& pair, const base::Vector& hat,
 void rim_pressure(const PairRows& pair, const Numbering& number, const std::vector<bool>& whole,
                   const base::Vector& lambda, base::Vector& pressure) {
   std::size_t e = 0;
-  for (const EdgeChain& chain : pair.contact.chains) {
-    for (const Edge& edge : chain.edges) {
-      for (std::size_t i = 0; i < static_cast<std::size_t>(edge.count) && !whole[e]; ++i) {
-        pressure[number.at(edge.nodes[i])] = lambda[number.at(edge.nodes[i])];
-      }
-      ++e;
+  for (const Edge& edge : pair.contact.plane.edges) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(edge.count) && !whole[e]; ++i) {
+      pressure[number.at(edge.nodes[i])] = lambda[number.at(edge.nodes[i])];
     }
+    ++e;
   }
 }
 

@@ -91,28 +91,26 @@ std::optional<RigidFoot> foot_on(const model::Rigid& rigid, const Vec2& x) {
 std::vector<Segment> find_segments(const Surface& contact, const model::Rigid& rigid) {
   std::vector<Segment> all;
   std::size_t number = 0;
-  for (const EdgeChain& chain : contact.chains) {
-    for (const Edge& edge : chain.edges) {
-      std::vector<double> cuts{-1.0, 1.0};
-      if (edge.count == 3) {
-        cuts.push_back(0.0);
-      }
-      if (rigid.shape == model::RigidShape::line) {
-        const Vec2 first = rigid.first.head<2>();
-        const Vec2 second = rigid.second.head<2>();
-        const Vec2 t = (second - first).normalized();
-        add_cuts(edge, first, t, cuts);
-        add_cuts(edge, second, t, cuts);
-      }
-      settle(cuts);
-      for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-        if (cuts[i + 1] - cuts[i] > smallest &&
-            faces(contact, edge, rigid, 0.5 * (cuts[i] + cuts[i + 1]))) {
-          all.push_back({number, 0, cuts[i], cuts[i + 1]});
-        }
-      }
-      ++number;
+  for (const Edge& edge : contact.plane.edges) {
+    std::vector<double> cuts{-1.0, 1.0};
+    if (edge.count == 3) {
+      cuts.push_back(0.0);
     }
+    if (rigid.shape == model::RigidShape::line) {
+      const Vec2 first = rigid.first.head<2>();
+      const Vec2 second = rigid.second.head<2>();
+      const Vec2 t = (second - first).normalized();
+      add_cuts(edge, first, t, cuts);
+      add_cuts(edge, second, t, cuts);
+    }
+    settle(cuts);
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+      if (cuts[i + 1] - cuts[i] > smallest &&
+          faces(contact, edge, rigid, 0.5 * (cuts[i] + cuts[i + 1]))) {
+        all.push_back({number, 0, cuts[i], cuts[i + 1]});
+      }
+    }
+    ++number;
   }
   return all;
 }

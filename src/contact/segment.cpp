@@ -119,31 +119,26 @@ std::optional<double> hit_on(const Edge& target, const Vec2& x, const Vec2& norm
 }
 
 std::vector<Segment> find_segments(const Surface& contact, const Surface& target) {
-  std::vector<const Edge*> targets;
+  const std::vector<Edge>& targets = target.plane.edges;
   std::vector<Ball> balls;
-  for (const EdgeChain& chain : target.chains) {
-    for (const Edge& edge : chain.edges) {
-      targets.push_back(&edge);
-      balls.push_back(ball_of(edge));
-    }
+  for (const Edge& edge : targets) {
+    balls.push_back(ball_of(edge));
   }
   std::vector<Segment> all;
   std::size_t number = 0;
-  for (const EdgeChain& chain : contact.chains) {
-    for (const Edge& edge : chain.edges) {
-      const Ball own = ball_of(edge);
-      const auto begin = static_cast<std::ptrdiff_t>(all.size());
-      for (std::size_t t = 0; t < targets.size(); ++t) {
-        const double reach = own.radius + balls[t].radius + far_share * contact.extent;
-        if ((own.centre - balls[t].centre).norm() <= reach) {
-          add_segments(contact, edge, *targets[t], {number, t, -1.0, 1.0}, all);
-        }
+  for (const Edge& edge : contact.plane.edges) {
+    const Ball own = ball_of(edge);
+    const auto begin = static_cast<std::ptrdiff_t>(all.size());
+    for (std::size_t t = 0; t < targets.size(); ++t) {
+      const double reach = own.radius + balls[t].radius + far_share * contact.extent;
+      if ((own.centre - balls[t].centre).norm() <= reach) {
+        add_segments(contact, edge, targets[t], {number, t, -1.0, 1.0}, all);
       }
-      std::sort(all.begin() + begin, all.end(), [](const Segment& a, const Segment& b) {
-        return std::pair(a.from, a.target_edge) < std::pair(b.from, b.target_edge);
-      });
-      ++number;
     }
+    std::sort(all.begin() + begin, all.end(), [](const Segment& a, const Segment& b) {
+      return std::pair(a.from, a.target_edge) < std::pair(b.from, b.target_edge);
+    });
+    ++number;
   }
   return all;
 }

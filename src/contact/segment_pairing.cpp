@@ -141,24 +141,9 @@ void add_support(const PairRows& pair, const Edge& edge, Builders& rows) {
   }
 }
 
-// Nodes of a chain in order, mid nodes between their ends.
-std::vector<base::NodeId> ordered_nodes(const EdgeChain& chain) {
-  std::vector<base::NodeId> nodes;
-  for (const Edge& edge : chain.edges) {
-    nodes.push_back(edge.nodes[0]);
-    if (edge.count == 3) {
-      nodes.push_back(edge.nodes[2]);
-    }
-  }
-  if (!chain.closed) {
-    nodes.push_back(chain.edges.back().nodes[1]);
-  }
-  return nodes;
-}
-
 // A sliver of cover makes a row that weighs next to nothing: its function joins the neighbour's.
-void merge_slivers(const EdgeChain& chain, bool tangents, Builders& rows, int& merged) {
-  const std::vector<base::NodeId> nodes = ordered_nodes(chain);
+void merge_slivers(const std::vector<base::NodeId>& nodes, bool closed, bool tangents,
+                   Builders& rows, int& merged) {
   const std::size_t n = nodes.size();
   const auto covered = [&](std::size_t i) {
     const RowBuilder& row = rows.normal[nodes[i]];
@@ -172,8 +157,8 @@ void merge_slivers(const EdgeChain& chain, bool tangents, Builders& rows, int& m
     if (whole[i] || rows.normal[nodes[i]].area <= 0.0) {
       continue;
     }
-    const bool has_next = chain.closed || i + 1 < n;
-    const bool has_last = chain.closed || i > 0;
+    const bool has_next = closed || i + 1 < n;
+    const bool has_last = closed || i > 0;
     const std::size_t next = (i + 1) % n;
     const std::size_t last = (i + n - 1) % n;
     std::size_t to = n;
@@ -221,26 +206,27 @@ void segment_rows(PairRows& pair, std::optional<double> declared_gap, bool tange
   }
   pair.found = !segments.empty();
   pair.segments = true;
-  const std::vector<const Edge*> edges = edges_of(pair.contact);
+  const std::vector<Edge>& edges = pair.contact.plane.edges;
   const Edge nothing{{}, 0, {}, 0.0}; // a rigid target has no nodes
-  const std::vector<const Edge*> targets =
-      pair.rigid ? std::vector{&nothing} : edges_of(pair.target);
+  const std::vector<Edge> targets = pair.rigid ? std::vector{nothing} : pair.target.plane.edges;
   Builders rows;
-  for (const Edge* edge : edges) {
-    add_support(pair, *edge, rows);
+  for (const Edge& edge : edges) {
+    add_support(pair, edge, rows);
   }
   for (const Segment& s : segments) {
-    if (!add_segment(pair, *edges[s.contact_edge], *targets[s.target_edge], s, declared_gap,
-                     tangents, rows)) {
+    if (!add_segment(pair, edges[s.contact_edge], targets[s.target_edge], s, declared_gap, tangents,
+                     rows)) {
       pair.trouble =
           "the normals of one surface miss the other within a stretch that faces it (too "
           "strongly curved for its edges?)";
       return;
     }
   }
-  for (const EdgeChain& chain : pair.contact.chains) {
-    merge_slivers(chain, tangents, rows, pair.merged);
-    for (const base::NodeId node : ordered_nodes(chain)) {
+  for (const EdgeChain& chain : pair.contact.plane.chains) {
+    const std::vector<base::NodeId> nodes =
+        ordered_nodes(pair.contact.plane.of(chain), chain.closed);
+    merge_slivers(nodes, chain.closed, tangents, rows, pair.merged);
+    for (const base::NodeId node : nodes) {
       if (rows.normal[node].area > 0.0) {
         pair.normal.push_back(rows.normal[node].finish(node, false));
         if (tangents) {

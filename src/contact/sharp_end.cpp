@@ -22,10 +22,10 @@ struct EdgeEnds {
 
 std::vector<EdgeEnds> edges_with_ends(const Surface& surface) {
   std::vector<EdgeEnds> all;
-  for (const EdgeChain& chain : surface.chains) {
-    const std::size_t count = chain.edges.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      all.push_back({&chain.edges[i], !chain.closed && i == 0, !chain.closed && i + 1 == count});
+  for (const EdgeChain& chain : surface.plane.chains) {
+    const std::span<const Edge> edges = surface.plane.of(chain);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      all.push_back({&edges[i], !chain.closed && i == 0, !chain.closed && i + 1 == edges.size()});
     }
   }
   return all;
@@ -75,7 +75,7 @@ void add_end(std::vector<SharpEnd>& ends, const Surface& contact, const SharpEnd
 
 std::vector<SharpEnd> sharp_ends(const PairRows& pair) {
   const auto closed = [](const Surface& surface) {
-    return std::ranges::all_of(surface.chains, &EdgeChain::closed);
+    return std::ranges::all_of(surface.plane.chains, &EdgeChain::closed);
   };
   if (pair.faces || (!pair.rigid && closed(pair.contact) && closed(pair.target))) {
     return {};

@@ -20,9 +20,9 @@ const Surface& slave_of(const PairRows& pair) {
   return pair.swapped ? pair.target : pair.contact;
 }
 
-double length_of(const EdgeChain& chain) {
+double length_of(std::span<const Edge> edges) {
   double length = 0.0;
-  for (const Edge& edge : chain.edges) {
+  for (const Edge& edge : edges) {
     length += edge.length;
   }
   return length;
@@ -58,8 +58,8 @@ double nearest_xi(const Edge& edge, const Vec2& x) {
 
 double length_of(const Surface& surface) {
   double length = 0.0;
-  for (const EdgeChain& chain : surface.chains) {
-    length += length_of(chain);
+  for (const EdgeChain& chain : surface.plane.chains) {
+    length += length_of(surface.plane.of(chain));
   }
   return length;
 }
@@ -69,11 +69,10 @@ double place_on(const Surface& surface, const std::vector<double>& starts, const
   const double whole = (1.0 - 1e-12) * length_of(surface); // summed in another order
   double least = std::numeric_limits<double>::infinity();
   double place = 0.0;
-  for (std::size_t c = 0; c < surface.chains.size(); ++c) {
-    const EdgeChain& chain = surface.chains[c];
+  for (std::size_t c = 0; c < surface.plane.chains.size(); ++c) {
+    const EdgeChain& chain = surface.plane.chains[c];
     double before = starts[c];
-    for (std::size_t e = 0; e < chain.edges.size(); ++e) {
-      const Edge& edge = chain.edges[e];
+    for (const Edge& edge : surface.plane.of(chain)) {
       const double xi = nearest_xi(edge, x);
       const Vec2 off = x - point_on(edge, xi);
       if (off.norm() < least) {
@@ -145,15 +144,16 @@ bool counts_angles(const PairRows& pair) {
 }
 
 std::vector<double> chain_starts(const Surface& surface) {
-  const std::size_t count = surface.chains.size();
+  const std::size_t count = surface.plane.chains.size();
   std::vector<std::optional<std::size_t>> next(count);
   std::vector<std::optional<std::size_t>> last(count);
   for (std::size_t a = 0; a < count; ++a) {
     for (std::size_t b = 0; b < count; ++b) {
-      const EdgeChain& one = surface.chains[a];
-      const EdgeChain& other = surface.chains[b];
+      const EdgeChain& one = surface.plane.chains[a];
+      const EdgeChain& other = surface.plane.chains[b];
       if (a != b && !one.closed && !other.closed && !next[a] && !last[b] &&
-          (one.edges.back().x[1] - other.edges.front().x[0]).norm() < 1e-9 * surface.extent) {
+          (surface.plane.of(one).back().x[1] - surface.plane.of(other).front().x[0]).norm() <
+              1e-9 * surface.extent) {
         next[a] = b;
         last[b] = a;
       }
@@ -173,7 +173,7 @@ std::vector<double> chain_starts(const Surface& surface) {
     for (std::optional<std::size_t> at = first; at && !done[*at]; at = next[*at]) {
       done[*at] = true;
       starts[*at] = length;
-      length += length_of(surface.chains[*at]);
+      length += length_of(surface.plane.of(surface.plane.chains[*at]));
     }
   }
   return starts;

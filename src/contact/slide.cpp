@@ -34,13 +34,13 @@ Vec2 shift_at(const Edge& edge, double xi, const base::Vector& u) {
 class Sliding {
 public:
   Sliding(const PairRows& pair, const base::Vector& lambda, const base::Vector& u)
-      : pair_(pair), lambda_(lambda), u_(u), edges_(edges_of(pair.contact)),
-        targets_(edges_of(pair.target)), row_(normal_rows(pair)) {
+      : pair_(pair), lambda_(lambda), u_(u), edges_(pair.contact.plane.edges),
+        targets_(pair.target.plane.edges), row_(normal_rows(pair)) {
     for (std::size_t i = 0; i < pair.normal.size(); ++i) {
       largest_ = std::max(largest_, lambda[static_cast<Eigen::Index>(i)]);
     }
-    for (const Edge* target : targets_) {
-      moved_.push_back(moved(*target, u));
+    for (const Edge& target : targets_) {
+      moved_.push_back(moved(target, u));
     }
   }
 
@@ -88,7 +88,7 @@ private:
   }
 
   void add(const Segment& s, double xi) {
-    const Edge& edge = *edges_[s.contact_edge];
+    const Edge& edge = edges_[s.contact_edge];
     const double p = pressure(edge, xi);
     if (p <= least_pressure * largest_) {
       return;
@@ -111,7 +111,7 @@ private:
       drawn = before->gap;
       now = after->beyond ? std::nullopt : std::optional(after->gap);
     } else {
-      const Edge& target = *targets_[s.target_edge];
+      const Edge& target = targets_[s.target_edge];
       const std::optional<double> eta = hit_on(target, x, n);
       if (!eta) {
         return;
@@ -140,7 +140,7 @@ private:
   const PairRows& pair_;
   const base::Vector& lambda_;
   const base::Vector& u_;
-  std::vector<const Edge*> edges_, targets_;
+  std::span<const Edge> edges_, targets_;
   std::vector<Edge> moved_;
   std::map<base::NodeId, std::size_t> row_;
   double largest_ = 0.0, thrust_ = 0.0, lost_ = 0.0;

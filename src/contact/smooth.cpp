@@ -32,12 +32,12 @@ double between(const EdgePressure& a, const EdgePressure& b) {
   return weighted - slope(a, b) * (b.length - a.length) / 3.0;
 }
 
-std::vector<EdgePressure> edge_pressures(const EdgeChain& chain, const Numbering& number,
+std::vector<EdgePressure> edge_pressures(std::span<const Edge> edges, const Numbering& number,
                                          const std::vector<bool>& sound, std::size_t first,
                                          const base::Vector& lambda) {
   std::vector<EdgePressure> all;
-  for (std::size_t e = 0; e < chain.edges.size(); ++e) {
-    const Edge& edge = chain.edges[e];
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const Edge& edge = edges[e];
     EdgePressure p;
     p.sound = edge.count == 3 && sound[first + e];
     p.length = edge.length;
@@ -55,11 +55,12 @@ void smooth_pressure(const Surface& surface, const Numbering& number,
                      const std::vector<bool>& sound, const base::Vector& lambda,
                      base::Vector& pressure) {
   std::size_t first = 0;
-  for (const EdgeChain& chain : surface.chains) {
-    const std::vector<EdgePressure> p = edge_pressures(chain, number, sound, first, lambda);
+  for (const EdgeChain& chain : surface.plane.chains) {
+    const std::span<const Edge> edges = surface.plane.of(chain);
+    const std::vector<EdgePressure> p = edge_pressures(edges, number, sound, first, lambda);
     const std::size_t n = p.size();
     const auto at = [&](std::size_t e, std::size_t i) -> double& {
-      return pressure[number.at(chain.edges[e].nodes[i])];
+      return pressure[number.at(edges[e].nodes[i])];
     };
     for (std::size_t e = 0; e < n; ++e) {
       if (p[e].sound) {

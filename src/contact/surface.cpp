@@ -57,23 +57,6 @@ std::optional<Circle> fit_circle(const std::vector<Vec2>& points, double extent)
 
 } // namespace
 
-std::array<double, 3> edge_hats(const Edge& edge, double xi) {
-  if (edge.count == 2) {
-    return {0.5 * (1.0 - xi), 0.5 * (1.0 + xi), 0.0};
-  }
-  return {std::max(0.0, -xi), std::max(0.0, xi), 1.0 - std::abs(xi)};
-}
-
-std::vector<const Edge*> edges_of(const Surface& surface) {
-  std::vector<const Edge*> edges;
-  for (const EdgeChain& chain : surface.chains) {
-    for (const Edge& edge : chain.edges) {
-      edges.push_back(&edge);
-    }
-  }
-  return edges;
-}
-
 double gap_beyond_digits(double gap, const Vec2& x) {
   constexpr double digits = 8.0 * std::numeric_limits<double>::epsilon();
   return std::abs(gap) <= digits * x.cwiseAbs().maxCoeff() ? 0.0 : gap;
@@ -99,8 +82,7 @@ Surface make_surface(const model::Model& model, const model::Mesh& mesh,
   Vec2 high = -low;
   std::size_t count = 0;
   for (const mesh::Chain& chain : mesh::chains(mesh, faces)) {
-    EdgeChain edges;
-    edges.closed = chain.closed;
+    surface.plane.chains.push_back({count, chain.faces.size(), chain.closed});
     for (const model::Face face : chain.faces) {
       const Edge edge = mesh::plane_edge(mesh, face);
       for (int i = 0; i < edge.count; ++i) {
@@ -115,9 +97,9 @@ Surface make_surface(const model::Model& model, const model::Mesh& mesh,
       const double t = model.property_of(mesh, face.element).thickness;
       surface.thickness = count == 0 ? t : std::min(surface.thickness, t);
       ++count;
-      edges.edges.push_back(edge);
+      surface.facets.push_back(make_facet(mesh, face));
+      surface.plane.edges.push_back(edge);
     }
-    surface.chains.push_back(std::move(edges));
   }
   if (count > 0) {
     surface.mean_length /= static_cast<double>(count);

@@ -2,30 +2,15 @@
 #pragma once
 #include "base/id.hpp"
 #include "base/vec.hpp"
-#include "mesh/plane_edge.hpp"
+#include "contact/plane_features.hpp"
 #include "model/mesh.hpp"
 #include "model/model.hpp"
 
-#include <array>
 #include <optional>
 #include <vector>
 
-/// Contact surfaces in the plane: chains of straight or quadratic edges. 3D surfaces will stand
-/// beside these; the constraint rows (constraint.hpp) know no dimension.
+/// Contact surfaces: facets, and in the plane their order along curves (plane_features.hpp).
 namespace spricka::contact {
-
-using base::Vec2;
-
-using Edge = mesh::PlaneEdge;
-using mesh::edge_dN;
-using mesh::edge_N;
-using mesh::outer_normal;
-using mesh::point_on;
-using mesh::tangent_on;
-
-/// Hats on half edges: piecewise linear, non-negative, sum 1. Pressures of SEGMENT pairs are sums
-/// of these.
-std::array<double, 3> edge_hats(const Edge& edge, double xi);
 
 /// A circle that all nodes of a surface lie on.
 struct Circle {
@@ -34,23 +19,16 @@ struct Circle {
   bool exact = false; ///< all nodes lie on it within 1e-6 of the radius
 };
 
-struct EdgeChain {
-  std::vector<Edge> edges;
-  bool closed = false;
-};
-
 struct Surface {
-  std::vector<EdgeChain> chains;
+  std::vector<Facet> facets;
+  PlaneFeatures plane; ///< order of the facets
   std::optional<Circle> circle;
   double extent = 0.0;      ///< diagonal of the bounding box
-  double mean_length = 0.0; ///< of the edges
+  double mean_length = 0.0; ///< of the facets
   double stiffness = 0.0;   ///< Young's modulus behind the surface
   double thickness = 0.0;
   bool axial = false; ///< a meridian: x is the radius, the surface goes round the axis
 };
-
-/// Pointers to all edges, chain by chain; `surface` must outlive them.
-std::vector<const Edge*> edges_of(const Surface& surface);
 
 /// What a unit of length at a point of the section stands for: the smaller thickness, about an axis
 /// the whole circumference there.

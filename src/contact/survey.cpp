@@ -30,16 +30,16 @@ struct Sight {
 // Samples the segments; `look(segment, edge, xi)` tells what is seen there, if anything.
 template <class Look>
 Survey sample(const Surface& from, const std::vector<Segment>& segments, Look&& look) {
-  const std::vector<const Edge*> edges = edges_of(from);
+  const std::vector<Edge>& edges = from.plane.edges;
   Survey found;
   found.edges = edges.size();
-  for (const Edge* edge : edges) {
-    found.length += edge->length;
+  for (const Edge& edge : edges) {
+    found.length += edge.length;
   }
   std::vector<bool> faces(edges.size(), false);
   bool first = true;
   for (const Segment& s : segments) {
-    const Edge& edge = *edges[s.contact_edge];
+    const Edge& edge = edges[s.contact_edge];
     for (std::size_t i = 0; i < sample_r.size(); ++i) {
       const double xi = 0.5 * ((s.to + s.from) + (s.to - s.from) * sample_r[i]);
       const std::optional<Sight> sight = look(s, edge, xi);
@@ -66,10 +66,10 @@ Survey sample(const Surface& from, const std::vector<Segment>& segments, Look&& 
 } // namespace
 
 Survey survey(const Surface& from, const Surface& to) {
-  const std::vector<const Edge*> targets = edges_of(to);
+  const std::vector<Edge>& targets = to.plane.edges;
   return sample(from, find_segments(from, to),
                 [&](const Segment& s, const Edge& edge, double xi) -> std::optional<Sight> {
-                  const Edge& target = *targets[s.target_edge];
+                  const Edge& target = targets[s.target_edge];
                   const Vec2 n = surface_normal(from, edge, xi);
                   const Vec2 x = point_on(edge, xi);
                   const std::optional<double> eta = hit_on(target, x, n);

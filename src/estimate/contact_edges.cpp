@@ -51,13 +51,13 @@ std::optional<std::size_t> find_edge(const EdgeIndex& index, const contact::Edge
 std::vector<ContactEdge> contact_edges(const EdgeTable& table, const contact::PairRows& pair) {
   const EdgeIndex index = boundary_edges(table);
   const std::map<base::NodeId, std::size_t> row_of = contact::normal_rows(pair);
-  const std::vector<const contact::Edge*> own = contact::edges_of(pair.contact);
-  const std::vector<const contact::Edge*> others = contact::edges_of(pair.target);
+  const std::vector<contact::Edge>& own = pair.contact.plane.edges;
+  const std::vector<contact::Edge>& others = pair.target.plane.edges;
   std::vector<ContactEdge> result(own.size() + others.size());
   std::vector<bool> known(result.size(), false);
   for (std::size_t i = 0; i < result.size(); ++i) {
     const bool target = i >= own.size();
-    const contact::Edge& edge = target ? *others[i - own.size()] : *own[i];
+    const contact::Edge& edge = target ? others[i - own.size()] : own[i];
     if (const std::optional<std::size_t> at = find_edge(index, edge)) {
       known[i] = true;
       result[i].edge = *at;
@@ -77,8 +77,8 @@ std::vector<ContactEdge> contact_edges(const EdgeTable& table, const contact::Pa
     for (const contact::Segment& s : contact::find_segments(pair.contact, pair.target)) {
       ContactEdge& a = result[s.contact_edge];
       ContactEdge& b = result[own.size() + s.target_edge];
-      const contact::Edge& ea = *own[s.contact_edge];
-      const contact::Edge& eb = *others[s.target_edge];
+      const contact::Edge& ea = own[s.contact_edge];
+      const contact::Edge& eb = others[s.target_edge];
       b.rows.insert(b.rows.end(), a.rows.begin(), a.rows.end());
       faced[s.target_edge] += 0.5 * (s.to - s.from) * ea.length / eb.length;
       if (known[s.contact_edge] && known[own.size() + s.target_edge] &&

@@ -21,12 +21,12 @@ std::vector<ModeWeight> target_mode_weights(const EdgeTable& table, const contac
   }
   const EdgeIndex index = boundary_edges(table);
   const std::map<base::NodeId, std::size_t> row_of = contact::normal_rows(pair);
-  const std::vector<const contact::Edge*> own = contact::edges_of(pair.contact);
-  const std::vector<const contact::Edge*> others = contact::edges_of(pair.target);
+  const std::vector<contact::Edge>& own = pair.contact.plane.edges;
+  const std::vector<contact::Edge>& others = pair.target.plane.edges;
   std::map<std::pair<std::size_t, std::size_t>, double> sums; // by freedom and row
   for (const contact::Segment& s : contact::find_segments(pair.contact, pair.target)) {
-    const contact::Edge& edge = *own[s.contact_edge];
-    const contact::Edge& target = *others[s.target_edge];
+    const contact::Edge& edge = own[s.contact_edge];
+    const contact::Edge& target = others[s.target_edge];
     const std::optional<std::size_t> at = find_edge(index, target);
     if (!at) {
       continue;

@@ -31,14 +31,15 @@ constexpr double most_shallow = 0.05;  // of an extent: what overlaps more is me
 // between two of them, halved.
 double facet_of(const contact::Surface& surface) {
   double most = 0.0;
-  for (const contact::EdgeChain& chain : surface.chains) {
-    const std::size_t n = chain.edges.size();
+  for (const contact::EdgeChain& chain : surface.plane.chains) {
+    const std::span<const contact::Edge> edges = surface.plane.of(chain);
+    const std::size_t n = edges.size();
     for (std::size_t e = 0; e < n && n > 1; ++e) {
       if (e + 1 == n && !chain.closed) {
         continue;
       }
-      const contact::Edge& a = chain.edges[e];
-      const contact::Edge& b = chain.edges[(e + 1) % n];
+      const contact::Edge& a = edges[e];
+      const contact::Edge& b = edges[(e + 1) % n];
       const base::Vec2 s = contact::tangent_on(a, 1.0);
       const base::Vec2 t = contact::tangent_on(b, -1.0);
       const double turn = std::abs(std::atan2(s.x() * t.y() - s.y() * t.x(), s.dot(t)));
@@ -185,19 +186,19 @@ private:
       return;
     }
     const contact::Surface left = contact::make_surface(model_, mesh_, rest);
-    const std::vector<const contact::Edge*> edges = contact::edges_of(surface);
+    const std::vector<contact::Edge>& edges = surface.plane.edges;
     std::vector<double> seen(edges.size(), 0.0);
     std::vector<double> missed(edges.size(), 0.0);
     double low = 0.0;
     double high = 0.0;
     for (const contact::Segment& s : contact::find_segments(surface, partner)) {
       seen[s.contact_edge] += 0.5 * (s.to - s.from);
-      const double gap = gap_at(surface, *edges[s.contact_edge], partner, s);
+      const double gap = gap_at(surface, edges[s.contact_edge], partner, s);
       low = std::min(low, gap);
       high = std::max(high, gap);
     }
     for (const contact::Segment& s : contact::find_segments(surface, left)) {
-      const double gap = gap_at(surface, *edges[s.contact_edge], left, s);
+      const double gap = gap_at(surface, edges[s.contact_edge], left, s);
       const double near = near_share * std::min(surface.extent, left.extent);
       if (gap > low - near && gap < high + near) {
         missed[s.contact_edge] += 0.5 * (s.to - s.from);
@@ -208,9 +209,9 @@ private:
     base::Vec2 place = base::Vec2::Zero();
     for (std::size_t e = 0; e < edges.size(); ++e) {
       const double part = std::clamp(missed[e], 0.0, std::max(0.0, 1.0 - seen[e]));
-      length += edges[e]->length;
-      place = sum == 0.0 && part > 0.1 ? contact::point_on(*edges[e], 0.0) : place;
-      sum += part > 0.1 ? part * edges[e]->length : 0.0;
+      length += edges[e].length;
+      place = sum == 0.0 && part > 0.1 ? contact::point_on(edges[e], 0.0) : place;
+      sum += part > 0.1 ? part * edges[e].length : 0.0;
     }
     const bool whole = std::ranges::all_of(seen, [](double part) { return part == 0.0; });
     if (sum > least_missing * length && !whole) { // nothing at all: E411
@@ -229,7 +230,7 @@ private:
     const double xi = 0.5 * (s.from + s.to);
     const base::Vec2 x = contact::point_on(edge, xi);
     const base::Vec2 n = contact::surface_normal(surface, edge, xi);
-    const contact::Edge& other = *contact::edges_of(target)[s.target_edge];
+    const contact::Edge& other = target.plane.edges[s.target_edge];
     const std::optional<double> eta = contact::hit_on(other, x, n);
     return eta ? (contact::point_on(other, *eta) - x).dot(n) : 0.0;
   }

@@ -183,10 +183,10 @@ private:
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
       const contact::Surface surface = contact::make_surface(model_, mesh_, faces[b]);
       outlines_.emplace_back(surface, base::Vector());
-      for (const contact::Edge* edge : contact::edges_of(surface)) {
-        sides_[b].push_back(*edge);
-        length_[b] += edge->length;
-        slack_ = std::max(slack_, same_place * edge->length);
+      for (const contact::Edge& edge : surface.plane.edges) {
+        sides_[b].push_back(edge);
+        length_[b] += edge.length;
+        slack_ = std::max(slack_, same_place * edge.length);
       }
     }
   }

@@ -24,11 +24,9 @@ struct Candidate {
 
 std::map<base::NodeId, base::Vec2> node_places(const contact::Surface& surface) {
   std::map<base::NodeId, base::Vec2> place;
-  for (const contact::EdgeChain& chain : surface.chains) {
-    for (const contact::Edge& edge : chain.edges) {
-      for (std::size_t i = 0; i < static_cast<std::size_t>(edge.count); ++i) {
-        place.emplace(edge.nodes[i], edge.x[i]);
-      }
+  for (const contact::Edge& edge : surface.plane.edges) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(edge.count); ++i) {
+      place.emplace(edge.nodes[i], edge.x[i]);
     }
   }
   return place;
@@ -38,14 +36,12 @@ std::map<base::NodeId, base::Vec2> node_places(const contact::Surface& surface) 
 double spacing_at(const contact::Surface& surface, const base::Vec2& x) {
   double closest = std::numeric_limits<double>::infinity();
   double spacing = 0.0;
-  for (const contact::EdgeChain& chain : surface.chains) {
-    for (const contact::Edge& edge : chain.edges) {
-      for (const double xi : {-1.0, 0.0, 1.0}) {
-        const double distance = (contact::point_on(edge, xi) - x).norm();
-        if (distance < closest) {
-          closest = distance;
-          spacing = 0.5 * edge.length;
-        }
+  for (const contact::Edge& edge : surface.plane.edges) {
+    for (const double xi : {-1.0, 0.0, 1.0}) {
+      const double distance = (contact::point_on(edge, xi) - x).norm();
+      if (distance < closest) {
+        closest = distance;
+        spacing = 0.5 * edge.length;
       }
     }
   }
@@ -84,16 +80,14 @@ void add_candidates(const Scene& scene, const StepState& state, std::size_t c,
   const std::map<base::NodeId, std::size_t> row_of = contact::normal_rows(pair);
   std::vector<bool> ends(pair.normal.size(), false);
   const std::vector<bool>& closed = state.pair_closed[c];
-  for (const contact::EdgeChain& chain : pair.contact.chains) {
-    for (const contact::Edge& edge : chain.edges) {
-      const std::size_t last = edge.count == 3 ? 2 : 1;
-      const std::array<std::array<std::size_t, 2>, 2> steps{{{0, last}, {last, 1}}};
-      for (std::size_t i = 0; i < (edge.count == 3 ? 2U : 1U); ++i) {
-        const auto a = row_of.find(edge.nodes[steps[i][0]]);
-        const auto b = row_of.find(edge.nodes[steps[i][1]]);
-        if (a != row_of.end() && b != row_of.end() && closed[a->second] != closed[b->second]) {
-          ends[a->second] = ends[b->second] = true;
-        }
+  for (const contact::Edge& edge : pair.contact.plane.edges) {
+    const std::size_t last = edge.count == 3 ? 2 : 1;
+    const std::array<std::array<std::size_t, 2>, 2> steps{{{0, last}, {last, 1}}};
+    for (std::size_t i = 0; i < (edge.count == 3 ? 2U : 1U); ++i) {
+      const auto a = row_of.find(edge.nodes[steps[i][0]]);
+      const auto b = row_of.find(edge.nodes[steps[i][1]]);
+      if (a != row_of.end() && b != row_of.end() && closed[a->second] != closed[b->second]) {
+        ends[a->second] = ends[b->second] = true;
       }
     }
   }

@@ -222,14 +222,14 @@ bool ErrorBars::coarse_contact(const StepState& state, const mesh::Front& front)
     if (!state.mounted[c]) {
       continue;
     }
-    const auto near_and_coarse = [&](const contact::Edge* edge) {
-      const double spacing = 0.5 * edge->length;
-      const double reach = 2.0 * front.a + 0.5 * edge->length;
-      const base::Vec2 middle = contact::point_on(*edge, 0.0);
+    const auto near_and_coarse = [&](const contact::Edge& edge) {
+      const double spacing = 0.5 * edge.length;
+      const double reach = 2.0 * front.a + 0.5 * edge.length;
+      const base::Vec2 middle = contact::point_on(edge, 0.0);
       return spacing > 0.5 * front.a && (middle - front.tip().x.head<2>()).norm() < reach;
     };
-    if (std::ranges::any_of(contact::edges_of(scene_.pairs[c].contact), near_and_coarse) ||
-        std::ranges::any_of(contact::edges_of(scene_.pairs[c].target), near_and_coarse)) {
+    if (std::ranges::any_of(scene_.pairs[c].contact.plane.edges, near_and_coarse) ||
+        std::ranges::any_of(scene_.pairs[c].target.plane.edges, near_and_coarse)) {
       return true;
     }
   }

@@ -52,10 +52,10 @@ double distance_to(const Side& side, const Vec2& x) {
 }
 
 void add_sides(const contact::Surface& surface, std::vector<Side>& sides) {
-  for (const contact::Edge* edge : contact::edges_of(surface)) {
-    sides.push_back({{edge->x[0], contact::point_on(*edge, 0.0), edge->x[1]},
-                     edge->length,
-                     {edge->nodes[0], edge->nodes[1]}});
+  for (const contact::Edge& edge : surface.plane.edges) {
+    sides.push_back({{edge.x[0], contact::point_on(edge, 0.0), edge.x[1]},
+                     edge.length,
+                     {edge.nodes[0], edge.nodes[1]}});
   }
 }
 

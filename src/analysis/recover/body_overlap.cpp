@@ -149,9 +149,9 @@ private:
   // The contact that stands between two bodies, if any.
   [[nodiscard]] std::optional<std::string> between(std::size_t a, std::size_t b) const {
     const auto touches = [&](const contact::Surface& surface, std::size_t body) {
-      return !surface.chains.empty() &&
+      return !surface.facets.empty() &&
              std::ranges::binary_search(bodies_[body].body.nodes,
-                                        surface.chains.front().edges.front().nodes[0]);
+                                        surface.facets.front().nodes.front());
     };
     for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
       const contact::PairRows& pair = scene_.pairs[c];

@@ -31,8 +31,8 @@ double largest_pressure(const contact::PairRows& pair, const base::Vector& lambd
 
 // What straight edges on circles leave of the circle; nothing worth telling on curved ones.
 double facets(const contact::PairRows& pair, double facet) {
-  const bool straight = !pair.contact.chains.empty() &&
-                        pair.contact.chains.front().edges.front().count == 2 && pair.contact.circle;
+  const bool straight = !pair.contact.facets.empty() &&
+                        pair.contact.plane.edges.front().count == 2 && pair.contact.circle;
   return straight ? facet * facet / (4.0 * pair.contact.circle->radius) : 0.0;
 }
 

@@ -28,8 +28,8 @@ const BodyNet* body_named(const std::vector<BodyNet>& bodies, std::string_view r
 }
 
 bool has(const BodyNet& body, const contact::Surface& surface) {
-  return !surface.chains.empty() &&
-         std::ranges::binary_search(body.body.nodes, surface.chains.front().edges.front().nodes[0]);
+  return !surface.facets.empty() &&
+         std::ranges::binary_search(body.body.nodes, surface.facets.front().nodes.front());
 }
 
 // When a contact that is not mounted in a step was or will be; empty: it is mounted.

@@ -71,9 +71,8 @@ std::string set_of(const model::Mesh& mesh, const std::vector<model::Face>& face
 
 bool joined(const Scene& scene, const BodyNet& a, const BodyNet& b) {
   const auto of = [](const contact::Surface& surface, const BodyNet& body) {
-    return !surface.chains.empty() &&
-           std::ranges::binary_search(body.body.nodes,
-                                      surface.chains.front().edges.front().nodes[0]);
+    return !surface.facets.empty() &&
+           std::ranges::binary_search(body.body.nodes, surface.facets.front().nodes.front());
   };
   return std::ranges::any_of(scene.pairs, [&](const contact::PairRows& pair) {
     return (of(pair.contact, a) && of(pair.target, b)) ||

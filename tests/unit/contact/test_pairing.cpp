@@ -34,10 +34,8 @@ TEST_P(Pairing, RowsOfFullCirclesCoverTheWholeSurface) {
     area += row.area;
   }
   double length = 0.0; // of the discrete surface that carries the rows
-  for (const contact::EdgeChain& chain : pair.contact.chains) {
-    for (const contact::Edge& edge : chain.edges) {
-      length += edge.length;
-    }
+  for (const contact::Edge& edge : pair.contact.plane.edges) {
+    length += edge.length;
   }
   EXPECT_NEAR(area, 5.0 * length, 1e-6 * area);
 }

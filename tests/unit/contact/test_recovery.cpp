@@ -161,7 +161,6 @@ TEST(Recovery, OpenPairHasNoArc) {
 // linear along the surface stays, on edges of any lengths.
 TEST(Recovery, WavesBetweenCornersAndMiddlesAreLeftOut) {
   contact::Surface surface;
-  contact::EdgeChain chain;
   contact::Numbering number;
   std::vector<double> place;
   const auto node = [&](double s) {
@@ -180,9 +179,9 @@ TEST(Recovery, WavesBetweenCornersAndMiddlesAreLeftOut) {
     edge.nodes[1] = node(s + length);
     s += length;
     last = edge.nodes[1];
-    chain.edges.push_back(edge);
+    surface.plane.edges.push_back(edge);
   }
-  surface.chains.push_back(chain);
+  surface.plane.chains.push_back({0, surface.plane.edges.size(), false});
   base::Vector lambda(static_cast<Eigen::Index>(place.size()));
   for (std::size_t i = 0; i < place.size(); ++i) {
     lambda[static_cast<Eigen::Index>(i)] = 3.0 - 0.5 * place[i];
