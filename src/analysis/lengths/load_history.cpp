@@ -15,7 +15,8 @@ namespace {
 base::Vector intensities_of(const crack::KLayout& layout, const results::StepResult& result) {
   base::Vector K(layout.count());
   for (std::size_t t = 0; t < result.tips.size(); ++t) {
-    layout.of(K, t) = base::Vec2(result.tips[t].K1, result.tips[t].K2);
+    K[layout.at(t, 1)] = result.tips[t].K1;
+    K[layout.at(t, 2)] = result.tips[t].K2;
   }
   return K;
 }

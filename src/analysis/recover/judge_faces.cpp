@@ -42,7 +42,7 @@ bool is_smallest_of_law(const model::Model& model, const std::string& step) {
 
 // FACES=FREE: what overlaps is told, and K1 < 0 is no answer even so, but as K_min of a law.
 void tell_overlap(const TipState& at, results::TipResult& result, results::StepResult& out) {
-  const double part = lip_overlap(at.scene.cracked, at.tip.crack.index(), at.state.u).lone;
+  const double part = lip_overlap(at.scene.cracked, at.front.crack.index(), at.state.u).lone;
   const bool negative = result.K1 < 0.0 && std::abs(result.K1) > small_K1 * std::abs(result.K2);
   if (negative && is_smallest_of_law(at.model, out.step)) {
     out.notes.push_back(
@@ -72,7 +72,7 @@ void tell_lone_nodes(const TipState& at, const TipFaces& faces, const results::T
                                      result.name)));
   }
   const double part =
-      faces.in_contact ? 0.0 : lip_overlap(at.scene.cracked, at.tip.crack.index(), at.state.u).lone;
+      faces.in_contact ? 0.0 : lip_overlap(at.scene.cracked, at.front.crack.index(), at.state.u).lone;
   if (part > overlap_of_round_off) {
     out.notes.push_back(results::warning(
         fmt::format("{}: the crack faces overlap at single nodes, by {:.1e} of their largest "
@@ -120,17 +120,17 @@ void close_tip(const TipFaces& faces, double scale, results::TipResult& result,
 // Whether K is nothing but the round-off of displacements that a crack is carried along with.
 bool is_round_off(const TipState& at) {
   const double scale =
-      at.K.E_effective * at.state.u.lpNorm<Eigen::Infinity>() / std::sqrt(at.tip.a);
+      at.K.E_effective * at.state.u.lpNorm<Eigen::Infinity>() / std::sqrt(at.front.a);
   return std::hypot(at.K.K1, at.K.K2) <= 1e-9 * scale;
 }
 
 // K of the size that pressure between the faces, or their largest displacement against each other,
 // has at a crack of this length under uniform stress; no less than what round-off makes of it.
 double k_scale(const TipState& at, const TipFaces& faces) {
-  const double a = at.tip.a;
+  const double a = at.front.a;
   const double E = at.K.E_effective;
   const double pressed = faces.pressure * std::sqrt(std::numbers::pi * a);
-  const double jump = lip_jump(at.scene.cracked, at.tip.crack.index(), at.state.u);
+  const double jump = lip_jump(at.scene.cracked, at.front.crack.index(), at.state.u);
   const double open = 0.25 * E * jump * std::sqrt(std::numbers::pi / a);
   const double least = 1e-6 * E * at.state.u.lpNorm<Eigen::Infinity>() / std::sqrt(a);
   return std::max({pressed, open, least});
@@ -147,15 +147,15 @@ void judge_faces(const TipState& at, results::TipResult& result, results::StepRe
   }
   if (is_round_off(at)) { // nothing loads the crack
     result.K1 = result.K2 = result.G = result.G_from_K = 0.0;
-    result.closed = at.model.cracks[at.tip.crack.index()].faces_in_contact &&
-                    tip_faces(at.scene, at.tip, at.state).closed;
+    result.closed = at.model.cracks[at.front.crack.index()].faces_in_contact &&
+                    tip_faces(at.scene, at.front, at.state).closed;
     return;
   }
-  if (!at.model.cracks[at.tip.crack.index()].faces_in_contact) {
+  if (!at.model.cracks[at.front.crack.index()].faces_in_contact) {
     tell_overlap(at, result, out);
     return;
   }
-  const TipFaces faces = tip_faces(at.scene, at.tip, at.state);
+  const TipFaces faces = tip_faces(at.scene, at.front, at.state);
   close_tip(faces, k_scale(at, faces), result, out);
   tell_lone_nodes(at, faces, result, out);
 }

@@ -154,7 +154,8 @@ base::Vector LoadPaths::free_values(const base::Vector& case_factor) const {
   const crack::KLayout layout = scene_.k_layout();
   for (std::size_t t = 0; t < scene_.cracked.fronts.size(); ++t) {
     const crack::StressIntensity found = intensity(model_, scene_, t, u, case_factor);
-    layout.of(values, t) = base::Vec2(found.K1, found.K2);
+    values[layout.at(t, 1)] = found.K1;
+    values[layout.at(t, 2)] = found.K2;
   }
   values.tail(2 * static_cast<Eigen::Index>(watches_.size())) = watched(u);
   return values;
