@@ -30,6 +30,7 @@ struct ConstraintRow {
   double area = 0.0; ///< integral of the row's function over the paired part
   base::NodeId node; ///< contact node that the function belongs to
   bool tangential = false;
+  int normal = -1; ///< of a tangential row: its normal row among those of the pair
 };
 
 /// A place where one surface of a pair ends while the other goes on: the end of a rigid line, the

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/lip_pairing.hpp"
 
-#include "contact/row_builder.hpp"
+#include "contact/node_pair.hpp"
 #include "mesh/boundary.hpp"
 #include "shape/quadrature.hpp"
 
@@ -76,19 +76,8 @@ PairRows lip_rows(const model::Model& model, const model::Mesh& mesh, const mesh
       continue;
     }
     const Vec2& push = nodes.push.at(id);
-    const auto add = [&](const Vec2& along, bool tangential, std::vector<ConstraintRow>& rows) {
-      RowBuilder row;
-      row.add(id, -along);
-      if (other->second.valid()) {
-        row.add(other->second, along);
-      }
-      row.area = push.norm();
-      rows.push_back(row.finish(id, tangential));
-    };
-    add(push, false, pair.normal);
-    if (friction && !half) {
-      add(Vec2(-push.y(), push.x()), true, pair.tangent);
-    }
+    add_rows(NodePair{id, other->second, {push.x(), push.y(), 0.0}, push.norm(), 0.0},
+             friction && !half, pair);
   }
   return pair;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/node_pairing.hpp"
 
+#include "contact/node_pair.hpp"
 #include "contact/rigid_target.hpp"
-#include "contact/row_builder.hpp"
 #include "shape/quadrature.hpp"
 
 #include <algorithm>
@@ -126,25 +126,13 @@ void node_rows(PairRows& pair, std::optional<double> declared_gap, bool tangents
         node.area <= no_area * pair.contact.mean_length * pair.contact.mean_length) {
       continue;
     }
-    RowBuilder row;
-    row.add(id, -node.area * n);
-    if (other->node.valid()) {
-      row.add(other->node, node.area * n);
-    }
-    row.gap = node.area * declared_gap.value_or(gap_beyond_digits(other->gap, node.x));
-    row.round_gap = row.gap;
-    row.area = node.area;
-    pair.normal.push_back(row.finish(id, false));
-    if (tangents) {
-      const Vec2 t(-n.y(), n.x());
-      RowBuilder slip;
-      slip.add(id, -node.area * t);
-      if (other->node.valid()) {
-        slip.add(other->node, node.area * t);
-      }
-      slip.area = node.area;
-      pair.tangent.push_back(slip.finish(id, true));
-    }
+    const Vec2 push = node.area * n;
+    add_rows(NodePair{id,
+                      other->node,
+                      {push.x(), push.y(), 0.0},
+                      node.area,
+                      declared_gap.value_or(gap_beyond_digits(other->gap, node.x))},
+             tangents, pair);
   }
   if (pair.found && lonely > 0) {
     pair.trouble = fmt::format("PAIRING=NODE needs a master node opposite each slave node; {} of "

@@ -14,9 +14,8 @@ struct RowBuilder {
   double area = 0.0;
   double whole = 0.0; ///< area of the function over its whole support, paired or not
 
-  void add(base::NodeId node, const Vec2& w) {
-    const auto [at, fresh] = weight.try_emplace(node, base::Vec3::Zero());
-    at->second.head<2>() += w;
+  void add(base::NodeId node, const base::Vec3& w) {
+    weight.try_emplace(node, base::Vec3::Zero()).first->second += w;
   }
   void add(const RowBuilder& other) {
     for (const auto& [node, w] : other.weight) {
@@ -26,7 +25,8 @@ struct RowBuilder {
     round_gap += other.round_gap;
     area += other.area;
   }
-  [[nodiscard]] ConstraintRow finish(base::NodeId node, bool tangential) const {
+  /// The row of a contact node; a tangential one has the place of its normal row.
+  [[nodiscard]] ConstraintRow finish(base::NodeId node, int normal = -1) const {
     ConstraintRow row;
     for (const auto& [n, w] : weight) {
       row.entries.push_back({n, w});
@@ -35,7 +35,8 @@ struct RowBuilder {
     row.round_gap = round_gap;
     row.area = area;
     row.node = node;
-    row.tangential = tangential;
+    row.tangential = normal >= 0;
+    row.normal = normal;
     return row;
   }
 };

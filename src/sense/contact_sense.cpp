@@ -49,7 +49,7 @@ double facet_of(const contact::Surface& surface) {
   return most;
 }
 
-double analysis::size_of(const contact::Surface& surface) {
+double size_of(const contact::Surface& surface) {
   return surface.circle ? surface.circle->radius : 0.5 * surface.extent;
 }
 
@@ -128,16 +128,15 @@ private:
     }
     look_at_clearance(contact, std::max(drawn, slack), surface);
     const double overlap = contact.gap ? -*contact.gap : -seen.gap_low - slack;
-    if (overlap > most_fit * analysis::size_of(surface)) {
-      list_.warning(contact.span, "W444",
-                    fmt::format("contact {}: {} {:.4g} {}, {:.2g} % of {} of {:.4g} {}: strains of "
-                                "that size are not small",
-                                contact.name,
-                                contact.gap ? "an interference of" : "the surfaces overlap by",
-                                overlap, unit, 100.0 * overlap / analysis::size_of(surface),
-                                surface.circle ? "a radius" : "half an extent",
-                                analysis::size_of(surface), unit),
-                    "a fit is declared in units of length; look at the unit and at the drawing");
+    if (overlap > most_fit * size_of(surface)) {
+      list_.warning(
+          contact.span, "W444",
+          fmt::format("contact {}: {} {:.4g} {}, {:.2g} % of {} of {:.4g} {}: strains of "
+                      "that size are not small",
+                      contact.name, contact.gap ? "an interference of" : "the surfaces overlap by",
+                      overlap, unit, 100.0 * overlap / size_of(surface),
+                      surface.circle ? "a radius" : "half an extent", size_of(surface), unit),
+          "a fit is declared in units of length; look at the unit and at the drawing");
     }
   }
 
@@ -146,7 +145,7 @@ private:
   void look_at_clearance(const model::Contact& contact, double drawn,
                          const contact::Surface& surface) {
     const double gap = contact.gap.value_or(0.0);
-    const double size = analysis::size_of(surface);
+    const double size = size_of(surface);
     const std::string& unit = model_.units.length_name;
     if (gap > most_gap * size && gap > 2.0 * drawn) {
       list_.warning(contact.span, "W444",

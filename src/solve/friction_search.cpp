@@ -84,14 +84,14 @@ Complementarity complementarity(const ScaledFriction& problem, const Interface& 
   Complementarity lcp{base::Matrix(n, n), base::Vector(n), {}};
   base::Matrix columns(rows, n); // what z does to all forces
   columns.leftCols(units) = face.A.leftCols(units);
-  int at = units;
+  int column = units;
   int tangent = units;
   for (const ScaledFriction::Unit& u : problem.units) {
-    lcp.forward.push_back(u.tangent < 0 ? -1 : at);
+    lcp.forward.push_back(u.tangent < 0 ? -1 : column);
     if (u.tangent >= 0) {
-      columns.col(at) = face.A.col(tangent);
-      columns.col(at + 1) = -face.A.col(tangent);
-      at += 2;
+      columns.col(column) = face.A.col(tangent);
+      columns.col(column + 1) = -face.A.col(tangent);
+      column += 2;
       ++tangent;
     }
   }

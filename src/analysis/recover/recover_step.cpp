@@ -105,6 +105,11 @@ void gather_friction(const Scene& scene, const StepState& state, std::size_t c,
   const contact::PairRows& pair = scene.pairs[c];
   const PairFriction& friction = state.friction[c];
   const auto normals = static_cast<Eigen::Index>(pair.normal.size());
+  std::vector<Eigen::Index> slip_row(pair.normal.size(), -1);
+  for (std::size_t i = 0; i < pair.tangent.size(); ++i) {
+    slip_row[static_cast<std::size_t>(pair.tangent[i].normal)] =
+        normals + static_cast<Eigen::Index>(i);
+  }
   const bool round = contact::counts_angles(pair);
   std::vector<contact::ArcNode> arc;
   result.rubs = true;
@@ -115,7 +120,7 @@ void gather_friction(const Scene& scene, const StepState& state, std::size_t c,
       const auto row = static_cast<Eigen::Index>(p.nodes[i].row);
       const double area = pair.normal[static_cast<std::size_t>(row)].area;
       const double limit = friction.mu * state.pair_lambda[c][row];
-      const double shear = std::abs(state.pair_lambda[c][normals + row]);
+      const double shear = std::abs(state.pair_lambda[c][slip_row[static_cast<std::size_t>(row)]]);
       point.state = friction.touch[static_cast<std::size_t>(row)] == solve::Touch::stick
                         ? results::ContactState::stick
                         : results::ContactState::slip;

@@ -17,12 +17,12 @@ FrictionHistory::FrictionHistory(const Scene& scene)
              .alpha = {}};
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     const std::size_t first = scene.table.first[c];
-    const std::size_t normals = scene.pairs[c].normal.size();
     mu_.push_back(scene.contacts[c].mu);
     for (std::size_t r = first; r < scene.table.first[c + 1]; ++r) {
+      const contact::ConstraintRow& row = scene.row(r);
       contact_of_[r] = c;
-      if (mu_[c] > 0.0 && r >= first + normals) {
-        normal_of_[r] = static_cast<std::ptrdiff_t>(r - normals);
+      if (mu_[c] > 0.0 && row.tangential) {
+        normal_of_[r] = static_cast<std::ptrdiff_t>(first) + row.normal;
       }
     }
   }
@@ -85,10 +85,12 @@ PairFriction FrictionHistory::pair(std::size_t contact) const {
   pair.slip = base::Vector::Zero(n);
   pair.path = base::Vector::Zero(n);
   for (std::size_t i = 0; i < normals; ++i) {
-    const auto at = static_cast<Eigen::Index>(i);
     pair.touch.push_back(memory_.touch[first + i]);
-    pair.slip[at] = memory_.slip[first + normals + i];
-    pair.path[at] = memory_.path[first + normals + i];
+  }
+  const std::vector<contact::ConstraintRow>& tangent = scene_.pairs[contact].tangent;
+  for (std::size_t i = 0; i < tangent.size(); ++i) {
+    pair.slip[tangent[i].normal] = memory_.slip[first + normals + i];
+    pair.path[tangent[i].normal] = memory_.path[first + normals + i];
   }
   pair.work = memory_.work[contact];
   pair.mu = mu_[contact];

@@ -6,6 +6,8 @@
 #include <cmath>
 
 // The estimated error of plain stress analyses: beams whose stiffness is known, and what is said.
+#include <fmt/format.h>
+
 namespace spricka {
 namespace {
 
@@ -39,8 +41,9 @@ std::string block(const std::string& type_and_counts) {
 }
 // Sides at 45 degrees in turn; 6 elements.
 std::string trapezia(bool serendipity) {
-  return std::string("$PARAMETER\n  form = 2\n  n = 6\n  serendipity = ") +
-         (serendipity ? "1" : "0") + "\n$IMPORT FILE='" DECKS_DIR "/cantilever.geo' FORMAT=GEO\n";
+  return fmt::format("$PARAMETER\n  form = 2\n  n = 6\n  serendipity = {}\n"
+                     "$IMPORT FILE='{}/cantilever.geo' FORMAT=GEO\n",
+                     serendipity ? 1 : 0, DECKS_DIR);
 }
 
 bool warned(const Outcome& outcome) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/recovery.hpp"
 #include "contact/outline.hpp"
 #include "contact/pairing.hpp"
 #include "contact/push_only.hpp"

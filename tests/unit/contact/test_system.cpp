@@ -132,7 +132,7 @@ TEST(ContactSystem, RowsOnEarlyRowsLastFromBodyToBody) {
     whole.bottomRightCorner(6, 6) = own;
     whole.topLeftCorner(6, 6) += block;
     base::Matrix D = own;
-    D.topLeftCorner(2, 2) += early->left();
+    D.topLeftCorner(2, 2) += early->schur();
     const std::vector<Eigen::Index> row{0, 1, 2, 3, 6, 7, 8, 9};
     const contact::CondensedBody body({0, 1, 2, 3, 4, 5, 6, 7},
                                       {solve::LayeredCholesky(early, {0, 1}, D), row});

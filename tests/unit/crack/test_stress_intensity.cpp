@@ -69,7 +69,7 @@ TEST_P(NearTipField, GivesItsOwnK) {
   const auto [state, type] = GetParam();
   const Annulus a(6, 48, state, type);
   const crack::StressIntensity K =
-      crack::stress_intensity(a.model, a.cracked, a.tip, a.fields, {}, a.u, {});
+      crack::stress_intensity(a.model, a.cracked, a.front, a.fields, {}, a.u, {});
   EXPECT_NEAR(K.K1, K1, 1e-4 * K1);
   EXPECT_NEAR(K.K2, K2, 1e-4 * K1);
   const double E = fe::effective_modulus(a.model.materials[0], state);
@@ -84,7 +84,7 @@ TEST_P(NearTipField, ConvergesToItsOwnK) {
   for (int level = 0; level < 2; ++level) {
     const Annulus a(2 << level, 12 << level, state, type);
     const crack::StressIntensity K =
-        crack::stress_intensity(a.model, a.cracked, a.tip, a.fields, {}, a.u, {});
+        crack::stress_intensity(a.model, a.cracked, a.front, a.fields, {}, a.u, {});
     error[level] = std::hypot(K.K1 - K1, K.K2 - K2);
   }
   EXPECT_LT(error[1], error[0] / 6.0);
@@ -99,7 +99,7 @@ TEST_P(NearTipField, FiniteShiftTendsToTheAnalyticDerivative) {
     crack::VceRequest request;
     request.shift = i == 0 ? 1e-2 : 1e-3;
     const crack::StressIntensity K =
-        crack::stress_intensity(a.model, a.cracked, a.tip, a.fields, request, a.u, {});
+        crack::stress_intensity(a.model, a.cracked, a.front, a.fields, request, a.u, {});
     ASSERT_TRUE(K.shift_error.has_value());
     error[i] = std::abs(*K.shift_error);
   }
@@ -120,14 +120,14 @@ TEST(StressIntensity, RowsGiveTheSameKOfAnyDisplacement) {
       q = q * q;
     }
     a.fields.push_back(narrow);
-    const base::Matrix rows = crack::intensity_rows(a.model, a.cracked, a.tip, a.fields, state);
+    const base::Matrix rows = crack::intensity_rows(a.model, a.cracked, a.front, a.fields, state);
     for (Eigen::Index i = 0; i < a.u.size(); ++i) {
       a.u[i] += 1e-3 * std::sin(1.7 * static_cast<double>(i * i % 97)); // rough
     }
     crack::VceRequest request;
     request.state = state;
     const crack::StressIntensity K =
-        crack::stress_intensity(a.model, a.cracked, a.tip, a.fields, request, a.u, {});
+        crack::stress_intensity(a.model, a.cracked, a.front, a.fields, request, a.u, {});
     const double size = rows.cwiseAbs().transpose().row(0).dot(a.u.cwiseAbs());
     EXPECT_NEAR(rows.col(0).dot(a.u), K.K1, 1e-13 * size);
     EXPECT_NEAR(rows.col(1).dot(a.u), K.K2, 1e-13 * size);
@@ -139,9 +139,9 @@ TEST(StressIntensity, StateOfTheCrackRescalesK) {
   const Annulus a(4, 32, model::State::plane_stress, base::ElementType::quamc8);
   crack::VceRequest strain;
   strain.state = model::CrackState::strain;
-  const double own = crack::stress_intensity(a.model, a.cracked, a.tip, a.fields, {}, a.u, {}).K1;
+  const double own = crack::stress_intensity(a.model, a.cracked, a.front, a.fields, {}, a.u, {}).K1;
   const double other =
-      crack::stress_intensity(a.model, a.cracked, a.tip, a.fields, strain, a.u, {}).K1;
+      crack::stress_intensity(a.model, a.cracked, a.front, a.fields, strain, a.u, {}).K1;
   EXPECT_NEAR(other / own, 1.0 / std::sqrt(1.0 - 0.3 * 0.3), 1e-12);
 }
 

@@ -63,7 +63,7 @@ struct Plate {
             .value();
     lips = mesh::lip_faces(cracked.mesh, cracked.faces.front());
     std::vector<int> left_out;
-    fields = crack::Neighbourhood(cracked.mesh).fields(cracked, tip(), {2, 4}, left_out);
+    fields = crack::Neighbourhood(cracked.mesh).fields(cracked, front(), {2, 4}, left_out);
     u.resize(2 * static_cast<Eigen::Index>(cracked.mesh.node_count()));
     for (Eigen::Index i = 0; i < u.size(); ++i) {
       u[i] = std::sin(1.7 * static_cast<double>(i * i % 97));
@@ -108,9 +108,9 @@ model::Load load_of(What what) {
 crack::TipLoads acting(const Plate& plate, const model::Load& load, double factor) {
   crack::ActingLoad a{&load, factor, {}, {}};
   if (load.type == model::LoadType::pressure || load.type == model::LoadType::traction) {
-    a.faces = plate.faces.left;
+    a.faces = plate.lips.left;
     if (load.type == model::LoadType::pressure) {
-      a.faces.insert(a.faces.end(), plate.faces.right.begin(), plate.faces.right.end());
+      a.faces.insert(a.faces.end(), plate.lips.right.begin(), plate.lips.right.end());
     }
   } else {
     a.elements = plate.all();
@@ -142,19 +142,19 @@ TEST_P(TipTerm, IsTheDerivativeOfTheEnergy) {
   const model::Load load = load_of(what);
   const crack::TipLoads loads = acting(plate, load, 1e3);
   const crack::TipSetting set =
-      crack::tip_setting(plate.model, plate.cracked, plate.tip(), plate.fields, loads);
+      crack::tip_setting(plate.model, plate.cracked, plate.front(), plate.fields, loads);
   const crack::TipLoads none;
   const crack::TipSetting unloaded =
-      crack::tip_setting(plate.model, plate.cracked, plate.tip(), plate.fields, none);
+      crack::tip_setting(plate.model, plate.cracked, plate.front(), plate.fields, none);
   ASSERT_EQ(plate.fields.size(), 2U);
   for (const crack::ExtensionField& f : plate.fields) {
     const crack::StressIntensity K =
-        crack::stress_intensity(plate.model, plate.cracked, plate.tip(), {f}, {}, plate.u, loads);
+        crack::stress_intensity(plate.model, plate.cracked, plate.front(), {f}, {}, plate.u, loads);
     const crack::StressIntensity bare =
-        crack::stress_intensity(plate.model, plate.cracked, plate.tip(), {f}, {}, plate.u, {});
+        crack::stress_intensity(plate.model, plate.cracked, plate.front(), {f}, {}, plate.u, {});
     // The stiffness itself takes fewer points than G: what it misses is no matter of the loads, but
     // for elements that expand freely.
-    const double s = 1e-4 * plate.tip().size;
+    const double s = 1e-4 * plate.front().size;
     const double difference = crack::shifted_release_rate(set, f, s, plate.u) -
                               crack::shifted_release_rate(unloaded, f, s, plate.u);
     EXPECT_NEAR(K.G - bare.G, difference,
@@ -174,11 +174,11 @@ TEST_P(TipTerm, IsTheConstantOfK) {
     crack::VceRequest request;
     request.state = wish;
     const crack::StressIntensity K =
-        crack::stress_intensity(model, cracked, plate.tip(), fields, request, u, loads);
-    const base::Matrix rows = crack::intensity_rows(model, cracked, plate.tip(), fields, wish);
-    const base::Vector row = crack::t_stress_row(model, cracked, plate.tip(), fields);
+        crack::stress_intensity(model, cracked, plate.front(), fields, request, u, loads);
+    const base::Matrix rows = crack::intensity_rows(model, cracked, plate.front(), fields, wish);
+    const base::Vector row = crack::t_stress_row(model, cracked, plate.front(), fields);
     const crack::IntensityConstant c =
-        crack::intensity_constant(model, cracked, plate.tip(), fields, wish, loads);
+        crack::intensity_constant(model, cracked, plate.front(), fields, wish, loads);
     const double size = rows.cwiseAbs().transpose().row(0).dot(u.cwiseAbs());
     EXPECT_NEAR(rows.col(0).dot(u) + c.K1, K.K1, 1e-12 * size);
     EXPECT_NEAR(rows.col(1).dot(u) + c.K2, K.K2, 1e-12 * size);
@@ -204,17 +204,17 @@ INSTANTIATE_TEST_SUITE_P(Loads, TipTerm,
 // Lips of the plate: as many sides on each, opposite each other, ending at the tip.
 TEST(LipFaces, LieOppositeEachOther) {
   const Plate plate(model::State::plane_stress);
-  ASSERT_EQ(plate.faces.left.size(), plate.faces.right.size());
-  EXPECT_EQ(2 * plate.faces.left.size() + 1, plate.cracked.faces.front().left.size());
+  ASSERT_EQ(plate.lips.left.size(), plate.lips.right.size());
+  EXPECT_EQ(2 * plate.lips.left.size() + 1, plate.cracked.faces.front().left.size());
   double length = 0.0;
-  for (const model::Face& face : plate.faces.left) {
+  for (const model::Face& face : plate.lips.left) {
     const auto nodes = plate.cracked.mesh.nodes_of(face.element);
     const auto corners =
         static_cast<std::size_t>(base::info(plate.cracked.mesh.type[face.element.index()]).corners);
     const auto i = static_cast<std::size_t>(face.side);
     const base::Vec3 d = plate.cracked.mesh.x[nodes[(i + 1) % corners].index()] -
                          plate.cracked.mesh.x[nodes[i].index()];
-    EXPECT_GT(d.dot(plate.tip().direction), 0.0); // the body on its left, towards the tip
+    EXPECT_GT(d.dot(plate.front().tip().growth), 0.0); // the body on its left, towards the tip
     length += d.norm();
   }
   EXPECT_NEAR(length, std::hypot(1.5, 0.4), 1e-12);

@@ -260,9 +260,9 @@ TEST_P(GoalError, IsNothingWhereTheMeshIsExact) {
   const double s = 5.0;
   const double E = 1000.0;
   const double nu = 0.3;
-  const base::Vec2 e1 = strip.cracked.fronts[0].direction.head<2>();
+  const base::Vec2 e1 = strip.cracked.fronts[0].tip().growth.head<2>();
   const base::Vec2 e2(-e1.y(), e1.x());
-  const base::Vec2 tip = strip.cracked.fronts[0].x.head<2>();
+  const base::Vec2 tip = strip.cracked.fronts[0].tip().x.head<2>();
   base::Vector u(2 * static_cast<Eigen::Index>(strip.cracked.mesh.node_count()));
   for (std::size_t n = 0; n < strip.cracked.mesh.node_count(); ++n) {
     const base::Vec2 d = strip.cracked.mesh.x[n].head<2>() - tip;

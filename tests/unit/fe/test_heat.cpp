@@ -69,9 +69,9 @@ struct Plate {
     load.type = model::LoadType::temperature;
     load.elements = base::ElementSetId(set);
     load.value = {std::move(T)};
-    return fe::case_heat(model,
-                         {cracked.mesh, model.mesh, &cracked.host, {cracked.fronts.front().node}},
-                         {"", {load}});
+    return fe::case_heat(
+        model, {cracked.mesh, model.mesh, &cracked.host, {cracked.fronts.front().tip().node}},
+        {"", {load}});
   }
   [[nodiscard]] std::size_t left() const { return model.mesh.element_sets.size() - 1; }
 

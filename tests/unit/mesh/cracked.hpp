@@ -181,7 +181,7 @@ inline void expect_lips(const mesh::CrackedMesh& cracked, std::size_t i, double 
   const auto& x = cracked.mesh.x;
   ASSERT_EQ(lips.left.size(), lips.right.size());
   EXPECT_EQ(lips.left.back(), lips.right.back());
-  EXPECT_EQ(lips.left.back(), cracked.fronts[i].node);
+  EXPECT_EQ(lips.left.back(), cracked.fronts[i].tip().node);
   double length = 0.0;
   for (std::size_t k = 0; k < lips.left.size(); ++k) {
     EXPECT_EQ(x[lips.left[k].index()], x[lips.right[k].index()]);

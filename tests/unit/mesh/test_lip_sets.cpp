@@ -84,7 +84,7 @@ TEST(LipSets, NodesOfTheNetsOwnMeshAlike) {
                                            std::span(&span, 1), diagnostics);
   ASSERT_TRUE(cracked.has_value());
   expect_sides(*cracked);
-  for (std::size_t i = 0; i + 1 < cracked->lips[0].left.size(); ++i) {
+  for (std::size_t i = 0; i + 1 < cracked->faces[0].left.size(); ++i) {
     const Held half = held(*cracked, "HALF", i);
     EXPECT_TRUE(half.left) << i;
     EXPECT_FALSE(half.right) << i;

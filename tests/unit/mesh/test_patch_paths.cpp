@@ -36,7 +36,7 @@ TEST(PathCrack, WithoutPatchNodesAreDoubled) {
   EXPECT_EQ(cracked.mesh.element_count(), host.element_count());
   EXPECT_NEAR(test::area(cracked.mesh), 80.0, 1e-11);
   EXPECT_TRUE(mesh::bad_elements(cracked.mesh).empty());
-  EXPECT_EQ(test::expect_quarter_points(cracked, cracked.fronts[0].node), 8);
+  EXPECT_EQ(test::expect_quarter_points(cracked, cracked.fronts[0].tip().node), 8);
   EXPECT_NEAR(cracked.fronts[0].size, 1.0, 1e-15);
   EXPECT_EQ(cracked.host[17], base::ElementId(std::size_t{17}));
 }
@@ -57,7 +57,7 @@ TEST(PathCrack, WithoutPatchOnASymmetryLineNothingIsDoubled) {
   EXPECT_EQ(cracked.faces[0].left.size(), 7U);
   EXPECT_TRUE(cracked.faces[0].right.empty());
   EXPECT_TRUE(cracked.fronts[0].symmetric_half);
-  EXPECT_EQ(test::expect_quarter_points(cracked, cracked.fronts[0].node), 4);
+  EXPECT_EQ(test::expect_quarter_points(cracked, cracked.fronts[0].tip().node), 4);
   const auto above = test::insert(host, {path_crack(host, 8.0, 3.0, true)}, &wishes);
   EXPECT_TRUE(above.faces[0].left.empty());
   EXPECT_EQ(above.faces[0].right.size(), 7U);
@@ -108,7 +108,7 @@ TEST_P(HalfCrack, OnASymmetryLine) {
     }
     EXPECT_EQ(cracked.mesh.x[lip[0].index()], Vec3(0, y, 0));
     EXPECT_NEAR(cracked.mesh.x[lip.back().index()].x(), a, 1e-14);
-    EXPECT_EQ(test::expect_quarter_points(cracked, cracked.fronts[0].node),
+    EXPECT_EQ(test::expect_quarter_points(cracked, cracked.fronts[0].tip().node),
               mesh::TipMesh{}.sectors); // half of them, two edges each
     // the set of the line has the nodes of the line, none more, none less
     std::set<NodeId> expected;

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-namespace spricka::run {
+namespace spricka::program {
 namespace {
 
 namespace fs = std::filesystem;
@@ -62,4 +62,4 @@ TEST(ErrorCodes, AdviceIsOnCodesThatExist) {
 }
 
 } // namespace
-} // namespace spricka::run
+} // namespace spricka::program

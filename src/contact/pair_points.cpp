@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/pair_points.hpp"
+
+#include "contact/rigid_target.hpp"
+#include "contact/segment.hpp"
+#include "shape/quadrature.hpp"
+
+#include <cmath>
+
+namespace spricka::contact {
+
+namespace {
+
+constexpr int degree = 9; // of the quadrature along a segment
+
+// What a point of a contact edge sees on its normal, or on that of a rigid target.
+struct Opposite {
+  double eta = 0.0;
+  Vec2 normal = Vec2::Zero();
+  double gap = 0.0;
+  double round_gap = 0.0;
+};
+
+// How far along n the circle that the nodes of a surface lie on is from a point of its edges.
+double to_circle(const Surface& surface, const Vec2& x, const Vec2& n) {
+  if (!surface.circle || !surface.circle->exact) {
+    return 0.0;
+  }
+  const Vec2 d = x - surface.circle->centre;
+  const double along = d.normalized().dot(n);
+  return std::abs(along) < 0.5 ? 0.0 : (surface.circle->radius - d.norm()) / along;
+}
+
+std::optional<Opposite> opposite(const Surface& contact, const model::Rigid& rigid,
+                                 const Segment& s, double xi) {
+  const Vec2 x = point_on(contact.plane.edges[s.contact_edge], xi);
+  const std::optional<RigidFoot> foot = foot_on(rigid, x);
+  if (!foot) {
+    return std::nullopt;
+  }
+  const double gap = gap_beyond_digits(foot->gap, x);
+  return Opposite{0.0, foot->normal, gap, gap - to_circle(contact, x, foot->normal)};
+}
+
+std::optional<Opposite> opposite(const Surface& contact, const Surface& other, const Segment& s,
+                                 double xi) {
+  const Edge& edge = contact.plane.edges[s.contact_edge];
+  const Edge& target = other.plane.edges[s.target_edge];
+  const Vec2 x = point_on(edge, xi);
+  const Vec2 n = surface_normal(contact, edge, xi);
+  const std::optional<double> eta = hit_on(target, x, n);
+  if (!eta) {
+    return std::nullopt;
+  }
+  const Vec2 y = point_on(target, *eta);
+  const double gap = gap_beyond_digits((y - x).dot(n), x);
+  return Opposite{*eta, n, gap, gap - to_circle(contact, x, n) + to_circle(other, y, n)};
+}
+
+bool covered_twice(const std::vector<Segment>& segments) {
+  for (std::size_t i = 1; i < segments.size(); ++i) {
+    if (segments[i].contact_edge == segments[i - 1].contact_edge &&
+        segments[i].from < segments[i - 1].to - 1e-6) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// False if a point of the segment finds no target: its area would be lost.
+template <class Target, class Depth>
+bool add_segment(const Surface& contact, const Target& target, const Segment& s, Depth&& depth,
+                 std::vector<PairPoint>& points) {
+  const Edge& edge = contact.plane.edges[s.contact_edge];
+  for (const auto& [r, weight] : shape::line_rule(degree)) {
+    const double xi = 0.5 * ((s.to + s.from) + (s.to - s.from) * r[0]);
+    const Vec2 x = point_on(edge, xi);
+    const std::optional<Opposite> other = opposite(contact, target, s, xi);
+    if (!other) {
+      return false;
+    }
+    PairPoint p;
+    p.facet = s.contact_edge;
+    p.target = s.target_edge;
+    p.r = {xi, 0.0};
+    p.s = {other->eta, 0.0};
+    p.x.head<2>() = x;
+    p.normal.head<2>() = other->normal;
+    p.tangent[0] = {-other->normal.y(), other->normal.x(), 0.0};
+    p.weight = 0.5 * (s.to - s.from) * weight * tangent_on(edge, xi).norm() * depth(x);
+    p.gap = other->gap;
+    p.round_gap = other->round_gap;
+    points.push_back(p);
+  }
+  return true;
+}
+
+// Half edges, on which hats are polynomials.
+template <class Depth>
+void add_whole_edge(const Surface& contact, std::size_t facet, Depth&& depth,
+                    std::vector<SurfacePoint>& points) {
+  const Edge& edge = contact.plane.edges[facet];
+  for (const double half : {-0.5, 0.5}) {
+    for (const auto& [r, weight] : shape::line_rule(degree)) {
+      const double xi = half + 0.5 * r[0];
+      const double w = 0.5 * weight * tangent_on(edge, xi).norm() * depth(point_on(edge, xi));
+      points.push_back({facet, {xi, 0.0}, w});
+    }
+  }
+}
+
+template <class Target, class Depth>
+PairPoints find_points(const Surface& contact, const Target& target,
+                       std::optional<double> declared_gap, Depth&& depth) {
+  PairPoints all;
+  const std::vector<Segment> segments = find_segments(contact, target);
+  if (covered_twice(segments)) {
+    all.trouble = "the surfaces face each other twice at one place (folded or cornered surfaces "
+                  "are not available in this version)";
+    return all;
+  }
+  all.found = !segments.empty();
+  for (std::size_t facet = 0; facet < contact.facets.size(); ++facet) {
+    add_whole_edge(contact, facet, depth, all.surface);
+  }
+  for (const Segment& s : segments) {
+    if (!add_segment(contact, target, s, depth, all.points)) {
+      all.trouble = "the normals of one surface miss the other within a stretch that faces it (too "
+                    "strongly curved for its edges?)";
+      return all;
+    }
+  }
+  for (PairPoint& p : all.points) {
+    p.gap = declared_gap.value_or(p.gap);
+    p.round_gap = declared_gap.value_or(p.round_gap);
+  }
+  return all;
+}
+
+} // namespace
+
+PairPoints pair_points(const Surface& contact, const Surface& target,
+                       std::optional<double> declared_gap) {
+  return find_points(contact, target, declared_gap,
+                     [&](const Vec2& x) { return depth_at(contact, target, x); });
+}
+
+PairPoints pair_points(const Surface& contact, const model::Rigid& target,
+                       std::optional<double> declared_gap) {
+  return find_points(contact, target, declared_gap,
+                     [&](const Vec2& x) { return depth_at(contact, contact, x); });
+}
+
+} // namespace spricka::contact
