@@ -4,8 +4,8 @@
 #include "fe/assemble.hpp"
 #include "fe/dof_map.hpp"
 #include "mesh/boundary.hpp"
-#include "mesh/cut/mouth.hpp"
 #include "mesh/cut/host.hpp"
+#include "mesh/cut/mouth.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -71,8 +71,9 @@ void tell_lone_nodes(const TipState& at, const TipFaces& faces, const results::T
                                      "open ones: less than the mesh resolves",
                                      result.name)));
   }
-  const double part =
-      faces.in_contact ? 0.0 : lip_overlap(at.scene.cracked, at.front.crack.index(), at.state.u).lone;
+  const double part = faces.in_contact
+                          ? 0.0
+                          : lip_overlap(at.scene.cracked, at.front.crack.index(), at.state.u).lone;
   if (part > overlap_of_round_off) {
     out.notes.push_back(results::warning(
         fmt::format("{}: the crack faces overlap at single nodes, by {:.1e} of their largest "

@@ -107,7 +107,8 @@ TEST(FirstSolution, EdgeCrackInAStrip) {
   std::vector<int> left_out;
   const std::vector<crack::ExtensionField> q =
       crack::Neighbourhood(mesh).fields(cracked, front, {2, 3, 4, 5}, left_out);
-  const crack::StressIntensity at_tip = crack::stress_intensity(model, cracked, front, q, {}, u, {});
+  const crack::StressIntensity at_tip =
+      crack::stress_intensity(model, cracked, front, q, {}, u, {});
 
   // Tada, Paris and Irwin 2000, half a per cent off at most; the mesh adds a tenth
   const double c = std::numbers::pi * a / (2.0 * W);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "contact/recovery.hpp"
 #include "contact/outline.hpp"
 #include "contact/pairing.hpp"
 #include "contact/push_only.hpp"
+#include "contact/recovery.hpp"
 #include "mesh/boundary.hpp"
 #include "two_blocks.hpp"
 #include "two_rings.hpp"

@@ -11,8 +11,8 @@ TEST(Note, IsMarkedInFilesOnly) {
   const std::vector<Note> notes{note("PIN slides"), warning("K1 is in doubt"), warning(""),
                                 note("warnings")};
   const std::vector<std::string> kept = marked(notes);
-  EXPECT_EQ(kept, (std::vector<std::string>{"PIN slides", "warning: K1 is in doubt", "warning: ",
-                                            "warnings"}));
+  EXPECT_EQ(kept, (std::vector<std::string>{"PIN slides", "warning: K1 is in doubt",
+                                            "warning: ", "warnings"}));
   EXPECT_EQ(notes_from(kept), notes);
 }
 
