@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/arc.hpp"
 
+#include "contact/stretch.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -12,19 +14,9 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// The node that follows each one and the one before, over closed chains' seams and crack mouths.
-struct Links {
-  std::vector<std::optional<std::size_t>> next, last;
-
-  void join(std::size_t a, std::size_t b) {
-    next[a] = b;
-    last[b] = a;
-  }
-};
-
+// Over closed chains' seams and crack mouths.
 Links links_of(const Surface& surface, const std::vector<NodePressure>& nodes) {
-  Links links{.next = std::vector<std::optional<std::size_t>>(nodes.size()),
-              .last = std::vector<std::optional<std::size_t>>(nodes.size())};
+  Links links(nodes.size());
   std::vector<std::pair<std::size_t, std::size_t>> open; // first and last node of open chains
   std::size_t first = 0;
   for (const EdgeChain& chain : surface.plane.chains) {
@@ -85,21 +77,19 @@ double beyond(const Surface& surface, const std::vector<NodePressure>& nodes, bo
   return std::clamp(on, std::min(0.0, 1.5 * gap), std::max(0.0, 1.5 * gap));
 }
 
-// The stretch of closed nodes that begins at `start`; where it begins and how far it runs.
+// Where a stretch of closed nodes begins and how far it runs.
 struct Stretch {
   double begin = 0.0;
   double run = 0.0; // negative where the chain goes round clockwise
 };
 
-Stretch stretch_from(const Surface& surface, const std::vector<NodePressure>& nodes,
-                     bool multipliers, const Links& links, std::size_t start) {
+Stretch measure(const Surface& surface, const std::vector<NodePressure>& nodes, bool multipliers,
+                const Links& links, const std::vector<std::size_t>& closed) {
+  const std::size_t start = closed.front();
   Stretch s;
   s.begin = surface.circle ? nodes[start].theta : nodes[start].arc;
-  std::vector<std::size_t> closed{start};
-  while (links.next[closed.back()] && nodes[*links.next[closed.back()]].closed) {
-    const std::size_t next = *links.next[closed.back()];
-    s.run += way(surface, nodes[closed.back()], nodes[next]);
-    closed.push_back(next);
+  for (std::size_t i = 0; i + 1 < closed.size(); ++i) {
+    s.run += way(surface, nodes[closed[i]], nodes[closed[i + 1]]);
   }
   if (closed.size() == 1) {
     return s;
@@ -128,19 +118,19 @@ Stretch stretch_from(const Surface& surface, const std::vector<NodePressure>& no
 Arc longest_arc(const Surface& surface, const std::vector<NodePressure>& nodes, bool multipliers) {
   const Links links = links_of(surface, nodes);
   const bool round = surface.circle.has_value();
+  std::vector<bool> closed;
+  for (const NodePressure& node : nodes) {
+    closed.push_back(node.closed);
+  }
   std::optional<Stretch> longest;
-  bool any = false;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    any = any || nodes[i].closed;
-    if (nodes[i].closed && !(links.last[i] && nodes[*links.last[i]].closed)) {
-      const Stretch s = stretch_from(surface, nodes, multipliers, links, i);
-      if (!longest || std::abs(s.run) > std::abs(longest->run)) {
-        longest = s;
-      }
+  for (const std::vector<std::size_t>& places : stretches(links, closed)) {
+    const Stretch s = measure(surface, nodes, multipliers, links, places);
+    if (!longest || std::abs(s.run) > std::abs(longest->run)) {
+      longest = s;
     }
   }
   if (!longest) {
-    if (!any) {
+    if (std::ranges::find(closed, true) == closed.end()) {
       return {};
     }
     double length = 0.0; // closed all round

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/marked_arc.hpp"
 
+#include "contact/stretch.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -25,10 +27,12 @@ Arc marked_arc(std::vector<ArcNode> nodes, bool round) {
   std::stable_sort(nodes.begin(), nodes.end(),
                    [](const ArcNode& a, const ArcNode& b) { return a.s < b.s; });
   const std::size_t n = nodes.size();
-  const auto closed = static_cast<std::size_t>(
-      std::count_if(nodes.begin(), nodes.end(), [](const ArcNode& q) { return q.in; }));
+  std::vector<bool> in;
+  for (const ArcNode& node : nodes) {
+    in.push_back(node.in);
+  }
   constexpr double pi = std::numbers::pi;
-  if (closed == n && n > 0) {
+  if (n > 0 && std::ranges::find(in, false) == in.end()) {
     return round && n > 2 && nodes[n - 1].s - nodes[0].s > 1.5 * pi
                ? Arc{-pi, pi}
                : Arc{nodes[0].s, nodes[n - 1].s};
@@ -38,19 +42,13 @@ Arc marked_arc(std::vector<ArcNode> nodes, bool round) {
   };
   Arc best;
   std::size_t longest = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const bool begins = nodes[i].in && (i > 0 ? !nodes[i - 1].in : !(round && nodes[n - 1].in));
-    if (!begins) {
+  for (const std::vector<std::size_t>& places : stretches(Links::in_order(n, round), in)) {
+    if (places.size() <= longest) {
       continue;
     }
-    std::size_t j = i;
-    while ((round || j + 1 < n) && nodes[(j + 1) % n].in) {
-      ++j;
-    }
-    if (j - i + 1 <= longest) {
-      continue;
-    }
-    longest = j - i + 1;
+    longest = places.size();
+    const std::size_t i = places.front();
+    const std::size_t j = i + longest - 1;
     best = {coordinate(i), coordinate(j)};
     if (j > i && (round || i > 0)) {
       const double open = i > 0 ? coordinate(i - 1) : nodes[n - 1].s - 2.0 * pi;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/recover/closed_run.hpp"
 
+#include "contact/stretch.hpp"
+
 #include <algorithm>
 #include <numbers>
 #include <numeric>
@@ -30,14 +32,17 @@ std::pair<double, double> ClosedRun::find(const std::vector<bool>& closed) const
   }
   // begin behind an open pair of a circle, at the end of a line
   const std::size_t first = round_ ? open + 1 : 0;
+  std::vector<bool> in_order;
+  for (std::size_t i = 0; i < n; ++i) {
+    in_order.push_back(is_closed(i));
+  }
   std::size_t best = 0;
   std::size_t length = 0;
-  std::size_t run = 0;
-  for (std::size_t k = 0; k < n; ++k) {
-    run = is_closed(first + k) ? run + 1 : 0;
-    if (run > length) {
-      length = run;
-      best = first + k + 1 - run;
+  for (const std::vector<std::size_t>& places :
+       contact::stretches(contact::Links::in_order(n, round_), in_order, first)) {
+    if (places.size() > length) {
+      length = places.size();
+      best = places.front() < first ? places.front() + n : places.front();
     }
   }
   if (length == 0) {
