@@ -2,13 +2,13 @@
 #pragma once
 #include "base/vec.hpp"
 #include "model/mesh.hpp"
+#include "results/contact_result.hpp"
 #include "results/growth.hpp"
-#include "results/k_bar.hpp"
 #include "results/load_path.hpp"
 #include "results/measured_growth.hpp"
 #include "results/note.hpp"
-#include "results/sensitivity.hpp"
 #include "results/stress_invariants.hpp"
+#include "results/tip_result.hpp"
 #include "results/tolerance_round.hpp"
 
 #include <array>
@@ -19,76 +19,6 @@
 
 /// What a run has found, as plain records: the report and the checks read nothing else.
 namespace spricka::results {
-
-/// K of one tip at the end of one step; stresses and K in deck units.
-struct TipResult {
-  std::string name; ///< crack name, "C1" or "C1.2" for a second tip
-  double a = 0.0;
-  double K1 = 0.0;
-  double K2 = 0.0;
-  double G = 0.0;        ///< energy release rate [force/length]
-  double G_from_K = 0.0; ///< (K1^2 + K2^2) / E'
-  double T = 0.0;        ///< stress along the crack at the tip that K leaves [stress]
-  double spread = 0.0;   ///< (max - min of K1 over domains) / hypot(K1, K2)
-  std::optional<std::array<double, 2>> K_opening; ///< K1, K2 of the faces' opening, on request
-  std::vector<double> K1_domain;
-  std::array<KBar, 2> bar;              ///< of K1 and K2, where `no_bar` is empty
-  std::string no_bar = "not estimated"; ///< why there is no error bar; empty: there is one
-  bool closed = false;                  ///< its crack's faces touch at the tip, so that K1 is 0
-  std::string doubt;                    ///< why this K is not an answer; empty: it is one
-  bool two_materials = false;           ///< on both sides of the crack: G only, K and T are 0
-  Sensitivities sensitivities;
-  base::Vec3 x = base::Vec3::Zero();         ///< the tip, undeformed
-  base::Vec3 direction = base::Vec3::Zero(); ///< unit, the way the crack grows; zero: unknown
-};
-
-/// What a contact surface does at a node; stick and slip only where there is friction.
-enum class ContactState : char { open, closed, stick, slip };
-
-/// One node of a contact surface at the end of a step.
-struct ContactPoint {
-  base::NodeId node;
-  base::Vec3 x = base::Vec3::Zero();
-  double theta = 0.0; ///< from +x about the arc's centre [rad]; straight surfaces: 0
-  double arc = 0.0;   ///< along the deck's slave [length]
-  double p_lumped = 0.0;
-  double p_consistent = 0.0;
-  double q_lumped = 0.0; ///< shear on the slave along its surface, its body on the left
-  double q_consistent = 0.0;
-  double slip = 0.0;      ///< of the slave along the same, while in contact [length]
-  double slip_path = 0.0; ///< all its ways added up [length]
-  ContactState state = ContactState::open;
-  double gap = 0.0; ///< normal gap in the end, pressed: 0 [length]
-  bool closed = false;
-  int lip = 0; ///< +1, -1 on the two lips of a crack mouth, else 0
-};
-
-struct ContactResult {
-  std::string name;
-  bool mounted = true;
-  std::vector<ContactPoint> points;               ///< in order along the surface
-  base::Vec3 force_on_slave = base::Vec3::Zero(); ///< deck's slave
-  double min_pressure = 0.0; ///< of the multipliers: the inequality that the solution obeys
-  double max_pressure = 0.0;
-  double mean_pressure = 0.0;   ///< force magnitude integral / area in contact surface
-  double max_penetration = 0.0; ///< largest negative weighted gap [length]
-  bool round = false;           ///< the surface lies on a circle
-  double arc_from = 0.0; ///< on a circle [rad], whole: -pi .. pi; else along the slave [length]
-  double arc_to = 0.0;
-  int closed = 0;
-  int rows = 0;
-  bool sheared = false; ///< it has tangential forces: bonded, or with friction
-  bool rubs = false;    ///< it has friction, and what follows
-  int sticking = 0;
-  int slipping = 0;
-  double shear_ratio = 0.0; ///< largest |q| / (mu p) of the multipliers, at most 1
-  double max_slip = 0.0;    ///< longest slip path [length]
-  double stick_from = 0.0;  ///< longest sticking part, like arc_from
-  double stick_to = 0.0;
-  double friction_work = 0.0; ///< taken by friction since the pair was mounted [force * length]
-  /// Edges up to which the contact is pressed: there the pressure has no bound.
-  std::vector<base::Vec3> unbounded;
-};
 
 /// Force balance and energy of one body or of one net.
 struct Balance {

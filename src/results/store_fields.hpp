@@ -41,13 +41,13 @@ template <class V, Of<Sensitivities> T> void fields(V& v, T& r) {
 
 template <class V, Of<TipResult> T> void fields(V& v, T& r) {
   v("name", r.name);
-  v("a", r.a);
-  v("K1", r.K1);
-  v("K2", r.K2);
-  v("G", r.G);
-  v("G_from_K", r.G_from_K);
-  v("T", r.T);
-  v("spread", r.spread);
+  for (const bool judges : {false, true}) {
+    for (const TipQuantity& q : tip_quantities) {
+      if (q.member != nullptr && q.judges == judges) {
+        v(q.name, r.*q.member);
+      }
+    }
+  }
   v("K_opening", r.K_opening);
   v("K1_domain", r.K1_domain);
   v("bar", r.bar);
@@ -63,16 +63,13 @@ template <class V, Of<TipResult> T> void fields(V& v, T& r) {
 template <class V, Of<ContactPoint> T> void fields(V& v, T& r) {
   v("node", r.node);
   v("at", r.x);
-  v("theta", r.theta);
-  v("arc", r.arc);
-  v("p_lumped", r.p_lumped);
-  v("p_consistent", r.p_consistent);
-  v("q_lumped", r.q_lumped);
-  v("q_consistent", r.q_consistent);
-  v("slip", r.slip);
-  v("slip_path", r.slip_path);
-  v("state", r.state);
-  v("gap", r.gap);
+  for (const PointQuantity& q : point_quantities) {
+    if (q.member != nullptr) {
+      v(q.name, r.*q.member);
+    } else if (q.is_word()) {
+      v(q.name, r.*q.state);
+    }
+  }
   v("closed", r.closed);
   v("lip", r.lip);
 }

@@ -47,34 +47,23 @@ template <class Visit> void for_each_step(const Run& run, const Visit& visit) {
   }
 }
 
-const char* word_of(ContactState state) {
-  switch (state) {
-  case ContactState::open:
-    return "open";
-  case ContactState::closed:
-    return "closed";
-  case ContactState::stick:
-    return "stick";
-  case ContactState::slip:
-    break;
-  }
-  return "slip";
+// Not a number where there is none; but the spread between two materials is 0.
+double kept(const TipQuantity& q, const TipResult& tip) {
+  return q.is_given(tip) || q.member == &TipResult::spread ? q.of(tip) : no_number;
 }
 
 Rows k_rows(const Run& run) {
   Rows rows;
   for_each_step(run, [&](const Increment& increment, const StepResult& step) {
     for (const TipResult& tip : step.tips) {
-      const auto bar = [&](std::size_t k) {
-        return tip.no_bar.empty() ? tip.bar[k].size() : no_number;
-      };
-      const auto best = [&](std::size_t k) {
-        return tip.no_bar.empty() ? tip.bar[k].best : no_number;
-      };
-      const auto K = [&](double value) { return tip.two_materials ? no_number : value; };
-      rows("increment", increment.number)("step", step.step)("crack", tip.name)("a", tip.a);
-      rows("K1", K(tip.K1))("K2", K(tip.K2))("G", tip.G)("T", K(tip.T))("spread", tip.spread);
-      rows("K1_bar", bar(0))("K1_best", best(0))("K2_bar", bar(1))("K2_best", best(1));
+      rows("increment", increment.number)("step", step.step)("crack", tip.name);
+      for (const bool judges : {false, true}) {
+        for (const TipQuantity& q : tip_quantities) {
+          if (q.is(in_results_h5) && q.judges == judges) {
+            rows(q.name, kept(q, tip));
+          }
+        }
+      }
       rows("x", tip.x[0])("y", tip.x[1])("z", tip.x[2])("doubt", tip.doubt);
       rows.end_row();
     }
@@ -91,11 +80,18 @@ Rows pressure_rows(const Run& run) {
           continue;
         }
         rows("increment", increment.number)("step", step.step)("contact", contact.name);
-        rows("node", static_cast<int>(point.node.value))("x", point.x[0])("y", point.x[1]);
-        rows("z", point.x[2])("theta", point.theta)("arc", point.arc)("p_lumped", point.p_lumped);
-        rows("p_consistent", point.p_consistent)("q_lumped", point.q_lumped);
-        rows("q_consistent", point.q_consistent)("slip", point.slip)("gap", point.gap);
-        rows("state", std::string(word_of(point.state)));
+        rows("node", static_cast<int>(point.node.value));
+        for (const bool words : {false, true}) {
+          for (const PointQuantity& q : point_quantities) {
+            if (q.is(in_pressure_h5) && q.is_word() == words) {
+              if (words) {
+                rows(q.name, std::string(word_of(point.*q.state)));
+              } else {
+                rows(q.name, q.of(point));
+              }
+            }
+          }
+        }
         rows.end_row();
       }
     }

@@ -26,14 +26,20 @@ bool all_good(const std::vector<results::Stress>& stresses) {
                              [](const results::Stress& s) { return all_good<results::Stress>(s); });
 }
 
+// All numbers that a record of tips or points keeps, by the table of its quantities.
+template <class Record, class Quantities>
+bool members_good(const Record& record, const Quantities& quantities) {
+  return std::ranges::all_of(
+      quantities, [&](const auto& q) { return q.member == nullptr || good(record.*q.member); });
+}
+
 bool tips_good(const results::TipResult& t) {
-  return all_good(std::array{t.K1, t.K2, t.G, t.G_from_K, t.T, t.spread}) && all_good(t.K1_domain);
+  return members_good(t, results::tip_quantities) && all_good(t.K1_domain);
 }
 
 bool contacts_good(const results::ContactResult& c) {
   const auto point_good = [](const results::ContactPoint& p) {
-    return all_good(std::array{p.p_lumped, p.p_consistent, p.q_lumped, p.q_consistent, p.slip,
-                               p.slip_path, p.gap});
+    return members_good(p, results::point_quantities);
   };
   return all_good(std::array{c.min_pressure, c.max_pressure, c.mean_pressure, c.max_penetration,
                              c.friction_work}) &&

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/id.hpp"
+#include "base/quantity.hpp"
+#include "base/vec.hpp"
+
+#include <array>
+#include <string_view>
+
+/// What is found at a node of a contact surface: the record, and a row for each of its quantities,
+/// from which pressure.csv, results.h5 and tables on request are made (manual, new_result.md).
+namespace spricka::results {
+
+/// What a contact surface does at a node; stick and slip only where there is friction.
+enum class ContactState : char { open, closed, stick, slip };
+/// "open", "closed", "stick", "slip".
+const char* word_of(ContactState state);
+
+/// One node of a contact surface at the end of a step.
+struct ContactPoint {
+  base::NodeId node;
+  base::Vec3 x = base::Vec3::Zero();
+  double theta = 0.0; ///< from +x about the arc's centre [rad]; straight surfaces: 0
+  double arc = 0.0;   ///< along the deck's slave [length]
+  double p_lumped = 0.0;
+  double p_consistent = 0.0;
+  double q_lumped = 0.0; ///< shear on the slave along its surface, its body on the left
+  double q_consistent = 0.0;
+  double slip = 0.0;      ///< of the slave along the same, while in contact [length]
+  double slip_path = 0.0; ///< all its ways added up [length]
+  ContactState state = ContactState::open;
+  double gap = 0.0; ///< normal gap in the end, pressed: 0 [length]
+  bool closed = false;
+  int lip = 0; ///< +1, -1 on the two lips of a crack mouth, else 0
+};
+
+/// Where a quantity of a contact point is found, to be added up.
+enum PointPlace : unsigned {
+  in_pressure_csv = 1,
+  in_pressure_h5 = 2,     ///< the table pressure of results.h5
+  in_pressure_output = 4, ///< what $OUTPUT FORMAT=CSV writes for CPRESS
+  in_all_pressures = 7
+};
+
+/// One quantity of a contact point: a number, or the word of a state.
+struct PointQuantity {
+  const char* name; ///< as columns have it: "p_lumped"; $OUTPUT P_LUMPED
+  base::Quantity kind;
+  std::string_view doc;
+  double ContactPoint::*member = nullptr;            ///< where the record has it, or
+  double (*computed)(const ContactPoint&) = nullptr; ///< how it follows from the record, or
+  ContactState ContactPoint::*state = nullptr;       ///< it is a word
+  unsigned places = in_all_pressures;
+  bool friction = false; ///< shown where there is some; results.h5 has it always
+
+  [[nodiscard]] bool is(PointPlace place) const { return (places & place) != 0; }
+  [[nodiscard]] bool is_word() const { return state != nullptr; }
+  [[nodiscard]] double of(const ContactPoint& point) const {
+    return member != nullptr ? point.*member : computed(point);
+  }
+};
+
+/// In the order of pressure.csv: name of the contact and increment stand in front of them.
+inline constexpr std::array point_quantities{
+    PointQuantity{.name = "x",
+                  .kind = base::Quantity::length,
+                  .doc = "the node, undeformed",
+                  .computed = [](const ContactPoint& point) { return point.x[0]; },
+                  .places = in_pressure_csv | in_pressure_h5},
+    PointQuantity{.name = "y",
+                  .kind = base::Quantity::length,
+                  .doc = "the node, undeformed",
+                  .computed = [](const ContactPoint& point) { return point.x[1]; },
+                  .places = in_pressure_csv | in_pressure_h5},
+    PointQuantity{.name = "z",
+                  .kind = base::Quantity::length,
+                  .doc = "the node, undeformed",
+                  .computed = [](const ContactPoint& point) { return point.x[2]; },
+                  .places = in_pressure_h5},
+    PointQuantity{.name = "theta",
+                  .kind = base::Quantity::angle,
+                  .doc = "angle about the centre of the slave's circle",
+                  .member = &ContactPoint::theta,
+                  .places = in_pressure_csv | in_pressure_h5},
+    PointQuantity{.name = "arc",
+                  .kind = base::Quantity::length,
+                  .doc = "length along the slave",
+                  .member = &ContactPoint::arc,
+                  .places = in_pressure_h5},
+    PointQuantity{.name = "p_lumped",
+                  .kind = base::Quantity::stress,
+                  .doc = "pressure, force over the node's share of the surface",
+                  .member = &ContactPoint::p_lumped},
+    PointQuantity{.name = "p_consistent",
+                  .kind = base::Quantity::stress,
+                  .doc = "pressure from the consistent surface mass",
+                  .member = &ContactPoint::p_consistent},
+    PointQuantity{.name = "q_lumped",
+                  .kind = base::Quantity::stress,
+                  .doc = "shear traction on the slave, recovered as p_lumped",
+                  .member = &ContactPoint::q_lumped,
+                  .friction = true},
+    PointQuantity{.name = "q_consistent",
+                  .kind = base::Quantity::stress,
+                  .doc = "shear traction on the slave, recovered as p_consistent",
+                  .member = &ContactPoint::q_consistent,
+                  .friction = true},
+    PointQuantity{.name = "slip",
+                  .kind = base::Quantity::length,
+                  .doc = "what the slave has slipped while in contact",
+                  .member = &ContactPoint::slip,
+                  .friction = true},
+    PointQuantity{.name = "slip_path",
+                  .kind = base::Quantity::length,
+                  .doc = "all ways of it added up",
+                  .member = &ContactPoint::slip_path,
+                  .places = in_pressure_csv | in_pressure_output,
+                  .friction = true},
+    PointQuantity{.name = "state",
+                  .kind = base::Quantity::number,
+                  .doc = "open, closed, stick or slip",
+                  .state = &ContactPoint::state,
+                  .places = in_pressure_csv | in_pressure_h5,
+                  .friction = true},
+    PointQuantity{.name = "gap",
+                  .kind = base::Quantity::length,
+                  .doc = "normal gap, 0 where pressed",
+                  .member = &ContactPoint::gap,
+                  .places = in_pressure_h5 | in_pressure_output},
+};
+
+} // namespace spricka::results

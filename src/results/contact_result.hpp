@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/quantity.hpp"
+#include "base/vec.hpp"
+#include "results/contact_point.hpp"
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// What is found of a contact: the record, and a row for each quantity that is one number of it,
+/// for $CHECK and sweeps (manual, new_result.md).
+namespace spricka::results {
+
+struct ContactResult {
+  std::string name;
+  bool mounted = true;
+  std::vector<ContactPoint> points;               ///< in order along the surface
+  base::Vec3 force_on_slave = base::Vec3::Zero(); ///< deck's slave
+  double min_pressure = 0.0; ///< of the multipliers: the inequality that the solution obeys
+  double max_pressure = 0.0;
+  double mean_pressure = 0.0;   ///< force magnitude integral / area in contact surface
+  double max_penetration = 0.0; ///< largest negative weighted gap [length]
+  bool round = false;           ///< the surface lies on a circle
+  double arc_from = 0.0; ///< on a circle [rad], whole: -pi .. pi; else along the slave [length]
+  double arc_to = 0.0;
+  int closed = 0;
+  int rows = 0;
+  bool sheared = false; ///< it has tangential forces: bonded, or with friction
+  bool rubs = false;    ///< it has friction, and what follows
+  int sticking = 0;
+  int slipping = 0;
+  double shear_ratio = 0.0; ///< largest |q| / (mu p) of the multipliers, at most 1
+  double max_slip = 0.0;    ///< longest slip path [length]
+  double stick_from = 0.0;  ///< longest sticking part, like arc_from
+  double stick_to = 0.0;
+  double friction_work = 0.0; ///< taken by friction since the pair was mounted [force * length]
+  /// Edges up to which the contact is pressed: there the pressure has no bound.
+  std::vector<base::Vec3> unbounded;
+};
+
+/// When a contact has a quantity.
+enum class ContactGiven { always, with_friction, where_it_sticks };
+
+/// One number of a contact; a name that is empty: it is not there.
+struct ContactQuantity {
+  std::string_view sweep; ///< column of sweep.csv: "PMAX"
+  std::string_view check; ///< word of $CHECK: "CPRESS.MEAN"
+  base::Quantity kind;    ///< angle: of a circle, else a length
+  std::string_view doc;
+  double ContactResult::*member;
+  ContactGiven given = ContactGiven::always;
+};
+
+/// Sweeps have them in this order.
+inline constexpr std::array contact_quantities{
+    ContactQuantity{.sweep = "PMAX",
+                    .check = {},
+                    .kind = base::Quantity::stress,
+                    .doc = "largest pressure of the multipliers",
+                    .member = &ContactResult::max_pressure},
+    ContactQuantity{.sweep = "PMEAN",
+                    .check = "CPRESS.MEAN",
+                    .kind = base::Quantity::stress,
+                    .doc = "mean pressure over the part in contact",
+                    .member = &ContactResult::mean_pressure},
+    ContactQuantity{.sweep = "PMIN",
+                    .check = {},
+                    .kind = base::Quantity::stress,
+                    .doc = "smallest pressure of the multipliers",
+                    .member = &ContactResult::min_pressure},
+    ContactQuantity{.sweep = {},
+                    .check = "ARC.FROM",
+                    .kind = base::Quantity::angle,
+                    .doc = "first angle of the longest part in contact; on a slave that is no "
+                           "circle the length along it",
+                    .member = &ContactResult::arc_from},
+    ContactQuantity{.sweep = {},
+                    .check = "ARC.TO",
+                    .kind = base::Quantity::angle,
+                    .doc = "last angle of the longest part, or length",
+                    .member = &ContactResult::arc_to},
+    ContactQuantity{.sweep = {},
+                    .check = "STICK.FROM",
+                    .kind = base::Quantity::angle,
+                    .doc = "first angle of the part that sticks, or length",
+                    .member = &ContactResult::stick_from,
+                    .given = ContactGiven::where_it_sticks},
+    ContactQuantity{.sweep = {},
+                    .check = "STICK.TO",
+                    .kind = base::Quantity::angle,
+                    .doc = "last angle of the part that sticks, or length",
+                    .member = &ContactResult::stick_to,
+                    .given = ContactGiven::where_it_sticks},
+    ContactQuantity{.sweep = {},
+                    .check = "SLIP.MAX",
+                    .kind = base::Quantity::length,
+                    .doc = "longest way a point has slipped, to and fro",
+                    .member = &ContactResult::max_slip,
+                    .given = ContactGiven::with_friction},
+    ContactQuantity{.sweep = {},
+                    .check = "FRICTION.WORK",
+                    .kind = base::Quantity::energy,
+                    .doc = "work that friction has taken",
+                    .member = &ContactResult::friction_work,
+                    .given = ContactGiven::with_friction},
+};
+
+} // namespace spricka::results

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "results/tip_result.hpp"
+
+#include "results/output_word.hpp"
+
+#include <algorithm>
+
+namespace spricka::results {
+
+bool TipQuantity::is_given(const TipResult& tip) const {
+  switch (given) {
+  case TipGiven::in_one_material:
+    return !tip.two_materials;
+  case TipGiven::with_bar:
+    return tip.no_bar.empty();
+  case TipGiven::with_opening:
+    return tip.K_opening.has_value();
+  case TipGiven::always:
+    break;
+  }
+  return true;
+}
+
+std::string TipQuantity::check_word() const {
+  std::string word = output_word(name);
+  std::ranges::replace(word, '_', '.');
+  return word;
+}
+
+const TipQuantity* find_tip_quantity(std::string_view check_word) {
+  const std::string_view word = check_word == "K" ? "K1" : check_word;
+  const auto* const found = std::ranges::find_if(tip_quantities, [&](const TipQuantity& q) {
+    return q.is(in_check) && q.check_word() == word;
+  });
+  return found == tip_quantities.end() ? nullptr : found;
+}
+
+} // namespace spricka::results
