@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/drawing/file.hpp"
 #include "report/report.hpp"
+#include "report/units_line.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
 #include <numbers>
-#include <string_view>
+#include <vector>
 
 // fmt writes the shortest decimal number that reads back to the same bits, whatever the locale.
 
@@ -15,54 +16,65 @@ namespace spricka::report {
 
 namespace {
 
-std::string_view state_name(results::ContactState state) {
-  switch (state) {
-  case results::ContactState::open:
-    return "open";
-  case results::ContactState::closed:
-    return "closed";
-  case results::ContactState::stick:
-    return "stick";
-  case results::ContactState::slip:
-    break;
+constexpr double degree = 180.0 / std::numbers::pi;
+
+// The columns of tips: those by opening where the deck asks for them.
+std::vector<const results::TipQuantity*> k_columns(const model::Model& model) {
+  const bool opening = std::any_of(model.vces.begin(), model.vces.end(),
+                                   [](const model::Vce& vce) { return vce.opening; });
+  std::vector<const results::TipQuantity*> columns;
+  for (const results::TipQuantity& q : results::tip_quantities) {
+    if (q.is(results::in_k_csv) && (opening || q.given != results::TipGiven::with_opening)) {
+      columns.push_back(&q);
+    }
   }
-  return "slip";
+  return columns;
+}
+
+std::vector<const results::PointQuantity*> pressure_columns(bool rubs) {
+  std::vector<const results::PointQuantity*> columns;
+  for (const results::PointQuantity& q : results::point_quantities) {
+    if (q.is(results::in_pressure_csv) && (rubs || !q.friction)) {
+      columns.push_back(&q);
+    }
+  }
+  return columns;
+}
+
+template <class Column> std::string header(const char* first, const std::vector<Column>& columns) {
+  std::string text = first;
+  for (const Column q : columns) {
+    text += fmt::format(",{}", q->name);
+  }
+  return text + "\n";
+}
+
+std::string cell(const results::PointQuantity& q, const results::ContactPoint& point) {
+  if (q.is_word()) {
+    return results::word_of(point.*q.state);
+  }
+  return fmt::format("{}", q.kind == base::Quantity::angle ? q.of(point) * degree : q.of(point));
 }
 
 } // namespace
 
 void write_k_csv(const std::filesystem::path& file, const model::Model& model,
                  const results::Run& run) {
-  const base::UnitSystem& units = model.units;
-  const bool opening = std::any_of(model.vces.begin(), model.vces.end(),
-                                   [](const model::Vce& vce) { return vce.opening; });
-  std::string text = fmt::format(
-      "# units: a [{0}], K1 K2 and what begins with them [{1}], G [{2}/{0}], T [{3}], increment "
-      "and "
-      "spread [1]\n"
-      "increment,step,crack,a,K1,K2,G,spread,T,K1_bar,K1_best,K1_eta,K1_sum,K1_flip,K2_bar,K2_best,"
-      "K2_eta,K2_sum,K2_flip{4}\n",
-      units.length_name, units.stress_intensity_name(), units.force_name, units.stress_name(),
-      opening ? ",K1_opening,K2_opening" : "");
+  const std::vector<const results::TipQuantity*> columns = k_columns(model);
+  UnitsLine units;
+  units.add(base::Quantity::number, "increment");
+  for (const results::TipQuantity* q : columns) { // K1_bar and its like are made of K1 and K2
+    units.add(q->kind, q->member != nullptr ? q->name : "and what begins with them");
+  }
+  std::string text = fmt::format("# units: {}\n{}", units.text(model.units),
+                                 header("increment,step,crack", columns));
   auto out = std::back_inserter(text);
   for (const results::Increment& increment : run.increments) {
     for (const results::StepResult& step : increment.steps) {
       for (const results::TipResult& tip : step.tips) {
-        fmt::format_to(out, "{},{},{},{},", increment.number, step.step, tip.name, tip.a);
-        if (tip.two_materials) {
-          fmt::format_to(out, ",,{},,", tip.G);
-        } else {
-          fmt::format_to(out, "{},{},{},{},{}", tip.K1, tip.K2, tip.G, tip.spread, tip.T);
-        }
-        for (const results::KBar& bar : tip.bar) { // empty cells: there is no bar
-          text += tip.no_bar.empty() ? fmt::format(",{},{},{},{},{}", bar.size(), bar.best, bar.eta,
-                                                   bar.sum, bar.flip)
-                                     : ",,,,,";
-        }
-        if (opening && tip.K_opening) {
-          fmt::format_to(out, ",{},{}", (*tip.K_opening)[0], (*tip.K_opening)[1]);
-        } else if (opening) {
-          text += ",,";
+        fmt::format_to(out, "{},{},{}", increment.number, step.step, tip.name);
+        for (const results::TipQuantity* q : columns) {
+          text += q->is_given(tip) ? fmt::format(",{}", q->of(tip)) : ",";
         }
         text += '\n';
       }
@@ -78,17 +90,17 @@ void write_pressure_csv(const std::filesystem::path& file, const model::Model& m
                   [](const model::Contact& c) { return c.mu > 0.0; }) ||
       std::any_of(model.cracks.begin(), model.cracks.end(),
                   [](const model::Crack& c) { return c.faces_in_contact && c.mu > 0.0; });
-  std::string text =
-      rubs ? fmt::format("# units: x y slip slip_path [{0}], theta [deg], p_lumped p_consistent "
-                         "q_lumped q_consistent [{1}], increment [1]\n"
-                         "increment,step,contact,x,y,theta,p_lumped,p_consistent,q_lumped,"
-                         "q_consistent,slip,slip_path,state\n",
-                         model.units.length_name, model.units.stress_name())
-           : fmt::format("# units: x y [{}], theta [deg], p_lumped p_consistent [{}], increment "
-                         "[1]\nincrement,step,contact,x,y,theta,p_lumped,p_consistent\n",
-                         model.units.length_name, model.units.stress_name());
+  const std::vector<const results::PointQuantity*> columns = pressure_columns(rubs);
+  UnitsLine units;
+  units.add(base::Quantity::number, "increment");
+  for (const results::PointQuantity* q : columns) {
+    if (!q->is_word()) {
+      units.add(q->kind, q->name);
+    }
+  }
+  std::string text = fmt::format("# units: {}\n{}", units.text(model.units),
+                                 header("increment,step,contact", columns));
   auto out = std::back_inserter(text);
-  constexpr double degree = 180.0 / std::numbers::pi;
   for (const results::Increment& increment : run.increments) {
     for (const results::StepResult& step : increment.steps) {
       for (const results::ContactResult& contact : step.contacts) {
@@ -96,12 +108,9 @@ void write_pressure_csv(const std::filesystem::path& file, const model::Model& m
           continue; // absent, not open: it has no pressure
         }
         for (const results::ContactPoint& point : contact.points) {
-          fmt::format_to(out, "{},{},{},{},{},{},{},{}", increment.number, step.step, contact.name,
-                         point.x[0], point.x[1], point.theta * degree, point.p_lumped,
-                         point.p_consistent);
-          if (rubs) {
-            fmt::format_to(out, ",{},{},{},{},{}", point.q_lumped, point.q_consistent, point.slip,
-                           point.slip_path, state_name(point.state));
+          fmt::format_to(out, "{},{},{}", increment.number, step.step, contact.name);
+          for (const results::PointQuantity* q : columns) {
+            text += "," + cell(*q, point);
           }
           text += '\n';
         }

@@ -12,15 +12,13 @@
 /// when a file cannot be written; each file is written under a temporary name and renamed.
 namespace spricka::report {
 
-/// k.csv: `# units` line, names of the columns (manual, run_folder.md), one row per step end and
-/// tip: lengths, K1, K2, G, spread and T, then the error bars of K1 and K2 with their parts, empty
-/// where there are none, and K by opening where $VCE asks for it.
+/// k.csv: a line with the units, then a row for each step end and tip: increment, step, crack, and
+/// the quantities of a tip that belong there (results/tip_result.hpp).
 void write_k_csv(const std::filesystem::path& file, const model::Model& model,
                  const results::Run& run);
 
-/// pressure.csv: increment,step,contact,x,y,theta,p_lumped,p_consistent, and where something rubs
-/// q_lumped,q_consistent,slip,slip_path,state; theta in degrees; both lips of a crack mouth are
-/// rows of their own.
+/// pressure.csv: the same of contact points (results/contact_point.hpp): increment, step, contact,
+/// quantities; theta in degrees; both lips of a crack mouth are rows of their own.
 void write_pressure_csv(const std::filesystem::path& file, const model::Model& model,
                         const results::Run& run);
 

@@ -3,6 +3,8 @@
 #include "report/drawing/file.hpp"
 #include "report/drawing/set_members.hpp"
 #include "report/report.hpp"
+#include "report/units_line.hpp"
+#include "results/output_word.hpp"
 
 #include <fmt/format.h>
 
@@ -36,7 +38,7 @@ public:
 
 private:
   // `where` holds node,x,y, in space node,x,y,z, each of which may be empty.
-  void row(const std::string& where, const char* component, double value) {
+  void row(const std::string& where, const std::string& component, double value) {
     fmt::format_to(std::back_inserter(text_), "{},{},{},{},{},{},{}\n", increment_.number,
                    step_.step, request_.quantity, request_.name, where, component, value);
   }
@@ -52,15 +54,10 @@ private:
   void tips() {
     for (const results::TipResult& tip : step_.tips) {
       if (tip.name == request_.name || tip.name.starts_with(request_.name + ".")) {
-        row(nowhere(), "A", tip.a);
-        row(nowhere(), "K1", tip.K1);
-        row(nowhere(), "K2", tip.K2);
-        row(nowhere(), "G", tip.G);
-        if (tip.no_bar.empty()) {
-          row(nowhere(), "K1_BAR", tip.bar[0].size());
-          row(nowhere(), "K1_BEST", tip.bar[0].best);
-          row(nowhere(), "K2_BAR", tip.bar[1].size());
-          row(nowhere(), "K2_BEST", tip.bar[1].best);
+        for (const results::TipQuantity& q : results::tip_quantities) {
+          if (q.is(results::in_output) && q.is_number(tip)) {
+            row(nowhere(), results::output_word(q.name), q.of(tip));
+          }
         }
       }
     }
@@ -72,14 +69,13 @@ private:
       return;
     }
     for (const results::ContactPoint& p : contact->points) {
-      row(place(p.node), "P_LUMPED", p.p_lumped);
-      row(place(p.node), "P_CONSISTENT", p.p_consistent);
-      row(place(p.node), "GAP", p.gap);
-      if (contact->rubs) {
-        row(place(p.node), "Q_LUMPED", p.q_lumped);
-        row(place(p.node), "Q_CONSISTENT", p.q_consistent);
-        row(place(p.node), "SLIP", p.slip);
-        row(place(p.node), "SLIP_PATH", p.slip_path);
+      for (const bool friction : {false, true}) {
+        for (const results::PointQuantity& q : results::point_quantities) {
+          if (q.is(results::in_pressure_output) && q.friction == friction &&
+              (contact->rubs || !friction)) {
+            row(place(p.node), results::output_word(q.name), q.of(p));
+          }
+        }
       }
     }
   }
@@ -137,17 +133,37 @@ private:
   std::string& text_;
 };
 
+UnitsLine units_of(bool solid) {
+  using enum base::Quantity;
+  UnitsLine units;
+  for (const char* coordinate : {"x", "y", "z"}) {
+    if (solid || *coordinate != 'z') {
+      units.add(length, coordinate);
+    }
+  }
+  for (const char* what : {"A", "U", "GAP"}) {
+    units.add(length, what);
+  }
+  units.add(stress, "P");
+  units.add(stress, "S");
+  units.add(stress_intensity, "K");
+  units.add(force, "REACTION");
+  for (const results::TipQuantity& q : results::tip_quantities) {
+    if (q.is(results::in_output) && q.kind != stress_intensity) { // which all begin with K
+      units.add(q.kind, results::output_word(q.name));
+    }
+  }
+  return units;
+}
+
 } // namespace
 
 void write_requested_csv(const std::filesystem::path& file, const model::Model& model,
                          const model::Output& output, const results::Run& run) {
   const bool solid = model.mesh.dim == 3;
-  std::string text = fmt::format(
-      "# units: x y{4} A U GAP [{0}], P S [{1}], K [{2}], REACTION [{3}], G "
-      "[{3}/{0}]\n"
-      "increment,step,quantity,name,node,x,y,{5}component,value\n",
-      model.units.length_name, model.units.stress_name(), model.units.stress_intensity_name(),
-      model.units.force_name, solid ? " z" : "", solid ? "z," : "");
+  std::string text =
+      fmt::format("# units: {}\nincrement,step,quantity,name,node,x,y,{}component,value\n",
+                  units_of(solid).text(model.units), solid ? "z," : "");
   for (const results::Increment& increment : run.increments) {
     const bool last = &increment == &run.increments.back();
     for (const std::size_t s : model::wanted_steps(model, output, last)) {

@@ -18,19 +18,19 @@ void add_contact(std::vector<SweepCell>& cells, const results::ContactResult& co
   if (!contact.mounted) {
     return;
   }
-  cells.push_back({"PMAX", contact.name, step, increment, contact.max_pressure});
-  cells.push_back({"PMEAN", contact.name, step, increment, contact.mean_pressure});
-  cells.push_back({"PMIN", contact.name, step, increment, contact.min_pressure});
+  for (const results::ContactQuantity& q : results::contact_quantities) {
+    if (!q.sweep.empty()) {
+      cells.push_back({std::string(q.sweep), contact.name, step, increment, contact.*q.member});
+    }
+  }
 }
 
 void add_tip(std::vector<SweepCell>& cells, const results::TipResult& tip, const std::string& step,
              int increment) {
-  cells.push_back({"K1", tip.name, step, increment, tip.K1});
-  cells.push_back({"K2", tip.name, step, increment, tip.K2});
-  cells.push_back({"G", tip.name, step, increment, tip.G});
-  if (tip.no_bar.empty()) {
-    cells.push_back({"K1_bar", tip.name, step, increment, tip.bar[0].size()});
-    cells.push_back({"K2_bar", tip.name, step, increment, tip.bar[1].size()});
+  for (const results::TipQuantity& q : results::tip_quantities) {
+    if (q.is(results::in_sweep) && q.is_number(tip)) {
+      cells.push_back({q.name, tip.name, step, increment, q.of(tip)});
+    }
   }
 }
 

@@ -12,13 +12,13 @@
 /// Tables and page of a sweep. Writers throw std::system_error.
 namespace spricka::report {
 
-/// The numbers of a run that sweep.csv shows: crack length of each increment; K1, K2, their error
-/// bars where they have them and G of each tip and largest, mean and smallest pressure of each
-/// contact at each step's end.
+/// The numbers of a run that sweep.csv shows: crack length of each increment; at each step's end
+/// the quantities of each tip and of each contact that are for sweeps (results/tip_result.hpp,
+/// results/contact_result.hpp), of those that have a value.
 std::vector<results::SweepCell> sweep_cells(const results::Run& run);
 
 /// What a card $OUTPUT EVERY=END asks for as single numbers, at the end of KMAX or of the last step
-/// of the last increment: K gives a, K1, K2, G; CPRESS its largest, mean and smallest value;
+/// of the last increment: K and CPRESS give what sweeps have of a tip, with a, and of a contact;
 /// REACTION the sum; U and S the smallest and largest value of each component over the set.
 std::vector<results::SweepCell>
 requested_cells(const model::Model& model, const model::Output& output, const results::Run& run);

@@ -2,6 +2,9 @@
 #include "base/exit_codes.hpp"
 #include "report/drawing/file.hpp"
 #include "report/sweep_files.hpp"
+#include "report/units_line.hpp"
+#include "results/contact_result.hpp"
+#include "results/tip_result.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -58,12 +61,24 @@ std::string value_of(const std::vector<const std::vector<SweepCell>*>& lists,
 }
 
 std::string unit_line(const model::Model& model, const results::Sweep& sweep) {
-  const base::UnitSystem& units = model.units;
-  return fmt::format(
-      "# units: {} as the deck writes them; a U [{}], K1 K2 K1_bar K2_bar [{}], G [{}/{}], PMAX "
-      "PMEAN PMIN S [{}], REACTION [{}]\n",
-      fmt::join(sweep.parameters, " "), units.length_name, units.stress_intensity_name(),
-      units.force_name, units.length_name, units.stress_name(), units.force_name);
+  using enum base::Quantity;
+  UnitsLine units;
+  units.add(length, "a");
+  units.add(length, "U");
+  for (const results::TipQuantity& q : results::tip_quantities) {
+    if (q.is(results::in_sweep)) {
+      units.add(q.kind, q.name);
+    }
+  }
+  for (const results::ContactQuantity& q : results::contact_quantities) {
+    if (!q.sweep.empty()) {
+      units.add(q.kind, std::string(q.sweep));
+    }
+  }
+  units.add(stress, "S");
+  units.add(force, "REACTION");
+  return fmt::format("# units: {} as the deck writes them; {}\n", fmt::join(sweep.parameters, " "),
+                     units.text(model.units));
 }
 
 std::string table(const model::Model& model, const results::Sweep& sweep, const std::string& file,

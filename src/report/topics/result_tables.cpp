@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/topics/result_tables.hpp"
 
+#include "base/quantity.hpp"
 #include "report/drawing/round_off.hpp"
 #include "report/topics/k_bars.hpp"
 
@@ -63,28 +64,30 @@ bool shows_opening(const model::Model& model) {
   return std::ranges::any_of(model.vces, [](const model::Vce& vce) { return vce.opening; });
 }
 
+/// Whether the listing has a quantity of tips: those by opening where the deck asks for them.
+bool lists(const model::Model& model, const results::TipQuantity& q) {
+  return q.is(results::in_listing) &&
+         (q.given != results::TipGiven::with_opening || shows_opening(model));
+}
+
 void add_k_columns(Table& table, const model::Model& model) {
-  const base::UnitSystem& units = model.units;
-  const std::string g_unit = units.force_name + "/" + units.length_name;
   table.columns.push_back({"tip", "", true});
-  table.columns.push_back({"a", units.length_name, false});
-  for (const char* name : {"K1", "+- K1", "K2", "+- K2"}) {
-    table.columns.push_back({name, units.stress_intensity_name(), false});
-  }
-  table.columns.push_back({"G", g_unit, false});
-  table.columns.push_back({"(K1^2+K2^2)/E'", g_unit, false});
-  table.columns.push_back({"spread", "", false});
-  table.columns.push_back({"T", units.stress_name(), false});
-  for (const char* name : {"K1 by opening", "K2 by opening"}) {
-    if (shows_opening(model)) {
-      table.columns.push_back({name, units.stress_intensity_name(), false});
+  for (const results::TipQuantity& q : results::tip_quantities) {
+    if (!lists(model, q)) {
+      continue;
+    }
+    const std::string unit = base::unit_name(model.units, q.kind);
+    table.columns.push_back({q.heading.empty() ? q.name : std::string(q.heading), unit, false});
+    if (q.bar >= 0) {
+      table.columns.push_back({fmt::format("+- {}", q.name), unit, false});
     }
   }
 }
 
 /// Half width of the error bar; empty where there is none.
-std::string bar_cell(const results::TipResult& tip, std::size_t mode) {
-  return tip.no_bar.empty() ? bar_size(tip.bar[mode].size()) : std::string();
+std::string bar_cell(const results::TipResult& tip, int bar) {
+  return tip.no_bar.empty() ? bar_size(tip.bar[static_cast<std::size_t>(bar)].size())
+                            : std::string();
 }
 
 /// The largest K and the largest G of a run or an increment.
@@ -102,18 +105,27 @@ struct CrackScale {
   }
 };
 
+std::string digits(const results::TipQuantity& q, double value, const CrackScale& scale) {
+  if (q.digits == results::TipDigits::two) {
+    return small(value);
+  }
+  const bool plain = q.digits == results::TipDigits::six;
+  return plain ? number(value)
+               : rounded(value, q.kind == base::Quantity::energy_release ? scale.G : scale.K);
+}
+
 void add_k_cells(Row& row, const model::Model& model, const results::TipResult& tip,
                  const CrackScale& scale) {
-  const std::string G = rounded(tip.G, scale.G);
-  if (tip.two_materials) {
-    row.insert(row.end(), {tip.name, number(tip.a), "", "", "", "", G, "", "", ""});
-  } else {
-    row.insert(row.end(), {tip.name, number(tip.a), rounded(tip.K1, scale.K), bar_cell(tip, 0),
-                           rounded(tip.K2, scale.K), bar_cell(tip, 1), G,
-                           rounded(tip.G_from_K, scale.G), small(tip.spread), number(tip.T)});
-  }
-  for (std::size_t mode = 0; mode < 2 && shows_opening(model); ++mode) {
-    row.push_back(tip.K_opening ? number((*tip.K_opening)[mode]) : "");
+  row.push_back(tip.name);
+  for (const results::TipQuantity& q : results::tip_quantities) {
+    if (!lists(model, q)) {
+      continue;
+    }
+    const bool given = q.is_given(tip);
+    row.push_back(given ? digits(q, q.of(tip), scale) : "");
+    if (q.bar >= 0) {
+      row.push_back(given ? bar_cell(tip, q.bar) : "");
+    }
   }
 }
 

@@ -9,7 +9,8 @@
 /// The tables of listing and page, made from the results.
 namespace spricka::report {
 
-/// K1, K2, G and (K1^2 + K2^2)/E' beside each other, for each step and tip of one increment.
+/// The quantities of tips that the listing has (results/tip_result.hpp), for each step and tip of
+/// one increment.
 Table k_table(const model::Model& model, const results::Increment& increment);
 
 /// The same at the end of one step, one row for each increment and tip.

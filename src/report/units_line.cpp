@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/units_line.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace spricka::report {
+
+void UnitsLine::add(base::Quantity kind, const std::string& words) {
+  auto found = std::ranges::find(kinds_, kind, &Kind::kind);
+  if (found == kinds_.end()) {
+    found = kinds_.insert(found, Kind{kind, {}});
+  }
+  if (std::ranges::find(found->words, words) == found->words.end()) {
+    found->words.push_back(words);
+  }
+}
+
+std::string UnitsLine::text(const base::UnitSystem& units) const {
+  std::string text;
+  std::string numbers;
+  for (const Kind& of : kinds_) {
+    if (of.kind == base::Quantity::number) {
+      numbers = fmt::format(", {} [1]", fmt::join(of.words, " and "));
+      continue;
+    }
+    text += fmt::format("{}{} [{}]", text.empty() ? "" : ", ", fmt::join(of.words, " "),
+                        of.kind == base::Quantity::angle ? "deg" : unit_name(units, of.kind));
+  }
+  return text + numbers;
+}
+
+} // namespace spricka::report

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/quantity.hpp"
+
+#include <string>
+#include <vector>
+
+namespace spricka::report {
+
+/// The columns of a table by what they measure.
+class UnitsLine {
+public:
+  /// A column, or words for several of them; the same words again are left out.
+  void add(base::Quantity kind, const std::string& words);
+  /// "x y [mm], theta [deg], p_lumped [MPa], increment [1]": kinds in the order in which they came,
+  /// plain numbers last.
+  [[nodiscard]] std::string text(const base::UnitSystem& units) const;
+
+private:
+  struct Kind {
+    base::Quantity kind;
+    std::vector<std::string> words;
+  };
+  std::vector<Kind> kinds_;
+};
+
+} // namespace spricka::report
