@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/checks/check_quantities.hpp"
 
-#include "analysis/recover/closed_parts.hpp"
 #include "analysis/scene/gone_nodes.hpp"
+#include "program/checks/contact_readings.hpp"
 #include "program/checks/field_quantities.hpp"
 #include "program/checks/growth_readings.hpp"
 #include "program/checks/path_quantities.hpp"
-#include "program/checks/place_quantities.hpp"
 #include "results/growth_end.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 
 #include <fmt/format.h>
@@ -20,8 +19,6 @@
 namespace spricka::program {
 
 namespace {
-
-constexpr double full_circle = 6.2832; // [rad] as ANGLE of $CRACK
 
 double tip_quantity(const std::string& quantity, Arguments& args, const results::Run& run) {
   const std::string tip = args.name("a crack");
@@ -33,175 +30,15 @@ double tip_quantity(const std::string& quantity, Arguments& args, const results:
     throw Missing(two ? fmt::format("crack {0} has two tips: {0}.1 and {0}.2", tip)
                       : fmt::format("no tip {}", tip));
   }
-  if (!found->doubt.empty() && !(found->two_materials && quantity == "G")) {
+  const results::TipQuantity& asked = *results::find_tip_quantity(quantity);
+  if (!found->doubt.empty() &&
+      !(found->two_materials && asked.given == results::TipGiven::always)) {
     throw Missing(found->doubt);
   }
-  if (quantity.find('.') != std::string::npos) {
-    if (!found->no_bar.empty()) {
-      throw Missing("no error bar: " + found->no_bar);
-    }
-    const results::KBar& bar = found->bar[quantity.starts_with("K2") ? 1 : 0];
-    return quantity.ends_with(".BEST") ? bar.best : bar.size();
+  if (asked.given == results::TipGiven::with_bar && !found->no_bar.empty()) {
+    throw Missing("no error bar: " + found->no_bar);
   }
-  if (quantity == "K2") {
-    return found->K2;
-  }
-  if (quantity == "T") {
-    return found->T;
-  }
-  return quantity == "G" ? found->G : found->K1;
-}
-
-// Faces of a crack that touch nowhere are no pair: they have no pressure and no closed part.
-results::ContactResult open_faces(const model::Model& model, const std::string& contact) {
-  for (const model::Crack& crack : model.cracks) {
-    if (contact == crack.name + ".FACES" && crack.faces_in_contact) {
-      results::ContactResult open;
-      open.name = contact;
-      open.sheared = open.rubs = crack.mu > 0.0;
-      return open;
-    }
-  }
-  throw Missing(fmt::format("no contact {}", contact));
-}
-
-results::ContactResult contact_of(const model::Model& model, const results::StepResult& step,
-                                  const std::string& contact) {
-  const results::ContactResult* found = results::find_contact(step, contact);
-  return found != nullptr ? *found : open_faces(model, contact);
-}
-
-// The value at a point that a quantity is about.
-using PointValue = double results::ContactPoint::*;
-
-PointValue value_of(const std::string& quantity, bool consistent) {
-  if (quantity.starts_with("SHEAR.")) {
-    return consistent ? &results::ContactPoint::q_consistent : &results::ContactPoint::q_lumped;
-  }
-  return consistent ? &results::ContactPoint::p_consistent : &results::ContactPoint::p_lumped;
-}
-
-double extreme(const results::ContactResult& contact, PointValue value, bool largest) {
-  if (contact.points.empty()) {
-    return 0.0; // open_faces
-  }
-  double found = contact.points.front().*value;
-  for (const results::ContactPoint& p : contact.points) {
-    found = largest ? std::max(found, p.*value) : std::min(found, p.*value);
-  }
-  return found;
-}
-
-// Between the two points next to theta, or at a distance along a straight surface; lips are met
-// from their own side.
-double value_at(const results::ContactResult& contact, PointValue value, double place) {
-  constexpr double turn = 2.0 * std::numbers::pi;
-  const bool round = contact.round;
-  const results::ContactPoint* below = nullptr;
-  const results::ContactPoint* above = nullptr;
-  double down = std::numeric_limits<double>::infinity();
-  double up = down;
-  for (const results::ContactPoint& p : contact.points) {
-    const double d = round ? std::remainder(p.theta - place, turn) : p.arc - place;
-    if (d <= 0.0 && -d < down) {
-      down = -d;
-      below = &p;
-    }
-    if (d >= 0.0 && d < up) {
-      up = d;
-      above = &p;
-    }
-  }
-  if (below == nullptr || above == nullptr || (round && up + down > 1.0)) {
-    throw Missing(round ? "no contact surface at that angle"
-                        : "no contact surface at that distance");
-  }
-  if (analysis::between_pieces(contact, place)) {
-    return 0.0;
-  }
-  const double t = up + down > 0.0 ? down / (up + down) : 0.0;
-  return (1.0 - t) * (below->*value) + t * (above->*value);
-}
-
-double friction_quantity(const std::string& quantity, const results::ContactResult& contact) {
-  if (!contact.rubs) {
-    throw Missing(fmt::format("contact {} has no friction in that step", contact.name));
-  }
-  if (quantity == "SLIP.MAX") {
-    return contact.max_slip;
-  }
-  if (quantity == "FRICTION.WORK") {
-    return contact.friction_work;
-  }
-  if (contact.sticking == 0) {
-    throw Missing("nothing sticks");
-  }
-  return quantity == "STICK.FROM" ? contact.stick_from : contact.stick_to;
-}
-
-bool of_friction(const std::string& quantity) {
-  return quantity.starts_with("STICK.") || quantity == "SLIP.MAX" || quantity == "FRICTION.WORK";
-}
-
-double contact_quantity(const model::Model& model, const std::string& quantity, Arguments& args,
-                        const results::Run& run) {
-  const std::string name = args.name("a contact");
-  std::optional<base::Vec2> place;
-  if (quantity == "CPRESS.NEAR") {
-    const double x = args.needed("x");
-    place = base::Vec2(x, args.needed("y"));
-  }
-  const std::string step = args.name("a step");
-  std::optional<double> theta;
-  int component = 0;
-  if (quantity == "CPRESS.AT" || quantity == "SHEAR.AT") {
-    theta = args.needed("an angle or a length");
-  } else if (quantity.starts_with("ARC.PART.")) {
-    theta = args.needed("a number");
-  } else if (quantity == "SUM") {
-    const std::string axis = args.name("X, Y or Z");
-    component = axis == "Z" ? 2 : (axis == "Y" ? 1 : 0);
-  }
-  const Place at = find_place(run, step, args.number());
-  const results::ContactResult contact = contact_of(model, *at.step, name);
-  const auto card = std::find_if(model.contacts.begin(), model.contacts.end(),
-                                 [&](const model::Contact& c) { return c.name == name; });
-  const bool consistent =
-      card != model.contacts.end() && card->recovery == model::Recovery::consistent;
-  if (quantity.starts_with("SHEAR.") && !contact.sheared) {
-    throw Missing(fmt::format("contact {} has no shear: neither MU nor TYPE=BONDED", name));
-  }
-  if (place) {
-    return pressure_near(contact, value_of("CPRESS.AT", consistent), *place);
-  }
-  if (quantity.starts_with("ARC.PART.")) {
-    return end_of_part(contact, quantity, *theta);
-  }
-  if (theta && std::abs(*theta) > full_circle) {
-    throw Missing(fmt::format("{0:.6g} rad, {1:.6g} degrees, is more than a circle; an angle "
-                              "without a unit is in radians, {0:.6g}[deg] in degrees",
-                              *theta, *theta * 180.0 / std::numbers::pi));
-  }
-  if (theta) {
-    return value_at(contact, value_of(quantity, consistent), *theta);
-  }
-  if (quantity == "SUM") {
-    return contact.force_on_slave[component];
-  }
-  if (quantity != "CPRESS.MEAN" &&
-      (quantity.starts_with("CPRESS.") || quantity.starts_with("SHEAR."))) {
-    return extreme(contact, value_of(quantity, consistent), quantity.ends_with(".MAX"));
-  }
-  if (of_friction(quantity)) {
-    return friction_quantity(quantity, contact);
-  }
-  if (quantity == "ARC.FROM") {
-    return contact.arc_from;
-  }
-  if (quantity == "ARC.PARTS") {
-    return static_cast<double>(analysis::closed_parts(contact).size());
-  }
-  return quantity == "ARC.TO" ? contact.arc_to : contact.mean_pressure;
+  return asked.of(*found);
 }
 
 double reaction(const model::Model& model, Arguments& args, const results::Run& run) {
@@ -314,42 +151,54 @@ double cycles(const std::string& quantity, Arguments& args, const results::Run& 
   return first;
 }
 
+// A line of $CHECK: its word, and what is left of its arguments.
+struct Line {
+  const model::Model& model;
+  const results::Run& run;
+  const std::string& word;
+  Arguments args;
+};
+
+using Reader = double (*)(Line&);
+
+// Words that are not of a tip or a contact, by what stands in front of their first point.
+struct Family {
+  std::string_view name;
+  Reader read;
+};
+constexpr std::array families{
+    Family{"DK1", [](Line& l) { return derivative(l.word, l.args, l.run); }},
+    Family{"DK2", [](Line& l) { return derivative(l.word, l.args, l.run); }},
+    Family{"PATH", [](Line& l) { return path_quantity(l.word, l.args, l.run); }},
+    Family{"TEST", [](Line& l) { return test_quantity(l.word, l.args, l.run); }},
+    Family{"N", [](Line& l) { return cycles(l.word, l.args, l.run); }},
+    Family{"LIFE", [](Line& l) { return cycles(l.word, l.args, l.run); }},
+    Family{"ENERGY", [](Line& l) { return energy(l.args, l.run); }},
+    Family{"ERROR", [](Line& l) { return estimated_error(l.args, l.run); }},
+    Family{"REACTION", [](Line& l) { return reaction(l.model, l.args, l.run); }},
+    Family{"U", [](Line& l) { return field_quantity(l.model, l.word, l.args, l.run); }},
+    Family{"S", [](Line& l) { return field_quantity(l.model, l.word, l.args, l.run); }},
+};
+
+Reader reader_of(std::string_view word) {
+  if (results::find_tip_quantity(word) != nullptr) {
+    return [](Line& l) { return tip_quantity(l.word, l.args, l.run); };
+  }
+  if (is_contact_quantity(word)) {
+    return [](Line& l) { return contact_quantity(l.model, l.word, l.args, l.run); };
+  }
+  const auto* const found =
+      std::ranges::find(families, word.substr(0, word.find('.')), &Family::name);
+  return found == families.end() ? nullptr : found->read;
+}
+
 double evaluate(const model::Model& model, const model::Check& check, const results::Run& run) {
-  Arguments args(check);
-  const std::string& q = check.quantity;
-  if (q == "K" || q == "K1" || q == "K2" || q == "G" || q == "T" || q.starts_with("K1.") ||
-      q.starts_with("K2.")) {
-    return tip_quantity(q, args, run);
+  const Reader read = reader_of(check.quantity);
+  if (read == nullptr) {
+    throw Missing(fmt::format("{} is not available in this version", check.quantity));
   }
-  if (q.starts_with("DK1.") || q.starts_with("DK2.")) {
-    return derivative(q, args, run);
-  }
-  if (q.starts_with("PATH.")) {
-    return path_quantity(q, args, run);
-  }
-  if (q.starts_with("TEST.")) {
-    return test_quantity(q, args, run);
-  }
-  if (q.starts_with("CPRESS.") || q.starts_with("ARC.") || q.starts_with("SHEAR.") ||
-      of_friction(q) || q == "SUM") {
-    return contact_quantity(model, q, args, run);
-  }
-  if (q == "N" || q == "LIFE") {
-    return cycles(q, args, run);
-  }
-  if (q == "ENERGY") {
-    return energy(args, run);
-  }
-  if (q == "ERROR") {
-    return estimated_error(args, run);
-  }
-  if (q == "REACTION") {
-    return reaction(model, args, run);
-  }
-  if (q.starts_with("U.") || q.starts_with("S.")) {
-    return field_quantity(model, q, args, run);
-  }
-  throw Missing(fmt::format("{} is not available in this version", q));
+  Line line{model, run, check.quantity, Arguments(check)};
+  return read(line);
 }
 
 std::string text_of(const model::Check& check) {
@@ -364,6 +213,10 @@ std::string text_of(const model::Check& check) {
 }
 
 } // namespace
+
+bool is_available(std::string_view word) {
+  return reader_of(word) != nullptr;
+}
 
 std::vector<results::CheckResult> evaluate_checks(const model::Model& model,
                                                   const results::Run& run) {

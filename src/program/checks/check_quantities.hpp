@@ -3,6 +3,7 @@
 #include "model/model.hpp"
 #include "results/results.hpp"
 
+#include <string_view>
 #include <vector>
 
 namespace spricka::program {
@@ -11,5 +12,8 @@ namespace spricka::program {
 /// a point outside the body) fails with the reason in `trouble`.
 std::vector<results::CheckResult> evaluate_checks(const model::Model& model,
                                                   const results::Run& run);
+
+/// Whether $CHECK finds a value of that word, as it must of all that the catalogue names.
+bool is_available(std::string_view word);
 
 } // namespace spricka::program

@@ -37,14 +37,13 @@ double pressure_near(const results::ContactResult& contact, double results::Cont
   return found;
 }
 
-double end_of_part(const results::ContactResult& contact, const std::string& quantity,
-                   double number) {
+double end_of_part(const results::ContactResult& contact, double number, std::size_t end) {
   const std::vector<std::array<double, 2>> parts = analysis::closed_parts(contact);
   const auto count = static_cast<double>(parts.size());
   if (!(number >= 1.0 && number <= count) || number != std::floor(number)) {
     throw Missing(fmt::format("contact {} is closed in {} parts", contact.name, parts.size()));
   }
-  return parts[static_cast<std::size_t>(number) - 1][quantity == "ARC.PART.FROM" ? 0 : 1];
+  return parts[static_cast<std::size_t>(number) - 1][end];
 }
 
 } // namespace spricka::program

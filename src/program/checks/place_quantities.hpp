@@ -2,7 +2,7 @@
 #pragma once
 #include "results/results.hpp"
 
-#include <string>
+#include <cstddef>
 
 /// Results at places of a contact surface that $CHECK asks for.
 namespace spricka::program {
@@ -12,9 +12,8 @@ namespace spricka::program {
 double pressure_near(const results::ContactResult& contact, double results::ContactPoint::*value,
                      const base::Vec2& x);
 
-/// ARC.PART.FROM or ARC.PART.TO: an end of the closed part of that number, along the surface.
+/// ARC.PART.FROM (end 0) or ARC.PART.TO (1): of the closed part of that number, along the surface.
 /// Throws Missing where there is no such part.
-double end_of_part(const results::ContactResult& contact, const std::string& quantity,
-                   double number);
+double end_of_part(const results::ContactResult& contact, double number, std::size_t end);
 
 } // namespace spricka::program

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/checks/contact_readings.hpp"
+
+#include "analysis/recover/closed_parts.hpp"
+#include "program/checks/place_quantities.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+namespace {
+
+constexpr double full_circle = 6.2832; // [rad] as ANGLE of $CRACK
+
+// Faces of a crack that touch nowhere are no pair: they have no pressure and no closed part.
+results::ContactResult open_faces(const model::Model& model, const std::string& contact) {
+  for (const model::Crack& crack : model.cracks) {
+    if (contact == crack.name + ".FACES" && crack.faces_in_contact) {
+      results::ContactResult open;
+      open.name = contact;
+      open.sheared = open.rubs = crack.mu > 0.0;
+      return open;
+    }
+  }
+  throw Missing(fmt::format("no contact {}", contact));
+}
+
+results::ContactResult contact_of(const model::Model& model, const results::StepResult& step,
+                                  const std::string& contact) {
+  const results::ContactResult* found = results::find_contact(step, contact);
+  return found != nullptr ? *found : open_faces(model, contact);
+}
+
+// The value at a point that a word is about.
+using PointValue = double results::ContactPoint::*;
+
+double extreme(const results::ContactResult& contact, PointValue value, bool largest) {
+  if (contact.points.empty()) {
+    return 0.0; // open_faces
+  }
+  double found = contact.points.front().*value;
+  for (const results::ContactPoint& p : contact.points) {
+    found = largest ? std::max(found, p.*value) : std::min(found, p.*value);
+  }
+  return found;
+}
+
+// Between the two points next to theta, or at a distance along a straight surface; lips are met
+// from their own side.
+double value_at(const results::ContactResult& contact, PointValue value, double place) {
+  constexpr double turn = 2.0 * std::numbers::pi;
+  const bool round = contact.round;
+  const results::ContactPoint* below = nullptr;
+  const results::ContactPoint* above = nullptr;
+  double down = std::numeric_limits<double>::infinity();
+  double up = down;
+  for (const results::ContactPoint& p : contact.points) {
+    const double d = round ? std::remainder(p.theta - place, turn) : p.arc - place;
+    if (d <= 0.0 && -d < down) {
+      down = -d;
+      below = &p;
+    }
+    if (d >= 0.0 && d < up) {
+      up = d;
+      above = &p;
+    }
+  }
+  if (below == nullptr || above == nullptr || (round && up + down > 1.0)) {
+    throw Missing(round ? "no contact surface at that angle"
+                        : "no contact surface at that distance");
+  }
+  if (analysis::between_pieces(contact, place)) {
+    return 0.0;
+  }
+  const double t = up + down > 0.0 ? down / (up + down) : 0.0;
+  return (1.0 - t) * (below->*value) + t * (above->*value);
+}
+
+// What stands between contact and step, or behind the step.
+enum class Argument { none, point, place, part, axis };
+
+// A line of $CHECK with its arguments.
+struct Question {
+  const results::ContactResult& contact;
+  PointValue value; // pressure or shear, as the contact recovers it
+  base::Vec2 point = base::Vec2::Zero();
+  double at = 0.0; // place or number of the part
+  Eigen::Index axis = 0;
+};
+
+// A word that is no member of the record (results/contact_result.hpp has those).
+struct Word {
+  std::string_view word;
+  Argument argument;
+  double (*read)(const Question&);
+};
+
+double smallest(const Question& q) {
+  return extreme(q.contact, q.value, false);
+}
+double largest(const Question& q) {
+  return extreme(q.contact, q.value, true);
+}
+double at_place(const Question& q) {
+  if (std::abs(q.at) > full_circle) {
+    throw Missing(fmt::format("{0:.6g} rad, {1:.6g} degrees, is more than a circle; an angle "
+                              "without a unit is in radians, {0:.6g}[deg] in degrees",
+                              q.at, q.at * 180.0 / std::numbers::pi));
+  }
+  return value_at(q.contact, q.value, q.at);
+}
+double near_point(const Question& q) {
+  return pressure_near(q.contact, q.value, q.point);
+}
+template <std::size_t end> double part_end(const Question& q) {
+  return end_of_part(q.contact, q.at, end);
+}
+double count_of_parts(const Question& q) {
+  return static_cast<double>(analysis::closed_parts(q.contact).size());
+}
+double force(const Question& q) {
+  return q.contact.force_on_slave[q.axis];
+}
+
+constexpr std::array words{
+    Word{"CPRESS.MIN", Argument::none, smallest},
+    Word{"CPRESS.MAX", Argument::none, largest},
+    Word{"CPRESS.AT", Argument::place, at_place},
+    Word{"CPRESS.NEAR", Argument::point, near_point},
+    Word{"SHEAR.MIN", Argument::none, smallest},
+    Word{"SHEAR.MAX", Argument::none, largest},
+    Word{"SHEAR.AT", Argument::place, at_place},
+    Word{"ARC.PARTS", Argument::none, count_of_parts},
+    Word{"ARC.PART.FROM", Argument::part, part_end<0>},
+    Word{"ARC.PART.TO", Argument::part, part_end<1>},
+    Word{"SUM", Argument::axis, force},
+};
+
+const Word* find_word(std::string_view word) {
+  const auto* const found = std::ranges::find(words, word, &Word::word);
+  return found == words.end() ? nullptr : found;
+}
+
+const results::ContactQuantity* find_member(std::string_view word) {
+  const auto* const found =
+      std::ranges::find(results::contact_quantities, word, &results::ContactQuantity::check);
+  return found == results::contact_quantities.end() ? nullptr : found;
+}
+
+double member_of(const results::ContactResult& contact, const results::ContactQuantity& quantity) {
+  if (quantity.given != results::ContactGiven::always && !contact.rubs) {
+    throw Missing(fmt::format("contact {} has no friction in that step", contact.name));
+  }
+  if (quantity.given == results::ContactGiven::where_it_sticks && contact.sticking == 0) {
+    throw Missing("nothing sticks");
+  }
+  return contact.*quantity.member;
+}
+
+PointValue value_of(const model::Model& model, const std::string& contact, bool shear) {
+  const auto card = std::ranges::find(model.contacts, contact, &model::Contact::name);
+  const bool consistent =
+      card != model.contacts.end() && card->recovery == model::Recovery::consistent;
+  if (shear) {
+    return consistent ? &results::ContactPoint::q_consistent : &results::ContactPoint::q_lumped;
+  }
+  return consistent ? &results::ContactPoint::p_consistent : &results::ContactPoint::p_lumped;
+}
+
+} // namespace
+
+bool is_contact_quantity(std::string_view word) {
+  return find_word(word) != nullptr || find_member(word) != nullptr;
+}
+
+double contact_quantity(const model::Model& model, const std::string& word, Arguments& args,
+                        const results::Run& run) {
+  const Word* const asked = find_word(word);
+  const Argument argument = asked != nullptr ? asked->argument : Argument::none;
+  const bool shear = word.starts_with("SHEAR.");
+  const std::string name = args.name("a contact");
+  base::Vec2 point = base::Vec2::Zero();
+  if (argument == Argument::point) {
+    point.x() = args.needed("x");
+    point.y() = args.needed("y");
+  }
+  const std::string step = args.name("a step");
+  double at = 0.0;
+  Eigen::Index axis = 0;
+  if (argument == Argument::place) {
+    at = args.needed("an angle or a length");
+  } else if (argument == Argument::part) {
+    at = args.needed("a number");
+  } else if (argument == Argument::axis) {
+    axis = axis_of(args.name("X, Y or Z"));
+  }
+  const results::StepResult& found = *find_place(run, step, args.number()).step;
+  const results::ContactResult contact = contact_of(model, found, name);
+  if (shear && !contact.sheared) {
+    throw Missing(fmt::format("contact {} has no shear: neither MU nor TYPE=BONDED", name));
+  }
+  if (asked == nullptr) {
+    return member_of(contact, *find_member(word));
+  }
+  return asked->read({.contact = contact,
+                      .value = value_of(model, name, shear),
+                      .point = point,
+                      .at = at,
+                      .axis = axis});
+}
+
+} // namespace spricka::program
