@@ -2,6 +2,7 @@
 #include "program/shell/replies.hpp"
 
 #include "analysis/recover/closed_parts.hpp"
+#include "base/quantity.hpp"
 #include "program/shell/known_names.hpp"
 #include "report/drawing/table.hpp"
 #include "report/topics/sensitivity_tables.hpp"
@@ -27,8 +28,24 @@ bool is_wanted(const results::TipResult& tip, const std::string& only) {
   return only.empty() || tip.name == only || tip.name.starts_with(only + ".");
 }
 
-std::string bar(const results::TipResult& tip, std::size_t mode) {
-  return tip.no_bar.empty() ? fmt::format("{:.2g}", tip.bar[mode].size()) : std::string("-");
+std::string bar(const results::TipResult& tip, int mode) {
+  return tip.no_bar.empty() ? fmt::format("{:.2g}", tip.bar[static_cast<std::size_t>(mode)].size())
+                            : std::string("-");
+}
+
+std::vector<std::string> k_row(const results::TipResult& tip) {
+  std::vector<std::string> row{tip.name};
+  for (const results::TipQuantity& q : results::tip_quantities) {
+    if (!q.is(results::in_shell)) {
+      continue;
+    }
+    const bool given = q.is_given(tip);
+    row.push_back(given ? fmt::format("{:.{}g}", q.of(tip), q.shell_digits) : "");
+    if (q.bar >= 0) {
+      row.push_back(given ? bar(tip, q.bar) : "");
+    }
+  }
+  return row;
 }
 
 std::string place(const results::ContactResult& contact, double at, const base::UnitSystem& units) {
@@ -66,26 +83,18 @@ std::string closed_part(const results::ContactResult& contact, const base::UnitS
 
 std::string k_reply(const ShellSession& session, const std::string& only) {
   const base::UnitSystem& units = session.model().units;
-  const std::string K = units.stress_intensity_name();
-  Table table{"",
-              {{"tip", "", true},
-               {"a", units.length_name, false},
-               {"K1", K, false},
-               {"+-", K, false},
-               {"K2", K, false},
-               {"+-", K, false},
-               {"G", units.force_name + "/" + units.length_name, false},
-               {"T", units.stress_name(), false}},
-              {}};
-  for (const results::TipResult& tip : session.now().tips) {
-    if (!is_wanted(tip, only)) {
-      continue;
+  Table table{"", {{"tip", "", true}}, {}};
+  for (const results::TipQuantity& q : results::tip_quantities) {
+    if (q.is(results::in_shell)) {
+      table.columns.push_back({q.name, base::unit_name(units, q.kind), false});
     }
-    if (tip.two_materials) {
-      table.rows.push_back({tip.name, number(tip.a), "", "", "", "", number(tip.G), ""});
-    } else {
-      table.rows.push_back({tip.name, number(tip.a), number(tip.K1), bar(tip, 0), number(tip.K2),
-                            bar(tip, 1), number(tip.G), fmt::format("{:.5g}", tip.T)});
+    if (q.is(results::in_shell) && q.bar >= 0) {
+      table.columns.push_back({"+-", base::unit_name(units, q.kind), false});
+    }
+  }
+  for (const results::TipResult& tip : session.now().tips) {
+    if (is_wanted(tip, only)) {
+      table.rows.push_back(k_row(tip));
     }
   }
   return report::to_text(table);
