@@ -4,6 +4,7 @@
 #include "archive/deck_digest.hpp"
 #include "archive/safe_file.hpp"
 #include "deck/load.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <array>

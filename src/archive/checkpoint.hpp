@@ -3,7 +3,7 @@
 #include "archive/checkpoint_list.hpp"
 #include "base/clock.hpp"
 #include "base/source.hpp"
-#include "model/model.hpp"
+#include "model/forward.hpp"
 #include "results/named_arrays.hpp"
 #include "results/results.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "archive/checkpoint_list.hpp"
 
+#include "model/model.hpp"
 #include "results/store_run.hpp"
 
 #include <limits>

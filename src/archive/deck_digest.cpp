@@ -3,6 +3,7 @@
 
 #include "base/hasher.hpp"
 #include "base/input_file.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <filesystem>

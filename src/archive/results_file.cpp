@@ -3,6 +3,7 @@
 
 #include "archive/deck_digest.hpp"
 #include "archive/version.hpp"
+#include "model/model.hpp"
 #include "report/drawing/file.hpp"
 #include "results/store_run.hpp"
 

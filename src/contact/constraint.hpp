@@ -3,7 +3,7 @@
 #include "base/id.hpp"
 #include "base/vec.hpp"
 #include "contact/surface.hpp"
-#include "model/model.hpp"
+#include "model/contacts.hpp"
 
 #include <map>
 #include <optional>

@@ -5,6 +5,7 @@
 #include "contact/segment_pairing.hpp"
 #include "contact/sharp_end.hpp"
 #include "mesh/boundary.hpp"
+#include "model/model.hpp"
 
 #include <utility>
 

@@ -2,7 +2,7 @@
 #pragma once
 #include "base/id.hpp"
 #include "contact/constraint.hpp"
-#include "model/model.hpp"
+#include "model/forward.hpp"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 #pragma once
 #include "contact/segment.hpp"
 #include "contact/surface.hpp"
-#include "model/model.hpp"
+#include "model/forward.hpp"
 
 #include <optional>
 #include <vector>

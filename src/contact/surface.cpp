@@ -2,6 +2,7 @@
 #include "contact/surface.hpp"
 
 #include "mesh/boundary.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

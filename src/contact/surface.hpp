@@ -3,8 +3,8 @@
 #include "base/id.hpp"
 #include "base/vec.hpp"
 #include "contact/plane_features.hpp"
+#include "model/forward.hpp"
 #include "model/mesh.hpp"
-#include "model/model.hpp"
 
 #include <optional>
 #include <vector>

@@ -3,7 +3,8 @@
 #include "crack/extension.hpp"
 #include "crack/williams.hpp"
 #include "mesh/cut/cracked.hpp"
-#include "model/model.hpp"
+#include "model/forward.hpp"
+#include "model/mesh.hpp"
 
 #include <array>
 #include <map>

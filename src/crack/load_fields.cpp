@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crack/load_fields.hpp"
 
+#include "model/loads.hpp"
+
 namespace spricka::crack {
 
 std::vector<BodyField> body_fields(const TipSetting& set) {

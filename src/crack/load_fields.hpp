@@ -3,6 +3,7 @@
 #include "crack/tip_setting.hpp"
 #include "fe/load_rule.hpp"
 #include "fe/set_shares.hpp"
+#include "model/loads.hpp"
 
 #include <algorithm>
 

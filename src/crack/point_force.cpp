@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crack/point_force.hpp"
 
+#include "model/materials.hpp"
+
 #include <cmath>
 #include <numbers>
 

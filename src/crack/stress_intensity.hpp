@@ -5,7 +5,9 @@
 #include "crack/tip_loads.hpp"
 #include "crack/williams.hpp"
 #include "mesh/cut/cracked.hpp"
-#include "model/model.hpp"
+#include "model/cracks.hpp"
+#include "model/forward.hpp"
+#include "model/mesh.hpp"
 #include "shape/shape.hpp"
 
 #include <array>

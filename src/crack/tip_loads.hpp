@@ -2,7 +2,8 @@
 #pragma once
 #include "base/vec.hpp"
 #include "fe/heat.hpp"
-#include "model/model.hpp"
+#include "model/forward.hpp"
+#include "model/mesh.hpp"
 
 #include <vector>
 

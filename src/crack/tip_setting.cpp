@@ -2,6 +2,7 @@
 #include "crack/tip_setting.hpp"
 
 #include "crack/point_force.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 
@@ -30,6 +31,10 @@ TipSetting tip_setting(const model::Model& model, const mesh::CrackedMesh& crack
           frame_of(front),
           loads,
           std::nullopt};
+}
+
+fe::Elasticity<2> TipSetting::elasticity(base::ElementId e) const {
+  return fe::elasticity<2>(model.material_of(mesh, e), model.property_of(mesh, e).state);
 }
 
 bool between_materials(const TipSetting& set, const ExtensionField& field) {

@@ -5,6 +5,9 @@
 #include "crack/williams.hpp"
 #include "fe/element.hpp"
 #include "mesh/cut/cracked.hpp"
+#include "model/forward.hpp"
+#include "model/materials.hpp"
+#include "model/mesh.hpp"
 
 #include <array>
 #include <map>
@@ -37,9 +40,7 @@ struct TipSetting {
 
   [[nodiscard]] model::State state() const { return property.state; }
   /// Of an element's own.
-  [[nodiscard]] fe::Elasticity<2> elasticity(base::ElementId e) const {
-    return fe::elasticity<2>(model.material_of(mesh, e), model.property_of(mesh, e).state);
-  }
+  [[nodiscard]] fe::Elasticity<2> elasticity(base::ElementId e) const;
 };
 TipSetting tip_setting(const model::Model& model, const mesh::CrackedMesh& cracked,
                        const mesh::Front& front, const std::vector<ExtensionField>& fields,

@@ -5,6 +5,7 @@
 #include "deck/unit_warnings.hpp"
 #include "grammar/lexeme.hpp"
 #include "grammar/parse.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/sets.hpp"
 #include "mesh/cut/path_gap.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

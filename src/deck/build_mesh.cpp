@@ -4,6 +4,7 @@
 #include "deck/mesh_limits.hpp"
 #include "grammar/bulk_table.hpp"
 #include "mesh/generate/generate.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,6 +3,7 @@
 #include "deck/sets.hpp"
 #include "deck/unit_warnings.hpp"
 #include "grammar/lexeme.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
 #include "deck/number_file.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <string_view>

@@ -3,6 +3,7 @@
 #include "deck/element_place.hpp"
 #include "grammar/bulk_table.hpp"
 #include "mesh/quality.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 

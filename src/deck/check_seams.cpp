@@ -3,6 +3,7 @@
 #include "deck/element_place.hpp"
 #include "mesh/boundary.hpp"
 #include "mesh/cut/coincidence.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 

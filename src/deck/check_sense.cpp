@@ -2,6 +2,7 @@
 #include "deck/context.hpp"
 #include "mesh/cut/host.hpp"
 #include "mesh/cut/mouth.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,6 +4,7 @@
 #include "deck/sets.hpp"
 #include "grammar/argument_word.hpp"
 #include "grammar/lexeme.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -3,6 +3,7 @@
 
 #include "mesh/import/gmsh_import.hpp"
 #include "mesh/import/inp_import.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <filesystem>

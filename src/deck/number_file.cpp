@@ -2,6 +2,7 @@
 #include "deck/number_file.hpp"
 
 #include "base/input_file.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -4,6 +4,7 @@
 #include "deck/context.hpp"
 #include "deck/load.hpp"
 #include "mesh/subdivide.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <utility>

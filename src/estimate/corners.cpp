@@ -3,6 +3,7 @@
 
 #include "estimate/wedge.hpp"
 #include "fe/law.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

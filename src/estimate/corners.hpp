@@ -2,7 +2,7 @@
 #pragma once
 #include "estimate/edges.hpp"
 #include "fe/dependence.hpp"
-#include "model/model.hpp"
+#include "model/forward.hpp"
 
 #include <array>
 #include <vector>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "estimate/enrichment.hpp"
 
+#include "model/model.hpp"
 #include "shape/topology.hpp"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "crack/stress_intensity.hpp"
 #include "estimate/edges.hpp"
 #include "estimate/mode_kernel.hpp"
-#include "model/model.hpp"
+#include "model/forward.hpp"
 
 #include <deque>
 #include <span>

@@ -4,6 +4,7 @@
 #include "fe/heat.hpp"
 #include "fe/load_points.hpp"
 #include "fe/thermal.hpp"
+#include "model/loads.hpp"
 
 namespace spricka::estimate {
 

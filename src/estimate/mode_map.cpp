@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "estimate/mode_map.hpp"
 
+#include "model/freedoms.hpp"
+
 #include <algorithm>
 #include <map>
 #include <numeric>

@@ -2,6 +2,7 @@
 #include "estimate/modulus.hpp"
 
 #include "fe/thermal.hpp"
+#include "model/model.hpp"
 
 #include <vector>
 

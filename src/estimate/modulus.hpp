@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "base/vec.hpp"
-#include "model/model.hpp"
+#include "model/forward.hpp"
 
 namespace spricka::estimate {
 

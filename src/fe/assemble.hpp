@@ -2,7 +2,7 @@
 #pragma once
 #include "base/sparse.hpp"
 #include "fe/dof_map.hpp"
-#include "model/model.hpp"
+#include "model/forward.hpp"
 
 #include <span>
 #include <vector>

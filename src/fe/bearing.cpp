@@ -3,6 +3,7 @@
 
 #include "fe/circle_fit.hpp"
 #include "fe/face.hpp"
+#include "model/model.hpp"
 
 #include <Eigen/LU>
 

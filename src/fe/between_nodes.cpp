@@ -3,6 +3,8 @@
 
 #include "fe/hidden_search.hpp"
 #include "fe/load_rule.hpp"
+#include "model/loads.hpp"
+#include "model/mesh.hpp"
 #include "shape/topology.hpp"
 
 namespace spricka::fe {

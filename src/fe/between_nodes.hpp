@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "model/model.hpp"
+#include "base/vec.hpp"
+#include "model/forward.hpp"
 
 namespace spricka::fe {
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/dependence.hpp"
 
+#include "model/freedoms.hpp"
+
 #include <algorithm>
 #include <cmath>
 

@@ -2,8 +2,8 @@
 #pragma once
 #include "base/id.hpp"
 #include "fe/dependence.hpp"
+#include "model/forward.hpp"
 #include "model/mesh.hpp"
-#include "model/model.hpp"
 
 #include <cstdint>
 #include <memory>

@@ -3,6 +3,7 @@
 #include "fe/dilatation.hpp"
 #include "fe/jacobian.hpp"
 #include "fe/law.hpp"
+#include "model/mesh.hpp"
 
 #include <span>
 

@@ -5,6 +5,7 @@
 #include "fe/load_points.hpp"
 #include "fe/load_rule.hpp"
 #include "fe/thermal.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include "fe/heat_field.hpp"
 #include "fe/heat_points.hpp"
 #include "fe/thermal_kernel.hpp"
-#include "model/model.hpp"
+#include "model/forward.hpp"
 
 #include <span>
 #include <vector>

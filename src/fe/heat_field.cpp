@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/heat_field.hpp"
 
+#include "model/loads.hpp"
+
 #include <algorithm>
 
 namespace spricka::fe {

@@ -2,7 +2,7 @@
 #pragma once
 #include "base/expression_range.hpp"
 #include "fe/host_places.hpp"
-#include "model/model.hpp"
+#include "model/forward.hpp"
 
 #include <memory>
 #include <vector>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "fe/law.hpp"
+#include "model/mesh.hpp"
 #include "shape/quadrature.hpp"
 #include "shape/solid.hpp"
 

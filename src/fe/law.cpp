@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/law.hpp"
 
+#include "model/model.hpp"
+
 namespace spricka::fe {
 
 Law law_of(const model::Material& material, const model::Property& property,
@@ -17,6 +19,10 @@ Law law_of(const model::Material& material, const model::Property& property,
   law.projected =
       model::nearly_incompressible(material, property.state, base::info(type).quadratic);
   return law;
+}
+
+Law law_of(const model::Model& model, const model::Mesh& mesh, base::ElementId e) {
+  return law_of(model.material_of(mesh, e), model.property_of(mesh, e), mesh.type[e.index()]);
 }
 
 } // namespace spricka::fe

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/element_type.hpp"
+#include "base/id.hpp"
 #include "fe/elasticity.hpp"
+#include "model/forward.hpp"
 
 #include <numbers>
 
@@ -34,8 +37,6 @@ Law law_of(const model::Material& material, const model::Property& property,
            base::ElementType type);
 
 /// Law of the element `e`.
-inline Law law_of(const model::Model& model, const model::Mesh& mesh, base::ElementId e) {
-  return law_of(model.material_of(mesh, e), model.property_of(mesh, e), mesh.type[e.index()]);
-}
+Law law_of(const model::Model& model, const model::Mesh& mesh, base::ElementId e);
 
 } // namespace spricka::fe

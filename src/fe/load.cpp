@@ -6,6 +6,7 @@
 #include "fe/load_rule.hpp"
 #include "fe/set_shares.hpp"
 #include "fe/thermal.hpp"
+#include "model/loads.hpp"
 
 #include <cmath>
 #include <set>

@@ -5,6 +5,7 @@
 #include "fe/face.hpp"
 #include "fe/load_rule.hpp"
 #include "fe/set_shares.hpp"
+#include "model/loads.hpp"
 
 #include <vector>
 

@@ -2,6 +2,8 @@
 #include "fe/load_rule.hpp"
 
 #include "fe/element.hpp"
+#include "model/loads.hpp"
+#include "model/mesh.hpp"
 
 #include <cmath>
 #include <limits>

@@ -3,7 +3,8 @@
 #include "base/expression_range.hpp"
 #include "fe/adaptive_rule.hpp"
 #include "fe/face.hpp"
-#include "model/model.hpp"
+#include "model/forward.hpp"
+#include "model/loads.hpp"
 
 /// Quadrature rules for loads given as expressions: one for the loads, K and error bars.
 namespace spricka::fe {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/set_shares.hpp"
 
+#include "model/mesh.hpp"
+#include "model/model.hpp"
 #include "shape/quadrature.hpp"
 #include "shape/topology.hpp"
 

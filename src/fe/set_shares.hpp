@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "model/model.hpp"
+
+#include "base/id.hpp"
+#include "base/vec.hpp"
+#include "model/forward.hpp"
 
 #include <array>
 #include <vector>

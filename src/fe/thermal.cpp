@@ -4,6 +4,7 @@
 #include "fe/load_points.hpp"
 #include "fe/load_rule.hpp"
 #include "fe/thermal_kernel.hpp"
+#include "model/loads.hpp"
 
 namespace spricka::fe {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "fe/element.hpp"
+#include "model/mesh.hpp"
 
 #include <functional>
 #include <type_traits>

@@ -2,6 +2,7 @@
 #include "fe/ties.hpp"
 
 #include "fe/transition.hpp"
+#include "model/model.hpp"
 
 #include <Eigen/Geometry>
 

@@ -2,6 +2,8 @@
 #include "fe/transition.hpp"
 
 #include "fe/face_point.hpp"
+#include "model/freedoms.hpp"
+#include "model/mesh.hpp"
 
 #include <Eigen/Geometry>
 

@@ -2,6 +2,7 @@
 #pragma once
 #include "fe/dependence.hpp"
 #include "fe/tie_trouble.hpp"
+#include "model/freedoms.hpp"
 
 namespace spricka::fe {
 

@@ -4,6 +4,7 @@
 #include "fe/dof_map.hpp"
 #include "growth/smooth_line.hpp"
 #include "mesh/cut/mouth.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 #include "growth/march.hpp"
 
 #include "growth/crack_lines.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -82,6 +83,14 @@ March::March(const model::Model& model, Law law, std::vector<mesh::CrackLine> li
   } else {
     look_for_end();
   }
+}
+
+const model::Growth& March::rules() const {
+  return *model_.growth;
+}
+
+bool March::turns() const {
+  return rules().direction != model::GrowthDirection::path;
 }
 
 Heading March::heading_of(std::size_t tip) const {

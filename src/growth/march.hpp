@@ -5,7 +5,7 @@
 #include "growth/state.hpp"
 #include "growth/trajectory.hpp"
 #include "mesh/cut/cracked.hpp"
-#include "model/model.hpp"
+#include "model/forward.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -60,8 +60,8 @@ public:
   [[nodiscard]] std::vector<mesh::CrackLine> straight_on(double advance) const;
 
 private:
-  [[nodiscard]] const model::Growth& rules() const { return *model_.growth; }
-  [[nodiscard]] bool turns() const { return rules().direction != model::GrowthDirection::path; }
+  [[nodiscard]] const model::Growth& rules() const;
+  [[nodiscard]] bool turns() const;
   [[nodiscard]] Heading heading_of(std::size_t tip) const;
   [[nodiscard]] std::vector<double> shares() const;
   [[nodiscard]] double length_left(std::size_t tip) const;

@@ -3,6 +3,7 @@
 
 #include "fe/assemble.hpp"
 #include "mesh/plane.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 #include "model/spectrum_runs.hpp"
 
 #include "base/turning_points.hpp"
+#include "model/steps.hpp"
 
 namespace spricka::model {
 

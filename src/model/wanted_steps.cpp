@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/wanted_steps.hpp"
 
+#include "model/model.hpp"
+
 #include <numeric>
 
 namespace spricka::model {

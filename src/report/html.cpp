@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/model.hpp"
 #include "report/deck_name.hpp"
 #include "report/page.hpp"
 #include "report/report.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/requests.hpp"
 #include "model/wanted_steps.hpp"
 #include "report/drawing/set_members.hpp"
 #include "report/report.hpp"

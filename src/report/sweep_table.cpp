@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/exit_codes.hpp"
+#include "model/model.hpp"
 #include "report/drawing/file.hpp"
 #include "report/sweep_files.hpp"
 #include "report/units_line.hpp"

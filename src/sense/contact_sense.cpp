@@ -6,6 +6,7 @@
 #include "contact/survey.hpp"
 #include "fe/dof_map.hpp"
 #include "mesh/boundary.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,6 +6,7 @@
 #include "mesh/boundary.hpp"
 #include "mesh/cut/host.hpp"
 #include "mesh/cut/mouth.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

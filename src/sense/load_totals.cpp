@@ -5,6 +5,7 @@
 #include "fe/between_nodes.hpp"
 #include "fe/heat.hpp"
 #include "fe/load_rule.hpp"
+#include "model/model.hpp"
 
 #include <Eigen/Geometry>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "base/diagnostics.hpp"
-#include "model/model.hpp"
+#include "model/forward.hpp"
 #include "results/load_total.hpp"
 
 #include <vector>

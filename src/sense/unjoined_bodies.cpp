@@ -5,6 +5,7 @@
 #include "fe/dof_map.hpp"
 #include "mesh/boundary.hpp"
 #include "mesh/cut/coincidence.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <array>

@@ -10,6 +10,7 @@
 #include "base/messages.hpp"
 #include "deck/read_deck.hpp"
 #include "growth/crack_lines.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cstdio>

@@ -6,6 +6,7 @@
 #include "base/diagnostics.hpp"
 #include "deck/read_deck.hpp"
 #include "growth/crack_lines.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cstdlib>

@@ -5,6 +5,7 @@
 #include "base/clock.hpp"
 #include "deck/read_deck.hpp"
 #include "life/spectrum.hpp"
+#include "model/model.hpp"
 
 #include <cstdint>
 #include <cstdio>

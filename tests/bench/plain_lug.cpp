@@ -9,6 +9,7 @@
 #include "deck/read_deck.hpp"
 #include "fe/assemble.hpp"
 #include "growth/crack_lines.hpp"
+#include "model/model.hpp"
 #include "solve/cholmod_session.hpp"
 #include "solve/condense.hpp"
 #include "whole_stiffness.hpp"

@@ -3,6 +3,7 @@
 
 #include "fe/law.hpp"
 #include "mesh/generate/generate.hpp"
+#include "model/model.hpp"
 #include "tests/unit/fe/field.hpp"
 #include "tests/unit/fe/plane_problem.hpp"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "model/model.hpp"
 #include "tests/convergence/error_norm.hpp"
 
 /// Manufactured problems: smooth displacements that no element represents, on curved meshes, with

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/stress.hpp"
+#include "model/model.hpp"
 #include "tests/convergence/error_norm.hpp"
 #include "tests/unit/fe/field.hpp"
 #include "tests/unit/fe/plane_problem.hpp"

@@ -2,6 +2,7 @@
 #pragma once
 #include "base/messages.hpp"
 #include "deck/read_deck.hpp"
+#include "model/model.hpp"
 
 #include <filesystem>
 #include <optional>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corpus.hpp"
 #include "grammar/catalogue.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cctype>

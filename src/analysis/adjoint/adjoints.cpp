@@ -3,6 +3,7 @@
 
 #include "analysis/steps/lip_contact.hpp"
 #include "crack/stress_intensity.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <utility>

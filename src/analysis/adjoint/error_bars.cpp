@@ -8,6 +8,7 @@
 #include "estimate/error_bar.hpp"
 #include "estimate/mode_load.hpp"
 #include "estimate/point_support.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

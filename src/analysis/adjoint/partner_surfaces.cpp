@@ -2,6 +2,7 @@
 #include "analysis/adjoint/partner_surfaces.hpp"
 
 #include "contact/surface.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <array>

@@ -7,6 +7,7 @@
 #include "analysis/steps/lip_contact.hpp"
 #include "analysis/steps/row_opening.hpp"
 #include "estimate/modulus.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

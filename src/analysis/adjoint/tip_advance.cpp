@@ -5,6 +5,7 @@
 #include "analysis/scene/tip_surroundings.hpp"
 #include "crack/stress_intensity.hpp"
 #include "fe/assemble.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <array>

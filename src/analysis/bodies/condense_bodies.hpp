@@ -4,7 +4,7 @@
 #include "contact/system.hpp"
 #include "fe/assemble.hpp"
 #include "fe/dof_map.hpp"
-#include "model/model.hpp"
+#include "model/forward.hpp"
 #include "solve/condense.hpp"
 
 #include <map>

@@ -2,6 +2,7 @@
 #include "analysis/bodies/content_hash.hpp"
 
 #include "base/hasher.hpp"
+#include "model/model.hpp"
 
 namespace spricka::analysis {
 

@@ -2,6 +2,7 @@
 #include "analysis/bodies/condense_bodies.hpp"
 #include "analysis/bodies/content_hash.hpp"
 #include "analysis/scene/scene_ties.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <map>

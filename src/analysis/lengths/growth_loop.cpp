@@ -14,6 +14,7 @@
 #include "archive/safe_file.hpp"
 #include "growth/crack_lines.hpp"
 #include "growth/march.hpp"
+#include "model/model.hpp"
 #include "results/growth_end.hpp"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "analysis/lengths/solve_options.hpp"
 #include "base/diagnostics.hpp"
 #include "base/outcome.hpp"
-#include "model/model.hpp"
+#include "model/forward.hpp"
 #include "results/results.hpp"
 
 #include <optional>

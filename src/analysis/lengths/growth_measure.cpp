@@ -4,6 +4,7 @@
 #include "analysis/scene/tip_name.hpp"
 #include "crack/direction.hpp"
 #include "growth/net_section.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

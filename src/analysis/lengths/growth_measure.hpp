@@ -7,7 +7,7 @@
 #include "life/growth_law.hpp"
 #include "life/spectrum.hpp"
 #include "mesh/cut/cracked.hpp"
-#include "model/model.hpp"
+#include "model/forward.hpp"
 #include "results/named_arrays.hpp"
 #include "results/results.hpp"
 

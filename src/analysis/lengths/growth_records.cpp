@@ -3,6 +3,7 @@
 
 #include "analysis/steps/history_program.hpp"
 #include "base/tidy.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

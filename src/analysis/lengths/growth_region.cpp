@@ -3,6 +3,7 @@
 
 #include "analysis/lengths/log_writer.hpp"
 #include "growth/crack_lines.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

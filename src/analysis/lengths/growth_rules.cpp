@@ -3,6 +3,7 @@
 
 #include "growth/crack_lines.hpp"
 #include "growth/march.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

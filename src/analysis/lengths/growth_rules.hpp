@@ -2,7 +2,7 @@
 #pragma once
 #include "base/diagnostics.hpp"
 #include "mesh/cut/cracked.hpp"
-#include "model/model.hpp"
+#include "model/forward.hpp"
 #include "results/growth.hpp"
 
 #include <string>

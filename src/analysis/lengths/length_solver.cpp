@@ -7,6 +7,7 @@
 #include "analysis/steps/let_go.hpp"
 #include "analysis/steps/repeated_steps.hpp"
 #include "base/tidy.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -13,7 +13,7 @@
 #include "base/outcome.hpp"
 #include "estimate/enrichment.hpp"
 #include "mesh/cut/cracked.hpp"
-#include "model/model.hpp"
+#include "model/forward.hpp"
 #include "results/results.hpp"
 
 #include <optional>

@@ -2,6 +2,7 @@
 #include "analysis/lengths/load_history.hpp"
 
 #include "analysis/recover/recover_step.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

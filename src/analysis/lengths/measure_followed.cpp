@@ -2,6 +2,7 @@
 #include "analysis/lengths/growth_measure.hpp"
 #include "crack/k_layout.hpp"
 #include "life/rainflow.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/lengths/pictured_steps.hpp"
 
+#include "model/model.hpp"
 #include "model/wanted_steps.hpp"
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 
 #include "analysis/lengths/shown_results.hpp"
 #include "analysis/scene/gone_nodes.hpp"
+#include "model/model.hpp"
 
 #include <fmt/format.h>
 

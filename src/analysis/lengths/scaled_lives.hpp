@@ -2,7 +2,7 @@
 #pragma once
 #include "analysis/lengths/growth_measure.hpp"
 #include "growth/march.hpp"
-#include "model/model.hpp"
+#include "model/forward.hpp"
 #include "results/results.hpp"
 
 #include <vector>

@@ -4,6 +4,7 @@
 #include "analysis/scene/gone_nodes.hpp"
 #include "fe/stress.hpp"
 #include "mesh/boundary.hpp"
+#include "model/model.hpp"
 #include "shape/topology.hpp"
 
 #include <algorithm>

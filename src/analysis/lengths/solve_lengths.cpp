@@ -9,6 +9,7 @@
 #include "base/clock.hpp"
 #include "base/memory.hpp"
 #include "growth/crack_lines.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

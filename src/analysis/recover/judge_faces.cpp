@@ -3,6 +3,7 @@
 
 #include "analysis/steps/lip_contact.hpp"
 #include "analysis/steps/lip_overlap.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,6 +8,7 @@
 #include "analysis/steps/row_opening.hpp"
 #include "contact/lip_pairing.hpp"
 #include "crack/stress_intensity.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 

@@ -7,6 +7,7 @@
 #include "analysis/steps/lip_contact.hpp"
 #include "contact/slave_places.hpp"
 #include "crack/stress_intensity.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 #pragma once
 #include "analysis/scene/scene.hpp"
 #include "analysis/steps/step_solver.hpp"
+#include "model/steps.hpp"
 #include "results/load_path.hpp"
 #include "results/results.hpp"
 #include "solve/parametric.hpp"

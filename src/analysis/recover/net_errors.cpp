@@ -3,6 +3,7 @@
 
 #include "fe/error_estimate.hpp"
 #include "mesh/boundary.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -15,6 +15,7 @@
 #include "contact/slave_places.hpp"
 #include "crack/rough_loads.hpp"
 #include "crack/stress_intensity.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 #include "analysis/refine/contact_places.hpp"
 
 #include "estimate/error_bar.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

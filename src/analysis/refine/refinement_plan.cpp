@@ -3,6 +3,7 @@
 
 #include "analysis/refine/contact_places.hpp"
 #include "analysis/refine/wide_bars.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

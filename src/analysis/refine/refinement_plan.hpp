@@ -2,7 +2,7 @@
 #pragma once
 #include "deck/read_options.hpp"
 #include "mesh/size_map.hpp"
-#include "model/model.hpp"
+#include "model/forward.hpp"
 #include "results/results.hpp"
 
 #include <map>

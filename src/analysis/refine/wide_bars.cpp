@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/refine/wide_bars.hpp"
 
+#include "model/model.hpp"
 #include "sense/two_ways.hpp"
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 #include "mesh/cut/host.hpp"
 #include "mesh/cut/patch.hpp"
 #include "mesh/cut/tip_mesh.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 

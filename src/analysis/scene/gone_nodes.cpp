@@ -4,6 +4,7 @@
 #include "fe/side_stress.hpp"
 #include "mesh/boundary.hpp"
 #include "mesh/numbering.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 

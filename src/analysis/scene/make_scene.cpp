@@ -11,6 +11,7 @@
 #include "contact/pairing.hpp"
 #include "fe/dof_map.hpp"
 #include "growth/crack_lines.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 

@@ -6,7 +6,9 @@
 #include "crack/k_layout.hpp"
 #include "fe/dependence.hpp"
 #include "mesh/cut/cracked.hpp"
-#include "model/model.hpp"
+#include "model/contacts.hpp"
+#include "model/forward.hpp"
+#include "model/mesh.hpp"
 
 #include <algorithm>
 #include <memory>

@@ -2,6 +2,8 @@
 #include "analysis/scene/scene_heat.hpp"
 
 #include "fe/thermal.hpp"
+#include "model/loads.hpp"
+#include "model/model.hpp"
 
 namespace spricka::analysis {
 

@@ -5,6 +5,7 @@
 #include "analysis/scene/scene_nodes.hpp"
 #include "analysis/scene/scene_ties.hpp"
 #include "fe/assemble.hpp"
+#include "model/model.hpp"
 #include "sense/load_totals.hpp"
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 
 #include "mesh/cut/host.hpp"
 #include "mesh/cut/lip_sets.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 #include "analysis/scene/scene_nodes.hpp"
 
 #include "mesh/cut/lip_sets.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 

@@ -2,6 +2,7 @@
 #include "analysis/scene/scene_ties.hpp"
 
 #include "fe/ties.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

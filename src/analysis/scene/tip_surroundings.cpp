@@ -5,6 +5,7 @@
 #include "fe/assemble.hpp"
 #include "fe/set_shares.hpp"
 #include "mesh/cut/lip_faces.hpp"
+#include "model/model.hpp"
 #include "shape/topology.hpp"
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 #include "analysis/steps/missing_contact.hpp"
 #include "analysis/steps/rigid_motion.hpp"
 #include "analysis/steps/step_factors.hpp"
+#include "model/model.hpp"
 #include "solve/friction_cones.hpp"
 #include "solve/load_balance.hpp"
 #include "solve/mode_split.hpp"

@@ -3,7 +3,7 @@
 #include "analysis/bodies/condense_bodies.hpp"
 #include "analysis/scene/scene.hpp"
 #include "base/outcome.hpp"
-#include "model/model.hpp"
+#include "model/forward.hpp"
 #include "results/preview.hpp"
 
 #include <vector>

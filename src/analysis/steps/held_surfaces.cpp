@@ -2,6 +2,7 @@
 #include "analysis/steps/held_surfaces.hpp"
 
 #include "analysis/steps/row_opening.hpp"
+#include "model/freedoms.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/steps/history_program.hpp"
 
+#include "model/model.hpp"
 #include "model/spectrum_runs.hpp"
 
 #include <algorithm>

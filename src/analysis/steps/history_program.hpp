@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "analysis/steps/step_factors.hpp"
-#include "model/model.hpp"
+#include "model/forward.hpp"
 
 #include <cstddef>
 #include <string>

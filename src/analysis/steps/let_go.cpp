@@ -2,6 +2,7 @@
 #include "analysis/steps/let_go.hpp"
 
 #include "analysis/steps/step_factors.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <optional>

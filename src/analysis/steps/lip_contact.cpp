@@ -7,6 +7,7 @@
 #include "contact/lip_pairing.hpp"
 #include "crack/stress_intensity.hpp"
 #include "mesh/boundary.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

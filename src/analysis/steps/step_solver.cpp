@@ -9,6 +9,7 @@
 #include "analysis/steps/row_opening.hpp"
 #include "fe/assemble.hpp"
 #include "fe/thermal.hpp"
+#include "model/model.hpp"
 #include "solve/mode_split.hpp"
 
 #include <algorithm>

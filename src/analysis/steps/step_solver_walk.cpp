@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/steps/row_opening.hpp"
 #include "analysis/steps/step_solver.hpp"
+#include "model/model.hpp"
 #include "solve/friction_index.hpp"
 
 #include <algorithm>

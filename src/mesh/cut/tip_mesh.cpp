@@ -3,6 +3,7 @@
 
 #include "mesh/cut/crack_check.hpp"
 #include "mesh/cut/placement.hpp"
+#include "model/cracks.hpp"
 
 #include <algorithm>
 #include <cmath>

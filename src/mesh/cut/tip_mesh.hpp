@@ -2,7 +2,7 @@
 #pragma once
 #include "mesh/cut/cracked.hpp"
 #include "mesh/cut/host.hpp"
-#include "model/model.hpp"
+#include "model/forward.hpp"
 
 #include <span>
 

@@ -4,6 +4,7 @@
 #include "mesh/inp_elements.hpp"
 #include "mesh/label_index.hpp"
 #include "mesh/set_name.hpp"
+#include "model/model.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "base/id.hpp"
 #include "base/vec.hpp"
-#include "model/model.hpp"
+#include "model/forward.hpp"
 
 #include <string>
 #include <vector>

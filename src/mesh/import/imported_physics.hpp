@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "model/model.hpp"
+
+#include "model/forward.hpp"
+#include "model/freedoms.hpp"
+#include "model/materials.hpp"
 
 #include <string>
 #include <vector>

@@ -2,6 +2,7 @@
 #include "mesh/import/inp_physics.hpp"
 
 #include "mesh/set_name.hpp"
+#include "model/mesh.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -2,6 +2,7 @@
 #include "program/checks/check_quantities.hpp"
 
 #include "analysis/scene/gone_nodes.hpp"
+#include "model/model.hpp"
 #include "program/checks/contact_readings.hpp"
 #include "program/checks/field_quantities.hpp"
 #include "program/checks/growth_readings.hpp"

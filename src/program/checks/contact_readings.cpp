@@ -2,6 +2,7 @@
 #include "program/checks/contact_readings.hpp"
 
 #include "analysis/recover/closed_parts.hpp"
+#include "model/model.hpp"
 #include "program/checks/place_quantities.hpp"
 
 #include <algorithm>

@@ -5,6 +5,7 @@
 #include "fe/locate.hpp"
 #include "fe/stress.hpp"
 #include "mesh/boundary.hpp"
+#include "model/model.hpp"
 #include "model/property_points.hpp"
 #include "results/stress_invariants.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "model/model.hpp"
+#include "model/forward.hpp"
+#include "model/requests.hpp"
 #include "results/results.hpp"
 
 #include <optional>

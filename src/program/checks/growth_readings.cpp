@@ -5,6 +5,7 @@
 #include "life/inversion.hpp"
 #include "life/life_curve.hpp"
 #include "life/spline.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <array>

@@ -10,6 +10,7 @@
 #include "base/memory.hpp"
 #include "growth/crack_lines.hpp"
 #include "mesh/quality.hpp"
+#include "model/model.hpp"
 #include "program/commands/sweep_deck.hpp"
 #include "program/job/remedy.hpp"
 #include "program/job/script_constants.hpp"

@@ -11,6 +11,7 @@
 #include "mesh/export/write_msh.hpp"
 #include "mesh/import/gmsh_import.hpp"
 #include "mesh/import/inp_import.hpp"
+#include "model/model.hpp"
 #include "program/job/run_options.hpp"
 #include "program/job/standard_streams.hpp"
 #include "report/drawing/file.hpp"

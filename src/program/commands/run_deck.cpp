@@ -3,6 +3,7 @@
 
 #include "archive/safe_file.hpp"
 #include "base/exit_codes.hpp"
+#include "model/model.hpp"
 #include "program/commands/check_deck.hpp"
 #include "program/commands/sweep_deck.hpp"
 #include "program/job/interrupt.hpp"

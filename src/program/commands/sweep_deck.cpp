@@ -5,6 +5,7 @@
 #include "archive/folder_mark.hpp"
 #include "archive/safe_file.hpp"
 #include "base/exit_codes.hpp"
+#include "model/model.hpp"
 #include "program/job/interrupt.hpp"
 #include "program/job/out_of_memory.hpp"
 #include "program/job/point_record.hpp"

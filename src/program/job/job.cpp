@@ -5,6 +5,7 @@
 #include "analysis/recover/judge_size.hpp"
 #include "analysis/recover/net_errors.hpp"
 #include "base/clock.hpp"
+#include "model/model.hpp"
 #include "program/checks/check_quantities.hpp"
 #include "program/checks/growth_readings.hpp"
 #include "program/job/remedy.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "base/outcome.hpp"
-#include "model/model.hpp"
+#include "model/forward.hpp"
 #include "program/job/log.hpp"
 #include "program/job/ready_deck.hpp"
 #include "program/job/run_folder.hpp"

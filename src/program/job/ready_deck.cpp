@@ -2,6 +2,7 @@
 #include "program/job/ready_deck.hpp"
 
 #include "fe/law.hpp"
+#include "model/model.hpp"
 #include "sense/contact_sense.hpp"
 #include "sense/held_places.hpp"
 #include "sense/two_ways.hpp"

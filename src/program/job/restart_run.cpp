@@ -2,6 +2,7 @@
 #include "program/job/restart_run.hpp"
 
 #include "archive/safe_file.hpp"
+#include "model/model.hpp"
 #include "program/job/run_folder.hpp"
 
 #include <csignal>

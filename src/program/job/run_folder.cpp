@@ -6,6 +6,7 @@
 #include "archive/safe_file.hpp"
 #include "base/clock.hpp"
 #include "base/output_file.hpp"
+#include "model/model.hpp"
 #include "report/report.hpp"
 #include "report/topics/growth_tables.hpp"
 #include "report/topics/growth_test_tables.hpp"

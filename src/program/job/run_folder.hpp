@@ -2,7 +2,7 @@
 #pragma once
 #include "archive/folder_lock.hpp"
 #include "base/source.hpp"
-#include "model/model.hpp"
+#include "model/forward.hpp"
 #include "results/results.hpp"
 #include "results/script_constant.hpp"
 

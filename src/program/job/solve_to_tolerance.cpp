@@ -5,6 +5,7 @@
 #include "analysis/refine/wide_bars.hpp"
 #include "base/clock.hpp"
 #include "base/memory.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,7 @@
 
 #include "base/clock.hpp"
 #include "estimate/enrichment.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -5,6 +5,7 @@
 
 #include "contact/survey.hpp"
 #include "mesh/measure_quality.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <array>

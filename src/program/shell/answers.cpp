@@ -2,6 +2,7 @@
 // What a session answers from its bench.
 #include "base/messages.hpp"
 #include "grammar/catalogue.hpp"
+#include "model/model.hpp"
 #include "program/checks/check_quantities.hpp"
 #include "program/shell/known_names.hpp"
 #include "program/shell/session.hpp"

@@ -4,6 +4,7 @@
 #include "analysis/recover/finite_results.hpp"
 #include "analysis/scene/gone_nodes.hpp"
 #include "base/tidy.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <span>

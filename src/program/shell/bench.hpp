@@ -2,6 +2,7 @@
 #pragma once
 #include "analysis/lengths/length.hpp"
 #include "base/outcome.hpp"
+#include "model/model.hpp"
 
 #include <functional>
 #include <memory>

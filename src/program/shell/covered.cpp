@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a parameter would have changed in a session, had it not been set by name before.
 #include "analysis/steps/step_factors.hpp"
+#include "model/model.hpp"
 #include "program/shell/session.hpp"
 
 #include <fmt/format.h>

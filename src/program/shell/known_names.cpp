@@ -3,6 +3,7 @@
 
 #include "base/diagnostics.hpp"
 #include "grammar/lexeme.hpp"
+#include "model/model.hpp"
 #include "program/shell/trouble.hpp"
 
 #include <algorithm>

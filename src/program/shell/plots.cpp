@@ -2,6 +2,7 @@
 #include "program/shell/plots.hpp"
 
 #include "base/diagnostics.hpp"
+#include "model/model.hpp"
 #include "program/shell/trouble.hpp"
 #include "report/drawing/plot.hpp"
 #include "report/drawing/svg.hpp"

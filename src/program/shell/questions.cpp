@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/messages.hpp"
 #include "base/quantity.hpp"
+#include "model/model.hpp"
 #include "program/shell/actions.hpp"
 #include "program/shell/known_names.hpp"
 #include "program/shell/replies.hpp"

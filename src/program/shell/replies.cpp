@@ -3,6 +3,7 @@
 
 #include "analysis/recover/closed_parts.hpp"
 #include "base/quantity.hpp"
+#include "model/model.hpp"
 #include "program/shell/known_names.hpp"
 #include "report/drawing/table.hpp"
 #include "report/topics/sensitivity_tables.hpp"

@@ -7,6 +7,7 @@
 #include "grammar/compile.hpp"
 #include "grammar/lexeme.hpp"
 #include "grammar/parse.hpp"
+#include "model/model.hpp"
 #include "program/shell/known_names.hpp"
 #include "program/shell/trouble.hpp"
 

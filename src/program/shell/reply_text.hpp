@@ -2,7 +2,7 @@
 #pragma once
 #include "base/outcome.hpp"
 #include "grammar/catalogue.hpp"
-#include "model/model.hpp"
+#include "model/forward.hpp"
 
 #include <string>
 #include <string_view>

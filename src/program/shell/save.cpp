@@ -3,6 +3,7 @@
 
 #include "grammar/lexeme.hpp"
 #include "grammar/parse.hpp"
+#include "model/model.hpp"
 #include "program/shell/known_names.hpp"
 #include "program/shell/trouble.hpp"
 

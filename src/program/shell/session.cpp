@@ -3,6 +3,7 @@
 
 #include "base/messages.hpp"
 #include "growth/crack_lines.hpp"
+#include "model/model.hpp"
 #include "program/shell/known_names.hpp"
 #include "program/shell/trouble.hpp"
 #include "report/topics/result_tables.hpp"

@@ -2,6 +2,7 @@
 #pragma once
 #include "analysis/steps/mount_memory.hpp"
 #include "base/outcome.hpp"
+#include "model/model.hpp"
 #include "program/job/job.hpp"
 #include "program/shell/bench.hpp"
 

@@ -3,6 +3,7 @@
 
 #include "base/clock.hpp"
 #include "base/outcome.hpp"
+#include "model/model.hpp"
 #include "program/job/job.hpp"
 #include "program/job/solve_to_tolerance.hpp"
 #include "program/job/standard_streams.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/drawing/mesh_picture.hpp"
 
+#include "model/mesh.hpp"
 #include "report/drawing/model_marks.hpp"
 #include "report/drawing/rigid_picture.hpp"
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "base/vec.hpp"
-#include "model/model.hpp"
+#include "model/contacts.hpp"
+#include "model/forward.hpp"
 #include "report/drawing/colour_scale.hpp"
 #include "report/drawing/svg.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "model/model.hpp"
+#include "model/forward.hpp"
 #include "report/drawing/rigid_picture.hpp"
 #include "report/drawing/svg.hpp"
 

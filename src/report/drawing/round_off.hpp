@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "model/model.hpp"
+#include "model/forward.hpp"
 #include "results/results.hpp"
 
 /// What stresses and forces are compared with to tell whether they are more than round-off, where

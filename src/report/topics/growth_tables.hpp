@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "model/model.hpp"
+#include "model/forward.hpp"
 #include "report/drawing/table.hpp"
 #include "results/results.hpp"
 

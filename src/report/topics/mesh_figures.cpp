@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/model.hpp"
 #include "model/property_points.hpp"
 #include "report/drawing/mesh_picture.hpp"
 #include "report/drawing/model_marks.hpp"

@@ -2,6 +2,7 @@
 #include "report/topics/result_tables.hpp"
 
 #include "base/quantity.hpp"
+#include "model/model.hpp"
 #include "report/drawing/round_off.hpp"
 #include "report/topics/k_bars.hpp"
 

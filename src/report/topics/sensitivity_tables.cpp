@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/topics/sensitivity_tables.hpp"
 
+#include "model/model.hpp"
 #include "report/drawing/file.hpp"
 #include "report/drawing/tornado.hpp"
 #include "report/topics/result_tables.hpp"

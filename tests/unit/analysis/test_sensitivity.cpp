@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/assemble.hpp"
+#include "model/model.hpp"
 #include "tests/unit/support/pinned_ring.hpp"
 #include "tests/unit/support/solved_scene.hpp"
 #include "tests/unit/support/solved_text.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/pairing.hpp"
 #include "contact/recovery.hpp"
+#include "model/model.hpp"
 #include "two_blocks.hpp"
 
 #include <cmath>

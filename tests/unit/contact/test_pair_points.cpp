@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/make_rows.hpp"
 #include "contact/pair_points.hpp"
+#include "model/model.hpp"
 #include "two_blocks.hpp"
 #include "two_rings.hpp"
 

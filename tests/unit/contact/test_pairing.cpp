@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/pairing.hpp"
+#include "model/model.hpp"
 #include "two_rings.hpp"
 
 #include <functional>

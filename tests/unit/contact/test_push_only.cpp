@@ -4,6 +4,7 @@
 #include "contact/push_only.hpp"
 #include "contact/recovery.hpp"
 #include "mesh/boundary.hpp"
+#include "model/model.hpp"
 #include "two_blocks.hpp"
 #include "two_rings.hpp"
 

@@ -2,6 +2,7 @@
 #include "contact/pairing.hpp"
 #include "contact/recovery.hpp"
 #include "contact/smooth.hpp"
+#include "model/model.hpp"
 #include "two_rings.hpp"
 
 #include <numbers>

@@ -4,6 +4,7 @@
 #include "contact/rigid_target.hpp"
 #include "contact/sharp_end.hpp"
 #include "contact/survey.hpp"
+#include "model/model.hpp"
 #include "two_blocks.hpp"
 #include "two_rings.hpp"
 

@@ -5,6 +5,7 @@
 #include "mesh/cut/patch.hpp"
 #include "mesh/cut/tip_mesh.hpp"
 #include "mesh/generate/generate.hpp"
+#include "model/model.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -3,6 +3,7 @@
 #include "crack/stress_intensity.hpp"
 #include "fe/element.hpp"
 #include "mesh/generate/generate.hpp"
+#include "model/model.hpp"
 
 #include <cmath>
 #include <numbers>

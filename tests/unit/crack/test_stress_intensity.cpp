@@ -2,6 +2,7 @@
 #include "crack/stress_intensity.hpp"
 #include "fe/elasticity.hpp"
 #include "mesh/generate/generate.hpp"
+#include "model/model.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck_text.hpp"
+#include "model/model.hpp"
 
 #include <system_error>
 #include <variant>

@@ -3,6 +3,7 @@
 
 #include "../contact/two_blocks.hpp"
 #include "contact/pairing.hpp"
+#include "model/model.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,7 @@
 #include "fe/assemble.hpp"
 #include "mesh/cut/patch.hpp"
 #include "mesh/generate/generate.hpp"
+#include "model/model.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>

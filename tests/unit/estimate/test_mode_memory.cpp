@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "estimate/enrichment.hpp"
 #include "mesh/generate/generate.hpp"
+#include "model/model.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/unit/fe/plane_problem.hpp"
 
+#include "model/model.hpp"
 #include "shape/shape.hpp"
 #include "shape/topology.hpp"
 

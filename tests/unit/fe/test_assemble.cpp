@@ -2,6 +2,7 @@
 #include "fe/assemble.hpp"
 
 #include "fe/element.hpp"
+#include "model/model.hpp"
 #include "tests/unit/fe/plane_problem.hpp"
 
 #include <gtest/gtest.h>

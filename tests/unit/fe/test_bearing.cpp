@@ -2,6 +2,7 @@
 #include "fe/bearing.hpp"
 
 #include "fe/assemble.hpp"
+#include "model/model.hpp"
 #include "tests/unit/fe/plane_problem.hpp"
 
 #include <gtest/gtest.h>

@@ -2,6 +2,7 @@
 #include "fe/assemble.hpp"
 #include "fe/bearing.hpp"
 #include "mesh/generate/generate.hpp"
+#include "model/model.hpp"
 #include "tests/unit/fe/plane_problem.hpp"
 
 #include <Eigen/Geometry>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/dof_map.hpp"
 
+#include "model/model.hpp"
 #include "tests/unit/fe/plane_problem.hpp"
 
 #include <gtest/gtest.h>

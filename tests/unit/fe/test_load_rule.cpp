@@ -4,6 +4,7 @@
 #include "fe/assemble.hpp"
 #include "fe/between_nodes.hpp"
 #include "fe/heat.hpp"
+#include "model/model.hpp"
 #include "tests/unit/fe/expressions.hpp"
 #include "tests/unit/fe/plane_problem.hpp"
 

@@ -3,6 +3,7 @@
 #include "fe/stress.hpp"
 #include "mesh/generate/generate.hpp"
 #include "mesh/quality.hpp"
+#include "model/model.hpp"
 #include "shape/topology.hpp"
 #include "tests/unit/fe/field.hpp"
 #include "tests/unit/fe/plane_problem.hpp"

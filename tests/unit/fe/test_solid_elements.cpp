@@ -3,6 +3,7 @@
 #include "fe/element.hpp"
 #include "fe/stress.hpp"
 #include "fe/thermal.hpp"
+#include "model/model.hpp"
 #include "tests/unit/fe/field.hpp"
 
 #include <Eigen/Eigenvalues>

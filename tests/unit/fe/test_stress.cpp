@@ -2,6 +2,7 @@
 #include "fe/stress.hpp"
 #include "model/property_points.hpp"
 
+#include "model/model.hpp"
 #include "tests/unit/fe/plane_problem.hpp"
 
 #include <gtest/gtest.h>

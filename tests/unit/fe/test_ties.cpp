@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/face.hpp"
 #include "fe/ties.hpp"
+#include "model/model.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "growth/march.hpp"
+#include "model/model.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,7 @@
 #include "mesh/import/inp_import.hpp"
 #include "mesh/quality.hpp"
 #include "meshes.hpp"
+#include "model/model.hpp"
 
 #include <gtest/gtest.h>
 

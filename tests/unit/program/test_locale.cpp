@@ -3,6 +3,7 @@
 
 #include "base/messages.hpp"
 #include "deck/read_deck.hpp"
+#include "model/model.hpp"
 
 #include <array>
 #include <cctype>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/model.hpp"
 #include "report/drawing/tornado.hpp"
 #include "report/topics/result_tables.hpp"
 #include "report/topics/sensitivity_tables.hpp"

@@ -2,6 +2,7 @@
 #pragma once
 #include "analysis/lengths/length.hpp"
 #include "analysis/scene/scene_loads.hpp"
+#include "model/model.hpp"
 #include "program/job/job.hpp"
 #include "tests/unit/support/run_text.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "analysis/lengths/solve_lengths.hpp"
+#include "model/model.hpp"
 #include "program/job/job.hpp"
 #include "tests/unit/support/run_text.hpp"
 

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/id.hpp"
+#include "base/source.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+/// How cracks grow: the law, the direction and what stops them.
+namespace spricka::model {
+
+enum class GrowthLaw { increment, paris, walker, forman, nasgro, table };
+enum class GrowthDirection { path, hoop, k2_zero };
+enum class History { restart, carry_on };
+enum class Mounted { each, first };
+
+/// Constants of a growth law as the deck gives them: K in `k_unit`, lengths in `a_unit`.
+struct LawConstants {
+  double C = 0.0;
+  double m = 0.0;
+  double p = 0.0;
+  double q = 0.0;
+  double alpha = 2.0;          ///< constraint factor of NASGRO
+  double stress_ratio = 0.3;   ///< largest stress over flow stress, NASGRO
+  double threshold = 0.0;      ///< of delta K [stress intensity]
+  std::optional<double> k_c;   ///< fracture toughness [stress intensity]; stops the growth
+  double k_unit = 1.0;         ///< one KUNIT [stress intensity]
+  double a_unit = 1.0;         ///< one AUNIT [length]
+  std::vector<double> delta_k; ///< law table: ascending, in KUNIT
+  std::vector<double> growth;  ///< [delta_k] da/dN, in AUNIT per cycle
+};
+
+struct Growth {
+  GrowthLaw law = GrowthLaw::increment;
+  GrowthDirection direction = GrowthDirection::path;
+  std::vector<base::CrackId> cracks; ///< empty: all
+  base::StepId kmax;
+  base::StepId kmin;
+  std::optional<std::size_t> spectrum; ///< of Model::spectra, in place of the two steps
+  History history = History::restart;
+  Mounted mounted = Mounted::each;
+  std::vector<double> lengths; ///< law increment [length]
+  LawConstants constants;
+  std::optional<double> largest_advance; ///< of an increment [length]
+  std::optional<double> last_length;     ///< stops the growth [length]
+  std::optional<double> cycles;          ///< stops the growth; passes of a spectrum
+  double tolerance = 1e-3;               ///< of the cycles, as a part of them
+  std::optional<double> flow_stress;     ///< of the ligament, whose plastic limit stops the growth
+  bool corrected = false;                ///< K with the error bar's bias taken out
+  base::Span span;
+};
+
+} // namespace spricka::model

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/id.hpp"
+#include "base/source.hpp"
+
+#include <array>
+#include <variant>
+#include <vector>
+
+/// Freedoms that are held, prescribed or tied.
+namespace spricka::model {
+
+/// Dependent freedoms follow others by an MPC; no card says so, the ties do.
+enum class FreedomClass { local, external, suppressed, prescribed, dependent };
+
+struct Freedom {
+  FreedomClass cls = FreedomClass::suppressed;
+  std::array<bool, 3> dof{}; ///< x y z
+  base::NodeSetId nodes;
+  base::Span span;
+};
+
+/// A tie between freedoms: sum of coefficient * displacement = rhs.
+struct Equation {
+  struct Term {
+    double coefficient = 0.0;
+    base::NodeId node;
+    int dof = 0; ///< 0 x, 1 y, 2 z
+  };
+  std::vector<Term> terms; ///< each freedom once, coefficients not zero
+  double rhs = 0.0;
+  base::Span span;
+};
+/// Slave nodes tied to the master faces by their shape functions.
+struct Transition {
+  base::NodeSetId slave;
+  base::FaceSetId master;
+  base::Span span;
+};
+/// Slave nodes that move as one rigid body.
+struct RigidTie {
+  base::NodeSetId slave;
+  base::Span span;
+};
+using Mpc = std::variant<Equation, Transition, RigidTie>;
+
+} // namespace spricka::model

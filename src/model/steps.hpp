@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/id.hpp"
+#include "base/source.hpp"
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <variant>
+#include <vector>
+
+/// Steps of loads and fits, paths through them and histories on those.
+namespace spricka::model {
+
+struct ApplyLoad {
+  base::CaseId load_case;
+  double factor = 1.0;
+};
+struct ApplyFit {
+  base::ContactId contact;
+  double factor = 1.0;
+};
+struct Mount {
+  base::ContactId contact;
+};
+struct Dismount {
+  base::ContactId contact;
+};
+using Action = std::variant<ApplyLoad, ApplyFit, Mount, Dismount>;
+
+struct Step {
+  std::string name;
+  int substeps = 1; ///< 0: as many as the shear of contacts that rub needs
+  std::vector<Action> actions;
+  base::Span span;
+};
+
+/// A straight path through loads and fits: (1 - t) times those at the end of step `from` and t
+/// times those of step `to`, t from 0 to `beyond`. Nothing is mounted or dismounted in between.
+struct LoadPath {
+  std::string name;
+  base::StepId from;
+  base::StepId to;
+  double beyond = 1.0;
+  base::Span span;
+};
+
+/// A history of places t on a load path; one pass through it is the unit of life.
+struct Spectrum {
+  std::string name;
+  std::size_t path = 0;                      ///< of Model::load_paths
+  bool sequence = false;                     ///< turning points; else cycles
+  std::vector<std::array<double, 3>> cycles; ///< low t, high t, count
+  std::vector<double> turning_points;        ///< t, in their order
+  base::Span span;
+};
+
+} // namespace spricka::model
