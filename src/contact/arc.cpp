@@ -36,7 +36,7 @@ Links links_of(const Surface& surface, const std::vector<NodePressure>& nodes) {
   }
   for (const auto& [start, end] : open) {
     for (const auto& [other, behind] : open) {
-      if (nodes[end].lip == -1 && nodes[other].lip == 1 &&
+      if (nodes[end].crack_face == -1 && nodes[other].crack_face == 1 &&
           (nodes[end].x - nodes[other].x).norm() < 1e-9 * surface.extent) {
         links.join(end, other);
       }

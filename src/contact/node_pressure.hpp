@@ -20,7 +20,7 @@ struct NodePressure {
   int row = -1;     ///< normal row of the node, -1: not paired
   double gap = 0.0; ///< row gap over row area [length]
   bool closed = false;
-  int lip = 0; ///< +1 and -1 at the two ends of a chain that meet in one point
+  int crack_face = 0; ///< +1 and -1 at the two ends of a chain that meet in one point
 };
 
 } // namespace spricka::contact

@@ -50,10 +50,10 @@ struct Choice {
   std::string why;
 };
 
-// The lips of a mouth are pressed each for itself: functions of the other side, which go across the
-// mouth, know one pressure for both (K2 of short cracks then is off by some per cent of K1).
-// Pressures of the stiffer side would go up and down where a coarse soft one can't follow its small
-// elements.
+// The crack faces of a mouth are pressed each for itself: functions of the other side, which go
+// across the mouth, know one pressure for both (K2 of short cracks then is off by some per cent of
+// K1). Pressures of the stiffer side would go up and down where a coarse soft one can't follow its
+// small elements.
 Choice choose_side(const model::Mesh& mesh, const Surface& slave, const Surface& master) {
   const bool mouth = has_mouth(mesh, master);
   const double stiffer =
@@ -77,7 +77,7 @@ Choice choose_side(const model::Mesh& mesh, const Surface& slave, const Surface&
 }
 
 Choice choose_node_side(const model::Mesh& mesh, const Surface& slave, const Surface& master) {
-  // both lips of a mouth need their row
+  // both crack faces of a mouth need their row
   return has_mouth(mesh, master) && !has_mouth(mesh, slave)
              ? Choice{true, "master side: node pairs, a crack opens into it"}
              : Choice{false, "slave side: node pairs"};

@@ -109,7 +109,7 @@ std::vector<Place> ordered_places(const Surface& surface) {
 }
 
 // A crack mouth cuts the surface: two nodes of different numbers stand in one point.
-void mark_lips(const Surface& surface, std::vector<Place>& places) {
+void mark_crack_faces(const Surface& surface, std::vector<Place>& places) {
   std::vector<std::size_t> ends;
   for (const ChainRange& chain : chain_ranges(surface)) {
     if (!chain.closed) {
@@ -121,7 +121,7 @@ void mark_lips(const Surface& surface, std::vector<Place>& places) {
     for (const std::size_t b : ends) {
       if (a != b && (places[a].at.x - places[b].at.x).norm() < 1e-9 * surface.extent) {
         // A chain that starts here lies ahead of the mouth, one that ends here behind it.
-        places[a].at.lip = places[a].at.arc == 0.0 ? 1 : -1;
+        places[a].at.crack_face = places[a].at.arc == 0.0 ? 1 : -1;
       }
     }
   }
@@ -330,7 +330,7 @@ PairPressure recover_pressure(const PairRows& pair, const base::Vector& lambda,
                               const base::Vector& gap, const std::vector<bool>& closed,
                               bool may_pull) {
   std::vector<Place> places = ordered_places(pair.contact);
-  mark_lips(pair.contact, places);
+  mark_crack_faces(pair.contact, places);
   string_chains(pair.contact, places);
   Numbering number;
   for (const Place& p : places) {

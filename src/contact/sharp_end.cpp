@@ -59,7 +59,7 @@ std::vector<base::NodeId> nodes_at(const Edge& edge, double xi) {
   return nodes;
 }
 
-// The two lips of a mouth are one place.
+// The two crack faces of a mouth are one place.
 void add_end(std::vector<SharpEnd>& ends, const Surface& contact, const SharpEnd& end) {
   const auto same = std::find_if(ends.begin(), ends.end(), [&](const SharpEnd& other) {
     return (other.x - end.x).norm() < at_node * contact.mean_length;

@@ -12,23 +12,26 @@ namespace spricka::crack {
 
 namespace {
 
-// Nodes that q may move although they lie on the boundary: the lips without the mouth, and in a
-// half model the symmetry line ahead of the tip.
+// Nodes that q may move although they lie on the boundary: the crack faces without the mouth, and
+// in a half model the symmetry line ahead of the tip.
 class Movable {
 public:
   Movable(const mesh::CrackedMesh& cracked, const mesh::Front& front)
       : mesh_(cracked.mesh), front_(front) {
-    for (const mesh::CrackFaces& lips : cracked.faces) {
-      const bool embedded = !lips.left.empty() && !lips.right.empty() &&
-                            lips.left.front() == lips.right.front(); // no mouth, a tip
-      for (const std::vector<base::NodeId>* lip : {&lips.left, &lips.right}) {
-        lips_.insert(lip->begin() + (embedded || lip->empty() ? 0 : 1), lip->end());
+    for (const mesh::CrackFaces& crack_faces : cracked.faces) {
+      const bool embedded =
+          !crack_faces.left.empty() && !crack_faces.right.empty() &&
+          crack_faces.left.front() == crack_faces.right.front(); // no mouth, a tip
+      for (const std::vector<base::NodeId>* crack_face : {&crack_faces.left, &crack_faces.right}) {
+        crack_faces_.insert(crack_face->begin() + (embedded || crack_face->empty() ? 0 : 1),
+                            crack_face->end());
       }
     }
   }
 
   [[nodiscard]] bool contains(base::NodeId n) const {
-    return lips_.contains(n) || (front_.symmetric_half && (n == front_.tip().node || is_ahead(n)));
+    return crack_faces_.contains(n) ||
+           (front_.symmetric_half && (n == front_.tip().node || is_ahead(n)));
   }
 
 private:
@@ -40,7 +43,7 @@ private:
 
   const model::Mesh& mesh_;
   const mesh::Front& front_;
-  std::set<base::NodeId> lips_;
+  std::set<base::NodeId> crack_faces_;
 };
 
 } // namespace

@@ -81,7 +81,7 @@ void add_face_terms(const TipSetting& set, const base::Vector& u, NodalForces& o
   }
 }
 
-double stress_on_lips_at_tip(const TipSetting& set, const mesh::Front& front) {
+double stress_on_crack_faces_at_tip(const TipSetting& set, const mesh::Front& front) {
   double sum = 0.0;
   for (const ActingLoad& acting : set.loads.loads) {
     fe::for_edges(set.mesh, acting.faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
@@ -92,7 +92,7 @@ double stress_on_lips_at_tip(const TipSetting& set, const mesh::Front& front) {
       const base::Vec2 normal(along.y(), -along.x());
       const bool behind = (middle - set.tip.x).dot(set.tip.e1) < 0.0; // a half model has more
       if (behind && (nodes[0] == front.tip().node || nodes[1] == front.tip().node)) {
-        // on the lip, should the load end at the tip
+        // on the crack face, should the load end at the tip
         const base::Vec2 x = set.tip.x + beside * (middle - set.tip.x);
         sum += normal.dot(traction(acting, x, normal));
       }

@@ -4,12 +4,12 @@
 
 namespace spricka::crack {
 
-/// Adds what tractions on the lips give (manual, crack.20): minus the integral of q t . u,1 along
-/// them. Straight lips.
+/// Adds what tractions on the crack faces give (manual, crack.20): minus the integral of q t . u,1
+/// along them. Straight crack faces.
 void add_face_terms(const TipSetting& set, const base::Vector& u, NodalForces& out);
 
-/// Normal stress that acts on the lips at the tip itself, their mean [stress]: pressure gives its
-/// negative.
-double stress_on_lips_at_tip(const TipSetting& set, const mesh::Front& front);
+/// Normal stress that acts on the crack faces at the tip itself, their mean [stress]: pressure
+/// gives its negative.
+double stress_on_crack_faces_at_tip(const TipSetting& set, const mesh::Front& front);
 
 } // namespace spricka::crack

@@ -6,8 +6,8 @@ namespace spricka::crack {
 
 /// G by a finite shift: (potential energy with the nodes of the field moved by -s q e1 - with them
 /// moved by s q e1) / 2s, displacements kept (manual, crack.15). One side of a symmetry line only.
-/// What acts on the lips works on displacements relative to the tip's, as what comes on top where
-/// they become longer is no part of G.
+/// What acts on the crack faces works on displacements relative to the tip's, as what comes on top
+/// where they become longer is no part of G.
 double shifted_release_rate(const TipSetting& set, const ExtensionField& field, double s,
                             const base::Vector& u);
 

@@ -8,11 +8,11 @@ namespace spricka::crack {
 
 namespace {
 
-using Lip = std::vector<base::NodeId>;
+using CrackFace = std::vector<base::NodeId>;
 
 // The k-th node behind the tip.
-base::NodeId behind(const Lip& lip, base::NodeId tip, std::size_t k) {
-  return lip.back() == tip ? lip[lip.size() - 1 - k] : lip[k];
+base::NodeId behind(const CrackFace& crack_face, base::NodeId tip, std::size_t k) {
+  return crack_face.back() == tip ? crack_face[crack_face.size() - 1 - k] : crack_face[k];
 }
 
 base::Vec2 at(const base::Vector& u, base::NodeId n) {
@@ -28,10 +28,10 @@ std::optional<std::array<double, 2>> opening_intensity(const TipSetting& set,
   if (front.crack.index() >= cracked.faces.size()) {
     return std::nullopt;
   }
-  const mesh::CrackFaces& lips = cracked.faces[front.crack.index()];
+  const mesh::CrackFaces& crack_faces = cracked.faces[front.crack.index()];
   const bool half = front.symmetric_half;
-  const Lip& one = lips.own();
-  if (one.size() < 3 || (!half && lips.right.size() != one.size())) {
+  const CrackFace& one = crack_faces.own();
+  if (one.size() < 3 || (!half && crack_faces.right.size() != one.size())) {
     return std::nullopt;
   }
   std::array<double, 2> r{};
@@ -40,13 +40,14 @@ std::optional<std::array<double, 2>> opening_intensity(const TipSetting& set,
     const base::NodeId n = behind(one, front.tip().node, k + 1);
     r[k] = (cracked.mesh.x[n.index()] - front.tip().x).norm();
     if (half) { // the other half is its mirror image
-      const double up = lips.left.empty() ? -1.0 : 1.0;
+      const double up = crack_faces.left.empty() ? -1.0 : 1.0;
       const base::Vec2 opening = 2.0 * up * at(u, n);
       apart[k] = {0.0, opening.dot(set.tip.e2)};
     } else {
-      // The tips of an embedded crack see its lips from opposite ends.
+      // The tips of an embedded crack see its crack faces from opposite ends.
       const double turn = one.back() == front.tip().node ? 1.0 : -1.0;
-      const base::Vec2 d = turn * (at(u, n) - at(u, behind(lips.right, front.tip().node, k + 1)));
+      const base::Vec2 d =
+          turn * (at(u, n) - at(u, behind(crack_faces.right, front.tip().node, k + 1)));
       apart[k] = {d.dot(set.tip.e1), d.dot(set.tip.e2)};
     }
   }

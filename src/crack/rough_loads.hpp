@@ -7,10 +7,11 @@
 /// Loads that jump or bend within elements round a tip, and what G and K make of them.
 namespace spricka::crack {
 
-/// How far G of a domain may be off because tractions jump or bend within sides of its lips, or the
-/// temperature jumps in it [force/length]; of a half model its half. Quadratic displacements follow
-/// neither: what they miss of the energy changes as nodes move past the jump, and what they find
-/// there is not the strain that G needs (manual, crack.20, crack.35). Domains inside feel it, too.
+/// How far G of a domain may be off because tractions jump or bend within sides of its crack faces,
+/// or the temperature jumps in it [force/length]; of a half model its half. Quadratic displacements
+/// follow neither: what they miss of the energy changes as nodes move past the jump, and what they
+/// find there is not the strain that G needs (manual, crack.20, crack.35). Domains inside feel it,
+/// too.
 double doubt_of_G(const TipSetting& set, const ExtensionField& field);
 
 /// Part of G that such jumps may make up before G is left to K: a tenth of what two ways to K part

@@ -150,16 +150,18 @@ TipPlace tip_place(const TipSetting& set, const mesh::Front& front) {
   return {set.tip, front.tip().node, set.material, set.state(), set.property.thickness};
 }
 
-// What temperatures and forces between the lips add to the sums of one domain.
+// What temperatures and forces between the crack faces add to the sums of one domain.
 std::array<double, partners> added_terms(const TipSetting& set, const mesh::Front& front,
-                                         const ExtensionField& field, const LipForces* lips,
+                                         const ExtensionField& field,
+                                         const CrackFaceForces* crack_faces,
                                          const base::Vector& u) {
   std::array<double, partners> sum{};
   if (set.affine) {
     sum = heat_term(set, front, field, u);
   }
-  if (lips != nullptr) {
-    const std::array<double, 3> more = lip_term(set.mesh, tip_place(set, front), field, *lips, u);
+  if (crack_faces != nullptr) {
+    const std::array<double, 3> more =
+        crack_face_term(set.mesh, tip_place(set, front), field, *crack_faces, u);
     for (std::size_t k = 0; k < more.size(); ++k) {
       sum[k] += more[k];
     }
@@ -189,8 +191,9 @@ StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedM
   result.two_materials = std::ranges::any_of(
       fields, [&](const ExtensionField& f) { return between_materials(set, f); });
   const NodalForces forces = configurational_forces(set, fields, u);
-  const double T_of_tip = stress_on_lips_at_tip(set, front) - thermal_stress_at_tip(set, front) +
-                          (request.lips != nullptr ? request.lips->at_tip : 0.0);
+  const double T_of_tip = stress_on_crack_faces_at_tip(set, front) -
+                          thermal_stress_at_tip(set, front) +
+                          (request.crack_faces != nullptr ? request.crack_faces->at_tip : 0.0);
   double shifted = 0.0;
   double analytic = 0.0;
   double doubt = 0.0; // what is rough in one domain is so for the displacements in all
@@ -199,7 +202,8 @@ StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedM
   }
   for (const ExtensionField& field : fields) {
     std::array<double, partners> sum = forces.along(field, set.tip.e1);
-    const std::array<double, partners> more = added_terms(set, front, field, request.lips, u);
+    const std::array<double, partners> more =
+        added_terms(set, front, field, request.crack_faces, u);
     for (std::size_t k = 0; k < partners; ++k) {
       sum[k] += more[k];
     }
@@ -292,9 +296,11 @@ std::vector<IntensityPoint> intensity_points(const model::Model& model,
   return points;
 }
 
-base::Matrix lip_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
-                                const mesh::Front& front, const std::vector<ExtensionField>& fields,
-                                model::CrackState state, const std::vector<model::Face>& faces) {
+base::Matrix crack_face_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
+                                       const mesh::Front& front,
+                                       const std::vector<ExtensionField>& fields,
+                                       model::CrackState state,
+                                       const std::vector<model::Face>& faces) {
   base::Matrix rows = base::Matrix::Zero(freedoms(cracked), 2);
   if (fields.empty()) {
     return rows;
@@ -304,7 +310,7 @@ base::Matrix lip_intensity_rows(const model::Model& model, const mesh::CrackedMe
   const double factor = factors_of(set, front, state).K() / static_cast<double>(fields.size());
   for (const ExtensionField& field : fields) {
     for (const auto& [node, weight] :
-         lip_weights(cracked.mesh, tip_place(set, front), field, faces)) {
+         crack_face_weights(cracked.mesh, tip_place(set, front), field, faces)) {
       const auto at = 2 * static_cast<Eigen::Index>(node.index());
       rows.col(0).segment<2>(at) += factor * weight[0];
       rows.col(1).segment<2>(at) += factor * weight[1];

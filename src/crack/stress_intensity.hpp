@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "crack/crack_face_term.hpp"
 #include "crack/extension.hpp"
-#include "crack/lip_term.hpp"
 #include "crack/tip_loads.hpp"
 #include "crack/williams.hpp"
 #include "mesh/cut/cracked.hpp"
@@ -36,14 +36,15 @@ struct StressIntensity {
   bool two_materials = false;
   std::vector<DomainValue> domains;
   std::optional<double> shift_error;            ///< G by finite shift over analytic G, minus 1
-  std::optional<std::array<double, 2>> opening; ///< K1, K2 by the opening of the lips
+  std::optional<std::array<double, 2>> opening; ///< K1, K2 by the opening of the crack faces
 };
 
 struct VceRequest {
   std::optional<double> shift; ///< finite shift in tip element sizes; empty: analytic
   model::CrackState state = model::CrackState::automatic;
-  const LipForces* lips = nullptr; ///< between the faces of the tip's crack; null: there are none
-  bool opening = false;            ///< K from the opening of the lips as well
+  const CrackFaceForces* crack_faces =
+      nullptr;          ///< between the faces of the tip's crack; null: there are none
+  bool opening = false; ///< K from the opening of the crack faces as well
 };
 
 /// K1, K2, G and T from nodal displacements u [dim * node]:
@@ -52,7 +53,7 @@ struct VceRequest {
 ///   sum_n q_n e1 . P_n(u, v_3) - ..,  v_3 the field of a unit force at the tip,
 /// the analytic derivative -1/2 u^T (dK/da) u + u^T (df/da) of the discrete energy when nodes move
 /// with q (Parks 1974; deLorenzi 1982; interaction form: Yau, Wang, Corten 1980; T: Kfouri 1986),
-/// with the terms of `loads`: forces per volume, tractions on the lips, temperature (manual,
+/// with the terms of `loads`: forces per volume, tractions on the crack faces, temperature (manual,
 /// crack.18 to crack.26). Per unit thickness; doubled on a symmetry line. With a finite shift the
 /// magnitude of K comes from the differenced energy (Hellen 1975; Parks 1974), the ratio K2/K1 from
 /// the interaction form.
@@ -82,9 +83,11 @@ std::vector<IntensityPoint> intensity_points(const model::Model& model,
                                              model::CrackState state);
 /// The same for forces between the faces: rows^T f is what those of VceRequest add to K1 and K2.
 /// [dim * node, 2]
-base::Matrix lip_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
-                                const mesh::Front& front, const std::vector<ExtensionField>& fields,
-                                model::CrackState state, const std::vector<model::Face>& faces);
+base::Matrix crack_face_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
+                                       const mesh::Front& front,
+                                       const std::vector<ExtensionField>& fields,
+                                       model::CrackState state,
+                                       const std::vector<model::Face>& faces);
 /// The same of T. [dim * node]
 base::Vector t_stress_row(const model::Model& model, const mesh::CrackedMesh& cracked,
                           const mesh::Front& front, const std::vector<ExtensionField>& fields);

@@ -19,7 +19,7 @@ struct Polar {
 };
 Polar polar(const TipFrame& tip, const base::Vec2& at);
 /// The same of a point of a face whose outer normal is n: round-off does not take a point of one
-/// lip to the other.
+/// crack face to the other.
 Polar polar_on_face(const TipFrame& tip, const base::Vec2& at, const base::Vec2& n);
 
 /// Kolosov's constant: 3 - 4 nu in plane strain, (3 - nu)/(1 + nu) in plane stress.

@@ -98,8 +98,8 @@ void free_crack(Context& c, const BoundCard& card, model::Crack& crack) {
   }
 }
 
-// An empty face set for a lip; what names it is the load, see build_loads.
-base::FaceSetId lip(Context& c, const model::Crack& crack, std::string_view side) {
+// An empty face set for a crack face; what names it is the load, see build_loads.
+base::FaceSetId crack_face(Context& c, const model::Crack& crack, std::string_view side) {
   std::vector<model::FaceSet>& sets = c.model.mesh.face_sets;
   sets.push_back({fmt::format("{}.{}", crack.name, side), {}, crack.span});
   return base::FaceSetId(sets.size() - 1);
@@ -133,8 +133,8 @@ void crack(Context& c, const BoundCard& card) {
   if ((card.has("PATH") || card.has("FRONT")) && !card.rows.empty()) {
     c.error(card.rows.front().span, "E110", "points mean nothing with PATH or FRONT");
   }
-  crack.left = lip(c, crack, "LEFT");
-  crack.right = lip(c, crack, "RIGHT");
+  crack.left = crack_face(c, crack, "LEFT");
+  crack.right = crack_face(c, crack, "RIGHT");
   c.model.cracks.push_back(std::move(crack));
 }
 

@@ -65,7 +65,7 @@ std::optional<base::Dimension> dimension_of(LoadType type) {
 
 // The face set of CRACK.LEFT or CRACK.RIGHT, invalid where the name means a set as well; none: not
 // of that form.
-std::optional<base::FaceSetId> lip_set(Context& c, const Reference& reference) {
+std::optional<base::FaceSetId> crack_face_set(Context& c, const Reference& reference) {
   const std::size_t dot = reference.name.rfind('.');
   const std::string side = dot == std::string::npos ? "" : reference.name.substr(dot + 1);
   if (side != "LEFT" && side != "RIGHT") {
@@ -104,9 +104,9 @@ bool load_set(Context& c, const Reference& reference, model::Load& load) {
     return false;
   case LoadType::traction:
   case LoadType::pressure:
-    if (const auto lip = lip_set(c, reference)) {
-      load.faces = *lip;
-      return lip->valid();
+    if (const auto crack_face = crack_face_set(c, reference)) {
+      load.faces = *crack_face;
+      return crack_face->valid();
     }
     break;
   case LoadType::resultant: {

@@ -67,7 +67,7 @@ void doubled_loads(Context& c) {
       const auto first = std::find_if(loads.begin(), last, [&](const model::Load& load) {
         return same_load(load, loads[i]) && words_of(c, load.span) == words_of(c, loads[i].span);
       });
-      const bool told = i > 1 && loads[i].span.begin == loads[i - 1].span.begin; // other lip
+      const bool told = i > 1 && loads[i].span.begin == loads[i - 1].span.begin; // other crack face
       if (first != last && !none && !told && first->span.begin != loads[i].span.begin) {
         c.diagnostics.warning(
             loads[i].span, "W358",

@@ -22,7 +22,7 @@ EdgeTable find_edges(const model::Mesh& mesh) {
     for (int s = 0; s < base::info(type).sides; ++s) {
       const std::span<const int> local = shape::side_nodes(type, s);
       const auto node = [&](std::size_t i) { return nodes[static_cast<std::size_t>(local[i])]; };
-      // Two lips of a crack may share both corners: the middle tells them apart.
+      // Two faces of a crack may share both corners: the middle tells them apart.
       sides.push_back(
           {{std::min(node(0), node(1)), std::max(node(0), node(1)), node(2)}, sides.size()});
     }

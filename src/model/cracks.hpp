@@ -27,8 +27,8 @@ struct Crack {
   CrackState state = CrackState::automatic;
   bool faces_in_contact = true;
   double mu = 0.0;
-  /// Its lips, "C1.LEFT" and "C1.RIGHT", seen along the crack: empty in the host, filled in the
-  /// mesh of each length. One of them stays empty on a symmetry line.
+  /// Its crack faces, "C1.LEFT" and "C1.RIGHT", seen along the crack: empty in the host, filled in
+  /// the mesh of each length. One of them stays empty on a symmetry line.
   base::FaceSetId left, right;
   base::Span span;
 };

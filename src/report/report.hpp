@@ -18,7 +18,7 @@ void write_k_csv(const std::filesystem::path& file, const model::Model& model,
                  const results::Run& run);
 
 /// pressure.csv: the same of contact points (results/contact_point.hpp): increment, step, contact,
-/// quantities; theta in degrees; both lips of a crack mouth are rows of their own.
+/// quantities; theta in degrees; both faces of a crack mouth are rows of their own.
 void write_pressure_csv(const std::filesystem::path& file, const model::Model& model,
                         const results::Run& run);
 

@@ -31,7 +31,7 @@ struct ContactPoint {
   ContactState state = ContactState::open;
   double gap = 0.0; ///< normal gap in the end, pressed: 0 [length]
   bool closed = false;
-  int lip = 0; ///< +1, -1 on the two lips of a crack mouth, else 0
+  int crack_face = 0; ///< +1, -1 on the two faces of a crack mouth, else 0
 };
 
 /// Where a quantity of a contact point is found, to be added up.

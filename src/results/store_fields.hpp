@@ -71,7 +71,7 @@ template <class V, Of<ContactPoint> T> void fields(V& v, T& r) {
     }
   }
   v("closed", r.closed);
-  v("lip", r.lip);
+  v("lip", r.crack_face);
 }
 
 template <class V, Of<ContactResult> T> void fields(V& v, T& r) {

@@ -145,7 +145,7 @@ private:
     });
   }
 
-  // What a case prescribes may draw the lips apart.
+  // What a case prescribes may draw the crack faces apart.
   [[nodiscard]] bool suppressed(base::NodeId node) const {
     for (int c = 0; c < mesh_.dim; ++c) {
       const auto freedom = node.index() * static_cast<std::size_t>(mesh_.dim) + std::size_t(c);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/adjoint/adjoints.hpp"
 
-#include "analysis/steps/lip_contact.hpp"
+#include "analysis/steps/crack_face_contact.hpp"
 #include "crack/stress_intensity.hpp"
 #include "model/model.hpp"
 

@@ -97,11 +97,12 @@ Partners partners_of(const PartnerSetting& set, const model::Transition& transit
 // The node where a tip's crack starts on a surface; invalid: inside its body, or elsewhere.
 base::NodeId mouth_on(const Partners& partners, const mesh::CrackedMesh& cracked,
                       const mesh::Front& front) {
-  const mesh::CrackFaces& lips = cracked.faces[front.crack.index()];
-  for (const std::vector<base::NodeId>* lip : {&lips.left, &lips.right}) {
+  const mesh::CrackFaces& crack_faces = cracked.faces[front.crack.index()];
+  for (const std::vector<base::NodeId>* crack_face : {&crack_faces.left, &crack_faces.right}) {
     for (const Side& side : partners.sides) {
-      if (!lip->empty() && std::ranges::find(side.ends, lip->front()) != side.ends.end()) {
-        return lip->front();
+      if (!crack_face->empty() &&
+          std::ranges::find(side.ends, crack_face->front()) != side.ends.end()) {
+        return crack_face->front();
       }
     }
   }

@@ -4,7 +4,7 @@
 #include "analysis/scene/scene_heat.hpp"
 #include "analysis/scene/scene_loads.hpp"
 #include "analysis/scene/tip_name.hpp"
-#include "analysis/steps/lip_contact.hpp"
+#include "analysis/steps/crack_face_contact.hpp"
 #include "analysis/steps/row_opening.hpp"
 #include "estimate/modulus.hpp"
 #include "model/model.hpp"

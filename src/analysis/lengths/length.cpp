@@ -4,7 +4,7 @@
 #include "analysis/recover/net_errors.hpp"
 #include "analysis/recover/recover_step.hpp"
 #include "analysis/scene/scene_loads.hpp"
-#include "analysis/steps/lip_contact.hpp"
+#include "analysis/steps/crack_face_contact.hpp"
 #include "growth/crack_lines.hpp"
 
 #include <utility>
@@ -65,7 +65,7 @@ bool Length::condense(CondenseLog& figures) {
 void Length::close_faces(const std::vector<std::size_t>& lines) {
   processors_.reset(); // they stand on the bodies, and those on the scene
   bodies_.clear();
-  add_lip_pairs(parts_.model, lines, scene_);
+  add_crack_face_pairs(parts_.model, lines, scene_);
 }
 
 std::unique_ptr<StepSolver> Length::start() const {

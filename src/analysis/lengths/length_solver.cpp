@@ -134,7 +134,7 @@ void LengthSolver::close_faces(const std::vector<std::size_t>& lines, Length& le
     log.add("TOPOLOGY",
             fmt::format("the faces of {} meet: solved anew with contact between them, {} rows",
                         model_.cracks[i].name,
-                        scene.pairs[scene.lip_pairs[i]->pair].normal.size()));
+                        scene.pairs[scene.crack_face_pairs[i]->pair].normal.size()));
   }
   if (first_) {
     mounted_ = MountMemory(); // of steps that do not count

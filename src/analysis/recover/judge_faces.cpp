@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/recover/judge_faces.hpp"
 
-#include "analysis/steps/lip_contact.hpp"
-#include "analysis/steps/lip_overlap.hpp"
+#include "analysis/steps/crack_face_contact.hpp"
+#include "analysis/steps/crack_face_overlap.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ bool is_smallest_of_law(const model::Model& model, const std::string& step) {
 
 // FACES=FREE: what overlaps is told, and K1 < 0 is no answer even so, but as K_min of a law.
 void tell_overlap(const TipState& at, results::TipResult& result, results::StepResult& out) {
-  const double part = lip_overlap(at.scene.cracked, at.front.crack.index(), at.state.u).lone;
+  const double part = crack_face_overlap(at.scene.cracked, at.front.crack.index(), at.state.u).lone;
   const bool negative = result.K1 < 0.0 && std::abs(result.K1) > small_K1 * std::abs(result.K2);
   if (negative && is_smallest_of_law(at.model, out.step)) {
     out.notes.push_back(
@@ -72,9 +72,10 @@ void tell_lone_nodes(const TipState& at, const TipFaces& faces, const results::T
                                      "open ones: less than the mesh resolves",
                                      result.name)));
   }
-  const double part = faces.in_contact
-                          ? 0.0
-                          : lip_overlap(at.scene.cracked, at.front.crack.index(), at.state.u).lone;
+  const double part =
+      faces.in_contact
+          ? 0.0
+          : crack_face_overlap(at.scene.cracked, at.front.crack.index(), at.state.u).lone;
   if (part > overlap_of_round_off) {
     out.notes.push_back(results::warning(
         fmt::format("{}: the crack faces overlap at single nodes, by {:.1e} of their largest "
@@ -132,7 +133,7 @@ double k_scale(const TipState& at, const TipFaces& faces) {
   const double a = at.front.a;
   const double E = at.K.E_effective;
   const double pressed = faces.pressure * std::sqrt(std::numbers::pi * a);
-  const double jump = lip_jump(at.scene.cracked, at.front.crack.index(), at.state.u);
+  const double jump = crack_face_jump(at.scene.cracked, at.front.crack.index(), at.state.u);
   const double open = 0.25 * E * jump * std::sqrt(std::numbers::pi / a);
   const double least = 1e-6 * E * at.state.u.lpNorm<Eigen::Infinity>() / std::sqrt(a);
   return std::max({pressed, open, least});

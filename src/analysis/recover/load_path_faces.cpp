@@ -2,11 +2,11 @@
 #include "analysis/recover/load_paths.hpp"
 
 #include "analysis/scene/free_faces.hpp"
+#include "analysis/steps/crack_face_contact.hpp"
+#include "analysis/steps/crack_face_overlap.hpp"
 #include "analysis/steps/history_program.hpp"
-#include "analysis/steps/lip_contact.hpp"
-#include "analysis/steps/lip_overlap.hpp"
 #include "analysis/steps/row_opening.hpp"
-#include "contact/lip_pairing.hpp"
+#include "contact/crack_face_pairing.hpp"
 #include "crack/stress_intensity.hpp"
 #include "model/model.hpp"
 
@@ -19,8 +19,9 @@ namespace {
 
 // Whether a row of the table is one between the faces of a crack.
 bool between_faces(const Scene& scene, std::size_t row) {
-  return std::ranges::any_of(scene.lip_pairs, [&](const auto& lip) {
-    return lip && row >= scene.table.first[lip->pair] && row < scene.table.first[lip->pair + 1];
+  return std::ranges::any_of(scene.crack_face_pairs, [&](const auto& crack_face) {
+    return crack_face && row >= scene.table.first[crack_face->pair] &&
+           row < scene.table.first[crack_face->pair + 1];
   });
 }
 
@@ -31,11 +32,11 @@ std::vector<LoadPaths::Watch> LoadPaths::watch_faces(const model::Model& model,
   std::vector<Watch> watches;
   const bool wanted = !model.load_paths.empty() || follows_history(model);
   for (std::size_t i = 0; i < scene.cracked.faces.size() && wanted; ++i) {
-    if (!model.cracks[i].faces_in_contact || scene.lip_pairs[i]) {
+    if (!model.cracks[i].faces_in_contact || scene.crack_face_pairs[i]) {
       continue;
     }
     contact::PairRows pair =
-        contact::lip_rows(model, scene.cracked.mesh, scene.cracked.faces[i], true);
+        contact::crack_face_rows(model, scene.cracked.mesh, scene.cracked.faces[i], true);
     for (std::size_t r = 0; r < pair.normal.size(); ++r) {
       Watch& watch = watches.emplace_back(Watch{i, std::move(pair.normal[r]), {}});
       if (!pair.tangent.empty()) {

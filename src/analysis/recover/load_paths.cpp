@@ -3,8 +3,8 @@
 
 #include "analysis/recover/closed_run.hpp"
 #include "analysis/scene/tip_surroundings.hpp"
+#include "analysis/steps/crack_face_contact.hpp"
 #include "analysis/steps/history_program.hpp"
-#include "analysis/steps/lip_contact.hpp"
 #include "contact/slave_places.hpp"
 #include "crack/stress_intensity.hpp"
 #include "model/model.hpp"

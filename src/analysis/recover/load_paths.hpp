@@ -24,7 +24,7 @@ public:
   /// All paths of the model, once the steps are done.
   [[nodiscard]] std::vector<results::LoadPath> follow(const StepSolver& solver);
   /// Crack lines whose faces would overlap somewhere on the paths followed, and that have no pair
-  /// yet (analysis/steps/lip_contact.hpp).
+  /// yet (analysis/steps/crack_face_contact.hpp).
   [[nodiscard]] const std::vector<std::size_t>& touching() const { return touching_; }
   /// K1 and K2 of each tip in a solved increment [crack::KLayout]; K1 is 0 where its faces
   /// touch at the tip, or what a law with R < 0 wants there. Looks at the faces, too.

@@ -8,7 +8,7 @@
 #include "analysis/recover/judge_size.hpp"
 #include "analysis/scene/tip_name.hpp"
 #include "analysis/scene/tip_surroundings.hpp"
-#include "analysis/steps/lip_contact.hpp"
+#include "analysis/steps/crack_face_contact.hpp"
 #include "base/tidy.hpp"
 #include "contact/marked_arc.hpp"
 #include "contact/recovery.hpp"
@@ -51,8 +51,9 @@ void gather_tips(const model::Model& model, const Scene& scene, const StepState&
       request.shift = vce->shift;
       request.opening = vce->opening;
     }
-    const std::optional<crack::LipForces> lips = lip_forces(scene, front, state);
-    request.lips = lips ? &*lips : nullptr;
+    const std::optional<crack::CrackFaceForces> crack_faces =
+        crack_face_forces(scene, front, state);
+    request.crack_faces = crack_faces ? &*crack_faces : nullptr;
     const std::vector<crack::ExtensionField>& fields = scene.tips[t].fields;
     const crack::TipLoads loads = tip_loads(model, scene, fields, state.case_factor);
     const crack::StressIntensity K =
@@ -176,8 +177,8 @@ std::string unbounded_note(const results::ContactResult& contact) {
 // The only face of a half model runs with its body on the left, which may be from the tip on: its
 // places count from the mouth.
 void count_from_mouth(const Scene& scene, std::size_t pair, results::ContactResult& result) {
-  for (std::size_t i = 0; i < scene.lip_pairs.size(); ++i) {
-    if (scene.lip_pairs[i] && scene.lip_pairs[i]->pair == pair &&
+  for (std::size_t i = 0; i < scene.crack_face_pairs.size(); ++i) {
+    if (scene.crack_face_pairs[i] && scene.crack_face_pairs[i]->pair == pair &&
         scene.cracked.faces[i].left.empty() && !result.points.empty()) {
       const double length = result.points.back().arc;
       std::ranges::reverse(result.points);
@@ -211,8 +212,10 @@ bool many_alike(const std::vector<results::ContactPoint>& points, std::size_t i)
 // nodes are all that is closed or open, to their distance.
 void note_parting(const Scene& scene, std::size_t pair, results::ContactResult& result,
                   results::StepResult& out) {
-  const bool faces = std::ranges::any_of(
-      scene.lip_pairs, [&](const std::optional<LipPair>& lip) { return lip && lip->pair == pair; });
+  const bool faces = std::ranges::any_of(scene.crack_face_pairs,
+                                         [&](const std::optional<CrackFacePair>& crack_face) {
+                                           return crack_face && crack_face->pair == pair;
+                                         });
   for (const double end : {result.arc_from, result.arc_to}) {
     for (std::size_t i = 1; faces && i < result.points.size(); ++i) {
       const results::ContactPoint& a = result.points[i - 1];
@@ -262,7 +265,7 @@ void gather_contacts(const Scene& scene, const StepState& state, results::StepRe
       point.state = n.closed ? results::ContactState::closed : results::ContactState::open;
       point.gap = n.gap;
       point.closed = n.closed;
-      point.lip = n.lip;
+      point.crack_face = n.crack_face;
       result.points.push_back(point);
     }
     result.sheared = !pair.tangent.empty();

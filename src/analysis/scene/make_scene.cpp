@@ -25,7 +25,7 @@ bool make_pairs(const model::Model& model, Scene& scene, base::Diagnostics& diag
   const model::Mesh& mesh = scene.cracked.mesh;
   bool good = true;
   scene.contacts = model.contacts;
-  scene.lip_pairs.resize(scene.cracked.faces.size());
+  scene.crack_face_pairs.resize(scene.cracked.faces.size());
   for (const model::Contact& contact : model.contacts) {
     scene.pairs.push_back(contact::pair_rows(model, mesh, contact));
     const contact::PairRows& pair = scene.pairs.back();
@@ -118,20 +118,20 @@ std::optional<Scene> make_scene(const model::Model& model,
     return std::nullopt;
   }
   scene.cracked = std::move(*cracked);
-  fill_lip_sets(model, scene.cracked);
+  fill_crack_face_sets(model, scene.cracked);
   add_second_sides(model.mesh, scene.cracked.mesh);
   scene.notes = scene.cracked.notes;
   note_gone_nodes(model, scene);
   const model::Mesh& mesh = scene.cracked.mesh;
   scene.cls = fe::classify_freedoms(model, mesh);
-  release_lips(model, lines, scene);
+  release_crack_faces(model, lines, scene);
   const bool ties = make_scene_ties(model, scene, diagnostics);
   const bool pairs = make_pairs(model, scene, diagnostics);
   const bool tips = make_tips(model, scene, diagnostics);
-  const bool lips = lips_carry_no_totals(model, scene, diagnostics);
+  const bool crack_faces = crack_faces_carry_no_totals(model, scene, diagnostics);
   const bool held = supports_are_kept(model, scene, diagnostics);
   const bool told = mouths_are_told(model, scene, diagnostics);
-  if (!ties || !pairs || !tips || !lips || !held || !told ||
+  if (!ties || !pairs || !tips || !crack_faces || !held || !told ||
       !loaded_faces_are_there(model, scene, diagnostics)) {
     return std::nullopt;
   }

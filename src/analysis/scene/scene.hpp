@@ -46,8 +46,8 @@ struct TipScene {
 };
 
 /// Contact between the faces of a crack, once they have been found to touch
-/// (analysis/steps/lip_contact.hpp).
-struct LipPair {
+/// (analysis/steps/crack_face_contact.hpp).
+struct CrackFacePair {
   std::size_t pair = 0;           ///< of the scene
   std::vector<model::Face> sides; ///< of the elements on both faces
 };
@@ -57,9 +57,10 @@ struct Scene {
   mesh::CrackedMesh cracked;
   std::vector<model::FreedomClass> cls; ///< [dim * node]
   std::shared_ptr<const fe::Dependence> ties;
-  std::vector<model::Contact> contacts;          ///< the deck's, then those between faces of cracks
-  std::vector<contact::PairRows> pairs;          ///< [contact]
-  std::vector<std::optional<LipPair>> lip_pairs; ///< [crack line] empty: its faces are open
+  std::vector<model::Contact> contacts; ///< the deck's, then those between faces of cracks
+  std::vector<contact::PairRows> pairs; ///< [contact]
+  std::vector<std::optional<CrackFacePair>>
+      crack_face_pairs; ///< [crack line] empty: its faces are open
   RowTable table;
   std::vector<TipScene> tips;     ///< [tip]
   std::vector<bool> rest_element; ///< [element] no crack of the run touches it

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/scene/scene_mouths.hpp"
 
+#include "mesh/cut/crack_face_sets.hpp"
 #include "mesh/cut/host.hpp"
-#include "mesh/cut/lip_sets.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -65,7 +65,7 @@ private:
   const model::Model& model_;
   const Scene& scene_;
   base::Diagnostics& diagnostics_;
-  mesh::LipMembership membership_;
+  mesh::CrackFaceMembership membership_;
   bool good_ = true;
 };
 
@@ -77,13 +77,13 @@ std::vector<bool> marked(const model::Mesh& mesh, const std::vector<base::NodeId
   return in;
 }
 
-/// Sides at the nodes of a lip that lead away from its line.
-std::vector<mesh::Edge> sides_off(const model::Mesh& mesh, const std::vector<base::NodeId>& lip,
-                                  std::size_t across) {
-  const std::vector<bool> on_lip = marked(mesh, lip);
+/// Sides at the nodes of a crack face that lead away from its line.
+std::vector<mesh::Edge> sides_off(const model::Mesh& mesh,
+                                  const std::vector<base::NodeId>& crack_face, std::size_t across) {
+  const std::vector<bool> on_crack_face = marked(mesh, crack_face);
   const auto a = static_cast<Eigen::Index>(across);
-  const base::Vec3& start = mesh.x[lip.front().index()];
-  const double near = 1e-9 * (mesh.x[lip.back().index()] - start).norm();
+  const base::Vec3& start = mesh.x[crack_face.front().index()];
+  const double near = 1e-9 * (mesh.x[crack_face.back().index()] - start).norm();
   const auto on_line = [&](base::NodeId n) {
     return std::abs(mesh.x[n.index()][a] - start[a]) <= near;
   };
@@ -91,12 +91,12 @@ std::vector<mesh::Edge> sides_off(const model::Mesh& mesh, const std::vector<bas
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const base::ElementId element(e);
     if (std::ranges::none_of(mesh.nodes_of(element),
-                             [&](base::NodeId n) { return on_lip[n.index()]; })) {
+                             [&](base::NodeId n) { return on_crack_face[n.index()]; })) {
       continue;
     }
     for (int s = 0; s < base::info(mesh.type[e]).sides; ++s) {
       const mesh::Edge edge = mesh::edge_of(mesh, {element, s});
-      if (on_lip[edge.a.index()] != on_lip[edge.b.index()] &&
+      if (on_crack_face[edge.a.index()] != on_crack_face[edge.b.index()] &&
           !(on_line(edge.a) && on_line(edge.b))) {
         sides.push_back(edge);
       }
@@ -105,11 +105,11 @@ std::vector<mesh::Edge> sides_off(const model::Mesh& mesh, const std::vector<bas
   return sides;
 }
 
-/// Nodes of a lip that some support holds across it by a side beside the line.
+/// Nodes of a crack face that some support holds across it by a side beside the line.
 std::vector<bool> held_beside(const model::Model& model, const model::Mesh& mesh,
-                              const std::vector<base::NodeId>& lip, std::size_t across) {
+                              const std::vector<base::NodeId>& crack_face, std::size_t across) {
   std::vector<bool> held(mesh.node_count(), false);
-  const std::vector<mesh::Edge> sides = sides_off(mesh, lip, across);
+  const std::vector<mesh::Edge> sides = sides_off(mesh, crack_face, across);
   for (const model::Freedom& freedom : model.freedoms) {
     if (freedom.cls != FreedomClass::suppressed || !freedom.dof[across]) {
       continue;
@@ -155,8 +155,8 @@ bool mouths_are_told(const model::Model& model, const Scene& scene,
   return mouths.good();
 }
 
-void release_lips(const model::Model& model, const std::vector<mesh::CrackLine>& lines,
-                  Scene& scene) {
+void release_crack_faces(const model::Model& model, const std::vector<mesh::CrackLine>& lines,
+                         Scene& scene) {
   const model::Mesh& mesh = scene.cracked.mesh;
   const auto dim = static_cast<std::size_t>(mesh.dim);
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -165,12 +165,12 @@ void release_lips(const model::Model& model, const std::vector<mesh::CrackLine>&
     }
     const base::Vec3 along = (lines[i].points.back() - lines[i].points.front()).normalized();
     const std::size_t across = std::abs(along.x()) > std::abs(along.y()) ? 1 : 0;
-    const mesh::CrackFaces& lips = scene.cracked.faces[i];
-    const std::vector<base::NodeId>& lip = lips.own();
-    const std::vector<bool> held = held_beside(model, mesh, lip, across);
-    for (std::size_t k = 0; k + 1 < lip.size(); ++k) {
-      FreedomClass& c = scene.cls[dim * lip[k].index() + across];
-      c = c == FreedomClass::suppressed && !held[lip[k].index()] ? FreedomClass::local : c;
+    const mesh::CrackFaces& crack_faces = scene.cracked.faces[i];
+    const std::vector<base::NodeId>& crack_face = crack_faces.own();
+    const std::vector<bool> held = held_beside(model, mesh, crack_face, across);
+    for (std::size_t k = 0; k + 1 < crack_face.size(); ++k) {
+      FreedomClass& c = scene.cls[dim * crack_face[k].index() + across];
+      c = c == FreedomClass::suppressed && !held[crack_face[k].index()] ? FreedomClass::local : c;
     }
   }
 }

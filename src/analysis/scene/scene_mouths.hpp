@@ -11,8 +11,8 @@ bool mouths_are_told(const model::Model& model, const Scene& scene, base::Diagno
 
 /// On a symmetry line the nodes behind the tip become free to open; what supports that go on beside
 /// the line hold (a clamped side that the crack starts from) stays held. Changes scene.cls.
-void release_lips(const model::Model& model, const std::vector<mesh::CrackLine>& lines,
-                  Scene& scene);
+void release_crack_faces(const model::Model& model, const std::vector<mesh::CrackLine>& lines,
+                         Scene& scene);
 
 /// A load on the face of a crack that its body does not have (the crack lies on a symmetry line):
 /// E438, and false.

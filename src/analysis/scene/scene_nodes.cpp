@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/scene/scene_nodes.hpp"
 
-#include "mesh/cut/lip_sets.hpp"
+#include "mesh/cut/crack_face_sets.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -32,12 +32,12 @@ std::vector<base::NodeId> sorted(std::vector<base::NodeId> nodes) {
 // crack's mouth may be that of the other face.
 std::string changed(const model::Model& model, const Scene& scene, const model::Load& load) {
   const model::Mesh& mesh = scene.cracked.mesh;
-  const mesh::LipMembership lips(mesh, scene.cracked.faces);
+  const mesh::CrackFaceMembership crack_faces(mesh, scene.cracked.faces);
   const std::vector<base::NodeId> before = sorted(model.mesh.set(load.nodes).nodes);
   const std::vector<base::NodeId> now = sorted(mesh.set(load.nodes).nodes);
   for (const base::NodeId n : before) {
     const auto stays = [&](base::NodeId m) { return std::ranges::binary_search(now, m); };
-    if (!stays(n) && std::ranges::none_of(lips.nodes_with(n), stays)) {
+    if (!stays(n) && std::ranges::none_of(crack_faces.nodes_with(n), stays)) {
       return fmt::format("a crack has cut out node {}, which it loads", mesh.node_label[n.index()]);
     }
   }

@@ -4,7 +4,7 @@
 #include "analysis/scene/scene_heat.hpp"
 #include "fe/assemble.hpp"
 #include "fe/set_shares.hpp"
-#include "mesh/cut/lip_faces.hpp"
+#include "mesh/cut/crack_sides.hpp"
 #include "model/model.hpp"
 #include "shape/topology.hpp"
 
@@ -195,33 +195,34 @@ crack::DomainLimits domain_limits(const model::Model& model, const Scene& scene,
   return limits;
 }
 
-void fill_lip_sets(const model::Model& model, mesh::CrackedMesh& cracked) {
+void fill_crack_face_sets(const model::Model& model, mesh::CrackedMesh& cracked) {
   for (std::size_t i = 0; i < cracked.faces.size() && i < model.cracks.size(); ++i) {
     const model::Crack& crack = model.cracks[i];
     if (!crack.left.valid() || !crack.right.valid()) {
       continue;
     }
-    mesh::LipFaces faces = mesh::lip_faces(cracked.mesh, cracked.faces[i]);
+    mesh::CrackSides faces = mesh::crack_sides(cracked.mesh, cracked.faces[i]);
     cracked.mesh.face_sets[crack.left.index()].faces = std::move(faces.left);
     cracked.mesh.face_sets[crack.right.index()].faces = std::move(faces.right);
   }
 }
 
-bool lips_carry_no_totals(const model::Model& model, const Scene& scene,
-                          base::Diagnostics& diagnostics) {
+bool crack_faces_carry_no_totals(const model::Model& model, const Scene& scene,
+                                 base::Diagnostics& diagnostics) {
   const model::Mesh& mesh = scene.cracked.mesh;
-  std::set<model::Face> lips;
-  for (const mesh::CrackFaces& lip : scene.cracked.faces) {
-    const mesh::LipFaces faces = mesh::lip_faces(mesh, lip);
-    lips.insert(faces.left.begin(), faces.left.end());
-    lips.insert(faces.right.begin(), faces.right.end());
+  std::set<model::Face> crack_faces;
+  for (const mesh::CrackFaces& crack_face : scene.cracked.faces) {
+    const mesh::CrackSides faces = mesh::crack_sides(mesh, crack_face);
+    crack_faces.insert(faces.left.begin(), faces.left.end());
+    crack_faces.insert(faces.right.begin(), faces.right.end());
   }
   bool good = true;
   for (const model::LoadCase& load_case : model.cases) {
     for (const model::Load& load : load_case.loads) {
       if (load.faces.valid() && !is_per_area(load) &&
-          std::ranges::any_of(mesh.set(load.faces).faces,
-                              [&](const model::Face& face) { return lips.contains(face); })) {
+          std::ranges::any_of(mesh.set(load.faces).faces, [&](const model::Face& face) {
+            return crack_faces.contains(face);
+          })) {
         diagnostics.error(load.span, "E417",
                           fmt::format("load case {} gives a total to faces of a crack: how it "
                                       "spreads would change as the crack grows",

@@ -20,11 +20,11 @@ crack::DomainLimits domain_limits(const model::Model& model, const Scene& scene,
                                   const mesh::Front& front);
 
 /// Puts the faces of all cracks into the sets that loads name.
-void fill_lip_sets(const model::Model& model, mesh::CrackedMesh& cracked);
+void fill_crack_face_sets(const model::Model& model, mesh::CrackedMesh& cracked);
 
 /// Loads that give a total to faces of a crack are refused (E417): it spreads anew as the crack
 /// grows, which G has no term for.
-bool lips_carry_no_totals(const model::Model& model, const Scene& scene,
-                          base::Diagnostics& diagnostics);
+bool crack_faces_carry_no_totals(const model::Model& model, const Scene& scene,
+                                 base::Diagnostics& diagnostics);
 
 } // namespace spricka::analysis

@@ -48,8 +48,9 @@ base::Vector as_vector(const std::vector<double>& v) {
 void CarriedState::take(const Scene& scene, const StepSolver::Place& place) {
   contacts_.clear();
   for (std::size_t c = 0; c < scene.contacts.size(); ++c) {
-    if (std::ranges::any_of(scene.lip_pairs,
-                            [&](const auto& lip) { return lip && lip->pair == c; })) {
+    if (std::ranges::any_of(scene.crack_face_pairs, [&](const auto& crack_face) {
+          return crack_face && crack_face->pair == c;
+        })) {
       continue;
     }
     Pair& pair = contacts_.emplace_back();

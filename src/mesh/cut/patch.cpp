@@ -3,8 +3,8 @@
 
 #include "mesh/cut/cavity_check.hpp"
 #include "mesh/cut/crack_check.hpp"
+#include "mesh/cut/crack_face_sets.hpp"
 #include "mesh/cut/graft.hpp"
-#include "mesh/cut/lip_sets.hpp"
 #include "mesh/cut/path.hpp"
 #include "mesh/cut/split.hpp"
 #include "mesh/quality.hpp"
@@ -234,9 +234,9 @@ private:
         }
       }
       if (work.line->symmetric_half) {
-        add_half_lip(work);
-      } else if (auto lips = split_along(result_.mesh, work.path, work.line->embedded)) {
-        result_.faces.push_back(std::move(*lips));
+        add_half_crack_face(work);
+      } else if (auto crack_faces = split_along(result_.mesh, work.path, work.line->embedded)) {
+        result_.faces.push_back(std::move(*crack_faces));
       } else {
         diagnostics_.error(work.span, "E427",
                            fmt::format("{} does not start on the boundary", work.line->title()));
@@ -244,17 +244,17 @@ private:
       }
       add_tips(work);
     }
-    settle_lips(result_.mesh, result_.faces);
+    settle_crack_faces(result_.mesh, result_.faces);
     return true;
   }
 
-  void add_half_lip(const Work& work) {
-    CrackFaces lips;
+  void add_half_crack_face(const Work& work) {
+    CrackFaces crack_faces;
     const bool left = work.tip->patch
                           ? placements_[work.place].half > 0
                           : body_on_left(host_, work.path[0], work.path[path_step(work)]);
-    (left ? lips.left : lips.right) = work.path;
-    result_.faces.push_back(std::move(lips));
+    (left ? crack_faces.left : crack_faces.right) = work.path;
+    result_.faces.push_back(std::move(crack_faces));
   }
   /// Places from one corner of a path without a patch to the next: 2 on quadratic edges.
   [[nodiscard]] std::size_t path_step(const Work& work) const {

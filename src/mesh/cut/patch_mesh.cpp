@@ -169,23 +169,23 @@ private:
     const auto rim_point = [&](const TipPlace& tip) {
       return Vec2(tip.at - place.radius * tip.ahead());
     };
-    std::vector<int> lip{place.mouth ? crack.mouth : crack.rosettes.front().behind.back()};
+    std::vector<int> crack_face{place.mouth ? crack.mouth : crack.rosettes.front().behind.back()};
     Vec2 from = place.mouth ? place.line.front() : rim_point(place.tips.front());
     for (std::size_t k = 1; k < place.line.size(); ++k) {
       const bool last = k + 1 == place.line.size();
       const Vec2 to = last ? rim_point(place.tips.back()) : place.line[k];
       const std::vector<int> inner = add_stretch(from, to);
-      lip.insert(lip.end(), inner.begin(), inner.end());
-      lip.push_back(last ? last_rosette.behind.back() : net_.new_node(to));
+      crack_face.insert(crack_face.end(), inner.begin(), inner.end());
+      crack_face.push_back(last ? last_rosette.behind.back() : net_.new_node(to));
       from = to;
     }
-    for (std::size_t i = 0; i + 1 < lip.size(); ++i) {
-      add_edge_size(fill_size_, net_, lip[i], lip[i + 1]);
+    for (std::size_t i = 0; i + 1 < crack_face.size(); ++i) {
+      add_edge_size(fill_size_, net_, crack_face[i], crack_face[i + 1]);
     }
     if (half_ != 0) {
-      add_half_line(crack, lip);
+      add_half_line(crack, crack_face);
     } else {
-      contours_.embedded.push_back(lip);
+      contours_.embedded.push_back(crack_face);
     }
     std::vector<int> corners;
     if (!place.mouth) {
@@ -193,7 +193,7 @@ private:
       corners.push_back(first.tip);
       corners.insert(corners.end(), first.behind.begin(), first.behind.end() - 1);
     }
-    corners.insert(corners.end(), lip.begin(), lip.end());
+    corners.insert(corners.end(), crack_face.begin(), crack_face.end());
     corners.insert(corners.end(), last_rosette.behind.rbegin() + 1, last_rosette.behind.rend());
     corners.push_back(last_rosette.tip);
     std::vector<int>& path = patch_.paths.emplace_back();
@@ -206,7 +206,7 @@ private:
   }
 
   /// A half: crack, rosette and ligament take the place of the host's edges on the line.
-  void add_half_line(const PatchCrack& crack, const std::vector<int>& lip) {
+  void add_half_line(const PatchCrack& crack, const std::vector<int>& crack_face) {
     const Rosette& rosette = crack.rosettes.front();
     const SymmetryLine::End end = symmetry_line_.end();
     if (end.x < 1.0 + crack.place.radius + same) {
@@ -221,7 +221,7 @@ private:
       add_edge_size(fill_size_, net_, ligament[i], ligament[i + 1]);
     }
     // the whole line in the direction of growth, with the edges of the rosette on it
-    std::vector<int> line = lip;
+    std::vector<int> line = crack_face;
     line.insert(line.end(), rosette.behind.rbegin() + 1, rosette.behind.rend());
     line.push_back(rosette.tip);
     line.insert(line.end(), rosette.ahead.begin(), rosette.ahead.end());
@@ -229,7 +229,7 @@ private:
     const std::vector<EdgePieces> pieces = symmetry_line_.pieces(net_, line);
     patch_.edges.insert(patch_.edges.end(), pieces.begin(), pieces.end());
     // what the filling sees: over the rosette
-    std::vector<int> contour(lip.begin(), lip.end() - 1);
+    std::vector<int> contour(crack_face.begin(), crack_face.end() - 1);
     if (half_ > 0) { // rim runs from ahead to behind
       contour.insert(contour.end(), rosette.rim.rbegin(), rosette.rim.rend());
     } else {

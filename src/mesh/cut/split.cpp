@@ -133,9 +133,9 @@ std::optional<CrackFaces> split_along(model::Mesh& mesh, const std::vector<NodeI
     }
     right.push_back(std::move(*elements));
   }
-  CrackFaces lips{path, {}};
+  CrackFaces crack_faces{path, {}};
   if (embedded) {
-    lips.right.push_back(path.front());
+    crack_faces.right.push_back(path.front());
   }
   const base::NetId net = mesh.node_net[path[0].index()];
   base::Label label = next_node_label(mesh, net);
@@ -146,10 +146,10 @@ std::optional<CrackFaces> split_along(model::Mesh& mesh, const std::vector<NodeI
       const auto begin = mesh.nodes.begin() + mesh.first[e.index()];
       std::replace(begin, mesh.nodes.begin() + mesh.first[e.index() + 1], path[i], twin);
     }
-    lips.right.push_back(twin);
+    crack_faces.right.push_back(twin);
   }
-  lips.right.push_back(path.back());
-  return lips;
+  crack_faces.right.push_back(path.back());
+  return crack_faces;
 }
 
 double odd_middle(const model::Mesh& mesh, NodeId tip) {

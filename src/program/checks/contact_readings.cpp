@@ -52,8 +52,8 @@ double extreme(const results::ContactResult& contact, PointValue value, bool lar
   return found;
 }
 
-// Between the two points next to theta, or at a distance along a straight surface; lips are met
-// from their own side.
+// Between the two points next to theta, or at a distance along a straight surface; crack faces are
+// met from their own side.
 double value_at(const results::ContactResult& contact, PointValue value, double place) {
   constexpr double turn = 2.0 * std::numbers::pi;
   const bool round = contact.round;

@@ -174,10 +174,10 @@ results::LengthPreview preview_length(const model::Model& model, const analysis:
   for (const mesh::Front& front : cracked.fronts) {
     results::TipPreview preview;
     preview.name = analysis::tip_name(model, cracked, front);
-    const mesh::CrackFaces& lips = cracked.faces[front.crack.index()];
-    const std::vector<base::NodeId>& lip = lips.own();
-    if (!lip.empty()) {
-      preview.mouth = cracked.mesh.x[lip.front().index()];
+    const mesh::CrackFaces& crack_faces = cracked.faces[front.crack.index()];
+    const std::vector<base::NodeId>& crack_face = crack_faces.own();
+    if (!crack_face.empty()) {
+      preview.mouth = cracked.mesh.x[crack_face.front().index()];
     }
     preview.tip = front.tip().x;
     preview.a = front.a;

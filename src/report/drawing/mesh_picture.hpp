@@ -13,7 +13,7 @@
 namespace spricka::report {
 
 /// A window onto a plane mesh. Curved edges are drawn as the parabolas they are; edges of one
-/// element only, outlines and crack lips, are heavy.
+/// element only, outlines and crack faces, are heavy.
 struct MeshView {
   const model::Mesh* mesh = nullptr;
   std::string id; ///< unique on the page

@@ -146,7 +146,7 @@ Figure whole_mesh(const model::Model& model, const results::Increment& increment
   return {{draw(view)},
           model_legend(model, 660.0),
           fmt::format("The mesh, {} elements, one tint for each net{}. Heavy lines are edges of "
-                      "one element only: outlines and crack lips.{}",
+                      "one element only: outlines and crack faces.{}",
                       mesh.element_count(), cracks,
                       model.rigids.empty() ? "" : " Hatched lines: rigid targets.")};
 }

@@ -46,13 +46,14 @@ double typical_turn(const std::vector<ContactPoint>& points) {
   return turns[turns.size() / 2];
 }
 
-/// Cuts the curve between the lips of a mouth and between chains; joins the ends of a full circle.
+/// Cuts the curve between the crack faces of a mouth and between chains; joins the ends of a full
+/// circle.
 std::vector<std::vector<Point>> pieces(const model::Contact& contact,
                                        const std::vector<ContactPoint>& points) {
   std::vector<std::vector<Point>> out;
   const double far = 6.0 * typical_turn(points);
   const auto joined = [&](const ContactPoint& a, const ContactPoint& b) {
-    return !(a.lip != 0 && b.lip != 0) && turn(a, b) <= far;
+    return !(a.crack_face != 0 && b.crack_face != 0) && turn(a, b) <= far;
   };
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (i == 0 || !joined(points[i - 1], points[i])) {
@@ -77,7 +78,7 @@ constexpr double near_mouth = std::numbers::pi / 18.0; ///< ten degrees
 void widen(PolarPlot& plot, const model::Contact& contact, const results::ContactResult& result) {
   std::vector<ContactPoint> mouths;
   std::copy_if(result.points.begin(), result.points.end(), std::back_inserter(mouths),
-               [](const ContactPoint& point) { return point.lip != 0; });
+               [](const ContactPoint& point) { return point.crack_face != 0; });
   for (const ContactPoint& point : result.points) {
     if (std::none_of(mouths.begin(), mouths.end(),
                      [&](const ContactPoint& m) { return turn(m, point) < near_mouth; })) {
@@ -109,7 +110,7 @@ PolarPlot polar_plot(const model::Model& model, const model::Contact& contact,
                            pieces(contact, result->points), name == first});
     plot.mouths.clear();
     for (const ContactPoint& point : result->points) {
-      if (point.lip > 0) {
+      if (point.crack_face > 0) {
         plot.mouths.push_back(point.theta);
       }
     }

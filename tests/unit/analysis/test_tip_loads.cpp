@@ -90,9 +90,9 @@ TEST(TipLoads, KAndTDoNotDependOnUnitsAndTurns) {
   }
 }
 
-// A uniform stress s and the same crack with tractions -s n on its lips instead differ by a field
-// that every element holds exactly: K is the same, T differs by the stress along the crack.
-TEST(TipLoads, LoadedLipsHaveTheKOfTheStressAround) {
+// A uniform stress s and the same crack with tractions -s n on its crack faces instead differ by a
+// field that every element holds exactly: K is the same, T differs by the stress along the crack.
+TEST(TipLoads, LoadedCrackFacesHaveTheKOfTheStressAround) {
   for (const char* state : {"STRESS", "STRAIN"}) {
     const auto solved = solve_text(fmt::format(R"($DECK VERSION=1 LENGTH=mm FORCE=N
 $MESH SHAPE=BLOCK TYPE=QUAMC8 LX=10 LY=10 NX=8 NY=8
@@ -135,12 +135,12 @@ $END
     const double along = 100.0 * cx * cx + 60.0 * cy * cy + 60.0 * cx * cy;
     for (const char* name : {"C.1", "C.2"}) {
       const results::TipResult& round = tip(*solved, "ROUND", name);
-      const results::TipResult& lips = tip(*solved, "LIPS", name);
+      const results::TipResult& crack_faces = tip(*solved, "LIPS", name);
       EXPECT_GT(round.K1, 50.0);
-      EXPECT_NEAR(lips.K1, round.K1, 1e-7 * round.K1); // quadrature of the near-tip fields
-      EXPECT_NEAR(lips.K2, round.K2, 1e-7 * round.K1);
-      EXPECT_NEAR(lips.G, round.G, 1e-7 * round.G);
-      EXPECT_NEAR(round.T - lips.T, along, 1e-6 * along);
+      EXPECT_NEAR(crack_faces.K1, round.K1, 1e-7 * round.K1); // quadrature of the near-tip fields
+      EXPECT_NEAR(crack_faces.K2, round.K2, 1e-7 * round.K1);
+      EXPECT_NEAR(crack_faces.G, round.G, 1e-7 * round.G);
+      EXPECT_NEAR(round.T - crack_faces.T, along, 1e-6 * along);
     }
   }
 }
@@ -209,8 +209,8 @@ $LOAD CASE=L TYPE=TRACTION
          "$STEP NAME=S\n  LOAD L 1\n$END\n";
 }
 
-// The deck's own set along the symmetry line loads the lip as its name does.
-TEST(TipLoads, ASetOfTheSymmetryLineLoadsTheLip) {
+// The deck's own set along the symmetry line loads the crack face as its name does.
+TEST(TipLoads, ASetOfTheSymmetryLineLoadsTheCrackFace) {
   double K[2];
   int i = 0;
   for (const char* name : {"LINE", "C.LEFT"}) {
@@ -224,7 +224,7 @@ TEST(TipLoads, ASetOfTheSymmetryLineLoadsTheLip) {
   EXPECT_NEAR(K[0], 2.0 * tip(*tension, "S", "C").K1, 1e-7 * K[0]);
 }
 
-TEST(TipLoads, TotalsOnLipsAndUnknownLipsAreRefused) {
+TEST(TipLoads, TotalsOnCrackFacesAndUnknownCrackFacesAreRefused) {
   const Folder folder;
   const auto total = run_text(folder, half("$LOAD CASE=L TYPE=RESULTANT\n  LINE 0 1\n"));
   EXPECT_EQ(total.exit_code, 3);

@@ -23,7 +23,7 @@ TEST(Recovery, UniformPressureComesBackFromBothMasses) {
   for (const contact::NodePressure& node : p.nodes) {
     EXPECT_NEAR(node.p_lumped, 7.0, 1e-5); // normals between nodes turn with the arc
     EXPECT_NEAR(node.p_consistent, 7.0, 1e-12);
-    EXPECT_EQ(node.lip, 0);
+    EXPECT_EQ(node.crack_face, 0);
   }
   EXPECT_NEAR(p.mean_pressure, 7.0, 1e-12);
   EXPECT_LT(p.force_on_slave.norm(), 1e-10);

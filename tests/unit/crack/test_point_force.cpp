@@ -51,9 +51,9 @@ TEST_P(PointForce, GradientIsTheDerivativeOfTheDisplacement) {
   }
 }
 
-// Radial stress -cos(theta) / (pi r) alone: the lips are free, and what a circle carries holds the
-// unit force.
-TEST_P(PointForce, CarriesAUnitForceAndLeavesTheLipsFree) {
+// Radial stress -cos(theta) / (pi r) alone: the crack faces are free, and what a circle carries
+// holds the unit force.
+TEST_P(PointForce, CarriesAUnitForceAndLeavesTheCrackFacesFree) {
   const TipFrame tip = turned(-0.4);
   base::Vec2 sum = base::Vec2::Zero();
   const int count = 400;

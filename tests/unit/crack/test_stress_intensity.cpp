@@ -31,8 +31,8 @@ struct Annulus {
     spec.ro = 1.0;
     spec.nr = nr;
     spec.nt = nt;
-    spec.t0 =
-        -std::numbers::pi * (1.0 - 1e-9); // a hair open, so that the lips keep their own nodes
+    spec.t0 = -std::numbers::pi *
+              (1.0 - 1e-9); // a hair open, so that the crack faces keep their own nodes
     spec.t1 = -spec.t0;
     model.nets = {{"", {}}};
     mesh::generate_ring(model.mesh, base::NetId(std::size_t{0}), "", spec);

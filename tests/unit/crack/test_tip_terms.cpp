@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crack/finite_shift.hpp"
 #include "crack/stress_intensity.hpp"
-#include "mesh/cut/lip_faces.hpp"
+#include "mesh/cut/crack_sides.hpp"
 #include "mesh/cut/patch.hpp"
 #include "mesh/cut/tip_mesh.hpp"
 #include "mesh/generate/generate.hpp"
@@ -36,7 +36,7 @@ base::Expression field(double a, double b, double c) {
 struct Plate {
   model::Model model;
   mesh::CrackedMesh cracked;
-  mesh::LipFaces lips;
+  mesh::CrackSides crack_faces;
   std::vector<crack::ExtensionField> fields;
   base::Vector u;
 
@@ -62,7 +62,7 @@ struct Plate {
     cracked =
         mesh::insert_cracks(model.mesh, {&line, 1}, tips, std::vector<base::Span>(1), diagnostics)
             .value();
-    lips = mesh::lip_faces(cracked.mesh, cracked.faces.front());
+    crack_faces = mesh::crack_sides(cracked.mesh, cracked.faces.front());
     std::vector<int> left_out;
     fields = crack::Neighbourhood(cracked.mesh).fields(cracked, front(), {2, 4}, left_out);
     u.resize(2 * static_cast<Eigen::Index>(cracked.mesh.node_count()));
@@ -105,13 +105,14 @@ model::Load load_of(What what) {
   return load;
 }
 
-/// The load on all that it can act on; of tractions only one lip, which leaves a force at the tip.
+/// The load on all that it can act on; of tractions only one crack face, which leaves a force at
+/// the tip.
 crack::TipLoads acting(const Plate& plate, const model::Load& load, double factor) {
   crack::ActingLoad a{&load, factor, {}, {}};
   if (load.type == model::LoadType::pressure || load.type == model::LoadType::traction) {
-    a.faces = plate.lips.left;
+    a.faces = plate.crack_faces.left;
     if (load.type == model::LoadType::pressure) {
-      a.faces.insert(a.faces.end(), plate.lips.right.begin(), plate.lips.right.end());
+      a.faces.insert(a.faces.end(), plate.crack_faces.right.begin(), plate.crack_faces.right.end());
     }
   } else {
     a.elements = plate.all();
@@ -136,7 +137,7 @@ crack::TipLoads acting(const Plate& plate, const model::Load& load, double facto
 class TipTerm : public testing::TestWithParam<std::tuple<model::State, What>> {};
 
 // G against the energy itself, differenced on both sides: with every load, also with one whose
-// force at the tip is not balanced by the other lip's.
+// force at the tip is not balanced by the other crack face's.
 TEST_P(TipTerm, IsTheDerivativeOfTheEnergy) {
   const auto [state, what] = GetParam();
   const Plate plate(state);
@@ -170,7 +171,7 @@ TEST_P(TipTerm, IsTheConstantOfK) {
   const Plate plate(state);
   const model::Load load = load_of(what);
   const crack::TipLoads loads = acting(plate, load, 1e3);
-  const auto& [model, cracked, lips, fields, u] = plate;
+  const auto& [model, cracked, crack_faces, fields, u] = plate;
   for (const model::CrackState wish : {model::CrackState::automatic, model::CrackState::stress}) {
     crack::VceRequest request;
     request.state = wish;
@@ -202,13 +203,13 @@ INSTANTIATE_TEST_SUITE_P(Loads, TipTerm,
                                                           What::traction, What::temperature)),
                          name_of);
 
-// Lips of the plate: as many sides on each, opposite each other, ending at the tip.
-TEST(LipFaces, LieOppositeEachOther) {
+// Crack faces of the plate: as many sides on each, opposite each other, ending at the tip.
+TEST(CrackSides, LieOppositeEachOther) {
   const Plate plate(model::State::plane_stress);
-  ASSERT_EQ(plate.lips.left.size(), plate.lips.right.size());
-  EXPECT_EQ(2 * plate.lips.left.size() + 1, plate.cracked.faces.front().left.size());
+  ASSERT_EQ(plate.crack_faces.left.size(), plate.crack_faces.right.size());
+  EXPECT_EQ(2 * plate.crack_faces.left.size() + 1, plate.cracked.faces.front().left.size());
   double length = 0.0;
-  for (const model::Face& face : plate.lips.left) {
+  for (const model::Face& face : plate.crack_faces.left) {
     const auto nodes = plate.cracked.mesh.nodes_of(face.element);
     const auto corners =
         static_cast<std::size_t>(base::info(plate.cracked.mesh.type[face.element.index()]).corners);

@@ -335,9 +335,9 @@ TEST_P(GoalError, DoesNotDependOnTheNumbersOfNodes) {
   for (mesh::Front& front : other.cracked.fronts) {
     front.tip().node = turned(front.tip().node);
   }
-  for (mesh::CrackFaces& lips : other.cracked.faces) {
-    for (auto* lip : {&lips.left, &lips.right}) {
-      for (base::NodeId& id : *lip) {
+  for (mesh::CrackFaces& crack_faces : other.cracked.faces) {
+    for (auto* crack_face : {&crack_faces.left, &crack_faces.right}) {
+      for (base::NodeId& id : *crack_face) {
         id = turned(id);
       }
     }

@@ -161,7 +161,7 @@ TEST_P(Quadratic, mean_of_an_element_is_the_integral_over_it) {
   }
 }
 
-// Two bodies that touch (a contact, or the lips of a crack) share a place but no node.
+// Two bodies that touch (a contact, or the faces of a crack) share a place but no node.
 TEST(stress, is_never_mixed_from_two_bodies) {
   model::Model model = test::plane_model(E, nu, model::State::plane_stress);
   Cells cells = test::unit_grid(1, 1);

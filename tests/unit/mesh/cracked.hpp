@@ -93,7 +93,7 @@ inline mesh::CrackedMesh insert(const model::Mesh& host, const std::vector<mesh:
 using Ends = std::pair<base::NodeId, base::NodeId>;
 
 /// Each edge lies between two elements that run along it in opposite directions and share its mid
-/// node, or on the boundary; the lips are on the boundary from end to end.
+/// node, or on the boundary; the crack faces are on the boundary from end to end.
 inline void expect_conforming(const mesh::CrackedMesh& cracked) {
   const model::Mesh& mesh = cracked.mesh;
   std::map<Ends, base::NodeId> mid;
@@ -103,29 +103,29 @@ inline void expect_conforming(const mesh::CrackedMesh& cracked) {
       EXPECT_TRUE(mid.try_emplace({n[0], n[1]}, n.size() == 3 ? n[2] : base::NodeId()).second);
     }
   }
-  std::set<Ends> lips;
+  std::set<Ends> crack_faces;
   double expected = 0.0;
-  for (const auto& lip : cracked.faces) {
-    for (const auto* side : {&lip.left, &lip.right}) {
+  for (const auto& crack_face : cracked.faces) {
+    for (const auto* side : {&crack_face.left, &crack_face.right}) {
       for (std::size_t i = 0; i + 1 < side->size(); ++i) {
         for (const std::size_t j : {i + 1, std::min(i + 2, side->size() - 1)}) {
-          lips.insert({(*side)[i], (*side)[j]});
-          lips.insert({(*side)[j], (*side)[i]});
+          crack_faces.insert({(*side)[i], (*side)[j]});
+          crack_faces.insert({(*side)[j], (*side)[i]});
         }
         expected += (mesh.x[(*side)[i].index()] - mesh.x[(*side)[i + 1].index()]).norm();
       }
     }
   }
-  double lip_length = 0.0;
+  double crack_face_length = 0.0;
   for (const auto& [ends, m] : mid) {
     const auto other = mid.find({ends.second, ends.first});
     if (other != mid.end()) {
       EXPECT_EQ(other->second, m);
-    } else if (lips.contains(ends)) {
-      lip_length += (mesh.x[ends.first.index()] - mesh.x[ends.second.index()]).norm();
+    } else if (crack_faces.contains(ends)) {
+      crack_face_length += (mesh.x[ends.first.index()] - mesh.x[ends.second.index()]).norm();
     }
   }
-  EXPECT_NEAR(lip_length, expected, 1e-9 * expected);
+  EXPECT_NEAR(crack_face_length, expected, 1e-9 * expected);
 }
 
 /// Every node that an element of the result has is in one piece of the body: labels unique, host
@@ -175,19 +175,19 @@ inline double curve_length(const model::Mesh& mesh, const std::vector<model::Fac
   return sum;
 }
 
-/// Lips from mouth to tip: same places on both sides, ends of length a, ordered.
-inline void expect_lips(const mesh::CrackedMesh& cracked, std::size_t i, double a) {
-  const auto& lips = cracked.faces[i];
+/// Crack faces from mouth to tip: same places on both sides, ends of length a, ordered.
+inline void expect_crack_faces(const mesh::CrackedMesh& cracked, std::size_t i, double a) {
+  const auto& crack_faces = cracked.faces[i];
   const auto& x = cracked.mesh.x;
-  ASSERT_EQ(lips.left.size(), lips.right.size());
-  EXPECT_EQ(lips.left.back(), lips.right.back());
-  EXPECT_EQ(lips.left.back(), cracked.fronts[i].tip().node);
+  ASSERT_EQ(crack_faces.left.size(), crack_faces.right.size());
+  EXPECT_EQ(crack_faces.left.back(), crack_faces.right.back());
+  EXPECT_EQ(crack_faces.left.back(), cracked.fronts[i].tip().node);
   double length = 0.0;
-  for (std::size_t k = 0; k < lips.left.size(); ++k) {
-    EXPECT_EQ(x[lips.left[k].index()], x[lips.right[k].index()]);
+  for (std::size_t k = 0; k < crack_faces.left.size(); ++k) {
+    EXPECT_EQ(x[crack_faces.left[k].index()], x[crack_faces.right[k].index()]);
     if (k > 0) {
-      EXPECT_NE(lips.left[k - 1], lips.right[k - 1]);
-      length += (x[lips.left[k].index()] - x[lips.left[k - 1].index()]).norm();
+      EXPECT_NE(crack_faces.left[k - 1], crack_faces.right[k - 1]);
+      length += (x[crack_faces.left[k].index()] - x[crack_faces.left[k - 1].index()]).norm();
     }
   }
   EXPECT_NEAR(length, a, 1e-12 * a);

@@ -13,7 +13,7 @@ TEST(Patch, EdgeCrackInABlock) {
   const model::Mesh host = test::block(10.0, 8.0, 10, 8);
   const auto cracked = test::insert(host, {test::crack({{0, 4, 0}, {3.3, 4, 0}})});
   test::expect_sound(host, cracked);
-  test::expect_lips(cracked, 0, 3.3);
+  test::expect_crack_faces(cracked, 0, 3.3);
   ASSERT_EQ(cracked.fronts.size(), 1U);
   const mesh::Front& front = cracked.fronts[0];
   EXPECT_NEAR((front.tip().x - Vec3(3.3, 4, 0)).norm(), 0.0, 1e-15 * 8);
@@ -25,7 +25,7 @@ TEST(Patch, EdgeCrackInABlock) {
     EXPECT_NEAR(test::chord_length(cracked.mesh, test::faces(cracked.mesh, name).faces),
                 test::chord_length(host, test::faces(host, name).faces), 1e-13);
   }
-  // the left lip is above
+  // the left crack face is above
   double above = 0.0;
   for (std::size_t e = 0; e < cracked.mesh.element_count(); ++e) {
     const auto nodes = cracked.mesh.nodes_of(base::ElementId(e));
@@ -68,7 +68,7 @@ TEST(Patch, MuchShorterThanAnElement) {
     SCOPED_TRACE(y);
     const auto cracked = test::insert(host, {test::crack({{0, y, 0}, {0.02, y, 0}})});
     test::expect_sound(host, cracked);
-    test::expect_lips(cracked, 0, 0.02);
+    test::expect_crack_faces(cracked, 0, 0.02);
     EXPECT_NEAR(test::chord_length(cracked.mesh, test::faces(cracked.mesh, "XMIN").faces), 8.0,
                 1e-13);
   }
@@ -80,7 +80,7 @@ TEST(Patch, LengthsFromAHundredthToTheLigament) {
     SCOPED_TRACE(a);
     const auto cracked = test::insert(host, {test::crack({{0, 36, 0}, {0, 36 + a, 0}})});
     test::expect_sound(host, cracked);
-    test::expect_lips(cracked, 0, a);
+    test::expect_crack_faces(cracked, 0, a);
     test::expect_quarter_points(cracked, cracked.fronts[0].tip().node);
     EXPECT_LT(cracked.fronts[0].radius, 0.5 * (50.5 - a));
   }
@@ -111,7 +111,7 @@ TEST(Patch, MouthAwayFromNodesOnACoarseArc) {
     const Vec3 ray(std::cos(degrees * pi / 180), std::sin(degrees * pi / 180), 0.0);
     const auto cracked = test::insert(host, {test::crack({36.0 * ray, 39.0 * ray})});
     test::expect_sound(host, cracked);
-    test::expect_lips(cracked, 0, 3.0);
+    test::expect_crack_faces(cracked, 0, 3.0);
     // the arc's chords leave the circle by some thousandths: the crack starts on the mesh
     EXPECT_NEAR((cracked.fronts[0].tip().x - 39.0 * ray).norm(), 0.0, 0.01);
   }
@@ -154,7 +154,7 @@ TEST(Patch, ObliqueCracks) {
     const Vec3 start(0.0, 4.1, 0.0);
     const auto cracked = test::insert(host, {test::crack({start, start + 2.0 * d})});
     test::expect_sound(host, cracked);
-    test::expect_lips(cracked, 0, 2.0);
+    test::expect_crack_faces(cracked, 0, 2.0);
     EXPECT_NEAR((cracked.fronts[0].tip().growth - d).norm(), 0.0, 1e-14);
   }
 }
@@ -164,7 +164,7 @@ TEST(Patch, KinkedCrack) {
   const auto cracked =
       test::insert(host, {test::crack({{0, 4, 0}, {2, 4, 0}, {3, 4.5, 0}, {3.5, 5.2, 0}})});
   test::expect_sound(host, cracked);
-  test::expect_lips(cracked, 0, 2.0 + std::sqrt(1.25) + std::sqrt(0.74));
+  test::expect_crack_faces(cracked, 0, 2.0 + std::sqrt(1.25) + std::sqrt(0.74));
   EXPECT_NEAR((cracked.fronts[0].tip().growth - Vec3(0.5, 0.7, 0).normalized()).norm(), 0.0, 1e-12);
   bool kink = false;
   for (const base::NodeId n : cracked.faces[0].left) {
@@ -179,8 +179,8 @@ TEST(Patch, DoubleSidedLug) {
                                            test::crack({{0, -36, 0}, {0, -46.8, 0}}, 1)});
   test::expect_sound(host, cracked);
   ASSERT_EQ(cracked.fronts.size(), 2U);
-  test::expect_lips(cracked, 0, 10.8);
-  test::expect_lips(cracked, 1, 10.8);
+  test::expect_crack_faces(cracked, 0, 10.8);
+  test::expect_crack_faces(cracked, 1, 10.8);
   EXPECT_EQ(mesh::chains(cracked.mesh, test::faces(cracked.mesh, "BORE").faces).size(), 2U);
 }
 

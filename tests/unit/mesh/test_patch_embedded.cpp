@@ -13,21 +13,21 @@ mesh::CrackLine inside(std::vector<Vec3> points) {
   return line;
 }
 
-/// Lips of the first crack: one place, two nodes everywhere but at both tips.
+/// Crack faces of the first crack: one place, two nodes everywhere but at both tips.
 void expect_two_tips(const mesh::CrackedMesh& cracked, double length) {
   ASSERT_EQ(cracked.fronts.size(), 2U);
-  const auto& lips = cracked.faces[0];
+  const auto& crack_faces = cracked.faces[0];
   const auto& x = cracked.mesh.x;
-  ASSERT_EQ(lips.left.size(), lips.right.size());
-  EXPECT_EQ(lips.left.front(), cracked.fronts[0].tip().node);
-  EXPECT_EQ(lips.right.front(), cracked.fronts[0].tip().node);
-  EXPECT_EQ(lips.left.back(), cracked.fronts[1].tip().node);
-  EXPECT_EQ(lips.right.back(), cracked.fronts[1].tip().node);
+  ASSERT_EQ(crack_faces.left.size(), crack_faces.right.size());
+  EXPECT_EQ(crack_faces.left.front(), cracked.fronts[0].tip().node);
+  EXPECT_EQ(crack_faces.right.front(), cracked.fronts[0].tip().node);
+  EXPECT_EQ(crack_faces.left.back(), cracked.fronts[1].tip().node);
+  EXPECT_EQ(crack_faces.right.back(), cracked.fronts[1].tip().node);
   double along = 0.0;
-  for (std::size_t k = 1; k < lips.left.size(); ++k) {
-    EXPECT_EQ(x[lips.left[k].index()], x[lips.right[k].index()]);
-    EXPECT_EQ(lips.left[k] == lips.right[k], k + 1 == lips.left.size());
-    along += (x[lips.left[k].index()] - x[lips.left[k - 1].index()]).norm();
+  for (std::size_t k = 1; k < crack_faces.left.size(); ++k) {
+    EXPECT_EQ(x[crack_faces.left[k].index()], x[crack_faces.right[k].index()]);
+    EXPECT_EQ(crack_faces.left[k] == crack_faces.right[k], k + 1 == crack_faces.left.size());
+    along += (x[crack_faces.left[k].index()] - x[crack_faces.left[k - 1].index()]).norm();
   }
   EXPECT_NEAR(along, length, 1e-12 * length);
   for (const mesh::Front& front : cracked.fronts) {

@@ -15,25 +15,27 @@ mesh::CrackLine inside(std::vector<Vec3> points, std::size_t number) {
   return line;
 }
 
-/// Both lips of every crack have its length and its places.
-void expect_all_lips(const mesh::CrackedMesh& cracked, const std::vector<mesh::CrackLine>& lines) {
+/// Both crack faces of every crack have its length and its places.
+void expect_all_crack_faces(const mesh::CrackedMesh& cracked,
+                            const std::vector<mesh::CrackLine>& lines) {
   ASSERT_EQ(cracked.faces.size(), lines.size());
   for (std::size_t i = 0; i < lines.size(); ++i) {
     double length = 0.0;
     for (std::size_t k = 1; k < lines[i].points.size(); ++k) {
       length += (lines[i].points[k] - lines[i].points[k - 1]).norm();
     }
-    const auto& lips = cracked.faces[i];
-    ASSERT_EQ(lips.left.size(), lips.right.size());
+    const auto& crack_faces = cracked.faces[i];
+    ASSERT_EQ(crack_faces.left.size(), crack_faces.right.size());
     double along = 0.0;
-    for (std::size_t k = 0; k < lips.left.size(); ++k) {
-      const bool tip = k + 1 == lips.left.size() || (k == 0 && lines[i].embedded);
-      EXPECT_EQ(lips.left[k] == lips.right[k], tip);
-      EXPECT_EQ(cracked.mesh.x[lips.left[k].index()], cracked.mesh.x[lips.right[k].index()]);
-      along +=
-          k == 0 ? 0.0
-                 : (cracked.mesh.x[lips.left[k].index()] - cracked.mesh.x[lips.left[k - 1].index()])
-                       .norm();
+    for (std::size_t k = 0; k < crack_faces.left.size(); ++k) {
+      const bool tip = k + 1 == crack_faces.left.size() || (k == 0 && lines[i].embedded);
+      EXPECT_EQ(crack_faces.left[k] == crack_faces.right[k], tip);
+      EXPECT_EQ(cracked.mesh.x[crack_faces.left[k].index()],
+                cracked.mesh.x[crack_faces.right[k].index()]);
+      along += k == 0 ? 0.0
+                      : (cracked.mesh.x[crack_faces.left[k].index()] -
+                         cracked.mesh.x[crack_faces.left[k - 1].index()])
+                            .norm();
     }
     EXPECT_NEAR(along, length, 1e-12 * length);
   }
@@ -42,7 +44,7 @@ void expect_all_lips(const mesh::CrackedMesh& cracked, const std::vector<mesh::C
 void expect_cracks(const model::Mesh& host, const std::vector<mesh::CrackLine>& lines) {
   const auto cracked = test::insert(host, lines);
   test::expect_sound(host, cracked);
-  expect_all_lips(cracked, lines);
+  expect_all_crack_faces(cracked, lines);
 }
 
 TEST(PatchNear, ParallelEdgeCracks) {

@@ -30,7 +30,7 @@ TEST(PathCrack, WithoutPatchNodesAreDoubled) {
   const model::Mesh host = test::block(10.0, 8.0, 10, 8);
   const model::TipNet wishes = no_patch();
   const auto cracked = test::insert(host, {path_crack(host, 4.0, 3.0, false)}, &wishes);
-  test::expect_lips(cracked, 0, 3.0);
+  test::expect_crack_faces(cracked, 0, 3.0);
   test::expect_conforming(cracked);
   EXPECT_EQ(cracked.mesh.node_count(), host.node_count() + 6);
   EXPECT_EQ(cracked.mesh.element_count(), host.element_count());
@@ -46,7 +46,7 @@ TEST(PathCrack, WithoutPatchInLinearElements) {
   const model::TipNet wishes = no_patch();
   const auto cracked = test::insert(host, {path_crack(host, 4.0, 3.0, false)}, &wishes);
   EXPECT_EQ(cracked.mesh.node_count(), host.node_count() + 3);
-  test::expect_lips(cracked, 0, 3.0);
+  test::expect_crack_faces(cracked, 0, 3.0);
 }
 
 TEST(PathCrack, WithoutPatchOnASymmetryLineNothingIsDoubled) {
@@ -85,7 +85,7 @@ TEST(PathCrack, WithPatchTheTipIsWhereItShouldBe) {
   const model::Mesh host = test::block(10.0, 8.0, 10, 8);
   const auto cracked = test::insert(host, {path_crack(host, 4.0, 3.3, false)});
   test::expect_sound(host, cracked);
-  test::expect_lips(cracked, 0, 3.3);
+  test::expect_crack_faces(cracked, 0, 3.3);
 }
 
 class HalfCrack : public testing::TestWithParam<double> {};
@@ -98,16 +98,17 @@ TEST_P(HalfCrack, OnASymmetryLine) {
     const double a = GetParam();
     const auto cracked = test::insert(host, {path_crack(host, y, a, true)});
     test::expect_sound(host, cracked);
-    const auto& lips = cracked.faces[0];
-    const auto& lip = y == 0.0 ? lips.left : lips.right;
-    EXPECT_TRUE((y == 0.0 ? lips.right : lips.left).empty());
-    ASSERT_GE(lip.size(), 3U);
-    for (std::size_t i = 1; i < lip.size(); ++i) {
-      EXPECT_GT(cracked.mesh.x[lip[i].index()].x(), cracked.mesh.x[lip[i - 1].index()].x());
-      EXPECT_NEAR(cracked.mesh.x[lip[i].index()].y(), y, 1e-14);
+    const auto& crack_faces = cracked.faces[0];
+    const auto& crack_face = y == 0.0 ? crack_faces.left : crack_faces.right;
+    EXPECT_TRUE((y == 0.0 ? crack_faces.right : crack_faces.left).empty());
+    ASSERT_GE(crack_face.size(), 3U);
+    for (std::size_t i = 1; i < crack_face.size(); ++i) {
+      EXPECT_GT(cracked.mesh.x[crack_face[i].index()].x(),
+                cracked.mesh.x[crack_face[i - 1].index()].x());
+      EXPECT_NEAR(cracked.mesh.x[crack_face[i].index()].y(), y, 1e-14);
     }
-    EXPECT_EQ(cracked.mesh.x[lip[0].index()], Vec3(0, y, 0));
-    EXPECT_NEAR(cracked.mesh.x[lip.back().index()].x(), a, 1e-14);
+    EXPECT_EQ(cracked.mesh.x[crack_face[0].index()], Vec3(0, y, 0));
+    EXPECT_NEAR(cracked.mesh.x[crack_face.back().index()].x(), a, 1e-14);
     EXPECT_EQ(test::expect_quarter_points(cracked, cracked.fronts[0].tip().node),
               mesh::TipMesh{}.sectors); // half of them, two edges each
     // the set of the line has the nodes of the line, none more, none less

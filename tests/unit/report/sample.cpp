@@ -46,12 +46,12 @@ private:
     const auto r = static_cast<std::size_t>(half / 2);
     return half % 2 == 0 ? radii_[r] : 0.5 * (radii_[r] + radii_[r + 1]);
   }
-  /// Node at half layer i and half sector j; `sector` tells the lips apart.
+  /// Node at half layer i and half sector j; `sector` tells the crack faces apart.
   NodeId node(int i, int j, int sector) {
     const double r = radius(i);
     const int turn = (j + 2 * sectors) % (2 * sectors);
-    const bool lip = turn == 2 * at_crack && r < tip_ - 1e-9 && sector < at_crack;
-    const auto [place, fresh] = nodes_.try_emplace({i, turn, lip});
+    const bool crack_face = turn == 2 * at_crack && r < tip_ - 1e-9 && sector < at_crack;
+    const auto [place, fresh] = nodes_.try_emplace({i, turn, crack_face});
     if (fresh) {
       const double t = pi * turn / sectors;
       place->second = model::add_node(mesh_, {r * std::cos(t), r * std::sin(t), 0.0},
@@ -159,7 +159,7 @@ results::ContactResult make_contact(const model::Mesh& mesh, double factor, doub
   contact.arc_to = 2.0 * pi / 3.0;
   contact.rows = 2 * sectors;
   contact.max_penetration = 1e-17;
-  // Against the clock from the left lip once round to the right one.
+  // Against the clock from the left crack face once round to the right one.
   const int start = 2 * at_crack;
   for (int j = start; j <= start + 2 * sectors; ++j) {
     const double turn = pi * j / sectors;
@@ -170,7 +170,7 @@ results::ContactResult make_contact(const model::Mesh& mesh, double factor, doub
     point.p_lumped = factor * pressure(point.theta) * (1.0 + a / bore);
     point.p_consistent = point.p_lumped * (j % 2 == 0 ? 0.9 : 1.1);
     point.closed = point.p_lumped > 0.0;
-    point.lip = j == start ? 1 : (j == start + 2 * sectors ? -1 : 0);
+    point.crack_face = j == start ? 1 : (j == start + 2 * sectors ? -1 : 0);
     contact.points.push_back(point);
     contact.max_pressure = std::max(contact.max_pressure, point.p_lumped);
     contact.closed += point.closed ? 1 : 0;

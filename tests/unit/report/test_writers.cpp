@@ -92,21 +92,21 @@ TEST_F(Writers, KTableHasOneRowForEachStepEndAndReadsBackToTheBit) {
   }
 }
 
-TEST_F(Writers, PressureTableHasBothLipsAndSkipsAbsentContacts) {
+TEST_F(Writers, PressureTableHasBothCrackFacesAndSkipsAbsentContacts) {
   write_pressure_csv(folder / "pressure.csv", sample.model, sample.run);
   const auto rows = read_csv(folder / "pressure.csv");
   const std::size_t points = sample.run.increments[0].steps[0].contacts[0].points.size();
   ASSERT_EQ(rows.size(), std::size_t{2} + 4 * points) << "the step with factor 0 has no contact";
-  std::size_t lips = 0;
+  std::size_t crack_faces = 0;
   for (std::size_t r = 2; r < rows.size(); ++r) {
     ASSERT_EQ(rows[r].size(), 8U);
     const double x = number(rows[r][3]);
     const double y = number(rows[r][4]);
     const double theta = number(rows[r][5]) * std::numbers::pi / 180.0;
     EXPECT_NEAR(std::remainder(theta - std::atan2(y, x), 2.0 * std::numbers::pi), 0.0, 1e-12);
-    lips += std::abs(x) < 1e-9 && y > 0.0 ? 1 : 0;
+    crack_faces += std::abs(x) < 1e-9 && y > 0.0 ? 1 : 0;
   }
-  EXPECT_EQ(lips, 2U * 2U * 2U);
+  EXPECT_EQ(crack_faces, 2U * 2U * 2U);
 }
 
 TEST_F(Writers, LeaveNoTemporaryFileAndReplaceAnOldOne) {

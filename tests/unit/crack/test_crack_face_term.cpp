@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "crack/lip_term.hpp"
+#include "crack/crack_face_term.hpp"
 #include "crack/stress_intensity.hpp"
 #include "mesh/boundary.hpp"
 #include "mesh/cut/patch.hpp"
@@ -53,8 +53,8 @@ struct Plate {
     const crack::Neighbourhood around(cracked.mesh);
     std::vector<int> left_out;
     fields = around.fields(cracked, cracked.fronts[1], {1, 2, 4}, left_out);
-    for (const auto* lip : {&cracked.faces[0].left, &cracked.faces[0].right}) {
-      const std::vector<model::Face> own = mesh::faces_within(cracked.mesh, *lip);
+    for (const auto* crack_face : {&cracked.faces[0].left, &cracked.faces[0].right}) {
+      const std::vector<model::Face> own = mesh::faces_within(cracked.mesh, *crack_face);
       faces.insert(faces.end(), own.begin(), own.end());
     }
   }
@@ -65,17 +65,20 @@ struct Plate {
     base::Vector f = base::Vector::Zero(2 * static_cast<Eigen::Index>(cracked.mesh.node_count()));
     const double thickness = model.properties[0].thickness;
     for (const double side : {1.0, -1.0}) {
-      const auto& lip = side > 0.0 ? cracked.faces[0].left : cracked.faces[0].right;
-      for (std::size_t i = 0; i + 2 < lip.size(); i += 2) {
+      const auto& crack_face = side > 0.0 ? cracked.faces[0].left : cracked.faces[0].right;
+      for (std::size_t i = 0; i + 2 < crack_face.size(); i += 2) {
         // integral of the shape functions of an edge with its middle node at a part m of it
         const double h =
-            (cracked.mesh.x[lip[i + 2].index()] - cracked.mesh.x[lip[i].index()]).norm();
+            (cracked.mesh.x[crack_face[i + 2].index()] - cracked.mesh.x[crack_face[i].index()])
+                .norm();
         const double m =
-            (cracked.mesh.x[lip[i + 1].index()] - cracked.mesh.x[lip[i].index()]).norm() / h;
+            (cracked.mesh.x[crack_face[i + 1].index()] - cracked.mesh.x[crack_face[i].index()])
+                .norm() /
+            h;
         const double first = 1.0 / 6.0 + (m - 0.5) * 2.0 / 3.0;
         const std::array<double, 3> part{first, 2.0 / 3.0, 1.0 / 3.0 - first};
         for (std::size_t k = 0; k < 3; ++k) {
-          f.segment<2>(2 * static_cast<Eigen::Index>(lip[i + k].index())) +=
+          f.segment<2>(2 * static_cast<Eigen::Index>(crack_face[i + k].index())) +=
               side * thickness * h * part[k] * (along * e1 + across * base::Vec2(-e1.y(), e1.x()));
         }
       }
@@ -95,7 +98,7 @@ double closed_form(double R, double S) {
   return std::sqrt(2.0 / std::numbers::pi) * (inner + rim(S) - rim(R));
 }
 
-TEST(LipTerm, IsThatOfTractionsNextToTheTip) {
+TEST(CrackFaceTerm, IsThatOfTractionsNextToTheTip) {
   for (const double angle : {0.0, 0.6, 2.0}) {
     for (const bool quarter : {true, false}) {
       const Plate plate(angle, quarter, 2.5);
@@ -112,8 +115,8 @@ TEST(LipTerm, IsThatOfTractionsNextToTheTip) {
           }
         }
         const base::Matrix rows =
-            crack::lip_intensity_rows(plate.model, plate.cracked, plate.cracked.fronts[1], {field},
-                                      model::CrackState::automatic, plate.faces);
+            crack::crack_face_intensity_rows(plate.model, plate.cracked, plate.cracked.fronts[1],
+                                             {field}, model::CrackState::automatic, plate.faces);
         const base::Vector pressed = rows.transpose() * plate.forces(0.0, 3.0);
         const base::Vector sheared = rows.transpose() * plate.forces(3.0, 0.0);
         const double K = 3.0 * closed_form(R, S);
@@ -127,21 +130,21 @@ TEST(LipTerm, IsThatOfTractionsNextToTheTip) {
 }
 
 // The term of stress_intensity is linear in the forces, with these rows.
-TEST(LipTerm, RowsAreTheTerm) {
+TEST(CrackFaceTerm, RowsAreTheTerm) {
   const Plate plate(0.3, true, 2.0);
   const base::Vector none =
       base::Vector::Zero(2 * static_cast<Eigen::Index>(plate.cracked.mesh.node_count()));
-  const crack::LipForces lips{plate.faces, plate.forces(-0.7, 1.3)};
+  const crack::CrackFaceForces crack_faces{plate.faces, plate.forces(-0.7, 1.3)};
   crack::VceRequest request;
-  request.lips = &lips;
+  request.crack_faces = &crack_faces;
   request.state = model::CrackState::stress;
   const crack::StressIntensity K = crack::stress_intensity(
       plate.model, plate.cracked, plate.cracked.fronts[1], plate.fields, request, none, {});
   const base::Vector of_rows =
-      crack::lip_intensity_rows(plate.model, plate.cracked, plate.cracked.fronts[1], plate.fields,
-                                model::CrackState::stress, plate.faces)
+      crack::crack_face_intensity_rows(plate.model, plate.cracked, plate.cracked.fronts[1],
+                                       plate.fields, model::CrackState::stress, plate.faces)
           .transpose() *
-      lips.force;
+      crack_faces.force;
   EXPECT_NEAR(K.K1, of_rows[0], 1e-12 * std::abs(of_rows[0]));
   EXPECT_NEAR(K.K2, of_rows[1], 1e-12 * std::abs(of_rows[1]));
   EXPECT_EQ(K.G, 0.0); // the faces do not slip

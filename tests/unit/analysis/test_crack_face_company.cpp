@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/unit/support/lip_plate.hpp"
+#include "tests/unit/support/crack_face_plate.hpp"
 
 // Crack faces that touch, together with whatever else a deck may hold.
 namespace spricka {
@@ -14,7 +14,7 @@ using test::Solved;
 using test::stressed;
 
 // Two cracks of which one closes: the other is left as it is.
-TEST(LipContact, OnlyFacesThatMeetAreAPair) {
+TEST(CrackFaceContact, OnlyFacesThatMeetAreAPair) {
   const std::string cracks = "$CRACK NAME=UP\n  -1 8\n  1 8\n$CRACK NAME=ACROSS\n  0 -9\n  0 -7\n";
   const std::optional<Solved> solved = solve_text(plate(cracks, stressed(-1.0, 1.0, 0.0)));
   ASSERT_TRUE(solved);
@@ -25,7 +25,7 @@ TEST(LipContact, OnlyFacesThatMeetAreAPair) {
 }
 
 // Linear elements and tips without quarter points have contact between their faces too.
-TEST(LipContact, OnTheDecksOwnElements) {
+TEST(CrackFaceContact, OnTheDecksOwnElements) {
   const auto solve = [](const std::string& type, const std::string& tip) {
     return solve_text(fmt::format(R"($DECK VERSION=1 LENGTH=mm FORCE=N
 $MESH SHAPE=BLOCK TYPE={} X0=0 Y0=-6 LX=8 LY=12 NX=32 NY=48
@@ -65,7 +65,7 @@ $END
 
 // K on load paths on which the faces meet, between the steps or only beyond the last, is that of
 // steps: bending x + r with r = 0.7 - t.
-TEST(LipContact, LoadPathsCloseFaces) {
+TEST(CrackFaceContact, LoadPathsCloseFaces) {
   const auto path = [](double beyond) {
     return plate("$CRACK NAME=C\n  -1 0\n  1 0\n", fmt::format(R"($LOAD CASE=BEND TYPE=TRACTION
   YMAX 0 (x)
@@ -102,7 +102,7 @@ $LOADPATH NAME=P FROM=FIRST TO=LAST BEYOND={}
 
 // The mouth of a closed crack in the middle of a contact surface (S11): blocks under pressure from
 // all sides do not feel the crack, whatever the pairing of their own contact.
-TEST(LipContact, MouthInAnotherContact) {
+TEST(CrackFaceContact, MouthInAnotherContact) {
   for (const std::string pairing : {"SLAVE=TOP.YMIN MASTER=LOW.YMAX PAIRING=SEGMENT",
                                     "SLAVE=LOW.YMAX MASTER=TOP.YMIN PAIRING=SEGMENT",
                                     "SLAVE=TOP.YMIN MASTER=LOW.YMAX PAIRING=NODE",
@@ -190,7 +190,7 @@ $STEP NAME=THIRD
 
 // Each length of a growing crack finds its own contact; what is mounted at the first one keeps what
 // it took on there.
-TEST(LipContact, GrowsWithMountedParts) {
+TEST(CrackFaceContact, GrowsWithMountedParts) {
   for (const std::string mounted : {"EACH", "FIRST"}) {
     const std::optional<Solved> grown = solve_text(
         mounted_on("5", "$GROW LAW=INCREMENT KMAX=THIRD MOUNTED=" + mounted + "\n  5 6.5\n"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/steps/lip_overlap.hpp"
+#include "analysis/steps/crack_face_overlap.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,17 +15,19 @@ struct Jump {
 };
 
 Jump look(const mesh::CrackedMesh& cracked, std::size_t line, const base::Vector& u) {
-  const mesh::CrackFaces& lips = cracked.faces[line];
-  const bool half = lips.half();
-  const std::vector<base::NodeId>& path = lips.own();
-  const auto displacement = [&](const std::vector<base::NodeId>& lip, std::size_t i) -> base::Vec2 {
+  const mesh::CrackFaces& crack_faces = cracked.faces[line];
+  const bool half = crack_faces.half();
+  const std::vector<base::NodeId>& path = crack_faces.own();
+  const auto displacement = [&](const std::vector<base::NodeId>& crack_face,
+                                std::size_t i) -> base::Vec2 {
     // the other face of a half model mirrors this one: what moves off the line opens
-    return lip.empty() ? base::Vec2::Zero()
-                       : base::Vec2(u.segment<2>(2 * static_cast<Eigen::Index>(lip[i].index())));
+    return crack_face.empty()
+               ? base::Vec2::Zero()
+               : base::Vec2(u.segment<2>(2 * static_cast<Eigen::Index>(crack_face[i].index())));
   };
   Jump jump;
   for (std::size_t i = 0; i < path.size(); ++i) {
-    const bool tip = half ? i + 1 == path.size() : lips.left[i] == lips.right[i];
+    const bool tip = half ? i + 1 == path.size() : crack_faces.left[i] == crack_faces.right[i];
     if (tip) {
       continue;
     }
@@ -33,7 +35,7 @@ Jump look(const mesh::CrackedMesh& cracked, std::size_t line, const base::Vector
     const base::Vec3& after = cracked.mesh.x[path[i + 1].index()];
     const base::Vec3 along = (after - before).normalized();
     const base::Vec2 left(-along.y(), along.x());
-    const base::Vec2 apart = displacement(lips.left, i) - displacement(lips.right, i);
+    const base::Vec2 apart = displacement(crack_faces.left, i) - displacement(crack_faces.right, i);
     // along the line of a half both faces go together
     jump.largest = std::max(jump.largest, half ? std::abs(apart.dot(left)) : apart.norm());
     jump.overlap.push_back(std::max(0.0, -apart.dot(left)));
@@ -53,7 +55,8 @@ double resolved_overlap(std::span<const double> overlap) {
   return most;
 }
 
-LipOverlap lip_overlap(const mesh::CrackedMesh& cracked, std::size_t line, const base::Vector& u) {
+CrackFaceOverlap crack_face_overlap(const mesh::CrackedMesh& cracked, std::size_t line,
+                                    const base::Vector& u) {
   const Jump jump = look(cracked, line, u);
   if (jump.largest == 0.0) {
     return {};
@@ -62,9 +65,9 @@ LipOverlap lip_overlap(const mesh::CrackedMesh& cracked, std::size_t line, const
           *std::ranges::max_element(jump.overlap) / jump.largest};
 }
 
-double lip_jump(const mesh::CrackedMesh& cracked, std::size_t line, const base::Vector& u) {
-  const mesh::CrackFaces& lips = cracked.faces[line];
-  const bool half = lips.half();
+double crack_face_jump(const mesh::CrackedMesh& cracked, std::size_t line, const base::Vector& u) {
+  const mesh::CrackFaces& crack_faces = cracked.faces[line];
+  const bool half = crack_faces.half();
   return (half ? 2.0 : 1.0) * look(cracked, line, u).largest;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/unit/support/lip_plate.hpp"
+#include "tests/unit/support/crack_face_plate.hpp"
 
 // Derivatives and error bars of K where the faces of a crack bear on each other.
 namespace spricka {
@@ -80,12 +80,12 @@ void expect_differences(const std::string& crack, double p, double s) {
   }
 }
 
-TEST(LipAdjoint, DerivativesOfACrackThatIsClosed) {
+TEST(CrackFaceAdjoint, DerivativesOfACrackThatIsClosed) {
   expect_differences(straight, 3.0, 1.0);
   expect_differences(kinked, 3.0, 1.0);
 }
 
-TEST(LipAdjoint, DerivativesOfACrackThatIsClosedInPart) {
+TEST(CrackFaceAdjoint, DerivativesOfACrackThatIsClosedInPart) {
   expect_differences(straight, 0.2, 0.3);
   expect_differences(kinked, 0.2, -0.3);
 }
@@ -115,12 +115,12 @@ void expect_inside(const std::string& crack, double p, double s) {
   }
 }
 
-TEST(LipAdjoint, BarsOfACrackThatIsClosed) {
+TEST(CrackFaceAdjoint, BarsOfACrackThatIsClosed) {
   expect_inside(straight, 3.0, 1.0);
   expect_inside(kinked, 3.0, 1.0);
 }
 
-TEST(LipAdjoint, BarsOfACrackThatIsClosedInPart) {
+TEST(CrackFaceAdjoint, BarsOfACrackThatIsClosedInPart) {
   expect_inside(straight, 0.2, 0.3);
   expect_inside(kinked, 0.2, -0.3);
 }

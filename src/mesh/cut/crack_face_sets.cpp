@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/cut/lip_sets.hpp"
+#include "mesh/cut/crack_face_sets.hpp"
 
 #include "mesh/cut/host.hpp"
 
@@ -12,8 +12,8 @@ namespace {
 using base::NodeId;
 using Ends = std::pair<NodeId, NodeId>;
 
-bool is_open(const CrackFaces& lips) {
-  return !lips.left.empty() && lips.left.size() == lips.right.size();
+bool is_open(const CrackFaces& crack_faces) {
+  return !crack_faces.left.empty() && crack_faces.left.size() == crack_faces.right.size();
 }
 
 std::vector<bool> corners_of(const model::Mesh& mesh) {
@@ -29,10 +29,11 @@ std::vector<bool> corners_of(const model::Mesh& mesh) {
 
 } // namespace
 
-LipMembership::LipMembership(const model::Mesh& mesh, std::span<const CrackFaces> lips)
+CrackFaceMembership::CrackFaceMembership(const model::Mesh& mesh,
+                                         std::span<const CrackFaces> crack_faces)
     : group_of_(mesh.node_count(), -1) {
-  for (const CrackFaces& lip : lips) {
-    for (const auto& [left, right] : lip.twins()) {
+  for (const CrackFaces& crack_face : crack_faces) {
+    for (const auto& [left, right] : crack_face.twins()) {
       add_group(left, right);
     }
   }
@@ -40,16 +41,16 @@ LipMembership::LipMembership(const model::Mesh& mesh, std::span<const CrackFaces
     return;
   }
   corner_ = corners_of(mesh);
-  for (const CrackFaces& lip : lips) {
-    if (is_open(lip)) {
-      add_neighbours(lip.left);
-      add_neighbours(lip.right);
+  for (const CrackFaces& crack_face : crack_faces) {
+    if (is_open(crack_face)) {
+      add_neighbours(crack_face.left);
+      add_neighbours(crack_face.right);
     }
   }
-  find_sides(mesh, lips);
+  find_sides(mesh, crack_faces);
 }
 
-void LipMembership::add_group(NodeId left, NodeId right) {
+void CrackFaceMembership::add_group(NodeId left, NodeId right) {
   std::int32_t& group = group_of_[left.index()];
   if (group < 0) {
     group = static_cast<std::int32_t>(groups_.size());
@@ -59,22 +60,23 @@ void LipMembership::add_group(NodeId left, NodeId right) {
   group_of_[right.index()] = group;
 }
 
-void LipMembership::add_neighbours(const std::vector<NodeId>& lip) {
-  for (std::size_t i = 1; i + 1 < lip.size(); ++i) {
-    if (!corner_[lip[i].index()]) {
-      beside_.emplace_back(lip[i], lip[i - 1]);
-      beside_.emplace_back(lip[i], lip[i + 1]);
+void CrackFaceMembership::add_neighbours(const std::vector<NodeId>& crack_face) {
+  for (std::size_t i = 1; i + 1 < crack_face.size(); ++i) {
+    if (!corner_[crack_face[i].index()]) {
+      beside_.emplace_back(crack_face[i], crack_face[i - 1]);
+      beside_.emplace_back(crack_face[i], crack_face[i + 1]);
     }
   }
 }
 
-void LipMembership::find_sides(const model::Mesh& mesh, std::span<const CrackFaces> lips) {
+void CrackFaceMembership::find_sides(const model::Mesh& mesh,
+                                     std::span<const CrackFaces> crack_faces) {
   std::set<Ends> along;
-  for (const CrackFaces& lip : lips) {
-    for (const std::vector<NodeId>* face : {&lip.left, &lip.right}) {
+  for (const CrackFaces& crack_face : crack_faces) {
+    for (const std::vector<NodeId>* face : {&crack_face.left, &crack_face.right}) {
       NodeId last;
       for (const NodeId n : *face) {
-        if (is_open(lip) && corner_[n.index()]) {
+        if (is_open(crack_face) && corner_[n.index()]) {
           if (last.valid()) {
             along.insert(std::minmax(last, n));
           }
@@ -98,8 +100,8 @@ void LipMembership::find_sides(const model::Mesh& mesh, std::span<const CrackFac
   }
 }
 
-std::vector<LipMembership::Choice>
-LipMembership::choices(const std::vector<NodeId>& members) const {
+std::vector<CrackFaceMembership::Choice>
+CrackFaceMembership::choices(const std::vector<NodeId>& members) const {
   std::vector<bool> touched(groups_.size(), false);
   bool any = false;
   for (const NodeId n : members) {
@@ -149,18 +151,18 @@ LipMembership::choices(const std::vector<NodeId>& members) const {
   return result;
 }
 
-std::span<const NodeId> LipMembership::nodes_with(NodeId node) const {
+std::span<const NodeId> CrackFaceMembership::nodes_with(NodeId node) const {
   const bool doubled = node.index() < group_of_.size() && group_of_[node.index()] >= 0;
   return doubled
              ? std::span<const NodeId>(groups_[static_cast<std::size_t>(group_of_[node.index()])])
              : std::span<const NodeId>();
 }
 
-void settle_lips(model::Mesh& mesh, std::span<const CrackFaces> lips) {
-  const LipMembership membership(mesh, lips);
+void settle_crack_faces(model::Mesh& mesh, std::span<const CrackFaces> crack_faces) {
+  const CrackFaceMembership membership(mesh, crack_faces);
   for (model::NodeSet& set : mesh.node_sets) {
     std::vector<NodeId> late;
-    for (const LipMembership::Choice& choice : membership.choices(set.nodes)) {
+    for (const CrackFaceMembership::Choice& choice : membership.choices(set.nodes)) {
       // the set keeps its order: the first that is chosen stands where the host's node stood
       std::ranges::replace(set.nodes, choice.nodes.front(), choice.chosen.front());
       late.insert(late.end(), choice.chosen.begin() + 1, choice.chosen.end());

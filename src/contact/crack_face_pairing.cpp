@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "contact/lip_pairing.hpp"
+#include "contact/crack_face_pairing.hpp"
 
 #include "contact/node_pair.hpp"
 #include "mesh/boundary.hpp"
@@ -39,18 +39,18 @@ FaceNodes face_nodes(const Surface& surface, double depth) {
 }
 
 Surface face_surface(const model::Model& model, const model::Mesh& mesh,
-                     const std::vector<base::NodeId>& lip) {
-  Surface surface = make_surface(model, mesh, mesh::faces_within(mesh, lip));
+                     const std::vector<base::NodeId>& crack_face) {
+  Surface surface = make_surface(model, mesh, mesh::faces_within(mesh, crack_face));
   surface.circle.reset(); // places along a face are lengths, also where it is an arc
   return surface;
 }
 
 } // namespace
 
-PairRows lip_rows(const model::Model& model, const model::Mesh& mesh, const mesh::CrackFaces& lips,
-                  bool friction) {
-  const bool half = lips.half();
-  const std::vector<base::NodeId>& own = lips.own();
+PairRows crack_face_rows(const model::Model& model, const model::Mesh& mesh,
+                         const mesh::CrackFaces& crack_faces, bool friction) {
+  const bool half = crack_faces.half();
+  const std::vector<base::NodeId>& own = crack_faces.own();
   PairRows pair;
   pair.faces = true;
   pair.found = true;
@@ -59,10 +59,10 @@ PairRows lip_rows(const model::Model& model, const model::Mesh& mesh, const mesh
   if (half) {
     pair.target.thickness = pair.contact.thickness;
   } else {
-    pair.target = face_surface(model, mesh, lips.right);
+    pair.target = face_surface(model, mesh, crack_faces.right);
   }
   std::map<base::NodeId, base::NodeId> opposite; // the tips are left out
-  for (const auto& [left, right] : lips.twins()) {
+  for (const auto& [left, right] : crack_faces.twins()) {
     opposite[left] = right;
   }
   for (std::size_t i = 0; half && i + 1 < own.size(); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/steps/lip_overlap.hpp"
+#include "analysis/steps/crack_face_overlap.hpp"
 #include "tests/unit/support/solved_text.hpp"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ $END
 }
 
 // Fully open for r >= 1/2: K = (r +- 1/2) sqrt(pi).
-TEST(LipOverlap, LeavesAnOpenCrackAlone) {
+TEST(CrackFaceOverlap, LeavesAnOpenCrackAlone) {
   const std::optional<test::Solved> solved = test::solve_text(bent(0.6, "CONTACT"));
   ASSERT_TRUE(solved);
   EXPECT_TRUE(solved->step().tips[0].doubt.empty());
@@ -50,7 +50,7 @@ TEST(LipOverlap, LeavesAnOpenCrackAlone) {
   EXPECT_NEAR(solved->step().tips[1].K1, 1.1 * std::sqrt(std::numbers::pi), 0.01);
 }
 
-TEST(LipOverlap, OfFacesThatMayNotTouchIsOnlyTold) {
+TEST(CrackFaceOverlap, OfFacesThatMayNotTouchIsOnlyTold) {
   const std::optional<test::Solved> solved = test::solve_text(bent(0.0, "FREE"));
   ASSERT_TRUE(solved);
   EXPECT_TRUE(solved->step().tips[1].doubt.empty());
@@ -58,7 +58,7 @@ TEST(LipOverlap, OfFacesThatMayNotTouchIsOnlyTold) {
 }
 
 // Two neighbours, or one of the last two at either end; a lone node inside is its mesh's error.
-TEST(LipOverlap, IsResolvedByTwoNeighboursOrAtTheEnds) {
+TEST(CrackFaceOverlap, IsResolvedByTwoNeighboursOrAtTheEnds) {
   const auto of = [](std::vector<double> overlap) { return analysis::resolved_overlap(overlap); };
   EXPECT_EQ(of({}), 0.0);
   EXPECT_EQ(of({3.0}), 3.0);

@@ -14,7 +14,7 @@
 namespace spricka::crack {
 
 /// Forces on the faces of a crack, given at their nodes.
-struct LipForces {
+struct CrackFaceForces {
   std::vector<model::Face> faces; ///< element sides that make the faces, each with its body
   base::Vector force;             ///< [dim * node] on the faces; other nodes count as free
   double at_tip = 0.0;            ///< stress across the faces at a closed tip [stress]
@@ -33,14 +33,15 @@ struct TipPlace {
 /// tractions t on the faces, per unit thickness: of G, - integral q t1 u1,1 ds (normal tractions
 /// act where the faces do not part, and the tangential ones have no other component), and of the
 /// interaction with the near-tip fields of modes 1 and 2, - integral q t . v_m,1 ds.
-std::array<double, 3> lip_term(const model::Mesh& mesh, const TipPlace& tip,
-                               const ExtensionField& field, const LipForces& lips,
-                               const base::Vector& u);
+std::array<double, 3> crack_face_term(const model::Mesh& mesh, const TipPlace& tip,
+                                      const ExtensionField& field,
+                                      const CrackFaceForces& crack_faces, const base::Vector& u);
 
 /// The interaction terms as sums over nodal forces (crack.33), [mode - 1] by node: sum of weight .
 /// force.
-using LipWeights = std::map<base::NodeId, std::array<base::Vec2, 2>>;
-LipWeights lip_weights(const model::Mesh& mesh, const TipPlace& tip, const ExtensionField& field,
-                       const std::vector<model::Face>& faces);
+using CrackFaceWeights = std::map<base::NodeId, std::array<base::Vec2, 2>>;
+CrackFaceWeights crack_face_weights(const model::Mesh& mesh, const TipPlace& tip,
+                                    const ExtensionField& field,
+                                    const std::vector<model::Face>& faces);
 
 } // namespace spricka::crack

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/cut/lip_faces.hpp"
+#include "mesh/cut/crack_sides.hpp"
 
 #include "mesh/boundary.hpp"
 #include "mesh/cut/host.hpp"
@@ -13,12 +13,13 @@ namespace {
 
 using base::NodeId;
 
-// Sides whose nodes follow one another along a lip. Sides run with their body on the left: along
-// the left lip they go towards the tip, along the right lip away from it.
-std::vector<model::Face> along(const model::Mesh& mesh, const std::vector<NodeId>& lip, bool left) {
+// Sides whose nodes follow one another along a crack face. Sides run with their body on the left:
+// along the left crack face they go towards the tip, along the right crack face away from it.
+std::vector<model::Face> along(const model::Mesh& mesh, const std::vector<NodeId>& crack_face,
+                               bool left) {
   std::map<NodeId, std::size_t> place;
-  for (std::size_t i = 0; i < lip.size(); ++i) {
-    place.emplace(lip[i], i);
+  for (std::size_t i = 0; i < crack_face.size(); ++i) {
+    place.emplace(crack_face[i], i);
   }
   std::vector<std::pair<std::size_t, model::Face>> found;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
@@ -35,7 +36,8 @@ std::vector<model::Face> along(const model::Mesh& mesh, const std::vector<NodeId
         continue;
       }
       const std::size_t step = edge.mid.valid() ? 2 : 1;
-      if (to->second == from->second + step && (step == 1 || lip[from->second + 1] == edge.mid)) {
+      if (to->second == from->second + step &&
+          (step == 1 || crack_face[from->second + 1] == edge.mid)) {
         found.emplace_back(from->second, model::Face{element, s});
       }
     }
@@ -51,8 +53,8 @@ std::vector<model::Face> along(const model::Mesh& mesh, const std::vector<NodeId
 
 } // namespace
 
-LipFaces lip_faces(const model::Mesh& mesh, const CrackFaces& lips) {
-  return {along(mesh, lips.left, true), along(mesh, lips.right, false)};
+CrackSides crack_sides(const model::Mesh& mesh, const CrackFaces& crack_faces) {
+  return {along(mesh, crack_faces.left, true), along(mesh, crack_faces.right, false)};
 }
 
 } // namespace spricka::mesh

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/unit/support/lip_plate.hpp"
+#include "tests/unit/support/crack_face_plate.hpp"
 
 namespace spricka {
 namespace {
@@ -16,7 +16,7 @@ using test::was_closed;
 
 // Hydrostatic pressure closes a crack of any shape, and nothing of it is left: uniform stress, the
 // displacement that of the plate without a crack, pressure p at every node of the faces.
-TEST(LipContact, PressureAllRoundLeavesNothingOfACrack) {
+TEST(CrackFaceContact, PressureAllRoundLeavesNothingOfACrack) {
   for (const std::string crack :
        {"$CRACK NAME=C\n  -1 0.2\n  1 -0.1\n", "$CRACK NAME=C\n  -2 0\n  0 1\n  2 0.5\n",
         "$CRACK NAME=C LINE=SMOOTH\n  -2 0\n  0 1\n  2 0\n",
@@ -80,7 +80,7 @@ void expect_same_bodies(const std::string& crack, const std::string& load) {
 }
 
 // Faces that friction holds everywhere are no crack.
-TEST(LipContact, FacesThatStickAreNoCrack) {
+TEST(CrackFaceContact, FacesThatStickAreNoCrack) {
   const std::string crack =
       "$CRACK NAME=C PATH=LINE A0=4 MU=5\n$TIPNET CRACK=C PATCH=NO QUARTER=NO\n";
   expect_same_bodies(crack, "YMAX (0.2+0.1*x) (-2-x)");
@@ -89,7 +89,7 @@ TEST(LipContact, FacesThatStickAreNoCrack) {
 
 // A crack on the line of symmetry, as a whole body and as either half of it, opening at its tip
 // and closed at its mouth.
-TEST(LipContact, HalvesAreTheWhole) {
+TEST(CrackFaceContact, HalvesAreTheWhole) {
   const auto deck = [](double y0, double ly, int ny, const std::string& held,
                        const std::string& load) {
     return fmt::format(R"($DECK VERSION=1 LENGTH=mm FORCE=N
@@ -141,7 +141,7 @@ $END
 }
 
 // F11: closed from -a to c = -a/3 - 4 r a/3, K of the open part of half length b = 2 (1 + r) a/3.
-TEST(LipContact, ClosesInPartUnderBending) {
+TEST(CrackFaceContact, ClosesInPartUnderBending) {
   for (const double r : {-0.9, -0.5, 0.0, 0.1, 0.4}) {
     const std::optional<Solved> solved = solve_text(bent(r));
     ASSERT_TRUE(solved);
@@ -156,7 +156,7 @@ TEST(LipContact, ClosesInPartUnderBending) {
   }
 }
 
-TEST(LipContact, OpenFacesCostNothing) {
+TEST(CrackFaceContact, OpenFacesCostNothing) {
   const std::optional<Solved> contact = solve_text(bent(0.6, "FACES=CONTACT MU=0.3"));
   const std::optional<Solved> free = solve_text(bent(0.6, "FACES=FREE"));
   ASSERT_TRUE(contact && free);
@@ -170,7 +170,7 @@ TEST(LipContact, OpenFacesCostNothing) {
   EXPECT_NEAR(contact->step().tips[0].K1, 0.1 * root_pi, 0.01);
 }
 
-TEST(LipContact, OpensEverywhereOrNowhere) {
+TEST(CrackFaceContact, OpensEverywhereOrNowhere) {
   const std::optional<Solved> shut = solve_text(bent(-1.2));
   ASSERT_TRUE(shut);
   for (const results::TipResult& tip : shut->step().tips) {
@@ -183,7 +183,7 @@ TEST(LipContact, OpensEverywhereOrNowhere) {
 
 // K2 = -(tau - mu sigma_n) sqrt(pi a) by slip, at any angle of the crack; the same on all rings,
 // though the shear of the faces is not the same on all of them.
-TEST(LipContact, SlipsAgainstFriction) {
+TEST(CrackFaceContact, SlipsAgainstFriction) {
   for (const double angle : {0.3, 0.8}) {
     for (const double mu : {0.0, 0.25}) {
       const double sn = std::cos(angle) * std::cos(angle);
@@ -201,10 +201,10 @@ TEST(LipContact, SlipsAgainstFriction) {
         ASSERT_EQ(step.tips[1].K1_domain.size(), 1U);
         EXPECT_NEAR(step.tips[1].K1_domain[0], 0.0, 1e-3);
         EXPECT_NEAR(step.tips[1].G, step.tips[1].G_from_K, 1e-3 * step.tips[1].G);
-        const results::ContactResult& lip = faces(*solved);
-        EXPECT_LE(lip.shear_ratio, 1.0 + 1e-9);
-        EXPECT_NEAR(lip.min_pressure, sn, 0.005);
-        EXPECT_GE(lip.friction_work, 0.0);
+        const results::ContactResult& crack_face = faces(*solved);
+        EXPECT_LE(crack_face.shear_ratio, 1.0 + 1e-9);
+        EXPECT_NEAR(crack_face.min_pressure, sn, 0.005);
+        EXPECT_GE(crack_face.friction_work, 0.0);
         for (const results::Balance& body : step.balance) { // equal and opposite
           EXPECT_LT(body.contact.norm(), 1e-9);
         }
@@ -218,7 +218,7 @@ TEST(LipContact, SlipsAgainstFriction) {
 }
 
 // A crack, its mirror image, and it turned by a right angle together with its loads.
-TEST(LipContact, MirroredAndTurnedCracksAgree) {
+TEST(CrackFaceContact, MirroredAndTurnedCracksAgree) {
   const auto solve = [](double angle, double sx, double sy) {
     return solve_text(plate(slant(angle, "MU=0.2"), stressed(sx, sy, 0.0)));
   };
@@ -234,7 +234,7 @@ TEST(LipContact, MirroredAndTurnedCracksAgree) {
 
 // Energy of two lengths: G = dU/da for dead loads, per tip, with the faces partly or wholly closed
 // and free to slip. The patch follows the length, so that its mesh does not change.
-TEST(LipContact, EnergyReleaseIsThatOfTheEnergy) {
+TEST(CrackFaceContact, EnergyReleaseIsThatOfTheEnergy) {
   const auto solve = [](double a, const std::string& load) {
     return solve_text(plate(fmt::format("$CRACK NAME=C\n  {0} {0}\n  {1} {1}\n", -a, a), load, 8));
   };
@@ -256,7 +256,7 @@ TEST(LipContact, EnergyReleaseIsThatOfTheEnergy) {
 
 // Loaded, relieved and loaded again: the closed form of decks/closed_crack_cycle.deck, in steps of
 // any size.
-TEST(LipContact, RemembersSlip) {
+TEST(CrackFaceContact, RemembersSlip) {
   for (const int parts : {1, 5}) {
     std::string steps = "$LOAD CASE=F TYPE=TRACTION\n  YMAX 0 -1\n  YMIN 0 1\n";
     const std::vector<double> loads{1.0, 0.6, 0.3, 0.5, 1.0};
@@ -275,7 +275,7 @@ TEST(LipContact, RemembersSlip) {
   }
 }
 
-TEST(LipContact, ThreadsChangeNoBit) {
+TEST(CrackFaceContact, ThreadsChangeNoBit) {
   const std::string deck = plate(slant(0.6, "MU=0.2"), stressed(0.3, -1.0, 0.1));
   const std::optional<Solved> one = solve_text(deck, 1);
   const std::optional<Solved> four = solve_text(deck, 4);

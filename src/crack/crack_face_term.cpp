@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "crack/lip_term.hpp"
+#include "crack/crack_face_term.hpp"
 
 #include "mesh/plane_edge.hpp"
 #include "shape/quadrature.hpp"
@@ -128,9 +128,10 @@ void for_faces(const model::Mesh& mesh, const TipPlace& tip, const ExtensionFiel
 
 } // namespace
 
-LipWeights lip_weights(const model::Mesh& mesh, const TipPlace& tip, const ExtensionField& field,
-                       const std::vector<model::Face>& faces) {
-  LipWeights weights;
+CrackFaceWeights crack_face_weights(const model::Mesh& mesh, const TipPlace& tip,
+                                    const ExtensionField& field,
+                                    const std::vector<model::Face>& faces) {
+  CrackFaceWeights weights;
   for_faces(mesh, tip, field, faces,
             [&](const PlaneEdge& edge, std::size_t i, const FacePoint& p, double weight) {
               const auto [at, fresh] = weights.try_emplace(
@@ -146,24 +147,24 @@ LipWeights lip_weights(const model::Mesh& mesh, const TipPlace& tip, const Exten
   return weights;
 }
 
-std::array<double, 3> lip_term(const model::Mesh& mesh, const TipPlace& tip,
-                               const ExtensionField& field, const LipForces& lips,
-                               const base::Vector& u) {
+std::array<double, 3> crack_face_term(const model::Mesh& mesh, const TipPlace& tip,
+                                      const ExtensionField& field,
+                                      const CrackFaceForces& crack_faces, const base::Vector& u) {
   const auto at = [](const base::Vector& nodal, base::NodeId n) -> base::Vec2 {
     return nodal.segment<2>(2 * static_cast<Eigen::Index>(n.index()));
   };
   std::array<double, 3> sum{};
-  for (const auto& [node, weight] : lip_weights(mesh, tip, field, lips.faces)) {
-    sum[1] += weight[0].dot(at(lips.force, node));
-    sum[2] += weight[1].dot(at(lips.force, node));
+  for (const auto& [node, weight] : crack_face_weights(mesh, tip, field, crack_faces.faces)) {
+    sum[1] += weight[0].dot(at(crack_faces.force, node));
+    sum[2] += weight[1].dot(at(crack_faces.force, node));
   }
-  for_faces(mesh, tip, field, lips.faces,
+  for_faces(mesh, tip, field, crack_faces.faces,
             [&](const PlaneEdge& edge, std::size_t i, const FacePoint& p, double weight) {
               base::Vec2 along = base::Vec2::Zero(); // du/ds
               for (std::size_t k = 0; k < nodes_of(edge); ++k) {
                 along += p.dN[k] / p.ds * at(u, edge.nodes[k]);
               }
-              sum[0] -= weight * at(lips.force, edge.nodes[i]).dot(tip.frame.e1) *
+              sum[0] -= weight * at(crack_faces.force, edge.nodes[i]).dot(tip.frame.e1) *
                         along.dot(tip.frame.e1) * p.along.dot(tip.frame.e1);
             });
   return sum;

@@ -2,7 +2,7 @@
 #pragma once
 #include "analysis/scene/scene.hpp"
 #include "analysis/steps/step_state.hpp"
-#include "crack/lip_term.hpp"
+#include "crack/crack_face_term.hpp"
 
 #include <vector>
 
@@ -17,7 +17,8 @@ std::vector<std::size_t> touching_lines(const model::Model& model, const Scene& 
 
 /// Adds the faces of these lines to the pairs of the scene, with the name CRACK.FACES; their
 /// freedoms become external.
-void add_lip_pairs(const model::Model& model, const std::vector<std::size_t>& lines, Scene& scene);
+void add_crack_face_pairs(const model::Model& model, const std::vector<std::size_t>& lines,
+                          Scene& scene);
 
 /// What the faces of a crack do at one of its tips.
 struct TipFaces {
@@ -38,7 +39,7 @@ std::optional<std::size_t> row_at_tip(const Scene& scene, const mesh::Front& fro
 base::Matrix intensity_of_forces(const model::Model& model, const Scene& scene);
 
 /// Forces between the faces of the tip's crack; none without a pair.
-std::optional<crack::LipForces> lip_forces(const Scene& scene, const mesh::Front& front,
-                                           const StepState& state);
+std::optional<crack::CrackFaceForces>
+crack_face_forces(const Scene& scene, const mesh::Front& front, const StepState& state);
 
 } // namespace spricka::analysis

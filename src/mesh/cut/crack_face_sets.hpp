@@ -11,10 +11,10 @@ namespace spricka::mesh {
 /// Which faces of cracks the members of a node set lie on. A crack doubles the nodes of its path;
 /// a set means the face that its own sides lie on: a clamp that ends at a mouth holds the face on
 /// its side, one that goes on across the mouth holds both.
-class LipMembership {
+class CrackFaceMembership {
 public:
-  /// The mesh with all cracks open. Half lips double nothing.
-  LipMembership(const model::Mesh& mesh, std::span<const CrackFaces> lips);
+  /// The mesh with all cracks open. Half crack faces double nothing.
+  CrackFaceMembership(const model::Mesh& mesh, std::span<const CrackFaces> crack_faces);
 
   /// Nodes of one place, and those of them that belong to a set.
   struct Choice {
@@ -37,8 +37,8 @@ private:
     bool along = false; ///< a side of the crack
   };
   void add_group(base::NodeId left, base::NodeId right);
-  void add_neighbours(const std::vector<base::NodeId>& lip);
-  void find_sides(const model::Mesh& mesh, std::span<const CrackFaces> lips);
+  void add_neighbours(const std::vector<base::NodeId>& crack_face);
+  void find_sides(const model::Mesh& mesh, std::span<const CrackFaces> crack_faces);
 
   std::vector<std::int32_t> group_of_; ///< [node] or -1
   std::vector<bool> corner_;           ///< [node]
@@ -49,6 +49,6 @@ private:
 };
 
 /// Puts the nodes that cracks have made into the node sets of the host's, face by face.
-void settle_lips(model::Mesh& mesh, std::span<const CrackFaces> lips);
+void settle_crack_faces(model::Mesh& mesh, std::span<const CrackFaces> crack_faces);
 
 } // namespace spricka::mesh

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/steps/lip_contact.hpp"
+#include "analysis/steps/crack_face_contact.hpp"
 
 #include "analysis/scene/scene_rows.hpp"
 #include "analysis/scene/scene_ties.hpp"
-#include "analysis/steps/lip_overlap.hpp"
-#include "contact/lip_pairing.hpp"
+#include "analysis/steps/crack_face_overlap.hpp"
+#include "contact/crack_face_pairing.hpp"
 #include "crack/stress_intensity.hpp"
 #include "mesh/boundary.hpp"
 #include "model/model.hpp"
@@ -19,24 +19,24 @@ namespace {
 // Slips below this part of the largest displacement of a face are round-off.
 constexpr double slip_of_round_off = 1e-9;
 
-std::vector<model::Face> sides_of(const model::Mesh& mesh, const mesh::CrackFaces& lips) {
+std::vector<model::Face> sides_of(const model::Mesh& mesh, const mesh::CrackFaces& crack_faces) {
   std::vector<model::Face> sides;
-  for (const std::vector<base::NodeId>* lip : {&lips.left, &lips.right}) {
-    if (!lip->empty()) {
-      const std::vector<model::Face> own = mesh::faces_within(mesh, *lip);
+  for (const std::vector<base::NodeId>* crack_face : {&crack_faces.left, &crack_faces.right}) {
+    if (!crack_face->empty()) {
+      const std::vector<model::Face> own = mesh::faces_within(mesh, *crack_face);
       sides.insert(sides.end(), own.begin(), own.end());
     }
   }
   return sides;
 }
 
-const std::vector<base::NodeId>& own_lip(const mesh::CrackFaces& lips) {
-  return lips.own();
+const std::vector<base::NodeId>& own_crack_face(const mesh::CrackFaces& crack_faces) {
+  return crack_faces.own();
 }
 
-// Nodes of the lip that carries the rows, from a tip on.
-std::vector<base::NodeId> from_tip(const mesh::CrackFaces& lips, base::NodeId tip) {
-  std::vector<base::NodeId> nodes = own_lip(lips);
+// Nodes of the crack face that carries the rows, from a tip on.
+std::vector<base::NodeId> from_tip(const mesh::CrackFaces& crack_faces, base::NodeId tip) {
+  std::vector<base::NodeId> nodes = own_crack_face(crack_faces);
   if (nodes.back() == tip) {
     std::ranges::reverse(nodes);
   }
@@ -56,29 +56,30 @@ std::vector<std::size_t> touching_lines(const model::Model& model, const Scene& 
                                         const base::Vector& u) {
   std::vector<std::size_t> lines;
   for (std::size_t i = 0; i < scene.cracked.faces.size(); ++i) {
-    if (model.cracks[i].faces_in_contact && !scene.lip_pairs[i] &&
-        lip_overlap(scene.cracked, i, u).resolved > overlap_of_round_off) {
+    if (model.cracks[i].faces_in_contact && !scene.crack_face_pairs[i] &&
+        crack_face_overlap(scene.cracked, i, u).resolved > overlap_of_round_off) {
       lines.push_back(i);
     }
   }
   return lines;
 }
 
-void add_lip_pairs(const model::Model& model, const std::vector<std::size_t>& lines, Scene& scene) {
+void add_crack_face_pairs(const model::Model& model, const std::vector<std::size_t>& lines,
+                          Scene& scene) {
   const model::Mesh& mesh = scene.cracked.mesh;
   for (const std::size_t i : lines) {
-    const mesh::CrackFaces& lips = scene.cracked.faces[i];
+    const mesh::CrackFaces& crack_faces = scene.cracked.faces[i];
     const model::Crack& crack = model.cracks[i];
     model::Contact contact;
     contact.name = crack.name + ".FACES";
-    contact.mu = lips.half() ? 0.0 : crack.mu; // mirrored: no slip
+    contact.mu = crack_faces.half() ? 0.0 : crack.mu; // mirrored: no slip
     contact.pairing = model::Pairing::node;
     contact.span = crack.span;
-    scene.lip_pairs[i] = LipPair{scene.pairs.size(), sides_of(mesh, lips)};
-    scene.pairs.push_back(contact::lip_rows(model, mesh, lips, contact.mu > 0.0));
+    scene.crack_face_pairs[i] = CrackFacePair{scene.pairs.size(), sides_of(mesh, crack_faces)};
+    scene.pairs.push_back(contact::crack_face_rows(model, mesh, crack_faces, contact.mu > 0.0));
     scene.contacts.push_back(std::move(contact));
-    for (const std::vector<base::NodeId>* lip : {&lips.left, &lips.right}) {
-      for (const base::NodeId n : *lip) {
+    for (const std::vector<base::NodeId>* crack_face : {&crack_faces.left, &crack_faces.right}) {
+      for (const base::NodeId n : *crack_face) {
         for (std::size_t c = 0; c < 2; ++c) {
           make_external(2 * n.index() + c, *scene.ties, scene.cls);
         }
@@ -90,16 +91,17 @@ void add_lip_pairs(const model::Model& model, const std::vector<std::size_t>& li
 
 TipFaces tip_faces(const Scene& scene, const mesh::Front& front, const StepState& state) {
   TipFaces faces;
-  const std::optional<LipPair>& lip = scene.lip_pairs[front.crack.index()];
-  if (!lip) {
+  const std::optional<CrackFacePair>& crack_face = scene.crack_face_pairs[front.crack.index()];
+  if (!crack_face) {
     return faces;
   }
   faces.in_contact = true;
-  const contact::PairRows& pair = scene.pairs[lip->pair];
-  const std::vector<bool>& closed = state.pair_closed[lip->pair];
+  const contact::PairRows& pair = scene.pairs[crack_face->pair];
+  const std::vector<bool>& closed = state.pair_closed[crack_face->pair];
   if (!pair.normal.empty()) {
-    faces.pressure =
-        state.pair_lambda[lip->pair].head(static_cast<Eigen::Index>(pair.normal.size())).maxCoeff();
+    faces.pressure = state.pair_lambda[crack_face->pair]
+                         .head(static_cast<Eigen::Index>(pair.normal.size()))
+                         .maxCoeff();
   }
   bool met = false;
   std::vector<bool> along; // closed, from the tip on
@@ -132,12 +134,12 @@ TipFaces tip_faces(const Scene& scene, const mesh::Front& front, const StepState
 }
 
 std::optional<std::size_t> row_at_tip(const Scene& scene, const mesh::Front& front) {
-  const std::optional<LipPair>& lip = scene.lip_pairs[front.crack.index()];
-  if (!lip) {
+  const std::optional<CrackFacePair>& crack_face = scene.crack_face_pairs[front.crack.index()];
+  if (!crack_face) {
     return std::nullopt;
   }
-  return scene.table.first[lip->pair] +
-         row_of(scene.pairs[lip->pair],
+  return scene.table.first[crack_face->pair] +
+         row_of(scene.pairs[crack_face->pair],
                 from_tip(scene.cracked.faces[front.crack.index()], front.tip().node).front());
 }
 
@@ -147,14 +149,15 @@ base::Matrix intensity_of_forces(const model::Model& model, const Scene& scene) 
       base::Matrix::Zero(layout.count(), static_cast<Eigen::Index>(scene.table.size()));
   for (std::size_t t = 0; t < scene.cracked.fronts.size(); ++t) {
     const mesh::Front& front = scene.cracked.fronts[t];
-    const std::optional<LipPair>& lip = scene.lip_pairs[front.crack.index()];
-    if (!lip) {
+    const std::optional<CrackFacePair>& crack_face = scene.crack_face_pairs[front.crack.index()];
+    if (!crack_face) {
       continue;
     }
-    const base::Matrix weight =
-        crack::lip_intensity_rows(model, scene.cracked, front, scene.tips[t].fields,
-                                  model.cracks[front.crack.index()].state, lip->sides);
-    for (std::size_t r = scene.table.first[lip->pair]; r < scene.table.first[lip->pair + 1]; ++r) {
+    const base::Matrix weight = crack::crack_face_intensity_rows(
+        model, scene.cracked, front, scene.tips[t].fields, model.cracks[front.crack.index()].state,
+        crack_face->sides);
+    for (std::size_t r = scene.table.first[crack_face->pair];
+         r < scene.table.first[crack_face->pair + 1]; ++r) {
       for (const contact::RowEntry& entry : scene.row(r).entries) {
         const auto at = 2 * static_cast<Eigen::Index>(entry.node.index());
         layout.of(of_row.col(static_cast<Eigen::Index>(r)), t) +=
@@ -165,18 +168,18 @@ base::Matrix intensity_of_forces(const model::Model& model, const Scene& scene) 
   return of_row;
 }
 
-std::optional<crack::LipForces> lip_forces(const Scene& scene, const mesh::Front& front,
-                                           const StepState& state) {
-  const std::optional<LipPair>& lip = scene.lip_pairs[front.crack.index()];
-  if (!lip) {
+std::optional<crack::CrackFaceForces>
+crack_face_forces(const Scene& scene, const mesh::Front& front, const StepState& state) {
+  const std::optional<CrackFacePair>& crack_face = scene.crack_face_pairs[front.crack.index()];
+  if (!crack_face) {
     return std::nullopt;
   }
-  crack::LipForces forces{lip->sides, base::Vector::Zero(state.u.size()), 0.0};
-  const std::size_t first = scene.table.first[lip->pair];
+  crack::CrackFaceForces forces{crack_face->sides, base::Vector::Zero(state.u.size()), 0.0};
+  const std::size_t first = scene.table.first[crack_face->pair];
   const std::size_t next = *row_at_tip(scene, front) - first;
-  forces.at_tip = 0.0 - state.pair_lambda[lip->pair][static_cast<Eigen::Index>(next)];
-  for (std::size_t r = first; r < scene.table.first[lip->pair + 1]; ++r) {
-    const double value = state.pair_lambda[lip->pair][static_cast<Eigen::Index>(r - first)];
+  forces.at_tip = 0.0 - state.pair_lambda[crack_face->pair][static_cast<Eigen::Index>(next)];
+  for (std::size_t r = first; r < scene.table.first[crack_face->pair + 1]; ++r) {
+    const double value = state.pair_lambda[crack_face->pair][static_cast<Eigen::Index>(r - first)];
     for (const contact::RowEntry& entry : scene.row(r).entries) {
       forces.force.segment<2>(2 * static_cast<Eigen::Index>(entry.node.index())) +=
           value * entry.weight.head<2>();

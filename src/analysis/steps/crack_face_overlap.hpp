@@ -17,14 +17,15 @@ inline constexpr double overlap_of_round_off = 1e-6;
 double resolved_overlap(std::span<const double> overlap);
 
 /// How far the faces of a crack run into each other, over the largest displacement of one against
-/// the other. u [dim * node], `line` as CrackedMesh::lips.
-struct LipOverlap {
+/// the other. u [dim * node], `line` as CrackedMesh::crack faces.
+struct CrackFaceOverlap {
   double resolved = 0.0; ///< as above
   double lone = 0.0;     ///< at any node
 };
-LipOverlap lip_overlap(const mesh::CrackedMesh& cracked, std::size_t line, const base::Vector& u);
+CrackFaceOverlap crack_face_overlap(const mesh::CrackedMesh& cracked, std::size_t line,
+                                    const base::Vector& u);
 
 /// The largest displacement of one face against the other; in a half model twice that off the line.
-double lip_jump(const mesh::CrackedMesh& cracked, std::size_t line, const base::Vector& u);
+double crack_face_jump(const mesh::CrackedMesh& cracked, std::size_t line, const base::Vector& u);
 
 } // namespace spricka::analysis

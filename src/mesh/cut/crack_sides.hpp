@@ -8,9 +8,9 @@ namespace spricka::mesh {
 
 /// The faces of a crack, from the mouth (or first tip) to the tip; one side is empty where the
 /// crack lies on a symmetry line.
-struct LipFaces {
+struct CrackSides {
   std::vector<model::Face> left, right;
 };
-LipFaces lip_faces(const model::Mesh& mesh, const CrackFaces& lips);
+CrackSides crack_sides(const model::Mesh& mesh, const CrackFaces& crack_faces);
 
 } // namespace spricka::mesh

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cracked.hpp"
-#include "mesh/cut/lip_sets.hpp"
+#include "mesh/cut/crack_face_sets.hpp"
 #include "mesh/cut/patch.hpp"
 #include "mesh/cut/tip_mesh.hpp"
 
@@ -54,24 +54,24 @@ void expect_sides(const mesh::CrackedMesh& cracked) {
     EXPECT_EQ(found.left, left) << name;
     EXPECT_EQ(found.right, right) << name;
   }
-  const mesh::LipMembership membership(cracked.mesh, cracked.faces);
+  const mesh::CrackFaceMembership membership(cracked.mesh, cracked.faces);
   for (const model::NodeSet& set : cracked.mesh.node_sets) {
     const bool line = set.name == "LINE"; // a patch has taken the rest of it
     for (const auto& choice :
-         line ? std::vector<mesh::LipMembership::Choice>() : membership.choices(set.nodes)) {
+         line ? std::vector<mesh::CrackFaceMembership::Choice>() : membership.choices(set.nodes)) {
       EXPECT_EQ(choice.alone, set.name == "POINT") << set.name;
     }
   }
 }
 
 // The crack goes up: its left face is the body's left part.
-TEST(LipSets, ASetThatEndsAtAMouthHasTheFaceOnItsSide) {
+TEST(CrackFaceSets, ASetThatEndsAtAMouthHasTheFaceOnItsSide) {
   const model::Mesh host = with_sets();
   expect_sides(test::insert(host, {test::crack({{mouth, 0, 0}, {mouth, 1.3, 0}})}));
 }
 
 // Nodes of the net's own mesh are doubled: the same, and middle nodes follow their corners.
-TEST(LipSets, NodesOfTheNetsOwnMeshAlike) {
+TEST(CrackFaceSets, NodesOfTheNetsOwnMeshAlike) {
   const model::Mesh host = with_sets();
   mesh::CrackLine line = test::crack({{mouth, 0, 0}, {mouth, 3.0, 0}});
   line.path = host.node_sets[4].nodes;
