@@ -231,40 +231,40 @@ std::size_t ContactSystem::body_of_mode(Eigen::Index mode) const {
   return b;
 }
 
-solve::ContactProblem ContactSystem::condensed(const Demand& demand) const {
-  const auto n = index(demand.rows.size());
+solve::ContactProblem ContactSystem::condensed(const Problem& problem) const {
+  const auto n = index(problem.rows.size());
   std::vector<base::Vector> u(bodies_.size());
-  solve::ContactProblem problem = compliance(demand.rows);
+  solve::ContactProblem small = compliance(problem.rows);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    u[b] = bodies_[b]->displacement(demand.load[b]);
-    problem.h.segment(mode_start_[b], bodies_[b]->modes().cols()) =
-        bodies_[b]->modes().transpose() * demand.load[b];
+    u[b] = bodies_[b]->displacement(problem.load[b]);
+    small.h.segment(mode_start_[b], bodies_[b]->modes().cols()) =
+        bodies_[b]->modes().transpose() * problem.load[b];
   }
   for (Eigen::Index i = 0; i < n; ++i) {
-    problem.b[i] = demand.gap[i] + opening(demand.rows[at(i)], u);
+    small.b[i] = problem.gap[i] + opening(problem.rows[at(i)], u);
   }
-  problem.equality = demand.equality;
-  problem.load_scale = demand.load_scale;
-  return problem;
+  small.equality = problem.equality;
+  small.load_scale = problem.load_scale;
+  return small;
 }
 
 solve::ContactProblem ContactSystem::compliance(const std::vector<std::size_t>& rows) const {
   const auto n = index(rows.size());
-  solve::ContactProblem problem;
-  problem.W.resize(n, n);
-  problem.B.resize(n, B_.cols());
+  solve::ContactProblem small;
+  small.W.resize(n, n);
+  small.B.resize(n, B_.cols());
   for (Eigen::Index i = 0; i < n; ++i) {
     const auto row = index(rows[at(i)]);
     for (Eigen::Index k = 0; k < n; ++k) {
-      problem.W(k, i) = W_(index(rows[at(k)]), row);
+      small.W(k, i) = W_(index(rows[at(k)]), row);
     }
-    problem.B.row(i) = B_.row(row);
+    small.B.row(i) = B_.row(row);
   }
-  problem.b = base::Vector::Zero(n);
-  problem.h = base::Vector::Zero(B_.cols());
-  problem.equality.assign(rows.size(), true);
-  problem.opening_scale = opening_scale_;
-  return problem;
+  small.b = base::Vector::Zero(n);
+  small.h = base::Vector::Zero(B_.cols());
+  small.equality.assign(rows.size(), true);
+  small.opening_scale = opening_scale_;
+  return small;
 }
 
 base::Matrix ContactSystem::openings(const std::vector<base::Matrix>& u) const {
@@ -284,38 +284,38 @@ void ContactSystem::add_force(std::size_t row, const Eigen::RowVectorXd& force,
   }
 }
 
-solve::Uniqueness ContactSystem::unique(const Demand& demand) const {
-  return solve::unique_increment({condensed(demand), demand.friction, {}});
+solve::Uniqueness ContactSystem::unique(const Problem& problem) const {
+  return solve::unique_increment({condensed(problem), problem.friction, {}});
 }
 
-ContactSystem::Answer ContactSystem::solve(const Demand& demand,
-                                           const solve::ContactSettings& settings) const {
-  Answer answer;
-  if (demand.friction.empty()) {
-    answer.solution = solve::solve_contact(condensed(demand), settings, demand.start);
+ContactSystem::Solution ContactSystem::solve(const Problem& problem,
+                                             const solve::ContactSettings& settings) const {
+  Solution solution;
+  if (problem.friction.empty()) {
+    solution.contact = solve::solve_contact(condensed(problem), settings, problem.start);
   } else {
     solve::FrictionSolution found = solve::solve_friction(
-        {condensed(demand), demand.friction, demand.alpha}, settings, demand.touch);
-    answer.solution = std::move(found.contact);
-    answer.touch = std::move(found.touch);
-    answer.slides = found.slides;
+        {condensed(problem), problem.friction, problem.alpha}, settings, problem.touch);
+    solution.contact = std::move(found.contact);
+    solution.touch = std::move(found.touch);
+    solution.slides = found.slides;
   }
-  const solve::ContactSolution& s = answer.solution;
+  const solve::ContactSolution& s = solution.contact;
   if (s.status != solve::ContactStatus::solved) {
-    return answer;
+    return solution;
   }
-  std::vector<base::Vector> force = demand.load;
+  std::vector<base::Vector> force = problem.load;
   for (Eigen::Index i = 0; i < s.lambda.size(); ++i) {
-    for (const Entry& e : rows_[demand.rows[at(i)]]) {
+    for (const Entry& e : rows_[problem.rows[at(i)]]) {
       force[e.body][e.at] += s.lambda[i] * e.weight;
     }
   }
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    answer.u.push_back(bodies_[b]->displacement(force[b]) +
-                       bodies_[b]->modes() *
-                           s.alpha.segment(mode_start_[b], bodies_[b]->modes().cols()));
+    solution.u.push_back(bodies_[b]->displacement(force[b]) +
+                         bodies_[b]->modes() *
+                             s.alpha.segment(mode_start_[b], bodies_[b]->modes().cols()));
   }
-  return answer;
+  return solution;
 }
 
 } // namespace spricka::contact

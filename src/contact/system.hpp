@@ -76,7 +76,7 @@ public:
   ContactSystem(std::vector<const CondensedBody*> bodies, std::vector<const ConstraintRow*> rows,
                 int dim, std::size_t freedoms, const Lasting& lasting = {});
 
-  struct Demand {
+  struct Problem {
     std::vector<std::size_t> rows;  ///< the rows in force
     std::vector<bool> equality;     ///< [rows in force]
     base::Vector gap;               ///< [rows in force] g at zero displacement, weighted
@@ -87,21 +87,22 @@ public:
     std::vector<solve::Touch> touch;          ///< [rows in force] with friction, instead of `start`
     base::Vector alpha; ///< with friction: where bodies that nothing holds stay; empty: at zero
   };
-  struct Answer {
-    solve::ContactSolution solution; ///< lambda, gap, closed by rows in force
+  struct Solution {
+    solve::ContactSolution contact;  ///< lambda, gap, closed by rows in force
     std::vector<solve::Touch> touch; ///< [rows in force] with friction; else empty
     bool slides = false;             ///< the mode that is not held would be held by more friction
     std::vector<base::Vector> u;     ///< [body][m] external displacements
   };
-  [[nodiscard]] Answer solve(const Demand& demand, const solve::ContactSettings& settings) const;
-  /// The small problem of a demand.
-  [[nodiscard]] solve::ContactProblem condensed(const Demand& demand) const;
+  [[nodiscard]] Solution solve(const Problem& problem,
+                               const solve::ContactSettings& settings) const;
+  /// What is left of a problem once the bodies are condensed: compliances and gaps of its rows.
+  [[nodiscard]] solve::ContactProblem condensed(const Problem& problem) const;
 
   /// W and B of some rows, b and h zero, all of them equalities.
   [[nodiscard]] solve::ContactProblem compliance(const std::vector<std::size_t>& rows) const;
 
   /// Whether a sufficient test finds that an increment with these rows has only one solution.
-  [[nodiscard]] solve::Uniqueness unique(const Demand& demand) const;
+  [[nodiscard]] solve::Uniqueness unique(const Problem& problem) const;
 
   /// sum weight . u for a row, from external displacements; other freedoms count as zero.
   [[nodiscard]] double opening(std::size_t row, const std::vector<base::Vector>& u) const;

@@ -132,10 +132,10 @@ const std::vector<estimate::Adjoint>& Adjoints::of_last_step(const StepSolver& s
   std::vector<bool> closed(scene_.table.size(), false);
   bool rubs = false;
   if (solver.system() != nullptr) {
-    const contact::ContactSystem::Demand demand = solver.demand();
-    rubs = !demand.friction.empty();
-    for (std::size_t i = 0; i < demand.rows.size(); ++i) {
-      closed[demand.rows[i]] = demand.start.empty() ? demand.equality[i] : demand.start[i];
+    const contact::ContactSystem::Problem problem = solver.problem();
+    rubs = !problem.friction.empty();
+    for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+      closed[problem.rows[i]] = problem.start.empty() ? problem.equality[i] : problem.start[i];
     }
   }
   if (rubs) {

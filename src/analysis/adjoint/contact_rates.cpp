@@ -15,11 +15,11 @@ constexpr double small = 1e-8; ///< of the largest force or gap: may change eith
 
 FrozenContact::FrozenContact(const StepSolver& solver, const Scene& scene, const StepState& state)
     : system_(*solver.system()) {
-  const contact::ContactSystem::Demand demand = solver.demand();
+  const contact::ContactSystem::Problem problem = solver.problem();
   double force_size = 0.0;
   double gap_size = 0.0;
-  for (std::size_t i = 0; i < demand.rows.size(); ++i) {
-    Row row{.row = demand.rows[i], .equality = demand.equality[i], .closed = demand.start[i]};
+  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+    Row row{.row = problem.rows[i], .equality = problem.equality[i], .closed = problem.start[i]};
     const std::size_t c = scene.table.contact_of(row.row);
     const std::size_t local = row.row - scene.table.first[c];
     row.force = state.pair_lambda[c][static_cast<Eigen::Index>(local)];
@@ -27,7 +27,7 @@ FrozenContact::FrozenContact(const StepSolver& solver, const Scene& scene, const
       row.gap = state.pair_gap[c][static_cast<Eigen::Index>(local)];
     }
     const double area = scene.row(row.row).area;
-    const double given = std::abs(demand.gap[static_cast<Eigen::Index>(i)]);
+    const double given = std::abs(problem.gap[static_cast<Eigen::Index>(i)]);
     force_size = std::max(force_size, std::abs(row.force));
     gap_size = std::max(gap_size, (given + std::abs(row.gap)) / area);
     rows_.push_back(row);
@@ -42,27 +42,27 @@ FrozenContact::FrozenContact(const StepSolver& solver, const Scene& scene, const
 
 std::optional<std::vector<bool>> FrozenContact::closed_beyond(const Rates& rates, Eigen::Index k,
                                                               double sign) const {
-  contact::ContactSystem::Demand demand;
+  contact::ContactSystem::Problem problem;
   std::vector<double> gap;
   for (const Row& row : rows_) {
     if (row.closed || row.weak) {
-      demand.rows.push_back(row.row);
-      demand.equality.push_back(!row.weak);
+      problem.rows.push_back(row.row);
+      problem.equality.push_back(!row.weak);
       gap.push_back(sign * rates.gap(static_cast<Eigen::Index>(row.row), k));
     }
   }
-  demand.gap = Eigen::Map<const base::Vector>(gap.data(), static_cast<Eigen::Index>(gap.size()));
+  problem.gap = Eigen::Map<const base::Vector>(gap.data(), static_cast<Eigen::Index>(gap.size()));
   for (const base::Matrix& load : rates.load) {
-    demand.load.emplace_back(sign * load.col(k));
+    problem.load.emplace_back(sign * load.col(k));
   }
-  demand.load_scale = rates.load_scale[k];
-  const solve::ContactSolution found = system_.solve(demand, {}).solution;
+  problem.load_scale = rates.load_scale[k];
+  const solve::ContactSolution found = system_.solve(problem, {}).contact;
   if (found.status != solve::ContactStatus::solved) {
     return std::nullopt;
   }
   std::vector<bool> closed(static_cast<std::size_t>(rates.gap.rows()), false);
-  for (std::size_t i = 0; i < demand.rows.size(); ++i) {
-    closed[demand.rows[i]] = found.closed[i];
+  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+    closed[problem.rows[i]] = found.closed[i];
   }
   return closed;
 }

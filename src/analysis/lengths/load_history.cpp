@@ -49,23 +49,23 @@ double LoadHistory::change(const WayOfK& a, const WayOfK& b) const {
 bool LoadHistory::go(const LoadPlace& place, WayOfK& way, base::Trouble& trouble) {
   const int by_t =
       std::max(1, static_cast<int>(std::ceil(per_unit_ * std::abs(place.t - t_) - 1e-9)));
-  const auto seen = [&](const contact::ContactSystem::Demand& demand,
-                        const contact::ContactSystem::Answer& answer) {
-    here_ = paths_.intensities(demand, answer, *solver_);
+  const auto seen = [&](const contact::ContactSystem::Problem& problem,
+                        const contact::ContactSystem::Solution& solution) {
+    here_ = paths_.intensities(problem, solution, *solver_);
     if (here_.size() > 0) {
       largest_ = std::max(largest_, here_.lpNorm<Eigen::Infinity>());
     }
     way.push_back(here_);
     ++increments_;
   };
-  std::optional<contact::ContactSystem::Answer> answer =
+  std::optional<contact::ContactSystem::Solution> solution =
       solver_->go_to(place.factors, place.increments > 0 ? place.increments : by_t, seen, trouble);
-  if (!answer) {
+  if (!solution) {
     trouble->why = fmt::format("while the loads of the growth were followed: {}", trouble->why);
     trouble->span = model_.growth->span;
     return false;
   }
-  answer_ = std::move(*answer);
+  solution_ = std::move(*solution);
   t_ = place.t;
   return true;
 }
@@ -130,7 +130,7 @@ bool LoadHistory::compare_with_recovered(FollowedLoads& out, base::Trouble& trou
       std::ranges::any_of(model_.vces, [](const model::Vce& vce) { return vce.shift.has_value(); });
   const crack::KLayout layout = scene_.k_layout();
   const base::Vector K = here_;
-  const std::optional<StepState> state = solver_->recover(answer_, trouble);
+  const std::optional<StepState> state = solver_->recover(solution_, trouble);
   if (!state) {
     trouble->span = model_.growth->span;
     return false;

@@ -118,8 +118,8 @@ void LoadPaths::look_at_faces(const solve::SolutionPath& found) {
   }
 }
 
-base::Vector LoadPaths::intensities(const contact::ContactSystem::Demand& demand,
-                                    const contact::ContactSystem::Answer& answer,
+base::Vector LoadPaths::intensities(const contact::ContactSystem::Problem& problem,
+                                    const contact::ContactSystem::Solution& solution,
                                     const StepSolver& solver) {
   if (!rows_) {
     rows_ = functionals(solver);
@@ -131,28 +131,28 @@ base::Vector LoadPaths::intensities(const contact::ContactSystem::Demand& demand
     }
   }
   base::Vector value = of_case_ * solver.factors().case_factor;
-  value += rows_->of_mode * answer.solution.alpha;
-  for (std::size_t i = 0; i < demand.rows.size(); ++i) {
-    value += rows_->of_row.col(static_cast<Eigen::Index>(demand.rows[i])) *
-             answer.solution.lambda[static_cast<Eigen::Index>(i)];
+  value += rows_->of_mode * solution.contact.alpha;
+  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+    value += rows_->of_row.col(static_cast<Eigen::Index>(problem.rows[i])) *
+             solution.contact.lambda[static_cast<Eigen::Index>(i)];
   }
   look_at_faces(value);
   base::Vector free; // without the forces between faces of cracks, all others as they are
   if (continues_below_closing(model_)) {
     free = value;
-    for (std::size_t i = 0; i < demand.rows.size(); ++i) {
-      if (between_faces(scene_, demand.rows[i])) {
-        free -= rows_->of_row.col(static_cast<Eigen::Index>(demand.rows[i])) *
-                answer.solution.lambda[static_cast<Eigen::Index>(i)];
+    for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+      if (between_faces(scene_, problem.rows[i])) {
+        free -= rows_->of_row.col(static_cast<Eigen::Index>(problem.rows[i])) *
+                solution.contact.lambda[static_cast<Eigen::Index>(i)];
       }
     }
   }
   const crack::KLayout layout = scene_.k_layout();
   for (std::size_t t = 0; t < scene_.cracked.fronts.size(); ++t) {
     const std::optional<std::size_t> row = row_at_tip(scene_, scene_.cracked.fronts[t]);
-    const auto at = row ? std::ranges::find(demand.rows, *row) : demand.rows.end();
-    if (at != demand.rows.end() &&
-        answer.solution.closed[static_cast<std::size_t>(at - demand.rows.begin())]) {
+    const auto at = row ? std::ranges::find(problem.rows, *row) : problem.rows.end();
+    if (at != problem.rows.end() &&
+        solution.contact.closed[static_cast<std::size_t>(at - problem.rows.begin())]) {
       value[layout.at(t, 1)] = 0.0;
     }
     if (free.size() > 0 && free[layout.at(t, 1)] < 0.0) {
@@ -165,11 +165,11 @@ base::Vector LoadPaths::intensities(const contact::ContactSystem::Demand& demand
 bool LoadPaths::close_tip(std::size_t t, const End& end, const solve::SolutionPath& found,
                           base::PiecewiseLinear& K1) const {
   const std::optional<std::size_t> row = row_at_tip(scene_, scene_.cracked.fronts[t]);
-  const auto at = row ? std::ranges::find(end.demand.rows, *row) : end.demand.rows.end();
-  if (at == end.demand.rows.end()) {
+  const auto at = row ? std::ranges::find(end.problem.rows, *row) : end.problem.rows.end();
+  if (at == end.problem.rows.end()) {
     return false;
   }
-  const auto place = at - end.demand.rows.begin();
+  const auto place = at - end.problem.rows.begin();
   bool closed = found.closed[static_cast<std::size_t>(place)];
   bool any = false;
   std::vector<double> value;

@@ -93,7 +93,7 @@ void LoadPaths::keep(std::size_t step, const StepSolver& solver,
   }
   End& end = ends_[step];
   if (solver.system() != nullptr) {
-    end.demand = solver.demand();
+    end.problem = solver.problem();
   }
   end.case_factor = solver.factors().case_factor;
   end.result.tips = result.tips;
@@ -174,20 +174,20 @@ solve::ParametricProblem LoadPaths::problem(const End& from, const End& to,
     p.of_mode.resize(p.f0.size(), 0);
     return p;
   }
-  p.at_zero = solver.system()->condensed(from.demand);
-  const solve::ContactProblem at_one = solver.system()->condensed(to.demand);
+  p.at_zero = solver.system()->condensed(from.problem);
+  const solve::ContactProblem at_one = solver.system()->condensed(to.problem);
   p.db = at_one.b - p.at_zero.b;
   p.dh = at_one.h - p.at_zero.h;
-  p.at_zero.load_scale = std::max(from.demand.load_scale, to.demand.load_scale);
-  const auto n = static_cast<Eigen::Index>(from.demand.rows.size());
+  p.at_zero.load_scale = std::max(from.problem.load_scale, to.problem.load_scale);
+  const auto n = static_cast<Eigen::Index>(from.problem.rows.size());
   p.of_force.resize(p.f0.size(), n);
   p.of_mode = rows_->of_mode;
   if (p.f0.size() == 0) {
     p.of_mode.resize(0, p.dh.size());
   }
   for (Eigen::Index i = 0; i < n && p.f0.size() > 0; ++i) {
-    p.of_force.col(i) =
-        rows_->of_row.col(static_cast<Eigen::Index>(from.demand.rows[static_cast<std::size_t>(i)]));
+    p.of_force.col(i) = rows_->of_row.col(
+        static_cast<Eigen::Index>(from.problem.rows[static_cast<std::size_t>(i)]));
   }
   return p;
 }
@@ -197,10 +197,10 @@ bool LoadPaths::homogeneous(const End& from, const End& to, const StepSolver& so
     return false;
   }
   // What no factor of the steps scales: gaps without FIT, or left over from a MOUNT.
-  const base::Vector rest = solver.unscaled_gap(from.demand.rows);
+  const base::Vector rest = solver.unscaled_gap(from.problem.rows);
   const double size =
-      std::max(from.demand.gap.size() > 0 ? from.demand.gap.cwiseAbs().maxCoeff() : 0.0,
-               to.demand.gap.size() > 0 ? to.demand.gap.cwiseAbs().maxCoeff() : 0.0);
+      std::max(from.problem.gap.size() > 0 ? from.problem.gap.cwiseAbs().maxCoeff() : 0.0,
+               to.problem.gap.size() > 0 ? to.problem.gap.cwiseAbs().maxCoeff() : 0.0);
   return rest.size() == 0 || rest.cwiseAbs().maxCoeff() <= 1e-12 * size;
 }
 
@@ -271,7 +271,7 @@ void LoadPaths::tips(const solve::SolutionPath& found, const End& from, const En
 
 void LoadPaths::contacts(const solve::SolutionPath& found, const End& end,
                          results::LoadPath& path) const {
-  const std::vector<std::size_t>& rows = end.demand.rows;
+  const std::vector<std::size_t>& rows = end.problem.rows;
   std::size_t first = 0; // of a contact among the rows in force
   for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
     std::size_t last = first;
@@ -351,7 +351,7 @@ results::LoadPath LoadPaths::path(const model::LoadPath& card, const StepSolver&
   if (posed.db.size() > 0 || posed.dh.size() > 0) {
     solve::PathSettings settings;
     settings.start.max_block_iterations = model_.control.max_iterations;
-    found = solve::follow_path(posed, 0.0, card.beyond, settings, from.demand.start);
+    found = solve::follow_path(posed, 0.0, card.beyond, settings, from.problem.start);
   } else { // no contact: one line
     found.segments.push_back({0.0, card.beyond, posed.f0, posed.df});
     found.end = card.beyond;

@@ -28,8 +28,8 @@ public:
   [[nodiscard]] const std::vector<std::size_t>& touching() const { return touching_; }
   /// K1 and K2 of each tip in a solved increment [crack::KLayout]; K1 is 0 where its faces
   /// touch at the tip, or what a law with R < 0 wants there. Looks at the faces, too.
-  [[nodiscard]] base::Vector intensities(const contact::ContactSystem::Demand& demand,
-                                         const contact::ContactSystem::Answer& answer,
+  [[nodiscard]] base::Vector intensities(const contact::ContactSystem::Problem& problem,
+                                         const contact::ContactSystem::Solution& solution,
                                          const StepSolver& solver);
   /// The parametric problem of one path; functionals K1 and K2 of each tip, then by watch how far
   /// its two nodes are apart and how far along the face.
@@ -39,7 +39,7 @@ public:
 private:
   /// Loads and gaps at the end of a step.
   struct End {
-    contact::ContactSystem::Demand demand;
+    contact::ContactSystem::Problem problem;
     base::Vector case_factor;
     results::StepResult result; ///< without its fields
   };

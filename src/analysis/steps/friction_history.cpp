@@ -28,49 +28,49 @@ FrictionHistory::FrictionHistory(const Scene& scene)
   }
 }
 
-void FrictionHistory::add_to(contact::ContactSystem::Demand& demand) const {
+void FrictionHistory::add_to(contact::ContactSystem::Problem& problem) const {
   std::vector<int> place(normal_of_.size(), -1);
-  for (std::size_t i = 0; i < demand.rows.size(); ++i) {
-    place[demand.rows[i]] = static_cast<int>(i);
+  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+    place[problem.rows[i]] = static_cast<int>(i);
   }
-  for (std::size_t i = 0; i < demand.rows.size(); ++i) {
-    const std::size_t row = demand.rows[i];
+  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+    const std::size_t row = problem.rows[i];
     if (rubs(row)) {
-      demand.friction.push_back({place[static_cast<std::size_t>(normal_of_[row])],
-                                 static_cast<int>(i), mu_[contact_of_[row]]});
+      problem.friction.push_back({place[static_cast<std::size_t>(normal_of_[row])],
+                                  static_cast<int>(i), mu_[contact_of_[row]]});
     }
   }
-  if (demand.friction.empty()) {
+  if (problem.friction.empty()) {
     return;
   }
-  for (const std::size_t row : demand.rows) {
-    demand.touch.push_back(memory_.touch[row]);
+  for (const std::size_t row : problem.rows) {
+    problem.touch.push_back(memory_.touch[row]);
   }
-  demand.alpha = memory_.alpha;
+  problem.alpha = memory_.alpha;
 }
 
-void FrictionHistory::take(const contact::ContactSystem::Demand& demand,
-                           const contact::ContactSystem::Answer& answer) {
-  memory_.alpha = answer.solution.alpha;
-  for (std::size_t i = 0; i < answer.touch.size(); ++i) {
-    memory_.touch[demand.rows[i]] = answer.touch[i];
+void FrictionHistory::take(const contact::ContactSystem::Problem& problem,
+                           const contact::ContactSystem::Solution& solution) {
+  memory_.alpha = solution.contact.alpha;
+  for (std::size_t i = 0; i < solution.touch.size(); ++i) {
+    memory_.touch[problem.rows[i]] = solution.touch[i];
   }
-  for (const solve::FrictionRow& f : demand.friction) {
-    const std::size_t row = demand.rows[static_cast<std::size_t>(f.tangent)];
+  for (const solve::FrictionRow& f : problem.friction) {
+    const std::size_t row = problem.rows[static_cast<std::size_t>(f.tangent)];
     if (memory_.touch[row] == solve::Touch::open || memory_.touch[row] == solve::Touch::stick) {
       continue;
     }
-    const double v = answer.solution.gap[f.tangent];
+    const double v = solution.contact.gap[f.tangent];
     memory_.slip[row] += v;
     memory_.path[row] += std::abs(v);
     // what slips is carried along under the mean of both pressures
-    const double before = memory_.pressure[demand.rows[static_cast<std::size_t>(f.normal)]];
-    const double now = answer.solution.lambda[f.normal];
+    const double before = memory_.pressure[problem.rows[static_cast<std::size_t>(f.normal)]];
+    const double now = solution.contact.lambda[f.normal];
     memory_.work[contact_of_[row]] += f.mu * 0.5 * (before + now) * std::abs(v);
   }
-  for (const solve::FrictionRow& f : demand.friction) {
-    memory_.pressure[demand.rows[static_cast<std::size_t>(f.normal)]] =
-        answer.solution.lambda[f.normal];
+  for (const solve::FrictionRow& f : problem.friction) {
+    memory_.pressure[problem.rows[static_cast<std::size_t>(f.normal)]] =
+        solution.contact.lambda[f.normal];
   }
 }
 

@@ -34,12 +34,12 @@ public:
   /// Whether this row of the table is the slip of a pair with friction.
   [[nodiscard]] bool rubs(std::size_t row) const { return normal_of_[row] >= 0; }
 
-  /// Adds to a demand whose rows are there what friction needs: pairs of rows and first states.
-  void add_to(contact::ContactSystem::Demand& demand) const;
+  /// Adds to a problem whose rows are there what friction needs: pairs of rows and first states.
+  void add_to(contact::ContactSystem::Problem& problem) const;
 
   /// Takes a solved increment: states, slips, work of friction.
-  void take(const contact::ContactSystem::Demand& demand,
-            const contact::ContactSystem::Answer& answer);
+  void take(const contact::ContactSystem::Problem& problem,
+            const contact::ContactSystem::Solution& solution);
 
   /// A pair is mounted or leaves: what its rows have slipped counts from here.
   void begin(std::size_t contact);

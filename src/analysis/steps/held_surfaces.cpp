@@ -41,18 +41,18 @@ struct Held {
 
 } // namespace
 
-void tell_held_surfaces(const Scene& scene, const contact::ContactSystem::Demand& demand,
+void tell_held_surfaces(const Scene& scene, const contact::ContactSystem::Problem& problem,
                         const StepMotion& motion, std::vector<results::Note>& notes) {
   std::vector<Held> found(scene.contacts.size());
-  for (std::size_t i = 0; i < demand.rows.size(); ++i) {
-    const std::size_t r = demand.rows[i];
+  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+    const std::size_t r = problem.rows[i];
     const auto c = scene.table.contact_of(r);
     const contact::ConstraintRow& row = scene.acting_row(r);
     const bool bonded = scene.contacts[c].type == model::ContactType::bonded;
     if (bonded || row.area <= 0.0 || !is_held(scene, row)) {
       continue;
     }
-    const double g = demand.gap[static_cast<Eigen::Index>(i)] / row.area;
+    const double g = problem.gap[static_cast<Eigen::Index>(i)] / row.area;
     if (row.tangential) {
       found[c].slip =
           std::max(found[c].slip,

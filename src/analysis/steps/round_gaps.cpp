@@ -16,9 +16,9 @@ namespace {
 constexpr double worst_change = 0.05; // of the largest pressure of the pair
 
 // What the increment asks for without friction, with gaps as drawn.
-contact::ContactSystem::Demand without_friction(const Scene& scene,
-                                                const contact::ContactSystem::Demand& of) {
-  contact::ContactSystem::Demand d;
+contact::ContactSystem::Problem without_friction(const Scene& scene,
+                                                 const contact::ContactSystem::Problem& of) {
+  contact::ContactSystem::Problem d;
   std::vector<double> gap;
   for (std::size_t i = 0; i < of.rows.size(); ++i) {
     const bool rubs = scene.contacts[scene.table.contact_of(of.rows[i])].mu > 0.0;
@@ -35,8 +35,8 @@ contact::ContactSystem::Demand without_friction(const Scene& scene,
   return d;
 }
 
-// Pressures of one contact as the results show them, from an answer to a demand without friction.
-contact::PairPressure pressures(const Scene& scene, const contact::ContactSystem::Demand& d,
+// Pressures of one contact as the results show them, from an answer to a problem without friction.
+contact::PairPressure pressures(const Scene& scene, const contact::ContactSystem::Problem& d,
                                 const solve::ContactSolution& s, std::size_t contact) {
   const contact::PairRows& pair = scene.pairs[contact];
   const auto normals = static_cast<Eigen::Index>(pair.normal.size());
@@ -84,11 +84,11 @@ double depth(const contact::PairRows& pair) {
 } // namespace
 
 void tell_round_gaps(const Scene& scene, const contact::ContactSystem& system,
-                     const contact::ContactSystem::Demand& demand,
-                     const contact::ContactSystem::Answer& answer,
+                     const contact::ContactSystem::Problem& problem,
+                     const contact::ContactSystem::Solution& solution,
                      std::vector<results::Note>& notes) {
-  const contact::ContactSystem::Demand drawn = without_friction(scene, demand);
-  contact::ContactSystem::Demand round = drawn;
+  const contact::ContactSystem::Problem drawn = without_friction(scene, problem);
+  contact::ContactSystem::Problem round = drawn;
   std::vector<bool> differs(scene.contacts.size(), false);
   for (std::size_t i = 0; i < round.rows.size(); ++i) {
     const contact::ConstraintRow& row = scene.row(round.rows[i]);
@@ -102,8 +102,8 @@ void tell_round_gaps(const Scene& scene, const contact::ContactSystem& system,
   }
   // where only friction holds a body there is nothing to compare
   const solve::ContactSolution smooth =
-      demand.friction.empty() ? answer.solution : system.solve(drawn, {}).solution;
-  const solve::ContactSolution other = system.solve(round, {}).solution;
+      problem.friction.empty() ? solution.contact : system.solve(drawn, {}).contact;
+  const solve::ContactSolution other = system.solve(round, {}).contact;
   if (smooth.status != solve::ContactStatus::solved ||
       other.status != solve::ContactStatus::solved) {
     return;

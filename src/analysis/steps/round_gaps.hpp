@@ -10,11 +10,11 @@
 namespace spricka::analysis {
 
 /// Warns of measured gaps between edges that are less round than the circles their nodes lie on,
-/// where that changes pressures: solves the increment `answer` belongs to once more with the gaps
+/// where that changes pressures: solves the increment `solution` belongs to once more with the gaps
 /// of those circles, without friction, and compares.
 void tell_round_gaps(const Scene& scene, const contact::ContactSystem& system,
-                     const contact::ContactSystem::Demand& demand,
-                     const contact::ContactSystem::Answer& answer,
+                     const contact::ContactSystem::Problem& problem,
+                     const contact::ContactSystem::Solution& solution,
                      std::vector<results::Note>& notes);
 
 } // namespace spricka::analysis

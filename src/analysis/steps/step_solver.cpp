@@ -112,8 +112,8 @@ base::Vector StepSolver::prescribed() const {
   return scene_.case_displacement * factors_.case_factor;
 }
 
-contact::ContactSystem::Demand StepSolver::demand() const {
-  contact::ContactSystem::Demand d;
+contact::ContactSystem::Problem StepSolver::problem() const {
+  contact::ContactSystem::Problem d;
   const base::Vector fixed = prescribed();
   const int dim = scene_.cracked.mesh.dim;
   std::vector<double> gap;
@@ -177,14 +177,14 @@ std::string StepSolver::unheld(const base::Vector& mode, bool slides) const {
                      slides ? "" : missing_contact(model_, scene_, bodies_, condensed_[at]));
 }
 
-base::Trouble StepSolver::trouble_of(const contact::ContactSystem::Answer& answer) const {
-  const solve::ContactSolution& s = answer.solution;
+base::Trouble StepSolver::trouble_of(const contact::ContactSystem::Solution& solution) const {
+  const solve::ContactSolution& s = solution.contact;
   switch (s.status) {
   case solve::ContactStatus::solved:
     break;
   case solve::ContactStatus::unheld_mode:
     return base::NoAnswer{.kind = base::Outcome::not_solvable,
-                          .why = unheld(s.unheld, answer.slides)};
+                          .why = unheld(s.unheld, solution.slides)};
   case solve::ContactStatus::inconsistent:
     return base::NoAnswer{
         .kind = base::Outcome::not_solvable,
@@ -198,11 +198,11 @@ base::Trouble StepSolver::trouble_of(const contact::ContactSystem::Answer& answe
   return std::nullopt;
 }
 
-bool StepSolver::accept(const contact::ContactSystem::Answer& answer,
-                        const contact::ContactSystem::Demand& demand, StepState& state,
+bool StepSolver::accept(const contact::ContactSystem::Solution& solution,
+                        const contact::ContactSystem::Problem& problem, StepState& state,
                         base::Trouble& trouble) {
-  const solve::ContactSolution& s = answer.solution;
-  if (base::Trouble none = trouble_of(answer)) {
+  const solve::ContactSolution& s = solution.contact;
+  if (base::Trouble none = trouble_of(solution)) {
     trouble = std::move(none);
     return false;
   }
@@ -223,8 +223,8 @@ bool StepSolver::accept(const contact::ContactSystem::Answer& answer,
         results::note(fmt::format("{} redundant contact row(s) left out", s.redundant)));
   }
   closed_.assign(scene_.table.size(), true);
-  for (std::size_t i = 0; i < demand.rows.size(); ++i) {
-    const std::size_t row = demand.rows[i];
+  for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+    const std::size_t row = problem.rows[i];
     const auto c = scene_.table.contact_of(row);
     const std::size_t local = row - scene_.table.first[c];
     state.pair_lambda[c][static_cast<Eigen::Index>(local)] = s.lambda[static_cast<Eigen::Index>(i)];
@@ -237,7 +237,7 @@ bool StepSolver::accept(const contact::ContactSystem::Answer& answer,
   for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
     state.friction.push_back(history_.pair(c));
   }
-  tell_round_gaps(scene_, *system_, demand, answer, state.notes);
+  tell_round_gaps(scene_, *system_, problem, solution, state.notes);
   return true;
 }
 
@@ -365,12 +365,12 @@ std::optional<StepState> StepSolver::solve(const model::Step& step, base::Troubl
   StepState state = begin_state();
   std::vector<base::Vector> external;
   if (system_) {
-    std::optional<contact::ContactSystem::Answer> answer = walk(before, step, state, trouble);
-    if (!answer) {
+    std::optional<contact::ContactSystem::Solution> solution = walk(before, step, state, trouble);
+    if (!solution) {
       trouble->span = step.span;
       return std::nullopt;
     }
-    external = std::move(answer->u);
+    external = std::move(solution->u);
   }
   if (!complete(std::move(external), state, trouble)) {
     trouble->span = step.span;
@@ -381,7 +381,7 @@ std::optional<StepState> StepSolver::solve(const model::Step& step, base::Troubl
     for (const base::Vector& lambda : state.pair_lambda) {
       pressed.push_back((lambda.array() > 0.0).any());
     }
-    tell_held_surfaces(scene_, demand(), {pressed, state.u - u_}, state.notes);
+    tell_held_surfaces(scene_, problem(), {pressed, state.u - u_}, state.notes);
   }
   u_ = state.u;
   return state;

@@ -31,21 +31,21 @@ constexpr double round_off_shear = 1e-6;
 // A determinant of more rows takes as long as an increment.
 constexpr std::size_t most_rows_tested = 4000;
 
-// Shear of contacts that rub in two answers to the same demand: root mean square of what it changes
-// by over that of the shear, the largest of all contacts (manual, contact.25).
-double friction_change(const Scene& scene, const contact::ContactSystem::Demand& demand,
-                       const contact::ContactSystem::Answer& a,
-                       const contact::ContactSystem::Answer& b) {
+// Shear of contacts that rub in two answers to the same problem: root mean square of what it
+// changes by over that of the shear, the largest of all contacts (manual, contact.25).
+double friction_change(const Scene& scene, const contact::ContactSystem::Problem& problem,
+                       const contact::ContactSystem::Solution& a,
+                       const contact::ContactSystem::Solution& b) {
   struct Sum {
     double change = 0.0, shear = 0.0, limit = 0.0;
   };
   std::vector<Sum> sums(scene.pairs.size());
-  for (const solve::FrictionRow& f : demand.friction) {
-    const std::size_t row = demand.rows[static_cast<std::size_t>(f.tangent)];
+  for (const solve::FrictionRow& f : problem.friction) {
+    const std::size_t row = problem.rows[static_cast<std::size_t>(f.tangent)];
     const auto c = scene.table.contact_of(row);
     const double area = scene.row(row).area;
-    const base::Vector& q = b.solution.lambda;
-    sums[c].change += area * std::pow(a.solution.lambda[f.tangent] - q[f.tangent], 2);
+    const base::Vector& q = b.contact.lambda;
+    sums[c].change += area * std::pow(a.contact.lambda[f.tangent] - q[f.tangent], 2);
     sums[c].shear += area * std::pow(q[f.tangent], 2);
     sums[c].limit += area * std::pow(least_shear * f.mu * q[f.normal], 2);
   }
@@ -62,18 +62,18 @@ double friction_change(const Scene& scene, const contact::ContactSystem::Demand&
 constexpr double least_slip = 1e-3;
 
 // The same of the work of friction, over the largest of all contacts, or of the largest way that a
-// row has slid, whichever changes by more. `answer` and `b` are of the later walk.
-double slip_change(const Scene& scene, const contact::ContactSystem::Demand& demand,
-                   const contact::ContactSystem::Answer& answer, const FrictionMemory& a,
+// row has slid, whichever changes by more. `solution` and `b` are of the later walk.
+double slip_change(const Scene& scene, const contact::ContactSystem::Problem& problem,
+                   const contact::ContactSystem::Solution& solution, const FrictionMemory& a,
                    const FrictionMemory& b) {
   double motion = 0.0;
-  for (const base::Vector& u : answer.u) {
+  for (const base::Vector& u : solution.u) {
     motion = std::max(motion, u.size() > 0 ? u.cwiseAbs().maxCoeff() : 0.0);
   }
   double force = 0.0;
-  for (const solve::FrictionRow& f : demand.friction) {
-    const std::size_t row = demand.rows[static_cast<std::size_t>(f.normal)];
-    force += f.mu * answer.solution.lambda[f.normal] * scene.row(row).area;
+  for (const solve::FrictionRow& f : problem.friction) {
+    const std::size_t row = problem.rows[static_cast<std::size_t>(f.normal)];
+    force += f.mu * solution.contact.lambda[f.normal] * scene.row(row).area;
   }
   const double work = std::max(std::ranges::max(b.work), least_slip * force * motion);
   double most = 0.0;
@@ -142,30 +142,30 @@ solve::ContactSettings settings_of(const model::Model& model) {
 
 } // namespace
 
-std::optional<contact::ContactSystem::Answer> StepSolver::walk(const StepFactors& from,
-                                                               const model::Step& step,
-                                                               StepState& state,
-                                                               base::Trouble& trouble) {
-  Walk way{.from = from, .to = factors_, .demand = demand(), .answer = {}};
-  const bool rubs = !way.demand.friction.empty();
+std::optional<contact::ContactSystem::Solution> StepSolver::walk(const StepFactors& from,
+                                                                 const model::Step& step,
+                                                                 StepState& state,
+                                                                 base::Trouble& trouble) {
+  Walk way{.from = from, .to = factors_, .problem = problem(), .solution = {}};
+  const bool rubs = !way.problem.friction.empty();
   if (rubs) {
     if (!walk_rubbing(way, step, state, trouble)) {
       return std::nullopt;
     }
     note_uniqueness(way, state);
   } else {
-    way.answer = system_->solve(way.demand, settings_of(model_));
-    way.iterations = way.answer.solution.block_iterations;
-    way.pivots = way.answer.solution.pivots;
+    way.solution = system_->solve(way.problem, settings_of(model_));
+    way.iterations = way.solution.contact.block_iterations;
+    way.pivots = way.solution.contact.pivots;
     way.increments = 1;
   }
   state.iterations = way.iterations;
   state.pivots = way.pivots;
   state.increments = way.increments;
-  if (!accept(way.answer, way.demand, state, trouble)) {
+  if (!accept(way.solution, way.problem, state, trouble)) {
     return std::nullopt;
   }
-  return std::move(way.answer);
+  return std::move(way.solution);
 }
 
 bool StepSolver::march(Walk& walk, const Place& start, int increments, base::Trouble& trouble) {
@@ -174,7 +174,7 @@ bool StepSolver::march(Walk& walk, const Place& start, int increments, base::Tro
   for (int k = 0; k < increments; ++k) {
     const double n = increments;
     if (!advance(walk, {k / n, (k + 1) / n}, 0)) {
-      trouble = trouble_of(walk.answer);
+      trouble = trouble_of(walk.solution);
       trouble->why = fmt::format("substep {} of {}: {}", k + 1, increments, trouble->why);
       return false;
     }
@@ -197,14 +197,15 @@ bool StepSolver::walk_rubbing(Walk& walk, const model::Step& step, StepState& st
     return false;
   }
   for (;;) {
-    const contact::ContactSystem::Answer last = std::move(walk.answer);
+    const contact::ContactSystem::Solution last = std::move(walk.solution);
     const FrictionMemory slipped = history_.memory();
     if (!march(walk, start, cut.now, trouble)) {
       return false;
     }
-    cut.change = compared ? friction_change(scene_, walk.demand, last, walk.answer) : 0.0;
-    cut.slip =
-        compared ? slip_change(scene_, walk.demand, walk.answer, slipped, history_.memory()) : 0.0;
+    cut.change = compared ? friction_change(scene_, walk.problem, last, walk.solution) : 0.0;
+    cut.slip = compared
+                   ? slip_change(scene_, walk.problem, walk.solution, slipped, history_.memory())
+                   : 0.0;
     const bool settled = cut.change <= shear_tolerance && cut.slip <= work_tolerance;
     if (given || settled || cut.now >= most_increments) {
       break;
@@ -219,16 +220,16 @@ bool StepSolver::walk_rubbing(Walk& walk, const model::Step& step, StepState& st
 
 bool StepSolver::advance(Walk& walk, std::pair<double, double> part, int halvings) {
   factors_ = part_way(walk.from, walk.to, part.second);
-  walk.demand = demand();
-  walk.answer = system_->solve(walk.demand, settings_of(model_));
-  const solve::ContactSolution& s = walk.answer.solution;
+  walk.problem = problem();
+  walk.solution = system_->solve(walk.problem, settings_of(model_));
+  const solve::ContactSolution& s = walk.solution.contact;
   walk.iterations += s.block_iterations;
   walk.pivots += s.pivots;
   if (s.status == solve::ContactStatus::solved) {
     ++walk.increments;
     remember(walk);
     if (walk.seen != nullptr) {
-      (*walk.seen)(walk.demand, walk.answer);
+      (*walk.seen)(walk.problem, walk.solution);
     }
     return true;
   }
@@ -251,23 +252,24 @@ void StepSolver::go_back(const Place& place) {
   history_.go_back(place.friction);
 }
 
-std::optional<contact::ContactSystem::Answer>
+std::optional<contact::ContactSystem::Solution>
 StepSolver::go_to(const StepFactors& to, int increments, const Seen& seen, base::Trouble& trouble) {
-  Walk way{.from = factors_, .to = to, .demand = {}, .answer = {}, .seen = &seen};
+  Walk way{.from = factors_, .to = to, .problem = {}, .solution = {}, .seen = &seen};
   for (int k = 0; k < increments; ++k) {
     const double n = increments;
     if (!advance(way, {k / n, (k + 1) / n}, 0)) {
-      trouble = trouble_of(way.answer);
+      trouble = trouble_of(way.solution);
       return std::nullopt;
     }
   }
-  return std::move(way.answer);
+  return std::move(way.solution);
 }
 
-std::optional<StepState> StepSolver::recover(contact::ContactSystem::Answer answer,
+std::optional<StepState> StepSolver::recover(contact::ContactSystem::Solution solution,
                                              base::Trouble& trouble) {
   StepState state = begin_state();
-  if (!accept(answer, demand(), state, trouble) || !complete(std::move(answer.u), state, trouble)) {
+  if (!accept(solution, problem(), state, trouble) ||
+      !complete(std::move(solution.u), state, trouble)) {
     return std::nullopt;
   }
   return state;
@@ -275,12 +277,12 @@ std::optional<StepState> StepSolver::recover(contact::ContactSystem::Answer answ
 
 // Where rows stand tangentially now: slip counts from here.
 void StepSolver::remember(const Walk& walk) {
-  history_.take(walk.demand, walk.answer);
+  history_.take(walk.problem, walk.solution);
   const base::Vector fixed = prescribed();
-  for (const std::size_t row : walk.demand.rows) {
+  for (const std::size_t row : walk.problem.rows) {
     if (history_.rubs(row)) {
       offset_[static_cast<Eigen::Index>(row)] =
-          -system_->opening(row, walk.answer.u) -
+          -system_->opening(row, walk.solution.u) -
           row_opening(scene_.row(row), scene_.cracked.mesh.dim, fixed);
     }
   }
@@ -290,11 +292,11 @@ void StepSolver::remember(const Walk& walk) {
 void StepSolver::note_uniqueness(const Walk& walk, StepState& state) {
   if (tested_ != factors_.mounted) {
     tested_ = factors_.mounted;
-    certain_ = system_->unique(walk.demand).certain;
+    certain_ = system_->unique(walk.problem).certain;
   }
-  if (!certain_ && walk.demand.rows.size() <= most_rows_tested &&
-      solve::one_of_several({system_->condensed(walk.demand), walk.demand.friction, {}},
-                            walk.answer.solution.closed, walk.answer.touch)) {
+  if (!certain_ && walk.problem.rows.size() <= most_rows_tested &&
+      solve::one_of_several({system_->condensed(walk.problem), walk.problem.friction, {}},
+                            walk.solution.contact.closed, walk.solution.touch)) {
     state.notes.push_back(results::warning(
         "with this much friction the end of the step is one of several solutions"));
   }

@@ -59,19 +59,19 @@ TEST(ContactSystem, FloatingBodiesAreHeldByContactAlone) {
                  {base::NodeId(std::size_t{1}), {1.0, 0.0, 0.0}}};
   row.gap = 0.25;
   const contact::ContactSystem system({&left, &right}, {&row}, 2, 4);
-  contact::ContactSystem::Demand demand;
-  demand.rows = {0};
-  demand.equality = {false};
-  demand.gap = base::Vector::Constant(1, row.gap);
-  demand.load = {base::Vector::Constant(1, 2.0), base::Vector::Zero(1)};
-  demand.load_scale = 2.0;
-  const contact::ContactSystem::Answer pressed = system.solve(demand, {});
-  ASSERT_EQ(pressed.solution.status, solve::ContactStatus::solved);
-  EXPECT_NEAR(pressed.solution.lambda[0], 2.0, 1e-13);
+  contact::ContactSystem::Problem problem;
+  problem.rows = {0};
+  problem.equality = {false};
+  problem.gap = base::Vector::Constant(1, row.gap);
+  problem.load = {base::Vector::Constant(1, 2.0), base::Vector::Zero(1)};
+  problem.load_scale = 2.0;
+  const contact::ContactSystem::Solution pressed = system.solve(problem, {});
+  ASSERT_EQ(pressed.contact.status, solve::ContactStatus::solved);
+  EXPECT_NEAR(pressed.contact.lambda[0], 2.0, 1e-13);
   EXPECT_NEAR(pressed.u[1][0], 0.25, 1e-13);
   EXPECT_NEAR(pressed.u[0][0], 0.5, 1e-13);
-  demand.load[0][0] = -2.0; // pulls away: nothing holds the left mass
-  EXPECT_EQ(system.solve(demand, {}).solution.status, solve::ContactStatus::unheld_mode);
+  problem.load[0][0] = -2.0; // pulls away: nothing holds the left mass
+  EXPECT_EQ(system.solve(problem, {}).contact.status, solve::ContactStatus::unheld_mode);
 }
 
 // Rows that last: the same compliance as without, and the same bits whether kept or made anew.

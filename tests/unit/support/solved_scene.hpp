@@ -91,9 +91,9 @@ struct SolvedScene {
     const base::Vector& factor = solver->factors().case_factor;
     base::Vector gap = base::Vector::Zero(static_cast<Eigen::Index>(scene().table.size()));
     if (solver->system() != nullptr) {
-      const contact::ContactSystem::Demand demand = solver->demand();
-      for (std::size_t i = 0; i < demand.rows.size(); ++i) {
-        gap[static_cast<Eigen::Index>(demand.rows[i])] = demand.gap[static_cast<Eigen::Index>(i)];
+      const contact::ContactSystem::Problem problem = solver->problem();
+      for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+        gap[static_cast<Eigen::Index>(problem.rows[i])] = problem.gap[static_cast<Eigen::Index>(i)];
       }
     }
     return estimate::intensity_of(adjoint,
