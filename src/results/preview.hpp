@@ -62,7 +62,7 @@ struct BodyPreview {
   std::size_t elements = 0;
   int modes = 0;
   int by_supports = 0;
-  int by_contact = 0; ///< felt by some contact of the deck; whether it holds, loads decide
+  int by_contact = 0; ///< that some contact of the deck opens by; whether it holds, loads decide
   std::vector<std::string> by_nothing;
 };
 
