@@ -99,7 +99,7 @@ void for_faces(const model::Mesh& mesh, const TipPlace& tip, const ExtensionFiel
     edges.push_back(mesh::plane_edge(mesh, face));
   }
   const NodeAreas area = areas_of(edges, tip.node);
-  const std::map<base::NodeId, double> q(field.q.begin(), field.q.end());
+  const std::map<base::NodeId, double> q = field.q();
   for (const PlaneEdge& edge : edges) {
     std::array<double, 3> moved{};
     bool moves = false;

@@ -11,26 +11,16 @@ namespace spricka::crack {
 
 namespace {
 
-using Tensor = Eigen::Matrix2d;
-
 /// The solution at a point of an element.
 struct Here {
-  Tensor nodal;                     ///< gradient of the nodes' displacement
-  Tensor H;                         ///< of the displacement: what expands freely is in
-  Tensor sigma;                     ///< stress, thermal part in
-  Tensor strained;                  ///< gradient that has this stress, where some expands freely
+  Tensor<2> nodal;                  ///< gradient of the nodes' displacement
+  Tensor<2> H;                      ///< of the displacement: what expands freely is in
+  Tensor<2> sigma;                  ///< stress, thermal part in
+  Tensor<2> strained;               ///< gradient that has this stress, where some expands freely
   double beta_T = 0.0;              ///< stress that the temperature takes out
   base::Vec2 beta_grad_T{0.0, 0.0}; ///< and its gradient
   double free_strain = 0.0;         ///< alpha T as the state has it
 };
-
-// s(u) : grad v + s(v) : grad u - s(u) : eps(v) I, as a tensor that multiplies grad q (component k
-// of q along e_k, derivative j): T_kj = s_ij v_i,k + ...
-Tensor momentum(const Here& u, const Tensor& Hv, const Tensor& sv) {
-  Tensor T = Hv.transpose() * u.sigma + u.H.transpose() * sv;
-  T.diagonal().array() -= u.sigma.cwiseProduct(Hv).sum();
-  return T;
-}
 
 /// One element. Where a part of its temperature expands it freely (fe::FreeExpansion) the nodes'
 /// displacement less that of the expansion at the nodes strains it; both ways of writing the energy
@@ -68,10 +58,11 @@ public:
       const Here met = filled && set_.affine ? under_affine(own, x) : own;
       for (std::size_t k = 0; k < partners; ++k) {
         const Here& here = k == 0 ? own : met;
-        const Tensor Hv = k == 0 ? here.nodal : partner_gradient(set_, place, k);
-        Tensor T = Tensor::Zero();
+        const Tensor<2> Hv = k == 0 ? here.nodal : partner_gradient(set_, place, k);
+        Tensor<2> T = Tensor<2>::Zero();
         if (strained) {
-          T = k == 0 ? own_momentum(here) : momentum(here, Hv, stress_of(D_, Hv));
+          T = k == 0 ? own_momentum(here)
+                     : energy_momentum<2>({here.H, here.sigma}, {Hv, stress_of<2>(D_, Hv)});
         }
         base::Vec2 c = base::Vec2::Zero();
         if (filled) {
@@ -79,7 +70,7 @@ public:
           c = work * here.beta_grad_T;
         }
         for (int n = 0; n < S::nodes; ++n) {
-          base::Vec2& P = (*force[static_cast<std::size_t>(n)])[k];
+          auto P = (*force[static_cast<std::size_t>(n)])[k].template head<2>();
           const base::Vec2 gradient = at.dNdx.row(n);
           P += w * (T * gradient + N[n] * c);
           if (k == 0 && carried_) { // nodes carried through the free expansion
@@ -94,23 +85,24 @@ public:
   }
 
 private:
-  using Forces = std::array<std::array<base::Vec2, partners>*, S::nodes>;
+  using Forces = std::array<std::array<base::Vec3, partners>*, S::nodes>;
 
   // At points of their own: they may bend and jump where the fields do not.
   void add_body_forces(const Forces& force) const {
-    for_body_forces<S>(
-        fields_, e_, X_, [&](const shape::Point<2>& r, double weight, const base::Vec2& b) {
-          const fe::Jacobian<S> at = fe::jacobian<S>(X_, r);
-          const Eigen::Matrix<double, S::nodes, 1> N = S::N(r);
-          const Polar place = polar(set_.tip, X_ * N);
-          for (std::size_t k = 0; k < partners; ++k) {
-            const Tensor Hv = k == 0 ? Tensor(U_ * at.dNdx) : partner_gradient(set_, place, k);
-            const base::Vec2 c = weight * at.det * (Hv.transpose() * b);
-            for (int n = 0; n < S::nodes; ++n) {
-              (*force[static_cast<std::size_t>(n)])[k] -= N[n] * c;
-            }
-          }
-        });
+    for_body_forces<S>(fields_, e_, X_,
+                       [&](const shape::Point<2>& r, double weight, const base::Vec2& b) {
+                         const fe::Jacobian<S> at = fe::jacobian<S>(X_, r);
+                         const Eigen::Matrix<double, S::nodes, 1> N = S::N(r);
+                         const Polar place = polar(set_.tip, X_ * N);
+                         for (std::size_t k = 0; k < partners; ++k) {
+                           const Tensor<2> Hv =
+                               k == 0 ? Tensor<2>(U_ * at.dNdx) : partner_gradient(set_, place, k);
+                           const base::Vec2 c = weight * at.det * (Hv.transpose() * b);
+                           for (int n = 0; n < S::nodes; ++n) {
+                             (*force[static_cast<std::size_t>(n)])[k].template head<2>() -= N[n] * c;
+                           }
+                         }
+                       });
   }
 
   [[nodiscard]] Here solution(const fe::Jacobian<S>& at, const shape::Point<2>& r,
@@ -120,7 +112,7 @@ private:
     if (filled) {
       heat(at, r, x, here);
     }
-    here.sigma = stress_of(D_, here.H);
+    here.sigma = stress_of<2>(D_, here.H);
     here.sigma.diagonal().array() -= here.beta_T;
     return here;
   }
@@ -138,7 +130,7 @@ private:
             Here& here) const {
     const double beta = fe::heat_modulus(law_);
     if (carried_) {
-      const Tensor expansion = free_.gradient(x);
+      const Tensor<2> expansion = free_.gradient(x);
       here.beta_T = beta * free_.temperature(x);
       here.beta_grad_T = beta * free_.slope();
       here.free_strain = expansion(0, 0);
@@ -152,12 +144,10 @@ private:
   }
 
   // Of u with itself, halved: W is half of (sigma - beta T) : eps.
-  [[nodiscard]] Tensor own_momentum(const Here& u) const {
-    const Tensor& H = carried_ ? u.strained : u.H;
+  [[nodiscard]] Tensor<2> own_momentum(const Here& u) const {
+    const Tensor<2>& H = carried_ ? u.strained : u.H;
     const double thermal = carried_ ? 2.0 * u.free_strain : H.trace();
-    Tensor T = H.transpose() * u.sigma;
-    T.diagonal().array() -= 0.5 * (u.sigma.cwiseProduct(H).sum() - u.beta_T * thermal);
-    return T;
+    return energy_momentum<2>({H, u.sigma}, u.beta_T * thermal);
   }
 
   const TipSetting& set_;

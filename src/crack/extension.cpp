@@ -81,8 +81,16 @@ bool Neighbourhood::on_boundary(base::NodeId n) const {
   return false;
 }
 
-ExtensionField Neighbourhood::field(base::NodeId tip, int rings) const {
-  std::set<base::NodeId> rigid{tip};
+std::map<base::NodeId, double> ExtensionField::q() const {
+  std::map<base::NodeId, double> by_node;
+  for (const NodeMotion& moved : motion) {
+    by_node.emplace_hint(by_node.end(), moved.node, moved.q);
+  }
+  return by_node;
+}
+
+ExtensionField Neighbourhood::field(const mesh::FrontPoint& point, int rings) const {
+  std::set<base::NodeId> rigid{point.node};
   std::set<base::ElementId> inside;
   std::set<base::ElementId> rim;
   for (int ring = 0; ring <= rings; ++ring) {
@@ -128,7 +136,9 @@ ExtensionField Neighbourhood::field(base::NodeId tip, int rings) const {
       }
     }
   }
-  result.q.assign(q.begin(), q.end());
+  for (const auto& [node, amount] : q) {
+    result.motion.push_back({.node = node, .q = amount, .along = point.growth});
+  }
   return result;
 }
 
@@ -169,11 +179,11 @@ std::vector<ExtensionField> Neighbourhood::fields(const mesh::CrackedMesh& crack
   };
   std::vector<ExtensionField> result;
   for (const int count : rings) {
-    ExtensionField f = field(front.tip().node, count);
+    ExtensionField f = field(front.tip(), count);
     const bool moves_fixed =
-        std::ranges::any_of(f.q, [&](const auto& nq) { return fixed(nq.first); });
-    const bool leaves = std::any_of(f.q.begin(), f.q.end(), [&](const auto& nq) {
-      const std::span<const base::ElementId> around = elements_.around(nq.first);
+        std::ranges::any_of(f.motion, [&](const NodeMotion& m) { return fixed(m.node); });
+    const bool leaves = std::ranges::any_of(f.motion, [&](const NodeMotion& m) {
+      const std::span<const base::ElementId> around = elements_.around(m.node);
       return std::any_of(around.begin(), around.end(), beyond);
     });
     if (moves_fixed || leaves || f.elements.empty()) {

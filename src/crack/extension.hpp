@@ -1,24 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "base/id.hpp"
+#include "base/vec.hpp"
 #include "mesh/cut/cracked.hpp"
 #include "mesh/node_elements.hpp"
 #include "model/mesh.hpp"
 
 #include <cstdint>
-#include <utility>
+#include <map>
 #include <vector>
 
 /// Virtual extension fields: how far each node moves along with the tip.
 namespace spricka::crack {
 
+/// A node moves by q along a unit vector, the growth direction of the point of the front that it
+/// goes with.
+struct NodeMotion {
+  base::NodeId node;
+  double q = 0.0;
+  base::Vec3 along = base::Vec3::UnitX();
+};
+
 /// q of one domain: 1 at the tip and on every node of `rings` rings of elements round it, 0 beyond
 /// the ring after; mid nodes in between take the mean of their corners.
 struct ExtensionField {
   int rings = 1;
-  std::vector<std::pair<base::NodeId, double>> q; ///< nodes with q > 0, ascending
-  std::vector<base::ElementId> elements;          ///< where q is not constant, ascending
-  std::vector<base::ElementId> inside;            ///< where q is 1, ascending
+  std::vector<NodeMotion> motion;        ///< nodes with q > 0, ascending
+  std::vector<base::ElementId> elements; ///< where q is not constant, ascending
+  std::vector<base::ElementId> inside;   ///< where q is 1, ascending
+
+  [[nodiscard]] std::map<base::NodeId, double> q() const; ///< by node
 };
 
 /// What domains must keep clear of, beside what the mesh says; empty: nothing.
@@ -44,7 +55,7 @@ public:
 
 private:
   [[nodiscard]] bool on_boundary(base::NodeId n) const;
-  [[nodiscard]] ExtensionField field(base::NodeId tip, int rings) const;
+  [[nodiscard]] ExtensionField field(const mesh::FrontPoint& point, int rings) const;
 
   const model::Mesh& mesh_;
   mesh::NodeElements elements_;

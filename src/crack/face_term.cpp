@@ -64,7 +64,7 @@ void add_face(const TipSetting& set, const ScaledLoad& on, const model::Face& fa
           k == 0 ? base::Vec2(U * dN) : base::Vec2(partner_gradient(set, place, k) * along);
       const base::Vec2 work = -point.weight * t.dot(du) * tangent;
       for (std::size_t i = 0; i < nodes.size(); ++i) {
-        out[nodes[i]][k] += N[static_cast<Eigen::Index>(i)] * work;
+        out[nodes[i]][k].template head<2>() += N[static_cast<Eigen::Index>(i)] * work;
       }
     }
   }

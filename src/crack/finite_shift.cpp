@@ -143,7 +143,7 @@ double potential_energy(const Shift& shift, const ExtensionField& field) {
 
 double shifted_release_rate(const TipSetting& set, const ExtensionField& field, double s,
                             const base::Vector& u) {
-  const std::map<base::NodeId, double> q(field.q.begin(), field.q.end());
+  const std::map<base::NodeId, double> q = field.q();
   const std::vector<BodyField> fields = body_fields(set);
   const double back =
       potential_energy({.set = set, .q = q, .s = -s, .u = u, .fields = fields}, field);

@@ -320,7 +320,7 @@ bool jumps_in(const TipSetting& set, const ExtensionField& field) {
 std::array<double, partners> heat_term(const TipSetting& set, const mesh::Front& front,
                                        const ExtensionField& field, const base::Vector& u) {
   std::array<double, partners> sum{};
-  const std::map<base::NodeId, double> q(field.q.begin(), field.q.end());
+  const std::map<base::NodeId, double> q = field.q();
   const std::vector<ElementId> all = all_elements(field);
   const bool wants_G = !jumps_in(set, field) && (u.array() != 0.0).any();
   fe::for_plane_blocks(set.mesh, all,

@@ -48,8 +48,8 @@ Roughness roughness(const TipSetting& set, const ActingLoad& acting, const fe::F
 template <class Visit>
 void for_rough_sides(const TipSetting& set, const ExtensionField& field, Visit&& visit) {
   std::vector<base::NodeId> moved;
-  for (const auto& [node, q] : field.q) {
-    moved.push_back(node);
+  for (const NodeMotion& m : field.motion) {
+    moved.push_back(m.node);
   }
   for (const ActingLoad& acting : set.loads.loads) {
     if (acting.faces.empty() || fe::is_constant(*acting.load)) {
@@ -106,8 +106,8 @@ double largest_jump(const TipSetting& set, const ExtensionField& field) {
 
 double size_of(const TipSetting& set, const ExtensionField& field) {
   double most = 0.0;
-  for (const auto& [node, q] : field.q) {
-    most = std::max(most, (set.mesh.x[node.index()].head<2>() - set.tip.x).norm());
+  for (const NodeMotion& m : field.motion) {
+    most = std::max(most, (set.mesh.x[m.node.index()].head<2>() - set.tip.x).norm());
   }
   return most;
 }

@@ -106,7 +106,7 @@ void for_element_points(const TipSetting& set, base::ElementId e,
     const Polar place = polar(set.tip, X * S::N(point.r));
     const Eigen::Matrix2d Hv = partner_gradient(set, place, partner);
     const Eigen::Matrix2d A = Hv * e1 * grad.transpose() - e1.dot(grad) * Hv;
-    const Eigen::Matrix2d M = stress_of(D, A) + stress_of(D, Hv) * grad * e1.transpose();
+    const Eigen::Matrix2d M = stress_of<2>(D, A) + stress_of<2>(D, Hv) * grad * e1.transpose();
     visit(point.r, at, Eigen::Matrix2d(w * M));
   }
 }
@@ -117,7 +117,7 @@ void for_points(const TipSetting& set, const std::vector<ExtensionField>& fields
                 std::size_t partner, Visit&& visit) {
   const double part = 1.0 / static_cast<double>(fields.size());
   for (const ExtensionField& field : fields) {
-    const std::map<base::NodeId, double> q(field.q.begin(), field.q.end());
+    const std::map<base::NodeId, double> q = field.q();
     fe::for_plane_blocks(set.mesh, field.elements,
                          [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
                            for (const base::ElementId e : block) {
@@ -201,7 +201,7 @@ StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedM
     doubt = std::max(doubt, factors.halves * doubt_of_G(set, field));
   }
   for (const ExtensionField& field : fields) {
-    std::array<double, partners> sum = forces.along(field, set.tip.e1);
+    std::array<double, partners> sum = forces.along(field);
     const std::array<double, partners> more =
         added_terms(set, front, field, request.crack_faces, u);
     for (std::size_t k = 0; k < partners; ++k) {

@@ -46,22 +46,21 @@ bool between_materials(const TipSetting& set, const ExtensionField& field) {
   return std::ranges::any_of(field.elements, differs) || std::ranges::any_of(field.inside, differs);
 }
 
-std::array<base::Vec2, partners>& NodalForces::operator[](base::NodeId n) {
+std::array<base::Vec3, partners>& NodalForces::operator[](base::NodeId n) {
   const auto [place, fresh] = at.try_emplace(n);
   if (fresh) {
-    place->second.fill(base::Vec2::Zero());
+    place->second.fill(base::Vec3::Zero());
   }
   return place->second;
 }
 
-std::array<double, partners> NodalForces::along(const ExtensionField& field,
-                                                const base::Vec2& e1) const {
+std::array<double, partners> NodalForces::along(const ExtensionField& field) const {
   std::array<double, partners> sum{};
-  for (const auto& [node, q] : field.q) {
-    const auto P = at.find(node);
+  for (const NodeMotion& moved : field.motion) {
+    const auto P = at.find(moved.node);
     if (P != at.end()) {
       for (std::size_t k = 0; k < partners; ++k) {
-        sum[k] += q * e1.dot(P->second[k]);
+        sum[k] += moved.q * moved.along.dot(P->second[k]);
       }
     }
   }

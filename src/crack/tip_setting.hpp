@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "crack/energy_momentum.hpp"
 #include "crack/extension.hpp"
 #include "crack/tip_loads.hpp"
 #include "crack/williams.hpp"
@@ -53,15 +54,15 @@ bool between_materials(const TipSetting& set, const ExtensionField& field);
 /// a unit force along the crack at the tip (T).
 inline constexpr std::size_t partners = 4;
 
-/// Derivatives of the energy with respect to where nodes are, per unit thickness [force/length]: of
-/// the solution with each partner. Terms add to them; G, K and T are their product with q e1.
+/// Configurational forces: how much energy is released as nodes move, per unit thickness
+/// [force/length], of the solution with each partner. Terms add to them; G, K and T are their
+/// product with a virtual extension.
 struct NodalForces {
-  std::map<base::NodeId, std::array<base::Vec2, partners>> at;
+  std::map<base::NodeId, std::array<base::Vec3, partners>> at;
 
-  std::array<base::Vec2, partners>& operator[](base::NodeId n);
-  /// Sum over nodes of q e1 . P, of each partner.
-  [[nodiscard]] std::array<double, partners> along(const ExtensionField& field,
-                                                   const base::Vec2& e1) const;
+  std::array<base::Vec3, partners>& operator[](base::NodeId n);
+  /// Sum over nodes of their motion times P, of each partner.
+  [[nodiscard]] std::array<double, partners> along(const ExtensionField& field) const;
 };
 
 /// Displacement gradient of partner 1 to 3 at a point off the tip.
@@ -83,11 +84,5 @@ Eigen::Matrix<double, S::nodes, 1> extension_at(const model::Mesh& mesh, base::E
 /// In the elements where q varies the partners behave like r^-1/2 or r^-1 but are smooth; degree 9
 /// leaves 1e-7 of them.
 inline constexpr int domain_degree = 9;
-
-/// Stress of a displacement gradient.
-inline Eigen::Matrix2d stress_of(const fe::Elasticity<2>& D, const Eigen::Matrix2d& H) {
-  const fe::Strain<2> sigma = D * fe::strain<2>(H);
-  return fe::stress_tensor<2>(sigma);
-}
 
 } // namespace spricka::crack

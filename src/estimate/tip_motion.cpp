@@ -40,8 +40,8 @@ TipMotion tip_motion(const mesh::CrackedMesh& cracked, std::size_t tip,
 mesh::CrackedMesh moved(const mesh::CrackedMesh& cracked, const TipMotion& motion, double by) {
   mesh::CrackedMesh out = cracked;
   mesh::Front& front = out.fronts[motion.tip];
-  for (const auto& [node, q] : motion.field.q) {
-    out.mesh.x[node.index()] += (by * motion.step * q) * front.tip().growth;
+  for (const crack::NodeMotion& m : motion.field.motion) {
+    out.mesh.x[m.node.index()] += (by * motion.step * m.q) * m.along;
   }
   front.tip().x += (by * motion.step) * front.tip().growth;
   front.a += by * motion.step;
@@ -50,7 +50,7 @@ mesh::CrackedMesh moved(const mesh::CrackedMesh& cracked, const TipMotion& motio
 
 bool moves_as_one(const model::Mesh& mesh, const TipMotion& motion,
                   const std::vector<crack::ExtensionField>& fields) {
-  const std::map<base::NodeId, double> q(motion.field.q.begin(), motion.field.q.end());
+  const std::map<base::NodeId, double> q = motion.field.q();
   bool all = true;
   bool none = true;
   for (const crack::ExtensionField& field : fields) {

@@ -62,8 +62,8 @@ TipAdvance::TipAdvance(const model::Model& model, const Scene& scene, std::size_
                                    scene.tips[tip].beyond.value_or(scene.tips[tip].fields.back()))),
       strained_(motion_.field.elements) {
   std::vector<bool> moves(scene.cracked.mesh.node_count(), false);
-  for (const auto& [node, q] : motion_.field.q) {
-    moves[node.index()] = true;
+  for (const crack::NodeMotion& moved : motion_.field.motion) {
+    moves[moved.node.index()] = true;
   }
   find_hindrances(moves);
   for (auto* side : {&ahead_, &behind_}) {

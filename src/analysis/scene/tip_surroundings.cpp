@@ -28,8 +28,8 @@ Near near_tip(const std::vector<crack::ExtensionField>& fields) {
   for (const crack::ExtensionField& field : fields) {
     near.elements.insert(field.elements.begin(), field.elements.end());
     near.elements.insert(field.inside.begin(), field.inside.end());
-    for (const auto& [node, q] : field.q) {
-      near.nodes.insert(node);
+    for (const crack::NodeMotion& moved : field.motion) {
+      near.nodes.insert(moved.node);
     }
   }
   return near;

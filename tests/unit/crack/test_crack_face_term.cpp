@@ -107,10 +107,10 @@ TEST(CrackFaceTerm, IsThatOfTractionsNextToTheTip) {
         double R = 0.0;
         double S = 1e9;
         for (const base::NodeId n : plate.cracked.faces[0].left) {
-          const auto q = std::ranges::find(field.q, n, &std::pair<base::NodeId, double>::first);
-          if (q != field.q.end() && q->second == 1.0) {
+          const auto q = std::ranges::find(field.motion, n, &crack::NodeMotion::node);
+          if (q != field.motion.end() && q->q == 1.0) {
             R = std::max(R, plate.from_tip(n));
-          } else if (q == field.q.end()) {
+          } else if (q == field.motion.end()) {
             S = std::min(S, plate.from_tip(n));
           }
         }

@@ -102,7 +102,7 @@ TEST_P(PointForce, FindsTheTOfAKnownField) {
   base::Vector u(2 * static_cast<Eigen::Index>(model.mesh.node_count()));
   for (std::size_t n = 0; n < model.mesh.node_count(); ++n) {
     const base::Vec2 x = model.mesh.x[n].head<2>();
-    field.q.emplace_back(base::NodeId(n), (1.0 - x.norm()) / 0.5);
+    field.motion.push_back({.node = base::NodeId(n), .q = (1.0 - x.norm()) / 0.5});
     u.segment<2>(2 * static_cast<Eigen::Index>(n)) =
         K1 * crack::auxiliary_displacement({}, x, 1, material, GetParam()) +
         K2 * crack::auxiliary_displacement({}, x, 2, material, GetParam()) +

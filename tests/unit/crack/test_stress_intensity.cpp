@@ -47,7 +47,7 @@ struct Annulus {
     crack::ExtensionField field;
     for (std::size_t n = 0; n < model.mesh.node_count(); ++n) {
       const double r = model.mesh.x[n].norm();
-      field.q.emplace_back(base::NodeId(n), (1.0 - r) / 0.5);
+      field.motion.push_back({.node = base::NodeId(n), .q = (1.0 - r) / 0.5});
     }
     for (std::size_t e = 0; e < model.mesh.element_count(); ++e) {
       field.elements.emplace_back(e);
@@ -117,8 +117,8 @@ TEST(StressIntensity, RowsGiveTheSameKOfAnyDisplacement) {
   for (const model::CrackState state : {model::CrackState::automatic, model::CrackState::strain}) {
     Annulus a(4, 24, model::State::plane_stress, base::ElementType::quamc8);
     crack::ExtensionField narrow = a.fields.front(); // a second domain
-    for (auto& [node, q] : narrow.q) {
-      q = q * q;
+    for (crack::NodeMotion& moved : narrow.motion) {
+      moved.q *= moved.q;
     }
     a.fields.push_back(narrow);
     const base::Matrix rows = crack::intensity_rows(a.model, a.cracked, a.front, a.fields, state);

@@ -343,8 +343,8 @@ TEST_P(GoalError, DoesNotDependOnTheNumbersOfNodes) {
     }
   }
   for (crack::ExtensionField& field : other.fields) {
-    for (auto& [id, q] : field.q) {
-      id = turned(id);
+    for (crack::NodeMotion& moved : field.motion) {
+      moved.node = turned(moved.node);
     }
   }
   other.suppress();
