@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/friction_search.hpp"
 #include "base/index.hpp"
-#include "model/model.hpp"
 #include "solve/lemke.hpp"
 
 #include <algorithm>

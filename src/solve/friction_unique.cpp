@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/friction_unique.hpp"
 #include "base/index.hpp"
-#include "model/model.hpp"
 #include "solve/blas.hpp"
 #include "solve/friction_set.hpp"
 #include "solve/mode_split.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/recover/judge_size.hpp"
+
 #include "model/model.hpp"
 
 #include <algorithm>

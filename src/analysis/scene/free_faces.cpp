@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/scene/free_faces.hpp"
+
 #include "model/model.hpp"
 
 #include <algorithm>

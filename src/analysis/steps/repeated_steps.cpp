@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/steps/repeated_steps.hpp"
+
 #include "model/model.hpp"
 
 #include <algorithm>

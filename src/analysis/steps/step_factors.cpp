@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/steps/step_factors.hpp"
+
 #include "model/model.hpp"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/import/imported_physics.hpp"
+
 #include "model/model.hpp"
 
 namespace spricka::mesh {

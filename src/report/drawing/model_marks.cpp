@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/drawing/model_marks.hpp"
+
 #include "model/model.hpp"
 
 #include <fmt/format.h>

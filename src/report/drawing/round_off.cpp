@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/drawing/round_off.hpp"
+
 #include "model/model.hpp"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/topics/model_tables.hpp"
+
 #include "model/model.hpp"
 
 #include <fmt/format.h>
