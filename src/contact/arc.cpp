@@ -142,6 +142,7 @@ Arc longest_arc(const Surface& surface, const std::vector<NodePressure>& nodes, 
   Arc arc{std::min(longest->begin, longest->begin + longest->run),
           std::max(longest->begin, longest->begin + longest->run)};
   if (round) {
+    // Angles start from -pi up to below pi: one that round-off keeps just below pi starts at -pi.
     const double turns = std::floor((arc.from + pi) / (2.0 * pi) + 1e-9);
     arc.from -= 2.0 * pi * turns;
     arc.to -= 2.0 * pi * turns;

@@ -11,6 +11,7 @@ using base::index;
 
 FreeResponse free_response(const ContactSystem& system, const std::vector<base::Matrix>& load) {
   const std::vector<const CondensedBody*>& bodies = system.bodies();
+  // Loads without contact forces: rigid modes do not move, what acts on them is left in on_mode.
   FreeResponse out;
   out.on_mode.resize(system.B().cols(), load.empty() ? 0 : load.front().cols());
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -39,6 +40,7 @@ HeldContact::Response HeldContact::respond(const base::Matrix& gap,
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     out.force.row(index(rows_[i])) = found.lambda.row(index(i));
   }
+  // Of all rows of the system: those that are away open or overlap as they like.
   out.gap = gap + system_.W() * out.force + system_.B() * out.mode;
   return out;
 }
@@ -62,6 +64,8 @@ base::Vector HeldContact::pivots(const std::vector<std::size_t>& candidates) con
   const auto count = index(candidates.size());
   const base::Matrix& W = system_.W();
   const base::Matrix& B = system_.B();
+  // A column for each candidate: the gap of a held row, or the force on another one, is one, and
+  // the held rows answer.
   base::Matrix gap = base::Matrix::Zero(W.rows(), count);
   base::Matrix on_mode = base::Matrix::Zero(B.cols(), count);
   std::vector<bool> is_held(candidates.size());
@@ -81,6 +85,7 @@ base::Vector HeldContact::pivots(const std::vector<std::size_t>& candidates) con
   for (std::size_t c = 0; c < candidates.size(); ++c) {
     const auto at = index(c);
     const auto row = index(candidates[c]);
+    // A held row meets a positive gap by pulling: the pivot is the other sign.
     pivot[at] = is_held[c] ? -response.force(row, at) : response.gap(row, at);
   }
   return pivot;

@@ -29,10 +29,12 @@ void add_point(const PairPoint& p, const Facet& facet, const Facet* target, int 
   const FacetValues phi = facet_hats(facet, p.r);
   for (std::size_t i = 0; i < facet.nodes.size(); ++i) {
     const double c = p.weight * phi[i];
+    // Hats are zero over half edges: a node that nothing but zeros would be added to gets no row.
     if (c == 0.0) {
       continue;
     }
     NodeRows& row = rows[facet.nodes[i]];
+    // (contact.2), and along the tangents (contact.21).
     row.normal.gap += c * p.gap;
     row.normal.round_gap += c * p.round_gap;
     row.normal.area += c;
@@ -53,6 +55,7 @@ bool is_covered(const RowBuilder& row) {
 RowsByNode make_rows(const PairPoints& points, std::span<const Facet> contact,
                      std::span<const Facet> targets, int tangents) {
   RowsByNode rows;
+  // The area of each function over all of its edges, paired or not: the measure of its cover.
   for (const SurfacePoint& p : points.surface) {
     const Facet& facet = contact[p.facet];
     const FacetValues phi = facet_hats(facet, p.r);
@@ -102,6 +105,7 @@ int merge_slivers(const NodeOrder& order, RowsByNode& rows) {
       }
       ++merged;
     }
+    // Merged, or a cover of round-off that is dropped: without area append_rows() leaves it out.
     own = NodeRows{};
   }
   return merged;

@@ -32,11 +32,14 @@ Arc marked_arc(std::vector<ArcNode> nodes, bool round) {
     in.push_back(node.in);
   }
   constexpr double pi = std::numbers::pi;
+  // All of them: no end to be found. On a circle nodes over more than three quarters of it are all
+  // round, fewer end where they end.
   if (n > 0 && std::ranges::find(in, false) == in.end()) {
     return round && n > 2 && nodes[n - 1].s - nodes[0].s > 1.5 * pi
                ? Arc{-pi, pi}
                : Arc{nodes[0].s, nodes[n - 1].s};
   }
+  // Places of a stretch across the seam go on beyond pi, so that they ascend along it.
   const auto coordinate = [&](std::size_t i) {
     return nodes[i % n].s + 2.0 * pi * static_cast<double>(round ? i / n : 0);
   };
@@ -60,6 +63,7 @@ Arc marked_arc(std::vector<ArcNode> nodes, bool round) {
                             nodes[j % n].strength, coordinate(j + 1));
     }
   }
+  // An arc that begins beyond the seam is named by angles of one turn.
   if (round && best.to > pi && best.from > 0.0 && best.from >= pi) {
     best = {best.from - 2.0 * pi, best.to - 2.0 * pi};
   }

@@ -11,6 +11,7 @@ namespace {
 constexpr int parts = 4;       // straight pieces for a quadratic edge
 constexpr double corner = 0.6; // turns of more belong to the shape, not to its facets [rad]
 
+// Bodies are on the left: the outer normal is on the right of the way from a to b.
 Vec2 normal_of(const Vec2& a, const Vec2& b) {
   const Vec2 t = (b - a).normalized();
   return {t.y(), -t.x()};
@@ -55,6 +56,7 @@ void Outline::add_chain(std::vector<Vec2> points, bool closed) {
     normal.push_back(normal_of(points[i], points[(i + 1) % points.size()]));
   }
   for (std::size_t i = 0; i < n; ++i) {
+    // Beyond the ends of an open chain a piece is its own neighbour.
     const std::size_t last = i > 0 ? i - 1 : (closed ? n - 1 : i);
     const std::size_t next = i + 1 < n ? i + 1 : (closed ? 0 : i);
     pieces_.push_back(
@@ -77,6 +79,7 @@ void Outline::sort_in() {
     high_ = i == 0 ? Vec2(p.a.cwiseMax(p.b)) : Vec2(high_.cwiseMax(p.a).cwiseMax(p.b));
     length += (p.b - p.a).norm();
   }
+  // Two mean pieces: a piece lies in few cells, and a cell holds few pieces.
   size_ = pieces_.empty() ? 1.0 : 2.0 * length / static_cast<double>(pieces_.size());
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const Cell a = cell_of(pieces_[i].a.cwiseMin(pieces_[i].b));
@@ -100,7 +103,10 @@ void Outline::look(const Vec2& x, std::size_t i, double& best,
     return;
   }
   best = off.norm();
+  // Nearest to an end, the normals of both pieces that meet there tell inside from outside: either
+  // alone may be wrong before a sharp corner.
   const Vec2 n = t <= 0.0 ? p.at_a : (t >= 1.0 ? p.at_b : normal_of(p.a, p.b));
+  // An arc over a chord c that turns by theta rises c theta / 8 above it.
   found = {off.dot(n) < 0.0 ? -best : best, chord.norm() * p.turn / 8.0};
 }
 
@@ -112,6 +118,7 @@ std::optional<OutlinePlace> Outline::nearest(const Vec2& x, double reach) const 
   const Cell to = cell_of((x + r).cwiseMin(high_).cwiseMax(low_));
   const double cells = static_cast<double>(to.first - from.first + 1) *
                        static_cast<double>(to.second - from.second + 1);
+  // With a long reach the pieces are fewer than the cells to be asked.
   if (cells > static_cast<double>(pieces_.size())) {
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       look(x, i, best, found);

@@ -28,6 +28,7 @@ double to_circle(const Surface& surface, const Vec2& x, const Vec2& n) {
   }
   const Vec2 d = x - surface.circle->centre;
   const double along = d.normalized().dot(n);
+  // Along a ray that is more than 60 degrees off the radius the circle is no measure.
   return std::abs(along) < 0.5 ? 0.0 : (surface.circle->radius - d.norm()) / along;
 }
 
@@ -53,11 +54,14 @@ std::optional<Opposite> opposite(const Surface& contact, const Surface& other, c
     return std::nullopt;
   }
   const Vec2 y = point_on(target, *eta);
+  // (contact.7), and the same between the circles: each surface is moved onto its own.
   const double gap = gap_beyond_digits((y - x).dot(n), x);
   return Opposite{*eta, n, gap, gap - to_circle(contact, x, n) + to_circle(other, y, n)};
 }
 
 bool covered_twice(const std::vector<Segment>& segments) {
+  // Segments of an edge stand in the order of `from`; neighbours that share a node may overlap by
+  // round-off.
   for (std::size_t i = 1; i < segments.size(); ++i) {
     if (segments[i].contact_edge == segments[i - 1].contact_edge &&
         segments[i].from < segments[i - 1].to - 1e-6) {
@@ -87,6 +91,7 @@ bool add_segment(const Surface& contact, const Target& target, const Segment& s,
     p.x.head<2>() = x;
     p.normal.head<2>() = other->normal;
     p.tangent[0] = {-other->normal.y(), other->normal.x(), 0.0};
+    // (contact.12): the area that the point stands for.
     p.weight = 0.5 * (s.to - s.from) * weight * tangent_on(edge, xi).norm() * depth(x);
     p.gap = other->gap;
     p.round_gap = other->round_gap;
@@ -131,6 +136,7 @@ PairPoints find_points(const Surface& contact, const Target& target,
     }
   }
   for (PairPoint& p : all.points) {
+    // A declared gap holds for the circles as well: then the two gaps do not differ.
     p.gap = declared_gap.value_or(p.gap);
     p.round_gap = declared_gap.value_or(p.round_gap);
   }

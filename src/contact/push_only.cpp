@@ -76,6 +76,7 @@ private:
         continue;
       }
       const double part = force(j) / there;
+      // A donor that gives all has no round-off left, which might be negative.
       at_.p[j] = taken < there ? at_.p[j] * (1.0 - taken / there) : 0.0;
       if (at_.q.size() > 0) {
         at_.q[j] += shear * taken * part / area_[j];
@@ -160,6 +161,7 @@ double contact_area(const PairRows& pair, const std::vector<NodePressure>& nodes
         }
         std::vector<std::array<double, 2>> last;
         const std::optional<std::size_t> third = neighbour(chain, i, 2, !ahead);
+        // From the third last closed node on; t ends at the open one.
         double t = 0.0;
         for (const std::optional<std::size_t>& k : {third, behind, std::optional(i)}) {
           if (!k || !at(*k).closed) {
@@ -171,6 +173,8 @@ double contact_area(const PairRows& pair, const std::vector<NodePressure>& nodes
           t += (at(on).x - at(*k).x).norm();
         }
         const double way = (at(*next).x - at(i).x).norm();
+        // The way that the closed row's area covers is taken off (contact.10): below zero where
+        // contact ends before that.
         const double beyond = end_of_contact(last, t) - own_part(pair, chain, i) * way;
         area += beyond * depth_at(pair.contact, pair.target, at(i).x);
       }

@@ -53,6 +53,7 @@ void add_cuts(const Edge& edge, const Vec2& end, const Vec2& t, std::vector<doub
   }
 }
 
+// Cuts in order; those within round-off of a node are at the node.
 void settle(std::vector<double>& cuts) {
   for (double& cut : cuts) {
     for (const double node : {-1.0, 0.0, 1.0}) {
@@ -62,6 +63,7 @@ void settle(std::vector<double>& cuts) {
   std::sort(cuts.begin(), cuts.end());
 }
 
+// Whether a point of an edge looks at the target, near enough and between its ends.
 bool faces(const Surface& contact, const Edge& edge, const model::Rigid& rigid, double xi) {
   const std::optional<RigidFoot> foot = foot_on(rigid, point_on(edge, xi));
   return foot && !foot->beyond && outer_normal(edge, xi).dot(foot->normal) > 0.0 &&
@@ -83,6 +85,7 @@ std::optional<RigidFoot> foot_on(const model::Rigid& rigid, const Vec2& x) {
   const Vec2 outward = (x - centre) / distance;
   RigidFoot foot;
   foot.point = centre + radius * outward;
+  // (contact.13): with a radius above 0 the body is outside, below 0 inside.
   foot.gap = rigid.radius > 0.0 ? distance - radius : radius - distance;
   foot.normal = rigid.radius > 0.0 ? Vec2(-outward) : outward;
   return foot;

@@ -16,6 +16,7 @@ struct Ball {
   double radius;
 };
 
+// A circle about an edge, to leave out at once what is too far off.
 Ball ball_of(const Edge& edge) {
   const Vec2 centre = point_on(edge, 0.0);
   return {centre, std::max((edge.x[0] - centre).norm(), (edge.x[1] - centre).norm())};
@@ -42,6 +43,8 @@ void add_segments(const Surface& contact, const Edge& edge, const Edge& target,
   const Vec2 n = surface_normal(contact, edge, middle);
   const Vec2 x = point_on(edge, middle);
   const std::optional<double> eta = hit_on(target, x, n);
+  // Judged in the middle of the stretch: sides that look the same way, as those of a thin body, and
+  // edges far off are not faced.
   if (!eta || outer_normal(target, std::clamp(*eta, -1.0, 1.0)).dot(n) >= 0.0 ||
       std::abs((point_on(target, *eta) - x).dot(n)) > far_share * contact.extent) {
     return;
@@ -73,6 +76,7 @@ std::optional<double> foot_on(const Surface& surface, const Edge& edge, const Ve
     const Vec2 n = surface_normal(surface, edge, xi);
     const double r = cross(point - point_on(edge, xi), n);
     const double slope = -cross(tangent_on(edge, xi), n);
+    // The normal runs nearly along the edge: it has no foot worth naming.
     if (std::abs(slope) < 1e-3 * edge.length) {
       return std::nullopt;
     }
@@ -86,10 +90,12 @@ std::optional<double> foot_on(const Surface& surface, const Edge& edge, const Ve
     if (std::abs(step) < 1e-14) {
       break;
     }
+    // Far off either end; callers cut at -1 and 1 and need the side alone.
     if (std::abs(xi) > 6.0) {
       return xi > 0.0 ? 6.0 : -6.0;
     }
   }
+  // Where nodes match, segments must be whole edges, not leave slivers of round-off.
   if (std::abs(std::abs(xi) - 1.0) < 1e-9) {
     xi = xi > 0.0 ? 1.0 : -1.0;
   }
@@ -135,6 +141,7 @@ std::vector<Segment> find_segments(const Surface& contact, const Surface& target
         add_segments(contact, edge, targets[t], {number, t, -1.0, 1.0}, all);
       }
     }
+    // Along the edge, so that the order does not depend on how the target is numbered.
     std::sort(all.begin() + begin, all.end(), [](const Segment& a, const Segment& b) {
       return std::pair(a.from, a.target_edge) < std::pair(b.from, b.target_edge);
     });

@@ -167,6 +167,7 @@ std::vector<double> chain_starts(const Surface& surface) {
       continue;
     }
     std::size_t first = c;
+    // Back to where a string of chains begins; a ring of them begins with c.
     while (last[first] && *last[first] != c) {
       first = *last[first];
     }

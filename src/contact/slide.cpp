@@ -15,6 +15,7 @@ namespace {
 constexpr std::array<double, 2> gauss{-0.5773502691896258, 0.5773502691896258};
 constexpr double least_pressure = 0.01; // of the largest: less is not looked at
 
+// The edge where displacements have taken it.
 Edge moved(Edge edge, const base::Vector& u) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(edge.count); ++i) {
     edge.x[i] += u.segment<2>(2 * static_cast<Eigen::Index>(edge.nodes[i].index()));
@@ -22,6 +23,7 @@ Edge moved(Edge edge, const base::Vector& u) {
   return edge;
 }
 
+// The displacement of a point of an edge.
 Vec2 shift_at(const Edge& edge, double xi, const base::Vector& u) {
   const std::array<double, 3> N = edge_N(edge, xi);
   Vec2 sum = Vec2::Zero();
@@ -59,6 +61,8 @@ public:
   }
 
 private:
+  // Sum of multipliers times hats, the traction that the rows stand for. Nodes whose row was merged
+  // into a neighbour's have none of their own.
   [[nodiscard]] double pressure(const Edge& edge, double xi) const {
     const std::array<double, 3> phi = edge_hats(edge, xi);
     double p = 0.0;
@@ -75,12 +79,14 @@ private:
     for (const Edge& target : moved_) {
       const Vec2 centre = point_on(target, 0.0);
       const double radius = std::max((target.x[0] - centre).norm(), (target.x[1] - centre).norm());
+      // Farther off than the drawn gap and the motion since: not what the point faces.
       if ((centre - x).norm() > 1.01 * radius + near) {
         continue;
       }
       const std::optional<double> eta = hit_on(target, x, n);
       if (eta && std::abs(*eta) <= 1.0 + 1e-6) {
         const double g = (point_on(target, *eta) - x).dot(n);
+        // The nearest of several: the ray may run on through the body and out at its far side.
         gap = !gap || std::abs(g) < std::abs(*gap) ? g : *gap;
       }
     }
@@ -97,6 +103,7 @@ private:
     const double length = 0.5 * (s.to - s.from) * tangent_on(edge, xi).norm();
     const double thrust = p * length * depth_at(pair_.contact, pair_.target, x);
     Vec2 n = surface_normal(pair_.contact, edge, xi);
+    // Motion of the target side less that of this one, as rows weigh it.
     Vec2 relative = -shift_at(edge, xi, u_);
     double drawn = 0.0;
     double facet = edge.length;
@@ -109,6 +116,7 @@ private:
       }
       n = before->normal;
       drawn = before->gap;
+      // Beyond the end of a line there is nothing to press on.
       now = after->beyond ? std::nullopt : std::optional(after->gap);
     } else {
       const Edge& target = targets_[s.target_edge];
@@ -121,10 +129,12 @@ private:
       const Edge here = moved(edge, u_);
       const Vec2 at = point_on(here, xi);
       relative += shift_at(target, *eta, u_);
+      // Along the normal as it is now: bodies that have turned face one another otherwise.
       now = gap_from(at, outer_normal(here, xi), std::abs(drawn) + relative.norm());
     }
     thrust_ += thrust;
     found_.pressed += length;
+    // The part of the motion along the surface.
     const double way = std::abs(n.x() * relative.y() - n.y() * relative.x());
     if (way > found_.way) {
       found_.way = way;
@@ -133,6 +143,8 @@ private:
     if (!now) {
       lost_ += thrust;
     } else {
+      // A row takes the gap to be the drawn one and the motion along the drawn normal; what is more
+      // is of second order, and no row counts it.
       found_.misfit = std::max(found_.misfit, std::abs(*now - drawn - n.dot(relative)));
     }
   }

@@ -35,6 +35,7 @@ std::optional<Circle> fit_circle(const std::vector<Vec2>& points, double extent)
     rhs += row * d.squaredNorm();
   }
   const Eigen::FullPivLU<Eigen::Matrix3d> lu(A);
+  // Points on a line, or all but on one: no circle.
   if (lu.rcond() < 1e-12) {
     return std::nullopt;
   }
@@ -94,6 +95,8 @@ Surface make_surface(const model::Model& model, const model::Mesh& mesh,
       }
       surface.mean_length += edge.length;
       const double E = model.material_of(mesh, face.element).E;
+      // The softest, by which the contact side is chosen (contact.6); the thinnest, as depth_at()
+      // takes the smaller.
       surface.stiffness = count == 0 ? E : std::min(surface.stiffness, E);
       const double t = model.property_of(mesh, face.element).thickness;
       surface.thickness = count == 0 ? t : std::min(surface.thickness, t);

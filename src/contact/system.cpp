@@ -22,6 +22,7 @@ base::Matrix orthonormal(const base::Matrix& modes) {
   if (modes.cols() == 0) {
     return modes;
   }
+  // The thin Q: as many columns as modes, whatever basis they came in.
   const Eigen::HouseholderQR<base::Matrix> qr(modes);
   return qr.householderQ() * base::Matrix::Identity(modes.rows(), modes.cols());
 }
@@ -66,6 +67,7 @@ CondensedBody::CondensedBody(std::vector<std::int32_t> freedom, solve::FactoredE
     : freedom_(std::move(freedom)), Q_(index(freedom_.size()), 0), factor_(base::Matrix()),
       layered_(std::move(factor)) {}
 
+// The part of F off the rigid modes, P F of (solve.10).
 base::Matrix CondensedBody::project(base::Matrix F) const {
   if (Q_.cols() > 0) {
     F -= Q_ * (Q_.transpose() * F);
@@ -74,6 +76,7 @@ base::Matrix CondensedBody::project(base::Matrix F) const {
 }
 
 base::Matrix CondensedBody::half_compliance(const base::Matrix& F) const {
+  // A layered factor has no modes to project off. Its early rows come first in Y.
   return layered_ ? layered_->L.half_solve(spread(F)) : factor_.half_solve(project(F));
 }
 
@@ -95,6 +98,7 @@ ContactSystem::ContactSystem(std::vector<const CondensedBody*> bodies,
                              std::vector<const ConstraintRow*> rows, int dim, std::size_t freedoms,
                              const Lasting& lasting)
     : bodies_(std::move(bodies)), rows_(rows.size()) {
+  // By freedom of the mesh: the body that has it among its externals, and where; -1: none has.
   std::vector<std::pair<std::int32_t, std::int32_t>> place(freedoms, {-1, -1});
   mode_start_.push_back(0);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
@@ -110,6 +114,7 @@ ContactSystem::ContactSystem(std::vector<const CondensedBody*> bodies,
         const std::size_t freedom =
             static_cast<std::size_t>(dim) * entry.node.index() + static_cast<std::size_t>(c);
         const auto [body, at] = place[freedom];
+        // Suppressed and prescribed freedoms belong to no body: they drop out of the row.
         if (body >= 0 && entry.weight[c] != 0.0) {
           rows_[r].push_back({static_cast<std::size_t>(body), at, entry.weight[c]});
         }
@@ -124,6 +129,8 @@ ContactSystem::ContactSystem(std::vector<const CondensedBody*> bodies,
   }
 }
 
+// Of a layered factor only the early rows outlast a length; a body with S of its own is kept as a
+// whole or not at all.
 bool ContactSystem::may_last(std::size_t body, std::size_t row) const {
   const solve::FactoredExternals* factor = bodies_[body]->layered();
   return factor == nullptr || std::ranges::all_of(rows_[row], [&](const Entry& e) {
@@ -155,12 +162,14 @@ void ContactSystem::add_body(std::size_t body, const Lasting& lasting,
       (keeps && lasting.row[r] && may_last(body, r) ? stay : move).push_back(r);
     }
   }
-  // Chains of edges may begin elsewhere at another length.
+  // By node, not as the chains run: these may begin elsewhere at another length, and then what is
+  // kept would not be known again.
   std::ranges::stable_sort(
       stay, {}, [&](std::size_t r) { return std::pair(rows[r]->node, rows[r]->tangential); });
   const std::vector<std::vector<RowShare>> moving = shares_of(body, move, false);
   const CondensedBody& own = *bodies_[body];
   const solve::FactoredExternals* factor = own.layered();
+  // Rows that do not last: half compliances anew; Y^T Y is symmetric to the last bit.
   const base::Matrix Y = own.half_compliance(as_columns(moving, own.freedom().size()));
   add_compliance(move, move, solve::gram(Y));
   add_modes(body, move, moving);
@@ -169,6 +178,7 @@ void ContactSystem::add_body(std::size_t body, const Lasting& lasting,
   }
   LastingRows& kept = *lasting.kept[body];
   std::vector<std::vector<RowShare>> staying = shares_of(body, stay, factor != nullptr);
+  // What is kept serves only if its rows weigh the same freedoms, number by number.
   if (kept.rows != staying) {
     if (factor != nullptr) {
       const solve::EarlyRows& early = *factor->L.early();
@@ -182,6 +192,8 @@ void ContactSystem::add_body(std::size_t body, const Lasting& lasting,
   }
   add_compliance(stay, stay, kept.W);
   add_modes(body, stay, kept.rows);
+  // Lasting rows with the others. What the late rows add to either is of this length: their half
+  // solves go into the compliances after the kept part.
   base::Matrix between = solve::product(kept.Y, Y.topRows(kept.Y.rows()));
   if (factor != nullptr) {
     const base::Matrix late = factor->L.late_half(kept.late_load);
@@ -211,6 +223,8 @@ void ContactSystem::add_modes(std::size_t body, const std::vector<std::size_t>& 
     for (const RowShare& share : shares[k]) {
       row += share.weight * Q.row(share.at);
     }
+    // By the motion of the whole body, not by what its modes open here: a mode that no row feels
+    // must look small against it.
     opening_scale_ = std::max(opening_scale_, motion * row_size(shares[k]));
   }
 }
@@ -236,6 +250,7 @@ solve::ContactProblem ContactSystem::condensed(const Problem& problem) const {
   std::vector<base::Vector> u(bodies_.size());
   solve::ContactProblem small = compliance(problem.rows);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    // b and h of (solve.11): gaps as the loads alone leave them, and the loads on the modes.
     u[b] = bodies_[b]->displacement(problem.load[b]);
     small.h.segment(mode_start_[b], bodies_[b]->modes().cols()) =
         bodies_[b]->modes().transpose() * problem.load[b];
@@ -304,6 +319,7 @@ ContactSystem::Solution ContactSystem::solve(const Problem& problem,
   if (s.status != solve::ContactStatus::solved) {
     return solution;
   }
+  // u = S+ (f + G^T lambda) + Q alpha, body by body.
   std::vector<base::Vector> force = problem.load;
   for (Eigen::Index i = 0; i < s.lambda.size(); ++i) {
     for (const Entry& e : rows_[problem.rows[at(i)]]) {

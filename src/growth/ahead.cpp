@@ -88,10 +88,12 @@ std::optional<Obstacle> Surroundings::edge_ahead(const mesh::CrackLine& line,
   const Piece* nearest = nullptr;
   double least = std::numeric_limits<double>::max();
   for (const Piece& piece : pieces_) {
+    // Edges of other nets do not bound the body that the crack is in.
     if (line.net.valid() && piece.net != line.net) {
       continue;
     }
     const std::optional<double> distance = meets(from, way, piece.a, piece.b);
+    // The edge that the tip stands on, as at a mouth, is met at no distance: not ahead.
     if (distance && *distance<least&& * distance> slack * (piece.b - piece.a).norm()) {
       least = *distance;
       nearest = &piece;
@@ -114,6 +116,7 @@ std::optional<Obstacle> Surroundings::crack_ahead(std::span<const mesh::CrackLin
     for (std::size_t k = 1; k < points.size(); ++k) {
       const Vec2 a = plane(points[k - 1]);
       const Vec2 b = plane(points[k]);
+      // The pieces that end at this tip are no obstacle; earlier parts of the same crack are.
       const bool at_tip = i == own && ((a - from).norm() <= slack * (b - a).norm() ||
                                        (b - from).norm() <= slack * (b - a).norm());
       if (at_tip) {
@@ -131,6 +134,7 @@ std::optional<Obstacle> Surroundings::crack_ahead(std::span<const mesh::CrackLin
             distance = std::min(distance, off.norm());
           }
         }
+        // What is passed at the side: its distance counts double.
         distance = std::min(distance, mesh::distance(from, a, b) / beside);
       }
       if (distance < found.distance) {

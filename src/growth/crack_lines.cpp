@@ -81,6 +81,7 @@ bool on_symmetry_line(const model::Model& model, const std::vector<base::NodeId>
   const base::Vec3 along =
       (mesh.x[path.back().index()] - mesh.x[path.front().index()]).normalized();
   const int across = std::abs(along.x()) > std::abs(along.y()) ? 1 : 0;
+  // Freedoms are components: only along an axis is the motion across the path one of them.
   if (std::abs(along[across]) > 1e-9) {
     return false;
   }
@@ -107,6 +108,7 @@ struct Builder {
       line.points.push_back(model.mesh.x[n.index()]);
     }
     line.net = model.mesh.node_net[line.path.front().index()];
+    // Seen from the suppressed freedoms: the deck does not say it.
     line.symmetric_half = on_symmetry_line(model, line.path, cls);
     return line;
   }
@@ -121,6 +123,7 @@ struct Builder {
     if (crack.angle && line.points.size() == 1) {
       const base::Vec3 along(std::cos(*crack.angle), std::sin(*crack.angle), 0.0);
       // of given lengths the first tip of an embedded crack stays at the point
+      // By a law the middle of an embedded crack stays where it was first.
       const double drawn = arms.given ? a : first_length(crack);
       line.points.push_back(line.points.front() + (line.embedded ? 2.0 * drawn : a) * along);
     }
@@ -131,6 +134,7 @@ struct Builder {
     }
     if (crack.smooth && line.points.size() > 2) {
       const SmoothCurve curve(line.points);
+      // Arms count from the middle of the curve as drawn; beyond its ends it goes straight on.
       const double half = 0.5 * curve.length();
       line.points = line.embedded ? as_polyline(curve, half - arms.first, half + a, true)
                                   : as_polyline(curve, 0.0, a, false);
@@ -170,6 +174,7 @@ struct Builder {
 
   std::optional<mesh::CrackLine> line(std::size_t number, Arms arms) {
     const model::Crack& crack = model.cracks[number];
+    // A crack that does not grow, and one without a length of its own here, has its first length.
     if (!crack_grows(model, number) || arms.last <= 0.0) {
       arms.first = arms.last = first_length(crack);
     }
@@ -231,6 +236,7 @@ std::optional<std::vector<mesh::CrackLine>> crack_lines(const model::Model& mode
                                                         base::Diagnostics& diagnostics) {
   Builder builder{model, diagnostics, fe::classify_freedoms(model, model.mesh)};
   std::vector<mesh::CrackLine> lines;
+  // All cracks are looked at, so that every error is told at once.
   bool complete = true;
   for (std::size_t c = 0; c < model.cracks.size(); ++c) {
     std::optional<mesh::CrackLine> line = builder.line(c, arms[c]);

@@ -75,6 +75,7 @@ std::vector<GrowingTip> growing_tips(const model::Model& model,
 March::March(const model::Model& model, Law law, std::vector<mesh::CrackLine> lines, State state)
     : model_(model), law_(std::move(law)), lines_(std::move(lines)),
       tips_(growing_tips(model, lines_)), around_(model.mesh), state_(std::move(state)) {
+  // A run that goes on stands where its last station was; whether that was the end follows anew.
   for (std::size_t i = 0; i < state_.lines.size(); ++i) {
     lines_[i].points = state_.lines[i];
   }
@@ -96,6 +97,7 @@ bool March::turns() const {
 Heading March::heading_of(std::size_t tip) const {
   const GrowingTip& t = tips_[tip];
   const mesh::CrackLine& line = lines_[t.line];
+  // Where cracks turn, the way on is that found at the last station; else the crack's own.
   const double angle = state_.stations.empty() || !turns()
                            ? angle_of(last_part(line, t.at_first))
                            : state_.stations.back().tips[tip].heading;
@@ -115,7 +117,10 @@ std::vector<double> March::shares() const {
     if (all.size() > 1 && p > 0.0) {
       const Station& before = all[all.size() - 2];
       const double h = all.back().s - before.s;
+      // A guess of the advance of s: obstacles and lengths that cut it are looked at afterwards.
       const double next = all.back().s * (std::exp(state_.step) - 1.0);
+      // (growth.2). Cut, so that a line through two stations makes no share negative or far too
+      // large.
       p = std::clamp(p + 0.5 * next / h * (p - of(before, tip)), 0.5 * p, 2.0 * p);
     }
     share.push_back(p);
@@ -151,6 +156,7 @@ std::optional<std::vector<mesh::CrackLine>> March::next(base::Diagnostics& diagn
 bool March::plan() {
   const std::vector<double> share = shares();
   const Station& here = state_.stations.back();
+  // No arm may grow by more than the step; what each tip demands only makes it shorter.
   double ds = 1e300;
   for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
     if (share[tip] > 0.0) {
@@ -166,7 +172,9 @@ bool March::plan() {
   for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
     const double by = share[tip] * ds;
     const double left = length_left(tip);
+    // The last length is met exactly, and no advance is left over that is only round-off.
     const bool to_the_end = by >= left * (1.0 - 1e-9);
+    // What earlier advances missed is made up for, within bounds that keep the tip going on.
     const double all = std::clamp(by + here.tips[tip].owed, 0.5 * by, 2.0 * by);
     advance_.push_back(to_the_end ? left : std::min(all, left));
   }
@@ -204,6 +212,7 @@ bool March::limit(std::size_t tip, double share, double& ds) {
     const TipStation& before = state_.stations[state_.stations.size() - 2].tips[tip];
     const double turned = std::remainder(here.heading - before.heading, 2.0 * std::numbers::pi);
     const double curvature = std::abs(turned) / std::max(here.a - before.a, 1e-300);
+    // The curvature of the last advance is no guess of the way for a larger turn.
     ds = curvature * ds * share > turn_of_advance ? turn_of_advance / (curvature * share) : ds;
   }
   return limit_by_obstacles(tip, share, ds);
@@ -246,6 +255,7 @@ March::advanced_lines(base::Diagnostics& diagnostics) const {
     }
     return lines;
   }
+  // On ways that the deck draws, lines are cut anew to the arms; zero stands for the first length.
   std::vector<Arms> arms(model_.cracks.size());
   for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
     Arms& of = arms[lines_[tips_[tip].line].crack.index()];
@@ -277,8 +287,10 @@ void March::extend(std::size_t tip, double by, mesh::CrackLine& line) const {
   const int pieces =
       std::max(1, static_cast<int>(std::ceil(std::abs(curvature) * by / turn_of_piece)));
   for (int k = 0; k < pieces; ++k) {
+    // The heading in the middle of a piece, so that chords follow the arc (growth.10).
     const double angle = here.heading + curvature * by * (k + 0.5) / pieces;
     const base::Vec3 next = points.back() + by / pieces * unit(angle);
+    // A kink too small to mean anything would only be one more point for the mesh to meet.
     if (k == 0 && std::abs(std::remainder(angle - before, 2.0 * std::numbers::pi)) < 1e-7) {
       points.back() = next; // straight on
     } else {
@@ -298,6 +310,7 @@ std::vector<mesh::CrackLine> March::straight_on(double advance) const {
   for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
     const Heading heading = heading_of(tip);
     const auto edge = around_.edge_ahead(lines_[tips_[tip].line], heading);
+    // A look ahead must not leave the body.
     const double by = edge ? std::min(advance, 0.9 * edge->distance) : advance;
     std::vector<base::Vec3>& points = lines[tips_[tip].line].points;
     const bool at_first = tips_[tip].at_first;
@@ -317,6 +330,7 @@ bool March::take(std::vector<TipStation> found) {
     const GrowingTip& t = tips_[tip];
     const mesh::CrackLine& line = trial_[t.line];
     TipStation& here = found[tip];
+    // The arms are the clock of the growth: summed from advances, not measured on polylines.
     here.a = state_.stations.empty() ? (line.embedded ? 0.5 : 1.0) * length_of(line.points)
                                      : state_.stations.back().tips[tip].a + advance_[tip];
     here.heading = angle_of(last_part(line, t.at_first)) + here.turn;
@@ -326,6 +340,7 @@ bool March::take(std::vector<TipStation> found) {
   }
   station.tips = std::move(found);
   state_.stations.push_back(std::move(station));
+  // First, as the judgement counts what the advance is found to have missed.
   settle();
   if (!good_enough()) {
     state_.stations.pop_back();

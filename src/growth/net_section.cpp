@@ -54,6 +54,7 @@ Cut cut_along(const model::Mesh& mesh, const Ligament& ligament) {
       const double s = along(mesh.x[n]);
       const bool within = s >= -on_line * ligament.length && s <= (1.0 + beyond) * ligament.length;
       const bool line = std::abs(across(mesh.x[n])) <= on_line * ligament.length;
+      // Nodes of both sides are where the cut runs; a half model has none, and its line is the cut.
       cut.on[n] = within && side[n] != 0 && (half ? line : side[n] == 3);
       any = any || cut.on[n];
     }
@@ -78,6 +79,8 @@ double plastic_part(const model::Model& model, const model::Mesh& mesh, const Li
   if (cut.elements.empty()) {
     return 0.0;
   }
+  // At nodes of the cut the internal forces of one side do not sum to zero: they are what the other
+  // side carries.
   base::Vector f = base::Vector::Zero(u.size());
   fe::add_internal_force(model, mesh, cut.elements, u, f);
   const base::Vec2 middle = (ligament.from + 0.5 * ligament.length * ligament.direction).head<2>();
@@ -95,6 +98,7 @@ double plastic_part(const model::Model& model, const model::Mesh& mesh, const Li
   const double across = mesh::cross(ligament.direction.head<2>(), force);
   const double normal = std::abs(across) / (flow_stress * thickness * c);
   const double bending = 4.0 * std::abs(moment) / (flow_stress * thickness * c * c);
+  // The positive root of p^2 - m p - n^2 = 0 (growth.6).
   return 0.5 * (bending + std::sqrt(bending * bending + 4.0 * normal * normal));
 }
 

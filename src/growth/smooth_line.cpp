@@ -39,6 +39,7 @@ std::vector<Vec3> moments(const std::vector<Vec3>& x, const std::vector<double>&
     return (x[static_cast<std::size_t>(i) + 1] - x[static_cast<std::size_t>(i)]) / h(i);
   };
   for (Eigen::Index i = 1; i + 1 < n; ++i) {
+    // The first derivative does not jump at an inner knot.
     A(i, i - 1) = h(i - 1);
     A(i, i) = 2.0 * (h(i - 1) + h(i));
     A(i, i + 1) = h(i);
@@ -97,6 +98,7 @@ double SmoothCurve::speed_integral(std::size_t interval, double t) const {
 }
 
 SmoothCurve::Place SmoothCurve::find(double s) const {
+  // The ends belong to the first and the last interval.
   const auto above = std::upper_bound(arc_.begin() + 1, arc_.end() - 1, s);
   const auto i = static_cast<std::size_t>(above - arc_.begin()) - 1;
   double t = (s - arc_[i]) / (arc_[i + 1] - arc_[i]) * (knot_[i + 1] - knot_[i]);
@@ -111,6 +113,7 @@ SmoothCurve::Place SmoothCurve::find(double s) const {
 }
 
 Vec3 SmoothCurve::at(double s) const {
+  // Straight on along the tangent of the end.
   if (s < 0.0 || s > length()) {
     const double end = s < 0.0 ? 0.0 : length();
     return (s < 0.0 ? points_.front() : points_.back()) + (s - end) * tangent(end);
@@ -140,6 +143,8 @@ double SmoothCurve::curvature(double s) const {
 }
 
 std::vector<Vec3> as_polyline(const SmoothCurve& curve, double s0, double s1, bool two_tips) {
+  // A piece over which the curve turns by turn_at_tip, no longer than `most`; the inner maximum
+  // keeps a straight end from a division by zero.
   const double most = tip_part * (s1 - s0);
   const auto tip_piece = [&](double s) {
     return std::min(most, turn_at_tip / std::max(curve.curvature(s), turn_at_tip / most));

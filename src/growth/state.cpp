@@ -7,6 +7,7 @@ namespace spricka::growth {
 
 namespace {
 
+// The order of values in restart files; files with more or fewer are refused by their length.
 constexpr std::array tip_values{&TipStation::a,         &TipStation::K_max,  &TipStation::K_min,
                                 &TipStation::K2_max,    &TipStation::rate,   &TipStation::turn,
                                 &TipStation::heading,   &TipStation::x,      &TipStation::y,
@@ -72,6 +73,7 @@ std::optional<State> state_of(const Arrays& arrays) {
   const auto tips = static_cast<std::size_t>(control.next());
   state.step = control.next();
   state.rejected = static_cast<int>(control.next());
+  // Before anything is sized by these numbers: files may be broken.
   if (!control.finished() || stations.left() != count * (1 + tips * tip_values.size())) {
     return std::nullopt;
   }

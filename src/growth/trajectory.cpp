@@ -43,6 +43,7 @@ template <class Value>
 double Trajectory::interpolate(std::size_t interval, double s, Value value, std::size_t low,
                                std::size_t high) const {
   const std::size_t points = std::min(points_, high - low);
+  // As many on either side of the interval as there are; near an end the nearest that exist.
   const std::size_t before = (points - 1) / 2;
   const std::size_t first = std::min(std::max(interval, low + before) - before, high - points);
   const double x = std::log(s);
@@ -62,6 +63,7 @@ double Trajectory::interpolate(std::size_t interval, double s, Value value, std:
 
 double Trajectory::K_max(std::size_t tip, double s) const {
   const std::size_t i = interval(s);
+  // Closed cracks have no logarithm: then K itself is interpolated, at all s alike.
   const bool positive = std::ranges::all_of(
       stations_, [&](const Station& station) { return station.tips[tip].K_max > 0.0; });
   if (positive) {
@@ -82,6 +84,7 @@ double Trajectory::plastic(std::size_t tip, double s) const {
 double Trajectory::tip_rate(std::size_t tip, std::size_t i, double s) const {
   if (law_) {
     const double K = K_max(tip, s);
+    // K_min may be below 0 and has no logarithm: its ratio to K_max is interpolated.
     const double R = interpolate(
         i, s,
         [&](const Station& station) {
@@ -105,6 +108,7 @@ double Trajectory::tip_rate(std::size_t tip, std::size_t i, double s) const {
   }
   for (; high < stations_.size() && usual(high); ++high) {
   }
+  // A rate that falls to zero at the next station has no logarithm there: a straight line.
   if (high == i + 1 && high < stations_.size() && stations_[high].tips[tip].rate == 0.0) {
     const double here = stations_[i].tips[tip].rate;
     return here * (stations_[high].s - s) / (stations_[high].s - stations_[i].s);
@@ -131,6 +135,7 @@ double Trajectory::arm(std::size_t tip, double s) const {
   const Station& right = stations_[i + 1];
   const double h = right.s - left.s;
   const double t = (s - left.s) / h;
+  // Where rates give no slope that of the chord is taken.
   const auto share = [&](const Station& station) {
     const double all = station.rate();
     return all > 0.0 && std::isfinite(all) ? station.tips[tip].rate / all
@@ -157,6 +162,7 @@ double Trajectory::cycles(double s0, double s1) const {
   for (std::size_t i = 0; i + 1 < stations_.size(); ++i) {
     const double from = std::max(s0, stations_[i].s);
     const double to = std::min(s1, stations_[i + 1].s);
+    // Never across a station: the polynomials change there.
     for (int k = 0; k < parts && from < to; ++k) {
       sum += gauss(from + (to - from) * k / parts, from + (to - from) * (k + 1) / parts);
     }
@@ -178,6 +184,7 @@ std::optional<double> first_crossing(const std::function<double(double)>& value,
   double low = s0;
   for (int k = 1; k <= looks; ++k) {
     double high = s0 + (s1 - s0) * k / looks;
+    // Looked at from the front: bisection between the ends might find a later root.
     if (value(high) < 0.0) {
       low = high;
       continue;

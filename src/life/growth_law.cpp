@@ -17,7 +17,9 @@ namespace {
 constexpr double k_infinite = std::numeric_limits<double>::infinity();
 constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
 
-// C of the interface: every factor delta K / k_unit of a law is left out of its formula.
+// C for K and lengths in the units of the deck: the powers of k_unit that a law divides by are
+// taken into it, and its formula takes K as it is. Forman's has one power less, as it divides by K
+// once.
 double scaled_constant(Law law, const LawConstants& constants) {
   const double power = law == Law::forman ? constants.m - 1.0 : constants.m;
   return constants.C * constants.a_unit / std::pow(constants.k_unit, power);
@@ -79,8 +81,11 @@ double GrowthLaw::formula(double range, double R) const {
   case Law::paris:
     return scale_ * std::pow(range, constants_.m);
   case Law::walker:
+    // (life.4) with R+: for R < 0 part is 1.
     return scale_ * std::pow(range * std::pow(part, constants_.p - 1.0), constants_.m);
   case Law::forman: {
+    // (life.5). The pole is where K_max reaches the toughness; beyond it the rate stays infinite,
+    // not negative.
     const double left = part * *constants_.k_c - range;
     return left > 0.0 ? scale_ * std::pow(range, constants_.m) / left : k_infinite;
   }
@@ -90,6 +95,7 @@ double GrowthLaw::formula(double range, double R) const {
     if (!(left > 0.0)) {
       return k_infinite;
     }
+    // (life.6), in which (K_max - K_min) / (1 - R) is K_max whatever the sign of R.
     return scale_ * std::pow((1.0 - closure_(R)) * K_max, constants_.m) *
            std::pow(1.0 - constants_.threshold / range, constants_.p) /
            std::pow(left, constants_.q);
@@ -115,6 +121,8 @@ double GrowthLaw::by_root(double rate, double R) const {
     const double there = formula(std::exp(log_range), R);
     return there > 0.0 ? std::log(there / rate) : -k_infinite;
   };
+  // Without a threshold the rate falls to zero with delta K: looked for downwards, twice as far in
+  // the logarithm each time.
   double begin = constants_.threshold > 0.0 ? std::log(constants_.threshold) : end - 1.0;
   for (double reach = 1.0; constants_.threshold <= 0.0 && !(excess(begin) < 0.0); reach *= 2.0) {
     if (reach > 1e3) {
@@ -140,6 +148,7 @@ double GrowthLaw::range(double rate, double R) const {
             std::pow(1.0 - std::max(R, 0.0), 1.0 - constants_.p);
     break;
   case Law::table:
+    // Rates that do not rise all the way have several ranges, or none.
     found = std::is_sorted(log_rate_.begin(), log_rate_.end(), std::less_equal<>())
                 ? tabular_range(rate)
                 : k_nan;

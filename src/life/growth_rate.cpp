@@ -14,8 +14,8 @@ namespace spricka::life {
 
 namespace {
 
-// What the second derivative-free contrast of four readings says of their scatter: the weights c
-// that annul every parabola, and c a / |c|, whose standard deviation is that of one reading.
+// What four readings say of their scatter: |c . a| / |c| with the weights c of the third divided
+// difference, which annul every parabola. Its standard deviation is that of one reading.
 double pseudo_residual(std::span<const Reading> four) {
   double sum = 0.0;
   double square = 0.0;
@@ -49,6 +49,7 @@ double scatter_of(std::span<const Reading> readings) {
 MeasuredRates secants(std::span<const Reading> readings) {
   MeasuredRates found;
   found.scatter = scatter_of(readings);
+  // So many degrees of freedom that the quantile is that of the normal distribution (life.15).
   const double both_ends = std::sqrt(2.0) * found.scatter * student_quantile(1e9);
   for (std::size_t i = 1; i < readings.size(); ++i) {
     const Reading& before = readings[i - 1];
@@ -73,6 +74,7 @@ struct Parabola {
 Parabola fit(std::span<const Reading> window, bool logarithmic) {
   const auto n = static_cast<Eigen::Index>(window.size());
   const double middle = window[window.size() / 2].cycles;
+  // Cycles from -1 to 1 about the middle: columns of one size, however many cycles a test takes.
   const double scale = 0.5 * (window.back().cycles - window.front().cycles);
   Eigen::MatrixXd X(n, 3);
   Eigen::VectorXd y(n);
@@ -86,6 +88,7 @@ Parabola fit(std::span<const Reading> window, bool logarithmic) {
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(X);
   const Eigen::Vector3d b = qr.solve(y);
   const Eigen::Matrix3d R = qr.matrixQR().topRows<3>().triangularView<Eigen::Upper>();
+  // R^-T e_1: its square is the entry of (X^T X)^-1 that the slope's variance has (life.16).
   const Eigen::Vector3d contrast =
       R.transpose().triangularView<Eigen::Lower>().solve(Eigen::Vector3d::Unit(1));
   return {.value = b[0],
@@ -103,6 +106,7 @@ MeasuredRates polynomials(std::span<const Reading> readings, std::size_t window,
     const std::span<const Reading> part = readings.subspan(i, window);
     const Parabola p = fit(part, logarithmic);
     const double a = logarithmic ? std::exp(p.value) : p.value;
+    // (life.17): the slope of ln a times a.
     const double by_value = logarithmic ? a : 1.0;
     const double deviation = std::sqrt(p.square / freedoms);
     found.points.push_back({.cycles = part[window / 2].cycles,
@@ -120,6 +124,7 @@ MeasuredRates splines(std::span<const Reading> readings) {
   for (const Reading& reading : readings) {
     x.push_back(reading.cycles);
     y.push_back(std::log(reading.a));
+    // Readings of constant scatter scatter in ln a by 1/a of it.
     weight.push_back(reading.a);
   }
   const SmoothedCurve curve = smooth(x, y, weight);

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double k_cycles_tolerance = 1e-12;
+// Of an estimate three digits will do.
 constexpr double k_error_tolerance = 1e-3;
 
 std::vector<double> logarithms(const std::vector<double>& values) {
@@ -53,6 +54,7 @@ LifeCurve::LifeCurve(const std::vector<double>& a, const std::vector<double>& ra
   const std::vector<double> x = logarithms(a);
   const std::vector<double> y = logarithms(rate);
   for (std::size_t i = 1; i + 1 < a.size(); ++i) {
+    // Inner stations only: without an end the spline would have to go on beyond its points.
     without_.emplace_back(without(x, i), without(y, i));
   }
   at_.push_back(0.0);
@@ -73,6 +75,7 @@ double LifeCurve::cycles(double a0, double a1) const {
   if (!within(a0, a1)) {
     return k_nan;
   }
+  // (life.13) over x = ln a.
   const auto cycles_by_log = [&](double x) { return std::exp(x - log_rate_(x)); };
   return over_intervals(a_, a0, a1, [&](double begin, double end) {
     return integrate(cycles_by_log, begin, end, k_cycles_tolerance);
@@ -85,6 +88,7 @@ double LifeCurve::length_at(double N) const {
   }
   const auto above = std::upper_bound(at_.begin() + 1, at_.end() - 1, N);
   const auto i = static_cast<std::size_t>(above - at_.begin());
+  // As a part of the interval's cycles: a function of the size of 1, whatever the life.
   const double part = (N - at_[i - 1]) / (at_[i] - at_[i - 1]);
   const auto excess = [&](double a) { return cycles(a_[i - 1], a) / (at_[i] - at_[i - 1]) - part; };
   // at the last station round-off may leave N a little behind
@@ -112,6 +116,7 @@ double LifeCurve::error(double a0, double a1) const {
   if (without_.empty()) {
     return std::numeric_limits<double>::infinity();
   }
+  // (life.14): rates taken to be too large by exp(miss) everywhere.
   const auto missed_by_log = [&](double x) {
     return std::expm1(miss(x)) * std::exp(x - log_rate_(x));
   };

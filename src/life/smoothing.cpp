@@ -19,6 +19,7 @@ namespace spricka::life {
 namespace {
 
 constexpr std::size_t k_most_intervals = 50;
+// The factor of Kim and Gu in (life.19).
 constexpr double k_freedom_cost = 1.4;
 
 struct Free {
@@ -95,6 +96,7 @@ Fit fit_with(double lambda, const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
   fit.square = (y - X * fit.coefficients).squaredNorm();
   fit.freedoms = fit.factor.solve(normal).trace();
   const auto n = static_cast<double>(y.size());
+  // Where it is not above 0 the criterion says nothing: it stays infinite.
   const double left = 1.0 - k_freedom_cost * fit.freedoms / n;
   if (left > 0.0) {
     fit.criterion = fit.square / (n * left * left);
@@ -104,6 +106,7 @@ Fit fit_with(double lambda, const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
 
 // Of penalties from hardly any to a straight line, two to each factor of ten.
 Fit best_fit(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, const Eigen::MatrixXd& form) {
+  // Makes the two terms comparable, so that the same powers of ten serve for any test.
   const double scale = X.squaredNorm() / form.trace();
   Fit best;
   for (int i = -24; i <= 12; ++i) {
@@ -145,6 +148,7 @@ SmoothedCurve smooth(const std::vector<double>& x, const std::vector<double>& y,
     const Eigen::RowVectorXd slope = basis.row(s[i], 1);
     curve.value.push_back(basis.row(s[i], 0).dot(fit.coefficients));
     curve.slope.push_back(slope.dot(fit.coefficients) / length);
+    // (life.20) without e^f and the quantile; by x itself, which has been scaled by the length.
     const double variance = slope.dot(fit.factor.solve(slope.transpose()).transpose());
     curve.slope_error.push_back(curve.deviation * std::sqrt(std::max(variance, 0.0)) / length);
   }

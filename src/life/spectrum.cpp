@@ -48,6 +48,7 @@ public:
   }
 
 private:
+  // The turns strictly between two loads, in the order in which the load passes them.
   void between(double from, double to, std::vector<double>& way) const {
     const auto [low, high] = std::minmax(from, to);
     const auto first = std::upper_bound(t_.begin(), t_.end(), low) - t_.begin();
@@ -104,6 +105,7 @@ Spectrum::Spectrum(const std::vector<LoadCycle>& counted) {
   for (std::size_t i = 0; i < counted.size(); ++i) {
     cycles_.push_back({.low = level[2 * i], .high = level[2 * i + 1], .count = counted[i].count});
   }
+  // By count as well: the sums of equal cycles then have the same bits in whatever order they came.
   std::sort(cycles_.begin(), cycles_.end(), [](const IndexedCycle& a, const IndexedCycle& b) {
     return a.low != b.low ? a.low < b.low : a.high != b.high ? a.high < b.high : a.count < b.count;
   });
@@ -135,6 +137,7 @@ Spectrum Spectrum::of_sequence(std::vector<double> history, bool repeated) {
     counted.push_back({.low = history.front(), .high = history.front(), .count = 0.0});
   }
   Spectrum spectrum(counted);
+  // The way from the end of a pass to its start may pass turns of K, too.
   if (repeated) {
     history.push_back(history.front());
   }
@@ -168,6 +171,8 @@ bool Spectrum::counts_on_K(const base::PiecewiseLinear& K1) const {
   bool rises = false;
   bool falls = false;
   for (std::size_t s = 0; s < K1.segments(); ++s) {
+    // Only what the loads pass through: K may turn elsewhere on the path. Level pieces reverse
+    // nothing.
     if (K1.knots()[s] < highest() && K1.knots()[s + 1] > lowest()) {
       rises = rises || K1.slope(s) > 0.0;
       falls = falls || K1.slope(s) < 0.0;
@@ -180,6 +185,7 @@ std::pair<double, double> Spectrum::extreme_K(const base::PiecewiseLinear& K1) c
   if (!within(K1)) {
     return {k_nan, k_nan};
   }
+  // K is piecewise linear: extremes are at its turns, or at the ends of the loads.
   const std::vector<double> way = WayOfK(K1)({lowest(), highest()});
   const auto [low, high] = std::minmax_element(way.begin(), way.end());
   return {*low, *high};
@@ -194,6 +200,7 @@ std::vector<LoadCycle> Spectrum::cycles_of_K(const base::PiecewiseLinear& K1) co
   for (const IndexedCycle& cycle : cycles_) {
     const double low = levels_[cycle.low];
     const double high = levels_[cycle.high];
+    // A block cycle is a closed way: up through the turns of K and down again.
     for (LoadCycle part : rainflow(way({low, high, low}), true)) {
       part.count *= cycle.count;
       all.push_back(part);
@@ -215,6 +222,7 @@ double Spectrum::growth(const GrowthLaw& law, const base::PiecewiseLinear& K1) c
   }
   const std::vector<double> K = values_at(K1, levels_);
   for (const IndexedCycle& cycle : cycles_) {
+    // K may fall while the load rises.
     const auto [low, high] = std::minmax(K[cycle.low], K[cycle.high]);
     sum += cycle.count * law.rate(high, low);
   }

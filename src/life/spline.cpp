@@ -38,6 +38,8 @@ std::vector<double> bends(const std::vector<double>& x, const std::vector<double
   }
   const double first = (x[1] - x[0]) / (x[2] - x[1]);
   const double last = (x[n - 1] - x[n - 2]) / (x[n - 2] - x[n - 3]);
+  // The second derivative at an end is b_1 + first (b_1 - b_2): its term in the outer equation goes
+  // to those of b_1 and b_2.
   diagonal.front() += (x[1] - x[0]) * (1.0 + first);
   above.front() -= (x[1] - x[0]) * first;
   diagonal.back() += (x[n - 1] - x[n - 2]) * (1.0 + last);

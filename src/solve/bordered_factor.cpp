@@ -62,6 +62,7 @@ void BorderedFactor::gather() {
   const int a = count(rows_);
   const int n = problem_.rows();
   const int m = problem_.modes();
+  // For the largest set at once: sets change at every iteration, and memory is not asked for anew.
   if (L_.rows() != n) {
     L_.resize(n, n);
   }
@@ -100,6 +101,7 @@ bool BorderedFactor::cholesky() {
     return false;
   }
   for (int i = 0; i < a; ++i) {
+    // d^2 is the diagonal entry of M, so this squared is the pivot over it.
     const double ratio = L_(i, i) / problem_.d(rows_[at(i)]);
     if (!(ratio * ratio > redundancy)) {
       return false;
@@ -125,6 +127,7 @@ base::Matrix BorderedFactor::scaled(const std::vector<int>& r, const std::vector
 /// Cholesky with diagonal pivoting: what is left at the end depends on the rows taken before.
 /// Equality rows are taken first; an inequality may not stand in for one of them.
 void BorderedFactor::leave_out_redundant() {
+  // The factorisation that failed has overwritten L_.
   gather();
   std::vector<int> fixed;
   std::vector<int> others;
@@ -137,6 +140,8 @@ void BorderedFactor::leave_out_redundant() {
   if (!fixed.empty()) {
     base::Matrix E = scaled(fixed, fixed);
     base::Matrix Z = scaled(fixed, others);
+    // M of the others becomes what is left of it once the equality rows are eliminated, so that a
+    // row that depends on these is found to be redundant.
     blas::cholesky(count(fixed), block(E));
     blas::solve_lower(count(fixed), count(others), blas::Form::plain, block(E), block(Z));
     blas::gemm({.m = count(others),
@@ -200,6 +205,7 @@ void BorderedFactor::solve(base::Matrix& top, base::Matrix& bottom) const {
   blas::gemm({.m = a, .n = k, .k = m, .alpha = problem_.tau, .beta = 1.0}, block(B_), y, x);
   blas::solve_lower(a, k, blas::Form::plain, block(L_), x);
   blas::gemm({.m = m, .n = k, .k = a, .a = blas::Form::transposed, .beta = -1.0}, block(Y_), x, y);
+  // C C^T Y = B^T M^-1 top - bottom, the border eliminated.
   blas::solve_lower(m, k, blas::Form::plain, block(C_), y);
   blas::solve_lower(m, k, blas::Form::transposed, block(C_), y);
   blas::gemm({.m = a, .n = k, .k = m, .alpha = -1.0, .beta = 1.0}, block(Y_), y, x);

@@ -18,6 +18,7 @@ Condensation::Condensation(const base::SymmetricCsc& K, std::int64_t externals,
                            std::span<const DenseBlock> blocks,
                            std::shared_ptr<const EarlyRows>* early) {
   blas::single_thread();
+  // The sparse factor reports a want of memory itself; the full matrices on top of it throw.
   try {
     stacked_.emplace(K, externals, blocks, early, report_);
     S_ = std::move(stacked_->top().S);

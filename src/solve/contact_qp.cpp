@@ -41,6 +41,7 @@ Search block_pivoting(const HeldProblem& problem, const ContactSettings& setting
   std::size_t least = closed.size() + 1;
   int stalled = 0;
   std::set<std::vector<bool>> met;
+  // A set that comes back would come back for ever: the method has no memory but the set.
   while (search.iterations < settings.max_block_iterations && met.insert(closed).second) {
     std::vector<int> A;
     for (int i = 0; i < problem.rows(); ++i) {
@@ -70,6 +71,7 @@ Search block_pivoting(const HeldProblem& problem, const ContactSettings& setting
     if (stalled > patience) {
       return search;
     }
+    // Redundant rows start from open, so that they close again only if their gap says so.
     for (const int i : factor.left_out()) {
       closed[at(i)] = problem.equality[at(i)];
     }
@@ -87,6 +89,7 @@ ContactStatus pivot_to_the_end(const HeldProblem& problem, const ContactSettings
                                std::vector<int> A, BorderedFactor& factor,
                                ContactSolution& answer) {
   for (int turn = 0; turn < repeats; ++turn) {
+    // Loose first, as the tableau gathers round-off; from a clean start few pivots are left.
     const double tolerance = turn == 0 ? pivot_tolerance : settings.tolerance;
     const PivotResult result = criss_cross(problem, A, std::max(tolerance, settings.tolerance),
                                            settings.max_pivots - answer.pivots);
@@ -146,6 +149,7 @@ void take_solution(const HeldProblem& problem, const ModeSplit& split, const Bor
   const base::Vector settled = s.alpha;
   const int free = rest_free_motions(problem, split, s.lambda, rest_load * scale, s.alpha);
   answer.resting_modes += free;
+  // Motions to rest move no pressing row, but the gaps of the others.
   s.gap += problem.B * (s.alpha - settled);
   for (int i = 0; i < problem.rows(); ++i) {
     const double touching = 1e-10 * s.gap_scale(i);

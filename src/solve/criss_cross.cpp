@@ -49,6 +49,7 @@ Columns columns_of(const HeldProblem& problem, const BorderedFactor& factor, con
   for (int j = 0; j < t.size(); ++j) {
     const int i = t.row[at(j)];
     if (t.closed[at(j)]) {
+      // A gap of one on a closed row: the forces that hold it open by that much.
       columns.top(place[at(i)], j) = 1.0;
       continue;
     }
@@ -75,6 +76,7 @@ Tableau tableau_of(const HeldProblem& problem, const BorderedFactor& factor) {
       t.closed.push_back(place[at(i)] >= 0);
     }
   }
+  // (solve.19): T from the columns, q from the solution with z = 0.
   const Columns z = columns_of(problem, factor, t);
   const SetSolution s = solve_set(problem, factor, false);
   const int k = t.size();
@@ -110,6 +112,7 @@ Tableau tableau_of(const HeldProblem& problem, const BorderedFactor& factor) {
       continue;
     }
     for (int c = 0; c < k; ++c) {
+      // A force on an open row also opens the others, and itself, by W directly.
       t.T(j, c) += t.closed[at(c)] ? 0.0 : problem.W(i, t.row[at(c)]);
     }
   }
@@ -134,6 +137,7 @@ void pivot(Tableau& t, const std::vector<int>& P) {
       core(r, c) = t.T(P[at(r)], P[at(c)]);
     }
   }
+  // (solve.30) for one row or two: y_P and z_P change places, the rest follows.
   const base::Matrix inverse = core.inverse();
   const base::Matrix column_inverse = column * inverse;
   const base::Matrix inverse_row = inverse * row;
@@ -160,6 +164,7 @@ void pivot(Tableau& t, const std::vector<int>& P) {
 int violated_row(const Tableau& t, double tolerance, bool first) {
   double force = 0.0;
   for (int j = 0; j < t.size(); ++j) {
+    // The measure of y = 0: the largest force, and for a row its own given gap.
     force = t.closed[at(j)] ? std::max(force, std::abs(t.q(j))) : force;
   }
   int worst = -1;
@@ -201,6 +206,7 @@ PivotResult criss_cross(const HeldProblem& problem, const std::vector<int>& A, d
   }
   Tableau t = tableau_of(problem, factor);
   for (;;) {
+    // The worst row while that is likely to be quick; then the least index, which is finite.
     const int i = violated_row(t, tolerance, result.pivots >= greedy * t.size());
     if (i < 0) {
       break;

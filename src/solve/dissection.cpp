@@ -26,6 +26,8 @@ public:
       : graph_(graph), session_(session), weight_(beside.size(), 1), place_(beside.size(), -1) {
     const auto count = static_cast<std::int64_t>(std::ranges::count(beside, true));
     for (std::size_t i = 0; i < beside.size() && count > 0; ++i) {
+      // Together as heavy as the whole graph: a separator that halves the weight cuts through the
+      // vertices beside externals.
       weight_[i] += beside[i] ? std::max<std::int64_t>(1, graph.size() / count) : 0;
     }
     levels_ = count > 0 ? weighted_levels : 0;
@@ -56,6 +58,7 @@ private:
     }
     take(sides[0], levels - 1);
     take(sides[1], levels - 1);
+    // The separator last: its halves do not fill in between each other.
     order_.insert(order_.end(), sides[2].begin(), sides[2].end());
   }
 
@@ -74,6 +77,7 @@ private:
       part.start.push_back(static_cast<std::int64_t>(part.neighbour.size()));
     }
     for (const std::int64_t v : vertices) {
+      // Cleared for the next part, whose size alone it should cost.
       place_[at(v)] = -1;
     }
     return part;

@@ -75,6 +75,7 @@ void take_solution(const ScaledFriction& scaled, const HeldProblem& held, const 
     gap(u.normal) = closed ? 0.0 : std::max(gap(u.normal), 0.0);
     if (u.tangent >= 0) {
       close(u.tangent, closed);
+      // Round-off of the solution must not leave a force outside its cone.
       const double limit = u.mu * lambda(u.normal);
       lambda(u.tangent) = std::clamp(lambda(u.tangent), -limit, limit);
       if (closed && std::abs(gap(u.tangent)) <= at_rest * s.gap_scale(u.tangent)) {
@@ -117,6 +118,7 @@ base::Vector anchor_at(const base::Vector& alpha, const HeldProblem& held, const
   if (alpha.size() == 0 || held.modes() == 0) {
     return base::Vector::Zero(held.modes());
   }
+  // Modes that no row feels have no place among the scaled ones: least squares drops their part.
   const base::Vector a = split.controllable.colPivHouseholderQr().solve(alpha);
   return a / std::sqrt(held.tau);
 }
@@ -141,6 +143,8 @@ SmoothStart smooth_start(const FrictionProblem& problem, const ContactSettings& 
     }
   }
   ContactProblem plain = whole;
+  // Tangents that slip freely have no force: they are left out, and their slip is read off
+  // afterwards.
   plain.W = whole.W(rows, rows);
   plain.B = whole.B(rows, Eigen::all);
   plain.b = whole.b(rows);
@@ -161,6 +165,7 @@ SmoothStart smooth_start(const FrictionProblem& problem, const ContactSettings& 
   const base::Vector moved = whole.b + whole.W * lambda + whole.B * found.alpha;
   for (const FrictionRow& f : problem.friction) {
     if (start.touch[at(f.normal)] != Touch::open) {
+      // Each closed row slips the way that it would go without friction.
       start.touch[at(f.tangent)] = moved(f.tangent) > 0.0 ? Touch::forward : Touch::backward;
       start.touch[at(f.normal)] = start.touch[at(f.tangent)];
     }
@@ -183,13 +188,16 @@ void walk_to_rest(const ScaledFriction& scaled, const HeldProblem& held, const M
       return;
     }
     const base::Vector before = drive;
+    // What the rows leave of the loads on modes, the force of the springs (solve.24).
     drive = scaled.h + scaled.B.transpose() * search.solution.lambda;
+    // Held by rows, or at rest: no spring carries anything that counts.
     if (search.solution.held || drive.norm() <= rest_load * search.solution.force_scale) {
       take_solution(scaled, held, split, search, answer);
       c.status =
           c.residual < accepted_residual ? ContactStatus::solved : ContactStatus::max_iterations;
       return;
     }
+    // The anchor has moved on and the spring has to carry the same again: the body slides.
     if (turn > 0 && (drive - before).norm() <= 1e-6 * drive.norm()) {
       c.status = ContactStatus::unheld_mode;
       c.unheld = (split.controllable * drive).normalized();
@@ -232,6 +240,7 @@ FrictionSolution solve_friction(const FrictionProblem& problem, const ContactSet
       c.unheld = sliding_motion(split, held, problem.friction, balance);
     }
     if (balance.remainder.size() > 0) {
+      // What is left below `least` would otherwise drive a motion that no row can stop.
       held.h -= balance.remainder;
     }
   }
@@ -262,6 +271,7 @@ FrictionSolution solve_friction(const FrictionProblem& problem, const ContactSet
       break;
     }
     if (sticks) {
+      // The second try: the same rows closed, but all of them sticking.
       std::ranges::replace_if(
           smooth.touch, [](Touch touch) { return touch != Touch::open; }, Touch::stick);
     }

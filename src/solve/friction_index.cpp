@@ -40,6 +40,7 @@ base::Matrix jacobian(const FrictionProblem& problem, const std::vector<int>& ro
   base::Vector scale(n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const int r = rows[at(i)];
+    // Scaling by positive numbers leaves the sign and makes pivots comparable.
     scale(i) = p.W(r, r) > 0.0 ? 1.0 / std::sqrt(p.W(r, r)) : 1.0;
   }
   double motion = 0.0;
@@ -82,6 +83,8 @@ bool one_of_several(const FrictionProblem& problem, const std::vector<bool>& clo
       any = true;
     }
     tangent[row] = f.tangent;
+    // Tangents of sliding and open rows have no equation of their own: their shear follows or is
+    // zero.
     slides[at(f.tangent)] = state != Touch::stick || !closed[row];
   }
   if (!any) {
@@ -94,6 +97,7 @@ bool one_of_several(const FrictionProblem& problem, const std::vector<bool>& clo
     }
   }
   const int with = determinant_sign(jacobian(problem, rows, ratio, tangent));
+  // The same rows, so that friction alone makes the difference (solve.34).
   const int without =
       determinant_sign(jacobian(problem, rows, std::vector<double>(n, 0.0), tangent));
   return with * without < 0;

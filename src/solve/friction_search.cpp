@@ -95,6 +95,7 @@ Complementarity complementarity(const ScaledFriction& problem, const Interface& 
       ++tangent;
     }
   }
+  // (solve.23): pressures above, then what shear may still grow by, forward and backward.
   lcp.M.topRows(units) = columns.topRows(units);
   lcp.q.head(units) = face.q.head(units);
   tangent = units;
@@ -139,6 +140,7 @@ std::vector<Touch> pivoted(const ScaledFriction& problem, const base::Vector& an
   for (std::size_t i = 0; i < problem.units.size(); ++i) {
     const ScaledFriction::Unit& u = problem.units[i];
     const int f = lcp.forward[i];
+    // An opening in the basis: the row is open. One of its slips in the basis: it slips that way.
     Touch state = result.basic[i] ? Touch::open : Touch::stick;
     if (f >= 0 && state == Touch::stick) {
       const bool forward = result.basic[at(f)];
@@ -163,10 +165,13 @@ Search settle(const ScaledFriction& problem, const base::Vector& anchor,
   if (!search.settled) {
     const std::vector<Touch> touch = pivoted(problem, anchor, settings.max_pivots, figures.pivots);
     if (!touch.empty()) {
+      // The pivots' answer holds the round-off of its tableau: its states are checked by equations
+      // of their own, and rows in the balance may stay as they are.
       search = newton(problem, anchor, touch, std::max(loose_tolerance, settings.tolerance),
                       {settings.max_block_iterations, figures.block_iterations});
     }
   }
+  // Newton's end depends on its start: the two plainest, each once.
   for (const Touch all : {Touch::stick, Touch::open}) {
     if (!search.settled) {
       search = newton(problem, anchor, std::vector<Touch>(start.size(), all),

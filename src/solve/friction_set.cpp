@@ -12,7 +12,9 @@ using base::at;
 
 namespace {
 
+// Where nothing can move along a tangent its compliance is round-off, and the row has no friction.
 constexpr double no_freedom = 1e-9; ///< of the normal row's scale: nothing moves along the tangent
+// Largest error of gaps and balance, over their scales, at which springs are out of an answer.
 constexpr double solved_to = 1e-10;
 constexpr int refinements = 3;
 
@@ -30,6 +32,8 @@ struct ActiveRows {
   }
 };
 
+// The unknowns of the states (solve.22): a sticking unit has two forces, a sliding one only its
+// pressure, which brings the shear of its cone along.
 ActiveRows active_rows(const ScaledFriction& problem, const std::vector<Touch>& touch) {
   ActiveRows active;
   for (const int i : problem.fixed) {
@@ -61,6 +65,8 @@ public:
     for (int c = 0; c < a_; ++c) {
       const int i = active.row[at(c)];
       column = problem.W.col(i);
+      // A column is what a force does together with the shear that follows it; a row asks for the
+      // gap of one row only. So the matrix is not symmetric.
       base::Vector opened = problem.B.row(i).transpose();
       if (const int t = active.follower[at(c)]; t >= 0) {
         column += active.share[at(c)] * problem.W.col(t);
@@ -73,6 +79,7 @@ public:
       K_.block(a_, c, m_, 1) = opened;
       K_.block(c, a_, 1, m_) = problem.B.row(i);
     }
+    // The anchoring springs of (solve.24), in the units of the scaled modes.
     K_.bottomRightCorner(m_, m_) = -mode_spring * base::Matrix::Identity(m_, m_);
     regular_ = size() == 0 || blas::lu(size(), {K_.data(), size()}, order_);
   }
@@ -102,6 +109,8 @@ void add(const ScaledFriction& problem, const ActiveRows& active, const base::Ma
   }
   s.alpha += x.col(0).tail(problem.modes());
   const int n = problem.rows();
+  // Gaps are summed from forces and motions again, not carried along: what refinement corrects is
+  // the error of these very sums.
   base::Vector opened(n);
   blas::gemm({.m = n, .n = 1, .k = n}, {problem.W.data(), n}, {s.lambda.data(), n},
              {opened.data(), n});
@@ -110,6 +119,8 @@ void add(const ScaledFriction& problem, const ActiveRows& active, const base::Ma
   double size = s.lambda.size() > 0 ? s.lambda.cwiseAbs().maxCoeff() : 0.0;
   s.force_scale = std::max(size, problem.force_floor);
   for (const int i : active.row) {
+    // In these units a gap is the force that closes it; a thousandth keeps the scale up where
+    // forces cancel.
     s.force_scale = std::max(s.force_scale, 1e-3 * std::abs(problem.b(i)));
   }
   if (n > 0) {
@@ -122,6 +133,7 @@ base::Vector balance_of(const ScaledFriction& problem, const TouchSolution& s) {
   return problem.h + problem.B.transpose() * s.lambda;
 }
 
+// Largest error of the balance of a mode, over the size of the terms that it sums.
 double unbalanced(const ScaledFriction& problem, const TouchSolution& s) {
   const base::Vector left = balance_of(problem, s);
   const base::Vector size =
@@ -133,10 +145,12 @@ double unbalanced(const ScaledFriction& problem, const TouchSolution& s) {
   return worst;
 }
 
+// A value over its scale; scales are zero where nothing acts, and then only zero is right.
 double relative(double value, double scale) {
   return value == 0.0 ? 0.0 : value / (scale > 0.0 ? scale : 1.0);
 }
 
+// Largest gap or slip that is left on rows where it should be zero, over its scale.
 double open_error(const ActiveRows& active, const TouchSolution& s) {
   double worst = 0.0;
   for (const int i : active.row) {
@@ -154,12 +168,16 @@ ScaledFriction scaled_friction(const HeldProblem& held, const std::vector<Fricti
   const double root = std::sqrt(held.tau);
   base::Vector inverse(n);
   for (int i = 0; i < n; ++i) {
+    // Rows without compliance and modes get zeros: they stay in place, so that numbers of rows
+    // hold.
     inverse(i) = held.d(i) > 0.0 ? 1.0 / held.d(i) : 0.0;
   }
   p.W = inverse.asDiagonal() * held.W * inverse.asDiagonal();
   p.B = inverse.asDiagonal() * held.B * root;
   p.b = inverse.asDiagonal() * held.b;
   p.h = held.h * root;
+  // The scale of forces never falls below the loads on modes: where no row presses yet there is no
+  // other.
   p.force_floor = p.h.size() > 0 ? std::max(p.h.cwiseAbs().maxCoeff(), load_scale * root) : 0.0;
   std::vector<int> tangent(std::size_t(n), -1);
   std::vector<double> mu(std::size_t(n), 0.0);
@@ -168,6 +186,8 @@ ScaledFriction scaled_friction(const HeldProblem& held, const std::vector<Fricti
     slips[at(f.tangent)] = true;
     if (held.d(f.tangent) > no_freedom * held.d(f.normal) && f.mu > 0.0) {
       tangent[at(f.normal)] = f.tangent;
+      // Forces are multiplied by d, each by that of its own row: so the ratio of two of them
+      // changes.
       mu[at(f.normal)] = f.mu * held.d(f.tangent) * inverse(f.normal);
     }
   }
@@ -202,10 +222,13 @@ TouchSolution solve_touch(const ScaledFriction& problem, const std::vector<Touch
   for (int r = 0; r < a; ++r) {
     x(r, 0) = -problem.b(active.row[at(r)]);
   }
+  // (solve.24): the springs pull towards the anchor, not towards zero.
   x.col(0).tail(m) = -problem.h - mode_spring * anchor;
   equations.solve(x);
   add(problem, active, x, s);
   s.regular = s.gap.allFinite();
+  // Residuals leave the springs out, the factors have them: the steps converge to the answer
+  // without springs where the rows hold every mode, and do not where a motion is free.
   TouchSolution exact = s;
   for (int k = 0; k < refinements && s.regular; ++k) {
     for (int r = 0; r < a; ++r) {
@@ -223,6 +246,7 @@ TouchSolution solve_touch(const ScaledFriction& problem, const std::vector<Touch
 int change_states(const ScaledFriction& problem, const TouchSolution& s, double tolerance,
                   std::vector<Touch>& touch) {
   int changed = 0;
+  // The rules of (solve.22) that rows change their states by, all of them at once.
   const double force = tolerance * s.force_scale;
   for (const ScaledFriction::Unit& u : problem.units) {
     Touch& state = touch[at(u.normal)];
@@ -232,6 +256,8 @@ int change_states(const ScaledFriction& problem, const TouchSolution& s, double 
     if (state == Touch::open) {
       const double gap = s.gap(u.normal);
       if (gap < -tolerance * s.gap_scale(u.normal)) {
+        // What is missing of the gap stands for the pressure that will close it, and the slip for
+        // the shear that would stop it: in these units a row has a compliance of about 1.
         const bool runs = u.tangent >= 0 && std::abs(slip) > -u.mu * gap;
         state = !runs ? Touch::stick : slip > 0.0 ? Touch::forward : Touch::backward;
       }
@@ -243,6 +269,7 @@ int change_states(const ScaledFriction& problem, const TouchSolution& s, double 
         state = shear < 0.0 ? Touch::forward : Touch::backward;
       }
     } else if (u.tangent >= 0) {
+      // Slip against the direction of the state would make friction drive it.
       const double along = state == Touch::forward ? slip : -slip;
       if (along < -tolerance * s.gap_scale(u.tangent)) {
         state = Touch::stick;
@@ -258,6 +285,7 @@ int change_states(const ScaledFriction& problem, const TouchSolution& s, double 
 
 double friction_residual(const ScaledFriction& problem, const TouchSolution& s,
                          const std::vector<Touch>& touch) {
+  // Conditions are those of (solve.14) and (solve.21), whatever equations the states stood for.
   double worst = unbalanced(problem, s);
   const auto gap_error = [&](int i, double error) {
     worst = std::max(worst, relative(error, s.gap_scale(i)));
@@ -289,6 +317,8 @@ double friction_residual(const ScaledFriction& problem, const TouchSolution& s,
 
 Interface interface_stiffness(const ScaledFriction& problem, const base::Vector& anchor) {
   Interface face;
+  // All rows as if they stuck: normals first, then tangents, equality rows last, where they are
+  // held and do not appear in A.
   ActiveRows all;
   for (const ScaledFriction::Unit& u : problem.units) {
     all.add(u.normal);
@@ -310,6 +340,8 @@ Interface interface_stiffness(const ScaledFriction& problem, const base::Vector&
   }
   const int m = problem.modes();
   base::Matrix x = base::Matrix::Zero(equations.size(), k + 1);
+  // One column for a unit of each opening or slip, and one for gaps and loads as they are: forces
+  // are theirs, modes are eliminated on the way.
   x.topLeftCorner(k, k).setIdentity();
   for (int r = 0; r < all.size(); ++r) {
     x(r, k) = -problem.b(all.row[at(r)]);

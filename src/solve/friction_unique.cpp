@@ -42,6 +42,7 @@ base::Matrix rigid_openings(const ScaledFriction& problem, const std::vector<int
     qr.setThreshold(1e-9);
     qr.compute(B_T);
     const base::Matrix Q = qr.householderQ() * base::Matrix::Identity(m, m);
+    // The columns of Q behind the rank of B_fixed^T: motions that open no equality row.
     free = Q.rightCols(m - qr.rank());
   }
   base::Matrix moved(index(rows.size()), free.cols());
@@ -63,6 +64,7 @@ bool positive(const ScaledFriction& problem, const Interface& face, const Weight
   base::Matrix F = face.A;
   F.topRows(units) += 0.5 * (weights.openings.asDiagonal() * face.A.topRows(units));
   F.leftCols(units) += 0.5 * (face.A.leftCols(units) * weights.openings.asDiagonal());
+  // The term A_n^T mu / (2 kappa) A_n is the product of this matrix with itself.
   base::Matrix pressure = face.A.topRows(units); // of the units with friction, weighted
   Eigen::Index tangent = units;
   for (Eigen::Index i = 0; i < units; ++i) {
@@ -79,8 +81,10 @@ bool positive(const ScaledFriction& problem, const Interface& face, const Weight
   blas::gemm({.m = k, .n = k, .k = m, .a = blas::Form::transposed, .alpha = -1.0, .beta = 1.0},
              {pressure.data(), m}, {pressure.data(), m}, {F.data(), k});
   if (N.cols() > 0) {
+    // Rigid motions are left out of the test: made so stiff that the form is positive along them.
     F += 1e4 * face.A.diagonal().maxCoeff() * (N * N.transpose());
   }
+  // A margin above round-off: what is positive by less than that is not called so.
   F.diagonal().array() -= 1e-9 * face.A.diagonal().array();
   return blas::cholesky(k, {F.data(), k});
 }

@@ -13,6 +13,7 @@ EarlyRows::EarlyRows(const base::Matrix& A, EarlyLists lists)
       X_(A(lists_.early, lists_.late)) {
   if (L_.ok()) {
     X_ = L_.half_solve(std::move(X_));
+    // Not factorised here: other elements are added to it first, and alone it may be singular.
     schur_ = A(lists_.late, lists_.late) - gram(X_);
   }
 }
@@ -37,6 +38,7 @@ LayeredCholesky::LayeredCholesky(std::shared_ptr<const EarlyRows> early,
 base::Matrix LayeredCholesky::late_half(const base::Matrix& late_load) const {
   base::Matrix B = base::Matrix::Zero(late_.size(), late_load.cols());
   for (std::size_t i = 0; i < place_.size(); ++i) {
+    // What elimination of the early rows takes off rows of D that have no load of their own.
     B.row(place_[i]) = -late_load.row(index(i));
   }
   return late_.half_solve(std::move(B));
@@ -48,6 +50,7 @@ base::Matrix LayeredCholesky::half_solve(const base::Matrix& B) const {
   base::Matrix rest = B.bottomRows(late_.size());
   const base::Matrix late_load = early_->late_load(first);
   for (std::size_t i = 0; i < place_.size(); ++i) {
+    // Only the late rows of the block feel the early ones; other rows of D do not.
     rest.row(place_[i]) -= late_load.row(index(i));
   }
   Y.topRows(early_rows()) = first;
@@ -57,6 +60,7 @@ base::Matrix LayeredCholesky::half_solve(const base::Matrix& B) const {
 
 base::Matrix LayeredCholesky::solve(const base::Matrix& B) const {
   base::Matrix Y = half_solve(B);
+  // From the last rows up: the early rows follow from those of the late ones that they touch.
   const base::Matrix late = late_.half_solve_transposed(Y.bottomRows(late_.size()));
   base::Matrix U(index(place_.size()), B.cols());
   for (std::size_t i = 0; i < place_.size(); ++i) {

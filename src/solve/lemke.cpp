@@ -52,6 +52,8 @@ int leaving_row(const Dictionary& t, int c) {
       least = std::min(least, std::max(t.q(i), 0.0) / -t.D(i, c));
     }
   }
+  // Ratios that differ by round-off tie; q has been scaled to 1 by the caller. Among ties the
+  // lexicographic order decides, or the method could go round in a circle.
   const double alike = least + 1e-13 * (1.0 + least);
   int best = -1;
   for (int i = 0; i < t.size(); ++i) {
@@ -116,6 +118,7 @@ LemkeResult lemke(const base::Matrix& M, const base::Vector& q, const base::Vect
   }
   Dictionary t = first_dictionary(M, q, cover);
   int entering = n;
+  // The artificial variable first takes the least value by which all w are non-negative.
   int leaving = 0;
   for (int i = 1; i < n; ++i) { // of equal ones the last is disturbed least
     leaving = q(i) / cover(i) <= q(leaving) / cover(leaving) ? i : leaving;

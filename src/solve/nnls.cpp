@@ -39,6 +39,7 @@ void settle(const base::Matrix& A, const base::Vector& t, std::vector<int>& P, b
     if (step >= 1.0) {
       return;
     }
+    // The column that set the step arrives at zero but for round-off: without this it might stay.
     const double floor = 1e-14 * x.maxCoeff();
     std::erase_if(P, [&](int j) {
       const bool gone = x(j) <= floor;

@@ -15,11 +15,14 @@ ContactProblem rate_problem(const ParametricProblem& problem, const std::vector<
   const ContactProblem& whole = problem.at_zero;
   const auto k = index(rows.size());
   ContactProblem rate;
+  // (solve.13) with b' and h' in place of b and h; compliances are those of the problem itself.
   rate.W.resize(k, k);
   rate.B.resize(k, whole.B.cols());
   rate.b.resize(k);
   rate.h = problem.dh;
+  // Loads by t: over the whole path they amount to what the loads themselves are judged by.
   rate.load_scale = whole.load_scale / length;
+  // Of all rows: among these few alone a mode might look as if it opened much.
   rate.opening_scale =
       std::max(whole.opening_scale, whole.B.size() > 0 ? whole.B.cwiseAbs().maxCoeff() : 0.0);
   rate.equality = pressing;
@@ -45,6 +48,7 @@ double path_residual(const HeldProblem& problem, const SweptMatrix& matrix,
     if (!(size > 0.0)) {
       continue;
     }
+    // Gaps in the problem's own units; state and scales are in units of d.
     const double d = (problem.d(i) > 0.0 ? problem.d(i) : 1.0) * size;
     worst = std::max(worst, std::abs(gap(i) - told(i)) / d);
     // equality rows left out as redundant must hold all the same
@@ -52,6 +56,7 @@ double path_residual(const HeldProblem& problem, const SweptMatrix& matrix,
                                                     : std::max(-state(i), 0.0) / size);
   }
   const base::Vector balance = problem.h + problem.B.transpose() * lambda;
+  // One scale for all modes: a mode without loads has nothing of its own to be measured by.
   const base::Vector terms = scale.load + problem.B.cwiseAbs().transpose() * lambda.cwiseAbs();
   const double largest = terms.size() > 0 ? terms.maxCoeff() : 0.0;
   return largest > 0.0 ? std::max(worst, balance.cwiseAbs().maxCoeff() / largest) : worst;

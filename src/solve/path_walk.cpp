@@ -22,6 +22,7 @@ constexpr int shortest_list = 3;      ///< pivots between factorisations, when d
 } // namespace
 
 SolutionPath PathWalk::run(const std::vector<bool>& start) {
+  // Only here, and in turn(), is a contact problem solved; all else are exchanges of rows.
   const ContactSolution first = solve_at(from_, start);
   path_.start_status = first.status;
   if (first.status != ContactStatus::solved) {
@@ -62,6 +63,8 @@ bool PathWalk::begin(const std::vector<bool>& closed) {
   d_ = matrix_.state(problem_.db, dh_);
   v_.tail(problem_.f0.size()) += problem_.f0;
   d_.tail(problem_.df.size()) += problem_.df;
+  // Round-off is measured by the largest force anywhere on the path, not by those at this t: all
+  // may vanish here.
   double size = 0.0;
   for (int i = 0; i < rows(); ++i) {
     if (closed[at(i)]) {
@@ -71,6 +74,7 @@ bool PathWalk::begin(const std::vector<bool>& closed) {
   size_ = size;
   tolerance_.resize(rows());
   for (int i = 0; i < rows(); ++i) {
+    // The same for gaps: the given ones at both ends of the path.
     const double gap = std::max(std::abs(held_.b(i) + from_ * problem_.db(i)),
                                 std::abs(held_.b(i) + to_ * problem_.db(i)));
     level_(i) = held_.d(i) > 0.0 ? gap / held_.d(i) : gap;
@@ -85,6 +89,9 @@ void PathWalk::walk() {
     const int i = first_bad();
     if (i >= 0 && here == 0 && tied() > tied_rows) {
       here = 1;
+      // Ties are judged with a fresh factorisation. It may find the equations broken and go back to
+      // an earlier t, where there is nothing to turn for. Asked once at each t: here is no longer
+      // 0.
       const double t = t_;
       if ((matrix_.pivots() > 0 && !refresh()) || (t_ == t && !turn())) {
         return;
@@ -92,6 +99,7 @@ void PathWalk::walk() {
       continue;
     }
     if (i >= 0) {
+      // Least index ends by itself but for round-off; this many pivots at one t are no progress.
       if (++here > 20 * rows() + 200) {
         stop(PathStatus::unfinished);
         return;
@@ -119,9 +127,11 @@ bool PathWalk::settled() {
   if (sound()) {
     return true;
   }
+  // Where there is a way back the walk goes on from there; else it is over, and stop() says why.
   return !go_back();
 }
 
+// The least index, not the worst row: exchanges then come to an end where several tie (Murty 1974).
 int PathWalk::first_bad() const {
   for (int i = 0; i < rows(); ++i) {
     if (free_to_change(i) && zero(i) && falls(i)) {
@@ -141,6 +151,8 @@ double PathWalk::next_event() const {
   return t;
 }
 
+// The rows that reach zero first, soonest first: columns solved for together cost little more than
+// one alone.
 std::vector<int> PathWalk::likely() const {
   std::vector<std::pair<double, int>> order;
   for (int i = 0; i < rows(); ++i) {
@@ -158,16 +170,18 @@ std::vector<int> PathWalk::likely() const {
 }
 
 base::Vector PathWalk::column(int i) {
+  // Others are made along only where a solution with the factor is due anyway.
   return matrix_.column(i, matrix_.made(i) ? std::vector<int>() : likely());
 }
 
 bool PathWalk::change(int i) {
+  // walk() refreshes between segments; this bounds the list where very many rows change at one t.
   if (matrix_.pivots() >= 2 * interval_ && !refresh()) {
     return false;
   }
   base::Vector x = column(i);
   if (x(i) < 1e3 * no_pivot && matrix_.pivots() > 0) {
-    // round-off of the list must not decide
+    // Round-off of the list must not decide whether there is a pivot: asked again when factorised.
     return refresh();
   }
   const std::array<base::Vector*, 2> states{&v_, &d_};
@@ -180,6 +194,8 @@ bool PathWalk::change(int i) {
   if (j < 0) {
     return no_way_on(i, x);
   }
+  // A row that opens without a pivot sets a mode free. Where the row that stops the mode is some
+  // way off, the body jumps there.
   if (closed(i) && y(j) > 1e3 * tolerance_(j)) {
     path_.jumps.push_back(t_);
   }
@@ -189,6 +205,7 @@ bool PathWalk::change(int i) {
 }
 
 int PathWalk::blocking(const base::Vector& x, int i) const {
+  // Of rows that fall as z_i grows the one with the smallest ratio: none goes below zero.
   double least = std::numeric_limits<double>::infinity();
   int found = -1;
   for (int j = 0; j < rows(); ++j) {
@@ -217,12 +234,16 @@ bool PathWalk::no_way_on(int i, const base::Vector& x) {
 
 void PathWalk::emit(double t1) {
   const auto f = problem_.f0.size();
+  // Pivots at one t make no segments between them. The first one is kept even if it has no length:
+  // it says what is closed where the path begins.
   if (t1 > t_ || path_.segments.empty()) {
     const std::vector<bool>& now = matrix_.closed();
     if (path_.segments.empty()) {
       path_.closed = now;
     } else {
       for (int i = 0; i < rows(); ++i) {
+        // Against the last segment, not the last pivot: a row that left and came back at this t has
+        // not changed.
         if (now[at(i)] != reported_[at(i)]) {
           path_.changes.push_back({path_.segments.size(), i, now[at(i)]});
         }
@@ -238,6 +259,7 @@ bool PathWalk::sound() {
   HeldProblem here = held_;
   here.b += t_ * problem_.db;
   here.h += t_ * dh_;
+  // Loads at both ends of the path: their sum may vanish at this t.
   const base::Vector ends = (held_.h + from_ * dh_).cwiseAbs() + (held_.h + to_ * dh_).cwiseAbs();
   const double worst = path_residual(here, matrix_, state(), {size_, level_, ends});
   const bool good = worst <= settings_.allowed_drift;
@@ -271,6 +293,7 @@ bool PathWalk::go_back() {
   if (interval_ <= shortest_list) {
     return stop(PathStatus::drift);
   }
+  // Round-off gathers with the pivots of a list: the same way again by shorter lists.
   interval_ = std::max(shortest_list, interval_ / 4);
   return begin(mark_.closed);
 }

@@ -74,7 +74,8 @@ private:
 
   void walk();
 
-  /// At the end: whether the equations hold; if not, the walk has gone back to its last mark.
+  /// At the end: whether the walk is over, as the equations hold or there is no way back; else it
+  /// has gone back to its last mark.
   bool settled();
 
   /// Least row at zero whose force or gap falls.

@@ -36,6 +36,8 @@ int PathWalk::tied() const {
 bool PathWalk::turn() {
   const std::vector<bool> before = matrix_.closed();
   std::vector<int> taking_part;
+  // Rates of forces and gaps at this t obey a contact problem of their own; its closed rows are
+  // those of the next segment.
   const ContactSolution direction = solve_direction(taking_part);
   if (direction.status == ContactStatus::solved) {
     std::vector<bool> closed(std::size_t(rows()), false);
@@ -44,6 +46,8 @@ bool PathWalk::turn() {
     }
     return take(closed) || begin(before);
   }
+  // No direction: forces are zero here, and bodies free. The functionals as the old rows have them,
+  // to compare.
   const base::Vector f = state().tail(problem_.f0.size());
   base::Vector unheld;
   for (const double step : look_ahead) {
@@ -74,10 +78,13 @@ bool PathWalk::take(const std::vector<bool>& closed) {
     mark();
     return true;
   }
+  // A set that cannot be factorised is no end of the path: others are tried after it.
   path_.status = before;
   return false;
 }
 
+// A thousand tolerances: the rows were found a little further on, not here, and what is off by less
+// is zero to the walk, and exchanged where it falls.
 bool PathWalk::reaches_back(const base::Vector& f) const {
   for (int i = 0; i < rows(); ++i) {
     if (free_to_change(i) && y(i) < -1e3 * tolerance_(i)) {
@@ -91,6 +98,7 @@ bool PathWalk::reaches_back(const base::Vector& f) const {
 }
 
 ContactSolution PathWalk::solve_direction(std::vector<int>& taking_part) const {
+  // An open row with a gap stays open for a while whatever the direction: it takes no part.
   for (int i = 0; i < rows(); ++i) {
     if (closed(i) || !free_to_change(i) || zero(i)) {
       taking_part.push_back(i);

@@ -96,6 +96,7 @@ double mean_external_diagonal(const base::SymmetricCsc& K, std::int64_t locals) 
 
 Factor analyse(const base::SymmetricCsc& A, std::vector<std::int64_t>& order,
                CholmodSession& session) {
+  // Locals have been postordered already, and externals must stay last.
   session->supernodal = CHOLMOD_SUPERNODAL;
   session->nmethods = 1;
   session->method[0].ordering = CHOLMOD_GIVEN;
@@ -165,6 +166,8 @@ base::SymmetricCsc SparseCondensation::Impl::analyse_matrix(base::SymmetricCsc K
 
 void SparseCondensation::Impl::build(base::SymmetricCsc K, Ordering ordering) {
   blas::single_thread();
+  // (solve.4): large enough to hold a floating body far from round-off, small enough to be taken
+  // off again without loss.
   const double shift = 1e-2 * mean_external_diagonal(K, locals);
   const std::vector<double> diagonal = diagonal_of(K);
   CholmodSession session;
@@ -193,6 +196,7 @@ void SparseCondensation::Impl::build(base::SymmetricCsc K, Ordering ordering) {
 void SparseCondensation::Impl::factorise(const base::SymmetricCsc& A, CholmodSession& session) {
   cholmod_sparse view = lower_view(A.n, A.start.data(), A.row.data(), A.value.data());
   const int done = cholmod_l_factorize(&view, factor.get(), session.get());
+  // `minor` is the column where the factorisation stopped, n where it did not.
   if (session->status == CHOLMOD_NOT_POSDEF || factor->minor < at(n)) {
     report.status = FactorStatus::not_positive_definite;
     report.failed_row = order[factor->minor];
@@ -207,9 +211,11 @@ void SparseCondensation::Impl::check_pivots(const std::vector<double>& diagonal)
   std::int64_t weakest = -1;
   for (std::int64_t s = 0; s < L.count; ++s) {
     const std::int64_t rows = L.row_start[s + 1] - L.row_start[s];
+    // (solve.7) for locals alone: the diagonals of externals carry the shift.
     for (std::int64_t j = L.column[s]; j < std::min(L.column[s + 1], locals); ++j) {
       const double pivot = L.value[L.value_start[s] + (j - L.column[s]) * (rows + 1)];
       const double ratio = pivot * pivot / diagonal[at(order[at(j)])];
+      // Written so that a pivot that is not a number counts as the weakest.
       if (!(ratio >= report.smallest_pivot)) {
         report.smallest_pivot = ratio;
         weakest = j;
@@ -223,6 +229,8 @@ void SparseCondensation::Impl::check_pivots(const std::vector<double>& diagonal)
 }
 
 void SparseCondensation::Impl::read_schur(double shift) {
+  // R is a copy. The supernodes of externals go before S is made: two full matrices of externals at
+  // a time, as (solve.8) counts them.
   const base::Matrix R = trailing_factor(supernodes());
   drop_externals();
   S = lower_times_transpose(R);
@@ -272,6 +280,7 @@ FactorReport SparseCondensation::forecast(base::SymmetricCsc pattern, std::int64
   if (pattern.n > 0) {
     try {
       CholmodSession session;
+      // The shift changes values only, no pattern.
       impl.analyse_matrix(std::move(pattern), 0.0, ordering, session);
     } catch (const std::bad_alloc&) {
       impl.report.status = FactorStatus::out_of_memory;
@@ -320,6 +329,8 @@ base::Matrix SparseCondensation::recover(const base::Matrix& u_external,
   }
   eliminate_locals(c.supernodes(), X);
   if (c.n > c.locals) {
+    // (solve.6): the forward half has left y_l above; what it made of the loads below is not
+    // wanted.
     X.bottomRows(c.n - c.locals) = u_external;
   }
   substitute_locals(c.supernodes(), X);

@@ -35,6 +35,7 @@ Eigen::Index first_bad_pivot(base::Matrix A) {
       A(i, j) = (A(i, j) - A.row(i).head(j).dot(A.row(j).head(j))) / A(j, j);
     }
   }
+  // In another order of sums round-off may let every pivot pass: then the last row is named.
   return A.rows() - 1;
 }
 
@@ -50,6 +51,8 @@ FactorReport Stacked::forecast(const base::SymmetricCsc& K, std::int64_t externa
     find_early(K, blocks, rows);
     if (!rows.early.empty()) {
       EarlyLists lists = early_lists(rows, blocks.front());
+      // The factor of early rows is kept for the next length only if it has the same rows of the
+      // block.
       kept = lists == *early;
       *early = std::move(lists);
     }
@@ -73,6 +76,7 @@ Stacked::Stacked(const base::SymmetricCsc& K, std::int64_t externals,
   }
   add_top(rows_, early != nullptr && *early && (*early)->lists() == lists, report);
   if (report.status != FactorStatus::ok) {
+    // The matrix below has numbers of its own; messages want those of K.
     if (report.failed_row >= 0) {
       report.failed_row = rows_.below[at(report.failed_row)];
     }
@@ -82,6 +86,8 @@ Stacked::Stacked(const base::SymmetricCsc& K, std::int64_t externals,
   const base::Matrix touched = below_->take_schur();
   Parts parts = assemble(K, blocks, touched);
   if (!rows_.early.empty() && !eliminate_early(blocks.front(), std::move(lists), *early, parts)) {
+    // The block alone does not hold its early rows, the rest of the body may: S is formed after
+    // all, from parts that are laid out otherwise.
     rows_.early.clear();
     parts = assemble(K, blocks, touched);
   }
@@ -97,12 +103,16 @@ Stacked::Parts Stacked::assemble(const base::SymmetricCsc& K, std::span<const De
   Eigen::Index rest = 0;
   for (std::size_t t = 0; t < rows_.top.size(); ++t) {
     const auto k = index(t);
+    // The inner rows are among the rest only where S is factorised: then they are late rows of one
+    // matrix with the externals.
     const bool in = layered ? !std::ranges::binary_search(rows_.early, k) : k >= inner;
     parts.place.push_back(in ? rest++ : -1);
   }
   parts.inner = base::Matrix::Zero(inner, inner);
   parts.coupling = base::Matrix::Zero(inner, rows_.external);
   parts.rest = base::Matrix::Zero(rest, rest);
+  // Adds a full symmetric matrix to the parts it falls into; `to_rest` is false for the block of
+  // early rows, whose Schur complement takes its place among the rest.
   const auto add = [&](const std::vector<Eigen::Index>& top, const auto& part, bool to_rest) {
     for (std::size_t c = 0; c < top.size(); ++c) {
       const auto from = index(c);
@@ -129,6 +139,7 @@ Stacked::Parts Stacked::assemble(const base::SymmetricCsc& K, std::span<const De
   for (std::size_t i = 0; i < rows_.top.size(); ++i) {
     const auto k = index(i);
     if (!std::ranges::binary_search(rows_.touched, k)) {
+      // K may have a diagonal entry, a spring, in rows that the sparse matrix does not touch.
       add({k}, base::Matrix::Constant(1, 1, K.value[at(K.start[at(rows_.top[i])])]), true);
     }
   }
@@ -164,6 +175,7 @@ bool Stacked::eliminate_early(const DenseBlock& dense, EarlyLists lists,
   const auto firsts = early->count();
   std::vector<Eigen::Index> externals;
   for (std::size_t t = at(rows_.inner()); t < row.size(); ++t) {
+    // Rows of the layered factor: early ones first, then the rest.
     externals.push_back(row[t] >= 0 ? row[t] : firsts + parts.place[t]);
   }
   top_.factor.emplace(FactoredExternals{
@@ -174,6 +186,7 @@ bool Stacked::eliminate_early(const DenseBlock& dense, EarlyLists lists,
 bool Stacked::eliminate(Parts parts, FactorReport& report) {
   const Eigen::Index inner = rows_.inner();
   const int i = static_cast<int>(inner);
+  // Done also where S is in factored form: loads are condensed and locals recovered by this factor.
   L_ = parts.inner;
   const auto refuse = [&](Eigen::Index row) {
     report.status = FactorStatus::not_positive_definite;
@@ -187,6 +200,7 @@ bool Stacked::eliminate(Parts parts, FactorReport& report) {
   for (Eigen::Index k = 0; k < inner; ++k) {
     const double ratio = L_(k, k) * L_(k, k) / parts.inner(k, k);
     report.smallest_pivot = std::min(report.smallest_pivot, ratio);
+    // (solve.7), by the entry that the row has after what lies below has been eliminated.
     if (!(ratio > smallest_allowed_pivot(static_cast<std::int64_t>(rows_.top.size())))) {
       return refuse(k);
     }
@@ -231,6 +245,7 @@ base::Matrix Stacked::on_top(const base::Matrix& f, const base::Matrix& f_below)
 
 base::Matrix Stacked::condense_load(const base::Matrix& f) const {
   base::Matrix g = on_top(f, below(f));
+  // The inner rows of g become A_ii^-1 times them, A the full matrix on top.
   solve_inner(g, false);
   solve_inner(g, true);
   return g.bottomRows(rows_.external) - coupling_.transpose() * g.topRows(rows_.inner());
@@ -239,12 +254,14 @@ base::Matrix Stacked::condense_load(const base::Matrix& f) const {
 base::Matrix Stacked::recover(const base::Matrix& u_external, const base::Matrix& f) const {
   const base::Matrix f_below = below(f);
   base::Matrix g = on_top(f, f_below);
+  // Known displacements go to the right-hand side of the inner rows.
   if (rows_.external > 0) {
     g.bottomRows(rows_.external) = u_external;
     g.topRows(rows_.inner()) -= coupling_ * u_external;
   }
   solve_inner(g, false);
   solve_inner(g, true);
+  // The top is the only thing that the rows below see: its touched rows are their externals.
   base::Matrix u_touched(index(rows_.touched.size()), f.cols());
   for (std::size_t t = 0; t < rows_.touched.size(); ++t) {
     u_touched.row(index(t)) = g.row(rows_.touched[t]);

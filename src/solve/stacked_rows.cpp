@@ -28,6 +28,7 @@ StackedRows divide_rows(const base::SymmetricCsc& K, std::int64_t externals,
     }
   }
   for (std::int64_t j = 0; j < K.n; ++j) {
+    // The diagonal comes first in a column and couples nothing.
     for (std::int64_t p = K.start[at(j)] + 1; p < K.start[at(j) + 1]; ++p) {
       coupled[at(j)] = true;
       coupled[at(K.row[at(p)])] = true;
@@ -52,6 +53,7 @@ std::vector<Eigen::Index> places_of(const DenseBlock& b, const std::vector<std::
   std::vector<Eigen::Index> place;
   place.reserve(b.rows.size());
   for (const std::int64_t row : b.rows) {
+    // `top` ascends, as its rows were taken in the order of K.
     place.push_back(row < 0 ? -1 : std::ranges::lower_bound(top, row) - top.begin());
   }
   return place;
@@ -73,6 +75,7 @@ base::SymmetricCsc sparse_part(const base::SymmetricCsc& K, const StackedRows& r
   std::vector<std::vector<Entry>> column(at(next));
   for (std::int64_t j = 0; j < K.n; ++j) {
     for (std::int64_t p = K.start[at(j)]; p < K.start[at(j) + 1]; ++p) {
+      // Rows change their order: an entry of the lower triangle may lie above it in the new one.
       const auto [c, r] = std::minmax(place[at(j)], place[at(K.row[at(p)])]);
       if (c >= 0) {
         column[at(c)].push_back({r, K.value[at(p)]});
@@ -93,6 +96,7 @@ base::SymmetricCsc sparse_part(const base::SymmetricCsc& K, const StackedRows& r
 
 void find_early(const base::SymmetricCsc& K, std::span<const DenseBlock> blocks,
                 StackedRows& rows) {
+  // What is kept of early rows is one block's.
   if (blocks.size() != 1) {
     return;
   }
@@ -135,6 +139,9 @@ void add_top(const StackedRows& rows, bool kept, FactorReport& report) {
   const auto e = static_cast<double>(rows.external);
   const auto b = static_cast<double>(rows.early.size());
   const double l = i + e - b;
+  // Flops and bytes (8 a number) of full matrices: i inner rows, e externals, b early ones of
+  // these, l all that are not early. `memory` is the peak while they are made, `kept_memory` what
+  // stays.
   report.flops += i * i * i / 3.0;
   report.factor_entries += 0.5 * i * i + i * e;
   report.kept_memory += 8.0 * (i * i + i * e);

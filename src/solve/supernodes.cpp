@@ -25,6 +25,7 @@ struct Front {
 Front front_of(const Supernodes& L, std::int64_t s) {
   const std::int64_t first = L.column[s];
   const int rows = static_cast<int>(L.row_start[s + 1] - L.row_start[s]);
+  // The last front of locals may hold externals as well; their columns are left alone.
   const int columns = static_cast<int>(std::min(L.column[s + 1], L.locals) - first);
   return {first, columns, rows, {L.value + L.value_start[s], rows}, L.row + L.row_start[s]};
 }
@@ -92,6 +93,7 @@ void substitute_locals(const Supernodes& L, base::Matrix& X) {
 base::Matrix trailing_factor(const Supernodes& L) {
   const std::int64_t externals = L.n - L.locals;
   base::Matrix R = base::Matrix::Zero(externals, externals);
+  // Externals begin within the last front of locals, or behind it.
   for (std::int64_t s = std::max<std::int64_t>(0, local_fronts(L) - 1); s < L.count; ++s) {
     const std::int64_t rows = L.row_start[s + 1] - L.row_start[s];
     const std::int64_t first = std::max(L.column[s], L.locals);

@@ -36,6 +36,7 @@ bool SweptMatrix::begin(const std::vector<bool>& closed) {
   for (int i = 0; i < n_; ++i) {
     (closed[at(i)] ? A : open_).push_back(i);
   }
+  // Copied out once, so that gaps of many columns are one product of full matrices.
   W_open_.resize(index(open_.size()), n_);
   for (Eigen::Index k = 0; k < W_open_.rows(); ++k) {
     W_open_.row(k) = problem_.W.col(open_[at(k)]); // symmetric
@@ -53,6 +54,7 @@ base::Vector SweptMatrix::state(const base::Vector& b, const base::Vector& h) co
     const bool closed = first_closed_[at(i)];
     c(i) = (closed ? s.lambda(i) : s.gap(i)) * unit(i, closed);
   }
+  // Modes and functionals keep their own units: nothing is exchanged in them.
   c.segment(n_, m_) = s.alpha;
   c.tail(of_force_.rows()) = of_force_ * s.lambda + of_mode_ * s.alpha;
   return c;
@@ -67,10 +69,13 @@ void SweptMatrix::add_to_block(const Pivot& pivot) {
   }
   const auto l = index(block_.rows.size());
   if (l == block_.columns.cols()) {
+    // Room doubles, so that columns are copied seldom.
     const Eigen::Index more = 2 * l + 64;
     block_.columns.conservativeResize(Eigen::NoChange, more);
     block_.core.conservativeResize(more, more);
   }
+  // From here on row i holds -s of this pivot. What earlier columns have in it is used once, to
+  // find this s, and is then cleared: advance() must not subtract it again.
   block_.core.row(l).head(l) = block_.columns.row(i).head(l);
   block_.core(l, l) = pivot.columns(i, 0);
   block_.columns.row(i).head(l).setZero();
@@ -83,6 +88,8 @@ void SweptMatrix::advance(base::Matrix& columns) const {
   const auto l = index(block_.rows.size());
   base::Matrix s(l, columns.cols());
   for (Eigen::Index j = 0; j < l; ++j) {
+    // A row is exchanged once only while the block is sound, so the order of taking does not
+    // matter.
     s.row(j) = columns.row(block_.rows[at(j)]);
     columns.row(block_.rows[at(j)]).setZero();
   }
@@ -151,6 +158,8 @@ void SweptMatrix::make_columns(const std::vector<int>& rows) {
     column.segment(n_, m_) = bottom.col(c) * own;
     column.tail(more.rows()) = more.col(c) * own;
   }
+  // Columns are those at begin. Through the pivots since then they go all at once, or, where rows
+  // have been exchanged twice or in pairs, one by one in column(): the age says how far they are.
   const bool at_once = block_.sound && !list_.empty();
   if (at_once) {
     advance(all);
@@ -162,6 +171,8 @@ void SweptMatrix::make_columns(const std::vector<int>& rows) {
 }
 
 base::Vector SweptMatrix::column(int i, std::span<const int> likely) {
+  // The last pivot that exchanged row i has its column in itself: no solution with the factor, and
+  // none of the earlier pivots count.
   std::size_t from = list_.size();
   while (from > 0) {
     const Pivot& p = list_[from - 1];
@@ -172,6 +183,7 @@ base::Vector SweptMatrix::column(int i, std::span<const int> likely) {
   }
   base::Vector x;
   if (from > 0) {
+    // `from` is one behind that pivot already: the loop below goes on with those after it.
     x = own_column(list_[from - 1], i);
   } else {
     if (made_[at(i)].size() == 0) {
@@ -192,7 +204,8 @@ base::Vector SweptMatrix::column(int i, std::span<const int> likely) {
   return x;
 }
 
-// x_P leaves, z_P = -inverse x_P enters.
+// (solve.30) for one column or state, P the exchanged rows: in the place of x_P comes what
+// z_P has to be, -inverse x_P, and the rest follows along the columns of the pivot.
 void SweptMatrix::apply(const Pivot& pivot, base::Vector& x) {
   if (pivot.rows.size() == 1) {
     const double z = x(pivot.rows[0]) * pivot.inverse(0, 0);
@@ -208,7 +221,8 @@ void SweptMatrix::apply(const Pivot& pivot, base::Vector& x) {
   x(pivot.rows[1]) = -z(1);
 }
 
-// The column of a row that has just been exchanged.
+// The column of a row that this pivot exchanges, right after it: columns times inverse, the inverse
+// itself in the exchanged rows.
 base::Vector SweptMatrix::own_column(const Pivot& pivot, int i) {
   const Eigen::Index k = pivot.rows[0] == i ? 0 : 1;
   base::Vector x = pivot.columns * pivot.inverse.col(k);
