@@ -38,6 +38,7 @@ std::string canonical(std::string_view text) {
   char gap = '\0';
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
+    // Texts keep their case and blanks.
     if (quoted) {
       out += c;
       quoted = c != '\'';
@@ -131,6 +132,7 @@ std::vector<CardMark> card_marks(const std::filesystem::path& deck, const model:
       text += canonical(sources.text(card.data));
     }
     if (const std::string file = named_file(card, sources); !file.empty()) {
+      // A card that brings a file in changes with what the file holds.
       text += texts_of_import(file);
     }
     mark.hash = hash_of(text);

@@ -126,6 +126,7 @@ void Checkpoint::open_to_write() {
         before_.push_back(e.file);
       }
     } catch (const FileTrouble& trouble) {
+      // A list that is damaged is ours and may be replaced; what is no list at all is not.
       if (trouble.code() == "E564") {
         throw FileTrouble("E564", std::string(trouble.what()) + ", and is not overwritten");
       }
@@ -140,6 +141,7 @@ void Checkpoint::open_to_write() {
   if (lock_ < 0) {
     throw FileTrouble("E563", fmt::format("{}: {}", folder.string(), std::strerror(errno)));
   }
+  // Where a file system has no locks the run goes on: only another holder is a reason to refuse.
   if (::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     throw FileTrouble("E563", fmt::format("{}: another run is writing it", place_.write.string()));
   }
@@ -152,6 +154,7 @@ CheckpointList Checkpoint::read_newest() {
     try {
       CheckpointList list = read_list_file(file);
       for (const KeptEntry& e : list.entries) {
+        // Increments behind AT are not used: they may be damaged or gone.
         if (place_.at && e.number > *place_.at) {
           continue;
         }
@@ -222,6 +225,7 @@ void Checkpoint::take(int number) {
   const std::scoped_lock lock(guard_);
   entries_.push_back(entry);
   ++taken_;
+  // Taken over as it stands: its file is on disk already.
   if (bytes.empty()) {
     ++on_disk_;
     return;
@@ -236,6 +240,7 @@ void Checkpoint::solve_from(int number, const std::string& why) {
   const auto later = [&](const KeptEntry& e) {
     return e.round > round_ || (e.round == round_ && e.number >= number);
   };
+  // Increments behind it were made from what it leaves: they go with it.
   const auto gone = std::erase_if(found_.entries, later);
   tell("W561", fmt::format("{}: {} increment{} from number {} on solved anew: {}",
                            place_.read.string(), gone, gone == 1 ? " is" : "s are", number, why));
@@ -269,6 +274,7 @@ bool Checkpoint::out_of_time() const {
   if (place_.seconds <= 0.0 || walls_.empty()) {
     return false;
   }
+  // The next increment is expected to take as long as the longer of the last two.
   double next = walls_.back();
   if (walls_.size() > 1) {
     next = std::max(next, walls_[walls_.size() - 2]);
@@ -309,6 +315,7 @@ void Checkpoint::put_on_disk() {
   std::error_code none;
   if (fs::exists(place_.write, none)) {
     const fs::path linked = base::free_part(before);
+    // The name never vanishes: a second link to the list becomes the one before.
     fs::create_hard_link(place_.write, linked, none);
     if (!none) {
       fs::rename(linked, before, none);
@@ -319,6 +326,7 @@ void Checkpoint::put_on_disk() {
   write_safely(place_.write, pending_list_);
   on_disk_ = entries_.size();
   sweep_folder();
+  // What this list names is what the next list may not sweep away.
   before_.clear();
   for (const KeptEntry& e : entries_) {
     before_.push_back(e.file);

@@ -103,6 +103,7 @@ std::vector<KeptEntry> entries_from(const results::StoreGroup& group) {
     if (lines < 0 || lines > log.end() - line) {
       throw results::StoreError("the log is incomplete");
     }
+    // All logs stand in one table, one increment's lines behind the other's.
     e.log.assign(line, line + lines);
     line += lines;
   }
@@ -110,6 +111,7 @@ std::vector<KeptEntry> entries_from(const results::StoreGroup& group) {
 }
 
 void add(std::string& text, double value) {
+  // Hexadecimal: equal texts are equal numbers to the last bit.
   text += fmt::format(" {:a}", value);
 }
 
@@ -154,6 +156,7 @@ std::string growth_rules(const model::Model& model) {
   for (const base::CrackId crack : g.cracks) {
     text += " " + model.cracks[crack.index()].name;
   }
+  // Given lengths do not hang on K: the rest has no part in them.
   if (g.law == model::GrowthLaw::increment) {
     return text;
   }

@@ -58,6 +58,7 @@ std::optional<Misfit> Checkpoint::misfit_of_steps() {
   const std::vector<CardMark> shorter(
       before.begin(),
       before.begin() + static_cast<std::ptrdiff_t>(std::min(now.size(), before.size())));
+  // Steps that are gone from the end leave the others as they were.
   if (now.size() < before.size() && !first_difference(shorter, now)) {
     dropped_steps_ = before.size() - now.size();
     tell("W561", fmt::format("the last {} of {} steps are gone from the deck: what increments of "
@@ -79,6 +80,7 @@ std::optional<Misfit> Checkpoint::misfit_of_growth() const {
   const bool lengths = !model_.growth || model_.growth->law == model::GrowthLaw::increment;
   const std::array<double, 2> ends = growth_ends(model_);
   const bool further = ends[0] >= found_.ends[0] && ends[1] >= found_.ends[1];
+  // Rates are kept with the stations: another spectrum would have others.
   const bool same_history =
       !first_difference(only(found_.cards, {"SPECTRUM"}), only(cards_, {"SPECTRUM"}));
   if (found_.growth == growth_rules(model_) && (lengths || (further && same_history))) {

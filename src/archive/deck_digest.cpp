@@ -48,11 +48,13 @@ std::vector<fs::path> named_files(const fs::path& script, std::string_view text)
 
 void add_texts(const fs::path& file, std::vector<fs::path>& seen, std::vector<std::string>& texts) {
   const fs::path canonical = fs::weakly_canonical(file);
+  // Scripts may include each other.
   if (std::find(seen.begin(), seen.end(), canonical) != seen.end()) {
     return;
   }
   seen.push_back(canonical);
   const std::string& text = texts.emplace_back(slurp(file));
+  // Scripts name further files.
   if (file.extension() == ".geo") {
     for (const fs::path& named : named_files(file, std::string(text))) {
       add_texts(named, seen, texts);

@@ -73,6 +73,8 @@ std::optional<FolderLock> FolderLock::take(const fs::path& folder, const fs::pat
     }
     throw std::system_error(errno, std::generic_category(), folder.string());
   }
+  // Where locks do not work the owner's note decides: a process that lives, or one on another
+  // machine.
   if (::flock(lock.fd_, LOCK_EX | LOCK_NB) != 0) {
     const int error = errno;
     std::optional<Owner> owner = owner_of(folder);
@@ -84,6 +86,7 @@ std::optional<FolderLock> FolderLock::take(const fs::path& folder, const fs::pat
       taken(folder, owner);
     }
   }
+  // The folder may have been moved or removed between opening and locking: then it is tried again.
   struct stat opened {};
   struct stat named {};
   const bool same = ::fstat(lock.fd_, &opened) == 0 && ::stat(folder.c_str(), &named) == 0 &&

@@ -118,6 +118,7 @@ void write_mark(const fs::path& folder, const FolderMark& mark) {
 void add_to_mark(const fs::path& folder, const std::string& name) {
   const fs::path file = folder / mark_name;
   const std::string line = name + "\n";
+  // Appended in one write: a line is there as a whole, or cut off and not read.
   const int fd = ::open(file.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NOFOLLOW);
   const bool written =
       fd >= 0 && ::write(fd, line.data(), line.size()) == static_cast<ssize_t>(line.size());

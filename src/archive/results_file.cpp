@@ -82,6 +82,7 @@ void write_results_file(const std::filesystem::path& file, const base::Sources& 
       describe_origin(root, model);
       store_deck(root, sources, model);
       results::write_reader_tables(root, run);
+      // Without times: the same deck makes the same bytes.
       results::write_run(root, run, results::Times::left_out, kept_fields(model, run));
     }
     report::write_file(file, store.bytes());

@@ -74,6 +74,7 @@ std::string hash_of(std::string_view bytes) {
 std::string framed(std::string_view kind, std::string_view bytes) {
   std::string out = fmt::format("spricka {} {} of {} , {} bytes {}", kind, format_version,
                                 SPRICKA_VERSION, bytes.size(), hash_of(bytes));
+  // The head has a fixed size, so that it can be read before the rest is.
   out.resize(frame_size - 1, ' ');
   out += '\n';
   out += bytes;

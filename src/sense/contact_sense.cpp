@@ -97,6 +97,7 @@ private:
       return;
     }
     const contact::Surface master = contact::make_surface(model_, mesh_, contact.master);
+    // Rays go out from the smaller surface: all of it should meet the other.
     const bool slave_smaller = slave.extent <= master.extent;
     const contact::Survey seen =
         slave_smaller ? contact::survey(slave, master) : contact::survey(master, slave);
@@ -111,6 +112,7 @@ private:
     if (seen.facing == 0) {
       return; // E411
     }
+    // Facets of both surfaces may make the drawn gap wider on one side and narrower on the other.
     const double slack = 2.0 * facets + round_off * surface.extent;
     const double drawn = std::max(std::abs(seen.gap_low), std::abs(seen.gap_high));
     const std::string& unit = model_.units.length_name;
@@ -128,6 +130,7 @@ private:
       }
     }
     look_at_clearance(contact, std::max(drawn, slack), surface);
+    // A drawn overlap counts only beyond what facets make of surfaces that touch.
     const double overlap = contact.gap ? -*contact.gap : -seen.gap_low - slack;
     if (overlap > most_fit * size_of(surface)) {
       list_.warning(
@@ -192,6 +195,7 @@ private:
     double low = 0.0;
     double high = 0.0;
     for (const contact::Segment& s : contact::find_segments(surface, partner)) {
+      // Coordinates of an edge run from -1 to 1: half the stretch is its part of the edge.
       seen[s.contact_edge] += 0.5 * (s.to - s.from);
       const double gap = gap_at(surface, edges[s.contact_edge], partner, s);
       low = std::min(low, gap);
@@ -208,6 +212,7 @@ private:
     double sum = 0.0;
     base::Vec2 place = base::Vec2::Zero();
     for (std::size_t e = 0; e < edges.size(); ++e) {
+      // What also faces the partner is not missed.
       const double part = std::clamp(missed[e], 0.0, std::max(0.0, 1.0 - seen[e]));
       length += edges[e].length;
       place = sum == 0.0 && part > 0.1 ? contact::point_on(edges[e], 0.0) : place;
@@ -280,6 +285,7 @@ private:
     }
     for (std::size_t a = 0; a < bodies_.size(); ++a) {
       for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        // Each pair once: the smaller body first, of two alike the first.
         if (a != b && extent[a] <= extent[b] && !(a > b && extent[a] == extent[b])) {
           look_at_overlap(a, b, faces, outlines, std::min(extent[a], extent[b]));
         }
@@ -297,11 +303,13 @@ private:
     }
     double depth = 0.0;
     base::Vec2 place = base::Vec2::Zero();
+    // Nodes of both: a corner of one may stand in the middle of a side of the other.
     for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
       for (const base::NodeId n : mesh::nodes_of_faces(mesh_, faces[from])) {
         const base::Vec2 x = mesh_.x[n.index()].head<2>();
         const std::optional<contact::OutlinePlace> at = outlines[to].nearest(x, extent);
         if (at && -at->distance - 2.0 * at->facet > depth) {
+          // Facets of both bodies may cut into each other.
           depth = -at->distance - 2.0 * at->facet;
           place = x;
         }

@@ -75,6 +75,7 @@ void add_endless_life(const results::Run& run, std::vector<EndWarning>& list) {
     return;
   }
   const results::Growth& growth = *run.growth;
+  // Passes of a spectrum count with all their cycles.
   const double cycles = growth.cycles() * growth.cycles_per_pass;
   if (cycles > endless) {
     list.push_back(

@@ -101,6 +101,7 @@ private:
     if (!f.allFinite() || !(all > 0.0)) {
       return;
     }
+    // Sum of squares of what stands on freedoms that can move.
     double acts = 0.0;
     for (Eigen::Index i = 0; i < f.size(); ++i) {
       const std::size_t n = static_cast<std::size_t>(i / mesh_.dim);
@@ -164,6 +165,7 @@ private:
     for (const model::Face& face : host.boundary()) {
       const mesh::Edge edge = mesh::edge_of(mesh_, face);
       const double length = (mesh_.x[edge.b.index()] - mesh_.x[edge.a.index()]).norm();
+      // The given mouth may lie a little off the side that it is moved onto.
       const bool here =
           (!crack.net.valid() || mesh_.element_net[face.element.index()] == crack.net) &&
           mesh::nearest_on(mesh_, edge, at.x).distance <= 1e-6 * length &&
@@ -255,6 +257,7 @@ void warn_of_path_mouths(const model::Model& model, base::Diagnostics& list) {
       continue; // E401
     }
     std::vector<base::NodeId> path = model.mesh.set(crack.path).nodes;
+    // Middle nodes may be named or not.
     std::erase_if(path, [&](base::NodeId n) { return !is_corner(host, n); });
     if (path.size() < 2) {
       continue; // E427
@@ -275,6 +278,7 @@ void warn_of_path_mouths(const model::Model& model, base::Diagnostics& list) {
     if (!on_boundary || behind == sides.end()) {
       continue;
     }
+    // The direction across the path, along x or y, in which a line of symmetry is held.
     const std::size_t across = std::abs(along.x()) > std::abs(along.y()) ? 1 : 0;
     const bool held = is_held(cls[2 * behind->other.index() + across]);
     list.warning(

@@ -41,6 +41,7 @@ results::LoadTotal total_of(const model::Model& model, const model::Mesh& mesh,
 }
 
 void tidy(results::LoadTotal& total, const model::Mesh& mesh) {
+  // Of the sum of all nodal forces: sums that cancel are told as 0.
   constexpr double round_off = 1e-12;
   double size = 0.0;
   for (const base::Vec3& x : mesh.x) {
@@ -53,6 +54,7 @@ void tidy(results::LoadTotal& total, const model::Mesh& mesh) {
   }
 }
 
+// Whether a load stands on sets of the deck: faces of a crack are there once it is cut only.
 bool on_the_deck(const model::Model& model, const model::Load& load) {
   return std::ranges::none_of(model.cracks, [&](const model::Crack& crack) {
     return load.faces.valid() && (load.faces == crack.left || load.faces == crack.right);
@@ -186,6 +188,7 @@ bool loads_are_sound(const model::Model& model, const model::Mesh& cracked,
               sound;
         }
       }
+      // What is refused anyhow is not looked at more finely.
       if (sound) {
         warn_of_unresolved(model, cracked, load_case, load, diagnostics);
       }

@@ -72,6 +72,7 @@ Ways energy(const results::StepResult& step, const results::TipResult& tip, doub
     return {};
   }
   const double bar = bar_of(tip, K);
+  // G of the wrong sign is a K of the wrong sign, and as far off.
   const double other = std::copysign(std::sqrt(std::abs(tip.G) / tip.G_from_K), tip.G);
   const double apart = std::abs(other - 1.0);
   return {.apart = apart,
@@ -129,6 +130,7 @@ Ways worst_ways(const results::StepResult& step, const results::TipResult& tip) 
   }
   Ways worst;
   for (Ways& one : std::array{energy(step, tip, K), domains(tip, K), opening(tip, K)}) {
+    // Of several the one that is furthest beyond what it may be.
     if (one.apart > one.allowed && (worst.what.empty() || one.ratio() > worst.ratio())) {
       worst = std::move(one);
     }

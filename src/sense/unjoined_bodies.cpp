@@ -62,6 +62,7 @@ public:
       const contact::Outline& one = outlines_[order[i]];
       for (std::size_t k = i + 1; k < order.size(); ++k) {
         const contact::Outline& two = outlines_[order[k]];
+        // Bodies are in order of their left ends: no later one can touch either.
         if (two.low().x() > one.high().x() + slack_) {
           break;
         }
@@ -91,6 +92,7 @@ private:
       const std::size_t a = of_element_[seam.first.element.index()];
       const std::size_t b = of_element_[seam.second.element.index()];
       const base::Vec3 at = middle(mesh::nodes_of_faces(mesh_, {seam.first}));
+      // Ways from the common side into both elements: they must not lie on the same side of it.
       const base::Vec3 one = middle(mesh_.nodes_of(seam.first.element)) - at;
       const base::Vec3 two = middle(mesh_.nodes_of(seam.second.element)) - at;
       if (bodies_[a].net == bodies_[b].net || joined_.contains(std::minmax(a, b)) ||
@@ -131,6 +133,7 @@ private:
         }
       }
     }
+    // Bodies that share a tie of any kind are meant to be together.
     for (const model::Mpc& mpc : model_.mpcs) {
       std::set<std::size_t> tied;
       if (const auto* equation = std::get_if<model::Equation>(&mpc)) {
@@ -195,6 +198,7 @@ private:
   // A side that a contact or tie looks after, or that is held across.
   [[nodiscard]] bool settled(const contact::Edge& side) const {
     const base::Vec2 n = contact::outer_normal(side, 0.0);
+    // Supports hold along x or y: the one that is nearer to the normal.
     const std::size_t across = std::abs(n.x()) > std::abs(n.y()) ? 0 : 1;
     bool cared = true;
     bool held = true;
@@ -210,6 +214,7 @@ private:
 
   // How much of the boundary of a body lies on another one, which begins where it ends.
   [[nodiscard]] Touch touch(std::size_t body, const contact::Outline& other) const {
+    // The middles of the four quarters of a side: divisions of the other body need not be the same.
     constexpr std::array places{-0.75, -0.25, 0.25, 0.75};
     Touch found;
     for (std::size_t i = 0; i < sides_[body].size(); ++i) {
@@ -227,6 +232,8 @@ private:
         }
         const std::optional<contact::OutlinePlace> ahead = other.nearest(x + out, side.length);
         const std::optional<contact::OutlinePlace> behind = other.nearest(x - out, side.length);
+        // One body ends where the other begins; sides of bodies that lie in each other touch as
+        // well, but look the same way.
         if (ahead && behind && ahead->distance < 0.0 && behind->distance > 0.0) {
           part += 1.0 / static_cast<double>(places.size());
         }
@@ -246,6 +253,8 @@ private:
     if (told || joined_.contains({a, b})) {
       return;
     }
+    // A touch is measured on the smaller body; seen from the larger one there must be some, too, as
+    // a contact or support may settle its sides.
     const std::size_t small = length_[b] < length_[a] ? b : a;
     const std::size_t large = small == a ? b : a;
     const Touch touching = touch(small, outlines_[large]);

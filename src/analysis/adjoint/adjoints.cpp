@@ -15,7 +15,7 @@ namespace {
 // What K may feel of a motion that nothing holds, over all it feels: quadrature leaves 1e-7.
 constexpr double felt_motion = 1e-4;
 
-// Nothing of zero loads is eliminated.
+// Zero loads in the shape that condense_load() gives: a body that no K feels needs no half solve.
 BodyLoad no_load(const BodyNet& body, Eigen::Index columns) {
   BodyLoad load;
   load.region = base::Matrix::Zero(body.region.map.size(), columns);
@@ -78,7 +78,7 @@ std::vector<estimate::Adjoint> Adjoints::of_set(const StepSolver& solver,
       }
       free_ = contact::free_response(*solver.system(), external_);
     }
-    // K has a term of the forces between faces: the gap that z leaves there is less by it
+    // K has a term of the forces between faces, for which z leaves a gap there (sensitivity.13).
     const contact::HeldContact::Response found =
         held->respond(free_.opening + by_force_, free_.on_mode);
     double size = 0.0;
@@ -88,6 +88,7 @@ std::vector<estimate::Adjoint> Adjoints::of_set(const StepSolver& solver,
     if (found.left_over > felt_motion * size) {
       why_not = "K feels a motion that no closed contact holds";
     }
+    // (sensitivity.3) and (sensitivity.4): w on the closed rows, z on the externals.
     w = found.force;
     std::vector<base::Matrix> u = held->displacement(external_, found);
     for (std::size_t i = 0; i < u.size(); ++i) {
@@ -96,6 +97,7 @@ std::vector<estimate::Adjoint> Adjoints::of_set(const StepSolver& solver,
   }
   base::Matrix z = base::Matrix::Zero(rows_.front().rows(), columns);
   for (std::size_t b = 0; b < bodies_.size() && why_not.empty(); ++b) {
+    // z is a change of displacements: constants of ties have no part in it.
     recover_body(bodies_[b], external[b], condensed_[b], 0.0, z);
   }
   std::vector<estimate::Adjoint> out(rows_.size());
@@ -135,6 +137,7 @@ const std::vector<estimate::Adjoint>& Adjoints::of_last_step(const StepSolver& s
     const contact::ContactSystem::Problem problem = solver.problem();
     rubs = !problem.friction.empty();
     for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+      // A next problem would begin with the rows that the last one ended with.
       closed[problem.rows[i]] = problem.start.empty() ? problem.equality[i] : problem.start[i];
     }
   }

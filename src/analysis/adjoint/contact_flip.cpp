@@ -58,6 +58,7 @@ std::vector<bool> beside_sharp_ends(const contact::PairRows& pair,
   }
   const std::map<base::NodeId, base::Vec2> place = node_places(pair.contact);
   for (const contact::SharpEnd& end : pair.sharp_ends) {
+    // A node that stands one spacing off does not count, whatever round-off makes of its place.
     constexpr double within = 0.99;
     const double reach =
         within * std::max(spacing_at(pair.contact, end.x), spacing_at(pair.target, end.x));
@@ -81,6 +82,7 @@ void add_candidates(const Scene& scene, const StepState& state, std::size_t c,
   std::vector<bool> ends(pair.normal.size(), false);
   const std::vector<bool>& closed = state.pair_closed[c];
   for (const contact::Edge& edge : pair.contact.plane.edges) {
+    // Neighbours along the edge: nodes 0 and 1 are its ends, 2 is its middle.
     const std::size_t last = edge.count == 3 ? 2 : 1;
     const std::array<std::array<std::size_t, 2>, 2> steps{{{0, last}, {last, 1}}};
     for (std::size_t i = 0; i < (edge.count == 3 ? 2U : 1U); ++i) {
@@ -121,6 +123,7 @@ std::vector<ContactFlips> contact_flips(const Scene& scene, const StepState& sta
   std::vector<ContactFlips> flips(adjoints.size());
   std::vector<Candidate> candidates;
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
+    // Bonded rows have no other state, and with friction there is no adjoint.
     if (state.mounted[c] && scene.pairs[c].tangent.empty()) {
       add_candidates(scene, state, c, candidates);
     }
@@ -139,6 +142,7 @@ std::vector<ContactFlips> contact_flips(const Scene& scene, const StepState& sta
     double& most = largest[candidates[i].closed ? 1 : 0];
     most = std::max(most, pivot[static_cast<Eigen::Index>(i)]);
   }
+  // What a unit of force on an open row does to K (sensitivity.13).
   const auto by_force = [&](const Candidate& c, std::size_t t, Eigen::Index k) {
     return opening(scene.row(c.row), scene.cracked.mesh.dim, adjoints[t].z, k) +
            adjoints[t].by_force(static_cast<Eigen::Index>(c.row), k);
@@ -151,6 +155,7 @@ std::vector<ContactFlips> contact_flips(const Scene& scene, const StepState& sta
     }
     const auto local = static_cast<Eigen::Index>(c.local);
     for (std::size_t t = 0; t < adjoints.size(); ++t) {
+      // Exact while all other rows stay as they are (estimate.13).
       for (Eigen::Index k = 0; k < 2; ++k) {
         const double change = c.closed ? adjoints[t].w(static_cast<Eigen::Index>(c.row), k) *
                                              state.pair_lambda[c.pair][local] / p

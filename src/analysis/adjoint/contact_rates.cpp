@@ -29,11 +29,13 @@ FrozenContact::FrozenContact(const StepSolver& solver, const Scene& scene, const
     const double area = scene.row(row.row).area;
     const double given = std::abs(problem.gap[static_cast<Eigen::Index>(i)]);
     force_size = std::max(force_size, std::abs(row.force));
+    // A fit that is just closed has no gap left: what was given tells the size, too.
     gap_size = std::max(gap_size, (given + std::abs(row.gap)) / area);
     rows_.push_back(row);
   }
   for (Row& row : rows_) {
     const double area = scene.row(row.row).area;
+    // Gaps are weighted: over their areas those of large and small rows compare.
     row.weak = !row.equality &&
                (row.closed ? row.force <= small * force_size : row.gap / area <= small * gap_size);
     weak_ += row.weak ? 1 : 0;
@@ -47,6 +49,8 @@ std::optional<std::vector<bool>> FrozenContact::closed_beyond(const Rates& rates
   for (const Row& row : rows_) {
     if (row.closed || row.weak) {
       problem.rows.push_back(row.row);
+      // Rows that press well stay closed, whatever the sign of their rate; open ones with a gap are
+      // left out.
       problem.equality.push_back(!row.weak);
       gap.push_back(sign * rates.gap(static_cast<Eigen::Index>(row.row), k));
     }
@@ -80,6 +84,7 @@ std::vector<std::array<double, 2>> FrozenContact::reach(const contact::HeldConta
     }
     const Eigen::RowVectorXd by =
         (row.closed ? rate.force : rate.gap).row(static_cast<Eigen::Index>(row.row));
+    // A force or gap that falls at this rate is used up at (sensitivity.11).
     const double value = row.closed ? row.force : row.gap;
     for (Eigen::Index k = 0; k < by.size(); ++k) {
       auto& [down, up] = out[static_cast<std::size_t>(k)];

@@ -22,8 +22,9 @@ namespace {
 // Errors that cancel are worth a note where the bar is more than a thousandth of K: ten times its
 // floor.
 constexpr double counts = 10.0;
-// Of the elements at a node that is held singly: where so many change K by more than its bar, the
-// bar is not that of an endlessly fine mesh, which has no K.
+// A node that is held singly gives way by as much again each time its elements halve (estimate.18).
+// Where so many halvings change K by more than its bar there is no bar, as an endlessly fine mesh
+// has no K.
 constexpr double halvings = 4.0;
 
 std::vector<base::NodeId> tip_nodes(const Scene& scene) {
@@ -41,6 +42,7 @@ std::vector<bool> fixed_freedoms(const Scene& scene, const StepState& state) {
     fixed[i] =
         scene.cls[i] != model::FreedomClass::local && scene.cls[i] != model::FreedomClass::external;
   }
+  // Followers are dependent by their class; here come their masters.
   for (const fe::Dependence::Row& row : scene.ties->rows()) {
     for (const fe::Term& term : row.terms) {
       fixed[static_cast<std::size_t>(term.freedom)] = true;
@@ -150,6 +152,8 @@ void ErrorBars::prepare() {
     std::vector<bool> alone(2 * edges.edges.size(), false);
     for (const estimate::ContactEdge& edge : contact_edges_.back()) {
       framed[edge.edge] = true;
+      // Only normal modes of target edges that lie opposite none feel the multipliers
+      // (estimate.14): elsewhere modes are shared (estimate.10) or held.
       alone[2 * edge.edge] = edge.target_side && !edge.opposite;
     }
     mode_weights_.push_back(estimate::target_mode_weights(edges, pair));
@@ -178,6 +182,7 @@ base::Vector ErrorBars::load(const base::Vector& case_factor) {
       continue;
     }
     if (!case_load_[c]) {
+      // Cases that no step has applied are never integrated.
       case_load_[c] = estimate::mode_load(*enrichment_, model_.cases[c], scene_.case_heat[c].get());
     }
     f += factor * *case_load_[c];
@@ -224,6 +229,7 @@ bool ErrorBars::coarse_contact(const StepState& state, const mesh::Front& front)
       continue;
     }
     const auto near_and_coarse = [&](const contact::Edge& edge) {
+      // A quadratic edge has a node in its middle.
       const double spacing = 0.5 * edge.length;
       const double reach = 2.0 * front.a + 0.5 * edge.length;
       const base::Vec2 middle = contact::point_on(edge, 0.0);

@@ -41,6 +41,7 @@ struct Partners {
   bool everywhere = true;
 };
 
+// Distance of x from the two chords of a side.
 double distance_to(const Side& side, const Vec2& x) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < 2; ++i) {
@@ -83,6 +84,7 @@ Partners partners_of(const PartnerSetting& set, const model::Transition& transit
     slave[n.index()] = true;
   }
   for (const estimate::Edge& edge : set.edges.edges) {
+    // Edges of the rim between nodes of the slave set, which has no faces.
     if (edge.elements == 1 && slave[edge.nodes[0].index()] && slave[edge.nodes[1].index()]) {
       const auto at = [&](std::size_t i) -> Vec2 {
         return mesh.x[edge.nodes[i].index()].head<2>();
@@ -120,6 +122,7 @@ CoarsePartner effect_of(const Partners& partners, const mesh::CrackedMesh& crack
   if (mouth.valid() && (cracked.mesh.x[mouth.index()].head<2>() - x).norm() <= near * closest) {
     return {};
   }
+  // The side that is longest against its own distance from the tip.
   const Side* worst = nullptr;
   double ratio = counts;
   for (const Side& side : partners.sides) {
@@ -183,6 +186,7 @@ std::vector<bool> tied_nodes(const PartnerSetting& set) {
     }
   }
   for (const fe::Dependence::Row& row : set.scene.ties->rows()) {
+    // Rims of patches and equations of the deck tie no other body to a side.
     if (row.mpc >= set.model.mpcs.size() ||
         std::holds_alternative<model::Equation>(set.model.mpcs[row.mpc])) {
       continue;

@@ -30,7 +30,7 @@ std::size_t tip_material(const model::Model& model, const Scene& scene, std::siz
   return model.property_of(scene.cracked.mesh, near).material.index();
 }
 
-// K1 stays 0 while the faces touch at the tip.
+// dK1 and dK2 by a cause (sensitivity.6). K1 stays 0 while the faces touch at the tip.
 std::array<double, 2> slope(const Scene& scene, const KCause& cause,
                             const estimate::Adjoint& adjoint, std::size_t t) {
   const std::optional<std::size_t> row = row_at_tip(scene, scene.cracked.fronts[t]);
@@ -79,7 +79,8 @@ void Sensitivities::prepare() {
     of_loads_.push_back(intensity_of_loads(model_, scene_, t));
     base::Matrix& by_modulus = of_moduli_.emplace_back(base::Matrix::Zero(2, of_loads_[t].cols()));
     if ((of_loads_[t].array() != 0.0).any()) {
-      // linear in E: twice the modulus shows its part
+      // What loads add to K is a constant and a part that goes with E: twice the modulus shows
+      // that.
       model::Model stiffer = model_;
       stiffer.materials[tip_material(model_, scene_, t)].E *= 2.0;
       by_modulus = intensity_of_loads(stiffer, scene_, t) - of_loads_[t];
@@ -106,6 +107,8 @@ void Sensitivities::add_loads(const StepSolver& solver,
     KCause one = cause(results::Cause::load, model_.cases[c].name, solver.factors().case_factor[k]);
     one.load = case_load_.col(k);
     const base::Vector given = scene_.case_displacement.col(k);
+    // Prescribed displacements pull at the body, open rows and move nodes that K takes
+    // (sensitivity.7).
     const bool moves = (given.array() != 0.0).any();
     if (moves) {
       one.gap.resize(static_cast<Eigen::Index>(scene_.table.size()));
@@ -130,6 +133,7 @@ void Sensitivities::add_fits(const StepSolver& solver, std::vector<KCause>& caus
     if (!contact.gap || !solver.factors().mounted[c]) {
       continue;
     }
+    // An interference is a negative gap (sensitivity.7).
     const double interference = -*contact.gap * solver.factors().fit[c];
     KCause one = cause(results::Cause::fit, contact.name, interference == 0.0 ? 0.0 : interference);
     one.gap = base::Vector::Zero(static_cast<Eigen::Index>(scene_.table.size()));
@@ -144,6 +148,7 @@ void Sensitivities::add_fits(const StepSolver& solver, std::vector<KCause>& caus
 void Sensitivities::add_moduli(const StepState& state,
                                const std::vector<estimate::Adjoint>& adjoints,
                                std::vector<KCause>& causes) const {
+  // [dim * node, material] thermal loads less internal forces, f^T - K_m u (sensitivity.8).
   base::Matrix loads = -state.internal;
   if (state.temperature.size() > 0) {
     loads += estimate::thermal_loads(model_, scene_.cracked.mesh, state.temperature);
@@ -209,6 +214,7 @@ Rates Sensitivities::rates(const StepSolver& solver, const std::vector<KCause>& 
   out.load_scale = base::Vector::Zero(k);
   out.free.opening = base::Matrix::Zero(rows, k);
   out.free.on_mode = base::Matrix::Zero(of_cases_.on_mode.rows(), k);
+  // Fits change gaps alone: bodies by themselves do not answer to them.
   out.free.opening.leftCols(cases) = of_cases_.opening;
   out.free.on_mode.leftCols(cases) = of_cases_.on_mode;
   for (std::size_t i = 0; i < count; ++i) {
@@ -236,6 +242,7 @@ Rates Sensitivities::all_rates(const StepSolver& solver, const std::vector<KCaus
   scene_.ties->reduce(nodal);
   for (std::size_t b = 0; b < solver.condensed().size(); ++b) {
     base::Matrix load = condense_load(bodies_[solver.condensed()[b]], *scene_.ties, nodal).external;
+    // Columns of cases were left zero above: theirs are condensed already.
     load.leftCols(case_externals_[b].cols()) = case_externals_[b];
     out.load.push_back(std::move(load));
   }
@@ -262,6 +269,7 @@ void Sensitivities::one_sided(const StepSolver& solver, const FrozenContact& con
       if (!closed) {
         continue;
       }
+      // Causes that leave the same rows closed share one factorisation and one adjoint.
       Side& side = sides[*closed];
       if (!side.held) {
         side.held = hold(solver, *closed);
@@ -334,6 +342,7 @@ void Sensitivities::add(const StepSolver& solver, const StepState& state, Adjoin
     for (std::size_t i = 0; i < causes.size(); ++i) {
       Sensitivity& s = result.tips[t].sensitivities.of[i];
       s.below = s.above = slope(scene_, causes[i], adjoint[t], t);
+      // Ranges of moduli and lengths are not computed; without contact there is nothing to end any.
       if (i < with_range || !contact) {
         s.range = {s.value + reach[i][0], s.value + reach[i][1]};
       }

@@ -138,6 +138,7 @@ void TipAdvance::move_loads(const std::vector<bool>& moves) {
       return fe::nodal_load(model_, side.cracked.mesh, without_heat(load_case)) +
              heat_load(model_, side.cracked.mesh, *side.case_heat[static_cast<std::size_t>(c)]);
     };
+    // Loads are fields in space: nodes that move through them take other parts of them.
     rate.col(c) = (of(*ahead_) - of(*behind_)) / (2.0 * motion_.step);
     const std::vector<bool>& rough = scene_.case_heat[static_cast<std::size_t>(c)]->rough;
     for (std::size_t e = 0; e < rough.size(); ++e) {
@@ -156,6 +157,7 @@ base::Vector TipAdvance::load(const base::Vector& u, const base::Vector& case_fa
   base::Vector behind = ahead;
   fe::add_internal_force(model_, ahead_->cracked.mesh, strained_, u, ahead);
   fe::add_internal_force(model_, behind_->cracked.mesh, strained_, u, behind);
+  // - dK_0/da u by central differences of the internal forces (sensitivity.9).
   base::Vector out = (behind - ahead) / (2.0 * motion_.step);
   if (load_rate_.size() > 0) {
     out += load_rate_ * case_factor.head(load_rate_.cols());

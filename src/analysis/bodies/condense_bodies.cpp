@@ -15,6 +15,7 @@ namespace spricka::analysis {
 
 namespace {
 
+// Rows of a nodal matrix [dim * node, k] by freedom, those before `from` left out.
 base::Matrix rows_of(const base::Matrix& nodal, const std::vector<std::int32_t>& freedom,
                      std::size_t from = 0) {
   base::Matrix out(static_cast<Eigen::Index>(freedom.size() - from), nodal.cols());
@@ -117,6 +118,8 @@ fe::Superelement super_of(const Net& part) {
 // What this increment did not use, no later one will: its crack has grown on.
 void forget_unused(const std::vector<Task>& parts, const std::vector<Task>& regions,
                    CondensationCache& cache) {
+  // Keys of nets and bodies are one set: a body has that of its region, early rows that of their
+  // part.
   std::set<HashKey> used;
   for (const std::vector<Task>* tasks : {&parts, &regions}) {
     for (const Task& task : *tasks) {
@@ -212,6 +215,7 @@ std::vector<BodyNet> condense_bodies(const CondenseRequest& request, Condensatio
     for (const std::unique_ptr<Net>& part : bodies[b].parts) {
       log.trouble = log.trouble ? log.trouble : trouble_of(request.mesh, bodies[b].name, *part);
       if (!log.trouble) {
+        // A part's Schur complement enters the region as an element does.
         regions[b].supers.push_back(super_of(*part));
       }
     }
@@ -221,6 +225,8 @@ std::vector<BodyNet> condense_bodies(const CondenseRequest& request, Condensatio
   }
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     if (regions[b].layered) {
+      // Rows that only the part has are eliminated once; they last as long as it does, whatever the
+      // region becomes.
       regions[b].early = cache.early[keys[b].parts.front()];
     }
   }
@@ -241,6 +247,8 @@ std::vector<BodyNet> condense_bodies(const CondenseRequest& request, Condensatio
     BodyNet& body = bodies[b];
     condense_loads(request, body);
     if (body.region.map.externals() > 0) {
+      // A factor from the cache has given its Schur complement away: what was made of that is kept
+      // too.
       const auto known = cache.bodies.find(regions[b].key);
       if (known != cache.bodies.end()) {
         body.condensed = known->second;
@@ -294,6 +302,7 @@ void recover_body(const BodyNet& body, const base::Matrix& u_external, const Bod
     base::Matrix rim(static_cast<Eigen::Index>(freedom.size() - locals), u.cols());
     for (std::size_t i = locals; i < freedom.size(); ++i) {
       const auto row = static_cast<Eigen::Index>(i - locals);
+      // Externals of the part as the region, and the ties, have moved them.
       rim.row(row) = u.row(freedom[i]);
       if (body.region.map.ties && body.region.map.ties->row_of(freedom[i]) != nullptr) {
         rim.row(row) -= given.row(freedom[i]);
@@ -314,6 +323,7 @@ void recover_body(const BodyNet& body, const base::Vector& u_external,
     load.part.emplace_back(part * case_factors);
   }
   base::Matrix all = u;
+  // Where ties have constants the last column is theirs; else there is nothing that it could scale.
   recover_body(body, u_external, load, case_factors.size() > 0 ? case_factors.tail(1)[0] : 0.0,
                all);
   u = all.col(0);

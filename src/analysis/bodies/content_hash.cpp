@@ -27,14 +27,17 @@ HashKey hash_net(const model::Model& model, const model::Mesh& mesh, const Net& 
     for (const fe::Dependence::Row& row : net.map.ties->rows()) {
       hash.value(row.freedom);
       for (const fe::Term& t : row.terms) {
+        // Constants of ties are loads: they change no factor.
         hash.value(t.freedom);
         hash.value(t.coefficient);
       }
     }
   }
+  // Order and number of locals tell the classes, too: held freedoms have no row.
   hash.add(net.map.freedom.data(), net.map.freedom.size() * sizeof(std::int32_t));
   hash.value(net.map.locals);
   for (const HashKey& part : parts) {
+    // A region is another one where a part in it is.
     hash.value(part.first);
     hash.value(part.second);
   }

@@ -54,6 +54,7 @@ void add_carriers(const CondenseRequest& request, const fe::Body& piece,
   const base::NodeId far = farthest([&](const base::Vec3& x) { return (x - a).norm(); });
   make_node_external(request, piece.nodes.front(), cls);
   make_node_external(request, far, cls);
+  // Two nodes leave the turn about their line free.
   if (mesh.dim == 3 && far != piece.nodes.front()) {
     const base::Vec3 d = (mesh.x[far.index()] - a).normalized();
     make_node_external(request,
@@ -134,6 +135,8 @@ std::vector<std::vector<base::ElementId>> parts_of(const CondenseRequest& reques
     if (cut[net]) {
       std::erase_if(elements, [&](base::ElementId e) { return !request.rest_element[e.index()]; });
     }
+    // A net that a crack cuts is split if enough of it stays; a whole net is a part if there are
+    // others.
     const bool pays =
         cut[net] ? static_cast<double>(elements.size()) >= least_rest * static_cast<double>(count)
                  : by_net.size() > 1;
@@ -161,6 +164,7 @@ std::vector<model::FreedomClass> classes_of_part(const CondenseRequest& request,
       outside = outside || c[k] == FreedomClass::external || c[k] == FreedomClass::dependent;
     }
     for (std::size_t k = 0; k < dim; ++k) {
+      // A tie is a matter of the region: the part keeps its side of it as an external.
       if (c[k] == FreedomClass::dependent || (outside && c[k] == FreedomClass::local)) {
         c[k] = FreedomClass::external;
       }
@@ -217,6 +221,7 @@ void split(const CondenseRequest& request, BodyNet& body,
         region_nodes.insert(region_nodes.end(), piece.nodes.begin(), piece.nodes.end());
       }
     }
+    // Nodes between a part and the region are shared as well.
     lists.push_back(body.region.elements);
     const std::vector<bool> shared = shared_nodes(request, lists);
     lists.pop_back();
@@ -231,6 +236,7 @@ void split(const CondenseRequest& request, BodyNet& body,
         region_nodes.emplace_back(static_cast<std::size_t>(part.map.freedom[i] / mesh.dim));
       }
     }
+    // Externals of neighbouring parts are the same nodes.
     std::sort(region_nodes.begin(), region_nodes.end());
     region_nodes.erase(std::unique(region_nodes.begin(), region_nodes.end()), region_nodes.end());
   }
@@ -256,6 +262,7 @@ std::vector<BodyNet> prepare_bodies(const CondenseRequest& request) {
     body.name = body_name(request.model, body, seen);
     const base::Matrix modes = fe::rigid_modes(request.model, mesh, body.pieces);
     body.free_modes = modes * fe::free_modes(mesh, modes, body.pieces, *request.ties, cls);
+    // Carriers become external before split() numbers any freedom.
     if (body.free_modes.cols() > 0 && !externals_carry(mesh, body, cls)) {
       for (const fe::Body& piece : body.pieces) {
         add_carriers(request, piece, cls);

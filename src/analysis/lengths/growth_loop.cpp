@@ -51,6 +51,7 @@ public:
       return false;
     }
     growth::Law law;
+    // Of a spectrum the rate itself is interpolated between stations: no law is asked there.
     if (!measure_.spectrum()) {
       law = [this](double K_max, double K_min) { return measure_.law().rate(K_max, K_min); };
     }
@@ -65,6 +66,7 @@ public:
       if (stop_here(options_.checkpoint, trouble_)) {
         return false;
       }
+      // Mistakes of a state that is tried count only if it is the first.
       trial_ = {};
       const std::optional<std::vector<mesh::CrackLine>> next = march.next(trial_);
       if (march.end()) {
@@ -74,6 +76,7 @@ public:
         region.look(*next, march, run_.log);
       }
       if (!(next && station(*next, region, march))) {
+        // Nothing shorter than the first state could be tried: what is wrong with it is the deck's.
         if (run_.increments.empty()) {
           diagnostics_ = std::move(trial_);
           trouble_ = trial_trouble_;
@@ -159,12 +162,14 @@ private:
                    "KMAX names the step with the largest K, KMIN that with the smallest");
       return false;
     }
+    // True all the same: the march has noted that it went too far and asks for a nearer state.
     if (!march.take(std::move(*found))) {
       log.add("GROW", fmt::format("a = {:.6g} lies too far ahead for the tolerance: solved again "
                                   "nearer",
                                   increment->a));
       return true;
     }
+    // Only a state that counts hands its slips and mountings on.
     solver_.carry_on();
     increment->number = static_cast<int>(run_.increments.size()) + 1;
     run_.increments.push_back(std::move(*increment));
@@ -199,6 +204,7 @@ private:
     results::Increment& last = run_.increments.back();
     const std::vector<bool> pictured = pictured_steps(model_, true);
     for (std::size_t s = 0; s < last.steps.size(); ++s) {
+      // Which station is the last is known only now.
       if (pictured[s] && last.steps[s].stress.empty()) {
         add_stress(model_, last.mesh, last.steps[s]);
       }

@@ -55,6 +55,7 @@ std::optional<life::Spectrum> spectrum_of(const model::Model& model) {
 
 // first * K1 + second * K2 on the path.
 base::PiecewiseLinear combined(const results::PathTip& tip, const base::Vec2& part) {
+  // Straight on: the path's own K1, to the last bit.
   if (part[1] == 0.0 && part[0] == 1.0) {
     return tip.K1;
   }
@@ -142,6 +143,7 @@ GrowthMeasure::measure(const SolvedLength& at, const std::vector<growth::Growing
       return std::nullopt;
     }
     for (const mesh::Front& front : at.tips) {
+      // The second tip, or the only one, stands at the last point of its line.
       const bool second = front.number == 2 || !line.embedded;
       if (model_.growth->flow_stress && front.crack == line.crack &&
           second != growing[i].at_first) {
@@ -175,6 +177,7 @@ bool GrowthMeasure::opens(const base::Vec2& K) {
 base::Vec2 GrowthMeasure::turn(const base::Vec2& K, bool straight,
                                growth::TipStation& found) const {
   found.K2_max = K[1];
+  // On a line of symmetry a crack cannot turn; a closed tip has no direction to go.
   if (straight || !opens(K) || model_.growth->direction == model::GrowthDirection::path) {
     return {1.0, 0.0};
   }
@@ -219,6 +222,7 @@ double GrowthMeasure::at_smallest(const SolvedLength& at, const results::TipResu
     return K;
   }
   const double below = part.dot(base::Vec2(free->K1, free->K2));
+  // Above zero nothing overlaps, and K with contact is right.
   return below < 0.0 ? below : K;
 }
 
@@ -247,6 +251,7 @@ bool GrowthMeasure::by_steps(const SolvedLength& at, const std::string& name, bo
 base::PiecewiseLinear GrowthMeasure::on_path(const SolvedLength& at, const results::PathTip& tip,
                                              const base::Vec2& part) {
   base::PiecewiseLinear K = combined(tip, part);
+  // Without overlap anywhere both ways to K are one.
   if (!(at.free || closes(tip)) || !continues_below_closing(model_)) {
     return K;
   }
@@ -283,6 +288,8 @@ bool GrowthMeasure::by_spectrum(const SolvedLength& at, const std::string& name,
     warnings_.insert(
         fmt::format("{}: K on load path {} is in doubt: {}", name, path.name, tip->doubt));
   }
+  // The way on is that at the largest load; K of the whole path is then taken at the tip of that
+  // kink (growth.8).
   const double peak = place_of_largest(tip->K1, spectrum_->lowest(), spectrum_->highest());
   const base::Vec2 part = turn({tip->K1(peak), tip->K2(peak)}, straight, found);
   const base::PiecewiseLinear K = on_path(at, *tip, part);
@@ -301,6 +308,7 @@ bool GrowthMeasure::by_spectrum(const SolvedLength& at, const std::string& name,
 void GrowthMeasure::plastic(const results::Increment& increment, const mesh::Front& front,
                             const mesh::CrackLine& line, growth::TipStation& found) const {
   const growth::Heading heading{front.tip().x, front.tip().growth};
+  // Without an edge ahead there is no ligament that could yield.
   if (const auto edge = around_.edge_ahead(line, heading)) {
     found.plastic =
         growth::plastic_part(model_, increment.mesh,

@@ -39,6 +39,7 @@ std::vector<std::array<double, 2>> ranges_of(const life::Spectrum& spectrum) {
   double told = 0.0;
   for (const auto& [range, count] : by_range) {
     sum += count;
+    // One point for each 1/200 of a decade of the number of cycles, and the last.
     const double part = std::floor(parts * std::log10(sum));
     if (ranges.empty() || part > told || range == by_range.rbegin()->first) {
       ranges.push_back({range, sum});

@@ -38,9 +38,11 @@ void GrowthRegion::choose(const std::vector<mesh::CrackLine>& lines, const growt
   for (const mesh::CrackLine& line : lines) {
     longest = std::max(longest, length_of(line));
   }
+  // Without AMAX to some lengths of the longest crack; what lies beyond is a new region's matter.
   const double reach = model_.growth->last_length.value_or((farthest - 1.0) * longest);
   for (int k = 1; k <= looks; ++k) {
     const double part = static_cast<double>(k) / looks;
+    // Closer together near the tips, where the next stations will be.
     add_to_region(model_, march.straight_on(reach * part * part), plan_);
   }
 }
@@ -49,6 +51,8 @@ void GrowthRegion::look(const std::vector<mesh::CrackLine>& lines, const growth:
                         std::vector<results::LogLine>& log) {
   RegionPlan here;
   add_to_region(model_, lines, here);
+  // A region that holds all that this length touches stays, so that the rest is not condensed
+  // again.
   const bool within = !plan_.region.empty() &&
                       std::ranges::equal(here.region, plan_.region,
                                          [](bool in, bool planned) { return !in || planned; });

@@ -33,6 +33,7 @@ bool growth_can_begin(const model::Model& model, const std::vector<mesh::CrackLi
     for (std::size_t i = 1; i < line.points.size(); ++i) {
       length += (line.points[i] - line.points[i - 1]).norm();
     }
+    // An arm: from the middle of an embedded crack to a tip.
     length *= line.embedded ? 0.5 : 1.0;
     if (growth::crack_grows(model, line.crack.index()) && model.growth->last_length &&
         length >= *model.growth->last_length) {

@@ -52,6 +52,7 @@ void Length::prepare() {
 bool Length::condense(CondenseLog& figures) {
   processors_.reset();
   CondenseRequest asked = request();
+  // Prescribed displacements are loads on what is free, before anything is condensed.
   asked.case_load = loads_with_supports(parts_.model, scene_);
   bodies_ = condense_bodies(asked, parts_.cache, figures);
   if (figures.trouble) {

@@ -28,6 +28,7 @@ std::size_t unknowns(const std::vector<BodyNet>& bodies) {
   for (const BodyNet& body : bodies) {
     n += body.region.map.freedom.size();
     for (const std::unique_ptr<Net>& part : body.parts) {
+      // Externals of a part are unknowns of the region already.
       n += static_cast<std::size_t>(part->map.locals);
     }
   }
@@ -78,6 +79,8 @@ std::optional<results::Increment> LengthSolver::solve(const LengthRequest& reque
   results::Increment increment;
   std::vector<std::size_t> touching;
   free_.reset();
+  // Each round but the last makes a pair of one crack at least: there are no more rounds than
+  // cracks and one.
   do {
     if (!condense(*length, log)) {
       return std::nullopt;
@@ -94,11 +97,13 @@ std::optional<results::Increment> LengthSolver::solve(const LengthRequest& reque
   } while (!touching.empty());
   Scene scene = Length::take_scene(std::move(length));
   tips_ = scene.cracked.fronts;
+  // From here on what was mounted stands, for MOUNTED=FIRST.
   first_ = false;
   increment.kept = static_cast<std::size_t>(
       std::ranges::count_if(scene.cracked.host, [](base::ElementId e) { return e.valid(); }));
   increment.mesh = std::move(scene.cracked.mesh);
   increment.surface = outer_surface(increment.mesh);
+  // Nodes that the patch has cut out have results at their places all the same.
   const std::vector<GonePlace> gone = gone_places(model_.mesh, increment.mesh);
   for (results::StepResult& step : increment.steps) {
     fill_displacements(increment.mesh, gone, step.u);
@@ -227,6 +232,7 @@ bool LengthSolver::walk_steps(Length& length, const LengthRequest& request, LogW
       paths.keep(s, solver, increment.steps.back());
       continue;
     }
+    // The closed rows of this step at the last length are the best guess.
     if (std::vector<bool> start = contact_.start(scene, s, solver.closed()); !start.empty()) {
       solver.begin_from(std::move(start));
     }
@@ -243,6 +249,7 @@ bool LengthSolver::walk_steps(Length& length, const LengthRequest& request, LogW
     }
     log.add("CONTACT", fmt::format("step {}: {} iterations, {} pivots, imbalance {:.1e}", step.name,
                                    state->iterations, state->pivots, state->imbalance));
+    // Rows that rub start from their own history, not from those of another length.
     if (!rubs(scene)) {
       contact_.keep(scene, s, solver.closed());
     }
@@ -284,6 +291,7 @@ bool LengthSolver::walk_steps(Length& length, const LengthRequest& request, LogW
   if (follows && !follow(history, solver, log)) {
     return false;
   }
+  // Between the steps faces may overlap, too.
   touching = paths.touching();
   if (!touching.empty()) {
     return true;

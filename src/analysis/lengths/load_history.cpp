@@ -48,6 +48,7 @@ double LoadHistory::change(const WayOfK& a, const WayOfK& b) const {
 // To a place; K of the increments joins the way.
 bool LoadHistory::go(const LoadPlace& place, WayOfK& way, base::Trouble& trouble) {
   const int by_t =
+      // Round-off of t must not cost another increment.
       std::max(1, static_cast<int>(std::ceil(per_unit_ * std::abs(place.t - t_) - 1e-9)));
   const auto seen = [&](const contact::ContactSystem::Problem& problem,
                         const contact::ContactSystem::Solution& solution) {
@@ -73,8 +74,9 @@ bool LoadHistory::go(const LoadPlace& place, WayOfK& way, base::Trouble& trouble
 // All cycles of a leg until they repeat themselves; those that are left are told by the last.
 bool LoadHistory::leg(const HistoryProgram& program, const LoadLeg& leg, FollowedPass& out,
                       base::Trouble& trouble) {
-  WayOfK before; // marks of the last cycle but one
+  WayOfK before; // marks of the cycle before, in the end of the last
   WayOfK on_the_way;
+  // Cycles that stand alone begin at their own end, so that the first is a closed loop, too.
   if (leg.alone && !go(leg.places.back(), on_the_way, trouble)) {
     return false;
   }
@@ -98,12 +100,15 @@ bool LoadHistory::leg(const HistoryProgram& program, const LoadLeg& leg, Followe
     const double moved = n > 0 ? change(marks, before) : 1.0;
     const bool last = n > 0 && (moved <= repeats_to || n + 1 == most_passes);
     if (last && left > 1.0) {
+      // Cycles that were cut off before they repeat themselves leave the pass unsettled.
       unsettled_ = std::max(unsettled_, moved > repeats_to ? moved : 0.0);
     }
+    // Each cycle that is walked counts once, the last one for all that are left.
     const double times = last ? left : std::min(1.0, left);
     if (leg.alone) {
       out.cycles.emplace_back(std::move(cycle), times);
     } else {
+      // On the way it stands once; the other times it is a closed loop of its own.
       if (times > 1.0) {
         WayOfK closed = cycle;
         closed.insert(closed.begin(), out.way.back());
@@ -125,6 +130,7 @@ bool LoadHistory::pass(const HistoryProgram& program, FollowedPass& out, base::T
                              [&](const LoadLeg& part) { return leg(program, part, out, trouble); });
 }
 
+// K by functionals against K of the displacements, where the last pass ends.
 bool LoadHistory::compare_with_recovered(FollowedLoads& out, base::Trouble& trouble) {
   const bool shifted =
       std::ranges::any_of(model_.vces, [](const model::Vce& vce) { return vce.shift.has_value(); });
@@ -139,6 +145,7 @@ bool LoadHistory::compare_with_recovered(FollowedLoads& out, base::Trouble& trou
       gather_step(model_, scene_, bodies_, model_.steps.front(), *state);
   for (std::size_t t = 0; t < own.tips.size() && !shifted && largest_ > 0.0; ++t) {
     const results::TipResult& tip = own.tips[t];
+    // judge_faces() may have set these to 0.
     const bool judged = tip.closed || tip.two_materials || tip.K1 == 0.0;
     const double apart =
         std::max(judged ? 0.0 : std::abs(tip.K1 - K[layout.at(t, 1)]),
@@ -189,6 +196,7 @@ bool LoadHistory::follow(StepSolver& solver, CarriedState& carried, FollowedLoad
   WayOfK before;   // marks of the pass before
   if (!spectrum) { // the steps themselves
     const auto end = of_steps_.begin() + static_cast<std::ptrdiff_t>(program.start + 1);
+    // The steps as they were run are the first pass.
     before.assign(end - static_cast<std::ptrdiff_t>(program.legs.front().places.size()), end);
     out.first.marks = before;
     for (const base::Vector& K : before) {
@@ -199,6 +207,7 @@ bool LoadHistory::follow(StepSolver& solver, CarriedState& carried, FollowedLoad
   for (bool settled = false; good && !settled && out.passes < most_passes;) {
     good = pass(program, out.last, trouble);
     ++out.passes;
+    // A pass with none before it is never settled.
     out.change = std::max(unsettled_, before.empty() ? 1.0 : change(out.last.marks, before));
     settled = out.change <= repeats_to;
     if (spectrum && out.passes == 1) {

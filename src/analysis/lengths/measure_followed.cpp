@@ -59,6 +59,7 @@ void GrowthMeasure::of_pass(const FollowedPass& pass, std::size_t tip, const bas
       low = std::min(low, k);
       high = std::max(high, k);
     }
+    // Counted on K itself: with friction it is no function of the load.
     for (const life::LoadCycle& cycle : life::rainflow(K, true)) {
       if (cycle.high > 0.0 && cycle.high > cycle.low) {
         found.rate += times * cycle.count * law_.rate(cycle.high, cycle.low);
@@ -84,6 +85,7 @@ bool GrowthMeasure::by_history(const SolvedLength& at, const std::string& name, 
   const auto tip = static_cast<std::size_t>(own - tips.begin());
   growth::TipStation first; // of the first cycle or pass
   if (spectrum_) {
+    // The turn of the last pass holds for the first as well: both are told of one kink.
     const base::Vec2 part = turn(largest(loads.last, tip), straight, found);
     of_pass(loads.last, tip, part, found);
     of_pass(loads.first, tip, part, first);

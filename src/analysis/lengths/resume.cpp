@@ -71,6 +71,8 @@ void IncrementMark::keep(archive::Checkpoint* checkpoint, double asked,
   if (checkpoint == nullptr) {
     return;
   }
+  // What was logged since the mark belongs to this increment and is told again where it is taken
+  // over.
   std::vector<results::LogLine> lines(log_.begin() + static_cast<std::ptrdiff_t>(lines_),
                                       log_.end());
   checkpoint->keep(asked,

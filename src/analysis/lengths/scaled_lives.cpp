@@ -33,6 +33,7 @@ std::optional<double> ratio_of(const base::Vector& low, const base::Vector& high
   if (!(high.norm() > 0.0)) {
     return std::nullopt;
   }
+  // Least squares: exact where the loads of both steps are multiples of each other.
   const double r = low.dot(high) / high.squaredNorm();
   const bool joined = (low - r * high).norm() <= 1e-12 * high.norm();
   return joined ? std::optional(r) : std::nullopt;
@@ -46,6 +47,7 @@ std::optional<std::vector<growth::Station>> on_line(const results::Run& run,
   const double top = measure.spectrum()->highest();
   for (std::size_t i = 0; i < stations.size(); ++i) {
     const results::LoadPath& found = run.increments.at(i).paths.at(path);
+    // One tip only: rates of several would change each other's arms.
     if (found.tips.size() != 1 || !(top > 0.0)) {
       return std::nullopt;
     }

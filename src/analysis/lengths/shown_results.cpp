@@ -41,6 +41,7 @@ std::vector<results::SurfaceFace> outer_surface(const model::Mesh& mesh) {
     for (std::size_t i = 0; i < corners; ++i) {
       out.outline.push_back(node(i));
       if (side.size() >= 2 * corners) {
+        // Corners and middles in turn, round the face.
         out.outline.push_back(node(corners + i));
       }
     }

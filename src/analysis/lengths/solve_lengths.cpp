@@ -52,6 +52,7 @@ void compare_extremes(const model::Model& model, results::Run& run) {
 bool solve_lengths(const model::Model& model, const SolveOptions& options,
                    base::Diagnostics& diagnostics, base::Trouble& trouble, results::Run& run) {
   const std::vector<double> lengths = growth::crack_lengths(model);
+  // One region for all lengths, so that the rest is condensed once.
   const RegionPlan plan = plan_region(model, lengths, diagnostics);
   if (diagnostics.has_errors()) {
     return false;
@@ -61,10 +62,12 @@ bool solve_lengths(const model::Model& model, const SolveOptions& options,
     const int number = static_cast<int>(i) + 1;
     const std::vector<bool> pictured = pictured_steps(model, i + 1 == lengths.size());
     if (auto kept = resume(model, options.checkpoint, number, lengths[i], pictured)) {
+      // What was mounted and closed goes on from the last length that was kept.
       solver.go_on(kept->state);
       take_over(std::move(*kept), run);
       continue;
     }
+    // Lengths that were kept cost nothing: time is asked for before one is solved.
     if (stop_here(options.checkpoint, trouble)) {
       return false;
     }

@@ -102,6 +102,7 @@ private:
     const Rim& other = rims_[b];
     const double moved = std::max(rims_[a].displacement, other.displacement);
     const double extent = std::max(rims_[a].surface.extent, other.surface.extent);
+    // No node gets deeper into the other body than both have moved.
     const double reach = 2.0 * moved + 1e-6 * extent;
     const double least = std::max(least_overlap * moved, round_off * extent);
     Worst worst;
@@ -119,6 +120,7 @@ private:
           other.drawn.nearest(place(n), 3.0 * reach);
       const double first = before ? before->distance : 0.0;
       worst.drawn = worst.drawn || first < -(there->facet + 1e-6 * extent);
+      // What lay inside as drawn, and what facets leave of a curve, is not of this step.
       const double depth = -there->distance - there->facet - std::max(0.0, -first);
       if (depth > std::max(least, worst.depth)) {
         worst.depth = depth;
@@ -173,6 +175,7 @@ private:
     const Worst in_a = deepest(b, a);
     const bool first = in_b.depth >= in_a.depth;
     const Worst& worst = first ? in_b : in_a;
+    // An overlap as drawn is a matter of the deck, not of this step.
     if (worst.depth <= 0.0 || in_a.drawn || in_b.drawn ||
         lies_upon(worst.node, first ? a : b, first ? b : a)) {
       return;

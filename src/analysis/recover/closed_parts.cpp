@@ -58,6 +58,7 @@ private:
 /// Where contact ends beyond its last node, towards the open one next to it: (contact.11) with the
 /// force and moment of up to three closed nodes. `step` is 1 or -1.
 double end_of(const Row& row, int last, int first, int step) {
+  // The fit needs two nodes; the end of a part of one node is not known better than the node.
   const int nodes = std::min(3, std::abs(last - first) + 1);
   if (nodes < 2) {
     return row.place(last);
@@ -71,6 +72,7 @@ double end_of(const Row& row, int last, int first, int step) {
     const int i = from + step * k;
     const double h = std::abs(row.place(i + step) - row.place(i));
     const double p = pressure(i);
+    // Beyond the last closed node pressure falls to zero on the way to the open one.
     const double q = k + 1 < nodes ? pressure(i + step) : 0.0;
     force += 0.5 * h * (p + q);
     moment += h * (0.5 * t * (p + q) + h * (p + 2.0 * q) / 6.0);
@@ -115,6 +117,7 @@ std::vector<std::array<double, 2>> closed_parts(const results::ContactResult& co
         contact.round ? 2.0 * pi * std::round((middle - part[0]) / (2.0 * pi)) : 0.0;
     const bool longest = (middle - turn >= part[0] && middle - turn <= part[1]) ||
                          (contact.round && middle - turn + 2.0 * pi <= part[1]);
+    // The longest part is the contact's arc, whose ends come from the multipliers.
     parts.push_back(longest ? std::array{contact.arc_from, contact.arc_to} : part);
   }
   if (parts.empty()) { // closed all round

@@ -50,6 +50,7 @@ std::pair<double, double> ClosedRun::find(const std::vector<bool>& closed) const
   }
   const double from = at(best);
   const double to = at(best + length - 1);
+  // Angles begin within one turn from -pi, as those of nodes do.
   const double turn = from >= std::numbers::pi ? 2.0 * std::numbers::pi : 0.0;
   return {from - turn, to - turn};
 }

@@ -95,6 +95,7 @@ void close_tip(const TipFaces& faces, double scale, results::TipResult& result,
     const double all = K1 * K1 + result.K2 * result.K2;
     result.K2 = faces.held ? 0.0 : result.K2;
     result.G = faces.held ? 0.0 : result.G;
+    // Of (K1^2 + K2^2)/E' the part of K2 stays.
     result.G_from_K *= all > 0.0 ? result.K2 * result.K2 / all : 0.0;
     if (std::abs(K1) > worst_closed_K1 * scale) {
       out.notes.push_back(
@@ -134,6 +135,7 @@ double k_scale(const TipState& at, const TipFaces& faces) {
   const double E = at.K.E_effective;
   const double pressed = faces.pressure * std::sqrt(std::numbers::pi * a);
   const double jump = crack_face_jump(at.scene.cracked, at.front.crack.index(), at.state.u);
+  // Faces of a crack of half length a under uniform stress part by 4 sigma a / E' in its middle.
   const double open = 0.25 * E * jump * std::sqrt(std::numbers::pi / a);
   const double least = 1e-6 * E * at.state.u.lpNorm<Eigen::Infinity>() / std::sqrt(a);
   return std::max({pressed, open, least});

@@ -48,6 +48,7 @@ Reach reach_of(const model::Mesh& mesh, const BodyNet& body, const base::Vector&
   Reach reach;
   for (const base::NodeId n : body.body.nodes) {
     reach.size = std::max(reach.size, (mesh.x[n.index()] - middle).norm());
+    // A shift of the whole body changes nothing: only what differs from the mean counts.
     reach.motion = std::max(reach.motion, (motion(n) - mean).norm());
     reach.largest = std::max(reach.largest, motion(n).norm());
   }

@@ -32,6 +32,7 @@ std::vector<LoadPaths::Watch> LoadPaths::watch_faces(const model::Model& model,
   std::vector<Watch> watches;
   const bool wanted = !model.load_paths.empty() || follows_history(model);
   for (std::size_t i = 0; i < scene.cracked.faces.size() && wanted; ++i) {
+    // Faces that are a pair already cannot overlap; FREE ones may.
     if (!model.cracks[i].faces_in_contact || scene.crack_face_pairs[i]) {
       continue;
     }
@@ -72,6 +73,7 @@ base::Matrix LoadPaths::functional_columns(Eigen::Index first, Eigen::Index most
     }
     const contact::ConstraintRow& row = along ? *watch.along : watch.apart;
     for (const contact::RowEntry& entry : row.entries) {
+      // Over the area of the row its opening is a length.
       nodal.col(c).segment<2>(2 * static_cast<Eigen::Index>(entry.node.index())) +=
           entry.weight.head<2>() / row.area;
     }
@@ -103,6 +105,7 @@ void LoadPaths::look_at_faces(const base::Vector& value) {
       overlap.push_back(std::max(0.0, -apart[0]));
       largest = std::max(largest, apart.norm());
     }
+    // As for a step (touching_lines): of the largest displacement of the faces against each other.
     if (resolved_overlap(overlap) > overlap_of_round_off * largest &&
         std::ranges::find(touching_, line) == touching_.end()) {
       touching_.push_back(line);
@@ -127,6 +130,7 @@ base::Vector LoadPaths::intensities(const contact::ContactSystem::Problem& probl
   if (of_case_.cols() == 0) {
     of_case_.resize(functional_count(), scene_.case_load.cols());
     for (Eigen::Index c = 0; c < of_case_.cols(); ++c) {
+      // Bodies alone are linear in the factors: unit cases now, a product in each increment.
       of_case_.col(c) = free_values(base::Vector::Unit(of_case_.cols(), c));
     }
   }
@@ -153,6 +157,7 @@ base::Vector LoadPaths::intensities(const contact::ContactSystem::Problem& probl
     const auto at = row ? std::ranges::find(problem.rows, *row) : problem.rows.end();
     if (at != problem.rows.end() &&
         solution.contact.closed[static_cast<std::size_t>(at - problem.rows.begin())]) {
+      // Faces that touch next to the tip do not part there: what is left is the error of the mesh.
       value[layout.at(t, 1)] = 0.0;
     }
     if (free.size() > 0 && free[layout.at(t, 1)] < 0.0) {
@@ -177,6 +182,7 @@ bool LoadPaths::close_tip(std::size_t t, const End& end, const solve::SolutionPa
   auto change = found.changes.begin();
   for (std::size_t s = 0; s < found.segments.size(); ++s) {
     for (; change != found.changes.end() && change->segment == s; ++change) {
+      // Changes of a segment happen at its beginning.
       closed = change->row == place ? change->closes : closed;
     }
     any = any || closed;

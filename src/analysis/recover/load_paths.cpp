@@ -34,6 +34,7 @@ crack::StressIntensity intensity(const model::Model& model, const Scene& scene, 
                                  tip_loads(model, scene, scene.tips[t].fields, case_factor));
 }
 
+// Whether K is scaled to a G by nodes that are moved, which makes it no linear functional of u.
 bool shifted(const model::Model& model, base::CrackId crack) {
   return std::ranges::any_of(model.vces, [&](const model::Vce& vce) {
     return vce.crack == crack && vce.shift.has_value();
@@ -116,6 +117,7 @@ LoadPaths::Functionals LoadPaths::functionals(const StepSolver& solver) const {
   out.of_mode.resize(count, modes);
   for (Eigen::Index first = 0; first < count;) {
     base::Matrix nodal = functional_columns(first, most_columns);
+    // A functional is condensed as a load is (solve.32).
     scene_.ties->reduce(nodal);
     std::vector<base::Matrix> external;
     std::vector<base::Matrix> moved;
@@ -137,6 +139,7 @@ LoadPaths::Functionals LoadPaths::functionals(const StepSolver& solver) const {
     }
     first += nodal.cols();
   }
+  // Between faces in contact a unit of a row changes K without moving anything, too (crack.33).
   out.of_row.topRows(first_watched()) += intensity_of_forces(model_, scene_);
   return out;
 }
@@ -178,6 +181,7 @@ solve::ParametricProblem LoadPaths::problem(const End& from, const End& to,
   const solve::ContactProblem at_one = solver.system()->condensed(to.problem);
   p.db = at_one.b - p.at_zero.b;
   p.dh = at_one.h - p.at_zero.h;
+  // One end may be without load: the larger scale serves all of the path.
   p.at_zero.load_scale = std::max(from.problem.load_scale, to.problem.load_scale);
   const auto n = static_cast<Eigen::Index>(from.problem.rows.size());
   p.of_force.resize(p.f0.size(), n);
@@ -193,6 +197,7 @@ solve::ParametricProblem LoadPaths::problem(const End& from, const End& to,
 }
 
 bool LoadPaths::homogeneous(const End& from, const End& to, const StepSolver& solver) const {
+  // The right-hand side of a tie has no factor (solve.33).
   if (scene_.ties->has_constants()) {
     return false;
   }
@@ -275,6 +280,7 @@ void LoadPaths::contacts(const solve::SolutionPath& found, const End& end,
   std::size_t first = 0; // of a contact among the rows in force
   for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
     std::size_t last = first;
+    // Rows in force stand in the order of the table; of a pair the normal ones come first.
     while (last < rows.size() && rows[last] < scene_.table.first[c + 1]) {
       ++last;
     }
@@ -300,6 +306,7 @@ void LoadPaths::contacts(const solve::SolutionPath& found, const End& end,
     const ClosedRun run(place, contact.round);
     auto change = found.changes.begin();
     for (std::size_t k = 0; k < found.segments.size(); ++k) {
+      // Changes of a segment happen at its beginning.
       for (; change != found.changes.end() && change->segment == k; ++change) {
         const auto row = static_cast<std::size_t>(change->row);
         if (row < first || row >= first + normal) {
@@ -318,6 +325,7 @@ void LoadPaths::contacts(const solve::SolutionPath& found, const End& end,
       contact.to.push_back(to);
       contact.closed.push_back(static_cast<int>(std::ranges::count(closed, true)));
     }
+    // A value for each knot: one more than there are segments.
     contact.from.push_back(contact.from.back());
     contact.to.push_back(contact.to.back());
     contact.closed.push_back(contact.closed.back());

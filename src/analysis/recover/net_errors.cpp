@@ -37,6 +37,7 @@ double energy_of_round_off(const model::Model& model, const model::Mesh& mesh,
     for (const base::Vec3& x : mesh.x) {
       size = std::max(size, (x - mesh.x.front()).norm());
     }
+    // In the plane force over displacement is E t; here it is E times a length.
     stiff *= size;
   }
   const double force = step.reaction.size() > 0 ? step.reaction.norm() : 0.0;
@@ -57,6 +58,7 @@ void mark_point_supports(const Scene& scene, std::vector<bool>& marked) {
         scene.cls[n.index() * static_cast<std::size_t>(mesh.dim) + static_cast<std::size_t>(c)];
     return k == model::FreedomClass::suppressed || k == model::FreedomClass::prescribed;
   };
+  // [dim * node] no side with this node is held as a whole in this direction.
   std::vector<bool> alone(mesh.node_count() * static_cast<std::size_t>(mesh.dim), true);
   for (const model::Face& face : mesh::boundary_faces(mesh)) {
     const std::vector<base::NodeId> nodes = mesh::nodes_of_faces(mesh, {face});
@@ -160,6 +162,7 @@ results::NetError error_of(const std::string& name, std::vector<base::ElementId>
   if (!(error + strain > noise)) {
     return found; // nothing but round-off
   }
+  // The exact energy is about that of the mesh and of the error together.
   found.part = std::sqrt(error / (error + strain));
   const auto named = static_cast<std::ptrdiff_t>(std::min(most_named, elements.size()));
   std::partial_sort(elements.begin(), elements.begin() + named, elements.end(),

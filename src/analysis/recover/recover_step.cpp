@@ -80,7 +80,7 @@ void gather_tips(const model::Model& model, const Scene& scene, const StepState&
         result.K1_domain.push_back(K.domains[d].K1);
       }
     }
-    if (K.shift_error && std::abs(*K.shift_error) > 2e-5) {
+    if (K.shift_error && std::abs(*K.shift_error) > 2e-5) { // of G; 1e-5 of K (crack.15)
       out.notes.push_back(results::warning(fmt::format(
           "{}: G by the finite shift is {:+.2g} of the analytic one off; the shift is too "
           "large or lost in round-off",
@@ -100,8 +100,8 @@ void gather_tips(const model::Model& model, const Scene& scene, const StepState&
   }
 }
 
-// Stick, slip and shear of a pair with friction; slips are told of the slave, which is one side or
-// the other of the rows, along its own surface: both turn the sign.
+// Stick, slip and shear of a pair with friction. Rows have the slip of the target side along the
+// contact side. The slave's along itself is the negative on either side: both run opposite ways.
 void gather_friction(const Scene& scene, const StepState& state, std::size_t c,
                      const contact::PairPressure& p, results::ContactResult& result) {
   const contact::PairRows& pair = scene.pairs[c];
@@ -220,7 +220,7 @@ void note_parting(const Scene& scene, std::size_t pair, results::ContactResult& 
     for (std::size_t i = 1; faces && i < result.points.size(); ++i) {
       const results::ContactPoint& a = result.points[i - 1];
       const results::ContactPoint& b = result.points[i];
-      const double reach = 0.5 * (b.arc - a.arc);
+      const double reach = 0.5 * (b.arc - a.arc); // an end may lie beyond (contact.11)
       if (a.closed != b.closed && end >= a.arc - reach && end <= b.arc + reach) {
         out.notes.push_back(results::note(
             fmt::format("{}: the faces part at {:.4g} along the crack, +- {:.2g} "

@@ -29,6 +29,7 @@ double patch_size(const results::Increment& increment, const base::Vec2& at) {
       size = size_of(increment.mesh, base::ElementId(e));
     }
   }
+  // Farther off than one element the place belongs to the host.
   return closest < size ? size : 0.0;
 }
 
@@ -75,6 +76,7 @@ void add_places(const model::Model& model, const WideBar& wide, std::vector<Plac
     return;
   }
   // K changes by the pressure that one pair more takes: with the square of its distance
+  // (tolerance.4).
   const double factor = std::max(least_factor, std::sqrt(may / wide.bar.edge));
   const double ends = estimate::share_of_flip * wide.bar.flip;
   for (const results::ContactResult& contact : wide.step.contacts) {
@@ -133,6 +135,7 @@ Followers followers_of(const std::vector<Place>& places, const Elements& element
         followers.nets[net].push_back({place.at, place.factor * largest, true});
       }
     }
+    // The patch is the coarsest at this mouth.
     if (place.patch > 0.0 && place.patch >= largest) {
       double& finer = followers.patch[place.crack.index()];
       finer = std::max(finer, std::min(1.0 / place.factor, most_for_mouth));

@@ -70,6 +70,7 @@ Rest share_peaks(const std::vector<double>& error, double sum, double allowed, F
   }
   for (std::size_t e = 0; e < peaks.size(); ++e) {
     if (peaks[e]) {
+      // Errors of peaks fall with the first power: this factor leaves half of what is allowed.
       const double f = std::clamp(0.5 * allowed / high, least_factor, 1.0);
       factors.host[e] = std::min(factors.host[e], f);
       rest.error[e] = 0.0;
@@ -86,8 +87,10 @@ void share_out(const WideBar& wide, Factors& factors) {
   const std::size_t kept = factors.host.size();
   const double patch = power_sum(error, kept, error.size(), 1.0);
   const double host = power_sum(error, 0, kept, 1.0);
+  // (tolerance.1), with no more of the contacts' part taken off than they may keep.
   const double room =
       aim * (wide.allowed - wide.bar.floor - std::min(wide.bar.edge, most_of_bar * wide.allowed));
+  // Where floor and contacts leave no room the mesh becomes as fine as one round allows.
   const double over = room > 0.0 ? wide.bar.mesh / room : 1.0 / std::pow(least_factor, q);
   const double sum = patch + host;
   if (over <= 1.0 || sum <= 0.0) {
@@ -101,6 +104,7 @@ void share_out(const WideBar& wide, Factors& factors) {
   const double for_host = sum / over - for_patch;
   if (patch > for_patch) {
     double& finer = factors.patch[wide.crack.index()];
+    // (tolerance.3)
     finer = std::max(finer, std::min(std::pow(patch / for_patch, 1.0 / q), most_finer));
   }
   if (host <= for_host) {
@@ -110,6 +114,7 @@ void share_out(const WideBar& wide, Factors& factors) {
   if (rest.sum <= rest.allowed) {
     return;
   }
+  // (tolerance.2), on what is left beside the peaks.
   const double c =
       std::pow(rest.allowed / power_sum(rest.error, 0, kept, 2.0 / (q + 2.0)), 1.0 / q);
   for (std::size_t e = 0; e < kept; ++e) {
@@ -138,7 +143,8 @@ void add_cavities(const model::Model& model, const results::Increment& increment
   }
 }
 
-// Part of a net's size that its errors ask for as a whole, for meshes that are refined evenly.
+// Part of a net's size that its errors ask for as a whole, for meshes that are refined evenly: as
+// many elements as f_e^-2 of each.
 double even_factor(const model::Mesh& mesh, const Factors& factors, base::NetId net) {
   double wanted = 0.0;
   double now = 0.0;
@@ -195,6 +201,7 @@ Demands demands_of(const model::Model& model, const results::Run& run) {
       }
       add_places(model, wide, demands.places);
     }
+    // Each length begins with what those before have asked of the patches.
     demands.patch = factors.patch;
     add_elements(model, increment, factors, demands);
   }
@@ -223,6 +230,7 @@ std::string RefinementPlan::refine(const model::Model& model, const results::Run
     const double finer = std::max(demands.patch[c], followers.patch[c]);
     if (finer > 1.0 / no_change) {
       finer_[c] *= finer;
+      // Elements of a patch grow with the square of what its sizes are divided by.
       patch_growth_ = std::max(patch_growth_, finer * finer);
       moved.push_back(fmt::format("patch of {} {:.2f} times", model.cracks[c].name, finer));
     }
@@ -230,6 +238,7 @@ std::string RefinementPlan::refine(const model::Model& model, const results::Run
   for (auto& [net, list] : demands.wishes) {
     const bool near_ends = followers.nets.contains(net);
     const double f = demands.even[net];
+    // A net that is fine on the whole may still have elements that are much too large.
     const bool in_places = demands.least[net] < worth_a_mesh;
     if (!near_ends && !in_places && f >= no_change) {
       continue;

@@ -98,6 +98,7 @@ Shortfall shortfall(const model::Model& model, const results::Run& run) {
                  const double K = std::hypot(tip.K1, tip.K2);
                  for (std::size_t m = 0; m < 2 && K > 0.0; ++m) {
                    const double part = tip.bar[m].size() / K;
+                   // The floor of a bar falls with no mesh.
                    worst.below_floor = worst.below_floor || tip.bar[m].floor >= tolerance * K;
                    if (part / tolerance > worst.ratio) {
                      worst.ratio = part / tolerance;

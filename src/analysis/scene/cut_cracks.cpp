@@ -46,6 +46,7 @@ mesh::CrackedMesh without_cracks(const model::Mesh& host) {
   mesh::CrackedMesh cracked;
   cracked.mesh = host;
   for (std::size_t e = 0; e < host.element_count(); ++e) {
+    // Each element is the deck's own.
     cracked.host.emplace_back(e);
   }
   return cracked;
@@ -81,6 +82,7 @@ RegionPlan plan_region(const model::Model& model, const std::vector<double>& len
                        base::Diagnostics& diagnostics) {
   RegionPlan plan;
   plan.region.assign(model.mesh.element_count(), false);
+  // One length alone has nothing to keep for another.
   plan.split = lengths.size() > 1 && !model.cracks.empty();
   if (!plan.split) {
     return plan;

@@ -30,6 +30,7 @@ public:
     }
     const double slope = (end - begin) / (to - from);
     const bool jumps = !values_.empty() && std::abs(begin - end_) > same_K * size_;
+    // No more than half of the piece, which keeps its own slope behind the ramp.
     const double width = std::min(width_, 0.5 * (to - from));
     if (jumps && from + width > from) {
       values_.push_back(end_);
@@ -82,6 +83,7 @@ std::optional<base::PiecewiseLinear> continued(const base::PiecewiseLinear& K,
   if (free.empty() || free.knots().back() < std::min(to, K.knots().back())) {
     return std::nullopt;
   }
+  // Both paths may end early, where nothing holds a body.
   const double last = std::min(K.knots().back(), free.knots().back());
   std::vector<double> knots = K.knots();
   knots.insert(knots.end(), free.knots().begin(), free.knots().end());
@@ -102,6 +104,7 @@ std::optional<base::PiecewiseLinear> continued(const base::PiecewiseLinear& K,
     const double free0 = on_segment(free, inside, from);
     const double free1 = on_segment(free, inside, end);
     if (free0 * free1 < 0.0) {
+      // The sign changes within: K of overlapping faces counts on the negative side only.
       const double zero = from + free0 / (free0 - free1) * (end - from);
       add(from, zero);
       add(zero, end);

@@ -19,6 +19,7 @@ using base::NodeId;
 /// Nodes of the net that lost their elements, ascending; empty without a patch.
 std::vector<NodeId> gone_nodes(const model::Mesh& host, const model::Mesh& cracked) {
   std::vector<NodeId> gone;
+  // Gone nodes keep their numbers, so that a patch always adds nodes.
   if (host.node_count() == cracked.node_count()) {
     return gone;
   }
@@ -46,6 +47,7 @@ std::vector<base::ElementId> patch_elements(const model::Mesh& host, const model
 
 std::vector<fe::PointSide> sides_at(const model::Mesh& cracked, const base::Vec3& x,
                                     std::span<const base::ElementId> patch) {
+  // Nearly always the patch has the place; the whole mesh is searched only where it has not.
   std::vector<fe::PointHit> hits = fe::elements_at(cracked, x, patch);
   return fe::sides_of(cracked, hits.empty() ? fe::elements_at(cracked, x) : hits);
 }
@@ -85,6 +87,7 @@ std::vector<Company> company_of(const std::vector<NodeId>& gone, const model::Me
     low = low.cwiseMin(cracked.x[n.index()]);
     high = high.cwiseMax(cracked.x[n.index()]);
   }
+  // Round-off of coordinates, also far from the origin.
   const double near = same * std::max((high - low).norm(), low.norm());
   std::vector<Company> company(gone.size());
   for (std::size_t n = host.node_count(); n < cracked.node_count(); ++n) {

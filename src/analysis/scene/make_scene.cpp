@@ -75,6 +75,7 @@ bool make_tips(const model::Model& model, Scene& scene, base::Diagnostics& diagn
         around.fields(scene.cracked, front, domains_of(model, front.crack), ring.left_out, limits);
     if (!ring.fields.empty()) {
       std::vector<int> ignored;
+      // One ring more carries all domains along as one (sensitivity.9).
       std::vector<crack::ExtensionField> wider =
           around.fields(scene.cracked, front, {ring.fields.back().rings + 1}, ignored, limits);
       if (!wider.empty()) {
@@ -124,7 +125,9 @@ std::optional<Scene> make_scene(const model::Model& model,
   note_gone_nodes(model, scene);
   const model::Mesh& mesh = scene.cracked.mesh;
   scene.cls = fe::classify_freedoms(model, mesh);
+  // Before ties, which look at the classes.
   release_crack_faces(model, lines, scene);
+  // All of these are asked before the scene is given up, so that one run tells of all mistakes.
   const bool ties = make_scene_ties(model, scene, diagnostics);
   const bool pairs = make_pairs(model, scene, diagnostics);
   const bool tips = make_tips(model, scene, diagnostics);
@@ -135,6 +138,7 @@ std::optional<Scene> make_scene(const model::Model& model,
       !loaded_faces_are_there(model, scene, diagnostics)) {
     return std::nullopt;
   }
+  // Ties are made before: rows of dependent freedoms are reduced here.
   make_table(scene);
   const auto dim = static_cast<std::size_t>(mesh.dim);
   for (const model::Contact& contact : model.contacts) {
@@ -147,6 +151,7 @@ std::optional<Scene> make_scene(const model::Model& model,
   scene.rest_element.assign(mesh.element_count(), false);
   for (std::size_t e = 0; plan.split && e < mesh.element_count(); ++e) {
     const base::ElementId host = scene.cracked.host[e];
+    // Elements of patches are others at each length: none can be condensed beforehand.
     scene.rest_element[e] = host.valid() && !plan.region[host.index()];
   }
   if (!make_loads(model, scene, diagnostics)) {

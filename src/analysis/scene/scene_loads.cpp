@@ -92,6 +92,7 @@ base::Matrix loads_with_supports(const model::Model& model, const Scene& scene) 
   for (Eigen::Index c = 0; c < load.cols(); ++c) {
     if ((scene.case_displacement.col(c).array() != 0.0).any()) {
       base::Vector pull = base::Vector::Zero(load.rows());
+      // With the displacements at supports given, K_0 u_0 is a load on the rest.
       fe::add_internal_force(model, scene.cracked.mesh, all, scene.case_displacement.col(c), pull);
       load.col(c) -= pull;
     }

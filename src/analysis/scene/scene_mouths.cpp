@@ -83,6 +83,7 @@ std::vector<mesh::Edge> sides_off(const model::Mesh& mesh,
   const std::vector<bool> on_crack_face = marked(mesh, crack_face);
   const auto a = static_cast<Eigen::Index>(across);
   const base::Vec3& start = mesh.x[crack_face.front().index()];
+  // Of the length of the crack.
   const double near = 1e-9 * (mesh.x[crack_face.back().index()] - start).norm();
   const auto on_line = [&](base::NodeId n) {
     return std::abs(mesh.x[n.index()][a] - start[a]) <= near;
@@ -96,6 +97,8 @@ std::vector<mesh::Edge> sides_off(const model::Mesh& mesh,
     }
     for (int s = 0; s < base::info(mesh.type[e]).sides; ++s) {
       const mesh::Edge edge = mesh::edge_of(mesh, {element, s});
+      // One end on the face, the other off the line: a side that a support may hold for reasons of
+      // its own.
       if (on_crack_face[edge.a.index()] != on_crack_face[edge.b.index()] &&
           !(on_line(edge.a) && on_line(edge.b))) {
         sides.push_back(edge);
@@ -168,6 +171,7 @@ void release_crack_faces(const model::Model& model, const std::vector<mesh::Crac
     const mesh::CrackFaces& crack_faces = scene.cracked.faces[i];
     const std::vector<base::NodeId>& crack_face = crack_faces.own();
     const std::vector<bool> held = held_beside(model, mesh, crack_face, across);
+    // All but the tip, which stays on the line.
     for (std::size_t k = 0; k + 1 < crack_face.size(); ++k) {
       FreedomClass& c = scene.cls[dim * crack_face[k].index() + across];
       c = c == FreedomClass::suppressed && !held[crack_face[k].index()] ? FreedomClass::local : c;

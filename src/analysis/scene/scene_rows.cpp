@@ -19,6 +19,7 @@ void reduce_rows(Scene& scene) {
   scene.table.tied.resize(scene.table.size());
   for (std::size_t r = 0; r < scene.table.size(); ++r) {
     const contact::ConstraintRow& row = scene.row(r);
+    // Several followers may share a master: weights of a node add up.
     std::map<std::size_t, base::Vec3> weight; // by node
     bool follows = false;
     const auto add = [&](std::size_t freedom, double w) {

@@ -119,6 +119,7 @@ bool make_scene_ties(const model::Model& model, Scene& scene, base::Diagnostics&
   scene.ties = std::make_shared<const fe::Dependence>(ties, scene.cls);
   for (const fe::Dependence::Row& row : scene.ties->rows()) {
     const auto freedom = static_cast<std::size_t>(row.freedom);
+    // Contact acts on the masters of a freedom that follows them.
     if (scene.cls[freedom] == FreedomClass::external) {
       make_external(freedom, *scene.ties, scene.cls);
     }
@@ -138,6 +139,7 @@ bool follow_prescribed(const model::Model& model, Scene& scene, base::Diagnostic
   bool good = true;
   for (const fe::Dependence::Demand& demand : ties.demands()) {
     std::string why;
+    // A tie all of whose freedoms are held asks something of what holds them.
     if (std::abs(demand.rhs) > 1e-9 * demand.scale) {
       why = fmt::format("it leaves 0 = {:.6g}", demand.rhs);
     }
@@ -166,6 +168,7 @@ bool follow_prescribed(const model::Model& model, Scene& scene, base::Diagnostic
     }
   }
   for (Eigen::Index c = 0; c < scene.case_displacement.cols(); ++c) {
+    // Constants of ties have a column of their own and count in no case.
     ties.follow(scene.case_displacement.col(c), c < cases ? 0.0 : 1.0);
   }
   return good;

@@ -35,6 +35,7 @@ Near near_tip(const std::vector<crack::ExtensionField>& fields) {
   return near;
 }
 
+// What a unit force per volume on a set adds up to: its volume, as loads are integrated.
 double weighted_volume(const model::Model& model, const model::Mesh& mesh,
                        base::ElementSetId elements) {
   model::Load unit;
@@ -138,6 +139,7 @@ crack::TipLoads tip_loads(const model::Model& model, const Scene& scene,
         continue;
       }
       if (load.type == model::LoadType::resultant) {
+        // A resultant is spread evenly over its set: domains take it as a force per volume.
         acting.factor /= weighted_volume(model, mesh, load.elements);
       }
       loads.loads.push_back(std::move(acting));
@@ -173,6 +175,7 @@ crack::DomainLimits domain_limits(const model::Model& model, const Scene& scene,
       const base::Vec3 d = mesh.x[n] - front.tip().x;
       const base::Vec3 across(-front.tip().growth.y(), front.tip().growth.x(), 0.0);
       if (std::abs(d.dot(across)) < 1e-9 * front.a) {
+        // The line of a half model is held across it, and the virtual extension moves along it.
         limits.node[n] = false;
       }
     }
@@ -180,12 +183,15 @@ crack::DomainLimits domain_limits(const model::Model& model, const Scene& scene,
   auto zone = static_cast<std::int64_t>(model.properties.size());
   for (const model::LoadCase& load_case : model.cases) {
     for (const model::Load& load : load_case.loads) {
+      // A force on a node that moves has no derivative that the domains know (crack.18).
       if (load.type == model::LoadType::force) {
         for (const base::NodeId n : mesh.set(load.nodes).nodes) {
           limits.node[n.index()] = true;
         }
       } else if (load.type == model::LoadType::temperature && !heat_is_known_inside(mesh)) {
         for (const base::ElementId e : mesh.set(load.elements).elements) {
+          // The step doubles with each heated set: elements of unlike properties, or in unlike sets
+          // of those, never have the same number.
           limits.zone[e.index()] += zone;
         }
         zone = zone < (std::int64_t{1} << 50) ? 2 * zone : zone + 1;

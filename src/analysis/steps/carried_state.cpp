@@ -48,6 +48,7 @@ base::Vector as_vector(const std::vector<double>& v) {
 void CarriedState::take(const Scene& scene, const StepSolver::Place& place) {
   contacts_.clear();
   for (std::size_t c = 0; c < scene.contacts.size(); ++c) {
+    // Faces of a crack are other nodes at each length: what they did is not carried.
     if (std::ranges::any_of(scene.crack_face_pairs, [&](const auto& crack_face) {
           return crack_face && crack_face->pair == c;
         })) {
@@ -73,6 +74,7 @@ void CarriedState::take(const Scene& scene, const StepSolver::Place& place) {
 std::optional<StepSolver::Place> CarriedState::put(const Scene& scene, const StepSolver::Place& now,
                                                    base::Trouble& trouble) const {
   StepSolver::Place place = now;
+  // Rows may have other numbers here: the next solution begins without closed ones.
   place.closed.clear();
   place.factors.case_factor = as_vector(case_factor_);
   for (std::size_t c = 0; c < contacts_.size(); ++c) {
@@ -98,6 +100,7 @@ std::optional<StepSolver::Place> CarriedState::put(const Scene& scene, const Ste
       place.friction.touch[first + r] = static_cast<solve::Touch>(pair.touch[r]);
     }
   }
+  // Where the modes are others the anchor of loose ones (solve.24) stays that of this length.
   if (static_cast<Eigen::Index>(alpha_.size()) == now.friction.alpha.size()) {
     place.friction.alpha = as_vector(alpha_);
   }

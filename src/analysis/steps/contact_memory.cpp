@@ -26,6 +26,7 @@ std::vector<bool> lasting_nodes(const Scene& scene) {
 contact::Lasting ContactMemory::lasting(const Scene& scene, const std::vector<BodyNet>& bodies,
                                         const std::vector<std::size_t>& condensed) {
   contact::Lasting lasting;
+  // Without elements that no crack touches nothing lasts from length to length.
   const bool several = std::ranges::find(scene.rest_element, true) != scene.rest_element.end();
   if (!several) {
     return lasting;
@@ -45,6 +46,7 @@ contact::Lasting ContactMemory::lasting(const Scene& scene, const std::vector<Bo
       lasting.kept.push_back(nullptr);
       continue;
     }
+    // What the kept rows were made of: another factor makes them worthless.
     const std::shared_ptr<const void> of =
         factor != nullptr ? std::shared_ptr<const void>(factor->L.early()) : bodies[b].condensed;
     std::unique_ptr<Kept>& kept = bodies_[b];

@@ -40,6 +40,7 @@ std::vector<base::NodeId> from_tip(const mesh::CrackFaces& crack_faces, base::No
   if (nodes.back() == tip) {
     std::ranges::reverse(nodes);
   }
+  // Both faces share the tip node, which has no row.
   nodes.erase(nodes.begin());
   return nodes;
 }
@@ -86,6 +87,7 @@ void add_crack_face_pairs(const model::Model& model, const std::vector<std::size
       }
     }
   }
+  // Rows behind those of the deck: numbers of the deck's own rows stay.
   make_table(scene);
 }
 
@@ -116,6 +118,7 @@ TipFaces tip_faces(const Scene& scene, const mesh::Front& front, const StepState
     faces.lone = faces.lone || (along[i] && !along[i - 1] && !along[i + 1]);
   }
   faces.closed = met && faces.open_nodes == 0;
+  // Without a closed pair anywhere there is no open part that ends.
   faces.open_nodes = met ? faces.open_nodes : 0;
   if (faces.closed && !pair.tangent.empty()) {
     const base::NodeId next =
@@ -128,6 +131,7 @@ TipFaces tip_faces(const Scene& scene, const mesh::Front& front, const StepState
       size = std::max(size, slip.area * u.norm());
       jump += entry.weight.head<2>().dot(u);
     }
+    // Weights are areas, so that both sides are areas times lengths.
     faces.held = std::abs(jump) <= slip_of_round_off * size;
   }
   return faces;
@@ -153,6 +157,7 @@ base::Matrix intensity_of_forces(const model::Model& model, const Scene& scene) 
     if (!crack_face) {
       continue;
     }
+    // K by a nodal force on either face [dim * node, 2]; a unit of a row puts its weights there.
     const base::Matrix weight = crack::crack_face_intensity_rows(
         model, scene.cracked, front, scene.tips[t].fields, model.cracks[front.crack.index()].state,
         crack_face->sides);
@@ -177,6 +182,7 @@ crack_face_forces(const Scene& scene, const mesh::Front& front, const StepState&
   crack::CrackFaceForces forces{crack_face->sides, base::Vector::Zero(state.u.size()), 0.0};
   const std::size_t first = scene.table.first[crack_face->pair];
   const std::size_t next = *row_at_tip(scene, front) - first;
+  // Tension is positive; a plain minus would make -0 of a pair that does not press.
   forces.at_tip = 0.0 - state.pair_lambda[crack_face->pair][static_cast<Eigen::Index>(next)];
   for (std::size_t r = first; r < scene.table.first[crack_face->pair + 1]; ++r) {
     const double value = state.pair_lambda[crack_face->pair][static_cast<Eigen::Index>(r - first)];

@@ -9,6 +9,7 @@ namespace spricka::analysis {
 
 namespace {
 
+// How far the nodes of two faces are apart against each other.
 struct Jump {
   std::vector<double> overlap; ///< [node of the face, tips left out]
   double largest = 0.0;
@@ -49,6 +50,7 @@ double resolved_overlap(std::span<const double> overlap) {
   const std::size_t n = overlap.size();
   double most = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
+    // Inside, one node alone is less than an element: the one before has to overlap as well.
     const bool at_end = i < 2 || i + 2 >= n;
     most = std::max(most, at_end ? overlap[i] : std::min(overlap[i - 1], overlap[i]));
   }
@@ -68,6 +70,7 @@ CrackFaceOverlap crack_face_overlap(const mesh::CrackedMesh& cracked, std::size_
 double crack_face_jump(const mesh::CrackedMesh& cracked, std::size_t line, const base::Vector& u) {
   const mesh::CrackFaces& crack_faces = cracked.faces[line];
   const bool half = crack_faces.half();
+  // The mirrored face of a half model moves as far the other way.
   return (half ? 2.0 : 1.0) * look(cracked, line, u).largest;
 }
 

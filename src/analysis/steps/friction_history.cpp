@@ -46,6 +46,7 @@ void FrictionHistory::add_to(contact::ContactSystem::Problem& problem) const {
   for (const std::size_t row : problem.rows) {
     problem.touch.push_back(memory_.touch[row]);
   }
+  // The anchor of motions that nothing holds (solve.24).
   problem.alpha = memory_.alpha;
 }
 
@@ -60,14 +61,16 @@ void FrictionHistory::take(const contact::ContactSystem::Problem& problem,
     if (memory_.touch[row] == solve::Touch::open || memory_.touch[row] == solve::Touch::stick) {
       continue;
     }
+    // Weighted: the area of the row is in it.
     const double v = solution.contact.gap[f.tangent];
     memory_.slip[row] += v;
     memory_.path[row] += std::abs(v);
-    // what slips is carried along under the mean of both pressures
+    // Friction works with the mean pressure of the increment (contact.23).
     const double before = memory_.pressure[problem.rows[static_cast<std::size_t>(f.normal)]];
     const double now = solution.contact.lambda[f.normal];
     memory_.work[contact_of_[row]] += f.mu * 0.5 * (before + now) * std::abs(v);
   }
+  // Pressures come last: the loop above needs those of the increment before.
   for (const solve::FrictionRow& f : problem.friction) {
     memory_.pressure[problem.rows[static_cast<std::size_t>(f.normal)]] =
         solution.contact.lambda[f.normal];

@@ -140,10 +140,12 @@ std::vector<std::string> motions(const model::Model& model, const model::Mesh& m
     return names;
   }
   const Eigen::JacobiSVD<base::Matrix> svd(part, Eigen::ComputeThinU);
+  // `part` is a piece of an orthonormal basis: what is below this is no motion of the body.
   const Eigen::Index rank = (svd.singularValues().array() > 1e-9).count();
   const base::Matrix rigid = fe::rigid_modes(model, mesh, body.pieces);
   const base::Matrix mix =
       rigid.transpose() * (body.free_modes * svd.matrixU().leftCols(rank)); // [rigid mode, rank]
+  // Named by rigid motions of the pieces: the free modes are any combination of those.
   const base::Matrix basis = reduced(mix);
   for (Eigen::Index k = 0; k < basis.cols(); ++k) {
     names.push_back(describe_motion(mesh, body.body, rigid * basis.col(k)));
@@ -195,6 +197,7 @@ std::vector<base::NoAnswer> unheld_loads(const model::Model& model, const Scene&
         equality.push_back(scene.contacts[c].type == model::ContactType::bonded);
         if (scene.row(r).tangential && !equality.back()) {
           const int at = static_cast<int>(rows.size()) - 1;
+          // Tangent rows follow the normal rows of their pair in the same order.
           friction.push_back(
               {at - static_cast<int>(scene.pairs[c].normal.size()), at, scene.contacts[c].mu});
         }
@@ -205,9 +208,11 @@ std::vector<base::NoAnswer> unheld_loads(const model::Model& model, const Scene&
     if (h.size() == 0) {
       continue;
     }
+    // Supports that move load bodies too, though no force of a case does: that is in h only.
     const double scale =
         std::max((scene.case_load * factors.case_factor).lpNorm<1>(), h.cwiseAbs().maxCoeff());
     const solve::ModeSplit split = solve::split_modes(B, modes.opening_scale(rows));
+    // Motions that no row feels come first: the balance is that of the others (solve.16).
     base::Vector motion = solve::uncontrollable_motion(split, h, solve::resting_load * scale);
     if (motion.size() == 0) {
       // Stiffness plays no part in whether rows can take the loads.

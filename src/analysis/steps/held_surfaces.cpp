@@ -52,6 +52,7 @@ void tell_held_surfaces(const Scene& scene, const contact::ContactSystem::Proble
     if (bonded || row.area <= 0.0 || !is_held(scene, row)) {
       continue;
     }
+    // Nothing but supports moves this row: its gap is the given one.
     const double g = problem.gap[static_cast<Eigen::Index>(i)] / row.area;
     if (row.tangential) {
       found[c].slip =

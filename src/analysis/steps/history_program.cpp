@@ -20,6 +20,7 @@ bool mounts(const model::Step& step) {
   });
 }
 
+// Loads and fits at t of a load path, 0 FROM to 1 TO; mounted as FROM is.
 StepFactors on_path(const StepFactors& from, const StepFactors& to, double t) {
   StepFactors at = from;
   at.case_factor += t * (to.case_factor - from.case_factor);
@@ -43,6 +44,7 @@ HistoryProgram of_spectrum(const model::Model& model, const std::vector<StepFact
     for (const double t : run.t) {
       leg.places.push_back(
           {on_path(of_step[path.from.index()], of_step[path.to.index()], t), t, 0});
+      // The cracks grow, and turn, at the largest load.
       if (t > highest) {
         highest = t;
         program.grow_at = mark;
@@ -74,6 +76,7 @@ HistoryProgram of_steps(const model::Model& model, const std::vector<StepFactors
                       model.steps[s].name, model.steps[first].name, model.steps[last].name);
     }
   }
+  // The way back from the last step to the first goes in as many increments as any step needs.
   leg.places.front().increments = most;
   return program;
 }

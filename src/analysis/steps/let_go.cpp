@@ -13,6 +13,8 @@ namespace spricka::analysis {
 
 namespace {
 
+// The body that a refusal of an unheld load names; null: another refusal, or a cause is told
+// already.
 const BodyNet* body_named(const std::vector<BodyNet>& bodies, std::string_view refusal) {
   constexpr std::string_view before = "body ";
   constexpr std::string_view behind = " is loaded but not held";

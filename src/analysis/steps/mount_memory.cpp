@@ -103,6 +103,7 @@ bool MountMemory::keep_or_take(const Scene& scene, std::size_t contact, bool rub
   const std::size_t first = scene.table.first[contact];
   const std::size_t count = scene.table.first[contact + 1] - first;
   auto part = offset.segment(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(count));
+  // Nothing is known of this mounting: it belongs to the first length.
   if (next_ == events_.size()) {
     Event event{contact, {}, part};
     for (std::size_t r = 0; r < count; ++r) {
@@ -117,6 +118,7 @@ bool MountMemory::keep_or_take(const Scene& scene, std::size_t contact, bool rub
   for (std::size_t r = 0; same && r < count; ++r) {
     const contact::ConstraintRow& row = scene.row(first + r);
     same = same_row(event.rows[r], row);
+    // Slips of rows that rub count from this length's own state.
     if (same && !(rubs && row.tangential)) {
       part[static_cast<Eigen::Index>(r)] = event.offset[static_cast<Eigen::Index>(r)];
     }

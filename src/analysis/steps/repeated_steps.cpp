@@ -11,6 +11,7 @@ RepeatedSteps::RepeatedSteps(const model::Model& model, const std::vector<bool>&
     : model_(model), pictured_(pictured), same_(repeated_steps(model)) {
   for (std::size_t s = 0; s < same_.size(); ++s) {
     if (same_[s] && pictured_[s] && !pictured_[*same_[s]]) {
+      // Its pictures are wanted, and there are none to take over.
       same_[s].reset();
     }
   }

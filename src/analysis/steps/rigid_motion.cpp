@@ -34,6 +34,7 @@ std::string describe_motion(const model::Mesh& mesh, const fe::Body& body,
   const auto count = static_cast<double>(body.nodes.size());
   mean /= count;
   const double rms = std::sqrt(square / count);
+  // About the middle of the nodes: a rotation leaves no mean there, a translation nothing but that.
   if (mean.norm() < 0.1 * rms) {
     return "rotation";
   }

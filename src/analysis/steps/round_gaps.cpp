@@ -22,6 +22,7 @@ contact::ContactSystem::Problem without_friction(const Scene& scene,
   std::vector<double> gap;
   for (std::size_t i = 0; i < of.rows.size(); ++i) {
     const bool rubs = scene.contacts[scene.table.contact_of(of.rows[i])].mu > 0.0;
+    // Tangent rows of bonded pairs stay: they are no friction.
     if (rubs && scene.row(of.rows[i]).tangential) {
       continue;
     }
@@ -92,6 +93,7 @@ void tell_round_gaps(const Scene& scene, const contact::ContactSystem& system,
   std::vector<bool> differs(scene.contacts.size(), false);
   for (std::size_t i = 0; i < round.rows.size(); ++i) {
     const contact::ConstraintRow& row = scene.row(round.rows[i]);
+    // A measured gap has no factor of FIT: the difference counts as it is.
     round.gap[static_cast<Eigen::Index>(i)] += row.round_gap - row.gap;
     if (row.round_gap != row.gap) {
       differs[scene.table.contact_of(round.rows[i])] = true;

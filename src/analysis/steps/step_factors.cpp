@@ -31,6 +31,7 @@ bool fit_is_named(const model::Model& model, base::ContactId contact) {
 StepFactors first_factors(const model::Model& model, Eigen::Index columns, std::size_t contacts) {
   StepFactors factors;
   factors.case_factor = base::Vector::Ones(columns);
+  // A column behind the cases is that of the ties' constants, which always count once.
   factors.case_factor.head(static_cast<Eigen::Index>(model.cases.size())).setZero();
   for (std::size_t c = 0; c < contacts; ++c) {
     factors.fit.push_back(names<model::ApplyFit>(model, base::ContactId(c)) ? 0.0 : 1.0);
@@ -80,6 +81,8 @@ std::vector<std::optional<std::size_t>> repeated_steps(const model::Model& model
   std::size_t first = 0; // since the last change of what is mounted
   for (std::size_t s = 0; s < model.steps.size(); ++s) {
     const MountChanges changes = apply_actions(model.steps[s], factors);
+    // An offset of MOUNT hangs on the state it was taken in: equal factors are no equal state
+    // across it.
     first = changes.mounted.empty() && changes.dismounted.empty() ? first : s;
     for (std::size_t r = first; r < s && !same[s]; ++r) {
       if (ends[r].case_factor == factors.case_factor && ends[r].fit == factors.fit) {

@@ -78,13 +78,14 @@ bool StepSolver::mount(std::size_t contact) {
   const bool declared = scene_.contacts[contact].gap.has_value();
   for (std::size_t r = scene_.table.first[contact]; r < scene_.table.first[contact + 1]; ++r) {
     const contact::ConstraintRow& row = scene_.row(r);
-    // Measured from the deformed state: what the bodies have moved so far no longer counts.
+    // Declared fits and slips count from the bodies as they are now, so that what these have moved
+    // so far is taken off (contact.8); a measured gap is that of the deformed bodies and keeps it.
     const bool taken = row.tangential || declared;
     offset_[static_cast<Eigen::Index>(r)] =
         taken ? -row_opening(row, scene_.cracked.mesh.dim, u_) : 0.0;
   }
   history_.begin(contact);
-  closed_.clear();
+  closed_.clear(); // they say nothing of rows that are new
   return memory_ == nullptr ||
          memory_->keep_or_take(scene_, contact, scene_.contacts[contact].mu > 0.0, offset_);
 }
@@ -126,6 +127,7 @@ contact::ContactSystem::Problem StepSolver::problem() const {
       const contact::ConstraintRow& row = scene_.row(r);
       d.rows.push_back(r);
       d.equality.push_back(contact.type == model::ContactType::bonded);
+      // Prescribed displacements are no unknowns of condensed bodies: the gap has what they open.
       gap.push_back((contact.gap ? factors_.fit[c] : 1.0) * row.gap +
                     offset_[static_cast<Eigen::Index>(r)] + row_opening(row, dim, fixed));
       if (!closed_.empty()) {
@@ -137,6 +139,7 @@ contact::ContactSystem::Problem StepSolver::problem() const {
   for (const std::size_t b : condensed_) {
     d.load.emplace_back(bodies_[b].external_load * factors_.case_factor);
   }
+  // Sum of the applied forces: loads on rigid modes count as none by their share of it (solve.16).
   d.load_scale = (scene_.case_load * factors_.case_factor).lpNorm<1>();
   history_.add_to(d);
   return d;
@@ -148,6 +151,7 @@ base::Vector StepSolver::unscaled_gap(const std::vector<std::size_t>& rows) cons
     const std::size_t r = rows[i];
     const auto c = scene_.table.contact_of(r);
     const base::ContactId contact(c);
+    // A declared gap that no step names has the factor 1 on all of the path: nothing scales it.
     const bool scaled = scene_.contacts[c].gap && fit_is_named(model_, contact);
     rest[static_cast<Eigen::Index>(i)] =
         offset_[static_cast<Eigen::Index>(r)] + (scaled ? 0.0 : scene_.row(r).gap);
@@ -257,6 +261,8 @@ void StepSolver::balance(StepState& state) const {
       }
     }
   }
+  // With tips internal forces are kept by material: derivatives by moduli take them
+  // (sensitivity.8).
   const bool cracked = !scene_.cracked.fronts.empty();
   std::vector<std::vector<base::ElementId>> elements(cracked ? model_.materials.size() : 1);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
@@ -280,6 +286,7 @@ void StepSolver::balance(StepState& state) const {
   const base::Vector open = internal - state.force - state.contact;
   base::Matrix out_of_balance = open;
   scene_.ties->reduce(out_of_balance);
+  // Held freedoms leave their reaction over; what is left at free ones is the error.
   state.reaction = out_of_balance;
   double left_over = 0.0;
   for (Eigen::Index i = 0; i < state.reaction.size(); ++i) {
@@ -332,6 +339,7 @@ StepState StepSolver::begin_state() const {
     state.pair_gap.emplace_back(base::Vector::Zero(static_cast<Eigen::Index>(normal)));
     state.pair_closed.emplace_back(normal, false);
   }
+  // Bodies are recovered into this vector: free freedoms are overwritten, prescribed ones stay.
   state.u = prescribed();
   return state;
 }
@@ -381,6 +389,7 @@ std::optional<StepState> StepSolver::solve(const model::Step& step, base::Troubl
     for (const base::Vector& lambda : state.pair_lambda) {
       pressed.push_back((lambda.array() > 0.0).any());
     }
+    // u_ still has the end of the last step: what this step alone has moved counts.
     tell_held_surfaces(scene_, problem(), {pressed, state.u - u_}, state.notes);
   }
   u_ = state.u;

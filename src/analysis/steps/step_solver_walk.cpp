@@ -51,6 +51,7 @@ double friction_change(const Scene& scene, const contact::ContactSystem::Problem
   }
   double most = 0.0;
   for (const Sum& sum : sums) {
+    // Shear that is next to nothing would change by much of itself however fine the walk.
     const double scale = std::max(sum.shear, sum.limit);
     most = std::max(most, scale > 0.0 ? std::sqrt(sum.change / scale) : 0.0);
   }
@@ -73,6 +74,7 @@ double slip_change(const Scene& scene, const contact::ContactSystem::Problem& pr
   double force = 0.0;
   for (const solve::FrictionRow& f : problem.friction) {
     const std::size_t row = problem.rows[static_cast<std::size_t>(f.normal)];
+    // All that friction could pull: with the largest displacement a scale for its work.
     force += f.mu * solution.contact.lambda[f.normal] * scene.row(row).area;
   }
   const double work = std::max(std::ranges::max(b.work), least_slip * force * motion);
@@ -83,6 +85,7 @@ double slip_change(const Scene& scene, const contact::ContactSystem::Problem& pr
   double before = 0.0;
   double now = 0.0;
   for (std::size_t r = 0; r < b.path.size(); ++r) {
+    // Weighted slips over the area of their row are lengths.
     const double area = scene.row(r).area;
     before = std::max(before, a.path[r] / area);
     now = std::max(now, b.path[r] / area);
@@ -91,7 +94,8 @@ double slip_change(const Scene& scene, const contact::ContactSystem::Problem& pr
   return slip > 0.0 ? std::max(most, std::abs(now - before) / slip) : most;
 }
 
-// An error that falls with 1/n leaves this of the change between two walks.
+// Two walks of a step, in `before` and in `now` increments, and what they differ by. An error that
+// falls with 1/n leaves m / |n - m| of that in the second (contact.25).
 struct Halving {
   int before = 1, now = 2;
   double change = 0.0; ///< of the shear
@@ -188,10 +192,13 @@ bool StepSolver::walk_rubbing(Walk& walk, const model::Step& step, StepState& st
   const bool given = step.substeps > 0;
   Halving cut;
   if (given) {
+    // SUBSTEPS are walked last, so that theirs is the answer; the other walk only tells their
+    // error.
     cut = {.before = step.substeps == 1 ? 2 : step.substeps / 2, .now = step.substeps};
   }
   base::Trouble coarse;
   const bool compared = march(walk, start, cut.before, coarse);
+  // Where SUBSTEPS are given a coarser walk without answer leaves them without a known error only.
   if (!compared && !given) {
     trouble = coarse;
     return false;
@@ -233,6 +240,8 @@ bool StepSolver::advance(Walk& walk, std::pair<double, double> part, int halving
     }
     return true;
   }
+  // Only what did not converge is halved: loads that nothing holds, and bonds that contradict each
+  // other, would be met again.
   if (s.status != solve::ContactStatus::max_iterations || halvings == most_halvings) {
     return false;
   }
@@ -275,7 +284,7 @@ std::optional<StepState> StepSolver::recover(contact::ContactSystem::Solution so
   return state;
 }
 
-// Where rows stand tangentially now: slip counts from here.
+// Where rows stand tangentially now: the slip of the next increment counts from here (contact.22).
 void StepSolver::remember(const Walk& walk) {
   history_.take(walk.problem, walk.solution);
   const base::Vector fixed = prescribed();
@@ -291,6 +300,8 @@ void StepSolver::remember(const Walk& walk) {
 // A test that is sufficient only clears most; of the others the answer itself tells.
 void StepSolver::note_uniqueness(const Walk& walk, StepState& state) {
   if (tested_ != factors_.mounted) {
+    // The test depends on the rows in force alone (solve.27): once for each set of mounted
+    // contacts.
     tested_ = factors_.mounted;
     certain_ = system_->unique(walk.problem).certain;
   }

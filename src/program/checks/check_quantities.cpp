@@ -54,6 +54,7 @@ double reaction(const model::Model& model, Arguments& args, const results::Run& 
   }
   std::vector<base::NodeId> nodes = nodes_of_set(at.increment->mesh, set);
   std::sort(nodes.begin(), nodes.end());
+  // Elements of a set share nodes, whose reaction counts once.
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   double sum = 0.0;
   for (const base::NodeId n : nodes) {

@@ -72,6 +72,8 @@ double value_at(const results::ContactResult& contact, PointValue value, double 
       above = &p;
     }
   }
+  // On a circle two points may be found for any angle: more than a radian apart they are the ends
+  // of a gap.
   if (below == nullptr || above == nullptr || (round && up + down > 1.0)) {
     throw Missing(round ? "no contact surface at that angle"
                         : "no contact surface at that distance");

@@ -16,6 +16,7 @@
 namespace spricka::program {
 
 Place find_place(const results::Run& run, const std::string& step, std::optional<double> a) {
+  // From the end: without a length the last increment is meant.
   for (auto it = run.increments.rbegin(); it != run.increments.rend(); ++it) {
     const results::StepResult* found = results::find_step(*it, step);
     if (found != nullptr && (!a || std::abs(it->a - *a) <= 1e-6 * std::abs(*a))) {
@@ -116,6 +117,7 @@ std::vector<double> stresses_of_set(const model::Model& model, const Place& at,
     }
   }
   std::vector<fe::Stress> nodal = fe::nodal_stress(model, mesh, stress);
+  // Nodes whose elements a patch has replaced have the stress at their place.
   analysis::fill_stresses(model, mesh, {at.step->u, at.step->temperature}, nodal);
   std::vector<bool> wanted(mesh.node_count(), false);
   for (const base::NodeId n : nodes_of_set(mesh, name)) {

@@ -70,6 +70,7 @@ public:
     }
     std::ranges::sort(found);
     for (const auto& [a, K, R] : found) {
+      // Splines want lengths that rise: of equal ones the first counts.
       if (log_a_.empty() || a > log_a_.back()) {
         log_a_.push_back(a);
         log_K_.push_back(K);
@@ -86,6 +87,7 @@ public:
     for (std::size_t i = 0; i < log_a_.size(); ++i) {
       const double K = std::exp(log_K_[i]);
       lengths.push_back(std::exp(log_a_[i]));
+      // The law takes K at the largest and the smallest load.
       rates.push_back(law.rate(K, R_[i] * K));
     }
     const bool grows =
@@ -105,6 +107,7 @@ private:
            std::log(a) <= log_a_.back() + room;
   }
   [[nodiscard]] double value(const std::vector<double>& values, double a) const {
+    // Over log a: K goes much like a power of the length.
     return log_a_.size() == 1 ? values.front() : life::Spline(log_a_, values)(std::log(a));
   }
 
@@ -162,6 +165,7 @@ void compare_lives(const ComputedK& computed, const life::GrowthLaw& law,
   if (shared.size() < 2 || !curve) {
     return;
   }
+  // Lengths of the test may lie beyond the curve by the round-off that K(a) lets pass.
   const auto within = [&](double a) {
     return std::clamp(a, curve->first_length(), curve->last_length());
   };

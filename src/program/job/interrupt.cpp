@@ -18,6 +18,7 @@ sem_t woken;                             // NOLINT
 volatile std::sig_atomic_t received = 0; // NOLINT: 0 when the owner is done
 
 void on_signal(int signal) {
+  // The interrupted code may be about to read its errno.
   const int before = errno;
   received = signal;
   sem_post(&woken);
@@ -37,6 +38,7 @@ Interrupt::Interrupt(std::function<int(int signal)> last_words) {
     }
     const int code = words(received);
     std::fflush(nullptr);
+    // No destructors: other threads are still at work on what they would take away.
     std::_Exit(code);
   });
   struct sigaction action {};

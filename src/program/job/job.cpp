@@ -96,6 +96,8 @@ Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, archive::Che
       trouble =
           base::NoAnswer{.kind = base::Outcome::deck_error, .why = first_error(deck.sources, own)};
     }
+    // A later round that fails leaves the answer of the one before: what it says of itself is not
+    // told.
     if (run || first || is_stopped(trouble)) {
       diagnostics = std::move(own);
       out.trouble = trouble;
@@ -162,6 +164,7 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
   results::Run& run = *solved.run;
   log.diagnostics(deck.sources, diagnostics);
   run.tests = invert_tests(*used.model, run);
+  // Before the notes are collected: it changes their words.
   analysis::explain_lost_ligaments(run);
   for (const std::string& text : run.warnings) { // so far those of the growth
     log.message(base::Severity::warning, "W456", text);
@@ -172,6 +175,7 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
       run.warnings.push_back(d.text);
     }
   }
+  // Last: why the tolerance is missed is the reason that the run ends with.
   tell_rounds(solved, run, log);
   finish_restart(checkpoint, run);
   run.checks = evaluate_checks(*used.model, run);

@@ -83,6 +83,7 @@ std::string write_point_record(const results::Sweep& sweep, const SweepPoint& po
 
 std::optional<SweepPoint> read_point_record(const std::filesystem::path& folder,
                                             const std::string& digest) {
+  // A point is done when its run folder is whole.
   if (!std::filesystem::exists(folder / listing_name)) {
     return std::nullopt;
   }

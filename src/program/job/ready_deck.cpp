@@ -115,6 +115,7 @@ ReadyDeck read_ready(const std::filesystem::path& deck, const deck::ReadOptions&
     sense::warn_of_path_mouths(*model, ready.diagnostics);
   }
   if (model && !ready.diagnostics.has_errors()) {
+    // After the mistakes: a deck with both is to be mended first.
     base::Diagnostics missing = unavailable(*model);
     if (missing.has_errors()) {
       ready.refusal = refused(ready.sources, missing, base::Outcome::not_solvable, log, told);

@@ -16,6 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_there(const fs::path& file) {
+  // A run that was killed while it wrote may have left the list before alone.
   fs::path before = file;
   before += ".1";
   std::error_code unknown;
@@ -26,6 +27,7 @@ archive::CheckpointPlace place_of(const RunOptions& options, const model::Restar
                                   const fs::path& folder) {
   const fs::path beside = folder.empty() ? options.deck.parent_path() : folder;
   archive::CheckpointPlace place;
+  // Points of a sweep have their files in folders of their own.
   const auto file = [&](const std::string& name) {
     return folder.empty() ? (beside / name).lexically_normal() : beside / fs::path(name).filename();
   };
@@ -37,6 +39,7 @@ archive::CheckpointPlace place_of(const RunOptions& options, const model::Restar
     place.read = file(card.read);
     place.at = card.at;
   }
+  // Without a file to go on from, --restart begins at the beginning.
   if (options.restart && is_there(place.write)) {
     place.read = place.write;
     place.at.reset();
@@ -110,6 +113,7 @@ void finish_restart(archive::Checkpoint* checkpoint, results::Run& run) {
   if (checkpoint == nullptr) {
     return;
   }
+  // Increments that EVERY has held back are written now.
   checkpoint->flush();
   for (const auto& [code, text] : checkpoint->told()) {
     run.log.push_back({"RESTART", text, 0.0, 0.0});

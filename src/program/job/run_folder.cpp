@@ -74,6 +74,7 @@ bool rename_to_free(const fs::path& from, const fs::path& to) {
   if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) {
     return true;
   }
+  // File systems and kernels without such a rename say these two.
   if (errno != EINVAL && errno != ENOSYS) {
     return false;
   }
@@ -150,6 +151,7 @@ void RunFolder::open_part() {
     if (::mkdir(part_.c_str(), 0777) != 0 && errno != EEXIST) {
       throw std::system_error(errno, std::generic_category(), "cannot make " + part_.string());
     }
+    // Another run that ended has taken it away, or moved it into place.
     if (!is_there(part_)) {
       continue;
     }
@@ -202,6 +204,8 @@ void RunFolder::put(const std::string& name, const std::function<void(const fs::
                                            name));
   }
   names_.push_back(name);
+  // The name first: a run that is killed while it writes leaves nothing that is not known as its
+  // own.
   archive::add_to_mark(part_, name);
   write(part_ / name);
 }
@@ -258,6 +262,7 @@ void RunFolder::write(const base::Sources& sources, const model::Model& model, r
   run.log.push_back({"OUTPUT", "tables, pictures, report", watch.cpu(), watch.wall()});
   run.cpu += watch.cpu();
   run.wall += watch.wall();
+  // The listing comes last, as it has the figures of all before.
   run.peak_memory = base::peak_memory();
   keep(listing_name,
        report::listing(sources, model, run, totals) + report::script_section(scripts));
@@ -293,6 +298,7 @@ void RunFolder::move_into_place() {
   if (!place_lock_) {
     place_lock_ = archive::FolderLock::take(folder_, part_);
   }
+  // The new folder has the permissions of the one that it replaces.
   fs::permissions(part_, fs::status(folder_).permissions());
   exchange(part_, folder_);
   take_over_foreign(part_);
@@ -305,6 +311,7 @@ void RunFolder::move_into_place() {
 
 void RunFolder::commit() {
   const std::scoped_lock lock(writing_);
+  // Tables without rows write no file.
   std::erase_if(names_, [&](const std::string& name) { return !is_there(part_ / name); });
   archive::write_mark(part_, {archive::FolderKind::run, names_});
   done_ = true; // from now on the results are whole: whatever happens, they stay
@@ -321,6 +328,7 @@ void RunFolder::commit() {
 
 void RunFolder::abandon() {
   using namespace std::chrono_literals;
+  // The lock is held to the end of the process, so that no thread writes a file behind the removal.
   const bool quiet = writing_.try_lock_for(10s); // not given back
   if (quiet && !done_) {
     archive::remove_own(part_);

@@ -17,7 +17,7 @@ namespace spricka::program {
 
 namespace {
 
-// Each round takes at most a third of every size: eight are more than any mesh can use.
+// A round leaves at least 0.3 of every size: eight rounds are more than any mesh can use.
 constexpr int most_rounds = 8;
 
 std::size_t unknowns(const results::Run& run) {
@@ -76,6 +76,7 @@ std::string no_use(const std::vector<results::ToleranceRound>& rounds) {
         "finer meshes do not help: the bar is {} with {} freedoms and was {} with {}",
         percent(now.bar), now.unknowns, percent(before.bar), before.unknowns);
   }
+  // The bar falls with this power of the freedoms; where it hardly does the power is kept off zero.
   const double rate = -std::log(left) / std::log(std::max(grown, 1.1));
   const double needed = static_cast<double>(now.unknowns) *
                         std::pow(now.bar / now.wanted, 1.0 / std::max(rate, 0.02));
@@ -94,6 +95,7 @@ std::string too_large(const model::Model& now, const model::Model& next, double 
                       const results::ToleranceRound& round) {
   const auto dim = static_cast<double>(now.mesh.dim);
   const double host = dim * static_cast<double>(now.mesh.node_count());
+  // What the solved mesh has beyond its host are the patches.
   const double patches = std::max(0.0, static_cast<double>(round.unknowns) - host);
   const double freedoms =
       dim * static_cast<double>(next.mesh.node_count()) + patch_growth * patches;
@@ -169,6 +171,7 @@ ToleratedRun solve_to_tolerance(const ReadyDeck& deck, const ReadFiner& read_fin
       break;
     }
     out.run = std::move(run);
+    // From here on the last round that has a solution is what stands.
     out.deck = std::move(finer);
     const model::Model& model = out.deck ? *out.deck->model : *deck.model;
     results::ToleranceRound& round = rounds.emplace_back(look_at(model, *out.run, out.why_not));
@@ -196,6 +199,7 @@ ToleratedRun solve_to_tolerance(const ReadyDeck& deck, const ReadFiner& read_fin
     if (!out.why_not.empty()) {
       break;
     }
+    // The deck read again knows nothing of the patches' own factors.
     plan.apply(*finer->model);
   }
   if (!rounds.empty()) {

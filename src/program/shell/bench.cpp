@@ -149,6 +149,7 @@ base::Trouble ShellBench::advance(const std::vector<model::Step>& steps, Reached
       return base::NoAnswer{.kind = base::Outcome::not_solvable,
                             .why = fmt::format("step {}: {}", step.name, what)};
     }
+    // Overlap in any step counts: all of them are solved anew with the faces as a pair.
     reached.touching = length_->touching(reached.state->u);
     if (!reached.touching.empty()) {
       return {};
@@ -162,6 +163,7 @@ base::Trouble ShellBench::reach(const std::vector<model::Step>& way, Reached& re
     if (parts_.memory != nullptr) {
       parts_.memory->restart();
     }
+    // A copy: the compliances of the rows are computed once, each way begins as a run does.
     reached = {std::make_unique<analysis::StepSolver>(*fresh_), {}, {}};
     if (base::Trouble trouble = advance(way, reached)) {
       return trouble;
@@ -187,6 +189,7 @@ results::StepResult ShellBench::gather(const Reached& reached, const std::string
 void ShellBench::take(Reached reached, const std::vector<model::Step>& way) {
   std::vector<results::StepResult>& steps = run_.increments.front().steps;
   results::StepResult now = gather(reached, "NOW");
+  // The present state is the first of the steps; those that add_step() adds stand behind it.
   if (steps.empty()) {
     steps.push_back(std::move(now));
   } else {
@@ -212,6 +215,7 @@ base::Trouble ShellBench::walk(const std::vector<model::Step>& way) {
 }
 
 base::Trouble ShellBench::go_on(const model::Step& step, const std::vector<model::Step>& way) {
+  // A copy: the present state stays if the step has no answer.
   Reached reached{std::make_unique<analysis::StepSolver>(*solver_), {}, {}};
   if (base::Trouble trouble = advance({step}, reached)) {
     return trouble;
@@ -281,9 +285,11 @@ base::Trouble ShellBench::follow(const model::LoadPath& card, const std::vector<
   std::vector<results::LoadPath> found;
   base::Trouble trouble;
   const auto to_end = [&](const std::vector<model::Step>& way, Reached& reached) {
+    // The present state is the beginning of this way: its last step is all that is missing.
     if (solver_ && is_one_further(way, now)) {
       reached = {std::make_unique<analysis::StepSolver>(*solver_), {}, {}};
       base::Trouble stuck = advance({way.back()}, reached);
+      // Faces that meet are closed and solved from the beginning, below.
       if (stuck || reached.touching.empty()) {
         return stuck;
       }
