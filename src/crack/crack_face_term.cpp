@@ -41,6 +41,7 @@ std::vector<FacePoint> points_of(const PlaneEdge& edge, base::NodeId tip) {
       const double t = 0.5 * (1.0 + r[0]);
       const double from = edge.nodes[0] == tip ? 1.0 : -1.0;
       xi = from * (2.0 * t * t - 1.0);
+      // d xi = 4 t dt, and dt is half of dr.
       w = 2.0 * t * weight;
     }
     FacePoint p;
@@ -62,6 +63,7 @@ std::vector<FacePoint> points_of(const PlaneEdge& edge, base::NodeId tip) {
 
 using NodeAreas = std::map<base::NodeId, double>;
 
+// A_i of (crack.33), sums over the edges of a node.
 NodeAreas areas_of(const std::vector<PlaneEdge>& edges, base::NodeId tip) {
   NodeAreas area;
   for (const PlaneEdge& edge : edges) {
@@ -119,6 +121,7 @@ void for_faces(const model::Mesh& mesh, const TipPlace& tip, const ExtensionFiel
       const std::array<double, 3> own = pressed(edge, p.N, tip.node);
       for (std::size_t i = 0; i < nodes_of(edge); ++i) {
         if (edge.nodes[i] != tip.node) {
+          // (crack.33): the force of a node over its area is its traction, per thickness.
           add(edge, i, p, p.w * p.ds * here * own[i] / (area.at(edge.nodes[i]) * tip.thickness));
         }
       }
@@ -136,6 +139,7 @@ CrackFaceWeights crack_face_weights(const model::Mesh& mesh, const TipPlace& tip
             [&](const PlaneEdge& edge, std::size_t i, const FacePoint& p, double weight) {
               const auto [at, fresh] = weights.try_emplace(
                   edge.nodes[i], std::array<base::Vec2, 2>{base::Vec2::Zero(), base::Vec2::Zero()});
+              // Edges run with the body on their left.
               const base::Vec2 inward(-p.along.y(), p.along.x());
               const base::Vec2 x = p.x + inside * (p.x - tip.frame.x).norm() * inward;
               for (int mode = 1; mode <= 2; ++mode) {
@@ -164,6 +168,8 @@ std::array<double, 3> crack_face_term(const model::Mesh& mesh, const TipPlace& t
               for (std::size_t k = 0; k < nodes_of(edge); ++k) {
                 along += p.dN[k] / p.ds * at(u, edge.nodes[k]);
               }
+              // (crack.31) with the components along e1 only: u1,1 is du1/ds with the sign by which
+              // the face runs along e1.
               sum[0] -= weight * at(crack_faces.force, edge.nodes[i]).dot(tip.frame.e1) *
                         along.dot(tip.frame.e1) * p.along.dot(tip.frame.e1);
             });

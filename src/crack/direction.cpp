@@ -64,6 +64,7 @@ constexpr std::array f22{1.0,
                          0.25,
                          12.5};
 
+// c0 + c1 m^2 + c2 m^4 + ..
 double in_squares(std::span<const double> coefficient, double m) {
   double sum = 0.0;
   for (std::size_t i = coefficient.size(); i-- > 0;) {
@@ -73,6 +74,7 @@ double in_squares(std::span<const double> coefficient, double m) {
 }
 
 double hoop_angle(double K1, double K2) {
+  // (growth.7). Zero where there is no K2 and K1 does not open the faces: no angle then.
   const double below = K1 + std::sqrt(K1 * K1 + 8.0 * K2 * K2);
   return below > 0.0 ? -2.0 * std::atan(2.0 * K2 / below) : 0.0;
 }
@@ -82,13 +84,16 @@ double k2_zero_angle(double K1, double K2) {
   if (K2 == 0.0) {
     return 0.0;
   }
+  // The kink turns against the sign of K2; its size is looked for (growth.9).
   const double side = K2 > 0.0 ? -1.0 : 1.0;
   const auto second = [&](double turn) {
     const KinkFunctions F = kink_functions(side * turn);
+    // A K1 below zero opens nothing: what is left is pure mode 2.
     return (F.F21 * std::max(K1, 0.0) + F.F22 * K2) * -side;
   };
   double low = 0.0;
   double high = 1.36; // just beyond that of pure mode 2
+  // To round-off of the angle.
   for (int k = 0; k < 60; ++k) {
     const double middle = 0.5 * (low + high);
     (second(middle) > 0.0 ? low : high) = middle;
@@ -115,6 +120,7 @@ base::Vec2 kinked_mode_one(Criterion criterion, double angle) {
     const KinkFunctions F = kink_functions(angle);
     return {F.F11, F.F12};
   }
+  // (growth.8).
   const double c = std::cos(0.5 * angle);
   return {c * c * c, -3.0 * c * c * std::sin(0.5 * angle)};
 }

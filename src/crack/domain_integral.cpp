@@ -55,6 +55,8 @@ public:
       const base::Vec2 x = X_ * N;
       const Polar place = polar(set_.tip, x);
       const Here own = solution(at, point.r, x, filled);
+      // Partners of K and T meet the affine temperature alone; what differs from it is heat_term's
+      // (crack.34).
       const Here met = filled && set_.affine ? under_affine(own, x) : own;
       for (std::size_t k = 0; k < partners; ++k) {
         const Here& here = k == 0 ? own : met;
@@ -64,6 +66,8 @@ public:
           T = k == 0 ? own_momentum(here)
                      : energy_momentum<2>({here.H, here.sigma}, {Hv, stress_of<2>(D_, Hv)});
         }
+        // What the temperature's gradient does on the volume change of u (crack.22) or of v
+        // (crack.23).
         base::Vec2 c = base::Vec2::Zero();
         if (filled) {
           const double work = k == 0 && carried_ ? 2.0 * here.free_strain : Hv.trace();
@@ -97,6 +101,7 @@ private:
                          for (std::size_t k = 0; k < partners; ++k) {
                            const Tensor<2> Hv =
                                k == 0 ? Tensor<2>(U_ * at.dNdx) : partner_gradient(set_, place, k);
+                           // - q b . u,k (crack.19), or with v in the place of u (crack.23).
                            const base::Vec2 c = weight * at.det * (Hv.transpose() * b);
                            for (int n = 0; n < S::nodes; ++n) {
                              (*force[static_cast<std::size_t>(n)])[k].template head<2>() -= N[n] * c;
@@ -112,6 +117,7 @@ private:
     if (filled) {
       heat(at, r, x, here);
     }
+    // (crack.21).
     here.sigma = stress_of<2>(D_, here.H);
     here.sigma.diagonal().array() -= here.beta_T;
     return here;
@@ -176,8 +182,8 @@ Elements united(const std::vector<ExtensionField>& fields, Elements ExtensionFie
 
 } // namespace
 
-// Elements of different domains must not mix: q is constant outside its own elements, and there the
-// sums of dN over an element vanish, so one vector per node serves all domains.
+// One vector per node serves all domains (crack.5): outside its own elements the q of a domain is
+// constant, and there the gradients of the shape functions of an element sum to zero.
 void add_domain_terms(const TipSetting& set, const std::vector<ExtensionField>& fields,
                       const base::Vector& u, NodalForces& out) {
   const bool filled = set.loads.fill_elements();

@@ -23,6 +23,7 @@ public:
           !crack_faces.left.empty() && !crack_faces.right.empty() &&
           crack_faces.left.front() == crack_faces.right.front(); // no mouth, a tip
       for (const std::vector<base::NodeId>* crack_face : {&crack_faces.left, &crack_faces.right}) {
+        // The mouth belongs to the outer boundary, which stays.
         crack_faces_.insert(crack_face->begin() + (embedded || crack_face->empty() ? 0 : 1),
                             crack_face->end());
       }
@@ -38,6 +39,7 @@ private:
   [[nodiscard]] bool is_ahead(base::NodeId n) const {
     const base::Vec3 e2(-front_.tip().growth.y(), front_.tip().growth.x(), 0.0);
     const base::Vec3 d = mesh_.x[n.index()] - front_.tip().x;
+    // On the line to round-off, as a part of the crack's length.
     return std::abs(d.dot(e2)) < 1e-9 * front_.a && d.dot(front_.tip().growth) > 0.0;
   }
 
@@ -93,6 +95,8 @@ ExtensionField Neighbourhood::field(const mesh::FrontPoint& point, int rings) co
   std::set<base::NodeId> rigid{point.node};
   std::set<base::ElementId> inside;
   std::set<base::ElementId> rim;
+  // The elements at all nodes that move as one so far are the next ring. The last round keeps those
+  // that q strains (crack.2).
   for (int ring = 0; ring <= rings; ++ring) {
     rim.clear();
     for (const base::NodeId n : rigid) {
@@ -128,6 +132,7 @@ ExtensionField Neighbourhood::field(const mesh::FrontPoint& point, int rings) co
         const base::NodeId a = nodes[static_cast<std::size_t>(side[0])];
         const base::NodeId b = nodes[static_cast<std::size_t>(side[1])];
         const base::NodeId mid = nodes[static_cast<std::size_t>(side[2])];
+        // A middle node between a corner that moves and one that rests goes half the way.
         const double mean =
             0.5 * ((rigid.contains(a) ? 1.0 : 0.0) + (rigid.contains(b) ? 1.0 : 0.0));
         if (!rigid.contains(mid) && mean > 0.0) {
@@ -165,12 +170,14 @@ std::vector<ExtensionField> Neighbourhood::fields(const mesh::CrackedMesh& crack
     for (const base::NodeId n : mesh_.nodes_of(e)) {
       middle += mesh_.x[n.index()] - front.tip().x;
     }
+    // By the sum of the nodes' places: the sign is that of their mean.
     return front.tip().growth.x() * middle.y() - front.tip().growth.y() * middle.x() > 0.0;
   };
   std::array<std::int64_t, 2> side{-1, -1}; // right, left
   bool split = false;
   for (const base::ElementId e : elements_.around(front.tip().node)) {
     std::int64_t& own = side[on_left(e) ? 1 : 0];
+    // A border that runs into the tip off its line: no domain has one zone on each side.
     split = split || (own >= 0 && own != zone(e));
     own = zone(e);
   }

@@ -46,9 +46,9 @@ public:
   explicit Neighbourhood(const model::Mesh& mesh);
 
   /// Fields for the ring counts asked for. A domain that would move a node of the outer boundary
-  /// (the crack's own crack faces behind the tip and, for a half model, the symmetry line
-  /// excepted), reach another tip, a node of the limits, or leave the tip's property or zone is
-  /// left out and named in `left_out`.
+  /// (the crack's own faces behind the tip and, for a half model, the symmetry line excepted),
+  /// reach another tip, a node of the limits, or leave the tip's property or zone is left out and
+  /// named in `left_out`.
   [[nodiscard]] std::vector<ExtensionField>
   fields(const mesh::CrackedMesh& cracked, const mesh::Front& front, const std::vector<int>& rings,
          std::vector<int>& left_out, const DomainLimits& limits = {}) const;

@@ -19,7 +19,7 @@ Eigen::Matrix<double, 2, Side::nodes> displacements(const std::array<base::NodeI
   return U;
 }
 
-// What part of a side counts as nothing.
+// Where the load at the tip is taken: off the tip by this part of the way to the side's middle.
 constexpr double beside = 1e-9;
 
 struct ScaledLoad {
@@ -62,6 +62,8 @@ void add_face(const TipSetting& set, const ScaledLoad& on, const model::Face& fa
     for (std::size_t k = 0; k < partners; ++k) {
       const base::Vec2 du =
           k == 0 ? base::Vec2(U * dN) : base::Vec2(partner_gradient(set, place, k) * along);
+      // (crack.20): du goes along the face, and the tangent's part along e1 gives it the sign of
+      // u,1 ds.
       const base::Vec2 work = -point.weight * t.dot(du) * tangent;
       for (std::size_t i = 0; i < nodes.size(); ++i) {
         out[nodes[i]][k].template head<2>() += N[static_cast<Eigen::Index>(i)] * work;
@@ -98,6 +100,7 @@ double stress_on_crack_faces_at_tip(const TipSetting& set, const mesh::Front& fr
       }
     });
   }
+  // The mean of both faces; a half has one.
   return front.symmetric_half ? sum : 0.5 * sum;
 }
 

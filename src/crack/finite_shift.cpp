@@ -53,6 +53,7 @@ double heated_energy(const Shift& shift, base::ElementId e, const fe::NodeVector
   const double beta = law.expansion * (law.heated_directions() * law.lambda + 2.0 * law.mu);
   double thermal = 0.0;
   if (fe::FreeExpansion<S>::wanted(before, law)) {
+    // The expansion of the element where it was, at the places that its nodes have now.
     const fe::FreeExpansion<S> free(before, law, T);
     U -= free.at_nodes(X);
     for (const auto& point : shape::quadrature<S>(domain_degree)) {
@@ -67,6 +68,7 @@ double heated_energy(const Shift& shift, base::ElementId e, const fe::NodeVector
       const fe::Jacobian<S> at = fe::jacobian<S>(X, point.r);
       const base::Vec2 slope = fe::jacobian<S>(before, point.r).J.transpose().inverse() *
                                Linear::dN(point.r).transpose() * T;
+      // A point that q has carried on by s meets the field ahead of it, which stays in space.
       const double here =
           T.dot(Linear::N(point.r)) + shift.s * q.dot(S::N(point.r)) * slope.dot(set.tip.e1);
       thermal += point.weight * at.det * beta * here * (U * at.dNdx).trace();
@@ -113,6 +115,7 @@ double face_work(const Shift& shift, const ActingLoad& acting, const model::Face
 double potential_energy(const Shift& shift, const ExtensionField& field) {
   const TipSetting& set = shift.set;
   std::vector<base::ElementId> elements = field.elements;
+  // Elements that move as one keep their strain energy; the work of a field in space changes.
   if (set.loads.fill_elements()) {
     elements.insert(elements.end(), field.inside.begin(), field.inside.end());
   }
@@ -145,6 +148,7 @@ double shifted_release_rate(const TipSetting& set, const ExtensionField& field, 
                             const base::Vector& u) {
   const std::map<base::NodeId, double> q = field.q();
   const std::vector<BodyField> fields = body_fields(set);
+  // (crack.15).
   const double back =
       potential_energy({.set = set, .q = q, .s = -s, .u = u, .fields = fields}, field);
   const double ahead =

@@ -30,6 +30,7 @@ std::vector<ElementId> all_elements(const ExtensionField& field) {
 // sigma_11 + sigma_22 of the near-tip fields and of the force at the tip.
 double volume_slope(const TipSetting& set, const Polar& at, std::size_t partner) {
   const double shear = set.material.E / (2.0 * (1.0 + set.material.nu));
+  // Volume change in the plane by sigma_11 + sigma_22.
   const double bulk = (kolosov(set.material.nu, set.state()) - 1.0) / (4.0 * shear);
   if (partner == 3) {
     return bulk * std::cos(2.0 * at.theta) / (pi * at.r * at.r);
@@ -97,6 +98,8 @@ public:
   }
 
   void add(const mesh::Front& front, bool wants_G, std::array<double, partners>& sum) const {
+    // What the element takes less the affine temperature, times partners that are singular at the
+    // tip: by collapsed charts. What it does not take follows at its own points.
     const std::array<base::NodeId, 1> tips{front.tip().node};
     for (const fe::Chart& chart : fe::charts<S>(fe::corner_at<S>(set_.mesh, e_, tips))) {
       fe::for_chart_points(chart, {0.0, 0.0, 1.0}, [&](const shape::Point<2>& r, double weight) {
@@ -197,10 +200,12 @@ public:
         double size = 0.0;
         const auto value = [&](double t) {
           const shape::Point<2> r = on_side<L>(edge.of_left, t);
+          // The same place: sides of neighbours run against each other.
           const shape::Point<2> s = on_side<R>(edge.of_right, -t);
           const Vec2 tangent = 0.5 * fe::coordinates<L>(set_.mesh, edge.left) * L::dN(r) *
                                (shape::node<L>((edge.of_left + 1) % fe::corners<L>()) -
                                 shape::node<L>(edge.of_left));
+          // Outer normal of the left element times the length per t.
           const double n = Vec2(tangent.y(), -tangent.x()).dot(set_.tip.e1);
           const double T = 0.5 * (temperature_beside<L>(left, edge.left, r) +
                                   temperature_beside<R>(right, edge.right, s));
@@ -215,6 +220,7 @@ public:
         for (const auto& p : shape::line_rule(9)) { // how large it is
           most = std::max(most, std::abs(value(p.r[0])));
         }
+        // Round-off would be halved to the end for nothing.
         if (most <= nothing * size) {
           return;
         }
@@ -305,6 +311,7 @@ std::optional<AffineHeat> affine_heat(const TipSetting& set, const mesh::Front& 
       right += T * d;
     }
   }
+  // By least squares over the corners, through the temperature at the tip.
   affine.slope = G.ldlt().solve(right);
   return affine;
 }

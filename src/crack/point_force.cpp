@@ -34,6 +34,7 @@ Eigen::Matrix2d point_force_gradient(const TipFrame& tip, const Polar& at,
   const double kappa = kolosov(material.nu, state);
   const double C = std::cos(at.theta);
   const double S = std::sin(at.theta);
+  // u_,1 and u_,2 by u_,r and u_,theta / r, as in williams.cpp.
   const double scale = -1.0 / (8.0 * std::numbers::pi * shear_modulus(material) * at.r);
   const base::Vec2 of_r((kappa + 1.0), 0.0);                                     // r u_,r
   const base::Vec2 of_theta(4.0 * S * C, (kappa - 1.0) - 2.0 * (C * C - S * S)); // u_,theta

@@ -39,6 +39,7 @@ Roughness roughness(const TipSetting& set, const ActingLoad& acting, const fe::F
     slope += 1.5 * w * s * t;
     square += w * t.squaredNorm();
   }
+  // Over -1 .. 1 the linear part mean + slope s has the square 2 mean^2 + 2/3 slope^2.
   const double rough = square - 2.0 * mean.squaredNorm() - slope.squaredNorm() * 2.0 / 3.0;
   const double half = 0.5 * chord.norm();
   return {half * std::max(rough, 0.0), half * square};
@@ -95,6 +96,7 @@ double largest_jump(const TipSetting& set, const ExtensionField& field) {
       for (const fe::ActingHeat& acting : set.loads.heat) {
         if (!acting.heat->rough.empty() && acting.heat->rough[e.index()]) {
           for (const fe::HeatPoint& p : acting.heat->of(e)) {
+            // What an element does not take of a jump is about half of it on either side.
             most = std::max(most, 2.0 * std::abs(acting.factor * p.T));
           }
         }
@@ -119,6 +121,7 @@ constexpr double of_heat = 0.05;
 
 double heat_doubt(const TipSetting& set, const ExtensionField& field) {
   const double E = fe::effective_modulus(set.material, set.state());
+  // The free strain along the crack, alpha' T of (crack.26).
   const double strain = set.state() == model::State::plane_stress
                             ? set.material.alpha
                             : (1.0 + set.material.nu) * set.material.alpha;

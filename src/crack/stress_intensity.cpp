@@ -36,6 +36,7 @@ struct Factors {
   double E_used = 0.0; ///< E' that K belongs to
   double halves = 1.0; ///< 2: one half of the body is in the model
 
+  // By (crack.13); K by (crack.11) and (crack.12); T by (crack.26).
   [[nodiscard]] double restate() const { return std::sqrt(E_used / E_own); }
   [[nodiscard]] double K() const { return 0.5 * E_own * halves * restate(); }
   [[nodiscard]] double T() const { return E_own * halves; }
@@ -57,6 +58,7 @@ void summarise(StressIntensity& result) {
   for (const DomainValue& d : result.domains) {
     result.K1 += d.K1 / count;
     result.K2 += d.K2 / count;
+    // Domains that tell no G are left out of its mean; where none tells one it is that of K.
     with_G += std::isnan(d.G) ? 0.0 : 1.0;
     result.G += std::isnan(d.G) ? 0.0 : d.G;
     result.T += d.T / count;
@@ -81,6 +83,7 @@ NodalForces configurational_forces(const TipSetting& set, const std::vector<Exte
 
 // G of the finite shift instead of the analytic one, K to the same.
 void take_shift(DomainValue& value, double G) {
+  // G is quadratic in K (crack.9).
   const double scale = G > 0.0 && value.G > 0.0 ? std::sqrt(G / value.G) : 1.0;
   value.K1 *= scale;
   value.K2 *= scale;
@@ -191,6 +194,7 @@ StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedM
   result.two_materials = std::ranges::any_of(
       fields, [&](const ExtensionField& f) { return between_materials(set, f); });
   const NodalForces forces = configurational_forces(set, fields, u);
+  // What stands beside the bracket of (crack.26).
   const double T_of_tip = stress_on_crack_faces_at_tip(set, front) -
                           thermal_stress_at_tip(set, front) +
                           (request.crack_faces != nullptr ? request.crack_faces->at_tip : 0.0);
@@ -307,6 +311,7 @@ base::Matrix crack_face_intensity_rows(const model::Model& model, const mesh::Cr
   }
   const TipLoads none;
   const TipSetting set = tip_setting(model, cracked, front, fields, none);
+  // The mean over the domains, as K itself is.
   const double factor = factors_of(set, front, state).K() / static_cast<double>(fields.size());
   for (const ExtensionField& field : fields) {
     for (const auto& [node, weight] :
@@ -339,6 +344,7 @@ IntensityConstant intensity_constant(const model::Model& model, const mesh::Crac
   if (loads.loads.empty() && loads.temperature.size() == 0) {
     return {};
   }
+  // K at u = 0 is what the loads add by themselves (crack.23).
   VceRequest request;
   request.state = state;
   const StressIntensity K = stress_intensity(model, cracked, front, fields, request,

@@ -14,6 +14,7 @@ TipFrame frame_of(const mesh::Front& front) {
   TipFrame frame;
   frame.x = front.tip().x.head<2>();
   frame.e1 = front.tip().growth.head<2>();
+  // To the left, so that theta is positive on the left face's side.
   frame.e2 = {-frame.e1.y(), frame.e1.x()};
   return frame;
 }
@@ -23,6 +24,8 @@ TipFrame frame_of(const mesh::Front& front) {
 TipSetting tip_setting(const model::Model& model, const mesh::CrackedMesh& cracked,
                        const mesh::Front& front, const std::vector<ExtensionField>& fields,
                        const TipLoads& loads) {
+  // Domains stay within the tip's property, but between two materials: any of their elements tells
+  // it.
   const base::ElementId near = fields.front().elements.front();
   return {model,
           cracked.mesh,
@@ -58,6 +61,7 @@ std::array<double, partners> NodalForces::along(const ExtensionField& field) con
   std::array<double, partners> sum{};
   for (const NodeMotion& moved : field.motion) {
     const auto P = at.find(moved.node);
+    // Nodes that no term has touched release nothing.
     if (P != at.end()) {
       for (std::size_t k = 0; k < partners; ++k) {
         sum[k] += moved.q * moved.along.dot(P->second[k]);

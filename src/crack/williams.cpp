@@ -20,6 +20,7 @@ Angular angular(double theta, int mode, double kappa) {
   const double s = std::sin(0.5 * theta);
   const double C = std::cos(theta);
   const double S = std::sin(theta);
+  // (crack.6), then (crack.7).
   if (mode == 1) {
     return {{c * (kappa - C), s * (kappa - C)},
             {-0.5 * s * (kappa - C) + c * S, 0.5 * c * (kappa - C) + s * S}};
@@ -28,6 +29,7 @@ Angular angular(double theta, int mode, double kappa) {
           {0.5 * c * (kappa + 2.0 + C) - s * S, 0.5 * s * (kappa - 2.0 + C) + c * S}};
 }
 
+// The factor in front of g [length^0.5 / stress].
 double amplitude(double r, const model::Material& m) {
   const double shear = m.E / (2.0 * (1.0 + m.nu));
   return std::sqrt(r / (2.0 * std::numbers::pi)) / (2.0 * shear);
@@ -44,6 +46,7 @@ Polar polar(const TipFrame& tip, const base::Vec2& at) {
 
 Polar polar_on_face(const TipFrame& tip, const base::Vec2& at, const base::Vec2& n) {
   const Polar p = polar(tip, at);
+  // On the faces theta is pi or -pi by round-off: the side that the body lies on decides.
   return {p.r, std::copysign(p.theta, -n.dot(tip.e2))};
 }
 
@@ -58,7 +61,7 @@ Eigen::Matrix2d auxiliary_gradient(const TipFrame& tip, const Polar& at, int mod
   const double a = amplitude(r, material) / r;
   const double C = std::cos(theta);
   const double S = std::sin(theta);
-  // u_,r = u / 2r;  u_,1 = C u_,r - S u_,theta / r;  u_,2 = S u_,r + C u_,theta / r
+  // u_,r = u / 2r; u_,1 = C u_,r - S u_,theta / r; u_,2 = S u_,r + C u_,theta / r (crack.8)
   Eigen::Matrix2d local;
   local.col(0) = a * (0.5 * C * f.g - S * f.dg);
   local.col(1) = a * (0.5 * S * f.g + C * f.dg);

@@ -20,6 +20,7 @@ bool match(const contact::Edge& a, const contact::Edge& b, const contact::Surfac
     const base::Vec2 n = contact::surface_normal(surface, a, xi);
     const auto i = static_cast<std::size_t>(end);
     const base::Vec2 d = b.x[1 - i] - a.x[i];
+    // Along the surface only: a gap or an interference does not keep edges from being opposite.
     if (std::abs(n.x() * d.y() - n.y() * d.x()) > opposite_ends * a.length) {
       return false;
     }
@@ -64,6 +65,8 @@ std::vector<ContactEdge> contact_edges(const EdgeTable& table, const contact::Pa
       result[i].shape = &edge;
       result[i].target_side = target;
     }
+    // Rows belong to nodes of the contact side; a target edge gets those of the edges that it
+    // faces.
     for (int n = 0; n < edge.count && !target; ++n) {
       const auto row = row_of.find(edge.nodes[static_cast<std::size_t>(n)]);
       if (row != row_of.end()) {
@@ -80,10 +83,12 @@ std::vector<ContactEdge> contact_edges(const EdgeTable& table, const contact::Pa
       const contact::Edge& ea = own[s.contact_edge];
       const contact::Edge& eb = others[s.target_edge];
       b.rows.insert(b.rows.end(), a.rows.begin(), a.rows.end());
+      // Segments are stretches of the contact edge, which is 2 long in its own coordinate.
       faced[s.target_edge] += 0.5 * (s.to - s.from) * ea.length / eb.length;
       if (known[s.contact_edge] && known[own.size() + s.target_edge] &&
           match(ea, eb, pair.contact)) {
         a.opposite = b.edge;
+        // The edges run against each other: the end of one lies on the start of the other.
         a.same_way = (ea.nodes[0] < ea.nodes[1]) == (eb.nodes[1] < eb.nodes[0]) ? 1.0 : -1.0;
       }
     }
@@ -91,6 +96,7 @@ std::vector<ContactEdge> contact_edges(const EdgeTable& table, const contact::Pa
       ContactEdge& b = result[own.size() + i];
       std::sort(b.rows.begin(), b.rows.end());
       b.rows.erase(std::unique(b.rows.begin(), b.rows.end()), b.rows.end());
+      // Curved edges that face each other differ in length a little: 1 is not met exactly.
       b.covered = faced[i] > whole;
     }
   }

@@ -25,6 +25,7 @@ std::vector<ModeWeight> target_mode_weights(const EdgeTable& table, const contac
     }
     const double sign = side_sign(target.nodes[0], target.nodes[1]);
     const base::Vec2 n = p.normal.head<2>();
+    // The normal mode of the target's edge, psi n_m . n of (estimate.14).
     const double mode = sign * side_mode(p.s[0]) * side_frame(target.x, p.s[0]).axis[0].dot(n);
     const contact::FacetValues phi = contact::facet_hats(facet, p.r);
     for (std::size_t i = 0; i < facet.nodes.size(); ++i) {

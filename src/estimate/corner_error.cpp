@@ -21,6 +21,7 @@ struct Residuals {
   std::vector<int> users; ///< [unknown]
 };
 
+// r_u = f_e - K_ep u and r_z = g_e - K_ep z (estimate.3) on the unknowns.
 Residuals residuals_of(const CornerRequest& request) {
   base::Matrix f = request.goal.load;
   request.enrichment.take_nodal(request.goal.u, f);
@@ -57,6 +58,7 @@ public:
                       [&]<shape::PlaneShape S>(S) { add_element<S>(e, K); });
     }
     add_support(K);
+    // (estimate.16). Nodes have no residual: u and z solve their equations.
     base::Vector r = base::Vector::Zero(size);
     for (const auto& [unknown, at] : modes_) {
       r[at] = residuals_.u[unknown];
@@ -79,6 +81,7 @@ private:
       }
     }
     for (const auto& [u, count] : users) {
+      // A mode that an element farther out has as well is held on the rim.
       if (count == residuals_.users[static_cast<std::size_t>(u)]) {
         modes_.emplace(u, static_cast<Eigen::Index>(modes_.size()));
       }
@@ -97,6 +100,7 @@ private:
     }
     std::vector<base::NodeId> rim;
     for (const auto& [edge, count] : sides) {
+      // An element outside shares this edge: its nodes are the rim, which is held.
       if (count < edges.edges[edge].elements) {
         rim.insert(rim.end(), edges.edges[edge].nodes.begin(), edges.edges[edge].nodes.end());
       }
@@ -129,6 +133,7 @@ private:
     const fe::Law law = fe::law_of(request_.enrichment.model(), mesh, e);
     const EnrichedStiffness<S> modes(X, law, request_.enrichment.sides(e));
     Eigen::Matrix<double, m + p, m + p> Ke;
+    // The matrix of (estimate.2), modes first.
     Ke.template topLeftCorner<m, m>() = modes.ee;
     Ke.template topRightCorner<m, p>() = modes.ep;
     Ke.template bottomLeftCorner<p, m>() = Ke.template topRightCorner<m, p>().transpose();
@@ -163,6 +168,7 @@ private:
     for (const auto& [freedom, part] : request_.map.support) {
       const auto found = modes_.find(request_.map.unknown[freedom]);
       if (found != modes_.end()) {
+        // The part is one of the mode's own stiffness, of all elements that have it.
         K(found->second, found->second) += part * blocks[freedom / 2][freedom % 2 == 0 ? 0 : 2];
       }
     }
@@ -239,6 +245,7 @@ void raise_at_corners(const CornerRequest& request, const std::vector<Corner>& c
                       std::vector<GoalError>& errors) {
   std::vector<double> sums;
   for (const GoalError& error : errors) {
+    // As modes alone have found them: what one corner changes does not decide on the next.
     sums.push_back(error.sum);
   }
   std::optional<Residuals> residuals;

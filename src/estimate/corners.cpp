@@ -36,6 +36,7 @@ double direction(const model::Mesh& mesh, base::NodeId node, base::NodeId other,
                  base::NodeId middle) {
   const auto at = [&](base::NodeId n) -> base::Vec2 { return mesh.x[n.index()].head<2>(); };
   const base::Vec2 chord = at(other) - at(node);
+  // Derivative of the side's parabola at the node.
   const base::Vec2 tangent = 4.0 * at(middle) - at(other) - 3.0 * at(node);
   // the tangent of a side with a quarter point is zero
   const base::Vec2& d = tangent.norm() > 0.1 * chord.norm() ? tangent : chord;
@@ -61,6 +62,7 @@ public:
     for (const base::NodeId n : set_.tips) {
       left_out_[n.index()] = true;
     }
+    // Nodes of ties are no free wedges and none that are held, but where `tied` says so.
     for (const fe::Dependence::Row& row : set_.ties.rows()) {
       leave_out(static_cast<std::size_t>(row.freedom) / 2);
       for (const fe::Term& term : row.terms) {
@@ -92,6 +94,7 @@ private:
     };
     std::vector<base::Vec2> passed;
     for (const Corner& corner : found) {
+      // A surface that goes on past the node opens to a straight angle there.
       if (tied(corner.node.index()) && opening(corner.node) > pi - bend) {
         passed.push_back(at(corner));
       }
@@ -252,6 +255,7 @@ private:
     double at = list.front().from;
     for (const Slice& slice : list) {
       const fe::Law law = fe::law_of(set_.model, set_.mesh, slice.element);
+      // Angles are added up, so that they ascend past pi.
       const double to = at + slice.to - slice.from;
       if (!wedge.sectors.empty() && same_law(wedge.sectors.back().law, law)) {
         wedge.sectors.back().to = to;
@@ -326,6 +330,7 @@ private:
     const std::vector<Slice>& all = slices_[node.index()];
     bool inside = true;
     for (std::size_t i = 0; i < all.size(); ++i) {
+      // An outer side begins a fan: a body that meets itself at a node has two there.
       if (outside(all[i].out)) {
         inside = false;
         add(node, fan(all, i), false, found);

@@ -17,7 +17,7 @@ struct Edge {
 /// All edges of a mesh of elements that have modes, in the order of their first element.
 struct EdgeTable {
   std::vector<Edge> edges;
-  std::vector<std::int32_t> first;   ///< [element + 1] into `of_element`
+  std::vector<std::int32_t> first;   ///< [element + 1] into `of_side`
   std::vector<std::int32_t> of_side; ///< edges of all elements, side by side
 
   [[nodiscard]] std::size_t edge(base::ElementId e, int side) const {

@@ -80,6 +80,7 @@ Enrichment::Enrichment(const model::Model& model, const model::Mesh& mesh, EdgeT
   first_.push_back(0);
   std::size_t freedoms = 0;
   std::size_t numbers = 0;
+  // Counted first: what points into own_ must stay where it is.
   for_elements(mesh, [&]<shape::PlaneShape S>(S, base::ElementId e) {
     constexpr std::size_t m = mode_freedoms<S>;
     freedoms += m;
@@ -109,6 +110,7 @@ Enrichment::Enrichment(const model::Model& model, const model::Mesh& mesh, EdgeT
       ModeMemory::Entry& entry = kept.memory->at(host);
       std::vector<double> of = all_that_counts<S>(X, law, side);
       matrix_.push_back(entry.numbers.data());
+      // Equal to the last bit, so that a kept matrix is the one that would be made.
       if (entry.type == S::type && entry.of == of) {
         return;
       }
@@ -214,6 +216,7 @@ base::Matrix Enrichment::functional(const std::vector<crack::IntensityPoint>& po
       const ModeGradients<S> G = mode_gradients<S>(X, point.r, J, sides(e));
       for (int mode = 0; mode < 2; ++mode) {
         const Eigen::Matrix2d& M = point.M[static_cast<std::size_t>(mode)];
+        // M : grad psi, in the order of the rows of ModeGradients.
         const Eigen::RowVector4d by_row(M(0, 0), M(0, 1), M(1, 0), M(1, 1));
         const Eigen::Matrix<double, 1, mode_freedoms<S>> value = by_row * G;
         for (int i = 0; i < mode_freedoms<S>; ++i) {

@@ -32,6 +32,7 @@ BarConstants bar_constants(const model::Mesh& mesh, const GoalError& error) {
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const BarConstants own = of_type(mesh.type[e]);
     const double weight = std::abs(error.of_element[e]);
+    // Mixed by the types' shares of sum |eta_e| (estimate.11).
     mean.bar += weight * own.bar;
     mean.best += weight * own.best;
     total += weight;
@@ -56,6 +57,7 @@ std::array<ErrorBar, 2> error_bars(const model::Mesh& mesh, const std::array<dou
     bar.mesh = constants.bar * std::abs(error.eta);
     bar.edge = share.end * flip[k].end + share.sharp * flip[k].sharp;
     bar.best = K[k] + constants.best * error.eta;
+    // Parts below the floor are noise and may cancel as they like (estimate.12).
     const bool counts = share_of_sum * error.sum > bar.floor;
     bar.cancels = counts && std::abs(error.eta) < cancelled * error.sum;
     if (bar.cancels || coarse) {

@@ -40,6 +40,7 @@ public:
       if (y >= 0) {
         diagonal_[y] += blocks[i][2];
       }
+      // Modes that two edges share take their diagonal only: the block of one edge is not theirs.
       const bool own = x >= 0 && y >= 0 && users[static_cast<std::size_t>(x)] == 1 &&
                        users[static_cast<std::size_t>(y)] == 1;
       if (own && !(i < edges && enrichment.framed(i))) {
@@ -82,6 +83,7 @@ bool settled(const base::Vector& change, const base::Vector& eta) {
 base::Vector solve_modes(const Enrichment& enrichment, const ModeMap& map, const base::Vector& r_u,
                          const base::Matrix& r_z) {
   const Preconditioner preconditioner(enrichment, map);
+  // Conjugate gradients from zero.
   base::Vector x = base::Vector::Zero(map.unknowns);
   base::Vector r = r_u;
   base::Vector s = preconditioner.solve(r);
@@ -94,6 +96,7 @@ base::Vector solve_modes(const Enrichment& enrichment, const ModeMap& map, const
     const double alpha = rs / p.dot(Kp);
     x += alpha * p;
     r -= alpha * Kp;
+    // eta of (estimate.4) grows by this with the step; all goals look at one solution.
     const base::Vector change = alpha * (r_z.transpose() * p);
     eta += change;
     if (step > 0 && settled(change, eta)) {

@@ -28,6 +28,7 @@ ModeGradients<S> mode_gradients(const fe::NodeVectors<S>& X, const shape::Point<
       continue;
     }
     const SideFrame frame = side_frame(side_points<S>(X, s), M::along(r, s));
+    // On a curved side the axis turns: grad(psi axis) = axis grad psi + psi axis' grad t.
     const Eigen::RowVector2d turn =
         sides.sign[static_cast<std::size_t>(s)] * psi[s] * (M::d_along(s) * inverse);
     for (int k = 0; k < 2; ++k) {
@@ -58,6 +59,7 @@ template <class Derived> auto strains_of(const Eigen::MatrixBase<Derived>& G) {
 template <shape::PlaneShape S>
 EnrichedStiffness<S>::EnrichedStiffness(const fe::NodeVectors<S>& X, const fe::Law& law,
                                         const SideState& sides) {
+  // Moments know modes along x and y only; in a frame the directions change from point to point.
   if (sides.any_framed()) {
     by_strains(X, law, sides);
   } else {
@@ -70,6 +72,7 @@ void EnrichedStiffness<S>::by_strains(const fe::NodeVectors<S>& X, const fe::Law
                                       const SideState& sides) {
   Eigen::Matrix3d D = Eigen::Matrix3d::Zero();
   D.topLeftCorner<2, 2>().setConstant(law.lambda);
+  // (fe.3): mu on all, another mu on the normal strains.
   D.diagonal().array() += law.mu;
   D.diagonal().head<2>().array() += law.mu;
   ee.setZero();
@@ -110,6 +113,7 @@ void EnrichedStiffness<S>::by_moments(const fe::NodeVectors<S>& X, const fe::Law
       for (int q = 0; q < 2; ++q) {
         const auto i = static_cast<std::size_t>(p);
         const auto j = static_cast<std::size_t>(q);
+        // Rows are modes and columns nodes: these moments have no symmetry, those of E have (fe.7).
         P[i][j].noalias() += weighted.col(p) * at.dNdx.col(q).transpose();
         if (p <= q) {
           E[i][j].noalias() += weighted.col(p) * d.col(q).transpose();

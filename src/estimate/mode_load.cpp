@@ -69,6 +69,7 @@ template <shape::PlaneShape S>
 ModeForces<S> taken_forces(const fe::NodeVectors<S>& X, const fe::Law& law,
                            const fe::CornerValues<S>& T, const SideState& sides) {
   const fe::ThermalStress<S> thermal(X, law, T);
+  // (fe.38): stress of the expansion at the nodes, int B_e^T D B u_T dV.
   const bool carried = fe::FreeExpansion<S>::wanted(X, law);
   const fe::NodeVectors<S> U =
       carried ? fe::FreeExpansion<S>(X, law, T).at_nodes(X) : fe::NodeVectors<S>::Zero();
@@ -101,6 +102,7 @@ void add_thermal(const Enrichment& enrichment, const fe::CaseHeat& heat, base::V
       const fe::NodeVectors<S> X = fe::coordinates<S>(mesh, e);
       const fe::Law law = fe::law_of(enrichment.model(), mesh, e);
       const SideState sides = enrichment.sides(e);
+      // What the element takes, then the rest at its points (fe.39).
       ModeForces<S> F = taken_forces<S>(X, law, T, sides);
       const double beta = law.thickness * fe::heat_modulus(law);
       for (const fe::HeatPoint& p : points) {

@@ -71,6 +71,7 @@ base::Matrix ModeMap::reduce(const base::Matrix& f) const {
   base::Matrix y = base::Matrix::Zero(unknowns, f.cols());
   for (std::size_t i = 0; i < unknown.size(); ++i) {
     if (unknown[i] >= 0) {
+      // The transpose of expand: freedoms that share an unknown load it together.
       y.row(unknown[i]) += factor[i] * f.row(static_cast<Eigen::Index>(i));
     }
   }
@@ -111,6 +112,7 @@ ModeSupports mode_supports(const Enrichment& enrichment,
       continue;
     }
     joined[e] = true;
+    // Of matching nets: an edge whose nodes each follow one node of another edge has its modes.
     const std::array<base::NodeId, 3> lead{leader(nodes[0], ties), leader(nodes[1], ties),
                                            leader(nodes[2], ties)};
     const auto other =
@@ -121,6 +123,7 @@ ModeSupports mode_supports(const Enrichment& enrichment,
     }
   }
   for (const ModeSupports::Shared& s : supports.shared) {
+    // Both edges of a shared pair keep their modes; others that ties join are held.
     joined[s.edge] = joined[s.as] = false;
   }
   for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -144,6 +147,7 @@ ModeMap mode_map(const Enrichment& enrichment, const ModeSupports& supports,
       as[freedom] = other;
       factor[freedom] = f;
     } else {
+      // A mode that follows another one already, or is held, has no second to share with.
       held[freedom] = held[other] = true;
     }
   };
@@ -165,6 +169,7 @@ ModeMap mode_map(const Enrichment& enrichment, const ModeSupports& supports,
   std::vector<std::pair<std::size_t, double>> support;
   for (const ClosedEdge& c : closed) {
     if (!matched[c.at->edge] && c.loaded) {
+      // The contact side follows this mode and resists: some part of the mode's own stiffness.
       support.emplace_back(2 * c.at->edge, c.support);
     } else if (!matched[c.at->edge]) {
       held[2 * c.at->edge] = true;

@@ -22,6 +22,7 @@ Held hold(const CornerSetting& setting, const Corner& corner, const base::Matrix
   const model::Mesh& mesh = setting.mesh;
   for (const base::ElementId e : corner.elements) {
     const fe::Law law = fe::law_of(setting.model, mesh, e);
+    // E' of (fe.4) by Lame's constants; with the reduced lambda of plane stress it is E.
     held.modulus =
         law.thickness * 4.0 * law.mu * (law.lambda + law.mu) / (law.lambda + 2.0 * law.mu);
     with_mode_shape(mesh.type[e.index()], [&]<shape::PlaneShape S>(S) {
@@ -32,6 +33,7 @@ Held hold(const CornerSetting& setting, const Corner& corner, const base::Matrix
           U.col(i) = z.col(k).segment<2>(
               2 * static_cast<Eigen::Index>(nodes[static_cast<std::size_t>(i)].index()));
         }
+        // What the elements at the node ask of it in the adjoint: its reaction R_z (estimate.18).
         const fe::NodeVectors<S> F = fe::element_force<S>(fe::coordinates<S>(mesh, e), law, U);
         for (int i = 0; i < S::nodes; ++i) {
           if (nodes[static_cast<std::size_t>(i)] == corner.node) {

@@ -39,6 +39,7 @@ TipMotion tip_motion(const mesh::CrackedMesh& cracked, std::size_t tip,
 
 mesh::CrackedMesh moved(const mesh::CrackedMesh& cracked, const TipMotion& motion, double by) {
   mesh::CrackedMesh out = cracked;
+  // The tip's place goes along with its node: near-tip fields start from it.
   mesh::Front& front = out.fronts[motion.tip];
   for (const crack::NodeMotion& m : motion.field.motion) {
     out.mesh.x[m.node.index()] += (by * motion.step * m.q) * m.along;

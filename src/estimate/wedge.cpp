@@ -21,7 +21,8 @@ constexpr double widest = std::numbers::pi / 4.0; // of an element; 1e-6 of an e
 constexpr double no_exponent = 0.02;
 constexpr double regular = 0.995;
 
-// Gauss-Legendre, exact for polynomials of degree 11.
+// Gauss-Legendre, exact for degree 11: products of shape functions have 8, the rest goes to the
+// sines and cosines of the strains.
 constexpr std::array<double, 6> gauss_at{-0.932469514203152, -0.661209386466265, -0.238619186083197,
                                          0.238619186083197,  0.661209386466265,  0.932469514203152};
 constexpr std::array<double, 6> gauss_weight{0.171324492379170, 0.360761573048139,
@@ -84,6 +85,7 @@ void add_element(double from, double to, const fe::Law& law,
         const double w = gauss_weight[g] * half;
         const double di = s.dN[i] / half;
         const double dj = s.dN[j] / half;
+        // (estimate.15) by powers of lambda: 1, lambda and, on the other side, lambda^2.
         pencil.K0.block<2, 2>(2 * at[i], 2 * at[j]) += w * di * dj * K22;
         pencil.K1.block<2, 2>(2 * at[i], 2 * at[j]) +=
             w * (di * s.N[j] * K21 - s.N[i] * dj * K21.transpose());
@@ -122,6 +124,7 @@ Pencil pencil_of(const Wedge& wedge) {
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     std::array<Eigen::Index, nodes> at{};
     for (std::size_t i = 0; i < nodes; ++i) {
+      // A wedge all round closes: its last node is the first.
       at[i] = static_cast<Eigen::Index>(degree * p + i) % (size / 2);
     }
     add_element(pieces[p].from, pieces[p].to, *pieces[p].law, at, pencil);
@@ -148,7 +151,9 @@ double least_exponent(const Wedge& wedge) {
     }
   }
   const auto n = static_cast<Eigen::Index>(kept.size());
+  // M is positive definite; K0 is not where translations are free.
   const Eigen::LLT<base::Matrix> M(part(all.M, kept));
+  // lambda^2 M Phi = (K0 + lambda K1) Phi as an eigenvalue problem of (Phi, lambda Phi).
   base::Matrix companion = base::Matrix::Zero(2 * n, 2 * n);
   companion.topRightCorner(n, n).setIdentity();
   companion.bottomLeftCorner(n, n) = M.solve(part(all.K0, kept));
@@ -156,6 +161,7 @@ double least_exponent(const Wedge& wedge) {
   const Eigen::EigenSolver<base::Matrix> solver(companion, false);
   double least = 1.0;
   for (const std::complex<double>& value : solver.eigenvalues()) {
+    // Complex exponents count by their real part: it tells how fast the error falls.
     if (value.real() > no_exponent && value.real() < regular) {
       least = std::min(least, value.real());
     }

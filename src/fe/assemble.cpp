@@ -47,6 +47,7 @@ template <class Block>
 void add_coefficients(std::span<const std::int32_t> freedoms, const DofMap& dofs, const Block& Ke,
                       std::span<const BlockRow> rows, base::SymmetricCsc& K) {
   if (const std::optional<Dependence::Block> block = reduced(dofs, freedoms)) {
+    // (fe.34).
     const base::Matrix half = Ke * block->T;
     base::Matrix reduced = block->T.transpose() * half;
     reduced = (0.5 * (reduced + reduced.transpose())).eval(); // symmetric to the last bit
@@ -86,6 +87,7 @@ base::SymmetricCsc assemble_stiffness(const model::Model& model, const model::Me
   }
   base::SymmetricCsc K = make_pattern(dofs.size(), blocks);
 
+  // Blocks must come in the order in which their rows were added.
   std::size_t block_number = 0;
   for_blocks(mesh, elements, [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
     for (const base::ElementId e : block) {

@@ -44,6 +44,7 @@ Cuts cut_edge(double left, double middle, double right) {
     const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
     const double r1 = a != 0.0 ? q / a : 2.0;
     const double r2 = q != 0.0 ? c / q : 0.0;
+    // In ascending order, as add() wants them.
     cuts.add(std::min(r1, r2));
     cuts.add(std::max(r1, r2));
   }
@@ -85,6 +86,7 @@ void for_piece(const Pin& pin, const SideNodes<Side>& X, double from, double to,
 
 template <shape::Shape Side, class Visit>
 void for_edge(const Pin& pin, const SideNodes<Side>& X, double thickness, Visit&& visit) {
+  // Along the load from the centre: its zeros are where |theta| = 90 degrees.
   const auto distance = [&](double r) {
     const Vec2 x = (X * Side::N(shape::Point<1>(r))).template head<2>();
     return (x - pin.bore.centre).dot(pin.d);
@@ -151,6 +153,7 @@ bool for_bearing_points(const model::Model& model, const model::Mesh& mesh, cons
     total.col(0) += main;
     total.col(1) += across;
   });
+  // p0 and p1 of (fe.19). Singular where no face lies in the loaded half.
   const Eigen::FullPivLU<Eigen::Matrix2d> lu(total);
   if (!lu.isInvertible()) {
     return false;

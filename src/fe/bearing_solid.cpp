@@ -86,6 +86,7 @@ bool add_solid_bearing(const model::Mesh& mesh, const model::Load& load, Vector&
       if (c <= 0.0) {
         continue;
       }
+      // The area of the face as it is seen along the radius.
       const Vec3 force = point.weight * std::abs(outward.dot(radial)) * push;
       const double p = cosine ? c : 1.0;
       const double q = push.dot(frame.across);

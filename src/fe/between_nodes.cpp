@@ -11,6 +11,7 @@ namespace spricka::fe {
 
 namespace {
 
+// Sides of elements all of whose nodes a load is given at.
 std::vector<model::Face> sides_inside(const model::Mesh& mesh, const model::Load& load) {
   std::vector<bool> given(mesh.node_count(), false);
   for (const base::NodeId n : mesh.set(load.nodes).nodes) {
@@ -53,6 +54,7 @@ void visit_side(const SideNodes<Side>& X, const model::Load& load, double larges
       worst = {off, X * N};
     }
   };
+  // Deviations that are wide show on a grid; a peak between its points is searched for afterwards.
   constexpr int pieces = Side::dim == 1 ? 32 : 8;
   for (int i = 0; i < pieces; ++i) {
     for (int j = 0; j < (Side::dim == 1 ? 1 : pieces); ++j) {

@@ -76,15 +76,18 @@ std::vector<std::vector<Body>> join_bodies(const model::Mesh& mesh, std::vector<
   const auto body_at = [&](std::int32_t freedom) {
     const auto node = static_cast<std::size_t>(freedom / mesh.dim);
     if (body_of[node] == none) {
+      // A node that ties know but no element: a body by itself.
       body_of[node] = bodies.size();
       bodies.push_back({mesh.node_net[node], {}, {base::NodeId(node)}});
     }
     return body_of[node];
   };
+  // All links before the groups: body_at adds bodies.
   std::vector<std::pair<std::size_t, std::size_t>> links;
   for (const Dependence::Row& row : ties.rows()) {
     const std::size_t first = body_at(row.freedom);
     for (const Term& t : row.terms) {
+      // A tie to a freedom that is held or given is a support and joins nothing.
       if (cls[static_cast<std::size_t>(t.freedom)] != model::FreedomClass::suppressed &&
           cls[static_cast<std::size_t>(t.freedom)] != model::FreedomClass::prescribed) {
         links.emplace_back(first, body_at(t.freedom));

@@ -16,6 +16,7 @@ Circle fit_circle(const std::vector<WeightedPoint>& points) {
   }
   mean /= count;
   // |y|^2 = 2 a . y + b with y = x - mean: normal equations for (2 a, b).
+  // About the mean: squares of coordinates far from the origin would cancel.
   Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
   base::Vec3 rhs = base::Vec3::Zero();
   for (const WeightedPoint& p : points) {

@@ -50,6 +50,7 @@ struct Dependence::Sum {
   Entry constant;
 
   void add(const Row& row, const Sizes& sizes, const Entry& factor) {
+    // The error of a product, as Entry::size has it.
     const auto times = [&](double c, double size) {
       return Entry{factor.value * c, std::abs(factor.value) * size + factor.size * std::abs(c)};
     };
@@ -87,10 +88,12 @@ Dependence::Dependence(const std::vector<Tie>& ties, const std::vector<FreedomCl
 // sum c u + constant = 0, with dependent freedoms replaced, is solved for one of its free freedoms.
 void Dependence::add(const Tie& tie, const std::vector<FreedomClass>& cls) {
   Sum sum;
+  // All on one side: sum of c u - rhs = 0.
   sum.constant.add(-tie.rhs, std::abs(tie.rhs));
   for (const Term& t : tie.terms) {
     const Sum::Entry c{t.coefficient, std::abs(t.coefficient)};
     const std::int32_t known = row_of_[static_cast<std::size_t>(t.freedom)];
+    // Rows hold no dependent freedoms, so that replacing once is enough.
     if (known >= 0) {
       sum.add(rows_[static_cast<std::size_t>(known)], sizes_[static_cast<std::size_t>(known)], c);
     } else {
@@ -101,6 +104,7 @@ void Dependence::add(const Tie& tie, const std::vector<FreedomClass>& cls) {
   std::int32_t pivot = -1;
   double largest = 0.0;
   for (const auto& [freedom, entry] : sum.terms) {
+    // What may be round-off as a whole is no coefficient to divide by.
     if (!given(cls[static_cast<std::size_t>(freedom)]) && !entry.doubtful() &&
         std::abs(entry.value) > largest) {
       largest = std::abs(entry.value);
@@ -113,6 +117,7 @@ void Dependence::add(const Tie& tie, const std::vector<FreedomClass>& cls) {
       ++redundant_;
       return;
     }
+    // Only given freedoms are left: whether their values fulfil the tie is seen later.
     Demand demand{{}, -sum.constant.value, sum.constant.parts, tie.mpc};
     for (const auto& [freedom, entry] : sum.terms) {
       demand.terms.push_back({freedom, entry.value});
@@ -121,10 +126,12 @@ void Dependence::add(const Tie& tie, const std::vector<FreedomClass>& cls) {
     return;
   }
   const auto first = sum.terms.find(tie.terms.front().freedom);
+  // The freedom that the tie names first shall follow, if dividing by its coefficient does no harm.
   if (first != sum.terms.end() && !given(cls[static_cast<std::size_t>(first->first)]) &&
       !first->second.doubtful() && std::abs(first->second.value) >= least_pivot * largest) {
     pivot = first->first;
   }
+  // Solved for the pivot all other terms change sides, and with that their signs.
   const Sum::Entry divisor{-sum.terms.at(pivot).value, sum.terms.at(pivot).size};
   const Sum::Entry constant = sum.constant.over(divisor);
   Row row{pivot, {}, constant.value, tie.mpc};
@@ -154,6 +161,7 @@ void Dependence::eliminate(std::int32_t freedom, std::size_t by) {
   }
   const std::vector<std::size_t> users = std::move(found->second);
   users_.erase(found);
+  // So masters are never dependent: follow and reduce need one pass over the rows.
   for (const std::size_t user : users) {
     Row& row = rows_[user];
     Sizes& sizes = sizes_[user];
@@ -170,6 +178,7 @@ void Dependence::eliminate(std::int32_t freedom, std::size_t by) {
     sum.drop_cancelled();
     for (const Term& t : row.terms) {
       if (t.freedom != freedom) {
+        // The masters of the row may be others now: it enters their lists anew below.
         std::erase(users_[t.freedom], user);
       }
     }
@@ -240,6 +249,7 @@ Dependence::block_of(std::span<const std::int32_t> freedoms) const {
       entries.emplace_back(at, column_of(t.freedom), t.coefficient);
     }
   }
+  // The rows of T in (fe.33) that this block needs.
   block.T.resize(static_cast<Eigen::Index>(freedoms.size()),
                  static_cast<Eigen::Index>(block.freedom.size()));
   block.T.setFromTriplets(entries.begin(), entries.end());

@@ -7,6 +7,7 @@ namespace spricka::fe {
 
 template <shape::ElementShape S>
 Dilatation<S>::Dilatation(const NodeVectors<S>& X, const Law& law) {
+  // (fe.14), by the rule of the stiffness, which the projection is a part of.
   for (const auto& point : stiffness_rule<S>(law)) {
     const Jacobian<S> at = jacobian<S>(X, point.r);
     const Hoop<S> hoop(X, law, point.r);

@@ -11,6 +11,7 @@ namespace {
 
 using model::FreedomClass;
 
+// Where cards differ on a freedom the higher rank counts.
 int rank(FreedomClass cls) {
   switch (cls) {
   case FreedomClass::local:
@@ -63,6 +64,7 @@ DofMap number_freedoms(const model::Mesh& mesh, const std::vector<base::NodeId>&
   const auto dim = static_cast<std::size_t>(mesh.dim);
   DofMap dofs;
   dofs.row.assign(dim * mesh.node_count(), -1);
+  // Locals first: they are condensed, externals stay.
   for (const FreedomClass wanted : {FreedomClass::local, FreedomClass::external}) {
     for (const base::NodeId n : nodes) {
       for (std::size_t c = 0; c < dim; ++c) {

@@ -16,6 +16,7 @@ NodeVectors<S> element_force(const NodeVectors<S>& X, const Law& law, const Node
     const double w = point.weight * J.determinant() * law.depth(hoop.x);
     const Square H = (U * dN).eval() * J_inverse;
     const double ring = U.row(0) * hoop.h;
+    // (fe.11); dN/dx is not formed: T (dN/dx)^T = T J^-T dN^T.
     const double pressure = law.lambda * change.at(point.r, H.trace() + ring);
     Square T = law.mu * (H + H.transpose());
     T.diagonal().array() += pressure;

@@ -52,6 +52,7 @@ void add_hoop(const Moments<S>& moments, double lambda, double mu, ElementMatrix
   constexpr int dim = S::dim;
   for (int i = 0; i < S::nodes; ++i) {
     for (int j = 0; j < S::nodes; ++j) {
+      // (fe.10).
       Ke(dim * i, dim * j) += (lambda + 2.0 * mu) * moments.H(i, j);
       for (int b = 0; b < dim; ++b) {
         const auto& L = moments.L[static_cast<std::size_t>(b)];
@@ -71,6 +72,7 @@ ElementMatrix<S> element_stiffness(const NodeVectors<S>& X, const Law& law) {
   const auto& M = moments.M;
   const double lambda = law.projected ? 0.0 : law.lambda;
   const double mu = law.mu;
+  // (fe.8); where the dilatation is projected lambda comes in by (fe.15).
   typename Moments<S>::Square trace = M[0][0];
   for (std::size_t p = 1; p < dim; ++p) {
     trace += M[p][p];

@@ -14,7 +14,7 @@ namespace {
 using base::ElementId;
 using base::Vec3;
 
-// Stresses at displacements of 1e-8 of their size would be round-off.
+// Square of 1e-8: smaller strains, as a part of displacement over element size, are round-off.
 constexpr double noise_part = 1e-16;
 constexpr int most_rings = 3;
 
@@ -116,6 +116,7 @@ public:
     for (const std::size_t e : elements_) {
       quadratic = quadratic && base::info(r_.mesh.type[e]).quadratic;
     }
+    // Linear elements have one sample each, too few for terms of degree 2.
     const int degree = quadratic ? 2 : 1;
     StressPatch fitted(samples_, r_.mesh.dim, degree);
     for (int ring = 1; ring < most_rings && !fitted.complete(); ++ring) {
@@ -192,10 +193,12 @@ ErrorEstimate estimate_error(const model::Model& model, const model::Mesh& mesh,
         x.template head<S::dim>() = element.X * S::N(point.r);
         const double w = point.weight * at.det * element.law.depth(x.x());
         const CornerValues<S> L = Linear<S>::N(point.r);
+        // s* - s, with s* blended from the polynomials of the corners (fe.37).
         Stress off = -element.from(at, point.r);
         for (int c = 0; c < corners<S>(); ++c) {
           off += L[c] * smooth[patch_of[recovery.point_of(e, static_cast<std::size_t>(c))]].at(x);
         }
+        // Half of e^2 of (fe.36).
         estimate.energy[e] += w * complementary_energy(off, element.law);
         volume += w;
       }

@@ -90,9 +90,11 @@ void add_points(const model::Model& model, const PatchedMesh& patched, const Fie
         const CornerValues<S> T = nearest_to<S>(X, law, points);
         double most = 0.0;
         for (HeatPoint& p : points) {
+          // From here on points hold the rest, T - T_e of (fe.39).
           p.T -= taken_temperature<S>(X, law, T, p.r);
           most = std::max(most, std::abs(p.T));
         }
+        // Elsewhere the element keeps what element_temperature found, and has no points.
         if (most > round_off * scale.largest) {
           heat.temperature.segment<corners<S>()>(mesh.first[i]) = T;
           heat.points.insert(heat.points.end(), points.begin(), points.end());
@@ -130,6 +132,7 @@ CaseHeat case_heat(const model::Model& model, const PatchedMesh& patched,
     return heat;
   }
   heat.field = HeatField(patched, load_case);
+  // Loads of a case add up in an element, and so do the sizes that they are measured by.
   FieldScale scale;
   for (const model::Load& load : load_case.loads) {
     if (load.type == model::LoadType::temperature) {
@@ -154,6 +157,7 @@ void add_rest_load(const model::Model& model, const model::Mesh& mesh, const Act
                return;
              }
              NodeVectors<S> F = NodeVectors<S>::Zero();
+             // (fe.39).
              const double beta = acting.factor * law.thickness * heat_modulus(law);
              for (const HeatPoint& p : points) {
                F += (beta * p.area * p.T) * jacobian<S>(X, p.r).dNdx.transpose();

@@ -42,6 +42,8 @@ HeatField::HeatField(const PatchedMesh& patched, const model::LoadCase& load_cas
         host[e.index()] = true;
       }
       const auto in = [&](ElementId e) { return host[e.index()]; };
+      // Only where the set's rim runs through what cracks took: else new elements are in it or not
+      // as a whole.
       part.by_place =
           std::ranges::any_of(places_->taken(), in) && !std::ranges::all_of(places_->taken(), in);
     }

@@ -103,12 +103,14 @@ private:
       half[k][0] = take(low, size);
       low[k] += size[k];
       half[k][1] = take(low, size);
+      // Halved either way: the one that changes the moments more is the way across the jump.
       off[k] = (cell.moments - half[k][0].moments - half[k][1].moments).cwiseAbs().maxCoeff();
     }
     const double most = std::max(off[0], off[1]);
     std::size_t way = off[1] > off[0] ? 1 : 0;
     const bool out = depth >= most_depth || points_.size() > most_points;
     if (most <= agree * of_ || !std::isfinite(most)) {
+      // The rules agree: it remains whether something stands between their points.
       double open = 0.0;
       if (!hides(cell, half, way, open) || out) {
         missed_ += open * cell.area / (cell.size[0] * cell.size[1]);
@@ -118,6 +120,7 @@ private:
     } else if (out || (depth + 1 >= least_depth && most <= left * of_)) {
       rough_ = rough_ || most > jump * scale_.largest;
       missed_ += most > left * of_ ? most * cell.area / (cell.size[0] * cell.size[1]) : 0.0;
+      // Points of the halves stand nearer to the jump than those of the whole.
       keep(half[way][0]);
       keep(half[way][1]);
       return;
@@ -166,6 +169,7 @@ private:
 
   // Where a box of the chart lies in space.
   [[nodiscard]] base::PlaceCell place_of(const UnitBox& box) const {
+    // A jump on the border of an element is its neighbour's.
     constexpr double border = 1e-9;
     const auto at = [&](double s, double t) {
       const auto between = [&](std::size_t k, double v) {
@@ -180,6 +184,7 @@ private:
     end_at_sides<S::nodes>(X_, cell);
     cell.axes.col(0) = 0.5 * (at(1.0, 0.0) - at(-1.0, 0.0));
     cell.axes.col(1) = 0.5 * (at(0.0, 1.0) - at(0.0, -1.0));
+    // What is curved leaves the straight cell most at its corners, sides' middles and centre.
     for (int c = 0; c < 9; ++c) {
       const double s = c % 3 - 1;
       const double t = c / 3 - 1; // NOLINT(bugprone-integer-division)

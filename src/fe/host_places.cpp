@@ -36,6 +36,7 @@ std::vector<Vec2> outline_of(const model::Mesh& mesh, base::ElementId e) {
       continue;
     }
     const Vec2 m = at(side[2]);
+    // A straight side needs no pieces.
     if (std::abs(cross(b - a, m - a)) <= 1e-12 * (b - a).squaredNorm()) {
       continue;
     }
@@ -48,6 +49,7 @@ std::vector<Vec2> outline_of(const model::Mesh& mesh, base::ElementId e) {
 }
 
 bool is_inside(const std::vector<Vec2>& outline, const Vec2& p) {
+  // Even-odd rule.
   bool inside = false;
   Vec2 a = outline.back();
   for (const Vec2& b : outline) {

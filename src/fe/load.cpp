@@ -71,6 +71,7 @@ void add_body_total(const model::Model& model, const model::Mesh& mesh, const mo
   }
   const Vec3 F = load_value(load, Vec3::Zero());
   for (std::size_t n = 0; n < mesh.node_count(); ++n) {
+    // (fe.18).
     add_at_node(mesh, base::NodeId(n), (weight[static_cast<Eigen::Index>(n)] / total) * F, f);
   }
 }
@@ -87,6 +88,7 @@ Vector displacement_of_set(const model::Mesh& mesh, const model::LoadCase& load_
   Vector u = Vector::Zero(mesh.dim * static_cast<Eigen::Index>(mesh.node_count()));
   for (const model::Load& load : load_case.loads) {
     if (load.type == model::LoadType::displacement && mesh.set(load.nodes).nodes == set.nodes) {
+      // A node that the set names twice is displaced once.
       for (const base::NodeId n : std::set(set.nodes.begin(), set.nodes.end())) {
         add_at_node(mesh, n, load_value(load, mesh.x[n.index()]), u);
       }
@@ -110,6 +112,7 @@ void add_load(const model::Model& model, const model::Mesh& mesh, const model::L
     return;
   }
   LoadVisit visit;
+  // (fe.16); on bodies (fe.17).
   visit.on_face = [&](const model::Face& face, std::span<const LoadPoint> points) {
     with_side(mesh, face, [&]<shape::Shape Side>(Side) {
       const std::array<base::NodeId, Side::nodes> nodes = nodes_of_face<Side>(mesh, face);

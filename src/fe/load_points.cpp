@@ -44,10 +44,13 @@ void for_face_points(const Spread& spread, const FaceDensity& density, const OnF
           const Vec3 x = X * Side::N(point.r);
           LoadPoint& at = points.emplace_back();
           at.r.template head<Side::dim>() = point.r;
+          // The density has the area; what stands behind it is (fe.5).
           at.force = point.weight * law.depth(x.x()) * density(x, area_vector<Side>(X, point.r));
         }
         visit(face, points);
         if (missed != nullptr) {
+          // Rules count by the reference side: its area and depth at the centre stand for all of
+          // it.
           const auto centre = unit_cube_point<Side>({0.5, 0.5, 0.5}).r;
           const double depth = law.depth((X * Side::N(centre)).x());
           missed->add(rule.missed, rule.amount, depth * area_vector<Side>(X, centre).norm());
@@ -93,6 +96,7 @@ void for_body_points(const Spread& spread, const BodyDensity& density, const OnB
 void for_total_points(const Spread& spread, const LoadVisit& visit) {
   double total = 0.0;
   const Vec3 F = load_value(spread.load, Vec3::Zero());
+  // A density of 1, put into the first component, adds up to the area or volume (fe.18).
   const auto add = [&](const auto& /*where*/, std::span<const LoadPoint> points) {
     for (const LoadPoint& p : points) {
       total += p.force.x();

@@ -81,12 +81,14 @@ FieldScale load_scale(const model::Mesh& mesh, const model::Load& load,
       const Bound b = bound_of<S>(X, load);
       scale.largest = std::max(scale.largest, b.seen);
       scale.mean += b.mean / static_cast<double>(parts);
+      // With a minus sign, so that the highest bounds come first.
       bounds.emplace_back(-b.bound, i);
     });
   }
   const std::size_t most = std::min(searched, bounds.size());
   std::partial_sort(bounds.begin(), bounds.begin() + static_cast<std::ptrdiff_t>(most),
                     bounds.end());
+  // Bounds descend: where one promises hardly more than was found, no later one does.
   for (std::size_t k = 0; k < most && -bounds[k].first > 1.02 * scale.largest; ++k) {
     with_part(mesh, load, elements, bounds[k].second, [&]<shape::Shape S>(S, const auto& X) {
       const AdaptedRule<S::dim> rule = load_rule<S>(X, load, scale);

@@ -32,6 +32,7 @@ bool in_box(const model::Mesh& mesh, ElementId e, const Vec3& point) {
   return ((point - low).array() >= -margin).all() && ((high - point).array() >= -margin).all();
 }
 
+// A point beside the reference domain put onto it: shape functions are not asked outside.
 template <shape::ElementShape S> shape::Point<S::dim> into_domain(shape::Point<S::dim> r) {
   constexpr bool prism = S::domain == shape::Domain::prism;
   constexpr int flat = prism ? 2 : S::dim; // coordinates that share a simplex
@@ -102,6 +103,7 @@ std::vector<PointSide> sides_of(const model::Mesh& mesh, const std::vector<Point
   }
   std::vector<PointSide> sides;
   for (const PointHit& hit : hits) {
+    // Where some element holds the point, those that it only comes near to do not count.
     if (hit.outside > std::max(least, on_side)) {
       continue;
     }
@@ -122,6 +124,7 @@ std::vector<PointSide> sides_of(const model::Mesh& mesh, const std::vector<Point
 }
 
 Vec3 displacement_at(const model::Mesh& mesh, const base::Vector& u, const PointSide& side) {
+  // Displacements are continuous on one side: the element nearest to the point tells them.
   const PointHit& hit = *std::ranges::min_element(side, {}, &PointHit::outside);
   Vec3 value = Vec3::Zero();
   shape::with_shape(mesh.type[hit.element.index()], [&]<shape::ElementShape S>(S) {

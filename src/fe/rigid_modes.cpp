@@ -31,6 +31,7 @@ void add_piece(const model::Mesh& mesh, const std::vector<base::NodeId>& nodes,
     }
     for (Eigen::Index k = 0; k < rotations; ++k) {
       // In the plane the only axis is z.
+      // (fe.28).
       const base::Vec3 axis = base::Vec3::Unit(dim == 2 ? 2 : k);
       modes.block(row, dim + k, dim, 1) = axis.cross(x).head(dim);
     }
@@ -111,6 +112,7 @@ base::Matrix rigid_modes(const model::Model& model, const model::Mesh& mesh,
   }
   Eigen::Index kept = 0;
   for (Eigen::Index k = 0; k < modes.cols(); ++k) {
+    // Rotations that move no node are columns of zeros.
     if ((modes.col(k).array() != 0.0).any()) {
       modes.col(kept++) = modes.col(k);
     }
@@ -126,6 +128,7 @@ base::Matrix free_modes(const model::Mesh& mesh, const base::Matrix& modes,
   base::Matrix free(count, 0);
   const auto keep = [&](const base::Vector& v) {
     const double largest = (modes * v).cwiseAbs().maxCoeff();
+    // (fe.29).
     if (largest > 0.0 && (A.rows() == 0 || (A * v).cwiseAbs().maxCoeff() <= 1e-9 * largest)) {
       free.conservativeResize(Eigen::NoChange, free.cols() + 1);
       free.rightCols(1) = v;

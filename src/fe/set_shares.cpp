@@ -45,6 +45,7 @@ Polygon outline(const model::Mesh& mesh, ElementId e) {
     const bool curved = std::abs(cross2(chord, bow)) > straight * chord.squaredNorm();
     for (int k = 0; k < (curved ? pieces_of_curve : 1); ++k) {
       const double t = k / double(pieces_of_curve);
+      // The parabola through both ends and the middle.
       result.emplace_back(a + t * (2.0 * t - 1.0) * chord + 4.0 * t * (1.0 - t) * bow);
     }
   }
@@ -89,6 +90,7 @@ Polygon left_of(const Polygon& polygon, const Vec2& a, const Vec2& b) {
   return result;
 }
 
+// Area and first moments about a point.
 Vec3 moments_of(const Polygon& polygon, const Vec2& at) {
   Vec3 m = Vec3::Zero();
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
@@ -101,6 +103,7 @@ Vec3 moments_of(const Polygon& polygon, const Vec2& at) {
   return m;
 }
 
+// The same of what two outlines have in common, by their fans: each pair of triangles is clipped.
 Vec3 common_moments(const std::vector<Triangle>& one, const std::vector<Triangle>& other,
                     const Vec2& at) {
   Vec3 sum = Vec3::Zero();
@@ -131,6 +134,7 @@ struct Box {
   }
 };
 
+// Integral of phi phi^T over an element, phi = 1, x, y about a point; entry 0, 0 is its area.
 Eigen::Matrix3d mass_of(const model::Mesh& mesh, ElementId e, const Vec2& at) {
   Eigen::Matrix3d mass = Eigen::Matrix3d::Zero();
   shape::with_plane_shape(mesh.type[e.index()], [&]<shape::PlaneShape S>(S) {
@@ -230,12 +234,16 @@ std::vector<ElementShare> Overlap::shares(const std::vector<bool>& member) const
     if (in[0] <= room || all <= 0.0) {
       continue;
     }
+    // Nothing but round-off lies outside the set.
     if (all - in[0] <= room) {
+      // Elements inside take their own area: the correction for curved rims is left to those that
+      // are cut.
       wanted -= f.mass(0, 0);
       result.push_back({f.element, whole, f.at});
       continue;
     }
     in *= f.mass(0, 0) / all; // the polygons of curved elements are not quite they
+    // The projection: integral and first moments of the share are those of the set's part.
     const Vec3 c = f.mass.ldlt().solve(in);
     result.push_back({f.element, {c[0], c[1], c[2]}, f.at});
     found += in[0];
@@ -294,6 +302,7 @@ SetShares set_shares(const model::Model& model, const model::Mesh& mesh, base::E
   }
   const auto in =
       std::ranges::count_if(replaced.elements, [&](ElementId e) { return member[e.index()]; });
+  // The rim does not run through a patch: new elements are in the set, or not, as a whole.
   if (in == 0 || in == std::ssize(replaced.elements)) {
     return result;
   }

@@ -46,7 +46,7 @@ std::optional<Stress> stress_at(const model::Model& model, const model::Mesh& me
   if (hits.empty()) {
     return std::nullopt;
   }
-  // never the other body of a contact or the other crack face of a crack
+  // never the other body of a contact or the other face of a crack
   const PointHit nearest = *std::ranges::min_element(
       hits, {}, [](const PointHit& h) { return std::max(h.outside, round_off); });
   std::erase_if(hits, [&](const PointHit& h) {

@@ -15,6 +15,7 @@ template <shape::ElementShape S>
 Stress StressElement<S>::from(const Jacobian<S>& at, const shape::Point<S::dim>& r) const {
   const Eigen::Matrix<double, S::dim, S::dim> H = U * at.dNdx;
   const double ring = hoop_strain(H, r);
+  // (fe.24).
   const double pressure = law.lambda * change.at(r, H.trace() + ring) - thermal.at(r);
   Eigen::Matrix3d s = Eigen::Matrix3d::Zero();
   s.template topLeftCorner<S::dim, S::dim>() = law.mu * (H + H.transpose());

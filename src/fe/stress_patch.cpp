@@ -24,6 +24,8 @@ int term_count(int dim, int degree) {
 
 StressPatch::StressPatch(std::span<const StressSample* const> samples, int dim, int degree)
     : dim_(dim), count_(term_count(dim, degree)) {
+  // About their centre and in units of their spread samples leave well conditioned equations on
+  // stretched elements as well.
   choose_axes(samples);
   if (dim == 2) {
     fit<most_flat>(samples);
@@ -41,7 +43,9 @@ void StressPatch::choose_axes(std::span<const StressSample* const> samples) {
   for (const StressSample* s : samples) {
     spread += share * (s->x - centre_) * (s->x - centre_).transpose();
   }
+  // An axis along which the samples spread too little stays zero, and with it all terms in it.
   const auto along = [&](const base::Vec3& axis, double square, int row) {
+    // Mean width of the elements along the axis.
     double extent = 0.0;
     for (const StressSample* s : samples) {
       extent += share * (s->extent.transpose() * axis).lpNorm<1>();
@@ -90,6 +94,7 @@ template <int some> void StressPatch::fit(std::span<const StressSample* const> s
     A.noalias() += t * t.transpose();
     b.noalias() += t * s->stress.transpose();
   }
+  // The squares of the terms, before earlier ones take their parts.
   const Eigen::Matrix<double, some, 1> own = A.diagonal();
   std::array<bool, some> used{};
   std::size_t left = samples.size(); // no more terms than samples

@@ -21,6 +21,7 @@ double held_energy(const NodeVectors<S>& X, const Law& law, const CornerValues<S
   }
   const ThermalStress<S> stress(X, law, T);
   const double directions = law.heated_directions();
+  // (fe.27).
   double energy = 0.0;
   for (const auto& point : stiffness_rule<S>(law)) {
     const Jacobian<S> at = jacobian<S>(X, point.r);
@@ -43,6 +44,7 @@ CornerValues<S> taken_by(const NodeVectors<S>& X, const Law& law, const model::L
     return load.value.front()(at);
   };
   const auto& usual = stiffness_rule<S>(law);
+  // Elements that bear the rest at points of their own need no better linear part here (heat.cpp).
   if (is_constant(load) || takes_rest(law, S::type)) {
     return project_temperature<S>(X, law, usual, field);
   }
@@ -52,6 +54,7 @@ CornerValues<S> taken_by(const NodeVectors<S>& X, const Law& law, const model::L
     missed->add(rule.missed, rule.amount,
                 law.depth((X * S::N(centre))[0]) * jacobian<S>(X, centre).det);
   }
+  // A rule that was not divided tells that the usual points do.
   return rule.points.size() == shape::quadrature<S>(load_degree).size()
              ? project_temperature<S>(X, law, usual, field)
              : project_temperature<S>(X, law, rule.points, field);
@@ -129,6 +132,7 @@ void add_thermal_energy(const model::Model& model, const model::Mesh& mesh,
   for_heated(mesh, temperature, [&]<shape::ElementShape S>(S, base::ElementId e, const auto& T) {
     const NodeVectors<S> X = coordinates<S>(mesh, e);
     const Law law = law_of(model, mesh, e);
+    // 1/2 (eps - eps_T) D (eps - eps_T) = 1/2 u K u - u f + 1/2 eps_T D eps_T (fe.27).
     energy[e.index()] += held_energy<S>(X, law, T) -
                          thermal_forces<S>(X, law, T).cwiseProduct(gather<S>(mesh, e, u)).sum();
   });

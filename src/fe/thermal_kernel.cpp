@@ -35,6 +35,7 @@ FreeExpansion<S>::FreeExpansion(const NodeVectors<S>& X, const Law& law, const C
   Eigen::Matrix<double, corners<S>(), 3> A;
   A.col(0).setOnes();
   A.template rightCols<2>() = (X.template leftCols<corners<S>()>().colwise() - centre_).transpose();
+  // The plane through three corners, or the nearest to four.
   const Eigen::Matrix3d normal = A.transpose() * A;
   plane_ = normal.ldlt().solve(A.transpose() * T);
 }
@@ -51,6 +52,7 @@ template <shape::ElementShape S>
 base::Vec2 FreeExpansion<S>::displacement(const base::Vec2& x) const {
   const base::Vec2 d = x - centre_;
   const base::Vec2 g = slope();
+  // (fe.38).
   const double square = 0.5 * (d.x() * d.x() - d.y() * d.y());
   const double product = d.x() * d.y();
   return strain_ * (plane_[0] * d +
@@ -63,6 +65,7 @@ Eigen::Matrix2d FreeExpansion<S>::gradient(const base::Vec2& x) const {
   const double turn = slope().y() * d.x() - slope().x() * d.y();
   const double T = temperature(x);
   Eigen::Matrix2d H;
+  // The same strain in all directions, no shear, and a rotation.
   H << T, turn, -turn, T;
   return strain_ * H;
 }
@@ -88,6 +91,7 @@ ThermalStress<S>::ThermalStress(const NodeVectors<S>& X, const Law& law_, const 
     const double w = point.weight * jacobian<S>(X, point.r).det * law.depth(hoop.x);
     right += (w * temperature(point.r)) * Dilatation<S>::phi(point.r);
   }
+  // As the volume change (fe.12): what drives it must be of the same functions.
   projected = Dilatation<S>(X, law).G.inverse() * right;
 }
 
@@ -95,6 +99,7 @@ template <shape::ElementShape S>
 NodeVectors<S> thermal_forces(const NodeVectors<S>& X, const Law& law, const CornerValues<S>& T) {
   if constexpr (plane_quadratic<S>) {
     if (FreeExpansion<S>::wanted(X, law)) {
+      // F = K_e u_T of (fe.38).
       return element_force<S>(X, law, FreeExpansion<S>(X, law, T).at_nodes(X));
     }
   }
@@ -103,6 +108,7 @@ NodeVectors<S> thermal_forces(const NodeVectors<S>& X, const Law& law, const Cor
   for (const auto& point : stiffness_rule<S>(law)) {
     const Jacobian<S> at = jacobian<S>(X, point.r);
     const Hoop<S> hoop(X, law, point.r);
+    // (fe.22).
     const double w = point.weight * at.det * law.depth(hoop.x) * stress.at(point.r);
     F.noalias() += w * at.dNdx.transpose();
     F.row(0) += w * hoop.h.transpose();

@@ -41,6 +41,7 @@ CornerValues<S> project_temperature(const NodeVectors<S>& X, const Law& law,
   using Place = Eigen::Matrix<double, S::dim, 1>;
   if constexpr (!base::info(S::type).quadratic) {
     return nearest_temperature<S, 1>(X, law, rule, field, [](const Place&, const CornerValues<S>&) {
+      // The mean (fe.23).
       return Eigen::Matrix<double, 1, 1>::Constant(1.0);
     });
   } else {

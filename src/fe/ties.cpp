@@ -39,6 +39,7 @@ class RigidBody {
 public:
   RigidBody(const model::Mesh& mesh, std::vector<NodeId> nodes, std::size_t mpc)
       : mesh_(mesh), nodes_(std::move(nodes)), mpc_(mpc), a_(nodes_.front()) {
+    // Long levers: rotations told by nodes close together would magnify round-off.
     b_ = farthest([&](const Vec3& d) { return d.norm(); });
     const Vec3 along = at(b_);
     length_ = along.norm();
@@ -70,6 +71,7 @@ public:
         continue;
       }
       if (length_ > 0.0 && s == b_) {
+        // Across e1 b moves freely: that is what tells the rotation. Likewise c along e3 (fe.32).
         ties.push_back(along(b_, e_[0]));
       } else if (beta_ > 0.0 && s == c_) {
         ties.push_back(along(c_, e_[0]));
@@ -107,6 +109,7 @@ private:
       return;
     }
     if (k == 2) {
+      // (u_b - u_a) . e2 = theta_3 length; . e3 = - theta_2 length.
       add_motion(b_, e_[1], factor / length_, sum);
     } else if (k == 1) {
       add_motion(b_, e_[2], -factor / length_, sum);
@@ -134,6 +137,7 @@ private:
     tie.mpc = mpc_;
     tie.terms.push_back({first, sum.at(first)});
     for (const auto& [freedom, c] : sum) {
+      // Coefficients are of order 1 beside that of the direction: less is round-off.
       if (freedom != first && std::abs(c) > 1e-14) {
         tie.terms.push_back({freedom, c});
       }

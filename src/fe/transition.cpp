@@ -76,12 +76,14 @@ std::vector<Eigen::Matrix3d> rotation_of(const Eigen::Matrix3Xd& X, int dim) {
   }
   Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero();
   if (dim == 2) {
+    // Corners of a plane side lie on a line: about it the inertia is zero.
     inverse(2, 2) = 1.0 / inertia(2, 2);
   } else {
     inverse = inertia.inverse();
   }
   std::vector<Eigen::Matrix3d> A;
   for (Eigen::Index i = 0; i < X.cols(); ++i) {
+    // theta = I^-1 sum of r_i x u_i: translations drop out, as the r_i sum to zero.
     A.emplace_back(inverse * cross(X.col(i) - centre));
   }
   return A;
@@ -108,6 +110,7 @@ Hit hit_of(const model::Mesh& mesh, const model::Face& face, const Vec3& x) {
         static_cast<Eigen::Index>(shape::side_corners(mesh.type[face.element.index()], face.side));
     const auto A = rotation_of(X.leftCols(corners), mesh.dim);
     for (Eigen::Index i = 0; i < corners; ++i) {
+      // omega x off = - off x omega (fe.31).
       const Eigen::Matrix3d carried = -cross(off) * A[static_cast<std::size_t>(i)];
       hit.weight.middleCols(dim * i, dim) += carried.topLeftCorner(dim, dim);
     }
@@ -138,6 +141,7 @@ void add_ties(const model::Mesh& mesh, base::NodeId slave, const Hit& hit, std::
     for (std::size_t i = 0; i < hit.nodes.size(); ++i) {
       for (int b = 0; b < dim; ++b) {
         const double w = hit.weight(c, static_cast<Eigen::Index>(i) * dim + b);
+        // Weights of a face are of order 1: less is round-off.
         if (std::abs(w) > 1e-14) {
           tie.terms.push_back({freedom(hit.nodes[i], b), -w});
         }
@@ -152,6 +156,7 @@ Hit nearest(const model::Mesh& mesh, const std::vector<model::Face>& faces,
             const std::vector<Ball>& balls, const Vec3& x) {
   Hit best;
   for (std::size_t f = 0; f < faces.size(); ++f) {
+    // No point of the face is nearer than its ball.
     if ((x - balls[f].centre).norm() - balls[f].radius < best.distance) {
       Hit hit = hit_of(mesh, faces[f], x);
       if (hit.distance < best.distance) {

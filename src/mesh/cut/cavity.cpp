@@ -37,6 +37,7 @@ public:
     std::vector<ElementId> front;
     for (const Placement* place : places_) {
       front.push_back(place->seed);
+      // The seed has one edge at that node only: the crack may start into any other element there.
       if (place->mouth && place->mouth->node.valid()) {
         const auto around = host_.around(place->mouth->node);
         std::copy_if(around.begin(), around.end(), std::back_inserter(front),
@@ -52,6 +53,7 @@ public:
       front.pop_back();
       for (int s = 0; s < base::info(mesh_.type[e.index()]).sides; ++s) {
         const auto next = host_.beyond({e, s});
+        // (mesh.2), over neighbours only: elements that are near but across a slit do not come in.
         if (!next || has(*next) || !allowed(*next) || !near(*next)) {
           continue;
         }
@@ -66,6 +68,8 @@ public:
   }
 
   void take_layer() {
+    // Over a copy, so that what is taken here brings no layer of its own. What another cavity has
+    // stays with it.
     for (const ElementId e : elements()) {
       for (const NodeId n : mesh_.nodes_of(e)) {
         take_around(n);
@@ -78,6 +82,7 @@ public:
   /// the cavity that has some of it already, or none.
   std::size_t take_beyond_long_edges() {
     std::size_t other = none;
+    // (mesh.3). What is taken moves the outline, whose new edges may be long as well.
     for (bool more = true; more;) {
       more = false;
       for (const model::Face& face : outline()) {
@@ -102,6 +107,7 @@ public:
       }
       more = false;
       for (const auto& [node, count] : leaving) {
+        // An outline leaves each of its nodes once, but where two stretches of it touch.
         if (count > 1) {
           if (!take_around(node)) {
             return other_around(node);
@@ -139,11 +145,13 @@ private:
     return owner == self_;
   }
   [[nodiscard]] bool allowed(ElementId e) const {
+    // A patch has one net and one property, those of the element that the crack starts in.
     return mesh_.element_net[e.index()] == mesh_.element_net[seed_.index()] &&
            mesh_.property[e.index()] == mesh_.property[seed_.index()];
   }
   [[nodiscard]] bool near(ElementId e) const {
     return std::ranges::any_of(places_, [&](const Placement* place) {
+      // In the frame of each crack, where its length a is 1.
       const std::vector<Vec2> shape = polygon(mesh_, e, place->frame);
       return distance(shape, place->line) < reach_of_line + same ||
              std::ranges::any_of(place->tips, [&](const TipPlace& tip) {
@@ -205,6 +213,7 @@ private:
 
 /// Every cavity takes what it wants; returns two that want the same, if there are.
 std::optional<std::pair<std::size_t, std::size_t>> take_all(std::vector<Finder>& finders) {
+  // All cores before the first layer: a crack cannot do without its core, layers give way.
   for (std::size_t i = 0; i < finders.size(); ++i) {
     if (const std::size_t other = finders[i].take_core(); other != Finder::none) {
       return std::pair(other, i);
@@ -227,6 +236,7 @@ std::optional<std::pair<std::size_t, std::size_t>> take_all(std::vector<Finder>&
 bool is_long(const model::Mesh& mesh, const Placement& placement, const Edge& edge, double part) {
   const Vec2 a = placement.frame.local(mesh.x[edge.a.index()]);
   const Vec2 b = placement.frame.local(mesh.x[edge.b.index()]);
+  // The edge's chord as a polygon without area.
   double room = distance({a, b, a}, placement.line);
   for (const TipPlace& tip : placement.tips) {
     room = std::min(room, distance(tip.at, a, b) - placement.radius);
@@ -254,6 +264,8 @@ Cavities find_cavities(const Host& host, std::span<const Placement> placements) 
     const auto clash = take_all(finders);
     more = clash.has_value();
     if (clash) {
+      // Both become one, under the lower number: its first crack gives the frame of the patch. Then
+      // all are found anew, as layers may have given way to what is no cavity any more.
       const auto [a, b] = std::minmax(clash->first, clash->second);
       groups[a].insert(groups[a].end(), groups[b].begin(), groups[b].end());
       std::sort(groups[a].begin(), groups[a].end());

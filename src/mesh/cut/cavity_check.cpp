@@ -29,6 +29,7 @@ constexpr double longest_border = 2.0;
 std::vector<Vec2> without_mouth(const std::vector<Vec2>& line) {
   std::vector<Vec2> result = line;
   const double first = (line[1] - line[0]).norm();
+  // A first segment shorter than that keeps its second half.
   result[0] = line[0] + std::min(0.5, at_mouth / first) * (line[1] - line[0]);
   return result;
 }
@@ -40,6 +41,8 @@ std::vector<Vec2> fine_curve(const model::Mesh& mesh, const Edge& edge,
   const EdgePoint mouth = nearest_on(mesh, edge, placement.frame.origin);
   if (mouth.distance < same * placement.frame.a) {
     xi.push_back(mouth.xi);
+    // The edge may be many times longer than the crack: steps that halve towards the mouth leave
+    // some points within a small part of the crack from it.
     for (int k = 0; k < 20; ++k) {
       xi.push_back(std::min(mouth.xi + std::ldexp(1.0, -k), 1.0));
       xi.push_back(std::max(mouth.xi - std::ldexp(1.0, -k), -1.0));
@@ -70,6 +73,8 @@ bool starts_inside(const Host& host, const Placement& placement, const Cavity& c
     const auto mouth =
         std::find_if(points.begin(), points.end(), [](const Vec2& p) { return p.norm() < same; });
     if (mouth != points.end()) {
+      // The loop has the cavity on its left: from the mouth on it runs along the boundary ahead,
+      // and comes back along the one before.
       std::rotate(points.begin(), mouth, points.end());
       const auto away = [](const Vec2& p) { return p.norm() >= 0.5 * at_mouth; };
       const auto ahead = std::find_if(points.begin(), points.end(), away);
@@ -86,6 +91,7 @@ std::optional<Vec2> way_out(const Host& host, const Placement& placement, const 
   if (placement.mouth && !starts_inside(host, placement, cavity)) {
     return placement.line[0];
   }
+  // A tip may be as near to the boundary as its rosette allows: the limit shrinks with a small one.
   const double room = std::min(beside_boundary, beside_tip * placement.radius);
   const std::vector<Vec2> line = placement.mouth ? without_mouth(placement.line) : placement.line;
   for (const std::vector<OutlineEdge>& loop : cavity.loops) {
@@ -108,6 +114,8 @@ std::optional<Vec2> way_out(const Host& host, const Placement& placement, const 
 std::optional<ElementId> foreign_element(const Host& host, const Placement& placement,
                                          const Cavity& cavity) {
   const model::Mesh& mesh = host.mesh();
+  // The cavity ends at borders of properties: an element beyond that the crack could meet touches
+  // it.
   std::set<ElementId> others;
   for (const ElementId e : cavity.elements) {
     for (const NodeId n : mesh.nodes_of(e)) {
@@ -158,6 +166,7 @@ bool check_cavity(const Host& host, const Placement& placement, const Cavity& ca
       }
     }
   }
+  // A half runs along the boundary by intent.
   if (placement.half == 0) {
     if (const auto out = way_out(host, placement, cavity)) {
       const base::Vec3 at = placement.frame.global(*out);

@@ -27,6 +27,8 @@ public:
   explicit Places(double reach) : reach_(reach), width_(1e3 * reach) {}
 
   std::int64_t of(const Vec3& x) {
+    // The point met before may stand in the next cell: all cells that a box of `reach_` round x
+    // touches are looked into.
     const Cell low = cell_of(x - Vec3::Constant(reach_));
     const Cell high = cell_of(x + Vec3::Constant(reach_));
     for (std::int64_t i = low[0]; i <= high[0]; ++i) {
@@ -120,6 +122,7 @@ std::vector<Seam> seams(const model::Mesh& mesh, const std::vector<model::Face>&
     for (const NodeId n : corners_of(mesh, face)) {
       key.push_back(places.of(mesh.x[n.index()]));
     }
+    // Sides that lie on each other run against each other: the order of corners says nothing.
     std::ranges::sort(key);
     const auto [at, fresh] = seen.try_emplace(std::move(key), face);
     if (!fresh) {
@@ -143,6 +146,8 @@ std::vector<std::pair<base::ElementId, base::ElementId>> doubled_elements(const 
     const base::ElementId id(e);
     const std::span<const NodeId> nodes = mesh.nodes_of(id);
     const auto corners = static_cast<std::size_t>(base::info(mesh.type[e]).corners);
+    // Elements on each other have one centre, which few others share: corners are compared for
+    // those only.
     Vec3 middle = Vec3::Zero();
     for (std::size_t i = 0; i < corners; ++i) {
       middle += mesh.x[nodes[i].index()] / static_cast<double>(corners);

@@ -54,6 +54,7 @@ std::string own_trouble(const CrackLine& line) {
   }
   const double close = touching * length_of(line);
   for (std::size_t i = 1; i < x.size(); ++i) {
+    // Segments next to each other share a point; their turn is checked above.
     for (std::size_t k = i + 2; k < x.size(); ++k) {
       const Meeting m = nearest(flat(x[i - 1]), flat(x[i]), flat(x[k - 1]), flat(x[k]));
       if (m.distance < close) {
@@ -106,7 +107,8 @@ bool lines_are_sound(std::span<const CrackLine> lines, std::span<const base::Spa
 
 namespace {
 
-/// The same for the tip at the last of the points.
+/// Room for the tip at the last of the points beside other cracks and the crack's own earlier parts
+/// [deck length].
 double room_at_end(const CrackLine& line, const std::vector<Vec3>& points,
                    std::span<const CrackLine> all) {
   const Vec2 tip = flat(points.back());
@@ -122,6 +124,7 @@ double room_at_end(const CrackLine& line, const std::vector<Vec3>& points,
   double along = 0.0; // from the tip
   for (std::size_t i = points.size() - 1; i > 0; --i) {
     const double d = distance(tip, flat(points[i - 1]), flat(points[i]));
+    // Parts that come back to the tip: nearer to it than 0.9 of the way along the crack (crack.16).
     room = d < 0.9 * along ? std::min(room, d) : room;
     along += (points[i] - points[i - 1]).norm();
   }

@@ -12,6 +12,7 @@ namespace {
 using base::NodeId;
 using Ends = std::pair<NodeId, NodeId>;
 
+// Whether both faces are meshed; a half has one and doubles no node.
 bool is_open(const CrackFaces& crack_faces) {
   return !crack_faces.left.empty() && crack_faces.left.size() == crack_faces.right.size();
 }
@@ -56,12 +57,14 @@ void CrackFaceMembership::add_group(NodeId left, NodeId right) {
     group = static_cast<std::int32_t>(groups_.size());
     groups_.push_back({left});
   }
+  // Where several cracks double one node its place has more than two.
   groups_[static_cast<std::size_t>(group)].push_back(right);
   group_of_[right.index()] = group;
 }
 
 void CrackFaceMembership::add_neighbours(const std::vector<NodeId>& crack_face) {
   for (std::size_t i = 1; i + 1 < crack_face.size(); ++i) {
+    // A side is told by its corners: middle nodes go with the corners before and behind them.
     if (!corner_[crack_face[i].index()]) {
       beside_.emplace_back(crack_face[i], crack_face[i - 1]);
       beside_.emplace_back(crack_face[i], crack_face[i + 1]);
@@ -118,6 +121,8 @@ CrackFaceMembership::choices(const std::vector<NodeId>& members) const {
   for (const NodeId n : members) {
     in[n.index()] = true;
   }
+  // At first all nodes of a place that the set touches stand in for its member: which of them are
+  // meant is told by their sides.
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     for (const NodeId n : touched[g] ? groups_[g] : std::vector<NodeId>()) {
       in[n.index()] = true;

@@ -30,6 +30,7 @@ std::vector<ElementId> crack_region(const Host& host, std::span<const CrackLine>
   for (const Cavity& cavity : find_cavities(host, placements).each) {
     core.insert(core.end(), cavity.elements.begin(), cavity.elements.end());
   }
+  // One more layer, as a margin.
   for (const ElementId e : core) {
     for (const NodeId n : mesh.nodes_of(e)) {
       for (const ElementId next : host.around(n)) {

@@ -35,6 +35,7 @@ std::vector<model::Face> along(const model::Mesh& mesh, const std::vector<NodeId
       if (from == place.end() || to == place.end()) {
         continue;
       }
+      // Both ends alone do not tell: the middle node must lie on the same face.
       const std::size_t step = edge.mid.valid() ? 2 : 1;
       if (to->second == from->second + step &&
           (step == 1 || crack_face[from->second + 1] == edge.mid)) {

@@ -80,6 +80,8 @@ private:
   void add_nodes() {
     model::Mesh& mesh = result_.mesh;
     mesh.dim = host_.dim;
+    // All host nodes stay, also those that no element will have, so that numbers keep their
+    // meaning.
     mesh.x = host_.x;
     mesh.node_label = host_.node_label;
     mesh.node_net = host_.node_net;
@@ -124,6 +126,7 @@ private:
   void add_elements() {
     for (const Graft& g : grafts_) {
       const base::NetId net = host_.element_net[g.cavity.elements.front().index()];
+      // Labels of elements that were cut out are not given anew.
       base::Label label =
           std::max(next_element_label(host_, net), next_element_label(result_.mesh, net));
       const Locator locator(host_, g);
@@ -135,6 +138,7 @@ private:
           const auto n = static_cast<std::size_t>(element.nodes[i]);
           nodes.push_back(g.node[n]);
           if (i < corners) {
+            // Rounded coordinates: round-off does not choose the parent of an element between two.
             centre += g.patch.nodes[n].local / static_cast<double>(corners);
           }
         }
@@ -170,6 +174,8 @@ private:
     std::map<std::pair<NodeId, NodeId>, model::Face> by_ends;
     for (const auto& [e, parent] : parent_) {
       for (int s = 0; s < base::info(result_.mesh.type[e.index()]).sides; ++s) {
+        // Pieces run as the host's edge does, body on the left: the direction tells a side from
+        // that of the neighbour.
         const Edge edge = edge_of(result_.mesh, {e, s});
         by_ends[{edge.a, edge.b}] = {e, s};
       }
@@ -254,10 +260,13 @@ private:
       std::vector<bool> member(result_.mesh.node_count(), false);
       for (const NodeId n : old.nodes) {
         member[n.index()] = true;
+        // Nodes without an element in the host were taken by no cavity.
         if (used_[n.index()] || !had[n.index()]) {
           set.nodes.push_back(n);
         }
       }
+      // Whether a side or a cavity was in the set is asked of the set as it was: nodes that join
+      // here must not bring others in.
       const std::vector<bool> old_member = member;
       const auto join = [&](NodeId n) {
         if (!member[n.index()]) {
@@ -278,6 +287,7 @@ private:
         }
       }
       for (const Graft& g : grafts_) {
+        // A set that has all of a cavity has all of the patch.
         if (covers(old_member, g.cavity)) {
           std::for_each(g.node.begin(), g.node.end(), join);
         }

@@ -23,6 +23,7 @@ base::Vec3 point_on(const model::Mesh& mesh, const Edge& edge, double xi) {
   if (!edge.mid.valid()) {
     return 0.5 * (1.0 - xi) * a + 0.5 * (1.0 + xi) * b;
   }
+  // (shape.2).
   const Eigen::Vector3d N = shape::Line3::N(shape::Point<1>(xi));
   return N[0] * a + N[1] * b + N[2] * mesh.x[edge.mid.index()];
 }
@@ -43,6 +44,7 @@ EdgePoint nearest_on(const model::Mesh& mesh, const Edge& edge, const base::Vec3
       best = {xi, d};
     }
   };
+  // Several starts: the distance to a parabola may have two minima.
   for (int i = 0; i <= 8; ++i) {
     meet(-1.0 + 0.25 * i);
   }
@@ -62,6 +64,7 @@ EdgePoint nearest_on(const model::Mesh& mesh, const Edge& edge, const base::Vec3
 
 bool is_beyond(const model::Mesh& mesh, const Edge& edge, const base::Vec3& p, double distance) {
   const base::Vec3& a = mesh.x[edge.a.index()];
+  // No point of the edge is taken to be farther from its first end than twice the chord.
   return (a - p).norm() - 2.0 * (mesh.x[edge.b.index()] - a).norm() > distance;
 }
 

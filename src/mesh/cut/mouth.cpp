@@ -23,6 +23,7 @@ NearestMouth find_mouth(const Host& host, const Vec3& start, base::NetId net) {
       continue;
     }
     const EdgePoint p = nearest_on(mesh, edge, start);
+    // At a node two edges are equally near: the first one counts, not the better by round-off.
     if (p.distance < found.distance - 1e-9 * chord) {
       found = {{face, p.xi, {}}, point_on(mesh, edge, p.xi), p.distance, chord};
     }
@@ -47,6 +48,7 @@ base::ElementId element_at(const model::Mesh& mesh, const Vec3& point, base::Net
     }
     const Vec3& first = mesh.x[mesh.nodes_of(e).front().index()];
     const double size = (mesh.x[mesh.nodes_of(e)[1].index()] - first).norm();
+    // A frame at the point in sizes of the element, so that `same` is a part of the element.
     const std::vector<Vec2> shape = polygon(mesh, e, {point, Vec3::UnitX(), size});
     if (distance(shape, {Vec2::Zero(), Vec2::Zero()}) < same) {
       return e;

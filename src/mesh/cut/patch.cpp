@@ -77,6 +77,7 @@ public:
       Work& work = work_.emplace_back(Work{&lines[i], &tips[i], spans[i], 0, 0, 0, {}});
       good = (tips[i].patch ? find_place(work) : find_path(work)) && good;
     }
+    // Each stage looks at all cracks before it fails, so that one run tells all that is wrong.
     if (!good || !rosettes_are_apart() || !cut() || !make_patches()) {
       return std::nullopt;
     }
@@ -116,6 +117,7 @@ private:
     for (const Work& work : work_) {
       const double room =
           work.tip->patch ? room_beside_cracks(*work.line, lines) : work.tip->radius;
+      // Less than a half: two rosettes that face each other leave elements between them.
       if (work.tip->patch && work.tip->radius > 0.45 * room) {
         diagnostics_.error(
             work.span, "E423",
@@ -187,6 +189,7 @@ private:
     base::Span span;
     for (const Work& work : work_) {
       if (work.tip->patch && work.graft == g) {
+        // All in the frame of the patch, that of its first crack.
         cracks.push_back({seen_from(placements_[work.place], graft.frame), work.tip});
         span = names.empty() ? work.span : span;
         names += (names.empty() ? "" : ", ") + work.line->title();
@@ -211,6 +214,7 @@ private:
 
   void tie_rims() {
     for (const Work& work : work_) {
+      // The rim of a patch that several cracks share is tied once, in the name of the first.
       if (!work.tip->patch || work.member != 0) {
         continue;
       }
@@ -244,6 +248,7 @@ private:
       }
       add_tips(work);
     }
+    // Sets come after all cracks: several may double the nodes of one place.
     settle_crack_faces(result_.mesh, result_.faces);
     return true;
   }
@@ -306,6 +311,7 @@ private:
 
   std::string add_own_tip(const Work& work, Front front) {
     front.tip().node = work.path.back();
+    // The last corner before the tip: growth goes on along the chord of the last edge.
     const std::size_t before = work.path.size() - 1 - path_step(work);
     const Vec3 last = mesh_.x[front.tip().node.index()] - mesh_.x[work.path[before].index()];
     front.tip().growth = last.normalized();

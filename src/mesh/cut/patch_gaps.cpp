@@ -37,6 +37,7 @@ public:
     }
     for (const auto& [a, mid, b] : boundary_) {
       const double d = std::min(distance(p, a, mid), distance(p, mid, b));
+      // Near its mouth a crack is near the boundary anyhow; an embedded one has no mouth.
       gap = !crack.mouth || d < beside * s ? std::min(gap, d) : gap;
     }
     return gap;
@@ -56,6 +57,7 @@ private:
     for (std::size_t i = 1; i < crack.line.size(); ++i) {
       const double d = distance(p, crack.line[i - 1], crack.line[i]);
       const double end = start + (crack.line[i] - crack.line[i - 1]).norm();
+      // The way along the crack to the nearer end of segment i.
       const double along = i < k ? s - end : start - s;
       gap = i != k && d < beside * along ? std::min(gap, d) : gap;
       start = end;
@@ -90,6 +92,8 @@ void add_gap_sizes(const std::vector<const Placement*>& cracks,
         if (gap < total) {
           size.add(p, gap);
         }
+        // The next place to ask at is one gap on: in between the size has grown by a part of that
+        // only (mesh.4).
         s += gap;
       }
       before += length;

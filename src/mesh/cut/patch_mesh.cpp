@@ -27,6 +27,8 @@ public:
   }
 
   Patch build(double fineness) {
+    // Rims of rosettes ask for sizes, loops make the nodes of mouths, and cracks run from these to
+    // the rims: in this order.
     for (PatchCrack& crack : cracks_) {
       for (const TipPlace& at : crack.place.tips) {
         crack.rosettes.push_back(add_rosette(net_, crack.place, at, *crack.tip));
@@ -88,6 +90,7 @@ private:
       const std::vector<double> part = divide(curve, xi.back(), end, size_);
       xi.insert(xi.end(), part.begin() + 1, part.end());
     };
+    // Divided from mouth to mouth, each of which so becomes a corner node.
     for (const auto& [at, crack] : mouths_on(edge, cracks_)) {
       divide_to(at);
     }
@@ -106,6 +109,8 @@ private:
     const std::vector<Pair>& pieces = patch_.edges.back().second;
     for (std::size_t i = 1; i < xi.size(); ++i) {
       const Pair& piece = pieces[i - 1];
+      // (mesh.12) for middle nodes of the parts and for corners between them; the host's own middle
+      // node, at 0, needs no tie.
       patch_.tied.push_back(
           {net_.mid(piece.first, piece.second), edge.edge, 0.5 * (xi[i - 1] + xi[i])});
       if (i + 1 < xi.size() && xi[i] != 0.0) {
@@ -131,6 +136,7 @@ private:
       } else {
         to = net_.new_node(point_on(host_.mesh(), e, xi[i]));
       }
+      // An edge in one piece keeps its middle node, which elements that stay may have as well.
       const bool whole = xi.size() == 2;
       const Vec3 half = point_on(host_.mesh(), e, 0.5 * (xi[i - 1] + xi[i]));
       net_.set_mid(from, to, whole ? net_.host_node(e.mid) : net_.new_node(half));
@@ -138,6 +144,7 @@ private:
       if (!last) {
         inner.push_back(to);
         for (const auto& [at, crack] : mouths) {
+          // Equal to the last bit: the edge was divided up to the mouth's own xi.
           cracks_[crack].mouth = xi[i] == at ? to : cracks_[crack].mouth;
         }
       }
@@ -173,6 +180,7 @@ private:
     Vec2 from = place.mouth ? place.line.front() : rim_point(place.tips.front());
     for (std::size_t k = 1; k < place.line.size(); ++k) {
       const bool last = k + 1 == place.line.size();
+      // From the rim to the tip the nodes are those of the rosette's first ray.
       const Vec2 to = last ? rim_point(place.tips.back()) : place.line[k];
       const std::vector<int> inner = add_stretch(from, to);
       crack_face.insert(crack_face.end(), inner.begin(), inner.end());

@@ -57,6 +57,7 @@ private:
   void add_rosettes(const PatchCrack& crack, const PatchNet& net) {
     for (const Rosette& rosette : crack.rosettes) {
       const std::size_t rim = rosette.rim.size();
+      // The rim of a half is open: no edge leads from its last node to the first.
       for (std::size_t j = 0; j + (half_ != 0 ? 1 : 0) < rim; ++j) {
         add_edge_size(size_, net, rosette.rim[j], rosette.rim[(j + 1) % rim]);
       }
@@ -78,6 +79,8 @@ private:
       size_.add(local(edge.edge, 0.0), edge.free ? length / fineness_ : length);
     }
     std::vector<double> ends{-1.0};
+    // A mouth cuts the edge: both parts ask for their own length, the shorter one for less than the
+    // edge.
     for (const auto& [xi, crack] : mouths_on(edge, cracks_)) {
       ends.push_back(xi);
     }

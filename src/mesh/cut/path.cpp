@@ -64,6 +64,7 @@ std::optional<std::vector<NodeId>> path_nodes(const Host& host, const CrackLine&
   const model::Mesh& mesh = host.mesh();
   const double a = length_of(line.points);
   std::vector<NodeId> corners;
+  // Middle nodes are taken from the edges: the set may have them or not.
   std::copy_if(line.path.begin(), line.path.end(), std::back_inserter(corners),
                [&](NodeId n) { return is_corner(host, n); });
   if (corners.empty()) {

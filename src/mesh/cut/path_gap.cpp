@@ -27,6 +27,7 @@ std::optional<std::size_t> path_gap(const model::Mesh& mesh,
         for (const int b : side) {
           const std::size_t i = place[nodes[static_cast<std::size_t>(a)].index()];
           const std::size_t j = place[nodes[static_cast<std::size_t>(b)].index()];
+          // Both orders come up in the two loops, and middle nodes with either end.
           if (i > 0 && j == i + 1) {
             joined[i] = true;
           }

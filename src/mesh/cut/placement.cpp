@@ -35,6 +35,8 @@ int side_of_body(const Host& host, const CrackFrame& frame) {
     const Vec2 b = frame.local(host.mesh().x[edge.b.index()]);
     if (on_axis(a) && on_axis(b) && std::max(a.x(), b.x()) > same &&
         std::min(a.x(), b.x()) < 1.0 - same) {
+      // Edges run with the body on their left: one that runs as the crack does has it on the
+      // crack's left.
       return b.x() > a.x() ? 1 : -1;
     }
   }
@@ -55,6 +57,7 @@ double tip_clearance(const Host& host, const CrackFrame& frame, const std::vecto
   double least = std::numeric_limits<double>::max();
   for (const model::Face& face : faces) {
     const Edge edge = edge_of(mesh, face);
+    // The quick test first: the nearest point of a curved edge takes some steps.
     if (in_net(mesh, face, net) && !is_beyond(mesh, edge, tip, least) && !(half && on_line(edge))) {
       least = std::min(least, nearest_on(mesh, edge, tip).distance);
     }
@@ -231,9 +234,11 @@ std::optional<Placement> place(const Host& host, const CrackLine& line, const Ti
     return std::nullopt;
   }
   for (const Vec3& p : line.points) {
+    // The start was moved onto the boundary and takes the line along: its length and shape stay.
     result.line.push_back(frame.exact(p - line.points[0] + frame.origin));
   }
   result.line[0].setZero();
+  // A straight crack lies on the axis exactly, whatever round-off its direction has.
   if (result.line.size() == 2) {
     result.line[1] = {line.embedded ? 2.0 : 1.0, 0.0};
   }
@@ -267,6 +272,7 @@ std::optional<Placement> place(const Host& host, const CrackLine& line, const Ti
                       "end the crack before the boundary, or leave out the point before the tip");
     return std::nullopt;
   }
+  // A tenth of the room is left for elements between the rosette and what bounds it (crack.17).
   if (result.radius > 0.9 * room || result.size >= result.radius || !(result.size > 0.0)) {
     diagnostics.error(
         span, "E423",
@@ -289,6 +295,7 @@ Placement seen_from(const Placement& placement, const CrackFrame& frame) {
   if (own.origin == frame.origin && own.e1 == frame.e1 && own.a == frame.a) {
     return result;
   }
+  // Directions are angles from the frame's axis, which turns.
   const double turn =
       std::atan2(frame.e1.x() * own.e1.y() - frame.e1.y() * own.e1.x(), frame.e1.dot(own.e1));
   for (Vec2& p : result.line) {

@@ -17,6 +17,7 @@ std::vector<double> ring_radii(double size, double radius, int rings) {
     }
     return s;
   };
+  // Bisection for the factor that fills the radius (crack.17): the sum grows with it.
   double low = 0.0;
   double high = radius / size; // (radius/size)^(rings-1) alone is enough
   for (int i = 0; i < 200 && rings > 1; ++i) {
@@ -31,6 +32,7 @@ std::vector<double> ring_radii(double size, double radius, int rings) {
     thickness *= low;
     r.push_back(at);
   }
+  // The rim stands where the crack's line ends, without the round-off of the sum.
   r.back() = radius;
   return r;
 }
@@ -43,6 +45,8 @@ Rosette add_rosette(PatchNet& net, const Placement& placement, const TipPlace& a
   const bool half = placement.half != 0;
   const auto sectors = static_cast<std::size_t>(half ? (tip.sectors + 1) / 2 : tip.sectors);
   const std::size_t rays = half ? sectors + 1 : sectors;
+  // The first ray of a full circle is the crack. A half goes round anticlockwise: with the body on
+  // the left from ahead to the crack, else from the crack to ahead.
   const double start = placement.half > 0 ? 0.0 : -pi;
   const double turn = half ? pi : 2.0 * pi;
   const std::vector<double> radii = ring_radii(placement.size, placement.radius, tip.rings);
@@ -55,6 +59,8 @@ Rosette add_rosette(PatchNet& net, const Placement& placement, const TipPlace& a
     for (std::size_t j = 0; j < rays; ++j) {
       const double t = start + turn * static_cast<double>(j) / static_cast<double>(sectors);
       const double angle = at.direction + t;
+      // On the axis without the round-off of sine and cosine: a straight crack and the line of a
+      // half stay on one line to the last bit.
       const bool axis = (at.direction == 0.0 || backward) &&
                         (std::abs(t) < same || std::abs(std::abs(t) - pi) < same);
       const base::Vec2 unit = axis ? base::Vec2((std::abs(t) < same) != backward ? 1.0 : -1.0, 0.0)
@@ -63,6 +69,8 @@ Rosette add_rosette(PatchNet& net, const Placement& placement, const TipPlace& a
     }
   }
   for (std::size_t j = 0; j < rays; ++j) {
+    // (shape.13). The third edge, from ray to ray, gets its middle on the chord, as (shape.14)
+    // needs.
     const double part = tip.quarter_point ? 0.25 : 0.5;
     const base::Vec3& x = net.x(result.tip);
     const base::Vec3 quarter = x + part * (net.x(corner[0][j]) - x);

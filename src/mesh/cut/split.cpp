@@ -18,6 +18,7 @@ using base::NodeId;
 enum class Side { unknown, left, right, both };
 
 Side join(Side a, Side b) {
+  // Elements that both sides claim hang together round the node: the path does not part them.
   if (a == Side::unknown || a == b) {
     return b;
   }
@@ -43,12 +44,15 @@ public:
         if (edge.a != node && edge.b != node && edge.mid != node) {
           continue;
         }
+        // An edge has its element on the left: one that runs with the path belongs to the left
+        // face.
         if (cut.contains({edge.a, edge.b})) {
           side_[i] = join(side_[i], Side::left);
         } else if (cut.contains({edge.b, edge.a})) {
           side_[i] = join(side_[i], Side::right);
         } else {
           const auto [at, fresh] = first.try_emplace(std::minmax(edge.a, edge.b), i);
+          // Elements that share an edge off the path hang together.
           root_[find(i)] = find(at->second);
         }
       }
@@ -122,6 +126,8 @@ std::optional<CrackFaces> split_along(model::Mesh& mesh, const std::vector<NodeI
       last = n;
     }
   }
+  // Sides of all nodes first: the path's edges are known by the nodes they have before any is
+  // doubled.
   std::vector<std::vector<ElementId>> right;
   const std::size_t first = embedded ? 1 : 0; // tips stay single
   for (std::size_t i = first; i + 1 < path.size(); ++i) {
@@ -134,6 +140,7 @@ std::optional<CrackFaces> split_along(model::Mesh& mesh, const std::vector<NodeI
     right.push_back(std::move(*elements));
   }
   CrackFaces crack_faces{path, {}};
+  // Tips are nodes of both faces.
   if (embedded) {
     crack_faces.right.push_back(path.front());
   }
@@ -187,6 +194,7 @@ int move_quarter_points(model::Mesh& mesh, NodeId tip) {
       if (edge.mid.valid() && (edge.a == tip || edge.b == tip)) {
         const NodeId other = edge.a == tip ? edge.b : edge.a;
         const base::Vec3& x = mesh.x[tip.index()];
+        // On the chord: on a straight edge only the distance goes with the square (shape.13).
         const base::Vec3 quarter = x + 0.25 * (mesh.x[other.index()] - x);
         mesh.x[edge.mid.index()] = quarter;
         ++moved;

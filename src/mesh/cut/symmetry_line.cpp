@@ -11,6 +11,7 @@ using base::NodeId;
 using base::Vec2;
 
 bool SymmetryLine::holds(const OutlineEdge& edge) const {
+  // Ahead of the mouth only: the boundary may go on straight behind it.
   const auto local = [&](double xi) { return point_on(host_, frame_, edge.edge, xi); };
   return edge.free && std::abs(local(-1.0).y()) < same && std::abs(local(0.0).y()) < same &&
          std::abs(local(1.0).y()) < same && std::max(local(-1.0).x(), local(1.0).x()) > same;
@@ -38,6 +39,7 @@ std::vector<EdgePieces> SymmetryLine::pieces(const PatchNet& net,
     std::vector<std::pair<int, int>> pieces;
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
       const double x = 0.5 * (net.local(line[i]).x() + net.local(line[i + 1]).x());
+      // Half-open: a piece whose middle meets the end of two host edges goes to one of them.
       if (x >= std::min(x0, x1) - same && x < std::max(x0, x1) - same) {
         pieces.emplace_back(line[i], line[i + 1]);
       }
@@ -60,6 +62,7 @@ bool replace_between(std::vector<std::vector<int>>& loops, const std::vector<int
       continue;
     }
     std::rotate(loop.begin(), first, loop.end());
+    // What stands between are host nodes of the line, in whose place the contour's come.
     const auto last = std::find(loop.begin(), loop.end(), contour.back());
     std::vector<int> whole(contour.begin(), contour.end() - 1);
     whole.insert(whole.end(), last, loop.end());

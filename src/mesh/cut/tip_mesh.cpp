@@ -44,9 +44,11 @@ TipMesh choose_tip_mesh(const Host& host, const CrackLine& line, const model::Ti
     }
     double room = std::min(1.0, room_beside_cracks(line, all) / frame.a);
     for (int end = 0; end < (line.embedded ? 2 : 1); ++end) {
+      // (crack.16): half of the only straight part where both its ends are tips.
       const double last = (local.back() - local[local.size() - 2]).norm();
       room = std::min({room, tip_room(host, frame, local, line.symmetric_half, line.net),
                        1.5 * last / (line.embedded && local.size() == 2 ? 2.0 : 1.0)});
+      // Room is measured at the last point.
       std::reverse(local.begin(), local.end());
     }
     tip.radius = radius_part * frame.a * room;
@@ -54,6 +56,7 @@ TipMesh choose_tip_mesh(const Host& host, const CrackLine& line, const model::Ti
   if (wishes != nullptr && wishes->size) {
     tip.size = *wishes->size / finer;
   } else {
+    // So many times more rings over the same radius: sizes grow as before with the distance.
     const double q = std::pow(ring_growth, 1.0 / finer);
     tip.size =
         tip.radius * std::max(smallest_part / finer, (q - 1.0) / (std::pow(q, tip.rings) - 1.0));
