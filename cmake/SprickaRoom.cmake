@@ -1,10 +1,12 @@
-# spricka_room(NAME SOURCES a.cpp .. [USES rooms ..] [LINKS targets ..] [HIDES targets ..])
+# spricka_room(NAME SOURCES a.cpp .. [ALONE b.cpp ..] [USES rooms ..] [LINKS targets ..] [HIDES targets ..])
 # A room of the house, NAME its folder below src/ (analysis/scene): a static library
 # spricka::analysis_scene whose headers are found from src/ or from the top. USES names the rooms it
 # may include (tests/layers), LINKS libraries that its headers show, HIDES libraries that only its
-# sources see.
+# sources see. Where CMAKE_UNITY_BUILD is on, sources of a room are compiled several at once, as most
+# of the time of one goes into headers; ALONE names those of SOURCES that are heavy by themselves.
+# So no two sources of a room may give one name in their unnamed namespaces to two things.
 function(spricka_room name)
-  cmake_parse_arguments(room "" "" "SOURCES;USES;LINKS;HIDES" ${ARGN})
+  cmake_parse_arguments(room "" "" "SOURCES;ALONE;USES;LINKS;HIDES" ${ARGN})
   string(REPLACE "/" "_" name ${name})
   add_library(spricka_${name} STATIC ${room_SOURCES})
   add_library(spricka::${name} ALIAS spricka_${name})
@@ -14,6 +16,8 @@ function(spricka_room name)
     target_link_libraries(spricka_${name} PUBLIC spricka::${used})
   endforeach()
   target_link_libraries(spricka_${name} PUBLIC ${room_LINKS} PRIVATE ${room_HIDES})
+  set_target_properties(spricka_${name} PROPERTIES UNITY_BUILD_BATCH_SIZE 8)
+  set_source_files_properties(${room_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   spricka_warnings(spricka_${name})
   spricka_precompiled(spricka_${name} spricka_base)
 endfunction()
@@ -34,13 +38,15 @@ function(spricka_precompiled target owner)
     <variant> <vector> <Eigen/Core> <fmt/format.h> ${ARGN})
 endfunction()
 
-# Our own targets compile without a warning; what others ship is included as SYSTEM. The five that
+# Our own targets compile without a warning; what others ship is included as SYSTEM. A local name is
+# held against those of its own source only, not of the sources compiled with it. The five that
 # are off are guesses about sizes after inlining, which g++ 12 gets wrong inside Eigen and the
 # standard library at -O3; the address sanitizer sees what they look for.
 function(spricka_warnings target)
   target_compile_options(
     ${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor
                       -Woverloaded-virtual -Werror
+                      $<$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>:-Wno-shadow>
                       $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds -Wno-stringop-overflow
                       -Wno-stringop-overread -Wno-restrict
                       -Wno-alloc-size-larger-than>)

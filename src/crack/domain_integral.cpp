@@ -93,21 +93,21 @@ private:
 
   // At points of their own: they may bend and jump where the fields do not.
   void add_body_forces(const Forces& force) const {
-    for_body_forces<S>(fields_, e_, X_,
-                       [&](const shape::Point<2>& r, double weight, const base::Vec2& b) {
-                         const fe::Jacobian<S> at = fe::jacobian<S>(X_, r);
-                         const Eigen::Matrix<double, S::nodes, 1> N = S::N(r);
-                         const Polar place = polar(set_.tip, X_ * N);
-                         for (std::size_t k = 0; k < partners; ++k) {
-                           const Tensor<2> Hv =
-                               k == 0 ? Tensor<2>(U_ * at.dNdx) : partner_gradient(set_, place, k);
-                           // - q b . u,k (crack.19), or with v in the place of u (crack.23).
-                           const base::Vec2 c = weight * at.det * (Hv.transpose() * b);
-                           for (int n = 0; n < S::nodes; ++n) {
-                             (*force[static_cast<std::size_t>(n)])[k].template head<2>() -= N[n] * c;
-                           }
-                         }
-                       });
+    for_body_forces<S>(
+        fields_, e_, X_, [&](const shape::Point<2>& r, double weight, const base::Vec2& b) {
+          const fe::Jacobian<S> at = fe::jacobian<S>(X_, r);
+          const Eigen::Matrix<double, S::nodes, 1> N = S::N(r);
+          const Polar place = polar(set_.tip, X_ * N);
+          for (std::size_t k = 0; k < partners; ++k) {
+            const Tensor<2> Hv =
+                k == 0 ? Tensor<2>(U_ * at.dNdx) : partner_gradient(set_, place, k);
+            // - q b . u,k (crack.19), or with v in the place of u (crack.23).
+            const base::Vec2 c = weight * at.det * (Hv.transpose() * b);
+            for (int n = 0; n < S::nodes; ++n) {
+              (*force[static_cast<std::size_t>(n)])[k].template head<2>() -= N[n] * c;
+            }
+          }
+        });
   }
 
   [[nodiscard]] Here solution(const fe::Jacobian<S>& at, const shape::Point<2>& r,

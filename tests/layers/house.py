@@ -12,7 +12,7 @@ from pathlib import Path
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
 ROOM_CALL = re.compile(r"\bspricka_room\(\s*(\S+)([^)]*)\)")
-KEYWORDS = {"SOURCES", "USES", "LINKS", "HIDES"}
+KEYWORDS = {"SOURCES", "ALONE", "USES", "LINKS", "HIDES"}
 
 
 @dataclass(frozen=True)
