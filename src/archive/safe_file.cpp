@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int format_version = 1;
+constexpr int safe_format = 1;
 constexpr std::size_t largest_framed = std::size_t{16} * 1024 * base::mebibyte; ///< [bytes]
 
 [[noreturn]] void unusable(const fs::path& file, const std::string& why,
@@ -72,7 +72,7 @@ std::string hash_of(std::string_view bytes) {
 }
 
 std::string framed(std::string_view kind, std::string_view bytes) {
-  std::string out = fmt::format("spricka {} {} of {} , {} bytes {}", kind, format_version,
+  std::string out = fmt::format("spricka {} {} of {} , {} bytes {}", kind, safe_format,
                                 SPRICKA_VERSION, bytes.size(), hash_of(bytes));
   // The head has a fixed size, so that it can be read before the rest is.
   out.resize(frame_size - 1, ' ');
@@ -91,12 +91,12 @@ std::string read_framed(const fs::path& file, std::string_view kind) {
     unusable(file, fmt::format("not a {} of spricka", kind), "E564");
   }
   const std::vector<std::string> line = words(std::string_view(head).substr(0, frame_size - 1));
-  if (line.size() < line_words || line[2] != std::to_string(format_version) ||
+  if (line.size() < line_words || line[2] != std::to_string(safe_format) ||
       line[4] != SPRICKA_VERSION) {
     unusable(file,
              fmt::format("written by spricka {} in format {}; this is {} with format {}",
                          line.size() > 4 ? line[4] : "?", line.size() > 2 ? line[2] : "?",
-                         SPRICKA_VERSION, format_version),
+                         SPRICKA_VERSION, safe_format),
              "E565");
   }
   std::size_t size = 0;

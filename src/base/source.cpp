@@ -8,11 +8,6 @@ namespace spricka::base {
 
 namespace {
 
-// A byte 10xxxxxx continues a UTF-8 character and so takes no column of its own.
-bool starts_character(char c) {
-  return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
-}
-
 std::size_t line_start(std::string_view text, std::size_t offset) {
   const std::size_t before = offset == 0 ? std::string_view::npos : text.rfind('\n', offset - 1);
   return before == std::string_view::npos ? 0 : before + 1;

@@ -8,6 +8,11 @@
 
 namespace spricka::base {
 
+/// Whether a byte of UTF-8 begins a character.
+inline bool starts_character(char c) {
+  return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+}
+
 /// A stretch of bytes in one source file; `file < 0` means "no place in a deck".
 struct Span {
   std::int32_t file = -1;

@@ -9,11 +9,6 @@ namespace {
 
 constexpr std::size_t block_size = 1024; ///< [bytes]
 
-// A byte 10xxxxxx continues a UTF-8 character and so takes no column of its own.
-bool starts_character(char c) {
-  return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
-}
-
 } // namespace
 
 const std::vector<SourceIndex::Block>& SourceIndex::blocks_of(std::int32_t file) {

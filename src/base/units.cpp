@@ -64,7 +64,7 @@ double scaled(double value, double base, double exponent) {
 }
 
 // Unit factors are short decimal numbers; this takes away what the powers left of rounding.
-double tidy(double factor) {
+double tidied(double factor) {
   const std::string text = fmt::format("{:.12g}", factor);
   double shorter = 0.0;
   std::from_chars(text.data(), text.data() + text.size(), shorter);
@@ -158,7 +158,7 @@ std::optional<Unit> parse_unit(std::string_view text) {
 
 double to_deck(const Unit& unit, const UnitSystem& system) {
   const double lengths = scaled(unit.si, system.metre_per_length, -unit.dimension.length);
-  return tidy(scaled(lengths, system.newton_per_force, -unit.dimension.force));
+  return tidied(scaled(lengths, system.newton_per_force, -unit.dimension.force));
 }
 
 std::optional<UnitSystem> make_unit_system(std::string_view length, std::string_view force) {

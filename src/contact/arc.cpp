@@ -12,7 +12,7 @@ namespace spricka::contact {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Over closed chains' seams and crack mouths.
 Links links_of(const Surface& surface, const std::vector<NodePressure>& nodes) {

@@ -17,7 +17,6 @@ namespace spricka::contact {
 namespace {
 
 constexpr double off_normal = 1e-3; // of the mean edge length
-constexpr double far_share = 0.2;   // of the contact surface's extent
 // About an axis the corner of a quadratic edge that lies on the axis has no area: no force acts
 // there, and its row would say nothing. Share of the square of the mean edge length.
 constexpr double no_area = 1e-9;
@@ -81,7 +80,7 @@ struct Partner {
 std::optional<Partner> rigid_partner(const SurfaceNode& node, const PairRows& pair) {
   const std::optional<RigidFoot> foot = foot_on(*pair.rigid, node.x);
   if (!foot || foot->beyond || node.normal.dot(foot->normal) <= 0.0 ||
-      std::abs(foot->gap) > far_share * pair.contact.extent) {
+      std::abs(foot->gap) > farthest_opposite * pair.contact.extent) {
     return std::nullopt;
   }
   return Partner{base::NodeId(), foot->normal, foot->gap};
@@ -98,7 +97,7 @@ std::optional<Partner> partner(const SurfaceNode& node, const SurfaceNodes& targ
     const double along = d.dot(n);
     const double across = std::abs(n.x() * d.y() - n.y() * d.x());
     if (other.normal.dot(n) < 0.0 && across <= off_normal * contact.mean_length &&
-        std::abs(along) <= far_share * contact.extent && std::abs(along) < best) {
+        std::abs(along) <= farthest_opposite * contact.extent && std::abs(along) < best) {
       best = std::abs(along);
       found = Partner{id, n, along};
     }

@@ -30,7 +30,7 @@ constexpr std::array<double, 4> gauss_w{0.3478548451374538, 0.6521451548625461, 
                                         0.3478548451374538};
 
 constexpr double covered = 1e-4; // of a hat's area: what integration may miss
-constexpr double no_area = 1e-9; // of a hat's area
+constexpr double no_hat = 1e-9;  // of a hat's area
 
 // Surface mass matrix C = sum over edges of integral N N^T, times the depth.
 Eigen::SparseMatrix<double> surface_mass(const PairRows& pair, const Numbering& number) {
@@ -262,7 +262,7 @@ NodalPressure recover(const PairRows& pair, const Multipliers& row, const SideFo
   NodeArea area = node_areas(pair, places, number);
   for (Eigen::Index k = 0; pair.faces && k < n; ++k) {
     // at a crack's tip, beside a quarter point, the corner's function has no area
-    area.facing[k] = area.facing[k] > no_area * area.hat[k] ? area.facing[k] : area.hat[k];
+    area.facing[k] = area.facing[k] > no_hat * area.hat[k] ? area.facing[k] : area.hat[k];
   }
   NodalPressure p{R.cwiseQuotient(area.facing), base::Vector::Zero(n), T.cwiseQuotient(area.facing),
                   base::Vector::Zero(n)};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/rigid_target.hpp"
 
+#include "model/contacts.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -9,9 +11,7 @@ namespace spricka::contact {
 
 namespace {
 
-constexpr double far_share = 0.2;  // of the contact surface's extent
-constexpr double smallest = 1e-10; // stretches shorter than this in xi carry nothing
-constexpr double snap = 1e-9;      // cuts this near to a node, or points to an end, are there
+constexpr double snap = 1e-9; // cuts this near to a node, or points to an end, are there
 
 RigidFoot foot_on_line(const model::Rigid& line, const Vec2& x) {
   const Vec2 first = line.first.head<2>();
@@ -67,7 +67,7 @@ void settle(std::vector<double>& cuts) {
 bool faces(const Surface& contact, const Edge& edge, const model::Rigid& rigid, double xi) {
   const std::optional<RigidFoot> foot = foot_on(rigid, point_on(edge, xi));
   return foot && !foot->beyond && outer_normal(edge, xi).dot(foot->normal) > 0.0 &&
-         std::abs(foot->gap) <= far_share * contact.extent;
+         std::abs(foot->gap) <= farthest_opposite * contact.extent;
 }
 
 } // namespace
@@ -108,7 +108,7 @@ std::vector<Segment> find_segments(const Surface& contact, const model::Rigid& r
     }
     settle(cuts);
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-      if (cuts[i + 1] - cuts[i] > smallest &&
+      if (cuts[i + 1] - cuts[i] > shortest_stretch &&
           faces(contact, edge, rigid, 0.5 * (cuts[i] + cuts[i + 1]))) {
         all.push_back({number, 0, cuts[i], cuts[i + 1]});
       }

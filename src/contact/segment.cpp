@@ -8,9 +8,6 @@ namespace spricka::contact {
 
 namespace {
 
-constexpr double far_share = 0.2;  // of the contact surface's extent
-constexpr double smallest = 1e-10; // segments shorter than this in xi carry nothing
-
 struct Ball {
   Vec2 centre;
   double radius;
@@ -36,7 +33,7 @@ void add_segments(const Surface& contact, const Edge& edge, const Edge& target,
   }
   const double from = std::max(std::min(*a, *b), -1.0);
   const double to = std::min(std::max(*a, *b), 1.0);
-  if (to - from < smallest) {
+  if (to - from < shortest_stretch) {
     return;
   }
   const double middle = 0.5 * (from + to);
@@ -46,11 +43,11 @@ void add_segments(const Surface& contact, const Edge& edge, const Edge& target,
   // Judged in the middle of the stretch: sides that look the same way, as those of a thin body, and
   // edges far off are not faced.
   if (!eta || outer_normal(target, std::clamp(*eta, -1.0, 1.0)).dot(n) >= 0.0 ||
-      std::abs((point_on(target, *eta) - x).dot(n)) > far_share * contact.extent) {
+      std::abs((point_on(target, *eta) - x).dot(n)) > farthest_opposite * contact.extent) {
     return;
   }
   Segment s = proto;
-  if (edge.count == 3 && from < -smallest && to > smallest) {
+  if (edge.count == 3 && from < -shortest_stretch && to > shortest_stretch) {
     s.from = from;
     s.to = 0.0;
     out.push_back(s);
@@ -136,7 +133,7 @@ std::vector<Segment> find_segments(const Surface& contact, const Surface& target
     const Ball own = ball_of(edge);
     const auto begin = static_cast<std::ptrdiff_t>(all.size());
     for (std::size_t t = 0; t < targets.size(); ++t) {
-      const double reach = own.radius + balls[t].radius + far_share * contact.extent;
+      const double reach = own.radius + balls[t].radius + farthest_opposite * contact.extent;
       if ((own.centre - balls[t].centre).norm() <= reach) {
         add_segments(contact, edge, targets[t], {number, t, -1.0, 1.0}, all);
       }

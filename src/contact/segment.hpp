@@ -8,6 +8,11 @@
 /// Mortar segments in the plane: the stretches of contact edges that face one target edge each.
 namespace spricka::contact {
 
+/// What lies farther off than this part of the contact surface's extent is not opposite.
+inline constexpr double farthest_opposite = 0.2;
+/// Stretches shorter than this in xi carry nothing.
+inline constexpr double shortest_stretch = 1e-10;
+
 struct Segment {
   std::size_t contact_edge = 0; ///< among all edges of the contact surface, chain by chain
   std::size_t target_edge = 0;

@@ -14,7 +14,7 @@ namespace spricka::contact {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 const Surface& slave_of(const PairRows& pair) {
   return pair.swapped ? pair.target : pair.contact;

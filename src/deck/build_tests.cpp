@@ -15,7 +15,7 @@ namespace {
 using grammar::Field;
 
 /// Two numbers of a line and the place for messages about it.
-struct Pair {
+struct Reading {
   double first = 0.0, second = 0.0;
   base::Span span;
   std::string where; ///< "line 17 of 'f.txt': "; empty: the span says it
@@ -59,8 +59,8 @@ public:
                         test_.window));
     }
     rows();
-    file("FILE", [this](const Pair& pair) { reading(pair); });
-    file("REFERENCE", [this](const Pair& pair) { rate(pair); });
+    file("FILE", [this](const Reading& pair) { reading(pair); });
+    file("REFERENCE", [this](const Reading& pair) { rate(pair); });
     if (good_ && !card_.rows_bad) {
       look_at_the_whole();
     }
@@ -113,12 +113,12 @@ private:
       if (!line.sound || line.numbers.size() != 2) {
         wrong({0, 0, line.span, line.where}, "E115", "a line holds two numbers");
       } else {
-        take(Pair{line.numbers[0], line.numbers[1], line.span, line.where});
+        take(Reading{line.numbers[0], line.numbers[1], line.span, line.where});
       }
     }
   }
 
-  void reading(const Pair& pair) {
+  void reading(const Reading& pair) {
     if (!test_.readings.empty() && pair.first <= test_.readings.back()[0]) {
       wrong(pair, "E109",
             fmt::format("{} cycles do not come after {}", pair.first, test_.readings.back()[0]));
@@ -129,7 +129,7 @@ private:
     }
   }
 
-  void rate(const Pair& pair) {
+  void rate(const Reading& pair) {
     const double last_k = test_.delta_k.empty() ? 0.0 : test_.delta_k.back();
     const double last_rate = test_.growth.empty() ? 0.0 : test_.growth.back();
     if (pair.first <= last_k || pair.second <= last_rate) {
@@ -185,7 +185,7 @@ private:
     }
   }
 
-  void wrong(const Pair& place, const char* code, const std::string& text) {
+  void wrong(const Reading& place, const char* code, const std::string& text) {
     c_.error(place.span, code, place.where + text);
     good_ = false;
   }

@@ -103,12 +103,6 @@ void idle_steps(Context& c, const std::vector<Factors>& factors) {
   }
 }
 
-const BoundCard* grow_card(const Context& c) {
-  const auto found = std::ranges::find_if(
-      c.cards, [](const BoundCard& card) { return card.spec->name == "GROW"; });
-  return found == c.cards.end() ? nullptr : &*found;
-}
-
 base::Span span_of(const BoundCard& card, std::string_view key) {
   return card.has(key) ? card.find(key)->span : card.span;
 }
@@ -189,7 +183,7 @@ void shorter_lengths(Context& c, const BoundCard& card) {
 }
 
 void growing_cracks(Context& c, const std::vector<Factors>& factors) {
-  const BoundCard* card = grow_card(c);
+  const BoundCard* card = c.first_card("GROW");
   if (card == nullptr || !c.model.growth) {
     return;
   }

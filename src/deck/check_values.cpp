@@ -43,12 +43,6 @@ void odd_materials(Context& c) {
   }
 }
 
-const BoundCard* grow_card(const Context& c) {
-  const auto found = std::ranges::find_if(
-      c.cards, [](const BoundCard& card) { return card.spec->name == "GROW"; });
-  return found == c.cards.end() ? nullptr : &*found;
-}
-
 // No solid bears a tenth of its modulus.
 void odd_flow_stress(Context& c, const BoundCard& card) {
   constexpr double most = 0.1;
@@ -176,7 +170,7 @@ void check_values(Context& context) {
     return;
   }
   odd_materials(context);
-  const BoundCard* card = grow_card(context);
+  const BoundCard* card = context.first_card("GROW");
   if (card != nullptr && context.model.growth) {
     odd_flow_stress(context, *card);
     falling_table(context, *card);

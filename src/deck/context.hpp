@@ -58,6 +58,8 @@ struct Context {
   void error(base::Span span, std::string code, std::string text, std::string hint = {}) {
     diagnostics.error(span, std::move(code), std::move(text), std::move(hint));
   }
+  /// The first card of a name; null: the deck has none.
+  [[nodiscard]] const BoundCard* first_card(std::string_view name) const;
   /// Of the net that a card stands in; null: as the deck has it.
   [[nodiscard]] const Refinement* refinement(const std::string& net) const {
     const auto found =

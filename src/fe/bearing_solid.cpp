@@ -2,6 +2,7 @@
 #include "fe/bearing.hpp"
 #include "fe/circle_fit.hpp"
 #include "fe/face.hpp"
+#include "model/loads.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -17,7 +18,7 @@ using base::Vec3;
 using base::Vector;
 
 // Pressures are no polynomials, and the loaded half may end inside a face.
-constexpr int pressure_degree = 15;
+constexpr int solid_pressure_degree = 15;
 
 // Calls f(x, a) with each integration point of the faces and its outward area vector.
 template <class F>
@@ -74,7 +75,7 @@ bool add_solid_bearing(const model::Mesh& mesh, const model::Load& load, Vector&
   for_faces(mesh, faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
     const SideNodes<Side> X = side_coordinates<Side>(mesh, face);
     const std::array<base::NodeId, Side::nodes> nodes = nodes_of_face<Side>(mesh, face);
-    for (const auto& point : shape::quadrature<Side>(pressure_degree)) {
+    for (const auto& point : shape::quadrature<Side>(solid_pressure_degree)) {
       const Eigen::Matrix<double, Side::nodes, 1> N = Side::N(point.r);
       const Vec3 x = X * N;
       const Vec3 outward = area_vector<Side>(X, point.r);

@@ -18,7 +18,7 @@ using base::ElementId;
 using base::Vec2;
 
 // A rest below this part of the largest temperature is round-off of the linear part.
-constexpr double round_off = 1e-9;
+constexpr double heat_round_off = 1e-9;
 
 // The function that an element takes, nearest to the temperature at the points: linear in x where
 // it does not hold quadratic functions, else in its reference coordinates (thermal_kernel.hpp).
@@ -95,7 +95,7 @@ void add_points(const model::Model& model, const PatchedMesh& patched, const Fie
           most = std::max(most, std::abs(p.T));
         }
         // Elsewhere the element keeps what element_temperature found, and has no points.
-        if (most > round_off * scale.largest) {
+        if (most > heat_round_off * scale.largest) {
           heat.temperature.segment<corners<S>()>(mesh.first[i]) = T;
           heat.points.insert(heat.points.end(), points.begin(), points.end());
         }

@@ -67,13 +67,13 @@ std::optional<PointHit> hit_in(const model::Mesh& mesh, ElementId e, const Vec3&
   return found;
 }
 
+} // namespace
+
 bool share_node(const model::Mesh& mesh, ElementId a, ElementId b) {
   const auto nodes = mesh.nodes_of(b);
   return std::ranges::any_of(
       mesh.nodes_of(a), [&](base::NodeId n) { return std::ranges::find(nodes, n) != nodes.end(); });
 }
-
-} // namespace
 
 std::vector<PointHit> elements_at(const model::Mesh& mesh, const Vec3& point) {
   std::vector<PointHit> hits;

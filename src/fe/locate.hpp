@@ -29,6 +29,9 @@ std::vector<PointHit> elements_at(const model::Mesh& mesh, const base::Vec3& poi
 using PointSide = std::vector<PointHit>;
 std::vector<PointSide> sides_of(const model::Mesh& mesh, const std::vector<PointHit>& hits);
 
+/// Whether two elements have a node in common.
+bool share_node(const model::Mesh& mesh, base::ElementId a, base::ElementId b);
+
 /// Displacement [3] on one side of a point, of the nodal vector u [dim * node].
 base::Vec3 displacement_at(const model::Mesh& mesh, const base::Vector& u, const PointSide& side);
 

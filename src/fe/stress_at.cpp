@@ -8,19 +8,20 @@ namespace spricka::fe {
 
 namespace {
 
-constexpr double round_off = 1e-9;
+constexpr double place_round_off = 1e-9;
 
 // The mean of the elements there in the material of the nearest.
 Stress mean_at(const model::Model& model, const model::Mesh& mesh, const StateField& field,
                const std::vector<PointHit>& hits) {
   const auto nearest = std::ranges::min_element(
-      hits, {}, [](const PointHit& h) { return std::max(h.outside, round_off); });
+      hits, {}, [](const PointHit& h) { return std::max(h.outside, place_round_off); });
   Stress sum = Stress::Zero();
   int count = 0;
   for (const PointHit& hit : hits) {
-    const bool counts = hit.element == nearest->element ||
-                        (hit.outside <= round_off && mesh.property[hit.element.index()] ==
-                                                         mesh.property[nearest->element.index()]);
+    const bool counts =
+        hit.element == nearest->element ||
+        (hit.outside <= place_round_off &&
+         mesh.property[hit.element.index()] == mesh.property[nearest->element.index()]);
     if (!counts) {
       continue;
     }
@@ -30,12 +31,6 @@ Stress mean_at(const model::Model& model, const model::Mesh& mesh, const StateFi
     ++count;
   }
   return Stress(sum / count);
-}
-
-bool share_node(const model::Mesh& mesh, base::ElementId a, base::ElementId b) {
-  const auto nodes = mesh.nodes_of(b);
-  return std::ranges::any_of(
-      mesh.nodes_of(a), [&](base::NodeId n) { return std::ranges::find(nodes, n) != nodes.end(); });
 }
 
 } // namespace
@@ -48,7 +43,7 @@ std::optional<Stress> stress_at(const model::Model& model, const model::Mesh& me
   }
   // never the other body of a contact or the other face of a crack
   const PointHit nearest = *std::ranges::min_element(
-      hits, {}, [](const PointHit& h) { return std::max(h.outside, round_off); });
+      hits, {}, [](const PointHit& h) { return std::max(h.outside, place_round_off); });
   std::erase_if(hits, [&](const PointHit& h) {
     return h.element != nearest.element && !share_node(mesh, h.element, nearest.element);
   });

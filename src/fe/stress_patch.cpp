@@ -14,7 +14,7 @@ namespace {
 // is bent at most; two layers of middles have 0.5, the two points across one layer 0.29.
 constexpr double least_spread = 0.15;
 // Part of a term's square that earlier terms must leave over.
-constexpr double least_pivot = 0.02;
+constexpr double least_share = 0.02;
 
 int term_count(int dim, int degree) {
   return degree == 0 ? 1 : (degree == 1 ? dim + 1 : (dim + 1) * (dim + 2) / 2);
@@ -99,7 +99,7 @@ template <int some> void StressPatch::fit(std::span<const StressSample* const> s
   std::array<bool, some> used{};
   std::size_t left = samples.size(); // no more terms than samples
   for (int k = 0; k < count_; ++k) {
-    const bool carried = left > 0 && own[k] > 0.0 && A(k, k) > least_pivot * own[k];
+    const bool carried = left > 0 && own[k] > 0.0 && A(k, k) > least_share * own[k];
     used[static_cast<std::size_t>(k)] = carried;
     complete_ = complete_ && carried;
     if (!carried) {

@@ -94,7 +94,7 @@ std::optional<Obstacle> Surroundings::edge_ahead(const mesh::CrackLine& line,
     }
     const std::optional<double> distance = meets(from, way, piece.a, piece.b);
     // The edge that the tip stands on, as at a mouth, is met at no distance: not ahead.
-    if (distance && *distance<least&& * distance> slack * (piece.b - piece.a).norm()) {
+    if (distance && (*distance < least) && (*distance > slack * (piece.b - piece.a).norm())) {
       least = *distance;
       nearest = &piece;
     }

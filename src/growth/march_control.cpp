@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "growth/march.hpp"
+#include "model/crack_growth.hpp"
+#include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +30,7 @@ constexpr double small_part = 0.1;
 constexpr double aimed_miss = 0.01;
 constexpr double largest_miss = 0.05;
 /// The place where K reaches the toughness, by two polynomials, agrees to this part of the arms.
-constexpr double same_place = 5e-3;
+constexpr double same_end = 5e-3;
 /// Growth of an arm follows from that of the law, at most about so much faster.
 constexpr double law_of_length = 3.0;
 /// An end on the very first advance is believed if that is no longer than this step.
@@ -153,7 +155,7 @@ bool March::good_enough() {
   if (end && n > 2) { // the end is on this interval: is its place sure?
     const Trajectory other(state_.stations, law_, std::min<std::size_t>(n, 4) - 1);
     const std::optional<End> again = crossing(other, last.s, here.s);
-    good = good && again && std::abs(again->s - end->s) <= same_place * here.s;
+    good = good && again && std::abs(again->s - end->s) <= same_end * here.s;
     factor = std::min(factor, std::max(0.3, 1.1 * (end->s - last.s) / (here.s - last.s)));
   } else if (end) {
     good = good && step <= first_look;

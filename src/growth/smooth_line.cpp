@@ -18,7 +18,7 @@ namespace {
 
 /// Angles [rad] that the curve may turn by over one piece of the polyline and over the piece at a
 /// tip: K follows the direction at the tip to first order, kinks farther away to second order.
-constexpr double turn_of_piece = 0.05;
+constexpr double turn_of_chord = 0.05;
 constexpr double turn_at_tip = 0.02;
 /// The straight piece at a tip as a part of the crack's length, at most.
 constexpr double tip_part = 0.25;
@@ -162,7 +162,7 @@ std::vector<Vec3> as_polyline(const SmoothCurve& curve, double s0, double s1, bo
     sharpest = std::max(sharpest, curve.curvature(first + (last - first) * k / looks));
   }
   const int pieces =
-      std::max(1, static_cast<int>(std::ceil(sharpest * (last - first) / turn_of_piece)));
+      std::max(1, static_cast<int>(std::ceil(sharpest * (last - first) / turn_of_chord)));
   for (int k = 1; k < pieces; ++k) {
     points.push_back(curve.at(first + (last - first) * k / pieces));
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "life/growth_law.hpp"
 
+#include "life/no_value.hpp"
 #include "life/root.hpp"
 
 #include <algorithm>
@@ -15,7 +16,6 @@ namespace spricka::life {
 namespace {
 
 constexpr double k_infinite = std::numeric_limits<double>::infinity();
-constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
 
 // C for K and lengths in the units of the deck: the powers of k_unit that a law divides by are
 // taken into it, and its formula takes K as it is. Forman's has one power less, as it divides by K
@@ -69,7 +69,7 @@ GrowthLaw::GrowthLaw(Law law, LawConstants constants)
 double GrowthLaw::rate(double K_max, double K_min) const {
   const double range = growing_range(K_max, K_min);
   if (!(range > constants_.threshold) || !(K_max > 0.0)) {
-    return std::isnan(range) ? k_nan : 0.0;
+    return std::isnan(range) ? no_value : 0.0;
   }
   return formula(range, K_min / K_max);
 }
@@ -103,7 +103,7 @@ double GrowthLaw::formula(double range, double R) const {
   case Law::table:
     return tabular(range);
   }
-  return k_nan;
+  return no_value;
 }
 
 double GrowthLaw::tabular(double range) const {
@@ -126,19 +126,19 @@ double GrowthLaw::by_root(double rate, double R) const {
   double begin = constants_.threshold > 0.0 ? std::log(constants_.threshold) : end - 1.0;
   for (double reach = 1.0; constants_.threshold <= 0.0 && !(excess(begin) < 0.0); reach *= 2.0) {
     if (reach > 1e3) {
-      return k_nan;
+      return no_value;
     }
     begin = end - reach;
   }
   const std::optional<double> root = increasing_root(excess, begin, end);
-  return root ? std::exp(*root) : k_nan;
+  return root ? std::exp(*root) : no_value;
 }
 
 double GrowthLaw::range(double rate, double R) const {
   if (!(rate > 0.0) || !(R < 1.0) || std::isinf(rate)) {
-    return k_nan;
+    return no_value;
   }
-  double found = k_nan;
+  double found = no_value;
   switch (law_) {
   case Law::paris:
     found = std::pow(rate / scale_, 1.0 / constants_.m);
@@ -151,14 +151,14 @@ double GrowthLaw::range(double rate, double R) const {
     // Rates that do not rise all the way have several ranges, or none.
     found = std::is_sorted(log_rate_.begin(), log_rate_.end(), std::less_equal<>())
                 ? tabular_range(rate)
-                : k_nan;
+                : no_value;
     break;
   case Law::forman:
   case Law::nasgro:
     found = by_root(rate, R);
     break;
   }
-  return found > constants_.threshold ? found : k_nan;
+  return found > constants_.threshold ? found : no_value;
 }
 
 bool GrowthLaw::covers(double delta_K) const {

@@ -11,7 +11,7 @@ namespace spricka::life {
 
 namespace {
 
-struct Free {
+struct FreeWorkspace {
   void operator()(gsl_integration_workspace* work) const { gsl_integration_workspace_free(work); }
 };
 
@@ -25,7 +25,7 @@ double integrate(const std::function<double(double)>& f, double begin, double en
     return 0.0;
   }
   quiet_gsl();
-  const std::unique_ptr<gsl_integration_workspace, Free> work(
+  const std::unique_ptr<gsl_integration_workspace, FreeWorkspace> work(
       gsl_integration_workspace_alloc(k_most_parts));
   const GslFunction function(f);
   double sum = 0.0;

@@ -2,6 +2,7 @@
 #include "life/life_curve.hpp"
 
 #include "life/integrate.hpp"
+#include "life/no_value.hpp"
 #include "life/root.hpp"
 
 #include <algorithm>
@@ -14,7 +15,6 @@ namespace spricka::life {
 
 namespace {
 
-constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double k_cycles_tolerance = 1e-12;
 // Of an estimate three digits will do.
 constexpr double k_error_tolerance = 1e-3;
@@ -68,12 +68,12 @@ bool LifeCurve::within(double a0, double a1) const {
 }
 
 double LifeCurve::rate(double a) const {
-  return within(a, a) ? std::exp(log_rate_(std::log(a))) : k_nan;
+  return within(a, a) ? std::exp(log_rate_(std::log(a))) : no_value;
 }
 
 double LifeCurve::cycles(double a0, double a1) const {
   if (!within(a0, a1)) {
-    return k_nan;
+    return no_value;
   }
   // (life.13) over x = ln a.
   const auto cycles_by_log = [&](double x) { return std::exp(x - log_rate_(x)); };
@@ -84,7 +84,7 @@ double LifeCurve::cycles(double a0, double a1) const {
 
 double LifeCurve::length_at(double N) const {
   if (!(N >= 0.0 && N <= at_.back())) {
-    return k_nan;
+    return no_value;
   }
   const auto above = std::upper_bound(at_.begin() + 1, at_.end() - 1, N);
   const auto i = static_cast<std::size_t>(above - at_.begin());
@@ -111,7 +111,7 @@ double LifeCurve::miss(double x) const {
 
 double LifeCurve::error(double a0, double a1) const {
   if (!within(a0, a1)) {
-    return k_nan;
+    return no_value;
   }
   if (without_.empty()) {
     return std::numeric_limits<double>::infinity();

@@ -18,7 +18,7 @@ public:
 
   /// Growth per cycle; not a number outside the stations, here and below.
   [[nodiscard]] double rate(double a) const;
-  /// Cycles from a0 to a1 >= a0, to 1e-10 of them.
+  /// Cycles from a0 to a1 >= a0, to 1e-12 of them.
   [[nodiscard]] double cycles(double a0, double a1) const;
   /// The length after N cycles from the first station.
   [[nodiscard]] double length_at(double N) const;

@@ -12,7 +12,7 @@ namespace spricka::life {
 
 namespace {
 
-struct Free {
+struct FreeSolver {
   void operator()(gsl_root_fsolver* solver) const { gsl_root_fsolver_free(solver); }
 };
 
@@ -34,7 +34,7 @@ std::optional<double> increasing_root(const std::function<double(double)>& f, do
     return first == 0.0 ? begin : end;
   }
   quiet_gsl();
-  const std::unique_ptr<gsl_root_fsolver, Free> solver(
+  const std::unique_ptr<gsl_root_fsolver, FreeSolver> solver(
       gsl_root_fsolver_alloc(gsl_root_fsolver_brent));
   const GslFunction function(bounded);
   gsl_root_fsolver_set(solver.get(), const_cast<gsl_function*>(function.get()), begin, end);

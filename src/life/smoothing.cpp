@@ -22,7 +22,7 @@ constexpr std::size_t k_most_intervals = 50;
 // The factor of Kim and Gu in (life.19).
 constexpr double k_freedom_cost = 1.4;
 
-struct Free {
+struct FreeSpline {
   void operator()(gsl_bspline_workspace* work) const { gsl_bspline_free(work); }
   void operator()(gsl_matrix* matrix) const { gsl_matrix_free(matrix); }
 };
@@ -51,8 +51,8 @@ public:
   }
 
 private:
-  std::unique_ptr<gsl_bspline_workspace, Free> work_;
-  std::unique_ptr<gsl_matrix, Free> values_;
+  std::unique_ptr<gsl_bspline_workspace, FreeSpline> work_;
+  std::unique_ptr<gsl_matrix, FreeSpline> values_;
 };
 
 // From 0 to 1, at points of x (scaled to that), as many points in every interval but for one.

@@ -2,6 +2,7 @@
 #include "life/spectrum.hpp"
 
 #include "base/turning_points.hpp"
+#include "life/no_value.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -12,8 +13,6 @@
 namespace spricka::life {
 
 namespace {
-
-constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
 
 // The knots where K1 turns or is level on one side, ascending.
 std::vector<std::size_t> turns(const base::PiecewiseLinear& K1) {
@@ -183,7 +182,7 @@ bool Spectrum::counts_on_K(const base::PiecewiseLinear& K1) const {
 
 std::pair<double, double> Spectrum::extreme_K(const base::PiecewiseLinear& K1) const {
   if (!within(K1)) {
-    return {k_nan, k_nan};
+    return {no_value, no_value};
   }
   // K is piecewise linear: extremes are at its turns, or at the ends of the loads.
   const std::vector<double> way = WayOfK(K1)({lowest(), highest()});
@@ -211,7 +210,7 @@ std::vector<LoadCycle> Spectrum::cycles_of_K(const base::PiecewiseLinear& K1) co
 
 double Spectrum::growth(const GrowthLaw& law, const base::PiecewiseLinear& K1) const {
   if (!within(K1)) {
-    return k_nan;
+    return no_value;
   }
   double sum = 0.0;
   if (counts_on_K(K1)) {

@@ -31,6 +31,11 @@ struct Load {
   std::vector<base::Expression> value; ///< 1 to 3 components, fields of x y z
   base::Span span;
 };
+/// Whether it acts by forces, not by given displacements or a temperature.
+inline bool is_force(const Load& load) {
+  return load.type != LoadType::displacement && load.type != LoadType::temperature;
+}
+
 struct LoadCase {
   std::string name;
   std::vector<Load> loads;

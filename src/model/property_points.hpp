@@ -8,7 +8,7 @@
 namespace spricka::model {
 
 /// Where a field that jumps between properties has one value: at every node, and once more for each
-/// further property that meets there. (Crack crack faces have nodes of their own already.)
+/// further property that meets there. (Crack faces have nodes of their own already.)
 struct PropertyPoints {
   std::vector<std::int32_t> of; ///< [connectivity index] point
   /// [point]; the first are the nodes themselves, each with the property that comes first there

@@ -18,15 +18,11 @@ namespace spricka::sense {
 
 namespace {
 
-constexpr double round_off = 1e-9;    // of a load
-constexpr double straight_on = 0.985; // cosine of 10 degrees
+constexpr double balance_round_off = 1e-9; // of a load
+constexpr double straight_on = 0.985;      // cosine of 10 degrees
 
 bool is_held(model::FreedomClass cls) {
   return cls == model::FreedomClass::suppressed || cls == model::FreedomClass::prescribed;
-}
-
-bool is_force(const model::Load& load) {
-  return load.type != model::LoadType::displacement && load.type != model::LoadType::temperature;
 }
 
 class Held {
@@ -40,7 +36,7 @@ public:
     loaded_.assign(mesh_.node_count(), false);
     for (const model::LoadCase& load_case : model_.cases) {
       for (const model::Load& load : load_case.loads) {
-        if (is_force(load) && !on_a_crack(load)) {
+        if (model::is_force(load) && !on_a_crack(load)) {
           look_at(load_case, load);
         }
       }
@@ -108,7 +104,7 @@ private:
       loaded_[n] = loaded_[n] || f[i] != 0.0;
       acts += is_held(cls_[static_cast<std::size_t>(i)]) ? 0.0 : f[i] * f[i];
     }
-    if (std::sqrt(acts) <= round_off * all) {
+    if (std::sqrt(acts) <= balance_round_off * all) {
       list_.warning(load.span, "W457",
                     fmt::format("load case {}: this load stands on held freedoms alone and goes "
                                 "into the supports: no body feels it",

@@ -18,10 +18,6 @@ namespace spricka::sense {
 
 namespace {
 
-bool is_force(const model::Load& load) {
-  return load.type != model::LoadType::displacement && load.type != model::LoadType::temperature;
-}
-
 results::LoadTotal total_of(const model::Model& model, const model::Mesh& mesh,
                             const base::Vector& f) {
   results::LoadTotal total;
@@ -149,7 +145,7 @@ std::vector<results::LoadTotal> load_totals(const model::Model& model) {
   std::vector<results::LoadTotal> totals;
   for (const model::LoadCase& load_case : model.cases) {
     model::LoadCase forces{load_case.name, {}};
-    std::ranges::copy_if(load_case.loads, std::back_inserter(forces.loads), is_force);
+    std::ranges::copy_if(load_case.loads, std::back_inserter(forces.loads), model::is_force);
     results::LoadTotal total =
         total_of(model, model.mesh, fe::nodal_load(model, model.mesh, forces));
     if (total.spread > 0.0) {
@@ -180,7 +176,7 @@ bool loads_are_sound(const model::Model& model, const model::Mesh& cracked,
       const base::Vector f = fe::nodal_load(model, cracked, alone);
       if (!is_number(f, load_case, load, diagnostics)) {
         sound = false;
-      } else if (is_force(load)) {
+      } else if (model::is_force(load)) {
         if (!model.cracks.empty() && on_the_deck(model, load)) {
           sound =
               keeps_its_total(total_of(model, model.mesh, fe::nodal_load(model, model.mesh, alone)),

@@ -25,7 +25,7 @@ constexpr double of_opening = 0.15;
 constexpr double in_bars = 1.0;
 // K below this part of the largest of the run is what round-off leaves of unloaded steps.
 constexpr double no_K = 1e-6;
-constexpr double round_off = 1e-8;
+constexpr double k_round_off = 1e-8;
 
 /// One pair of ways.
 struct Ways {
@@ -119,8 +119,8 @@ bool is_round_off(const results::StepResult& step, const results::TipResult& tip
   for (const results::ContactResult& contact : step.contacts) {
     pressure = std::max(pressure, std::abs(contact.max_pressure));
   }
-  return K <= round_off * std::max(E * step.u.lpNorm<Eigen::Infinity>() / std::sqrt(tip.a),
-                                   pressure * std::sqrt(tip.a));
+  return K <= k_round_off * std::max(E * step.u.lpNorm<Eigen::Infinity>() / std::sqrt(tip.a),
+                                     pressure * std::sqrt(tip.a));
 }
 
 Ways worst_ways(const results::StepResult& step, const results::TipResult& tip) {

@@ -48,6 +48,14 @@ struct ConstBlock {
   ConstBlock(const Block& block) : data(block.data), stride(block.stride) {} // NOLINT: a view of it
 };
 
+/// A whole dense matrix.
+template <class Matrix> Block whole(Matrix& A) {
+  return {A.data(), static_cast<int>(A.rows())};
+}
+template <class Matrix> ConstBlock whole(const Matrix& A) {
+  return {A.data(), static_cast<int>(A.rows())};
+}
+
 enum class Form { plain, transposed };
 
 /// So few columns are taken one by one: for more, routines that first copy the matrix in their own

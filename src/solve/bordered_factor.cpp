@@ -17,13 +17,6 @@ int count(const std::vector<int>& list) {
   return static_cast<int>(list.size());
 }
 
-blas::Block block(base::Matrix& A) {
-  return {A.data(), static_cast<int>(A.rows())};
-}
-blas::ConstBlock block(const base::Matrix& A) {
-  return {A.data(), static_cast<int>(A.rows())};
-}
-
 /// Smallest pivot over its diagonal entry that still counts for the border [m, m].
 constexpr double border_rank = 1e-12;
 
@@ -33,7 +26,7 @@ std::vector<int> independent_of(base::Matrix& M, const std::vector<int>& rows) {
     return rows;
   }
   std::vector<int> order(rows.size(), 0);
-  const int rank = blas::pivoted_cholesky(count(rows), block(M), redundancy, order);
+  const int rank = blas::pivoted_cholesky(count(rows), blas::whole(M), redundancy, order);
   std::vector<int> kept;
   kept.reserve(rows.size());
   for (int k = 0; k < rank; ++k) {
@@ -97,7 +90,7 @@ bool BorderedFactor::cholesky() {
   if (a == 0) {
     return true;
   }
-  if (!blas::cholesky(a, block(L_))) {
+  if (!blas::cholesky(a, blas::whole(L_))) {
     return false;
   }
   for (int i = 0; i < a; ++i) {
@@ -142,15 +135,16 @@ void BorderedFactor::leave_out_redundant() {
     base::Matrix Z = scaled(fixed, others);
     // M of the others becomes what is left of it once the equality rows are eliminated, so that a
     // row that depends on these is found to be redundant.
-    blas::cholesky(count(fixed), block(E));
-    blas::solve_lower(count(fixed), count(others), blas::Form::plain, block(E), block(Z));
+    blas::cholesky(count(fixed), blas::whole(E));
+    blas::solve_lower(count(fixed), count(others), blas::Form::plain, blas::whole(E),
+                      blas::whole(Z));
     blas::gemm({.m = count(others),
                 .n = count(others),
                 .k = count(fixed),
                 .a = blas::Form::transposed,
                 .alpha = -1.0,
                 .beta = 1.0},
-               block(Z), block(Z), block(M));
+               blas::whole(Z), blas::whole(Z), blas::whole(M));
   }
   others = independent_of(M, others);
   std::vector<bool> kept(rows_.size(), false);
@@ -177,11 +171,11 @@ bool BorderedFactor::factorise_border() {
   if (a < m) {
     return false;
   }
-  blas::solve_lower(a, m, blas::Form::plain, block(std::as_const(L_)), block(Y_));
-  blas::gemm({.m = m, .n = m, .k = a, .a = blas::Form::transposed}, block(std::as_const(Y_)),
-             block(std::as_const(Y_)), block(C_));
+  blas::solve_lower(a, m, blas::Form::plain, blas::whole(std::as_const(L_)), blas::whole(Y_));
+  blas::gemm({.m = m, .n = m, .k = a, .a = blas::Form::transposed}, blas::whole(std::as_const(Y_)),
+             blas::whole(std::as_const(Y_)), blas::whole(C_));
   const base::Vector diagonal = C_.diagonal();
-  if (!blas::cholesky(m, block(C_))) {
+  if (!blas::cholesky(m, blas::whole(C_))) {
     return false;
   }
   return (C_.diagonal().array().square() > border_rank * diagonal.array()).all();
@@ -194,22 +188,23 @@ void BorderedFactor::solve(base::Matrix& top, base::Matrix& bottom) const {
   if (a == 0 || k == 0) {
     return;
   }
-  const blas::Block x = block(top);
+  const blas::Block x = blas::whole(top);
   if (m == 0) {
-    blas::solve_lower(a, k, blas::Form::plain, block(L_), x);
-    blas::solve_lower(a, k, blas::Form::transposed, block(L_), x);
+    blas::solve_lower(a, k, blas::Form::plain, blas::whole(L_), x);
+    blas::solve_lower(a, k, blas::Form::transposed, blas::whole(L_), x);
     return;
   }
   // M X + B Y = top + tau B bottom,  B^T X = bottom
-  const blas::Block y = block(bottom);
-  blas::gemm({.m = a, .n = k, .k = m, .alpha = problem_.tau, .beta = 1.0}, block(B_), y, x);
-  blas::solve_lower(a, k, blas::Form::plain, block(L_), x);
-  blas::gemm({.m = m, .n = k, .k = a, .a = blas::Form::transposed, .beta = -1.0}, block(Y_), x, y);
+  const blas::Block y = blas::whole(bottom);
+  blas::gemm({.m = a, .n = k, .k = m, .alpha = problem_.tau, .beta = 1.0}, blas::whole(B_), y, x);
+  blas::solve_lower(a, k, blas::Form::plain, blas::whole(L_), x);
+  blas::gemm({.m = m, .n = k, .k = a, .a = blas::Form::transposed, .beta = -1.0}, blas::whole(Y_),
+             x, y);
   // C C^T Y = B^T M^-1 top - bottom, the border eliminated.
-  blas::solve_lower(m, k, blas::Form::plain, block(C_), y);
-  blas::solve_lower(m, k, blas::Form::transposed, block(C_), y);
-  blas::gemm({.m = a, .n = k, .k = m, .alpha = -1.0, .beta = 1.0}, block(Y_), y, x);
-  blas::solve_lower(a, k, blas::Form::transposed, block(L_), x);
+  blas::solve_lower(m, k, blas::Form::plain, blas::whole(C_), y);
+  blas::solve_lower(m, k, blas::Form::transposed, blas::whole(C_), y);
+  blas::gemm({.m = a, .n = k, .k = m, .alpha = -1.0, .beta = 1.0}, blas::whole(Y_), y, x);
+  blas::solve_lower(a, k, blas::Form::transposed, blas::whole(L_), x);
 }
 
 double BorderedFactor::independence(int i) const {
@@ -224,7 +219,7 @@ double BorderedFactor::independence(int i) const {
   }
   column += problem_.tau * (B_ * problem_.B.row(i).transpose());
   if (a > 0) {
-    blas::solve_lower(a, 1, blas::Form::plain, block(L_), block(column));
+    blas::solve_lower(a, 1, blas::Form::plain, blas::whole(L_), blas::whole(column));
   }
   return 1.0 - column.squaredNorm() / (d * d);
 }

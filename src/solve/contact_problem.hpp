@@ -23,6 +23,14 @@ struct ContactProblem {
       0.0; ///< a typical opening by a unit of a mode, to judge B; 0: largest of B
 };
 
+/// Largest residual of a solution, over its scale; above it there is no answer.
+inline constexpr double accepted_residual = 1e-7;
+
+/// A value over its scale; scales are zero where nothing acts, and then only zero is right.
+inline double relative(double value, double scale) {
+  return value == 0.0 ? 0.0 : value / (scale > 0.0 ? scale : 1.0);
+}
+
 enum class ContactStatus {
   solved,
   unheld_mode,  ///< a loaded rigid mode that the contact cannot hold

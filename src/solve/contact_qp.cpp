@@ -20,12 +20,11 @@ using base::at;
 
 namespace {
 
-constexpr int patience = 10;               ///< block steps without progress (Judice and Pires 1994)
-constexpr double pivot_tolerance = 1e-9;   ///< of signs while the tableau gathers round-off
-constexpr double accepted_residual = 1e-7; ///< above it the answer is none
-constexpr int repeats = 5;                 ///< of the tableau, each from a clean start
+constexpr int patience = 10;             ///< block steps without progress (Judice and Pires 1994)
+constexpr double pivot_tolerance = 1e-9; ///< of signs while the tableau gathers round-off
+constexpr int repeats = 5;               ///< of the tableau, each from a clean start
 
-struct Search {
+struct BlockSearch {
   bool settled = false;
   std::vector<int> best; ///< closed rows of the best regular set met
   int iterations = 0;
@@ -33,10 +32,10 @@ struct Search {
 
 /// Closes and opens all violated rows at once (primal-dual active set; Hintermueller, Ito and
 /// Kunisch 2003) until none is left, a set comes back or progress ends.
-Search block_pivoting(const HeldProblem& problem, const ContactSettings& settings,
-                      const std::vector<int>& spanning, std::vector<bool> closed,
-                      BorderedFactor& factor) {
-  Search search;
+BlockSearch block_pivoting(const HeldProblem& problem, const ContactSettings& settings,
+                           const std::vector<int>& spanning, std::vector<bool> closed,
+                           BorderedFactor& factor) {
+  BlockSearch search;
   search.best = spanning;
   std::size_t least = closed.size() + 1;
   int stalled = 0;
@@ -110,10 +109,6 @@ ContactStatus pivot_to_the_end(const HeldProblem& problem, const ContactSettings
     return ContactStatus::inconsistent; // an equality row that the others contradict
   }
   return ContactStatus::solved; // the residual decides
-}
-
-double relative(double value, double scale) {
-  return value == 0.0 ? 0.0 : value / (scale > 0.0 ? scale : 1.0);
 }
 
 /// Largest violation of the conditions over its scale.
@@ -216,8 +211,8 @@ ContactSolution solve_contact(const ContactProblem& problem, const ContactSettin
     closed[at(i)] = closed[at(i)] || held.equality[at(i)];
   }
   BorderedFactor factor(held);
-  const Search search = block_pivoting(held, settings, spanning_rows(held, balance.pressed),
-                                       std::move(closed), factor);
+  const BlockSearch search = block_pivoting(held, settings, spanning_rows(held, balance.pressed),
+                                            std::move(closed), factor);
   answer.block_iterations = search.iterations;
   if (!search.settled) {
     answer.status = pivot_to_the_end(held, settings, search.best, factor, answer);

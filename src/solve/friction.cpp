@@ -22,9 +22,8 @@ using base::index;
 
 namespace {
 
-constexpr double accepted_residual = 1e-7; ///< above it the answer is none
-constexpr double at_rest = 1e-10;          ///< of the gap scale: no slip
-constexpr int anchorings = 12;             ///< of bodies that nothing holds, before they slide
+constexpr double at_rest = 1e-10; ///< of the gap scale: no slip
+constexpr int anchorings = 12;    ///< of bodies that nothing holds, before they slide
 
 /// Rigid motions that no row in contact hinders.
 int loose_motions(const ScaledFriction& problem, const std::vector<Touch>& touch) {

@@ -145,11 +145,6 @@ double unbalanced(const ScaledFriction& problem, const TouchSolution& s) {
   return worst;
 }
 
-// A value over its scale; scales are zero where nothing acts, and then only zero is right.
-double relative(double value, double scale) {
-  return value == 0.0 ? 0.0 : value / (scale > 0.0 ? scale : 1.0);
-}
-
 // Largest gap or slip that is left on rows where it should be zero, over its scale.
 double open_error(const ActiveRows& active, const TouchSolution& s) {
   double worst = 0.0;

@@ -16,13 +16,6 @@ using base::index;
 
 namespace {
 
-blas::Block block(base::Matrix& A) {
-  return {A.data(), static_cast<int>(A.rows())};
-}
-blas::ConstBlock block(const base::Matrix& A) {
-  return {A.data(), static_cast<int>(A.rows())};
-}
-
 // Cholesky column by column, to find the row where it stops.
 Eigen::Index first_bad_pivot(base::Matrix A) {
   for (Eigen::Index j = 0; j < A.rows(); ++j) {
@@ -193,7 +186,7 @@ bool Stacked::eliminate(Parts parts, FactorReport& report) {
     report.failed_row = rows_.top[at(row)];
     return false;
   };
-  if (i > 0 && !blas::cholesky(i, block(L_))) {
+  if (i > 0 && !blas::cholesky(i, blas::whole(L_))) {
     report.smallest_pivot = 0.0;
     return refuse(first_bad_pivot(std::move(parts.inner)));
   }
@@ -209,7 +202,7 @@ bool Stacked::eliminate(Parts parts, FactorReport& report) {
   if (!top_.factor) {
     base::Matrix X = coupling_;
     blas::solve_lower(i, static_cast<int>(rows_.external), blas::Form::plain,
-                      block(std::as_const(L_)), block(X));
+                      blas::whole(std::as_const(L_)), blas::whole(X));
     top_.S = std::move(parts.rest) - gram(X);
   }
   return true;
@@ -217,7 +210,8 @@ bool Stacked::eliminate(Parts parts, FactorReport& report) {
 
 void Stacked::solve_inner(base::Matrix& g, bool transposed) const {
   blas::solve_lower(static_cast<int>(rows_.inner()), static_cast<int>(g.cols()),
-                    transposed ? blas::Form::transposed : blas::Form::plain, block(L_), block(g));
+                    transposed ? blas::Form::transposed : blas::Form::plain, blas::whole(L_),
+                    blas::whole(g));
 }
 
 // Loads of the sparse matrix: f of the rows below; what acts on top stays there.

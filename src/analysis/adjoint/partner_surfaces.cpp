@@ -20,8 +20,8 @@ constexpr double longest = 2.0;
 // third power. Read off blocks bonded, tied or pressed to much finer ones, cracks of random length
 // and distance in one of them: 0.06 % at 0.83, 0.5 % at 1.6, 4.5 % at 4.2 times the distance.
 constexpr double part_of_K = 1.5e-3;
-constexpr double counts = 0.5;
-// What lies further off than this many distances between tip and surface counts little.
+constexpr double share_that_counts = 0.5;
+// What lies further off than this many distances between tip and surface share_that_counts little.
 constexpr double near = 3.0;
 
 using base::Vec2;
@@ -124,7 +124,7 @@ CoarsePartner effect_of(const Partners& partners, const mesh::CrackedMesh& crack
   }
   // The side that is longest against its own distance from the tip.
   const Side* worst = nullptr;
-  double ratio = counts;
+  double ratio = share_that_counts;
   for (const Side& side : partners.sides) {
     const double distance = distance_to(side, x);
     const bool touches =

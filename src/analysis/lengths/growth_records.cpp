@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/lengths/growth_records.hpp"
 
+#include "analysis/lengths/scaled_lives.hpp"
 #include "analysis/steps/history_program.hpp"
 #include "base/tidy.hpp"
 #include "model/model.hpp"
@@ -13,8 +14,6 @@
 namespace spricka::analysis {
 
 namespace {
-
-constexpr int points_of_interval = 16;
 
 results::LifePoint point_at(const growth::Trajectory& between, double s, double cycles,
                             std::size_t tips) {

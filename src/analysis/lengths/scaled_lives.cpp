@@ -14,7 +14,6 @@ namespace spricka::analysis {
 
 namespace {
 
-constexpr int points_of_interval = 16;
 constexpr double same_life = 2e-3; // a line that says this is no other one
 
 std::vector<base::Vector> loads_of_steps(const model::Model& model) {

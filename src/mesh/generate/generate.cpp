@@ -17,7 +17,7 @@ using base::Vec3;
 using Key = Lattice::Key;
 using Point = Lattice::Point;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double at(const std::vector<double>& lines, int k) {
   return lines[static_cast<std::size_t>(k)];

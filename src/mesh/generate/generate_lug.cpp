@@ -13,7 +13,7 @@ namespace {
 using base::Vec3;
 using Point = Lattice::Point;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int key_eye = 0, key_shank = 1;
 
 /// The lug about its bore's centre. Rays j = 0 .. 2 nt run from the bore to the outline: through

@@ -24,9 +24,9 @@ using base::ElementId;
 using base::NodeId;
 using Tag = std::size_t;
 
-class Import {
+class GmshImport {
 public:
-  Import(model::Mesh& mesh, const ImportRequest& request, base::Diagnostics& diagnostics)
+  GmshImport(model::Mesh& mesh, const ImportRequest& request, base::Diagnostics& diagnostics)
       : mesh_(mesh), request_(request), diagnostics_(diagnostics) {}
 
   std::vector<ScriptConstant> run() {
@@ -247,7 +247,7 @@ private:
 
 std::vector<ScriptConstant> import_mesh(model::Mesh& mesh, const ImportRequest& request,
                                         base::Diagnostics& diagnostics) {
-  return Import(mesh, request, diagnostics).run();
+  return GmshImport(mesh, request, diagnostics).run();
 }
 
 } // namespace spricka::mesh

@@ -21,9 +21,9 @@ namespace {
 using base::ElementId;
 using base::NodeId;
 
-class Import {
+class InpImport {
 public:
-  Import(model::Mesh& mesh, const ImportRequest& request, base::Diagnostics& diagnostics)
+  InpImport(model::Mesh& mesh, const ImportRequest& request, base::Diagnostics& diagnostics)
       : mesh_(mesh), request_(request), diagnostics_(diagnostics),
         errors_(diagnostics.error_count()), words_(request, data_, diagnostics) {}
 
@@ -321,7 +321,7 @@ private:
 
 ImportedPhysics import_inp(model::Mesh& mesh, const ImportRequest& request,
                            base::Diagnostics& diagnostics) {
-  return Import(mesh, request, diagnostics).run();
+  return InpImport(mesh, request, diagnostics).run();
 }
 
 } // namespace spricka::mesh

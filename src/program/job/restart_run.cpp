@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_there(const fs::path& file) {
+bool is_there_or_kept(const fs::path& file) {
   // A run that was killed while it wrote may have left the list before alone.
   fs::path before = file;
   before += ".1";
@@ -40,7 +40,7 @@ archive::CheckpointPlace place_of(const RunOptions& options, const model::Restar
     place.at = card.at;
   }
   // Without a file to go on from, --restart begins at the beginning.
-  if (options.restart && is_there(place.write)) {
+  if (options.restart && is_there_or_kept(place.write)) {
     place.read = place.write;
     place.at.reset();
   }

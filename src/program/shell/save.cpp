@@ -101,7 +101,7 @@ private:
   std::vector<Edit> edits_;
 };
 
-std::string number(double value) {
+std::string exactly(double value) {
   return fmt::format("{}", value); // as many digits as it takes to read the same number
 }
 
@@ -150,7 +150,7 @@ base::Trouble set_lengths(const ShellSession& session, Edits& edits) {
                                 "change",
                                 name));
     }
-    edits.set_key(*card, "A0", number(a));
+    edits.set_key(*card, "A0", exactly(a));
   }
   return {};
 }
@@ -163,7 +163,7 @@ base::Trouble set_interferences(const ShellSession& session, Edits& edits) {
                                 "change",
                                 name));
     }
-    edits.set_key(*card, value < 0.0 ? "GAP" : "INTERFERENCE", number(std::abs(value)),
+    edits.set_key(*card, value < 0.0 ? "GAP" : "INTERFERENCE", exactly(std::abs(value)),
                   {"GAP", "INTERFERENCE", "DIAMETRAL"});
   }
   return {};
@@ -230,11 +230,11 @@ void move_files(const ShellSession& session, const fs::path& folder, Edits& edit
 std::string row_of(const model::Model& model, const model::Action& action) {
   if (const auto* load = std::get_if<model::ApplyLoad>(&action)) {
     return fmt::format("  LOAD {} {}\n", model.cases[load->load_case.index()].name,
-                       number(load->factor));
+                       exactly(load->factor));
   }
   if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {
     return fmt::format("  FIT {} {}\n", model.contacts[fit->contact.index()].name,
-                       number(fit->factor));
+                       exactly(fit->factor));
   }
   if (const auto* on = std::get_if<model::Mount>(&action)) {
     return fmt::format("  MOUNT {}\n", model.contacts[on->contact.index()].name);

@@ -233,18 +233,18 @@ void draw_contacts(Svg& svg, const model::Model& model, const Window& window) {
 }
 
 /// One entry of the legend: a sign and words.
-struct Entry {
+struct MarkEntry {
   enum class Sign { held, load, moved, heated, contact } sign;
   std::string words;
   std::size_t number = 0; ///< of a contact
 };
 
-std::vector<Entry> entries_of(const model::Model& model) {
-  std::vector<Entry> entries;
+std::vector<MarkEntry> entries_of(const model::Model& model) {
+  std::vector<MarkEntry> entries;
   const bool held =
       std::ranges::any_of(model.freedoms, [](const model::Freedom& f) { return is_held(f.cls); });
   if (held) {
-    entries.push_back({Entry::Sign::held, "held in x (beside), in y (below)"});
+    entries.push_back({MarkEntry::Sign::held, "held in x (beside), in y (below)"});
   }
   for (const model::LoadCase& load_case : model.cases) {
     std::vector<bool> kinds(2, false);
@@ -253,10 +253,10 @@ std::vector<Entry> entries_of(const model::Model& model) {
           kinds[load.type == LoadType::displacement ? 1 : 0] || load.type != LoadType::temperature;
     }
     if (kinds[0]) {
-      entries.push_back({Entry::Sign::load, "load " + load_case.name});
+      entries.push_back({MarkEntry::Sign::load, "load " + load_case.name});
     }
     if (kinds[1]) {
-      entries.push_back({Entry::Sign::moved, "displacement " + load_case.name});
+      entries.push_back({MarkEntry::Sign::moved, "displacement " + load_case.name});
     }
   }
   std::string heated;
@@ -268,10 +268,10 @@ std::vector<Entry> entries_of(const model::Model& model) {
     }
   }
   if (!heated.empty()) {
-    entries.push_back({Entry::Sign::heated, heated});
+    entries.push_back({MarkEntry::Sign::heated, heated});
   }
   for (std::size_t c = 0; c < model.contacts.size(); ++c) {
-    entries.push_back({Entry::Sign::contact, "contact " + model.contacts[c].name, c});
+    entries.push_back({MarkEntry::Sign::contact, "contact " + model.contacts[c].name, c});
   }
   return entries;
 }
@@ -288,7 +288,7 @@ void draw_model_marks(Svg& svg, const model::Model& model, const Window& window)
 std::string model_legend(const model::Model& model, double width) {
   constexpr double column = 220.0;
   constexpr double line = 17.0;
-  const std::vector<Entry> entries = entries_of(model);
+  const std::vector<MarkEntry> entries = entries_of(model);
   if (entries.empty()) {
     return {};
   }
@@ -299,19 +299,19 @@ std::string model_legend(const model::Model& model, double width) {
     const std::size_t row = i / across;
     const Point at{column * static_cast<double>(i % across),
                    line * (static_cast<double>(row) + 0.5)};
-    const Entry& entry = entries[i];
-    if (entry.sign == Entry::Sign::held) {
+    const MarkEntry& entry = entries[i];
+    if (entry.sign == MarkEntry::Sign::held) {
       draw_held(svg, {at.x + 14.0, at.y - 2.0}, {true, true, false});
-    } else if (entry.sign == Entry::Sign::heated) {
+    } else if (entry.sign == MarkEntry::Sign::heated) {
       for (const double x : {6.0, 13.0, 20.0}) {
         draw_dot(svg, {at.x + x, at.y});
       }
-    } else if (entry.sign == Entry::Sign::contact) {
+    } else if (entry.sign == MarkEntry::Sign::contact) {
       svg.line({at.x, at.y}, {at.x + 26.0, at.y},
                {std::string(colour(entry.number)), 2.6, "none", ""});
     } else {
       draw_arrow(svg, {at.x + 26.0, at.y}, {24.0, 0.0},
-                 entry.sign == Entry::Sign::load ? load_colour : moved_colour);
+                 entry.sign == MarkEntry::Sign::load ? load_colour : moved_colour);
     }
     svg.text({at.x + 34.0, at.y + 4.0}, entry.words, {Anchor::start, 11.0});
   }

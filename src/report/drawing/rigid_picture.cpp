@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/drawing/rigid_picture.hpp"
 
+#include "model/contacts.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -11,8 +13,8 @@
 namespace spricka::report {
 namespace {
 
-constexpr double distance = 7.0; // between hatches [px]
-constexpr double hatch = 7.0;    // their length [px]
+constexpr double hatch_distance = 7.0; // between hatches [px]
+constexpr double hatch = 7.0;          // their length [px]
 
 using base::Vec2;
 
@@ -51,7 +53,7 @@ std::vector<Spot> along_line(const model::Rigid& line, const Window& window) {
   }
   const Vec2 inward = Vec2(chord.y(), -chord.x()).normalized(); // the body is on the left
   const double length = (part->second - part->first) * chord.norm() * window.scale;
-  const auto count = static_cast<int>(std::ceil(length / distance));
+  const auto count = static_cast<int>(std::ceil(length / hatch_distance));
   for (int i = 0; i <= count; ++i) {
     const double t = part->first + (part->second - part->first) * i / count;
     spots.push_back({first + t * chord, inward});
@@ -84,7 +86,7 @@ std::vector<Spot> along_arc(const model::Rigid& arc, const Window& window) {
   const double radius = std::abs(arc.radius);
   const auto [from, to] = angles(centre, window);
   const auto count = static_cast<int>(
-      std::clamp(std::ceil((to - from) * radius * window.scale / distance), 24.0, 4000.0));
+      std::clamp(std::ceil((to - from) * radius * window.scale / hatch_distance), 24.0, 4000.0));
   std::vector<Spot> spots;
   for (int i = 0; i <= count; ++i) {
     const double theta = from + (to - from) * i / count;

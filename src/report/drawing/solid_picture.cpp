@@ -18,7 +18,7 @@ namespace {
 
 constexpr double margin = 12.0;
 constexpr double head_height = 24.0;
-constexpr double legend_height = 46.0;
+constexpr double legend_room = 46.0;
 
 /// The camera looks along -towards, z up.
 struct Camera {
@@ -159,7 +159,7 @@ std::string draw(const SolidView& view) {
   const double height = fit(faces, view.width);
   const ColourScale scale = scale_of(faces);
   const std::string title = "Surface, von Mises stress";
-  Svg svg(view.width, head_height + height + legend_height, title);
+  Svg svg(view.width, head_height + height + legend_room, title);
   svg.text({0.5 * view.width, 14.0}, title, {Anchor::middle, 13.0, "#000", 0.0, false, true});
   for (const DrawnFace& face : faces) {
     PathData path;

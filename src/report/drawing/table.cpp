@@ -64,6 +64,10 @@ Table untitled(Table table) {
   return table;
 }
 
+std::string six_digits(double value) {
+  return fmt::format("{:.6g}", value);
+}
+
 std::string escape(std::string_view text) {
   std::string out;
   for (const char c : text) {

@@ -31,6 +31,9 @@ Table untitled(Table table);
 /// A unit in print: "MPa*mm^0.5" becomes "MPa √mm", "N/mm^2" "N/mm²".
 std::string print_unit(std::string_view unit);
 
+/// A number as tables have it.
+std::string six_digits(double value);
+
 /// Text with the characters that XML reserves replaced by entities.
 std::string escape(std::string_view text);
 

@@ -11,7 +11,7 @@
 namespace spricka::report {
 namespace {
 
-constexpr double letter_width = 7.2;
+constexpr double label_letter = 7.2;
 constexpr double half_width = 110.0;
 constexpr double number_width = 62.0;
 constexpr double row_height = 22.0;
@@ -32,7 +32,7 @@ double names_width(const Tornado& tornado) {
   for (const Tornado::Bar& bar : tornado.bars) {
     letters = std::max(letters, bar.name.size());
   }
-  return letter_width * static_cast<double>(letters) + 10.0;
+  return label_letter * static_cast<double>(letters) + 10.0;
 }
 
 } // namespace

@@ -22,10 +22,6 @@ namespace {
 
 constexpr double degree = 180.0 / std::numbers::pi;
 
-std::string number(double value) {
-  return fmt::format("{:.6g}", value);
-}
-
 /// Factors of load cases and fits at the end of a step.
 struct Factors {
   std::vector<double> of_case, of_fit;
@@ -275,12 +271,12 @@ Table life_table(const model::Model& model, const results::Run& run) {
   for (const results::GrowthStation& station : run.growth->stations) {
     for (const results::GrowingTip& tip : station.tips) {
       std::vector<std::string>& row = table.rows.emplace_back(std::vector<std::string>{
-          std::to_string(station.increment), number(station.cycles), tip.name, number(tip.a),
-          number(tip.K_max), number(tip.K_min), number(tip.K2_max), fmt::format("{:.4g}", tip.rate),
-          fmt::format("{:.3f}", tip.turn * degree)});
+          std::to_string(station.increment), six_digits(station.cycles), tip.name,
+          six_digits(tip.a), six_digits(tip.K_max), six_digits(tip.K_min), six_digits(tip.K2_max),
+          fmt::format("{:.4g}", tip.rate), fmt::format("{:.3f}", tip.turn * degree)});
       if (followed) {
-        row.insert(row.end(),
-                   {number(tip.first_max), number(tip.first_min), std::to_string(station.passes)});
+        row.insert(row.end(), {six_digits(tip.first_max), six_digits(tip.first_min),
+                               std::to_string(station.passes)});
       }
     }
   }

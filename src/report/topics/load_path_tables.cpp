@@ -18,14 +18,10 @@ namespace spricka::report {
 
 namespace {
 
-constexpr double degree = 180.0 / std::numbers::pi;
-
-std::string number(double value) {
-  return fmt::format("{:.6g}", value);
-}
+constexpr double degrees = 180.0 / std::numbers::pi;
 
 double in_print(const results::PathContact& contact, double place) {
-  return contact.round ? place * degree : place;
+  return contact.round ? place * degrees : place;
 }
 
 // "-PIN@152.3 +BUSH@90": pairs that open and close at this t.
@@ -73,7 +69,7 @@ void add_row(std::string& text, const std::vector<std::string>& contacts,
   text += '\n';
 }
 
-std::vector<std::string> tip_names(const results::Run& run) {
+std::vector<std::string> path_tip_names(const results::Run& run) {
   std::vector<std::string> names;
   for (const results::Increment& increment : run.increments) {
     for (const results::LoadPath& path : increment.paths) {
@@ -239,7 +235,7 @@ void write_load_path_csv(const std::filesystem::path& file, const model::Model& 
   if (model.load_paths.empty()) {
     return;
   }
-  const std::vector<std::string> tips = tip_names(run);
+  const std::vector<std::string> tips = path_tip_names(run);
   std::string text = fmt::format(
       "# units: K1 K2 and slopes by t [{}], from to [deg] on circles, else [{}], t [1]\n"
       "increment,path,t,changes",
@@ -287,11 +283,11 @@ Table load_path_table(const model::Model& model, const results::Increment& incre
       const bool kinked = kink.jump > 0.0 && kink.largest_slope > 0.0;
       table.rows.push_back(
           {path.name, path.from, path.to, tip.name, fmt::format("{}", path.t.size() - 2),
-           number(path.t.back()), number(tip.K1.at_knot(0)),
-           number(tip.K1.at_knot(tip.K1.segments())), number(tip.K1.slope_after(0)),
-           number(tip.K1.slope_before(tip.K1.segments())),
+           six_digits(path.t.back()), six_digits(tip.K1.at_knot(0)),
+           six_digits(tip.K1.at_knot(tip.K1.segments())), six_digits(tip.K1.slope_after(0)),
+           six_digits(tip.K1.slope_before(tip.K1.segments())),
            kinked ? fmt::format("{:.2f}", 100.0 * kink.jump / kink.largest_slope) : "",
-           kinked ? number(tip.K1.knots()[kink.knot]) : ""});
+           kinked ? six_digits(tip.K1.knots()[kink.knot]) : ""});
     }
   }
   return table;
@@ -312,7 +308,7 @@ Table opening_table(const results::Increment& increment) {
     for (const results::PathContact& contact : path.contacts) {
       const std::size_t last = contact.closed.size() - 1;
       table.rows.push_back(
-          {path.name, contact.name, contact.opening ? number(*contact.opening) : "none",
+          {path.name, contact.name, contact.opening ? six_digits(*contact.opening) : "none",
            fmt::format("{}", contact.closed.front()), fmt::format("{}", contact.closed[last]),
            fmt::format("{}", contact.rows), arc(contact, 0), arc(contact, last)});
     }

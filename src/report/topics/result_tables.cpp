@@ -20,9 +20,6 @@ using Row = std::vector<std::string>;
 
 constexpr std::array<const char*, 3> axis{"x", "y", "z"};
 
-std::string number(double value) {
-  return fmt::format("{:.6g}", value);
-}
 std::string small(double value) {
   return fmt::format("{:.2e}", value);
 }
@@ -52,7 +49,7 @@ void add_columns(Table& table, const char* what, const Directions& along, const 
 
 /// A number of which nothing but round-off is left beside `scale` is shown as 0.
 std::string rounded(double value, double scale) {
-  return std::abs(value) < 1e-9 * scale ? "0" : number(value);
+  return std::abs(value) < 1e-9 * scale ? "0" : six_digits(value);
 }
 
 void add_cells(Row& row, const base::Vec3& force, const Directions& along, double scale) {
@@ -111,7 +108,7 @@ std::string digits(const results::TipQuantity& q, double value, const CrackScale
     return small(value);
   }
   const bool plain = q.digits == results::TipDigits::six;
-  return plain ? number(value)
+  return plain ? six_digits(value)
                : rounded(value, q.kind == base::Quantity::energy_release ? scale.G : scale.K);
 }
 
@@ -268,8 +265,8 @@ Table friction_table(const model::Model& model, const results::Increment& increm
       table.rows.push_back({step.step, contact.name, fmt::format("{}", contact.sticking),
                             fmt::format("{}", contact.slipping),
                             fmt::format("{}", contact.rows - contact.sticking - contact.slipping),
-                            fmt::format("{:.4f}", contact.shear_ratio), number(least), number(most),
-                            small(contact.max_slip), small(contact.friction_work),
+                            fmt::format("{:.4f}", contact.shear_ratio), six_digits(least),
+                            six_digits(most), small(contact.max_slip), small(contact.friction_work),
                             fmt::format("{}", step.increments)});
     }
   }

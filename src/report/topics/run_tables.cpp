@@ -4,13 +4,7 @@
 #include <fmt/format.h>
 
 namespace spricka::report {
-namespace {
-
-std::string number(double value) {
-  return fmt::format("{:.6g}", value);
-}
-
-} // namespace
+namespace {} // namespace
 
 Table check_table(const results::Run& run) {
   Table table{"Checks",
@@ -28,8 +22,9 @@ Table check_table(const results::Run& run) {
                                              : fmt::format("{:.2e}", check.error);
     const std::string tolerance = check.relative ? fmt::format("{:.4g} %", 100.0 * check.tolerance)
                                                  : fmt::format("{:.4g}", check.tolerance);
-    table.rows.push_back({check.text, found ? number(check.found) : "-", number(check.wanted),
-                          found ? error : "-", tolerance, check.passed ? "passed" : "FAILED",
+    table.rows.push_back({check.text, found ? six_digits(check.found) : "-",
+                          six_digits(check.wanted), found ? error : "-", tolerance,
+                          check.passed ? "passed" : "FAILED",
                           found ? check.source : check.trouble});
   }
   return table;

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/context.hpp"
+
+#include <algorithm>
+
+namespace spricka::deck {
+
+const BoundCard* Context::first_card(std::string_view name) const {
+  const auto found =
+      std::ranges::find_if(cards, [&](const BoundCard& card) { return card.spec->name == name; });
+  return found == cards.end() ? nullptr : &*found;
+}
+
+} // namespace spricka::deck
