@@ -12,21 +12,20 @@ namespace spricka::crack {
 
 namespace {
 
-// Nodes that q may move although they lie on the boundary: the crack faces without the mouth, and
-// in a half model the symmetry line ahead of the tip.
+// Nodes that q may move although they lie on the boundary: the faces of the tip's crack without the
+// mouth, and in a half model the symmetry line ahead of the tip. Faces of another crack stay: moved
+// along with this one they would release energy that is not its own.
 class Movable {
 public:
   Movable(const mesh::CrackedMesh& cracked, const mesh::Front& front)
       : mesh_(cracked.mesh), front_(front) {
-    for (const mesh::CrackFaces& crack_faces : cracked.faces) {
-      const bool embedded =
-          !crack_faces.left.empty() && !crack_faces.right.empty() &&
-          crack_faces.left.front() == crack_faces.right.front(); // no mouth, a tip
-      for (const std::vector<base::NodeId>* crack_face : {&crack_faces.left, &crack_faces.right}) {
-        // The mouth belongs to the outer boundary, which stays.
-        crack_faces_.insert(crack_face->begin() + (embedded || crack_face->empty() ? 0 : 1),
-                            crack_face->end());
-      }
+    const mesh::CrackFaces& own = cracked.faces[front.crack.index()];
+    const bool embedded = !own.left.empty() && !own.right.empty() &&
+                          own.left.front() == own.right.front(); // no mouth, a tip
+    for (const std::vector<base::NodeId>* crack_face : {&own.left, &own.right}) {
+      // The mouth belongs to the outer boundary, which stays.
+      crack_faces_.insert(crack_face->begin() + (embedded || crack_face->empty() ? 0 : 1),
+                          crack_face->end());
     }
   }
 
