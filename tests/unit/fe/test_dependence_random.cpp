@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fe/dependence.hpp"
+#include "model/freedoms.hpp"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cracked.hpp"
 #include "mesh/cut/crack_region.hpp"
+#include "model/cracks.hpp"
 
 namespace spricka {
 namespace {

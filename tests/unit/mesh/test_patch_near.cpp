@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cracked.hpp"
+#include "model/cracks.hpp"
 
 // Cracks near each other, lines that cannot be, patches that are finer than their host.
 namespace spricka {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cracked.hpp"
+#include "model/cracks.hpp"
 
 namespace spricka {
 namespace {
