@@ -3,7 +3,9 @@
 # spricka::analysis_scene whose headers are found from src/ or from the top. USES names the rooms it
 # may include (tests/layers), LINKS libraries that its headers show, HIDES libraries that only its
 # sources see. Where CMAKE_UNITY_BUILD is on, sources of a room are compiled several at once, as most
-# of the time of one goes into headers; ALONE names those of SOURCES that are heavy by themselves.
+# of the time of one goes into headers. ALONE names those of SOURCES that are not: heavy ones, and
+# those in which g++ takes the company for a fault (a class with members of an unnamed namespace, a
+# guess about what is not set).
 # So no two sources of a room may give one name in their unnamed namespaces to two things.
 function(spricka_room name)
   cmake_parse_arguments(room "" "" "SOURCES;ALONE;USES;LINKS;HIDES" ${ARGN})

@@ -8,7 +8,7 @@
 
 namespace spricka::base {
 
-/// Whether a byte of UTF-8 begins a character.
+/// Whether a byte of UTF-8 begins a character: 10xxxxxx continues one and takes no column.
 inline bool starts_character(char c) {
   return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
 }
