@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "life/life_curve.hpp"
 
-#include "life/integrate.hpp"
 #include "life/no_value.hpp"
 #include "life/root.hpp"
 
@@ -10,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 namespace spricka::life {
 
@@ -33,15 +33,18 @@ std::vector<double> without(std::vector<double> values, std::size_t i) {
   return values;
 }
 
-// The sum over the stretches between stations of work(log a there, its begin, its end).
-template <class Work>
-double over_intervals(const std::vector<double>& a, double a0, double a1, Work&& work) {
-  double sum = 0.0;
+// The integral of f(ln a) over ln a from a0 to a1, by the stretches between stations.
+template <class F>
+Integral over_intervals(const std::vector<double>& a, std::pair<double, double> ends, const F& f,
+                        double tolerance) {
+  Integral sum;
   for (std::size_t i = 0; i + 1 < a.size(); ++i) {
-    const double begin = std::max(a0, a[i]);
-    const double end = std::min(a1, a[i + 1]);
+    const double begin = std::max(ends.first, a[i]);
+    const double end = std::min(ends.second, a[i + 1]);
     if (begin < end) {
-      sum += work(std::log(begin), std::log(end));
+      const Integral part = integrate(f, std::log(begin), std::log(end), tolerance);
+      sum.value += part.value;
+      sum.error += part.error;
     }
   }
   return sum;
@@ -71,15 +74,14 @@ double LifeCurve::rate(double a) const {
   return within(a, a) ? std::exp(log_rate_(std::log(a))) : no_value;
 }
 
-double LifeCurve::cycles(double a0, double a1) const {
-  if (!within(a0, a1)) {
-    return no_value;
-  }
-  // (life.13) over x = ln a.
+// (life.13) over x = ln a.
+Integral LifeCurve::integrated_cycles(double a0, double a1) const {
   const auto cycles_by_log = [&](double x) { return std::exp(x - log_rate_(x)); };
-  return over_intervals(a_, a0, a1, [&](double begin, double end) {
-    return integrate(cycles_by_log, begin, end, k_cycles_tolerance);
-  });
+  return over_intervals(a_, {a0, a1}, cycles_by_log, k_cycles_tolerance);
+}
+
+double LifeCurve::cycles(double a0, double a1) const {
+  return within(a0, a1) ? integrated_cycles(a0, a1).value : no_value;
 }
 
 double LifeCurve::length_at(double N) const {
@@ -120,9 +122,8 @@ double LifeCurve::error(double a0, double a1) const {
   const auto missed_by_log = [&](double x) {
     return std::expm1(miss(x)) * std::exp(x - log_rate_(x));
   };
-  return over_intervals(a_, a0, a1, [&](double begin, double end) {
-    return integrate(missed_by_log, begin, end, k_error_tolerance);
-  });
+  const Integral missed = over_intervals(a_, {a0, a1}, missed_by_log, k_error_tolerance);
+  return missed.value + missed.error + integrated_cycles(a0, a1).error;
 }
 
 } // namespace spricka::life

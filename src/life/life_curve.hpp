@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "life/integrate.hpp"
 #include "life/spline.hpp"
 
 #include <vector>
@@ -18,19 +19,20 @@ public:
 
   /// Growth per cycle; not a number outside the stations, here and below.
   [[nodiscard]] double rate(double a) const;
-  /// Cycles from a0 to a1 >= a0, to 1e-12 of them.
+  /// Cycles from a0 to a1 >= a0, to 1e-12 of them; what the quadrature leaves is in `error`.
   [[nodiscard]] double cycles(double a0, double a1) const;
   /// The length after N cycles from the first station.
   [[nodiscard]] double length_at(double N) const;
 
   /// How far `cycles` may be off because there are no more stations: each inner station in turn is
   /// left out, and by what the spline then misses it is taken to be wrong on both sides (life.14).
-  /// Infinite with two stations.
+  /// With it what the quadratures left. Infinite with two stations.
   [[nodiscard]] double error(double a0, double a1) const;
 
 private:
   [[nodiscard]] bool within(double a0, double a1) const;
   [[nodiscard]] double miss(double x) const;
+  [[nodiscard]] Integral integrated_cycles(double a0, double a1) const;
 
   std::vector<double> a_;
   Spline log_rate_;             ///< over log(a)
