@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/space/patches.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+namespace spricka::contact {
+
+namespace {
+
+const double most_turn = std::cos(std::numbers::pi / 6.0);
+
+using Edge3 = std::pair<base::NodeId, base::NodeId>; ///< corners, the smaller first
+
+// Unit normal of a face in the middle between two corners that follow one another.
+Vec3 normal_on_edge(const SolidFace& face, int corner, int next) {
+  const Vec2 r = 0.5 * (node_r(face.shape, corner) + node_r(face.shape, next));
+  return point_on(face, r).area_vector().normalized();
+}
+
+std::size_t root_of(std::vector<std::size_t>& parent, std::size_t i) {
+  while (parent[i] != i) {
+    parent[i] = parent[parent[i]];
+    i = parent[i];
+  }
+  return i;
+}
+
+} // namespace
+
+std::vector<std::size_t> smooth_parts(const std::vector<SolidFace>& faces) {
+  std::vector<std::size_t> parent(faces.size());
+  std::iota(parent.begin(), parent.end(), std::size_t{0});
+  struct Side {
+    std::size_t face = 0;
+    Vec3 normal = Vec3::Zero();
+  };
+  std::map<Edge3, Side> met;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const int corners = base::info(faces[f].shape).corners;
+    for (int i = 0; i < corners; ++i) {
+      const int next = (i + 1) % corners;
+      const base::NodeId a = faces[f].nodes[static_cast<std::size_t>(i)];
+      const base::NodeId b = faces[f].nodes[static_cast<std::size_t>(next)];
+      const Side side{f, normal_on_edge(faces[f], i, next)};
+      const auto [at, fresh] = met.try_emplace(std::minmax(a, b), side);
+      if (!fresh && at->second.normal.dot(side.normal) > most_turn) {
+        const std::size_t one = root_of(parent, at->second.face);
+        const std::size_t two = root_of(parent, f);
+        parent[std::max(one, two)] = std::min(one, two);
+      }
+    }
+  }
+  std::vector<std::size_t> part(faces.size());
+  std::size_t count = 0;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const std::size_t root = root_of(parent, f);
+    part[f] = root == f ? count++ : part[root]; // roots come first: they are the least of theirs
+  }
+  return part;
+}
+
+} // namespace spricka::contact

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/vec.hpp"
+#include "model/mesh.hpp"
+
+#include <array>
+#include <span>
+#include <vector>
+
+/// Sides of solid elements as contact sees them: curved faces of 3, 4, 6, 8 or 9 nodes, cut into
+/// triangles between their nodes.
+namespace spricka::contact {
+
+using base::Vec2;
+using base::Vec3;
+
+/// One number for each node of a face.
+using FaceValues = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 9, 1>;
+using NodePlaces = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 9>;
+
+struct SolidFace {
+  model::Face face;
+  base::ElementType shape = base::ElementType::trim3; ///< the plane element with its functions
+  std::vector<base::NodeId> nodes;                    ///< corners first
+  NodePlaces X;                                       ///< [3, node]
+};
+
+SolidFace make_solid_face(const model::Mesh& mesh, const model::Face& face);
+
+/// Shape functions of a face at r.
+FaceValues face_N(base::ElementType shape, const Vec2& r);
+
+/// A point of a face: its place, dx/dr, and dx/dr1 x dx/dr2, which leaves the body.
+struct FacePoint {
+  Vec3 x = Vec3::Zero();
+  Eigen::Matrix<double, 3, 2> slope = Eigen::Matrix<double, 3, 2>::Zero();
+  [[nodiscard]] Vec3 area_vector() const;
+};
+FacePoint point_on(const SolidFace& face, const Vec2& r);
+
+/// Reference coordinates of a node of a face.
+Vec2 node_r(base::ElementType shape, int node);
+/// The middle of a face.
+Vec2 centre_r(base::ElementType shape);
+/// How far r lies outside a face, in units of its reference coordinates; negative inside.
+double outside(base::ElementType shape, const Vec2& r);
+/// Area of the curved face.
+double area_of(const SolidFace& face);
+
+/// Three nodes of a face, round the way the face's corners go.
+using FaceTriangle = std::array<int, 3>;
+/// A face cut into triangles: TRIM3 1, QUAM4 2, TRIMC6 4, QUAMC8 6, QUAMC9 8. Each node is a
+/// corner of some, so that hats on them are one function for each node.
+std::span<const FaceTriangle> triangles_of(base::ElementType shape);
+/// The same between the corners of the face only: 1 or 2.
+std::span<const FaceTriangle> corner_triangles_of(base::ElementType shape);
+
+} // namespace spricka::contact

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/space/space_surface.hpp"
+
+#include "contact/space/patches.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include <Eigen/Geometry>
+
+namespace spricka::contact {
+
+namespace {
+
+std::optional<Round> shape_of(const model::Mesh& mesh, const SpaceSurface& surface,
+                              std::size_t part) {
+  std::set<base::NodeId> nodes;
+  std::vector<NormalAt> normals;
+  for (std::size_t f = 0; f < surface.faces.size(); ++f) {
+    if (surface.part[f] == part) {
+      const SolidFace& face = surface.faces[f];
+      nodes.insert(face.nodes.begin(), face.nodes.end());
+      const FacePoint centre = point_on(face, centre_r(face.shape));
+      normals.push_back({centre.x, centre.area_vector().normalized()});
+    }
+  }
+  std::vector<Vec3> points;
+  for (const base::NodeId n : nodes) {
+    points.push_back(mesh.x[n.index()]);
+  }
+  return fit_round(points, normals, surface.extent);
+}
+
+} // namespace
+
+SpaceSurface make_space_surface(const model::Mesh& mesh, const std::vector<model::Face>& faces) {
+  SpaceSurface surface;
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
+  Vec3 high = -low;
+  double area = 0.0;
+  for (const model::Face& face : faces) {
+    const SolidFace& own = surface.faces.emplace_back(make_solid_face(mesh, face));
+    low = low.cwiseMin(own.X.rowwise().minCoeff());
+    high = high.cwiseMax(own.X.rowwise().maxCoeff());
+    area += area_of(own);
+    for (const FaceTriangle& nodes : triangles_of(own.shape)) {
+      surface.triangles.push_back({surface.faces.size() - 1, nodes});
+    }
+  }
+  if (surface.faces.empty()) {
+    return surface;
+  }
+  surface.extent = (high - low).norm();
+  surface.mean_size = std::sqrt(area / static_cast<double>(surface.faces.size()));
+  surface.part = smooth_parts(surface.faces);
+  const std::size_t parts = *std::ranges::max_element(surface.part) + 1;
+  for (std::size_t p = 0; p < parts; ++p) {
+    surface.rounds.push_back(shape_of(mesh, surface, p));
+  }
+  return surface;
+}
+
+std::vector<SurfaceTriangle> corner_triangles(const SpaceSurface& surface) {
+  std::vector<SurfaceTriangle> triangles;
+  for (std::size_t f = 0; f < surface.faces.size(); ++f) {
+    for (const FaceTriangle& nodes : corner_triangles_of(surface.faces[f].shape)) {
+      triangles.push_back({f, nodes});
+    }
+  }
+  return triangles;
+}
+
+Vec3 surface_normal(const SpaceSurface& surface, std::size_t face, const FacePoint& at) {
+  const Vec3 n = at.area_vector().normalized();
+  const std::optional<Round>& round = surface.round_of(face);
+  if (!round) {
+    return n;
+  }
+  const Vec3 exact = outer_normal(*round, at.x);
+  // On an axis or in a centre the shape has no normal; a face turned inside out keeps its own.
+  return exact.dot(n) > 0.5 ? exact : n;
+}
+
+} // namespace spricka::contact

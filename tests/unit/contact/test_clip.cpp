@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/space/clip.hpp"
+
+#include "contact/space/box_tree.hpp"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace spricka::contact {
+namespace {
+
+using base::Vec2;
+using base::Vec3;
+
+double area_of(const std::vector<Vec2>& polygon) {
+  double twice = 0.0;
+  for (std::size_t i = 0; i + 2 < polygon.size(); ++i) {
+    twice += twice_area({polygon[0], polygon[i + 1], polygon[i + 2]});
+  }
+  return 0.5 * twice;
+}
+
+PlaneTriangle random_triangle(std::mt19937& random) {
+  std::uniform_real_distribution<double> at(0.0, 1.0);
+  PlaneTriangle t{Vec2(at(random), at(random)), Vec2(at(random), at(random)),
+                  Vec2(at(random), at(random))};
+  if (twice_area(t) < 0.0) {
+    std::swap(t[1], t[2]);
+  }
+  return t;
+}
+
+TEST(Clip, PiecesOfATriangleMakeItUp) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> share(0.1, 0.9);
+  for (int i = 0; i < 200; ++i) {
+    const PlaneTriangle whole = random_triangle(random);
+    const PlaneTriangle other = random_triangle(random);
+    // A fan of three about an inner point: what `other` has in common with them is that with all.
+    const double a = share(random);
+    const double b = share(random) * (1.0 - a);
+    const Vec2 inner = a * whole[0] + b * whole[1] + (1.0 - a - b) * whole[2];
+    double sum = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      sum += area_of(common_polygon({whole[k], whole[(k + 1) % 3], inner}, other));
+    }
+    EXPECT_NEAR(sum, area_of(common_polygon(whole, other)), 1e-14);
+    EXPECT_NEAR(area_of(common_polygon(other, whole)), area_of(common_polygon(whole, other)),
+                1e-14);
+    EXPECT_LE(common_polygon(whole, other).size(), 6U);
+  }
+}
+
+TEST(Clip, TheSameTwiceIsItself) {
+  const PlaneTriangle t{Vec2(0.0, 0.0), Vec2(3.0, 0.0), Vec2(1.0, 2.0)};
+  EXPECT_DOUBLE_EQ(area_of(common_polygon(t, t)), 3.0);
+  EXPECT_TRUE(common_polygon(t, {Vec2(4.0, 0.0), Vec2(5.0, 0.0), Vec2(4.0, 1.0)}).empty());
+}
+
+TEST(Clip, BarycentricCoordinatesGiveThePointBack) {
+  std::mt19937 random(5);
+  const PlaneTriangle t = random_triangle(random);
+  const Vec2 x(0.3, -2.0); // outside too
+  const Eigen::Vector3d share = barycentric(t, x);
+  EXPECT_NEAR(share.sum(), 1.0, 1e-14);
+  EXPECT_LT((share[0] * t[0] + share[1] * t[1] + share[2] * t[2] - x).norm(), 1e-12);
+}
+
+TEST(BoxTree, FindsWhatAllBoxesAskedOneByOneGive) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> at(0.0, 10.0);
+  std::vector<Box> boxes;
+  for (int i = 0; i < 500; ++i) {
+    const Vec3 low(at(random), at(random), at(random));
+    boxes.push_back({low, low + Vec3(0.7, 0.4, 1.1)});
+  }
+  const BoxTree tree(boxes);
+  for (int i = 0; i < 50; ++i) {
+    const Vec3 low(at(random), at(random), at(random));
+    const Box asked{low, low + Vec3(1.0, 2.0, 0.5)};
+    std::vector<std::size_t> met;
+    for (std::size_t b = 0; b < boxes.size(); ++b) {
+      if ((boxes[b].low.array() <= asked.high.array()).all() &&
+          (boxes[b].high.array() >= asked.low.array()).all()) {
+        met.push_back(b);
+      }
+    }
+    EXPECT_EQ(tree.met_by(asked), met);
+  }
+}
+
+} // namespace
+} // namespace spricka::contact
