@@ -53,6 +53,8 @@ base::Dimension dimension_of(Quantity quantity) {
   switch (quantity) {
   case Quantity::length:
     return {1.0, 0.0, 0.0};
+  case Quantity::area:
+    return {2.0, 0.0, 0.0};
   case Quantity::stress:
     return {-2.0, 1.0, 0.0};
   case Quantity::angle:
@@ -75,6 +77,8 @@ std::string_view word_of(Quantity quantity) {
   switch (quantity) {
   case Quantity::length:
     return "a length";
+  case Quantity::area:
+    return "an area";
   case Quantity::stress:
     return "a stress";
   case Quantity::angle:

@@ -40,8 +40,10 @@ constexpr std::array quantities{
     ResultQuantity{"CPRESS.MEAN", "ps?a", stress, "mean pressure over the part in contact"},
     ResultQuantity{"CPRESS.AT", "psa?a", stress,
                    "contact pressure at the angle theta of a circle, or a length along the slave"},
-    ResultQuantity{"CPRESS.NEAR", "paas?a", stress,
-                   "contact pressure where the surface is nearest to x, y"},
+    ResultQuantity{"CPRESS.NEAR", "paazs?a", stress,
+                   "contact pressure where the surface is nearest to x, y; of solids at the node "
+                   "nearest to x, y, z"},
+    ResultQuantity{"CONTACT.AREA", "ps?a", area, "area in contact, between solids"},
     ResultQuantity{"ARC.FROM", "ps?a", angle,
                    "first angle of the longest part in contact; on a slave that is no circle the "
                    "length along it"},

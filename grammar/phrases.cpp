@@ -199,6 +199,8 @@ std::string_view dimension_phrase(Quantity quantity) {
   switch (quantity) {
   case Quantity::length:
     return "length";
+  case Quantity::area:
+    return "length^2";
   case Quantity::stress:
     return "stress";
   case Quantity::angle:

@@ -7,6 +7,8 @@ std::string unit_name(const UnitSystem& units, Quantity quantity) {
   switch (quantity) {
   case Quantity::length:
     return units.length_name;
+  case Quantity::area:
+    return units.length_name + "^2";
   case Quantity::stress:
     return units.stress_name();
   case Quantity::angle:

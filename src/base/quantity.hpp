@@ -10,6 +10,7 @@ namespace spricka::base {
 enum class Quantity {
   number,
   length,
+  area,
   stress,
   angle,
   stress_intensity,

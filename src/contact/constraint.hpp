@@ -41,6 +41,17 @@ struct SharpEnd {
   std::vector<base::NodeId> nodes; ///< contact nodes whose pressure acts there
 };
 
+/// What presses at a node of a surface in space: one function for each smooth part that the node
+/// belongs to, with a row of its own, that of the neighbour it joined, or none.
+struct SpaceFunction {
+  base::NodeId node;
+  std::size_t part = 0; ///< of the contact surface
+  int row = -1;         ///< among the pair's normal rows; -1: nothing lies opposite
+  double area = 0.0;    ///< integral over what is covered
+  double whole = 0.0;   ///< integral over all faces
+  bool joined = false;  ///< the row is that of another node
+};
+
 /// The rows of one contact pair.
 struct PairRows {
   std::vector<ConstraintRow> normal;
@@ -56,6 +67,7 @@ struct PairRows {
   std::string choice;    ///< which side carries the multipliers and why, for the listing
   int merged = 0;        ///< rows covered by less than 20 % that went to a neighbour
   std::vector<SharpEnd> sharp_ends; ///< in the order of the contact surface; none on crack faces
+  std::vector<SpaceFunction> functions; ///< in space, by part and node
 };
 
 /// Maps each contact node to its place in `pair.normal`; where a node has several normal rows, to

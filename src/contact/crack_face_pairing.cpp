@@ -12,13 +12,13 @@ namespace spricka::contact {
 namespace {
 
 // What a unit pressure on the face puts on its nodes, and their order along it.
-struct FaceNodes {
+struct PushedNodes {
   std::map<base::NodeId, Vec2> push; ///< along the outer normal [area]
   std::vector<base::NodeId> order;
 };
 
-FaceNodes face_nodes(const Surface& surface, double depth) {
-  FaceNodes nodes;
+PushedNodes face_nodes(const Surface& surface, double depth) {
+  PushedNodes nodes;
   for (const Edge& edge : surface.plane.edges) {
     for (const std::size_t i : {std::size_t{0}, std::size_t{2}, std::size_t{1}}) {
       if (static_cast<int>(i) >= edge.count) {
@@ -70,7 +70,7 @@ PairRows crack_face_rows(const model::Model& model, const model::Mesh& mesh,
   for (std::size_t i = 0; half && i + 1 < own.size(); ++i) {
     opposite[own[i]] = base::NodeId();
   }
-  const FaceNodes nodes = face_nodes(
+  const PushedNodes nodes = face_nodes(
       pair.contact, depth_at(pair.contact, pair.target, mesh.x[own.front().index()].head<2>()));
   for (const base::NodeId id : nodes.order) {
     const auto other = opposite.find(id);

@@ -8,9 +8,10 @@ namespace spricka::contact {
 /// Pressure, shear and gap at one node of the surface that carries the multipliers.
 struct NodePressure {
   base::NodeId node;
-  base::Vec2 x = base::Vec2::Zero();
-  double theta = 0.0;        ///< about the circle's centre from +x [rad]; straight surfaces: 0
-  double arc = 0.0;          ///< length along the deck's slave (slave_places.hpp)
+  base::Vec3 x = base::Vec3::Zero();
+  double theta = 0.0;        ///< about the circle's centre or the axis from +x [rad]; else 0
+  double arc = 0.0;          ///< length along the deck's slave (slave_places.hpp); in space along
+                             ///< the axis of a cylinder or cone
   double p_lumped = 0.0;     ///< R_i over the row sum of C [stress]
   double p_consistent = 0.0; ///< NODE: of C p = R; SEGMENT: the multiplier
   /// Shear traction on the slave along its surface, its body on the left [stress]: of the

@@ -4,6 +4,7 @@
 #include "contact/node_pairing.hpp"
 #include "contact/segment_pairing.hpp"
 #include "contact/sharp_end.hpp"
+#include "contact/space_rows.hpp"
 #include "mesh/boundary.hpp"
 #include "model/model.hpp"
 
@@ -44,6 +45,8 @@ bool has_mouth(const model::Mesh& mesh, const Surface& surface) {
 // Sizes alike: within a factor 1.5. There the softer side carries the multipliers, because a finer
 // and stiffer one makes the compliance of the rows lose rank; else the coarser side does.
 constexpr double alike = 1.5;
+// In space, where each function is met by more of the other side's, less difference tells.
+constexpr double alike_in_space = 1.3;
 
 struct Choice {
   bool swap = false;
@@ -63,10 +66,11 @@ Choice choose_side(const model::Mesh& mesh, const Surface& slave, const Surface&
             mouth ? "master side: a crack opens into it" : "slave side: a crack opens into it"};
   }
   const double ratio = slave.mean_length / master.mean_length;
-  if (ratio > alike) {
+  const double same = slave.space.faces.empty() ? alike : alike_in_space;
+  if (ratio > same) {
     return {false, "slave side: coarser"};
   }
-  if (ratio < 1.0 / alike) {
+  if (ratio < 1.0 / same) {
     return {true, "master side: coarser"};
   }
   if (slave.stiffness > master.stiffness) {
@@ -85,6 +89,10 @@ Choice choose_node_side(const model::Mesh& mesh, const Surface& slave, const Sur
 
 void add_rows(PairRows& pair, const model::Contact& contact) {
   const bool tangents = contact.type == model::ContactType::bonded || contact.mu > 0.0;
+  if (!pair.contact.space.faces.empty()) {
+    space_rows(pair, contact.gap, tangents);
+    return;
+  }
   if (contact.pairing == model::Pairing::node) {
     node_rows(pair, contact.gap, tangents);
   } else {

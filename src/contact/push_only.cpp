@@ -176,7 +176,7 @@ double contact_area(const PairRows& pair, const std::vector<NodePressure>& nodes
         // The way that the closed row's area covers is taken off (contact.10): below zero where
         // contact ends before that.
         const double beyond = end_of_contact(last, t) - own_part(pair, chain, i) * way;
-        area += beyond * depth_at(pair.contact, pair.target, at(i).x);
+        area += beyond * depth_at(pair.contact, pair.target, at(i).x.head<2>());
       }
     }
   }

@@ -7,6 +7,7 @@
 #include "contact/push_only.hpp"
 #include "contact/slave_places.hpp"
 #include "contact/smooth.hpp"
+#include "contact/space_recovery.hpp"
 
 #include <algorithm>
 #include <array>
@@ -69,7 +70,7 @@ void append_chain(const Surface& surface, const EdgeChain& chain, std::vector<Pl
   const auto add = [&](const Edge& edge, std::size_t i, double xi, double s) {
     Place p;
     p.at.node = edge.nodes[i];
-    p.at.x = edge.x[i];
+    p.at.x.head<2>() = edge.x[i];
     p.at.arc = s;
     p.normal = surface_normal(surface, edge, xi);
     places.push_back(p);
@@ -101,7 +102,7 @@ std::vector<Place> ordered_places(const Surface& surface) {
   for (Place& p : places) {
     p.normal.normalize();
     if (surface.circle) {
-      const Vec2 d = p.at.x - surface.circle->centre;
+      const Vec2 d = p.at.x.head<2>() - surface.circle->centre;
       p.at.theta = std::atan2(d.y(), d.x());
     }
   }
@@ -329,6 +330,9 @@ void close_tips(std::vector<NodePressure>& nodes) {
 PairPressure recover_pressure(const PairRows& pair, const base::Vector& lambda,
                               const base::Vector& gap, const std::vector<bool>& closed,
                               bool may_pull) {
+  if (!pair.functions.empty()) {
+    return recover_space_pressure(pair, lambda, gap, closed);
+  }
   std::vector<Place> places = ordered_places(pair.contact);
   mark_crack_faces(pair.contact, places);
   string_chains(pair.contact, places);

@@ -191,10 +191,10 @@ void count_along_slave(const PairRows& pair, std::vector<NodePressure>& nodes, A
   std::vector<std::pair<double, double>> knots;
   for (NodePressure& node : nodes) {
     const double own = from_angles ? node.theta : node.arc;
-    node.arc = place_on(slave, starts, node.x);
+    node.arc = place_on(slave, starts, node.x.head<2>());
     node.theta = 0.0;
     if (to_angles) {
-      const Vec2 d = node.x - slave.circle->centre;
+      const Vec2 d = node.x.head<2>() - slave.circle->centre;
       node.theta = std::atan2(d.y(), d.x());
     }
     knots.emplace_back(own, to_angles ? node.theta : node.arc);

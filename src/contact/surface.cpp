@@ -57,6 +57,20 @@ std::optional<Circle> fit_circle(const std::vector<Vec2>& points, double extent)
   return radius < 1e3 * extent ? std::optional(circle) : std::nullopt;
 }
 
+Surface solid_surface(const model::Model& model, const model::Mesh& mesh,
+                      const std::vector<model::Face>& faces) {
+  Surface surface;
+  surface.space = make_space_surface(mesh, faces);
+  surface.extent = surface.space.extent;
+  surface.mean_length = surface.space.mean_size;
+  for (const model::Face& face : faces) {
+    const double E = model.material_of(mesh, face.element).E;
+    surface.stiffness = surface.facets.empty() ? E : std::min(surface.stiffness, E);
+    surface.facets.push_back(make_facet(mesh, face));
+  }
+  return surface;
+}
+
 } // namespace
 
 double gap_beyond_digits(double gap, const Vec2& x) {
@@ -77,6 +91,9 @@ Surface make_surface(const model::Model& model, const model::Mesh& mesh, base::F
 
 Surface make_surface(const model::Model& model, const model::Mesh& mesh,
                      const std::vector<model::Face>& faces) {
+  if (mesh.dim == 3) {
+    return solid_surface(model, mesh, faces);
+  }
   Surface surface;
   surface.axial = model::axisymmetric(model);
   std::vector<Vec2> points;

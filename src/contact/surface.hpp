@@ -3,13 +3,15 @@
 #include "base/id.hpp"
 #include "base/vec.hpp"
 #include "contact/plane_features.hpp"
+#include "contact/space/space_surface.hpp"
 #include "model/forward.hpp"
 #include "model/mesh.hpp"
 
 #include <optional>
 #include <vector>
 
-/// Contact surfaces: facets, and in the plane their order along curves (plane_features.hpp).
+/// Contact surfaces: facets, in the plane their order along curves (plane_features.hpp), in space
+/// the smooth parts that they make up (contact/space/space_surface.hpp).
 namespace spricka::contact {
 
 /// A circle that all nodes of a surface lie on.
@@ -21,10 +23,11 @@ struct Circle {
 
 struct Surface {
   std::vector<Facet> facets;
-  PlaneFeatures plane; ///< order of the facets
+  PlaneFeatures plane; ///< order of the facets; none in space
+  SpaceSurface space;  ///< no faces in the plane
   std::optional<Circle> circle;
   double extent = 0.0;      ///< diagonal of the bounding box
-  double mean_length = 0.0; ///< of the facets
+  double mean_length = 0.0; ///< of the facets; in space the root of their mean area
   double stiffness = 0.0;   ///< Young's modulus behind the surface
   double thickness = 0.0;
   bool axial = false; ///< a meridian: x is the radius, the surface goes round the axis
@@ -34,8 +37,8 @@ struct Surface {
 /// the whole circumference there.
 double depth_at(const Surface& contact, const Surface& target, const Vec2& x);
 
-/// Strings the faces of a set into chains and looks whether they lie on one circle (deviation
-/// below 1e-4 of the radius, radius below 1e3 extents).
+/// In the plane strings the faces of a set into chains and looks whether they lie on one circle
+/// (deviation below 1e-4 of the radius, radius below 1e3 extents); in space make_space_surface().
 Surface make_surface(const model::Model& model, const model::Mesh& mesh, base::FaceSetId set);
 Surface make_surface(const model::Model& model, const model::Mesh& mesh,
                      const std::vector<model::Face>& faces);

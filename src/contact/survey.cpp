@@ -3,6 +3,7 @@
 
 #include "contact/rigid_target.hpp"
 #include "contact/segment.hpp"
+#include "contact/space/sight.hpp"
 
 #include <algorithm>
 #include <array>
@@ -22,7 +23,7 @@ double angle_between(const Vec2& a, const Vec2& b) {
   return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
 }
 
-struct Sight {
+struct Glance {
   double gap = 0.0;
   double angle = 0.0; ///< between one normal and the other reversed
 };
@@ -42,7 +43,7 @@ Survey sample(const Surface& from, const std::vector<Segment>& segments, Look&& 
     const Edge& edge = edges[s.contact_edge];
     for (std::size_t i = 0; i < sample_r.size(); ++i) {
       const double xi = 0.5 * ((s.to + s.from) + (s.to - s.from) * sample_r[i]);
-      const std::optional<Sight> sight = look(s, edge, xi);
+      const std::optional<Glance> sight = look(s, edge, xi);
       if (!sight) {
         continue;
       }
@@ -63,12 +64,40 @@ Survey sample(const Surface& from, const std::vector<Segment>& segments, Look&& 
   return found;
 }
 
+Survey survey_space(const SpaceSurface& from, const SpaceSurface& to) {
+  Survey found;
+  found.edges = from.faces.size();
+  std::vector<bool> faces(from.faces.size(), false);
+  const Sighting sighting(from, to);
+  bool first = true;
+  for (const SurfaceTriangle& t : from.triangles) {
+    const Sight sight = sighting.see(t);
+    found.length += sight.whole.sum();
+    for (const SightPoint& p : sight.points) {
+      faces[t.face] = true;
+      found.seen += p.weight;
+      found.gap_mean += p.weight * p.gap;
+      found.gap_low = first ? p.gap : std::min(found.gap_low, p.gap);
+      found.gap_high = first ? p.gap : std::max(found.gap_high, p.gap);
+      found.angle_high = std::max(found.angle_high, std::acos(std::min(1.0, p.turn)));
+      first = false;
+    }
+  }
+  found.facing = static_cast<std::size_t>(std::count(faces.begin(), faces.end(), true));
+  found.gap_mean = found.seen > 0.0 ? found.gap_mean / found.seen : 0.0;
+  found.seen = std::min(found.seen, found.length); // round-off
+  return found;
+}
+
 } // namespace
 
 Survey survey(const Surface& from, const Surface& to) {
+  if (!from.space.faces.empty()) {
+    return survey_space(from.space, to.space);
+  }
   const std::vector<Edge>& targets = to.plane.edges;
   return sample(from, find_segments(from, to),
-                [&](const Segment& s, const Edge& edge, double xi) -> std::optional<Sight> {
+                [&](const Segment& s, const Edge& edge, double xi) -> std::optional<Glance> {
                   const Edge& target = targets[s.target_edge];
                   const Vec2 n = surface_normal(from, edge, xi);
                   const Vec2 x = point_on(edge, xi);
@@ -77,19 +106,19 @@ Survey survey(const Surface& from, const Surface& to) {
                     return std::nullopt;
                   }
                   const Vec2 back = surface_normal(to, target, std::clamp(*eta, -1.0, 1.0));
-                  return Sight{(point_on(target, *eta) - x).dot(n), angle_between(n, -back)};
+                  return Glance{(point_on(target, *eta) - x).dot(n), angle_between(n, -back)};
                 });
 }
 
 Survey survey(const Surface& from, const model::Rigid& to) {
   return sample(from, find_segments(from, to),
-                [&](const Segment&, const Edge& edge, double xi) -> std::optional<Sight> {
+                [&](const Segment&, const Edge& edge, double xi) -> std::optional<Glance> {
                   const std::optional<RigidFoot> foot = foot_on(to, point_on(edge, xi));
                   if (!foot) {
                     return std::nullopt;
                   }
                   const Vec2 n = surface_normal(from, edge, xi);
-                  return Sight{foot->gap, angle_between(n, foot->normal)};
+                  return Glance{foot->gap, angle_between(n, foot->normal)};
                 });
 }
 

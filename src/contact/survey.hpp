@@ -8,9 +8,9 @@ namespace spricka::contact {
 
 /// What one surface sees of another along its normals, whatever gap a deck declares.
 struct Survey {
-  std::size_t edges = 0;   ///< of the surface
+  std::size_t edges = 0;   ///< of the surface; in space its faces
   std::size_t facing = 0;  ///< of these, that see the other surface at least in part
-  double length = 0.0;     ///< of the surface
+  double length = 0.0;     ///< of the surface; in space its area
   double seen = 0.0;       ///< of it, the part that faces the other surface
   double gap_low = 0.0;    ///< smallest measured gap, negative where the surfaces overlap [length]
   double gap_high = 0.0;   ///< largest
@@ -21,7 +21,8 @@ struct Survey {
   [[nodiscard]] double overhang() const { return length > 0.0 ? 1.0 - seen / length : 1.0; }
 };
 
-/// Surveys the segments that pairing uses: at their ends and at Gauss points between.
+/// Surveys the segments that pairing uses: at their ends and at Gauss points between; in space at
+/// its points.
 Survey survey(const Surface& from, const Surface& to);
 
 /// The same for a rigid target, along its normals.

@@ -107,6 +107,19 @@ void heated_materials_expand(Context& c) {
   }
 }
 
+void contacts_in_reach(Context& c) {
+  if (c.model.mesh.dim != 3) {
+    return;
+  }
+  for (const model::Contact& contact : c.model.contacts) {
+    if (contact.pairing == model::Pairing::node) {
+      c.unavailable("$CONTACT PAIRING=NODE in 3D", contact.span);
+    } else if (contact.mu > 0.0) {
+      c.unavailable("$CONTACT MU in 3D", contact.span);
+    }
+  }
+}
+
 } // namespace
 
 void check_scope(Context& context) {
@@ -118,11 +131,7 @@ void check_scope(Context& context) {
   loads_in_reach(context);
   heated_materials_expand(context);
   check_thickness(context);
-  if (context.model.mesh.dim == 3) {
-    for (const model::Contact& contact : context.model.contacts) {
-      context.unavailable("$CONTACT in 3D", contact.span);
-    }
-  }
+  contacts_in_reach(context);
 }
 
 } // namespace spricka::deck

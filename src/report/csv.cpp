@@ -32,10 +32,10 @@ std::vector<const results::TipQuantity*> k_columns(const model::Model& model) {
   return columns;
 }
 
-std::vector<const results::PointQuantity*> pressure_columns(bool rubs) {
+std::vector<const results::PointQuantity*> pressure_columns(bool rubs, bool space) {
   std::vector<const results::PointQuantity*> columns;
   for (const results::PointQuantity& q : results::point_quantities) {
-    if (q.is(results::in_pressure_csv) && (rubs || !q.friction)) {
+    if (q.is(results::in_pressure_csv) && (rubs || !q.friction) && (space || !q.space)) {
       columns.push_back(&q);
     }
   }
@@ -91,7 +91,8 @@ void write_pressure_csv(const std::filesystem::path& file, const model::Model& m
                   [](const model::Contact& c) { return c.mu > 0.0; }) ||
       std::any_of(model.cracks.begin(), model.cracks.end(),
                   [](const model::Crack& c) { return c.faces_in_contact && c.mu > 0.0; });
-  const std::vector<const results::PointQuantity*> columns = pressure_columns(rubs);
+  const std::vector<const results::PointQuantity*> columns =
+      pressure_columns(rubs, model.mesh.dim == 3);
   UnitsLine units;
   units.add(base::Quantity::number, "increment");
   for (const results::PointQuantity* q : columns) {

@@ -52,6 +52,7 @@ struct PointQuantity {
   ContactState ContactPoint::*state = nullptr;       ///< it is a word
   unsigned places = in_all_pressures;
   bool friction = false; ///< shown where there is some; results.h5 has it always
+  bool space = false;    ///< in pressure.csv only between solids
 
   [[nodiscard]] bool is(PointPlace place) const { return (places & place) != 0; }
   [[nodiscard]] bool is_word() const { return state != nullptr; }
@@ -76,17 +77,20 @@ inline constexpr std::array point_quantities{
                   .kind = base::Quantity::length,
                   .doc = "the node, undeformed",
                   .computed = [](const ContactPoint& point) { return point.x[2]; },
-                  .places = in_pressure_h5},
+                  .places = in_pressure_csv | in_pressure_h5,
+                  .space = true},
     PointQuantity{.name = "theta",
                   .kind = base::Quantity::angle,
-                  .doc = "angle about the centre of the slave's circle",
+                  .doc =
+                      "angle about the centre of the slave's circle, or the axis it has in space",
                   .member = &ContactPoint::theta,
                   .places = in_pressure_csv | in_pressure_h5},
     PointQuantity{.name = "arc",
                   .kind = base::Quantity::length,
-                  .doc = "length along the slave",
+                  .doc = "length along the slave, in space along its axis",
                   .member = &ContactPoint::arc,
-                  .places = in_pressure_h5},
+                  .places = in_pressure_csv | in_pressure_h5,
+                  .space = true},
     PointQuantity{.name = "p_lumped",
                   .kind = base::Quantity::stress,
                   .doc = "pressure, force over the node's share of the surface",

@@ -22,6 +22,8 @@ struct ContactResult {
   double max_pressure = 0.0;
   double mean_pressure = 0.0;   ///< force magnitude integral / area in contact surface
   double max_penetration = 0.0; ///< largest negative weighted gap [length]
+  double area = 0.0;            ///< of the part in contact, in space [length^2]
+  bool space = false;           ///< between solids: it has no arc
   bool round = false;           ///< the surface lies on a circle
   double arc_from = 0.0; ///< on a circle [rad], whole: -pi .. pi; else along the slave [length]
   double arc_to = 0.0;
@@ -41,7 +43,7 @@ struct ContactResult {
 };
 
 /// When a contact has a quantity.
-enum class ContactGiven { always, with_friction, where_it_sticks };
+enum class ContactGiven { always, with_friction, where_it_sticks, in_plane, in_space };
 
 /// One number of a contact; a name that is empty: it is not there.
 struct ContactQuantity {
@@ -71,16 +73,24 @@ inline constexpr std::array contact_quantities{
                     .doc = "smallest pressure of the multipliers",
                     .member = &ContactResult::min_pressure},
     ContactQuantity{.sweep = {},
+                    .check = "CONTACT.AREA",
+                    .kind = base::Quantity::area,
+                    .doc = "area of the part in contact, between solids",
+                    .member = &ContactResult::area,
+                    .given = ContactGiven::in_space},
+    ContactQuantity{.sweep = {},
                     .check = "ARC.FROM",
                     .kind = base::Quantity::angle,
                     .doc = "first angle of the longest part in contact; on a slave that is no "
                            "circle the length along it",
-                    .member = &ContactResult::arc_from},
+                    .member = &ContactResult::arc_from,
+                    .given = ContactGiven::in_plane},
     ContactQuantity{.sweep = {},
                     .check = "ARC.TO",
                     .kind = base::Quantity::angle,
                     .doc = "last angle of the longest part, or length",
-                    .member = &ContactResult::arc_to},
+                    .member = &ContactResult::arc_to,
+                    .given = ContactGiven::in_plane},
     ContactQuantity{.sweep = {},
                     .check = "STICK.FROM",
                     .kind = base::Quantity::angle,

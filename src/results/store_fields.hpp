@@ -83,6 +83,8 @@ template <class V, Of<ContactResult> T> void fields(V& v, T& r) {
   v("max_pressure", r.max_pressure);
   v("mean_pressure", r.mean_pressure);
   v("max_penetration", r.max_penetration);
+  v("area", r.area);
+  v("space", r.space);
   v("round", r.round);
   v("arc_from", r.arc_from);
   v("arc_to", r.arc_to);

@@ -31,7 +31,7 @@ double largest_pressure(const contact::PairRows& pair, const base::Vector& lambd
 
 // What straight edges on circles leave of the circle; nothing worth telling on curved ones.
 double facets(const contact::PairRows& pair, double facet) {
-  const bool straight = !pair.contact.facets.empty() &&
+  const bool straight = !pair.contact.plane.edges.empty() &&
                         pair.contact.plane.edges.front().count == 2 && pair.contact.circle;
   return straight ? facet * facet / (4.0 * pair.contact.circle->radius) : 0.0;
 }
@@ -42,7 +42,8 @@ void tell_slides(const Scene& scene, const StepState& state, results::StepResult
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     const contact::PairRows& pair = scene.pairs[c];
     const bool bonded = scene.contacts[c].type == model::ContactType::bonded;
-    if (!state.mounted[c] || bonded || pair.faces || !pair.found) {
+    if (!state.mounted[c] || bonded || pair.faces || !pair.found ||
+        pair.contact.plane.edges.empty()) {
       continue;
     }
     const double pressure = largest_pressure(pair, state.pair_lambda[c]);

@@ -21,6 +21,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -233,6 +234,13 @@ void note_parting(const Scene& scene, std::size_t pair, results::ContactResult& 
   }
 }
 
+// In space: along the axis of a round surface, then round it; others by their nodes.
+void by_places(std::vector<results::ContactPoint>& points) {
+  std::ranges::stable_sort(points, {}, [](const results::ContactPoint& p) {
+    return std::tuple(p.arc, p.theta, p.node);
+  });
+}
+
 void gather_contacts(const Scene& scene, const StepState& state, results::StepResult& out) {
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     const contact::PairRows& pair = scene.pairs[c];
@@ -245,6 +253,8 @@ void gather_contacts(const Scene& scene, const StepState& state, results::StepRe
     result.force_on_slave = p.force_on_slave;
     result.mean_pressure = p.mean_pressure;
     result.max_penetration = p.max_penetration;
+    result.area = p.area;
+    result.space = scene.cracked.mesh.dim == 3;
     result.round = contact::counts_angles(pair);
     result.arc_from = p.arc_from;
     result.arc_to = p.arc_to;
@@ -255,7 +265,7 @@ void gather_contacts(const Scene& scene, const StepState& state, results::StepRe
     for (const contact::NodePressure& n : p.nodes) {
       results::ContactPoint point;
       point.node = n.node;
-      point.x.head<2>() = n.x;
+      point.x = n.x;
       point.theta = n.theta;
       point.arc = n.arc;
       point.p_lumped = n.p_lumped;
@@ -273,7 +283,9 @@ void gather_contacts(const Scene& scene, const StepState& state, results::StepRe
       gather_friction(scene, state, c, p, result);
       out.friction_work += result.friction_work;
     }
-    if (!result.round) {
+    if (result.space) {
+      by_places(result.points);
+    } else if (!result.round) {
       if (pair.swapped) { // which runs the other way
         std::ranges::reverse(result.points);
       }
@@ -286,7 +298,8 @@ void gather_contacts(const Scene& scene, const StepState& state, results::StepRe
       out.notes.push_back(results::note(unbounded_note(result)));
     }
     const bool unilateral = scene.contacts[c].type == model::ContactType::unilateral;
-    const std::string parts = result.mounted && unilateral ? parts_note(result) : std::string();
+    const std::string parts =
+        result.mounted && unilateral && !result.space ? parts_note(result) : std::string();
     if (!parts.empty()) {
       out.notes.push_back(results::note(parts));
     }

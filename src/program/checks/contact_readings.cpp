@@ -92,7 +92,7 @@ enum class Argument { none, point, place, part, axis };
 struct Question {
   const results::ContactResult& contact;
   PointValue value; // pressure or shear, as the contact recovers it
-  base::Vec2 point = base::Vec2::Zero();
+  base::Vec3 point = base::Vec3::Zero();
   double at = 0.0; // place or number of the part
   Eigen::Index axis = 0;
 };
@@ -156,12 +156,21 @@ const results::ContactQuantity* find_member(std::string_view word) {
   return found == results::contact_quantities.end() ? nullptr : found;
 }
 
+bool plane_only(Argument argument, const std::string& word) {
+  return argument == Argument::place || argument == Argument::part || word.starts_with("ARC.");
+}
+
 double member_of(const results::ContactResult& contact, const results::ContactQuantity& quantity) {
-  if (quantity.given != results::ContactGiven::always && !contact.rubs) {
+  const bool friction = quantity.given == results::ContactGiven::with_friction ||
+                        quantity.given == results::ContactGiven::where_it_sticks;
+  if (friction && !contact.rubs) {
     throw Missing(fmt::format("contact {} has no friction in that step", contact.name));
   }
   if (quantity.given == results::ContactGiven::where_it_sticks && contact.sticking == 0) {
     throw Missing("nothing sticks");
+  }
+  if (quantity.given == results::ContactGiven::in_space && !contact.space) {
+    throw Missing(fmt::format("contact {} is one of the plane, which has arcs", contact.name));
   }
   return contact.*quantity.member;
 }
@@ -188,10 +197,11 @@ double contact_quantity(const model::Model& model, const std::string& word, Argu
   const Argument argument = asked != nullptr ? asked->argument : Argument::none;
   const bool shear = word.starts_with("SHEAR.");
   const std::string name = args.name("a contact");
-  base::Vec2 point = base::Vec2::Zero();
+  base::Vec3 point = base::Vec3::Zero();
   if (argument == Argument::point) {
     point.x() = args.needed("x");
     point.y() = args.needed("y");
+    point.z() = model.mesh.dim == 3 ? args.needed("z") : 0.0;
   }
   const std::string step = args.name("a step");
   double at = 0.0;
@@ -205,6 +215,11 @@ double contact_quantity(const model::Model& model, const std::string& word, Argu
   }
   const results::StepResult& found = *find_place(run, step, args.number()).step;
   const results::ContactResult contact = contact_of(model, found, name);
+  if (contact.space && plane_only(argument, word)) {
+    throw Missing(fmt::format("contact {} is one of solids, which has no arc: ask CPRESS.NEAR "
+                              "with x, y and z",
+                              name));
+  }
   if (shear && !contact.sheared) {
     throw Missing(fmt::format("contact {} has no shear: neither MU nor TYPE=BONDED", name));
   }

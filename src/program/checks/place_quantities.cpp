@@ -12,12 +12,21 @@
 namespace spricka::program {
 
 double pressure_near(const results::ContactResult& contact, double results::ContactPoint::*value,
-                     const base::Vec2& x) {
+                     const base::Vec3& x) {
   if (contact.points.empty()) {
     throw Missing("the contact has no surface");
   }
   double best = std::numeric_limits<double>::infinity();
   double found = 0.0;
+  if (contact.space) {
+    for (const results::ContactPoint& p : contact.points) {
+      if ((p.x - x).norm() < best) {
+        best = (p.x - x).norm();
+        found = p.*value;
+      }
+    }
+    return found;
+  }
   for (std::size_t i = 0; i < contact.points.size(); ++i) {
     const results::ContactPoint& a = contact.points[i];
     const bool ends = i + 1 == contact.points.size();
@@ -26,7 +35,7 @@ double pressure_near(const results::ContactResult& contact, double results::Cont
     const bool last = !(run > 0.0) || run > 1.6 * std::abs(next.arc - a.arc);
     const results::ContactPoint& b = last ? a : next;
     const base::Vec2 chord = (b.x - a.x).head<2>();
-    const base::Vec2 from = x - a.x.head<2>();
+    const base::Vec2 from = (x - a.x).head<2>();
     const double t = last ? 0.0 : std::clamp(from.dot(chord) / chord.squaredNorm(), 0.0, 1.0);
     const double distance = (from - t * chord).norm();
     if (distance < best) {

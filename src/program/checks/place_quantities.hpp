@@ -8,9 +8,9 @@
 namespace spricka::program {
 
 /// A value (pressure) at the place of the surface that is nearest to a point, between two nodes
-/// that follow one another. Throws Missing where there is no surface.
+/// that follow one another; in space at the nearest node. Throws Missing where there is no surface.
 double pressure_near(const results::ContactResult& contact, double results::ContactPoint::*value,
-                     const base::Vec2& x);
+                     const base::Vec3& x);
 
 /// ARC.PART.FROM (end 0) or ARC.PART.TO (1): of the closed part of that number, along the surface.
 /// Throws Missing where there is no such part.

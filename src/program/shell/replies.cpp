@@ -75,6 +75,9 @@ std::string closed_part(const results::ContactResult& contact, const base::UnitS
   if (contact.closed == 0) {
     return "open";
   }
+  if (contact.space) {
+    return fmt::format("{}/{} closed, area {:.6g}", contact.closed, contact.rows, contact.area);
+  }
   return fmt::format("{}/{} closed, {} .. {}", contact.closed, contact.rows,
                      place(contact, contact.arc_from, units),
                      place(contact, contact.arc_to, units));

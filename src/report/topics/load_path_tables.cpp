@@ -294,23 +294,33 @@ Table load_path_table(const model::Model& model, const results::Increment& incre
 }
 
 Table opening_table(const results::Increment& increment) {
+  const bool arcs = increment.mesh.dim == 2;
   Table table{"Load paths: contact",
               {{"path", "", true},
                {"contact", "", true},
                {"first pair opens at t", "", false},
                {"closed at begin", "", false},
                {"at end", "", false},
-               {"of", "", false},
-               {"arc at begin", "", false},
-               {"arc at end", "", false}},
+               {"of", "", false}},
               {}};
+  if (arcs) {
+    table.columns.push_back({"arc at begin", "", false});
+    table.columns.push_back({"arc at end", "", false});
+  }
   for (const results::LoadPath& path : increment.paths) {
     for (const results::PathContact& contact : path.contacts) {
       const std::size_t last = contact.closed.size() - 1;
-      table.rows.push_back(
-          {path.name, contact.name, contact.opening ? six_digits(*contact.opening) : "none",
-           fmt::format("{}", contact.closed.front()), fmt::format("{}", contact.closed[last]),
-           fmt::format("{}", contact.rows), arc(contact, 0), arc(contact, last)});
+      std::vector<std::string> row{path.name,
+                                   contact.name,
+                                   contact.opening ? six_digits(*contact.opening) : "none",
+                                   fmt::format("{}", contact.closed.front()),
+                                   fmt::format("{}", contact.closed[last]),
+                                   fmt::format("{}", contact.rows)};
+      if (arcs) {
+        row.push_back(arc(contact, 0));
+        row.push_back(arc(contact, last));
+      }
+      table.rows.push_back(std::move(row));
     }
   }
   return table;

@@ -238,6 +238,9 @@ std::vector<Figure> pressure_figures(const model::Model& model, const results::R
   std::vector<Figure> figures;
   for (const model::Contact& contact : shown_contacts(model, run)) {
     bool bore = false;
+    if (model.mesh.dim == 3) {
+      continue;
+    }
     for (const results::Increment& increment : run.increments) {
       for (const results::StepResult& step : increment.steps) {
         const results::ContactResult* const result = mounted(step, contact.name);

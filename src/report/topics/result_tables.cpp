@@ -156,7 +156,7 @@ Row contact_row(const results::StepResult& step, const results::ContactResult& c
   Row row{step.step, contact.name};
   if (!contact.mounted) {
     row.push_back("absent");
-    row.resize(row.size() + 7 + along.size());
+    row.resize(row.size() + (contact.space ? 6 : 7) + along.size());
     return row;
   }
   row.push_back(fmt::format("{}/{}", contact.closed, contact.rows));
@@ -165,8 +165,12 @@ Row contact_row(const results::StepResult& step, const results::ContactResult& c
   row.push_back(rounded(contact.mean_pressure, scale.pressure));
   row.push_back(rounded(contact.max_pressure, scale.pressure));
   add_cells(row, contact.force_on_slave, along, scale.force);
-  for (const double end : {contact.arc_from, contact.arc_to}) {
-    row.push_back(contact.closed == 0 ? "" : arc(contact, end, units));
+  if (contact.space) {
+    row.push_back(six_digits(contact.area));
+  } else {
+    for (const double end : {contact.arc_from, contact.arc_to}) {
+      row.push_back(contact.closed == 0 ? "" : arc(contact, end, units));
+    }
   }
   row.push_back(fmt::format("{}", step.iterations));
   return row;
@@ -224,8 +228,12 @@ Table contact_table(const model::Model& model, const results::Increment& increme
               {}};
   const Directions along = directions(model, increment);
   add_columns(table, "force", along, units.force_name);
-  table.columns.push_back({"arc from", "", false});
-  table.columns.push_back({"to", "", false});
+  if (increment.mesh.dim == 3) {
+    table.columns.push_back({"area", units.length_name + "^2", false});
+  } else {
+    table.columns.push_back({"arc from", "", false});
+    table.columns.push_back({"to", "", false});
+  }
   table.columns.push_back({"iterations", "", false});
   const ContactScale scale = contact_scale(model, increment);
   for (const results::StepResult& step : increment.steps) {

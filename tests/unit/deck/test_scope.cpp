@@ -122,17 +122,22 @@ TEST(Scope, APinPushesNoRing) {
   EXPECT_EQ(codes("STRESS"), "");
 }
 
-TEST(Scope, ContactIsNotOfSpace) {
+TEST(Scope, ContactInSpaceIsWithoutFrictionAndNodePairs) {
   const Folder folder;
   const auto pair = [&](const std::string& mesh, const std::string& shift, const std::string& state,
-                        const std::string& low, const std::string& high) {
+                        const std::string& low, const std::string& high,
+                        const std::string& more = "") {
     return notes(Reading(folder, head + block("A", mesh) + block("B", mesh + shift) + material() +
                                      property("A", state) + property("B", state) +
-                                     "$CONTACT NAME=C SLAVE=B." + low + " MASTER=A." + high +
+                                     "$CONTACT NAME=C SLAVE=B." + low + " MASTER=A." + high + more +
                                      "\n$END\n"));
   };
   using Notes = std::vector<std::string>;
-  EXPECT_EQ(pair(solid, " Z0=1", "SOLID", "ZMIN", "ZMAX"), Notes{"$CONTACT in 3D"});
+  EXPECT_EQ(pair(solid, " Z0=1", "SOLID", "ZMIN", "ZMAX"), Notes{});
+  EXPECT_EQ(pair(solid, " Z0=1", "SOLID", "ZMIN", "ZMAX", " TYPE=BONDED"), Notes{});
+  EXPECT_EQ(pair(solid, " Z0=1", "SOLID", "ZMIN", "ZMAX", " MU=0.1"), Notes{"$CONTACT MU in 3D"});
+  EXPECT_EQ(pair(solid, " Z0=1", "SOLID", "ZMIN", "ZMAX", " PAIRING=NODE"),
+            Notes{"$CONTACT PAIRING=NODE in 3D"});
   EXPECT_EQ(pair(plane, " Y0=2", "STRESS", "YMIN", "YMAX"), Notes{});
   EXPECT_EQ(pair(plane, " Y0=2", "AXI", "YMIN", "YMAX"), Notes{});
 }

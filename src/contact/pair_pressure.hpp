@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/vec.hpp"
+#include "contact/node_pressure.hpp"
+
+#include <vector>
+
+namespace spricka::contact {
+
+/// What a pair of surfaces carries.
+struct PairPressure {
+  std::vector<NodePressure> nodes;                ///< of the side that carries the multipliers
+  base::Vec3 force_on_slave = base::Vec3::Zero(); ///< deck's slave
+  double mean_pressure = 0.0;                     ///< normal multipliers over the part in contact
+  double min_pressure = 0.0;                      ///< of the normal multipliers
+  double max_pressure = 0.0;
+  double max_penetration = 0.0;        ///< [length], 0 or more
+  double arc_from = 0.0, arc_to = 0.0; ///< longest closed arc [rad], or arc length if straight
+  int closed = 0;
+  double area = 0.0; ///< of the part in contact, in space [length^2]
+};
+
+} // namespace spricka::contact

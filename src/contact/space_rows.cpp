@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/space_rows.hpp"
+
+#include "contact/row_builder.hpp"
+#include "contact/space/sight.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+namespace spricka::contact {
+
+namespace {
+
+constexpr double weak_cover = 0.2;    // of a function: less of it joins a neighbour
+constexpr double no_cover = 1e-9;     // round-off
+constexpr double least_moment = 1e-8; // of a sliver's hats, scaled: they are one function there
+constexpr double twice = 1e-6;        // of a triangle: more than all of it
+
+using PartNode = std::pair<std::size_t, base::NodeId>;
+
+// Integrals of a triangle's three hats times what the two surfaces move along one direction.
+struct Motion {
+  std::array<Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 9>, 3> own; ///< [hat] by face node
+  std::vector<std::array<Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 9>, 3>> target;
+};
+
+struct HatIntegrals {
+  Eigen::Matrix3d moment = Eigen::Matrix3d::Zero(); ///< hat times hat
+  Eigen::Vector3d gap = Eigen::Vector3d::Zero();
+  Eigen::Vector3d round_gap = Eigen::Vector3d::Zero();
+  std::vector<std::size_t> targets; ///< faces met
+  std::array<Motion, 3> motion;     ///< along the normal and the tangents
+};
+
+// dual = D m^-1 of (contact_space.4): row a has the weights of the hats in the function dual to hat
+// a. On a sliver the hats are nearly one function: what they have no measure of is left out.
+Eigen::Matrix3d dual_weights(const Eigen::Matrix3d& moment) {
+  const Eigen::Vector3d area = moment.rowwise().sum();
+  const Eigen::Vector3d scale = moment.diagonal().cwiseSqrt();
+  if (!(scale.minCoeff() > 0.0)) {
+    return Eigen::Matrix3d::Zero();
+  }
+  const Eigen::Vector3d unscale = scale.cwiseInverse();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
+      Eigen::Matrix3d(unscale.asDiagonal() * moment * unscale.asDiagonal()));
+  Eigen::Vector3d inverse = eigen.eigenvalues();
+  const double least = least_moment * inverse.maxCoeff();
+  inverse = inverse.unaryExpr([&](double v) { return v > least ? 1.0 / v : 0.0; });
+  const Eigen::Matrix3d pseudo =
+      eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
+  return area.cwiseProduct(unscale).asDiagonal() * pseudo * unscale.asDiagonal();
+}
+
+class SpaceRows {
+public:
+  SpaceRows(PairRows& pair, std::optional<double> declared_gap, bool tangents)
+      : pair_(pair), own_(pair.contact.space), other_(pair.target.space), declared_(declared_gap),
+        directions_(tangents ? 3 : 1) {}
+
+  void make() {
+    number_functions();
+    const Sighting sighting(own_, other_);
+    int lost = 0;
+    for (const SurfaceTriangle& triangle : own_.triangles) {
+      const Sight sight = sighting.see(triangle);
+      lost += sight.lost;
+      if (sight.flat_seen > (1.0 + twice) * sight.flat_area) {
+        pair_.trouble = "the surfaces face each other twice at one place (two layers of the master "
+                        "lie within a fifth of the slave's extent)";
+        pair_.found = true;
+        return;
+      }
+      add(triangle, sight);
+    }
+    pair_.segments = true;
+    join_weak_ones();
+    append();
+    pair_.found = !pair_.normal.empty();
+  }
+
+private:
+  void number_functions() {
+    for (const SurfaceTriangle& t : own_.triangles) {
+      for (const base::NodeId n : own_.faces[t.face].nodes) {
+        place_.try_emplace(PartNode{own_.part[t.face], n}, 0);
+      }
+    }
+    for (auto& [key, at] : place_) {
+      at = pair_.functions.size();
+      pair_.functions.push_back({.node = key.second, .part = key.first});
+    }
+    rows_.resize(pair_.functions.size());
+    beside_.resize(pair_.functions.size());
+  }
+
+  // Tangents at a point: along the axis of a round part, else along the axis of the coordinates
+  // that is least aligned with the normal of the part, and across.
+  [[nodiscard]] std::array<Vec3, 3> directions(std::size_t face, const Vec3& n) const {
+    const std::optional<Round>& round = own_.round_of(face);
+    const bool about_axis =
+        round && (round->kind == RoundKind::cylinder || round->kind == RoundKind::cone);
+    Eigen::Index least = 0;
+    n.cwiseAbs().minCoeff(&least);
+    const Vec3 a = about_axis ? round->axis : Vec3(Vec3::Unit(least));
+    const Vec3 t = (a - a.dot(n) * n).normalized();
+    return {n, t, n.cross(t)};
+  }
+
+  [[nodiscard]] HatIntegrals integrate(const SurfaceTriangle& triangle, const Sight& sight) const {
+    HatIntegrals sum;
+    const SolidFace& face = own_.faces[triangle.face];
+    const auto nodes = static_cast<Eigen::Index>(face.nodes.size());
+    for (int k = 0; k < directions_; ++k) {
+      for (auto& own : sum.motion[static_cast<std::size_t>(k)].own) {
+        own.setZero(3, nodes);
+      }
+    }
+    for (const SightPoint& p : sight.points) {
+      if (sum.targets.empty() || sum.targets.back() != p.target) {
+        sum.targets.push_back(p.target);
+        const auto count = static_cast<Eigen::Index>(other_.faces[p.target].nodes.size());
+        for (int k = 0; k < directions_; ++k) {
+          auto& fresh = sum.motion[static_cast<std::size_t>(k)].target.emplace_back();
+          for (auto& of_hat : fresh) {
+            of_hat.setZero(3, count);
+          }
+        }
+      }
+      const FaceValues N = face_N(face.shape, p.r);
+      const FaceValues M = face_N(other_.faces[p.target].shape, p.s);
+      const std::array<Vec3, 3> along = directions(triangle.face, p.normal);
+      const Eigen::Vector3d w = p.weight * p.hat;
+      sum.moment += w * p.hat.transpose();
+      sum.gap += declared_.value_or(p.gap) * w;
+      sum.round_gap += declared_.value_or(p.round_gap) * w;
+      for (int k = 0; k < directions_; ++k) {
+        Motion& motion = sum.motion[static_cast<std::size_t>(k)];
+        for (std::size_t h = 0; h < 3; ++h) {
+          const Vec3 push = w[static_cast<Eigen::Index>(h)] * along[static_cast<std::size_t>(k)];
+          motion.own[h] -= push * N.transpose();
+          motion.target.back()[h] += push * M.transpose();
+        }
+      }
+    }
+    return sum;
+  }
+
+  void add(const SurfaceTriangle& triangle, const Sight& sight) {
+    const std::array<std::size_t, 3> at = functions_of(triangle);
+    for (std::size_t a = 0; a < at.size(); ++a) {
+      pair_.functions[at[a]].whole += sight.whole[static_cast<Eigen::Index>(a)];
+    }
+    if (sight.points.empty()) {
+      return;
+    }
+    const HatIntegrals sum = integrate(triangle, sight);
+    const Eigen::Matrix3d dual = dual_weights(sum.moment);
+    for (std::size_t a = 0; a < at.size(); ++a) {
+      const Eigen::RowVector3d weight = dual.row(static_cast<Eigen::Index>(a));
+      std::array<RowBuilder, 3>& row = rows_[at[a]];
+      row[0].gap += weight * sum.gap;
+      row[0].round_gap += weight * sum.round_gap;
+      const double area = weight * sum.moment.rowwise().sum();
+      for (int k = 0; k < directions_; ++k) {
+        row[static_cast<std::size_t>(k)].area += area;
+        add_motion(triangle, sum, static_cast<std::size_t>(k), weight,
+                   row[static_cast<std::size_t>(k)]);
+      }
+      for (const std::size_t b : at) {
+        if (b != at[a]) {
+          beside_[at[a]].push_back(b);
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] std::array<std::size_t, 3> functions_of(const SurfaceTriangle& t) const {
+    const std::vector<base::NodeId>& nodes = own_.faces[t.face].nodes;
+    std::array<std::size_t, 3> at{};
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      at[i] = place_.at({own_.part[t.face], nodes[static_cast<std::size_t>(t.node[i])]});
+    }
+    return at;
+  }
+
+  void add_motion(const SurfaceTriangle& triangle, const HatIntegrals& sum, std::size_t k,
+                  const Eigen::RowVector3d& weight, RowBuilder& row) const {
+    const auto add_nodes = [&](const std::vector<base::NodeId>& nodes, const auto& of_hat) {
+      for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const auto c = static_cast<Eigen::Index>(i);
+        row.add(nodes[i], weight[0] * of_hat[0].col(c) + weight[1] * of_hat[1].col(c) +
+                              weight[2] * of_hat[2].col(c));
+      }
+    };
+    add_nodes(own_.faces[triangle.face].nodes, sum.motion[k].own);
+    for (std::size_t t = 0; t < sum.targets.size(); ++t) {
+      add_nodes(other_.faces[sum.targets[t]].nodes, sum.motion[k].target[t]);
+    }
+  }
+
+  [[nodiscard]] double cover(std::size_t i) const {
+    return rows_[i][0].area / pair_.functions[i].whole;
+  }
+
+  // The strongest of the weak ones first: each joins the best covered neighbour; where that is weak
+  // itself, as before coarse faces, slivers add up to one row.
+  void join_weak_ones() {
+    root_.resize(rows_.size());
+    std::iota(root_.begin(), root_.end(), std::size_t{0});
+    std::vector<std::size_t> weak;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      pair_.functions[i].area = rows_[i][0].area;
+      if (rows_[i][0].area > 0.0 && cover(i) < weak_cover) {
+        weak.push_back(i);
+      }
+    }
+    std::vector<double> covered(rows_.size());
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      covered[i] = cover(i);
+    }
+    std::ranges::stable_sort(weak, std::greater<>(), [&](std::size_t i) { return covered[i]; });
+    for (const std::size_t i : weak) {
+      std::size_t best = i;
+      for (const std::size_t b : beside_[i]) {
+        if (covered[b] > covered[best]) {
+          best = b;
+        }
+      }
+      if (best == i) {
+        if (covered[i] <= no_cover) {
+          rows_[i] = {};
+        }
+        continue; // what is covered must hold
+      }
+      root_[i] = root_[best];
+      for (std::size_t k = 0; k < rows_[i].size(); ++k) {
+        rows_[root_[i]][k].add(rows_[i][k]);
+      }
+      rows_[i] = {};
+      ++pair_.merged;
+    }
+  }
+
+  void append() {
+    std::vector<int> row_of(rows_.size(), -1);
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      if (!(rows_[i][0].area > 0.0)) {
+        continue;
+      }
+      row_of[i] = static_cast<int>(pair_.normal.size());
+      const base::NodeId node = pair_.functions[i].node;
+      for (int k = 1; k < directions_; ++k) {
+        pair_.tangent.push_back(rows_[i][static_cast<std::size_t>(k)].finish(node, row_of[i]));
+      }
+      pair_.normal.push_back(rows_[i][0].finish(node));
+    }
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      pair_.functions[i].row = row_of[root_[i]];
+      pair_.functions[i].joined = root_[i] != i;
+    }
+  }
+
+  PairRows& pair_;
+  const SpaceSurface& own_;
+  const SpaceSurface& other_;
+  std::optional<double> declared_;
+  int directions_; ///< 1, or 3 with tangents
+  std::map<PartNode, std::size_t> place_;
+  std::vector<std::array<RowBuilder, 3>> rows_;  ///< [function] along normal and tangents
+  std::vector<std::vector<std::size_t>> beside_; ///< [function] those of covered triangles
+  std::vector<std::size_t> root_;                ///< [function] whose row has it
+};
+
+} // namespace
+
+void space_rows(PairRows& pair, std::optional<double> declared_gap, bool tangents) {
+  SpaceRows(pair, declared_gap, tangents).make();
+}
+
+} // namespace spricka::contact

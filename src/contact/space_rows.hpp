@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "contact/constraint.hpp"
+
+#include <optional>
+
+namespace spricka::contact {
+
+/// Fills the rows of a pair of solid surfaces (contact_space.5): the pressure is a sum of
+/// hats on the triangles between all nodes of the faces, gaps are weighted by the functions dual to
+/// these (Wohlmuth 2000) on what the target covers of each triangle (Popp et al. 2013), so that
+/// each weight is positive on any face type and any part of a face. A node covered by less than a
+/// fifth joins a neighbour. `tangents`: two rows along the surface for each normal one.
+void space_rows(PairRows& pair, std::optional<double> declared_gap, bool tangents);
+
+} // namespace spricka::contact
