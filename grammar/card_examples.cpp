@@ -131,18 +131,17 @@ constexpr std::array texts{
         "  LUG.BORE  97.1[kN]  0\n"
         "$LOAD CASE=LEAK TYPE=FACES\n"
         "  TOP  5[MPa]\n"},
-    CardText{
-        "CONTACT",
-        "The surfaces cannot pass into each other and can always part, without penalty and "
-        "without stiffness to choose. INTERFERENCE counts on the radius, DIAMETRAL on the "
-        "diameter (twice as much): a drawing that says 72.084 in 72 means DIAMETRAL=0.084. "
-        "Which surface is SLAVE makes no difference to what holds; SEGMENT pairs need no "
-        "matching nodes. Fits are switched on by FIT and MOUNT of $STEP; a fit that no step "
-        "names is always on. With STATE=AXI forces, areas and mean pressures are those of the "
-        "whole circumference. Where the contact is pressed up to an edge of one surface, the "
-        "pressure has no bound; the listing says so. Solids take SEGMENT pairs without MU.",
-        "$CONTACT NAME=BUSH SLAVE=SLEEVE.OUTER MASTER=LUG.BORE DIAMETRAL=0.084\n"
-        "$CONTACT NAME=PIN SLAVE=SHAFT.OUTER MASTER=SLEEVE.INNER GAP=0\n"},
+    CardText{"CONTACT",
+             "The surfaces cannot pass into each other and can always part, without penalty and "
+             "without stiffness to choose. INTERFERENCE counts on the radius, DIAMETRAL on the "
+             "diameter (twice as much): a drawing that says 72.084 in 72 means DIAMETRAL=0.084. "
+             "Which surface is SLAVE makes no difference to what holds; SEGMENT pairs need no "
+             "matching nodes. Fits are switched on by FIT and MOUNT of $STEP; a fit that no step "
+             "names is always on. With STATE=AXI forces, areas and mean pressures are those of the "
+             "whole circumference. Where the contact is pressed up to an edge of one surface, the "
+             "pressure has no bound; the listing says so. Solids take SEGMENT pairs without MU.",
+             "$CONTACT NAME=BUSH SLAVE=SLEEVE.OUTER MASTER=LUG.BORE DIAMETRAL=0.084\n"
+             "$CONTACT NAME=PIN SLAVE=SHAFT.OUTER MASTER=SLEEVE.INNER GAP=0\n"},
     CardText{
         "RIGID",
         "A rigid target has no mesh and does not move: the other body is moved or loaded. Seen "

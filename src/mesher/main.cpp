@@ -72,8 +72,8 @@ void say(MesherFrame kind) {
 std::string with_questions(const mesh::MesherImport& import) {
   std::string text = import.text;
   for (const std::string& name : import.constants) {
-    text +=
-        "\nIf (Exists(" + name + "))\nSetNumber(\"spricka/" + name + "\", " + name + ");\nEndIf\n";
+    text.append("\nIf (Exists(").append(name).append("))\nSetNumber(\"spricka/").append(name);
+    text.append("\", ").append(name).append(");\nEndIf\n");
   }
   return text;
 }

@@ -10,7 +10,7 @@ enum class State;
 struct Check;
 struct Contact;
 struct Equation;
-struct Growth;
+struct Growth; // NOLINT(bugprone-forward-declaration-namespace): results has one of its own
 struct Load;
 struct LoadCase;
 struct Material;

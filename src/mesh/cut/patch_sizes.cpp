@@ -130,8 +130,8 @@ Grading curve_sizes(const Host& host, const std::vector<PatchCrack>& cracks, con
 }
 
 void add_edge_size(Grading& grading, const PatchNet& net, int a, int b) {
-  const Vec2 p = net.local(a);
-  const Vec2 q = net.local(b);
+  const Vec2& p = net.local(a);
+  const Vec2& q = net.local(b);
   grading.add(0.5 * (p + q), (q - p).norm());
 }
 
