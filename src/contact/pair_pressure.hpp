@@ -3,6 +3,8 @@
 #include "base/vec.hpp"
 #include "contact/node_pressure.hpp"
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 namespace spricka::contact {
@@ -18,6 +20,9 @@ struct PairPressure {
   double arc_from = 0.0, arc_to = 0.0; ///< longest closed arc [rad], or arc length if straight
   int closed = 0;
   double area = 0.0; ///< of the part in contact, in space [length^2]
+  /// In space: three places in `nodes` for each triangle on which pressure is linear.
+  std::vector<std::array<std::size_t, 3>> triangles;
+  double radius = 0.0; ///< in space, mean: the surface is one cylinder or cone; else 0 [length]
 };
 
 } // namespace spricka::contact

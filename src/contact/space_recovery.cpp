@@ -186,6 +186,19 @@ PairPressure recover_space_pressure(const PairRows& pair, const base::Vector& la
     }
     result.nodes.push_back(at);
   }
+  const SpaceSurface& surface = pair.contact.space;
+  const std::vector<std::vector<std::size_t>> faces = functions_by_face(pair);
+  for (const SurfaceTriangle& t : surface.triangles) {
+    const std::vector<std::size_t>& at = faces[t.face];
+    const auto place = [&](int i) { return at[static_cast<std::size_t>(i)]; };
+    result.triangles.push_back({place(t.node[0]), place(t.node[1]), place(t.node[2])});
+  }
+  if (surface.rounds.size() == 1 && surface.rounds[0] && has_axis(*surface.rounds[0])) {
+    for (const NodePressure& at : result.nodes) {
+      const double here = surface.rounds[0]->radius + surface.rounds[0]->slope * at.arc;
+      result.radius += here / static_cast<double>(result.nodes.size());
+    }
+  }
   return result;
 }
 

@@ -106,8 +106,7 @@ private:
   // that is least aligned with the normal of the part, and across.
   [[nodiscard]] std::array<Vec3, 3> directions(std::size_t face, const Vec3& n) const {
     const std::optional<Round>& round = own_.round_of(face);
-    const bool about_axis =
-        round && (round->kind == RoundKind::cylinder || round->kind == RoundKind::cone);
+    const bool about_axis = round && has_axis(*round);
     Eigen::Index least = 0;
     n.cwiseAbs().minCoeff(&least);
     const Vec3 a = about_axis ? round->axis : Vec3(Vec3::Unit(least));

@@ -35,6 +35,11 @@ void write_requested_csv(const std::filesystem::path& file, const model::Model& 
 void write_vtu(const std::filesystem::path& file, const model::Model& model,
                const results::Increment& increment, const results::StepResult& step);
 
+/// The surfaces of the contacts between solids that are mounted at the end of a step: triangles
+/// between nodes with pressures, gap and whether they touch; `contact` numbers the deck's contacts.
+void write_contact_vtu(const std::filesystem::path& file, const model::Model& model,
+                       const results::StepResult& step);
+
 /// A mesh alone: element sets as cell arrays, node and face sets as point arrays, 1 for members.
 /// Face sets must be given as node sets by the caller.
 void write_mesh_vtu(const std::filesystem::path& file, const model::Mesh& mesh);

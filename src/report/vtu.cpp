@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/model.hpp"
 #include "report/drawing/file.hpp"
 #include "report/drawing/table.hpp"
 #include "report/drawing/vtu_grid.hpp"
 #include "report/report.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -148,6 +150,42 @@ void write_mesh_vtu(const std::filesystem::path& file, const model::Mesh& mesh) 
       add_mark(document, set.name, points.node.size(), set.nodes, point);
     }
   }
+  document.line("      </PointData>");
+  write_file(file, vtu_end(document));
+}
+
+void write_contact_vtu(const std::filesystem::path& file, const model::Model& model,
+                       const results::StepResult& step) {
+  std::vector<double> x;
+  std::vector<std::int64_t> corners;
+  std::vector<std::int64_t> number; // of the contact, by point
+  std::vector<std::uint8_t> closed;
+  std::array<std::vector<double>, 3> values;
+  for (const results::ContactResult& contact : step.contacts) {
+    if (!contact.mounted) {
+      continue;
+    }
+    const auto first = static_cast<std::int64_t>(number.size());
+    const auto card = std::ranges::find(model.contacts, contact.name, &model::Contact::name);
+    for (const results::ContactPoint& p : contact.points) {
+      x.insert(x.end(), p.x.data(), p.x.data() + 3);
+      number.push_back(card - model.contacts.begin());
+      closed.push_back(p.closed ? 1 : 0);
+      values[0].push_back(p.p_lumped);
+      values[1].push_back(p.p_consistent);
+      values[2].push_back(p.gap);
+    }
+    for (const int corner : contact.corners) {
+      corners.push_back(first + corner);
+    }
+  }
+  VtuDocument document = vtu_triangles(x, corners);
+  document.line("      <PointData Scalars=\"p_lumped\">");
+  document.add("p_lumped", "Float64", 1, values[0]);
+  document.add("p_consistent", "Float64", 1, values[1]);
+  document.add("gap", "Float64", 1, values[2]);
+  document.add("closed", "UInt8", 1, closed);
+  document.add("contact", "Int64", 1, number);
   document.line("      </PointData>");
   write_file(file, vtu_end(document));
 }

@@ -16,7 +16,9 @@ namespace spricka::results {
 struct ContactResult {
   std::string name;
   bool mounted = true;
-  std::vector<ContactPoint> points;               ///< in order along the surface
+  std::vector<ContactPoint> points; ///< in order along the surface
+  /// Between solids: three places in `points` for each triangle on which pressure is linear.
+  std::vector<int> corners;
   base::Vec3 force_on_slave = base::Vec3::Zero(); ///< deck's slave
   double min_pressure = 0.0; ///< of the multipliers: the inequality that the solution obeys
   double max_pressure = 0.0;
@@ -24,7 +26,10 @@ struct ContactResult {
   double max_penetration = 0.0; ///< largest negative weighted gap [length]
   double area = 0.0;            ///< of the part in contact, in space [length^2]
   bool space = false;           ///< between solids: it has no arc
-  bool round = false;           ///< the surface lies on a circle
+  /// Between solids: mean radius where the surface is one cylinder or cone, round which points have
+  /// theta and along which they have arc; else 0.
+  double radius = 0.0;
+  bool round = false;    ///< the surface lies on a circle
   double arc_from = 0.0; ///< on a circle [rad], whole: -pi .. pi; else along the slave [length]
   double arc_to = 0.0;
   int closed = 0;

@@ -78,6 +78,7 @@ template <class V, Of<ContactResult> T> void fields(V& v, T& r) {
   v("name", r.name);
   v("mounted", r.mounted);
   v("points", r.points);
+  v("corners", r.corners);
   v("force_on_slave", r.force_on_slave);
   v("min_pressure", r.min_pressure);
   v("max_pressure", r.max_pressure);
@@ -85,6 +86,7 @@ template <class V, Of<ContactResult> T> void fields(V& v, T& r) {
   v("max_penetration", r.max_penetration);
   v("area", r.area);
   v("space", r.space);
+  v("radius", r.radius);
   v("round", r.round);
   v("arc_from", r.arc_from);
   v("arc_to", r.arc_to);

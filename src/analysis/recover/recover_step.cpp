@@ -234,11 +234,27 @@ void note_parting(const Scene& scene, std::size_t pair, results::ContactResult& 
   }
 }
 
-// In space: along the axis of a round surface, then round it; others by their nodes.
-void by_places(std::vector<results::ContactPoint>& points) {
-  std::ranges::stable_sort(points, {}, [](const results::ContactPoint& p) {
+// In space: along the axis of a round surface, then round it; others by their nodes. The triangles
+// go with them.
+void by_places(const contact::PairPressure& pressure, results::ContactResult& result) {
+  std::vector<std::size_t> order(result.points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) {
+    const results::ContactPoint& p = result.points[i];
     return std::tuple(p.arc, p.theta, p.node);
   });
+  std::vector<results::ContactPoint> sorted;
+  std::vector<int> place(order.size());
+  for (const std::size_t i : order) {
+    place[i] = static_cast<int>(sorted.size());
+    sorted.push_back(result.points[i]);
+  }
+  result.points = std::move(sorted);
+  for (const std::array<std::size_t, 3>& triangle : pressure.triangles) {
+    for (const std::size_t i : triangle) {
+      result.corners.push_back(place[i]);
+    }
+  }
 }
 
 void gather_contacts(const Scene& scene, const StepState& state, results::StepResult& out) {
@@ -284,7 +300,8 @@ void gather_contacts(const Scene& scene, const StepState& state, results::StepRe
       out.friction_work += result.friction_work;
     }
     if (result.space) {
-      by_places(result.points);
+      result.radius = p.radius;
+      by_places(p, result);
     } else if (!result.round) {
       if (pair.swapped) { // which runs the other way
         std::ranges::reverse(result.points);

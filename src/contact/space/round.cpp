@@ -81,8 +81,12 @@ std::optional<double> distance_along(const Round& round, const Vec3& x, const Ve
   return g;
 }
 
+bool has_axis(const Round& round) {
+  return round.kind == RoundKind::cylinder || round.kind == RoundKind::cone;
+}
+
 RoundPlace place_on(const Round& round, const Vec3& x) {
-  if (round.kind != RoundKind::cylinder && round.kind != RoundKind::cone) {
+  if (!has_axis(round)) {
     return {};
   }
   const bool along_x = std::abs(round.axis.x()) > 0.9;

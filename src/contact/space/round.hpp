@@ -34,6 +34,8 @@ base::Vec3 outer_normal(const Round& round, const base::Vec3& x);
 /// its normal.
 std::optional<double> distance_along(const Round& round, const base::Vec3& x, const base::Vec3& n);
 
+/// Whether the shape is one about an axis: a cylinder or a cone.
+bool has_axis(const Round& round);
 /// Angle about the axis of a cylinder or cone [rad] and place along it [length]; zero of others.
 /// Angles count from +x, or where the axis is that, from +y.
 struct RoundPlace {

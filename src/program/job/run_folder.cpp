@@ -210,6 +210,16 @@ void RunFolder::put(const std::string& name, const std::function<void(const fs::
   write(part_ / name);
 }
 
+namespace {
+
+bool shows_surfaces(const results::StepResult& step) {
+  return std::ranges::any_of(step.contacts, [](const results::ContactResult& contact) {
+    return contact.mounted && !contact.corners.empty();
+  });
+}
+
+} // namespace
+
 void RunFolder::put_pictures(const model::Model& model, const results::Run& run) {
   const std::string stem = picture_stem(model);
   std::vector<std::pair<double, std::string>> entries;
@@ -223,6 +233,11 @@ void RunFolder::put_pictures(const model::Model& model, const results::Run& run)
       const std::string name = fmt::format("{}_{:03}_{}.vtu", stem, increment.number, step.step);
       put(name, [&](const fs::path& file) { report::write_vtu(file, model, increment, step); });
       entries.emplace_back(time, name);
+      if (shows_surfaces(step)) {
+        const std::string surfaces =
+            fmt::format("contact_{:03}_{}.vtu", increment.number, step.step);
+        put(surfaces, [&](const fs::path& file) { report::write_contact_vtu(file, model, step); });
+      }
     }
   }
   put(stem + ".pvd", [&](const fs::path& file) { report::write_pvd(file, entries); });

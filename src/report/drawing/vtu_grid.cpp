@@ -150,7 +150,9 @@ GridPoints grid_points(const model::Mesh& mesh, bool split) {
   return points;
 }
 
-VtuDocument vtu_grid(const model::Mesh& mesh, const GridPoints& points) {
+namespace {
+
+VtuDocument begin_grid(const std::vector<double>& x, std::size_t cells) {
   VtuDocument document;
   document.line("<?xml version=\"1.0\"?>");
   document.line(
@@ -158,16 +160,39 @@ VtuDocument vtu_grid(const model::Mesh& mesh, const GridPoints& points) {
                   "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">",
                   std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian"));
   document.line("  <UnstructuredGrid>");
-  document.line(fmt::format("    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">",
-                            points.node.size(), mesh.element_count()));
+  document.line(
+      fmt::format("    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">", x.size() / 3, cells));
+  document.line("      <Points>");
+  document.add("Points", "Float64", 3, x);
+  document.line("      </Points>");
+  return document;
+}
+
+} // namespace
+
+VtuDocument vtu_grid(const model::Mesh& mesh, const GridPoints& points) {
   std::vector<double> x;
   for (const std::size_t n : points.node) {
     x.insert(x.end(), mesh.x[n].data(), mesh.x[n].data() + 3);
   }
-  document.line("      <Points>");
-  document.add("Points", "Float64", 3, x);
-  document.line("      </Points>");
+  VtuDocument document = begin_grid(x, mesh.element_count());
   add_cells(document, mesh, points);
+  return document;
+}
+
+VtuDocument vtu_triangles(const std::vector<double>& x, const std::vector<std::int64_t>& corners) {
+  const std::size_t cells = corners.size() / 3;
+  VtuDocument document = begin_grid(x, cells);
+  std::vector<std::int64_t> offsets;
+  for (std::size_t c = 0; c < cells; ++c) {
+    offsets.push_back(static_cast<std::int64_t>(3 * c + 3));
+  }
+  const auto triangle = static_cast<std::size_t>(ElementType::trim3);
+  document.line("      <Cells>");
+  document.add("connectivity", "Int64", 1, corners);
+  document.add("offsets", "Int64", 1, offsets);
+  document.add("types", "UInt8", 1, std::vector<std::uint8_t>(cells, vtk_cell[triangle]));
+  document.line("      </Cells>");
   return document;
 }
 

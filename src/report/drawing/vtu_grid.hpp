@@ -67,6 +67,8 @@ GridPoints grid_points(const model::Mesh& mesh, bool split);
 VtuDocument vtu_grid(const model::Mesh& mesh, const GridPoints& points);
 /// Net and number of each cell, as arrays within <CellData>.
 void add_cell_numbers(VtuDocument& document, const model::Mesh& mesh);
+/// A document with points and triangles between them, three places for each.
+VtuDocument vtu_triangles(const std::vector<double>& x, const std::vector<std::int64_t>& corners);
 /// The whole file.
 std::string vtu_end(VtuDocument& document);
 

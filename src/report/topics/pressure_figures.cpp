@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/model.hpp"
 #include "report/drawing/plot.hpp"
+#include "report/topics/bore_figures.hpp"
 #include "report/topics/figures.hpp"
 #include "report/topics/result_tables.hpp"
 
@@ -239,6 +240,9 @@ std::vector<Figure> pressure_figures(const model::Model& model, const results::R
   for (const model::Contact& contact : shown_contacts(model, run)) {
     bool bore = false;
     if (model.mesh.dim == 3) {
+      if (std::optional<Figure> figure = bore_figure(model, run, contact)) {
+        figures.push_back(std::move(*figure));
+      }
       continue;
     }
     for (const results::Increment& increment : run.increments) {

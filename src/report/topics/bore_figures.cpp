@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/topics/bore_figures.hpp"
+
+#include "model/model.hpp"
+#include "report/drawing/colour_scale.hpp"
+#include "report/drawing/plot.hpp"
+#include "report/topics/result_tables.hpp"
+#include "report/topics/unrolled.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace spricka::report {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double width = 560.0; // of the map [px]
+constexpr double height = 130.0;
+constexpr double left = 62.0;
+constexpr double top = 26.0;
+constexpr double bottom = 92.0;
+constexpr double edge_level = 0.01; // of the largest pressure: where contact is drawn to end
+constexpr int stations = 41;        // along the axis
+
+struct Seen {
+  const results::ContactResult* contact = nullptr;
+  std::string step;
+};
+
+/// The part of a triangle where pressure is at least (sign 1) or at most (sign -1) a level.
+std::vector<Unrolled::Corner> cut(const std::vector<Unrolled::Corner>& polygon, double level,
+                                  double sign) {
+  std::vector<Unrolled::Corner> kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Unrolled::Corner& a = polygon[i];
+    const Unrolled::Corner& b = polygon[(i + 1) % polygon.size()];
+    const double at_a = sign * (a.p - level);
+    const double at_b = sign * (b.p - level);
+    if (at_a >= 0.0) {
+      kept.push_back(a);
+    }
+    if ((at_a > 0.0 && at_b < 0.0) || (at_a < 0.0 && at_b > 0.0)) {
+      const double t = at_a / (at_a - at_b);
+      kept.push_back({{a.at.x + t * (b.at.x - a.at.x), a.at.y + t * (b.at.y - a.at.y)}, level});
+    }
+  }
+  return kept;
+}
+
+class Map {
+public:
+  Map(const model::Model& model, const Seen& seen, const Unrolled& surface, std::string id)
+      : model_(model), seen_(seen), surface_(surface), id_(std::move(id)),
+        svg_(left + width + 18.0, top + height + bottom,
+             fmt::format("pressure of contact {} on the unrolled surface, step {}",
+                         seen.contact->name, seen.step)) {}
+
+  std::string draw() {
+    svg_.text({left, 15.0}, fmt::format("{}, {}", seen_.contact->name, seen_.step), {.bold = true});
+    svg_.clip(id_, {left, top}, width, height);
+    const ColourScale scale = scale_between(0.0, surface_.largest());
+    for (const Unrolled::Triangle& t : surface_.triangles()) {
+      fill(t, scale);
+    }
+    for (const Unrolled::Triangle& t : surface_.triangles()) {
+      edge(t, edge_level * surface_.largest());
+    }
+    svg_.unclip();
+    axes();
+    draw_colour_legend(svg_, scale, {left + 0.25 * width, top + height + 46.0}, 0.5 * width,
+                       fmt::format("p, {}", model_.units.stress_name()));
+    return svg_.finish();
+  }
+
+private:
+  [[nodiscard]] Point place(Point at) const {
+    const double depth = std::max(surface_.high() - surface_.low(), 1e-300);
+    return {left + width * (at.x + pi) / (2.0 * pi),
+            top + height * (surface_.high() - at.y) / depth};
+  }
+
+  void fill(const Unrolled::Triangle& t, const ColourScale& scale) {
+    const auto [low, high] = std::ranges::minmax({t[0].p, t[1].p, t[2].p});
+    const double step = (scale.high - scale.low) / static_cast<double>(colour_bands);
+    for (std::size_t band = scale.band(low); band <= scale.band(high); ++band) {
+      std::vector<Unrolled::Corner> polygon(t.begin(), t.end());
+      if (band > 0) {
+        polygon = cut(polygon, scale.low + step * static_cast<double>(band), 1.0);
+      }
+      if (band + 1 < colour_bands) {
+        polygon = cut(polygon, scale.low + step * static_cast<double>(band + 1), -1.0);
+      }
+      if (polygon.size() < 3) {
+        continue;
+      }
+      PathData path;
+      path.move(place(polygon[0].at));
+      for (std::size_t i = 1; i < polygon.size(); ++i) {
+        path.line(place(polygon[i].at));
+      }
+      path.close();
+      // a hair's line hides the gaps that rounding leaves between neighbours
+      const std::string colour = band_colour(band);
+      svg_.path(path, {.stroke = colour, .width = 0.4, .fill = colour, .dash = {}});
+    }
+  }
+
+  void edge(const Unrolled::Triangle& t, double level) {
+    std::vector<Point> ends;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Unrolled::Corner& a = t[i];
+      const Unrolled::Corner& b = t[(i + 1) % 3];
+      if ((a.p > level) != (b.p > level)) {
+        const double s = (level - a.p) / (b.p - a.p);
+        ends.push_back(place({a.at.x + s * (b.at.x - a.at.x), a.at.y + s * (b.at.y - a.at.y)}));
+      }
+    }
+    if (ends.size() == 2) {
+      svg_.line(ends[0], ends[1], {.stroke = "#d00", .width = 1.4, .fill = "none", .dash = {}});
+    }
+  }
+
+  void axes() {
+    svg_.rectangle({left, top}, width, height, {});
+    constexpr int turn = 45;
+    for (int degrees = -180; degrees <= 180; degrees += turn) {
+      const double x = place({degrees * pi / 180.0, surface_.low()}).x;
+      svg_.line({x, top + height}, {x, top + height + 4.0}, {});
+      svg_.text({x, top + height + 17.0}, fmt::format("{}", degrees), {.anchor = Anchor::middle});
+    }
+    svg_.text({left + 0.5 * width, top + height + 33.0}, "θ  [deg]", {.anchor = Anchor::middle});
+    const std::vector<double> ticks = round_ticks(surface_.low(), surface_.high(), 4);
+    const double distance = ticks.size() > 1 ? ticks[1] - ticks[0] : 1.0;
+    for (const double tick : ticks) {
+      const double y = place({0.0, tick}).y;
+      svg_.line({left - 4.0, y}, {left, y}, {});
+      svg_.text({left - 7.0, y + 4.0}, tick_text(tick, distance), {.anchor = Anchor::end});
+    }
+    svg_.text({16.0, top + 0.5 * height},
+              fmt::format("along the axis  [{}]", model_.units.length_name),
+              {.anchor = Anchor::middle, .angle = 90.0});
+  }
+
+  const model::Model& model_;
+  const Seen& seen_;
+  const Unrolled& surface_;
+  std::string id_;
+  Svg svg_;
+};
+
+bool is_consistent(const model::Contact& contact) {
+  return contact.recovery == model::Recovery::consistent;
+}
+
+Point total_push(const Unrolled& surface) {
+  Point sum;
+  for (int i = 0; i < stations; ++i) {
+    const double t = (i + 0.5) / stations;
+    const Point push = surface.push_at(surface.low() + t * (surface.high() - surface.low()));
+    sum.x += push.x / stations;
+    sum.y += push.y / stations;
+  }
+  return sum;
+}
+
+/// Pressure along the axis at the angle the surface is pushed to and beside it.
+std::string depth_plot(const model::Model& model, const Seen& seen, const Unrolled& surface) {
+  const Point push = total_push(surface);
+  const double even = 1e-3 * seen.contact->radius * surface.largest(); // pressed alike all round
+  const double middle = std::hypot(push.x, push.y) > even ? std::atan2(push.y, push.x) : 0.0;
+  Plot plot{fmt::format("{}, {}: pressure along the axis", seen.contact->name, seen.step),
+            fmt::format("along the axis  [{}]", model.units.length_name),
+            fmt::format("p  [{}]", model.units.stress_name()),
+            {}};
+  constexpr std::array<int, 5> beside{0, 45, 90, 135, 180};
+  for (std::size_t k = 0; k < beside.size(); ++k) {
+    const double angle = std::remainder(middle + beside[k] * pi / 180.0, 2.0 * pi);
+    Series series;
+    series.name = fmt::format("θ = {:.0f}°", angle * 180.0 / pi);
+    series.colour = colour(k);
+    series.dash = dash(k);
+    double most = 0.0;
+    for (int i = 0; i < stations; ++i) {
+      const double t = static_cast<double>(i) / (stations - 1);
+      const double along = surface.low() + t * (surface.high() - surface.low());
+      if (const std::optional<double> p = surface.pressure_at({angle, along})) {
+        series.points.push_back({along, *p});
+        most = std::max(most, *p);
+      }
+    }
+    if (most > 0.0) {
+      plot.series.push_back(std::move(series));
+    }
+  }
+  return plot.series.empty() ? std::string() : draw(plot);
+}
+
+/// What pushes the surface for a unit of length along the axis, in the direction of the whole.
+std::string force_plot(const model::Model& model, const std::vector<Seen>& all,
+                       const model::Contact& contact) {
+  Plot plot{
+      fmt::format("{}: line of force", contact.name),
+      fmt::format("along the axis  [{}]", model.units.length_name),
+      fmt::format("force per length  [{}/{}]", model.units.force_name, model.units.length_name),
+      {}};
+  for (std::size_t s = 0; s < all.size(); ++s) {
+    const Unrolled surface(*all[s].contact, is_consistent(contact));
+    const Point push = total_push(surface);
+    const double size = std::hypot(push.x, push.y);
+    if (!(size > 1e-3 * all[s].contact->radius * surface.largest())) {
+      continue; // pressed alike all round
+    }
+    Series series;
+    series.name = all[s].step;
+    series.colour = colour(s);
+    series.dash = dash(s);
+    for (int i = 0; i < stations; ++i) {
+      const double t = static_cast<double>(i) / (stations - 1);
+      const double along = surface.low() + t * (surface.high() - surface.low());
+      const Point here = surface.push_at(along);
+      series.points.push_back({along, (here.x * push.x + here.y * push.y) / size});
+    }
+    plot.series.push_back(std::move(series));
+  }
+  return plot.series.empty() ? std::string() : draw(plot);
+}
+
+} // namespace
+
+std::optional<Figure> bore_figure(const model::Model& model, const results::Run& run,
+                                  const model::Contact& contact) {
+  if (run.increments.empty()) {
+    return std::nullopt;
+  }
+  std::vector<Seen> all;
+  for (const results::StepResult& step : run.increments.back().steps) {
+    const results::ContactResult* const result = results::find_contact(step, contact.name);
+    if (result != nullptr && result->mounted && result->radius > 0.0 && result->closed > 0) {
+      all.push_back({result, step.step});
+    }
+  }
+  if (all.empty()) {
+    return std::nullopt;
+  }
+  Figure figure;
+  for (std::size_t s = 0; s < all.size(); ++s) {
+    const Unrolled surface(*all[s].contact, is_consistent(contact));
+    figure.drawings.push_back(
+        Map(model, all[s], surface, fmt::format("bore-{}-{}", contact.name, s)).draw());
+  }
+  const Unrolled last(*all.back().contact, is_consistent(contact));
+  for (std::string plot : {depth_plot(model, all.back(), last), force_plot(model, all, contact)}) {
+    if (!plot.empty()) {
+      figure.drawings.push_back(std::move(plot));
+    }
+  }
+  figure.caption = fmt::format(
+      "Pressure of contact {} on its surface round the axis, unrolled: angle across, place along "
+      "the "
+      "axis up; red: where contact ends. Below: the same along the axis at some angles, and the "
+      "force for a unit of length.",
+      contact.name);
+  return figure;
+}
+
+} // namespace spricka::report
