@@ -43,7 +43,7 @@ constexpr std::array quantities{
     ResultQuantity{"CPRESS.NEAR", "paazs?a", stress,
                    "contact pressure where the surface is nearest to x, y; of solids at the node "
                    "nearest to x, y, z"},
-    ResultQuantity{"CONTACT.AREA", "ps?a", area, "area in contact, between solids"},
+    ResultQuantity{"CONTACT.AREA", "ps?a", area, "area of the part in contact, between solids"},
     ResultQuantity{"ARC.FROM", "ps?a", angle,
                    "first angle of the longest part in contact; on a slave that is no circle the "
                    "length along it"},
