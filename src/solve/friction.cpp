@@ -8,6 +8,7 @@
 #include "solve/held_problem.hpp"
 #include "solve/load_balance.hpp"
 #include "solve/mode_split.hpp"
+#include "solve/round_friction.hpp"
 
 #include <Eigen/QR>
 #include <algorithm>
@@ -100,6 +101,9 @@ bool dead_rows_hold(const HeldProblem& held, const std::vector<FrictionRow>& fri
   std::vector<bool> slips(std::size_t(held.rows()), false);
   for (const FrictionRow& f : friction) {
     slips[at(f.tangent)] = true;
+    if (f.second >= 0) {
+      slips[at(f.second)] = true;
+    }
   }
   const double size = held.rows() > 0 ? held.b.cwiseAbs().maxCoeff() : 0.0;
   for (int i = 0; i < held.rows(); ++i) {
@@ -120,6 +124,62 @@ base::Vector anchor_at(const base::Vector& alpha, const HeldProblem& held, const
   // Modes that no row feels have no place among the scaled ones: least squares drops their part.
   const base::Vector a = split.controllable.colPivHouseholderQr().solve(alpha);
   return a / std::sqrt(held.tau);
+}
+
+/// The increment with slips that are vectors: round cones.
+void solve_round_cones(const FrictionProblem& problem, const HeldProblem& held,
+                       const ModeSplit& split, FrictionSolution& answer) {
+  const RoundFriction scaled = round_friction(held, problem.friction, problem.contact.load_scale);
+  const RoundState found = solve_round(scaled, anchor_at(problem.alpha_start, held, split));
+  ContactSolution& c = answer.contact;
+  c.block_iterations = found.newton_steps;
+  c.pivots = found.sweeps;
+  c.residual = found.residual;
+  if (!(found.residual < accepted_residual)) {
+    c.status = ContactStatus::max_iterations;
+    return;
+  }
+  base::Vector lambda = found.lambda;
+  base::Vector gap = found.gap;
+  const double least_slip = at_rest * found.gap.cwiseAbs().maxCoeff();
+  for (const int i : scaled.fixed) {
+    c.closed[at(i)] = true;
+  }
+  for (std::size_t k = 0; k < scaled.units.size(); ++k) {
+    const RoundFriction::Unit& u = scaled.units[k];
+    const bool closed = found.touch[k] != Touch::open;
+    // Every condition to the last bit that forces have.
+    lambda[u.normal] = closed ? std::max(lambda[u.normal], 0.0) : 0.0;
+    gap[u.normal] = closed ? 0.0 : std::max(gap[u.normal], 0.0);
+    double shear = 0.0;
+    double slip = 0.0;
+    for (int t = 0; t < u.tangents; ++t) {
+      shear = std::hypot(shear, lambda[u.tangent[at(t)]]);
+      slip = std::hypot(slip, gap[u.tangent[at(t)]]);
+    }
+    const double limit = u.mu * lambda[u.normal];
+    const bool rests = closed && (found.touch[k] == Touch::stick || slip <= least_slip);
+    const Touch touch = !closed ? Touch::open : rests ? Touch::stick : Touch::forward;
+    c.closed[at(u.normal)] = closed;
+    answer.touch[at(u.normal)] = u.tangents > 0 || !closed ? touch : Touch::stick;
+    for (int t = 0; t < u.tangents; ++t) {
+      const int row = u.tangent[at(t)];
+      c.closed[at(row)] = closed;
+      answer.touch[at(row)] = touch;
+      lambda[row] = closed && shear > limit ? lambda[row] * (limit / shear) : lambda[row];
+      lambda[row] = closed ? lambda[row] : 0.0;
+      gap[row] = rests ? 0.0 : gap[row];
+    }
+  }
+  for (Eigen::Index i = 0; i < lambda.size(); ++i) {
+    if (scaled.inverse[i] > 0.0) {
+      c.lambda[i] = lambda[i] * scaled.inverse[i];
+      c.gap[i] = gap[i] / scaled.inverse[i];
+    }
+  }
+  const base::Vector alpha = split.controllable * (found.alpha * std::sqrt(held.tau));
+  c.alpha = alpha - split.uncontrollable * (split.uncontrollable.transpose() * alpha);
+  c.status = ContactStatus::solved;
 }
 
 /// The same increment without friction, and the states and motions that it ends in: where bodies
@@ -253,6 +313,10 @@ FrictionSolution solve_friction(const FrictionProblem& problem, const ContactSet
   }
 
   // 2. the increment itself
+  if (has_round_cones(problem.friction)) {
+    solve_round_cones(problem, held, split, answer);
+    return answer;
+  }
   const ScaledFriction scaled = scaled_friction(held, problem.friction, contact.load_scale);
   Search first;
   first.touch = start;

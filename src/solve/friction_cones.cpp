@@ -2,9 +2,14 @@
 #include "solve/friction_cones.hpp"
 #include "base/index.hpp"
 
+#include <cmath>
+#include <numbers>
+#include <utility>
+
 namespace spricka::solve {
 
 using base::at;
+using base::index;
 
 namespace {
 
@@ -34,12 +39,50 @@ base::Matrix cone_edges(const base::Matrix& B, const std::vector<bool>& equality
   return edges;
 }
 
+// Edges of round cones: of a many-sided cone about each, which holds whatever the round one holds.
+// The two tangents become its first two edges, the others are rows behind all others.
+base::Matrix round_edges(const base::Matrix& B, const std::vector<FrictionRow>& friction) {
+  constexpr int sides = 16;
+  const double out = 1.0 / std::cos(std::numbers::pi / sides);
+  base::Matrix edges(B.rows() + (sides - 3) * index(friction.size()), B.cols());
+  edges.topRows(B.rows()) = B;
+  Eigen::Index more = B.rows();
+  for (const FrictionRow& f : friction) {
+    if (f.second < 0) {
+      edges.row(f.normal) = B.row(f.normal) + f.mu * B.row(f.tangent);
+      edges.row(f.tangent) = B.row(f.normal) - f.mu * B.row(f.tangent);
+      continue;
+    }
+    for (int k = 0; k < sides; ++k) {
+      const double angle = 2.0 * std::numbers::pi * k / sides;
+      const Eigen::Index r = k == 0 ? f.normal : k == 1 ? f.tangent : k == 2 ? f.second : more++;
+      edges.row(r) =
+          B.row(f.normal) +
+          out * f.mu * (std::cos(angle) * B.row(f.tangent) + std::sin(angle) * B.row(f.second));
+    }
+  }
+  return edges.topRows(more);
+}
+
 } // namespace
 
 HeldProblem cone_problem(const base::Matrix& B, const base::Vector& h,
                          const std::vector<bool>& equality,
                          const std::vector<FrictionRow>& friction) {
   static const base::Matrix none;
+  if (has_round_cones(friction)) {
+    base::Matrix edges = round_edges(B, friction);
+    std::vector<bool> free = equality;
+    free.resize(static_cast<std::size_t>(edges.rows()), false);
+    const Eigen::Index n = edges.rows();
+    return {.W = none,
+            .B = std::move(edges),
+            .b = base::Vector::Zero(n),
+            .h = h,
+            .equality = std::move(free),
+            .tau = 0.0,
+            .d = {}};
+  }
   return {.W = none,
           .B = cone_edges(B, equality, friction),
           .b = base::Vector::Zero(B.rows()),

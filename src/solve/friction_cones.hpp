@@ -13,7 +13,8 @@ namespace spricka::solve {
 /// The cones of all forces that rows can give, by their edges, as the rows of a problem without
 /// compliance and gaps: pairs of rows with friction become normal + mu tangent and normal - mu
 /// tangent, so that any force is a sum of edges with coefficients >= 0 (equality rows: of any
-/// sign). B [n, m] and loads h [m] on the modes.
+/// sign). Round cones become those of sixteen sides about them, with more rows behind the others.
+/// B [n, m] and loads h [m] on the modes.
 HeldProblem cone_problem(const base::Matrix& B, const base::Vector& h,
                          const std::vector<bool>& equality,
                          const std::vector<FrictionRow>& friction);

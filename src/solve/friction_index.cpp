@@ -66,10 +66,75 @@ base::Matrix jacobian(const FrictionProblem& problem, const std::vector<int>& ro
   return J;
 }
 
+/// The same where slips are vectors (solve.36): rows are conditions, of a sliding point those of
+/// its two forces; `share` of friction counts.
+base::Matrix round_jacobian(const FrictionProblem& problem, const FrictionSolution& solution,
+                            double share) {
+  const ContactProblem& p = problem.contact;
+  const base::Vector& lambda = solution.contact.lambda;
+  std::vector<const FrictionRow*> slides(static_cast<std::size_t>(p.b.size()), nullptr);
+  for (const FrictionRow& f : problem.friction) {
+    for (const int t : {f.tangent, f.second}) {
+      if (t >= 0 && solution.touch[at(f.normal)] == Touch::forward) {
+        slides[at(t)] = &f;
+      }
+    }
+  }
+  std::vector<int> rows;
+  std::vector<Eigen::Index> place(static_cast<std::size_t>(p.b.size()), -1);
+  for (std::size_t i = 0; i < slides.size(); ++i) {
+    if (solution.contact.closed[i]) {
+      place[i] = index(rows.size());
+      rows.push_back(static_cast<int>(i));
+    }
+  }
+  const auto n = index(rows.size());
+  const Eigen::Index m = p.B.cols();
+  base::Matrix J = base::Matrix::Zero(n + m, n + m);
+  const double motion = p.B.size() > 0 ? p.B.cwiseAbs().maxCoeff() : 1.0;
+  const double size = n > 0 ? p.W.diagonal().maxCoeff() : 1.0;
+  const auto add_gap = [&](Eigen::Index r, int i, double factor) {
+    for (Eigen::Index c = 0; c < n; ++c) {
+      J(r, c) += factor * p.W(i, rows[at(c)]) / size;
+    }
+    J.row(r).tail(m) += factor * p.B.row(i) / motion;
+  };
+  for (Eigen::Index r = 0; r < n; ++r) {
+    const int i = rows[at(r)];
+    J.col(r).tail(m) = p.B.row(i).transpose() / motion;
+    const FrictionRow* const f = slides[at(i)];
+    if (f == nullptr) {
+      add_gap(r, i, 1.0);
+      continue;
+    }
+    // The shear against the slip v, turning with it: q + mu p v/|v| = 0.
+    Eigen::Vector2d v(solution.contact.gap[f->tangent], 0.0);
+    v[1] = f->second >= 0 ? solution.contact.gap[f->second] : 0.0;
+    const double speed = v.norm();
+    const auto own = static_cast<Eigen::Index>(i == f->tangent ? 0 : 1);
+    J(r, r) += 1.0;
+    if (speed > 0.0) {
+      const Eigen::Vector2d along = v / speed;
+      J(r, place[at(f->normal)]) += share * f->mu * along[own];
+      const double turn = share * f->mu * std::max(lambda[f->normal], 0.0) / speed * size;
+      for (Eigen::Index k = 0; f->second >= 0 && k < 2; ++k) {
+        const double across = (k == own ? 1.0 : 0.0) - along[own] * along[k];
+        add_gap(r, k == 0 ? f->tangent : f->second, turn * across);
+      }
+    }
+  }
+  return J;
+}
+
 } // namespace
 
-bool one_of_several(const FrictionProblem& problem, const std::vector<bool>& closed,
-                    const std::vector<Touch>& touch) {
+bool one_of_several(const FrictionProblem& problem, const FrictionSolution& solution) {
+  if (has_round_cones(problem.friction)) {
+    const int with = determinant_sign(round_jacobian(problem, solution, 1.0));
+    return with * determinant_sign(round_jacobian(problem, solution, 0.0)) < 0;
+  }
+  const std::vector<bool>& closed = solution.contact.closed;
+  const std::vector<Touch>& touch = solution.touch;
   const std::size_t n = closed.size();
   std::vector<double> ratio(n, 0.0);
   std::vector<int> tangent(n, -1);

@@ -12,8 +12,11 @@ double load_scale(const ContactProblem& problem) {
   }
   const double stiffest = problem.b.size() > 0 ? problem.W.diagonal().maxCoeff() : 0.0;
   if (stiffest > 0.0 && problem.B.size() > 0) {
-    scale = std::max(scale,
-                     problem.B.cwiseAbs().maxCoeff() * problem.b.cwiseAbs().maxCoeff() / stiffest);
+    double opened = problem.B.cwiseAbs().maxCoeff();
+    if (opened < uncontrollable_opening * problem.opening_scale) {
+      opened = problem.opening_scale; // no row feels any mode: what it would if it stood across it
+    }
+    scale = std::max(scale, opened * problem.b.cwiseAbs().maxCoeff() / stiffest);
   }
   return scale;
 }

@@ -35,9 +35,16 @@ void FrictionHistory::add_to(contact::ContactSystem::Problem& problem) const {
   }
   for (std::size_t i = 0; i < problem.rows.size(); ++i) {
     const std::size_t row = problem.rows[i];
-    if (rubs(row)) {
-      problem.friction.push_back({place[static_cast<std::size_t>(normal_of_[row])],
-                                  static_cast<int>(i), mu_[contact_of_[row]]});
+    if (!rubs(row)) {
+      continue;
+    }
+    // A second tangent of a normal row follows the first: the two are a vector.
+    const int normal = place[static_cast<std::size_t>(normal_of_[row])];
+    const bool second = !problem.friction.empty() && problem.friction.back().normal == normal;
+    if (second) {
+      problem.friction.back().second = static_cast<int>(i);
+    } else {
+      problem.friction.push_back({normal, static_cast<int>(i), mu_[contact_of_[row]], -1});
     }
   }
   if (problem.friction.empty()) {
@@ -64,11 +71,17 @@ void FrictionHistory::take(const contact::ContactSystem::Problem& problem,
     // Weighted: the area of the row is in it.
     const double v = solution.contact.gap[f.tangent];
     memory_.slip[row] += v;
-    memory_.path[row] += std::abs(v);
+    double way = std::abs(v);
+    if (f.second >= 0) {
+      const double across = solution.contact.gap[f.second];
+      memory_.slip[problem.rows[static_cast<std::size_t>(f.second)]] += across;
+      way = std::hypot(v, across);
+    }
+    memory_.path[row] += way; // of a vector with its first row
     // Friction works with the mean pressure of the increment (contact.23).
     const double before = memory_.pressure[problem.rows[static_cast<std::size_t>(f.normal)]];
     const double now = solution.contact.lambda[f.normal];
-    memory_.work[contact_of_[row]] += f.mu * 0.5 * (before + now) * std::abs(v);
+    memory_.work[contact_of_[row]] += f.mu * 0.5 * (before + now) * way;
   }
   // Pressures come last: the loop above needs those of the increment before.
   for (const solve::FrictionRow& f : problem.friction) {
@@ -92,8 +105,11 @@ PairFriction FrictionHistory::pair(std::size_t contact) const {
   }
   const std::vector<contact::ConstraintRow>& tangent = scene_.pairs[contact].tangent;
   for (std::size_t i = 0; i < tangent.size(); ++i) {
-    pair.slip[tangent[i].normal] = memory_.slip[first + normals + i];
-    pair.path[tangent[i].normal] = memory_.path[first + normals + i];
+    const double slip = memory_.slip[first + normals + i];
+    const bool second = i > 0 && tangent[i - 1].normal == tangent[i].normal;
+    double& sum = pair.slip[tangent[i].normal];
+    sum = second ? std::hypot(sum, slip) : slip;
+    pair.path[tangent[i].normal] += memory_.path[first + normals + i];
   }
   pair.work = memory_.work[contact];
   pair.mu = mu_[contact];

@@ -9,7 +9,8 @@
 namespace spricka::analysis {
 
 /// What friction did to one pair so far; empty without friction. Slips are weighted and those of
-/// the contact side against the target: with their sign, and all ways added up.
+/// the contact side against the target: with their sign, in space their size, and all ways added
+/// up.
 struct PairFriction {
   std::vector<solve::Touch> touch; ///< [normal row]
   base::Vector slip;               ///< [normal row] while in contact, since the pair was mounted

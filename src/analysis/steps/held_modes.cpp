@@ -197,9 +197,13 @@ std::vector<base::NoAnswer> unheld_loads(const model::Model& model, const Scene&
         equality.push_back(scene.contacts[c].type == model::ContactType::bonded);
         if (scene.row(r).tangential && !equality.back()) {
           const int at = static_cast<int>(rows.size()) - 1;
-          // Tangent rows follow the normal rows of their pair in the same order.
-          friction.push_back(
-              {at - static_cast<int>(scene.pairs[c].normal.size()), at, scene.contacts[c].mu});
+          const int normal = at - static_cast<int>(r - scene.table.first[c]) + scene.row(r).normal;
+          // A second tangent of a normal row follows the first: the two are a vector.
+          if (!friction.empty() && friction.back().normal == normal) {
+            friction.back().second = at;
+          } else {
+            friction.push_back({normal, at, scene.contacts[c].mu, -1});
+          }
         }
       }
     }
@@ -209,8 +213,10 @@ std::vector<base::NoAnswer> unheld_loads(const model::Model& model, const Scene&
       continue;
     }
     // Supports that move load bodies too, though no force of a case does: that is in h only.
+    // So do the forces that move them: round-off of these is no load.
     const double scale =
-        std::max((scene.case_load * factors.case_factor).lpNorm<1>(), h.cwiseAbs().maxCoeff());
+        std::max({(scene.case_load * factors.case_factor).lpNorm<1>(),
+                  (pull * factors.case_factor).lpNorm<1>(), h.cwiseAbs().maxCoeff()});
     const solve::ModeSplit split = solve::split_modes(B, modes.opening_scale(rows));
     // Motions that no row feels come first: the balance is that of the others (solve.16).
     base::Vector motion = solve::uncontrollable_motion(split, h, solve::resting_load * scale);

@@ -45,8 +45,12 @@ double friction_change(const Scene& scene, const contact::ContactSystem::Problem
     const auto c = scene.table.contact_of(row);
     const double area = scene.row(row).area;
     const base::Vector& q = b.contact.lambda;
-    sums[c].change += area * std::pow(a.contact.lambda[f.tangent] - q[f.tangent], 2);
-    sums[c].shear += area * std::pow(q[f.tangent], 2);
+    for (const int t : {f.tangent, f.second}) {
+      if (t >= 0) {
+        sums[c].change += area * std::pow(a.contact.lambda[t] - q[t], 2);
+        sums[c].shear += area * std::pow(q[t], 2);
+      }
+    }
     sums[c].limit += area * std::pow(least_shear * f.mu * q[f.normal], 2);
   }
   double most = 0.0;
@@ -307,7 +311,7 @@ void StepSolver::note_uniqueness(const Walk& walk, StepState& state) {
   }
   if (!certain_ && walk.problem.rows.size() <= most_rows_tested &&
       solve::one_of_several({system_->condensed(walk.problem), walk.problem.friction, {}},
-                            walk.solution.contact.closed, walk.solution.touch)) {
+                            {walk.solution.contact, walk.solution.touch, false})) {
     state.notes.push_back(results::warning(
         "with this much friction the end of the step is one of several solutions"));
   }

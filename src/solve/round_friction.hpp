@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/vec.hpp"
+#include "solve/friction_problem.hpp"
+#include "solve/held_problem.hpp"
+
+#include <array>
+#include <vector>
+
+namespace spricka::solve {
+
+/// The friction problem with round cones, in units where a normal row's own compliance is about 1;
+/// the tangents of a unit have the unit of its normal, so that cones stay round. Forces times d,
+/// gaps over d, modes over sqrt(tau).
+struct RoundFriction {
+  struct Unit { ///< an inequality row, with the rows of its slip if there is friction
+    int normal = 0;
+    int tangents = 0; ///< 0 to 2
+    std::array<int, 2> tangent{};
+    double mu = 0.0;
+  };
+  base::Matrix W;       ///< [n, n]
+  base::Matrix B;       ///< [n, m]
+  base::Vector b;       ///< [n]
+  base::Vector h;       ///< [m]
+  base::Vector inverse; ///< [n] 1 / d
+  std::vector<Unit> units;
+  std::vector<int> fixed; ///< equality rows
+  double force_floor = 0.0;
+
+  [[nodiscard]] Eigen::Index rows() const { return b.size(); }
+  [[nodiscard]] Eigen::Index modes() const { return h.size(); }
+};
+RoundFriction round_friction(const HeldProblem& held, const std::vector<FrictionRow>& friction,
+                             double load_scale);
+
+/// An answer, or the last thing tried.
+struct RoundState {
+  base::Vector lambda;      ///< [n]
+  base::Vector alpha;       ///< [m]
+  base::Vector gap;         ///< [n] b + W lambda + B alpha
+  std::vector<Touch> touch; ///< [unit] open, stick, or forward where it slips, whichever way
+  double residual = 0.0;    ///< largest violation of a condition, scaled
+  int newton_steps = 0;
+  int sweeps = 0;
+};
+
+/// Solves an increment (solve.35): sweeps of one contact point after the other (Jean and Moreau
+/// 1992) to come near, and a semi-smooth Newton method on the projection onto the cones (Alart and
+/// Curnier 1991) to arrive; alone that may cycle, then it begins anew from more sweeps. Motions
+/// that nothing holds stay where `alpha` [m] has them.
+RoundState solve_round(const RoundFriction& problem, const base::Vector& alpha);
+
+} // namespace spricka::solve
