@@ -38,28 +38,45 @@ constexpr std::array contact_keys{
     preset(real("MU", number, at_least(0), "coefficient of Coulomb friction"), "0"),
     preset(word("PAIRING", "NODE|SEGMENT", "SEGMENT: any two meshes; NODE: matching nodes"),
            "SEGMENT"),
+    preset(word("MULTIPLIER", "NODE|CORNER",
+                "between solids, a pressure at each node or at corners of elements only: fewer "
+                "unknowns, smoother, blunter at ends of contact"),
+           "NODE"),
     preset(word("RECOVERY", "LUMPED|CONSISTENT", "how pressure follows from NODE forces"),
            "LUMPED"),
 };
 
 constexpr std::array contact_when{
     When{"TYPE", "BONDED", "", "MU"}, // no slip, so nothing to rub
+    When{"PAIRING", "NODE", "", "MULTIPLIER"},
 };
 
 constexpr std::array rigid_keys{
     required(defines("NAME", rigid, "called by this on $CONTACT")),
-    required(word("SHAPE", "LINE|ARC", "a straight or a round target")),
+    required(word("SHAPE", "LINE|ARC|PLANE|CYLINDER|CONE|SPHERE",
+                  "LINE and ARC in 2D, the others in 3D")),
     real("X0", length, anything,
-         "first point of a LINE, centre of an ARC; about an axis the radius"),
+         "first point of a LINE, centre of an ARC or a SPHERE, point of a PLANE or an axis; about "
+         "an axis (STATE=AXI) the radius"),
     real("Y0", length, anything, "see X0"),
-    real("X1", length, anything, "second point of a LINE; the body is on the left"),
+    real("Z0", length, anything, "see X0"),
+    real("X1", length, anything,
+         "second point of a LINE, the body is on the left, or of the axis of a CYLINDER or CONE; "
+         "the normal of a PLANE runs from the first point to it, towards the body"),
     real("Y1", length, anything, "see X1"),
-    real("R", length, anything, "radius of an ARC, negative for a bore"),
+    real("Z1", length, anything, "see X1"),
+    real("R", length, anything,
+         "radius of an ARC, CYLINDER or SPHERE, of a CONE at the first point; negative for a bore"),
+    real("R1", length, anything, "radius of a CONE at the second point, with the sign of R"),
 };
 
 constexpr std::array rigid_when{
-    When{"SHAPE", "LINE", "X0 Y0 X1 Y1", "R"},
-    When{"SHAPE", "ARC", "X0 Y0 R", "X1 Y1"},
+    When{"SHAPE", "LINE", "X0 Y0 X1 Y1", "R R1 Z0 Z1"},
+    When{"SHAPE", "ARC", "X0 Y0 R", "X1 Y1 Z0 Z1 R1"},
+    When{"SHAPE", "PLANE", "X0 Y0 Z0 X1 Y1 Z1", "R R1"},
+    When{"SHAPE", "CYLINDER", "X0 Y0 Z0 X1 Y1 Z1 R", "R1"},
+    When{"SHAPE", "CONE", "X0 Y0 Z0 X1 Y1 Z1 R R1", ""},
+    When{"SHAPE", "SPHERE", "X0 Y0 Z0 R", "X1 Y1 Z1 R1"},
 };
 
 constexpr std::array crack_keys{
@@ -258,7 +275,8 @@ constexpr std::array cards{
              .group = "contact",
              .keys = rigid_keys,
              .when = rigid_when,
-             .doc = "A rigid line or circle in 2D or about an axis, usable as MASTER."},
+             .doc = "A rigid target, usable as MASTER: a line or circle in 2D or about an axis, a "
+                    "plane, cylinder, cone or sphere in 3D."},
     CardSpec{.name = "CRACK",
              .group = "crack",
              .keys = crack_keys,

@@ -152,10 +152,15 @@ constexpr std::array texts{
         "that they lie in. Distances and normals are exact; GAP, INTERFERENCE and DIAMETRAL of "
         "$CONTACT replace the distances. The SLAVE carries the multipliers, PAIRING=NODE takes its "
         "nodes one by one. With STATE=AXI a LINE is a cylinder, a cone or a plane, an ARC a sphere "
-        "or a torus. The listing's force balance shows the reaction that holds the target.",
+        "or a torus. In 3D a PLANE, CYLINDER, CONE or SPHERE has no ends; with negative R (of a "
+        "CONE "
+        "both) it is a bore or a socket. The listing's force balance shows the reaction that holds "
+        "the target.",
         "$RIGID NAME=FLOOR SHAPE=LINE X0=-50 Y0=0 X1=50 Y1=0\n"
         "$RIGID NAME=PIN SHAPE=ARC X0=0 Y0=0 R=20\n"
-        "$CONTACT NAME=FOOT SLAVE=PLATE.YMIN MASTER=FLOOR\n"},
+        "$CONTACT NAME=FOOT SLAVE=PLATE.YMIN MASTER=FLOOR\n"
+        "$RIGID NAME=TABLE SHAPE=PLANE X0=0 Y0=0 Z0=-5 X1=0 Y1=0 Z1=-4\n"
+        "$RIGID NAME=BOLT SHAPE=CYLINDER X0=0 Y0=0 Z0=0 X1=0 Y1=0 Z1=1 R=8\n"},
     CardText{
         "CRACK",
         "A free crack is a point on the boundary of NET, its direction ANGLE and its length A0, "

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
+
 namespace spricka::base {
 
 double tidy(double value) {
@@ -19,6 +21,11 @@ double tidy(double value) {
     std::from_chars(text.data(), end, shorter);
   }
   return std::abs(shorter - value) <= rounding * std::abs(value) ? shorter : value;
+}
+
+std::string place_text(const Vec3& x, int dim) {
+  return dim == 2 ? fmt::format("({:.6g}, {:.6g})", x.x(), x.y())
+                  : fmt::format("({:.6g}, {:.6g}, {:.6g})", x.x(), x.y(), x.z());
 }
 
 } // namespace spricka::base

@@ -5,6 +5,7 @@
 #include "contact/surface.hpp"
 #include "model/contacts.hpp"
 
+#include <array>
 #include <map>
 #include <optional>
 #include <span>
@@ -35,21 +36,23 @@ struct ConstraintRow {
 
 /// A place where one surface of a pair ends while the other goes on: the end of a rigid line, the
 /// edge of a punch or of a hub, the mouth of a crack. Where contact is closed up to it, the exact
-/// pressure has no bound, and the largest one found belongs to the mesh.
+/// pressure has no bound, and the largest one found belongs to the mesh. In space an edge.
 struct SharpEnd {
-  Vec2 x = Vec2::Zero();
-  std::vector<base::NodeId> nodes; ///< contact nodes whose pressure acts there
+  base::Vec3 x = base::Vec3::Zero(); ///< in space some place of the edge
+  std::vector<base::NodeId> nodes;   ///< contact nodes whose pressure acts there
+  bool bounded = false; ///< in space: the body that ends is so soft that its corner gives way
 };
 
 /// What presses at a node of a surface in space: one function for each smooth part that the node
 /// belongs to, with a row of its own, that of the neighbour it joined, or none.
 struct SpaceFunction {
   base::NodeId node;
-  std::size_t part = 0; ///< of the contact surface
-  int row = -1;         ///< among the pair's normal rows; -1: nothing lies opposite
-  double area = 0.0;    ///< integral over what is covered
-  double whole = 0.0;   ///< integral over all faces
-  bool joined = false;  ///< the row is that of another node
+  std::size_t part = 0;       ///< of the contact surface
+  int row = -1;               ///< among the pair's normal rows; -1: nothing lies opposite
+  double area = 0.0;          ///< integral over what is covered
+  double whole = 0.0;         ///< integral over all faces
+  bool joined = false;        ///< the row is that of another node
+  std::array<bool, 3> held{}; ///< a support holds the node along that axis
 };
 
 /// The rows of one contact pair.
@@ -68,6 +71,8 @@ struct PairRows {
   int merged = 0;        ///< rows covered by less than 20 % that went to a neighbour
   std::vector<SharpEnd> sharp_ends; ///< in the order of the contact surface; none on crack faces
   std::vector<SpaceFunction> functions; ///< in space, by part and node
+  std::optional<Round> rigid_shape;     ///< in space, of `rigid`
+  double lost = 0.0; ///< in space: area that lies opposite, but whose normal meets nothing there
 };
 
 /// Maps each contact node to its place in `pair.normal`; where a node has several normal rows, to

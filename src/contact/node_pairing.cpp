@@ -3,6 +3,7 @@
 
 #include "contact/node_pair.hpp"
 #include "contact/rigid_target.hpp"
+#include "contact/space/opposite.hpp"
 #include "shape/quadrature.hpp"
 
 #include <algorithm>
@@ -126,12 +127,13 @@ void node_rows(PairRows& pair, std::optional<double> declared_gap, bool tangents
       continue;
     }
     const Vec2 push = node.area * n;
-    add_rows(NodePair{id,
-                      other->node,
-                      {push.x(), push.y(), 0.0},
-                      node.area,
-                      declared_gap.value_or(gap_beyond_digits(other->gap, node.x))},
-             tangents, pair);
+    add_rows(
+        NodePair{id,
+                 other->node,
+                 {push.x(), push.y(), 0.0},
+                 node.area,
+                 declared_gap.value_or(beyond_digits(other->gap, node.x.cwiseAbs().maxCoeff()))},
+        tangents, pair);
   }
   if (pair.found && lonely > 0) {
     pair.trouble = fmt::format("PAIRING=NODE needs a master node opposite each slave node; {} of "

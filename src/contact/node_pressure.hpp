@@ -18,8 +18,9 @@ struct NodePressure {
   /// tangential forces as p_lumped and p_consistent of the normal ones; 0 where there are none.
   double q_lumped = 0.0;
   double q_consistent = 0.0;
-  int row = -1;     ///< normal row of the node, -1: not paired
-  double gap = 0.0; ///< row gap over row area [length]
+  base::Vec3 shear = base::Vec3::Zero(); ///< in space: q_lumped as a vector
+  int row = -1;                          ///< normal row of the node, -1: not paired
+  double gap = 0.0;                      ///< row gap over row area [length]
   bool closed = false;
   int crack_face = 0; ///< +1 and -1 at the two ends of a chain that meet in one point
 };

@@ -3,6 +3,7 @@
 
 #include "contact/rigid_target.hpp"
 #include "contact/segment.hpp"
+#include "contact/space/opposite.hpp"
 #include "shape/quadrature.hpp"
 
 #include <cmath>
@@ -39,7 +40,7 @@ std::optional<Opposite> opposite(const Surface& contact, const model::Rigid& rig
   if (!foot) {
     return std::nullopt;
   }
-  const double gap = gap_beyond_digits(foot->gap, x);
+  const double gap = beyond_digits(foot->gap, x.cwiseAbs().maxCoeff());
   return Opposite{0.0, foot->normal, gap, gap - to_circle(contact, x, foot->normal)};
 }
 
@@ -55,7 +56,7 @@ std::optional<Opposite> opposite(const Surface& contact, const Surface& other, c
   }
   const Vec2 y = point_on(target, *eta);
   // (contact.7), and the same between the circles: each surface is moved onto its own.
-  const double gap = gap_beyond_digits((y - x).dot(n), x);
+  const double gap = beyond_digits((y - x).dot(n), x.cwiseAbs().maxCoeff());
   return Opposite{*eta, n, gap, gap - to_circle(contact, x, n) + to_circle(other, y, n)};
 }
 

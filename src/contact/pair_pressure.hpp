@@ -11,10 +11,11 @@ namespace spricka::contact {
 
 /// What a pair of surfaces carries.
 struct PairPressure {
-  std::vector<NodePressure> nodes;                ///< of the side that carries the multipliers
-  base::Vec3 force_on_slave = base::Vec3::Zero(); ///< deck's slave
-  double mean_pressure = 0.0;                     ///< normal multipliers over the part in contact
-  double min_pressure = 0.0;                      ///< of the normal multipliers
+  std::vector<NodePressure> nodes;                 ///< of the side that carries the multipliers
+  base::Vec3 force_on_slave = base::Vec3::Zero();  ///< deck's slave
+  base::Vec3 moment_on_slave = base::Vec3::Zero(); ///< in space, about the origin
+  double mean_pressure = 0.0;                      ///< normal multipliers over the part in contact
+  double min_pressure = 0.0;                       ///< of the normal multipliers
   double max_pressure = 0.0;
   double max_penetration = 0.0;        ///< [length], 0 or more
   double arc_from = 0.0, arc_to = 0.0; ///< longest closed arc [rad], or arc length if straight
@@ -22,6 +23,9 @@ struct PairPressure {
   double area = 0.0; ///< of the part in contact, in space [length^2]
   /// In space: three places in `nodes` for each triangle on which pressure is linear.
   std::vector<std::array<std::size_t, 3>> triangles;
+  /// In space: root mean square of multipliers less averages, over that of the multipliers, where
+  /// averages are known.
+  double unrest = 0.0;
   double radius = 0.0; ///< in space, mean: the surface is one cylinder or cone; else 0 [length]
 };
 

@@ -4,10 +4,14 @@
 #include "contact/node_pairing.hpp"
 #include "contact/segment_pairing.hpp"
 #include "contact/sharp_end.hpp"
+#include "contact/space/rigid_round.hpp"
 #include "contact/space_rows.hpp"
+#include "contact/space_sharp_edge.hpp"
 #include "mesh/boundary.hpp"
 #include "model/model.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -53,11 +57,71 @@ struct Choice {
   std::string why;
 };
 
+// What of a surface in space lies opposite the other: the faces some triangle of which has its
+// middle there.
+struct MetFaces {
+  std::size_t faces = 0;
+  double area = 0.0;
+  [[nodiscard]] double size() const { return std::sqrt(area / static_cast<double>(faces)); }
+};
+
+MetFaces met_faces(const SpaceSurface& surface, const SpaceSurface& target) {
+  const Sighting sighting(surface, target);
+  std::vector<bool> seen(surface.faces.size(), false);
+  for (const SurfaceTriangle& t : surface.triangles) {
+    const SolidFace& face = surface.faces[t.face];
+    const Vec2 middle = (node_r(face.shape, t.node[0]) + node_r(face.shape, t.node[1]) +
+                         node_r(face.shape, t.node[2])) /
+                        3.0;
+    const FacePoint at = point_on(face, middle);
+    seen[t.face] = seen[t.face] || sighting.look(at.x, surface_normal(surface, t.face, at));
+  }
+  MetFaces found;
+  for (std::size_t f = 0; f < seen.size(); ++f) {
+    found.faces += seen[f] ? 1 : 0;
+    found.area += seen[f] ? area_of(surface.faces[f]) : 0.0;
+  }
+  return found;
+}
+
+// In space sizes are those of the faces that meet. A part smaller than a few faces of the coarser
+// side would have few functions there: the finer side has them then.
+Choice choose_space_side(const Surface& slave, const Surface& master) {
+  constexpr double few = 9.0; // faces, three each way
+  const MetFaces own = met_faces(slave.space, master.space);
+  const MetFaces other = met_faces(master.space, slave.space);
+  if (own.faces == 0 || other.faces == 0) { // the other lies within one face
+    return own.faces >= other.faces ? Choice{false, "slave side: it lies within one face"}
+                                    : Choice{true, "master side: it lies within one face"};
+  }
+  const double ratio = own.size() / other.size();
+  const double met = std::min(own.area, other.area);
+  const double coarse = std::pow(std::max(own.size(), other.size()), 2);
+  if ((ratio > alike_in_space || ratio < 1.0 / alike_in_space) && met < few * coarse) {
+    return ratio < 1.0 ? Choice{false, "slave side: few faces of the coarser one are met"}
+                       : Choice{true, "master side: few faces of the coarser one are met"};
+  }
+  if (ratio > alike_in_space) {
+    return {false, "slave side: coarser where they meet"};
+  }
+  if (ratio < 1.0 / alike_in_space) {
+    return {true, "master side: coarser where they meet"};
+  }
+  if (slave.stiffness > master.stiffness) {
+    return {true, "master side: softer, sizes alike"};
+  }
+  return {false, slave.stiffness < master.stiffness ? "slave side: softer, sizes alike"
+                                                    : "slave side: alike in size and stiffness"};
+}
+
 // The crack faces of a mouth are pressed each for itself: functions of the other side, which go
 // across the mouth, know one pressure for both (K2 of short cracks then is off by some per cent of
 // K1). Pressures of the stiffer side would go up and down where a coarse soft one can't follow its
 // small elements.
 Choice choose_side(const model::Mesh& mesh, const Surface& slave, const Surface& master) {
+  if (!slave.space.faces.empty()) {
+    return choose_space_side(slave, master);
+  }
   const bool mouth = has_mouth(mesh, master);
   const double stiffer =
       mouth ? master.stiffness / slave.stiffness : slave.stiffness / master.stiffness;
@@ -66,11 +130,10 @@ Choice choose_side(const model::Mesh& mesh, const Surface& slave, const Surface&
             mouth ? "master side: a crack opens into it" : "slave side: a crack opens into it"};
   }
   const double ratio = slave.mean_length / master.mean_length;
-  const double same = slave.space.faces.empty() ? alike : alike_in_space;
-  if (ratio > same) {
+  if (ratio > alike) {
     return {false, "slave side: coarser"};
   }
-  if (ratio < 1.0 / same) {
+  if (ratio < 1.0 / alike) {
     return {true, "master side: coarser"};
   }
   if (slave.stiffness > master.stiffness) {
@@ -90,7 +153,13 @@ Choice choose_node_side(const model::Mesh& mesh, const Surface& slave, const Sur
 void add_rows(PairRows& pair, const model::Contact& contact) {
   const bool tangents = contact.type == model::ContactType::bonded || contact.mu > 0.0;
   if (!pair.contact.space.faces.empty()) {
+    if (contact.multiplier == model::Multiplier::corners) {
+      pair.contact.space.triangles = corner_triangles(pair.contact.space);
+    }
     space_rows(pair, contact.gap, tangents);
+    if (pair.found) {
+      pair.sharp_ends = sharp_edges(pair);
+    }
     return;
   }
   if (contact.pairing == model::Pairing::node) {
@@ -114,6 +183,9 @@ PairRows pair_rows(const model::Model& model, const model::Mesh& mesh,
     pair.contact = std::move(slave);
     pair.target.thickness = pair.contact.thickness;
     pair.rigid = model.rigids[contact.rigid.index()];
+    if (mesh.dim == 3) {
+      pair.rigid_shape = rigid_round(*pair.rigid);
+    }
     pair.choice = "slave side: the master is rigid";
     add_rows(pair, contact);
     return pair;

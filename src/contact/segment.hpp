@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "contact/space/opposite.hpp"
 #include "contact/surface.hpp"
 
 #include <optional>
@@ -8,8 +9,6 @@
 /// Mortar segments in the plane: the stretches of contact edges that face one target edge each.
 namespace spricka::contact {
 
-/// What lies farther off than this part of the contact surface's extent is not opposite.
-inline constexpr double farthest_opposite = 0.2;
 /// Stretches shorter than this in xi carry nothing.
 inline constexpr double shortest_stretch = 1e-10;
 

@@ -96,7 +96,8 @@ std::vector<SharpEnd> sharp_ends(const PairRows& pair) {
       // turning away is open there; a body's corner on a rigid target is one of a right angle or
       // less.
       if (own_ends ? !other_ends && !pair.rigid : other_ends) {
-        add_end(ends, pair.contact, {point_on(*own.edge, xi), nodes_at(*own.edge, xi)});
+        const Vec2 x = point_on(*own.edge, xi);
+        add_end(ends, pair.contact, {{x.x(), x.y(), 0.0}, nodes_at(*own.edge, xi), false});
       }
     }
   }

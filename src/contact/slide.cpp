@@ -3,6 +3,7 @@
 
 #include "contact/rigid_target.hpp"
 #include "contact/segment.hpp"
+#include "contact/space_slide.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +14,6 @@ namespace spricka::contact {
 namespace {
 
 constexpr std::array<double, 2> gauss{-0.5773502691896258, 0.5773502691896258};
-constexpr double least_pressure = 0.01; // of the largest: less is not looked at
 
 // The edge where displacements have taken it.
 Edge moved(Edge edge, const base::Vector& u) {
@@ -96,7 +96,7 @@ private:
   void add(const Segment& s, double xi) {
     const Edge& edge = edges_[s.contact_edge];
     const double p = pressure(edge, xi);
-    if (p <= least_pressure * largest_) {
+    if (p <= least_looked_at * largest_) {
       return;
     }
     const Vec2 x = point_on(edge, xi);
@@ -162,7 +162,8 @@ private:
 } // namespace
 
 Slide slide_of(const PairRows& pair, const base::Vector& lambda, const base::Vector& u) {
-  return Sliding(pair, lambda, u).look();
+  return pair.contact.space.faces.empty() ? Sliding(pair, lambda, u).look()
+                                          : space_slide_of(pair, lambda, u);
 }
 
 } // namespace spricka::contact

@@ -2,10 +2,16 @@
 #include "contact/space_recovery.hpp"
 
 #include "base/index.hpp"
+#include "contact/space_averages.hpp"
+#include "contact/space_rows.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
 #include <utility>
+
+#include <Eigen/Geometry>
 
 namespace spricka::contact {
 
@@ -13,86 +19,38 @@ using base::index;
 
 namespace {
 
-constexpr double all_covered = 1e-4; // of a function's area: what integration may miss
-
-// What the node k of a face gives to its corner c: all of its own, half of the middle of a side
-// that ends there, a quarter of the centre.
-double share_of(std::size_t c, std::size_t k, std::size_t corners) {
-  if (k < corners) {
-    return k == c ? 1.0 : 0.0;
-  }
-  const std::size_t side = k - corners; // from corner `side` to the next
-  return k == 2 * corners ? 0.25 : side == c || (side + 1) % corners == c ? 0.5 : 0.0;
-}
-
-// The functions of each face, by its nodes.
-std::vector<std::vector<std::size_t>> functions_by_face(const PairRows& pair) {
-  const SpaceSurface& surface = pair.contact.space;
-  std::map<std::pair<std::size_t, base::NodeId>, std::size_t> place;
-  for (std::size_t i = 0; i < pair.functions.size(); ++i) {
-    place[{pair.functions[i].part, pair.functions[i].node}] = i;
-  }
-  std::vector<std::vector<std::size_t>> all;
-  for (std::size_t f = 0; f < surface.faces.size(); ++f) {
-    std::vector<std::size_t>& at = all.emplace_back();
-    for (const base::NodeId n : surface.faces[f].nodes) {
-      at.push_back(place.at({surface.part[f], n}));
+// Shear along x, y and z [function], each averaged as the pressure is.
+std::array<base::Vector, 3> averaged_shear(const PairRows& pair,
+                                           const std::vector<base::Vec3>& shear,
+                                           const std::vector<bool>& touches) {
+  std::array<base::Vector, 3> all;
+  for (std::size_t c = 0; c < all.size() && !pair.tangent.empty(); ++c) {
+    base::Vector component = base::Vector::Zero(index(pair.functions.size()));
+    for (std::size_t i = 0; i < pair.functions.size(); ++i) {
+      if (const int row = pair.functions[i].row; row >= 0) {
+        component[index(i)] = shear[static_cast<std::size_t>(row)][index(c)];
+      }
     }
+    all[c] = corner_averages(pair, component, touches);
   }
   return all;
 }
 
-// Averages to corners, P_c = sum share w p / sum share w over the faces round a corner
-// (contact_space.6), and what is linear between these; as p itself where a face round the corner is
-// not all covered and closed.
-base::Vector averaged(const PairRows& pair, const base::Vector& p,
-                      const std::vector<bool>& closed) {
-  const std::vector<std::vector<std::size_t>> faces = functions_by_face(pair);
-  std::vector<std::map<std::size_t, double>> given(pair.functions.size()); // to corners, by giver
-  std::vector<bool> sound(pair.functions.size(), true);
-  const auto corners_of = [&](std::size_t f) {
-    return static_cast<std::size_t>(base::info(pair.contact.space.faces[f].shape).corners);
-  };
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    const bool all = std::ranges::all_of(faces[f], [&](std::size_t i) {
-      const SpaceFunction& own = pair.functions[i];
-      return closed[i] && !own.joined && own.area >= (1.0 - all_covered) * own.whole;
-    });
-    for (std::size_t c = 0; c < corners_of(f); ++c) {
-      sound[faces[f][c]] = sound[faces[f][c]] && all;
-      for (std::size_t k = 0; k < faces[f].size(); ++k) {
-        if (const double share = share_of(c, k, corners_of(f)); share > 0.0) {
-          given[faces[f][c]][faces[f][k]] = share;
-        }
-      }
+// How much multipliers go up and down about their averages.
+double unrest_of(const PairRows& pair, const base::Vector& p, const base::Vector& smooth) {
+  constexpr double no_strain = 1e-9; // pressure over modulus: round-off of larger ones
+  if (p.size() == 0 || p.cwiseAbs().maxCoeff() < no_strain * pair.contact.stiffness) {
+    return 0.0;
+  }
+  double off = 0.0;
+  double all = 0.0;
+  for (std::size_t i = 0; i < pair.functions.size(); ++i) {
+    if (smooth[index(i)] != p[index(i)]) {
+      off += pair.functions[i].area * std::pow(smooth[index(i)] - p[index(i)], 2);
+      all += pair.functions[i].area * std::pow(p[index(i)], 2);
     }
   }
-  const auto corner = [&](std::size_t i) {
-    double force = 0.0;
-    double area = 0.0;
-    for (const auto& [giver, share] : given[i]) {
-      force += share * pair.functions[giver].area * p[index(giver)];
-      area += share * pair.functions[giver].area;
-    }
-    return force / area;
-  };
-  base::Vector out = p;
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    for (std::size_t k = 0; k < faces[f].size(); ++k) {
-      double mean = 0.0;
-      bool known = true;
-      for (std::size_t c = 0; c < corners_of(f); ++c) {
-        if (const double share = share_of(c, k, corners_of(f)); share > 0.0) {
-          known = known && sound[faces[f][c]];
-          mean += known ? share * corner(faces[f][c]) : 0.0;
-        }
-      }
-      if (known) {
-        out[index(faces[f][k])] = mean;
-      }
-    }
-  }
-  return out;
+  return all > 0.0 ? std::sqrt(off / all) : 0.0;
 }
 
 // Node by node: the function's part of the surface says where it stands about an axis.
@@ -109,27 +67,41 @@ NodePressure place_of(const PairRows& pair, const SpaceFunction& function, const
   return at;
 }
 
-base::Vec3 force_on_contact_side(const PairRows& pair, const base::Vector& lambda) {
-  std::vector<base::NodeId> own;
-  for (const SpaceFunction& function : pair.functions) {
-    own.push_back(function.node);
-  }
-  std::ranges::sort(own);
-  base::Vec3 total = base::Vec3::Zero();
-  const auto add = [&](const ConstraintRow& row, double value) {
-    for (const RowEntry& entry : row.entries) {
-      if (std::ranges::binary_search(own, entry.node)) {
-        total += value * entry.weight;
+// What a unit of each row, normal ones first, does to the contact side.
+struct RowForces {
+  std::vector<base::Vec3> force;  ///< [row]
+  std::vector<base::Vec3> moment; ///< [row] about the origin
+};
+
+RowForces forces_on_contact_side(const PairRows& pair,
+                                 const std::map<base::NodeId, base::Vec3>& x) {
+  RowForces all;
+  for (const std::vector<ConstraintRow>* rows : {&pair.normal, &pair.tangent}) {
+    for (const ConstraintRow& row : *rows) {
+      base::Vec3& force = all.force.emplace_back(base::Vec3::Zero());
+      base::Vec3& moment = all.moment.emplace_back(base::Vec3::Zero());
+      for (const RowEntry& entry : row.entries) {
+        if (const auto own = x.find(entry.node); own != x.end()) {
+          force += entry.weight;
+          moment += own->second.cross(entry.weight);
+        }
       }
     }
-  };
-  for (std::size_t i = 0; i < pair.normal.size(); ++i) {
-    add(pair.normal[i], lambda[index(i)]);
   }
+  return all;
+}
+
+// Shear tractions on the deck's slave [normal row]: of a row's functions, along their mean tangent.
+std::vector<base::Vec3> shear_on_slave(const PairRows& pair, const base::Vector& lambda,
+                                       const std::vector<base::Vec3>& forces) {
+  std::vector<base::Vec3> shear(pair.normal.size(), base::Vec3::Zero());
   for (std::size_t i = 0; i < pair.tangent.size(); ++i) {
-    add(pair.tangent[i], lambda[index(pair.normal.size() + i)]);
+    const ConstraintRow& row = pair.tangent[i];
+    const std::size_t at = pair.normal.size() + i;
+    shear[static_cast<std::size_t>(row.normal)] +=
+        (pair.swapped ? -1.0 : 1.0) / row.area * lambda[index(at)] * forces[at];
   }
-  return total;
+  return shear;
 }
 
 std::map<base::NodeId, base::Vec3> places_of_nodes(const SpaceSurface& surface) {
@@ -140,6 +112,25 @@ std::map<base::NodeId, base::Vec3> places_of_nodes(const SpaceSurface& surface) 
     }
   }
   return x;
+}
+
+// What the rows say together.
+void add_totals(const PairRows& pair, const base::Vector& lambda, const base::Vector& gap,
+                const std::vector<bool>& closed, PairPressure& result) {
+  double thrust = 0.0;
+  double area = 0.0;
+  for (std::size_t r = 0; r < pair.normal.size(); ++r) {
+    const auto i = index(r);
+    const double own = pair.normal[r].area;
+    thrust += lambda[i] * own;
+    area += closed[r] ? own : 0.0;
+    result.min_pressure = r == 0 ? lambda[i] : std::min(result.min_pressure, lambda[i]);
+    result.max_pressure = std::max(result.max_pressure, lambda[i]);
+    result.closed += closed[r] ? 1 : 0;
+    result.max_penetration = std::max(result.max_penetration, -gap[i] / own);
+  }
+  result.area = area;
+  result.mean_pressure = area > 0.0 ? thrust / area : 0.0;
 }
 
 } // namespace
@@ -155,26 +146,22 @@ PairPressure recover_space_pressure(const PairRows& pair, const base::Vector& la
       touches[i] = closed[static_cast<std::size_t>(row)];
     }
   }
-  const base::Vector smooth = averaged(pair, p, touches);
+  const base::Vector smooth = corner_averages(pair, p, touches);
   const std::map<base::NodeId, base::Vec3> x = places_of_nodes(pair.contact.space);
 
   PairPressure result;
-  const base::Vec3 total = force_on_contact_side(pair, lambda);
-  result.force_on_slave = pair.swapped ? base::Vec3(-total) : total;
-  double thrust = 0.0;
-  double area = 0.0;
-  for (std::size_t r = 0; r < pair.normal.size(); ++r) {
-    const auto i = index(r);
-    const double own = pair.normal[r].area;
-    thrust += lambda[i] * own;
-    area += closed[r] ? own : 0.0;
-    result.min_pressure = r == 0 ? lambda[i] : std::min(result.min_pressure, lambda[i]);
-    result.max_pressure = std::max(result.max_pressure, lambda[i]);
-    result.closed += closed[r] ? 1 : 0;
-    result.max_penetration = std::max(result.max_penetration, -gap[i] / own);
+  const RowForces unit = forces_on_contact_side(pair, x);
+  base::Vec3 total = base::Vec3::Zero();
+  base::Vec3 moment = base::Vec3::Zero();
+  for (std::size_t i = 0; i < unit.force.size(); ++i) {
+    total += lambda[index(i)] * unit.force[i];
+    moment += lambda[index(i)] * unit.moment[i];
   }
-  result.area = area;
-  result.mean_pressure = area > 0.0 ? thrust / area : 0.0;
+  const std::vector<base::Vec3> shear = shear_on_slave(pair, lambda, unit.force);
+  const std::array<base::Vector, 3> smooth_shear = averaged_shear(pair, shear, touches);
+  result.moment_on_slave = pair.swapped ? base::Vec3(-moment) : moment;
+  result.force_on_slave = pair.swapped ? base::Vec3(-total) : total;
+  add_totals(pair, lambda, gap, closed, result);
   for (std::size_t i = 0; i < pair.functions.size(); ++i) {
     const SpaceFunction& function = pair.functions[i];
     NodePressure at = place_of(pair, function, x.at(function.node));
@@ -182,10 +169,18 @@ PairPressure recover_space_pressure(const PairRows& pair, const base::Vector& la
     at.p_lumped = smooth[index(i)];
     at.closed = touches[i];
     if (function.row >= 0) {
-      at.gap = gap[function.row] / pair.normal[static_cast<std::size_t>(function.row)].area;
+      const auto row = static_cast<std::size_t>(function.row);
+      at.gap = gap[function.row] / pair.normal[row].area;
+      at.q_consistent = shear[row].norm();
+      if (!pair.tangent.empty()) {
+        at.shear = {smooth_shear[0][index(i)], smooth_shear[1][index(i)],
+                    smooth_shear[2][index(i)]};
+        at.q_lumped = at.shear.norm();
+      }
     }
     result.nodes.push_back(at);
   }
+  result.unrest = unrest_of(pair, p, smooth);
   const SpaceSurface& surface = pair.contact.space;
   const std::vector<std::vector<std::size_t>> faces = functions_by_face(pair);
   for (const SurfaceTriangle& t : surface.triangles) {

@@ -2,19 +2,18 @@
 #include "contact/space_rows.hpp"
 
 #include "contact/row_builder.hpp"
-#include "contact/space/sight.hpp"
+#include "contact/space/rigid_round.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <functional>
 #include <map>
+#include <memory>
 #include <numeric>
 #include <utility>
-#include <vector>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <fmt/format.h>
 
 namespace spricka::contact {
 
@@ -29,8 +28,9 @@ using PartNode = std::pair<std::size_t, base::NodeId>;
 
 // Integrals of a triangle's three hats times what the two surfaces move along one direction.
 struct Motion {
-  std::array<Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 9>, 3> own; ///< [hat] by face node
-  std::vector<std::array<Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 9>, 3>> target;
+  using OfHats = std::array<NodePlaces, 3>; ///< [hat] by face node
+  OfHats own;
+  std::vector<OfHats> target;
 };
 
 struct HatIntegrals {
@@ -68,11 +68,11 @@ public:
 
   void make() {
     number_functions();
-    const Sighting sighting(own_, other_);
-    int lost = 0;
+    choose_axes();
+    const std::function<Sight(const SurfaceTriangle&)> see = sight_of(pair_);
     for (const SurfaceTriangle& triangle : own_.triangles) {
-      const Sight sight = sighting.see(triangle);
-      lost += sight.lost;
+      const Sight sight = see(triangle);
+      pair_.lost += sight.lost;
       if (sight.flat_seen > (1.0 + twice) * sight.flat_area) {
         pair_.trouble = "the surfaces face each other twice at one place (two layers of the master "
                         "lie within a fifth of the slave's extent)";
@@ -90,8 +90,9 @@ public:
 private:
   void number_functions() {
     for (const SurfaceTriangle& t : own_.triangles) {
-      for (const base::NodeId n : own_.faces[t.face].nodes) {
-        place_.try_emplace(PartNode{own_.part[t.face], n}, 0);
+      for (const int n : t.node) {
+        const base::NodeId node = own_.faces[t.face].nodes[static_cast<std::size_t>(n)];
+        place_.try_emplace(PartNode{own_.part[t.face], node}, 0);
       }
     }
     for (auto& [key, at] : place_) {
@@ -102,15 +103,29 @@ private:
     beside_.resize(pair_.functions.size());
   }
 
-  // Tangents at a point: along the axis of a round part, else along the axis of the coordinates
-  // that is least aligned with the normal of the part, and across.
+  // Tangents run along the axis of a round part, else along the axis of the coordinates that is
+  // nowhere near a normal of the part; one for all of the part, as rows are sums over it.
+  void choose_axes() {
+    std::vector<Vec3> most(own_.rounds.size(), Vec3::Zero()); // |n| along x, y, z
+    for (std::size_t f = 0; f < own_.faces.size(); ++f) {
+      const SolidFace& face = own_.faces[f];
+      const FacePoint centre = point_on(face, centre_r(face.shape));
+      Vec3& part = most[own_.part[f]];
+      part = part.cwiseMax(surface_normal(own_, f, centre).cwiseAbs());
+    }
+    for (std::size_t p = 0; p < most.size(); ++p) {
+      const std::optional<Round>& round = own_.rounds[p];
+      Eigen::Index least = 0;
+      most[p].minCoeff(&least);
+      axis_.push_back(round && has_axis(*round) ? round->axis : Vec3(Vec3::Unit(least)));
+    }
+  }
+
   [[nodiscard]] std::array<Vec3, 3> directions(std::size_t face, const Vec3& n) const {
-    const std::optional<Round>& round = own_.round_of(face);
-    const bool about_axis = round && has_axis(*round);
-    Eigen::Index least = 0;
-    n.cwiseAbs().minCoeff(&least);
-    const Vec3 a = about_axis ? round->axis : Vec3(Vec3::Unit(least));
-    const Vec3 t = (a - a.dot(n) * n).normalized();
+    constexpr double along_normal = 1e-6; // a part all round: where the axis leaves it any will do
+    const Vec3& a = axis_[own_.part[face]];
+    const Vec3 across = a - a.dot(n) * n;
+    const Vec3 t = across.norm() > along_normal ? across.normalized() : n.unitOrthogonal();
     return {n, t, n.cross(t)};
   }
 
@@ -123,8 +138,9 @@ private:
         own.setZero(3, nodes);
       }
     }
+    const bool rigid = pair_.rigid.has_value();
     for (const SightPoint& p : sight.points) {
-      if (sum.targets.empty() || sum.targets.back() != p.target) {
+      if (!rigid && (sum.targets.empty() || sum.targets.back() != p.target)) {
         sum.targets.push_back(p.target);
         const auto count = static_cast<Eigen::Index>(other_.faces[p.target].nodes.size());
         for (int k = 0; k < directions_; ++k) {
@@ -135,7 +151,7 @@ private:
         }
       }
       const FaceValues N = face_N(face.shape, p.r);
-      const FaceValues M = face_N(other_.faces[p.target].shape, p.s);
+      const FaceValues M = rigid ? FaceValues() : face_N(other_.faces[p.target].shape, p.s);
       const std::array<Vec3, 3> along = directions(triangle.face, p.normal);
       const Eigen::Vector3d w = p.weight * p.hat;
       sum.moment += w * p.hat.transpose();
@@ -146,7 +162,9 @@ private:
         for (std::size_t h = 0; h < 3; ++h) {
           const Vec3 push = w[static_cast<Eigen::Index>(h)] * along[static_cast<std::size_t>(k)];
           motion.own[h] -= push * N.transpose();
-          motion.target.back()[h] += push * M.transpose();
+          if (!rigid) {
+            motion.target.back()[h] += push * M.transpose();
+          }
         }
       }
     }
@@ -207,7 +225,7 @@ private:
   }
 
   [[nodiscard]] double cover(std::size_t i) const {
-    return rows_[i][0].area / pair_.functions[i].whole;
+    return rows_[i][0].area > 0.0 ? rows_[i][0].area / pair_.functions[i].whole : 0.0;
   }
 
   // The strongest of the weak ones first: each joins the best covered neighbour; where that is weak
@@ -272,7 +290,8 @@ private:
   const SpaceSurface& own_;
   const SpaceSurface& other_;
   std::optional<double> declared_;
-  int directions_; ///< 1, or 3 with tangents
+  int directions_;         ///< 1, or 3 with tangents
+  std::vector<Vec3> axis_; ///< [part] that the tangents run along
   std::map<PartNode, std::size_t> place_;
   std::vector<std::array<RowBuilder, 3>> rows_;  ///< [function] along normal and tangents
   std::vector<std::vector<std::size_t>> beside_; ///< [function] those of covered triangles
@@ -283,6 +302,37 @@ private:
 
 void space_rows(PairRows& pair, std::optional<double> declared_gap, bool tangents) {
   SpaceRows(pair, declared_gap, tangents).make();
+}
+
+std::function<Sight(const SurfaceTriangle&)> sight_of(const PairRows& pair) {
+  const SpaceSurface& own = pair.contact.space;
+  if (pair.rigid_shape) {
+    return [&own, shape = *pair.rigid_shape](const SurfaceTriangle& triangle) {
+      return see_rigid(own, shape, triangle);
+    };
+  }
+  // A std::function can be copied, the tree of a Sighting can't.
+  return [sighting = std::make_shared<Sighting>(own, pair.target.space)](
+             const SurfaceTriangle& triangle) { return sighting->see(triangle); };
+}
+
+std::vector<std::vector<std::size_t>> functions_by_face(const PairRows& pair) {
+  const SpaceSurface& surface = pair.contact.space;
+  std::map<PartNode, std::size_t> place;
+  for (std::size_t i = 0; i < pair.functions.size(); ++i) {
+    place[{pair.functions[i].part, pair.functions[i].node}] = i;
+  }
+  std::vector<std::vector<std::size_t>> all;
+  for (std::size_t f = 0; f < surface.faces.size(); ++f) {
+    std::vector<std::size_t>& at = all.emplace_back();
+    for (const base::NodeId n : surface.faces[f].nodes) {
+      const auto own = place.find({surface.part[f], n});
+      if (own != place.end()) { // corners come first
+        at.push_back(own->second);
+      }
+    }
+  }
+  return all;
 }
 
 } // namespace spricka::contact

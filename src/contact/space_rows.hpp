@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "contact/constraint.hpp"
+#include "contact/space/sight.hpp"
 
+#include <cstddef>
+#include <functional>
 #include <optional>
+#include <vector>
 
 namespace spricka::contact {
 
@@ -12,5 +16,13 @@ namespace spricka::contact {
 /// each weight is positive on any face type and any part of a face. A node covered by less than a
 /// fifth joins a neighbour. `tangents`: two rows along the surface for each normal one.
 void space_rows(PairRows& pair, std::optional<double> declared_gap, bool tangents);
+
+/// What the triangles of a pair's contact surface see of its target, which may be rigid. The pair
+/// must outlive it.
+std::function<Sight(const SurfaceTriangle&)> sight_of(const PairRows& pair);
+
+/// Places among the pair's functions of the nodes of each face of its contact surface, or of its
+/// corners where only these have functions.
+std::vector<std::vector<std::size_t>> functions_by_face(const PairRows& pair);
 
 } // namespace spricka::contact

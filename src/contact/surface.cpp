@@ -73,11 +73,6 @@ Surface solid_surface(const model::Model& model, const model::Mesh& mesh,
 
 } // namespace
 
-double gap_beyond_digits(double gap, const Vec2& x) {
-  constexpr double digits = 8.0 * std::numeric_limits<double>::epsilon();
-  return std::abs(gap) <= digits * x.cwiseAbs().maxCoeff() ? 0.0 : gap;
-}
-
 double depth_at(const Surface& contact, const Surface& target, const Vec2& x) {
   if (contact.axial) {
     return 2.0 * std::numbers::pi * std::max(0.0, x.x()); // round-off at the axis

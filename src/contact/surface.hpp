@@ -43,10 +43,6 @@ Surface make_surface(const model::Model& model, const model::Mesh& mesh, base::F
 Surface make_surface(const model::Model& model, const model::Mesh& mesh,
                      const std::vector<model::Face>& faces);
 
-/// A measured gap at x, or zero where sixteen digits of the coordinates cannot tell it from that:
-/// bodies that touch put no force on each other.
-double gap_beyond_digits(double gap, const Vec2& x);
-
 /// Unit normal of the surface at a point of an edge: radial where the surface is a circle.
 Vec2 surface_normal(const Surface& surface, const Edge& edge, double xi);
 

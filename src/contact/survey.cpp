@@ -3,7 +3,7 @@
 
 #include "contact/rigid_target.hpp"
 #include "contact/segment.hpp"
-#include "contact/space/sight.hpp"
+#include "contact/space/rigid_round.hpp"
 
 #include <algorithm>
 #include <array>
@@ -64,14 +64,13 @@ Survey sample(const Surface& from, const std::vector<Segment>& segments, Look&& 
   return found;
 }
 
-Survey survey_space(const SpaceSurface& from, const SpaceSurface& to) {
+template <class See> Survey survey_space(const SpaceSurface& from, See&& see) {
   Survey found;
   found.edges = from.faces.size();
   std::vector<bool> faces(from.faces.size(), false);
-  const Sighting sighting(from, to);
   bool first = true;
   for (const SurfaceTriangle& t : from.triangles) {
-    const Sight sight = sighting.see(t);
+    const Sight sight = see(t);
     found.length += sight.whole.sum();
     for (const SightPoint& p : sight.points) {
       faces[t.face] = true;
@@ -93,7 +92,9 @@ Survey survey_space(const SpaceSurface& from, const SpaceSurface& to) {
 
 Survey survey(const Surface& from, const Surface& to) {
   if (!from.space.faces.empty()) {
-    return survey_space(from.space, to.space);
+    const Sighting sighting(from.space, to.space);
+    return survey_space(from.space,
+                        [&](const SurfaceTriangle& triangle) { return sighting.see(triangle); });
   }
   const std::vector<Edge>& targets = to.plane.edges;
   return sample(from, find_segments(from, to),
@@ -111,6 +112,12 @@ Survey survey(const Surface& from, const Surface& to) {
 }
 
 Survey survey(const Surface& from, const model::Rigid& to) {
+  if (!from.space.faces.empty()) {
+    const Round shape = rigid_round(to);
+    return survey_space(from.space, [&](const SurfaceTriangle& triangle) {
+      return see_rigid(from.space, shape, triangle);
+    });
+  }
   return sample(from, find_segments(from, to),
                 [&](const Segment&, const Edge& edge, double xi) -> std::optional<Glance> {
                   const std::optional<RigidFoot> foot = foot_on(to, point_on(edge, xi));

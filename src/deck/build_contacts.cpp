@@ -3,6 +3,8 @@
 #include "model/model.hpp"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -33,19 +35,44 @@ bool share_a_face(const model::FaceSet& a, const model::FaceSet& b) {
   });
 }
 
+struct ShapeWord {
+  std::string_view word;
+  model::RigidShape shape;
+  bool two_points = false;
+  bool round = false; ///< has a radius
+};
+constexpr std::array rigid_shapes{
+    ShapeWord{"LINE", model::RigidShape::line, true, false},
+    ShapeWord{"ARC", model::RigidShape::arc, false, true},
+    ShapeWord{"PLANE", model::RigidShape::plane, true, false},
+    ShapeWord{"CYLINDER", model::RigidShape::cylinder, true, true},
+    ShapeWord{"CONE", model::RigidShape::cone, true, true},
+    ShapeWord{"SPHERE", model::RigidShape::sphere, false, true},
+};
+
 void rigid(Context& c, const BoundCard& card) {
+  const auto shape = std::ranges::find_if(
+      rigid_shapes, [&](const ShapeWord& s) { return card.is("SHAPE", s.word); });
   model::Rigid rigid;
   rigid.name = card.word("NAME");
-  rigid.shape = card.is("SHAPE", "ARC") ? model::RigidShape::arc : model::RigidShape::line;
-  rigid.first = {card.number("X0"), card.number("Y0"), 0.0};
-  rigid.second = {card.number("X1"), card.number("Y1"), 0.0};
+  rigid.shape = shape->shape;
+  rigid.first = {card.number("X0"), card.number("Y0"), card.number("Z0")};
+  rigid.second = {card.number("X1"), card.number("Y1"), card.number("Z1")};
   rigid.radius = card.number("R");
+  rigid.second_radius = card.number("R1");
   rigid.span = card.span;
-  if (rigid.shape == model::RigidShape::line && rigid.first == rigid.second) {
-    c.error(card.span, "E109", "the two points of the LINE are the same");
-  } else if (rigid.shape == model::RigidShape::arc && rigid.radius == 0.0) {
-    c.error(card.find("R")->span, "E109", "R: the radius of an ARC is not 0",
+  const bool cone = rigid.shape == model::RigidShape::cone;
+  if (shape->two_points && rigid.first == rigid.second) {
+    c.error(card.span, "E109", fmt::format("the two points of the {} are the same", shape->word));
+  } else if (shape->round && rigid.radius == 0.0 && !cone) {
+    c.error(card.find("R")->span, "E109",
+            fmt::format("R: the radius of {} {} is not 0",
+                        shape->shape == model::RigidShape::arc ? "an" : "a", shape->word),
             "positive for a shaft, negative for a bore");
+  } else if (cone &&
+             (rigid.radius * rigid.second_radius < 0.0 || rigid.radius == rigid.second_radius)) {
+    c.error(card.find("R1")->span, "E109", "R and R1 of a CONE differ, and have one sign",
+            "positive for a shaft, negative for a bore; with equal radii it is a CYLINDER");
   }
   c.model.rigids.push_back(std::move(rigid));
 }
@@ -62,8 +89,13 @@ void master_of(Context& c, const BoundCard& card, model::Contact& contact) {
     return;
   }
   contact.rigid = base::RigidId(meant->index);
-  if (c.model.mesh.dim == 3 && c.mesh_sound) {
-    c.error(master.span, "E313", fmt::format("{} is a rigid target in the plane", master.name));
+  const model::RigidShape shape = c.model.rigids[meant->index].shape;
+  const bool plane = shape == model::RigidShape::line || shape == model::RigidShape::arc;
+  if (plane != (c.model.mesh.dim == 2) && c.mesh_sound) {
+    c.error(master.span, "E313",
+            fmt::format("{} is a rigid target in {}", master.name, plane ? "the plane" : "space"),
+            plane ? "solids meet a PLANE, CYLINDER, CONE or SPHERE"
+                  : "in the plane and about an axis a target is a LINE or an ARC");
   }
 }
 
@@ -86,6 +118,13 @@ void build_contacts(Context& context) {
     contact.gap = declared_gap(card);
     contact.mu = card.number("MU");
     contact.pairing = card.is("PAIRING", "NODE") ? model::Pairing::node : model::Pairing::segment;
+    contact.multiplier =
+        card.is("MULTIPLIER", "CORNER") ? model::Multiplier::corners : model::Multiplier::nodes;
+    if (contact.multiplier == model::Multiplier::corners && context.model.mesh.dim == 2 &&
+        context.mesh_sound) {
+      context.error(card.find("MULTIPLIER")->span, "E313",
+                    "MULTIPLIER=CORNER is one of contacts between solids");
+    }
     contact.recovery =
         card.is("RECOVERY", "CONSISTENT") ? model::Recovery::consistent : model::Recovery::lumped;
     contact.span = card.span;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/tidy.hpp"
 #include "deck/context.hpp"
 #include "deck/element_place.hpp"
 #include "grammar/bulk_table.hpp"
@@ -45,8 +46,7 @@ void report_elements(Context& c, const std::vector<std::size_t>& elements, std::
 }
 
 std::string place(const model::Mesh& mesh, const base::Vec3& x) {
-  return mesh.dim == 2 ? fmt::format("({:.6g}, {:.6g})", x.x(), x.y())
-                       : fmt::format("({:.6g}, {:.6g}, {:.6g})", x.x(), x.y(), x.z());
+  return base::place_text(x, mesh.dim);
 }
 
 // Elements that run the wrong way round by card, those that fold somewhere one by one.

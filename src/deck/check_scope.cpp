@@ -114,8 +114,6 @@ void contacts_in_reach(Context& c) {
   for (const model::Contact& contact : c.model.contacts) {
     if (contact.pairing == model::Pairing::node) {
       c.unavailable("$CONTACT PAIRING=NODE in 3D", contact.span);
-    } else if (contact.mu > 0.0) {
-      c.unavailable("$CONTACT MU in 3D", contact.span);
     }
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "deck/context.hpp"
 #include "model/model.hpp"
+#include "shape/topology.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 /// Surfaces that two cards speak of: what a contact holds already must not be held, or loaded, by
@@ -119,13 +121,16 @@ private:
     return sum / static_cast<double>(nodes.size());
   }
 
-  // Of a side in the plane: its corners.
+  // The corners of a side.
   [[nodiscard]] std::vector<base::NodeId> nodes_of(const model::Face& face) const {
     const auto all = mesh_.nodes_of(face.element);
-    const auto corners =
-        static_cast<std::size_t>(base::info(mesh_.type[face.element.index()]).corners);
-    const auto side = static_cast<std::size_t>(face.side);
-    return {all[side], all[(side + 1) % corners]};
+    const base::ElementType type = mesh_.type[face.element.index()];
+    std::vector<base::NodeId> corners;
+    for (const int local :
+         shape::side_nodes(type, face.side).first(shape::side_corners(type, face.side))) {
+      corners.push_back(all[static_cast<std::size_t>(local)]);
+    }
+    return corners;
   }
 
   // Faces of one pair that lie opposite the same faces in another as well: of the faces that both
@@ -158,6 +163,10 @@ private:
     if (partner.empty()) {
       return faces.size();
     }
+    if (mesh_.dim == 3) {
+      return static_cast<std::size_t>(std::ranges::count_if(
+          faces, [&](const model::Face& face) { return lies_before(face, partner); }));
+    }
     std::map<base::NodeId, int> sides; // of the partner's nodes: one at an end
     for (const model::Face& face : partner) {
       for (const base::NodeId n : nodes_of(face)) {
@@ -181,6 +190,25 @@ private:
       }
       return opposite;
     }));
+  }
+
+  // In space: whether the middle of a face, moved along the normal of the nearest of the partner's,
+  // is no farther from the middle of that one than its corners are.
+  [[nodiscard]] bool lies_before(const model::Face& face, const Faces& partner) const {
+    const base::Vec3 x = middle(face);
+    const model::Face& other = *std::ranges::min_element(
+        partner, {}, [&](const model::Face& f) { return (middle(f) - x).squaredNorm(); });
+    const std::vector<base::NodeId> corners = nodes_of(other);
+    const base::Vec3 at = middle(other);
+    const auto from_middle = [&](std::size_t i) {
+      return base::Vec3(mesh_.x[corners[i].index()] - at);
+    };
+    const base::Vec3 n = from_middle(0).cross(from_middle(1)).normalized();
+    double reach = 0.0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      reach = std::max(reach, from_middle(i).norm());
+    }
+    return (x - at - n.dot(x - at) * n).norm() < reach;
   }
 
   [[nodiscard]] std::size_t line_of(base::Span span) const {
@@ -383,7 +411,7 @@ void check_surfaces(Context& context) {
   const bool whole = std::ranges::all_of(model.contacts, [](const model::Contact& contact) {
     return contact.slave.valid() && (contact.master.valid() || contact.rigid.valid());
   });
-  if (!model.contacts.empty() && whole && model.mesh.dim == 2) {
+  if (!model.contacts.empty() && whole) {
     Surfaces(context).look();
   }
 }

@@ -10,21 +10,28 @@
 /// Pairs of surfaces in contact, and rigid targets.
 namespace spricka::model {
 
-enum class RigidShape { line, arc };
+/// A line and an arc are of the plane, the others of space.
+enum class RigidShape { line, arc, plane, cylinder, cone, sphere };
 
-/// A rigid target in the plane.
+/// A rigid target. Shapes of space have no ends.
 struct Rigid {
   std::string name;
   RigidShape shape = RigidShape::line;
-  base::Vec3 first = base::Vec3::Zero();  ///< first point of a line, centre of an arc
-  base::Vec3 second = base::Vec3::Zero(); ///< second point of a line; the body is on the left
-  double radius = 0.0;                    ///< of an arc, negative for a bore [length]
+  /// First point of a line, centre of an arc or a sphere, point of a plane or an axis.
+  base::Vec3 first = base::Vec3::Zero();
+  /// Second point of a line, the body is on the left, or of an axis; a plane's normal runs from the
+  /// first to it, towards the body.
+  base::Vec3 second = base::Vec3::Zero();
+  double radius = 0.0;        ///< negative for a bore; of a cone at the first point [length]
+  double second_radius = 0.0; ///< of a cone at the second point, with the sign of the other
   base::Span span;
 };
 
 enum class ContactType { unilateral, bonded };
 enum class Pairing { node, segment };
 enum class Recovery { lumped, consistent };
+/// Where solids have a pressure of their own: at all nodes of faces, or at their corners.
+enum class Multiplier { nodes, corners };
 
 struct Contact {
   std::string name;
@@ -38,6 +45,7 @@ struct Contact {
   double mu = 0.0;
   Pairing pairing = Pairing::segment;
   Recovery recovery = Recovery::lumped;
+  Multiplier multiplier = Multiplier::nodes;
   base::Span span;
 };
 

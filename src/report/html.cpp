@@ -173,7 +173,9 @@ void add_contacts(Page& page, const model::Model& model, const results::Run& run
   }
   const auto contacts = [&](const results::Increment& i) { return contact_table(model, i); };
   const auto friction = [&](const results::Increment& i) { return friction_table(model, i); };
+  const auto moments = [&](const results::Increment& i) { return moment_table(model, i); };
   page.table(over_lengths(model, run, contacts));
+  page.table(over_lengths(model, run, moments));
   page.table(over_lengths(model, run, friction));
 }
 

@@ -107,11 +107,11 @@ std::string increment_text(const model::Model& model, const results::Increment& 
   for (const std::string& note : sensitivity_notes(model, increment)) {
     out += fmt::format("note: sensitivities: {}\n", note);
   }
-  for (const Table& table :
-       {balance_table(model, increment), net_balance_table(model, increment),
-        error_table(increment), contact_table(model, increment), friction_table(model, increment),
-        k_table(model, increment), sensitivity_table(model, increment),
-        load_path_table(model, increment), opening_table(increment)}) {
+  for (const Table& table : {balance_table(model, increment), net_balance_table(model, increment),
+                             error_table(increment), contact_table(model, increment),
+                             moment_table(model, increment), friction_table(model, increment),
+                             k_table(model, increment), sensitivity_table(model, increment),
+                             load_path_table(model, increment), opening_table(increment)}) {
     if (!table.rows.empty()) {
       (out += '\n') += to_text(table);
     }

@@ -161,6 +161,7 @@ void write_contact_vtu(const std::filesystem::path& file, const model::Model& mo
   std::vector<std::int64_t> number; // of the contact, by point
   std::vector<std::uint8_t> closed;
   std::array<std::vector<double>, 3> values;
+  std::vector<double> shear;
   for (const results::ContactResult& contact : step.contacts) {
     if (!contact.mounted) {
       continue;
@@ -174,6 +175,7 @@ void write_contact_vtu(const std::filesystem::path& file, const model::Model& mo
       values[0].push_back(p.p_lumped);
       values[1].push_back(p.p_consistent);
       values[2].push_back(p.gap);
+      shear.insert(shear.end(), p.shear.data(), p.shear.data() + 3);
     }
     for (const int corner : contact.corners) {
       corners.push_back(first + corner);
@@ -184,6 +186,7 @@ void write_contact_vtu(const std::filesystem::path& file, const model::Model& mo
   document.add("p_lumped", "Float64", 1, values[0]);
   document.add("p_consistent", "Float64", 1, values[1]);
   document.add("gap", "Float64", 1, values[2]);
+  document.add("shear", "Float64", 3, shear);
   document.add("closed", "UInt8", 1, closed);
   document.add("contact", "Int64", 1, number);
   document.line("      </PointData>");

@@ -19,7 +19,8 @@ struct ContactResult {
   std::vector<ContactPoint> points; ///< in order along the surface
   /// Between solids: three places in `points` for each triangle on which pressure is linear.
   std::vector<int> corners;
-  base::Vec3 force_on_slave = base::Vec3::Zero(); ///< deck's slave
+  base::Vec3 force_on_slave = base::Vec3::Zero();  ///< deck's slave
+  base::Vec3 moment_on_slave = base::Vec3::Zero(); ///< about the origin, in space [force * length]
   double min_pressure = 0.0; ///< of the multipliers: the inequality that the solution obeys
   double max_pressure = 0.0;
   double mean_pressure = 0.0;   ///< force magnitude integral / area in contact surface
@@ -40,6 +41,7 @@ struct ContactResult {
   int slipping = 0;
   double shear_ratio = 0.0; ///< largest |q| / (mu p) of the multipliers, at most 1
   double max_slip = 0.0;    ///< longest slip path [length]
+  double stick_area = 0.0;  ///< in space, of what sticks [length^2]
   double stick_from = 0.0;  ///< longest sticking part, like arc_from
   double stick_to = 0.0;
   double friction_work = 0.0; ///< taken by friction since the pair was mounted [force * length]
@@ -48,7 +50,14 @@ struct ContactResult {
 };
 
 /// When a contact has a quantity.
-enum class ContactGiven { always, with_friction, where_it_sticks, in_plane, in_space };
+enum class ContactGiven {
+  always,
+  with_friction,
+  where_it_sticks, ///< in the plane
+  in_plane,
+  in_space,
+  with_friction_in_space
+};
 
 /// One number of a contact; a name that is empty: it is not there.
 struct ContactQuantity {
@@ -108,6 +117,12 @@ inline constexpr std::array contact_quantities{
                     .doc = "last angle of the part that sticks, or length",
                     .member = &ContactResult::stick_to,
                     .given = ContactGiven::where_it_sticks},
+    ContactQuantity{.sweep = {},
+                    .check = "STICK.AREA",
+                    .kind = base::Quantity::area,
+                    .doc = "area of the part that sticks, between solids",
+                    .member = &ContactResult::stick_area,
+                    .given = ContactGiven::with_friction_in_space},
     ContactQuantity{.sweep = {},
                     .check = "SLIP.MAX",
                     .kind = base::Quantity::length,

@@ -72,6 +72,7 @@ template <class V, Of<ContactPoint> T> void fields(V& v, T& r) {
   }
   v("closed", r.closed);
   v("lip", r.crack_face);
+  v("shear", r.shear);
 }
 
 template <class V, Of<ContactResult> T> void fields(V& v, T& r) {
@@ -80,6 +81,7 @@ template <class V, Of<ContactResult> T> void fields(V& v, T& r) {
   v("points", r.points);
   v("corners", r.corners);
   v("force_on_slave", r.force_on_slave);
+  v("moment_on_slave", r.moment_on_slave);
   v("min_pressure", r.min_pressure);
   v("max_pressure", r.max_pressure);
   v("mean_pressure", r.mean_pressure);
@@ -98,6 +100,7 @@ template <class V, Of<ContactResult> T> void fields(V& v, T& r) {
   v("slipping", r.slipping);
   v("shear_ratio", r.shear_ratio);
   v("max_slip", r.max_slip);
+  v("stick_area", r.stick_area);
   v("stick_from", r.stick_from);
   v("stick_to", r.stick_to);
   v("friction_work", r.friction_work);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sense/contact_sense.hpp"
 
-#include "contact/outline.hpp"
-#include "contact/segment.hpp"
+#include "base/tidy.hpp"
+#include "contact/body_outline.hpp"
 #include "contact/survey.hpp"
 #include "fe/dof_map.hpp"
 #include "mesh/boundary.hpp"
 #include "model/model.hpp"
+#include "sense/surface_measures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,38 +22,11 @@ namespace {
 constexpr double most_mu = 2.0;        // of Coulomb's coefficients that are measured
 constexpr double most_fit = 0.01;      // of a radius, or of half an extent: a strain
 constexpr double most_gap = 0.015;     // of the same, declared wider than drawn
-constexpr double corner = 0.6;         // turns of more between edges are no facets [rad]
 constexpr double round_off = 1e-6;     // of an extent
 constexpr double drawn_exactly = 1e-4; // of an extent: digits that people leave out
 constexpr double near_share = 0.02;    // of an extent: faces that far off are next to a surface
 constexpr double least_missing = 0.01; // of a surface
 constexpr double most_shallow = 0.05;  // of an extent: what overlaps more is meant to
-
-// How far straight edges leave the curve that they stand for: half a chord times half the turn
-// between two of them, halved.
-double facet_of(const contact::Surface& surface) {
-  double most = 0.0;
-  for (const contact::EdgeChain& chain : surface.plane.chains) {
-    const std::span<const contact::Edge> edges = surface.plane.of(chain);
-    const std::size_t n = edges.size();
-    for (std::size_t e = 0; e < n && n > 1; ++e) {
-      if (e + 1 == n && !chain.closed) {
-        continue;
-      }
-      const contact::Edge& a = edges[e];
-      const contact::Edge& b = edges[(e + 1) % n];
-      const base::Vec2 s = contact::tangent_on(a, 1.0);
-      const base::Vec2 t = contact::tangent_on(b, -1.0);
-      const double turn = std::abs(std::atan2(s.x() * t.y() - s.y() * t.x(), s.dot(t)));
-      most = std::max(most, turn < corner ? 0.125 * turn * std::max(a.length, b.length) : 0.0);
-    }
-  }
-  return most;
-}
-
-double size_of(const contact::Surface& surface) {
-  return surface.circle ? surface.circle->radius : 0.5 * surface.extent;
-}
 
 class Sense {
 public:
@@ -64,6 +38,15 @@ public:
         body_[e.index()] = b;
       }
     }
+    for (const model::Contact& contact : model.contacts) {
+      for (const base::FaceSetId set : {contact.slave, contact.master}) {
+        if (set.valid()) {
+          const std::vector<model::Face>& faces = mesh_.set(set).faces;
+          in_contact_.insert(in_contact_.end(), faces.begin(), faces.end());
+        }
+      }
+    }
+    std::ranges::sort(in_contact_);
   }
 
   void look() {
@@ -93,7 +76,7 @@ private:
     }
     if (contact.rigid.valid()) {
       const contact::Survey seen = contact::survey(slave, model_.rigids[contact.rigid.index()]);
-      look_at_gap(contact, seen, facet_of(slave), slave);
+      look_at_gap(contact, seen, facets_of(slave), slave);
       return;
     }
     const contact::Surface master = contact::make_surface(model_, mesh_, contact.master);
@@ -101,7 +84,8 @@ private:
     const bool slave_smaller = slave.extent <= master.extent;
     const contact::Survey seen =
         slave_smaller ? contact::survey(slave, master) : contact::survey(master, slave);
-    look_at_gap(contact, seen, facet_of(slave) + facet_of(master), slave_smaller ? slave : master);
+    look_at_gap(contact, seen, facets_of(slave) + facets_of(master),
+                slave_smaller ? slave : master);
     look_for_missing(contact, slave, contact.slave, master, contact.master);
     look_for_missing(contact, master, contact.master, slave, contact.slave);
   }
@@ -139,7 +123,7 @@ private:
                       "that size are not small",
                       contact.name, contact.gap ? "an interference of" : "the surfaces overlap by",
                       overlap, unit, 100.0 * overlap / size_of(surface),
-                      surface.circle ? "a radius" : "half an extent", size_of(surface), unit),
+                      radius_of(surface) ? "a radius" : "half an extent", size_of(surface), unit),
           "a fit is declared in units of length; look at the unit and at the drawing");
     }
   }
@@ -156,7 +140,7 @@ private:
                     fmt::format("contact {}: a gap of {:.4g} {} is declared, {:.2g} % of {} of "
                                 "{:.4g} {}, between surfaces that are drawn {}",
                                 contact.name, gap, unit, 100.0 * gap / size,
-                                surface.circle ? "a radius" : "half an extent", size, unit,
+                                radius_of(surface) ? "a radius" : "half an extent", size, unit,
                                 drawn > round_off * surface.extent * 10.0
                                     ? fmt::format("{:.3g} {} apart", drawn, unit)
                                     : std::string("touching")),
@@ -189,55 +173,42 @@ private:
       return;
     }
     const contact::Surface left = contact::make_surface(model_, mesh_, rest);
-    const std::vector<contact::Edge>& edges = surface.plane.edges;
-    std::vector<double> seen(edges.size(), 0.0);
-    std::vector<double> missed(edges.size(), 0.0);
+    const std::vector<double> measure = measures(surface);
+    std::vector<double> seen(measure.size(), 0.0);
+    std::vector<double> missed(measure.size(), 0.0);
     double low = 0.0;
     double high = 0.0;
-    for (const contact::Segment& s : contact::find_segments(surface, partner)) {
-      // Coordinates of an edge run from -1 to 1: half the stretch is its part of the edge.
-      seen[s.contact_edge] += 0.5 * (s.to - s.from);
-      const double gap = gap_at(surface, edges[s.contact_edge], partner, s);
-      low = std::min(low, gap);
-      high = std::max(high, gap);
+    for (const SeenPart& part : seen_parts(surface, partner, measure)) {
+      seen[part.facet] += part.share;
+      low = std::min(low, part.gap);
+      high = std::max(high, part.gap);
     }
-    for (const contact::Segment& s : contact::find_segments(surface, left)) {
-      const double gap = gap_at(surface, edges[s.contact_edge], left, s);
-      const double near = near_share * std::min(surface.extent, left.extent);
-      if (gap > low - near && gap < high + near) {
-        missed[s.contact_edge] += 0.5 * (s.to - s.from);
+    const double near = near_share * std::min(surface.extent, left.extent);
+    for (const SeenPart& part : seen_parts(surface, left, measure)) {
+      if (part.gap > low - near && part.gap < high + near) {
+        missed[part.facet] += part.share;
       }
     }
     double length = 0.0;
     double sum = 0.0;
-    base::Vec2 place = base::Vec2::Zero();
-    for (std::size_t e = 0; e < edges.size(); ++e) {
+    base::Vec3 place = base::Vec3::Zero();
+    for (std::size_t e = 0; e < measure.size(); ++e) {
       // What also faces the partner is not missed.
       const double part = std::clamp(missed[e], 0.0, std::max(0.0, 1.0 - seen[e]));
-      length += edges[e].length;
-      place = sum == 0.0 && part > 0.1 ? contact::point_on(edges[e], 0.0) : place;
-      sum += part > 0.1 ? part * edges[e].length : 0.0;
+      length += measure[e];
+      place = sum == 0.0 && part > 0.1 ? middle_of(surface, e) : place;
+      sum += part > 0.1 ? part * measure[e] : 0.0;
     }
     const bool whole = std::ranges::all_of(seen, [](double part) { return part == 0.0; });
     if (sum > least_missing * length && !whole) { // nothing at all: E411
       list_.warning(
           contact.span, "W443",
           fmt::format("contact {}: {:.0f} % of {} see nothing of {}, though its body lies "
-                      "next to it there, from ({:.4g}, {:.4g}) on",
+                      "next to it there, from {} on",
                       contact.name, 100.0 * sum / length, mesh_.set(own).name,
-                      mesh_.set(other).name, place.x(), place.y()),
+                      mesh_.set(other).name, base::place_text(place, mesh_.dim)),
           "faces are missing in the set: there the bodies do not hold each other off");
     }
-  }
-
-  static double gap_at(const contact::Surface& surface, const contact::Edge& edge,
-                       const contact::Surface& target, const contact::Segment& s) {
-    const double xi = 0.5 * (s.from + s.to);
-    const base::Vec2 x = contact::point_on(edge, xi);
-    const base::Vec2 n = contact::surface_normal(surface, edge, xi);
-    const contact::Edge& other = target.plane.edges[s.target_edge];
-    const std::optional<double> eta = contact::hit_on(other, x, n);
-    return eta ? (contact::point_on(other, *eta) - x).dot(n) : 0.0;
   }
 
   [[nodiscard]] std::vector<bool> bodies_of(base::FaceSetId set) const {
@@ -249,13 +220,7 @@ private:
   }
 
   [[nodiscard]] bool in_a_contact(const model::Face& face) const {
-    const auto holds = [&](base::FaceSetId set) {
-      return set.valid() &&
-             std::ranges::find(mesh_.set(set).faces, face) != mesh_.set(set).faces.end();
-    };
-    return std::ranges::any_of(model_.contacts, [&](const model::Contact& c) {
-      return holds(c.slave) || holds(c.master);
-    });
+    return std::ranges::binary_search(in_contact_, face);
   }
 
   [[nodiscard]] bool contact_between(std::size_t a, std::size_t b) const {
@@ -276,18 +241,18 @@ private:
     for (const model::Face& face : rim_) {
       faces[body_[face.element.index()]].push_back(face);
     }
-    std::vector<contact::Outline> outlines;
-    std::vector<double> extent;
+    std::vector<contact::BodyOutline> outlines;
     for (const std::vector<model::Face>& own : faces) {
-      const contact::Surface surface = contact::make_surface(model_, mesh_, own);
-      outlines.emplace_back(surface, base::Vector());
-      extent.push_back(surface.extent);
+      outlines.emplace_back(model_, mesh_, own, base::Vector());
     }
     for (std::size_t a = 0; a < bodies_.size(); ++a) {
       for (std::size_t b = 0; b < bodies_.size(); ++b) {
         // Each pair once: the smaller body first, of two alike the first.
-        if (a != b && extent[a] <= extent[b] && !(a > b && extent[a] == extent[b])) {
-          look_at_overlap(a, b, faces, outlines, std::min(extent[a], extent[b]));
+        const double one = outlines[a].extent();
+        const double two = outlines[b].extent();
+        if (a != b && one <= two && !(a > b && one == two) &&
+            contact::boxes_meet(outlines[a], outlines[b]) && !contact_between(a, b)) {
+          look_at_overlap(a, b, faces, outlines);
         }
       }
     }
@@ -295,19 +260,18 @@ private:
 
   void look_at_overlap(std::size_t a, std::size_t b,
                        const std::vector<std::vector<model::Face>>& faces,
-                       const std::vector<contact::Outline>& outlines, double extent) {
-    const contact::Outline& one = outlines[a];
-    const contact::Outline& two = outlines[b];
-    if ((one.high() - two.low()).minCoeff() < 0.0 || (two.high() - one.low()).minCoeff() < 0.0) {
-      return;
-    }
+                       const std::vector<contact::BodyOutline>& outlines) {
+    const double extent = std::min(outlines[a].extent(), outlines[b].extent());
+    // In space places farther in than what is told are left alone: between them and the surface
+    // there are others that are deep enough to say that the overlap is meant.
+    const double reach = mesh_.dim == 2 ? extent : 2.0 * most_shallow * extent;
     double depth = 0.0;
-    base::Vec2 place = base::Vec2::Zero();
+    base::Vec3 place = base::Vec3::Zero();
     // Nodes of both: a corner of one may stand in the middle of a side of the other.
     for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
       for (const base::NodeId n : mesh::nodes_of_faces(mesh_, faces[from])) {
-        const base::Vec2 x = mesh_.x[n.index()].head<2>();
-        const std::optional<contact::OutlinePlace> at = outlines[to].nearest(x, extent);
+        const base::Vec3& x = mesh_.x[n.index()];
+        const std::optional<contact::OutlinePlace> at = outlines[to].nearest(x, reach);
         if (at && -at->distance - 2.0 * at->facet > depth) {
           // Facets of both bodies may cut into each other.
           depth = -at->distance - 2.0 * at->facet;
@@ -315,13 +279,13 @@ private:
         }
       }
     }
-    if (depth > drawn_exactly * extent && depth < most_shallow * extent && !contact_between(a, b)) {
-      list_.warning(
-          {}, "W446",
-          fmt::format("bodies {} and {} overlap as drawn by {:.4g} {} at ({:.4g}, {:.4g}), "
-                      "and no $CONTACT stands between them",
-                      name(a), name(b), depth, model_.units.length_name, place.x(), place.y()),
-          "they pass through each other; a $CONTACT presses them apart");
+    if (depth > drawn_exactly * extent && depth < most_shallow * extent) {
+      list_.warning({}, "W446",
+                    fmt::format("bodies {} and {} overlap as drawn by {:.4g} {} at {}, "
+                                "and no $CONTACT stands between them",
+                                name(a), name(b), depth, model_.units.length_name,
+                                base::place_text(place, mesh_.dim)),
+                    "they pass through each other; a $CONTACT presses them apart");
     }
   }
 
@@ -336,13 +300,14 @@ private:
   base::Diagnostics& list_;
   std::vector<fe::Body> bodies_;
   std::vector<model::Face> rim_;
-  std::vector<std::size_t> body_; ///< [element]
+  std::vector<std::size_t> body_;       ///< [element]
+  std::vector<model::Face> in_contact_; ///< of all contacts, sorted
 };
 
 } // namespace
 
 void warn_of_contacts(const model::Model& model, base::Diagnostics& list) {
-  if (model.mesh.dim == 2 && !list.has_errors()) {
+  if (!list.has_errors()) {
     Sense(model, list).look();
   }
 }

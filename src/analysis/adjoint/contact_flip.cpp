@@ -60,12 +60,12 @@ std::vector<bool> beside_sharp_ends(const contact::PairRows& pair,
   for (const contact::SharpEnd& end : pair.sharp_ends) {
     // A node that stands one spacing off does not count, whatever round-off makes of its place.
     constexpr double within = 0.99;
-    const double reach =
-        within * std::max(spacing_at(pair.contact, end.x), spacing_at(pair.target, end.x));
+    const double reach = within * std::max(spacing_at(pair.contact, end.x.head<2>()),
+                                           spacing_at(pair.target, end.x.head<2>()));
     for (std::size_t r = 0; r < beside.size(); ++r) {
       const base::NodeId node = pair.normal[r].node;
       const bool own = std::ranges::find(end.nodes, node) != end.nodes.end();
-      if (closed[r] && (own || (place.at(node) - end.x).norm() < reach)) {
+      if (closed[r] && (own || (place.at(node) - end.x.head<2>()).norm() < reach)) {
         beside[r] = true;
       }
     }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/recover/body_overlap.hpp"
 
-#include "contact/outline.hpp"
+#include "base/tidy.hpp"
+#include "contact/body_outline.hpp"
 #include "mesh/boundary.hpp"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace spricka::analysis {
 
 namespace {
 
-using base::Vec2;
+using base::Vec3;
 
 // Of the largest displacement: bodies that run into each other by less tell nothing wrong.
 constexpr double least_overlap = 0.02;
@@ -21,17 +22,18 @@ constexpr double round_off = 1e-9; // of the bodies' extent
 
 // The boundary of one body, as drawn and as it has moved.
 struct Rim {
-  contact::Surface surface;
+  std::vector<model::Face> faces;
   std::vector<base::NodeId> nodes;
-  contact::Outline drawn, moved;
-  double displacement = 0.0; ///< largest of the nodes
+  contact::BodyOutline moved;
+  std::optional<contact::BodyOutline> drawn; ///< once it is asked for: most bodies never meet
+  double displacement = 0.0;                 ///< largest of the nodes
 };
 
 class Overlaps {
 public:
   Overlaps(const model::Model& model, const Scene& scene, const std::vector<BodyNet>& bodies,
            const StepState& state)
-      : scene_(scene), bodies_(bodies), state_(state), mesh_(scene.cracked.mesh) {
+      : model_(model), scene_(scene), bodies_(bodies), state_(state), mesh_(scene.cracked.mesh) {
     std::vector<int> body(mesh_.element_count(), -1);
     for (std::size_t b = 0; b < bodies.size(); ++b) {
       for (const base::ElementId e : bodies[b].body.elements) {
@@ -46,11 +48,8 @@ public:
       }
     }
     for (const std::vector<model::Face>& own : faces) {
-      contact::Surface surface = contact::make_surface(model, mesh_, own);
-      contact::Outline drawn(surface, {});
-      contact::Outline moved(surface, state.u);
-      Rim rim{std::move(surface), mesh::nodes_of_faces(mesh_, own), std::move(drawn),
-              std::move(moved), 0.0};
+      Rim rim{own, mesh::nodes_of_faces(mesh_, own),
+              contact::BodyOutline(model, mesh_, own, state.u), std::nullopt, 0.0};
       for (const base::NodeId n : rim.nodes) {
         rim.displacement = std::max(rim.displacement, shift(n).norm());
       }
@@ -74,10 +73,17 @@ private:
     bool drawn = false; ///< the bodies lie upon each other as drawn
   };
 
-  [[nodiscard]] Vec2 shift(base::NodeId n) const {
-    return state_.u.segment<2>(2 * static_cast<Eigen::Index>(n.index()));
+  [[nodiscard]] Vec3 shift(base::NodeId n) const {
+    Vec3 u = Vec3::Zero();
+    u.head(mesh_.dim) =
+        state_.u.segment(static_cast<Eigen::Index>(n.index()) * mesh_.dim, mesh_.dim);
+    return u;
   }
-  [[nodiscard]] Vec2 place(base::NodeId n) const { return mesh_.x[n.index()].head<2>(); }
+  const contact::BodyOutline& drawn(std::size_t b) const {
+    Rim& rim = rims_[b];
+    return rim.drawn ? *rim.drawn : rim.drawn.emplace(model_, mesh_, rim.faces, base::Vector());
+  }
+  [[nodiscard]] const Vec3& place(base::NodeId n) const { return mesh_.x[n.index()]; }
 
   // Nodes that contacts or ties look after, whatever they let them do.
   void mark_held() {
@@ -89,10 +95,11 @@ private:
         }
       }
     }
+    const auto dim = static_cast<std::size_t>(mesh_.dim);
     for (const fe::Dependence::Row& row : scene_.ties->rows()) {
-      held_[static_cast<std::size_t>(row.freedom) / 2] = true;
+      held_[static_cast<std::size_t>(row.freedom) / dim] = true;
       for (const fe::Term& term : row.terms) {
-        held_[static_cast<std::size_t>(term.freedom) / 2] = true;
+        held_[static_cast<std::size_t>(term.freedom) / dim] = true;
       }
     }
   }
@@ -101,13 +108,13 @@ private:
   [[nodiscard]] Worst deepest(std::size_t a, std::size_t b) const {
     const Rim& other = rims_[b];
     const double moved = std::max(rims_[a].displacement, other.displacement);
-    const double extent = std::max(rims_[a].surface.extent, other.surface.extent);
+    const double extent = std::max(rims_[a].moved.extent(), other.moved.extent());
     // No node gets deeper into the other body than both have moved.
     const double reach = 2.0 * moved + 1e-6 * extent;
     const double least = std::max(least_overlap * moved, round_off * extent);
     Worst worst;
     for (const base::NodeId n : rims_[a].nodes) {
-      const Vec2 now = place(n) + shift(n);
+      const Vec3 now = place(n) + shift(n);
       if (held_[n.index()] || (now - other.moved.low()).minCoeff() < 0.0 ||
           (other.moved.high() - now).minCoeff() < 0.0) {
         continue;
@@ -116,8 +123,7 @@ private:
       if (!there || there->distance > -least) {
         continue;
       }
-      const std::optional<contact::OutlinePlace> before =
-          other.drawn.nearest(place(n), 3.0 * reach);
+      const std::optional<contact::OutlinePlace> before = drawn(b).nearest(place(n), 3.0 * reach);
       const double first = before ? before->distance : 0.0;
       worst.drawn = worst.drawn || first < -(there->facet + 1e-6 * extent);
       // What lay inside as drawn, and what facets leave of a curve, is not of this step.
@@ -137,12 +143,11 @@ private:
       if (std::ranges::find(nodes, node) == nodes.end()) {
         continue;
       }
-      Vec2 centre = Vec2::Zero();
+      Vec3 centre = Vec3::Zero();
       for (const base::NodeId n : nodes) {
         centre += place(n) / static_cast<double>(nodes.size());
       }
-      const std::optional<contact::OutlinePlace> at =
-          rims_[b].drawn.nearest(centre, rims_[b].surface.extent);
+      const std::optional<contact::OutlinePlace> at = drawn(b).nearest(centre, drawn(b).extent());
       return at && at->distance < 0.0;
     }
     return false;
@@ -166,9 +171,7 @@ private:
   }
 
   void tell_pair(std::size_t a, std::size_t b, results::StepResult& out) const {
-    const contact::Outline& one = rims_[a].moved;
-    const contact::Outline& two = rims_[b].moved;
-    if ((one.high() - two.low()).minCoeff() < 0.0 || (two.high() - one.low()).minCoeff() < 0.0) {
+    if (!contact::boxes_meet(rims_[a].moved, rims_[b].moved)) {
       return;
     }
     const Worst in_b = deepest(a, b);
@@ -180,22 +183,22 @@ private:
         lies_upon(worst.node, first ? a : b, first ? b : a)) {
       return;
     }
-    const Vec2 x = place(worst.node);
     const std::optional<std::string> contact = between(a, b);
     out.notes.push_back(results::warning(fmt::format(
-        "bodies {} and {} run into each other by {:.3g} at ({:.6g}, {:.6g}): {}", bodies_[a].name,
-        bodies_[b].name, worst.depth, x.x(), x.y(),
+        "bodies {} and {} run into each other by {:.3g} at {}: {}", bodies_[a].name,
+        bodies_[b].name, worst.depth, base::place_text(place(worst.node), mesh_.dim),
         contact ? fmt::format("contact {} sees nothing there (surfaces farther apart than a fifth "
                               "of their extent, or not in its sets)",
                               *contact)
                 : "no $CONTACT stands between them")));
   }
 
+  const model::Model& model_;
   const Scene& scene_;
   const std::vector<BodyNet>& bodies_;
   const StepState& state_;
   const model::Mesh& mesh_;
-  std::vector<Rim> rims_;
+  mutable std::vector<Rim> rims_;
   std::vector<bool> held_; ///< [node]
 };
 
@@ -204,7 +207,7 @@ private:
 void tell_overlaps(const model::Model& model, const Scene& scene,
                    const std::vector<BodyNet>& bodies, const StepState& state,
                    results::StepResult& out) {
-  if (scene.cracked.mesh.dim == 2 && bodies.size() > 1) {
+  if (bodies.size() > 1) {
     Overlaps(model, scene, bodies, state).tell(out);
   }
 }

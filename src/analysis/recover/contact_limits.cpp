@@ -31,6 +31,14 @@ double largest_pressure(const contact::PairRows& pair, const base::Vector& lambd
 
 // What straight edges on circles leave of the circle; nothing worth telling on curved ones.
 double facets(const contact::PairRows& pair, double facet) {
+  const contact::SpaceSurface& space = pair.contact.space;
+  if (!space.faces.empty()) {
+    const bool flat = static_cast<int>(space.faces.front().nodes.size()) ==
+                      base::info(space.faces.front().shape).corners;
+    const std::optional<contact::Round>& round = space.rounds.front();
+    const bool curved = round && round->kind != contact::RoundKind::plane;
+    return flat && curved ? facet * facet / (4.0 * round->radius) : 0.0;
+  }
   const bool straight = !pair.contact.plane.edges.empty() &&
                         pair.contact.plane.edges.front().count == 2 && pair.contact.circle;
   return straight ? facet * facet / (4.0 * pair.contact.circle->radius) : 0.0;
@@ -42,8 +50,7 @@ void tell_slides(const Scene& scene, const StepState& state, results::StepResult
   for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
     const contact::PairRows& pair = scene.pairs[c];
     const bool bonded = scene.contacts[c].type == model::ContactType::bonded;
-    if (!state.mounted[c] || bonded || pair.faces || !pair.found ||
-        pair.contact.plane.edges.empty()) {
+    if (!state.mounted[c] || bonded || pair.faces || !pair.found || pair.contact.facets.empty()) {
       continue;
     }
     const double pressure = largest_pressure(pair, state.pair_lambda[c]);

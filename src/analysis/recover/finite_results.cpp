@@ -43,7 +43,8 @@ bool contacts_good(const results::ContactResult& c) {
   };
   return all_good(std::array{c.min_pressure, c.max_pressure, c.mean_pressure, c.max_penetration,
                              c.friction_work}) &&
-         all_good(c.force_on_slave) && std::ranges::all_of(c.points, point_good);
+         all_good(c.force_on_slave) && all_good(c.moment_on_slave) &&
+         std::ranges::all_of(c.points, point_good);
 }
 
 std::string words(std::string_view what) {

@@ -14,12 +14,95 @@
 #include "model/model.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 
 namespace spricka::analysis {
 
 namespace {
+
+constexpr double most_lost = 1e-3; // of the area between solids
+
+double lost_part(const contact::PairRows& pair) {
+  double area = 0.0;
+  for (const contact::SpaceFunction& function : pair.functions) {
+    area += function.area;
+  }
+  return area > 0.0 ? pair.lost / (area + pair.lost) : 0.0;
+}
+
+// Nodes whose freedoms rows weigh. In the plane those of both surfaces, so that what is condensed
+// is the same at the next crack length; in space, where nodes that see nothing are many, those
+// alone.
+std::vector<base::NodeId> contact_nodes(const model::Mesh& mesh, const model::Contact& contact,
+                                        const contact::PairRows& pair) {
+  if (mesh.dim == 2) {
+    return contact::surface_nodes(mesh, contact);
+  }
+  std::set<base::NodeId> nodes;
+  for (const auto* rows : {&pair.normal, &pair.tangent}) {
+    for (const contact::ConstraintRow& row : *rows) {
+      for (const contact::RowEntry& entry : row.entries) {
+        nodes.insert(entry.node);
+      }
+    }
+  }
+  return {nodes.begin(), nodes.end()};
+}
+
+void note_pair(const model::Contact& contact, const contact::PairRows& pair, Scene& scene) {
+  if (pair.swapped) {
+    scene.notes.push_back(fmt::format("contact {}: pressures are those at nodes of the master ({})",
+                                      contact.name, pair.choice));
+  }
+  if (const double lost = lost_part(pair); lost > most_lost) {
+    scene.notes.push_back(
+        fmt::format("contact {}: {:.2g} % of what lies opposite the other surface is not paired, "
+                    "as normals there meet none of it: nothing holds the bodies off there",
+                    contact.name, 100.0 * lost));
+  }
+}
+
+// Between solids there is no slip where supports, as those of a symmetry plane, hold a node of the
+// contact side and the target before it in one direction: a row of friction or of a bond in it
+// would press across the plane.
+void drop_held_slips(contact::PairRows& pair, const std::vector<model::FreedomClass>& cls) {
+  constexpr double most = 0.7; // of a row's weight, squared: a surface turns on to one side
+  std::set<base::NodeId> own;
+  for (const contact::SolidFace& face : pair.contact.space.faces) {
+    own.insert(face.nodes.begin(), face.nodes.end());
+  }
+  const auto is_held = [&](const contact::RowEntry& entry) {
+    double held = 0.0;
+    for (int c = 0; c < 3; ++c) {
+      const model::FreedomClass type = cls[3 * entry.node.index() + static_cast<std::size_t>(c)];
+      const bool free =
+          type != model::FreedomClass::suppressed && type != model::FreedomClass::prescribed;
+      held += free ? 0.0 : entry.weight[c] * entry.weight[c];
+    }
+    return held >= most * entry.weight.squaredNorm();
+  };
+  std::erase_if(pair.tangent, [&](const contact::ConstraintRow& row) {
+    const auto node = std::ranges::find(row.entries, row.node, &contact::RowEntry::node);
+    return node != row.entries.end() && is_held(*node) &&
+           (pair.rigid || std::ranges::any_of(row.entries, [&](const contact::RowEntry& entry) {
+              return !own.contains(entry.node) && is_held(entry);
+            }));
+  });
+}
+
+// Where a support holds a node along an axis the surface may end at a plane of symmetry, across
+// which the pressure has no slope.
+void mark_held_functions(contact::PairRows& pair, const std::vector<model::FreedomClass>& cls) {
+  for (contact::SpaceFunction& function : pair.functions) {
+    for (std::size_t c = 0; c < function.held.size(); ++c) {
+      const model::FreedomClass type = cls[3 * function.node.index() + c];
+      function.held[c] =
+          type == model::FreedomClass::suppressed || type == model::FreedomClass::prescribed;
+    }
+  }
+}
 
 bool make_pairs(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics) {
   const model::Mesh& mesh = scene.cracked.mesh;
@@ -28,19 +111,27 @@ bool make_pairs(const model::Model& model, Scene& scene, base::Diagnostics& diag
   scene.crack_face_pairs.resize(scene.cracked.faces.size());
   for (const model::Contact& contact : model.contacts) {
     scene.pairs.push_back(contact::pair_rows(model, mesh, contact));
+    if (mesh.dim == 3) {
+      drop_held_slips(scene.pairs.back(), scene.cls);
+      mark_held_functions(scene.pairs.back(), scene.cls);
+    }
     const contact::PairRows& pair = scene.pairs.back();
     if (!pair.trouble.empty()) {
       diagnostics.error(contact.span, "E410",
                         fmt::format("contact {}: {}", contact.name, pair.trouble));
       good = false;
     } else if (!pair.found) {
-      diagnostics.error(contact.span, "E411",
-                        fmt::format("contact {}: the surfaces never face each other", contact.name),
-                        contact.rigid.valid()
-                            ? "the body is on the left of a LINE, round an ARC, or inside it where "
-                              "R is negative; what lies beyond the ends of a LINE faces nothing"
-                            : "look at the sets and at the side their elements lie on");
+      diagnostics.error(
+          contact.span, "E411",
+          fmt::format("contact {}: the surfaces never face each other", contact.name),
+          !contact.rigid.valid() ? "look at the sets and at the side their elements lie on"
+          : mesh.dim == 2 ? "the body is on the left of a LINE, round an ARC, or inside it where "
+                            "R is negative; what lies beyond the ends of a LINE faces nothing"
+                          : "the body is where the normal of a PLANE points to, round the other "
+                            "shapes, or inside them where R is negative");
       good = false;
+    } else if (mesh.dim == 3) {
+      note_pair(contact, pair, scene);
     }
   }
   return good;
@@ -141,8 +232,8 @@ std::optional<Scene> make_scene(const model::Model& model,
   // Ties are made before: rows of dependent freedoms are reduced here.
   make_table(scene);
   const auto dim = static_cast<std::size_t>(mesh.dim);
-  for (const model::Contact& contact : model.contacts) {
-    for (const base::NodeId n : contact::surface_nodes(mesh, contact)) {
+  for (std::size_t i = 0; i < model.contacts.size(); ++i) {
+    for (const base::NodeId n : contact_nodes(mesh, model.contacts[i], scene.pairs[i])) {
       for (std::size_t c = 0; c < dim; ++c) {
         make_external(dim * n.index() + c, *scene.ties, scene.cls);
       }

@@ -91,7 +91,11 @@ void ContactMemory::keep(const Scene& scene, std::size_t step, const std::vector
     closed_.resize(step + 1);
   }
   closed_[step].clear();
-  for_rows(scene, [&](std::size_t row, const Place& place) { closed_[step][place] = closed[row]; });
+  for_rows(scene, [&](std::size_t row, const Place& place) {
+    if (row < closed.size()) { // where nothing can move no row was asked
+      closed_[step][place] = closed[row];
+    }
+  });
 }
 
 void ContactMemory::save(results::NamedArrays& arrays) const {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/steps/missing_contact.hpp"
 
-#include "contact/outline.hpp"
+#include "contact/body_outline.hpp"
 #include "mesh/boundary.hpp"
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -19,7 +20,7 @@ constexpr double least_touch = 0.1; // of the smaller body's nodes
 // The boundary of a body.
 struct Rim {
   std::vector<model::Face> faces;
-  contact::Surface surface;
+  contact::BodyOutline outline;
 };
 
 Rim rim_of(const model::Model& model, const model::Mesh& mesh, const BodyNet& body) {
@@ -27,24 +28,24 @@ Rim rim_of(const model::Model& model, const model::Mesh& mesh, const BodyNet& bo
   for (const base::ElementId e : body.body.elements) {
     own[e.index()] = true;
   }
-  Rim rim;
+  std::vector<model::Face> faces;
   for (const model::Face& face : mesh::boundary_faces(mesh)) {
     if (own[face.element.index()]) {
-      rim.faces.push_back(face);
+      faces.push_back(face);
     }
   }
-  rim.surface = contact::make_surface(model, mesh, rim.faces);
-  return rim;
+  contact::BodyOutline outline(model, mesh, faces, {});
+  return {std::move(faces), std::move(outline)};
 }
 
 // Faces of one body whose nodes lie next to another one.
 std::vector<model::Face> near_faces(const model::Mesh& mesh, const Rim& rim,
-                                    const contact::Outline& other, double reach) {
+                                    const contact::BodyOutline& other, double reach) {
   std::vector<model::Face> near;
   for (const model::Face& face : rim.faces) {
     const std::vector<base::NodeId> nodes = mesh::nodes_of_faces(mesh, {face});
     if (std::ranges::all_of(nodes, [&](base::NodeId n) {
-          return other.nearest(mesh.x[n.index()].head<2>(), reach).has_value();
+          return other.nearest(mesh.x[n.index()], reach).has_value();
         })) {
       near.push_back(face);
     }
@@ -85,11 +86,7 @@ bool joined(const Scene& scene, const BodyNet& a, const BodyNet& b) {
 std::string missing_contact(const model::Model& model, const Scene& scene,
                             const std::vector<BodyNet>& bodies, std::size_t body) {
   const model::Mesh& mesh = scene.cracked.mesh;
-  if (mesh.dim != 2) {
-    return {};
-  }
   const Rim own = rim_of(model, mesh, bodies[body]);
-  const contact::Outline outline(own.surface, {});
   std::string found;
   std::size_t most = 0;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -97,10 +94,9 @@ std::string missing_contact(const model::Model& model, const Scene& scene,
       continue;
     }
     const Rim other = rim_of(model, mesh, bodies[b]);
-    const double reach = near_share * std::min(own.surface.extent, other.surface.extent);
-    const std::vector<model::Face> mine =
-        near_faces(mesh, own, contact::Outline(other.surface, {}), reach);
-    const std::vector<model::Face> theirs = near_faces(mesh, other, outline, reach);
+    const double reach = near_share * std::min(own.outline.extent(), other.outline.extent());
+    const std::vector<model::Face> mine = near_faces(mesh, own, other.outline, reach);
+    const std::vector<model::Face> theirs = near_faces(mesh, other, own.outline, reach);
     const std::size_t count = std::min(mine.size(), theirs.size());
     const double least =
         least_touch * static_cast<double>(std::min(own.faces.size(), other.faces.size()));

@@ -141,6 +141,14 @@ contact::ContactSystem::Problem StepSolver::problem() const {
   }
   // Sum of the applied forces: loads on rigid modes count as none by their share of it (solve.16).
   d.load_scale = (scene_.case_load * factors_.case_factor).lpNorm<1>();
+  if (fixed.size() > 0 && !fixed.isZero(0.0)) {
+    // Bodies that supports move are loaded by these: forces that no case has.
+    double moved = 0.0;
+    for (const base::Vector& load : d.load) {
+      moved += load.lpNorm<1>();
+    }
+    d.load_scale = std::max(d.load_scale, moved);
+  }
   history_.add_to(d);
   return d;
 }

@@ -2,6 +2,7 @@
 #include "contact/space/sight.hpp"
 
 #include "contact/space/clip.hpp"
+#include "contact/space/opposite.hpp"
 #include "shape/quadrature.hpp"
 
 #include <algorithm>
@@ -16,8 +17,8 @@ namespace spricka::contact {
 
 namespace {
 
-constexpr double farthest = 0.2;      // of the contact surface's extent: what is opposite
 constexpr double least_piece = 1e-12; // of a triangle's area
+constexpr double steepest = 0.17;     // cosine between both normals, 80 degrees
 constexpr int piece_degree = 5;
 
 std::array<Vec3, 3> corners_of(const SpaceSurface& surface, const SurfaceTriangle& t) {
@@ -45,12 +46,6 @@ std::vector<Box> boxes_of(const std::vector<std::array<Vec3, 3>>& triangles) {
 
 Vec2 mixed(const std::array<Vec2, 3>& at, const Eigen::Vector3d& share) {
   return share[0] * at[0] + share[1] * at[1] + share[2] * at[2];
-}
-
-// A gap that sixteen digits of the coordinates cannot tell from none.
-double beyond_digits(double gap, const Vec3& x) {
-  constexpr double digits = 8.0 * std::numeric_limits<double>::epsilon();
-  return std::abs(gap) <= digits * x.cwiseAbs().maxCoeff() ? 0.0 : gap;
 }
 
 // How far along n the shape that a surface's nodes lie on is from a point of its faces.
@@ -90,8 +85,9 @@ struct Sighting::Frame {
   [[nodiscard]] double height(const Vec3& y) const { return (y - x[0]).dot(n); }
 };
 
-Sighting::Sighting(const SpaceSurface& contact, const SpaceSurface& target)
-    : contact_(contact), target_(target), reach_(farthest * contact.extent), tree_({}) {
+Sighting::Sighting(const SpaceSurface& contact, const SpaceSurface& target, double farther)
+    : contact_(contact), target_(target), reach_(farthest_opposite * contact.extent + farther),
+      tree_({}) {
   for (const SurfaceTriangle& t : target.triangles) {
     corner_.push_back(corners_of(target, t));
   }
@@ -124,7 +120,7 @@ bool Sighting::meet(std::size_t face, SightPoint& point) const {
   }
   const Vec3 back = y.area_vector();
   point.turn = -back.normalized().dot(point.normal);
-  point.gap = beyond_digits(g, point.x);
+  point.gap = beyond_digits(g, point.x.cwiseAbs().maxCoeff());
   return size < 1e-6 && outside(target.shape, point.s) <= beyond && point.turn > 0.0 &&
          std::abs(g) <= reach_;
 }
@@ -138,7 +134,9 @@ void Sighting::see_target(const Frame& frame, std::size_t target, Sight& sight) 
   }
   // Seen from the contact surface a target that looks back runs clockwise.
   const PlaneTriangle flat{frame.flat_place(y[0]), frame.flat_place(y[2]), frame.flat_place(y[1])};
-  if (twice_area(flat) <= least_piece * frame.area2) {
+  // Nor does what is seen almost along itself: the side of a plug from its end.
+  const double area2 = (y[1] - y[0]).cross(y[2] - y[0]).norm();
+  if (twice_area(flat) <= std::max(least_piece * frame.area2, steepest * area2)) {
     return;
   }
   const std::vector<Vec2> polygon = common_polygon(frame.flat, flat);
@@ -163,7 +161,7 @@ void Sighting::see_target(const Frame& frame, std::size_t target, Sight& sight) 
       point.normal = surface_normal(contact_, frame.number, here);
       point.weight = weight * here.area_vector().norm() * area2 * frame.r_area2 / frame.area2;
       if (!meet(t.face, point)) {
-        ++sight.lost;
+        sight.lost += point.weight;
         continue;
       }
       met = true;
@@ -173,6 +171,34 @@ void Sighting::see_target(const Frame& frame, std::size_t target, Sight& sight) 
     }
     sight.flat_seen += met ? 0.5 * area2 : 0.0;
   }
+}
+
+std::optional<SightPoint> Sighting::look(const Vec3& x, const Vec3& n) const {
+  constexpr double near = 0.3; // of a triangle's size: the curved face may be met beside it
+  constexpr double on = 1e-6;  // of a face's reference coordinates
+  const Vec3 up = x + reach_ * n;
+  const Vec3 down = x - reach_ * n;
+  std::optional<SightPoint> found;
+  for (const std::size_t t : tree_.met_by({up.cwiseMin(down), up.cwiseMax(down)})) {
+    const std::array<Vec3, 3>& y = corner_[t];
+    Eigen::Matrix3d J;
+    J << y[1] - y[0], y[2] - y[0], -n;
+    const Vec3 b = J.inverse() * (x - y[0]);
+    if (!b.allFinite() || std::min({b[0], b[1], 1.0 - b[0] - b[1]}) < -near) {
+      continue;
+    }
+    const std::array<Vec2, 3> s = places_of(target_, target_.triangles[t]);
+    SightPoint point;
+    point.target = target_.triangles[t].face;
+    point.x = x;
+    point.normal = n;
+    point.s = mixed(s, {1.0 - b[0] - b[1], b[0], b[1]});
+    if (meet(point.target, point) && outside(target_.faces[point.target].shape, point.s) <= on &&
+        (!found || std::abs(point.gap) < std::abs(found->gap))) {
+      found = point;
+    }
+  }
+  return found;
 }
 
 Sight Sighting::see(const SurfaceTriangle& triangle) const {

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 /// What the triangles of one surface see of another along their normals, as points to integrate
@@ -32,20 +33,23 @@ struct Sight {
   Eigen::Vector3d whole = Eigen::Vector3d::Zero();
   double flat_area = 0.0; ///< of the plane triangle between the corners
   double flat_seen = 0.0; ///< of it, what is covered; more than all: covered twice
-  int lost = 0;           ///< points whose normal met no target though it should
+  double lost = 0.0;      ///< area of points whose normal met no target though it should
 };
 
 /// A target made ready to be looked for.
 class Sighting {
 public:
   /// Both must outlive this. What lies farther off than a fifth of the extent of `contact` is not
-  /// opposite.
-  Sighting(const SpaceSurface& contact, const SpaceSurface& target);
+  /// opposite; `farther` [length] adds to that.
+  Sighting(const SpaceSurface& contact, const SpaceSurface& target, double farther = 0.0);
 
   /// What a triangle between nodes of a face of the contact surface sees: triangles of the target
   /// that look the other way, projected onto its plane and clipped; a degree 5 rule on each piece,
   /// its points on the curved faces; the target is met along the contact surface's normal.
   [[nodiscard]] Sight see(const SurfaceTriangle& triangle) const;
+  /// The target's nearest point on the line through x along the unit vector n, which leaves the
+  /// contact surface; only target, s, gap, turn, x and normal are given.
+  [[nodiscard]] std::optional<SightPoint> look(const Vec3& x, const Vec3& n) const;
 
 private:
   struct Frame;

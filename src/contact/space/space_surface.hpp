@@ -20,9 +20,10 @@ struct SpaceSurface {
   std::vector<SolidFace> faces;
   std::vector<std::size_t> part;            ///< [face]
   std::vector<std::optional<Round>> rounds; ///< [part]
-  std::vector<SurfaceTriangle> triangles;   ///< face by face, all nodes are corners of some
-  double extent = 0.0;                      ///< diagonal of the bounding box [length]
-  double mean_size = 0.0;                   ///< root of the mean area of the faces [length]
+  /// Face by face; all nodes are corners of some, or only the corners of faces.
+  std::vector<SurfaceTriangle> triangles;
+  double extent = 0.0;    ///< diagonal of the bounding box [length]
+  double mean_size = 0.0; ///< root of the mean area of the faces [length]
 
   [[nodiscard]] const std::optional<Round>& round_of(std::size_t face) const {
     return rounds[part[face]];

@@ -130,6 +130,12 @@ double count_of_parts(const Question& q) {
 double force(const Question& q) {
   return q.contact.force_on_slave[q.axis];
 }
+double moment(const Question& q) {
+  if (!q.contact.space) {
+    throw Missing(fmt::format("contact {} is one of the plane: it has no moment", q.contact.name));
+  }
+  return q.contact.moment_on_slave[q.axis];
+}
 
 constexpr std::array words{
     Word{"CPRESS.MIN", Argument::none, smallest},
@@ -143,6 +149,7 @@ constexpr std::array words{
     Word{"ARC.PART.FROM", Argument::part, part_end<0>},
     Word{"ARC.PART.TO", Argument::part, part_end<1>},
     Word{"SUM", Argument::axis, force},
+    Word{"MOMENT", Argument::axis, moment},
 };
 
 const Word* find_word(std::string_view word) {
@@ -157,11 +164,15 @@ const results::ContactQuantity* find_member(std::string_view word) {
 }
 
 bool plane_only(Argument argument, const std::string& word) {
-  return argument == Argument::place || argument == Argument::part || word.starts_with("ARC.");
+  const results::ContactQuantity* const member = find_member(word);
+  return argument == Argument::place || argument == Argument::part || word == "ARC.PARTS" ||
+         (member != nullptr && (member->given == results::ContactGiven::in_plane ||
+                                member->given == results::ContactGiven::where_it_sticks));
 }
 
 double member_of(const results::ContactResult& contact, const results::ContactQuantity& quantity) {
   const bool friction = quantity.given == results::ContactGiven::with_friction ||
+                        quantity.given == results::ContactGiven::with_friction_in_space ||
                         quantity.given == results::ContactGiven::where_it_sticks;
   if (friction && !contact.rubs) {
     throw Missing(fmt::format("contact {} has no friction in that step", contact.name));
@@ -169,7 +180,9 @@ double member_of(const results::ContactResult& contact, const results::ContactQu
   if (quantity.given == results::ContactGiven::where_it_sticks && contact.sticking == 0) {
     throw Missing("nothing sticks");
   }
-  if (quantity.given == results::ContactGiven::in_space && !contact.space) {
+  const bool space = quantity.given == results::ContactGiven::in_space ||
+                     quantity.given == results::ContactGiven::with_friction_in_space;
+  if (space && !contact.space) {
     throw Missing(fmt::format("contact {} is one of the plane, which has arcs", contact.name));
   }
   return contact.*quantity.member;

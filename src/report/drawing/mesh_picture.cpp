@@ -241,7 +241,9 @@ std::string draw(const MeshView& view) {
   const Window window{view.low, view.high, project.scale(),
                       [&](const Point& p) { return project(p); }};
   for (const model::Rigid& rigid : view.rigids) {
-    draw_rigid(svg, rigid, window);
+    if (rigid.shape == model::RigidShape::line || rigid.shape == model::RigidShape::arc) {
+      draw_rigid(svg, rigid, window);
+    }
   }
   if (view.marks != nullptr) {
     draw_model_marks(svg, *view.marks, window);

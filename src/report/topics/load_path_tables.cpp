@@ -24,11 +24,18 @@ double in_print(const results::PathContact& contact, double place) {
   return contact.round ? place * degrees : place;
 }
 
-// "-PIN@152.3 +BUSH@90": pairs that open and close at this t.
-std::string changes_at(const results::LoadPath& path, double t) {
+// "-PIN@152.3 +BUSH@90": pairs that open and close at this t; between solids "-PIN@36/0/7", the
+// node's place.
+std::string changes_at(const model::Mesh& mesh, const results::LoadPath& path, double t) {
   std::string text;
   for (const results::PathChange& change : path.changes) {
     if (change.t != t) {
+      continue;
+    }
+    if (mesh.dim == 3) {
+      const base::Vec3& x = mesh.x[change.node.index()];
+      text += fmt::format("{}{}{}@{:.6g}/{:.6g}/{:.6g}", text.empty() ? "" : " ",
+                          change.closes ? '+' : '-', change.contact, x.x(), x.y(), x.z());
       continue;
     }
     const results::PathContact* contact = results::find_contact(path, change.contact);
@@ -39,8 +46,15 @@ std::string changes_at(const results::LoadPath& path, double t) {
   return text;
 }
 
+struct PathPlace {
+  std::size_t knot = 0;
+  bool space = false;
+};
+
 void add_row(std::string& text, const std::vector<std::string>& contacts,
-             const results::LoadPath& path, std::size_t k, const std::vector<std::string>& tips) {
+             const results::LoadPath& path, const PathPlace& at,
+             const std::vector<std::string>& tips) {
+  const std::size_t k = at.knot;
   auto out = std::back_inserter(text);
   for (const std::string& name : tips) {
     const results::PathTip* tip = results::find_tip(path, name);
@@ -59,7 +73,7 @@ void add_row(std::string& text, const std::vector<std::string>& contacts,
       continue;
     }
     fmt::format_to(out, ",{}", contact->closed[k]);
-    if (contact->closed[k] > 0) {
+    if (contact->closed[k] > 0 && !at.space) { // solids have no arcs
       fmt::format_to(out, ",{},{}", in_print(*contact, contact->from[k]),
                      in_print(*contact, contact->to[k]));
     } else {
@@ -253,8 +267,8 @@ void write_load_path_csv(const std::filesystem::path& file, const model::Model& 
     for (const results::LoadPath& path : increment.paths) {
       for (std::size_t k = 0; k < path.t.size(); ++k) {
         text += fmt::format("{},{},{},{}", increment.number, path.name, path.t[k],
-                            changes_at(path, path.t[k]));
-        add_row(text, contacts, path, k, tips);
+                            changes_at(increment.mesh, path, path.t[k]));
+        add_row(text, contacts, path, {k, increment.mesh.dim == 3}, tips);
       }
     }
   }

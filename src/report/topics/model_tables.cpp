@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/topics/model_tables.hpp"
 
+#include "base/tidy.hpp"
 #include "model/model.hpp"
 
 #include <fmt/format.h>
@@ -106,14 +107,21 @@ Table rigid_table(const model::Model& model) {
                {"to", unit, true},
                {"radius", unit, false}},
               {}};
-  const auto place = [](const base::Vec3& x) {
-    return fmt::format("({:.6g}, {:.6g})", x[0], x[1]);
-  };
+  static constexpr std::array shapes{"line", "arc", "plane", "cylinder", "cone", "sphere"};
   for (const model::Rigid& r : model.rigids) {
-    const bool line = r.shape == model::RigidShape::line;
-    table.rows.push_back({r.name, line ? "line" : (r.radius > 0.0 ? "arc" : "arc, a bore"),
-                          place(r.first), line ? place(r.second) : "",
-                          line ? "" : fmt::format("{:.6g}", std::abs(r.radius))});
+    const bool round = r.radius != 0.0 || r.second_radius != 0.0;
+    const bool one_point =
+        r.shape == model::RigidShape::arc || r.shape == model::RigidShape::sphere;
+    const std::string radius = fmt::format("{:.6g}", std::abs(r.radius));
+    table.rows.push_back({r.name,
+                          fmt::format("{}{}", shapes[static_cast<std::size_t>(r.shape)],
+                                      r.radius < 0.0 || r.second_radius < 0.0 ? ", a bore" : ""),
+                          base::place_text(r.first, model.mesh.dim),
+                          one_point ? "" : base::place_text(r.second, model.mesh.dim),
+                          r.shape == model::RigidShape::cone
+                              ? fmt::format("{} to {:.6g}", radius, std::abs(r.second_radius))
+                          : round ? radius
+                                  : ""});
   }
   return table;
 }

@@ -244,6 +244,33 @@ Table contact_table(const model::Model& model, const results::Increment& increme
   return table;
 }
 
+Table moment_table(const model::Model& model, const results::Increment& increment) {
+  Table table{"Moments of contact on the slave, about the origin",
+              {{"step", "", true}, {"contact", "", true}},
+              {}};
+  if (increment.mesh.dim != 3) {
+    return table;
+  }
+  const Directions along = directions(model, increment);
+  add_columns(table, "moment", along, model.units.force_name + "*" + model.units.length_name);
+  double scale = 0.0;
+  for (const results::StepResult& step : increment.steps) {
+    for (const results::ContactResult& contact : step.contacts) {
+      scale = std::max(scale, contact.moment_on_slave.norm());
+    }
+  }
+  for (const results::StepResult& step : increment.steps) {
+    for (const results::ContactResult& contact : step.contacts) {
+      if (contact.mounted) {
+        Row row{step.step, contact.name};
+        add_cells(row, contact.moment_on_slave, along, scale);
+        table.rows.push_back(std::move(row));
+      }
+    }
+  }
+  return table;
+}
+
 Table friction_table(const model::Model& model, const results::Increment& increment) {
   const base::UnitSystem& units = model.units;
   Table table{"Friction",

@@ -20,6 +20,8 @@ Table k_history_table(const model::Model& model, const results::Run& run, std::s
 Table contact_table(const model::Model& model, const results::Increment& increment);
 
 /// What friction did, by step and contact; empty without friction.
+/// In space; no rows in the plane.
+Table moment_table(const model::Model& model, const results::Increment& increment);
 Table friction_table(const model::Model& model, const results::Increment& increment);
 
 /// Applied loads, reactions, contact forces and, where there are any, forces of ties of each body,

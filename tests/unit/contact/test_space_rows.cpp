@@ -4,6 +4,7 @@
 #include "model/model.hpp"
 #include "stacked_solids.hpp"
 
+#include <cmath>
 #include <functional>
 #include <map>
 
@@ -119,14 +120,44 @@ INSTANTIATE_TEST_SUITE_P(Types, SpaceRows,
 
 TEST(SpaceSide, TheCoarserSideCarriesTheMultipliers) {
   test::StackSpec spec;
-  spec.upper_cells = 2; // 3 wide against 10/6
+  spec.upper_cells = 3; // 2 wide against 10/9
+  spec.lower_cells = 9;
   const model::Model model = test::stacked_solids(spec);
   const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
   EXPECT_FALSE(pair.swapped);
-  EXPECT_EQ(pair.choice, "slave side: coarser");
+  EXPECT_EQ(pair.choice, "slave side: coarser where they meet");
   spec.upper_is_slave = false;
   const model::Model other = test::stacked_solids(spec);
   EXPECT_TRUE(contact::pair_rows(other, other.mesh, other.contacts[0]).swapped);
+}
+
+// A coarse side of which the other meets few faces would have few functions there.
+TEST(SpaceSide, AFootOnFewCoarseFacesHasThemItself) {
+  test::StackSpec spec;
+  spec.lower_cells = 2;
+  spec.upper_cells = 4;
+  const model::Model model = test::stacked_solids(spec);
+  const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  EXPECT_FALSE(pair.swapped);
+  EXPECT_EQ(pair.choice, "slave side: few faces of the coarser one are met");
+}
+
+// Sizes count where the surfaces meet, not those of the whole set.
+TEST(SpaceSide, FacesFarFromThePartnerDoNotCount) {
+  test::StackSpec spec;
+  spec.upper_cells = 6; // 1 wide, on a block that is fine below it and coarse beside it
+  spec.lower_cells = 20;
+  spec.turn = 0.0;
+  spec.lower_size = 10.0;
+  model::Model model = test::stacked_solids(spec);
+  for (std::size_t n = 0; n < model.mesh.node_count(); ++n) {
+    base::Vec3& x = model.mesh.x[n];
+    for (Eigen::Index c = 0; c < 2 && model.mesh.node_net[n] != up; ++c) {
+      x[c] *= std::abs(x[c]) > 3.0 ? 1.0 + 4.0 * (std::abs(x[c]) - 3.0) : 1.0;
+    }
+  }
+  const contact::PairRows pair = contact::pair_rows(model, model.mesh, model.contacts[0]);
+  EXPECT_FALSE(pair.swapped) << pair.choice; // 1 against 0.5
 }
 
 TEST(SpaceOverhang, WeakFunctionsJoinTheirNeighbours) {

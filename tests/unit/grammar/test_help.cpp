@@ -60,8 +60,8 @@ TEST(Help, EveryCardStandsInAGroupOfTheOverview) {
 
 TEST(Help, PutsClausesIntoSentences) {
   const auto rigid = clause_sentences(*find_card("RIGID"));
-  ASSERT_EQ(rigid.size(), 2U);
-  EXPECT_EQ(rigid[0], "SHAPE=LINE needs X0, Y0, X1 and Y1 and excludes R.");
+  ASSERT_EQ(rigid.size(), 6U);
+  EXPECT_EQ(rigid[0], "SHAPE=LINE needs X0, Y0, X1 and Y1 and excludes R, R1, Z0 and Z1.");
   const auto contact = clause_sentences(*find_card("CONTACT"));
   ASSERT_FALSE(contact.empty());
   EXPECT_EQ(contact[0], "At most one of INTERFERENCE, DIAMETRAL and GAP may be given.");

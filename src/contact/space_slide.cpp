@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/space_slide.hpp"
+
+#include "base/index.hpp"
+#include "contact/space/rigid_round.hpp"
+#include "contact/space_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace spricka::contact {
+
+using base::index;
+
+namespace {
+
+Vec3 motion_of(base::NodeId node, const base::Vector& u) {
+  return u.segment<3>(3 * index(node.index()));
+}
+
+// The surface where displacements have taken it; its normals are those of its faces.
+SpaceSurface moved(SpaceSurface surface, const base::Vector& u) {
+  for (SolidFace& face : surface.faces) {
+    for (std::size_t i = 0; i < face.nodes.size(); ++i) {
+      face.X.col(index(i)) += motion_of(face.nodes[i], u);
+    }
+  }
+  surface.rounds.assign(surface.rounds.size(), std::nullopt);
+  return surface;
+}
+
+// The displacement of a point of a face.
+Vec3 shift_at(const SolidFace& face, const Vec2& r, const base::Vector& u) {
+  const FaceValues N = face_N(face.shape, r);
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 0; i < face.nodes.size(); ++i) {
+    sum += N[index(i)] * motion_of(face.nodes[i], u);
+  }
+  return sum;
+}
+
+double largest_shift(const base::Vector& u) {
+  double most = 0.0;
+  for (Eigen::Index i = 0; i + 2 < u.size(); i += 3) {
+    most = std::max(most, u.segment<3>(i).norm());
+  }
+  return most;
+}
+
+class SpaceSliding {
+public:
+  SpaceSliding(const PairRows& pair, const base::Vector& lambda, const base::Vector& u)
+      : pair_(pair), lambda_(lambda), u_(u), own_(pair.contact.space), other_(pair.target.space),
+        moved_own_(moved(own_, u)), moved_other_(moved(other_, u)),
+        // Fits move bodies as far as they are large: what a body is moved off by is still opposite.
+        sighting_(moved_own_, moved_other_, 2.0 * largest_shift(u)),
+        functions_(functions_by_face(pair)) {
+    for (std::size_t i = 0; i < pair.normal.size(); ++i) {
+      largest_ = std::max(largest_, lambda[index(i)]);
+    }
+    for (const SolidFace& face : own_.faces) {
+      own_size_.push_back(std::sqrt(area_of(face)));
+    }
+    for (const SolidFace& face : other_.faces) {
+      other_size_.push_back(std::sqrt(area_of(face)));
+    }
+  }
+
+  Slide look() {
+    if (!(largest_ > 0.0)) {
+      return {};
+    }
+    const auto see = sight_of(pair_);
+    for (const SurfaceTriangle& triangle : own_.triangles) {
+      const Eigen::Vector3d p = pressures(triangle);
+      if (p.maxCoeff() <= least_looked_at * largest_) {
+        continue;
+      }
+      for (const SightPoint& point : see(triangle).points) {
+        add(triangle, point, p.dot(point.hat));
+      }
+    }
+    found_.lost = thrust_ > 0.0 ? lost_ / thrust_ : 0.0;
+    found_.pressed = std::sqrt(found_.pressed);
+    return found_;
+  }
+
+private:
+  // At the corners of a triangle; functions that joined another have its pressure.
+  [[nodiscard]] Eigen::Vector3d pressures(const SurfaceTriangle& triangle) const {
+    Eigen::Vector3d p = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < triangle.node.size(); ++i) {
+      const std::size_t at = functions_[triangle.face][static_cast<std::size_t>(triangle.node[i])];
+      const int row = pair_.functions[at].row;
+      p[index(i)] = row >= 0 ? lambda_[row] : 0.0;
+    }
+    return p;
+  }
+
+  void add(const SurfaceTriangle& triangle, const SightPoint& at, double p) {
+    if (p <= least_looked_at * largest_) {
+      return;
+    }
+    // Motion of the target side less that of this one, as rows weigh it.
+    Vec3 relative = -shift_at(own_.faces[triangle.face], at.r, u_);
+    double facet = own_size_[triangle.face];
+    std::optional<double> now;
+    if (pair_.rigid_shape) {
+      const Round& shape = *pair_.rigid_shape;
+      now = shape.sense * distance_to(shape, at.x - relative);
+    } else {
+      relative += shift_at(other_.faces[at.target], at.s, u_);
+      facet = std::max(facet, other_size_[at.target]);
+      // Along the normal as it is now: bodies that have turned face one another otherwise.
+      const FacePoint here = point_on(moved_own_.faces[triangle.face], at.r);
+      if (const auto met = sighting_.look(here.x, here.area_vector().normalized())) {
+        now = met->gap;
+      }
+    }
+    thrust_ += p * at.weight;
+    found_.pressed += at.weight;
+    // The part of the motion along the surface.
+    const double way = (relative - at.normal.dot(relative) * at.normal).norm();
+    if (way > found_.way) {
+      found_.way = way;
+      found_.facet = facet;
+    }
+    if (!now) {
+      lost_ += p * at.weight;
+    } else {
+      // A row takes the gap to be the drawn one and the motion along the drawn normal; what is more
+      // is of second order, and no row counts it.
+      found_.misfit = std::max(found_.misfit, std::abs(*now - at.gap - at.normal.dot(relative)));
+    }
+  }
+
+  const PairRows& pair_;
+  const base::Vector& lambda_;
+  const base::Vector& u_;
+  const SpaceSurface& own_;
+  const SpaceSurface& other_;
+  SpaceSurface moved_own_, moved_other_;
+  Sighting sighting_; ///< of the moved target
+  std::vector<std::vector<std::size_t>> functions_;
+  std::vector<double> own_size_, other_size_; ///< [face]
+  double largest_ = 0.0, thrust_ = 0.0, lost_ = 0.0;
+  Slide found_;
+};
+
+} // namespace
+
+Slide space_slide_of(const PairRows& pair, const base::Vector& lambda, const base::Vector& u) {
+  return SpaceSliding(pair, lambda, u).look();
+}
+
+} // namespace spricka::contact

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "contact/constraint.hpp"
+#include "contact/slide_record.hpp"
+
+namespace spricka::contact {
+
+/// slide_of() between solids; u [3 * node]. Lengths of the pressed part and of faces are roots of
+/// their areas.
+Slide space_slide_of(const PairRows& pair, const base::Vector& lambda, const base::Vector& u);
+
+} // namespace spricka::contact

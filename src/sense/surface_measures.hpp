@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "contact/surface.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+/// What contact surfaces measure, in the plane and in space.
+namespace spricka::sense {
+
+/// How far straight edges or flat faces leave the curve or the round shape that they stand for
+/// [length].
+double facets_of(const contact::Surface& surface);
+
+/// The radius of a surface that is one circle, cylinder, cone or sphere [length].
+std::optional<double> radius_of(const contact::Surface& surface);
+/// That radius, of others half of the extent [length].
+double size_of(const contact::Surface& surface);
+
+/// Lengths of edges, areas of faces, by facet.
+std::vector<double> measures(const contact::Surface& surface);
+/// The middle of a facet.
+base::Vec3 middle_of(const contact::Surface& surface, std::size_t facet);
+
+/// A part of a facet that sees another surface, as a share of it.
+struct SeenPart {
+  std::size_t facet = 0;
+  double share = 0.0;
+  double gap = 0.0;
+};
+/// What of `surface` sees `target`; `measure` are the measures of its facets.
+std::vector<SeenPart> seen_parts(const contact::Surface& surface, const contact::Surface& target,
+                                 const std::vector<double>& measure);
+
+} // namespace spricka::sense

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Random small contacts between solids: every one is solved and obeys its conditions, or the body
+// that nothing holds is named.
+#include "tests/unit/support/solved_text.hpp"
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+#include <string>
+
+#include <fmt/format.h>
+
+namespace spricka {
+namespace {
+
+class Dice {
+public:
+  explicit Dice(unsigned seed) : engine_(seed) {}
+  int whole(int from, int to) { return std::uniform_int_distribution<int>(from, to)(engine_); }
+  double real(double from, double to) {
+    return std::uniform_real_distribution<double>(from, to)(engine_);
+  }
+  bool chance(double p) { return real(0.0, 1.0) < p; }
+
+private:
+  std::mt19937 engine_;
+};
+
+std::string block(Dice& dice, const char* name, const base::Vec3& low, const base::Vec3& size) {
+  static constexpr std::array types{"TET10", "HEXE8", "HEXEC20", "HEXEC27"};
+  return fmt::format(
+      "$NET NAME={}\n  $MESH SHAPE=BLOCK TYPE={} X0={} Y0={} Z0={} LX={} LY={} LZ={} "
+      "NX={} NY={} NZ=1\n$ENDNET\n$PROPERTY ESET={}.BODY MATERIAL={} STATE=SOLID\n",
+      name, types[static_cast<std::size_t>(dice.whole(0, 3))], low.x(), low.y(), low.z(), size.x(),
+      size.y(), size.z(), dice.whole(1, 4), dice.whole(1, 4), name,
+      dice.chance(0.5) ? "HARD" : "SOFT");
+}
+
+// A block on a floor, over its edge or not, perhaps with a second one on top and with a wall beside
+// both, of which nodes are in two pairs; pressed and pushed askew, with friction or without.
+struct RandomStack {
+  std::string deck;
+  double weight = 0.0;
+};
+
+RandomStack random_stack(unsigned seed) {
+  Dice dice(seed);
+  const bool wall = dice.chance(0.4);
+  const bool second = dice.chance(0.4);
+  const double mu = dice.chance(0.4) ? dice.real(0.05, 0.7) : 0.0;
+  const base::Vec3 size(dice.real(2.0, 8.0), dice.real(2.0, 8.0), dice.real(1.0, 3.0));
+  const base::Vec3 low(wall ? 0.0 : dice.real(-0.3 * size.x(), 10.0 - 0.7 * size.x()),
+                       dice.real(-0.3 * size.y(), 10.0 - 0.7 * size.y()), 0.0);
+  std::string deck = "$DECK VERSION=1 LENGTH=mm FORCE=N\n$MATERIAL NAME=HARD E=200000 NU=0.3\n"
+                     "$MATERIAL NAME=SOFT E=70000 NU=0.2\n";
+  deck += block(dice, "FLOOR", {0.0, 0.0, -3.0}, {10.0, 10.0, 3.0});
+  deck += block(dice, "LOWER", low, size);
+  std::string held = "  FLOOR.ZMIN\n";
+  const std::string friction = mu > 0.0 ? fmt::format(" MU={}", mu) : "";
+  std::string contacts = fmt::format("$CONTACT NAME=FOOT SLAVE=LOWER.ZMIN MASTER=FLOOR.ZMAX{}{}\n",
+                                     dice.chance(0.5) ? " GAP=0" : "", friction);
+  std::string top = "LOWER";
+  if (second) {
+    const base::Vec3 smaller(size.x() * dice.real(0.5, 1.0), size.y() * dice.real(0.5, 1.0), 1.5);
+    deck += block(dice, "UPPER", {low.x(), low.y(), size.z()}, smaller);
+    contacts += "$CONTACT NAME=JOINT SLAVE=UPPER.ZMIN MASTER=LOWER.ZMAX" + friction + "\n";
+    top = "UPPER";
+  }
+  if (wall) {
+    deck += block(dice, "WALL", {-2.0, -3.0, -0.5}, {2.0, 16.0, 9.0});
+    held += "  WALL.XMIN\n";
+    contacts += "$CONTACT NAME=SIDE SLAVE=LOWER.XMIN MASTER=WALL.XMAX" + friction + "\n";
+  }
+  const double p = dice.real(1.0, 50.0);
+  // without friction or wall nothing takes a push
+  const double push = wall       ? -dice.real(0.0, 0.5) * p
+                      : mu > 0.0 ? dice.real(0.0, 1.2) * mu * p
+                                 : 0.0;
+  deck += "$FREEDOM CLASS=SUPPRESSED DOF=XYZ\n" + held + contacts;
+  deck += fmt::format("$LOAD CASE=P TYPE=TRACTION\n  {0}.ZMAX  ({1})  ({2})  ({3})\n"
+                      "$STEP NAME=S SUBSTEPS=2\n  LOAD P 1\n$END\n",
+                      top, push, mu > 0.0 ? dice.real(-0.3, 0.3) * mu * p : 0.0, -p);
+  return {deck, p};
+}
+
+struct Attempt {
+  std::optional<results::Run> run;
+  base::Trouble trouble;
+};
+
+Attempt attempt(const std::string& deck, int threads) {
+  const test::Folder folder;
+  const std::filesystem::path file = folder.path() / "test.deck";
+  std::ofstream(file) << deck;
+  program::ReadyDeck ready = program::read_ready(file, {}, program::Log(program::LogFormat::text));
+  Attempt made;
+  if (!ready.model) {
+    ADD_FAILURE() << "refused:\n" << deck;
+    return made;
+  }
+  analysis::SolveOptions options;
+  options.threads = threads;
+  base::Diagnostics diagnostics;
+  made.run = analysis::solve_run(*ready.model, options, diagnostics, made.trouble);
+  return made;
+}
+
+// Signorini's and Coulomb's conditions at all nodes, and forces that balance.
+void expect_conditions(const results::StepResult& step, double pressure) {
+  for (const results::ContactResult& contact : step.contacts) {
+    for (const results::ContactPoint& point : contact.points) {
+      EXPECT_GE(point.p_consistent, 0.0);
+      EXPECT_GE(point.gap, -1e-9);
+    }
+    EXPECT_LE(contact.shear_ratio, 1.0 + 1e-9);
+  }
+  for (const results::Balance& body : step.balance) {
+    const base::Vec3 left = body.applied + body.contact + body.reaction;
+    EXPECT_LT(left.norm(), 1e-6 * pressure) << body.body;
+  }
+}
+
+TEST(RandomSolids, AreSolvedOrTheLooseBodyIsNamed) {
+  const unsigned tries = std::getenv("SPRICKA_FULL") != nullptr ? 5000U : 60U;
+  unsigned solved = 0;
+  unsigned named = 0;
+  for (unsigned seed = 1; seed <= tries; ++seed) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    const RandomStack stack = random_stack(seed);
+    const Attempt one = attempt(stack.deck, 1);
+    if (!one.run) {
+      ASSERT_TRUE(one.trouble.has_value());
+      EXPECT_EQ(one.trouble->kind, base::Outcome::not_solvable) << one.trouble->why << stack.deck;
+      EXPECT_NE(one.trouble->why.find("body "), std::string::npos) << one.trouble->why;
+      ++named;
+      continue;
+    }
+    ++solved;
+    expect_conditions(one.run->increments.front().steps.front(), stack.weight);
+    if (seed % 10 == 0) { // the same bits, however many threads
+      const Attempt two = attempt(stack.deck, 2);
+      ASSERT_TRUE(two.run);
+      EXPECT_EQ(one.run->increments.front().steps.front().u,
+                two.run->increments.front().steps.front().u);
+    }
+    if (testing::Test::HasFailure()) {
+      std::printf("%s", stack.deck.c_str());
+      return;
+    }
+  }
+  std::printf("%u solved, %u with a loose body\n", solved, named);
+  EXPECT_GT(solved, tries / 2);
+}
+
+} // namespace
+} // namespace spricka
