@@ -1,8 +1,8 @@
-// A quarter of a block with a spherical end of radius R (above) on a quarter of a flat one (below),
+// A quarter (or more, by `turn`) of a block with a spherical end of radius R (above) on a flat one (below),
 // both of radius and height L, about the axis z. Elements of size h up to 1.3 contact radii, those of
 // the block below larger by `ratio`, growing from there on.
 SetFactory("OpenCASCADE");
-DefineConstant[ R = 20, L = 4, h = 0.08, ratio = 1.25, fine = 0.66 ];
+DefineConstant[ R = 20, L = 4, h = 0.08, ratio = 1.25, fine = 0.66, turn = Pi / 2 ];
 Mesh.ElementOrder = 2;
 Mesh.HighOrderOptimize = 1;
 Mesh.MeshSizeExtendFromBoundary = 0;
@@ -19,7 +19,7 @@ Line(3) = {4, 5};
 Line(4) = {5, 2};
 Curve Loop(1) = {1, 2, 3, 4};
 Plane Surface(1) = {1};
-Extrude{ {0, 0, 1}, {0, 0, 0}, Pi / 2 }{ Surface{1}; }
+Extrude{ {0, 0, 1}, {0, 0, 0}, turn }{ Surface{1}; }
 Point(12) = {0, 0, 0};
 Point(13) = {L, 0, 0};
 Point(14) = {L, 0, -L};
@@ -30,7 +30,7 @@ Line(13) = {14, 15};
 Line(14) = {15, 12};
 Curve Loop(200) = {11, 12, 13, 14};
 Plane Surface(100) = {200};
-Extrude{ {0, 0, 1}, {0, 0, 0}, Pi / 2 }{ Surface{100}; }
+Extrude{ {0, 0, 1}, {0, 0, 0}, turn }{ Surface{100}; }
 Physical Volume("SPHERE") = {1};
 Physical Volume("FLOOR") = {2};
 // The lowest surface of the sphere, the highest of the floor.

@@ -1,0 +1,37 @@
+// The shaft of shaft.geo as a solid, t thick from z = 0 upwards in nz layers of wedges; with both = 1 the
+// mirror image below z = 0, too.
+DefineConstant[ ri = 30, fine = 1, t = 7, nz = 2, both = 0 ];
+size_arc = 4 / fine;
+size_ends = 2 / fine;
+size_middle = 10 / fine;
+Mesh.ElementOrder = 2;
+Mesh.SecondOrderIncomplete = 1;
+
+Point(1) = {0, 0, 0, size_middle};
+angle[] = {0, 70, 112, 180, 248, 290, 360};
+For i In {0:5}
+  Point(20 + i) = {ri * Cos(angle[i] * Pi / 180), ri * Sin(angle[i] * Pi / 180), 0, size_arc};
+EndFor
+For i In {0:5}
+  Circle(20 + i) = {20 + i, 1, 20 + (i + 1) % 6};
+  turn = (angle[i + 1] - angle[i]) * Pi / 180;
+  size = (i == 1 || i == 4) ? size_ends : size_arc;
+  Transfinite Curve{20 + i} = Ceil(turn * ri / size) + 1;
+EndFor
+Curve Loop(1) = {20:25};
+Plane Surface(1) = {1};
+Point{1} In Surface{1};
+
+o() = Extrude{0, 0, t}{ Surface{1}; Layers{nz}; Recombine; };
+body() = {o(1)}; top() = {o(0)}; outer() = {o(2):o(7)}; low() = {1};
+If (both)
+  q() = Extrude{0, 0, -t}{ Surface{1}; Layers{nz}; Recombine; };
+  body() += q(1); low() = {q(0)};
+  For i In {2:7}
+    outer() += q(i);
+  EndFor
+EndIf
+Physical Volume("BODY") = {body()};
+Physical Surface("ZMIN") = {low()};
+Physical Surface("ZMAX") = {top()};
+Physical Surface("OUTER") = {outer()};
