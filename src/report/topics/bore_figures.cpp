@@ -62,7 +62,7 @@ public:
   std::string draw() {
     svg_.text({left, 15.0}, fmt::format("{}, {}", seen_.contact->name, seen_.step), {.bold = true});
     svg_.clip(id_, {left, top}, width, height);
-    const ColourScale scale = scale_between(0.0, surface_.largest());
+    const ColourScale scale = scale_between(lowest(), surface_.largest());
     for (const Unrolled::Triangle& t : surface_.triangles()) {
       fill(t, scale);
     }
@@ -77,6 +77,16 @@ public:
   }
 
 private:
+  // Where colours begin: at 0, but a surface that is pressed all over and much alike would have
+  // one.
+  [[nodiscard]] double lowest() const {
+    double least = surface_.largest();
+    for (const Unrolled::Triangle& t : surface_.triangles()) {
+      least = std::min({least, t[0].p, t[1].p, t[2].p});
+    }
+    return least > 0.5 * surface_.largest() ? least : 0.0;
+  }
+
   [[nodiscard]] Point place(Point at) const {
     const double depth = std::max(surface_.high() - surface_.low(), 1e-300);
     return {left + width * (at.x + pi) / (2.0 * pi),
@@ -84,7 +94,7 @@ private:
   }
 
   void fill(const Unrolled::Triangle& t, const ColourScale& scale) {
-    const auto [low, high] = std::ranges::minmax({t[0].p, t[1].p, t[2].p});
+    const auto [low, high] = std::minmax({t[0].p, t[1].p, t[2].p});
     const double step = (scale.high - scale.low) / static_cast<double>(colour_bands);
     for (std::size_t band = scale.band(low); band <= scale.band(high); ++band) {
       std::vector<Unrolled::Corner> polygon(t.begin(), t.end());
@@ -258,12 +268,12 @@ std::optional<Figure> bore_figure(const model::Model& model, const results::Run&
       figure.drawings.push_back(std::move(plot));
     }
   }
-  figure.caption = fmt::format(
-      "Pressure of contact {} on its surface round the axis, unrolled: angle across, place along "
-      "the "
-      "axis up; red: where contact ends. Below: the same along the axis at some angles, and the "
-      "force for a unit of length.",
-      contact.name);
+  figure.caption =
+      fmt::format("Pressure of contact {} on its surface round the axis, unrolled: angle across, "
+                  "place along the axis up; red: where contact ends; white: nothing lies opposite. "
+                  "Below: the pressure of step {} along the axis at some angles, and of each step "
+                  "the force for a unit of length, along its whole force.",
+                  contact.name, all.back().step);
   return figure;
 }
 
