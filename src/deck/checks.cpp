@@ -7,6 +7,7 @@
 #include "model/model.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -111,6 +112,9 @@ private:
                            quantity.text));
       return false;
     }
+    if (!is_of_this_dimension(*spec, quantity)) {
+      return false;
+    }
     const std::string pattern = pattern_for(spec->arguments, quantity.arguments);
     if (pattern.size() != quantity.arguments.size()) {
       c_.error(quantity.span, "E315",
@@ -122,6 +126,26 @@ private:
       ok = argument(pattern[i], quantity.arguments[i]) && ok;
     }
     return ok;
+  }
+
+  // Contacts in the plane have arcs and places along them, those between solids areas and moments.
+  bool is_of_this_dimension(const grammar::ResultQuantity& spec, const Field& quantity) {
+    static constexpr std::array plane{"ARC.FROM",      "ARC.TO",      "ARC.PARTS",
+                                      "ARC.PART.FROM", "ARC.PART.TO", "STICK.FROM",
+                                      "STICK.TO",      "CPRESS.AT",   "SHEAR.AT"};
+    static constexpr std::array space{"CONTACT.AREA", "STICK.AREA", "MOMENT"};
+    const bool solid = c_.model.mesh.dim == 3;
+    const bool other = solid ? std::ranges::find(plane, spec.name) != plane.end()
+                             : std::ranges::find(space, spec.name) != space.end();
+    if (other && c_.mesh_sound) {
+      c_.error(
+          quantity.span, "E313",
+          fmt::format("{} is of contacts {}", spec.name, solid ? "in the plane" : "between solids"),
+          solid ? "between solids there are CPRESS.NEAR, CONTACT.AREA, SUM and MOMENT"
+                : "in the plane there are CPRESS.AT, ARC.FROM, ARC.TO and SUM");
+      return false;
+    }
+    return true;
   }
 
   // By a law of $GROW, or perhaps by one that is refused already.
