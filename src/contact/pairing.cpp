@@ -5,6 +5,7 @@
 #include "contact/segment_pairing.hpp"
 #include "contact/sharp_end.hpp"
 #include "contact/space/rigid_round.hpp"
+#include "contact/space_node_rows.hpp"
 #include "contact/space_rows.hpp"
 #include "contact/space_sharp_edge.hpp"
 #include "mesh/boundary.hpp"
@@ -57,6 +58,15 @@ struct Choice {
   std::string why;
 };
 
+// Of sides alike in size.
+Choice softer_side(const Surface& slave, const Surface& master) {
+  if (slave.stiffness > master.stiffness) {
+    return {true, "master side: softer, sizes alike"};
+  }
+  return {false, slave.stiffness < master.stiffness ? "slave side: softer, sizes alike"
+                                                    : "slave side: alike in size and stiffness"};
+}
+
 // What of a surface in space lies opposite the other: the faces some triangle of which has its
 // middle there.
 struct MetFaces {
@@ -107,11 +117,7 @@ Choice choose_space_side(const Surface& slave, const Surface& master) {
   if (ratio < 1.0 / alike_in_space) {
     return {true, "master side: coarser where they meet"};
   }
-  if (slave.stiffness > master.stiffness) {
-    return {true, "master side: softer, sizes alike"};
-  }
-  return {false, slave.stiffness < master.stiffness ? "slave side: softer, sizes alike"
-                                                    : "slave side: alike in size and stiffness"};
+  return softer_side(slave, master);
 }
 
 // The crack faces of a mouth are pressed each for itself: functions of the other side, which go
@@ -136,11 +142,7 @@ Choice choose_side(const model::Mesh& mesh, const Surface& slave, const Surface&
   if (ratio < 1.0 / alike) {
     return {true, "master side: coarser"};
   }
-  if (slave.stiffness > master.stiffness) {
-    return {true, "master side: softer, sizes alike"};
-  }
-  return {false, slave.stiffness < master.stiffness ? "slave side: softer, sizes alike"
-                                                    : "slave side: alike in size and stiffness"};
+  return softer_side(slave, master);
 }
 
 Choice choose_node_side(const model::Mesh& mesh, const Surface& slave, const Surface& master) {
@@ -153,6 +155,10 @@ Choice choose_node_side(const model::Mesh& mesh, const Surface& slave, const Sur
 void add_rows(PairRows& pair, const model::Contact& contact) {
   const bool tangents = contact.type == model::ContactType::bonded || contact.mu > 0.0;
   if (!pair.contact.space.faces.empty()) {
+    if (contact.pairing == model::Pairing::node) {
+      space_node_rows(pair, contact.gap, tangents);
+      return;
+    }
     if (contact.multiplier == model::Multiplier::corners) {
       pair.contact.space.triangles = corner_triangles(pair.contact.space);
     }

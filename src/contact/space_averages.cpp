@@ -112,7 +112,8 @@ private:
 
   void look_at(std::size_t f, const std::vector<bool>& closed) {
     const SolidFace& face = pair_.contact.space.faces[f];
-    const bool all = std::ranges::all_of(faces_[f], [&](std::size_t i) {
+    // Corners of node pairs on faces of 6 nodes open and close at random: nothing acts there.
+    const bool all = !pair_.segments || std::ranges::all_of(faces_[f], [&](std::size_t i) {
       const SpaceFunction& own = pair_.functions[i];
       return closed[i] && !own.joined && own.area >= all_covered * own.whole &&
              !sharp_.contains(own.node);

@@ -39,7 +39,8 @@ std::array<base::Vector, 3> averaged_shear(const PairRows& pair,
 // How much multipliers go up and down about their averages.
 double unrest_of(const PairRows& pair, const base::Vector& p, const base::Vector& smooth) {
   constexpr double no_strain = 1e-9; // pressure over modulus: round-off of larger ones
-  if (p.size() == 0 || p.cwiseAbs().maxCoeff() < no_strain * pair.contact.stiffness) {
+  if (!pair.segments || p.size() == 0 ||
+      p.cwiseAbs().maxCoeff() < no_strain * pair.contact.stiffness) {
     return 0.0;
   }
   double off = 0.0;
@@ -162,6 +163,10 @@ PairPressure recover_space_pressure(const PairRows& pair, const base::Vector& la
   result.moment_on_slave = pair.swapped ? base::Vec3(-moment) : moment;
   result.force_on_slave = pair.swapped ? base::Vec3(-total) : total;
   add_totals(pair, lambda, gap, closed, result);
+  if (!pair.segments && n > 0) { // multipliers at nodes where no pressure acts say nothing
+    result.min_pressure = smooth.minCoeff();
+    result.max_pressure = smooth.maxCoeff();
+  }
   for (std::size_t i = 0; i < pair.functions.size(); ++i) {
     const SpaceFunction& function = pair.functions[i];
     NodePressure at = place_of(pair, function, x.at(function.node));

@@ -2,6 +2,7 @@
 #include "contact/space_rows.hpp"
 
 #include "contact/row_builder.hpp"
+#include "contact/space/frames.hpp"
 #include "contact/space/rigid_round.hpp"
 
 #include <algorithm>
@@ -64,11 +65,10 @@ class SpaceRows {
 public:
   SpaceRows(PairRows& pair, std::optional<double> declared_gap, bool tangents)
       : pair_(pair), own_(pair.contact.space), other_(pair.target.space), declared_(declared_gap),
-        directions_(tangents ? 3 : 1) {}
+        directions_(tangents ? 3 : 1), frames_(own_) {}
 
   void make() {
     number_functions();
-    choose_axes();
     const std::function<Sight(const SurfaceTriangle&)> see = sight_of(pair_);
     for (const SurfaceTriangle& triangle : own_.triangles) {
       const Sight sight = see(triangle);
@@ -103,32 +103,6 @@ private:
     beside_.resize(pair_.functions.size());
   }
 
-  // Tangents run along the axis of a round part, else along the axis of the coordinates that is
-  // nowhere near a normal of the part; one for all of the part, as rows are sums over it.
-  void choose_axes() {
-    std::vector<Vec3> most(own_.rounds.size(), Vec3::Zero()); // |n| along x, y, z
-    for (std::size_t f = 0; f < own_.faces.size(); ++f) {
-      const SolidFace& face = own_.faces[f];
-      const FacePoint centre = point_on(face, centre_r(face.shape));
-      Vec3& part = most[own_.part[f]];
-      part = part.cwiseMax(surface_normal(own_, f, centre).cwiseAbs());
-    }
-    for (std::size_t p = 0; p < most.size(); ++p) {
-      const std::optional<Round>& round = own_.rounds[p];
-      Eigen::Index least = 0;
-      most[p].minCoeff(&least);
-      axis_.push_back(round && has_axis(*round) ? round->axis : Vec3(Vec3::Unit(least)));
-    }
-  }
-
-  [[nodiscard]] std::array<Vec3, 3> directions(std::size_t face, const Vec3& n) const {
-    constexpr double along_normal = 1e-6; // a part all round: where the axis leaves it any will do
-    const Vec3& a = axis_[own_.part[face]];
-    const Vec3 across = a - a.dot(n) * n;
-    const Vec3 t = across.norm() > along_normal ? across.normalized() : n.unitOrthogonal();
-    return {n, t, n.cross(t)};
-  }
-
   [[nodiscard]] HatIntegrals integrate(const SurfaceTriangle& triangle, const Sight& sight) const {
     HatIntegrals sum;
     const SolidFace& face = own_.faces[triangle.face];
@@ -152,7 +126,7 @@ private:
       }
       const FaceValues N = face_N(face.shape, p.r);
       const FaceValues M = rigid ? FaceValues() : face_N(other_.faces[p.target].shape, p.s);
-      const std::array<Vec3, 3> along = directions(triangle.face, p.normal);
+      const std::array<Vec3, 3> along = frames_.at(own_.part[triangle.face], p.normal);
       const Eigen::Vector3d w = p.weight * p.hat;
       sum.moment += w * p.hat.transpose();
       sum.gap += declared_.value_or(p.gap) * w;
@@ -290,8 +264,8 @@ private:
   const SpaceSurface& own_;
   const SpaceSurface& other_;
   std::optional<double> declared_;
-  int directions_;         ///< 1, or 3 with tangents
-  std::vector<Vec3> axis_; ///< [part] that the tangents run along
+  int directions_; ///< 1, or 3 with tangents
+  Frames frames_;
   std::map<PartNode, std::size_t> place_;
   std::vector<std::array<RowBuilder, 3>> rows_;  ///< [function] along normal and tangents
   std::vector<std::vector<std::size_t>> beside_; ///< [function] those of covered triangles

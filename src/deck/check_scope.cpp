@@ -107,17 +107,6 @@ void heated_materials_expand(Context& c) {
   }
 }
 
-void contacts_in_reach(Context& c) {
-  if (c.model.mesh.dim != 3) {
-    return;
-  }
-  for (const model::Contact& contact : c.model.contacts) {
-    if (contact.pairing == model::Pairing::node) {
-      c.unavailable("$CONTACT PAIRING=NODE in 3D", contact.span);
-    }
-  }
-}
-
 } // namespace
 
 void check_scope(Context& context) {
@@ -129,7 +118,6 @@ void check_scope(Context& context) {
   loads_in_reach(context);
   heated_materials_expand(context);
   check_thickness(context);
-  contacts_in_reach(context);
 }
 
 } // namespace spricka::deck

@@ -206,6 +206,7 @@ std::optional<Round> fit_round(const std::vector<Vec3>& points,
   if (!found) {
     tried(fit_sphere(points, extent));
     std::vector<Vec3> directions;
+    directions.reserve(normals.size());
     for (const NormalAt& at : normals) {
       directions.push_back(at.normal);
     }

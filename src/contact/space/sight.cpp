@@ -38,6 +38,7 @@ Box box_of(const std::array<Vec3, 3>& x, double wider) {
 
 std::vector<Box> boxes_of(const std::vector<std::array<Vec3, 3>>& triangles) {
   std::vector<Box> boxes;
+  boxes.reserve(triangles.size());
   for (const std::array<Vec3, 3>& x : triangles) {
     boxes.push_back(box_of(x, 0.0));
   }
@@ -135,8 +136,8 @@ void Sighting::see_target(const Frame& frame, std::size_t target, Sight& sight) 
   // Seen from the contact surface a target that looks back runs clockwise.
   const PlaneTriangle flat{frame.flat_place(y[0]), frame.flat_place(y[2]), frame.flat_place(y[1])};
   // Nor does what is seen almost along itself: the side of a plug from its end.
-  const double area2 = (y[1] - y[0]).cross(y[2] - y[0]).norm();
-  if (twice_area(flat) <= std::max(least_piece * frame.area2, steepest * area2)) {
+  const double true_area2 = (y[1] - y[0]).cross(y[2] - y[0]).norm();
+  if (twice_area(flat) <= std::max(least_piece * frame.area2, steepest * true_area2)) {
     return;
   }
   const std::vector<Vec2> polygon = common_polygon(frame.flat, flat);

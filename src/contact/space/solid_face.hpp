@@ -28,7 +28,7 @@ struct SolidFace {
 SolidFace make_solid_face(const model::Mesh& mesh, const model::Face& face);
 
 /// Shape functions of a face at r.
-FaceValues face_N(base::ElementType shape, const Vec2& r);
+FaceValues face_N(base::ElementType type, const Vec2& r);
 
 /// A point of a face: its place, dx/dr, and dx/dr1 x dx/dr2, which leaves the body.
 struct FacePoint {
@@ -39,11 +39,11 @@ struct FacePoint {
 FacePoint point_on(const SolidFace& face, const Vec2& r);
 
 /// Reference coordinates of a node of a face.
-Vec2 node_r(base::ElementType shape, int node);
+Vec2 node_r(base::ElementType type, int node);
 /// The middle of a face.
-Vec2 centre_r(base::ElementType shape);
+Vec2 centre_r(base::ElementType type);
 /// How far r lies outside a face, in units of its reference coordinates; negative inside.
-double outside(base::ElementType shape, const Vec2& r);
+double outside(base::ElementType type, const Vec2& r);
 /// Area of the curved face.
 double area_of(const SolidFace& face);
 
@@ -51,8 +51,8 @@ double area_of(const SolidFace& face);
 using FaceTriangle = std::array<int, 3>;
 /// A face cut into triangles: TRIM3 1, QUAM4 2, TRIMC6 4, QUAMC8 6, QUAMC9 8. Each node is a
 /// corner of some, so that hats on them are one function for each node.
-std::span<const FaceTriangle> triangles_of(base::ElementType shape);
+std::span<const FaceTriangle> triangles_of(base::ElementType type);
 /// The same between the corners of the face only: 1 or 2.
-std::span<const FaceTriangle> corner_triangles_of(base::ElementType shape);
+std::span<const FaceTriangle> corner_triangles_of(base::ElementType type);
 
 } // namespace spricka::contact

@@ -27,6 +27,7 @@ std::optional<Round> shape_of(const model::Mesh& mesh, const SpaceSurface& surfa
     }
   }
   std::vector<Vec3> points;
+  points.reserve(nodes.size());
   for (const base::NodeId n : nodes) {
     points.push_back(mesh.x[n.index()]);
   }
@@ -73,7 +74,7 @@ std::vector<SurfaceTriangle> corner_triangles(const SpaceSurface& surface) {
 }
 
 Vec3 surface_normal(const SpaceSurface& surface, std::size_t face, const FacePoint& at) {
-  const Vec3 n = at.area_vector().normalized();
+  Vec3 n = at.area_vector().normalized();
   const std::optional<Round>& round = surface.round_of(face);
   if (!round) {
     return n;

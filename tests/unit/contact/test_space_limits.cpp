@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <set>
+#include <map>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -204,6 +204,66 @@ TEST_F(Slides, AShiftOnATurnedBodyIsAMisfitThatNoRowCounts) {
       contact::slide_of(pair, base::Vector::Ones(static_cast<Eigen::Index>(pair.normal.size())), u);
   EXPECT_NEAR(s.misfit, shift * turn, 0.05 * shift * turn);
   EXPECT_NEAR(s.way, shift, 1e-6);
+}
+
+class NodePairs : public testing::TestWithParam<ElementType> {};
+
+TEST_P(NodePairs, OfAUniformPressureAreTheSameEverywhere) {
+  test::StackSpec spec;
+  spec.upper_type = GetParam();
+  spec.lower_type = GetParam();
+  spec.upper_size = 10.0;
+  spec.upper_cells = spec.lower_cells = 3;
+  spec.turn = 0.0;
+  model::Model model = test::stacked_solids(spec);
+  model.contacts[0].pairing = model::Pairing::node;
+  const contact::PairRows pair = pair_of(model);
+  ASSERT_TRUE(pair.trouble.empty()) << pair.trouble;
+  // The forces of a pressure of 2: what it puts on each node through the shape functions.
+  std::map<base::NodeId, double> force;
+  for (const contact::SolidFace& face : pair.contact.space.faces) {
+    const double area = contact::area_of(face);
+    const std::size_t n = face.nodes.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const double share = n == 9   ? (i < 4   ? 1.0 / 36.0
+                                       : i < 8 ? 1.0 / 9.0
+                                               : 4.0 / 9.0)
+                           : n == 6 ? (i < 3 ? 0.0 : 1.0 / 3.0)
+                                    : 1.0 / static_cast<double>(n);
+      force[face.nodes[i]] += 2.0 * share * area;
+    }
+  }
+  base::Vector lambda(static_cast<Eigen::Index>(pair.normal.size()));
+  std::vector<bool> closed;
+  for (std::size_t r = 0; r < pair.normal.size(); ++r) {
+    lambda[static_cast<Eigen::Index>(r)] = force.at(pair.normal[r].node) / pair.normal[r].area;
+    closed.push_back(force.at(pair.normal[r].node) > 0.0);
+  }
+  const contact::PairPressure p =
+      contact::recover_pressure(pair, lambda, base::Vector::Zero(lambda.size()), closed, false);
+  EXPECT_NEAR(p.force_on_slave.norm(), 200.0, 1e-9);
+  for (const contact::NodePressure& node : p.nodes) {
+    EXPECT_NEAR(node.p_lumped, 2.0, 1e-12);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Types, NodePairs,
+                         testing::Values(ElementType::hexec27, ElementType::hexe8,
+                                         ElementType::tet10));
+
+TEST(NodePairsInSpace, AreRefusedWhereAPressurePullsAtCornersOrNodesDoNotMatch) {
+  test::StackSpec spec;
+  spec.upper_size = 10.0;
+  spec.upper_cells = spec.lower_cells = 3;
+  spec.turn = 0.0;
+  model::Model model = test::stacked_solids(spec);
+  model.contacts[0].pairing = model::Pairing::node;
+  EXPECT_NE(pair_of(model).trouble.find("8 nodes"), std::string::npos);
+  spec.upper_type = spec.lower_type = ElementType::hexec27;
+  spec.upper_cells = 4;
+  model = test::stacked_solids(spec);
+  model.contacts[0].pairing = model::Pairing::node;
+  EXPECT_NE(pair_of(model).trouble.find("opposite each slave node"), std::string::npos);
 }
 
 // Corners alone carry a pressure: fewer rows, the same forces for a constant pressure.

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/space_node_rows.hpp"
+
+#include "base/index.hpp"
+#include "contact/row_builder.hpp"
+#include "contact/space/box_tree.hpp"
+#include "contact/space/frames.hpp"
+#include "contact/space/opposite.hpp"
+#include "shape/quadrature.hpp"
+#include "shape/shape.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace spricka::contact {
+
+using base::index;
+
+namespace {
+
+constexpr double off_normal_in_space = 1e-3; // of the mean size of faces
+constexpr int node_degree = 5;
+
+// A node of a smooth part, with the sum of its faces' normals and its share of their area.
+struct PartNodeArea {
+  Vec3 x = Vec3::Zero();
+  Vec3 normal = Vec3::Zero();
+  double area = 0.0;
+};
+using PartNodes = std::map<std::pair<std::size_t, base::NodeId>, PartNodeArea>;
+
+// Integrals of the shape functions of a face.
+FaceValues shape_areas(const SolidFace& face) {
+  return shape::with_plane_shape(face.shape, [&]<shape::PlaneShape S>(S) {
+    FaceValues area = FaceValues::Zero(index(face.nodes.size()));
+    for (const auto& [r, weight] : shape::quadrature<S>(node_degree)) {
+      area += weight * point_on(face, r).area_vector().norm() * face_N(face.shape, r);
+    }
+    return area;
+  });
+}
+
+// Integrals of the hats on its triangles.
+FaceValues hat_areas(const SolidFace& face) {
+  FaceValues area = FaceValues::Zero(index(face.nodes.size()));
+  for (const FaceTriangle& t : triangles_of(face.shape)) {
+    const std::array<Vec2, 3> r{node_r(face.shape, t[0]), node_r(face.shape, t[1]),
+                                node_r(face.shape, t[2])};
+    const Vec2 a = r[1] - r[0];
+    const Vec2 b = r[2] - r[0];
+    const double r_area2 = a.x() * b.y() - a.y() * b.x();
+    for (const auto& [q, weight] : shape::triangle_rule(node_degree)) {
+      const double w =
+          weight * r_area2 * point_on(face, r[0] + q[0] * a + q[1] * b).area_vector().norm();
+      area[t[0]] += w * (1.0 - q[0] - q[1]);
+      area[t[1]] += w * q[0];
+      area[t[2]] += w * q[1];
+    }
+  }
+  return area;
+}
+
+PartNodes nodes_by_part(const SpaceSurface& surface) {
+  PartNodes all;
+  for (std::size_t f = 0; f < surface.faces.size(); ++f) {
+    const SolidFace& face = surface.faces[f];
+    const FaceValues area =
+        face.shape == base::ElementType::trimc6 ? hat_areas(face) : shape_areas(face);
+    for (std::size_t i = 0; i < face.nodes.size(); ++i) {
+      PartNodeArea& node = all[{surface.part[f], face.nodes[i]}];
+      const FacePoint at = point_on(face, node_r(face.shape, static_cast<int>(i)));
+      node.x = face.X.col(index(i));
+      node.normal += surface_normal(surface, f, at);
+      node.area += area[index(i)];
+    }
+  }
+  return all;
+}
+
+bool has_faces_of_8(const SpaceSurface& surface) {
+  return std::ranges::any_of(
+      surface.faces, [](const SolidFace& face) { return face.shape == base::ElementType::quamc8; });
+}
+
+// The target's nodes in a tree, to find the one before another node.
+class Targets {
+public:
+  Targets(const SpaceSurface& surface, double reach, double across)
+      : reach_(reach), across_(across), tree_({}) {
+    std::vector<Box> boxes;
+    for (const auto& [key, node] : nodes_by_part(surface)) {
+      nodes_.emplace_back(key.second, node);
+      boxes.push_back({node.x, node.x});
+    }
+    tree_ = BoxTree(boxes);
+  }
+
+  struct Partner {
+    base::NodeId node;
+    double gap = 0.0;
+  };
+  [[nodiscard]] std::optional<Partner> before(const Vec3& x, const Vec3& n) const {
+    const Vec3 more = Vec3::Constant(across_);
+    const Vec3 up = x + reach_ * n;
+    const Vec3 down = x - reach_ * n;
+    std::optional<Partner> found;
+    for (const std::size_t i : tree_.met_by({up.cwiseMin(down) - more, up.cwiseMax(down) + more})) {
+      const auto& [node, other] = nodes_[i];
+      const Vec3 d = other.x - x;
+      const double along = d.dot(n);
+      if (other.normal.dot(n) < 0.0 && (d - along * n).norm() <= across_ &&
+          std::abs(along) <= reach_ && (!found || std::abs(along) < std::abs(found->gap))) {
+        found = Partner{node, along};
+      }
+    }
+    return found;
+  }
+
+private:
+  double reach_, across_;
+  std::vector<std::pair<base::NodeId, PartNodeArea>> nodes_;
+  BoxTree tree_;
+};
+
+} // namespace
+
+void space_node_rows(PairRows& pair, std::optional<double> declared_gap, bool tangents) {
+  const SpaceSurface& own = pair.contact.space;
+  if (pair.rigid) {
+    pair.trouble = "PAIRING=NODE is not for rigid targets of solids (use PAIRING=SEGMENT)";
+    return;
+  }
+  if (has_faces_of_8(own) || has_faces_of_8(pair.target.space)) {
+    pair.trouble = "PAIRING=NODE means nothing on faces of 8 nodes, where a uniform pressure pulls "
+                   "at the corners (use PAIRING=SEGMENT, or elements HEXEC27)";
+    return;
+  }
+  const Targets targets(pair.target.space, farthest_opposite * own.extent,
+                        off_normal_in_space * own.mean_size);
+  const Frames frames(own);
+  const PartNodes nodes = nodes_by_part(own);
+  std::size_t lonely = 0;
+  for (const auto& [key, node] : nodes) {
+    const Vec3 n = node.normal.normalized();
+    const auto other = targets.before(node.x, n);
+    SpaceFunction function{.node = key.second, .part = key.first, .held = {}};
+    function.whole = node.area;
+    if (!other) {
+      ++lonely;
+      pair.functions.push_back(function);
+      continue;
+    }
+    pair.found = true;
+    function.area = node.area;
+    function.row = static_cast<int>(pair.normal.size());
+    pair.functions.push_back(function);
+    const std::array<Vec3, 3> along = frames.at(key.first, n);
+    for (std::size_t k = 0; k < (tangents ? 3U : 1U); ++k) {
+      RowBuilder row;
+      row.area = node.area;
+      row.add(key.second, -node.area * along[k]);
+      row.add(other->node, node.area * along[k]);
+      if (k > 0) {
+        pair.tangent.push_back(row.finish(key.second, function.row));
+        continue;
+      }
+      row.gap = node.area *
+                declared_gap.value_or(beyond_digits(other->gap, node.x.cwiseAbs().maxCoeff()));
+      row.round_gap = row.gap;
+      pair.normal.push_back(row.finish(key.second));
+    }
+  }
+  if (pair.found && lonely > 0) {
+    pair.trouble = fmt::format("PAIRING=NODE needs a master node opposite each slave node; {} of "
+                               "{} slave nodes have none (use PAIRING=SEGMENT)",
+                               lonely, nodes.size());
+  }
+}
+
+} // namespace spricka::contact
