@@ -119,6 +119,7 @@ Arc longest_arc(const Surface& surface, const std::vector<NodePressure>& nodes, 
   const Links links = links_of(surface, nodes);
   const bool round = surface.circle.has_value();
   std::vector<bool> closed;
+  closed.reserve(nodes.size());
   for (const NodePressure& node : nodes) {
     closed.push_back(node.closed);
   }

@@ -28,6 +28,7 @@ Arc marked_arc(std::vector<ArcNode> nodes, bool round) {
                    [](const ArcNode& a, const ArcNode& b) { return a.s < b.s; });
   const std::size_t n = nodes.size();
   std::vector<bool> in;
+  in.reserve(n);
   for (const ArcNode& node : nodes) {
     in.push_back(node.in);
   }

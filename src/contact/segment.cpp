@@ -124,6 +124,7 @@ std::optional<double> hit_on(const Edge& target, const Vec2& x, const Vec2& norm
 std::vector<Segment> find_segments(const Surface& contact, const Surface& target) {
   const std::vector<Edge>& targets = target.plane.edges;
   std::vector<Ball> balls;
+  balls.reserve(targets.size());
   for (const Edge& edge : targets) {
     balls.push_back(ball_of(edge));
   }

@@ -99,6 +99,7 @@ public:
 private:
   static std::vector<Box> boxes(const std::vector<Rim>& rims) {
     std::vector<Box> all;
+    all.reserve(rims.size());
     for (const Rim& rim : rims) {
       all.push_back({rim.x[0].cwiseMin(rim.x[1]).cwiseMin(rim.x[2]),
                      rim.x[0].cwiseMax(rim.x[1]).cwiseMax(rim.x[2])});

@@ -33,6 +33,7 @@ std::vector<std::string> marked(const std::vector<Note>& notes) {
 
 std::vector<Note> notes_from(const std::vector<std::string>& texts) {
   std::vector<Note> notes;
+  notes.reserve(texts.size());
   for (const std::string& text : texts) {
     notes.push_back(text.starts_with(warning_mark) ? warning(text.substr(warning_mark.size()))
                                                    : note(text));

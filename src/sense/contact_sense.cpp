@@ -242,6 +242,7 @@ private:
       faces[body_[face.element.index()]].push_back(face);
     }
     std::vector<contact::BodyOutline> outlines;
+    outlines.reserve(faces.size());
     for (const std::vector<model::Face>& own : faces) {
       outlines.emplace_back(model_, mesh_, own, base::Vector());
     }

@@ -27,7 +27,7 @@ FrictionProblem round_problem(const Matrix& W, const Vector& b, double mu) {
   p.contact.B = Matrix(b.size(), 0);
   p.contact.h = Vector(0);
   p.contact.equality.assign(static_cast<std::size_t>(b.size()), false);
-  for (int i = 0; 3 * i < b.size(); ++i) {
+  for (int i = 0; i < static_cast<int>(b.size()) / 3; ++i) {
     p.friction.push_back({3 * i, 3 * i + 1, mu, 3 * i + 2});
   }
   return p;
@@ -75,16 +75,17 @@ Matrix half_space(Dice& dice, int points, double extent) {
     }
   }
   const double nu = 0.3;
-  Matrix W = Matrix::Zero(3 * points, 3 * points);
-  for (int i = 0; i < points; ++i) {
-    for (int k = 0; k < points; ++k) {
+  const Eigen::Index rows = 3 * static_cast<Eigen::Index>(points);
+  Matrix W = Matrix::Zero(rows, rows);
+  for (Eigen::Index i = 0; i < points; ++i) {
+    for (Eigen::Index k = 0; k < points; ++k) {
       const Eigen::Vector2d d = x[static_cast<std::size_t>(i)] - x[static_cast<std::size_t>(k)];
       const double r = i == k ? 0.4 : d.norm();
       const Eigen::Vector2d e = i == k ? Eigen::Vector2d::Zero() : Eigen::Vector2d(d / r);
       // Boussinesq and Cerruti, without what couples normal and tangents
       W(3 * i, 3 * k) = (1.0 - nu) / r;
-      for (int a = 0; a < 2; ++a) {
-        for (int c = 0; c < 2; ++c) {
+      for (Eigen::Index a = 0; a < 2; ++a) {
+        for (Eigen::Index c = 0; c < 2; ++c) {
           W(3 * i + 1 + a, 3 * k + 1 + c) =
               ((a == c ? (i == k ? 1.0 - 0.5 * nu : 1.0 - nu) : 0.0) + nu * e[a] * e[c]) / r;
         }
@@ -150,7 +151,7 @@ TEST(RoundFriction, FramesDoNotMatter) {
   }
   const FrictionSolution first = solve(round_problem(W, b, 0.3));
   Matrix R = Matrix::Identity(W.rows(), W.rows());
-  for (int i = 0; i < points; ++i) {
+  for (Eigen::Index i = 0; i < points; ++i) {
     const double turn = dice.real(0.0, 6.28);
     R.block(3 * i + 1, 3 * i + 1, 2, 2) << std::cos(turn), std::sin(turn), -std::sin(turn),
         std::cos(turn);
@@ -165,7 +166,7 @@ TEST(RoundFriction, FramesDoNotMatter) {
 TEST(RoundFriction, ABlockOnLegsRestsUntilItSlides) {
   const std::vector<Eigen::Vector2d> legs{{0.0, 0.0}, {2.0, 0.0}, {0.5, 1.5}};
   Matrix B(9, 6); // shifts along x, y, z and turns about them
-  for (int i = 0; i < 3; ++i) {
+  for (Eigen::Index i = 0; i < 3; ++i) {
     const double x = legs[static_cast<std::size_t>(i)].x() - 0.8;
     const double y = legs[static_cast<std::size_t>(i)].y() - 0.5;
     B.row(3 * i) << 0, 0, 1, y, -x, 0;
