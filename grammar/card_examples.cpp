@@ -139,7 +139,8 @@ constexpr std::array texts{
              "matching nodes. Fits are switched on by FIT and MOUNT of $STEP; a fit that no step "
              "names is always on. With STATE=AXI forces, areas and mean pressures are those of the "
              "whole circumference. Where the contact is pressed up to an edge of one surface, the "
-             "pressure has no bound; the listing says so. Solids take SEGMENT pairs without MU.",
+             "pressure has no bound; the listing says so. Between solids NODE is not for "
+             "faces of 8 nodes.",
              "$CONTACT NAME=BUSH SLAVE=SLEEVE.OUTER MASTER=LUG.BORE DIAMETRAL=0.084\n"
              "$CONTACT NAME=PIN SLAVE=SHAFT.OUTER MASTER=SLEEVE.INNER GAP=0\n"},
     CardText{
