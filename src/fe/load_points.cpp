@@ -31,7 +31,11 @@ struct Spread {
 };
 
 void for_face_points(const Spread& spread, const FaceDensity& density, const OnFace& visit) {
-  const auto& [model, mesh, load, missed] = spread;
+  // Names of their own: clang does not let lambdas take structured bindings.
+  const model::Model& model = spread.model;
+  const model::Mesh& mesh = spread.mesh;
+  const model::Load& load = spread.load;
+  Unresolved* const missed = spread.missed;
   const FieldScale scale = load_scale(mesh, load);
   std::vector<LoadPoint> points;
   for_faces(
@@ -60,7 +64,11 @@ void for_face_points(const Spread& spread, const FaceDensity& density, const OnF
 
 // The density counts by the elements' shares where the rim of the set cuts them.
 void for_body_points(const Spread& spread, const BodyDensity& density, const OnBody& visit) {
-  const auto& [model, mesh, load, missed] = spread;
+  // Names of their own: clang does not let lambdas take structured bindings.
+  const model::Model& model = spread.model;
+  const model::Mesh& mesh = spread.mesh;
+  const model::Load& load = spread.load;
+  Unresolved* const missed = spread.missed;
   const SetShares shares = set_shares(model, mesh, load.elements);
   const FieldScale scale = load_scale(mesh, load, shares.elements);
   std::vector<LoadPoint> points;

@@ -53,9 +53,9 @@ private:
   /// `touched`: Schur complement of the rows below on those that they touch.
   [[nodiscard]] Parts assemble(const base::SymmetricCsc& K, std::span<const DenseBlock> blocks,
                                const base::Matrix& touched) const;
-  /// Makes the factor of the externals on the early rows of `block`, which are eliminated unless
+  /// Makes the factor of the externals on the early rows of `dense`, which are eliminated unless
   /// `early` has them already; false: the block alone is not positive definite there.
-  bool eliminate_early(const DenseBlock& block, EarlyLists lists,
+  bool eliminate_early(const DenseBlock& dense, EarlyLists lists,
                        std::shared_ptr<const EarlyRows>& early, Parts& parts);
   bool eliminate(Parts parts, FactorReport& report);
   /// The inner rows of g [top, k] <- L^-1 or L^-T times them.
