@@ -182,6 +182,18 @@ void solve_round_cones(const FrictionProblem& problem, const HeldProblem& held,
   c.status = ContactStatus::solved;
 }
 
+/// Where no solution was found: a load that round cones do not hold, though those of sixteen sides
+/// about them would, is named.
+void name_what_slides(const FrictionProblem& problem, const HeldProblem& held,
+                      const ModeSplit& split, double least, FrictionSolution& answer) {
+  const LoadBalance balance = balance_round(held, problem.friction);
+  if (opening_motion(split, balance, least).size() > 0) {
+    answer.contact.status = ContactStatus::unheld_mode;
+    answer.contact.unheld = sliding_motion(split, held, problem.friction, balance);
+    answer.slides = true;
+  }
+}
+
 /// The same increment without friction, and the states and motions that it ends in: where bodies
 /// come to lie against each other only in this increment no better beginning is at hand.
 struct SmoothStart {
@@ -289,8 +301,8 @@ FrictionSolution solve_friction(const FrictionProblem& problem, const ContactSet
   c.resting_modes = static_cast<int>(split.uncontrollable.cols());
   c.unheld = uncontrollable_motion(split, contact.h, resting_load * scale);
   HeldProblem held = held_problem(contact, split);
+  const double least = rest_load * std::max(scale, contact.h.norm());
   if (c.unheld.size() == 0) {
-    const double least = rest_load * std::max(scale, contact.h.norm());
     const LoadBalance balance =
         balance_loads(cone_problem(held.B, held.h, held.equality, problem.friction));
     c.unheld = opening_motion(split, balance, least);
@@ -315,6 +327,9 @@ FrictionSolution solve_friction(const FrictionProblem& problem, const ContactSet
   // 2. the increment itself
   if (has_round_cones(problem.friction)) {
     solve_round_cones(problem, held, split, answer);
+    if (c.status == ContactStatus::max_iterations) {
+      name_what_slides(problem, held, split, least, answer);
+    }
     return answer;
   }
   const ScaledFriction scaled = scaled_friction(held, problem.friction, contact.load_scale);

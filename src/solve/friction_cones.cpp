@@ -13,6 +13,8 @@ using base::index;
 
 namespace {
 
+constexpr int sides = 16; // of what stands for a round cone
+
 std::vector<FrictionRow> without_mu(std::vector<FrictionRow> friction) {
   for (FrictionRow& f : friction) {
     f.mu = 0.0;
@@ -39,11 +41,11 @@ base::Matrix cone_edges(const base::Matrix& B, const std::vector<bool>& equality
   return edges;
 }
 
-// Edges of round cones: of a many-sided cone about each, which holds whatever the round one holds.
-// The two tangents become its first two edges, the others are rows behind all others.
-base::Matrix round_edges(const base::Matrix& B, const std::vector<FrictionRow>& friction) {
-  constexpr int sides = 16;
-  const double out = 1.0 / std::cos(std::numbers::pi / sides);
+// Edges of round cones: of a many-sided cone each, about it (it holds whatever the round one holds)
+// or, with `out` 1, within. The two tangents become its first two edges, the others are rows behind
+// all others.
+base::Matrix round_edges(const base::Matrix& B, const std::vector<FrictionRow>& friction,
+                         double out) {
   base::Matrix edges(B.rows() + (sides - 3) * index(friction.size()), B.cols());
   edges.topRows(B.rows()) = B;
   Eigen::Index more = B.rows();
@@ -64,32 +66,71 @@ base::Matrix round_edges(const base::Matrix& B, const std::vector<FrictionRow>& 
   return edges.topRows(more);
 }
 
+HeldProblem problem_of_edges(base::Matrix edges, const base::Vector& h,
+                             std::vector<bool> equality) {
+  static const base::Matrix none;
+  equality.resize(static_cast<std::size_t>(edges.rows()), false);
+  const Eigen::Index n = edges.rows();
+  return {.W = none,
+          .B = std::move(edges),
+          .b = base::Vector::Zero(n),
+          .h = h,
+          .equality = std::move(equality),
+          .tau = 0.0,
+          .d = {}};
+}
+
+// Behind the edges those of round cones that the motion r would shorten most; false: none.
+bool add_edges_against(const base::Vector& r, const base::Matrix& B,
+                       const std::vector<FrictionRow>& friction, base::Matrix& edges) {
+  constexpr double round_off = 1e-10;
+  std::vector<base::Vector> more;
+  for (const FrictionRow& f : friction) {
+    if (f.second < 0) {
+      continue;
+    }
+    const Eigen::Vector2d slip(B.row(f.tangent).dot(r), B.row(f.second).dot(r));
+    const Eigen::Vector2d against = -slip.normalized();
+    const base::Vector edge =
+        B.row(f.normal) + f.mu * (against[0] * B.row(f.tangent) + against[1] * B.row(f.second));
+    if (edge.dot(r) < -round_off * edge.norm() * r.norm()) {
+      more.push_back(edge);
+    }
+  }
+  const Eigen::Index old = edges.rows();
+  edges.conservativeResize(old + index(more.size()), Eigen::NoChange);
+  for (std::size_t k = 0; k < more.size(); ++k) {
+    edges.row(old + index(k)) = more[k].transpose();
+  }
+  return !more.empty();
+}
+
 } // namespace
 
 HeldProblem cone_problem(const base::Matrix& B, const base::Vector& h,
                          const std::vector<bool>& equality,
                          const std::vector<FrictionRow>& friction) {
-  static const base::Matrix none;
-  if (has_round_cones(friction)) {
-    base::Matrix edges = round_edges(B, friction);
-    std::vector<bool> free = equality;
-    free.resize(static_cast<std::size_t>(edges.rows()), false);
-    const Eigen::Index n = edges.rows();
-    return {.W = none,
-            .B = std::move(edges),
-            .b = base::Vector::Zero(n),
-            .h = h,
-            .equality = std::move(free),
-            .tau = 0.0,
-            .d = {}};
+  constexpr double pi = std::numbers::pi;
+  return problem_of_edges(has_round_cones(friction)
+                              ? round_edges(B, friction, 1.0 / std::cos(pi / sides))
+                              : cone_edges(B, equality, friction),
+                          h, equality);
+}
+
+LoadBalance balance_round(const HeldProblem& held, const std::vector<FrictionRow>& friction) {
+  constexpr int most_rounds = 40; // each comes nearer by an order or so
+  constexpr double balanced = 1e-12;
+  base::Matrix edges = round_edges(held.B, friction, 1.0);
+  for (int round = 0; round < most_rounds; ++round) {
+    const LoadBalance balance = balance_loads(problem_of_edges(edges, held.h, held.equality));
+    if (balance.remainder.norm() <= balanced * held.h.norm()) {
+      break;
+    }
+    if (!add_edges_against(balance.remainder, held.B, friction, edges)) {
+      return balance;
+    }
   }
-  return {.W = none,
-          .B = cone_edges(B, equality, friction),
-          .b = base::Vector::Zero(B.rows()),
-          .h = h,
-          .equality = equality,
-          .tau = 0.0,
-          .d = {}};
+  return {base::Vector::Zero(held.h.size()), {}};
 }
 
 base::Vector sliding_motion(const ModeSplit& split, const HeldProblem& held,

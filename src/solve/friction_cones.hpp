@@ -19,6 +19,10 @@ HeldProblem cone_problem(const base::Matrix& B, const base::Vector& h,
                          const std::vector<bool>& equality,
                          const std::vector<FrictionRow>& friction);
 
+/// The balance of the loads on the modes by forces in the round cones themselves, of which edges
+/// are added where a remainder leans on them. A remainder is given only where it is certain.
+LoadBalance balance_round(const HeldProblem& held, const std::vector<FrictionRow>& friction);
+
 /// The motion [m] in which bodies slide, from what the cones cannot hold (`balance`): along rows,
 /// not off them.
 base::Vector sliding_motion(const ModeSplit& split, const HeldProblem& held,

@@ -173,15 +173,18 @@ TEST(RoundFriction, ABlockOnLegsRestsUntilItSlides) {
     B.row(3 * i + 1) << 1, 0, 0, 0, 0, -y;
     B.row(3 * i + 2) << 0, 1, 0, 0, 0, x;
   }
-  for (const double push : {0.5, 0.99, 1.2}) {
+  // Between 1 and 1.02 cones of sixteen sides about the round ones would hold it.
+  for (const double push : {0.5, 0.99, 1.0 - 1e-4, 1.0 + 1e-4, 1.005, 1.015, 1.2}) {
     FrictionProblem p = round_problem(0.01 * Matrix::Identity(9, 9), Vector::Zero(9), 0.1);
     p.contact.B = B;
     p.contact.h = (Vector(6) << 0.6 * push, 0.8 * push, -10.0, 0.0, 0.0, 0.0).finished();
     p.contact.load_scale = 10.0;
     const FrictionSolution s = solve(p);
-    if (push > 1.1) {
-      EXPECT_EQ(s.contact.status, ContactStatus::unheld_mode);
+    if (push > 1.0) {
+      ASSERT_EQ(s.contact.status, ContactStatus::unheld_mode) << push;
       EXPECT_TRUE(s.slides);
+      EXPECT_GT(s.contact.unheld.dot(p.contact.h), 0.0);
+      EXPECT_LT((B * s.contact.unheld).reshaped(3, 3).row(0).norm(), 1e-9); // along the floor
       continue;
     }
     ASSERT_EQ(s.contact.status, ContactStatus::solved) << push;
