@@ -39,10 +39,11 @@ public:
     int all_sweeps = 0;
     RoundState best = s_;
     best.residual = INFINITY;
-    for (int round = 0; round < most_rounds; ++round, sweeps *= 2) {
+    double share = 1.0;
+    for (int round = 0; round < most_rounds; ++round, sweeps *= 2, share /= 2.0) {
       s_ = swept;
       for (int k = 0; k < sweeps; ++k) {
-        sweep();
+        sweep(share);
       }
       all_sweeps += sweeps;
       find_gaps();
@@ -112,8 +113,9 @@ private:
   }
 
   // One contact point after the other, each with its own rows alone; loads on modes that the forces
-  // leave over push the bodies on (augmented Lagrangian).
-  void sweep() {
+  // leave over push the bodies on (augmented Lagrangian), as far as `share` says: with all of it a
+  // body may rock to and fro for ever.
+  void sweep(double share) {
     base::Vector left = p_.h + p_.B.transpose() * s_.lambda;
     const auto gap_of = [&](int i) {
       return p_.b[i] + p_.W.col(i).dot(s_.lambda) + p_.B.row(i).dot(s_.alpha + left);
@@ -149,7 +151,7 @@ private:
         move(row[at(i)], f[i]);
       }
     }
-    s_.alpha += left;
+    s_.alpha += share * left;
   }
 
   [[nodiscard]] double stiffness(int i, int k) const {
