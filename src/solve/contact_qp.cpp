@@ -4,6 +4,7 @@
 #include "solve/blas.hpp"
 #include "solve/criss_cross.hpp"
 #include "solve/held_problem.hpp"
+#include "solve/likely_set.hpp"
 #include "solve/load_balance.hpp"
 #include "solve/mode_split.hpp"
 #include "solve/rest.hpp"
@@ -20,7 +21,11 @@ using base::at;
 
 namespace {
 
-constexpr int patience = 10;             ///< block steps without progress (Judice and Pires 1994)
+/// Block steps in all, and without progress (Judice and Pires 1994), from any start; without
+/// progress from a likely set.
+constexpr int first_steps = 10;
+constexpr int first_patience = 4;
+constexpr int patience = 10;
 constexpr double pivot_tolerance = 1e-9; ///< of signs while the tableau gathers round-off
 constexpr int repeats = 5;               ///< of the tableau, each from a clean start
 
@@ -30,18 +35,25 @@ struct BlockSearch {
   int iterations = 0;
 };
 
+struct BlockStart {
+  std::vector<bool> closed;
+  int steps = 0;    ///< at most
+  int patience = 0; ///< without progress
+};
+
 /// Closes and opens all violated rows at once (primal-dual active set; Hintermueller, Ito and
 /// Kunisch 2003) until none is left, a set comes back or progress ends.
 BlockSearch block_pivoting(const HeldProblem& problem, const ContactSettings& settings,
-                           const std::vector<int>& spanning, std::vector<bool> closed,
+                           const std::vector<int>& spanning, BlockStart start,
                            BorderedFactor& factor) {
+  std::vector<bool>& closed = start.closed;
   BlockSearch search;
   search.best = spanning;
   std::size_t least = closed.size() + 1;
   int stalled = 0;
   std::set<std::vector<bool>> met;
   // A set that comes back would come back for ever: the method has no memory but the set.
-  while (search.iterations < settings.max_block_iterations && met.insert(closed).second) {
+  while (search.iterations < start.steps && met.insert(closed).second) {
     std::vector<int> A;
     for (int i = 0; i < problem.rows(); ++i) {
       if (closed[at(i)]) {
@@ -67,7 +79,7 @@ BlockSearch block_pivoting(const HeldProblem& problem, const ContactSettings& se
       least = violated.size();
       search.best = factor.rows();
     }
-    if (stalled > patience) {
+    if (stalled > start.patience) {
       return search;
     }
     // Redundant rows start from open, so that they close again only if their gap says so.
@@ -211,9 +223,19 @@ ContactSolution solve_contact(const ContactProblem& problem, const ContactSettin
     closed[at(i)] = closed[at(i)] || held.equality[at(i)];
   }
   BorderedFactor factor(held);
-  const BlockSearch search = block_pivoting(held, settings, spanning_rows(held, balance.pressed),
-                                            std::move(closed), factor);
+  const std::vector<int> spanning = spanning_rows(held, balance.pressed);
+  BlockSearch search = block_pivoting(
+      held, settings, spanning,
+      {std::move(closed), std::min(first_steps, settings.max_block_iterations), first_patience},
+      factor);
   answer.block_iterations = search.iterations;
+  if (!search.settled) {
+    // Where bodies are held by contact alone a set that is much too large loses but its rim in each
+    // step: it is told from afar what is left of it.
+    search = block_pivoting(held, settings, spanning,
+                            {likely_closed(held), settings.max_block_iterations, patience}, factor);
+    answer.block_iterations += search.iterations;
+  }
   if (!search.settled) {
     answer.status = pivot_to_the_end(held, settings, search.best, factor, answer);
     if (answer.status != ContactStatus::solved) {
