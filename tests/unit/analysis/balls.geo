@@ -1,5 +1,5 @@
 // Two bodies of revolution that touch at the origin: above it one whose lower end has the radius R1,
-// below it one with the radius R2 (below 0 a socket). Each is rolled about the centre of its sphere: its pole,
+// below it one with the radius R2 (below 0 a socket, 0 a flat). Each is rolled about the centre of its sphere: its pole,
 // and its mesh with it, is off1, off2 beside the origin, in the directions turn1, turn2. Elements of
 // sizes h1, h2 up to 1.2 contact radii a, growing from there on.
 SetFactory("OpenCASCADE");
@@ -16,19 +16,26 @@ all() = {};
 For b In {1 : 2}
   s = (b == 1) ? 1 : -1;
   r = (b == 1) ? R1 : R2;
+  flat = (r == 0);
+  r = flat ? 1 : r;
   g = (r > 0) ? 1 : -1;
   off = (b == 1) ? off1 : off2;
   turn = (b == 1) ? turn1 : turn2;
   p = newp;
   Point(p) = {0, 0, s * r};
   Point(p + 1) = {0, 0, 0};
-  Point(p + 2) = {w, 0, s * (r - g * Sqrt(r * r - w * w))};
-  Point(p + 3) = {L, 0, s * (r - g * Sqrt(r * r - L * L))};
+  Point(p + 2) = {w, 0, flat ? 0 : s * (r - g * Sqrt(r * r - w * w))};
+  Point(p + 3) = {L, 0, flat ? 0 : s * (r - g * Sqrt(r * r - L * L))};
   Point(p + 4) = {L, 0, s * L};
   Point(p + 5) = {0, 0, s * L};
   c = newl;
-  Circle(c) = {p + 1, p, p + 2};
-  Circle(c + 1) = {p + 2, p, p + 3};
+  If (flat)
+    Line(c) = {p + 1, p + 2};
+    Line(c + 1) = {p + 2, p + 3};
+  Else
+    Circle(c) = {p + 1, p, p + 2};
+    Circle(c + 1) = {p + 2, p, p + 3};
+  EndIf
   Line(c + 2) = {p + 3, p + 4};
   Line(c + 3) = {p + 4, p + 5};
   Line(c + 4) = {p + 5, p + 1};
@@ -38,7 +45,11 @@ For b In {1 : 2}
   Plane Surface(f) = {k};
   e() = Extrude { {0, 0, 1}, {0, 0, 0}, 2 * Pi }{ Surface{f}; };
   v = e(1);
-  Rotate { {Cos(turn), Sin(turn), 0}, {0, 0, s * r}, off / r }{ Volume{v}; }
+  If (flat)
+    Translate { off * Cos(turn), off * Sin(turn), 0 }{ Volume{v}; }
+  Else
+    Rotate { {Cos(turn), Sin(turn), 0}, {0, 0, s * r}, off / r }{ Volume{v}; }
+  EndIf
   all(b - 1) = v;
 EndFor
 Physical Volume("UP") = {all(0)};

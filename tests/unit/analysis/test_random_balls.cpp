@@ -20,7 +20,8 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 struct Body {
-  double R, E, nu, h, off, turn;
+  double R; // 0: flat
+  double E, nu, h, off, turn;
 };
 
 struct Balls {
@@ -95,11 +96,11 @@ Balls random_balls(unsigned seed) {
   BallDice dice(seed);
   const double kind = dice.real(0.0, 1.0);
   const double R = 20.0;
-  const double other = kind < 0.2   ? 1e5
+  const double other = kind < 0.2   ? 0.0
                        : kind < 0.6 ? R * dice.ratio(0.2, 5.0)
                                     : -R * dice.ratio(1.2, 5.0); // a socket
   Balls balls;
-  balls.a = 0.02 * std::min(R, std::abs(other));
+  balls.a = 0.02 * (other != 0.0 ? std::min(R, std::abs(other)) : R);
   const double n = dice.real(2.8, 4.8);
   const double coarser = dice.ratio(0.55, 1.8);
   for (std::size_t b = 0; b < balls.body.size(); ++b) {
@@ -111,7 +112,7 @@ Balls random_balls(unsigned seed) {
                      .off = dice.real(0.0, 0.4) * balls.a,
                      .turn = dice.real(0.0, 2.0 * pi)};
     balls.modulus += (1.0 - balls.body[b].nu * balls.body[b].nu) / balls.body[b].E;
-    balls.radius += 1.0 / balls.body[b].R;
+    balls.radius += balls.body[b].R != 0.0 ? 1.0 / balls.body[b].R : 0.0;
   }
   balls.modulus = 1.0 / balls.modulus;
   balls.radius = 1.0 / balls.radius;
@@ -121,7 +122,7 @@ Balls random_balls(unsigned seed) {
 
 struct Found {
   double error = 0.0;    // of the multipliers, root mean square over the surface over Hertz' own
-  double elements = 0.0; // of the contact side in the radius of contact
+  double elements = 0.0; // of the contact side in the radius of contact, by the area of faces
   double force = 0.0;    // over Hertz' for the approach
 };
 
@@ -174,19 +175,21 @@ TEST(RandomBalls, PressHertzPressure) {
     const results::StepResult& step = solved->step();
     const results::ContactResult& contact = step.contacts.front();
     const Found found = compare(balls, contact);
-    EXPECT_LT(found.error * found.elements, 0.25);
+    const double n = balls.a / std::min(balls.body[0].h, balls.body[1].h);
+    EXPECT_LT(found.error * n, 0.25);
+    EXPECT_LT(found.error * found.elements, 0.3); // gmsh makes faces up to a third smaller
     EXPECT_NEAR(found.force, 1.0, 0.03);
     EXPECT_GE(contact.min_pressure, 0.0);
-    EXPECT_LE(step.iterations, 15);
+    EXPECT_LE(step.iterations, 12);
     EXPECT_EQ(step.pivots, 0);
-    worst = std::max(worst, found.error * found.elements);
-    sum += found.error * found.elements;
+    worst = std::max(worst, found.error * n);
+    sum += found.error * n;
     std::printf("seed %u: R %.3g, E %.2f, n %.2f of %.2f and %.2f: error %.2f %% = %.1f %% / n, "
                 "force %.4f, %d iterations, %d pivots\n",
                 seed, balls.body[1].R / balls.body[0].R, balls.body[1].E / balls.body[0].E,
                 found.elements, balls.a / balls.body[0].h, balls.a / balls.body[1].h,
-                100.0 * found.error, 100.0 * found.error * found.elements, found.force,
-                step.iterations, step.pivots);
+                100.0 * found.error, 100.0 * found.error * n, found.force, step.iterations,
+                step.pivots);
     std::fflush(stdout);
   }
   std::printf("mean %.1f %%, worst %.1f %% over the number of elements\n", 100.0 * sum / tries,
