@@ -122,7 +122,7 @@ LoadBalance balance_round(const HeldProblem& held, const std::vector<FrictionRow
   constexpr double balanced = 1e-12;
   base::Matrix edges = round_edges(held.B, friction, 1.0);
   for (int round = 0; round < most_rounds; ++round) {
-    const LoadBalance balance = balance_loads(problem_of_edges(edges, held.h, held.equality));
+    LoadBalance balance = balance_loads(problem_of_edges(edges, held.h, held.equality));
     if (balance.remainder.norm() <= balanced * held.h.norm()) {
       break;
     }
