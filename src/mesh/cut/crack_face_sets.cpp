@@ -38,7 +38,7 @@ CrackFaceMembership::CrackFaceMembership(const model::Mesh& mesh,
       add_group(left, right);
     }
   }
-  if (groups_.empty()) {
+  if (groups_.empty() || mesh.dim == 3) { // in space the cut knows which face a set means
     return;
   }
   corner_ = corners_of(mesh);

@@ -6,8 +6,8 @@
 
 namespace spricka::mesh {
 
-/// The faces of a crack, from the mouth (or first tip) to the tip; one side is empty where the
-/// crack lies on a symmetry line.
+/// The faces of a crack, in the plane from the mouth (or first tip) to the tip; one side is empty
+/// where the crack lies on a symmetry line.
 struct CrackSides {
   std::vector<model::Face> left, right;
 };

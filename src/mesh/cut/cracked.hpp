@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "mesh/front_curve.hpp"
 #include "model/mesh.hpp"
 
-#include <array>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,12 +43,13 @@ struct TipMesh {
   bool pressed = false; ///< the mouth lies on a contact surface, whose pressure peaks there
 };
 
-/// A node on the rim of a patch that is finer than its host: it takes the displacement of its place
-/// on the host's edge, by the shape functions of that edge.
+/// A node that takes the displacement of its place on an edge or a face, by the shape functions
+/// there: on the rim of a patch that is finer than its host the place on the host's edge (ends and
+/// middle); the middle of the diagonal where two triangles meet one quadrilateral.
 struct RimTie {
   base::NodeId slave;
-  std::array<base::NodeId, 3> master; ///< ends and middle of the edge
-  std::array<double, 3> weight{};
+  std::vector<base::NodeId> master;
+  std::vector<double> weight; ///< as many
   base::CrackId crack;
 };
 
@@ -56,10 +58,16 @@ struct FrontPoint {
   base::NodeId node;
   base::Vec3 x = base::Vec3::Zero();
   base::Vec3 growth = base::Vec3::Zero(); ///< unit, the way the crack grows
+  // In space:
+  double s = 0.0;          ///< length along the front from its first point
+  double weight = 1.0;     ///< length of front that the point stands for, that of its linear hat
+  double size = 0.0;       ///< radial length of the elements at the front, there
+  double radius = 0.0;     ///< of the tube
+  bool at_surface = false; ///< the front leaves the body there
 };
 
 /// Where a front of a crack ended up in the mesh. K belongs to its points; in the plane there is
-/// one, the tip.
+/// one, the tip, in space one for each corner node on the front, in the order of t = m x b.
 struct Front {
   base::CrackId crack;
   int number = 1;      ///< 1, or 1 and 2 of an embedded crack
@@ -68,6 +76,7 @@ struct Front {
   double radius = 0.0; ///< of the rosette
   bool symmetric_half = false;
   std::vector<FrontPoint> points{FrontPoint{}}; ///< along the front
+  std::shared_ptr<const FrontCurve> curve;      ///< in space: the front, with the crack's axes
 
   /// The one point of a front in the plane.
   [[nodiscard]] const FrontPoint& tip() const { return points.front(); }
@@ -76,10 +85,12 @@ struct Front {
 
 /// The two faces of a crack by their nodes, the left one first, seen along the crack; of a
 /// symmetric half the one that is meshed. In the plane their order is that along the crack, from
-/// the mouth to the tip, which both have.
+/// the mouth to the tip, which both have. In space the upper face, towards which b points, is the
+/// left one; the nodes are in no order, those of the front on both.
 struct CrackFaces {
   std::vector<base::NodeId> left;
-  std::vector<base::NodeId> right; ///< as many as left, where both are meshed
+  std::vector<base::NodeId> right;                      ///< as many as left, where both are meshed
+  std::vector<model::Face> left_sides{}, right_sides{}; ///< in space: element sides that make them
 
   /// Whether one is the mirror image of the other and not meshed.
   [[nodiscard]] bool half() const { return left.empty() || right.empty(); }

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/vec.hpp"
+
+#include <vector>
+
+/// The front of a crack in space as a smooth curve.
+namespace spricka::mesh {
+
+/// The crack's axes at a place of its front: m grows, b is the normal of the crack from its lower
+/// to its upper face, t = m x b runs along the front; and how they turn along it.
+struct FrontFrame {
+  double s = 0.0; ///< length along the front from its first point
+  base::Vec3 x = base::Vec3::Zero();
+  base::Vec3 m = base::Vec3::UnitX();
+  base::Vec3 b = base::Vec3::UnitY();
+  base::Vec3 t = base::Vec3::UnitZ();
+  base::Vec3 dm = base::Vec3::Zero(); ///< dm/ds, db/ds, dt/ds [1/length]
+  base::Vec3 db = base::Vec3::Zero();
+  base::Vec3 dt = base::Vec3::Zero();
+
+  /// One over the radius of curvature in the crack's plane, positive where the crack is convex (its
+  /// front as that of a penny): t' = -curvature m.
+  [[nodiscard]] double curvature() const { return -dt.dot(m); }
+};
+
+/// A cubic spline through points, twice continuously differentiable, with the normals of the crack.
+/// Beyond the ends of an open front it goes on straight.
+class FrontCurve {
+public:
+  /// Through `points` [>= 2; >= 4 if closed, the first not repeated], in the order of t, with a
+  /// unit normal b at each; of a crack with one plane all the same.
+  FrontCurve(std::vector<base::Vec3> points, std::vector<base::Vec3> normals, bool closed);
+
+  [[nodiscard]] double length() const { return arc_.back(); }
+  [[nodiscard]] bool closed() const { return closed_; }
+  /// The axes at a length s; of a closed front s counts on over its end.
+  [[nodiscard]] FrontFrame at(double s) const;
+  /// Where the front is nearest to x [length]; below 0 or above length() beyond an open end.
+  [[nodiscard]] double nearest(const base::Vec3& x) const;
+  [[nodiscard]] const std::vector<base::Vec3>& points() const { return x_; }
+
+private:
+  struct Local {
+    std::size_t piece = 0;
+    double u = 0.0; ///< in the piece, from its start
+  };
+  struct Derivatives {
+    base::Vec3 x, d1, d2;
+  };
+  [[nodiscard]] std::size_t pieces() const { return width_.size(); }
+  [[nodiscard]] Derivatives derivatives(Local at) const;
+  [[nodiscard]] double arc_between(std::size_t piece, double u) const; ///< from the piece's start
+  [[nodiscard]] Local local(double s) const;
+  [[nodiscard]] double nearest_on(std::size_t piece, const base::Vec3& x) const;
+  void fit();
+
+  std::vector<base::Vec3> x_, normal_; ///< [knot]
+  std::vector<base::Vec3> bend_;       ///< [knot] second derivative by the chord parameter
+  std::vector<double> width_;          ///< [piece] chord
+  std::vector<double> arc_;            ///< [piece + 1] length of the front up to there
+  bool closed_ = false;
+};
+
+} // namespace spricka::mesh
