@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "mesh/surface/facet_net.hpp"
+#include "mesh/surface/surface_trace.hpp"
+
+#include <optional>
+#include <vector>
+
+/// Ways to lay a patch of the surface flat: a place of the plane for each vertex of its facets, in
+/// lengths of the crack, none of the facets turned over.
+namespace spricka::mesh {
+
+using FlatPlaces = std::vector<base::Vec2>; ///< [vertex]
+
+/// A patch cut out of the surface, all of it on one smooth piece and connected.
+struct ChartPatch {
+  const SurfaceGeometry& surface;
+  const std::vector<std::size_t>& faces;
+  const FacetNet& net;
+  const CrackPlane& plane;
+};
+
+/// Axes of a plane with the crack's origin.
+struct FlatFrame {
+  base::Vec3 origin, e1, e2;
+  double length = 1.0;
+  [[nodiscard]] base::Vec2 operator()(const base::Vec3& x) const {
+    return base::Vec2((x - origin).dot(e1), (x - origin).dot(e2)) / length;
+  }
+};
+/// Of a plane patch; none of others.
+std::optional<FlatFrame> flat_frame(const ChartPatch& patch);
+/// Straight onto a plane across the mean normal.
+FlatFrame mean_frame(const ChartPatch& patch);
+
+/// A circular cylinder unrolled; where the patch goes all the way round, by the exponential
+/// function, which keeps angles too, onto a ring. None if it is no cylinder.
+std::optional<FlatPlaces> unrolled(const ChartPatch& patch);
+
+/// Angles kept as well as can be, by least squares (Levy, Petitjean, Ray and Maillot 2002), total
+/// area kept; none if the equations have no solution.
+std::optional<FlatPlaces> conformal(const ChartPatch& patch);
+
+/// Whether all facets lie face up.
+bool upright(const FacetNet& net, const FlatPlaces& places);
+
+} // namespace spricka::mesh

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "mesh/surface/surface_geometry.hpp"
+
+#include <array>
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace spricka::mesh {
+
+/// Faces divided into plane triangles by their own maps, which meet in the vertices of the edges
+/// they share: linear faces into 1 or 2, quadratic ones into 16 or 32.
+class FacetNet {
+public:
+  static constexpr int divisions = 4; ///< of an edge of a quadratic face
+
+  struct Facet {
+    std::size_t face = nowhere;
+    std::array<int, 3> vertex{-1, -1, -1}; ///< round the outer normal
+    std::array<base::Vec2, 3> r;           ///< on the face
+  };
+  /// A side of facets that is part of an edge of the surface, with its t at both vertices.
+  struct OnEdge {
+    std::size_t edge = nowhere;
+    std::array<double, 2> t{0.0, 0.0}; ///< at the lower vertex, at the higher
+  };
+
+  FacetNet(const SurfaceGeometry& surface, std::span<const std::size_t> faces);
+
+  [[nodiscard]] const std::vector<base::Vec3>& x() const { return x_; } ///< [vertex]
+  [[nodiscard]] const std::vector<Facet>& facets() const { return facets_; }
+  /// The facets of the i-th face given: from first(i) up to first(i + 1).
+  [[nodiscard]] std::size_t first(std::size_t i) const { return first_[i]; }
+  /// What lies between two vertices, if it is part of an edge.
+  [[nodiscard]] const OnEdge* on_edge(int v, int w) const;
+
+private:
+  void add_face(const SurfaceGeometry& surface, std::size_t face);
+  int corner(const SurfaceFace& face, int i);
+  int on_side(const SurfaceGeometry& surface, std::size_t face, int i, int k);
+
+  std::vector<base::Vec3> x_;
+  std::vector<Facet> facets_;
+  std::vector<std::size_t> first_;
+  std::map<base::NodeId, int> corner_;
+  std::map<std::pair<std::size_t, int>, int> inner_; ///< edge and step from its first end
+  std::map<std::pair<int, int>, OnEdge> sides_;
+};
+
+} // namespace spricka::mesh

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "mesh/surface/new_surface.hpp"
+#include "mesh/surface/region_patches.hpp"
+
+#include <map>
+#include <vector>
+
+namespace spricka::mesh {
+
+/// A point of the new surface on an edge of the old one.
+struct EdgePoint {
+  double t = 0.0;
+  int point = -1;
+};
+
+/// Feature edges inside a region divided anew, and the rim as it is: which points lie on which
+/// edges and nodes of the host. Adds points and edges to `out`.
+class FeatureLines {
+public:
+  /// `crossings`: points that must be there, by edge.
+  FeatureLines(const SurfaceGeometry& surface, const RegionPatches& patches, const SizeAt& size,
+               std::map<std::size_t, std::vector<EdgePoint>> crossings, NewSurface& out);
+
+  /// The point on a node of the host, -1 if there is none.
+  [[nodiscard]] int on_node(base::NodeId node) const;
+  /// The points on an edge, between its ends, t ascending.
+  [[nodiscard]] const std::vector<EdgePoint>& on_edge(std::size_t edge) const;
+
+private:
+  struct Chain;
+  void add_rim();
+  void take_nodes();
+  void divide(const FeatureChain& feature);
+  int point_at(const Chain& chain, double s);
+  int point_on_node(base::NodeId node, const SurfacePlace& place);
+
+  const SurfaceGeometry& surface_;
+  const RegionPatches& patches_;
+  const SizeAt& size_;
+  std::map<std::size_t, std::vector<EdgePoint>> on_edge_;
+  std::map<base::NodeId, int> on_node_;
+  NewSurface& out_;
+};
+
+} // namespace spricka::mesh

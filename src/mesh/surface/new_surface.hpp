@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "mesh/surface/surface_trace.hpp"
+
+#include <array>
+#include <vector>
+
+/// The part of a body's surface that a cavity takes away, and what it becomes.
+namespace spricka::mesh {
+
+/// Where a line of a mouth ends: at a corner of a cap's outline, or (cap < 0) free.
+struct MouthEnd {
+  int cap = -1;
+  int corner = -1;
+};
+
+struct SurfaceMouth {
+  SurfaceLine line;            ///< of divide(); end places are those of the caps' corners
+  std::array<MouthEnd, 2> end; ///< of its first and last corner
+};
+
+/// What is to be meshed.
+struct SurfaceRegion {
+  /// Boundary faces that the cavity removes, by their numbers in the SurfaceGeometry.
+  std::vector<std::size_t> faces;
+  /// Outlines of the tube's ends, closed polygons of points on those faces, either way round. What
+  /// they enclose stays free. Each lies on one smooth piece.
+  std::vector<std::vector<base::Vec3>> caps;
+  std::vector<SurfaceMouth> mouths;
+  CrackPlane plane; ///< of the crack: for rounded coordinates
+  SizeAt size;
+  double growth = 0.3; ///< of the size for each unit of distance
+};
+
+/// What an edge of the new mesh is. Its middle is fixed for all but `outline`, whose tube has one.
+enum class NewEdgeKind {
+  rim,     ///< of the host, to a face that stays
+  feature, ///< part of a feature edge of the host
+  outline, ///< of a tube's end
+  mouth,   ///< of the crack
+  inner,   ///< between two of the new triangles
+};
+
+struct NewEdge {
+  std::array<int, 2> points{-1, -1}; ///< the lower first
+  NewEdgeKind kind = NewEdgeKind::inner;
+  SurfacePlace mid;      ///< on the host's true face
+  base::NodeId host_mid; ///< of a rim of quadratic elements
+};
+
+struct NewPoint {
+  SurfacePlace place;
+  base::NodeId host; ///< on the rim (and nowhere else)
+};
+
+struct NewTriangle {
+  std::array<int, 3> points{-1, -1, -1}; ///< round the outer normal
+  std::array<int, 3> edges{-1, -1, -1};  ///< [i] from point i to the next
+  std::size_t face = nowhere;            ///< the host's face that its middle lies on
+};
+
+/// The region as quadratic triangles.
+struct NewSurface {
+  std::vector<NewPoint> points;
+  std::vector<NewEdge> edges;
+  std::vector<NewTriangle> triangles;
+  std::vector<std::vector<int>> caps;   ///< [cap][corner] point, as given
+  std::vector<std::vector<int>> mouths; ///< [mouth][corner of its line] point
+  SurfaceTrouble trouble;               ///< then there is nothing else
+};
+
+} // namespace spricka::mesh

@@ -1,0 +1,389 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/surface/remesh_surface.hpp"
+
+#include "mesh/link/fill.hpp"
+#include "mesh/plane.hpp"
+#include "mesh/surface/feature_lines.hpp"
+#include "mesh/surface/piece_outline.hpp"
+#include "mesh/surface/region_patches.hpp"
+#include "mesh/surface/surface_chart.hpp"
+#include "mesh/surface/surface_fold.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace spricka::mesh {
+
+using base::NodeId;
+using base::Vec2;
+using base::Vec3;
+
+namespace {
+
+constexpr double on_region = 1e-6; // of the crack's length: how far a cap's corner may lie off
+
+class Remesher {
+public:
+  Remesher(const SurfaceGeometry& surface, const SurfaceRegion& region)
+      : surface_(surface), region_(region), patches_(surface, region.faces) {}
+
+  NewSurface run() {
+    if (patches_.trouble()) {
+      fail(patches_.trouble().why, patches_.trouble().at);
+    }
+    take_caps();
+    take_mouths();
+    if (!out_.trouble) {
+      lines_.emplace(surface_, patches_, size_near_caps(), crossings_, out_);
+      for (std::size_t e = 0; e < out_.edges.size(); ++e) {
+        know(e);
+      }
+    }
+    for (std::size_t p = 0; p < patches_.count() && !out_.trouble; ++p) {
+      fill_patch(p);
+    }
+    if (!out_.trouble) {
+      out_.trouble = surface_fold(surface_, out_);
+    }
+    if (out_.trouble) {
+      return {{}, {}, {}, {}, {}, out_.trouble};
+    }
+    return std::move(out_);
+  }
+
+private:
+  void fail(const std::string& why, const Vec3& at) {
+    if (!out_.trouble) {
+      out_.trouble = {why, at};
+    }
+  }
+
+  int add_point(const SurfacePlace& place) {
+    out_.points.push_back({place, NodeId()});
+    return static_cast<int>(out_.points.size()) - 1;
+  }
+  /// Edges are known by their points, the lower first.
+  void know(std::size_t e) {
+    auto& [a, b] = out_.edges[e].points;
+    if (b < a) {
+      std::swap(a, b);
+    }
+    known_.try_emplace({a, b}, static_cast<int>(e));
+  }
+  void add_edge(int a, int b, NewEdgeKind kind, const SurfacePlace& mid) {
+    out_.edges.push_back({{a, b}, kind, mid, NodeId()});
+    know(out_.edges.size() - 1);
+  }
+
+  void take_caps() {
+    for (const std::vector<Vec3>& cap : region_.caps) {
+      std::vector<int> points;
+      for (const Vec3& x : cap) {
+        const SurfacePlace near = surface_.nearest(x, patches_.all());
+        if (near.face == nowhere || (near.x - x).norm() > on_region * region_.plane.length) {
+          fail("an end of the tube round the crack's front does not lie on the surface that the "
+               "cavity takes away",
+               x);
+          return;
+        }
+        points.push_back(add_point(near));
+        if (patches_.patch_of(near.face) != patches_.patch_of(place(points.front()).face)) {
+          fail("an end of the tube round the crack's front covers an edge of the body", x);
+        }
+      }
+      out_.caps.push_back(points);
+    }
+  }
+
+  [[nodiscard]] const SurfacePlace& place(int point) const {
+    return out_.points[static_cast<std::size_t>(point)].place;
+  }
+
+  void take_mouths() {
+    for (const SurfaceMouth& mouth : region_.mouths) {
+      if (out_.trouble) {
+        return;
+      }
+      std::vector<int> points;
+      const auto& corners = mouth.line.corners;
+      for (std::size_t i = 0; i < corners.size(); ++i) {
+        const bool end = i == 0 || i + 1 == corners.size();
+        const MouthEnd& at = mouth.end[i == 0 ? 0 : 1];
+        if (end && at.cap >= 0) {
+          points.push_back(
+              out_.caps[static_cast<std::size_t>(at.cap)][static_cast<std::size_t>(at.corner)]);
+          continue;
+        }
+        points.push_back(add_point(corners[i].place));
+        if (corners[i].edge != nowhere) {
+          cross_edge(corners[i], points.back());
+        }
+      }
+      for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        if (patches_.patch_of(mouth.line.mids[i].face) == nowhere) {
+          fail("the crack's mouth leaves the surface that the cavity takes away",
+               mouth.line.mids[i].x);
+        }
+        add_edge(points[i], points[i + 1], NewEdgeKind::mouth, mouth.line.mids[i]);
+      }
+      out_.mouths.push_back(points);
+    }
+  }
+
+  void cross_edge(const LinePoint& corner, int point) {
+    const SurfaceEdge& edge = surface_.edges()[corner.edge];
+    if (!std::ranges::binary_search(patches_.features(), corner.edge)) {
+      fail("the crack's mouth leaves the surface that the cavity takes away", corner.place.x);
+    }
+    if (std::abs(corner.t) >= 1.0 - same) {
+      const NodeId node = edge.ends[corner.t < 0.0 ? 0 : 1];
+      for (const std::size_t e : patches_.rim()) {
+        if (std::ranges::count(surface_.edges()[e].ends, node) > 0) {
+          fail("the crack's mouth runs through the rim of the cavity", corner.place.x);
+        }
+      }
+    }
+    crossings_[corner.edge].push_back({corner.t, point});
+  }
+
+  /// Feature edges beside a cap are divided no coarser than they are far from it.
+  [[nodiscard]] SizeAt size_near_caps() const {
+    return [this](const Vec3& x) {
+      const double wanted = region_.size(x);
+      double away = wanted;
+      for (const std::vector<Vec3>& cap : region_.caps) {
+        for (std::size_t i = 0; i < cap.size(); ++i) {
+          const Vec3 d = cap[(i + 1) % cap.size()] - cap[i];
+          const double t = std::clamp((x - cap[i]).dot(d) / d.squaredNorm(), 0.0, 1.0);
+          away = std::min(away, (x - cap[i] - t * d).norm());
+        }
+      }
+      return std::max(away, 0.1 * wanted);
+    };
+  }
+
+  /// The points on one side of a patch's border, but for its end.
+  void go_along(const PatchSide& side, const SurfaceChart& chart, PieceOutline& outline,
+                std::vector<int>& loop) {
+    const SurfaceFace& face = surface_.face(side.face);
+    const SurfaceEdge& edge = surface_.edges()[side.edge];
+    const auto take = [&](int point, double t) {
+      loop.push_back(outline.local(point, chart.at(side.face, edge_r(face.shape, side.side, t))));
+    };
+    const NodeId from = face.nodes[static_cast<std::size_t>(side.side)];
+    if (lines_->on_node(from) >= 0) {
+      take(lines_->on_node(from), -1.0);
+    }
+    const bool along = from == edge.ends[0];
+    const std::vector<EdgePoint>& points = lines_->on_edge(side.edge);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const EdgePoint& point = along ? points[i] : points[points.size() - 1 - i];
+      take(point.point, along ? point.t : -point.t);
+    }
+  }
+
+  void fill_patch(std::size_t patch) {
+    const SurfaceChart chart(surface_, patches_.faces(patch), region_.plane);
+    if (chart.trouble()) {
+      fail(chart.trouble().why, chart.trouble().at);
+      return;
+    }
+    PieceOutline outline;
+    for (const std::vector<PatchSide>& sides : patches_.loops(patch)) {
+      std::vector<int> loop;
+      for (const PatchSide& side : sides) {
+        go_along(side, chart, outline, loop);
+      }
+      outline.region.loops.push_back(loop);
+    }
+    const std::size_t first_cap = outline.region.loops.size();
+    add_caps(patch, chart, outline);
+    embed_mouths(patch, chart, outline);
+    embed_creases(patch, chart, outline);
+    if (const auto clash = line_clash(outline.region, first_cap)) {
+      tell(*clash, outline);
+      return;
+    }
+    const Filling filling =
+        fill(outline.region, piece_sizes(chart, outline.region, region_.size, region_.growth));
+    if (!filling.trouble.empty()) {
+      fail("the surface that the crack's cavity takes away cannot be meshed anew: " +
+               filling.trouble,
+           place(outline.point.front()).x);
+      return;
+    }
+    take_triangles(chart, outline, filling);
+  }
+
+  void add_caps(std::size_t patch, const SurfaceChart& chart, PieceOutline& outline) {
+    for (const std::vector<int>& cap : out_.caps) {
+      if (patches_.patch_of(place(cap.front()).face) != patch) {
+        continue;
+      }
+      std::vector<int> loop;
+      double area = 0.0;
+      for (const int point : cap) {
+        loop.push_back(outline.local(point, chart.at(place(point).face, place(point).r)));
+      }
+      const auto u = [&](std::size_t i) -> const Vec2& {
+        return outline.region.points[static_cast<std::size_t>(loop[i % loop.size()])];
+      };
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        area += cross(u(i), u(i + 1));
+        const auto [a, b] = std::pair(cap[i], cap[(i + 1) % cap.size()]);
+        add_edge(a, b, NewEdgeKind::outline, chart.middle(place(a), place(b), u(i), u(i + 1)));
+      }
+      if (area > 0.0) { // the patch lies outside of it, and on the left
+        std::ranges::reverse(loop);
+      }
+      outline.region.loops.push_back(loop);
+    }
+  }
+
+  /// Where a point of a feature edge lies on the faces of a patch.
+  [[nodiscard]] Vec2 from_patch(std::size_t patch, std::size_t e, double t,
+                                const SurfaceChart& chart) const {
+    const SurfaceEdge& edge = surface_.edges()[e];
+    const std::size_t way = patches_.patch_of(edge.faces[0]) == patch ? 0 : 1;
+    const std::size_t f = edge.faces[way];
+    return chart.at(f, edge_r(surface_.face(f).shape, edge.side[way], way == 0 ? t : -t));
+  }
+
+  void embed_mouths(std::size_t patch, const SurfaceChart& chart, PieceOutline& outline) {
+    for (std::size_t m = 0; m < region_.mouths.size(); ++m) {
+      const SurfaceLine& line = region_.mouths[m].line;
+      std::vector<int> chain;
+      for (std::size_t i = 0; i < line.mids.size(); ++i) {
+        const bool here = patches_.patch_of(line.mids[i].face) == patch;
+        for (const std::size_t k : {i, i + 1}) {
+          if (here && (k > i || chain.empty())) {
+            chain.push_back(outline.local(out_.mouths[m][k], mouth_at(patch, line, {m, k}, chart)));
+          }
+        }
+        if (!chain.empty() && (!here || i + 1 == line.mids.size())) {
+          outline.region.embedded.push_back(std::exchange(chain, {}));
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] Vec2 mouth_at(std::size_t patch, const SurfaceLine& line,
+                              std::pair<std::size_t, std::size_t> index,
+                              const SurfaceChart& chart) const {
+    const LinePoint& corner = line.corners[index.second];
+    // In a corner of the body the line comes to a third patch, which does not have the edge.
+    const auto has = [&](std::size_t face) { return patches_.patch_of(face) == patch; };
+    if (corner.edge != nowhere && std::ranges::any_of(surface_.edges()[corner.edge].faces, has)) {
+      return from_patch(patch, corner.edge, corner.t, chart);
+    }
+    const int point = out_.mouths[index.first][index.second];
+    const SurfacePlace& at_cap = place(point);
+    if (patches_.patch_of(at_cap.face) == patch) {
+      return chart.at(at_cap.face, at_cap.r);
+    }
+    const SurfacePlace near = surface_.nearest(at_cap.x, patches_.faces(patch));
+    return chart.at(near.face, near.r);
+  }
+
+  /// Feature edges that end within the patch.
+  void embed_creases(std::size_t patch, const SurfaceChart& chart, PieceOutline& outline) {
+    for (const std::size_t e : patches_.features()) {
+      const SurfaceEdge& edge = surface_.edges()[e];
+      if (patches_.patch_of(edge.faces[0]) != patch || patches_.patch_of(edge.faces[1]) != patch) {
+        continue;
+      }
+      std::vector<int> chain;
+      const auto take = [&](int point, double t) {
+        if (point >= 0) {
+          chain.push_back(outline.local(point, from_patch(patch, e, t, chart)));
+        }
+      };
+      take(lines_->on_node(edge.ends[0]), -1.0);
+      for (const EdgePoint& point : lines_->on_edge(e)) {
+        take(point.point, point.t);
+      }
+      take(lines_->on_node(edge.ends[1]), 1.0);
+      if (chain.size() > 1) {
+        outline.region.embedded.push_back(chain);
+      }
+    }
+  }
+
+  [[nodiscard]] std::string name_of(std::pair<int, int> line, const PieceOutline& outline) const {
+    const auto [a, b] = std::minmax(outline.point[static_cast<std::size_t>(line.first)],
+                                    outline.point[static_cast<std::size_t>(line.second)]);
+    const auto at = known_.find({a, b});
+    switch (at == known_.end() ? NewEdgeKind::inner
+                               : out_.edges[static_cast<std::size_t>(at->second)].kind) {
+    case NewEdgeKind::rim:
+      return "the rim of the cavity";
+    case NewEdgeKind::feature:
+      return "an edge of the body";
+    case NewEdgeKind::outline:
+      return "an end of the tube";
+    case NewEdgeKind::mouth:
+      return "the crack's mouth";
+    default:
+      return "a line";
+    }
+  }
+
+  void tell(const LineClash& clash, const PieceOutline& outline) {
+    const int at = outline.point[static_cast<std::size_t>(clash.one.first)];
+    const Vec3& x = place(at).x;
+    if (clash.outside) {
+      fail("an end of the tube lies beside the surface that the cavity takes away", x);
+    } else {
+      fail("on the body's surface " + name_of(clash.one, outline) + " meets " +
+               name_of(clash.two, outline),
+           x);
+    }
+  }
+
+  void take_triangles(const SurfaceChart& chart, PieceOutline& outline, const Filling& filling) {
+    std::vector<Vec2> u = outline.region.points;
+    std::vector<int> point = outline.point;
+    for (const Vec2& p : filling.added) {
+      u.emplace_back(rounded(p.x()), rounded(p.y()));
+      point.push_back(add_point(chart.place(u.back())));
+    }
+    for (const std::array<int, 3>& corners : filling.triangles) {
+      NewTriangle triangle;
+      Vec2 middle = Vec2::Zero();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto i = static_cast<std::size_t>(corners[k]);
+        const auto j = static_cast<std::size_t>(corners[(k + 1) % 3]);
+        const auto [a, b] = std::minmax(point[i], point[j]);
+        if (!known_.contains({a, b})) {
+          add_edge(a, b, NewEdgeKind::inner,
+                   chart.middle(place(point[i]), place(point[j]), u[i], u[j]));
+        }
+        triangle.points[k] = point[i];
+        triangle.edges[k] = known_.at({a, b});
+        middle += u[i] / 3.0;
+      }
+      triangle.face = chart.place(middle).face;
+      out_.triangles.push_back(triangle);
+    }
+  }
+
+  const SurfaceGeometry& surface_;
+  const SurfaceRegion& region_;
+  RegionPatches patches_;
+  NewSurface out_;
+  std::map<std::size_t, std::vector<EdgePoint>> crossings_;
+  std::optional<FeatureLines> lines_;
+  std::map<std::pair<int, int>, int> known_; ///< edges by their points
+};
+
+} // namespace
+
+NewSurface remesh_surface(const SurfaceGeometry& surface, const SurfaceRegion& region) {
+  return Remesher(surface, region).run();
+}
+
+} // namespace spricka::mesh

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/surface/surface_fold.hpp"
+
+#include "shape/quadrature.hpp"
+#include "shape/shape.hpp"
+
+#include <Eigen/Geometry>
+
+namespace spricka::mesh {
+
+using base::Vec2;
+using base::Vec3;
+
+namespace {
+
+constexpr int looked_at = 4;         // degree of the points
+constexpr double least_facing = 0.3; // cosine between a triangle's normal and the host's
+
+} // namespace
+
+Vec3 normal_of(const NewSurface& made, const NewTriangle& triangle, const Vec2& r) {
+  Eigen::Matrix<double, 3, 6> X;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    X.col(i) = made.points[static_cast<std::size_t>(triangle.points[k])].place.x;
+    X.col(3 + i) = made.edges[static_cast<std::size_t>(triangle.edges[k])].mid.x;
+  }
+  const Eigen::Matrix<double, 3, 2> T = X * shape::Trimc6::dN(r);
+  return T.col(0).cross(T.col(1));
+}
+
+SurfaceTrouble surface_fold(const SurfaceGeometry& surface, const NewSurface& made) {
+  std::vector<int> count(made.edges.size(), 0);
+  for (const NewTriangle& triangle : made.triangles) {
+    const Vec3 outward = surface.place(triangle.face, {1.0 / 3.0, 1.0 / 3.0}).normal;
+    for (const auto& q : shape::triangle_rule(looked_at)) {
+      const Vec3 n = normal_of(made, triangle, q.r);
+      if (!(n.dot(outward) > least_facing * n.norm()) || !(n.norm() > 0.0)) {
+        return {"the crack leaves the surface of the body too coarse or too narrow a place: a "
+                "triangle folds",
+                made.points[static_cast<std::size_t>(triangle.points[0])].place.x};
+      }
+    }
+    for (const int e : triangle.edges) {
+      ++count[static_cast<std::size_t>(e)];
+    }
+  }
+  for (std::size_t e = 0; e < made.edges.size(); ++e) {
+    const NewEdgeKind kind = made.edges[e].kind;
+    const int wanted = kind == NewEdgeKind::rim || kind == NewEdgeKind::outline ? 1 : 2;
+    if (count[e] != wanted) {
+      return {"the mesher left out an edge of the body's new surface", made.edges[e].mid.x};
+    }
+  }
+  return {};
+}
+
+} // namespace spricka::mesh

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "mesh/surface/surface_face.hpp"
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <set>
+#include <span>
+#include <vector>
+
+namespace spricka::mesh {
+
+/// No face, no edge.
+inline constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
+
+/// A place on the surface of a mesh of solids.
+struct SurfacePlace {
+  std::size_t face = nowhere;             ///< into SurfaceGeometry::faces
+  base::Vec2 r = base::Vec2::Zero();      ///< reference coordinates on it
+  base::Vec3 x = base::Vec3::Zero();      ///< on the true, curved face
+  base::Vec3 normal = base::Vec3::Zero(); ///< unit, out of the body
+};
+
+/// An edge between boundary faces. t [-1,1] runs on it from `ends[0]`, the lower node, to ends[1].
+struct SurfaceEdge {
+  std::array<base::NodeId, 2> ends;
+  base::NodeId mid; ///< invalid between corners of linear elements
+  /// The face that runs round its corners from ends[0] to ends[1], and the other; of more than two
+  /// those with the lowest numbers; `nowhere` if there is none.
+  std::array<std::size_t, 2> faces{nowhere, nowhere};
+  std::array<int, 2> side{-1, -1}; ///< the edge's number round the faces
+  int count = 0;                   ///< faces that have it: 2 but where bodies touch in an edge
+  bool feature = false;            ///< ends the smooth pieces beside it
+};
+
+/// Feature edges one after another, between two nodes where other than two of them meet, or round.
+struct FeatureChain {
+  std::vector<std::size_t> edges;
+  std::vector<base::NodeId>
+      nodes; ///< one more than edges; the first again at the end of a closed one
+  [[nodiscard]] bool closed() const { return nodes.front() == nodes.back(); }
+};
+
+/// Some edges strung into chains, which end at `stops` too.
+std::vector<FeatureChain> chain_edges(const std::vector<SurfaceEdge>& all,
+                                      const std::vector<std::size_t>& which,
+                                      const std::set<base::NodeId>& stops);
+
+/// The boundary of the solids of a mesh, with its smooth pieces and the edges between them. Faces
+/// are those of boundary_faces. Keeps no reference to the mesh.
+class SurfaceGeometry {
+public:
+  /// Feature edges are those where the true normals of both faces turn by more than this [rad]: a
+  /// bore of sixteen linear facets (22.5 degrees) is one piece.
+  static constexpr double most_turn = 0.61; // 35 degrees
+
+  /// Borders of the face sets in `kept` are feature edges too, however smooth the surface is there.
+  explicit SurfaceGeometry(const model::Mesh& mesh, std::span<const base::FaceSetId> kept = {});
+  ~SurfaceGeometry();
+  SurfaceGeometry(SurfaceGeometry&&) noexcept;
+  SurfaceGeometry& operator=(SurfaceGeometry&&) noexcept;
+  SurfaceGeometry(const SurfaceGeometry&) = delete;
+  SurfaceGeometry& operator=(const SurfaceGeometry&) = delete;
+
+  [[nodiscard]] const std::vector<SurfaceFace>& faces() const { return faces_; }
+  [[nodiscard]] const SurfaceFace& face(std::size_t f) const { return faces_[f]; }
+  /// The number of a boundary face; `nowhere` if it is none.
+  [[nodiscard]] std::size_t index(const model::Face& face) const;
+  [[nodiscard]] SurfacePlace place(std::size_t face, const base::Vec2& r) const;
+  /// Length of the diagonal of the box round everything.
+  [[nodiscard]] double extent() const { return extent_; }
+
+  [[nodiscard]] const std::vector<SurfaceEdge>& edges() const { return edges_; }
+  /// The edge from corner i of a face to the next.
+  [[nodiscard]] std::size_t edge(std::size_t face, int i) const {
+    return face_edges_[face][static_cast<std::size_t>(i)];
+  }
+  /// The place at t of an edge, on its first face (or its second, if it has no first).
+  [[nodiscard]] SurfacePlace place_on_edge(std::size_t edge, double t) const;
+  /// The smooth piece of a face, counted from 0 in the order of the faces.
+  [[nodiscard]] std::size_t piece(std::size_t face) const { return piece_[face]; }
+  [[nodiscard]] std::size_t piece_count() const { return pieces_; }
+  [[nodiscard]] std::vector<FeatureChain> feature_chains() const;
+
+  /// The place nearest to x; of several faces as near (an edge) that with the lowest number.
+  [[nodiscard]] SurfacePlace nearest(const base::Vec3& x) const;
+  /// The same among some faces only.
+  [[nodiscard]] SurfacePlace nearest(const base::Vec3& x, std::span<const std::size_t> among) const;
+  /// Faces whose boxes meet a box, ascending.
+  [[nodiscard]] std::vector<std::size_t> in_box(const base::Vec3& low,
+                                                const base::Vec3& high) const;
+
+private:
+  struct Tree;
+  void find_edges();
+  void find_pieces(const model::Mesh& mesh, std::span<const base::FaceSetId> kept);
+
+  std::vector<SurfaceFace> faces_; ///< ascending by element and side
+  std::vector<std::array<std::size_t, 4>> face_edges_;
+  std::vector<SurfaceEdge> edges_;
+  std::vector<std::size_t> piece_;
+  std::size_t pieces_ = 0;
+  double extent_ = 0.0;
+  std::unique_ptr<Tree> tree_;
+};
+
+} // namespace spricka::mesh

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Edges of the surface, which of them are features, and the smooth pieces between these.
+#include "mesh/surface/surface_geometry.hpp"
+#include "shape/topology.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+#include <utility>
+
+namespace spricka::mesh {
+
+using base::NodeId;
+using base::Vec3;
+
+namespace {
+
+std::size_t root_of(std::vector<std::size_t>& parent, std::size_t i) {
+  while (parent[i] != i) {
+    parent[i] = parent[parent[i]];
+    i = parent[i];
+  }
+  return i;
+}
+
+NodeId mid_of_side(const SurfaceFace& face, int i) {
+  return face.quadratic() ? face.nodes[static_cast<std::size_t>(face.corners() + i)] : NodeId();
+}
+
+/// [face] which of some sets have it, ascending.
+std::vector<std::vector<std::size_t>> membership(const SurfaceGeometry& surface,
+                                                 const model::Mesh& mesh,
+                                                 std::span<const base::FaceSetId> sets) {
+  std::vector<std::vector<std::size_t>> of(surface.faces().size());
+  for (std::size_t s = 0; s < sets.size(); ++s) {
+    for (const model::Face& face : mesh.set(sets[s]).faces) {
+      const std::size_t f = surface.index(face);
+      if (f != nowhere && (of[f].empty() || of[f].back() != s)) {
+        of[f].push_back(s);
+      }
+    }
+  }
+  return of;
+}
+
+/// Walks along feature edges from node to node.
+class ChainWalk {
+public:
+  ChainWalk(const std::vector<SurfaceEdge>& edges, const std::vector<std::size_t>& which,
+            const std::set<NodeId>& stops)
+      : edges_(edges), stops_(stops) {
+    for (const std::size_t e : which) {
+      at_[edges[e].ends[0]].push_back(e);
+      at_[edges[e].ends[1]].push_back(e);
+    }
+  }
+
+  std::vector<FeatureChain> chains() {
+    std::vector<FeatureChain> all;
+    for (const bool rings : {false, true}) {
+      for (const auto& [node, around] : at_) {
+        for (const std::size_t e : around) {
+          if (!used_.contains(e) && (rings || !passes(node))) {
+            all.push_back(from(node, e));
+          }
+        }
+      }
+    }
+    return all;
+  }
+
+private:
+  [[nodiscard]] bool passes(NodeId node) const {
+    return at_.at(node).size() == 2 && !stops_.contains(node);
+  }
+  FeatureChain from(NodeId node, std::size_t edge) {
+    FeatureChain chain{{}, {node}};
+    for (std::size_t e = edge; e != nowhere;) {
+      used_.insert(e);
+      chain.edges.push_back(e);
+      const auto& ends = edges_[e].ends;
+      node = ends[0] == node ? ends[1] : ends[0];
+      chain.nodes.push_back(node);
+      const std::vector<std::size_t>& around = at_.at(node);
+      e = nowhere;
+      for (const std::size_t next : around) {
+        e = passes(node) && !used_.contains(next) ? next : e;
+      }
+    }
+    return chain;
+  }
+
+  const std::vector<SurfaceEdge>& edges_;
+  std::map<NodeId, std::vector<std::size_t>> at_; ///< feature edges of a node
+  const std::set<NodeId>& stops_;
+  std::set<std::size_t> used_;
+};
+
+} // namespace
+
+void SurfaceGeometry::find_edges() {
+  face_edges_.assign(faces_.size(), {nowhere, nowhere, nowhere, nowhere});
+  std::map<std::pair<NodeId, NodeId>, std::size_t> known;
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    const SurfaceFace& face = faces_[f];
+    for (int i = 0; i < face.corners(); ++i) {
+      const NodeId a = face.nodes[static_cast<std::size_t>(i)];
+      const NodeId b = face.nodes[static_cast<std::size_t>((i + 1) % face.corners())];
+      const auto [at, fresh] = known.try_emplace(std::minmax(a, b), edges_.size());
+      if (fresh) {
+        edges_.push_back({{std::min(a, b), std::max(a, b)}, mid_of_side(face, i)});
+      }
+      SurfaceEdge& edge = edges_[at->second];
+      face_edges_[f][static_cast<std::size_t>(i)] = at->second;
+      const std::size_t way = a < b ? 0 : 1;
+      ++edge.count;
+      if (edge.faces[way] == nowhere) {
+        edge.faces[way] = f;
+        edge.side[way] = i;
+      }
+    }
+  }
+}
+
+void SurfaceGeometry::find_pieces(const model::Mesh& mesh, std::span<const base::FaceSetId> kept) {
+  const std::vector<std::vector<std::size_t>> sets = membership(*this, mesh, kept);
+  const double least = std::cos(most_turn);
+  std::vector<std::size_t> parent(faces_.size());
+  std::iota(parent.begin(), parent.end(), std::size_t{0});
+  for (SurfaceEdge& edge : edges_) {
+    const auto [one, two] = edge.faces;
+    edge.feature = edge.count != 2 || one == nowhere || two == nowhere || sets[one] != sets[two];
+    if (!edge.feature) {
+      const Vec3 n1 = place(one, edge_r(faces_[one].shape, edge.side[0], 0.0)).normal;
+      const Vec3 n2 = place(two, edge_r(faces_[two].shape, edge.side[1], 0.0)).normal;
+      edge.feature = !(n1.dot(n2) > least);
+    }
+    if (!edge.feature) {
+      const std::size_t a = root_of(parent, one);
+      const std::size_t b = root_of(parent, two);
+      parent[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  piece_.resize(faces_.size());
+  pieces_ = 0;
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    const std::size_t root = root_of(parent, f);
+    piece_[f] = root == f ? pieces_++ : piece_[root]; // roots come first: the least of theirs
+  }
+}
+
+SurfacePlace SurfaceGeometry::place_on_edge(std::size_t edge, double t) const {
+  const SurfaceEdge& e = edges_[edge];
+  const std::size_t way = e.faces[0] != nowhere ? 0 : 1;
+  const std::size_t f = e.faces[way];
+  return place(f, edge_r(faces_[f].shape, e.side[way], way == 0 ? t : -t));
+}
+
+std::vector<FeatureChain> SurfaceGeometry::feature_chains() const {
+  std::vector<std::size_t> which;
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    if (edges_[e].feature) {
+      which.push_back(e);
+    }
+  }
+  return chain_edges(edges_, which, {});
+}
+
+std::vector<FeatureChain> chain_edges(const std::vector<SurfaceEdge>& all,
+                                      const std::vector<std::size_t>& which,
+                                      const std::set<NodeId>& stops) {
+  return ChainWalk(all, which, stops).chains();
+}
+
+} // namespace spricka::mesh

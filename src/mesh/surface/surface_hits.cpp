@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/surface/surface_hits.hpp"
+
+#include "mesh/surface/facet_net.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+namespace spricka::mesh {
+
+using base::Vec2;
+using base::Vec3;
+
+namespace {
+
+constexpr double facet_room = 0.1; // by how much of a facet a line may miss it in a guess
+constexpr double on_face = 1e-9;   // outside of a face in reference coordinates
+
+/// Where the line x + part d passes the plane of a facet.
+std::optional<SegmentGuess> pass(const FacetNet& net, const FacetNet::Facet& facet, const Vec3& x,
+                                 const Vec3& d) {
+  const std::array<Vec3, 3> p{net.x()[static_cast<std::size_t>(facet.vertex[0])],
+                              net.x()[static_cast<std::size_t>(facet.vertex[1])],
+                              net.x()[static_cast<std::size_t>(facet.vertex[2])]};
+  const Vec3 u = p[1] - p[0];
+  const Vec3 v = p[2] - p[0];
+  const Vec3 n = u.cross(v);
+  const double slope = n.dot(d);
+  if (std::abs(slope) <= 1e-9 * n.norm() * d.norm()) {
+    return std::nullopt; // along the facet: its neighbours are met
+  }
+  const double part = n.dot(p[0] - x) / slope;
+  const Vec3 at = x + part * d - p[0];
+  const double b = at.cross(v).dot(n) / n.squaredNorm();
+  const double c = u.cross(at).dot(n) / n.squaredNorm();
+  const double room = facet_room * std::max(u.norm(), v.norm()) / d.norm();
+  if (std::min({b, c, 1.0 - b - c}) < -facet_room || part < -room || part > 1.0 + room) {
+    return std::nullopt;
+  }
+  const Vec2 r = (1.0 - b - c) * facet.r[0] + b * facet.r[1] + c * facet.r[2];
+  return SegmentGuess{facet.face, r, part};
+}
+
+bool misses_box(const std::array<Vec3, 2>& box, const Vec3& x, const Vec3& d) {
+  double from = -facet_room;
+  double to = 1.0 + facet_room;
+  const double room = 1e-6 * (box[1] - box[0]).norm();
+  for (int i = 0; i < 3; ++i) {
+    const double low = box[0][i] - room - x[i];
+    const double high = box[1][i] + room - x[i];
+    if (d[i] == 0.0) {
+      if (low > 0.0 || high < 0.0) {
+        return true;
+      }
+      continue;
+    }
+    from = std::max(from, std::min(low / d[i], high / d[i]));
+    to = std::min(to, std::max(low / d[i], high / d[i]));
+  }
+  return from > to;
+}
+
+/// The guess made true: the line x + along d and the curved face by Newton's steps.
+std::optional<SurfaceHit> refined(const SurfaceGeometry& surface, const SegmentGuess& guess,
+                                  const Vec3& x, const Vec3& d, double along) {
+  const SurfaceFace& face = surface.face(guess.face);
+  Vec2 r = guess.r;
+  for (int i = 0; i < 20; ++i) {
+    const SurfacePoint p = point_on(face, r);
+    Eigen::Matrix3d J;
+    J << p.slope, -d;
+    const Vec3 step = J.inverse() * (x + along * d - p.x);
+    if (!step.allFinite() || step.head<2>().norm() > 3.0) {
+      return std::nullopt;
+    }
+    r += step.head<2>();
+    along += step[2];
+    if (step.head<2>().norm() < 1e-14) {
+      break;
+    }
+  }
+  if (!(outside(face.shape, r) <= on_face)) {
+    return std::nullopt;
+  }
+  const SurfacePlace place = surface.place(guess.face, into_face(face.shape, r));
+  const bool met = (place.x - x - along * d).norm() <= 1e-8 * surface.extent();
+  return met ? std::optional(SurfaceHit{place, along}) : std::nullopt;
+}
+
+} // namespace
+
+std::vector<SegmentGuess> segment_guesses(const SurfaceGeometry& surface, const Vec3& from,
+                                          const Vec3& to) {
+  std::vector<SegmentGuess> guesses;
+  const Vec3 d = to - from;
+  const Vec3 room = Vec3::Constant(facet_room * d.norm());
+  for (const std::size_t f : surface.in_box(from.cwiseMin(to) - room, from.cwiseMax(to) + room)) {
+    if (misses_box(box_of(surface.face(f)), from, d)) {
+      continue;
+    }
+    const FacetNet net(surface, std::array{f});
+    for (const FacetNet::Facet& facet : net.facets()) {
+      if (const auto guess = pass(net, facet, from, d)) {
+        guesses.push_back(*guess);
+      }
+    }
+  }
+  return guesses;
+}
+
+std::vector<SurfaceHit> hits(const SurfaceGeometry& surface, const Vec3& x, const Vec3& d,
+                             double most) {
+  const double same = 1e-9 * surface.extent();
+  std::vector<SurfaceHit> all;
+  for (const SegmentGuess& guess : segment_guesses(surface, x, x + most * d)) {
+    const auto hit = refined(surface, guess, x, d, guess.part * most);
+    if (hit && hit->along >= -same && hit->along <= most + same) {
+      all.push_back(*hit);
+    }
+  }
+  std::ranges::sort(all, [](const SurfaceHit& a, const SurfaceHit& b) {
+    return a.along < b.along || (a.along == b.along && a.place.face < b.place.face);
+  });
+  std::vector<SurfaceHit> result;
+  for (const SurfaceHit& hit : all) {
+    const auto again = std::ranges::find_if(result, [&](const SurfaceHit& other) {
+      return hit.along - other.along <= same && hit.leaves(d) == other.leaves(d);
+    });
+    if (again == result.end()) {
+      result.push_back(hit);
+    } else if (hit.place.face < again->place.face) {
+      *again = hit;
+    }
+  }
+  return result;
+}
+
+bool inside(const SurfaceGeometry& surface, const Vec3& x) {
+  // Three lines in no special direction: one of them may run through an edge.
+  static const std::array<Vec3, 3> ways{Vec3(0.5377, 0.7210, 0.4369).normalized(),
+                                        Vec3(-0.3188, 0.4129, -0.8531).normalized(),
+                                        Vec3(0.1763, -0.8622, 0.4749).normalized()};
+  int votes = 0;
+  for (const Vec3& d : ways) {
+    votes += hits(surface, x, d, 2.0 * surface.extent()).size() % 2 == 1 ? 1 : 0;
+  }
+  return votes >= 2;
+}
+
+} // namespace spricka::mesh

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "mesh/surface/surface_geometry.hpp"
+
+#include <vector>
+
+/// Lines through space that meet the surface of a body.
+namespace spricka::mesh {
+
+/// Where the line from x along the unit vector d meets the surface: at x + along d.
+struct SurfaceHit {
+  SurfacePlace place;
+  double along = 0.0;
+  [[nodiscard]] bool leaves(const base::Vec3& d) const { return place.normal.dot(d) > 0.0; }
+};
+
+/// All of them up to x + most d, nearest first, on the true faces; an edge or a corner that the
+/// line passes through counts once. Empty: it meets nothing.
+std::vector<SurfaceHit> hits(const SurfaceGeometry& surface, const base::Vec3& x,
+                             const base::Vec3& d, double most);
+
+/// Whether x lies in the body (on the surface: either), by what lines from it pass.
+bool inside(const SurfaceGeometry& surface, const base::Vec3& x);
+
+/// Where a segment passes the facets of curved faces, or misses them by a little: first guesses of
+/// where a line passes the faces themselves.
+struct SegmentGuess {
+  std::size_t face = nowhere;
+  base::Vec2 r = base::Vec2::Zero();
+  double part = 0.0; ///< of the segment
+};
+std::vector<SegmentGuess> segment_guesses(const SurfaceGeometry& surface, const base::Vec3& from,
+                                          const base::Vec3& to);
+
+} // namespace spricka::mesh

@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/surface/surface_trace.hpp"
+
+#include "mesh/plane.hpp"
+#include "mesh/surface/facet_net.hpp"
+#include "mesh/surface/line_division.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace spricka::mesh {
+
+using base::Vec2;
+using base::Vec3;
+
+namespace {
+
+/// Moves r within the face until its point lies on the plane.
+Vec2 onto_plane(const SurfaceFace& face, const CrackPlane& plane, Vec2 r) {
+  for (int i = 0; i < 8; ++i) {
+    const SurfacePoint p = point_on(face, r);
+    const Vec2 g = p.slope.transpose() * plane.normal;
+    const double height = plane.height(p.x);
+    if (!(g.squaredNorm() > 0.0) || std::abs(height) <= 1e-15 * plane.length) {
+      break;
+    }
+    r = into_face(face.shape, r - height / g.squaredNorm() * g);
+  }
+  return r;
+}
+
+/// The line in which facets of curved faces pass the plane: a stretch in each facet whose vertices
+/// lie on both sides. A vertex on the plane counts as above, so that the line passes beside it.
+class PlaneLine {
+public:
+  using Side = std::pair<int, int>; ///< of facets, lower vertex first
+  struct Passing {
+    std::size_t facet = nowhere;
+    std::array<Side, 2> sides;
+  };
+
+  PlaneLine(const SurfaceGeometry& surface, const CrackPlane& plane)
+      : surface_(surface), plane_(plane), net_(surface, faces_near(surface, plane)) {
+    for (const Vec3& x : net_.x()) {
+      height_.push_back(rounded(plane.height(x) / plane.length));
+    }
+    for (std::size_t f = 0; f < net_.facets().size(); ++f) {
+      add(f);
+    }
+  }
+
+  [[nodiscard]] const std::vector<Passing>& passings() const { return passings_; }
+  [[nodiscard]] const FacetNet::Facet& facet(std::size_t passing) const {
+    return net_.facets()[passings_[passing].facet];
+  }
+  [[nodiscard]] Vec3 x(const Side& side) const { return at_.at(side).x; }
+
+  /// The stretch nearest to a point.
+  [[nodiscard]] std::size_t nearest(const Vec3& p) const {
+    std::size_t best = nowhere;
+    double least = std::numeric_limits<double>::max();
+    for (std::size_t i = 0; i < passings_.size(); ++i) {
+      const Vec3 a = x(passings_[i].sides[0]);
+      const Vec3 d = x(passings_[i].sides[1]) - a;
+      const double t = std::clamp(d.dot(p - a) / std::max(d.squaredNorm(), 1e-300), 0.0, 1.0);
+      const double away = rounded((p - a - t * d).norm() / plane_.length);
+      if (away < least) {
+        least = away;
+        best = i;
+      }
+    }
+    return best;
+  }
+  /// The stretch beyond a side; `nowhere` if the surface ends or branches there.
+  [[nodiscard]] std::size_t beyond(std::size_t passing, const Side& side) const {
+    const std::vector<std::size_t>& both = beside_.at(side);
+    return both.size() != 2 ? nowhere : both[0] == passing ? both[1] : both[0];
+  }
+  /// The passing point of a side in the reference coordinates of a facet.
+  [[nodiscard]] Vec2 r(std::size_t passing, const Side& side) const {
+    const FacetNet::Facet& facet = this->facet(passing);
+    const double part = at_.at(side).part;
+    return (1.0 - part) * r_of(facet, side.first) + part * r_of(facet, side.second);
+  }
+  [[nodiscard]] LinePoint point(std::size_t passing, const Side& side) const {
+    LinePoint point;
+    point.place = surface_.place(facet(passing).face, r(passing, side));
+    const FacetNet::OnEdge* on = net_.on_edge(side.first, side.second);
+    if (on != nullptr && surface_.edges()[on->edge].feature) {
+      point.edge = on->edge;
+      point.t = on->t[0] + at_.at(side).part * (on->t[1] - on->t[0]);
+    }
+    return point;
+  }
+
+private:
+  struct At {
+    double part = 0.0; ///< from the lower vertex
+    Vec3 x;
+  };
+
+  static std::vector<std::size_t> faces_near(const SurfaceGeometry& surface,
+                                             const CrackPlane& plane) {
+    std::vector<std::size_t> faces;
+    for (std::size_t f = 0; f < surface.faces().size(); ++f) {
+      const auto [low, high] = box_of(surface.face(f));
+      const double middle = plane.height(0.5 * (low + high));
+      const double half = 0.5 * (high - low).dot(plane.normal.cwiseAbs());
+      if (std::abs(middle) <= half + 1e-6 * plane.length) {
+        faces.push_back(f);
+      }
+    }
+    return faces;
+  }
+
+  static Vec2 r_of(const FacetNet::Facet& facet, int vertex) {
+    std::size_t c = 0;
+    while (facet.vertex[c] != vertex) {
+      ++c;
+    }
+    return facet.r[c];
+  }
+
+  [[nodiscard]] bool above(int vertex) const {
+    return height_[static_cast<std::size_t>(vertex)] >= 0.0;
+  }
+
+  void add(std::size_t f) {
+    const FacetNet::Facet& facet = net_.facets()[f];
+    Passing passing{f, {}};
+    std::size_t count = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const int v = facet.vertex[c];
+      const int w = facet.vertex[(c + 1) % 3];
+      if (above(v) != above(w)) {
+        passing.sides[count++] = std::minmax(v, w);
+      }
+    }
+    if (count == 0) {
+      return;
+    }
+    for (const Side& side : passing.sides) {
+      if (!at_.contains(side)) {
+        const double part = root(facet, side);
+        const Vec2 here = (1.0 - part) * r_of(facet, side.first) + part * r_of(facet, side.second);
+        at_[side] = {part, point_on(surface_.face(facet.face), here).x};
+      }
+      beside_[side].push_back(passings_.size());
+    }
+    passings_.push_back(passing);
+  }
+
+  /// Where between the two vertices the curved face passes the plane, by bisection and secants
+  /// (Illinois); at a vertex that lies on the plane, there.
+  [[nodiscard]] double root(const FacetNet::Facet& facet, const Side& side) const {
+    for (const auto& [vertex, part] : {std::pair(side.first, 0.0), std::pair(side.second, 1.0)}) {
+      if (height_[static_cast<std::size_t>(vertex)] == 0.0) {
+        return part;
+      }
+    }
+    const SurfaceFace& face = surface_.face(facet.face);
+    const Vec2 r0 = r_of(facet, side.first);
+    const Vec2 r1 = r_of(facet, side.second);
+    const auto height = [&](double t) {
+      return plane_.height(point_on(face, (1.0 - t) * r0 + t * r1).x);
+    };
+    double a = 0.0;
+    double b = 1.0;
+    double fa = height(a);
+    double fb = height(b);
+    double t = 0.5;
+    for (int i = 0; i < 100 && b - a > 1e-16; ++i) {
+      t = std::clamp((fa * b - fb * a) / (fa - fb), a, b);
+      const double f = height(t);
+      if (f == 0.0 || !(t > a && t < b)) {
+        break;
+      }
+      if ((f > 0.0) == (fb > 0.0)) {
+        b = t;
+        fb = f;
+        fa *= 0.5;
+      } else {
+        a = t;
+        fa = f;
+        fb *= 0.5;
+      }
+    }
+    return t;
+  }
+
+  const SurfaceGeometry& surface_;
+  const CrackPlane& plane_;
+  FacetNet net_;
+  std::vector<double> height_; ///< [vertex] rounded
+  std::vector<Passing> passings_;
+  std::map<Side, At> at_;
+  std::map<Side, std::vector<std::size_t>> beside_;
+};
+
+/// The way along a PlaneLine from one place to another.
+class TraceWalk {
+public:
+  TraceWalk(const SurfaceGeometry& surface, const CrackPlane& plane)
+      : surface_(surface), plane_(plane), line_(surface, plane) {}
+
+  Traced go(const SurfacePlace& from, std::span<const SurfacePlace> to, const Vec3& towards) {
+    const std::size_t first = line_.nearest(from.x);
+    std::vector<std::size_t> last;
+    bool on_line = first != nowhere && near(first, from.x);
+    for (const SurfacePlace& end : to) {
+      last.push_back(line_.nearest(end.x));
+      on_line = on_line && near(last.back(), end.x);
+    }
+    if (!on_line) {
+      return {{}, 0, {"the crack's mouth does not begin and end on the surface", from.x}};
+    }
+    points_.push_back({from, nowhere, 0.0});
+    const auto& sides = line_.passings()[first].sides;
+    const Vec3 along = line_.x(sides[1]) - line_.x(sides[0]);
+    PlaneLine::Side side = sides[along.dot(towards) > 0.0 ? 1 : 0];
+    std::size_t at = first;
+    Vec2 r = nearest_on(surface_.face(line_.facet(at).face), from.x);
+    std::size_t end = ahead(to, last, {at, from.x}, line_.x(side));
+    while (end == nowhere) {
+      add(at, r, line_.point(at, side), line_.r(at, side));
+      const std::size_t next = line_.beyond(at, side);
+      if (next == nowhere || visited_++ > line_.passings().size()) {
+        return {{},
+                0,
+                {"the crack's plane leaves the surface without reaching the mouth's end",
+                 points_.back().place.x}};
+      }
+      const Vec3 entry = line_.x(side);
+      r = line_.r(next, side);
+      const auto& both = line_.passings()[next].sides;
+      side = both[0] == side ? both[1] : both[0];
+      at = next;
+      end = ahead(to, last, {at, 2.0 * entry - line_.x(side)}, line_.x(side));
+    }
+    add(at, r, {to[end], nowhere, 0.0}, nearest_on(surface_.face(line_.facet(at).face), to[end].x));
+    if (points_.size() < 2) {
+      return {{}, 0, {"the crack's mouth has no length", from.x}};
+    }
+    return {{SurfaceTrace(surface_, plane_, std::move(points_), std::move(stretches_))}, end, {}};
+  }
+
+private:
+  struct Start {
+    std::size_t passing = nowhere;
+    Vec3 x;
+  };
+  /// Of the places to go to the first in a stretch, seen from its start towards `side`.
+  [[nodiscard]] static std::size_t ahead(std::span<const SurfacePlace> to,
+                                         const std::vector<std::size_t>& passing,
+                                         const Start& start, const Vec3& side) {
+    std::size_t best = nowhere;
+    double least = std::numeric_limits<double>::max();
+    for (std::size_t i = 0; i < to.size(); ++i) {
+      const double way = (to[i].x - start.x).dot(side - start.x);
+      if (passing[i] == start.passing && way > 0.0 && way < least) {
+        least = way;
+        best = i;
+      }
+    }
+    return best;
+  }
+
+  [[nodiscard]] bool near(std::size_t passing, const Vec3& x) const {
+    const auto& sides = line_.passings()[passing].sides;
+    const double reach = (line_.x(sides[1]) - line_.x(sides[0])).norm();
+    const double away = std::min((line_.x(sides[0]) - x).norm(), (line_.x(sides[1]) - x).norm());
+    return away <= 2.0 * reach + same * plane_.length;
+  }
+
+  /// A point of no length from the one before is not taken; its mark of an edge is.
+  void add(std::size_t passing, const Vec2& r0, const LinePoint& point, const Vec2& r1) {
+    LinePoint& before = points_.back();
+    if ((point.place.x - before.place.x).norm() > same * plane_.length) {
+      stretches_.push_back({line_.facet(passing).face, r0, r1, 0.0});
+      points_.push_back(point);
+    } else if (point.edge != nowhere) {
+      if (before.edge != nowhere && stretches_.size() > 0 && before.edge != point.edge &&
+          surface_.piece(stretches_.back().face) == surface_.piece(line_.facet(passing).face)) {
+        return;
+      }
+      before.edge = point.edge;
+      before.t = point.t;
+    }
+  }
+
+  const SurfaceGeometry& surface_;
+  const CrackPlane& plane_;
+  PlaneLine line_;
+  std::vector<LinePoint> points_;
+  std::vector<SurfaceTrace::Stretch> stretches_;
+  std::size_t visited_ = 0;
+};
+
+} // namespace
+
+SurfaceTrace::SurfaceTrace(const SurfaceGeometry& surface, const CrackPlane& plane,
+                           std::vector<LinePoint> points, std::vector<Stretch> stretches)
+    : surface_(&surface), plane_(plane), points_(std::move(points)),
+      stretches_(std::move(stretches)), arc_{0.0} {
+  for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
+    stretches_[i].s = arc_.back();
+    arc_.push_back(arc_.back() + (points_[i + 1].place.x - points_[i].place.x).norm());
+  }
+}
+
+SurfacePlace SurfaceTrace::at(double s) const {
+  if (stretches_.empty()) {
+    return points_.front().place;
+  }
+  const auto above = std::ranges::upper_bound(arc_, s);
+  const auto i = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
+      above - arc_.begin() - 1, 0, static_cast<std::ptrdiff_t>(stretches_.size()) - 1));
+  const double part = std::clamp((s - arc_[i]) / (arc_[i + 1] - arc_[i]), 0.0, 1.0);
+  const Stretch& stretch = stretches_[i];
+  const Vec2 r = (1.0 - part) * stretch.r0 + part * stretch.r1;
+  return surface_->place(stretch.face, onto_plane(surface_->face(stretch.face), plane_, r));
+}
+
+Traced trace(const SurfaceGeometry& surface, const CrackPlane& plane, const SurfacePlace& from,
+             const SurfacePlace& to, const Vec3& towards) {
+  return TraceWalk(surface, plane).go(from, std::span(&to, 1), towards);
+}
+
+Traced trace(const SurfaceGeometry& surface, const CrackPlane& plane, const SurfacePlace& from,
+             std::span<const SurfacePlace> to, const Vec3& towards) {
+  return TraceWalk(surface, plane).go(from, to, towards);
+}
+
+SurfaceLine divide(const SurfaceTrace& trace, const SizeAt& size) {
+  SurfaceLine line;
+  std::size_t begin = 0;
+  line.corners.push_back(trace.points().front());
+  for (std::size_t end = 1; end < trace.points().size(); ++end) {
+    if (trace.points()[end].edge == nowhere && end + 1 < trace.points().size()) {
+      continue;
+    }
+    const std::vector<double> s = divide_length(trace.arc()[begin], trace.arc()[end],
+                                                [&](double at) { return size(trace.at(at).x); });
+    for (std::size_t i = 0; i + 1 < s.size(); ++i) {
+      line.mids.push_back(trace.at(0.5 * (s[i] + s[i + 1])));
+      line.corners.push_back(i + 2 < s.size() ? LinePoint{trace.at(s[i + 1]), nowhere, 0.0}
+                                              : trace.points()[end]);
+    }
+    begin = end;
+  }
+  return line;
+}
+
+} // namespace spricka::mesh

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "mesh/surface/surface_geometry.hpp"
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+/// Lines on the surface of a body: where a plane meets it.
+namespace spricka::mesh {
+
+/// Why something could not be made, in words, and where. Empty words: it was made.
+struct SurfaceTrouble {
+  std::string why;
+  base::Vec3 at = base::Vec3::Zero();
+  explicit operator bool() const { return !why.empty(); }
+};
+
+/// The plane of a crack: a point of it, its unit normal b, and a length of the crack (its size, or
+/// that of its front). Decisions are taken on coordinates about that point, divided by that length
+/// and rounded, so that units and place of a model do not change a mesh.
+struct CrackPlane {
+  base::Vec3 origin = base::Vec3::Zero();
+  base::Vec3 normal = base::Vec3::UnitZ();
+  double length = 1.0;
+
+  [[nodiscard]] double height(const base::Vec3& x) const { return (x - origin).dot(normal); }
+};
+
+/// A point of a line on the surface.
+struct LinePoint {
+  SurfacePlace place;
+  std::size_t edge = nowhere; ///< the feature edge that the line crosses here, if it does
+  double t = 0.0;             ///< the place on that edge [-1,1]
+};
+
+/// The way of a plane over the surface from one place to another.
+class SurfaceTrace {
+public:
+  /// A straight stretch in reference coordinates of one face.
+  struct Stretch {
+    std::size_t face = nowhere;
+    base::Vec2 r0, r1;
+    double s = 0.0; ///< length of the trace at r0
+  };
+  SurfaceTrace(const SurfaceGeometry& surface, const CrackPlane& plane,
+               std::vector<LinePoint> points, std::vector<Stretch> stretches);
+
+  [[nodiscard]] double length() const { return arc_.back(); }
+  /// Points in their order, first and last included, several on each curved face, one at each edge
+  /// that is crossed; all of them on the plane and the true faces.
+  [[nodiscard]] const std::vector<LinePoint>& points() const { return points_; }
+  /// [point] length up to it, along chords.
+  [[nodiscard]] const std::vector<double>& arc() const { return arc_; }
+  /// The place at a length s, on the plane and the true face.
+  [[nodiscard]] SurfacePlace at(double s) const;
+
+private:
+  const SurfaceGeometry* surface_;
+  CrackPlane plane_;
+  std::vector<LinePoint> points_;
+  std::vector<Stretch> stretches_; ///< one less than points
+  std::vector<double> arc_;
+};
+
+struct Traced {
+  std::vector<SurfaceTrace> trace; ///< one, or none with trouble
+  std::size_t reached = 0;         ///< which of several places it ends at
+  SurfaceTrouble trouble;
+};
+
+/// The line of the plane on the surface from one place to another, both on the plane; it leaves
+/// `from` to the side of `towards`. The surface must outlive the trace.
+Traced trace(const SurfaceGeometry& surface, const CrackPlane& plane, const SurfacePlace& from,
+             const SurfacePlace& to, const base::Vec3& towards);
+
+/// The same to whichever of some places the line comes to first.
+Traced trace(const SurfaceGeometry& surface, const CrackPlane& plane, const SurfacePlace& from,
+             std::span<const SurfacePlace> to, const base::Vec3& towards);
+
+/// A size of elements wanted at a point of space [length].
+using SizeAt = std::function<double(const base::Vec3&)>;
+
+/// A line on the surface divided into edges: corners, and a middle between each two, all on the
+/// plane and the true faces.
+struct SurfaceLine {
+  std::vector<LinePoint> corners;
+  std::vector<SurfacePlace> mids; ///< one less
+};
+
+/// Divides a trace into edges of the wanted sizes. Where it crosses feature edges there are
+/// corners.
+SurfaceLine divide(const SurfaceTrace& trace, const SizeAt& size);
+
+} // namespace spricka::mesh
