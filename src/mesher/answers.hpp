@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "mesh/link/fill_solid.hpp"
 #include "mesh/link/gmsh_model.hpp"
 #include "mesh/link/grading.hpp"
 #include "mesh/link/mesher_request.hpp"
@@ -11,6 +12,10 @@ namespace spricka::mesher {
 
 /// Fills a region by gmsh's Delaunay mesher; `trouble` has its words where it fails.
 mesh::Filling fill_region(const mesh::Region& region, const mesh::Grading& size);
+
+/// Fills a region of space by gmsh's Delaunay mesher; `trouble` has its words where it fails.
+mesh::SolidFilling fill_solid_region(const mesh::SolidRegion& region,
+                                     const mesh::SolidGrading& size);
 
 /// Opens the file that `path` names, meshes it if it is a script without a mesh, and takes out all
 /// that is wanted. `meshing` is called when the script is read. Errors and warnings are in the

@@ -87,6 +87,12 @@ std::string answer(std::string_view request, bool locked) {
     if (mesh::read_fill_request(in, region, size)) {
       return mesh::fill_answer(fill_region(region, size));
     }
+  } else if (kind == MesherFrame::fill_solid) {
+    mesh::SolidRegion region;
+    mesh::SolidGrading size;
+    if (mesh::read_fill_solid_request(in, region, size)) {
+      return mesh::fill_solid_answer(fill_solid_region(region, size));
+    }
   } else if (kind == MesherFrame::import) {
     mesh::MesherImport import;
     const char no_sandbox = static_cast<char>(MesherFrame::no_sandbox);

@@ -17,14 +17,16 @@ namespace spricka::mesh {
 // then its kind (1 byte), then what the kind has.
 
 enum class MesherFrame : char {
-  fill = 'f',        ///< to the mesher: a region and its sizes
-  import = 'i',      ///< to the mesher: a script or mesh file
-  meshing = 'm',     ///< from the mesher: the script is read, its mesh begins
-  filling = 'F',     ///< answer
-  model = 'M',       ///< answer
-  no_memory = 'o',   ///< answer, and its last one
-  no_sandbox = 's',  ///< answer: the kernel has no way to lock the mesher in
-  bad_request = 'b', ///< answer
+  fill = 'f',          ///< to the mesher: a region and its sizes
+  fill_solid = 'v',    ///< to the mesher: a region of space and its sizes (fill_solid.hpp)
+  import = 'i',        ///< to the mesher: a script or mesh file
+  meshing = 'm',       ///< from the mesher: the script is read, its mesh begins
+  filling = 'F',       ///< answer
+  solid_filling = 'V', ///< answer
+  model = 'M',         ///< answer
+  no_memory = 'o',     ///< answer, and its last one
+  no_sandbox = 's',    ///< answer: the kernel has no way to lock the mesher in
+  bad_request = 'b',   ///< answer
 };
 
 /// A geometry script or mesh file, by its text.

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/tube/crack_reach.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace spricka::mesh {
+
+using base::Vec2;
+using base::Vec3;
+
+void CrackReach::add(const Tube& tube) {
+  const std::size_t n = tube.stations.size();
+  for (std::size_t i = 0; i < (tube.closed ? n : n - 1); ++i) {
+    const std::size_t next = (i + 1) % n;
+    pieces_.push_back(
+        {tube.stations[i].x, tube.stations[next].x, std::max(tube.radius[i], tube.radius[next])});
+  }
+  Vec3 low = pieces_.front().from;
+  Vec3 high = low;
+  double most = 0.0;
+  for (const std::vector<Vec2>& outline : area_.outlines()) {
+    for (const Vec2& q : outline) {
+      low = low.cwiseMin(plane().place(q));
+      high = high.cwiseMax(plane().place(q));
+    }
+  }
+  for (const Piece& piece : pieces_) {
+    low = low.cwiseMin(piece.from);
+    high = high.cwiseMax(piece.from);
+    most = std::max(most, piece.radius);
+  }
+  middle_ = 0.5 * (low + high);
+  radius_ = 0.5 * (high - low).norm() + most;
+}
+
+CrackReach::Distance CrackReach::distance(const Vec3& p) const {
+  Distance result;
+  double least = std::numeric_limits<double>::max();
+  for (const Piece& piece : pieces_) {
+    const Vec3 along = piece.to - piece.from;
+    const double part = std::clamp((p - piece.from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    const double d = (piece.from + part * along - p).squaredNorm();
+    if (d < least) {
+      least = d;
+      result.radius = piece.radius;
+    }
+  }
+  result.front = std::sqrt(least);
+  result.surface = area_.distance(p);
+  return result;
+}
+
+} // namespace spricka::mesh

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/tube/crack_surface.hpp"
+
+#include "mesh/link/fill.hpp"
+#include "mesh/plane.hpp"
+
+#include <algorithm>
+
+namespace spricka::mesh {
+
+using base::Vec2;
+
+namespace {
+
+double twice_area(const std::vector<Vec2>& points, const std::vector<int>& loop) {
+  double sum = 0.0;
+  for (std::size_t i = 0, j = loop.size() - 1; i < loop.size(); j = i++) {
+    sum +=
+        cross(points[static_cast<std::size_t>(loop[j])], points[static_cast<std::size_t>(loop[i])]);
+  }
+  return sum;
+}
+
+} // namespace
+
+CrackSurface mesh_crack(const CrackReach& reach, const std::vector<int>& nodes, double finer,
+                        SolidNet& net) {
+  CrackSurface surface;
+  Region region;
+  Grading size(CrackReach::usual_growth / finer);
+  std::vector<int> loop;
+  for (const int n : nodes) {
+    const Vec2 q = reach.plane().flat(net.local(n));
+    loop.push_back(static_cast<int>(region.points.size()));
+    region.points.emplace_back(rounded(q.x()), rounded(q.y()));
+    surface.nodes.push_back(n);
+    const CrackReach::Distance d = reach.distance(net.local(n));
+    size.add(region.points.back(), size_at(d, CrackReach::usual_growth / finer) / finer);
+  }
+  if (twice_area(region.points, loop) < 0.0) {
+    std::reverse(loop.begin(), loop.end());
+  }
+  region.loops.push_back(std::move(loop));
+  const Filling filling = fill(region, size);
+  surface.trouble = filling.trouble;
+  for (const Vec2& q : filling.added) {
+    surface.nodes.push_back(net.new_node_at(reach.plane().place(q)));
+  }
+  for (const std::array<int, 3>& t : filling.triangles) {
+    PatchTriangle triangle{};
+    std::ranges::transform(t, triangle.begin(),
+                           [&](int n) { return surface.nodes[static_cast<std::size_t>(n)]; });
+    surface.triangles.push_back(triangle);
+  }
+  return surface;
+}
+
+} // namespace spricka::mesh

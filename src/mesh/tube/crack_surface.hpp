@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "mesh/tube/crack_reach.hpp"
+#include "mesh/tube/solid_net.hpp"
+
+#include <string>
+#include <vector>
+
+namespace spricka::mesh {
+
+/// A crack between its tubes (and mouths), as triangles round its normal.
+struct CrackSurface {
+  std::vector<PatchTriangle> triangles;
+  std::vector<int> nodes; ///< corners, those of the loop first
+  std::string trouble;    ///< what the mesher said
+};
+
+/// Fills a loop, a closed polygon of nodes of the patch in the plane of the crack.
+CrackSurface mesh_crack(const CrackReach& reach, const std::vector<int>& nodes, double finer,
+                        SolidNet& net);
+
+} // namespace spricka::mesh

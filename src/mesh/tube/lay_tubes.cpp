@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/tube/lay_tubes.hpp"
+
+#include "mesh/surface/surface_hits.hpp"
+#include "mesh/tube/tube_room.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace spricka::mesh {
+namespace {
+
+using base::Vec3;
+
+/// Limits of a radius that is given; sizes chosen keep them.
+constexpr double most_of_room = 0.45;
+constexpr double most_of_curvature = 0.8;
+constexpr double most_elements = 4000.0; // along a front
+
+class TubeLayer {
+public:
+  TubeLayer(const SolidHost& host, const SolidFrame& frame, const SolidRequest& request,
+            base::Diagnostics& diagnostics)
+      : host_(host), frame_(frame), request_(request), diagnostics_(diagnostics),
+        mesh_(*request.mesh) {
+    mesh_.radius /= frame.a;
+    mesh_.size /= frame.a;
+    mesh_.length /= frame.a;
+  }
+
+  std::optional<PatchSolidCrack> lay(std::span<const SolidRequest> all) {
+    const Eigen::Matrix3d axes = frame_.axes.transpose() * frame_of(*request_.crack).axes;
+    const PlaneBasis plane{frame_.exact(frame_of(*request_.crack).origin), axes.col(0), axes.col(1),
+                           axes.col(2)};
+    std::vector<std::vector<Vec3>> outlines;
+    for (const std::vector<Vec3>& outline : request_.outlines) {
+      outlines.push_back(local(outline));
+    }
+    PatchSolidCrack made{CrackReach(PlanePolygons(plane, outlines)), {}, request_.mesh->finer, {}};
+    for (const SolidFront& front : request_.fronts) {
+      const FrontCurve curve(local(front.curve->points()),
+                             std::vector<Vec3>(front.curve->points().size(), plane.normal),
+                             front.curve->closed());
+      const FrontSurroundings round(host_, request_, front, all);
+      const TubeSizes sizes =
+          tube_sizes(curve,
+                     {[&](double s) { return round.free(s * frame_.a) / frame_.a; },
+                      [&](double s) { return round.width(s * frame_.a) / frame_.a; }},
+                     mesh_);
+      if (!fits(curve, sizes)) {
+        return std::nullopt;
+      }
+      made.tubes.push_back(make_tube(curve, sizes, mesh_, [&](const Vec3& p, const Vec3& t) {
+        return to_surface(p, t, sizes.radius.front() + sizes.radius.back());
+      }));
+      if (made.tubes.back().off_surface) {
+        return no_end(frame_.global(*made.tubes.back().off_surface));
+      }
+      made.reach.add(made.tubes.back());
+    }
+    return made;
+  }
+
+private:
+  [[nodiscard]] std::vector<Vec3> local(const std::vector<Vec3>& points) const {
+    std::vector<Vec3> result;
+    std::ranges::transform(points, std::back_inserter(result),
+                           [&](const Vec3& x) { return frame_.exact(x); });
+    return result;
+  }
+
+  /// How far a place of a tube's end is from the surface along the front.
+  [[nodiscard]] std::optional<double> to_surface(const Vec3& p, const Vec3& t, double most) const {
+    const SurfaceGeometry& surface = host_.surface(request_.seed).geometry();
+    const Vec3 d = frame_.axes * t;
+    const Vec3 x = frame_.global(p) - most * frame_.a * d;
+    std::optional<double> best;
+    for (const SurfaceHit& hit : hits(surface, x, d, 2.0 * most * frame_.a)) {
+      const double along = hit.along / frame_.a - most;
+      best = !best || std::abs(along) < std::abs(*best) ? along : *best;
+    }
+    return best;
+  }
+
+  std::optional<PatchSolidCrack> no_end(const Vec3& at) {
+    diagnostics_.error(
+        request_.span, "E423",
+        fmt::format(
+            "{}: the end of the tube round its front does not find the body's surface at {}",
+            request_.crack->title(), text_of(at)),
+        "the front meets the surface at too flat an angle, or at an edge; give a smaller RADIUS on "
+        "$TIPNET");
+    return std::nullopt;
+  }
+
+  bool fits(const FrontCurve& curve, const TubeSizes& sizes) {
+    for (std::size_t i = 0; i < sizes.s.size(); ++i) {
+      const FrontFrame at = curve.at(sizes.s[i]);
+      const double bend = std::abs(at.curvature());
+      const double free = std::min(most_of_room * sizes.room[i],
+                                   bend > 0.0 ? most_of_curvature / bend : sizes.room[i]);
+      if (!(sizes.radius[i] <= free) || !(sizes.radius[i] > 0.0)) {
+        diagnostics_.error(
+            request_.span, "E423",
+            fmt::format("{}: a tube of radius {:.6g} does not fit round its front at {}: there is "
+                        "room for {:.6g}, the body's surface or another crack is {:.6g} away",
+                        request_.crack->title(), sizes.radius[i] * frame_.a,
+                        text_of(frame_.global(at.x)), free * frame_.a, sizes.room[i] * frame_.a),
+            "give a smaller RADIUS on $TIPNET, or a crack that keeps off the surface or ends on "
+            "it");
+        return false;
+      }
+    }
+    if (sizes.count() > most_elements) {
+      const auto narrow = std::ranges::min_element(sizes.radius) - sizes.radius.begin();
+      const auto i = static_cast<std::size_t>(narrow);
+      diagnostics_.error(request_.span, "E423",
+                         fmt::format("{}: its front would take {:.0f} elements, as there is room "
+                                     "for a tube of radius {:.3g} only at {}",
+                                     request_.crack->title(), sizes.count(),
+                                     sizes.radius[i] * frame_.a,
+                                     text_of(frame_.global(curve.at(sizes.s[i]).x))),
+                         "a crack keeps off the surface of the body or ends on it");
+      return false;
+    }
+    return true;
+  }
+
+  const SolidHost& host_;
+  const SolidFrame& frame_;
+  const SolidRequest& request_;
+  base::Diagnostics& diagnostics_;
+  TubeMesh mesh_; ///< in the lengths of the frame
+};
+
+} // namespace
+
+std::optional<PatchSolidCrack> lay_tubes(const SolidHost& host, const SolidFrame& frame,
+                                         const SolidRequest& request,
+                                         std::span<const SolidRequest> all,
+                                         base::Diagnostics& diagnostics) {
+  return TubeLayer(host, frame, request, diagnostics).lay(all);
+}
+
+} // namespace spricka::mesh

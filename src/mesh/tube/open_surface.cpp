@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/tube/open_surface.hpp"
+
+#include "mesh/surface/remesh_surface.hpp"
+#include "shape/topology.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace spricka::mesh {
+namespace {
+
+using base::Vec3;
+
+class SurfaceOpener {
+public:
+  SurfaceOpener(const OpenRequest& request, SolidNet& net, std::unordered_map<int, int>& lower,
+                std::vector<FacePieces>& pieces)
+      : body_(request.body), frame_(request.frame), cracks_(request.cracks), tubes_(request.tubes),
+        net_(net), lower_(lower), pieces_(pieces) {}
+
+  OpenSurface open(const std::vector<CavityFace>& faces) {
+    for (const CavityFace& face : faces) {
+      region_.faces.push_back(body_.index(face.face));
+    }
+    std::ranges::sort(region_.faces);
+    region_.plane = {frame_.origin, frame_.axes.col(2), frame_.a};
+    region_.size = [&](const Vec3& x) {
+      double least = std::numeric_limits<double>::max();
+      for (const PatchSolidCrack& crack : cracks_) {
+        least = std::min(least, size_at(crack.reach.distance(frame_.local(x)),
+                                        CrackReach::usual_growth / crack.finer) /
+                                    crack.finer);
+      }
+      return frame_.a * least;
+    };
+    region_.growth = CrackReach::usual_growth;
+    describe();
+    surface_ = remesh_surface(body_.geometry(), region_);
+    if (surface_.trouble) {
+      made_.trouble =
+          fmt::format("{}, at ({:.6g}, {:.6g}, {:.6g})", surface_.trouble.why,
+                      surface_.trouble.at.x(), surface_.trouble.at.y(), surface_.trouble.at.z());
+      return std::move(made_);
+    }
+    take_points();
+    take_edges();
+    take_triangles();
+    take_ends();
+    return std::move(made_);
+  }
+
+private:
+  struct CapPlace {
+    std::size_t crack = 0, tube = 0, end = 0;
+  };
+
+  void describe() {
+    for (std::size_t c = 0; c < cracks_.size(); ++c) {
+      std::vector<std::array<int, 2>> cap_of; // [tube][end]
+      for (std::size_t t = 0; t < cracks_[c].tubes.size(); ++t) {
+        const Tube& tube = cracks_[c].tubes[t];
+        cap_of.push_back({-1, -1});
+        for (std::size_t e = 0; e < 2 && !tube.closed; ++e) {
+          cap_of.back()[e] = static_cast<int>(region_.caps.size());
+          caps_.push_back({c, t, e});
+          std::vector<Vec3>& cap = region_.caps.emplace_back();
+          for (const int n : tube.ends[e].corner) {
+            cap.push_back(net_.x(node_of(c, t, n)));
+          }
+        }
+      }
+      for (const CrackMouth& mouth : cracks_[c].mouths) {
+        region_.mouths.push_back(
+            {mouth.line, {MouthEnd{cap_of[mouth.from][1], 0}, MouthEnd{cap_of[mouth.to][0], 0}}});
+      }
+    }
+  }
+
+  [[nodiscard]] int node_of(std::size_t c, std::size_t t, int n) const {
+    return tubes_[c][t].node[static_cast<std::size_t>(n)];
+  }
+
+  void take_points() {
+    node_.assign(surface_.points.size(), -1);
+    for (std::size_t k = 0; k < caps_.size(); ++k) {
+      const auto& [c, t, e] = caps_[k];
+      const Tube& tube = cracks_[c].tubes[t];
+      for (std::size_t i = 0; i < surface_.caps[k].size(); ++i) {
+        // The first corner lies on the crack: its upper node until the fill is split.
+        const int corner = i > 0    ? tube.ends[e].corner[i]
+                           : e == 0 ? tube.upper.corner.front()
+                                    : tube.upper.corner.back();
+        node_[static_cast<std::size_t>(surface_.caps[k][i])] = node_of(c, t, corner);
+      }
+    }
+    std::size_t m = 0;
+    for (const PatchSolidCrack& crack : cracks_) {
+      auto& mouths = made_.mouths.emplace_back();
+      for (std::size_t k = 0; k < crack.mouths.size(); ++k, ++m) {
+        std::vector<int>& nodes = mouths.emplace_back();
+        const std::vector<int>& points = surface_.mouths[m];
+        for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+          const int n = net_.new_node(place_of(points[i]));
+          node_[static_cast<std::size_t>(points[i])] = n;
+          lower_[n] = net_.copy(n);
+          nodes.push_back(n);
+        }
+      }
+    }
+    for (std::size_t i = 0; i < surface_.points.size(); ++i) {
+      const NewPoint& point = surface_.points[i];
+      if (node_[i] < 0) {
+        node_[i] = point.host.valid() ? net_.host_node(point.host) : net_.new_node(point.place.x);
+      }
+    }
+  }
+
+  [[nodiscard]] const Vec3& place_of(int point) const {
+    return surface_.points[static_cast<std::size_t>(point)].place.x;
+  }
+  [[nodiscard]] int node(int point) const { return node_[static_cast<std::size_t>(point)]; }
+  [[nodiscard]] int below(int n) const {
+    const auto at = lower_.find(n);
+    return at == lower_.end() ? n : at->second;
+  }
+
+  void take_edges() {
+    for (const NewEdge& edge : surface_.edges) {
+      const int a = node(edge.points[0]);
+      const int b = node(edge.points[1]);
+      if (edge.kind == NewEdgeKind::outline || net_.known_mid(a, b)) {
+        continue; // the tube's, the host's
+      }
+      const int mid =
+          edge.host_mid.valid() ? net_.host_node(edge.host_mid) : net_.new_node(edge.mid.x);
+      net_.set_mid(a, b, mid);
+      if (edge.kind == NewEdgeKind::mouth) {
+        net_.set_mid(below(a), below(b), net_.copy(mid));
+      } else if (below(a) != a || below(b) != b) { // on one side of the crack, whichever
+        net_.set_mid(below(a), below(b), mid);
+      }
+    }
+  }
+
+  void take_triangles() {
+    for (const NewTriangle& t : surface_.triangles) {
+      PatchTriangle triangle{};
+      std::ranges::transform(t.points, triangle.begin(), [&](int p) { return node(p); });
+      made_.triangles.push_back(triangle);
+      std::vector<int> upper(triangle.begin(), triangle.end());
+      std::vector<int> lower;
+      std::ranges::transform(triangle, std::back_inserter(lower), [&](int n) { return below(n); });
+      FacePieces& pieces =
+          pieces_.emplace_back(body_.face(t.face), std::vector<std::vector<int>>{upper});
+      if (lower != upper) {
+        pieces.second.push_back(std::move(lower));
+      }
+    }
+  }
+
+  /// Sides of the tubes' elements that are part of the surface.
+  void take_ends() {
+    for (const auto& [c, t, e] : caps_) {
+      const Tube& tube = cracks_[c].tubes[t];
+      for (const Tube::Side& side : tube.ends[e].sides) {
+        const SolidPatchElement& element = net_.elements[tubes_[c][t].element + side.element];
+        std::vector<int> corners;
+        Vec3 middle = Vec3::Zero();
+        const std::size_t count = shape::side_corners(element.type, side.side);
+        for (const int i : shape::side_nodes(element.type, side.side).first(count)) {
+          corners.push_back(element.nodes[static_cast<std::size_t>(i)]);
+          middle += net_.x(corners.back()) / static_cast<double>(count);
+        }
+        const SurfacePlace place = body_.geometry().nearest(middle, region_.faces);
+        pieces_.emplace_back(body_.face(place.face),
+                             std::vector<std::vector<int>>{std::move(corners)});
+      }
+    }
+  }
+
+  const BodySurface& body_;
+  const SolidFrame& frame_;
+  std::span<const PatchSolidCrack> cracks_;
+  const std::vector<std::vector<LaidTube>>& tubes_;
+  SolidNet& net_;
+  std::unordered_map<int, int>& lower_;
+  std::vector<FacePieces>& pieces_;
+  SurfaceRegion region_{};
+  std::vector<CapPlace> caps_; ///< of the region's
+  NewSurface surface_;
+  std::vector<int> node_; ///< [point of the surface]
+  OpenSurface made_;
+};
+
+} // namespace
+
+OpenSurface mesh_open_surface(const OpenRequest& request, SolidNet& net,
+                              std::unordered_map<int, int>& lower,
+                              std::vector<FacePieces>& pieces) {
+  return SurfaceOpener(request, net, lower, pieces).open(request.faces);
+}
+
+} // namespace spricka::mesh

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "mesh/tube/patch_solid_crack.hpp"
+#include "mesh/tube/solid_cavity.hpp"
+#include "mesh/tube/solid_net.hpp"
+#include "mesh/tube/solid_shell.hpp"
+
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace spricka::mesh {
+
+/// The surface of the body where cracks come out, meshed anew and put into a patch.
+struct OpenSurface {
+  std::vector<PatchTriangle> triangles; ///< part of a shell
+  /// [crack][mouth] nodes between those of the tubes, which are not among them.
+  std::vector<std::vector<std::vector<int>>> mouths;
+  std::string trouble;
+};
+
+/// Where the tubes of a patch have gone.
+struct LaidTube {
+  std::vector<int> node;   ///< [node of the tube]
+  std::size_t element = 0; ///< of the patch, its first
+};
+
+/// What comes out where, and what of the surface goes.
+struct OpenRequest {
+  const BodySurface& body;
+  const SolidFrame& frame;
+  std::span<const PatchSolidCrack> cracks;
+  const std::vector<std::vector<LaidTube>>& tubes; ///< [crack][tube]
+  std::vector<CavityFace> faces;                   ///< of the cavity, free ones
+};
+
+/// What takes the place of the faces is added to `pieces`. Nodes of mouths get a second node in
+/// `lower`.
+OpenSurface mesh_open_surface(const OpenRequest& request, SolidNet& net,
+                              std::unordered_map<int, int>& lower, std::vector<FacePieces>& pieces);
+
+} // namespace spricka::mesh

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/tube/plane_polygons.hpp"
+
+#include "mesh/plane.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace spricka::mesh {
+
+using base::Vec2;
+using base::Vec3;
+
+namespace {
+
+PlaneBasis basis_of(const SolidCrack& crack) {
+  const SolidFrame own = frame_of(crack);
+  return {own.origin, own.axes.col(0), own.axes.col(1), own.axes.col(2)};
+}
+
+template <class F> void for_edges(const std::vector<std::vector<Vec2>>& outlines, F&& f) {
+  for (const std::vector<Vec2>& outline : outlines) {
+    for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
+      f(outline[j], outline[i]);
+    }
+  }
+}
+
+} // namespace
+
+PlanePolygons::PlanePolygons(const PlaneBasis& plane,
+                             const std::vector<std::vector<Vec3>>& outlines)
+    : plane_(plane) {
+  for (const std::vector<Vec3>& outline : outlines) {
+    std::vector<Vec2>& flat = outlines_.emplace_back();
+    for (const Vec3& x : outline) {
+      flat.push_back(plane_.flat(x));
+    }
+  }
+}
+
+PlanePolygons::PlanePolygons(const SolidCrack& crack,
+                             const std::vector<std::vector<Vec3>>& outlines)
+    : PlanePolygons(basis_of(crack), outlines) {}
+
+bool PlanePolygons::within(const Vec2& q) const {
+  return std::ranges::any_of(outlines_,
+                             [&](const std::vector<Vec2>& outline) { return inside(q, outline); });
+}
+
+double PlanePolygons::from_outline(const Vec2& q) const {
+  double least = std::numeric_limits<double>::max();
+  for_edges(outlines_, [&](const Vec2& a, const Vec2& b) {
+    least = std::min(least, mesh::distance(q, a, b));
+  });
+  return least;
+}
+
+double PlanePolygons::distance(const Vec3& x) const {
+  const Vec2 q = plane_.flat(x);
+  return std::hypot(plane_.height(x), within(q) ? 0.0 : from_outline(q));
+}
+
+std::optional<Vec3> PlanePolygons::meets(const CornerPlaces& triangle, double rim) const {
+  std::vector<Vec2> cut;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3& a = triangle[i];
+    const Vec3& b = triangle[(i + 1) % 3];
+    const double ha = plane_.height(a);
+    const double hb = plane_.height(b);
+    if ((ha < 0.0) != (hb < 0.0)) {
+      cut.push_back(plane_.flat(a + ha / (ha - hb) * (b - a)));
+    }
+  }
+  if (cut.size() != 2) {
+    return std::nullopt;
+  }
+  constexpr int points = 8; // a triangle may be larger than the crack
+  std::optional<Vec3> result;
+  for (int i = 0; i <= points && !result; ++i) {
+    const Vec2 q = cut[0] + i / static_cast<double>(points) * (cut[1] - cut[0]);
+    if (within(q) && from_outline(q) > rim) {
+      result = plane_.place(q);
+    }
+  }
+  return result;
+}
+
+std::optional<double> PlanePolygons::across(const Vec2& q, const Vec2& d) const {
+  std::optional<double> least;
+  for_edges(outlines_, [&](const Vec2& a, const Vec2& b) {
+    const Vec2 side = b - a;
+    const double turn = cross(d, side);
+    if (std::abs(turn) < 1e-12 * side.norm() * d.norm()) {
+      return;
+    }
+    const double along = cross(a - q, side) / turn;
+    const double part = cross(a - q, d) / turn;
+    const bool at_q = mesh::distance(q, a, b) < 0.02 * side.norm(); // its own edge, and its chord
+    if (!at_q && along > 0.0 && part >= 0.0 && part <= 1.0 && (!least || along < *least)) {
+      least = along;
+    }
+  });
+  return least;
+}
+
+} // namespace spricka::mesh

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "mesh/tube/solid_frame.hpp"
+#include "mesh/tube/triangle_tree.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace spricka::mesh {
+
+/// Areas of a plane, within closed polygons.
+class PlanePolygons {
+public:
+  PlanePolygons(const PlaneBasis& plane, const std::vector<std::vector<base::Vec3>>& outlines);
+  /// In the plane of a crack.
+  PlanePolygons(const SolidCrack& crack, const std::vector<std::vector<base::Vec3>>& outlines);
+
+  [[nodiscard]] const PlaneBasis& plane() const { return plane_; }
+  [[nodiscard]] const std::vector<std::vector<base::Vec2>>& outlines() const { return outlines_; }
+  [[nodiscard]] bool within(const base::Vec2& q) const;
+  /// Of a place in space from the areas; of a place in the plane from their outlines.
+  [[nodiscard]] double distance(const base::Vec3& x) const;
+  [[nodiscard]] double from_outline(const base::Vec2& q) const;
+  /// A point that a triangle and the areas have in common, farther than `rim` from their outlines.
+  [[nodiscard]] std::optional<base::Vec3> meets(const CornerPlaces& triangle, double rim) const;
+  /// Where the line from q along d leaves the areas, as a multiple of d; of the first that is not
+  /// at q. Empty: it does not.
+  [[nodiscard]] std::optional<double> across(const base::Vec2& q, const base::Vec2& d) const;
+
+private:
+  PlaneBasis plane_;
+  std::vector<std::vector<base::Vec2>> outlines_;
+};
+
+} // namespace spricka::mesh

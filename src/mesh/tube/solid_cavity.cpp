@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/tube/solid_cavity.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <set>
+#include <utility>
+
+namespace spricka::mesh {
+namespace {
+
+using base::ElementId;
+using base::NodeId;
+using base::Vec3;
+
+/// Clear of a tube, in its radii from the front; of a crack's faces, in sizes of their elements.
+constexpr double clear_of_tube = 1.7;
+constexpr double clear_of_faces = 0.5;
+
+class Sets { // that are joined
+public:
+  explicit Sets(std::size_t count) : root_(count) {
+    std::iota(root_.begin(), root_.end(), std::size_t{0});
+  }
+  std::size_t find(std::size_t i) {
+    while (root_[i] != i) {
+      root_[i] = root_[root_[i]];
+      i = root_[i];
+    }
+    return i;
+  }
+  void join(std::size_t a, std::size_t b) {
+    a = find(a);
+    b = find(b);
+    root_[std::max(a, b)] = std::min(a, b);
+  }
+
+private:
+  std::vector<std::size_t> root_;
+};
+
+class Digger {
+public:
+  Digger(const SolidHost& host, const SolidFrame& frame, std::span<const CrackReach> cracks)
+      : host_(host), mesh_(host.mesh()), frame_(frame), cracks_(cracks),
+        in_(mesh_.element_count(), false) {}
+
+  SolidCavity dig(std::span<const ElementId> seeds) {
+    part_ = host_.part(seeds.front());
+    take_wanted(seeds);
+    constexpr int passes = 60;
+    for (int pass = 0; pass < passes; ++pass) {
+      find_outline();
+      if (!take_pinched()) {
+        break;
+      }
+    }
+    SolidCavity cavity;
+    if (!bad_) {
+      cavity.elements = taken();
+      cavity.shells = shells();
+    } else {
+      cavity.trouble = "the body has edges or nodes that its surface meets twice";
+    }
+    return cavity;
+  }
+
+private:
+  using EdgeKey = std::pair<NodeId, NodeId>;
+
+  [[nodiscard]] bool wanted(ElementId e) const {
+    const SolidHost::Extent& extent = host_.extent(e);
+    const Vec3 middle = frame_.local(extent.middle);
+    const double radius = extent.radius / frame_.a;
+    const double edge = extent.edge / frame_.a;
+    return std::ranges::any_of(cracks_, [&](const CrackReach& crack) {
+      const double away = (middle - crack.middle()).norm() - crack.radius() - radius;
+      // Nothing about the crack is larger than itself.
+      if (away > std::max(edge, crack.radius())) {
+        return false;
+      }
+      const CrackReach::Distance d = crack.distance(middle);
+      if (d.front < radius + clear_of_tube * d.radius + same ||
+          d.surface < radius + clear_of_faces * size_at(d) + same) {
+        return true;
+      }
+      double nearest = d.front;
+      for (const NodeId n : mesh_.nodes_of(e)) {
+        nearest = std::min(nearest, crack.distance(frame_.local(mesh_.x[n.index()])).front);
+      }
+      return edge > nearest + d.radius + same;
+    });
+  }
+
+  void take_wanted(std::span<const ElementId> seeds) {
+    std::vector<ElementId> open(seeds.begin(), seeds.end());
+    std::vector<bool> met(mesh_.element_count(), false);
+    while (!open.empty()) {
+      const ElementId e = open.back();
+      open.pop_back();
+      if (met[e.index()] || host_.part(e) != part_) {
+        continue;
+      }
+      met[e.index()] = true;
+      if (std::ranges::find(seeds, e) == seeds.end() && !wanted(e)) {
+        continue;
+      }
+      in_[e.index()] = true;
+      for (int s = 0; s < base::info(mesh_.type[e.index()]).sides; ++s) {
+        if (const auto other = host_.beyond({e, s})) {
+          open.push_back(*other);
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] std::vector<ElementId> taken() const {
+    std::vector<ElementId> result;
+    for (const ElementId e : host_.members(part_)) {
+      if (in_[e.index()]) {
+        result.push_back(e);
+      }
+    }
+    return result;
+  }
+
+  void find_outline() {
+    outline_.clear();
+    for (const ElementId e : taken()) {
+      for (int s = 0; s < base::info(mesh_.type[e.index()]).sides; ++s) {
+        const auto other = host_.beyond({e, s});
+        if (!other || !in_[other->index()]) {
+          outline_.push_back({{e, s}, !other});
+        }
+      }
+    }
+    by_edge_.clear();
+    by_node_.clear();
+    for (std::size_t f = 0; f < outline_.size(); ++f) {
+      const FaceNodes nodes = face_nodes(mesh_, outline_[f].face);
+      for (std::size_t i = 0; i < nodes.corners; ++i) {
+        const NodeId a = nodes.all[i];
+        const NodeId b = nodes.all[(i + 1) % nodes.corners];
+        by_edge_[std::minmax(a, b)].push_back(f);
+        by_node_[a].push_back(f);
+      }
+    }
+  }
+
+  /// Takes in what lies round edges with more than two faces of the outline, and nodes with more
+  /// than one sheet of it. False if there was nothing to take.
+  bool take_pinched() {
+    bool more = false;
+    bad_ = false;
+    for (const auto& [edge, faces] : by_edge_) {
+      if (faces.size() == 2) {
+        continue;
+      }
+      bad_ = true;
+      for (const ElementId e : host_.around(edge.first)) {
+        const auto nodes = mesh_.nodes_of(e);
+        if (std::find(nodes.begin(), nodes.end(), edge.second) != nodes.end()) {
+          more = take(e) || more;
+        }
+      }
+    }
+    if (bad_) {
+      return more;
+    }
+    for (const auto& [node, faces] : by_node_) {
+      if (sheets(node, faces) == 1) {
+        continue;
+      }
+      bad_ = true;
+      for (const ElementId e : host_.around(node)) {
+        more = take(e) || more;
+      }
+    }
+    return more;
+  }
+
+  bool take(ElementId e) {
+    const bool fresh = !in_[e.index()] && host_.part(e) == part_;
+    in_[e.index()] = in_[e.index()] || fresh;
+    return fresh;
+  }
+
+  /// How many sheets of the outline meet at a node.
+  std::size_t sheets(NodeId node, const std::vector<std::size_t>& faces) {
+    Sets sets(faces.size());
+    std::map<NodeId, std::size_t> first;
+    for (std::size_t k = 0; k < faces.size(); ++k) {
+      const FaceNodes nodes = face_nodes(mesh_, outline_[faces[k]].face);
+      for (std::size_t i = 0; i < nodes.corners; ++i) {
+        const NodeId a = nodes.all[i];
+        const NodeId b = nodes.all[(i + 1) % nodes.corners];
+        if (a == node || b == node) {
+          const auto [at, fresh] = first.try_emplace(a == node ? b : a, k);
+          sets.join(at->second, k);
+        }
+      }
+    }
+    std::set<std::size_t> roots;
+    for (std::size_t k = 0; k < faces.size(); ++k) {
+      roots.insert(sets.find(k));
+    }
+    return roots.size();
+  }
+
+  [[nodiscard]] std::vector<std::vector<CavityFace>> shells() const {
+    Sets sets(outline_.size());
+    for (const auto& [edge, faces] : by_edge_) {
+      sets.join(faces[0], faces[1]);
+    }
+    std::map<std::size_t, std::vector<CavityFace>> by_root;
+    for (std::size_t f = 0; f < outline_.size(); ++f) {
+      by_root[sets.find(f)].push_back(outline_[f]);
+    }
+    std::vector<std::vector<CavityFace>> result;
+    std::size_t outermost = 0;
+    double widest = 0.0;
+    for (auto& [root, faces] : by_root) {
+      Vec3 low = Vec3::Constant(std::numeric_limits<double>::max());
+      Vec3 high = -low;
+      for (const CavityFace& face : faces) {
+        const FaceNodes nodes = face_nodes(mesh_, face.face);
+        for (const NodeId n : nodes.corner()) {
+          low = low.cwiseMin(mesh_.x[n.index()]);
+          high = high.cwiseMax(mesh_.x[n.index()]);
+        }
+      }
+      if ((high - low).norm() > widest) {
+        widest = (high - low).norm();
+        outermost = result.size();
+      }
+      result.push_back(std::move(faces));
+    }
+    std::swap(result.front(), result[outermost]);
+    return result;
+  }
+
+  const SolidHost& host_;
+  const model::Mesh& mesh_;
+  const SolidFrame& frame_;
+  std::span<const CrackReach> cracks_;
+  std::vector<bool> in_;
+  std::size_t part_ = 0;
+  std::vector<CavityFace> outline_;
+  std::map<EdgeKey, std::vector<std::size_t>> by_edge_;
+  std::map<NodeId, std::vector<std::size_t>> by_node_;
+  bool bad_ = false;
+};
+
+} // namespace
+
+SolidCavity find_solid_cavity(const SolidHost& host, const SolidFrame& frame,
+                              std::span<const CrackReach> cracks,
+                              std::span<const ElementId> seeds) {
+  return Digger(host, frame, cracks).dig(seeds);
+}
+
+} // namespace spricka::mesh

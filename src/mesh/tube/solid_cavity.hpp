@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "mesh/tube/crack_reach.hpp"
+#include "mesh/tube/solid_host.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace spricka::mesh {
+
+/// A side of an element inside a cavity that the cavity ends at.
+struct CavityFace {
+  model::Face face;
+  bool free = false; ///< on the host's boundary; else an element that stays lies beyond
+};
+
+/// The host elements that a patch replaces, of one part of the host.
+struct SolidCavity {
+  std::vector<base::ElementId> elements;       ///< ascending
+  std::vector<std::vector<CavityFace>> shells; ///< closed surfaces, the outermost first
+  std::string trouble;                         ///< why there is none
+};
+
+/// Elements that cracks and tubes touch or come near, and those longer than the grading of the fill
+/// would have them: an edge longer than the tube's radius and the distance from it. What hangs
+/// together by faces with the elements at `seeds`, and as many more that every edge and node of the
+/// cavity's surface has one sheet of it.
+SolidCavity find_solid_cavity(const SolidHost& host, const SolidFrame& frame,
+                              std::span<const CrackReach> cracks,
+                              std::span<const base::ElementId> seeds);
+
+} // namespace spricka::mesh

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/tube/solid_frame.hpp"
+
+#include "mesh/plane.hpp"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <numbers>
+
+namespace spricka::mesh {
+
+using base::Vec3;
+
+base::Vec3 SolidFrame::local(const Vec3& x) const {
+  return rounded(exact(x));
+}
+
+Vec3 rounded(const Vec3& p) {
+  return {rounded(p.x()), rounded(p.y()), rounded(p.z())};
+}
+
+SolidFrame frame_of(const SolidCrack& crack) {
+  const std::vector<Vec3>& x = crack.front;
+  double length = 0.0;
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    length += (x[i] - x[i - 1]).norm();
+  }
+  // Fan of triangles from the first point: area and middle of what the front encloses.
+  double area = 0.0;
+  Vec3 moment = Vec3::Zero();
+  for (std::size_t i = 1; i + 1 < x.size(); ++i) {
+    const double part = 0.5 * (x[i] - x[0]).cross(x[i + 1] - x[0]).dot(crack.normal);
+    area += part;
+    moment += part / 3.0 * (x[i] + x[i + 1] - 2.0 * x[0]);
+  }
+  SolidFrame frame;
+  const double radius = std::sqrt(std::abs(area) / std::numbers::pi);
+  const bool thin = radius < 0.02 * length; // of a straight front
+  frame.a = thin ? 0.25 * length : radius;
+  frame.origin = thin ? Vec3(0.5 * (x.front() + x.back())) : Vec3(x[0] + moment / area);
+  const Vec3 ahead = x[0] - frame.origin;
+  const Vec3 e1 = (ahead - crack.normal.dot(ahead) * crack.normal).normalized();
+  frame.axes.col(0) = e1;
+  frame.axes.col(1) = crack.normal.cross(e1);
+  frame.axes.col(2) = crack.normal;
+  return frame;
+}
+
+} // namespace spricka::mesh

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "mesh/tube/solid_crack.hpp"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace spricka::mesh {
+
+/// A frame that goes with a crack in space: origin in its middle, x towards the first point of its
+/// front, z its normal, lengths divided by `a`, the radius of a circle of its area. Decisions are
+/// taken on rounded coordinates, which the deck's unit and the crack's place do not change.
+struct SolidFrame {
+  base::Vec3 origin = base::Vec3::Zero();
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); ///< [, axis]
+  double a = 1.0;
+
+  [[nodiscard]] base::Vec3 exact(const base::Vec3& x) const {
+    return axes.transpose() * (x - origin) / a;
+  }
+  [[nodiscard]] base::Vec3 local(const base::Vec3& x) const; ///< rounded
+  [[nodiscard]] base::Vec3 global(const base::Vec3& p) const { return origin + a * (axes * p); }
+};
+
+/// Of an open front the area between it and the chord of its ends counts; of a straight one a
+/// quarter of its length stands for the radius.
+SolidFrame frame_of(const SolidCrack& crack);
+
+base::Vec3 rounded(const base::Vec3& p);
+
+/// A plane in space with coordinates: (u, v) of places on it.
+struct PlaneBasis {
+  base::Vec3 origin = base::Vec3::Zero();
+  base::Vec3 u = base::Vec3::UnitX();
+  base::Vec3 v = base::Vec3::UnitY();
+  base::Vec3 normal = base::Vec3::UnitZ();
+
+  [[nodiscard]] base::Vec2 flat(const base::Vec3& p) const {
+    return {u.dot(p - origin), v.dot(p - origin)};
+  }
+  [[nodiscard]] double height(const base::Vec3& p) const { return normal.dot(p - origin); }
+  [[nodiscard]] base::Vec3 place(const base::Vec2& q) const {
+    return origin + q.x() * u + q.y() * v;
+  }
+};
+
+} // namespace spricka::mesh

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/tube/solid_front.hpp"
+
+#include "mesh/surface/front_arcs.hpp"
+#include "mesh/tube/plane_polygons.hpp"
+#include "mesh/tube/solid_frame.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace spricka::mesh {
+namespace {
+
+using base::ElementId;
+using base::Vec3;
+
+class Placer {
+public:
+  Placer(const SolidHost& host, SolidRequest& request, base::Diagnostics& diagnostics)
+      : host_(host), request_(request), crack_(*request.crack), diagnostics_(diagnostics),
+        whole_(crack_.front, std::vector<Vec3>(crack_.front.size(), crack_.normal), crack_.closed) {
+  }
+
+  bool place() {
+    if (!find_seed()) {
+      return fail("no part of its front lies in the body", crack_.front.front());
+    }
+    const SurfaceGeometry& surface = host_.surface(request_.seed).geometry();
+    const FrontArcs arcs = arcs_inside(surface, whole_);
+    if (arcs.trouble) {
+      return fail(arcs.trouble.why, arcs.trouble.at);
+    }
+    for (const FrontArc& arc : arcs.arcs) {
+      request_.fronts.push_back(front_of(arc));
+    }
+    for (SolidFront& front : request_.fronts) {
+      if (!front.curve->closed() && !find_mouth(surface, front)) {
+        return false;
+      }
+    }
+    return find_outlines() && stays_in_part() && nothing_crosses();
+  }
+
+private:
+  static constexpr int samples = 64;
+
+  bool fail(const std::string& why, const Vec3& at, const std::string& hint = {}) {
+    diagnostics_.error(request_.span, "E425",
+                       fmt::format("{}: {}, at {}", crack_.title(), why, text_of(at)), hint);
+    return false;
+  }
+
+  bool find_seed() {
+    for (int i = 0; i < samples && !request_.seed.valid(); ++i) {
+      const double s = (i + 0.5) / samples * whole_.length();
+      request_.seed = host_.element_at(whole_.at(s).x, crack_.net).value_or(ElementId());
+    }
+    return request_.seed.valid();
+  }
+
+  /// The curve of an arc on its own, through the same points.
+  [[nodiscard]] SolidFront front_of(const FrontArc& arc) const {
+    if (arc.whole) {
+      return {std::make_shared<const FrontCurve>(whole_), arc.place};
+    }
+    const double length = arc.s[1] - arc.s[0];
+    // As dense as the curve's own points, evenly: these may come close to the ends.
+    const double spacing = whole_.length() / static_cast<double>(whole_.points().size());
+    const int pieces = std::max(4, static_cast<int>(std::ceil(length / spacing)));
+    std::vector<Vec3> points{arc.place[0].x};
+    for (int i = 1; i < pieces; ++i) {
+      points.push_back(whole_.at(arc.s[0] + i * length / pieces).x);
+    }
+    points.push_back(arc.place[1].x);
+    std::vector<Vec3> normals(points.size(), crack_.normal);
+    return {std::make_shared<const FrontCurve>(std::move(points), std::move(normals), false),
+            arc.place};
+  }
+
+  bool find_mouth(const SurfaceGeometry& surface, SolidFront& front) {
+    const FrontFrame end = front.curve->at(front.curve->length());
+    double least = std::numeric_limits<double>::max();
+    SurfaceTrouble trouble;
+    for (std::size_t k = 0; k < request_.fronts.size(); ++k) {
+      const Traced traced =
+          trace(surface, plane_of(crack_), front.end[1], request_.fronts[k].end[0], -end.m);
+      trouble = traced.trouble ? traced.trouble : trouble;
+      // The first front that it comes to.
+      if (!traced.trouble && traced.trace.front().length() < least) {
+        least = traced.trace.front().length();
+        front.next = k;
+        front.mouth.clear();
+        for (const LinePoint& point : traced.trace.front().points()) {
+          front.mouth.push_back(point.place.x);
+        }
+      }
+    }
+    return !front.mouth.empty() || fail("it has no mouth: " + trouble.why, trouble.at);
+  }
+
+  bool find_outlines() {
+    std::vector<bool> done(request_.fronts.size(), false);
+    for (std::size_t first = 0; first < done.size(); ++first) {
+      if (done[first]) {
+        continue;
+      }
+      std::vector<Vec3>& outline = request_.outlines.emplace_back();
+      std::size_t k = first;
+      for (; !done[k]; k = request_.fronts[k].next) {
+        done[k] = true;
+        const SolidFront& front = request_.fronts[k];
+        const std::vector<Vec3>& points = front.curve->points();
+        outline.insert(outline.end(), points.begin(), points.end());
+        if (front.curve->closed()) {
+          k = first;
+          break;
+        }
+        outline.insert(outline.end(), front.mouth.begin() + 1, front.mouth.end() - 1);
+      }
+      if (k != first) {
+        return fail("its mouths do not lead from front to front", outline.front());
+      }
+    }
+    return true;
+  }
+
+  bool stays_in_part() {
+    for (const SolidFront& front : request_.fronts) {
+      for (int i = 0; i < samples; ++i) {
+        const Vec3 x = front.curve->at((i + 0.5) / samples * front.curve->length()).x;
+        const auto e = host_.element_at(x, crack_.net);
+        if (e && host_.part(*e) != host_.part(request_.seed)) {
+          diagnostics_.error(request_.span, "E424",
+                             fmt::format("{}: its front goes from one material to another at {}",
+                                         crack_.title(), text_of(x)));
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  /// No hole of the body within the crack, no other material.
+  bool nothing_crosses() {
+    const PlanePolygons area(crack_, request_.outlines);
+    const double rim = 1e-2 * frame_of(crack_).a; // a mouth lies on the surface
+    for (const CornerPlaces& triangle : host_.skin(host_.part(request_.seed)).triangles()) {
+      if (const auto at = area.meets(triangle, rim)) {
+        return fail("the surface of the body, or another material, crosses it", *at);
+      }
+    }
+    return true;
+  }
+
+  const SolidHost& host_;
+  SolidRequest& request_;
+  const SolidCrack& crack_;
+  base::Diagnostics& diagnostics_;
+  FrontCurve whole_;
+};
+
+} // namespace
+
+std::string text_of(const Vec3& x) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", x.x(), x.y(), x.z());
+}
+
+CrackPlane plane_of(const SolidCrack& crack) {
+  const SolidFrame frame = frame_of(crack);
+  return {frame.origin, crack.normal, frame.a};
+}
+
+bool place_in_host(const SolidHost& host, SolidRequest& request, base::Diagnostics& diagnostics) {
+  return Placer(host, request, diagnostics).place();
+}
+
+} // namespace spricka::mesh

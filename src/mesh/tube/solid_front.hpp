@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/diagnostics.hpp"
+#include "mesh/front_curve.hpp"
+#include "mesh/surface/surface_trace.hpp"
+#include "mesh/tube/solid_crack.hpp"
+#include "mesh/tube/solid_host.hpp"
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace spricka::mesh {
+
+std::string text_of(const base::Vec3& x);
+
+/// A part of a crack's front that lies in the body, from surface to surface, or all of a closed
+/// one.
+struct SolidFront {
+  std::shared_ptr<const FrontCurve> curve; ///< its length from 0
+  std::array<SurfacePlace, 2> end;         ///< of an open one: where the surface is
+  /// The mouth that begins at its last end: points on the surface, from that end to the first end
+  /// of the front `next`.
+  std::vector<base::Vec3> mouth = {};
+  std::size_t next = 0;
+};
+
+/// A crack before it is cut: where it lies in the host.
+struct SolidRequest {
+  const SolidCrack* crack = nullptr;
+  const TubeMesh* mesh = nullptr;
+  base::Span span;
+  base::ElementId seed{}; ///< the host's element that its front begins in
+  std::vector<SolidFront> fronts = {};
+  /// What fronts and mouths enclose, as closed polygons.
+  std::vector<std::vector<base::Vec3>> outlines = {};
+};
+
+CrackPlane plane_of(const SolidCrack& crack);
+
+/// Finds where a crack lies; false, with an error, where that is not in one part of the host.
+bool place_in_host(const SolidHost& host, SolidRequest& request, base::Diagnostics& diagnostics);
+
+} // namespace spricka::mesh

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/tube/solid_host.hpp"
+
+#include "mesh/side_index.hpp"
+#include "shape/solid.hpp"
+#include "shape/topology.hpp"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cassert>
+
+namespace spricka::mesh {
+
+using base::ElementId;
+using base::NodeId;
+using base::Vec3;
+
+FaceNodes face_nodes(const model::Mesh& mesh, const model::Face& face) {
+  const base::ElementType type = mesh.type[face.element.index()];
+  const auto nodes = mesh.nodes_of(face.element);
+  FaceNodes result;
+  result.corners = shape::side_corners(type, face.side);
+  for (const int i : shape::side_nodes(type, face.side)) {
+    result.all.push_back(nodes[static_cast<std::size_t>(i)]);
+  }
+  return result;
+}
+
+void add_triangles(const model::Mesh& mesh, const model::Face& face,
+                   std::vector<CornerPlaces>& triangles) {
+  const FaceNodes nodes = face_nodes(mesh, face);
+  std::vector<Vec3> rim; // round the face, middles too
+  Vec3 middle = Vec3::Zero();
+  for (std::size_t i = 0; i < nodes.corners; ++i) {
+    rim.push_back(mesh.x[nodes.all[i].index()]);
+    if (nodes.mid(i).valid()) {
+      rim.push_back(mesh.x[nodes.mid(i).index()]);
+    }
+  }
+  if (rim.size() == 3) {
+    triangles.push_back({rim[0], rim[1], rim[2]});
+    return;
+  }
+  if (rim.size() == 6) { // corners and, in the middle, the triangle of the middles
+    triangles.push_back({rim[0], rim[1], rim[5]});
+    triangles.push_back({rim[1], rim[2], rim[3]});
+    triangles.push_back({rim[3], rim[4], rim[5]});
+    triangles.push_back({rim[1], rim[3], rim[5]});
+    return;
+  }
+  if (nodes.centre().valid()) {
+    middle = mesh.x[nodes.centre().index()];
+  } else if (rim.size() == 4) {
+    middle = 0.25 * (rim[0] + rim[1] + rim[2] + rim[3]);
+  } else { // serendipity: -1/4 of the corners, 1/2 of the middles
+    for (std::size_t i = 0; i < rim.size(); ++i) {
+      middle += (i % 2 == 0 ? -0.25 : 0.5) * rim[i];
+    }
+  }
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    triangles.push_back({rim[i], rim[(i + 1) % rim.size()], middle});
+  }
+}
+
+SolidHost::SolidHost(const model::Mesh& mesh) : mesh_(mesh), elements_(mesh) {
+  assert(mesh.dim == 3);
+  find_neighbours();
+  find_parts();
+  find_skins();
+  find_extents();
+}
+
+void SolidHost::find_neighbours() {
+  beyond_.assign(most_sides * mesh_.element_count(), -1);
+  const SideIndex sides(mesh_);
+  for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
+    for (int s = 0; s < base::info(mesh_.type[e]).sides; ++s) {
+      const model::Face face{ElementId(e), s};
+      const FaceNodes nodes = face_nodes(mesh_, face);
+      for (const model::Face& other : sides.find(nodes.corner())) {
+        if (other.element != face.element) {
+          beyond_[place(face)] = static_cast<std::int32_t>(other.element.index());
+        }
+      }
+    }
+  }
+}
+
+void SolidHost::find_parts() {
+  constexpr std::size_t none = static_cast<std::size_t>(-1);
+  part_.assign(mesh_.element_count(), none);
+  for (std::size_t first = 0; first < mesh_.element_count(); ++first) {
+    if (part_[first] != none) {
+      continue;
+    }
+    std::vector<ElementId> members{ElementId(first)};
+    part_[first] = members_.size();
+    for (std::size_t k = 0; k < members.size(); ++k) {
+      const ElementId e = members[k];
+      for (int s = 0; s < base::info(mesh_.type[e.index()]).sides; ++s) {
+        const auto other = beyond({e, s});
+        if (other && part_[other->index()] == none &&
+            mesh_.property[other->index()] == mesh_.property[first] &&
+            mesh_.element_net[other->index()] == mesh_.element_net[first]) {
+          part_[other->index()] = members_.size();
+          members.push_back(*other);
+        }
+      }
+    }
+    std::sort(members.begin(), members.end());
+    members_.push_back(std::move(members));
+  }
+}
+
+void SolidHost::find_skins() {
+  surface_.resize(members_.size());
+  for (std::size_t p = 0; p < members_.size(); ++p) {
+    std::vector<CornerPlaces> triangles;
+    std::vector<CornerPlaces> between;
+    for (const ElementId e : members_[p]) {
+      for (int s = 0; s < base::info(mesh_.type[e.index()]).sides; ++s) {
+        const auto other = beyond({e, s});
+        if (!other || part(*other) != p) {
+          add_triangles(mesh_, {e, s}, triangles);
+        }
+        if (other && part(*other) != p) {
+          add_triangles(mesh_, {e, s}, between);
+        }
+      }
+    }
+    skin_.emplace_back(std::move(triangles));
+    border_.emplace_back(std::move(between));
+  }
+}
+
+const BodySurface& SolidHost::surface(ElementId e) const {
+  if (!surface_[part(e)]) {
+    // All parts of the body.
+    std::vector<bool> has(members_.size(), false);
+    std::vector<std::size_t> parts{part(e)};
+    has[part(e)] = true;
+    std::vector<ElementId> elements;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      for (const ElementId member : members_[parts[k]]) {
+        elements.push_back(member);
+        for (int s = 0; s < base::info(mesh_.type[member.index()]).sides; ++s) {
+          const auto other = beyond({member, s});
+          if (other && !has[part(*other)]) {
+            has[part(*other)] = true;
+            parts.push_back(part(*other));
+          }
+        }
+      }
+    }
+    std::sort(elements.begin(), elements.end());
+    const auto made = std::make_shared<const BodySurface>(mesh_, elements);
+    for (const std::size_t p : parts) {
+      surface_[p] = made;
+    }
+  }
+  return *surface_[part(e)];
+}
+
+void SolidHost::find_extents() {
+  extent_.resize(mesh_.element_count());
+  for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
+    const auto nodes = mesh_.nodes_of(ElementId(e));
+    Extent& extent = extent_[e];
+    const auto corners = static_cast<std::size_t>(base::info(mesh_.type[e]).corners);
+    for (const NodeId n : nodes.first(corners)) {
+      extent.middle += mesh_.x[n.index()] / static_cast<double>(corners);
+    }
+    for (const NodeId n : nodes) {
+      extent.radius = std::max(extent.radius, (mesh_.x[n.index()] - extent.middle).norm());
+    }
+    for (int m = 0; m < shape::edge_count(mesh_.type[e]); ++m) {
+      const auto [a, b] = shape::edge_corners(mesh_.type[e], m);
+      const Vec3 edge = mesh_.x[nodes[static_cast<std::size_t>(b)].index()] -
+                        mesh_.x[nodes[static_cast<std::size_t>(a)].index()];
+      extent.edge = std::max(extent.edge, edge.norm());
+    }
+  }
+}
+
+double outside_of(const model::Mesh& mesh, ElementId e, const Vec3& x) {
+  return shape::with_shape(mesh.type[e.index()], [&]<shape::ElementShape S>(S) {
+    if constexpr (S::dim == 3) {
+      Eigen::Matrix<double, S::nodes, 3> X;
+      const auto nodes = mesh.nodes_of(e);
+      for (int i = 0; i < S::nodes; ++i) {
+        X.row(i) = mesh.x[nodes[static_cast<std::size_t>(i)].index()].transpose();
+      }
+      shape::Point<3> r = shape::centre<S>();
+      for (int k = 0; k < 12; ++k) { // Newton's method; far outside it need not converge
+        const Eigen::Matrix3d J = X.transpose() * S::dN(r);
+        const Vec3 step = J.inverse() * (x - X.transpose() * S::N(r));
+        if (!step.allFinite()) {
+          break;
+        }
+        r += step.norm() > 1.0 ? Vec3(step.normalized()) : step;
+        if (step.norm() < 1e-12) {
+          break;
+        }
+      }
+      return shape::outside<S>(r);
+    } else {
+      return std::numeric_limits<double>::max();
+    }
+  });
+}
+
+std::optional<ElementId> SolidHost::element_at(const Vec3& x, base::NetId net) const {
+  constexpr double rim = 1e-9;
+  std::optional<ElementId> best;
+  double least = rim;
+  for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
+    if ((net.valid() && mesh_.element_net[e] != net) ||
+        (x - extent_[e].middle).norm() > (1.0 + rim) * extent_[e].radius) {
+      continue;
+    }
+    if (const double outside = outside_of(mesh_, ElementId(e), x); outside < least) {
+      least = outside;
+      best = ElementId(e);
+    }
+  }
+  return best;
+}
+
+} // namespace spricka::mesh

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "mesh/tube/solid_front.hpp"
+#include "mesh/tube/solid_patch.hpp"
+
+namespace spricka::mesh {
+
+/// Divides the mouths of a crack between the ends of its tubes; false, with an error, where they
+/// cannot be followed.
+bool find_mouths(const SolidHost& host, const SolidFrame& frame, const SolidRequest& request,
+                 PatchSolidCrack& crack, base::Diagnostics& diagnostics);
+
+} // namespace spricka::mesh

@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/tube/solid_patch.hpp"
+
+#include "mesh/link/fill_solid.hpp"
+#include "mesh/quality.hpp"
+#include "mesh/tube/crack_surface.hpp"
+#include "mesh/tube/open_surface.hpp"
+#include "mesh/tube/solid_split.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace spricka::mesh {
+namespace {
+
+using base::NodeId;
+using base::Vec3;
+
+/// Growth of sizes beside small faces of the cavity.
+constexpr double growth_at_rim = 0.5;
+
+class PatchBuilder {
+public:
+  PatchBuilder(const SolidHost& host, const SolidFrame& frame,
+               std::span<const PatchSolidCrack> cracks, const SolidCavity& cavity)
+      : host_(host), frame_(frame), cracks_(cracks), cavity_(cavity), net_(host.mesh(), frame) {}
+
+  SolidPatch build() {
+    patch_.cracks.resize(cracks_.size());
+    make_shells();
+    for (std::size_t c = 0; c < cracks_.size() && patch_.trouble.empty(); ++c) {
+      make_crack(c);
+    }
+    if (patch_.trouble.empty()) {
+      fill_rest();
+    }
+    if (patch_.trouble.empty()) {
+      open_cracks();
+    }
+    if (patch_.trouble.empty()) {
+      promote();
+      look_at_elements();
+    }
+    patch_.nodes = std::move(net_.nodes);
+    patch_.elements = std::move(net_.elements);
+    patch_.ties = std::move(net_.ties);
+    return std::move(patch_);
+  }
+
+private:
+  /// Shells of the cavity that a tube ends on are joined by it, and their free faces meshed anew.
+  void make_shells() {
+    const std::vector<bool> open = find_open();
+    std::vector<bool> removed(host_.mesh().element_count(), false);
+    for (const base::ElementId e : cavity_.elements) {
+      removed[e.index()] = true;
+    }
+    std::vector<PatchTriangle> joined;
+    std::vector<CavityFace> free;
+    for (std::size_t s = 0; s < cavity_.shells.size(); ++s) {
+      std::vector<CavityFace> faces = cavity_.shells[s];
+      if (open[s]) {
+        std::ranges::copy_if(faces, std::back_inserter(free), &CavityFace::free);
+        std::erase_if(faces, [](const CavityFace& face) { return face.free; });
+      }
+      std::vector<PatchTriangle> shell = shell_of(host_, removed, faces, net_, patch_.faces);
+      if (open[s]) {
+        joined.insert(joined.end(), shell.begin(), shell.end());
+      } else {
+        shells_.push_back(std::move(shell));
+      }
+    }
+    rims_ = shells_;
+    rims_.push_back(joined);
+    for (std::size_t c = 0; c < cracks_.size(); ++c) {
+      lay_tubes_of(c, joined);
+    }
+    mouths_.resize(cracks_.size());
+    if (!free.empty()) {
+      OpenSurface surface = mesh_open_surface(
+          {host_.surface(cavity_.elements.front()), frame_, cracks_, tubes_, std::move(free)}, net_,
+          lower_, patch_.faces);
+      patch_.trouble = surface.trouble;
+      mouths_ = std::move(surface.mouths);
+      joined.insert(joined.end(), surface.triangles.begin(), surface.triangles.end());
+    }
+    if (!joined.empty()) {
+      // What tubes join has the outermost shell, but where they end in a hollow inside.
+      shells_.insert(open.front() ? shells_.begin() : shells_.end(), std::move(joined));
+    }
+  }
+
+  /// Whether tubes end on the shells of the cavity.
+  [[nodiscard]] std::vector<bool> find_open() const {
+    std::vector<bool> open(cavity_.shells.size(), false);
+    std::set<model::Face> ends;
+    for (const PatchSolidCrack& crack : cracks_) {
+      for (const Tube& tube : crack.tubes) {
+        for (const Tube::End& end : tube.ends) {
+          for (const int n : end.corner) {
+            const BodySurface& body = host_.surface(cavity_.elements.front());
+            const Vec3 x = frame_.global(tube.x[static_cast<std::size_t>(n)]);
+            ends.insert(body.face(body.geometry().nearest(x).face));
+          }
+        }
+      }
+    }
+    for (std::size_t s = 0; s < open.size(); ++s) {
+      open[s] = std::ranges::any_of(
+          cavity_.shells[s], [&](const CavityFace& face) { return ends.contains(face.face); });
+    }
+    return open;
+  }
+
+  /// Open tubes are part of the shell that they join, closed ones have shells of their own.
+  void lay_tubes_of(std::size_t c, std::vector<PatchTriangle>& joined) {
+    SolidPatch::Crack& made = patch_.cracks[c];
+    std::vector<LaidTube>& laid = tubes_.emplace_back();
+    for (const Tube& tube : cracks_[c].tubes) {
+      const std::size_t first = net_.elements.size();
+      std::vector<PatchTriangle> shell;
+      laid.push_back({add_tube(tube, net_, shell), first});
+      if (tube.closed) {
+        shells_.push_back(std::move(shell));
+      } else {
+        joined.insert(joined.end(), shell.begin(), shell.end());
+      }
+      const auto at = [&](int n) { return laid.back().node[static_cast<std::size_t>(n)]; };
+      for (const auto& [upper, lower] : tube.twins) {
+        made.twins.emplace_back(at(upper), at(lower));
+      }
+      for (const Tube::Side& side : tube.upper_sides) {
+        made.upper.push_back({first + side.element, side.side});
+      }
+      for (const Tube::Side& side : tube.lower_sides) {
+        made.lower.push_back({first + side.element, side.side});
+      }
+      std::vector<int>& front = made.fronts.emplace_back();
+      std::ranges::transform(tube.front, std::back_inserter(front), at);
+      for (std::size_t i = 0; i < tube.upper.corner.size(); ++i) {
+        lower_[at(tube.upper.corner[i])] = at(tube.lower.corner[i]);
+      }
+    }
+  }
+
+  /// The faces of a crack between its tubes and mouths.
+  void make_crack(std::size_t c) {
+    const PatchSolidCrack& crack = cracks_[c];
+    SolidPatch::Crack& made = patch_.cracks[c];
+    for (const std::vector<int>& nodes : mouths_[c]) {
+      for (const int n : nodes) {
+        made.twins.emplace_back(n, lower_.at(n));
+      }
+    }
+    std::vector<PatchTriangle>& faces = faces_.emplace_back();
+    for (const std::vector<int>& loop : loops_of(c)) {
+      const CrackSurface surface = mesh_crack(crack.reach, loop, crack.finer, net_);
+      if (!surface.trouble.empty()) {
+        patch_.trouble = "its faces: " + surface.trouble;
+        return;
+      }
+      for (const int n : surface.nodes) {
+        if (!lower_.contains(n)) {
+          lower_[n] = net_.copy(n);
+          made.twins.emplace_back(n, lower_[n]);
+        }
+      }
+      faces.insert(faces.end(), surface.triangles.begin(), surface.triangles.end());
+    }
+  }
+
+  /// Along tubes and mouths, round and round.
+  [[nodiscard]] std::vector<std::vector<int>> loops_of(std::size_t c) const {
+    const PatchSolidCrack& crack = cracks_[c];
+    std::vector<std::vector<int>> loops;
+    std::vector<bool> done(crack.tubes.size(), false);
+    for (std::size_t first = 0; first < done.size(); ++first) {
+      std::vector<int> loop;
+      for (std::size_t t = first; !done[t];) {
+        done[t] = true;
+        for (const int n : crack.tubes[t].upper.corner) {
+          loop.push_back(tubes_[c][t].node[static_cast<std::size_t>(n)]);
+        }
+        const auto mouth = std::ranges::find(crack.mouths, t, &CrackMouth::from);
+        if (mouth != crack.mouths.end()) {
+          const auto& nodes = mouths_[c][static_cast<std::size_t>(mouth - crack.mouths.begin())];
+          loop.insert(loop.end(), nodes.begin(), nodes.end());
+          t = mouth->to;
+        }
+      }
+      if (!loop.empty()) {
+        loops.push_back(std::move(loop));
+      }
+    }
+    return loops;
+  }
+
+  [[nodiscard]] SolidGrading grading() const {
+    SolidGrading size;
+    for (const PatchSolidCrack& crack : cracks_) {
+      for (const Tube& tube : crack.tubes) {
+        for (std::size_t i = 0; i < tube.stations.size(); ++i) {
+          size.sources.push_back({tube.stations[i].x, tube.radius[i], tube.radius[i] / crack.finer,
+                                  CrackReach::usual_growth / crack.finer});
+        }
+      }
+    }
+    // Faces of a finer host.
+    const std::vector<SolidGrading::Source> tubes = size.sources;
+    const SolidGrading own{tubes};
+    for (const std::vector<PatchTriangle>& rim : rims_) {
+      for (const PatchTriangle& t : rim) {
+        const Vec3 middle = (net_.local(t[0]) + net_.local(t[1]) + net_.local(t[2])) / 3.0;
+        const double edge = ((net_.local(t[1]) - net_.local(t[0])).norm() +
+                             (net_.local(t[2]) - net_.local(t[1])).norm() +
+                             (net_.local(t[0]) - net_.local(t[2])).norm()) /
+                            3.0;
+        if (edge < 0.7 * own(middle)) {
+          size.sources.push_back({middle, 0.0, edge, growth_at_rim});
+        }
+      }
+    }
+    return size;
+  }
+
+  void fill_rest() {
+    SolidRegion region;
+    std::vector<int> place(net_.nodes.size(), -1); // patch node -> point
+    std::vector<int> node;                         // and back
+    const auto points = [&](const std::vector<PatchTriangle>& triangles) {
+      std::vector<PatchTriangle> result;
+      for (const PatchTriangle& t : triangles) {
+        PatchTriangle& made = result.emplace_back();
+        for (std::size_t i = 0; i < 3; ++i) {
+          int& p = place[static_cast<std::size_t>(t[i])];
+          if (p < 0) {
+            p = static_cast<int>(node.size());
+            node.push_back(t[i]);
+            region.points.push_back(net_.local(t[i]));
+          }
+          made[i] = p;
+        }
+      }
+      return result;
+    };
+    for (const auto& shell : shells_) {
+      region.shells.push_back(points(shell));
+    }
+    for (const auto& faces : faces_) {
+      const auto triangles = points(faces);
+      region.embedded.insert(region.embedded.end(), triangles.begin(), triangles.end());
+    }
+    const SolidFilling filling = fill_solid(region, grading());
+    patch_.trouble = filling.trouble;
+    for (const Vec3& p : filling.added) {
+      node.push_back(net_.new_node_at(p));
+    }
+    for (const std::array<int, 4>& t : filling.tetrahedra) {
+      std::array<int, 4> corners{};
+      std::ranges::transform(t, corners.begin(),
+                             [&](int n) { return node[static_cast<std::size_t>(n)]; });
+      tetrahedra_.push_back(corners);
+    }
+  }
+
+  void open_cracks() {
+    std::vector<PatchTriangle> all;
+    for (const auto& faces : faces_) {
+      all.insert(all.end(), faces.begin(), faces.end());
+    }
+    const SplitFill split = split_fill(net_, all, lower_, tetrahedra_);
+    patch_.trouble = split.trouble;
+    const std::size_t first = net_.elements.size();
+    std::size_t k = 0;
+    for (std::size_t c = 0; c < faces_.size() && split.trouble.empty(); ++c) {
+      for (std::size_t i = 0; i < faces_[c].size(); ++i, ++k) {
+        patch_.cracks[c].upper.push_back({first + split.upper[k].tetrahedron, split.upper[k].side});
+        patch_.cracks[c].lower.push_back({first + split.lower[k].tetrahedron, split.lower[k].side});
+      }
+    }
+  }
+
+  void promote() {
+    for (const std::array<int, 4>& t : tetrahedra_) {
+      SolidPatchElement& e =
+          net_.elements.emplace_back(SolidPatchElement{base::ElementType::tet10, {}});
+      e.nodes.assign(t.begin(), t.end());
+      for (const auto& [a, b] : {std::pair(0, 1), {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}) {
+        e.nodes.push_back(net_.mid(t[static_cast<std::size_t>(a)], t[static_cast<std::size_t>(b)]));
+      }
+    }
+    for (std::size_t c = 0; c < faces_.size(); ++c) {
+      std::set<int> known;
+      for (const auto& [upper, lower] : patch_.cracks[c].twins) {
+        known.insert(upper);
+      }
+      for (const PatchTriangle& t : faces_[c]) {
+        for (std::size_t i = 0; i < 3; ++i) {
+          const int a = t[i];
+          const int b = t[(i + 1) % 3];
+          const int upper = net_.mid(a, b);
+          if (known.insert(upper).second) {
+            patch_.cracks[c].twins.emplace_back(upper, net_.mid(lower_.at(a), lower_.at(b)));
+          }
+        }
+      }
+    }
+  }
+
+  void look_at_elements() {
+    model::Mesh mesh;
+    mesh.dim = 3;
+    for (const SolidPatchNode& node : net_.nodes) {
+      model::add_node(mesh, node.x, 0, {});
+    }
+    std::vector<NodeId> nodes;
+    for (const SolidPatchElement& element : net_.elements) {
+      nodes.clear();
+      for (const int n : element.nodes) {
+        nodes.emplace_back(static_cast<std::size_t>(n));
+      }
+      model::add_element(mesh, element.type, nodes, 0, {});
+    }
+    const MeshFaults faults = mesh_faults(mesh);
+    if (!faults.bad.empty()) {
+      const BadElement& worst = *std::ranges::min_element(faults.bad, {}, &BadElement::jacobian);
+      patch_.trouble = fmt::format("{} elements are folded, one at ({:.6g}, {:.6g}, {:.6g})",
+                                   faults.bad.size(), worst.at.x(), worst.at.y(), worst.at.z());
+    }
+  }
+
+  const SolidHost& host_;
+  const SolidFrame& frame_;
+  std::span<const PatchSolidCrack> cracks_;
+  const SolidCavity& cavity_;
+  SolidNet net_;
+  SolidPatch patch_;
+  std::vector<std::vector<PatchTriangle>> shells_;    ///< closed, the outermost first
+  std::vector<std::vector<PatchTriangle>> rims_;      ///< of them, what the host gives
+  std::vector<std::vector<LaidTube>> tubes_;          ///< [crack]
+  std::vector<std::vector<std::vector<int>>> mouths_; ///< [crack][mouth] nodes between tubes
+  std::vector<std::vector<PatchTriangle>> faces_;     ///< [crack] between its tubes
+  std::unordered_map<int, int> lower_;                ///< second nodes of those on cracks
+  std::vector<std::array<int, 4>> tetrahedra_;
+};
+
+} // namespace
+
+SolidPatch build_solid_patch(const SolidHost& host, const SolidFrame& frame,
+                             std::span<const PatchSolidCrack> cracks, const SolidCavity& cavity) {
+  return PatchBuilder(host, frame, cracks, cavity).build();
+}
+
+} // namespace spricka::mesh

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/tube/solid_shell.hpp"
+
+#include <algorithm>
+
+namespace spricka::mesh {
+namespace {
+
+using base::ElementId;
+using base::NodeId;
+using base::Vec3;
+
+using Corners = std::array<int, 4>;
+
+/// Whether of a quadrilateral, anticlockwise seen from the fill, the diagonal from corner 0 to 2
+/// bulges towards the fill (or the four lie in a plane), not that from 1 to 3.
+bool first_bulges(const SolidNet& net, const Corners& q) {
+  return net.six_volumes(q[0], q[1], q[2], q[3]) <= 0.0;
+}
+
+std::array<PatchTriangle, 2> halves(const Corners& q, bool first) {
+  if (first) {
+    return {{{q[0], q[1], q[2]}, {q[0], q[2], q[3]}}};
+  }
+  return {{{q[1], q[2], q[3]}, {q[1], q[3], q[0]}}};
+}
+
+/// The value in the middle of a serendipity face, of its corners and middles (contact with a
+/// diagonal: two triangles of six nodes and one of eight then have the same mean).
+SolidTie middle_of(const Corners& corner, const std::array<int, 4>& mid) {
+  SolidTie tie;
+  for (const int n : corner) {
+    tie.master.push_back(n);
+    tie.weight.push_back(-0.25);
+  }
+  for (const int n : mid) {
+    tie.master.push_back(n);
+    tie.weight.push_back(0.5);
+  }
+  return tie;
+}
+
+/// Makes the slave of a tie in its place; the tie stays if it is to hold.
+int slave_of(SolidNet& net, SolidTie tie, bool holds) {
+  Vec3 x = Vec3::Zero();
+  for (std::size_t i = 0; i < tie.master.size(); ++i) {
+    x += tie.weight[i] * net.x(tie.master[i]);
+  }
+  tie.slave = net.new_node(x);
+  const int node = tie.slave;
+  if (holds) {
+    net.ties.push_back(std::move(tie));
+  }
+  return node;
+}
+
+class Sheller {
+public:
+  Sheller(const SolidHost& host, const std::vector<bool>& removed, SolidNet& net)
+      : host_(host), mesh_(host.mesh()), removed_(removed), net_(net) {}
+
+  std::vector<PatchTriangle> triangles_of(const CavityFace& face) {
+    const FaceNodes nodes = face_nodes(mesh_, face.face);
+    std::vector<int> corner;
+    for (std::size_t i = 0; i < nodes.corners; ++i) {
+      corner.push_back(net_.host_node(nodes.all[i]));
+    }
+    std::vector<int> mid;
+    for (std::size_t i = 0; i < nodes.corners; ++i) {
+      mid.push_back(middle(nodes, i));
+    }
+    if (nodes.corners == 3) { // seen from inside the other way round
+      return {{corner[0], corner[2], corner[1]}};
+    }
+    const Corners q{corner[0], corner[3], corner[2], corner[1]};
+    const bool first = first_bulges(net_, q);
+    const int a = first ? q[0] : q[1];
+    const int b = first ? q[2] : q[3];
+    net_.set_mid(a, b, centre(nodes, face.free, q, mid));
+    const auto two = halves(q, first);
+    return {two[0], two[1]};
+  }
+
+private:
+  /// The node in the middle of the edge from corner i to the next.
+  int middle(const FaceNodes& nodes, std::size_t i) {
+    const NodeId a = nodes.all[i];
+    const NodeId b = nodes.all[(i + 1) % nodes.corners];
+    const int na = net_.host_node(a);
+    const int nb = net_.host_node(b);
+    if (const auto known = net_.known_mid(na, nb)) {
+      return *known;
+    }
+    const int node = nodes.mid(i).valid() ? net_.host_node(nodes.mid(i))
+                                          : slave_of(net_, {0, {na, nb}, {0.5, 0.5}}, stays(a, b));
+    net_.set_mid(na, nb, node);
+    return node;
+  }
+
+  int centre(const FaceNodes& nodes, bool free, const Corners& corner,
+             const std::vector<int>& mid) {
+    if (nodes.centre().valid()) {
+      return net_.host_node(nodes.centre());
+    }
+    if (nodes.mid(0).valid()) {
+      return slave_of(net_, middle_of(corner, {mid[0], mid[1], mid[2], mid[3]}), !free);
+    }
+    return slave_of(net_, {0, {corner.begin(), corner.end()}, {0.25, 0.25, 0.25, 0.25}}, !free);
+  }
+
+  /// Whether an element that stays has both nodes.
+  [[nodiscard]] bool stays(NodeId a, NodeId b) const {
+    return std::ranges::any_of(host_.around(a), [&](ElementId e) {
+      const auto nodes = mesh_.nodes_of(e);
+      return !removed_[e.index()] && std::find(nodes.begin(), nodes.end(), b) != nodes.end();
+    });
+  }
+
+  const SolidHost& host_;
+  const model::Mesh& mesh_;
+  const std::vector<bool>& removed_;
+  SolidNet& net_;
+};
+
+} // namespace
+
+std::vector<PatchTriangle> shell_of(const SolidHost& host, const std::vector<bool>& removed,
+                                    const std::vector<CavityFace>& faces, SolidNet& net,
+                                    std::vector<FacePieces>& pieces) {
+  Sheller sheller(host, removed, net);
+  std::vector<PatchTriangle> shell;
+  for (const CavityFace& face : faces) {
+    const std::vector<PatchTriangle> triangles = sheller.triangles_of(face);
+    shell.insert(shell.end(), triangles.begin(), triangles.end());
+    FacePieces& own = pieces.emplace_back(face.face, std::vector<std::vector<int>>());
+    for (const PatchTriangle& t : triangles) {
+      own.second.emplace_back(t.begin(), t.end());
+    }
+  }
+  return shell;
+}
+
+std::vector<int> add_tube(const Tube& tube, SolidNet& net, std::vector<PatchTriangle>& shell) {
+  std::vector<int> node;
+  for (const Vec3& place : tube.x) {
+    node.push_back(net.new_node_at(place));
+  }
+  const auto at = [&](int n) { return node[static_cast<std::size_t>(n)]; };
+  for (const Tube::Element& element : tube.elements) {
+    SolidPatchElement& e = net.elements.emplace_back(SolidPatchElement{element.type, {}});
+    std::ranges::transform(element.nodes, std::back_inserter(e.nodes), at);
+  }
+  // The fill meets the upper of the two lines of the crack until it is split.
+  std::vector<int> single = node;
+  for (const auto& [upper, lower] : tube.twins) {
+    single[static_cast<std::size_t>(lower)] = at(upper);
+  }
+  for (const TubeQuad& quad : tube.outer) {
+    Corners own{};
+    Corners fill{};
+    std::array<int, 4> mid{};
+    for (std::size_t i = 0; i < 4; ++i) {
+      own[i] = at(quad.corner[i]);
+      fill[i] = single[static_cast<std::size_t>(quad.corner[i])];
+      mid[i] = at(quad.mid[i]);
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+      net.set_mid(own[i], own[(i + 1) % 4], mid[i]);
+    }
+    const bool first = first_bulges(net, own);
+    const int diagonal = slave_of(net, middle_of(own, mid), true);
+    net.set_mid(first ? own[0] : own[1], first ? own[2] : own[3], diagonal);
+    const auto two = halves(fill, first);
+    shell.insert(shell.end(), two.begin(), two.end());
+  }
+  return node;
+}
+
+} // namespace spricka::mesh

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "mesh/tube/solid_cavity.hpp"
+#include "mesh/tube/solid_net.hpp"
+#include "mesh/tube/tube.hpp"
+
+#include <utility>
+#include <vector>
+
+namespace spricka::mesh {
+
+/// A face of the host and sides of the patch in its place, by corners; some may be there twice,
+/// with the nodes of either side of a crack.
+using FacePieces = std::pair<model::Face, std::vector<std::vector<int>>>;
+
+/// A shell of a cavity as triangles; edges have the host's middle nodes. A quadrilateral becomes
+/// two triangles, on the diagonal that bulges into the cavity (else a flat tetrahedron might lie on
+/// it); the node in the middle of the diagonal is that of the face, or has its place: tied to the
+/// face where an element stays behind it. Middles of the edges of linear elements that stay are
+/// tied to these.
+std::vector<PatchTriangle> shell_of(const SolidHost& host, const std::vector<bool>& removed,
+                                    const std::vector<CavityFace>& faces, SolidNet& net,
+                                    std::vector<FacePieces>& pieces);
+
+/// Puts a tube into a patch: returns its nodes there; its outside, as triangles, is added to
+/// `shell`.
+std::vector<int> add_tube(const Tube& tube, SolidNet& net, std::vector<PatchTriangle>& shell);
+
+} // namespace spricka::mesh

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/tube/triangle_tree.hpp"
+
+#include <algorithm>
+
+namespace spricka::mesh {
+
+using base::Vec3;
+
+// By the regions of the triangle's plane (Ericson, Real-Time Collision Detection, 2005, 5.1.5).
+Vec3 nearest_of(const CornerPlaces& triangle, const Vec3& p) {
+  const auto& [a, b, c] = triangle;
+  const Vec3 ab = b - a;
+  const Vec3 ac = c - a;
+  const double d1 = ab.dot(p - a);
+  const double d2 = ac.dot(p - a);
+  if (d1 <= 0.0 && d2 <= 0.0) {
+    return a;
+  }
+  const double d3 = ab.dot(p - b);
+  const double d4 = ac.dot(p - b);
+  if (d3 >= 0.0 && d4 <= d3) {
+    return b;
+  }
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) {
+    return a + d1 / (d1 - d3) * ab;
+  }
+  const double d5 = ab.dot(p - c);
+  const double d6 = ac.dot(p - c);
+  if (d6 >= 0.0 && d5 <= d6) {
+    return c;
+  }
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) {
+    return a + d2 / (d2 - d6) * ac;
+  }
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0.0 && d4 >= d3 && d5 >= d6) {
+    return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
+  }
+  const double sum = va + vb + vc;
+  return a + vb / sum * ab + vc / sum * ac;
+}
+
+TriangleTree::TriangleTree(std::vector<CornerPlaces> triangles) : triangles_(std::move(triangles)) {
+  if (!triangles_.empty()) {
+    make(0, triangles_.size());
+  }
+}
+
+std::size_t TriangleTree::make(std::size_t begin, std::size_t end) {
+  constexpr std::size_t few = 8;
+  Box box{triangles_[begin][0], triangles_[begin][0], begin, end, 0, 0};
+  for (std::size_t i = begin; i < end; ++i) {
+    for (const Vec3& p : triangles_[i]) {
+      box.low = box.low.cwiseMin(p);
+      box.high = box.high.cwiseMax(p);
+    }
+  }
+  const std::size_t own = boxes_.size();
+  boxes_.push_back(box);
+  if (end - begin > few) {
+    Eigen::Index axis = 0;
+    (box.high - box.low).maxCoeff(&axis);
+    const std::size_t middle = begin + (end - begin) / 2;
+    const auto at = [&](std::size_t i) {
+      return triangles_.begin() + static_cast<std::ptrdiff_t>(i);
+    };
+    std::nth_element(
+        at(begin), at(middle), at(end), [&](const CornerPlaces& s, const CornerPlaces& t) {
+          return s[0][axis] + s[1][axis] + s[2][axis] < t[0][axis] + t[1][axis] + t[2][axis];
+        });
+    const std::size_t left = make(begin, middle);
+    const std::size_t right = make(middle, end);
+    boxes_[own].left = left;
+    boxes_[own].right = right;
+  }
+  return own;
+}
+
+double TriangleTree::away(const Box& box, const Vec3& p) {
+  return (box.low - p).cwiseMax(p - box.high).cwiseMax(0.0).norm();
+}
+
+TriangleTree::Nearest TriangleTree::nearest(const Vec3& p) const {
+  Nearest best;
+  std::vector<std::size_t> open;
+  if (!boxes_.empty()) {
+    open.push_back(0);
+  }
+  while (!open.empty()) {
+    const Box& box = boxes_[open.back()];
+    open.pop_back();
+    if (away(box, p) >= best.distance) {
+      continue;
+    }
+    if (box.left != 0) {
+      const bool left_first = away(boxes_[box.left], p) < away(boxes_[box.right], p);
+      open.push_back(left_first ? box.right : box.left);
+      open.push_back(left_first ? box.left : box.right);
+      continue;
+    }
+    for (std::size_t i = box.begin; i < box.end; ++i) {
+      const Vec3 at = nearest_of(triangles_[i], p);
+      if (const double d = (at - p).norm(); d < best.distance) {
+        best = {d, at, i};
+      }
+    }
+  }
+  return best;
+}
+
+} // namespace spricka::mesh

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/vec.hpp"
+
+#include <array>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace spricka::mesh {
+
+using CornerPlaces = std::array<base::Vec3, 3>;
+
+/// The point of a triangle that is nearest to p.
+base::Vec3 nearest_of(const CornerPlaces& triangle, const base::Vec3& p);
+
+/// Triangles in a tree of boxes.
+class TriangleTree {
+public:
+  explicit TriangleTree(std::vector<CornerPlaces> triangles);
+
+  struct Nearest {
+    double distance = std::numeric_limits<double>::max();
+    base::Vec3 at = base::Vec3::Zero();
+    std::size_t triangle = 0;
+  };
+  [[nodiscard]] Nearest nearest(const base::Vec3& p) const;
+  [[nodiscard]] const std::vector<CornerPlaces>& triangles() const { return triangles_; }
+
+private:
+  struct Box {
+    base::Vec3 low, high;
+    std::size_t begin = 0, end = 0;  ///< of triangles
+    std::size_t left = 0, right = 0; ///< boxes; 0: none
+  };
+  std::size_t make(std::size_t begin, std::size_t end);
+  [[nodiscard]] static double away(const Box& box, const base::Vec3& p);
+
+  std::vector<CornerPlaces> triangles_;
+  std::vector<Box> boxes_;
+};
+
+} // namespace spricka::mesh

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/tube/tube.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace spricka::mesh {
+namespace {
+
+using base::Vec2;
+using base::Vec3;
+
+/// Radii of the rings, 1 outside: the first as wide as given, the others linearly wider or
+/// narrower.
+std::vector<double> rings_of(const TubeMesh& given, double radius) {
+  const double n = given.rings;
+  // All of one width if nothing is given; a ring keeps some width.
+  const double first =
+      given.size > 0.0 && n > 1 ? std::clamp(given.size / radius, 0.2 / n, 1.6 / n) : 1.0 / n;
+  std::vector<double> result{0.0};
+  for (int k = 1; k <= given.rings; ++k) {
+    const double more = n > 1 ? (1.0 - n * first) * k * (k - 1) / (n * (n - 1)) : 0.0;
+    result.push_back(first * k + more);
+  }
+  result.back() = 1.0;
+  return result;
+}
+
+/// Nodes stand on a lattice: station, angle and ring, the odd ones between elements' corners.
+class Builder {
+public:
+  Builder(const FrontCurve& curve, const TubeSizes& sizes, const TubeMesh& given,
+          const AlongToSurface& to_surface)
+      : curve_(curve), given_(given), to_surface_(to_surface) {
+    tube_.closed = curve.closed();
+    const std::vector<double> at = sizes.stations(curve.closed());
+    for (const double s : at) {
+      tube_.stations.push_back(curve.at(s));
+      tube_.radius.push_back(sizes.radius_at(s));
+      rings_.push_back(rings_of(given, tube_.radius.back()));
+      tube_.size.push_back(rings_.back()[1] * tube_.radius.back());
+    }
+    segments_ = static_cast<int>(tube_.closed ? at.size() : at.size() - 1);
+    for (int i = 0; i < segments_; ++i) {
+      const double end = station(i + 1) == 0 ? curve.length() : at[station(i + 1)];
+      between_.push_back(curve.at(0.5 * (at[station(i)] + end)));
+    }
+  }
+
+  Tube build() {
+    for (int i = 0; i < segments_; ++i) {
+      for (int j = 0; j < given_.sectors; ++j) {
+        wedge(2 * i, 2 * j);
+        for (int k = 1; k < given_.rings; ++k) {
+          brick(2 * i, 2 * j, 2 * k);
+        }
+        outer(2 * i, 2 * j);
+      }
+    }
+    lines();
+    return std::move(tube_);
+  }
+
+private:
+  using Key = std::array<int, 3>;
+
+  [[nodiscard]] std::size_t station(int i) const {
+    return static_cast<std::size_t>(i) % tube_.stations.size();
+  }
+  /// Place of a corner of the lattice across the front.
+  [[nodiscard]] Vec2 corner(std::size_t at, int sector, int ring) const {
+    const double r = tube_.radius[at] * rings_[at][static_cast<std::size_t>(ring)];
+    if (sector == 0 || sector == given_.sectors) { // the crack: no round-off leads off its plane
+      return {-r, 0.0};
+    }
+    const double angle = std::numbers::pi * (2.0 * sector / given_.sectors - 1.0);
+    return {r * std::cos(angle), r * std::sin(angle)};
+  }
+  /// At a station, between corners of which one or none of the two is odd.
+  [[nodiscard]] Vec2 across(std::size_t at, int j, int l) const {
+    if (j % 2 != 0) { // on the chord
+      return 0.5 * (corner(at, j / 2, l / 2) + corner(at, j / 2 + 1, l / 2));
+    }
+    if (l == 1) {
+      return (given_.quarter_point ? 0.25 : 0.5) * corner(at, j / 2, 1);
+    }
+    return l % 2 == 0 ? corner(at, j / 2, l / 2)
+                      : Vec2(0.5 * (corner(at, j / 2, l / 2) + corner(at, j / 2, l / 2 + 1)));
+  }
+
+  int node(int i, int j, int l) {
+    if (tube_.closed) {
+      i %= 2 * segments_;
+    }
+    const Key key{i, l == 0 ? 0 : j, l};
+    const auto [at, fresh] = known_.try_emplace(key, static_cast<int>(tube_.x.size()));
+    if (fresh) {
+      const bool middle = i % 2 != 0;
+      const FrontFrame& frame =
+          middle ? between_[static_cast<std::size_t>(i / 2)] : tube_.stations[station(i / 2)];
+      const Vec2 yz =
+          middle ? Vec2(0.5 * (across(station(i / 2), j, l) + across(station(i / 2 + 1), j, l)))
+                 : across(station(i / 2), j, l);
+      tube_.x.emplace_back(frame.x + yz.x() * frame.m + yz.y() * frame.b +
+                           shift(frame.s, j, l) * frame.t);
+    }
+    return at->second;
+  }
+
+  /// How far a node is moved along the front, for the ends to lie on the surface.
+  double shift(double s, int j, int l) {
+    if (tube_.closed || l == 0) {
+      return 0.0;
+    }
+    double sum = 0.0;
+    for (const std::size_t end : {0U, 1U}) {
+      const std::size_t at = end == 0 ? 0 : tube_.stations.size() - 1;
+      const double reach = std::min(3.0 * tube_.radius[at], 0.5 * curve_.length());
+      const double u = std::abs(s - tube_.stations[at].s) / reach;
+      if (u < 1.0) {
+        sum += (1.0 - u) * (1.0 - u) * (1.0 + 2.0 * u) * end_shift(end, j, l);
+      }
+    }
+    return sum;
+  }
+  double end_shift(std::size_t end, int j, int l) {
+    const auto [known, fresh] = end_shift_.try_emplace({static_cast<int>(end), j, l}, 0.0);
+    if (fresh) {
+      const std::size_t at = end == 0 ? 0 : tube_.stations.size() - 1;
+      const FrontFrame& frame = tube_.stations[at];
+      const Vec2 yz = across(at, j, l);
+      const Vec3 place = frame.x + yz.x() * frame.m + yz.y() * frame.b;
+      const auto along = to_surface_(place, frame.t);
+      if (!along) {
+        tube_.off_surface = place;
+      }
+      known->second = along.value_or(0.0);
+    }
+    return known->second;
+  }
+
+  void wedge(int i, int j) {
+    const auto n = [&](int di, int dj, int dl) { return node(i + di, j + dj, dl); };
+    tube_.elements.push_back({base::ElementType::pentac15,
+                              {n(0, 0, 0), n(0, 0, 2), n(0, 2, 2), n(2, 0, 0), n(2, 0, 2),
+                               n(2, 2, 2), n(0, 0, 1), n(0, 1, 2), n(0, 2, 1), n(2, 0, 1),
+                               n(2, 1, 2), n(2, 2, 1), n(1, 0, 0), n(1, 0, 2), n(1, 2, 2)}});
+    faces(i, j, 2);
+  }
+  void brick(int i, int j, int l) {
+    const auto n = [&](int di, int dj, int dl) { return node(i + di, j + dj, l + dl); };
+    tube_.elements.push_back(
+        {base::ElementType::hexec20,
+         {n(0, 0, 0), n(0, 0, 2), n(0, 2, 2), n(0, 2, 0), n(2, 0, 0), n(2, 0, 2), n(2, 2, 2),
+          n(2, 2, 0), n(0, 0, 1), n(0, 1, 2), n(0, 2, 1), n(0, 1, 0), n(2, 0, 1), n(2, 1, 2),
+          n(2, 2, 1), n(2, 1, 0), n(1, 0, 0), n(1, 0, 2), n(1, 2, 2), n(1, 2, 0)}});
+    faces(i, j, 2);
+  }
+  /// Sides of the element just made that lie on the crack: `low` where the angle is lower, two more
+  /// where it is higher; and those on ends: 0 and 1, of wedges and bricks alike.
+  void faces(int i, int j, int low) {
+    const std::size_t element = tube_.elements.size() - 1;
+    if (j == 0) {
+      tube_.lower_sides.push_back({element, low});
+    }
+    if (j == 2 * (given_.sectors - 1)) {
+      tube_.upper_sides.push_back({element, low + 2});
+    }
+    if (!tube_.closed && i == 0) {
+      tube_.ends[0].sides.push_back({element, 0});
+    }
+    if (!tube_.closed && i == 2 * (segments_ - 1)) {
+      tube_.ends[1].sides.push_back({element, 1});
+    }
+  }
+  void outer(int i, int j) {
+    const int l = 2 * given_.rings;
+    tube_.outer.push_back(
+        {{node(i, j, l), node(i, j + 2, l), node(i + 2, j + 2, l), node(i + 2, j, l)},
+         {node(i, j + 1, l), node(i + 1, j + 2, l), node(i + 2, j + 1, l), node(i + 1, j, l)}});
+  }
+
+  void lines() {
+    const int l = 2 * given_.rings;
+    const int end = 2 * given_.sectors;
+    for (int i = 0; i < static_cast<int>(tube_.stations.size()); ++i) {
+      tube_.front.push_back(node(2 * i, 0, 0));
+      tube_.upper.corner.push_back(node(2 * i, end, l));
+      tube_.lower.corner.push_back(node(2 * i, 0, l));
+    }
+    for (int i = 0; i < segments_; ++i) {
+      tube_.upper.mid.push_back(node(2 * i + 1, end, l));
+      tube_.lower.mid.push_back(node(2 * i + 1, 0, l));
+    }
+    for (const std::size_t e : {0U, 1U}) {
+      const int i = e == 0 ? 0 : 2 * segments_;
+      for (int j = 0; j < end && !tube_.closed; j += 2) {
+        tube_.ends[e].corner.push_back(node(i, j, l));
+        tube_.ends[e].mid.push_back(node(i, j + 1, l));
+      }
+    }
+    // All nodes at the first angle, and those at the last.
+    for (const auto& [key, n] : known_) {
+      const auto& [i, j, ring] = key;
+      if (j == 0) {
+        twins_.emplace_back(ring == 0 ? n : known_.at({i, end, ring}), n);
+      }
+    }
+    tube_.twins = std::move(twins_);
+  }
+
+  const FrontCurve& curve_;
+  const TubeMesh& given_;
+  const AlongToSurface& to_surface_;
+  Tube tube_;
+  int segments_ = 0;
+  std::vector<std::vector<double>> rings_; ///< [station]
+  std::vector<FrontFrame> between_;        ///< [segment]
+  std::map<Key, int> known_;
+  std::map<Key, double> end_shift_; ///< end, angle, ring
+  std::vector<std::pair<int, int>> twins_;
+};
+
+} // namespace
+
+Tube make_tube(const FrontCurve& curve, const TubeSizes& sizes, const TubeMesh& given,
+               const AlongToSurface& to_surface) {
+  assert(given.rings >= 1 && given.sectors >= 4);
+  return Builder(curve, sizes, given, to_surface).build();
+}
+
+} // namespace spricka::mesh

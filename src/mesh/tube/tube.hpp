@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/element_type.hpp"
+#include "mesh/front_curve.hpp"
+#include "mesh/tube/tube_sizes.hpp"
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace spricka::mesh {
+
+/// A quadrilateral with middle nodes, as a side of an element in space: corners in order, then the
+/// middles of the edges that follow them.
+struct TubeQuad {
+  std::array<int, 4> corner{};
+  std::array<int, 4> mid{};
+};
+
+/// Elements swept along a front: wedges round it, bricks round these. In the frame of its patch.
+/// Angles run from the lower face of the crack through what lies ahead to the upper one, and nodes
+/// of the two are distinct, but for those of the front.
+struct Tube {
+  struct Element {
+    base::ElementType type = base::ElementType::pentac15;
+    std::vector<int> nodes;
+  };
+  struct Side {
+    std::size_t element = 0;
+    int side = 0;
+  };
+  /// A line of the crack along the outside of the tube: corner nodes [station], nodes between them.
+  struct Line {
+    std::vector<int> corner;
+    std::vector<int> mid;
+  };
+
+  bool closed = true;
+  std::vector<base::Vec3> x; ///< [node]
+  std::vector<Element> elements;
+  std::vector<FrontFrame> stations; ///< where elements begin and end
+  std::vector<double> radius;       ///< [station]
+  std::vector<double> size;         ///< [station] radial length of the elements at the front
+  std::vector<int> front;           ///< [station] corner nodes
+  std::vector<TubeQuad> outer;      ///< seen from outside in anticlockwise order
+  Line upper, lower;
+  std::vector<std::pair<int, int>> twins; ///< nodes of the faces, upper and lower; of the front one
+  std::vector<Side> upper_sides, lower_sides;
+  /// Of an open front, for each end: sides on the surface, the outline with the nodes in the middle
+  /// of its edges, from the crack on (lower nodes).
+  struct End {
+    std::vector<Side> sides;
+    std::vector<int> corner, mid;
+  };
+  std::array<End, 2> ends;
+  std::optional<base::Vec3> off_surface; ///< a place of an end that finds no surface: no tube
+};
+
+/// How far a place is from the surface along a direction; empty if it finds none.
+using AlongToSurface =
+    std::function<std::optional<double>(const base::Vec3& place, const base::Vec3& along)>;
+
+/// The ends of an open tube are sheared along the front onto the surface; over three radii the
+/// shear fades.
+Tube make_tube(const FrontCurve& curve, const TubeSizes& sizes, const TubeMesh& given,
+               const AlongToSurface& to_surface);
+
+} // namespace spricka::mesh

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/tube/tube_room.hpp"
+
+#include "mesh/plane.hpp"
+#include "mesh/surface/surface_hits.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace spricka::mesh {
+
+using base::Vec2;
+using base::Vec3;
+
+namespace {
+
+constexpr int steps = 128;
+constexpr int directions = 16;
+/// What lies nearer to a front's end along the front than this many times its distance across it
+/// is the surface that the front ends on.
+constexpr double beside_end = 1.7;
+/// Near its ends a crack is as wide as a little inside.
+constexpr double end_part = 0.05;
+
+} // namespace
+
+FrontSurroundings::FrontSurroundings(const SolidHost& host, const SolidRequest& request,
+                                     const SolidFront& front, std::span<const SolidRequest> all)
+    : host_(host), request_(request), front_(front), area_(*request.crack, request.outlines) {
+  for (const SolidRequest& other : all) {
+    if (other.crack != request.crack) {
+      others_.emplace_back(*other.crack, other.outlines);
+    }
+  }
+  for (int i = 0; i <= steps; ++i) {
+    free_.push_back(free_at(front_.curve->at(front_.curve->length() * i / steps)));
+  }
+}
+
+double FrontSurroundings::free(double s) const {
+  const double place = std::clamp(s / front_.curve->length(), 0.0, 1.0) * steps;
+  const auto i = std::min(static_cast<std::size_t>(place), free_.size() - 2);
+  return std::min(free_[i], free_[i + 1]);
+}
+
+double FrontSurroundings::free_at(const FrontFrame& at) const {
+  const std::size_t part = host_.part(request_.seed);
+  double least = front_.curve->closed()
+                     ? host_.skin(part).nearest(at.x).distance
+                     : std::min(host_.border(part).nearest(at.x).distance, across_section(at));
+  for (const PlanePolygons& other : others_) {
+    least = std::min(least, other.distance(at.x));
+  }
+  return least;
+}
+
+double FrontSurroundings::across_section(const FrontFrame& at) const {
+  const SurfaceGeometry& surface = host_.surface(request_.seed).geometry();
+  const double to_end = std::min(at.s, front_.curve->length() - at.s);
+  double least = surface.extent();
+  for (int k = 0; k < directions; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / directions;
+    const Vec3 d = std::cos(angle) * at.m + std::sin(angle) * at.b;
+    for (const SurfaceHit& hit : hits(surface, at.x, d, least)) {
+      if (to_end > beside_end * hit.along + same * least) {
+        least = std::min(least, hit.along);
+      }
+    }
+  }
+  return least;
+}
+
+double FrontSurroundings::width(double s) const {
+  const FrontCurve& curve = *front_.curve;
+  const double inside =
+      curve.closed() ? s
+                     : std::clamp(s, end_part * curve.length(), (1.0 - end_part) * curve.length());
+  const FrontFrame at = curve.at(inside);
+  const PlaneBasis& plane = area_.plane();
+  const Vec2 q = plane.flat(at.x);
+  const Vec2 back = plane.flat(at.x - at.m) - q;
+  const auto along = area_.across(q, back);
+  if (!along) {
+    return std::numeric_limits<double>::max();
+  }
+  const Vec2 end = q + *along * back;
+  for (const SolidFront& front : request_.fronts) {
+    for (std::size_t i = 1; i < front.mouth.size(); ++i) {
+      const Vec2 a = plane.flat(front.mouth[i - 1]);
+      const Vec2 b = plane.flat(front.mouth[i]);
+      if (mesh::distance(end, a, b) < same * *along) {
+        return 2.0 * *along;
+      }
+    }
+  }
+  return *along;
+}
+
+} // namespace spricka::mesh

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "mesh/tube/plane_polygons.hpp"
+#include "mesh/tube/solid_front.hpp"
+#include "mesh/tube/tube_sizes.hpp"
+
+#include <span>
+#include <vector>
+
+namespace spricka::mesh {
+
+/// What is round a front of a crack: surfaces, other materials, other cracks, and how far the crack
+/// reaches behind it. Lengths are those of the deck.
+class FrontSurroundings {
+public:
+  FrontSurroundings(const SolidHost& host, const SolidRequest& request, const SolidFront& front,
+                    std::span<const SolidRequest> all);
+
+  [[nodiscard]] double free(double s) const;
+  /// Twice the distance to a mouth, where the crack ends there: a surface crack is as half of one
+  /// inside.
+  [[nodiscard]] double width(double s) const;
+
+private:
+  [[nodiscard]] double free_at(const FrontFrame& at) const;
+  [[nodiscard]] double across_section(const FrontFrame& at) const;
+
+  const SolidHost& host_;
+  const SolidRequest& request_;
+  const SolidFront& front_;
+  PlanePolygons area_;
+  std::vector<PlanePolygons> others_;
+  std::vector<double> free_; ///< at equal steps
+};
+
+} // namespace spricka::mesh

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "mesh/front_curve.hpp"
+#include "mesh/tube/solid_crack.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace spricka::mesh {
+
+/// Radius of the tube and length of its elements along a front, by what is there: at equal steps
+/// of its length.
+struct TubeSizes {
+  std::vector<double> s;
+  std::vector<double> radius;
+  std::vector<double> length;
+  std::vector<double> room; ///< distance to what the tube must not reach
+
+  [[nodiscard]] double radius_at(double at) const;
+  /// Lengths along the front at which elements begin and end, of equal number for each length
+  /// wanted; of a closed front its end is not repeated.
+  [[nodiscard]] std::vector<double> stations(bool closed) const;
+  [[nodiscard]] double count() const; ///< elements along the front
+};
+
+/// What limits a tube at a length along the front: distance from the surface of the body and from
+/// other cracks, and how far the crack reaches backwards.
+struct TubeRoom {
+  std::function<double(double)> free;
+  std::function<double(double)> width;
+};
+
+/// The sizes of section lengths: a tenth of the crack's width, half of the radius of curvature and
+/// 0.4 of the room for the radius; elements as long as 0.15 and 0.25 of the first two, and 0.5 to 3
+/// radii, shorter towards the ends of an open front. Given sizes (`given`, in the lengths of the curve) stand as they are.
+TubeSizes tube_sizes(const FrontCurve& curve, const TubeRoom& room, const TubeMesh& given);
+
+} // namespace spricka::mesh

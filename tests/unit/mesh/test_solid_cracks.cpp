@@ -1,0 +1,401 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/boundary.hpp"
+#include "mesh/generate/generate.hpp"
+#include "mesh/quality.hpp"
+#include "mesh/side_index.hpp"
+#include "mesh/tube/insert_solid.hpp"
+#include "shape/quadrature.hpp"
+#include "shape/solid.hpp"
+#include "shape/topology.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <numbers>
+#include <random>
+#include <set>
+
+namespace spricka {
+namespace {
+
+using base::ElementId;
+using base::ElementType;
+using base::NodeId;
+using base::Vec3;
+
+constexpr double pi = std::numbers::pi;
+
+model::Mesh box(ElementType type, int n, double half = 4.0) {
+  model::Mesh mesh;
+  mesh::BlockSpec spec;
+  spec.type = type;
+  spec.origin = Vec3::Constant(-half);
+  spec.size = Vec3::Constant(2.0 * half);
+  spec.nx = spec.ny = spec.nz = n;
+  mesh::generate_solid_block(mesh, base::NetId(std::size_t{0}), "", spec);
+  return mesh;
+}
+
+/// An ellipse with half axes c along the first and a along the second axis of `turn`.
+mesh::SolidCrack ellipse(const Vec3& centre, const Eigen::Matrix3d& turn, double c, double a,
+                         int points = 160) {
+  mesh::SolidCrack crack;
+  crack.crack = base::CrackId(std::size_t{0});
+  crack.net = base::NetId(std::size_t{0});
+  crack.normal = turn.col(2);
+  for (int i = 0; i < points; ++i) {
+    const double t = -2.0 * pi * i / points; // t = m x b runs clockwise, seen from b
+    crack.front.emplace_back(centre + c * std::cos(t) * turn.col(0) +
+                             a * std::sin(t) * turn.col(1));
+  }
+  return crack;
+}
+
+double volume(const model::Mesh& mesh) {
+  double sum = 0.0;
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    shape::with_shape(mesh.type[e], [&]<shape::ElementShape S>(S) {
+      if constexpr (S::dim == 3) {
+        Eigen::Matrix<double, S::nodes, 3> X;
+        const auto nodes = mesh.nodes_of(ElementId(e));
+        for (int i = 0; i < S::nodes; ++i) {
+          X.row(i) = mesh.x[nodes[static_cast<std::size_t>(i)].index()].transpose();
+        }
+        for (const auto& q : shape::quadrature<S>(7)) {
+          sum += q.weight * Eigen::Matrix3d(X.transpose() * S::dN(q.r)).determinant();
+        }
+      }
+    });
+  }
+  return sum;
+}
+
+std::optional<mesh::CrackedMesh> insert(const model::Mesh& host,
+                                        const std::vector<mesh::SolidCrack>& cracks,
+                                        const mesh::TubeMesh& tube = {}) {
+  base::Diagnostics diagnostics;
+  const std::vector<mesh::TubeMesh> tubes(cracks.size(), tube);
+  const std::vector<base::Span> spans(cracks.size());
+  auto result = mesh::insert_solid_cracks(host, cracks, tubes, spans, diagnostics);
+  for (const auto& d : diagnostics.all()) {
+    ADD_FAILURE() << d.code << " " << d.text;
+  }
+  return result;
+}
+
+/// What must hold however a crack was cut.
+void expect_sound(const model::Mesh& host, const mesh::CrackedMesh& cracked) {
+  const model::Mesh& mesh = cracked.mesh;
+  const mesh::MeshFaults faults = mesh::mesh_faults(mesh);
+  EXPECT_TRUE(faults.bad.empty()) << faults.bad.size();
+  EXPECT_EQ(cracked.host.size(), mesh.element_count());
+  for (std::size_t n = 0; n < host.node_count(); ++n) {
+    ASSERT_EQ(host.x[n], mesh.x[n]);
+  }
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    EXPECT_EQ(mesh.element_net[e], host.element_net[0]);
+    EXPECT_EQ(mesh.property[e], host.property[0]);
+    if (cracked.host[e].valid()) {
+      EXPECT_TRUE(std::ranges::equal(mesh.nodes_of(ElementId(e)), host.nodes_of(cracked.host[e])));
+    }
+  }
+}
+
+/// Sides that have no neighbour: those of the crack's faces and of the surface, besides those of
+/// quadrilaterals that meet two triangles. Of these the triangles' corners are the quadrilaterals'.
+void expect_closed(const model::Mesh& host, const mesh::CrackedMesh& cracked) {
+  const model::Mesh& mesh = cracked.mesh;
+  std::set<model::Face> faces;
+  for (const mesh::CrackFaces& crack : cracked.faces) {
+    faces.insert(crack.left_sides.begin(), crack.left_sides.end());
+    faces.insert(crack.right_sides.begin(), crack.right_sides.end());
+  }
+  const mesh::SideIndex all(mesh);
+  std::map<std::set<NodeId>, int> triangles; // by corners
+  std::vector<std::set<NodeId>> quads;
+  Vec3 open = Vec3::Zero(); // area vectors of a closed surface cancel
+  for (const model::Face& side : all.alone()) {
+    if (faces.contains(side)) {
+      continue;
+    }
+    const mesh::FaceNodes nodes = mesh::face_nodes(mesh, side);
+    const auto corner = nodes.corner();
+    for (std::size_t i = 2; i < corner.size(); ++i) {
+      const Vec3& a = mesh.x[corner[0].index()];
+      open += (mesh.x[corner[i - 1].index()] - a).cross(mesh.x[corner[i].index()] - a);
+    }
+    const std::set<NodeId> set(corner.begin(), corner.end());
+    if (set.size() == 3) {
+      ++triangles[set];
+    } else {
+      quads.push_back(set);
+    }
+  }
+  EXPECT_NEAR(open.norm(), 0.0, 1e-9);
+  std::size_t paired = 0;
+  for (const std::set<NodeId>& quad : quads) {
+    int inside = 0;
+    for (const NodeId left_out : quad) {
+      std::set<NodeId> three = quad;
+      three.erase(left_out);
+      inside += static_cast<int>(triangles.count(three));
+    }
+    EXPECT_TRUE(inside == 0 || inside == 2);
+    paired += inside == 2 ? 1 : 0;
+  }
+  // What is left is the surface of the body, of which quadrilaterals may have become two triangles.
+  std::size_t surface = triangles.size() - 2 * paired;
+  std::size_t before = 0;
+  for (const model::Face& side : mesh::boundary_faces(host)) {
+    before += mesh::face_nodes(host, side).corners - 2;
+  }
+  for (std::size_t q = paired; q < quads.size(); ++q) {
+    surface += 2;
+  }
+  EXPECT_EQ(surface, before);
+}
+
+double area_of(const model::Mesh& mesh, const std::vector<model::Face>& sides, const Vec3& normal) {
+  double sum = 0.0;
+  for (const model::Face& side : sides) {
+    const mesh::FaceNodes nodes = mesh::face_nodes(mesh, side);
+    // round the face by corners and middles, straight between them
+    std::vector<Vec3> rim;
+    for (std::size_t i = 0; i < nodes.corners; ++i) {
+      rim.push_back(mesh.x[nodes.all[i].index()]);
+      rim.push_back(mesh.x[nodes.mid(i).index()]);
+    }
+    for (std::size_t i = 2; i < rim.size(); ++i) {
+      sum += 0.5 * (rim[i - 1] - rim[0]).cross(rim[i] - rim[0]).dot(normal);
+    }
+  }
+  return sum;
+}
+
+/// Area of plane faces, by corners.
+double flat_area(const model::Mesh& mesh, const std::vector<model::Face>& sides) {
+  double sum = 0.0;
+  for (const model::Face& side : sides) {
+    const mesh::FaceNodes nodes = mesh::face_nodes(mesh, side);
+    Vec3 twice = Vec3::Zero();
+    for (std::size_t i = 2; i < nodes.corners; ++i) {
+      const Vec3& a = mesh.x[nodes.all[0].index()];
+      twice += (mesh.x[nodes.all[i - 1].index()] - a).cross(mesh.x[nodes.all[i].index()] - a);
+    }
+    sum += 0.5 * twice.norm();
+  }
+  return sum;
+}
+
+void expect_crack(const mesh::SolidCrack& crack, const mesh::CrackedMesh& cracked,
+                  std::size_t number, double area) {
+  const mesh::CrackFaces& faces = cracked.faces[number];
+  const model::Mesh& mesh = cracked.mesh;
+  ASSERT_EQ(faces.left.size(), faces.right.size());
+  ASSERT_EQ(faces.left_sides.size(), faces.right_sides.size());
+  // the upper face looks down
+  EXPECT_NEAR(area_of(mesh, faces.left_sides, -crack.normal), area, 0.02 * area);
+  EXPECT_NEAR(area_of(mesh, faces.right_sides, crack.normal), area, 0.02 * area);
+  std::set<NodeId> left(faces.left.begin(), faces.left.end());
+  std::set<NodeId> right(faces.right.begin(), faces.right.end());
+  EXPECT_EQ(left.size(), faces.left.size());
+  EXPECT_EQ(right.size(), faces.right.size());
+  const auto nodes = [&](const std::vector<model::Face>& sides) {
+    const auto all = mesh::nodes_of_faces(mesh, sides);
+    return std::set<NodeId>(all.begin(), all.end());
+  };
+  EXPECT_EQ(nodes(faces.left_sides), left);
+  EXPECT_EQ(nodes(faces.right_sides), right);
+  double scale = std::sqrt(area);
+  std::size_t single = 0;
+  for (std::size_t i = 0; i < faces.left.size(); ++i) {
+    EXPECT_EQ(mesh.x[faces.left[i].index()], mesh.x[faces.right[i].index()]);
+    EXPECT_NEAR((mesh.x[faces.left[i].index()] - crack.front[0]).dot(crack.normal), 0.0,
+                1e-13 * scale);
+    single += faces.left[i] == faces.right[i] ? 1 : 0;
+  }
+  const auto front = std::ranges::find(cracked.fronts, crack.crack, &mesh::Front::crack);
+  ASSERT_NE(front, cracked.fronts.end());
+  std::size_t on_fronts = 0; // corners and middles, one less of a front that is not closed
+  for (const mesh::Front& one : cracked.fronts) {
+    on_fronts += one.crack == crack.crack
+                     ? 2 * one.points.size() - (one.points.front().at_surface ? 1 : 0)
+                     : 0;
+  }
+  EXPECT_EQ(single, on_fronts);
+  double length = 0.0;
+  for (const mesh::FrontPoint& point : front->points) {
+    const mesh::FrontFrame frame = front->curve->at(point.s);
+    EXPECT_NEAR((frame.x - point.x).norm(), 0.0, 1e-12 * scale);
+    EXPECT_NEAR((frame.m - point.growth).norm(), 0.0, 1e-12);
+    EXPECT_NEAR(frame.b.dot(crack.normal), 1.0, 1e-12);
+    length += point.weight;
+  }
+  EXPECT_NEAR(length, front->curve->length(), 1e-12 * length);
+}
+
+/// The slave of a tie lies where it puts it.
+void expect_ties(const mesh::CrackedMesh& cracked) {
+  std::set<NodeId> slaves;
+  std::set<NodeId> masters;
+  for (const mesh::RimTie& tie : cracked.ties) {
+    Vec3 x = Vec3::Zero();
+    double sum = 0.0;
+    for (std::size_t i = 0; i < tie.master.size(); ++i) {
+      x += tie.weight[i] * cracked.mesh.x[tie.master[i].index()];
+      sum += tie.weight[i];
+      masters.insert(tie.master[i]);
+    }
+    EXPECT_NEAR((x - cracked.mesh.x[tie.slave.index()]).norm(), 0.0, 1e-12);
+    EXPECT_NEAR(sum, 1.0, 1e-15);
+    EXPECT_TRUE(slaves.insert(tie.slave).second);
+  }
+  for (const NodeId slave : slaves) {
+    EXPECT_FALSE(masters.contains(slave));
+  }
+}
+
+class SolidHosts : public testing::TestWithParam<std::pair<ElementType, int>> {};
+
+TEST_P(SolidHosts, PennyInABox) {
+  const auto [type, n] = GetParam();
+  const model::Mesh host = box(type, n);
+  const mesh::SolidCrack crack = ellipse({0.1, 0.2, 0.3}, Eigen::Matrix3d::Identity(), 0.6, 0.6);
+  const auto cracked = insert(host, {crack});
+  ASSERT_TRUE(cracked);
+  EXPECT_NEAR(volume(cracked->mesh), volume(host), 1e-12 * volume(host));
+  expect_sound(host, *cracked);
+  expect_closed(host, *cracked);
+  expect_crack(crack, *cracked, 0, pi * 0.36);
+  expect_ties(*cracked);
+  for (const std::string& note : cracked->notes) {
+    GTEST_LOG_(INFO) << note;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    SolidCracks, SolidHosts,
+    testing::Values(std::pair(ElementType::tet10, 4), std::pair(ElementType::tet4, 6),
+                    std::pair(ElementType::penta6, 6), std::pair(ElementType::pentac15, 6),
+                    std::pair(ElementType::hexe8, 8), std::pair(ElementType::hexec20, 4),
+                    std::pair(ElementType::hexec20, 9), std::pair(ElementType::hexec27, 6)),
+    [](const auto& at) {
+      return std::string(base::info(at.param.first).name) + "_" + std::to_string(at.param.second);
+    });
+
+TEST(SolidCracks, EllipsesInRandomPlanes) {
+  const int tries = std::getenv("SPRICKA_FULL") != nullptr ? 150 : 16;
+  const std::array<model::Mesh, 4> hosts{box(ElementType::tet10, 4), box(ElementType::tet10, 9),
+                                         box(ElementType::hexec20, 8), box(ElementType::hexe8, 7)};
+  std::mt19937 random(7);
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * std::generate_canonical<double, 53>(random);
+  };
+  for (int i = 0; i < tries; ++i) {
+    const double c = uniform(0.1, 1.2);
+    const double a = c * uniform(0.15, 1.0);
+    const Vec3 axis(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(uniform(-3, 3), axis.normalized()).toRotationMatrix();
+    const Vec3 centre(uniform(-2, 2), uniform(-2, 2), uniform(-2, 2));
+    const mesh::SolidCrack crack = ellipse(centre, turn, c, a);
+    const model::Mesh& host = hosts[static_cast<std::size_t>(i) % hosts.size()];
+    SCOPED_TRACE(std::to_string(i) + ": c = " + std::to_string(c) + " a = " + std::to_string(a));
+    const auto cracked = insert(host, {crack});
+    ASSERT_TRUE(cracked);
+    // A skew face of eight nodes and the two of six in its place differ by a little.
+    EXPECT_NEAR(volume(cracked->mesh), volume(host),
+                1e-5 * std::pow(a * c, 1.5) + 1e-10 * volume(host));
+    expect_sound(host, *cracked);
+    expect_closed(host, *cracked);
+    expect_crack(crack, *cracked, 0, pi * a * c);
+    expect_ties(*cracked);
+  }
+}
+
+/// A crack whose front leaves the body, and the area of it inside.
+struct OpenCase {
+  const char* name;
+  ElementType type;
+  int n;
+  mesh::SolidCrack crack;
+  double area;
+  std::size_t fronts;
+};
+
+Eigen::Matrix3d axes(const Vec3& first, const Vec3& second) {
+  Eigen::Matrix3d turn;
+  turn << first, second, first.cross(second);
+  return turn;
+}
+
+mesh::SolidCrack straight(const Vec3& from, const Vec3& to, const Vec3& normal) {
+  mesh::SolidCrack crack;
+  crack.crack = base::CrackId(std::size_t{0});
+  crack.net = base::NetId(std::size_t{0});
+  crack.normal = normal;
+  crack.closed = false;
+  for (int i = 0; i <= 20; ++i) {
+    crack.front.emplace_back(from + i / 20.0 * (to - from));
+  }
+  return crack;
+}
+
+std::vector<OpenCase> open_cases() {
+  const Vec3 x = Vec3::UnitX();
+  const Vec3 y = Vec3::UnitY();
+  const Vec3 z = Vec3::UnitZ();
+  const Eigen::Matrix3d flat = axes(x, y);
+  const Eigen::Matrix3d odd =
+      axes(x, Vec3(0, std::cos(0.3), std::sin(0.3))); // the plane leans by 17 degrees
+  std::vector<OpenCase> cases;
+  for (const auto& [type, n] :
+       {std::pair(ElementType::tet10, 5), std::pair(ElementType::hexec20, 5),
+        std::pair(ElementType::hexe8, 9), std::pair(ElementType::tet4, 8)}) {
+    cases.push_back({"half penny", type, n, ellipse({0.1, -4, 0.3}, flat, 1.0, 1.0), 0.5 * pi, 1});
+    cases.push_back(
+        {"half ellipse", type, n, ellipse({-0.3, -4, 0.2}, flat, 1.2, 0.5), 0.3 * pi, 1});
+    cases.push_back({"corner", type, n, ellipse({-4, -4, 0.3}, flat, 1.0, 0.7), 0.175 * pi, 1});
+    cases.push_back({"leaning", type, n, ellipse({0.2, -4, 0.1}, odd, 0.9, 0.7), 0.315 * pi, 1});
+  }
+  cases.push_back({"edge crack", ElementType::hexec20, 5,
+                   straight({1.1 - 4, 4, 0.2}, {1.1 - 4, -4, 0.2}, z), 8.8, 1});
+  return cases;
+}
+
+class OpenCracks : public testing::TestWithParam<OpenCase> {};
+
+TEST_P(OpenCracks, InABox) {
+  const OpenCase& at = GetParam();
+  const model::Mesh host = box(at.type, at.n);
+  const auto cracked = insert(host, {at.crack});
+  ASSERT_TRUE(cracked);
+  EXPECT_NEAR(volume(cracked->mesh), volume(host), 1e-5 * std::pow(at.area, 1.5));
+  expect_sound(host, *cracked);
+  expect_crack(at.crack, *cracked, 0, at.area);
+  expect_ties(*cracked);
+  EXPECT_EQ(cracked->fronts.size(), at.fronts);
+  for (const model::FaceSet& set : host.face_sets) {
+    const auto now = std::ranges::find(cracked->mesh.face_sets, set.name, &model::FaceSet::name);
+    EXPECT_NEAR(flat_area(cracked->mesh, now->faces), 64.0, 1e-10) << set.name;
+  }
+  for (const std::string& note : cracked->notes) {
+    GTEST_LOG_(INFO) << note;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(SolidCracks, OpenCracks, testing::ValuesIn(open_cases()),
+                         [](const auto& at) {
+                           std::string name = at.param.name;
+                           std::ranges::replace(name, ' ', '_');
+                           return name + "_" + std::string(base::info(at.param.type).name);
+                         });
+
+} // namespace
+} // namespace spricka
