@@ -13,8 +13,8 @@
 /// Virtual extension fields: how far each node moves along with the tip.
 namespace spricka::crack {
 
-/// A node moves by q along a unit vector, the growth direction of the point of the front that it
-/// goes with.
+/// A node moves by q along the growth direction of the point of the front that it goes with, a unit
+/// vector; at the end of a front in space also along the front, so that it keeps to the surface.
 struct NodeMotion {
   base::NodeId node;
   double q = 0.0;

@@ -214,6 +214,7 @@ StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedM
     DomainValue value{.rings = field.rings,
                       .K1 = factors.K() * sum[1],
                       .K2 = front.symmetric_half ? 0.0 : factors.K() * sum[2],
+                      .K3 = 0.0,
                       .G = factors.halves * sum[0],
                       .T = factors.T() * sum[3] + T_of_tip};
     const bool jumps = set.affine && jumps_in(set, field);

@@ -21,15 +21,28 @@ namespace spricka::crack {
 struct DomainValue {
   int rings = 0;
   double K1 = 0.0, K2 = 0.0; ///< [stress * length^0.5]
+  double K3 = 0.0;           ///< in space
   double G = 0.0; ///< from the displacement [force/length]; NaN: a temperature jumps in elements
   double T = 0.0; ///< [stress]
 };
 
+/// What a point of a front in space has beside the values of a tip.
+struct AlongFront {
+  bool at_surface = false; ///< the front leaves the body there: K is a number of the mesh
+  double T_along = 0.0;    ///< stress along the front that K leaves [stress]
+  /// K1, K2, K3 by a smooth curve through the values of all points (manual, crack_space.15).
+  std::array<double, 3> smooth{};
+  /// Of a point at the surface: K1, K2, K3 as those farther inside go on to it (crack_space.16).
+  std::optional<std::array<double, 3>> from_inside;
+  std::optional<double> opening_K3; ///< beside StressIntensity::opening
+};
+
 struct StressIntensity {
   double K1 = 0.0, K2 = 0.0, G = 0.0; ///< means over the domains
+  double K3 = 0.0;                    ///< the same, in space
   double T = 0.0;           ///< stress along the crack at the tip that K leaves, its mean [stress]
-  double G_from_K = 0.0;    ///< (K1^2 + K2^2) / E'
-  double spread = 0.0;      ///< (max - min of K1) / hypot(K1, K2)
+  double G_from_K = 0.0;    ///< (K1^2 + K2^2) / E', in space with K3^2 / 2 mu
+  double spread = 0.0;      ///< (max - min of K1) / hypot(K1, K2); in space see crack_space.14
   double E_effective = 0.0; ///< E' that belongs to the K printed
   /// The tip lies between two materials: its stresses oscillate, there is no K1, K2 (all 0), only
   /// G.
@@ -37,6 +50,7 @@ struct StressIntensity {
   std::vector<DomainValue> domains;
   std::optional<double> shift_error;            ///< G by finite shift over analytic G, minus 1
   std::optional<std::array<double, 2>> opening; ///< K1, K2 by the opening of the crack faces
+  std::optional<AlongFront> front;              ///< in space
 };
 
 struct VceRequest {

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "crack/space/front_forces.hpp"
+#include "fe/face.hpp"
+
+namespace spricka::crack {
+
+/// Work of forces on sides in the field that the extension carries along, - t_i u_i,k N_n, and the
+/// same of the partners (crack_space.9). Forces on sides that no domain moves add nothing.
+void add_face_forces(const FrontSetting& set, const FrontFields& fields,
+                     const std::vector<FaceForces>& forces, const base::Vector& u,
+                     FrontForces& out);
+
+/// Of the partners' own tractions on free sides, - t_aux_i u_i,k N_n: those of a front that turns
+/// are not zero on the crack's faces, and those of a plane strain are not where the front leaves
+/// the body (crack_space.8).
+void add_partner_tractions(const FrontSetting& set, const FrontFields& fields,
+                           const base::Vector& u, FrontForces& out);
+
+/// Derivatives of a function on a side along it as a gradient in space: [Side::nodes, 3] times r.
+template <shape::Shape Side>
+Eigen::Matrix<double, Side::nodes, 3> surface_gradients(const fe::SideNodes<Side>& X,
+                                                        const shape::Point<2>& r) {
+  const Eigen::Matrix<double, Side::nodes, 2> dN = Side::dN(r);
+  const Eigen::Matrix<double, 3, 2> slope = X * dN;
+  const Eigen::Matrix2d metric = slope.transpose() * slope;
+  return dN * metric.inverse() * slope.transpose();
+}
+
+} // namespace spricka::crack

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "mesh/front_curve.hpp"
+
+#include <vector>
+
+namespace spricka::crack {
+
+/// A point as seen from the front: the axes at the place nearest to it, how these turn along the
+/// front (first derivatives are the frame's, second ones here), and where it lies across.
+struct FrontPlace {
+  mesh::FrontFrame frame;
+  base::Vec3 ddm = base::Vec3::Zero(); ///< d2m/ds2, d2b/ds2, d2t/ds2 [1/length^2]
+  base::Vec3 ddb = base::Vec3::Zero();
+  base::Vec3 ddt = base::Vec3::Zero();
+  double y = 0.0, z = 0.0; ///< along m and b from the front
+  double r = 0.0, theta = 0.0;
+};
+
+/// Which face of the crack a point lies on: there theta is pi or -pi, whatever round-off makes of
+/// it.
+enum class FaceSide { none, upper, lower };
+
+/// Places along a front. Integrals ask for millions: axes are kept at stations, the knots of the
+/// curve, and are cubic in between, so that their derivatives are exactly those of what is used.
+class FrontAxes {
+public:
+  explicit FrontAxes(const mesh::FrontCurve& curve);
+
+  [[nodiscard]] FrontPlace place(const base::Vec3& x, FaceSide side = FaceSide::none) const;
+
+private:
+  using Axes = Eigen::Matrix<double, 3, 4>; ///< x, m, b, t
+  struct Turned {
+    Axes at, by_s, by_ss;
+  };
+  [[nodiscard]] std::size_t nearest_station(const base::Vec3& x) const;
+  [[nodiscard]] Turned turned(std::size_t station, double part) const;
+
+  std::vector<double> s_;  ///< [station] ascending, of a closed front its length last
+  std::vector<Axes> axes_; ///< [station]
+  std::vector<Axes> turn_; ///< [station] derivatives by s
+  bool closed_;
+};
+
+} // namespace spricka::crack

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "crack/space/front_forces.hpp"
+
+#include "crack/space/front_heat.hpp"
+#include "crack/space/solid_blocks.hpp"
+#include "fe/heat.hpp"
+#include "fe/load_rule.hpp"
+#include "fe/thermal_kernel.hpp"
+
+#include <algorithm>
+
+namespace spricka::crack {
+
+using base::Vec3;
+
+FrontForces::OfNode& FrontForces::operator[](base::NodeId n) {
+  std::int32_t& slot = slot_[n.index()];
+  if (slot < 0) {
+    slot = static_cast<std::int32_t>(at_.size());
+    at_.emplace_back().fill(Vec3::Zero());
+  }
+  return at_[static_cast<std::size_t>(slot)];
+}
+
+std::array<double, front_partners> FrontForces::along(const ExtensionField& field) const {
+  std::array<double, front_partners> sum{};
+  for (const NodeMotion& moved : field.motion) {
+    const std::int32_t slot = slot_[moved.node.index()];
+    if (slot >= 0) { // nodes that no term has touched release nothing
+      for (std::size_t k = 0; k < front_partners; ++k) {
+        sum[k] += moved.q * moved.along.dot(at_[static_cast<std::size_t>(slot)][k]);
+      }
+    }
+  }
+  return sum;
+}
+
+namespace {
+
+/// A force per volume of the deck near the front.
+struct FrontBodyLoad {
+  const ActingLoad* acting = nullptr;
+  fe::FieldScale scale;
+};
+
+std::vector<FrontBodyLoad> body_loads(const model::Mesh& mesh, const TipLoads& loads) {
+  std::vector<FrontBodyLoad> result;
+  for (const ActingLoad& acting : loads.loads) {
+    if (!acting.elements.empty() && acting.load->type != model::LoadType::temperature) {
+      result.push_back({&acting, fe::load_scale(mesh, *acting.load, acting.elements)});
+    }
+  }
+  return result;
+}
+
+/// What the kernels of all elements read.
+struct FrontElements {
+  const FrontSetting& set;
+  const std::vector<FrontBodyLoad>& body;
+  const base::Vector& temperature;
+  std::optional<LinearHeat> linear; ///< what the temperature is, if it is that in all of them
+  const base::Vector& u;
+  const FrontTerms& terms;
+};
+
+template <shape::ElementShape S> class FrontElement {
+public:
+  FrontElement(const FrontElements& all, base::ElementId e)
+      : all_(all), set_(all.set), e_(e), X_(fe::coordinates<S>(set_.mesh, e)),
+        U_(fe::gather<S>(set_.mesh, e, all.u)) {
+    if (all.temperature.size() > 0) {
+      T_ = fe::corner_temperature<S>(set_.mesh, e, all.temperature);
+      beta_ = fe::heat_modulus(fe::law_of(set_.model, set_.mesh, e));
+    }
+  }
+
+  void add(FrontForces& out) const {
+    std::array<FrontForces::OfNode, S::nodes> P;
+    for (auto& node : P) {
+      node.fill(Vec3::Zero());
+    }
+    for (const auto& point : shape::quadrature<S>(front_degree)) {
+      add_point(point, P);
+    }
+    add_body_loads(P);
+    const std::span<const base::NodeId> nodes = set_.mesh.nodes_of(e_);
+    for (std::size_t n = 0; n < P.size(); ++n) {
+      FrontForces::OfNode& sum = out[nodes[n]];
+      for (std::size_t k = 0; k < front_partners; ++k) {
+        sum[k] += P[n][k];
+      }
+    }
+  }
+
+private:
+  using OfNodes = std::array<FrontForces::OfNode, S::nodes>;
+
+  void add_point(const shape::QuadraturePoint<3>& point, OfNodes& P) const {
+    const fe::Jacobian<S> at = fe::jacobian<S>(X_, point.r);
+    const Eigen::Matrix<double, S::nodes, 1> N = S::N(point.r);
+    const double weight = point.weight * at.det;
+    const Vec3 x = X_ * N;
+    const Tensor<3> H = U_ * at.dNdx;
+    const Tensor<3> cold = isotropic_stress(set_.body, H);
+    const FrontPlace place = set_.axes.place(x);
+    const TurningAxes axes(place);
+    for (std::size_t k = 0; k < front_partners; ++k) {
+      const Warmth heat = warmth(k, at, point.r, x);
+      Tensor<3> sigma = cold;
+      sigma.diagonal().array() -= heat.beta_T;
+      Tensor<3> T;
+      Vec3 c = Vec3::Zero(); // what N_n itself is multiplied with
+      if (k == 0) {
+        T = energy_momentum<3>({H, sigma}, heat.beta_T * H.trace());
+        c = H.trace() * heat.beta_grad_T;
+        carry_corners(weight * H.trace(), point.r, P);
+      } else {
+        const MovingField w = moving_field(k, place, axes, set_.body);
+        T = energy_momentum<3>({H, sigma}, {w.H, w.sigma});
+        c = w.H.trace() * heat.beta_grad_T;
+        if (all_.terms.divergence) {
+          c += H.transpose() * w.divergence;
+        }
+      }
+      for (int n = 0; n < S::nodes; ++n) {
+        P[static_cast<std::size_t>(n)][k] += weight * (T * at.dNdx.row(n).transpose() + N[n] * c);
+      }
+    }
+  }
+
+  struct Warmth {
+    double beta_T = 0.0;
+    Vec3 beta_grad_T = Vec3::Zero();
+  };
+
+  // Of the solution itself what the element takes of the temperature (crack.21, crack.22). Partners
+  // meet the temperature as it is, if that is linear: at the quarter points of an element at the
+  // front the element's is not (crack_space.11).
+  [[nodiscard]] Warmth warmth(std::size_t partner, const fe::Jacobian<S>& at,
+                              const shape::Point<3>& r, const Vec3& x) const {
+    using Linear = fe::Linear<S>;
+    if (beta_ == 0.0) {
+      return {};
+    }
+    if (all_.linear && partner > 0) {
+      return {beta_ * (*all_.linear)(x), beta_ * all_.linear->slope};
+    }
+    const Vec3 gradient = all_.linear
+                              ? Vec3::Zero()
+                              : Vec3(at.J.transpose().inverse() * (Linear::dN(r).transpose() * T_));
+    return {beta_ * T_.dot(Linear::N(r)), beta_ * gradient};
+  }
+
+  // Corners that move through a linear temperature take on that of their new place.
+  void carry_corners(double volume_change, const shape::Point<3>& r, OfNodes& P) const {
+    if (beta_ != 0.0 && all_.linear) {
+      const auto L = fe::Linear<S>::N(r);
+      for (Eigen::Index c = 0; c < L.size(); ++c) {
+        P[static_cast<std::size_t>(c)][0] += volume_change * beta_ * L[c] * all_.linear->slope;
+      }
+    }
+  }
+
+  // - q b . u,k (crack.19) and the same of the partners, at points of the load's own.
+  void add_body_loads(OfNodes& P) const {
+    for (const FrontBodyLoad& load : all_.body) {
+      const ActingLoad& acting = *load.acting;
+      if (!std::ranges::binary_search(acting.elements, e_)) {
+        continue;
+      }
+      for (const auto& point : fe::body_load_rule<S>(X_, *acting.load, load.scale).points) {
+        const fe::Jacobian<S> at = fe::jacobian<S>(X_, point.r);
+        const Eigen::Matrix<double, S::nodes, 1> N = S::N(point.r);
+        const Vec3 x = X_ * N;
+        const Vec3 b = acting.factor * point.weight * at.det * fe::load_value(*acting.load, x);
+        const FrontPlace place = set_.axes.place(x);
+        for (std::size_t k = 0; k < front_partners; ++k) {
+          const Tensor<3> H =
+              k == 0 ? Tensor<3>(U_ * at.dNdx) : moving_field(k, place, set_.body).H;
+          const Vec3 c = H.transpose() * b;
+          for (int n = 0; n < S::nodes; ++n) {
+            P[static_cast<std::size_t>(n)][k] -= N[n] * c;
+          }
+        }
+      }
+    }
+  }
+
+  const FrontElements& all_;
+  const FrontSetting& set_;
+  base::ElementId e_;
+  fe::NodeVectors<S> X_;
+  fe::NodeVectors<S> U_;
+  fe::CornerValues<S> T_ = fe::CornerValues<S>::Zero();
+  double beta_ = 0.0;
+};
+
+} // namespace
+
+void add_element_forces(const FrontSetting& set, const FrontFields& fields, const TipLoads& loads,
+                        const base::Vector& u, FrontForces& out, const FrontTerms& terms) {
+  const std::vector<FrontBodyLoad> body = body_loads(set.mesh, loads);
+  const std::vector<base::ElementId> elements = fields.elements();
+  const FrontElements all{
+      set, body, loads.temperature, linear_heat(set.mesh, elements, loads.temperature), u, terms};
+  for_solid_blocks(set.mesh, elements,
+                   [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
+                     for (const base::ElementId e : block) {
+                       FrontElement<S>(all, e).add(out);
+                     }
+                   });
+}
+
+} // namespace spricka::crack

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "crack/space/front_intensity.hpp"
+
+#include "crack/space/face_forces.hpp"
+#include "crack/space/front_opening.hpp"
+#include "crack/space/smooth_front.hpp"
+#include "fe/face.hpp"
+#include "fe/heat.hpp"
+#include "fe/load_rule.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spricka::crack {
+
+using base::Vec3;
+
+namespace {
+
+std::array<double, 3> modes_of(const StressIntensity& K) {
+  return {K.K1, K.K2, K.K3};
+}
+
+// What loads at the front itself add to T: the stress across the faces and the free thermal strain
+// (crack_space.12).
+struct AtFront {
+  std::vector<double> across;  ///< [point] normal stress on the crack's faces
+  std::vector<double> thermal; ///< [point] free strain
+};
+
+// Where a load at the front is taken: this part of the way to the middle of the side.
+constexpr double beside_front = 1e-9;
+
+class FrontStress {
+public:
+  FrontStress(const FrontSetting& set, const mesh::Front& front, const FrontFields& fields)
+      : set_(set), front_(front), fields_(fields) {}
+
+  [[nodiscard]] AtFront of(const TipLoads& loads) const {
+    AtFront at;
+    at.across.assign(front_.points.size(), 0.0);
+    at.thermal.assign(front_.points.size(), 0.0);
+    for (std::size_t i = 0; i < front_.points.size(); ++i) {
+      for (const FrontSide& side : fields_.sides) {
+        if (side.on != FaceSide::none) {
+          add_side(side, i, loads, at.across[i]);
+        }
+      }
+    }
+    add_heat(loads, at.thermal);
+    return at;
+  }
+
+private:
+  // Each side of the crack has one or two faces at a point: their mean, and the mean of both sides.
+  void add_side(const FrontSide& side, std::size_t i, const TipLoads& loads, double& sum) const {
+    fe::with_side(set_.mesh, side.face, [&]<shape::Shape Side>(Side) {
+      if constexpr (Side::dim == 2) {
+        const base::NodeId point = front_.points[i].node;
+        const auto nodes = fe::nodes_of_face<Side>(set_.mesh, side.face);
+        const auto at = std::ranges::find(nodes, point);
+        if (at == nodes.end()) {
+          return;
+        }
+        const auto n = static_cast<int>(at - nodes.begin());
+        const fe::SideNodes<Side> X = fe::side_coordinates<Side>(set_.mesh, side.face);
+        const shape::Point<2> r =
+            (1.0 - beside_front) * shape::node<Side>(n) + beside_front * shape::centre<Side>();
+        const Vec3 normal = fe::area_vector<Side>(X, shape::centre<Side>()).normalized();
+        const double part = 0.5 * set_.halves / static_cast<double>(faces_at(side.on, point));
+        for (const ActingLoad& acting : loads.loads) {
+          if (std::ranges::find(acting.faces, side.face) != acting.faces.end()) {
+            const Vec3 value = fe::load_value(*acting.load, X * Side::N(r));
+            sum +=
+                part * acting.factor *
+                (acting.load->type == model::LoadType::pressure ? -value.x() : value.dot(normal));
+          }
+        }
+      }
+    });
+  }
+
+  [[nodiscard]] std::ptrdiff_t faces_at(FaceSide on, base::NodeId point) const {
+    return std::ranges::count_if(fields_.sides, [&](const FrontSide& side) {
+      const std::span<const base::NodeId> nodes = set_.mesh.nodes_of(side.face.element);
+      const auto local =
+          shape::side_nodes(set_.mesh.type[side.face.element.index()], side.face.side);
+      return side.on == on && std::any_of(local.begin(), local.end(), [&](int k) {
+               return nodes[static_cast<std::size_t>(k)] == point;
+             });
+    });
+  }
+
+  // The mean over the elements at the point, of which it is a corner.
+  void add_heat(const TipLoads& loads, std::vector<double>& thermal) const {
+    if (loads.temperature.size() == 0) {
+      return;
+    }
+    std::vector<double> sum(set_.mesh.node_count(), 0.0);
+    std::vector<double> count(set_.mesh.node_count(), 0.0);
+    for (const base::ElementId e : fields_.elements()) {
+      const std::span<const base::NodeId> nodes = set_.mesh.nodes_of(e);
+      const int corners = base::info(set_.mesh.type[e.index()]).corners;
+      for (int c = 0; c < corners; ++c) {
+        const std::size_t n = nodes[static_cast<std::size_t>(c)].index();
+        sum[n] += loads.temperature[set_.mesh.first[e.index()] + c];
+        count[n] += 1.0;
+      }
+    }
+    for (std::size_t i = 0; i < thermal.size(); ++i) {
+      const std::size_t n = front_.points[i].node.index();
+      thermal[i] = set_.material.alpha * sum[n] / std::max(count[n], 1.0);
+    }
+  }
+
+  const FrontSetting& set_;
+  const mesh::Front& front_;
+  const FrontFields& fields_;
+};
+
+FrontForces all_forces(const FrontSetting& set, const FrontFields& fields, const FrontTerms& terms,
+                       const base::Vector& u, const FrontLoads& loads) {
+  FrontForces forces(set.mesh.node_count());
+  add_element_forces(set, fields, loads.given, u, forces, terms);
+  add_face_forces(set, fields, forces_on_faces(set.mesh, loads.given), u, forces);
+  add_face_forces(set, fields, loads.contact, u, forces);
+  if (terms.tractions) {
+    add_partner_tractions(set, fields, u, forces);
+  }
+  return forces;
+}
+
+// Means over the domains and how far these are apart (crack_space.14).
+void summarise_point(const FrontSetting& set, StressIntensity& result) {
+  const auto count = static_cast<double>(result.domains.size());
+  std::array<double, 3> low{};
+  std::array<double, 3> high{};
+  for (std::size_t d = 0; d < result.domains.size(); ++d) {
+    const DomainValue& value = result.domains[d];
+    result.K1 += value.K1 / count;
+    result.K2 += value.K2 / count;
+    result.K3 += value.K3 / count;
+    result.G += value.G / count;
+    result.T += value.T / count;
+    const std::array<double, 3> K{value.K1, value.K2, value.K3};
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = d == 0 ? K[k] : std::min(low[k], K[k]);
+      high[k] = d == 0 ? K[k] : std::max(high[k], K[k]);
+    }
+  }
+  result.G_from_K = released(set, modes_of(result));
+  const double K = std::sqrt(set.E_effective() * result.G_from_K);
+  for (std::size_t k = 0; k < 3 && K > 0.0; ++k) {
+    result.spread = std::max(result.spread, (high[k] - low[k]) / K);
+  }
+}
+
+FrontStations stations_of(const mesh::Front& front, const FrontFields& fields,
+                          const std::vector<StressIntensity>& K) {
+  FrontStations at;
+  at.s = fields.station;
+  at.local.assign(K.size(), false);
+  at.closed = fields.closed;
+  at.length = front.curve->length();
+  for (std::size_t i = 0; i < K.size(); ++i) {
+    // Values at the surface are no values of the front's.
+    const bool counts = !K[i].domains.empty() && !front.points[i].at_surface;
+    at.weight.push_back(counts ? front.points[i].weight : 0.0);
+  }
+  return at;
+}
+
+void smooth(const mesh::Front& front, const FrontFields& fields,
+            std::vector<StressIntensity>& result) {
+  FrontStations at = stations_of(front, fields, result);
+  base::Matrix values(static_cast<Eigen::Index>(result.size()), 3);
+  for (Eigen::Index i = 0; i < values.rows(); ++i) {
+    const std::array<double, 3> K = modes_of(result[static_cast<std::size_t>(i)]);
+    values.row(i) << K[0], K[1], K[2];
+  }
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const mesh::FrontPoint& point = front.points[i];
+    if (!point.at_surface) {
+      continue;
+    }
+    const auto inside = value_from_inside(at, values, {at.s[i], point.radius, 4.0 * point.radius});
+    if (inside) {
+      result[i].front->from_inside = std::array{(*inside)[0], (*inside)[1], (*inside)[2]};
+    }
+  }
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    if (const auto& inside = result[i].front->from_inside) {
+      values.row(static_cast<Eigen::Index>(i)) << (*inside)[0], (*inside)[1], (*inside)[2];
+      at.weight[i] = front.points[i].weight;
+      at.local[i] = true;
+    }
+  }
+  const base::Matrix fitted = smooth_values(at, values);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    result[i].front->smooth = {fitted(row, 0), fitted(row, 1), fitted(row, 2)};
+  }
+}
+
+} // namespace
+
+std::vector<StressIntensity> front_intensity(const model::Model& model,
+                                             const mesh::CrackedMesh& cracked,
+                                             const mesh::Front& front, const FrontFields& fields,
+                                             const FrontRequest& request, const base::Vector& u,
+                                             const FrontLoads& loads) {
+  std::vector<StressIntensity> result(front.points.size());
+  if (fields.empty()) {
+    return result;
+  }
+  const FrontSetting set = front_setting(model, cracked, front, fields);
+  const FrontForces forces = all_forces(set, fields, request.terms, u, loads);
+  const AtFront at_front = FrontStress(set, front, fields).of(loads.given);
+  const auto strain = strain_along(front, cracked.mesh, fields);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    StressIntensity& K = result[i];
+    K.E_effective = set.E_effective();
+    K.front = AlongFront();
+    K.front->at_surface = front.points[i].at_surface;
+    double e_tt = 0.0;
+    for (const NodeWeight& entry : strain[i]) {
+      e_tt += entry.weight.dot(u.segment<3>(3 * static_cast<Eigen::Index>(entry.node.index())));
+    }
+    const double nu = set.body.nu;
+    const double sigma = at_front.across[i];
+    const double free = at_front.thermal[i];
+    for (const ExtensionField& field : fields.points[i]) {
+      std::array<double, front_partners> sum = forces.along(field);
+      for (std::size_t k = 0; k < sum.size(); ++k) {
+        sum[k] *= set.factor(k) / front.points[i].weight;
+      }
+      const bool half = front.symmetric_half;
+      K.domains.push_back(
+          {.rings = field.rings,
+           .K1 = sum[1],
+           .K2 = half ? 0.0 : sum[2],
+           .K3 = half ? 0.0 : sum[3],
+           .G = sum[0],
+           .T = sum[4] + set.E_effective() * (nu * e_tt - (1.0 + nu) * free) + sigma});
+    }
+    if (K.domains.empty()) {
+      continue;
+    }
+    summarise_point(set, K);
+    K.front->T_along = set.material.E * (e_tt - free) + nu * (K.T + sigma);
+    if (request.opening) {
+      const auto opening =
+          front_opening(set, cracked.faces[front.crack.index()], front.points[i], K.G, u);
+      if (opening) {
+        K.opening = std::array{(*opening)[0], (*opening)[1]};
+        K.front->opening_K3 = (*opening)[2];
+      }
+    }
+  }
+  smooth(front, fields, result);
+  return result;
+}
+
+FrontConstant front_intensity_constant(const model::Model& model, const mesh::CrackedMesh& cracked,
+                                       const mesh::Front& front, const FrontFields& fields,
+                                       const FrontLoads& loads) {
+  const KLayout layout(front.points.size(), 3);
+  FrontConstant constant{base::Vector::Zero(layout.count()),
+                         base::Vector::Zero(static_cast<Eigen::Index>(front.points.size()))};
+  const base::Vector still =
+      base::Vector::Zero(3 * static_cast<Eigen::Index>(cracked.mesh.node_count()));
+  const std::vector<StressIntensity> K =
+      front_intensity(model, cracked, front, fields, {}, still, loads);
+  for (std::size_t i = 0; i < K.size(); ++i) {
+    constant.K.segment<3>(layout.first(i)) << K[i].K1, K[i].K2, K[i].K3;
+    constant.T[static_cast<Eigen::Index>(i)] = K[i].T;
+  }
+  return constant;
+}
+
+} // namespace spricka::crack

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "crack/space/front_rows.hpp"
+#include "crack/stress_intensity.hpp"
+
+#include <vector>
+
+/// K and T along a front in space from converged displacements by virtual crack extension.
+namespace spricka::crack {
+
+struct FrontRequest {
+  bool opening = false; ///< K from the opening of the crack's faces as well
+  FrontTerms terms{};
+};
+
+/// K1, K2, K3, G and T at each point of a front from nodal displacements u [3 * node]: products of
+/// the points' extensions with configurational forces of u with itself and with partners (manual,
+/// crack_space.6 to crack_space.12), per length of the front. A point without a domain has zeros
+/// and no domains. The E' is that of plane strain: G = (K1^2 + K2^2) / E' + K3^2 / (2 mu).
+std::vector<StressIntensity> front_intensity(const model::Model& model,
+                                             const mesh::CrackedMesh& cracked,
+                                             const mesh::Front& front, const FrontFields& fields,
+                                             const FrontRequest& request, const base::Vector& u,
+                                             const FrontLoads& loads);
+
+/// What K1, K2 and K3 [KLayout] and T [point] have at u = 0: linear in the loads.
+struct FrontConstant {
+  base::Vector K, T;
+};
+FrontConstant front_intensity_constant(const model::Model& model, const mesh::CrackedMesh& cracked,
+                                       const mesh::Front& front, const FrontFields& fields,
+                                       const FrontLoads& loads);
+
+} // namespace spricka::crack

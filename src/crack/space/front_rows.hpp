@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "crack/k_layout.hpp"
+#include "crack/space/front_forces.hpp"
+
+#include <Eigen/SparseCore>
+
+/// K along a front as linear functions.
+namespace spricka::crack {
+
+using SparseRows = Eigen::SparseMatrix<double>;
+
+/// K1, K2 and K3 of all points as functions of u, rows^T u + what loads add: what front_intensity
+/// finds. The rows are their exact gradient, columns as in KLayout. [3 * node, 3 * points]
+SparseRows front_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
+                                const mesh::Front& front, const FrontFields& fields);
+
+/// The same of T. [3 * node, points]
+SparseRows front_t_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
+                        const mesh::Front& front, const FrontFields& fields);
+
+/// What forces at the points of `places`, one after another, add to K; the forces that these have
+/// do not matter. [3 * point of a side, 3 * points]
+SparseRows front_force_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
+                            const mesh::Front& front, const FrontFields& fields,
+                            const std::vector<FaceForces>& places);
+
+} // namespace spricka::crack

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "crack/space/front_extension.hpp"
+#include "crack/space/moving_field.hpp"
+#include "crack/tip_loads.hpp"
+#include "fe/load_points.hpp"
+#include "mesh/cut/cracked.hpp"
+#include "model/forward.hpp"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+/// What the terms of G, K and T along a front have in common.
+namespace spricka::crack {
+
+/// Tractions on a side that are no load of the deck, as forces at its points: pressure and friction
+/// between surfaces in contact.
+struct FaceForces {
+  model::Face face;
+  std::vector<fe::LoadPoint> points;
+};
+
+/// What acts on the elements and faces round a front.
+struct FrontLoads {
+  TipLoads given;                  ///< of the deck; its elements as a whole
+  std::vector<FaceForces> contact; ///< on faces of the body that has the crack
+};
+
+/// Everything the kernels need of one front. The material is that of all elements of its domains.
+struct FrontSetting {
+  const model::Model& model;
+  const model::Mesh& mesh;
+  const model::Material& material;
+  FrontBody body;
+  FrontAxes axes;
+  double halves = 1.0; ///< 2: one half of the body is in the mesh
+
+  /// What turns the product of an extension, of length 1 along the front, and the forces of a
+  /// partner into G, K1, K2, K3 and T (crack_space.7, crack_space.12).
+  [[nodiscard]] double factor(std::size_t partner) const;
+  [[nodiscard]] double E_effective() const; ///< E / (1 - nu^2)
+};
+/// Of the fields of a front, of which there is one at least.
+FrontSetting front_setting(const model::Model& model, const mesh::CrackedMesh& cracked,
+                           const mesh::Front& front, const FrontFields& fields);
+
+/// Forces of the loads on sides round the front, at points; of the deck's own rules.
+std::vector<FaceForces> forces_on_faces(const model::Mesh& mesh, const TipLoads& loads);
+
+/// The strain along the front at each point, e_tt = sum of weight . u over its nodes, by the
+/// point's hat (crack_space.13).
+struct NodeWeight {
+  base::NodeId node;
+  base::Vec3 weight;
+};
+std::vector<std::vector<NodeWeight>> strain_along(const mesh::Front& front, const model::Mesh& mesh,
+                                                  const FrontFields& fields);
+
+} // namespace spricka::crack

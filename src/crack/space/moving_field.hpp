@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "crack/energy_momentum.hpp"
+#include "crack/space/front_axes.hpp"
+
+#include <cstddef>
+
+/// Fields of plane strain and of antiplane shear, carried along a front by its axes.
+namespace spricka::crack {
+
+/// Partners of the solution along a front: itself (G), the near-front fields of K1, K2, K3 = 1 and
+/// the field of a unit force per length along m (T).
+inline constexpr std::size_t front_partners = 5;
+inline constexpr std::size_t line_force_partner = 4;
+
+/// An isotropic body round a front, and a length to count logarithms in.
+struct FrontBody {
+  double lambda = 0.0, mu = 0.0; ///< Lame's constants [stress]
+  double nu = 0.0;
+  double unit = 1.0;
+};
+
+/// Displacements along m, b, t as a function of y and z, with derivatives.
+struct SectionField {
+  base::Vec3 w, w_y, w_z, w_yy, w_yz, w_zz;
+};
+/// Of partner 1 to 4 at a point off the front (manual, crack_space.3).
+SectionField section_field(std::size_t partner, double r, double theta, const FrontBody& body);
+
+/// The axes at a place as matrices with columns m, b, t and their derivatives, and the gradients of
+/// s, y and z with theirs (crack_space.2): the same for all partners.
+struct TurningAxes {
+  struct Slopes {
+    base::Vec3 s, y, z;
+  };
+  Tensor<3> Q, dQ, ddQ;
+  Slopes grad, by_s, by_y, by_z;
+
+  explicit TurningAxes(const FrontPlace& at);
+};
+
+/// The field w = w1 m + w2 b + w3 t of a partner (crack_space.4) at a place.
+struct MovingField {
+  Tensor<3> H = Tensor<3>::Zero();            ///< dw_i/dx_j, the turning of the axes in it
+  Tensor<3> sigma = Tensor<3>::Zero();        ///< its stress
+  base::Vec3 divergence = base::Vec3::Zero(); ///< of that, not zero where the front turns
+};
+MovingField moving_field(std::size_t partner, const FrontPlace& at, const TurningAxes& axes,
+                         const FrontBody& body);
+
+inline MovingField moving_field(std::size_t partner, const FrontPlace& at, const FrontBody& body) {
+  return moving_field(partner, at, TurningAxes(at), body);
+}
+
+/// lambda tr(A) I + mu (A + A^T).
+inline Tensor<3> isotropic_stress(const FrontBody& body, const Tensor<3>& A) {
+  Tensor<3> sigma = body.mu * (A + A.transpose());
+  sigma.diagonal().array() += body.lambda * A.trace();
+  return sigma;
+}
+
+} // namespace spricka::crack

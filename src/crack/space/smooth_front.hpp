@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/vec.hpp"
+
+#include <optional>
+#include <vector>
+
+/// Values along a front as a smooth curve, for growth.
+namespace spricka::crack {
+
+/// Where the points of a front are, and how much each counts.
+struct FrontStations {
+  std::vector<double> s;      ///< ascending
+  std::vector<double> weight; ///< positive; 0: the point has no value of its own
+  /// Whether a value is that at the place, not the mean over the point's hat; empty: none is.
+  std::vector<bool> local{};
+  double length = 0.0; ///< of a closed front
+  bool closed = false;
+};
+
+/// The cubic spline with a knot at every second point whose means over the points' hats fit the
+/// values [point, quantity] best, at the points (crack_space.15). Fewer than 5 points that count:
+/// the values themselves.
+base::Matrix smooth_values(const FrontStations& at, const base::Matrix& values);
+
+/// The line that fits the values at distances from `near` to `far` of the front's place s best, at
+/// s; nothing with fewer than two points there (crack_space.16).
+struct Beside {
+  double s = 0.0, near = 0.0, far = 0.0;
+};
+std::optional<base::Vector> value_from_inside(const FrontStations& at, const base::Matrix& values,
+                                              const Beside& beside);
+
+} // namespace spricka::crack

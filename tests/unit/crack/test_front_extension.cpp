@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Extensions along fronts in space, and smooth values along them.
+#include "crack/space/front_extension.hpp"
+#include "crack/space/smooth_front.hpp"
+#include "tests/unit/crack/front_tube.hpp"
+
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace spricka {
+namespace {
+
+using base::Vec3;
+using test::Tube;
+
+// Together the points move the whole front by one: on a straight one all nodes of the inner layers
+// along m, and none beyond the next.
+TEST(FrontExtension, PointsAddUpToAWholeAdvance) {
+  const Tube tube(test::straight_front(1.0), {.segments = 4});
+  const crack::FrontFields fields = tube.fields({1});
+  EXPECT_FALSE(fields.closed);
+  EXPECT_TRUE(fields.left_out.empty());
+  std::map<base::NodeId, Vec3> sum;
+  for (const auto& domains : fields.points) {
+    ASSERT_EQ(domains.size(), 1U);
+    for (const crack::NodeMotion& motion : domains.front().motion) {
+      sum.try_emplace(motion.node, Vec3::Zero()).first->second += motion.q * motion.along;
+    }
+  }
+  for (std::size_t n = 0; n < tube.mesh().node_count(); ++n) {
+    const double r = tube.mesh().x[n].head<2>().norm();
+    const auto at = sum.find(base::NodeId(n));
+    const Vec3 q = at == sum.end() ? Vec3(Vec3::Zero()) : at->second;
+    const double expected = r < 0.11 ? 1.0 : (r < 0.16 ? 0.5 : 0.0);
+    EXPECT_NEAR((q - expected * Vec3::UnitX()).norm(), 0.0, 1e-12) << r;
+  }
+}
+
+TEST(FrontExtension, HatsAreLinearBetweenPoints) {
+  const Tube tube(test::straight_front(1.0), {.segments = 4});
+  const crack::FrontFields fields = tube.fields({2});
+  for (const crack::NodeMotion& motion : fields.points[1].front().motion) {
+    const Vec3& x = tube.mesh().x[motion.node.index()];
+    if (x.head<2>().norm() < 0.21) {
+      EXPECT_NEAR(motion.q, 1.0 - std::abs(x.z() - 0.25) / 0.25, 1e-9);
+    }
+  }
+}
+
+TEST(FrontExtension, ClosedFrontHasNoEnds) {
+  const Tube tube(test::penny_front(1.0), {.segments = 8});
+  const crack::FrontFields fields = tube.fields({1});
+  EXPECT_TRUE(fields.closed);
+  EXPECT_TRUE(fields.left_out.empty());
+  // The first and the last point share the elements between them.
+  EXPECT_EQ(fields.points.front().front().elements.size(),
+            fields.points.back().front().elements.size());
+}
+
+// The tube's own rim is the surface of the body here: what reaches it is left out and says so.
+TEST(FrontExtension, LeavesOutWhatWouldMoveTheSurface) {
+  const Tube tube(test::penny_front(1.0), {.segments = 8});
+  const crack::FrontFields fields = tube.fields({2, 3});
+  ASSERT_EQ(fields.left_out.size(), 8U);
+  EXPECT_EQ(fields.left_out.front().rings, 3);
+  EXPECT_NE(fields.left_out.front().why.find("surface"), std::string::npos);
+  EXPECT_EQ(fields.points.front().size(), 1U);
+}
+
+TEST(FrontExtension, LeavesOutHeldNodesAndOtherMaterials) {
+  const Tube tube(test::straight_front(1.0), {.segments = 4});
+  crack::DomainLimits limits;
+  limits.node.assign(tube.mesh().node_count(), false);
+  limits.node[tube.front().points.front().node.index()] = true;
+  const crack::FrontFields held = crack::front_fields(tube.cracked, tube.front(), {1}, limits);
+  EXPECT_TRUE(held.points[0].empty());
+  EXPECT_FALSE(held.points[1].empty());
+  crack::DomainLimits zones;
+  zones.zone.assign(tube.mesh().element_count(), 0);
+  zones.zone.back() = 1;
+  const crack::FrontFields other = crack::front_fields(tube.cracked, tube.front(), {2}, zones);
+  EXPECT_TRUE(other.points[4].empty());
+  EXPECT_FALSE(other.points[0].empty());
+}
+
+TEST(FrontExtension, LeavesOutTheCentreOfCurvature) {
+  const Tube tube(test::penny_front(0.33), {.segments = 8});
+  EXPECT_TRUE(tube.fields({2}).points.front().size() == 1U); // moves nodes up to 0.2 behind
+  const Tube narrow(test::penny_front(0.305), {.segments = 8, .radii = {0.1, 0.26, 0.3}});
+  EXPECT_TRUE(narrow.fields({2}).points.front().empty());
+}
+
+// A tied node moves as its row says, so that the row holds of the moved mesh.
+TEST(FrontExtension, TiedNodesFollowTheirMasters) {
+  Tube tube(test::straight_front(1.0), {.segments = 4});
+  const base::NodeId a = tube.front().points[1].node;
+  const base::NodeId b = tube.front().points[2].node;
+  const base::NodeId slave = tube.mesh().nodes_of(base::ElementId(std::size_t{0}))[1];
+  tube.cracked.ties = {{slave, {a, b}, {0.25, 0.75}, base::CrackId(std::size_t{0})}};
+  const crack::FrontFields fields = tube.fields({1});
+  const auto q = fields.points[2].front().q();
+  EXPECT_NEAR(q.at(slave), 0.75, 1e-12);
+}
+
+crack::FrontStations stations(int count, bool closed) {
+  crack::FrontStations at;
+  for (int i = 0; i < count; ++i) {
+    at.s.push_back(i + 0.2 * std::sin(2.0 * i));
+    at.weight.push_back(1.0);
+  }
+  at.length = count;
+  at.closed = closed;
+  at.local.assign(static_cast<std::size_t>(count), true);
+  return at;
+}
+
+TEST(SmoothFront, KeepsCubicsAndCircles) {
+  const crack::FrontStations open = stations(13, false);
+  base::Matrix values(13, 1);
+  for (Eigen::Index i = 0; i < 13; ++i) {
+    const double s = open.s[static_cast<std::size_t>(i)];
+    values(i, 0) = 1.0 + s - 0.2 * s * s + 0.01 * s * s * s;
+  }
+  EXPECT_LT((crack::smooth_values(open, values) - values).norm(), 1e-10);
+  const crack::FrontStations round = stations(16, true);
+  base::Matrix wave(16, 1);
+  for (Eigen::Index i = 0; i < 16; ++i) {
+    wave(i, 0) = std::cos(2.0 * std::numbers::pi * round.s[static_cast<std::size_t>(i)] / 16.0);
+  }
+  EXPECT_LT((crack::smooth_values(round, wave) - wave).cwiseAbs().maxCoeff(), 3e-3);
+  // What alternates from point to point goes.
+  base::Matrix rough = wave;
+  for (Eigen::Index i = 0; i < 16; ++i) {
+    rough(i, 0) += i % 2 == 0 ? 0.1 : -0.1;
+  }
+  EXPECT_LT((crack::smooth_values(round, rough) - wave).cwiseAbs().maxCoeff(), 0.05);
+}
+
+// Means over hats are undone: of s^2 they are h^2 / 6 too high.
+TEST(SmoothFront, GivesBackWhatHatsSmear) {
+  crack::FrontStations at = stations(11, false);
+  base::Matrix values(11, 1);
+  for (std::size_t i = 0; i < 11; ++i) {
+    at.s[i] = static_cast<double>(i);
+    at.local[i] = i == 0 || i == 10;
+    values(static_cast<Eigen::Index>(i), 0) = at.s[i] * at.s[i] + (at.local[i] ? 0.0 : 1.0 / 6.0);
+  }
+  const base::Matrix smooth = crack::smooth_values(at, values);
+  for (std::size_t i = 0; i < 11; ++i) {
+    EXPECT_NEAR(smooth(static_cast<Eigen::Index>(i), 0), at.s[i] * at.s[i], 1e-9);
+  }
+}
+
+TEST(SmoothFront, GoesOnToTheSurfaceFromInside) {
+  const crack::FrontStations at = stations(9, false);
+  base::Matrix values(9, 1);
+  for (Eigen::Index i = 0; i < 9; ++i) {
+    values(i, 0) = 2.0 - 0.5 * at.s[static_cast<std::size_t>(i)];
+  }
+  values(0, 0) = 77.0; // a number of the mesh
+  const auto value = crack::value_from_inside(at, values, {0.0, 0.9, 4.0});
+  ASSERT_TRUE(value.has_value());
+  EXPECT_NEAR((*value)[0], 2.0, 1e-12);
+  EXPECT_FALSE(crack::value_from_inside(at, values, {0.0, 0.1, 0.2}).has_value());
+}
+
+} // namespace
+} // namespace spricka

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// K along fronts in space from displacements that are known exactly.
+#include "crack/space/front_rows.hpp"
+#include "crack/space/moving_field.hpp"
+#include "fe/face.hpp"
+#include "mesh/boundary.hpp"
+#include "tests/unit/crack/front_tube.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+namespace spricka {
+namespace {
+
+using base::Vec3;
+using test::Tube;
+using test::TubeSpec;
+
+constexpr double pi = std::numbers::pi;
+constexpr double mu = 1000.0 / 2.6; // of the tubes' material
+constexpr std::array<double, 3> K_given{3.0, -1.25, 2.0};
+
+crack::FrontBody body_of(const Tube& tube) {
+  const fe::Lame k = fe::lame(tube.model.materials[0], model::State::solid);
+  return {k.lambda, k.mu, tube.model.materials[0].nu, 1.0};
+}
+
+// The near-front fields along a straight front, with the stress along x of 1 that is T.
+base::Vector near_front(const Tube& tube) {
+  return tube.at_nodes([&](const Vec3& x, crack::FaceSide side) -> Vec3 {
+    const double r = std::hypot(x.x(), x.y());
+    Vec3 u(0.91e-3 * x.x(), -0.39e-3 * x.y(), 0.0);
+    const double theta = side == crack::FaceSide::lower ? -pi : std::atan2(x.y(), x.x());
+    for (std::size_t m = 1; m <= 3 && r > 1e-12; ++m) {
+      u += K_given[m - 1] * crack::section_field(m, r, theta, body_of(tube)).w;
+    }
+    return u;
+  });
+}
+
+// What the rest of the body does on the ends of the tube.
+crack::FrontLoads end_tractions(const Tube& tube) {
+  crack::FrontLoads loads;
+  const crack::FrontAxes axes(*tube.front().curve);
+  for (const model::Face& face : mesh::boundary_faces(tube.mesh())) {
+    fe::with_side(tube.mesh(), face, [&]<shape::Shape Side>(Side) {
+      if constexpr (Side::dim == 2) {
+        const auto X = fe::side_coordinates<Side>(tube.mesh(), face);
+        crack::FaceForces on{face, {}};
+        for (const auto& point : shape::quadrature<Side>(9)) {
+          const Vec3 area = fe::area_vector<Side>(X, point.r);
+          if (std::abs(area.normalized().z()) < 0.99) {
+            return;
+          }
+          crack::Tensor<3> sigma = crack::Tensor<3>::Zero();
+          sigma(0, 0) = 1.0;
+          sigma(2, 2) = 0.3;
+          for (std::size_t m = 1; m <= 3; ++m) {
+            sigma += K_given[m - 1] *
+                     crack::moving_field(m, axes.place(X * Side::N(point.r)), body_of(tube)).sigma;
+          }
+          on.points.push_back({Vec3(point.r[0], point.r[1], 0.0), point.weight * (sigma * area)});
+        }
+        loads.contact.push_back(std::move(on));
+      }
+    });
+  }
+  return loads;
+}
+
+double worst_straight(const TubeSpec& spec, const crack::FrontTerms& terms = {}) {
+  const Tube tube(test::straight_front(1.0), spec);
+  double worst = 0.0;
+  for (const auto& K : tube.K(near_front(tube), end_tractions(tube), terms)) {
+    worst = std::max({worst, std::abs(K.K1 - K_given[0]), std::abs(K.K2 - K_given[1]),
+                      std::abs(K.K3 - K_given[2])});
+  }
+  return worst / std::hypot(K_given[0], K_given[1], K_given[2]);
+}
+
+TEST(FrontIntensity, NearFrontFieldGivesItsOwnK) {
+  const Tube tube(test::straight_front(1.0), {.segments = 4});
+  const auto result = tube.K(near_front(tube), end_tractions(tube));
+  ASSERT_EQ(result.size(), 5U);
+  const double E = 1000.0 / 0.91;
+  const double G = (9.0 + 1.5625) / E + 4.0 / (2.0 * mu);
+  for (const crack::StressIntensity& K : result) {
+    EXPECT_EQ(K.domains.size(), 2U);
+    EXPECT_NEAR(K.K1, 3.0, 6e-3);
+    EXPECT_NEAR(K.K2, -1.25, 6e-3);
+    EXPECT_NEAR(K.K3, 2.0, 1e-2);
+    EXPECT_NEAR(K.G, G, 5e-3 * G);
+    EXPECT_NEAR(K.G_from_K, G, 5e-3 * G);
+    EXPECT_NEAR(K.T, 1.0, 0.03);
+    EXPECT_NEAR(K.front->T_along, 0.3 * K.T, 1e-9);
+    EXPECT_LT(K.spread, 1e-3);
+    ASSERT_TRUE(K.opening.has_value());
+    EXPECT_NEAR((*K.opening)[0], 3.0, 1e-2);
+    EXPECT_NEAR((*K.opening)[1], -1.25, 4e-3);
+    EXPECT_NEAR(*K.front->opening_K3, 2.0, 1e-2);
+  }
+}
+
+TEST(FrontIntensity, ConvergesWithTheSectors) {
+  const TubeSpec coarse{.segments = 2, .sectors = 6};
+  const TubeSpec fine{.segments = 2, .sectors = 12, .radii = {0.05, 0.1, 0.15, 0.2}};
+  EXPECT_LT(worst_straight(fine), worst_straight(coarse) / 6.0);
+}
+
+// Straight mid nodes do as well, only coarser.
+TEST(FrontIntensity, NeedsNoQuarterPoints) {
+  EXPECT_LT(worst_straight({.segments = 2, .quarter_point = false}), 0.02);
+}
+
+// Partners of plane strain pull at the ends of a front.
+TEST(FrontIntensity, EndsNeedThePartnersTractions) {
+  EXPECT_GT(worst_straight({.segments = 4}, {.divergence = true, .tractions = false}), 0.02);
+}
+
+constexpr double hat_mean(double segment) { // of a cosine over a linear hat
+  return 1.0 - segment * segment / 12.0;
+}
+
+class Penny : public testing::Test {
+protected:
+  static constexpr int segments = 24;
+  const Tube tube{test::penny_front(1.0), {.segments = segments, .radii = {0.07, 0.14, 0.2}}};
+  const base::Vector pressed = tube.at_nodes([](const Vec3& x, crack::FaceSide side) -> Vec3 {
+    return test::pressed_penny(x, side, mu, 0.3);
+  });
+  const base::Vector pulled = tube.at_nodes([](const Vec3& x, crack::FaceSide side) -> Vec3 {
+    return test::pressed_penny(x, side, mu, 0.3) + Vec3(-0.3 * x.x(), -0.3 * x.y(), x.z()) / 1000.0;
+  });
+  const base::Vector sheared = tube.at_nodes([](const Vec3& x, crack::FaceSide side) -> Vec3 {
+    return test::sheared_penny(x, side, mu, 0.3);
+  });
+  static constexpr double K1 = 1.1283791670955126;       // 2 / sqrt(pi)
+  static constexpr double K2 = 4.0 / 1.7 * 0.5641895835; // 4 / (pi (2 - nu)) sqrt(pi)
+};
+
+// Faces free, tension: K1 the same everywhere, T = T_along = -(1 + 2 nu) / 2.
+TEST_F(Penny, UnderTension) {
+  for (const crack::StressIntensity& K : tube.K(pulled)) {
+    EXPECT_NEAR(K.K1, K1, 2e-3 * K1);
+    EXPECT_NEAR(K.K2, 0.0, 1e-4);
+    EXPECT_NEAR(K.K3, 0.0, 1e-6);
+    EXPECT_NEAR(K.G, 0.91e-3 * K1 * K1, 4e-3 * K.G);
+    EXPECT_NEAR(K.T, -0.8, 0.015);
+    EXPECT_NEAR(K.front->T_along, -0.8, 0.015);
+    EXPECT_LT(K.spread, 1e-4);
+    EXPECT_NEAR((*K.opening)[0], K1, 3e-3 * K1);
+    EXPECT_NEAR(K.front->smooth[0], K.K1, 1e-6);
+  }
+}
+
+// The values of points are means over their hats; the smooth curve gives back what these smear.
+TEST_F(Penny, UnderShear) {
+  const auto result = tube.K(sheared);
+  const double mean = hat_mean(2.0 * pi / segments);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const crack::StressIntensity& K = result[i];
+    const Vec3& x = tube.front().points[i].x; // cos and sin of the angle from the shear
+    EXPECT_NEAR(K.K1, 0.0, 1e-4);
+    EXPECT_NEAR(K.K2, mean * K2 * x.x(), 1.5e-3 * K2);
+    EXPECT_NEAR(K.K3, mean * 0.7 * K2 * x.y(), 1.5e-3 * K2);
+    EXPECT_LT(K.spread, 1e-4);
+    EXPECT_NEAR(K.front->smooth[1], K2 * x.x(), 2e-3 * K2);
+    EXPECT_NEAR(K.front->smooth[2], 0.7 * K2 * x.y(), 2e-3 * K2);
+  }
+}
+
+TEST_F(Penny, NeedsTheDivergenceOfThePartnersStress) {
+  const auto K = tube.K(sheared, {}, {.divergence = false, .tractions = true}).front();
+  EXPECT_GT(std::abs(K.K2 - hat_mean(2.0 * pi / segments) * K2), 0.05 * K2);
+  EXPECT_GT(K.spread, 0.03);
+  EXPECT_GT(tube.K(pulled, {}, {.divergence = false, .tractions = true}).front().spread, 0.01);
+}
+
+TEST_F(Penny, NeedsThePartnersTractionsOnTheFaces) {
+  const auto K = tube.K(sheared, {}, {.divergence = true, .tractions = false}).front();
+  EXPECT_GT(std::abs(K.K2 - hat_mean(2.0 * pi / segments) * K2), 0.005 * K2);
+  EXPECT_GT(K.spread, 0.004);
+}
+
+class PressedPenny : public Penny {
+protected:
+  // Pressure on both faces, at points.
+  [[nodiscard]] std::vector<crack::FaceForces> pressure() const {
+    std::vector<crack::FaceForces> forces;
+    const mesh::CrackFaces& faces = tube.cracked.faces.front();
+    for (const auto* sides : {&faces.left_sides, &faces.right_sides}) {
+      fe::for_faces(tube.mesh(), *sides, [&]<shape::Shape Side>(Side, const model::Face& face) {
+        if constexpr (Side::dim == 2) {
+          const auto X = fe::side_coordinates<Side>(tube.mesh(), face);
+          crack::FaceForces on{face, {}};
+          for (const auto& point : shape::quadrature<Side>(9)) {
+            on.points.push_back({Vec3(point.r[0], point.r[1], 0.0),
+                                 -point.weight * fe::area_vector<Side>(X, point.r)});
+          }
+          forces.push_back(std::move(on));
+        }
+      });
+    }
+    return forces;
+  }
+};
+
+TEST_F(PressedPenny, TakesPressureBetweenItsFaces) {
+  EXPECT_GT(std::abs(tube.K(pressed).front().K1 - K1), 0.05); // without it K is another
+  crack::FrontLoads contact;
+  contact.contact = pressure();
+  model::Load load;
+  load.type = model::LoadType::pressure;
+  load.value = {{{base::Instruction{base::Op::number, 1.0}}}};
+  crack::FrontLoads given;
+  crack::ActingLoad acting{&load, 1.0, {}, tube.cracked.faces.front().left_sides};
+  for (const model::Face& face : tube.cracked.faces.front().right_sides) {
+    acting.faces.push_back(face);
+  }
+  given.given.loads = {acting};
+  const auto by_contact = tube.K(pressed, contact);
+  const auto by_load = tube.K(pressed, given);
+  for (std::size_t i = 0; i < by_load.size(); ++i) {
+    EXPECT_NEAR(by_load[i].K1, K1, 4e-3 * K1); // the edges on the front are parabolas
+    EXPECT_NEAR(by_load[i].T, -0.8, 0.015);    // with the pressure at the front itself
+    EXPECT_NEAR(by_contact[i].K1, by_load[i].K1, 1e-9);
+    EXPECT_NEAR(by_contact[i].G, by_load[i].G, 1e-9 * by_load[i].G);
+    EXPECT_NEAR(by_load[i].G, 0.91e-3 * K1 * K1, 8e-3 * by_load[i].G);
+  }
+}
+
+TEST_F(PressedPenny, RowsGiveTheSameK) {
+  const crack::FrontFields fields = tube.fields();
+  const base::Vector u = pressed + sheared + 1e-3 * tube.rough();
+  crack::FrontLoads loads;
+  loads.contact = pressure();
+  const crack::KLayout layout(tube.front().points.size(), 3);
+  const auto rows = crack::front_intensity_rows(tube.model, tube.cracked, tube.front(), fields);
+  const auto t_rows = crack::front_t_rows(tube.model, tube.cracked, tube.front(), fields);
+  const auto force_rows =
+      crack::front_force_rows(tube.model, tube.cracked, tube.front(), fields, loads.contact);
+  std::vector<double> f;
+  for (const crack::FaceForces& on : loads.contact) {
+    for (const fe::LoadPoint& point : on.points) {
+      f.insert(f.end(), point.force.data(), point.force.data() + 3);
+    }
+  }
+  const base::Vector force = Eigen::Map<const base::Vector>(f.data(), force_rows.rows());
+  const crack::FrontConstant constant =
+      crack::front_intensity_constant(tube.model, tube.cracked, tube.front(), fields, loads);
+  const base::Vector of_u = rows.transpose() * u;
+  const base::Vector of_f = force_rows.transpose() * force;
+  const base::Vector T = t_rows.transpose() * u + constant.T;
+  EXPECT_LT((of_f - constant.K).norm(), 1e-12 * of_f.norm());
+  const auto result = tube.K(u, loads);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    EXPECT_NEAR(of_u[layout.at(i, 1)] + of_f[layout.at(i, 1)], result[i].K1, 1e-11);
+    EXPECT_NEAR(of_u[layout.at(i, 2)] + of_f[layout.at(i, 2)], result[i].K2, 1e-11);
+    EXPECT_NEAR(of_u[layout.at(i, 3)] + of_f[layout.at(i, 3)], result[i].K3, 1e-11);
+    EXPECT_NEAR(T[static_cast<Eigen::Index>(i)], result[i].T, 1e-10);
+  }
+}
+
+TEST(FrontInvariance, OfRotationAndUnits) {
+  const double p = 2.0;
+  const TubeSpec spec{.segments = 6, .radii = {0.1, 0.2, 0.3}};
+  const Tube tube(test::ellipse_front(p, 1.5, 0.25), spec);
+  const Eigen::Matrix3d R =
+      Eigen::AngleAxisd(0.7, Vec3(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
+  const double scale = 1000.0;
+  std::vector<Vec3> x;
+  for (const Vec3& point : tube.front().curve->points()) {
+    x.push_back(scale * (R * point));
+  }
+  const mesh::FrontCurve turned_curve(x, std::vector<Vec3>(x.size(), R.col(2)), false);
+  const Tube turned(turned_curve, {.segments = 6, .radii = {100.0, 200.0, 300.0}});
+  const base::Vector u = tube.rough();
+  base::Vector v = u;
+  for (Eigen::Index n = 0; n < u.size() / 3; ++n) {
+    v.segment<3>(3 * n) = scale * (R * u.segment<3>(3 * n));
+  }
+  const auto one = tube.K(u);
+  const auto other = turned.K(v);
+  const double root = std::sqrt(scale);
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    const double size = std::abs(one[i].K1) + std::abs(one[i].K2) + std::abs(one[i].K3);
+    EXPECT_NEAR(other[i].K1, root * one[i].K1, 1e-6 * root * size);
+    EXPECT_NEAR(other[i].K2, root * one[i].K2, 1e-6 * root * size);
+    EXPECT_NEAR(other[i].K3, root * one[i].K3, 1e-6 * root * size);
+    EXPECT_NEAR(other[i].G, scale * one[i].G, 1e-6 * scale * std::abs(one[i].G));
+    EXPECT_NEAR(other[i].T, one[i].T, 1e-5 * size);
+  }
+}
+
+// Seen in a mirror across the front the faces slide along it the other way.
+TEST(FrontInvariance, OfAMirror) {
+  const Tube tube(test::straight_front(1.0), {.segments = 4});
+  const auto field = [](const Vec3& x, crack::FaceSide) {
+    return Vec3(std::sin(3.0 * x.x() + x.z()), std::cos(2.0 * x.y() - x.z() * x.x()),
+                x.z() * x.z() + std::sin(5.0 * x.y()));
+  };
+  const auto one = tube.K(tube.at_nodes(field));
+  const auto other = tube.K(tube.at_nodes([&](const Vec3& x, crack::FaceSide side) -> Vec3 {
+    const Vec3 u = field({x.x(), x.y(), 1.0 - x.z()}, side);
+    return {u.x(), u.y(), -u.z()};
+  }));
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    const crack::StressIntensity& K = other[one.size() - 1 - i];
+    const double size = std::abs(K.K1) + std::abs(K.K2) + std::abs(K.K3);
+    EXPECT_NEAR(K.K1, one[i].K1, 2e-6 * size);
+    EXPECT_NEAR(K.K2, one[i].K2, 2e-6 * size);
+    EXPECT_NEAR(K.K3, -one[i].K3, 2e-6 * size);
+    EXPECT_NEAR(K.G, one[i].G, 1e-9 * std::abs(K.G));
+  }
+}
+
+} // namespace
+} // namespace spricka
