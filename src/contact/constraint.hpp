@@ -32,6 +32,7 @@ struct ConstraintRow {
   base::NodeId node; ///< contact node that the function belongs to
   bool tangential = false;
   int normal = -1; ///< of a tangential row: its normal row among those of the pair
+  int along = 0;   ///< in space, of a tangential row: 1 or 2, which tangent of the surface
 };
 
 /// A place where one surface of a pair ends while the other goes on: the end of a rigid line, the

@@ -26,7 +26,7 @@ struct RowBuilder {
     area += other.area;
   }
   /// The row of a contact node; a tangential one has the place of its normal row.
-  [[nodiscard]] ConstraintRow finish(base::NodeId node, int normal = -1) const {
+  [[nodiscard]] ConstraintRow finish(base::NodeId node, int normal = -1, int along = 0) const {
     ConstraintRow row;
     for (const auto& [n, w] : weight) {
       row.entries.push_back({n, w});
@@ -37,6 +37,7 @@ struct RowBuilder {
     row.node = node;
     row.tangential = normal >= 0;
     row.normal = normal;
+    row.along = along;
     return row;
   }
 };

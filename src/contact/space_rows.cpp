@@ -4,6 +4,7 @@
 #include "contact/row_builder.hpp"
 #include "contact/space/frames.hpp"
 #include "contact/space/rigid_round.hpp"
+#include "contact/space_dual.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,17 +14,15 @@
 #include <numeric>
 #include <utility>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 namespace spricka::contact {
 
 namespace {
 
-constexpr double weak_cover = 0.2;    // of a function: less of it joins a neighbour
-constexpr double no_cover = 1e-9;     // round-off
-constexpr double least_moment = 1e-8; // of a sliver's hats, scaled: they are one function there
-constexpr double twice = 1e-6;        // of a triangle: more than all of it
+constexpr double weak_cover = 0.2; // of a function: less of it joins a neighbour
+constexpr double no_cover = 1e-9;  // round-off
+constexpr double twice = 1e-6;     // of a triangle: more than all of it
 
 using PartNode = std::pair<std::size_t, base::NodeId>;
 
@@ -41,25 +40,6 @@ struct HatIntegrals {
   std::vector<std::size_t> targets; ///< faces met
   std::array<Motion, 3> motion;     ///< along the normal and the tangents
 };
-
-// dual = D m^-1 of (contact_space.4): row a has the weights of the hats in the function dual to hat
-// a. On a sliver the hats are nearly one function: what they have no measure of is left out.
-Eigen::Matrix3d dual_weights(const Eigen::Matrix3d& moment) {
-  const Eigen::Vector3d area = moment.rowwise().sum();
-  const Eigen::Vector3d scale = moment.diagonal().cwiseSqrt();
-  if (!(scale.minCoeff() > 0.0)) {
-    return Eigen::Matrix3d::Zero();
-  }
-  const Eigen::Vector3d unscale = scale.cwiseInverse();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
-      Eigen::Matrix3d(unscale.asDiagonal() * moment * unscale.asDiagonal()));
-  Eigen::Vector3d inverse = eigen.eigenvalues();
-  const double least = least_moment * inverse.maxCoeff();
-  inverse = inverse.unaryExpr([&](double v) { return v > least ? 1.0 / v : 0.0; });
-  const Eigen::Matrix3d pseudo =
-      eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
-  return area.cwiseProduct(unscale).asDiagonal() * pseudo * unscale.asDiagonal();
-}
 
 class SpaceRows {
 public:
@@ -250,7 +230,7 @@ private:
       row_of[i] = static_cast<int>(pair_.normal.size());
       const base::NodeId node = pair_.functions[i].node;
       for (int k = 1; k < directions_; ++k) {
-        pair_.tangent.push_back(rows_[i][static_cast<std::size_t>(k)].finish(node, row_of[i]));
+        pair_.tangent.push_back(rows_[i][static_cast<std::size_t>(k)].finish(node, row_of[i], k));
       }
       pair_.normal.push_back(rows_[i][0].finish(node));
     }

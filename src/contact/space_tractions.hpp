@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "contact/constraint.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace spricka::contact {
+
+/// A force at a point of a face.
+struct TractionPoint {
+  base::Vec2 r = base::Vec2::Zero(); ///< on the face
+  base::Vec3 force = base::Vec3::Zero();
+};
+
+/// Forces at points of a face that a contact presses on.
+struct FaceTraction {
+  model::Face face;
+  std::vector<TractionPoint> points;
+};
+
+/// What the multipliers of a pair of solid surfaces [normal rows, then tangential ones; stress]
+/// press on the faces of both sides that `wanted` names, point by point: the sum of a face's node
+/// functions times the forces is what the rows put on the nodes. Empty where rows are made of
+/// single nodes (PAIRING=NODE).
+std::vector<FaceTraction> space_tractions(const PairRows& pair, const base::Vector& lambda,
+                                          const std::function<bool(const model::Face&)>& wanted);
+
+} // namespace spricka::contact
