@@ -57,10 +57,45 @@ std::string cell(const results::PointQuantity& q, const results::ContactPoint& p
   return fmt::format("{}", q.kind == base::Quantity::angle ? q.of(point) * degree : q.of(point));
 }
 
+void write_fronts_csv(const std::filesystem::path& file, const model::Model& model,
+                      const results::Run& run) {
+  UnitsLine units;
+  units.add(base::Quantity::number, "increment");
+  units.add(base::Quantity::length, "a");
+  std::string columns = "increment,step,crack,a,point,at_surface,closed";
+  for (const results::FrontQuantity& q : results::front_quantities) {
+    units.add(q.kind, q.name);
+    columns += fmt::format(",{}", q.name);
+  }
+  std::string text = fmt::format("# units: {}\n{}\n", units.text(model.units), columns);
+  auto out = std::back_inserter(text);
+  for (const results::Increment& increment : run.increments) {
+    for (const results::StepResult& step : increment.steps) {
+      for (const results::FrontResult& front : step.fronts) {
+        for (const results::FrontPlace& place : front.points) {
+          fmt::format_to(out, "{},{},{},{},{},{:d},{:d}", increment.number, step.step, front.name,
+                         front.a, place.number, place.at_surface, place.closed);
+          for (const results::FrontQuantity& q : results::front_quantities) {
+            const bool given = q.given == nullptr || q.given(front);
+            const double unit = q.kind == base::Quantity::angle ? degree : 1.0;
+            text += given ? fmt::format(",{}", q.of(place) * unit) : ",";
+          }
+          text += '\n';
+        }
+      }
+    }
+  }
+  write_file(file, text);
+}
+
 } // namespace
 
 void write_k_csv(const std::filesystem::path& file, const model::Model& model,
                  const results::Run& run) {
+  if (model.mesh.dim == 3) {
+    write_fronts_csv(file, model, run);
+    return;
+  }
   const std::vector<const results::TipQuantity*> columns = k_columns(model);
   UnitsLine units;
   units.add(base::Quantity::number, "increment");

@@ -4,6 +4,7 @@
 #include "report/page.hpp"
 #include "report/report.hpp"
 #include "report/topics/figures.hpp"
+#include "report/topics/front_section.hpp"
 #include "report/topics/growth_tables.hpp"
 #include "report/topics/growth_test_tables.hpp"
 #include "report/topics/k_section.hpp"
@@ -96,7 +97,25 @@ Table over_lengths(const model::Model& model, const results::Run& run,
   return all;
 }
 
+void add_fronts(Page& page, const model::Model& model, const results::Run& run) {
+  const std::vector<Figure> figures = front_figures(model, run);
+  if (figures.empty()) {
+    return;
+  }
+  page.heading("Stress intensity factors");
+  for (const Figure& figure : figures) {
+    page.figure(figure);
+  }
+  for (const Table& table : front_tables(model, run.increments.back())) {
+    page.table(table);
+  }
+}
+
 void add_cracks(Page& page, const model::Model& model, const results::Run& run) {
+  if (model.mesh.dim == 3) {
+    add_fronts(page, model, run);
+    return;
+  }
   const KSection section = k_section(model, run);
   if (section.tables.empty()) {
     return;

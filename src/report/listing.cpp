@@ -2,6 +2,7 @@
 #include "model/model.hpp"
 #include "report/deck_name.hpp"
 #include "report/report.hpp"
+#include "report/topics/front_section.hpp"
 #include "report/topics/growth_tables.hpp"
 #include "report/topics/growth_test_tables.hpp"
 #include "report/topics/k_bars.hpp"
@@ -115,6 +116,9 @@ std::string increment_text(const model::Model& model, const results::Increment& 
     if (!table.rows.empty()) {
       (out += '\n') += to_text(table);
     }
+  }
+  for (const Table& table : front_tables(model, increment)) {
+    (out += '\n') += to_text(table);
   }
   if (const std::string bars = k_bar_lines(increment); !bars.empty()) {
     out += "\nStress intensity factors with the error of the mesh (not that of the model)\n" + bars;

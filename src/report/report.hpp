@@ -40,6 +40,11 @@ void write_vtu(const std::filesystem::path& file, const model::Model& model,
 void write_contact_vtu(const std::filesystem::path& file, const model::Model& model,
                        const results::StepResult& step);
 
+/// The fronts of cracks in space at the end of a step: lines between their points with K1, K2, K3,
+/// G, T and the direction of growth; `crack` numbers the deck's cracks.
+void write_front_vtu(const std::filesystem::path& file, const model::Model& model,
+                     const results::StepResult& step);
+
 /// A mesh alone: element sets as cell arrays, node and face sets as point arrays, 1 for members.
 /// Face sets must be given as node sets by the caller.
 void write_mesh_vtu(const std::filesystem::path& file, const model::Mesh& mesh);

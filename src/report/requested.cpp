@@ -26,6 +26,7 @@ public:
   void write() {
     if (request_.quantity == "K") {
       tips();
+      fronts();
     } else if (request_.quantity == "CPRESS") {
       pressures();
     } else if (request_.quantity == "REACTION") {
@@ -58,6 +59,23 @@ private:
         for (const results::TipQuantity& q : results::tip_quantities) {
           if (q.is(results::in_output) && q.is_number(tip)) {
             row(nowhere(), results::output_word(q.name), q.of(tip));
+          }
+        }
+      }
+    }
+  }
+
+  void fronts() {
+    for (const results::FrontResult& front : step_.fronts) {
+      if (front.name != request_.name && !front.name.starts_with(request_.name + ".")) {
+        continue;
+      }
+      for (const results::FrontPlace& place : front.points) {
+        const std::string where =
+            fmt::format("{},{},{},{}", place.number, place.x.x(), place.x.y(), place.x.z());
+        for (const results::FrontQuantity& q : results::front_quantities) {
+          if (q.checked) {
+            row(where, results::output_word(q.name), q.of(place));
           }
         }
       }

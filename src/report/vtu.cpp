@@ -193,6 +193,46 @@ void write_contact_vtu(const std::filesystem::path& file, const model::Model& mo
   write_file(file, vtu_end(document));
 }
 
+void write_front_vtu(const std::filesystem::path& file, const model::Model& model,
+                     const results::StepResult& step) {
+  std::vector<double> x;
+  std::vector<double> growth;
+  std::vector<std::int64_t> ends;
+  std::vector<std::int64_t> crack;
+  std::vector<const results::FrontPlace*> places;
+  for (const results::FrontResult& front : step.fronts) {
+    const auto first = static_cast<std::int64_t>(places.size());
+    const auto count = static_cast<std::int64_t>(front.points.size());
+    const auto card = std::ranges::find_if(model.cracks, [&](const model::Crack& c) {
+      return front.name == c.name || front.name.starts_with(c.name + ".");
+    });
+    for (const results::FrontPlace& place : front.points) {
+      places.push_back(&place);
+      x.insert(x.end(), place.x.data(), place.x.data() + 3);
+      growth.insert(growth.end(), place.growth.data(), place.growth.data() + 3);
+      crack.push_back(card - model.cracks.begin());
+    }
+    for (std::int64_t i = 0; i < (front.closed ? count : count - 1); ++i) {
+      ends.push_back(first + i);
+      ends.push_back(first + (i + 1) % count);
+    }
+  }
+  VtuDocument document = vtu_lines(x, ends);
+  document.line("      <PointData Scalars=\"K1\">");
+  for (const results::FrontQuantity& q : results::front_quantities) {
+    if (q.checked) {
+      std::vector<double> values;
+      std::ranges::transform(places, std::back_inserter(values),
+                             [&](const results::FrontPlace* place) { return q.of(*place); });
+      document.add(q.name, "Float64", 1, values);
+    }
+  }
+  document.add("growth", "Float64", 3, growth);
+  document.add("crack", "Int64", 1, crack);
+  document.line("      </PointData>");
+  write_file(file, vtu_end(document));
+}
+
 void write_pvd(const std::filesystem::path& file,
                const std::vector<std::pair<double, std::string>>& entries) {
   std::string text = "<?xml version=\"1.0\"?>\n"

@@ -3,6 +3,7 @@
 #include "base/vec.hpp"
 #include "model/mesh.hpp"
 #include "results/contact_result.hpp"
+#include "results/front_result.hpp"
 #include "results/growth.hpp"
 #include "results/load_path.hpp"
 #include "results/measured_growth.hpp"
@@ -54,7 +55,8 @@ struct StepResult {
   /// mean of the elements there; empty: not recovered. [point]
   std::vector<Stress> stress;
   std::vector<Stress> element_stress; ///< mean over the element [element]; empty as `stress`
-  std::vector<TipResult> tips;
+  std::vector<TipResult> tips;        ///< of cracks in the plane
+  std::vector<FrontResult> fronts;    ///< of cracks in space
   std::vector<ContactResult> contacts;
   std::vector<Balance> balance; ///< by body
   std::vector<Balance> nets;    ///< by net, in deck order, those with elements

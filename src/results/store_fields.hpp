@@ -60,6 +60,33 @@ template <class V, Of<TipResult> T> void fields(V& v, T& r) {
   v("direction", r.direction);
 }
 
+template <class V, Of<FrontPlace> T> void fields(V& v, T& r) {
+  v("number", r.number);
+  v("at", r.x);
+  for (const FrontQuantity& q : front_quantities) {
+    if (q.member != nullptr) {
+      v(q.name, r.*q.member);
+    }
+  }
+  v("smooth", r.smooth);
+  v("opening", r.opening);
+  v("at_surface", r.at_surface);
+  v("closed", r.closed);
+  v("bar", r.bar);
+  v("growth", r.growth);
+}
+
+template <class V, Of<FrontResult> T> void fields(V& v, T& r) {
+  v("name", r.name);
+  v("a", r.a);
+  v("length", r.length);
+  v("closed", r.closed);
+  v("angles", r.angles);
+  v("points", r.points);
+  v("no_bar", r.no_bar);
+  v("doubt", r.doubt);
+}
+
 template <class V, Of<ContactPoint> T> void fields(V& v, T& r) {
   v("node", r.node);
   v("at", r.x);

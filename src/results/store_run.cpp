@@ -129,6 +129,7 @@ void write_step(StoreGroup group, const StepResult& step, std::size_t dim) {
   put(group, "stress", flat(step.stress), 6);
   put(group, "element_stress", flat(step.element_stress), 6);
   write_list(group, "tips", step.tips);
+  write_list(group, "fronts", step.fronts);
   write_list(group, "contacts", step.contacts);
   write_list(group, "balance", step.balance);
   write_list(group, "nets", step.nets);
@@ -152,6 +153,7 @@ StepResult read_step(const StoreGroup& group, const std::string& name) {
   step.stress = rows<Stress>(reals(group, "stress"));
   step.element_stress = rows<Stress>(reals(group, "element_stress"));
   step.tips = read_list<TipResult>(group, "tips");
+  step.fronts = read_list<FrontResult>(group, "fronts");
   step.contacts = read_list<ContactResult>(group, "contacts");
   step.balance = read_list<Balance>(group, "balance");
   step.nets = read_list<Balance>(group, "nets");
@@ -245,6 +247,12 @@ std::vector<LogLine> read_log(const StoreGroup& group, const std::string& name) 
 
 namespace {
 
+template <std::size_t n> void drop_elements(std::array<KBar, n>& bars) {
+  for (KBar& bar : bars) {
+    bar.of_element.clear();
+  }
+}
+
 // Tables of tips, contacts and balances stay.
 Increment without_fields(const Increment& whole) {
   Increment thin;
@@ -262,8 +270,11 @@ Increment without_fields(const Increment& whole) {
     copy.stress.clear();
     copy.element_stress.clear();
     for (TipResult& tip : copy.tips) {
-      for (KBar& bar : tip.bar) {
-        bar.of_element.clear();
+      drop_elements(tip.bar);
+    }
+    for (FrontResult& front : copy.fronts) {
+      for (FrontPlace& place : front.points) {
+        drop_elements(place.bar);
       }
     }
   }

@@ -71,6 +71,24 @@ Rows k_rows(const Run& run) {
   return rows;
 }
 
+Rows front_rows(const Run& run) {
+  Rows rows;
+  for_each_step(run, [&](const Increment& increment, const StepResult& step) {
+    for (const FrontResult& front : step.fronts) {
+      for (const FrontPlace& place : front.points) {
+        rows("increment", increment.number)("step", step.step)("crack", front.name)("a", front.a);
+        rows("point", place.number);
+        for (const FrontQuantity& q : front_quantities) {
+          rows(q.name, q.given == nullptr || q.given(front) ? q.of(place) : no_number);
+        }
+        rows("at_surface", static_cast<int>(place.at_surface))("doubt", front.doubt);
+        rows.end_row();
+      }
+    }
+  });
+  return rows;
+}
+
 Rows pressure_rows(const Run& run) {
   Rows rows;
   for_each_step(run, [&](const Increment& increment, const StepResult& step) {
@@ -119,6 +137,7 @@ Rows path_rows(const Run& run) {
 
 void write_reader_tables(StoreGroup group, const Run& run) {
   k_rows(run).write(group, "k");
+  front_rows(run).write(group, "fronts");
   pressure_rows(run).write(group, "pressure");
   path_rows(run).write(group, "load_path");
 }

@@ -5,6 +5,7 @@
 #include "model/model.hpp"
 #include "program/checks/contact_readings.hpp"
 #include "program/checks/field_quantities.hpp"
+#include "program/checks/front_quantities.hpp"
 #include "program/checks/growth_readings.hpp"
 #include "program/checks/path_quantities.hpp"
 #include "results/growth_end.hpp"
@@ -185,6 +186,9 @@ constexpr std::array families{
 Reader reader_of(std::string_view word) {
   if (results::find_tip_quantity(word) != nullptr) {
     return [](Line& l) { return tip_quantity(l.word, l.args, l.run); };
+  }
+  if (is_front_quantity(word)) {
+    return [](Line& l) { return front_quantity(l.word, l.args, l.run); };
   }
   if (is_contact_quantity(word)) {
     return [](Line& l) { return contact_quantity(l.model, l.word, l.args, l.run); };

@@ -216,6 +216,39 @@ void print_tip(const std::string& before, const results::TipResult& tip,
                         units.stress_intensity_name(), tip.closed ? ", closed" : ""));
 }
 
+// A line for each mode of a front that is not nothing: its ends and where they are.
+void print_front(const std::string& before, const results::FrontResult& front,
+                 const base::UnitSystem& units) {
+  std::vector<const results::FrontPlace*> inside;
+  for (const results::FrontPlace& place : front.points) {
+    if (!place.at_surface) {
+      inside.push_back(&place);
+    }
+  }
+  if (inside.empty()) {
+    return;
+  }
+  const auto range = [&](double results::FrontPlace::*K) {
+    const auto [low, high] = std::ranges::minmax_element(
+        inside, {}, [&](const results::FrontPlace* place) { return place->*K; });
+    return std::pair((*low)->*K, (*high)->*K);
+  };
+  std::string text = fmt::format("{} {:<8} a = {:<10.6g}", before, front.name, front.a);
+  const auto [low, high] = range(&results::FrontPlace::K1);
+  text += fmt::format(" K1 = {:.7g} .. {:.7g}", low, high);
+  int mode = 2;
+  for (const auto K : {&results::FrontPlace::K2, &results::FrontPlace::K3}) {
+    const auto [least, most] = range(K);
+    if (std::max(std::abs(least), std::abs(most)) >
+        1e-3 * std::max(std::abs(low), std::abs(high))) {
+      text += fmt::format(" K{} = {:.6g} .. {:.6g}", mode, least, most);
+    }
+    ++mode;
+  }
+  to_stdout(fmt::format("{} {} along {} points\n", text, units.stress_intensity_name(),
+                        front.points.size()));
+}
+
 // A line for each tip: of a growth by a law at KMAX of each station, else of every step.
 void print_tips(const model::Model& model, const results::Run& run) {
   const std::string leading = run.growth ? report::leading_step(model) : std::string();
@@ -236,6 +269,9 @@ void print_tips(const model::Model& model, const results::Run& run) {
                                      : fmt::format("{:<12}", step.step);
       for (const results::TipResult& tip : step.tips) {
         print_tip(before, tip, model.units);
+      }
+      for (const results::FrontResult& front : step.fronts) {
+        print_front(before, front, model.units);
       }
     }
   }

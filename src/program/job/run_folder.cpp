@@ -238,6 +238,10 @@ void RunFolder::put_pictures(const model::Model& model, const results::Run& run)
             fmt::format("contact_{:03}_{}.vtu", increment.number, step.step);
         put(surfaces, [&](const fs::path& file) { report::write_contact_vtu(file, model, step); });
       }
+      if (!step.fronts.empty()) {
+        const std::string fronts = fmt::format("fronts_{:03}_{}.vtu", increment.number, step.step);
+        put(fronts, [&](const fs::path& file) { report::write_front_vtu(file, model, step); });
+      }
     }
   }
   put(stem + ".pvd", [&](const fs::path& file) { report::write_pvd(file, entries); });

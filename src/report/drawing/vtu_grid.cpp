@@ -168,6 +168,28 @@ VtuDocument begin_grid(const std::vector<double>& x, std::size_t cells) {
   return document;
 }
 
+struct CellKind {
+  std::size_t points = 0;
+  std::uint8_t type = 0;
+};
+
+// Cells of one kind, their points one after another.
+VtuDocument simple_cells(const std::vector<double>& x, const std::vector<std::int64_t>& points,
+                         const CellKind& kind) {
+  const std::size_t cells = points.size() / kind.points;
+  VtuDocument document = begin_grid(x, cells);
+  std::vector<std::int64_t> offsets;
+  for (std::size_t c = 1; c <= cells; ++c) {
+    offsets.push_back(static_cast<std::int64_t>(c * kind.points));
+  }
+  document.line("      <Cells>");
+  document.add("connectivity", "Int64", 1, points);
+  document.add("offsets", "Int64", 1, offsets);
+  document.add("types", "UInt8", 1, std::vector<std::uint8_t>(cells, kind.type));
+  document.line("      </Cells>");
+  return document;
+}
+
 } // namespace
 
 VtuDocument vtu_grid(const model::Mesh& mesh, const GridPoints& points) {
@@ -181,19 +203,12 @@ VtuDocument vtu_grid(const model::Mesh& mesh, const GridPoints& points) {
 }
 
 VtuDocument vtu_triangles(const std::vector<double>& x, const std::vector<std::int64_t>& corners) {
-  const std::size_t cells = corners.size() / 3;
-  VtuDocument document = begin_grid(x, cells);
-  std::vector<std::int64_t> offsets;
-  for (std::size_t c = 0; c < cells; ++c) {
-    offsets.push_back(static_cast<std::int64_t>(3 * c + 3));
-  }
-  const auto triangle = static_cast<std::size_t>(ElementType::trim3);
-  document.line("      <Cells>");
-  document.add("connectivity", "Int64", 1, corners);
-  document.add("offsets", "Int64", 1, offsets);
-  document.add("types", "UInt8", 1, std::vector<std::uint8_t>(cells, vtk_cell[triangle]));
-  document.line("      </Cells>");
-  return document;
+  return simple_cells(x, corners, {3, vtk_cell[static_cast<std::size_t>(ElementType::trim3)]});
+}
+
+VtuDocument vtu_lines(const std::vector<double>& x, const std::vector<std::int64_t>& ends) {
+  constexpr std::uint8_t line = 3; // VTK_LINE
+  return simple_cells(x, ends, {2, line});
 }
 
 void add_cell_numbers(VtuDocument& document, const model::Mesh& mesh) {

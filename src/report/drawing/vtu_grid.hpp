@@ -69,6 +69,8 @@ VtuDocument vtu_grid(const model::Mesh& mesh, const GridPoints& points);
 void add_cell_numbers(VtuDocument& document, const model::Mesh& mesh);
 /// A document with points and triangles between them, three places for each.
 VtuDocument vtu_triangles(const std::vector<double>& x, const std::vector<std::int64_t>& corners);
+/// The same of straight lines. [3 * point], [2 * line]
+VtuDocument vtu_lines(const std::vector<double>& x, const std::vector<std::int64_t>& ends);
 /// The whole file.
 std::string vtu_end(VtuDocument& document);
 

@@ -120,11 +120,11 @@ template <class T> std::size_t named() {
 
 template <class T> class Records : public ::testing::Test {};
 using AllRecords =
-    ::testing::Types<KBar, Sensitivity, Sensitivities, TipResult, ContactPoint, ContactResult,
-                     Balance, NetError, SurfaceFace, PathTip, PathContact, PathChange, LoadPath,
-                     LogLine, CheckResult, ToleranceRound, GrowingTip, GrowthStation, LifePoint,
-                     ScaledLife, Growth, TestPoint, GrowthTest, base::Span, model::NodeSet,
-                     model::ElementSet, model::FaceSet>;
+    ::testing::Types<KBar, Sensitivity, Sensitivities, TipResult, FrontPlace, FrontResult,
+                     ContactPoint, ContactResult, Balance, NetError, SurfaceFace, PathTip,
+                     PathContact, PathChange, LoadPath, LogLine, CheckResult, ToleranceRound,
+                     GrowingTip, GrowthStation, LifePoint, ScaledLife, Growth, TestPoint,
+                     GrowthTest, base::Span, model::NodeSet, model::ElementSet, model::FaceSet>;
 TYPED_TEST_SUITE(Records, AllRecords);
 
 // A member that somebody adds and no file keeps would be lost in a restart.
@@ -188,6 +188,7 @@ WholeRun random_run() {
       step.stress = dice.list<Stress>(i == 2 ? 0 : 6);
       step.element_stress = dice.list<Stress>(2);
       step.tips = dice.list<TipResult>(3);
+      step.fronts = dice.list<FrontResult>(2);
       step.contacts = dice.list<ContactResult>(2);
       step.balance = dice.list<Balance>(1);
       step.nets = dice.list<Balance>(2);
@@ -234,7 +235,7 @@ TEST(Store, a_run_comes_back_to_the_bit) {
   EXPECT_EQ(bytes_of(back), bytes);
   EXPECT_EQ(members<Increment>(), 8U) << "a new member needs a place in store_run.cpp";
   EXPECT_EQ(members<WholeRun>(), 10U) << "a new member needs a place in store_run.cpp";
-  EXPECT_EQ(members<StepResult>(), 19U) << "a new member needs a place in store_run.cpp";
+  EXPECT_EQ(members<StepResult>(), 20U) << "a new member needs a place in store_run.cpp";
   EXPECT_EQ(members<model::Mesh>(), 13U) << "a new member needs a place in store_run.cpp";
   ASSERT_EQ(back.increments.size(), 3U);
   const StepResult& a = run.increments[2].steps[1];
@@ -246,6 +247,11 @@ TEST(Store, a_run_comes_back_to_the_bit) {
   EXPECT_EQ(b.tips.size(), 3U);
   EXPECT_EQ(b.tips[1].name, a.tips[1].name);
   EXPECT_EQ(b.tips[1].sensitivities.of.size(), a.tips[1].sensitivities.of.size());
+  ASSERT_EQ(b.fronts.size(), a.fronts.size());
+  ASSERT_EQ(b.fronts[1].points.size(), a.fronts[1].points.size());
+  for (std::size_t i = 0; i < a.fronts[1].points.size(); ++i) {
+    EXPECT_EQ(b.fronts[1].points[i].K3, a.fronts[1].points[i].K3);
+  }
   EXPECT_EQ(b.contacts[1].points.size(), a.contacts[1].points.size());
   EXPECT_EQ(back.increments[0].mesh.element_label, run.increments[0].mesh.element_label);
   EXPECT_EQ(back.increments[1].steps[0].notes, run.increments[1].steps[0].notes);

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "program/checks/field_quantities.hpp"
+#include "results/results.hpp"
+
+#include <string>
+
+namespace spricka::program {
+
+/// Whether a word of $CHECK is of a front in space: K1.AT, G.MAX and their like.
+bool is_front_quantity(std::string_view word);
+
+/// Its value. What the front does not have is Missing.
+double front_quantity(const std::string& word, Arguments& args, const results::Run& run);
+
+} // namespace spricka::program

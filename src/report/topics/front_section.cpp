@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/topics/front_section.hpp"
+
+#include "model/model.hpp"
+#include "report/drawing/plot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace spricka::report {
+namespace {
+
+constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
+
+constexpr double nothing_beside = 5e-3; // of the largest K: not worth a curve
+
+double largest_K(const results::FrontResult& front) {
+  double largest = 0.0;
+  for (const results::FrontPlace& place : front.points) {
+    largest = std::max({largest, std::abs(place.K1), std::abs(place.K2), std::abs(place.K3)});
+  }
+  return largest;
+}
+
+/// Of all fronts and steps of an increment.
+double largest_K(const results::Increment& increment) {
+  double largest = 0.0;
+  for (const results::StepResult& step : increment.steps) {
+    for (const results::FrontResult& front : step.fronts) {
+      largest = std::max(largest, largest_K(front));
+    }
+  }
+  return largest;
+}
+
+bool shows(const results::FrontQuantity& q, const results::FrontResult& front) {
+  return q.listed && (q.given == nullptr || q.given(front));
+}
+
+std::string front_cell(const results::FrontQuantity& q, const results::FrontPlace& place,
+                       double scale) {
+  const double value = q.of(place);
+  switch (q.kind) {
+  case base::Quantity::angle:
+    return fmt::format("{:.2f}", value * degrees_per_radian);
+  case base::Quantity::number:
+    return fmt::format("{:.2g}", value);
+  case base::Quantity::stress_intensity:
+    return std::abs(value) < 1e-9 * scale ? "0" : six_digits(value);
+  default:
+    return six_digits(value);
+  }
+}
+
+Table front_table(const model::Model& model, const results::Increment& increment,
+                  const results::FrontResult& first) {
+  Table table{fmt::format("Stress intensity factors along the front of {}", first.name),
+              {{"step", "", true}, {"point", "", false}},
+              {}};
+  for (const results::FrontQuantity& q : results::front_quantities) {
+    if (shows(q, first)) {
+      const bool angle = q.kind == base::Quantity::angle;
+      table.columns.push_back(
+          {q.name, angle ? "deg" : base::unit_name(model.units, q.kind), false});
+    }
+  }
+  table.columns.push_back({"", "", true});
+  const double scale = largest_K(increment);
+  for (const results::StepResult& step : increment.steps) {
+    for (const results::FrontResult& front : step.fronts) {
+      if (front.name != first.name || largest_K(front) <= 1e-9 * scale) {
+        continue;
+      }
+      for (const results::FrontPlace& place : front.points) {
+        std::vector<std::string> row{step.step, std::to_string(place.number)};
+        for (const results::FrontQuantity& q : results::front_quantities) {
+          if (shows(q, front)) {
+            row.push_back(front_cell(q, place, scale));
+          }
+        }
+        row.emplace_back(place.at_surface ? "surface" : place.closed ? "closed" : "");
+        table.rows.push_back(std::move(row));
+      }
+    }
+  }
+  return table;
+}
+
+/// Where each point stands on the axis: its length along the front, or its angle, ascending and
+/// from -180 degrees on where a whole turn does not fit in.
+std::vector<double> abscissas(const results::FrontResult& front) {
+  std::vector<double> at;
+  for (const results::FrontPlace& place : front.points) {
+    if (!front.angles) {
+      at.push_back(place.s);
+      continue;
+    }
+    const double phi = place.phi * degrees_per_radian;
+    // Angles go on over half a turn.
+    at.push_back(at.empty() ? phi : at.back() + std::remainder(phi - at.back(), 360.0));
+  }
+  if (front.angles && !at.empty()) {
+    const double low = *std::ranges::min_element(at);
+    const double turns =
+        front.closed ? std::ceil(-low / 360.0 - 1e-9) : std::ceil((-180.0 - low) / 360.0 - 1e-9);
+    std::ranges::for_each(at, [&](double& phi) { phi += 360.0 * turns; });
+  }
+  return at;
+}
+
+/// A mode over them; points on the surface are left out, as K there is a number of the mesh.
+std::vector<Point> curve_along(const results::FrontResult& front, double results::FrontPlace::*K) {
+  const std::vector<double> at = abscissas(front);
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < front.points.size(); ++i) {
+    if (!front.points[i].at_surface) {
+      points.push_back({at[i], front.points[i].*K});
+    }
+  }
+  std::ranges::sort(points, {}, &Point::x);
+  if (front.closed && !points.empty()) { // once round
+    const double round = front.angles ? 360.0 : front.length;
+    points.push_back({points.front().x + round, points.front().y});
+  }
+  return points;
+}
+
+Figure front_figure(const model::Model& model, const results::Increment& increment,
+                    const std::string& name) {
+  static constexpr std::array modes{&results::FrontPlace::K1, &results::FrontPlace::K2,
+                                    &results::FrontPlace::K3};
+  const double scale = largest_K(increment);
+  Plot plot;
+  plot.label = fmt::format("stress intensity factors along the front of {}", name);
+  plot.y_name = fmt::format("K, {}", print_unit(model.units.stress_intensity_name()));
+  plot.legend_below = true;
+  double a = 0.0;
+  std::size_t ink = 0;
+  for (const results::StepResult& step : increment.steps) {
+    for (const results::FrontResult& front : step.fronts) {
+      if (front.name != name || largest_K(front) <= 1e-9 * scale) {
+        continue;
+      }
+      a = front.a;
+      plot.x_name = front.angles
+                        ? "angle φ along the front, degrees"
+                        : fmt::format("length along the front, {}", model.units.length_name);
+      for (std::size_t mode = 0; mode < modes.size(); ++mode) {
+        Series series;
+        series.points = curve_along(front, modes[mode]);
+        const bool nothing = std::ranges::all_of(
+            series.points, [&](const Point& p) { return std::abs(p.y) < nothing_beside * scale; });
+        if (mode > 0 && nothing) {
+          continue; // an axis already
+        }
+        series.name = fmt::format("{}: K{}", step.step, mode + 1);
+        series.colour = colour(ink);
+        series.dash = dash(mode);
+        plot.series.push_back(std::move(series));
+      }
+      ++ink;
+    }
+  }
+  return {{draw(plot)},
+          "",
+          fmt::format("K along the front of {}, a = {:.4g} {}; points where the front leaves the "
+                      "body are left out: K there is a number of the mesh.",
+                      name, a, model.units.length_name)};
+}
+
+std::vector<const results::FrontResult*> first_of_each(const results::Increment& increment) {
+  std::vector<const results::FrontResult*> fronts;
+  for (const results::StepResult& step : increment.steps) {
+    for (const results::FrontResult& front : step.fronts) {
+      if (std::ranges::none_of(fronts, [&](const auto* f) { return f->name == front.name; })) {
+        fronts.push_back(&front);
+      }
+    }
+  }
+  return fronts;
+}
+
+} // namespace
+
+std::vector<Table> front_tables(const model::Model& model, const results::Increment& increment) {
+  std::vector<Table> tables;
+  for (const results::FrontResult* front : first_of_each(increment)) {
+    tables.push_back(front_table(model, increment, *front));
+  }
+  return tables;
+}
+
+std::vector<Figure> front_figures(const model::Model& model, const results::Run& run) {
+  std::vector<Figure> figures;
+  if (run.increments.empty()) {
+    return figures;
+  }
+  for (const results::FrontResult* front : first_of_each(run.increments.back())) {
+    figures.push_back(front_figure(model, run.increments.back(), front->name));
+  }
+  return figures;
+}
+
+} // namespace spricka::report

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "model/forward.hpp"
+#include "report/drawing/table.hpp"
+#include "report/topics/figures.hpp"
+#include "results/results.hpp"
+
+#include <vector>
+
+/// K along the fronts of cracks in space.
+namespace spricka::report {
+
+/// A table for each front: K at its points, of all steps of an increment in which it is not nothing
+/// but round-off.
+std::vector<Table> front_tables(const model::Model& model, const results::Increment& increment);
+
+/// K1, K2 and K3 over the angle (of an ellipse) or the length along each front, steps as curves.
+std::vector<Figure> front_figures(const model::Model& model, const results::Run& run);
+
+} // namespace spricka::report

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/quantity.hpp"
+#include "base/vec.hpp"
+#include "results/k_bar.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// What is found along a front of a crack in space: the records, and a row for each quantity of a
+/// point of it, from which all that shows, keeps or checks them is made (manual, new_result.md).
+namespace spricka::results {
+
+/// K at one point of a front, a corner node on it; stresses and K in deck units.
+struct FrontPlace {
+  int number = 0; ///< counts along the front from 1
+  base::Vec3 x = base::Vec3::Zero();
+  double s = 0.0;   ///< length along the front from its first point
+  double phi = 0.0; ///< of an ellipse: parametric angle from its axis C [rad]
+  double K1 = 0.0, K2 = 0.0, K3 = 0.0;
+  double G = 0.0;        ///< energy release rate [force/length]
+  double G_from_K = 0.0; ///< what K stands for, in plane strain
+  double T = 0.0;        ///< stress along m that K leaves [stress]
+  double spread = 0.0;   ///< largest less smallest K1 of the domains over K
+  /// K as a smooth function along the front; next to an end on the surface what the places further
+  /// in go on to, as K at the end itself depends on the mesh. K1, K2, K3
+  std::array<double, 3> smooth{};
+  std::optional<std::array<double, 3>> opening; ///< by the opening of the faces, on request
+  bool at_surface = false; ///< the front leaves the body here: K is a number of the mesh
+  bool closed = false;     ///< the faces touch, so that K1 is 0
+  std::array<KBar, 3> bar; ///< of K1, K2, K3, where `no_bar` of the front is empty
+  base::Vec3 growth = base::Vec3::Zero(); ///< m, unit
+};
+
+/// One front of a crack at the end of one step.
+struct FrontResult {
+  std::string name; ///< the crack's, or NAME.1 and NAME.2 where the front has several parts
+  double a = 0.0;   ///< size of the crack [length]
+  double length = 0.0;
+  bool closed = false; ///< the last point joins the first
+  bool angles = false; ///< points have phi
+  std::vector<FrontPlace> points;
+  std::string no_bar = "not estimated"; ///< why there is no error bar; empty: there is one
+  std::string doubt;                    ///< why K is not an answer; empty: it is one
+};
+
+/// One quantity of a place of a front.
+struct FrontQuantity {
+  const char* name; ///< as columns have it
+  base::Quantity kind;
+  std::string_view doc;
+  double FrontPlace::*member = nullptr;            ///< where the record has it, or
+  double (*computed)(const FrontPlace&) = nullptr; ///< how it follows from the record
+  bool listed = false;                             ///< in the listing and report.html
+  bool checked = false;                            ///< $CHECK asks for it: K1.AT and so on
+  bool (*given)(const FrontResult&) = nullptr;     ///< whether a front has it; null: always
+
+  [[nodiscard]] double of(const FrontPlace& place) const {
+    return member != nullptr ? place.*member : computed(place);
+  }
+};
+
+/// In the order of k.csv: increment, step, crack and point stand in front of them.
+inline constexpr std::array front_quantities{
+    FrontQuantity{.name = "s",
+                  .kind = base::Quantity::length,
+                  .doc = "length along the front",
+                  .member = &FrontPlace::s,
+                  .listed = true},
+    FrontQuantity{.name = "phi",
+                  .kind = base::Quantity::angle,
+                  .doc = "parametric angle of an ellipse",
+                  .member = &FrontPlace::phi,
+                  .listed = true,
+                  .given = [](const FrontResult& front) { return front.angles; }},
+    FrontQuantity{.name = "x",
+                  .kind = base::Quantity::length,
+                  .doc = "place",
+                  .computed = [](const FrontPlace& place) { return place.x.x(); },
+                  .listed = true},
+    FrontQuantity{.name = "y",
+                  .kind = base::Quantity::length,
+                  .doc = "place",
+                  .computed = [](const FrontPlace& place) { return place.x.y(); },
+                  .listed = true},
+    FrontQuantity{.name = "z",
+                  .kind = base::Quantity::length,
+                  .doc = "place",
+                  .computed = [](const FrontPlace& place) { return place.x.z(); },
+                  .listed = true},
+    FrontQuantity{.name = "K1",
+                  .kind = base::Quantity::stress_intensity,
+                  .doc = "stress intensity of mode I",
+                  .member = &FrontPlace::K1,
+                  .listed = true,
+                  .checked = true},
+    FrontQuantity{.name = "K2",
+                  .kind = base::Quantity::stress_intensity,
+                  .doc = "stress intensity of mode II",
+                  .member = &FrontPlace::K2,
+                  .listed = true,
+                  .checked = true},
+    FrontQuantity{.name = "K3",
+                  .kind = base::Quantity::stress_intensity,
+                  .doc = "stress intensity of mode III",
+                  .member = &FrontPlace::K3,
+                  .listed = true,
+                  .checked = true},
+    FrontQuantity{.name = "G",
+                  .kind = base::Quantity::energy_release,
+                  .doc = "energy release rate",
+                  .member = &FrontPlace::G,
+                  .listed = true,
+                  .checked = true},
+    FrontQuantity{.name = "G_from_K",
+                  .kind = base::Quantity::energy_release,
+                  .doc = "energy release rate that K stands for",
+                  .member = &FrontPlace::G_from_K},
+    FrontQuantity{.name = "T",
+                  .kind = base::Quantity::stress,
+                  .doc = "stress in the crack's plane across the front",
+                  .member = &FrontPlace::T,
+                  .listed = true,
+                  .checked = true},
+    FrontQuantity{.name = "spread",
+                  .kind = base::Quantity::number,
+                  .doc = "largest less smallest K1 of the domains over K",
+                  .member = &FrontPlace::spread,
+                  .listed = true},
+    FrontQuantity{.name = "K1_smooth",
+                  .kind = base::Quantity::stress_intensity,
+                  .doc = "K1 as a smooth function along the front",
+                  .computed = [](const FrontPlace& place) { return place.smooth[0]; }},
+    FrontQuantity{.name = "K2_smooth",
+                  .kind = base::Quantity::stress_intensity,
+                  .doc = "K2 as a smooth function along the front",
+                  .computed = [](const FrontPlace& place) { return place.smooth[1]; }},
+    FrontQuantity{.name = "K3_smooth",
+                  .kind = base::Quantity::stress_intensity,
+                  .doc = "K3 as a smooth function along the front",
+                  .computed = [](const FrontPlace& place) { return place.smooth[2]; }},
+};
+
+/// The quantity of that name ("K1", also as "K"), or null.
+const FrontQuantity* find_front_quantity(std::string_view name);
+
+/// What a quantity is at a place of the front, linear between its points; the nearest to x.
+double front_value_near(const FrontResult& front, const FrontQuantity& quantity,
+                        const base::Vec3& x);
+
+/// The same at an angle phi [rad], counted modulo a full turn; empty where the front has none of
+/// it.
+std::optional<double> front_value_at_angle(const FrontResult& front, const FrontQuantity& quantity,
+                                           double phi);
+
+/// The same at a length s along the front; empty where it has none of it.
+std::optional<double> front_value_at_length(const FrontResult& front, const FrontQuantity& quantity,
+                                            double s);
+
+} // namespace spricka::results
