@@ -174,10 +174,18 @@ constexpr std::array texts{
         "FACES=CONTACT the faces of a crack touch where they would overlap, slip with MU against "
         "friction and part again; K1 is 0 at a tip where they touch. Where they do, they are a "
         "contact NAME.FACES of the listing, of CPRESS and of $CHECK, with places along the crack "
-        "from its mouth or first point. FACES=FREE lets them overlap and says so. In this version "
-        "a crack stands in a plane model, neither in 3D nor with STATE=AXI.",
+        "from its mouth or first point. FACES=FREE lets them overlap and says so. "
+        "In space a crack is a plane one: an ellipse by its centre and semi-axes A and C (left "
+        "out: a circle), or what a front encloses that is drawn smoothly through its points. Where "
+        "an ellipse lies beside the body nothing is cut: with its centre inside it is embedded, on "
+        "a face a surface crack, on an edge a corner crack. An open front starts and ends on the "
+        "surface or outside, X0 Y0 Z0 is a point within the crack. K belongs to the points along "
+        "the front; its angle phi counts from the axis C towards A, which is normal x C. The face "
+        "that the normal points away from is NAME.RIGHT, the other one NAME.LEFT. In this version "
+        "there is no crack with STATE=AXI.",
         "$CRACK NAME=TOP NET=LUG A0=1.8 ANGLE=90[deg]\n"
-        "  0  36\n"},
+        "  0  36\n"
+        "$CRACK NAME=CORNER NET=LUG A=3.6 X0=20 Y0=0 Z0=0 NORMAL=Y\n"},
     CardText{
         "TIPNET",
         "The patch round a tip holds rings of quarter-point elements (the rosette) and a graded "

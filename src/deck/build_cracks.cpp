@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/build_solid_cracks.hpp"
 #include "deck/sets.hpp"
 #include "mesh/cut/path_gap.hpp"
 #include "model/model.hpp"
@@ -72,18 +73,8 @@ void crack_path(Context& c, const BoundCard& card, model::Crack& crack) {
   }
 }
 
-void free_crack(Context& c, const BoundCard& card, model::Crack& crack) {
-  crack.kind = model::CrackKind::free;
-  const bool sound = crack_points(c, card, crack);
-  if (sound && crack.points.empty()) {
-    c.error(card.span, "E106", "$CRACK needs PATH, FRONT, or points as data lines",
-            "PATH with A0; points x y; or one point with ANGLE and A0");
-  } else if (sound && crack.points.size() == 1 && !(crack.angle && crack.a0)) {
-    c.error(card.span, "E106", "a free crack of one point needs ANGLE and A0");
-  } else if (sound && crack.points.size() > 1 && (crack.angle || crack.a0)) {
-    c.error(card.find(crack.angle ? "ANGLE" : "A0")->span, "E110",
-            "ANGLE and A0 belong to a free crack of one point");
-  }
+// The net that a drawn crack cuts.
+void crack_net(Context& c, const BoundCard& card, model::Crack& crack) {
   if (card.has("NET")) {
     const Reference reference = card.reference("NET");
     if (look_up(c, Kind::net, reference) != nullptr) {
@@ -98,11 +89,42 @@ void free_crack(Context& c, const BoundCard& card, model::Crack& crack) {
   }
 }
 
+void free_crack(Context& c, const BoundCard& card, model::Crack& crack) {
+  crack.kind = model::CrackKind::free;
+  const bool sound = crack_points(c, card, crack);
+  if (sound && crack.points.empty()) {
+    c.error(card.span, "E106", "$CRACK needs PATH, FRONT, or points as data lines",
+            "PATH with A0; points x y; or one point with ANGLE and A0");
+  } else if (sound && crack.points.size() == 1 && !(crack.angle && crack.a0)) {
+    c.error(card.span, "E106", "a free crack of one point needs ANGLE and A0");
+  } else if (sound && crack.points.size() > 1 && (crack.angle || crack.a0)) {
+    c.error(card.find(crack.angle ? "ANGLE" : "A0")->span, "E110",
+            "ANGLE and A0 belong to a free crack of one point");
+  }
+}
+
 // An empty face set for a crack face; what names it is the load, see build_loads.
 base::FaceSetId crack_face(Context& c, const model::Crack& crack, std::string_view side) {
   std::vector<model::FaceSet>& sets = c.model.mesh.face_sets;
   sets.push_back({fmt::format("{}.{}", crack.name, side), {}, crack.span});
   return base::FaceSetId(sets.size() - 1);
+}
+
+// What is drawn by keys and points; where there is no mesh to tell, they tell plane from space.
+void drawn_crack(Context& c, const BoundCard& card, model::Crack& crack) {
+  const bool meshed = c.mesh_sound && c.model.mesh.element_count() > 0;
+  const bool plane = meshed && c.model.mesh.dim == 2;
+  const char* of_space = card.has("A") ? "A" : card.has("X0") ? "X0" : nullptr;
+  const bool three = !card.rows.empty() && card.rows.front().fields.size() == 3;
+  if (plane && of_space != nullptr) {
+    c.error(card.find(of_space)->span, "E313",
+            "an ellipse, or a front by its points, belongs to elements in space",
+            "in the plane a crack has PATH and A0, or points x y");
+  } else if (meshed ? plane : of_space == nullptr && !three) {
+    free_crack(c, card, crack);
+  } else {
+    solid_crack(c, card, crack);
+  }
 }
 
 void crack(Context& c, const BoundCard& card) {
@@ -116,7 +138,6 @@ void crack(Context& c, const BoundCard& card) {
   crack.smooth = card.is("LINE", "SMOOTH");
   crack.faces_in_contact = card.is("FACES", "CONTACT");
   crack.mu = card.number("MU");
-  crack.normal = card.word("NORMAL").front() - 'X';
   crack.span = card.span;
   if (card.has("PATH")) {
     crack_path(c, card, crack);
@@ -128,7 +149,8 @@ void crack(Context& c, const BoundCard& card) {
               "in the plane a crack has PATH and A0, or points");
     }
   } else {
-    free_crack(c, card, crack);
+    drawn_crack(c, card, crack);
+    crack_net(c, card, crack);
   }
   if ((card.has("PATH") || card.has("FRONT")) && !card.rows.empty()) {
     c.error(card.rows.front().span, "E110", "points mean nothing with PATH or FRONT");
@@ -158,13 +180,19 @@ double finer_for(double tolerance) {
   return std::clamp(std::cbrt(usual / tolerance), 0.6, 1.0);
 }
 
+// Of a tube in space: more rings change K by 1e-4, more sectors by 1e-3 at the cost of as many more
+// elements.
+constexpr int solid_rings = 3;
+constexpr int solid_sectors = 8;
+
 void tip_net(Context& c, const BoundCard& card, std::set<std::size_t>& seen) {
   model::TipNet tip;
   tip.crack = crack_of(c, card, seen);
   tip.radius = card.optional("RADIUS");
   tip.size = card.optional("SIZE");
-  tip.rings = card.integer("RINGS");
-  tip.sectors = card.integer("SECTORS");
+  const bool solid = c.model.mesh.dim == 3;
+  tip.rings = solid && !card.has("RINGS") ? solid_rings : card.integer("RINGS");
+  tip.sectors = solid && !card.has("SECTORS") ? solid_sectors : card.integer("SECTORS");
   tip.quarter_point = card.is("QUARTER", "YES");
   tip.join = card.is("JOIN", "TRANSITION") ? model::Join::transition : model::Join::conforming;
   tip.patch = card.is("PATCH", "YES");

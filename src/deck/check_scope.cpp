@@ -3,6 +3,7 @@
 #include "model/model.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -42,13 +43,44 @@ void one_symmetry(Context& c) {
   }
 }
 
+// What cracks in space do not have in this version.
+void solid_cracks_in_reach(Context& c) {
+  static constexpr std::array cards{"GROW", "LOADPATH", "SPECTRUM", "TEST"};
+  for (const BoundCard& card : c.cards) {
+    if (!c.model.cracks.empty() && std::ranges::find(cards, card.spec->name) != cards.end()) {
+      c.unavailable(fmt::format("${} with a crack in space", card.spec->name), card.span);
+    }
+  }
+  for (const model::TipNet& tip : c.model.tip_nets) {
+    if (tip.tolerance || !tip.patch || tip.join == model::Join::transition) {
+      c.unavailable(fmt::format("$TIPNET {} in space", tip.tolerance ? "TOL"
+                                                       : !tip.patch  ? "PATCH=NO"
+                                                                     : "JOIN=TRANSITION"),
+                    tip.span);
+    }
+  }
+  for (const model::Vce& vce : c.model.vces) {
+    if (vce.shift) {
+      c.unavailable("$VCE SHIFT in space", vce.span);
+    }
+  }
+  for (const model::Crack& crack : c.model.cracks) {
+    if (crack.state == model::CrackState::stress) {
+      c.unavailable("$CRACK STATE=STRESS in space, where a front is in plane strain,", crack.span);
+    }
+  }
+}
+
 void cracks_in_reach(Context& c) {
   const bool space = c.model.mesh.dim == 3;
   const bool axial = model::axisymmetric(c.model);
   for (const model::Crack& crack : c.model.cracks) {
-    if (space || axial) {
-      c.unavailable(fmt::format("$CRACK {}", space ? "in 3D" : "with STATE=AXI"), crack.span);
+    if (axial) {
+      c.unavailable("$CRACK with STATE=AXI", crack.span);
     }
+  }
+  if (space) {
+    solid_cracks_in_reach(c);
   }
   if (c.model.cracks.empty()) {
     return;

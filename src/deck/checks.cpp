@@ -135,6 +135,9 @@ private:
                                       "STICK.TO",      "CPRESS.AT",   "SHEAR.AT"};
     static constexpr std::array space{"CONTACT.AREA", "STICK.AREA", "MOMENT"};
     const bool solid = c_.model.mesh.dim == 3;
+    if (c_.mesh_sound && !is_of_these_cracks(spec.name, quantity)) {
+      return false;
+    }
     const bool other = solid ? std::ranges::find(plane, spec.name) != plane.end()
                              : std::ranges::find(space, spec.name) != space.end();
     if (other && c_.mesh_sound) {
@@ -146,6 +149,30 @@ private:
       return false;
     }
     return true;
+  }
+
+  // K of a tip in the plane is one number, along a front in space a place belongs to it.
+  bool is_of_these_cracks(std::string_view name, const Field& quantity) {
+    const std::size_t point = name.find('.');
+    const std::string_view of = name.substr(0, point);
+    const std::string_view where =
+        point == std::string_view::npos ? std::string_view() : name.substr(point + 1);
+    static constexpr std::array along{"AT", "PHI", "MIN", "MAX"};
+    static constexpr std::array tips{"K", "K1", "K2", "G", "T"};
+    const bool front = std::ranges::find(along, where) != along.end();
+    const bool of_crack = of == "K3" || std::ranges::find(tips, of) != tips.end();
+    const bool solid = c_.model.mesh.dim == 3;
+    if (!of_crack || solid == front) {
+      return true;
+    }
+    c_.error(quantity.span, "E313",
+             solid ? fmt::format("{} is of a crack in the plane", name)
+                   : fmt::format("{} is of a crack in space", name),
+             solid ? fmt::format("along a front there are {0}.AT(crack, x, y, z, step), "
+                                 "{0}.PHI(crack, step, angle), {0}.MIN and {0}.MAX",
+                                 of == "K" ? "K1" : of)
+                   : fmt::format("in the plane there is {}(crack, step)", of));
+    return false;
   }
 
   // By a law of $GROW, or perhaps by one that is refused already.

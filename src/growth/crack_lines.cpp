@@ -234,8 +234,11 @@ std::optional<std::vector<mesh::CrackLine>> crack_lines(const model::Model& mode
 std::optional<std::vector<mesh::CrackLine>> crack_lines(const model::Model& model,
                                                         const std::vector<Arms>& arms,
                                                         base::Diagnostics& diagnostics) {
-  Builder builder{model, diagnostics, fe::classify_freedoms(model, model.mesh)};
   std::vector<mesh::CrackLine> lines;
+  if (model.mesh.dim == 3) {
+    return lines; // cracks there are no lines (analysis/scene/solid_cracks.hpp)
+  }
+  Builder builder{model, diagnostics, fe::classify_freedoms(model, model.mesh)};
   // All cracks are looked at, so that every error is told at once.
   bool complete = true;
   for (std::size_t c = 0; c < model.cracks.size(); ++c) {

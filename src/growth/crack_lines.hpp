@@ -17,7 +17,8 @@ std::vector<double> crack_lengths(const model::Model& model);
 /// All cracks at one increment: those that grow have length `a`, the others (and all when a = 0)
 /// their first length. Directions follow the deck: along the path, along the polyline (its last
 /// segment goes on), or along ANGLE. Cracks that do not fit (path shorter than a, no length given,
-/// tip not on a node with PATCH=NO) are reported at their card and give an empty result.
+/// tip not on a node with PATCH=NO) are reported at their card and give an empty result. In space
+/// there are none.
 std::optional<std::vector<mesh::CrackLine>> crack_lines(const model::Model& model, double a,
                                                         base::Diagnostics& diagnostics);
 

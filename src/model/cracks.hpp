@@ -11,19 +11,33 @@
 /// Cracks, the nets round their tips and how K is taken.
 namespace spricka::model {
 
-enum class CrackKind { path, free, front };
+/// In the plane along a path of nodes or free; in space a front of nodes, an ellipse, or a front
+/// drawn by its points.
+enum class CrackKind { path, free, front, ellipse, drawn };
 enum class CrackState { stress, strain, automatic };
+
+/// Where a crack lies in space: its plane, and the part of it that it takes.
+struct CrackPlane {
+  base::Vec3 place = base::Vec3::Zero();   ///< centre of the ellipse; of a drawn one a point in it
+  base::Vec3 normal = base::Vec3::UnitY(); ///< unit, from its lower face to its upper
+  base::Vec3 along = base::Vec3::UnitX();  ///< unit, of the semi-axis c; angles count from it
+  double a = 0.0;                          ///< semi-axis across, along normal x along [length]
+  double c = 0.0;                          ///< the other one
+  bool closed = false;                     ///< drawn: the last point joins the first
+
+  [[nodiscard]] base::Vec3 across() const;
+};
 
 struct Crack {
   std::string name;
   CrackKind kind = CrackKind::path;
   base::NodeSetId path;           ///< ordered nodes: from the mouth (path), of the front (front)
   base::NetId net;                ///< the net a free crack cuts
-  std::vector<base::Vec3> points; ///< free crack: from the mouth (or first tip) on
-  bool smooth = false;            ///< free crack: a smooth curve through the points
+  std::vector<base::Vec3> points; ///< free crack: from the mouth (or first tip) on; drawn: front
+  bool smooth = false;            ///< free or drawn: a smooth curve through the points
   std::optional<double> angle;    ///< free crack with one point [rad], from +x
   std::optional<double> a0;       ///< first length [length]
-  int normal = 1;                 ///< of the plane of a 3D crack: 0 x, 1 y, 2 z
+  CrackPlane plane;               ///< in space
   CrackState state = CrackState::automatic;
   bool faces_in_contact = true;
   double mu = 0.0;

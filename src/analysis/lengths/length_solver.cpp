@@ -18,6 +18,24 @@ namespace spricka::analysis {
 
 namespace {
 
+// Of the first crack; 0: there is none.
+double first_length(const Scene& scene) {
+  return !scene.cracked.fronts.empty() ? scene.cracked.fronts.front().a
+         : !scene.fronts.empty()       ? scene.fronts.front().front.a
+                                       : 0.0;
+}
+
+std::string tips_in_words(const Scene& scene) {
+  if (scene.fronts.empty()) {
+    return fmt::format("{} tips", scene.cracked.fronts.size());
+  }
+  std::size_t points = 0;
+  for (const FrontScene& at : scene.fronts) {
+    points += at.front.points.size();
+  }
+  return fmt::format("{} fronts of {} points", scene.fronts.size(), points);
+}
+
 bool rubs(const Scene& scene) {
   return std::ranges::any_of(scene.contacts,
                              [](const model::Contact& contact) { return contact.mu > 0.0; });
@@ -70,12 +88,12 @@ std::optional<results::Increment> LengthSolver::solve(const LengthRequest& reque
   }
   base::return_free_memory();
   const Scene& cut = length->scene();
-  const std::vector<mesh::Front>& tips = cut.cracked.fronts;
+  const double first = first_length(cut);
   log.add("TOPOLOGY",
-          fmt::format("{}{} nodes, {} elements, {} contact rows, {} tips",
-                      tips.empty() ? "" : fmt::format("a = {:.6g}: ", a > 0.0 ? a : tips.front().a),
+          fmt::format("{}{} nodes, {} elements, {} contact rows, {}",
+                      first > 0.0 ? fmt::format("a = {:.6g}: ", a > 0.0 ? a : first) : "",
                       cut.cracked.mesh.node_count(), cut.cracked.mesh.element_count(),
-                      cut.table.size(), tips.size()));
+                      cut.table.size(), tips_in_words(cut)));
   results::Increment increment;
   std::vector<std::size_t> touching;
   free_.reset();
@@ -86,7 +104,7 @@ std::optional<results::Increment> LengthSolver::solve(const LengthRequest& reque
       return std::nullopt;
     }
     increment = {};
-    increment.a = a > 0.0 || tips.empty() ? a : base::tidy(tips.front().a);
+    increment.a = a > 0.0 ? a : base::tidy(first);
     increment.notes = results::notes_of(cut.notes);
     touching.clear();
     if (!walk_steps(*length, request, log, increment, touching)) {

@@ -3,6 +3,7 @@
 
 #include "analysis/recover/body_overlap.hpp"
 #include "analysis/recover/contact_limits.hpp"
+#include "analysis/recover/gather_fronts.hpp"
 #include "analysis/recover/judge_faces.hpp"
 #include "analysis/recover/judge_size.hpp"
 #include "analysis/recover/recover_contacts.hpp"
@@ -192,6 +193,7 @@ results::StepResult gather_step(const model::Model& model, const Scene& scene,
   out.pivots = state.pivots;
   out.notes = state.notes;
   gather_tips(model, scene, state, out);
+  gather_fronts(model, scene, state, out);
   recover_contacts(scene, state, out);
   gather_bodies(model, scene, bodies, state, out);
   gather_nets(model, scene, state, out);

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/scene/cut_cracks.hpp"
 
+#include "analysis/scene/solid_cracks.hpp"
+#include "analysis/scene/tip_net_of.hpp"
 #include "growth/crack_lines.hpp"
 #include "mesh/cut/crack_region.hpp"
 #include "mesh/cut/host.hpp"
 #include "mesh/cut/patch.hpp"
 #include "mesh/cut/tip_mesh.hpp"
+#include "mesh/tube/insert_solid.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -54,20 +57,19 @@ mesh::CrackedMesh without_cracks(const model::Mesh& host) {
 
 } // namespace
 
-const model::TipNet* tip_net_of(const model::Model& model, base::CrackId crack) {
-  for (const model::TipNet& tip : model.tip_nets) {
-    if (tip.crack == crack) {
-      return &tip;
-    }
-  }
-  return nullptr;
-}
-
 std::optional<mesh::CrackedMesh> cracked_mesh(const model::Model& model,
                                               const std::vector<mesh::CrackLine>& lines,
                                               base::Diagnostics& diagnostics) {
   if (model.cracks.empty()) {
     return without_cracks(model.mesh);
+  }
+  if (model.mesh.dim == 3) {
+    std::vector<base::Span> cards;
+    for (const model::Crack& crack : model.cracks) {
+      cards.push_back(crack.span);
+    }
+    return mesh::insert_solid_cracks(model.mesh, solid_cracks(model), tube_meshes(model), cards,
+                                     diagnostics);
   }
   std::vector<base::Span> spans;
   spans.reserve(lines.size());

@@ -10,9 +10,6 @@
 /// Cracks in the mesh of the deck, and the part of it that they touch.
 namespace spricka::analysis {
 
-/// The settings of a crack's tips; null: none are given.
-const model::TipNet* tip_net_of(const model::Model& model, base::CrackId crack);
-
 /// The deck's mesh with these cracks in it; mistakes go to `diagnostics` and give an empty result.
 std::optional<mesh::CrackedMesh> cracked_mesh(const model::Model& model,
                                               const std::vector<mesh::CrackLine>& lines,

@@ -16,11 +16,12 @@ namespace {
 
 using base::NodeId;
 
-/// Nodes of the net that lost their elements, ascending; empty without a patch.
+/// Nodes of the net that lost their elements, ascending; empty without a patch. In space, where
+/// results are asked for at places and whole sides, nobody looks for them.
 std::vector<NodeId> gone_nodes(const model::Mesh& host, const model::Mesh& cracked) {
   std::vector<NodeId> gone;
   // Gone nodes keep their numbers, so that a patch always adds nodes.
-  if (host.node_count() == cracked.node_count()) {
+  if (host.dim == 3 || host.node_count() == cracked.node_count()) {
     return gone;
   }
   const std::vector<bool> before = model::nodes_in_use(host);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/scene/make_scene.hpp"
 
+#include "analysis/scene/domain_rings.hpp"
+#include "analysis/scene/front_scene.hpp"
 #include "analysis/scene/gone_nodes.hpp"
 #include "analysis/scene/scene_loads.hpp"
 #include "analysis/scene/scene_mouths.hpp"
@@ -137,22 +139,6 @@ bool make_pairs(const model::Model& model, Scene& scene, base::Diagnostics& diag
   return good;
 }
 
-// Default domains: rings 2 and on, as the tip ring alone sees the singular elements only.
-std::vector<int> domains_of(const model::Model& model, base::CrackId crack) {
-  for (const model::Vce& vce : model.vces) {
-    if (vce.crack == crack && !vce.domains.empty()) {
-      return vce.domains;
-    }
-  }
-  const model::TipNet* tip = tip_net_of(model, crack);
-  const int rings = tip != nullptr ? tip->rings : model::TipNet{}.rings;
-  std::vector<int> domains;
-  for (int ring = 2; ring <= rings; ++ring) {
-    domains.push_back(ring);
-  }
-  return domains;
-}
-
 bool make_tips(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics) {
   if (scene.cracked.fronts.empty()) {
     return true;
@@ -162,8 +148,8 @@ bool make_tips(const model::Model& model, Scene& scene, base::Diagnostics& diagn
   for (const mesh::Front& front : scene.cracked.fronts) {
     TipScene ring;
     const crack::DomainLimits limits = domain_limits(model, scene, front);
-    ring.fields =
-        around.fields(scene.cracked, front, domains_of(model, front.crack), ring.left_out, limits);
+    ring.fields = around.fields(scene.cracked, front, domain_rings(model, front.crack),
+                                ring.left_out, limits);
     if (!ring.fields.empty()) {
       std::vector<int> ignored;
       // One ring more carries all domains along as one (sensitivity.9).
@@ -211,6 +197,7 @@ std::optional<Scene> make_scene(const model::Model& model,
   }
   scene.cracked = std::move(*cracked);
   fill_crack_face_sets(model, scene.cracked);
+  const bool plane = scene.cracked.mesh.dim == 2;
   add_second_sides(model.mesh, scene.cracked.mesh);
   scene.notes = scene.cracked.notes;
   note_gone_nodes(model, scene);
@@ -221,10 +208,11 @@ std::optional<Scene> make_scene(const model::Model& model,
   // All of these are asked before the scene is given up, so that one run tells of all mistakes.
   const bool ties = make_scene_ties(model, scene, diagnostics);
   const bool pairs = make_pairs(model, scene, diagnostics);
-  const bool tips = make_tips(model, scene, diagnostics);
+  const bool tips =
+      plane ? make_tips(model, scene, diagnostics) : make_fronts(model, scene, diagnostics);
   const bool crack_faces = crack_faces_carry_no_totals(model, scene, diagnostics);
   const bool held = supports_are_kept(model, scene, diagnostics);
-  const bool told = mouths_are_told(model, scene, diagnostics);
+  const bool told = !plane || mouths_are_told(model, scene, diagnostics);
   if (!ties || !pairs || !tips || !crack_faces || !held || !told ||
       !loaded_faces_are_there(model, scene, diagnostics)) {
     return std::nullopt;

@@ -4,6 +4,7 @@
 #include "contact/constraint.hpp"
 #include "crack/extension.hpp"
 #include "crack/k_layout.hpp"
+#include "crack/space/front_extension.hpp"
 #include "fe/dependence.hpp"
 #include "mesh/cut/cracked.hpp"
 #include "model/contacts.hpp"
@@ -45,6 +46,12 @@ struct TipScene {
   std::optional<crack::ExtensionField> beyond; ///< one ring more than the largest, if it fits
 };
 
+/// A front in space and the domains round it.
+struct FrontScene {
+  mesh::Front front;
+  crack::FrontFields fields;
+};
+
 /// Contact between the faces of a crack, once they have been found to touch
 /// (analysis/steps/crack_face_contact.hpp).
 struct CrackFacePair {
@@ -63,6 +70,7 @@ struct Scene {
       crack_face_pairs; ///< [crack line] empty: its faces are open
   RowTable table;
   std::vector<TipScene> tips;     ///< [tip]
+  std::vector<FrontScene> fronts; ///< in space, where `cracked` has none and there are no tips
   std::vector<bool> rest_element; ///< [element] no crack of the run touches it
   std::vector<std::string> notes;
   /// By case; where ties have a right-hand side, what they ask for is a last column of its own.

@@ -59,28 +59,6 @@ std::vector<base::NodeId> nodes_of_side(const model::Mesh& mesh, const model::Fa
   return result;
 }
 
-// Elements of properties that differ in nothing but their sets have the same number.
-std::vector<std::int64_t> material_zones(const model::Model& model, const model::Mesh& mesh) {
-  std::vector<std::int64_t> of_property(model.properties.size());
-  for (std::size_t p = 0; p < of_property.size(); ++p) {
-    of_property[p] = static_cast<std::int64_t>(p);
-    for (std::size_t q = 0; q < p; ++q) {
-      const model::Property& one = model.properties[p];
-      const model::Property& other = model.properties[q];
-      if (one.material == other.material && one.state == other.state &&
-          one.thickness == other.thickness) {
-        of_property[p] = of_property[q];
-        break;
-      }
-    }
-  }
-  std::vector<std::int64_t> zones;
-  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    zones.push_back(of_property[mesh.property[e].index()]);
-  }
-  return zones;
-}
-
 // Where all elements are quadratic, terms of the domains take the rims of heated sets as they are.
 bool heat_is_known_inside(const model::Mesh& mesh) {
   return std::ranges::all_of(mesh.type,
@@ -121,6 +99,27 @@ crack::ActingLoad acting_near(const model::Model& model, const model::Mesh& mesh
 }
 
 } // namespace
+
+std::vector<std::int64_t> material_zones(const model::Model& model, const model::Mesh& mesh) {
+  std::vector<std::int64_t> of_property(model.properties.size());
+  for (std::size_t p = 0; p < of_property.size(); ++p) {
+    of_property[p] = static_cast<std::int64_t>(p);
+    for (std::size_t q = 0; q < p; ++q) {
+      const model::Property& one = model.properties[p];
+      const model::Property& other = model.properties[q];
+      if (one.material == other.material && one.state == other.state &&
+          one.thickness == other.thickness) {
+        of_property[p] = of_property[q];
+        break;
+      }
+    }
+  }
+  std::vector<std::int64_t> zones;
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    zones.push_back(of_property[mesh.property[e].index()]);
+  }
+  return zones;
+}
 
 crack::TipLoads tip_loads(const model::Model& model, const Scene& scene,
                           const std::vector<crack::ExtensionField>& fields,

@@ -14,6 +14,10 @@ crack::TipLoads tip_loads(const model::Model& model, const Scene& scene,
                           const std::vector<crack::ExtensionField>& fields,
                           const base::Vector& case_factor);
 
+/// Elements between which a domain cannot tell apart: of properties that differ in nothing but
+/// their sets they have the same number. [element]
+std::vector<std::int64_t> material_zones(const model::Model& model, const model::Mesh& mesh);
+
 /// What the domains of a tip must keep clear of: nodes that are held, tied or loaded one by one
 /// (those of a half model's own line are not), and the rims of what is heated.
 crack::DomainLimits domain_limits(const model::Model& model, const Scene& scene,

@@ -56,6 +56,9 @@ std::size_t row_of(const contact::PairRows& pair, base::NodeId node) {
 std::vector<std::size_t> touching_lines(const model::Model& model, const Scene& scene,
                                         const base::Vector& u) {
   std::vector<std::size_t> lines;
+  if (scene.cracked.mesh.dim == 3) {
+    return lines;
+  }
   for (std::size_t i = 0; i < scene.cracked.faces.size(); ++i) {
     if (model.cracks[i].faces_in_contact && !scene.crack_face_pairs[i] &&
         crack_face_overlap(scene.cracked, i, u).resolved > overlap_of_round_off) {

@@ -151,16 +151,31 @@ TEST(Scope, CracksAreOfThePlane) {
   using Notes = std::vector<std::string>;
   EXPECT_EQ(cracked("STRESS", "NU=0.3"), Notes{});
   EXPECT_EQ(cracked("AXI", "NU=0.3"), Notes{"$CRACK with STATE=AXI"});
-  const Notes space =
-      notes(Reading(folder, head + block("A", solid) + material() + property("A", "SOLID") +
-                                "$CRACK NAME=C FRONT=A.XMIN NORMAL=Y\n$END\n"));
-  EXPECT_NE(std::find(space.begin(), space.end(), "$CRACK in 3D"), space.end());
   EXPECT_EQ(cracked("STRAIN", "NU=0.495"),
             Notes{"$CRACK with QUAMC8 elements and nu = 0.495, nearly incompressible,"});
   EXPECT_EQ(cracked("STRAIN", "NU=0.48"), Notes{});
   EXPECT_EQ(cracked("STRESS", "NU=0.495"), Notes{}); // free to change its thickness
   EXPECT_EQ(cracked("STRESS", "NU=0.3 ALPHA=1e-5", "$LOAD CASE=H TYPE=TEMPERATURE\n A.BODY 1\n"),
             Notes{});
+}
+
+TEST(Scope, CracksInSpace) {
+  const Folder folder;
+  const auto cracked = [&](const std::string& card, const std::string& more = "") {
+    return notes(Reading(folder, head + block("A", solid) + material() + property("A", "SOLID") +
+                                     card + more + "$END\n"));
+  };
+  using Notes = std::vector<std::string>;
+  const std::string penny = "$CRACK NAME=C NET=A A=0.1 X0=0.5 Y0=0.5 Z0=0.5 NORMAL=Z\n";
+  EXPECT_EQ(cracked(penny), Notes{});
+  EXPECT_EQ(cracked(penny, "$TIPNET CRACK=C RADIUS=0.02 RINGS=4\n$VCE CRACK=C DOMAINS=2,3\n"),
+            Notes{});
+  EXPECT_EQ(cracked(penny, "$TIPNET CRACK=C TOL=0.01\n"), Notes{"$TIPNET TOL in space"});
+  EXPECT_EQ(cracked(penny, "$TIPNET CRACK=C PATCH=NO\n"), Notes{"$TIPNET PATCH=NO in space"});
+  EXPECT_EQ(cracked(penny, "$VCE CRACK=C SHIFT=1e-4\n"), Notes{"$VCE SHIFT in space"});
+  EXPECT_EQ(cracked(penny, "$LOAD CASE=P TYPE=TRACTION\n A.ZMAX 0 0 1\n$STEP NAME=S\n LOAD P 1\n"
+                           "$GROW LAW=INCREMENT KMAX=S\n  0.1 0.2\n"),
+            Notes{"$GROW with a crack in space"});
 }
 
 } // namespace

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/scene/scene.hpp"
+#include "analysis/steps/step_state.hpp"
+
+#include <string>
+
+namespace spricka::analysis {
+
+/// Whether the faces of a crack in space lie in one another, in words, or empty: then K is that of
+/// a crack whose faces pass through each other.
+std::string face_overlap(const Scene& scene, const mesh::Front& front, const StepState& state);
+
+} // namespace spricka::analysis

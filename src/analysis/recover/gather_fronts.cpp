@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/recover/gather_fronts.hpp"
+
+#include "analysis/recover/face_overlap.hpp"
+#include "analysis/scene/front_scene.hpp"
+#include "analysis/scene/solid_cracks.hpp"
+#include "base/tidy.hpp"
+#include "contact/space_tractions.hpp"
+#include "crack/space/front_intensity.hpp"
+#include "model/model.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+namespace spricka::analysis {
+
+namespace {
+
+const model::Vce* request_of(const model::Model& model, base::CrackId crack) {
+  const auto found = std::ranges::find(model.vces, crack, &model::Vce::crack);
+  return found == model.vces.end() ? nullptr : &*found;
+}
+
+// NAME, or NAME.1 and NAME.2 where a crack has several fronts.
+std::string front_name(const model::Model& model, const Scene& scene, const mesh::Front& front) {
+  const std::string& name = model.cracks[front.crack.index()].name;
+  const auto of_crack = [&](const FrontScene& f) { return f.front.crack == front.crack; };
+  return std::ranges::count_if(scene.fronts, of_crack) > 1
+             ? fmt::format("{}.{}", name, front.number)
+             : name;
+}
+
+// What contacts press on the free sides that domains move.
+std::vector<crack::FaceForces> contact_forces(const Scene& scene, const crack::FrontFields& fields,
+                                              const StepState& state) {
+  std::set<model::Face> moved;
+  for (const crack::FrontSide& side : fields.sides) {
+    moved.insert(side.face);
+  }
+  std::vector<crack::FaceForces> forces;
+  for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
+    for (const contact::FaceTraction& traction :
+         contact::space_tractions(scene.pairs[c], state.pair_lambda[c],
+                                  [&](const model::Face& face) { return moved.contains(face); })) {
+      crack::FaceForces& on_face = forces.emplace_back();
+      on_face.face = traction.face;
+      for (const contact::TractionPoint& point : traction.points) {
+        on_face.points.push_back({{point.r.x(), point.r.y(), 0.0}, point.force});
+      }
+    }
+  }
+  return forces;
+}
+
+results::FrontPlace place_of(const model::Crack& crack, const mesh::FrontPoint& point,
+                             const crack::StressIntensity& K) {
+  results::FrontPlace place;
+  place.x = point.x;
+  place.growth = point.growth;
+  place.s = point.s;
+  place.phi = crack.kind == model::CrackKind::ellipse ? front_angle(crack, point.x) : 0.0;
+  place.K1 = K.K1;
+  place.K2 = K.K2;
+  place.K3 = K.K3;
+  place.G = K.G;
+  place.G_from_K = K.G_from_K;
+  place.T = K.T;
+  place.spread = K.spread;
+  place.at_surface = point.at_surface;
+  if (K.front) {
+    place.smooth = K.front->from_inside.value_or(K.front->smooth);
+    if (K.opening && K.front->opening_K3) {
+      place.opening = {(*K.opening)[0], (*K.opening)[1], *K.front->opening_K3};
+    }
+  }
+  return place;
+}
+
+} // namespace
+
+void gather_fronts(const model::Model& model, const Scene& scene, const StepState& state,
+                   results::StepResult& out) {
+  for (const FrontScene& at : scene.fronts) {
+    const mesh::Front& front = at.front;
+    const model::Crack& crack = model.cracks[front.crack.index()];
+    const model::Vce* vce = request_of(model, front.crack);
+    crack::FrontRequest request;
+    request.opening = vce != nullptr && vce->opening;
+    crack::FrontLoads loads;
+    loads.given = front_loads(model, scene, at.fields, state.case_factor);
+    loads.contact = contact_forces(scene, at.fields, state);
+    const std::vector<crack::StressIntensity> K =
+        crack::front_intensity(model, scene.cracked, front, at.fields, request, state.u, loads);
+    results::FrontResult result;
+    result.name = front_name(model, scene, front);
+    result.a = base::tidy(front.a);
+    result.closed = at.fields.closed;
+    result.length = result.closed ? front.curve->length() : front.points.back().s;
+    result.angles = crack.kind == model::CrackKind::ellipse;
+    for (std::size_t i = 0; i < front.points.size(); ++i) {
+      result.points.push_back(place_of(crack, front.points[i], K[i]));
+      result.points.back().number = static_cast<int>(i) + 1;
+    }
+    if (const std::string overlap = face_overlap(scene, front, state); !overlap.empty()) {
+      result.doubt = overlap;
+      out.notes.push_back(results::warning(fmt::format("{}: {}", result.name, overlap)));
+    }
+    out.fronts.push_back(std::move(result));
+  }
+}
+
+} // namespace spricka::analysis

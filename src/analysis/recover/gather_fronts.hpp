@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/scene/scene.hpp"
+#include "analysis/steps/step_state.hpp"
+#include "results/results.hpp"
+
+namespace spricka::analysis {
+
+/// VCE in space: K, G and T at the points of all fronts at the end of a step, into `out`.
+void gather_fronts(const model::Model& model, const Scene& scene, const StepState& state,
+                   results::StepResult& out);
+
+} // namespace spricka::analysis

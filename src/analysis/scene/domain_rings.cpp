@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/scene/domain_rings.hpp"
+
+#include "analysis/scene/tip_net_of.hpp"
+#include "mesh/tube/solid_crack.hpp"
+#include "model/model.hpp"
+
+namespace spricka::analysis {
+
+std::vector<int> domain_rings(const model::Model& model, base::CrackId crack) {
+  for (const model::Vce& vce : model.vces) {
+    if (vce.crack == crack && !vce.domains.empty()) {
+      return vce.domains;
+    }
+  }
+  const model::TipNet* tip = tip_net_of(model, crack);
+  const int usual = model.mesh.dim == 3 ? mesh::TubeMesh{}.rings : model::TipNet{}.rings;
+  const int rings = tip != nullptr ? tip->rings : usual;
+  std::vector<int> domains;
+  for (int ring = 2; ring <= rings; ++ring) {
+    domains.push_back(ring);
+  }
+  return domains;
+}
+
+} // namespace spricka::analysis

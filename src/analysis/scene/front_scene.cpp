@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/scene/front_scene.hpp"
+
+#include "analysis/scene/domain_rings.hpp"
+#include "analysis/scene/tip_surroundings.hpp"
+#include "mesh/boundary.hpp"
+#include "model/model.hpp"
+#include "shape/topology.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+namespace spricka::analysis {
+
+namespace {
+
+using base::Vec3;
+
+constexpr double same_plane = 1e-6; // of a face's extent: it lies across an axis
+
+bool is_held(model::FreedomClass type) {
+  return type == model::FreedomClass::suppressed || type == model::FreedomClass::prescribed;
+}
+
+// Whether all nodes of a side have one coordinate.
+bool lies_across(const model::Mesh& mesh, const std::vector<base::NodeId>& nodes, int axis) {
+  Vec3 low = mesh.x[nodes.front().index()];
+  Vec3 high = low;
+  for (const base::NodeId n : nodes) {
+    low = low.cwiseMin(mesh.x[n.index()]);
+    high = high.cwiseMax(mesh.x[n.index()]);
+  }
+  return high[axis] - low[axis] <= same_plane * (high - low).norm();
+}
+
+// [3 * node] held along an axis by a support of the flat sides there: what moves in their plane
+// meets it nowhere.
+std::vector<bool> held_across(const model::Mesh& mesh,
+                              const std::vector<model::FreedomClass>& cls) {
+  std::vector<bool> across(cls.size(), false);
+  for (const model::Face& face : mesh::boundary_faces(mesh)) {
+    const auto all = mesh.nodes_of(face.element);
+    std::vector<base::NodeId> nodes;
+    for (const int k : shape::side_nodes(mesh.type[face.element.index()], face.side)) {
+      nodes.push_back(all[static_cast<std::size_t>(k)]);
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto at = [&](base::NodeId n) {
+        return 3 * n.index() + static_cast<std::size_t>(axis);
+      };
+      if (std::ranges::all_of(
+              nodes,
+              [&](base::NodeId n) { return cls[at(n)] == model::FreedomClass::suppressed; }) &&
+          lies_across(mesh, nodes, axis)) {
+        for (const base::NodeId n : nodes) {
+          across[at(n)] = true;
+        }
+      }
+    }
+  }
+  return across;
+}
+
+std::string why_none(const crack::FrontFields& fields) {
+  std::set<std::string> reasons;
+  for (const crack::LeftOut& out : fields.left_out) {
+    reasons.insert(out.why);
+  }
+  return fmt::format("{}", fmt::join(reasons, "; "));
+}
+
+} // namespace
+
+crack::DomainLimits front_limits(const model::Model& model, const Scene& scene) {
+  const model::Mesh& mesh = scene.cracked.mesh;
+  crack::DomainLimits limits;
+  limits.node.assign(mesh.node_count(), false);
+  limits.zone = material_zones(model, mesh);
+  const std::vector<bool> across = held_across(mesh, scene.cls);
+  for (std::size_t i = 0; i < scene.cls.size(); ++i) {
+    if ((is_held(scene.cls[i]) && !across[i]) || scene.cls[i] == model::FreedomClass::dependent) {
+      limits.node[i / 3] = true;
+    }
+  }
+  for (const model::LoadCase& load_case : model.cases) {
+    for (const model::Load& load : load_case.loads) {
+      // A force on a node that moves has no derivative that the domains know (crack.18).
+      if (load.type == model::LoadType::force) {
+        for (const base::NodeId n : mesh.set(load.nodes).nodes) {
+          limits.node[n.index()] = true;
+        }
+      }
+    }
+  }
+  return limits;
+}
+
+crack::TipLoads front_loads(const model::Model& model, const Scene& scene,
+                            const crack::FrontFields& fields, const base::Vector& case_factor) {
+  std::vector<crack::ExtensionField> all;
+  for (const std::vector<crack::ExtensionField>& point : fields.points) {
+    all.insert(all.end(), point.begin(), point.end());
+  }
+  return tip_loads(model, scene, all, case_factor);
+}
+
+bool make_fronts(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics) {
+  bool good = true;
+  const crack::DomainLimits limits = front_limits(model, scene);
+  for (mesh::Front& front : scene.cracked.fronts) {
+    if (model.cracks[front.crack.index()].kind == model::CrackKind::ellipse) {
+      front.a = model.cracks[front.crack.index()].plane.a;
+    }
+    crack::FrontFields fields =
+        crack::front_fields(scene.cracked, front, domain_rings(model, front.crack), limits);
+    const model::Crack& crack = model.cracks[front.crack.index()];
+    if (fields.empty()) {
+      diagnostics.error(
+          crack.span, "E412",
+          fmt::format("crack {}: no domain fits round its front: {}", crack.name, why_none(fields)),
+          "give a smaller RADIUS on $TIPNET or other DOMAINS on $VCE");
+      good = false;
+    }
+    std::size_t without = 0;
+    for (const auto& point : fields.points) {
+      without += point.empty() ? 1 : 0;
+    }
+    if (without > 0 && !fields.empty()) {
+      scene.notes.push_back(fmt::format("{}: no domain fits round {} of {} points of the front, "
+                                        "which have no K: {}",
+                                        crack.name, without, fields.points.size(),
+                                        why_none(fields)));
+    }
+    scene.fronts.push_back({front, std::move(fields)});
+  }
+  scene.cracked.fronts.clear();
+  return good;
+}
+
+} // namespace spricka::analysis

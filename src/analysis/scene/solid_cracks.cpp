@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/scene/solid_cracks.hpp"
+
+#include "analysis/scene/tip_net_of.hpp"
+#include "mesh/front_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+namespace spricka::analysis {
+
+namespace {
+
+using base::Vec3;
+
+constexpr int ellipse_points = 360; // a spline through them is exact to 1e-9 of the axes
+
+// t = m x b with m outwards: clockwise, seen from where the normal points to.
+std::vector<Vec3> ellipse_front(const model::CrackPlane& plane) {
+  std::vector<Vec3> front;
+  const Vec3 across = plane.across();
+  for (int i = 0; i < ellipse_points; ++i) {
+    const double phi = -2.0 * std::numbers::pi * i / ellipse_points;
+    front.emplace_back(plane.place + plane.c * std::cos(phi) * plane.along +
+                       plane.a * std::sin(phi) * across);
+  }
+  return front;
+}
+
+// Points as drawn, or the other way round where m would point into the crack.
+std::vector<Vec3> drawn_front(const model::Crack& crack) {
+  std::vector<Vec3> front = crack.points;
+  const model::CrackPlane& plane = crack.plane;
+  bool inwards = false;
+  if (plane.closed) {
+    Vec3 area = Vec3::Zero();
+    for (std::size_t i = 0; i < front.size(); ++i) {
+      area += (front[i] - front[0]).cross(front[(i + 1) % front.size()] - front[0]);
+    }
+    inwards = area.dot(plane.normal) > 0.0;
+  } else {
+    const mesh::FrontCurve curve(front, std::vector<Vec3>(front.size(), plane.normal), false);
+    const mesh::FrontFrame near = curve.at(curve.nearest(plane.place));
+    inwards = near.m.dot(plane.place - near.x) > 0.0;
+  }
+  if (inwards) {
+    std::ranges::reverse(front);
+  }
+  return front;
+}
+
+} // namespace
+
+std::vector<mesh::SolidCrack> solid_cracks(const model::Model& model) {
+  std::vector<mesh::SolidCrack> cracks;
+  for (std::size_t i = 0; i < model.cracks.size(); ++i) {
+    const model::Crack& crack = model.cracks[i];
+    const bool ellipse = crack.kind == model::CrackKind::ellipse;
+    mesh::SolidCrack cut;
+    cut.crack = base::CrackId(i);
+    cut.net = crack.net;
+    cut.normal = crack.plane.normal;
+    cut.front = ellipse ? ellipse_front(crack.plane) : drawn_front(crack);
+    cut.closed = ellipse || crack.plane.closed;
+    cut.name = crack.name;
+    cracks.push_back(std::move(cut));
+  }
+  return cracks;
+}
+
+std::vector<mesh::TubeMesh> tube_meshes(const model::Model& model) {
+  std::vector<mesh::TubeMesh> tubes;
+  for (std::size_t i = 0; i < model.cracks.size(); ++i) {
+    mesh::TubeMesh tube;
+    if (const model::TipNet* tip = tip_net_of(model, base::CrackId(i))) {
+      tube.radius = tip->radius.value_or(0.0);
+      tube.size = tip->size.value_or(0.0);
+      tube.rings = tip->rings;
+      tube.sectors = tip->sectors;
+      tube.quarter_point = tip->quarter_point;
+      tube.finer = tip->finer;
+    }
+    tubes.push_back(tube);
+  }
+  return tubes;
+}
+
+double front_angle(const model::Crack& crack, const Vec3& x) {
+  const model::CrackPlane& plane = crack.plane;
+  const Vec3 from = x - plane.place;
+  return std::atan2(from.dot(plane.across()) / plane.a, from.dot(plane.along) / plane.c);
+}
+
+} // namespace spricka::analysis

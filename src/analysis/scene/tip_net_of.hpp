@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/id.hpp"
+#include "model/forward.hpp"
+
+namespace spricka::analysis {
+
+/// The settings of a crack's tips; null: none are given.
+const model::TipNet* tip_net_of(const model::Model& model, base::CrackId crack);
+
+} // namespace spricka::analysis

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/build_solid_cracks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+namespace spricka::deck {
+
+namespace {
+
+using base::Vec3;
+
+constexpr double off_plane = 1e-6; // of the front's extent: a front lies in one plane
+constexpr double parallel = 1e-9;  // sine of the angle of two directions that are one
+
+Vec3 point_of(const BoundCard& card, char number) {
+  Vec3 point;
+  for (int i = 0; i < 3; ++i) {
+    point[i] = card.number(std::string{"XYZ"[i], number});
+  }
+  return point;
+}
+
+// The normal by NORMAL, or from the centre to X1; Y where the deck says neither, as in the plane z
+// = 0 of most fronts.
+bool ellipse_axes(Context& c, const BoundCard& card, model::CrackPlane& plane) {
+  int axis = 1;
+  if (card.has("X1")) {
+    const Vec3 towards = point_of(card, '1') - plane.place;
+    if (towards.norm() == 0.0) {
+      c.error(card.find("X1")->span, "E109", "the normal's end is the centre itself");
+      return false;
+    }
+    plane.normal = towards.normalized();
+    plane.normal.cwiseAbs().maxCoeff(&axis);
+  } else if (card.has("NORMAL")) {
+    axis = card.word("NORMAL").front() - 'X';
+    plane.normal = Vec3::Unit(axis);
+  } else {
+    c.error(card.span, "E106", "an ellipse in space needs NORMAL=X|Y|Z, or X1 Y1 Z1",
+            "its normal runs from the centre X0 Y0 Z0 to X1 Y1 Z1");
+    return false;
+  }
+  Vec3 towards = Vec3::Unit((axis + 1) % 3);
+  if (card.has("X2")) {
+    towards = point_of(card, '2') - plane.place;
+  }
+  const Vec3 flat = towards - plane.normal.dot(towards) * plane.normal;
+  if (flat.norm() <= parallel * towards.norm() || towards.norm() == 0.0) {
+    c.error(card.find("X2")->span, "E109", "the axis C runs along the normal of the ellipse");
+    return false;
+  }
+  plane.along = flat.normalized();
+  return true;
+}
+
+void ellipse(Context& c, const BoundCard& card, model::Crack& crack) {
+  crack.kind = model::CrackKind::ellipse;
+  crack.plane.place = point_of(card, '0');
+  crack.plane.a = card.number("A");
+  crack.plane.c = card.optional("C").value_or(crack.plane.a);
+  ellipse_axes(c, card, crack.plane);
+  if (!card.rows.empty()) {
+    c.error(card.rows.front().span, "E110", "points mean nothing with A, an ellipse");
+  }
+}
+
+std::optional<Vec3> row_point(Context& c, const grammar::Row& row) {
+  if (row.fields.size() != 3) {
+    c.error(row.span, "E115", "a point of a front in space is x y z");
+    return std::nullopt;
+  }
+  Vec3 point;
+  bool ok = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto x =
+        number_of(row.fields[i], grammar::Quantity::length, "a coordinate", c.scope, c.diagnostics);
+    point[static_cast<Eigen::Index>(i)] = x.value_or(0.0);
+    ok = ok && x.has_value();
+  }
+  return ok ? std::optional(point) : std::nullopt;
+}
+
+bool front_points(Context& c, const BoundCard& card, model::Crack& crack) {
+  bool ok = !card.rows_bad;
+  for (const grammar::Row& row : card.rows) {
+    const std::optional<Vec3> point = row_point(c, row);
+    ok = ok && point.has_value();
+    if (!point) {
+      continue;
+    }
+    if (!crack.points.empty() && (crack.points.back() - *point).norm() == 0.0) {
+      c.error(row.span, "E115", "the same point twice in a row");
+      ok = false;
+    }
+    crack.points.push_back(*point);
+  }
+  return ok;
+}
+
+// The plane through all points (and the one within the crack of an open front), its normal with the
+// largest component positive.
+bool front_plane(Context& c, const BoundCard& card, model::Crack& crack) {
+  std::vector<Vec3> all = crack.points;
+  if (card.has("X0")) {
+    all.push_back(crack.plane.place);
+  }
+  Vec3 centre = Vec3::Zero();
+  for (const Vec3& p : all) {
+    centre += p / static_cast<double>(all.size());
+  }
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const Vec3& p : all) {
+    spread += (p - centre) * (p - centre).transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
+  const double extent = std::sqrt(axes.eigenvalues()[2]);
+  if (std::sqrt(std::max(0.0, axes.eigenvalues()[1])) <= off_plane * extent) {
+    c.error(card.span, "E115", "the points of the front lie on one line with X0 Y0 Z0",
+            "X0 Y0 Z0 is a point within the crack, beside its front");
+    return false;
+  }
+  Vec3 normal = axes.eigenvectors().col(0);
+  int largest = 0;
+  normal.cwiseAbs().maxCoeff(&largest);
+  normal *= normal[largest] < 0.0 ? -1.0 : 1.0;
+  for (std::size_t i = 0; i < crack.points.size(); ++i) {
+    if (std::abs(normal.dot(crack.points[i] - centre)) > off_plane * extent) {
+      c.error(card.rows[i].span, "E115",
+              fmt::format("this point is {:.3g} off the plane of the others",
+                          std::abs(normal.dot(crack.points[i] - centre))),
+              "a crack lies in one plane in this version");
+      return false;
+    }
+  }
+  crack.plane.normal = normal;
+  const Vec3 first = crack.points.back() - crack.points.front();
+  const Vec3 flat =
+      crack.plane.closed ? crack.points.front() - centre : Vec3(first - normal.dot(first) * normal);
+  crack.plane.along = flat.normalized();
+  return true;
+}
+
+// All of X0, Y0, Z0 or none.
+bool has_whole_place(Context& c, const BoundCard& card) {
+  const std::array<bool, 3> given{card.has("X0"), card.has("Y0"), card.has("Z0")};
+  const auto count = std::ranges::count(given, true);
+  if (count != 0 && count != 3) {
+    c.error(card.span, "E106", "a point within the crack has X0, Y0 and Z0");
+  }
+  return count == 0 || count == 3;
+}
+
+void drawn_front(Context& c, const BoundCard& card, model::Crack& crack) {
+  crack.kind = model::CrackKind::drawn;
+  crack.plane.closed = card.is("CLOSED", "YES");
+  for (const char* key : {"X1", "X2"}) {
+    if (card.has(key)) {
+      c.error(card.find(key)->span, "E110",
+              fmt::format("{} means nothing without A, an ellipse", key));
+    }
+  }
+  const bool sound = front_points(c, card, crack) && has_whole_place(c, card);
+  const std::size_t least = crack.plane.closed ? 4 : 2;
+  if (sound && crack.points.empty()) {
+    c.error(card.span, "E106", "$CRACK in space needs A, FRONT, or points as data lines",
+            "A, C and a centre X0 Y0 Z0 for an ellipse; or points x y z of the front");
+  } else if (sound && crack.points.size() < least) {
+    c.error(card.span, "E115",
+            fmt::format("{} front has at least {} points",
+                        crack.plane.closed ? "a closed" : "an open", least));
+  } else if (sound && !crack.plane.closed && !card.has("X0")) {
+    c.error(card.span, "E106", "an open front needs X0 Y0 Z0: a point within the crack",
+            "or CLOSED=YES where the last point joins the first");
+  } else if (sound) {
+    if (card.has("X0")) {
+      crack.plane.place = point_of(card, '0');
+    }
+    front_plane(c, card, crack);
+  }
+}
+
+} // namespace
+
+void solid_crack(Context& context, const BoundCard& card, model::Crack& crack) {
+  if (card.has("A")) {
+    ellipse(context, card, crack);
+  } else {
+    drawn_front(context, card, crack);
+  }
+}
+
+} // namespace spricka::deck

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "deck/context.hpp"
+#include "model/cracks.hpp"
+
+namespace spricka::deck {
+
+/// Reads the keys and data lines of a crack in space into it: an ellipse with A, or a front drawn
+/// by its points. Mistakes are reported.
+void solid_crack(Context& context, const BoundCard& card, model::Crack& crack);
+
+} // namespace spricka::deck

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/cracks.hpp"
+
+#include <Eigen/Geometry>
+
+namespace spricka::model {
+
+base::Vec3 CrackPlane::across() const {
+  return normal.cross(along);
+}
+
+} // namespace spricka::model
