@@ -225,6 +225,7 @@ private:
         continue;
       }
       std::vector<int> loop;
+      loop.reserve(cap.size());
       double area = 0.0;
       for (const int point : cap) {
         loop.push_back(outline.local(point, chart.at(place(point).face, place(point).r)));

@@ -35,7 +35,8 @@ CrackSurface mesh_crack(const CrackReach& reach, const std::vector<int>& nodes, 
     region.points.emplace_back(rounded(q.x()), rounded(q.y()));
     surface.nodes.push_back(n);
     const CrackReach::Distance d = reach.distance(net.local(n));
-    size.add(region.points.back(), size_at(d, CrackReach::usual_growth / finer) / finer);
+    const double wanted = size_at(d, CrackReach::usual_growth / finer) / finer;
+    size.add(region.points.back(), rounded(wanted));
   }
   if (twice_area(region.points, loop) < 0.0) {
     std::reverse(loop.begin(), loop.end());

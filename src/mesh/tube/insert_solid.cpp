@@ -121,7 +121,16 @@ private:
   bool make_patches() {
     bool good = true;
     for (Group& group : groups_) {
-      group.graft.patch = build_solid_patch(host_, group.frame, group.cracks, group.graft.cavity);
+      // Finer elements bend less: the remedy for those that curved surfaces fold.
+      for (const double fineness : {1.0, 1.3, 1.3}) {
+        for (PatchSolidCrack& crack : group.cracks) {
+          crack.finer *= fineness;
+        }
+        group.graft.patch = build_solid_patch(host_, group.frame, group.cracks, group.graft.cavity);
+        if (!group.graft.patch.folded) {
+          break;
+        }
+      }
       if (!group.graft.patch.trouble.empty()) {
         refuse(group, group.graft.patch.trouble);
         good = false;
@@ -134,6 +143,14 @@ private:
     std::string names;
     for (const std::size_t i : group.members) {
       names += (names.empty() ? "" : ", ") + requests_[i].crack->title();
+    }
+    for (const PatchSolidCrack& crack : group.cracks) {
+      for (const Tube& tube : crack.tubes) {
+        names += fmt::format(" (tube of radius {:.3g} to {:.3g}, {} elements long)",
+                             group.frame.a * *std::ranges::min_element(tube.radius),
+                             group.frame.a * *std::ranges::max_element(tube.radius),
+                             tube.stations.size() - 1);
+      }
     }
     diagnostics_.error(requests_[group.members.front()].span, "E429",
                        fmt::format("no patch could be made round {}: {}", names, why));

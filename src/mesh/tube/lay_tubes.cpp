@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numbers>
 
 namespace spricka::mesh {
 namespace {
@@ -18,7 +18,10 @@ using base::Vec3;
 /// Limits of a radius that is given; sizes chosen keep them.
 constexpr double most_of_room = 0.45;
 constexpr double most_of_curvature = 0.8;
-constexpr double most_elements = 4000.0; // along a front
+constexpr double most_elements = 800.0; // along a front
+/// How far a front may lean from the surface's normal where it ends: 65 degrees; a tube that is
+/// sheared further has elements too flat.
+constexpr double most_lean = 2.1445;
 
 class TubeLayer {
 public:
@@ -45,6 +48,9 @@ public:
                              std::vector<Vec3>(front.curve->points().size(), plane.normal),
                              front.curve->closed());
       const FrontSurroundings round(host_, request_, front, all);
+      if (!stands(front, round)) {
+        return std::nullopt;
+      }
       const TubeSizes sizes =
           tube_sizes(curve,
                      {[&](double s) { return round.free(s * frame_.a) / frame_.a; },
@@ -83,6 +89,21 @@ private:
       best = !best || std::abs(along) < std::abs(*best) ? along : *best;
     }
     return best;
+  }
+
+  bool stands(const SolidFront& front, const FrontSurroundings& round) {
+    for (const std::size_t end : {0U, 1U}) {
+      if (!front.curve->closed() && round.lean(end) > most_lean) {
+        diagnostics_.error(
+            request_.span, "E423",
+            fmt::format("{}: its front meets the body's surface at {} at {:.0f} degrees only",
+                        request_.crack->title(), text_of(front.end[end].x),
+                        90.0 - std::atan(round.lean(end)) * 180.0 / std::numbers::pi),
+            "a tube of elements fits round fronts that leave the body at 25 degrees or more");
+        return false;
+      }
+    }
+    return true;
   }
 
   std::optional<PatchSolidCrack> no_end(const Vec3& at) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "mesh/tube/patch_solid_crack.hpp"
-#include "mesh/tube/solid_cavity.hpp"
-#include "mesh/tube/solid_net.hpp"
+#include "mesh/tube/laid_crack.hpp"
 #include "mesh/tube/solid_shell.hpp"
 
 #include <span>

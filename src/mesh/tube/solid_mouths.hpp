@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "mesh/tube/laid_crack.hpp"
 #include "mesh/tube/solid_front.hpp"
-#include "mesh/tube/solid_patch.hpp"
 
 namespace spricka::mesh {
 

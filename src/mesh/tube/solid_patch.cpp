@@ -2,6 +2,7 @@
 #include "mesh/tube/solid_patch.hpp"
 
 #include "mesh/link/fill_solid.hpp"
+#include "mesh/plane.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/tube/crack_surface.hpp"
 #include "mesh/tube/open_surface.hpp"
@@ -202,7 +203,8 @@ private:
     for (const PatchSolidCrack& crack : cracks_) {
       for (const Tube& tube : crack.tubes) {
         for (std::size_t i = 0; i < tube.stations.size(); ++i) {
-          size.sources.push_back({tube.stations[i].x, tube.radius[i], tube.radius[i] / crack.finer,
+          const double radius = rounded(tube.radius[i]);
+          size.sources.push_back({rounded(tube.stations[i].x), radius, radius / crack.finer,
                                   CrackReach::usual_growth / crack.finer});
         }
       }
@@ -325,6 +327,7 @@ private:
     }
     const MeshFaults faults = mesh_faults(mesh);
     if (!faults.bad.empty()) {
+      patch_.folded = true;
       const BadElement& worst = *std::ranges::min_element(faults.bad, {}, &BadElement::jacobian);
       patch_.trouble = fmt::format("{} elements are folded, one at ({:.6g}, {:.6g}, {:.6g})",
                                    faults.bad.size(), worst.at.x(), worst.at.y(), worst.at.z());

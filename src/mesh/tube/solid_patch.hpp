@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "mesh/tube/patch_solid_crack.hpp"
+#include "mesh/tube/laid_crack.hpp"
 #include "mesh/tube/solid_cavity.hpp"
 #include "mesh/tube/solid_net.hpp"
 #include "mesh/tube/solid_shell.hpp"
@@ -29,6 +29,7 @@ struct SolidPatch {
   std::vector<Crack> cracks;
   std::vector<FacePieces> faces; ///< of the cavity
   std::string trouble;           ///< why there is no patch
+  bool folded = false;           ///< because elements are
 };
 
 /// Meshes a cavity round its cracks: tubes along their fronts, graded tetrahedra in the rest.

@@ -18,9 +18,10 @@ namespace {
 
 constexpr int steps = 128;
 constexpr int directions = 16;
-/// What lies nearer to a front's end along the front than this many times its distance across it
-/// is the surface that the front ends on.
-constexpr double beside_end = 1.7;
+/// What lies nearer to a front's end along the front than some times its distance across it is the
+/// surface that the front ends on: as many times as that surface leans, and a half more; no less
+/// than this.
+constexpr double least_lean = 1.7;
 /// Near its ends a crack is as wide as a little inside.
 constexpr double end_part = 0.05;
 
@@ -56,9 +57,17 @@ double FrontSurroundings::free_at(const FrontFrame& at) const {
   return least;
 }
 
+double FrontSurroundings::lean(std::size_t end) const {
+  const double cosine = std::abs(
+      front_.end[end].normal.dot(front_.curve->at(end == 0 ? 0.0 : front_.curve->length()).t));
+  return std::sqrt(std::max(0.0, 1.0 - cosine * cosine)) / std::max(cosine, 1e-9);
+}
+
 double FrontSurroundings::across_section(const FrontFrame& at) const {
   const SurfaceGeometry& surface = host_.surface(request_.seed).geometry();
-  const double to_end = std::min(at.s, front_.curve->length() - at.s);
+  const bool first = at.s < 0.5 * front_.curve->length();
+  const double to_end = first ? at.s : front_.curve->length() - at.s;
+  const double beside_end = std::max(least_lean, 1.5 * lean(first ? 0 : 1) + 0.5);
   double least = surface.extent();
   for (int k = 0; k < directions; ++k) {
     const double angle = 2.0 * std::numbers::pi * k / directions;

@@ -4,6 +4,7 @@
 #include "mesh/surface/remesh_surface.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -60,7 +61,7 @@ inline std::vector<std::size_t> faces_round(const mesh::SurfaceGeometry& surface
                                             const mesh::SizeAt& size) {
   std::vector<std::size_t> faces;
   for (std::size_t f = 0; f < surface.faces().size(); ++f) {
-    const auto [low, high] = mesh::box_of(surface.face(f));
+    const std::array<Vec3, 2> box = mesh::box_of(surface.face(f));
     double edge = 0.0;
     const auto& X = surface.face(f).X;
     for (int i = 0; i < surface.face(f).corners(); ++i) {
@@ -68,7 +69,7 @@ inline std::vector<std::size_t> faces_round(const mesh::SurfaceGeometry& surface
     }
     const bool coarse = edge > size(surface.place(f, {1.0 / 3.0, 1.0 / 3.0}).x);
     const bool near = std::ranges::any_of(line, [&](const Vec3& x) {
-      const double away = (low - x).cwiseMax(x - high).cwiseMax(0.0).norm();
+      const double away = (box[0] - x).cwiseMax(x - box[1]).cwiseMax(0.0).norm();
       return away < size(x);
     });
     if (near || coarse) {
@@ -92,6 +93,7 @@ inline SurfaceCut cut_surface(const mesh::SurfaceGeometry& surface, const Ellips
   region.growth = growth;
   // Finest along the whole front: a tube of this radius.
   std::vector<Vec3> line;
+  line.reserve(200);
   for (int i = 0; i < 200; ++i) {
     line.push_back(front.at(front.length() * i / 200.0).x);
   }

@@ -290,7 +290,7 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 TEST(SolidCracks, EllipsesInRandomPlanes) {
-  const int tries = std::getenv("SPRICKA_FULL") != nullptr ? 150 : 16;
+  const int tries = std::getenv("SPRICKA_FULL") != nullptr ? 150 : 12;
   const std::array<model::Mesh, 4> hosts{box(ElementType::tet10, 4), box(ElementType::tet10, 9),
                                          box(ElementType::hexec20, 8), box(ElementType::hexe8, 7)};
   std::mt19937 random(7);
@@ -310,8 +310,7 @@ TEST(SolidCracks, EllipsesInRandomPlanes) {
     const auto cracked = insert(host, {crack});
     ASSERT_TRUE(cracked);
     // A skew face of eight nodes and the two of six in its place differ by a little.
-    EXPECT_NEAR(volume(cracked->mesh), volume(host),
-                1e-5 * std::pow(a * c, 1.5) + 1e-10 * volume(host));
+    EXPECT_NEAR(volume(cracked->mesh), volume(host), 1e-5 * std::pow(a * c, 1.5));
     expect_sound(host, *cracked);
     expect_closed(host, *cracked);
     expect_crack(crack, *cracked, 0, pi * a * c);
@@ -396,6 +395,186 @@ INSTANTIATE_TEST_SUITE_P(SolidCracks, OpenCracks, testing::ValuesIn(open_cases()
                            std::ranges::replace(name, ' ', '_');
                            return name + "_" + std::string(base::info(at.param.type).name);
                          });
+
+/// A thick ring, or a part of one: radius 1 to 4, height 2, from the block's coordinates.
+model::Mesh ring(ElementType type, int nr, int nt, int nz) {
+  model::Mesh mesh;
+  mesh::BlockSpec spec;
+  spec.type = type;
+  spec.origin = Vec3(1, 0, 0);
+  spec.size = Vec3(3, 1, 2);
+  spec.nx = nr;
+  spec.ny = nt;
+  spec.nz = nz;
+  mesh::generate_solid_block(mesh, base::NetId(std::size_t{0}), "", spec);
+  for (Vec3& x : mesh.x) {
+    const double angle = 1.5 * pi * x.y();
+    x = Vec3(x.x() * std::cos(angle), x.x() * std::sin(angle), x.z());
+  }
+  return mesh;
+}
+
+TEST(SolidCracks, UnitsAndPositionDoNotChangeThePatch) {
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+  const mesh::SolidCrack crack = ellipse({0.1, 0.2, 0.3}, turn, 0.7, 0.4);
+  const model::Mesh host = box(ElementType::tet10, 5);
+  const auto first = insert(host, {crack});
+  ASSERT_TRUE(first);
+  const Eigen::Matrix3d way =
+      Eigen::AngleAxisd(1.1, Vec3(-2, 1, 1).normalized()).toRotationMatrix();
+  const auto moved = [&](const Vec3& x) -> Vec3 {
+    return 1000.0 * (way * x) + Vec3(5e3, 2e3, 7e2);
+  };
+  model::Mesh other = host;
+  std::ranges::transform(host.x, other.x.begin(), moved);
+  mesh::SolidCrack there = crack;
+  there.normal = way * crack.normal;
+  std::ranges::transform(crack.front, there.front.begin(), moved);
+  const auto second = insert(other, {there});
+  ASSERT_TRUE(second);
+  ASSERT_EQ(first->mesh.nodes, second->mesh.nodes);
+  for (std::size_t n = 0; n < first->mesh.node_count(); ++n) {
+    EXPECT_NEAR((moved(first->mesh.x[n]) - second->mesh.x[n]).norm(), 0.0, 1e-4);
+  }
+}
+
+TEST(SolidCracks, SetsAndNeighbours) {
+  model::Mesh host = box(ElementType::hexec20, 6);
+  model::ElementSet half{"HALF", {}, {}};
+  for (std::size_t e = 0; e < host.element_count(); ++e) {
+    Vec3 middle = Vec3::Zero();
+    for (const NodeId n : host.nodes_of(ElementId(e)).first(8)) {
+      middle += host.x[n.index()] / 8.0;
+    }
+    if (middle.x() > 0.0) {
+      half.elements.emplace_back(e);
+    }
+  }
+  host.element_sets.push_back(half);
+  model::NodeSet all{"ALL", {}, {}};
+  for (std::size_t n = 0; n < host.node_count(); ++n) {
+    all.nodes.emplace_back(n);
+  }
+  host.node_sets.push_back(all);
+  // Two near each other share a patch, one comes out, one is far away.
+  std::vector<mesh::SolidCrack> cracks{
+      ellipse({0, 0, 0.2}, Eigen::Matrix3d::Identity(), 0.5, 0.5),
+      ellipse({0.3, 0, 0.9}, Eigen::Matrix3d::Identity(), 0.4, 0.3),
+      ellipse({2, -4, 2}, Eigen::Matrix3d::Identity(), 0.4, 0.4)};
+  for (std::size_t i = 0; i < cracks.size(); ++i) {
+    cracks[i].crack = base::CrackId(i);
+  }
+  const auto cracked = insert(host, cracks);
+  ASSERT_TRUE(cracked);
+  expect_sound(host, *cracked);
+  expect_ties(*cracked);
+  expect_crack(cracks[0], *cracked, 0, 0.25 * pi);
+  expect_crack(cracks[1], *cracked, 1, 0.12 * pi);
+  expect_crack(cracks[2], *cracked, 2, 0.08 * pi);
+  const model::Mesh& mesh = cracked->mesh;
+  EXPECT_EQ(mesh.element_sets[0].elements.size(), mesh.element_count());
+  for (const ElementId e : mesh.element_sets[1].elements) {
+    Vec3 middle = Vec3::Zero();
+    const auto corners = static_cast<std::size_t>(base::info(mesh.type[e.index()]).corners);
+    for (const NodeId n : mesh.nodes_of(e).first(corners)) {
+      middle += mesh.x[n.index()] / static_cast<double>(corners);
+    }
+    EXPECT_GT(middle.x(), -1e-9);
+  }
+  EXPECT_TRUE(cracked->lost[0].empty());
+  std::set<NodeId> used(mesh.nodes.begin(), mesh.nodes.end());
+  std::set<NodeId> members(mesh.node_sets[0].nodes.begin(), mesh.node_sets[0].nodes.end());
+  for (const NodeId n : used) {
+    EXPECT_TRUE(members.contains(n));
+  }
+}
+
+TEST(SolidCracks, RefusalsNameThePlace) {
+  const model::Mesh host = box(ElementType::tet10, 4);
+  const auto told = [&](const mesh::SolidCrack& crack, const mesh::TubeMesh& tube) {
+    base::Diagnostics diagnostics;
+    EXPECT_FALSE(mesh::insert_solid_cracks(host, std::vector{crack}, std::vector{tube},
+                                           std::vector<base::Span>(1), diagnostics));
+    EXPECT_EQ(diagnostics.all().size(), 1U);
+    return diagnostics.all().empty() ? "" : diagnostics.all()[0].code;
+  };
+  const Eigen::Matrix3d flat = Eigen::Matrix3d::Identity();
+  EXPECT_EQ(told(ellipse({9, 0, 0}, flat, 0.5, 0.5), {}), "E425");
+  mesh::TubeMesh wide;
+  wide.radius = 0.6; // the front curves by 0.5
+  EXPECT_EQ(told(ellipse({0, 0, 0}, flat, 0.5, 0.5), wide), "E423");
+  // Its front comes as near as a hundredth to the surface, along most of it.
+  EXPECT_EQ(told(ellipse({0, 0, 3.999}, flat, 0.5, 0.5), {}), "E423");
+}
+
+TEST(SolidCracks, AtTheBoreOfARing) {
+  // Corner cracks and half ellipses at the bore, in a plane through the axis or one that leans.
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.75 * pi, Vec3::UnitZ()).toRotationMatrix();
+  const Eigen::Matrix3d plane = turn * axes(Vec3::UnitX(), Vec3::UnitZ());
+  const Eigen::Matrix3d leaning = turn * axes(Vec3::UnitX(), Vec3(0, std::sin(0.2), std::cos(0.2)));
+  const Vec3 bore = turn * Vec3(1, 0, 0);
+  for (const auto& host : {ring(ElementType::hexec20, 4, 16, 3), ring(ElementType::tet10, 4, 16, 3),
+                           ring(ElementType::hexe8, 6, 40, 4)}) {
+    for (const Eigen::Matrix3d& t : {plane, leaning}) {
+      int k = 0;
+      for (const mesh::SolidCrack& crack :
+           {ellipse(bore, t, 0.6, 0.5), ellipse(bore + Vec3(0, 0, 2), t, 0.3, 0.4),
+            ellipse(bore + Vec3(0, 0, 0.9), t, 0.5, 0.5),
+            ellipse(bore + Vec3(0, 0, 0.9), t, 0.3, 0.6),
+            ellipse(bore + Vec3(0, 0, 1), t, 1.5, 1.5)}) {
+        SCOPED_TRACE(k++);
+        const auto cracked = insert(host, {crack});
+        ASSERT_TRUE(cracked);
+        expect_sound(host, *cracked);
+        expect_ties(*cracked);
+        EXPECT_NEAR(volume(cracked->mesh), volume(host), 2e-3 * volume(host));
+        for (const std::string& note : cracked->notes) {
+          GTEST_LOG_(INFO) << note;
+        }
+      }
+    }
+  }
+}
+
+TEST(SolidCracks, EllipsesThatComeOutAnywhere) {
+  const int tries = std::getenv("SPRICKA_FULL") != nullptr ? 200 : 6;
+  const std::array<model::Mesh, 4> hosts{box(ElementType::tet10, 4), box(ElementType::tet10, 9),
+                                         box(ElementType::hexec20, 8), box(ElementType::hexe8, 7)};
+  int refused = 0;
+  std::mt19937 random(11);
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * std::generate_canonical<double, 53>(random);
+  };
+  for (int i = 0; i < tries; ++i) {
+    const double c = uniform(0.2, 1.2);
+    const double a = c * uniform(0.3, 1.0);
+    // The plane stands on the face within 35 degrees, the ellipse lies as it likes in it.
+    const Eigen::Matrix3d turn = (Eigen::AngleAxisd(uniform(-0.6, 0.6), Vec3::UnitX()) *
+                                  Eigen::AngleAxisd(uniform(-0.3, 0.3), Vec3::UnitZ()))
+                                     .toRotationMatrix();
+    const Vec3 centre(uniform(-2.5, 2.5), -4 + uniform(-0.4, 0.4) * a, uniform(-2.5, 2.5));
+    const mesh::SolidCrack crack = ellipse(centre, turn, c, a);
+    const model::Mesh& host = hosts[static_cast<std::size_t>(i) % hosts.size()];
+    SCOPED_TRACE(std::to_string(i) + ": c = " + std::to_string(c) + " a = " + std::to_string(a));
+    base::Diagnostics diagnostics;
+    const auto cracked =
+        mesh::insert_solid_cracks(host, std::vector{crack}, std::vector<mesh::TubeMesh>(1),
+                                  std::vector<base::Span>(1), diagnostics);
+    if (!cracked) { // fronts that meet the surface too flat, of which a few are told by folded
+                    // tubes
+      for (const auto& d : diagnostics.all()) {
+        EXPECT_TRUE(d.code == "E423" || d.code == "E429") << d.text;
+      }
+      ++refused;
+      continue;
+    }
+    EXPECT_NEAR(volume(cracked->mesh), volume(host), 1e-5 * std::pow(a * c, 1.5));
+    expect_sound(host, *cracked);
+    expect_ties(*cracked);
+  }
+  EXPECT_LE(refused, tries / 4);
+}
 
 } // namespace
 } // namespace spricka

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <set>
 
@@ -20,7 +19,6 @@ using base::ElementType;
 using base::Vec2;
 using base::Vec3;
 
-constexpr double pi = std::numbers::pi;
 constexpr std::array solids{ElementType::tet4,     ElementType::tet10, ElementType::penta6,
                             ElementType::pentac15, ElementType::hexe8, ElementType::hexec20,
                             ElementType::hexec27};
