@@ -243,7 +243,7 @@ private:
     const SolidRequest& request = requests_[group.members[c]];
     const double widest = group.frame.a * *std::ranges::max_element(tube.radius);
     result_.notes.push_back(fmt::format(
-        "{}: a = {:.6g} (circle of its area), {}, front of length {:.6g} with {} "
+        "{}: as large as a circle of radius {:.4g}, {}, front of length {:.6g} with {} "
         "elements, tube of radius {:.6g}{} with {} rings of {} sectors, patch of {} elements for "
         "{} "
         "of the net{}",
