@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The manual describes the columns that there are, in their order, and says where else they stand.
 #include "results/contact_result.hpp"
+#include "results/front_result.hpp"
 #include "results/tip_result.hpp"
 
 #include <algorithm>
@@ -129,6 +130,23 @@ TEST(Columns, of_k_csv_are_those_of_the_manual) {
                  {"sweeps", in_sweep},
                  {"`$CHECK`", in_check},
                  {"everywhere", everywhere}});
+}
+
+TEST(Columns, of_k_csv_in_space_are_those_of_the_manual) {
+  Words columns{"increment", "step", "crack", "a", "point", "at_surface", "closed"};
+  for (const FrontQuantity& q : front_quantities) {
+    columns.emplace_back(q.name);
+  }
+  const std::vector<ManualRow> rows = manual_rows("k.csv of cracks in space");
+  EXPECT_EQ(manual_names(rows, columns), columns);
+  for (const ManualRow& row : rows) {
+    for (const std::string& name : row.names) {
+      if (const auto* const q = find_by_name(front_quantities, name)) {
+        EXPECT_EQ(q->listed, row.also_in.find("listing") != std::string::npos) << name;
+        EXPECT_EQ(q->checked, row.also_in.find("`$CHECK`") != std::string::npos) << name;
+      }
+    }
+  }
 }
 
 TEST(Columns, of_pressure_csv_are_those_of_the_manual) {
