@@ -4,16 +4,24 @@
 #include "base/index.hpp"
 #include "contact/space/rigid_round.hpp"
 #include "contact/space_rows.hpp"
+#include "shape/quadrature.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace spricka::contact {
 
 using base::index;
 
 namespace {
+
+constexpr int rule_degree = 5;
 
 Vec3 motion_of(base::NodeId node, const base::Vector& u) {
   return u.segment<3>(3 * index(node.index()));
@@ -71,13 +79,13 @@ public:
     if (!(largest_ > 0.0)) {
       return {};
     }
-    const auto see = sight_of(pair_);
+    const auto see = points_of();
     for (const SurfaceTriangle& triangle : own_.triangles) {
       const Eigen::Vector3d p = pressures(triangle);
       if (p.maxCoeff() <= least_looked_at * largest_) {
         continue;
       }
-      for (const SightPoint& point : see(triangle).points) {
+      for (const SightPoint& point : see(triangle)) {
         add(triangle, point, p.dot(point.hat));
       }
     }
@@ -87,6 +95,38 @@ public:
   }
 
 private:
+  // Points of a triangle that see the target as drawn. Of a body those of one rule on the whole
+  // triangle: rows clip it by all that is opposite, but what is told here are largest ways.
+  [[nodiscard]] std::function<std::vector<SightPoint>(const SurfaceTriangle&)> points_of() const {
+    if (pair_.rigid_shape) {
+      return [see = sight_of(pair_)](const SurfaceTriangle& t) { return see(t).points; };
+    }
+    return [this, drawn = std::make_shared<const Sighting>(own_, other_)](
+               const SurfaceTriangle& t) { return looked_at(t, *drawn); };
+  }
+
+  [[nodiscard]] std::vector<SightPoint> looked_at(const SurfaceTriangle& t,
+                                                  const Sighting& drawn) const {
+    const SolidFace& face = own_.faces[t.face];
+    const std::array<Vec2, 3> r{node_r(face.shape, t.node[0]), node_r(face.shape, t.node[1]),
+                                node_r(face.shape, t.node[2])};
+    const Vec2 a = r[1] - r[0];
+    const Vec2 b = r[2] - r[0];
+    const double r_area2 = std::abs(a.x() * b.y() - a.y() * b.x());
+    std::vector<SightPoint> points;
+    for (const auto& [q, weight] : shape::triangle_rule(rule_degree)) {
+      const Vec2 at = r[0] + q[0] * a + q[1] * b;
+      const FacePoint here = point_on(face, at);
+      if (std::optional<SightPoint> met = drawn.look(here.x, surface_normal(own_, t.face, here))) {
+        met->hat = {1.0 - q[0] - q[1], q[0], q[1]};
+        met->r = at;
+        met->weight = weight * r_area2 * here.area_vector().norm();
+        points.push_back(*met);
+      }
+    }
+    return points;
+  }
+
   // At the corners of a triangle; functions that joined another have its pressure.
   [[nodiscard]] Eigen::Vector3d pressures(const SurfaceTriangle& triangle) const {
     Eigen::Vector3d p = Eigen::Vector3d::Zero();

@@ -92,7 +92,11 @@ Sighting::Sighting(const SpaceSurface& contact, const SpaceSurface& target, doub
   for (const SurfaceTriangle& t : target.triangles) {
     corner_.push_back(corners_of(target, t));
   }
-  tree_ = BoxTree(boxes_of(corner_));
+  const std::vector<Box> boxes = boxes_of(corner_);
+  for (const Box& box : boxes) {
+    size_ += (box.high - box.low).norm() / static_cast<double>(boxes.size());
+  }
+  tree_ = BoxTree(boxes);
 }
 
 bool Sighting::meet(std::size_t face, SightPoint& point) const {
@@ -175,12 +179,22 @@ void Sighting::see_target(const Frame& frame, std::size_t target, Sight& sight) 
 }
 
 std::optional<SightPoint> Sighting::look(const Vec3& x, const Vec3& n) const {
+  // Twice as far each time: most points have the target right before them.
+  for (double far = size_ > 0.0 ? std::min(size_, reach_) : reach_;;
+       far = std::min(2.0 * far, reach_)) {
+    std::optional<SightPoint> found = look_as_far(x, n, far);
+    if ((found && std::abs(found->gap) <= far) || !(far < reach_)) {
+      return found;
+    }
+  }
+}
+
+std::optional<SightPoint> Sighting::look_as_far(const Vec3& x, const Vec3& n, double far) const {
   constexpr double near = 0.3; // of a triangle's size: the curved face may be met beside it
   constexpr double on = 1e-6;  // of a face's reference coordinates
-  const Vec3 up = x + reach_ * n;
-  const Vec3 down = x - reach_ * n;
+  const Vec3 up = far * n.cwiseAbs() + Vec3::Constant(near * size_);
   std::optional<SightPoint> found;
-  for (const std::size_t t : tree_.met_by({up.cwiseMin(down), up.cwiseMax(down)})) {
+  for (const std::size_t t : tree_.met_by({x - up, x + up})) {
     const std::array<Vec3, 3>& y = corner_[t];
     Eigen::Matrix3d J;
     J << y[1] - y[0], y[2] - y[0], -n;

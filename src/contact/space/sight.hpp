@@ -55,10 +55,14 @@ private:
   struct Frame;
   void see_target(const Frame& frame, std::size_t target, Sight& sight) const;
   [[nodiscard]] bool meet(std::size_t face, SightPoint& point) const;
+  /// look(), no farther than `far` either way.
+  [[nodiscard]] std::optional<SightPoint> look_as_far(const Vec3& x, const Vec3& n,
+                                                      double far) const;
 
   const SpaceSurface& contact_;
   const SpaceSurface& target_;
   double reach_ = 0.0;
+  double size_ = 0.0;                       ///< of the target's triangles, on average
   BoxTree tree_;                            ///< of the target's triangles
   std::vector<std::array<Vec3, 3>> corner_; ///< [triangle of the target]
 };
