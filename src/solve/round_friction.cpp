@@ -176,120 +176,144 @@ private:
     return steps;
   }
 
-  // The rows in contact and what each asks for.
-  struct Active {
-    std::vector<int> row;
-    std::vector<int> place; ///< [n] among them, -1: no force
-    void add(int i) {
-      place[at(i)] = static_cast<int>(row.size());
-      row.push_back(i);
+  // A few rows and a weight for each.
+  struct Mix {
+    std::array<int, 3> row{};
+    std::array<double, 3> weight{};
+    int count = 0;
+    void add(int i, double share) {
+      row[at(count)] = i;
+      weight[at(count++)] = share;
     }
   };
+  // An unknown force of points in contact and the equation that goes with it:
+  // gap . (W lambda + B alpha + b) + own x = right.
+  struct Unknown {
+    Mix force; ///< what a unit of it is on the rows
+    Mix gap;
+    double own = 0.0;
+    double right = 0.0;
+  };
 
-  [[nodiscard]] Active active() const {
-    Active a;
-    a.place.assign(static_cast<std::size_t>(p_.rows()), -1);
-    for (const int i : p_.fixed) {
-      a.add(i);
+  // g = 0 of a row with its own force, and `follows` that come along with it.
+  void add_closed(int i, const Mix& follows, std::vector<Unknown>& list) const {
+    Unknown& x = list.emplace_back();
+    x.force.add(i, 1.0);
+    for (int k = 0; k < follows.count; ++k) {
+      x.force.add(follows.row[at(k)], follows.weight[at(k)]);
     }
-    for (std::size_t k = 0; k < p_.units.size(); ++k) {
-      const RoundFriction::Unit& u = p_.units[k];
-      if (s_.touch[k] != Touch::open) {
-        a.add(u.normal);
-        for (int t = 0; t < u.tangents; ++t) {
-          a.add(u.tangent[at(t)]);
-        }
-      }
-    }
-    return a;
-  }
-
-  // g = 0 of row i in equation r: W lambda + B alpha = -b, times `share`.
-  void add_gap(const Active& a, Eigen::Index r, int i, double share, base::Matrix& K,
-               base::Matrix& x) const {
-    for (std::size_t c = 0; c < a.row.size(); ++c) {
-      K(r, index(c)) += share * p_.W(i, a.row[c]);
-    }
-    K.row(r).tail(p_.modes()) += share * p_.B.row(i);
-    x(r, 0) -= share * p_.b[i];
+    x.gap.add(i, 1.0);
+    x.own = row_spring;
+    x.right = row_spring * s_.lambda[i];
   }
 
   // Where a point slips: (I - rho P) q - mu z p + rho P v = 0 with the unit vector z against the
-  // slip and P = I - z z^T across it (solve.35).
-  void add_slip(const Active& a, const RoundFriction::Unit& u, base::Matrix& K,
-                base::Matrix& x) const {
+  // slip and P = I - z z^T across it (solve.35). Along z that is q . z = mu p, which leaves the
+  // pressure and what is across.
+  void add_slip(const RoundFriction::Unit& u, std::vector<Unknown>& list) const {
     const Shear z = tangential(u, s_.lambda) - tangential(u, s_.gap);
     const Shear along = z.normalized();
-    const double rho =
-        u.tangents == 2 ? std::min(1.0, u.mu * std::max(s_.lambda[u.normal], 0.0) / z.norm()) : 0.0;
-    const Eigen::Matrix2d across = Eigen::Matrix2d::Identity() - along * along.transpose();
-    for (int j = 0; j < u.tangents; ++j) {
-      const Eigen::Index r = a.place[at(u.tangent[at(j)])];
-      K(r, a.place[at(u.normal)]) -= u.mu * along[j];
-      for (int k = 0; k < u.tangents; ++k) {
-        const int row = u.tangent[at(k)];
-        K(r, a.place[at(row)]) += (j == k ? 1.0 : 0.0) - rho * across(j, k);
-        if (rho > 0.0) {
-          add_gap(a, r, row, rho * across(j, k), K, x);
-        }
+    Mix follows;
+    for (int t = 0; t < u.tangents; ++t) {
+      follows.add(u.tangent[at(t)], u.mu * along[t]);
+    }
+    add_closed(u.normal, follows, list);
+    if (u.tangents == 2) {
+      const double rho = std::min(1.0, u.mu * std::max(s_.lambda[u.normal], 0.0) / z.norm());
+      const Shear across(-along[1], along[0]);
+      Unknown& x = list.emplace_back();
+      for (int t = 0; t < 2; ++t) {
+        x.force.add(u.tangent[at(t)], across[t]);
+        x.gap.add(u.tangent[at(t)], rho * across[t]);
       }
+      x.own = 1.0 - rho;
     }
   }
 
-  bool newton_step() {
-    const Active a = active();
-    const auto n = index(a.row.size());
-    const Eigen::Index m = p_.modes();
-    const auto size = static_cast<int>(n + m);
-    base::Matrix K = base::Matrix::Zero(n + m, n + m);
-    base::Matrix x = base::Matrix::Zero(n + m, 1);
-    const auto closed = [&](int i) {
-      const Eigen::Index r = a.place[at(i)];
-      add_gap(a, r, i, 1.0, K, x);
-      K(r, r) += row_spring;
-      x(r, 0) += row_spring * s_.lambda[i];
-    };
+  [[nodiscard]] std::vector<Unknown> unknowns() const {
+    std::vector<Unknown> list;
     for (const int i : p_.fixed) {
-      closed(i);
+      add_closed(i, {}, list);
     }
     for (std::size_t k = 0; k < p_.units.size(); ++k) {
       const RoundFriction::Unit& u = p_.units[k];
-      if (s_.touch[k] == Touch::open) {
-        continue;
-      }
-      closed(u.normal);
       if (s_.touch[k] == Touch::forward) {
-        add_slip(a, u, K, x);
-        continue;
-      }
-      for (int t = 0; t < u.tangents; ++t) {
-        closed(u.tangent[at(t)]);
+        add_slip(u, list);
+      } else if (s_.touch[k] != Touch::open) {
+        add_closed(u.normal, {}, list);
+        for (int t = 0; t < u.tangents; ++t) {
+          add_closed(u.tangent[at(t)], {}, list);
+        }
       }
     }
-    // Springs hold what no row holds where it is; the step leaves out of the answer what they take.
+    return list;
+  }
+
+  // Equations of the forces, columns one by one as W has them, and the balance of the modes.
+  // Springs hold what no row holds where it is; the step leaves out of the answer what they take.
+  void equations(const std::vector<Unknown>& list, base::Matrix& K, base::Matrix& x) const {
+    const auto n = index(list.size());
+    const Eigen::Index m = p_.modes();
+    K.resize(n + m, n + m);
+    x.resize(n + m, 1);
+    base::Vector opened(p_.rows());
     for (Eigen::Index c = 0; c < n; ++c) {
-      K.col(c).tail(m) = p_.B.row(a.row[at(c)]).transpose();
+      const Unknown& own = list[at(c)];
+      const Mix& force = own.force;
+      opened = force.weight[0] * p_.W.col(force.row[0]);
+      base::Vector balance = force.weight[0] * p_.B.row(force.row[0]).transpose();
+      for (int k = 1; k < force.count; ++k) {
+        opened += force.weight[at(k)] * p_.W.col(force.row[at(k)]);
+        balance += force.weight[at(k)] * p_.B.row(force.row[at(k)]).transpose();
+      }
+      for (Eigen::Index r = 0; r < n; ++r) {
+        const Mix& gap = list[at(r)].gap;
+        K(r, c) = gap.weight[0] * opened[gap.row[0]];
+        if (gap.count > 1) {
+          K(r, c) += gap.weight[1] * opened[gap.row[1]];
+        }
+      }
+      K(c, c) += own.own;
+      K.col(c).tail(m) = balance;
+      x(c, 0) = own.right;
+      K.row(c).tail(m).setZero();
+      for (int k = 0; k < own.gap.count; ++k) {
+        K.row(c).tail(m) += own.gap.weight[at(k)] * p_.B.row(own.gap.row[at(k)]);
+        x(c, 0) -= own.gap.weight[at(k)] * p_.b[own.gap.row[at(k)]];
+      }
     }
     K.bottomRightCorner(m, m) = -mode_spring * base::Matrix::Identity(m, m);
     x.col(0).tail(m) = -p_.h - mode_spring * s_.alpha;
+  }
+
+  bool newton_step() {
+    const std::vector<Unknown> list = unknowns();
+    const Eigen::Index m = p_.modes();
+    equations(list, K_, x_);
+    const auto size = static_cast<int>(K_.rows());
     std::vector<int> order;
-    if (size == 0 || !blas::lu(size, {K.data(), size}, order)) {
+    if (size == 0 || !blas::lu(size, {K_.data(), size}, order)) {
       return false;
     }
-    blas::solve_lu(size, 1, {K.data(), size}, order, {x.data(), size});
-    if (!x.allFinite()) {
+    blas::solve_lu(size, 1, {K_.data(), size}, order, {x_.data(), size});
+    if (!x_.allFinite()) {
       return false;
     }
     s_.lambda.setZero();
-    for (Eigen::Index c = 0; c < n; ++c) {
-      s_.lambda[a.row[at(c)]] = x(c, 0);
+    for (std::size_t c = 0; c < list.size(); ++c) {
+      const Mix& force = list[c].force;
+      for (int k = 0; k < force.count; ++k) {
+        s_.lambda[force.row[at(k)]] += force.weight[at(k)] * x_(index(c), 0);
+      }
     }
-    s_.alpha = x.col(0).tail(m);
+    s_.alpha = x_.col(0).tail(m);
     return true;
   }
 
   const RoundFriction& p_;
   RoundState s_;
+  base::Matrix K_; ///< kept from step to step for its memory
+  base::Matrix x_;
 };
 
 } // namespace
