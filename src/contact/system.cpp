@@ -9,33 +9,12 @@
 #include <cmath>
 #include <utility>
 
-#include <Eigen/QR>
-
 namespace spricka::contact {
 
 using base::at;
 using base::index;
 
 namespace {
-
-base::Matrix orthonormal(const base::Matrix& modes) {
-  if (modes.cols() == 0) {
-    return modes;
-  }
-  // The thin Q: as many columns as modes, whatever basis they came in.
-  const Eigen::HouseholderQR<base::Matrix> qr(modes);
-  return qr.householderQ() * base::Matrix::Identity(modes.rows(), modes.cols());
-}
-
-// S with its null space filled; S is overwritten, as it may be large.
-base::Matrix held(base::Matrix S, const base::Matrix& Q) {
-  if (Q.cols() > 0) {
-    const double mean = S.trace() / static_cast<double>(S.rows());
-    const double k = mean > 0.0 ? mean : 1.0; // a body of rigid modes only: any number will do
-    S.noalias() += k * Q * Q.transpose();
-  }
-  return S;
-}
 
 // The rows of a body as columns [m, k].
 base::Matrix as_columns(const std::vector<std::vector<RowShare>>& rows, std::size_t freedoms) {
@@ -58,41 +37,6 @@ double row_size(const std::vector<RowShare>& row) {
 }
 
 } // namespace
-
-CondensedBody::CondensedBody(std::vector<std::int32_t> freedom, base::Matrix S,
-                             const base::Matrix& modes)
-    : freedom_(std::move(freedom)), Q_(orthonormal(modes)), factor_(held(std::move(S), Q_)) {}
-
-CondensedBody::CondensedBody(std::vector<std::int32_t> freedom, solve::FactoredExternals factor)
-    : freedom_(std::move(freedom)), Q_(index(freedom_.size()), 0), factor_(base::Matrix()),
-      layered_(std::move(factor)) {}
-
-// The part of F off the rigid modes, P F of (solve.10).
-base::Matrix CondensedBody::project(base::Matrix F) const {
-  if (Q_.cols() > 0) {
-    F -= Q_ * (Q_.transpose() * F);
-  }
-  return F;
-}
-
-base::Matrix CondensedBody::half_compliance(const base::Matrix& F) const {
-  // A layered factor has no modes to project off. Its early rows come first in Y.
-  return layered_ ? layered_->L.half_solve(spread(F)) : factor_.half_solve(project(F));
-}
-
-base::Matrix CondensedBody::displacement(const base::Matrix& F) const {
-  if (!layered_) {
-    return project(factor_.solve(project(F)));
-  }
-  const base::Matrix u = layered_->L.solve(spread(F));
-  return u(layered_->row, Eigen::all);
-}
-
-base::Matrix CondensedBody::spread(const base::Matrix& F) const {
-  base::Matrix all = base::Matrix::Zero(layered_->L.size(), F.cols());
-  all(layered_->row, Eigen::all) = F;
-  return all;
-}
 
 ContactSystem::ContactSystem(std::vector<const CondensedBody*> bodies,
                              std::vector<const ConstraintRow*> rows, int dim, std::size_t freedoms,
@@ -156,7 +100,8 @@ void ContactSystem::add_body(std::size_t body, const Lasting& lasting,
                              const std::vector<const ConstraintRow*>& rows) {
   std::vector<std::size_t> stay; // rows of the body that last, and those that do not
   std::vector<std::size_t> move;
-  const bool keeps = body < lasting.kept.size() && lasting.kept[body] != nullptr;
+  const bool keeps =
+      body < lasting.kept.size() && lasting.kept[body] != nullptr && !bodies_[body]->is_whole();
   for (std::size_t r = 0; r < rows_.size(); ++r) {
     if (std::ranges::any_of(rows_[r], [&](const Entry& e) { return e.body == body; })) {
       (keeps && lasting.row[r] && may_last(body, r) ? stay : move).push_back(r);
@@ -169,6 +114,13 @@ void ContactSystem::add_body(std::size_t body, const Lasting& lasting,
   const std::vector<std::vector<RowShare>> moving = shares_of(body, move, false);
   const CondensedBody& own = *bodies_[body];
   const solve::FactoredExternals* factor = own.layered();
+  if (own.is_whole()) {
+    const solve::RowCompliance found = own.compliance(moving);
+    row_flops_ += found.flops;
+    add_compliance(move, move, found.W);
+    add_modes(body, move, moving);
+    return;
+  }
   // Rows that do not last: half compliances anew; Y^T Y is symmetric to the last bit.
   const base::Matrix Y = own.half_compliance(as_columns(moving, own.freedom().size()));
   add_compliance(move, move, solve::gram(Y));
@@ -245,13 +197,19 @@ std::size_t ContactSystem::body_of_mode(Eigen::Index mode) const {
   return b;
 }
 
+base::Vector ContactSystem::motion_of(const Problem& problem, std::size_t body) const {
+  const bool known = body < problem.motion.size() && problem.motion[body].size() > 0;
+  return known ? problem.motion[body]
+               : base::Vector(bodies_[body]->displacement(problem.load[body]));
+}
+
 solve::ContactProblem ContactSystem::condensed(const Problem& problem) const {
   const auto n = index(problem.rows.size());
   std::vector<base::Vector> u(bodies_.size());
   solve::ContactProblem small = compliance(problem.rows);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     // b and h of (solve.11): gaps as the loads alone leave them, and the loads on the modes.
-    u[b] = bodies_[b]->displacement(problem.load[b]);
+    u[b] = motion_of(problem, b);
     small.h.segment(mode_start_[b], bodies_[b]->modes().cols()) =
         bodies_[b]->modes().transpose() * problem.load[b];
   }
@@ -324,6 +282,11 @@ ContactSystem::Solution ContactSystem::solve(const Problem& problem,
   }
   // u = S+ (f + G^T lambda) + Q alpha, body by body.
   std::vector<base::Vector> force = problem.load;
+  for (std::size_t b = 0; b < problem.motion.size(); ++b) {
+    if (problem.motion[b].size() > 0) {
+      force[b].setZero(); // what the loads do is known
+    }
+  }
   for (Eigen::Index i = 0; i < s.lambda.size(); ++i) {
     for (const Entry& e : rows_[problem.rows[at(i)]]) {
       force[e.body][e.at] += s.lambda[i] * e.weight;
@@ -333,6 +296,9 @@ ContactSystem::Solution ContactSystem::solve(const Problem& problem,
     solution.u.push_back(bodies_[b]->displacement(force[b]) +
                          bodies_[b]->modes() *
                              s.alpha.segment(mode_start_[b], bodies_[b]->modes().cols()));
+    if (b < problem.motion.size() && problem.motion[b].size() > 0) {
+      solution.u.back() += problem.motion[b];
+    }
   }
   return solution;
 }

@@ -1,57 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "base/vec.hpp"
+#include "contact/condensed_body.hpp"
 #include "contact/constraint.hpp"
 #include "solve/contact_problem.hpp"
-#include "solve/dense_cholesky.hpp"
 #include "solve/friction_problem.hpp"
 #include "solve/friction_unique.hpp"
-#include "solve/layered_cholesky.hpp"
 
-#include <optional>
 #include <vector>
 
 namespace spricka::contact {
-
-/// A condensed body as contact sees it: stiffness between its external freedoms, and the rigid
-/// modes that its supports leave free. The pseudo-inverse S+ (zero on the modes) comes from one
-/// dense Cholesky of S + k Q Q^T with k = trace(S)/m, Q the orthonormal modes. Where no mode is
-/// free S may come as a factor, whose early rows other bodies have in common with this one.
-class CondensedBody {
-public:
-  /// freedom [m] (dim * node + c), S [m, m], modes [m, r] any basis of the null space, r may be 0.
-  CondensedBody(std::vector<std::int32_t> freedom, base::Matrix S, const base::Matrix& modes);
-  CondensedBody(std::vector<std::int32_t> freedom, solve::FactoredExternals factor);
-
-  [[nodiscard]] const std::vector<std::int32_t>& freedom() const { return freedom_; }
-  [[nodiscard]] const base::Matrix& modes() const { return Q_; } ///< [m, r] orthonormal
-  [[nodiscard]] bool ok() const { return layered_ ? layered_->L.ok() : factor_.ok(); }
-  /// The factor in the place of S, else null.
-  [[nodiscard]] const solve::FactoredExternals* layered() const {
-    return layered_ ? &*layered_ : nullptr;
-  }
-  /// Y [.., k] with Y^T Y = F^T S+ F.
-  [[nodiscard]] base::Matrix half_compliance(const base::Matrix& F) const;
-  /// S+ F [m, k].
-  [[nodiscard]] base::Matrix displacement(const base::Matrix& F) const;
-
-private:
-  [[nodiscard]] base::Matrix project(base::Matrix F) const;
-  /// F on the rows of the factor.
-  [[nodiscard]] base::Matrix spread(const base::Matrix& F) const;
-
-  std::vector<std::int32_t> freedom_;
-  base::Matrix Q_;
-  solve::DenseCholesky factor_;
-  std::optional<solve::FactoredExternals> layered_;
-};
-
-/// A row's part in one body: external freedom, or early row of its factor, and weight.
-struct RowShare {
-  Eigen::Index at = 0;
-  double weight = 0.0;
-  bool operator==(const RowShare&) const = default;
-};
 
 /// The part of a body's compliance that belongs to rows which the next crack length has again.
 struct LastingRows {
@@ -81,6 +39,8 @@ public:
     std::vector<bool> equality;     ///< [rows in force]
     base::Vector gap;               ///< [rows in force] g at zero displacement, weighted
     std::vector<base::Vector> load; ///< [body][m] condensed loads
+    /// [body][m] what they move each body by, S+ f; empty, all or one: to be solved for.
+    std::vector<base::Vector> motion;
     double load_scale = 0.0;
     std::vector<bool> start;                  ///< [rows in force] closed; empty: all
     std::vector<solve::FrictionRow> friction; ///< by places in `rows`; empty: nothing rubs
@@ -108,8 +68,9 @@ public:
   [[nodiscard]] double opening(std::size_t row, const std::vector<base::Vector>& u) const;
   /// The same of all rows for several displacements [body][m, k]: [row, k].
   [[nodiscard]] base::Matrix openings(const std::vector<base::Matrix>& u) const;
-  [[nodiscard]] const base::Matrix& W() const { return W_; } ///< [row, row] compliance
-  [[nodiscard]] const base::Matrix& B() const { return B_; } ///< [row, mode]
+  [[nodiscard]] const base::Matrix& W() const { return W_; }    ///< [row, row] compliance
+  [[nodiscard]] const base::Matrix& B() const { return B_; }    ///< [row, mode]
+  [[nodiscard]] double row_flops() const { return row_flops_; } ///< of rows on whole bodies
   /// Adds what forces [k] of a row load the bodies with [body][m, k].
   void add_force(std::size_t row, const Eigen::RowVectorXd& force,
                  std::vector<base::Matrix>& load) const;
@@ -119,6 +80,8 @@ public:
   [[nodiscard]] Eigen::Index first_mode(std::size_t body) const { return mode_start_[body]; }
 
 private:
+  /// What the loads of a problem alone move a body by.
+  [[nodiscard]] base::Vector motion_of(const Problem& problem, std::size_t body) const;
   void add_body(std::size_t body, const Lasting& lasting,
                 const std::vector<const ConstraintRow*>& rows);
   [[nodiscard]] std::vector<std::vector<RowShare>>
@@ -139,6 +102,7 @@ private:
   std::vector<Eigen::Index> mode_start_; ///< [body + 1]
   base::Matrix W_;                       ///< [row, row]
   base::Matrix B_;                       ///< [row, mode]
+  double row_flops_ = 0.0;
   double opening_scale_ = 0.0; ///< what a unit of a mode opens where it moves along a row's forces
 };
 

@@ -8,8 +8,9 @@
 
 namespace spricka::solve {
 
-Condensation::Condensation(base::SymmetricCsc K, std::int64_t externals, Ordering ordering) {
-  sparse_.emplace(std::move(K), externals, ordering);
+Condensation::Condensation(base::SymmetricCsc K, std::int64_t externals, Ordering ordering,
+                           double besides) {
+  sparse_.emplace(std::move(K), externals, ordering, besides);
   report_ = sparse_->report();
   S_ = sparse_->take_schur();
 }
@@ -28,8 +29,8 @@ Condensation::Condensation(const base::SymmetricCsc& K, std::int64_t externals,
 }
 
 FactorReport Condensation::forecast(base::SymmetricCsc pattern, std::int64_t externals,
-                                    Ordering ordering) {
-  return SparseCondensation::forecast(std::move(pattern), externals, ordering);
+                                    Ordering ordering, const SparseColumns* rows) {
+  return SparseCondensation::forecast(std::move(pattern), externals, ordering, rows);
 }
 
 FactorReport Condensation::forecast(const base::SymmetricCsc& pattern, std::int64_t externals,
@@ -53,6 +54,18 @@ base::Matrix Condensation::condense_load(const base::Matrix& f) const {
 base::Matrix Condensation::recover(const base::Matrix& u_external, const base::Matrix& f) const {
   assert(report_.status == FactorStatus::ok);
   return stacked_ ? stacked_->recover(u_external, f) : sparse_->recover(u_external, f);
+}
+
+base::Matrix Condensation::solve(const base::Matrix& f,
+                                 const SparseCondensation::OfExternals& displacement) const {
+  assert(report_.status == FactorStatus::ok);
+  return stacked_ ? stacked_->recover(displacement(stacked_->condense_load(f)), f)
+                  : sparse_->solve(f, displacement);
+}
+
+RowCompliance Condensation::compliance(SparseColumns F) const {
+  assert(report_.status == FactorStatus::ok && sparse_);
+  return sparse_->compliance(std::move(F));
 }
 
 } // namespace spricka::solve

@@ -24,12 +24,15 @@ public:
   /// K [n, n] lower triangle, the last `externals` rows external. Check the report: when its status
   /// is not ok, nothing else may be asked for.
   /// K is given up as soon as it is copied into the order of elimination: move it in.
+  /// `besides` [bytes]: what others will need at the same time.
   Condensation(base::SymmetricCsc K, std::int64_t externals,
-               Ordering ordering = Ordering::automatic);
+               Ordering ordering = Ordering::automatic, double besides = 0.0);
   /// The symbolic phase alone: flops, fill and memory of what the constructor would do with a
   /// matrix of this pattern (values are not looked at).
+  /// With `rows` [n, k] it counts what their compliance takes as well.
   static FactorReport forecast(base::SymmetricCsc pattern, std::int64_t externals,
-                               Ordering ordering = Ordering::automatic);
+                               Ordering ordering = Ordering::automatic,
+                               const SparseColumns* rows = nullptr);
   /// With dense blocks on top of K, which has a row, if an empty one, for each of theirs. With
   /// `early` S may be given as a factor: what it needs of the one block is taken from there or left
   /// there for the next matrix with the same block.
@@ -51,6 +54,11 @@ public:
   [[nodiscard]] base::Matrix condense_load(const base::Matrix& f) const;
   /// All unknowns [n, k] from external displacements [externals, k] and the loads f [n, k].
   [[nodiscard]] base::Matrix recover(const base::Matrix& u_external, const base::Matrix& f) const;
+  /// The same where the external displacements follow from the condensed loads [externals, k].
+  [[nodiscard]] base::Matrix solve(const base::Matrix& f,
+                                   const SparseCondensation::OfExternals& displacement) const;
+  /// F^T K^-1 F of columns with the externals held, and F condensed to these; without blocks.
+  [[nodiscard]] RowCompliance compliance(SparseColumns F) const;
 
 private:
   FactorReport report_;

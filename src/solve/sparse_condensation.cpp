@@ -124,6 +124,8 @@ struct SparseCondensation::Impl {
   void check_pivots(const std::vector<double>& diagonal);
   void read_schur(double shift);
   void drop_externals();
+  void to_elimination(SparseColumns& F) const;
+  void count_rows(SparseColumns rows);
 
   [[nodiscard]] Supernodes supernodes() const {
     const auto integers = [](void* p) { return static_cast<const std::int64_t*>(p); };
@@ -178,7 +180,7 @@ void SparseCondensation::Impl::build(base::SymmetricCsc K, Ordering ordering) {
   // Refused before any of it is asked for: a machine that swaps is no help.
   report.memory_left =
       static_cast<double>(base::memory_limit()) - static_cast<double>(base::resident_memory());
-  if (report.memory > report.memory_left) {
+  if (report.memory + report.besides > report.memory_left) {
     report.status = FactorStatus::out_of_memory;
     return;
   }
@@ -252,9 +254,29 @@ void SparseCondensation::Impl::drop_externals() {
   }
 }
 
+/// Rows of F as those of the elimination.
+void SparseCondensation::Impl::to_elimination(SparseColumns& F) const {
+  std::vector<std::int64_t> position(at(n));
+  for (std::int64_t k = 0; k < n; ++k) {
+    position[at(order[at(k)])] = k;
+  }
+  for (std::int64_t& row : F.row) {
+    row = position[at(row)];
+  }
+}
+
+void SparseCondensation::Impl::count_rows(SparseColumns rows) {
+  to_elimination(rows);
+  const Supernodes L = supernodes();
+  const RowElimination elimination(L, rows);
+  report.row_flops = elimination.flops();
+  report.row_memory = elimination.workspace();
+}
+
 SparseCondensation::SparseCondensation(base::SymmetricCsc K, std::int64_t externals,
-                                       Ordering ordering)
+                                       Ordering ordering, double besides)
     : impl_(std::make_unique<Impl>()) {
+  impl_->report.besides = besides;
   assert(externals >= 0 && externals <= K.n);
   impl_->n = K.n;
   impl_->locals = K.n - externals;
@@ -272,7 +294,7 @@ SparseCondensation::SparseCondensation(base::SymmetricCsc K, std::int64_t extern
 }
 
 FactorReport SparseCondensation::forecast(base::SymmetricCsc pattern, std::int64_t externals,
-                                          Ordering ordering) {
+                                          Ordering ordering, const SparseColumns* rows) {
   assert(externals >= 0 && externals <= pattern.n);
   Impl impl;
   impl.n = pattern.n;
@@ -282,6 +304,9 @@ FactorReport SparseCondensation::forecast(base::SymmetricCsc pattern, std::int64
       CholmodSession session;
       // The shift changes values only, no pattern.
       impl.analyse_matrix(std::move(pattern), 0.0, ordering, session);
+      if (rows != nullptr && impl.report.status == FactorStatus::ok) {
+        impl.count_rows(*rows);
+      }
     } catch (const std::bad_alloc&) {
       impl.report.status = FactorStatus::out_of_memory;
     }
@@ -317,9 +342,16 @@ base::Matrix SparseCondensation::condense_load(const base::Matrix& f) const {
 
 base::Matrix SparseCondensation::recover(const base::Matrix& u_external,
                                          const base::Matrix& f) const {
+  assert(u_external.rows() == impl_->n - impl_->locals || impl_->n == impl_->locals);
+  assert(u_external.cols() == f.cols() || impl_->n == impl_->locals);
+  // What the forward half made of the loads on externals is not wanted.
+  return solve(f, [&](const base::Matrix&) { return u_external; });
+}
+
+base::Matrix SparseCondensation::solve(const base::Matrix& f,
+                                       const OfExternals& displacement) const {
   const Impl& c = *impl_;
   assert(f.rows() == c.n && c.report.status == FactorStatus::ok);
-  assert(c.n == c.locals || (u_external.rows() == c.n - c.locals && u_external.cols() == f.cols()));
   if (c.n == 0) {
     return f;
   }
@@ -329,8 +361,8 @@ base::Matrix SparseCondensation::recover(const base::Matrix& u_external,
   }
   eliminate_locals(c.supernodes(), X);
   if (c.n > c.locals) {
-    // (solve.6): the forward half has left y_l above; what it made of the loads below is not
-    // wanted.
+    // (solve.6): the forward half has left y_l above.
+    const base::Matrix u_external = displacement(X.bottomRows(c.n - c.locals));
     X.bottomRows(c.n - c.locals) = u_external;
   }
   substitute_locals(c.supernodes(), X);
@@ -339,6 +371,26 @@ base::Matrix SparseCondensation::recover(const base::Matrix& u_external,
     u.row(c.order[at(k)]) = X.row(k);
   }
   return u;
+}
+
+RowCompliance SparseCondensation::compliance(SparseColumns F) const {
+  const Impl& c = *impl_;
+  assert(c.report.status == FactorStatus::ok);
+  c.to_elimination(F);
+  RowCompliance out;
+  out.condensed = base::Matrix::Zero(c.n - c.locals, base::index(F.count()));
+  for (std::int64_t k = 0; k < F.count(); ++k) {
+    for (std::int64_t p = F.start[at(k)]; p < F.start[at(k + 1)]; ++p) {
+      if (F.row[at(p)] >= c.locals) {
+        out.condensed(F.row[at(p)] - c.locals, k) += F.value[at(p)];
+      }
+    }
+  }
+  const Supernodes L = c.supernodes();
+  RowElimination elimination(L, F);
+  out.flops = elimination.flops();
+  out.W = elimination.run(out.condensed);
+  return out;
 }
 
 } // namespace spricka::solve

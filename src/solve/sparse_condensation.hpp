@@ -4,8 +4,10 @@
 #include "base/vec.hpp"
 #include "solve/factor_report.hpp"
 #include "solve/ordering.hpp"
+#include "solve/row_elimination.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 
 namespace spricka::solve {
@@ -18,13 +20,16 @@ class SparseCondensation {
 public:
   /// K [n, n] lower triangle, the last `externals` rows external. Check the report: when its status
   /// is not ok, nothing else may be asked for.
-  /// K is given up as soon as it is copied into the order of elimination: move it in.
+  /// K is given up as soon as it is copied into the order of elimination: move it in. `besides`
+  /// [bytes]: what others will need at the same time.
   SparseCondensation(base::SymmetricCsc K, std::int64_t externals,
-                     Ordering ordering = Ordering::automatic);
+                     Ordering ordering = Ordering::automatic, double besides = 0.0);
   /// The symbolic phase alone: flops, fill and memory of what the constructor would do with a
   /// matrix of this pattern (values are not looked at).
+  /// With `rows` [n, k] it counts what their compliance takes as well.
   static FactorReport forecast(base::SymmetricCsc pattern, std::int64_t externals,
-                               Ordering ordering = Ordering::automatic);
+                               Ordering ordering = Ordering::automatic,
+                               const SparseColumns* rows = nullptr);
   ~SparseCondensation();
   SparseCondensation(SparseCondensation&&) noexcept;
   SparseCondensation& operator=(SparseCondensation&&) noexcept;
@@ -36,6 +41,11 @@ public:
   [[nodiscard]] base::Matrix condense_load(const base::Matrix& f) const;
   /// All unknowns [n, k] from external displacements [externals, k] and the loads f [n, k].
   [[nodiscard]] base::Matrix recover(const base::Matrix& u_external, const base::Matrix& f) const;
+  /// The same where the external displacements follow from the condensed loads [externals, k].
+  using OfExternals = std::function<base::Matrix(const base::Matrix&)>;
+  [[nodiscard]] base::Matrix solve(const base::Matrix& f, const OfExternals& displacement) const;
+  /// F^T K^-1 F [k, k] of columns F [n, k] with the externals held, and F condensed to these.
+  [[nodiscard]] RowCompliance compliance(SparseColumns F) const;
 
 private:
   struct Impl;

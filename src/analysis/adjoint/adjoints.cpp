@@ -22,7 +22,7 @@ BodyLoad no_load(const BodyNet& body, Eigen::Index columns) {
   for (const std::unique_ptr<Net>& part : body.parts) {
     load.part.emplace_back(base::Matrix::Zero(part->map.size(), columns));
   }
-  load.external = base::Matrix::Zero(body.region.map.externals(), columns);
+  load.external = base::Matrix::Zero(body.contact_size(), columns);
   return load;
 }
 

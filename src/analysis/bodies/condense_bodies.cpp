@@ -63,7 +63,9 @@ void factorise(const CondenseRequest& request, std::vector<Task>& tasks, Condens
     task.net->factor =
         stacked ? std::make_shared<solve::Condensation>(K, map.externals(), blocks,
                                                         task.layered ? &task.early : nullptr)
-                : std::make_shared<solve::Condensation>(std::move(K), map.externals());
+                : std::make_shared<solve::Condensation>(std::move(K), map.externals(),
+                                                        solve::Ordering::automatic,
+                                                        contact_bytes(request.rows));
   });
   for (const Task* task : missing) {
     const solve::FactorReport& report = task->net->factor->report();
@@ -87,11 +89,14 @@ base::Trouble trouble_of(const model::Mesh& mesh, const std::string& body, const
   case solve::FactorStatus::ok:
     return {};
   case solve::FactorStatus::out_of_memory:
-    return not_solvable(
-        fmt::format("{}: its factor needs {:.0f} MB of memory ({} unknowns, {:.2g} entries), "
-                    "{:.0f} MB can be had",
-                    body, 1e-6 * report.memory, net.map.size(), report.factor_entries,
-                    1e-6 * report.memory_left));
+    return not_solvable(fmt::format(
+        "{}: its factor needs {:.0f} MB of memory ({} unknowns, {:.2g} entries){}, {:.0f} MB can "
+        "be had",
+        body, 1e-6 * report.memory, net.map.size(), report.factor_entries,
+        report.besides > 0.02 * report.memory
+            ? fmt::format(" and the rows of contact {:.0f} MB", 1e-6 * report.besides)
+            : "",
+        1e-6 * report.memory_left));
   case solve::FactorStatus::not_positive_definite:
     break;
   }
@@ -140,6 +145,13 @@ void condense_loads(const CondenseRequest& request, BodyNet& body) {
 
 } // namespace
 
+double contact_bytes(const std::vector<const contact::ConstraintRow*>& rows) {
+  const bool rubs =
+      std::ranges::any_of(rows, [](const contact::ConstraintRow* row) { return row->tangential; });
+  const auto n = static_cast<double>(rows.size());
+  return (rubs ? 4.0 : 3.0) * 8.0 * n * n;
+}
+
 std::vector<std::int64_t> rows_on(const fe::DofMap& map, std::span<const std::int32_t> freedom) {
   std::vector<std::int64_t> rows;
   rows.reserve(freedom.size());
@@ -185,7 +197,7 @@ BodyLoad condense_load(const BodyNet& body, const fe::Dependence& ties, const ba
       }
     }
   }
-  out.external = body.region.factor->condense_load(out.region);
+  out.external = body.is_whole() ? out.region : body.region.factor->condense_load(out.region);
   return out;
 }
 
@@ -246,7 +258,7 @@ std::vector<BodyNet> condense_bodies(const CondenseRequest& request, Condensatio
   base::parallel_for(bodies.size(), request.threads, [&](std::size_t b) {
     BodyNet& body = bodies[b];
     condense_loads(request, body);
-    if (body.region.map.externals() > 0) {
+    if (body.contact_size() > 0) {
       // A factor from the cache has given its Schur complement away: what was made of that is kept
       // too.
       const auto known = cache.bodies.find(regions[b].key);
@@ -255,6 +267,12 @@ std::vector<BodyNet> condense_bodies(const CondenseRequest& request, Condensatio
         return;
       }
       const std::vector<std::int32_t>& freedom = body.region.map.freedom;
+      if (body.is_whole()) {
+        body.condensed = std::make_shared<contact::CondensedBody>(
+            freedom, contact::WholeBody{body.region.factor, body.region.weighed},
+            rows_of(body.free_modes, freedom));
+        return;
+      }
       const auto locals = static_cast<std::size_t>(body.region.map.locals);
       std::vector<std::int32_t> external(freedom.begin() + body.region.map.locals, freedom.end());
       if (std::optional<solve::FactoredExternals> factor = body.region.factor->take_factor()) {
@@ -278,12 +296,22 @@ std::vector<BodyNet> condense_bodies(const CondenseRequest& request, Condensatio
       cache.bodies.emplace(regions[b].key, bodies[b].condensed);
     }
   }
+  if (!log.trouble) {
+    base::parallel_for(bodies.size(), request.threads, [&](std::size_t b) {
+      BodyNet& body = bodies[b];
+      if (body.is_whole()) {
+        // A step adds these up, where a condensed body has a small matrix to ask.
+        body.case_motion = body.condensed->displacement(body.external_load);
+      }
+    });
+  }
   return bodies;
 }
 
 void recover_body(const BodyNet& body, const base::Matrix& u_external, const BodyLoad& load,
                   double constant, base::Matrix& u) {
-  const base::Matrix own = body.region.factor->recover(u_external, load.region);
+  const base::Matrix own =
+      body.is_whole() ? u_external : body.region.factor->recover(u_external, load.region);
   for (std::size_t i = 0; i < body.region.map.freedom.size(); ++i) {
     u.row(body.region.map.freedom[i]) = own.row(static_cast<Eigen::Index>(i));
   }

@@ -23,13 +23,16 @@ namespace spricka::analysis {
 struct Net {
   std::vector<base::ElementId> elements;
   fe::DofMap map;
+  /// Unknowns that contact rows weigh though they are locals: of a body that is not condensed.
+  std::vector<Eigen::Index> weighed;
   std::shared_ptr<solve::Condensation> factor;
 };
 
 /// A body ready for contact: what elements and ties hold together. Its `parts` are condensed first,
 /// to their rims, tied and external nodes, and enter the `region` as big elements. Where a crack
 /// grows, what no length touches is a part; where several nets of the deck are tied to a body, each
-/// is one. A plain body is all region.
+/// is one. A plain body is all region. A body that stays whole has only what holds it external, and
+/// contact sees all of its unknowns.
 struct BodyNet {
   std::string name; ///< "LUG", "LUG/2", "COARSE+FINE"
   fe::Body body;    ///< all pieces together
@@ -40,7 +43,15 @@ struct BodyNet {
   std::shared_ptr<const contact::CondensedBody> condensed; ///< null when there are no externals
   std::vector<base::Matrix> part_load;                     ///< [part][unknowns of the part, case]
   base::Matrix region_load;   ///< [unknowns of region, case], part_load added in
-  base::Matrix external_load; ///< [externals, case] condensed
+  base::Matrix external_load; ///< [unknowns that contact sees, case] condensed
+  /// The same of a body that stays whole: what each case alone moves, without rigid motions.
+  base::Matrix case_motion;
+
+  [[nodiscard]] bool is_whole() const { return !region.weighed.empty(); }
+  /// Unknowns that contact sees.
+  [[nodiscard]] std::int64_t contact_size() const {
+    return is_whole() ? region.map.size() : region.map.externals();
+  }
 };
 
 /// Keyed by a 128-bit hash of geometry, connectivity, materials, classes and externals.
@@ -60,6 +71,10 @@ struct CondenseLog {
   base::Trouble trouble; ///< a singular local block, named, or too little memory
 };
 
+/// Whether bodies are condensed to the freedoms that rows weigh, or the rows are eliminated with
+/// their sparse factor. Automatic: by rows in space, where surfaces have many nodes.
+enum class Condensing { automatic, to_freedoms };
+
 struct CondenseRequest {
   const model::Model& model;
   const model::Mesh& mesh;
@@ -68,7 +83,13 @@ struct CondenseRequest {
   std::vector<bool> rest_element; ///< [element] belongs to what no crack will touch
   base::Matrix case_load;         ///< [dim * node, case] consistent loads, supports' pull in
   int threads = 1;
+  std::vector<const contact::ConstraintRow*> rows = {}; ///< that will be asked for
+  Condensing condensing = Condensing::automatic;
 };
+
+/// What a solution needs for dense matrices of these rows [bytes]: compliances, those in force and
+/// a factor, and with friction the scaled ones.
+double contact_bytes(const std::vector<const contact::ConstraintRow*>& rows);
 
 /// The bodies of the mesh with their rigid modes, split into nets whose freedoms are numbered;
 /// nothing is assembled or factorised. Floating bodies get carriers among their externals.

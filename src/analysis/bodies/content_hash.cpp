@@ -36,6 +36,7 @@ HashKey hash_net(const model::Model& model, const model::Mesh& mesh, const Net& 
   // Order and number of locals tell the classes, too: held freedoms have no row.
   hash.add(net.map.freedom.data(), net.map.freedom.size() * sizeof(std::int32_t));
   hash.value(net.map.locals);
+  hash.add(net.weighed.data(), net.weighed.size() * sizeof(Eigen::Index));
   for (const HashKey& part : parts) {
     // A region is another one where a part in it is.
     hash.value(part.first);

@@ -196,6 +196,52 @@ std::vector<bool> shared_nodes(const CondenseRequest& request,
   return shared;
 }
 
+// Whether the rows themselves are eliminated with a body's factor, instead of all freedoms that
+// they weigh. What lasts from one crack length to the next is better condensed once.
+bool stays_whole(const CondenseRequest& request, const BodyNet& body,
+                 const std::vector<bool>& weighed) {
+  const auto is_weighed = [&](base::NodeId n) { return weighed[n.index()]; };
+  const auto is_rest = [&](base::ElementId e) { return request.rest_element[e.index()]; };
+  return request.condensing == Condensing::automatic && request.mesh.dim == 3 &&
+         std::ranges::any_of(body.body.nodes, is_weighed) &&
+         std::ranges::none_of(body.body.elements, is_rest) && parts_of(request, body).empty();
+}
+
+// Nodes that contact rows weigh.
+std::vector<bool> weighed_nodes(const CondenseRequest& request) {
+  std::vector<bool> weighed(request.mesh.node_count(), false);
+  for (const contact::ConstraintRow* row : request.rows) {
+    for (const contact::RowEntry& entry : row->entries) {
+      weighed[entry.node.index()] = true;
+    }
+  }
+  return weighed;
+}
+
+// Externals of a body that stays whole become locals; carriers hold it where it floats. Returns the
+// freedoms that they were.
+std::vector<std::int32_t> keep_whole(const CondenseRequest& request, const BodyNet& body,
+                                     std::vector<model::FreedomClass>& cls) {
+  std::vector<std::int32_t> freedoms;
+  const int dim = request.mesh.dim;
+  for (const base::NodeId n : body.body.nodes) {
+    for (int c = 0; c < dim; ++c) {
+      const auto freedom = static_cast<std::int32_t>(n.index()) * dim + c;
+      model::FreedomClass& own = cls[static_cast<std::size_t>(freedom)];
+      if (own == model::FreedomClass::external) {
+        own = model::FreedomClass::local;
+        freedoms.push_back(freedom);
+      }
+    }
+  }
+  if (body.free_modes.cols() > 0) {
+    for (const fe::Body& piece : body.pieces) {
+      add_carriers(request, piece, cls);
+    }
+  }
+  return freedoms;
+}
+
 void split(const CondenseRequest& request, BodyNet& body,
            const std::vector<model::FreedomClass>& cls) {
   const model::Mesh& mesh = request.mesh;
@@ -254,6 +300,7 @@ std::vector<BodyNet> prepare_bodies(const CondenseRequest& request) {
   std::vector<std::vector<fe::Body>> joined =
       fe::join_bodies(mesh, fe::find_bodies(mesh), *request.ties, cls);
   std::vector<BodyNet> bodies(joined.size());
+  const std::vector<bool> weighed = weighed_nodes(request);
   std::map<std::string, int> seen;
   for (std::size_t b = 0; b < joined.size(); ++b) {
     BodyNet& body = bodies[b];
@@ -268,7 +315,14 @@ std::vector<BodyNet> prepare_bodies(const CondenseRequest& request) {
         add_carriers(request, piece, cls);
       }
     }
+    std::vector<std::int32_t> whole;
+    if (stays_whole(request, body, weighed)) {
+      whole = keep_whole(request, body, cls);
+    }
     split(request, body, cls);
+    for (const std::int32_t freedom : whole) {
+      body.region.weighed.push_back(body.region.map.row[static_cast<std::size_t>(freedom)]);
+    }
   }
   return bodies;
 }

@@ -41,7 +41,9 @@ CondenseRequest Length::request() const {
           .ties = scene_.ties,
           .rest_element = scene_.rest_element,
           .case_load = base::Matrix(),
-          .threads = parts_.threads};
+          .threads = parts_.threads,
+          .rows = scene_.acting_rows(),
+          .condensing = parts_.condensing};
 }
 
 void Length::prepare() {

@@ -26,6 +26,7 @@ struct LengthParts {
   ContactMemory* contact = nullptr;         ///< compliances that lengths share
   estimate::ModeMemory* modes = nullptr;    ///< of the error bars
   const model::Model* with_paths = nullptr; ///< whose load paths are followed; null: the model's
+  Condensing condensing = Condensing::automatic;
 };
 
 /// One crack length: cut (TOPOLOGY), condensed (STIFFNESS, CONDENSE) and ready to be asked. It owns

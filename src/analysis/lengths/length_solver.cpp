@@ -75,7 +75,8 @@ LengthParts LengthSolver::parts() {
           .threads = options_.threads,
           .mounted = keep ? &mounted_ : nullptr,
           .contact = &contact_,
-          .modes = model_.growth ? &modes_ : nullptr};
+          .modes = model_.growth ? &modes_ : nullptr,
+          .condensing = options_.condensing};
 }
 
 std::optional<results::Increment> LengthSolver::solve(const LengthRequest& request,
@@ -240,7 +241,9 @@ bool LengthSolver::walk_steps(Length& length, const LengthRequest& request, LogW
   LoadHistory history(model_, scene, length.bodies(), paths);
   const bool follows = follows_history(model_);
   const bool goes_on = continues_below_closing(model_);
-  log.add("CONTACT", "compliances of the contact rows");
+  const double row_flops = solver.system() == nullptr ? 0.0 : solver.system()->row_flops();
+  log.add("CONTACT", fmt::format("compliances of the contact rows{}",
+                                 row_flops > 0.0 ? fmt::format(", {:.3g} flops", row_flops) : ""));
   for (std::size_t s = 0; s < model_.steps.size(); ++s) {
     const model::Step& step = model_.steps[s];
     if (const std::size_t* earlier = repeated.of(s)) {

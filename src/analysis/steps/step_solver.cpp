@@ -138,6 +138,9 @@ contact::ContactSystem::Problem StepSolver::problem() const {
   d.gap = Eigen::Map<const base::Vector>(gap.data(), static_cast<Eigen::Index>(gap.size()));
   for (const std::size_t b : condensed_) {
     d.load.emplace_back(bodies_[b].external_load * factors_.case_factor);
+    d.motion.emplace_back(bodies_[b].is_whole()
+                              ? base::Vector(bodies_[b].case_motion * factors_.case_factor)
+                              : base::Vector());
   }
   // Sum of the applied forces: loads on rigid modes count as none by their share of it (solve.16).
   d.load_scale = (scene_.case_load * factors_.case_factor).lpNorm<1>();

@@ -20,7 +20,9 @@ std::string remedy_of(const base::NoAnswer& answer) {
        {"not held", "add a support ($FREEDOM), or the $CONTACT that holds it"},
        {"singular", "add a support ($FREEDOM), or join the parts"},
        {"mechanism", "add a support ($FREEDOM), or join the parts"},
-       {"memory", "take fewer or coarser elements, or a machine with more memory"},
+       {"memory",
+        "take fewer or coarser elements or, where rows of contact take it, MULTIPLIER=CORNER on "
+        "$CONTACT; or a machine with more memory"},
        {"mesh", "another place or length of the crack, or RADIUS and SIZE on $TIPNET"}}};
   for (const auto& [word, remedy] : remedies) {
     if (answer.why.find(word) != std::string::npos) {

@@ -30,6 +30,29 @@ double externals_of(const analysis::Net& net) {
   return static_cast<double>(net.map.externals());
 }
 
+// What contact rows weigh of the unknowns of a net, without the weights.
+solve::SparseColumns rows_on_net(const analysis::CondenseRequest& request,
+                                 const analysis::Net& net) {
+  solve::SparseColumns F;
+  const int dim = request.mesh.dim;
+  for (const contact::ConstraintRow* row : request.rows) {
+    const std::size_t before = F.row.size();
+    for (const contact::RowEntry& entry : row->entries) {
+      for (int c = 0; c < dim; ++c) {
+        const std::size_t freedom =
+            static_cast<std::size_t>(dim) * entry.node.index() + static_cast<std::size_t>(c);
+        if (entry.weight[c] != 0.0 && net.map.row[freedom] >= 0) {
+          F.row.push_back(net.map.row[freedom]);
+        }
+      }
+    }
+    if (F.row.size() > before) {
+      F.start.push_back(static_cast<std::int64_t>(F.row.size()));
+    }
+  }
+  return F;
+}
+
 double nodal_vector(const model::Mesh& mesh) {
   return number * mesh.dim * static_cast<double>(mesh.node_count());
 }
@@ -48,6 +71,7 @@ double results_bytes(const model::Mesh& mesh, std::size_t steps) {
 /// What one length asks for.
 struct Forecast::Needs {
   double flops = 0.0;
+  double row_flops = 0.0; ///< compliances of rows on bodies that stay whole
   double entries = 0.0;
   double solve_entries = 0.0; ///< of all factors that a step passes through
   double seconds = 0.0;
@@ -88,12 +112,16 @@ const solve::FactorReport& Forecast::report_of(const analysis::CondenseRequest& 
   if (apart) {
     supers.clear();
   }
+  const solve::SparseColumns rows =
+      net.weighed.empty() ? solve::SparseColumns() : rows_on_net(request, net);
   base::SymmetricCsc pattern = fe::stiffness_pattern(request.mesh, net.elements, supers, net.map);
   const solve::FactorReport report =
       apart ? solve::Condensation::forecast(pattern, net.map.externals(), blocks,
                                             analysis::may_stay_factor(*body) ? &early_[*first_part]
                                                                              : nullptr)
-            : solve::Condensation::forecast(std::move(pattern), net.map.externals());
+            : solve::Condensation::forecast(std::move(pattern), net.map.externals(),
+                                            solve::Ordering::automatic,
+                                            net.weighed.empty() ? nullptr : &rows);
   ++needs.condensed;
   needs.unknowns += net.map.freedom.size();
   needs.flops += report.flops;
@@ -114,7 +142,7 @@ double Forecast::contact_flops(const std::vector<analysis::BodyNet>& bodies,
   const auto rows = static_cast<double>(scene.table.size());
   double flops = 0.0;
   for (const analysis::BodyNet& body : bodies) {
-    const double m = externals_of(body.region);
+    const double m = body.is_whole() ? 0.0 : externals_of(body.region);
     flops += m * m * m / 3.0 + m * m * rows + m * rows * rows;
   }
   constexpr double factorisations = 4.0;
@@ -147,10 +175,13 @@ void Forecast::add(const analysis::CondenseRequest& request,
     const double m = externals_of(body.region);
     needs.kept += own.kept_memory + number * m * m;
     needs.solve_entries += own.factor_entries;
+    needs.row_flops += own.row_flops;
     length.externals += static_cast<std::size_t>(m);
-    contact_bytes = std::max(contact_bytes, 3.0 * number * m * rows);
+    const double others = body.is_whole() ? own.row_memory : 3.0 * number * m * rows;
+    // Those of all bodies so far, and of this one.
+    contact_bytes = std::max(contact_bytes, others + 2.0 * number * rows * rows);
   }
-  contact_bytes += 4.0 * number * rows * rows;
+  contact_bytes = std::max(contact_bytes, analysis::contact_bytes(request.rows));
 
   const double n = nodal_vector(scene.cracked.mesh);
   const auto steps = static_cast<double>(model_.steps.size());
@@ -178,7 +209,8 @@ void Forecast::add(const analysis::CondenseRequest& request,
       resident_ + needs.kept + kept_results_ + std::max(kept_modes_ + factorising, solving);
   kept_modes_ = model_.growth ? modes : 0.0;
   length.seconds = needs.seconds + scene_cpu +
-                   contact_flops(bodies, scene) / rate_.at(contact_width * rate_.half + 1.0) +
+                   (contact_flops(bodies, scene) + needs.row_flops) /
+                       rate_.at(contact_width * rate_.half + 1.0) +
                    steps * 4.0 * needs.solve_entries / rate_.at(solve_width) +
                    element_seconds_ * elements * (step_share * steps + output_share);
 

@@ -92,7 +92,8 @@ struct Attempt {
   base::Trouble trouble;
 };
 
-Attempt attempt(const std::string& deck, int threads) {
+Attempt attempt(const std::string& deck, int threads,
+                analysis::Condensing condensing = analysis::Condensing::automatic) {
   const test::Folder folder;
   const std::filesystem::path file = folder.path() / "test.deck";
   std::ofstream(file) << deck;
@@ -104,6 +105,7 @@ Attempt attempt(const std::string& deck, int threads) {
   }
   analysis::SolveOptions options;
   options.threads = threads;
+  options.condensing = condensing;
   base::Diagnostics diagnostics;
   made.run = analysis::solve_run(*ready.model, options, diagnostics, made.trouble);
   return made;
@@ -183,6 +185,36 @@ TEST(RandomSolids, AreSolvedOrTheLooseBodyIsNamed) {
   }
   std::printf("%u solved, %u with a loose body\n", solved, named);
   EXPECT_GT(solved, named);
+}
+
+// Bodies that stay whole and bodies condensed to what rows weigh are the same bodies.
+TEST(RandomSolids, AreTheSameWholeAndCondensed) {
+  const unsigned tries = std::getenv("SPRICKA_FULL") != nullptr ? 1000U : 40U;
+  unsigned compared = 0;
+  for (unsigned seed = 1; seed <= tries; ++seed) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    const RandomStack stack = random_stack(seed);
+    const Attempt whole = attempt(stack.deck, 1);
+    const Attempt small = attempt(stack.deck, 1, analysis::Condensing::to_freedoms);
+    ASSERT_EQ(whole.run.has_value(), small.run.has_value());
+    if (!whole.run) {
+      EXPECT_EQ(whole.trouble->why, small.trouble->why);
+      continue;
+    }
+    ++compared;
+    const results::StepResult& a = whole.run->increments.front().steps.front();
+    const results::StepResult& b = small.run->increments.front().steps.front();
+    EXPECT_LT((a.u - b.u).norm(), 1e-9 * b.u.norm());
+    ASSERT_EQ(a.contacts.size(), b.contacts.size());
+    for (std::size_t c = 0; c < a.contacts.size(); ++c) {
+      ASSERT_EQ(a.contacts[c].points.size(), b.contacts[c].points.size());
+      for (std::size_t i = 0; i < a.contacts[c].points.size(); ++i) {
+        EXPECT_NEAR(a.contacts[c].points[i].p_consistent, b.contacts[c].points[i].p_consistent,
+                    1e-9 * 100.0 * stack.weight);
+      }
+    }
+  }
+  EXPECT_GT(compared, tries / 2);
 }
 
 } // namespace

@@ -107,11 +107,35 @@ $END
 )";
 }
 
+// Two blocks with a thousand contact rows between them.
+std::string two_blocks() {
+  return R"($DECK VERSION=1 LENGTH=mm FORCE=N
+$NET NAME=LOWER
+  $MESH SHAPE=BLOCK TYPE=TET10 LX=1 LY=1 LZ=0.4 NX=14 NY=14 NZ=4
+$ENDNET
+$NET NAME=UPPER
+  $MESH SHAPE=BLOCK TYPE=TET10 Z0=0.4 LX=1 LY=1 LZ=0.4 NX=14 NY=14 NZ=4
+$ENDNET
+$MATERIAL NAME=M E=1000 NU=0.3
+$PROPERTY ESET=LOWER.BODY MATERIAL=M STATE=SOLID
+$PROPERTY ESET=UPPER.BODY MATERIAL=M STATE=SOLID
+$FREEDOM CLASS=SUPPRESSED DOF=XYZ
+  LOWER.ZMIN
+$CONTACT NAME=FOOT SLAVE=UPPER.ZMIN MASTER=LOWER.ZMAX
+$LOAD CASE=PUSH TYPE=TRACTION
+  UPPER.ZMAX 0 0 -1
+$STEP NAME=PUSH
+  LOAD PUSH 1
+$END
+)";
+}
+
 TEST(Forecast, MemoryIsForetoldWithinAFifth) {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "the sanitizer's own memory counts in";
 #endif
-  const std::string texts[] = {growing_crack(60, "1 2"), growing_crack(100, "1 2"), cube()};
+  const std::string texts[] = {growing_crack(60, "1 2"), growing_crack(100, "1 2"), cube(),
+                               two_blocks()};
   for (const std::string& text : texts) {
     const Folder folder;
     const std::string deck = (folder.path() / "test.deck").string();

@@ -217,6 +217,51 @@ TEST(Condensation, CondensedLoadAndRecoveredLocalsSolveTheWhole) {
   EXPECT_LT((u - whole).norm(), 1e-11 * whole.norm());
 }
 
+// Rows of two or three unknowns, of locals and of externals.
+SparseColumns random_rows(std::int64_t n, int k) {
+  std::mt19937 engine(11);
+  std::uniform_int_distribution<std::int64_t> place(0, n - 1);
+  std::uniform_real_distribution<double> weight(-1.0, 1.0);
+  SparseColumns F;
+  for (int j = 0; j < k; ++j) {
+    for (int i = 0; i < 2 + j % 2; ++i) {
+      F.row.push_back(place(engine));
+      F.value.push_back(weight(engine));
+    }
+    F.start.push_back(static_cast<std::int64_t>(F.row.size()));
+  }
+  return F;
+}
+
+TEST(Condensation, CompliancesOfRowsAreThoseOfTheirHalfSolves) {
+  for (const bool faces : {false, true}) {
+    SpringNet net(20, faces ? 0.0 : 0.7);
+    const std::int64_t e = net.put_last([&](int x, int y) { return faces && x == 19 && y < 9; });
+    const SymmetricCsc K = net.matrix();
+    const Matrix A = dense(K);
+    const std::int64_t l = K.n - e;
+    const Condensation c(K, e, Ordering::metis);
+    const SparseColumns sparse = random_rows(K.n, 300); // more than one panel
+    Matrix F = Matrix::Zero(K.n, 300);
+    for (int j = 0; j < 300; ++j) {
+      for (std::int64_t p = sparse.start[at(j)]; p < sparse.start[at(j + 1)]; ++p) {
+        F(sparse.row[at(p)], j) += sparse.value[at(p)];
+      }
+    }
+    const RowCompliance found = c.compliance(sparse);
+    const Matrix U = A.topLeftCorner(l, l).llt().solve(F.topRows(l));
+    const Matrix W = F.topRows(l).transpose() * U;
+    EXPECT_LT((found.W - W).norm(), 1e-12 * W.norm());
+    EXPECT_TRUE(same_bits(found.W, found.W.transpose()));
+    const Matrix left = F.bottomRows(e) - A.bottomLeftCorner(e, l) * U;
+    EXPECT_LE((found.condensed - left).norm(), 1e-12 * left.norm());
+    EXPECT_TRUE(same_bits(found.W, c.compliance(sparse).W));
+    const FactorReport told = Condensation::forecast(K, e, Ordering::metis, &sparse);
+    EXPECT_EQ(told.row_flops, found.flops);
+    EXPECT_GT(told.row_memory, 0.0);
+  }
+}
+
 TEST(Condensation, FloatingBodyNeedsNoSupport) {
   SpringNet net(15, 0.0);
   const std::int64_t e = net.put_last([](int x, int y) { return x == 0 || (y == 0 && x < 9); });

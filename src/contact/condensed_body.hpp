@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/vec.hpp"
+#include "solve/condense.hpp"
+#include "solve/dense_cholesky.hpp"
+#include "solve/layered_cholesky.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace spricka::contact {
+
+/// A row's part in one body: external freedom, or early row of its factor, and weight.
+struct RowShare {
+  Eigen::Index at = 0;
+  double weight = 0.0;
+  bool operator==(const RowShare&) const = default;
+};
+
+/// The net of a body of which nothing is condensed: all of its unknowns are external to contact,
+/// and what loads do is asked of the sparse factor. Rows act on some of the unknowns alone.
+struct WholeBody {
+  std::shared_ptr<solve::Condensation> factor; ///< its externals hold the body, and no more
+  std::vector<Eigen::Index> weighed;           ///< unknowns that rows weigh
+};
+
+/// A condensed body as contact sees it: stiffness between its external freedoms, and the rigid
+/// modes that its supports leave free. The pseudo-inverse S+ (zero on the modes) comes from one
+/// dense Cholesky of S + k Q Q^T with k = trace(S)/m, Q the orthonormal modes. Where no mode is
+/// free S may come as a factor, whose early rows other bodies have in common with this one.
+class CondensedBody {
+public:
+  /// freedom [m] (dim * node + c), S [m, m], modes [m, r] any basis of the null space, r may be 0.
+  CondensedBody(std::vector<std::int32_t> freedom, base::Matrix S, const base::Matrix& modes);
+  CondensedBody(std::vector<std::int32_t> freedom, solve::FactoredExternals factor);
+  /// freedom and modes of all unknowns [m]. Modes are orthonormal on what rows weigh, so that S+ is
+  /// that of a body condensed to it (solve.37).
+  CondensedBody(std::vector<std::int32_t> freedom, WholeBody whole, const base::Matrix& modes);
+
+  [[nodiscard]] const std::vector<std::int32_t>& freedom() const { return freedom_; }
+  [[nodiscard]] const base::Matrix& modes() const { return Q_; } ///< [m, r] orthonormal
+  [[nodiscard]] bool ok() const { return layered_ ? layered_->L.ok() : factor_.ok(); }
+  /// The factor in the place of S, else null.
+  [[nodiscard]] const solve::FactoredExternals* layered() const {
+    return layered_ ? &*layered_ : nullptr;
+  }
+  /// Whether it is a WholeBody; then compliance() stands in the place of half_compliance().
+  [[nodiscard]] bool is_whole() const { return whole_.factor != nullptr; }
+  /// Y [.., k] with Y^T Y = F^T S+ F.
+  [[nodiscard]] base::Matrix half_compliance(const base::Matrix& F) const;
+  /// G S+ G^T [k, k] of rows.
+  [[nodiscard]] solve::RowCompliance
+  compliance(const std::vector<std::vector<RowShare>>& rows) const;
+  /// S+ F [m, k].
+  [[nodiscard]] base::Matrix displacement(const base::Matrix& F) const;
+
+private:
+  [[nodiscard]] base::Matrix project(base::Matrix F) const;
+  /// F on the rows of the factor.
+  [[nodiscard]] base::Matrix spread(const base::Matrix& F) const;
+  [[nodiscard]] base::Matrix response(const base::Matrix& F) const;
+  [[nodiscard]] base::Matrix hold(const base::Matrix& load) const;
+  [[nodiscard]] base::Matrix off_modes(base::Matrix F) const;
+
+  std::vector<std::int32_t> freedom_;
+  base::Matrix Q_;
+  solve::DenseCholesky factor_; ///< of a whole body that of the externals which hold it
+  std::optional<solve::FactoredExternals> layered_;
+  WholeBody whole_;
+  base::Matrix held_modes_; ///< [externals, r] of a whole body, orthonormal there
+};
+
+} // namespace spricka::contact

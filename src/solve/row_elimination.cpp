@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/row_elimination.hpp"
+#include "base/index.hpp"
+#include "solve/blas.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace spricka::solve {
+
+using base::at;
+using base::index;
+
+namespace {
+
+constexpr int panel = 256; ///< columns that are multiplied at a time
+
+/// Size of a front: columns of locals, and rows below them.
+struct Shape {
+  int columns = 0;
+  int below = 0;
+};
+
+Shape shape_of(const Supernodes& L, std::int64_t s) {
+  const std::int64_t end = std::min(L.column[s + 1], L.locals);
+  const auto columns = static_cast<int>(end - L.column[s]);
+  const auto rows = static_cast<int>(L.row_start[s + 1] - L.row_start[s]);
+  return {columns, rows - columns};
+}
+
+/// Rows below the columns of a front, ascending.
+const std::int64_t* below_of(const Supernodes& L, std::int64_t s) {
+  return L.row + L.row_start[s] + shape_of(L, s).columns;
+}
+
+/// Calls use(front, first, end) for each run of the rows below front s that one front has, with the
+/// places of the run among these rows; -1: of externals.
+template <class Use>
+void for_fronts_above(const Supernodes& L, const std::vector<std::int64_t>& front_of,
+                      std::int64_t s, Use&& use) {
+  const std::int64_t* row = below_of(L, s);
+  const int below = shape_of(L, s).below;
+  const auto owner = [&](int i) { return row[i] < L.locals ? front_of[at(row[i])] : -1; };
+  for (int first = 0; first < below;) {
+    const std::int64_t above = owner(first);
+    int end = first + 1;
+    while (end < below && owner(end) == above) {
+      ++end;
+    }
+    use(above, first, end);
+    first = end;
+  }
+}
+
+/// Places of some columns among those of a front above, which has them all.
+void find_places(const std::vector<int>& columns, const std::vector<int>& above,
+                 std::vector<int>& place) {
+  place.resize(columns.size());
+  if (columns.size() == above.size()) {
+    for (std::size_t i = 0; i < place.size(); ++i) {
+      place[i] = static_cast<int>(i);
+    }
+    return;
+  }
+  auto from = above.begin();
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    from = std::lower_bound(from, above.end(), columns[i]);
+    place[i] = static_cast<int>(from - above.begin());
+  }
+}
+
+/// Lower triangle of W, rows and columns `columns`, += X^T X.
+void add_gram(const base::Matrix& X, const std::vector<int>& columns, base::Matrix& W) {
+  const auto k = static_cast<int>(columns.size());
+  const auto rows = static_cast<int>(X.rows());
+  const auto n = static_cast<int>(W.rows());
+  base::Matrix part;
+  for (int first = 0; first < k; first += panel) {
+    const int width = std::min(panel, k - first);
+    const blas::ConstBlock from{X.data() + static_cast<std::ptrdiff_t>(first) * rows, rows};
+    if (k == n) { // all columns: nothing to scatter
+      double* const into = W.data() + static_cast<std::ptrdiff_t>(first) * n + first;
+      blas::gemm({.m = k - first, .n = width, .k = rows, .a = blas::Form::transposed, .beta = 1.0},
+                 from, from, {into, n});
+      continue;
+    }
+    part.resize(k - first, width);
+    blas::gemm({.m = k - first, .n = width, .k = rows, .a = blas::Form::transposed}, from, from,
+               {part.data(), k - first});
+    for (int j = 0; j < width; ++j) {
+      double* const into = W.data() + static_cast<std::ptrdiff_t>(columns[at(first + j)]) * n;
+      for (int i = j; i < k - first; ++i) {
+        into[columns[at(first + i)]] += part(i, j);
+      }
+    }
+  }
+}
+
+} // namespace
+
+RowElimination::RowElimination(const Supernodes& L, const SparseColumns& F)
+    : L_(L), fronts_(std::lower_bound(L.column, L.column + L.count, L.locals) - L.column),
+      front_of_(at(L.locals)), own_(at(fronts_)), columns_(at(fronts_)), block_(at(fronts_)) {
+  for (std::int64_t s = 0; s < fronts_; ++s) {
+    for (std::int64_t j = L.column[s]; j < std::min(L.column[s + 1], L.locals); ++j) {
+      front_of_[at(j)] = s;
+    }
+  }
+  reach_up(F);
+  count_cost();
+}
+
+void RowElimination::reach_up(const SparseColumns& F) {
+  for (std::int64_t k = 0; k < F.count(); ++k) {
+    for (std::int64_t p = F.start[at(k)]; p < F.start[at(k + 1)]; ++p) {
+      if (const std::int64_t row = F.row[at(p)]; row < L_.locals) {
+        const std::int64_t s = front_of_[at(row)];
+        own_[at(s)].push_back({static_cast<int>(k), static_cast<int>(row - L_.column[s]),
+                               F.value.empty() ? 0.0 : F.value[at(p)]});
+      }
+    }
+  }
+  std::vector<int> merged;
+  const auto merge = [&](const std::vector<int>& more, std::vector<int>& into) {
+    merged.clear();
+    std::ranges::set_union(more, into, std::back_inserter(merged));
+    into = merged;
+  };
+  std::vector<int> own;
+  for (std::int64_t s = 0; s < fronts_; ++s) {
+    own.clear();
+    for (const Entry& entry : own_[at(s)]) {
+      own.push_back(entry.column);
+    }
+    std::ranges::sort(own);
+    own.erase(std::unique(own.begin(), own.end()), own.end());
+    merge(own, columns_[at(s)]);
+    // The front of the first row below has all rows that are left among its own: the parent.
+    const Shape shape = shape_of(L_, s);
+    if (shape.below > 0 && *below_of(L_, s) < L_.locals && !columns_[at(s)].empty()) {
+      merge(columns_[at(s)], columns_[at(front_of_[at(*below_of(L_, s))])]);
+    }
+  }
+}
+
+// Flops, and the blocks that are there at a time, as run() goes.
+void RowElimination::count_cost() {
+  std::vector<bool> there(at(fronts_), false);
+  double held = 0.0;
+  const auto bytes = [&](std::int64_t s) {
+    return 8.0 * shape_of(L_, s).columns * static_cast<double>(columns_[at(s)].size());
+  };
+  const auto make = [&](std::int64_t s) {
+    held += s < 0 || there[at(s)] ? 0.0 : bytes(s);
+    if (s >= 0) {
+      there[at(s)] = true;
+    }
+  };
+  for (std::int64_t s = 0; s < fronts_; ++s) {
+    const auto k = static_cast<double>(columns_[at(s)].size());
+    if (k == 0.0) {
+      continue;
+    }
+    const Shape shape = shape_of(L_, s);
+    const double c = shape.columns;
+    flops_ += k * c * (c + 2.0 * shape.below + k);
+    make(s);
+    for_fronts_above(L_, front_of_, s, [&](std::int64_t above, int, int) { make(above); });
+    const double rows = std::max(static_cast<double>(shape.below), k);
+    workspace_ = std::max(workspace_, held + 8.0 * panel * rows);
+    held -= bytes(s);
+  }
+}
+
+base::Matrix& RowElimination::block_of(std::int64_t front) {
+  base::Matrix& X = block_[at(front)];
+  if (X.size() == 0) {
+    X = base::Matrix::Zero(shape_of(L_, front).columns, index(columns_[at(front)].size()));
+  }
+  return X;
+}
+
+base::Matrix RowElimination::run(base::Matrix& condensed) {
+  blas::single_thread();
+  const Eigen::Index k = condensed.cols();
+  base::Matrix W = base::Matrix::Zero(k, k);
+  for (std::int64_t s = 0; s < fronts_; ++s) {
+    if (!columns_[at(s)].empty()) {
+      eliminate(s, W, condensed);
+    }
+  }
+  W.triangularView<Eigen::StrictlyUpper>() = W.transpose();
+  return W;
+}
+
+void RowElimination::eliminate(std::int64_t front, base::Matrix& W, base::Matrix& condensed) {
+  const std::vector<int>& columns = columns_[at(front)];
+  base::Matrix X = std::move(block_of(front));
+  block_[at(front)] = base::Matrix();
+  for (const Entry& entry : own_[at(front)]) {
+    const auto place = std::ranges::lower_bound(columns, entry.column) - columns.begin();
+    X(entry.row, place) += entry.value;
+  }
+  const Shape shape = shape_of(L_, front);
+  const double* const L = L_.value + L_.value_start[front];
+  blas::solve_lower(shape.columns, static_cast<int>(columns.size()), blas::Form::plain,
+                    {L, shape.columns + shape.below}, {X.data(), shape.columns});
+  add_gram(X, columns, W);
+  hand_up(front, X, condensed);
+}
+
+// What is left of F in the rows of the fronts above.
+void RowElimination::hand_up(std::int64_t front, const base::Matrix& X, base::Matrix& condensed) {
+  const Shape shape = shape_of(L_, front);
+  if (shape.below == 0) {
+    return;
+  }
+  const std::vector<int>& columns = columns_[at(front)];
+  const double* const L21 = L_.value + L_.value_start[front] + shape.columns;
+  const std::int64_t* const row = below_of(L_, front);
+  const auto k = static_cast<int>(columns.size());
+  base::Matrix update;
+  std::vector<int> place;
+  for (int first = 0; first < k; first += panel) {
+    const int width = std::min(panel, k - first);
+    update.resize(shape.below, width);
+    blas::gemm({.m = shape.below, .n = width, .k = shape.columns},
+               {L21, shape.columns + shape.below},
+               {X.data() + static_cast<std::ptrdiff_t>(first) * shape.columns, shape.columns},
+               {update.data(), shape.below});
+    const auto subtract = [&](std::int64_t above, int begin, int end) {
+      const std::int64_t top = above < 0 ? L_.locals : L_.column[above];
+      base::Matrix& into = above < 0 ? condensed : block_of(above);
+      if (above >= 0) {
+        find_places(columns, columns_[at(above)], place);
+      }
+      for (int j = 0; j < width; ++j) {
+        const int column = above < 0 ? columns[at(first + j)] : place[at(first + j)];
+        double* const to = into.data() + static_cast<std::ptrdiff_t>(column) * into.rows() - top;
+        for (int i = begin; i < end; ++i) {
+          to[row[i]] -= update(i, j);
+        }
+      }
+    };
+    for_fronts_above(L_, front_of_, front, subtract);
+  }
+}
+
+} // namespace spricka::solve
