@@ -5,6 +5,7 @@
 #include "shape/topology.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <utility>
 
@@ -21,6 +22,32 @@ std::pair<base::NodeId, base::NodeId> ends(const model::Mesh& mesh, const model:
 
 std::vector<model::Face> boundary_faces(const model::Mesh& mesh) {
   return SideIndex(mesh).alone();
+}
+
+std::vector<model::Face> outer_faces(const model::Mesh& mesh) {
+  const SideIndex sides(mesh);
+  std::vector<model::Face> faces = sides.alone();
+  std::vector<model::Face> met;
+  for (const model::Face& face : faces) {
+    const base::ElementType type = mesh.type[face.element.index()];
+    if (mesh.dim != 3 || shape::side_corners(type, face.side) != 4) {
+      continue;
+    }
+    const std::span<const int> local = shape::side_nodes(type, face.side);
+    const auto corner = [&](std::size_t i) {
+      return mesh.nodes_of(face.element)[static_cast<std::size_t>(local[i % 4])];
+    };
+    for (std::size_t d = 0; d < 2; ++d) { // diagonal from corner d to d + 2
+      const auto one = sides.find(std::array{corner(d), corner(d + 1), corner(d + 2)});
+      const auto other = sides.find(std::array{corner(d), corner(d + 2), corner(d + 3)});
+      if (one.size() == 1 && other.size() == 1) {
+        met.insert(met.end(), {face, one.front(), other.front()});
+      }
+    }
+  }
+  std::ranges::sort(met);
+  std::erase_if(faces, [&](const model::Face& f) { return std::ranges::binary_search(met, f); });
+  return faces;
 }
 
 std::vector<model::Face> faces_within(const model::Mesh& mesh,

@@ -9,6 +9,10 @@ namespace spricka::mesh {
 /// Sides that belong to one element only, element by element, side by side.
 std::vector<model::Face> boundary_faces(const model::Mesh& mesh);
 
+/// Those of them that are surface of the body: without quadrilaterals inside that two triangles
+/// meet, and without these triangles (they have the quadrilateral's corners, its diagonal is tied).
+std::vector<model::Face> outer_faces(const model::Mesh& mesh);
+
 /// Boundary sides all of whose nodes lie in `nodes`, in the order of boundary_faces.
 std::vector<model::Face> faces_within(const model::Mesh& mesh,
                                       const std::vector<base::NodeId>& nodes);

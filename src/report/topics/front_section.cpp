@@ -2,7 +2,9 @@
 #include "report/topics/front_section.hpp"
 
 #include "model/model.hpp"
+#include "report/drawing/crack_picture.hpp"
 #include "report/drawing/plot.hpp"
+#include "report/topics/result_tables.hpp"
 
 #include <fmt/format.h>
 
@@ -172,6 +174,38 @@ Figure front_figure(const model::Model& model, const results::Increment& increme
                       name, a, model.units.length_name)};
 }
 
+/// The front in its body and the opened crack, at the end of the leading step.
+std::optional<Figure> crack_pictures(const model::Model& model, const results::Increment& increment,
+                                     const std::string& name) {
+  const results::StepResult* const leading = results::find_step(increment, leading_step(model));
+  const results::StepResult& step = leading != nullptr ? *leading : increment.steps.back();
+  const auto front = std::ranges::find(step.fronts, name, &results::FrontResult::name);
+  if (front == step.fronts.end() || increment.surface.size() > most_drawn_faces) {
+    return std::nullopt;
+  }
+  CrackView view;
+  view.increment = &increment;
+  view.step = &step;
+  view.front = &*front;
+  view.k_name = print_unit(model.units.stress_intensity_name());
+  view.length_name = model.units.length_name;
+  Figure figure;
+  for (const std::string& drawing : {draw_front(view), draw_opening(view)}) {
+    if (!drawing.empty()) {
+      figure.drawings.push_back(drawing);
+    }
+  }
+  if (figure.drawings.empty()) {
+    return std::nullopt;
+  }
+  figure.caption =
+      fmt::format("Crack {} at the end of step {}: its front in the body, other bodies "
+                  "left out, and its upper face seen along the normal, with how far "
+                  "the lower one is away; circles are the points of the front.",
+                  name, step.step);
+  return figure;
+}
+
 std::vector<const results::FrontResult*> first_of_each(const results::Increment& increment) {
   std::vector<const results::FrontResult*> fronts;
   for (const results::StepResult& step : increment.steps) {
@@ -201,6 +235,9 @@ std::vector<Figure> front_figures(const model::Model& model, const results::Run&
   }
   for (const results::FrontResult* front : first_of_each(run.increments.back())) {
     figures.push_back(front_figure(model, run.increments.back(), front->name));
+    if (std::optional<Figure> figure = crack_pictures(model, run.increments.back(), front->name)) {
+      figures.push_back(std::move(*figure));
+    }
   }
   return figures;
 }

@@ -3,7 +3,11 @@
 #include "mesh/generate/generate.hpp"
 #include "meshes.hpp"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+
+#include <array>
+#include <span>
 
 namespace spricka {
 namespace {
@@ -64,6 +68,39 @@ TEST(Boundary, FacesWithinNeedAllTheirNodes) {
   const auto& bottom = test::faces(mesh, "YMIN").faces;
   EXPECT_EQ(found, (std::vector<model::Face>{bottom[0], bottom[1]}));
   EXPECT_EQ(mesh::nodes_of_faces(mesh, found).size(), 5U);
+}
+
+// Two tetrahedra on top of a cube, with its upper corners: they meet its face at the diagonal.
+TEST(Boundary, OuterFacesLeaveOutQuadrilateralsThatTrianglesMeet) {
+  model::Mesh mesh;
+  mesh.dim = 3;
+  mesh.first = {0};
+  const base::NetId net(std::size_t{0});
+  std::vector<base::NodeId> n;
+  for (const double z : {0.0, 1.0}) {
+    for (const base::Vec2& at :
+         {base::Vec2(0, 0), base::Vec2(1, 0), base::Vec2(1, 1), base::Vec2(0, 1)}) {
+      n.push_back(
+          model::add_node(mesh, {at.x(), at.y(), z}, static_cast<base::Label>(n.size() + 1), net));
+    }
+  }
+  n.push_back(model::add_node(mesh, {0.5, 0.5, 2.0}, 9, net));
+  model::add_element(mesh, base::ElementType::hexe8, std::span(n).first(8), 1, net);
+  EXPECT_EQ(mesh::outer_faces(mesh), mesh::boundary_faces(mesh));
+  model::add_element(mesh, base::ElementType::tet4, std::array{n[4], n[5], n[6], n[8]}, 2, net);
+  EXPECT_EQ(mesh::outer_faces(mesh), mesh::boundary_faces(mesh)); // half of it is free
+  model::add_element(mesh, base::ElementType::tet4, std::array{n[4], n[6], n[7], n[8]}, 3, net);
+  EXPECT_EQ(mesh::boundary_faces(mesh).size(), 6U + 6U);
+  const std::vector<model::Face> outer = mesh::outer_faces(mesh);
+  EXPECT_EQ(outer.size(), 5U + 4U);
+  base::Vec3 area = base::Vec3::Zero(); // of a closed surface
+  for (const model::Face& face : outer) {
+    const auto nodes = test::nodes_of(mesh, face);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      area += mesh.x[nodes[i].index()].cross(mesh.x[nodes[(i + 1) % nodes.size()].index()]);
+    }
+  }
+  EXPECT_LT(area.norm(), 1e-12);
 }
 
 } // namespace
