@@ -19,21 +19,51 @@ std::size_t piece_count(const FrontResult& front) {
   return front.closed ? n : n - std::min<std::size_t>(n, 1);
 }
 
-// K where the front leaves the body is a number of the mesh: what the points further in go on to
-// stands for it between points.
-double inner_value(const FrontPlace& place, const FrontQuantity& quantity) {
+// Which of K1, K2, K3, that have a smooth curve.
+std::optional<std::size_t> mode_of(const FrontQuantity& quantity) {
   static constexpr std::array modes{&FrontPlace::K1, &FrontPlace::K2, &FrontPlace::K3};
   const auto* const mode = std::ranges::find(modes, quantity.member);
-  return place.at_surface && mode != modes.end()
-             ? place.smooth[static_cast<std::size_t>(mode - modes.begin())]
-             : quantity.of(place);
+  return mode == modes.end() ? std::nullopt
+                             : std::optional(static_cast<std::size_t>(mode - modes.begin()));
+}
+
+// The cubic through the smooth values of the two points on either side of a place (fewer on a front
+// of fewer): K at a point is the mean over its hat, and chords between points cut the curve by as
+// much again.
+double on_curve(const FrontResult& front, std::size_t mode, std::size_t piece, double part) {
+  const std::size_t n = front.points.size();
+  const std::size_t count = std::min<std::size_t>(n, 4);
+  // The first of them, counted from 1 so that a closed front may begin before its first point.
+  const std::size_t first = front.closed ? piece : std::clamp<std::size_t>(piece, 1, n - count + 1);
+  std::array<double, 4> s{};
+  std::array<double, 4> value{};
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t i = first + k + n - 1;
+    s[k] = front.points[i % n].s + front.length * (static_cast<double>(i / n) - 1.0);
+    value[k] = front.points[i % n].smooth[mode];
+  }
+  const double from = front.points[piece].s;
+  const double to = piece + 1 < n ? front.points[piece + 1].s : front.points[0].s + front.length;
+  const double at = (1.0 - part) * from + part * to;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < count; ++k) {
+    double weight = 1.0;
+    for (std::size_t j = 0; j < count; ++j) {
+      weight *= j == k ? 1.0 : (at - s[j]) / (s[k] - s[j]);
+    }
+    sum += weight * value[k];
+  }
+  return sum;
 }
 
 double between(const FrontResult& front, const FrontQuantity& quantity, std::size_t piece,
                double part) {
+  if (const auto mode = mode_of(quantity)) {
+    return on_curve(front, *mode, piece, part);
+  }
   const FrontPlace& from = front.points[piece];
   const FrontPlace& to = front.points[(piece + 1) % front.points.size()];
-  return (1.0 - part) * inner_value(from, quantity) + part * inner_value(to, quantity);
+  return (1.0 - part) * quantity.of(from) + part * quantity.of(to);
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "mesh/boundary.hpp"
 #include "mesh/numbering.hpp"
 #include "mesh/side_index.hpp"
+#include "mesh/tube/triangle_tree.hpp"
 #include "shape/topology.hpp"
 
 #include <algorithm>
@@ -206,6 +207,37 @@ private:
     });
   }
 
+  /// Where new faces are larger than the host's some of these have none in their place: of a set's
+  /// lost nodes those stay for which no new face that is all in the set covers the place.
+  void leave_covered(const std::vector<bool>& member, std::vector<NodeId>& lost) const {
+    if (lost.empty()) {
+      return;
+    }
+    std::vector<CornerPlaces> triangles;
+    for (const auto& [face, pieces] : faces_) {
+      for (const model::Face& piece : pieces) {
+        if (lies_within(result_.mesh, piece, member)) {
+          const FaceNodes nodes = face_nodes(result_.mesh, piece);
+          for (std::size_t i = 2; i < nodes.corners; ++i) {
+            triangles.push_back({result_.mesh.x[nodes.all[0].index()],
+                                 result_.mesh.x[nodes.all[i - 1].index()],
+                                 result_.mesh.x[nodes.all[i].index()]});
+          }
+        }
+      }
+    }
+    if (triangles.empty()) {
+      return;
+    }
+    constexpr double off_chord = 0.1; // of an edge: where the surface is curved
+    const TriangleTree tree(std::move(triangles));
+    std::erase_if(lost, [&](NodeId n) {
+      const TriangleTree::Nearest at = tree.nearest(host_.x[n.index()]);
+      const CornerPlaces& t = tree.triangles()[at.triangle];
+      return at.distance <= off_chord * (t[1] - t[0]).norm();
+    });
+  }
+
   void inherit_node_sets() {
     std::vector<bool> had(host_.node_count(), false);
     for (const NodeId n : host_.nodes) {
@@ -254,6 +286,7 @@ private:
       std::ranges::copy_if(old.nodes, std::back_inserter(lost), [&](NodeId n) {
         return had[n.index()] && !used_[n.index()] && !replaced[n.index()];
       });
+      leave_covered(member, lost);
       result_.mesh.node_sets.push_back(std::move(set));
     }
   }
