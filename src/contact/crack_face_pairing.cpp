@@ -5,11 +5,15 @@
 #include "mesh/boundary.hpp"
 #include "shape/quadrature.hpp"
 
+#include <algorithm>
 #include <map>
 
 namespace spricka::contact {
 
 namespace {
+
+// Of the largest share of a face that a node has: less is round-off.
+constexpr double no_area = 1e-9;
 
 // What a unit pressure on the face puts on its nodes, and their order along it.
 struct PushedNodes {
@@ -17,7 +21,8 @@ struct PushedNodes {
   std::vector<base::NodeId> order;
 };
 
-PushedNodes face_nodes(const Surface& surface, double depth) {
+// `depth` of a place.
+template <class Depth> PushedNodes face_nodes(const Surface& surface, Depth&& depth) {
   PushedNodes nodes;
   for (const Edge& edge : surface.plane.edges) {
     for (const std::size_t i : {std::size_t{0}, std::size_t{2}, std::size_t{1}}) {
@@ -28,10 +33,12 @@ PushedNodes face_nodes(const Surface& surface, double depth) {
       if (fresh) {
         nodes.order.push_back(edge.nodes[i]);
       }
-      // exact for straight edges with a quarter point: N times the Jacobian is of degree 3
+      // exact for straight edges with a quarter point: N times the Jacobian is of degree 3, times
+      // a radius of degree 5
       for (const auto& [r, weight] : shape::line_rule(5)) {
         const Vec2 t = tangent_on(edge, r[0]);
-        at->second += depth * weight * edge_N(edge, r[0])[i] * Vec2(t.y(), -t.x());
+        at->second +=
+            depth(point_on(edge, r[0])) * weight * edge_N(edge, r[0])[i] * Vec2(t.y(), -t.x());
       }
     }
   }
@@ -71,13 +78,20 @@ PairRows crack_face_rows(const model::Model& model, const model::Mesh& mesh,
     opposite[own[i]] = base::NodeId();
   }
   const PushedNodes nodes = face_nodes(
-      pair.contact, depth_at(pair.contact, pair.target, mesh.x[own.front().index()].head<2>()));
+      pair.contact, [&](const Vec2& x) { return depth_at(pair.contact, pair.target, x); });
+  double largest = 0.0;
+  for (const auto& [id, push] : nodes.push) {
+    largest = std::max(largest, push.norm());
+  }
   for (const base::NodeId id : nodes.order) {
     const auto other = opposite.find(id);
     if (other == opposite.end()) {
       continue;
     }
     const Vec2& push = nodes.push.at(id);
+    if (push.norm() <= no_area * largest) {
+      continue; // the corner of a quadratic edge on the axis
+    }
     add_rows(NodePair{id, other->second, {push.x(), push.y(), 0.0}, push.norm(), 0.0},
              friction && !half, pair);
   }

@@ -5,6 +5,7 @@
 #include "shape/quadrature.hpp"
 
 #include <cmath>
+#include <numbers>
 
 namespace spricka::crack {
 
@@ -63,26 +64,40 @@ std::vector<FacePoint> points_of(const PlaneEdge& edge, base::NodeId tip) {
 
 using NodeAreas = std::map<base::NodeId, double>;
 
-// A_i of (crack.33), sums over the edges of a node.
-NodeAreas areas_of(const std::vector<PlaneEdge>& edges, base::NodeId tip) {
+// What stands behind a point of the faces.
+double depth_of(const TipPlace& tip, const FacePoint& p) {
+  return tip.axial() ? 2.0 * std::numbers::pi * p.x.x() : tip.thickness;
+}
+// The same for a unit of the front.
+double depth_per_front(const TipPlace& tip, const FacePoint& p) {
+  return tip.axial() ? p.x.x() / tip.frame.x.x() : 1.0;
+}
+
+// A_i of (crack.33) with what stands behind it, sums over the edges of a node.
+NodeAreas areas_of(const std::vector<PlaneEdge>& edges, const TipPlace& tip) {
   NodeAreas area;
   for (const PlaneEdge& edge : edges) {
-    for (const FacePoint& p : points_of(edge, tip)) {
+    for (const FacePoint& p : points_of(edge, tip.node)) {
       for (std::size_t i = 0; i < nodes_of(edge); ++i) {
-        area[edge.nodes[i]] += p.w * p.ds * p.N[i];
+        area[edge.nodes[i]] += p.w * p.ds * p.N[i] * depth_of(tip, p);
       }
     }
   }
   return area;
 }
 
+// Where a middle node has all of an edge's pressure at the axis: its end there has no area.
+bool is_on_axis(const PlaneEdge& edge, std::size_t end) {
+  return edge.count == 3 && edge.x[end].x() <= 1e-9 * edge.x[1 - end].x();
+}
+
 // Where the pressure of a node acts on an edge: its own function, with that of the tip added to its
-// neighbour's, as no force between the faces is known there.
+// neighbour's, as no force between the faces is known there. At the axis likewise.
 std::array<double, 3> pressed(const PlaneEdge& edge, const std::array<double, 3>& N,
-                              base::NodeId tip) {
+                              const TipPlace& tip) {
   std::array<double, 3> own = N;
   for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
-    if (edge.nodes[end] == tip) {
+    if (edge.nodes[end] == tip.node || (tip.axial() && is_on_axis(edge, end))) {
       own[edge.count == 3 ? 2 : 1 - end] += N[end];
       own[end] = 0.0;
     }
@@ -100,7 +115,7 @@ void for_faces(const model::Mesh& mesh, const TipPlace& tip, const ExtensionFiel
   for (const model::Face& face : faces) {
     edges.push_back(mesh::plane_edge(mesh, face));
   }
-  const NodeAreas area = areas_of(edges, tip.node);
+  const NodeAreas area = areas_of(edges, tip);
   const std::map<base::NodeId, double> q = field.q();
   for (const PlaneEdge& edge : edges) {
     std::array<double, 3> moved{};
@@ -118,11 +133,12 @@ void for_faces(const model::Mesh& mesh, const TipPlace& tip, const ExtensionFiel
       for (std::size_t i = 0; i < nodes_of(edge); ++i) {
         here += p.N[i] * moved[i];
       }
-      const std::array<double, 3> own = pressed(edge, p.N, tip.node);
+      const std::array<double, 3> own = pressed(edge, p.N, tip);
       for (std::size_t i = 0; i < nodes_of(edge); ++i) {
-        if (edge.nodes[i] != tip.node) {
-          // (crack.33): the force of a node over its area is its traction, per thickness.
-          add(edge, i, p, p.w * p.ds * here * own[i] / (area.at(edge.nodes[i]) * tip.thickness));
+        if (own[i] != 0.0) {
+          // (crack.33): the force of a node over its area is its traction.
+          add(edge, i, p,
+              p.w * p.ds * depth_per_front(tip, p) * here * own[i] / area.at(edge.nodes[i]));
         }
       }
     }

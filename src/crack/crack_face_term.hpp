@@ -4,6 +4,7 @@
 #include "crack/williams.hpp"
 #include "mesh/cut/cracked.hpp"
 #include "model/forward.hpp"
+#include "model/materials.hpp"
 #include "model/mesh.hpp"
 
 #include <array>
@@ -27,6 +28,8 @@ struct TipPlace {
   const model::Material& material;
   model::State state;
   double thickness = 1.0;
+
+  [[nodiscard]] bool axial() const { return state == model::State::axisymmetric; }
 };
 
 /// The terms by which integrals over a domain miss the tip's value (crack.31, crack.32), for

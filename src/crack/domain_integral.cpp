@@ -2,6 +2,7 @@
 #include "crack/domain_integral.hpp"
 
 #include "crack/load_fields.hpp"
+#include "crack/partner.hpp"
 #include "fe/thermal_kernel.hpp"
 
 #include <algorithm>
@@ -12,14 +13,18 @@ namespace spricka::crack {
 namespace {
 
 /// The solution at a point of an element.
-struct Here {
+struct Here : SectionState {
   Tensor<2> nodal;                  ///< gradient of the nodes' displacement
-  Tensor<2> H;                      ///< of the displacement: what expands freely is in
-  Tensor<2> sigma;                  ///< stress, thermal part in
   Tensor<2> strained;               ///< gradient that has this stress, where some expands freely
   double beta_T = 0.0;              ///< stress that the temperature takes out
   base::Vec2 beta_grad_T{0.0, 0.0}; ///< and its gradient
   double free_strain = 0.0;         ///< alpha T as the state has it
+};
+
+/// Energy-momentum at a point, in the section and round the axis.
+struct Momentum {
+  Tensor<2> T = Tensor<2>::Zero();
+  double hoop = 0.0;
 };
 
 /// One element. Where a part of its temperature expands it freely (fe::FreeExpansion) the nodes'
@@ -30,14 +35,13 @@ public:
   ElementTerms(const TipSetting& set, const std::vector<BodyField>& fields, base::ElementId e,
                const base::Vector& u)
       : set_(set), fields_(fields), e_(e), X_(fe::coordinates<S>(set.mesh, e)),
-        U_(fe::gather<S>(set.mesh, e, u)), D_(set.elasticity(e)),
-        law_(fe::law_of(set.model, set.mesh, e)),
+        U_(fe::gather<S>(set.mesh, e, u)), k_(set, e),
         T_(set.loads.temperature.size() > 0
                ? fe::corner_temperature<S>(set.mesh, e, set.loads.temperature)
                : fe::CornerValues<S>(fe::CornerValues<S>::Zero())) {
     if constexpr (fe::plane_quadratic<S>) {
-      if ((T_.array() != 0.0).any() && fe::FreeExpansion<S>::wanted(X_, law_)) {
-        free_ = fe::FreeExpansion<S>(X_, law_, T_);
+      if ((T_.array() != 0.0).any() && fe::FreeExpansion<S>::wanted(X_, k_.law)) {
+        free_ = fe::FreeExpansion<S>(X_, k_.law, T_);
         carried_ = true;
       }
     }
@@ -48,41 +52,9 @@ public:
     for (std::size_t n = 0; n < S::nodes; ++n) {
       force[n] = &out[set_.mesh.nodes_of(e_)[n]];
     }
-    for (const auto& point : shape::quadrature<S>(domain_degree)) {
-      const fe::Jacobian<S> at = fe::jacobian<S>(X_, point.r);
-      const Eigen::Matrix<double, S::nodes, 1> N = S::N(point.r);
-      const double w = point.weight * at.det;
-      const base::Vec2 x = X_ * N;
-      const Polar place = polar(set_.tip, x);
-      const Here own = solution(at, point.r, x, filled);
-      // Partners of K and T meet the affine temperature alone; what differs from it is heat_term's
-      // (crack.34).
-      const Here met = filled && set_.affine ? under_affine(own, x) : own;
-      for (std::size_t k = 0; k < partners; ++k) {
-        const Here& here = k == 0 ? own : met;
-        const Tensor<2> Hv = k == 0 ? here.nodal : partner_gradient(set_, place, k);
-        Tensor<2> T = Tensor<2>::Zero();
-        if (strained) {
-          T = k == 0 ? own_momentum(here)
-                     : energy_momentum<2>({here.H, here.sigma}, {Hv, stress_of<2>(D_, Hv)});
-        }
-        // What the temperature's gradient does on the volume change of u (crack.22) or of v
-        // (crack.23).
-        base::Vec2 c = base::Vec2::Zero();
-        if (filled) {
-          const double work = k == 0 && carried_ ? 2.0 * here.free_strain : Hv.trace();
-          c = work * here.beta_grad_T;
-        }
-        for (int n = 0; n < S::nodes; ++n) {
-          auto P = (*force[static_cast<std::size_t>(n)])[k].template head<2>();
-          const base::Vec2 gradient = at.dNdx.row(n);
-          P += w * (T * gradient + N[n] * c);
-          if (k == 0 && carried_) { // nodes carried through the free expansion
-            P += w * (free_.gradient(X_.col(n)).transpose() * (own.sigma * gradient));
-          }
-        }
-      }
-    }
+    for_domain_points<S>(set_, e_, [&](const shape::Point<2>& r, double weight) {
+      add_point(force, r, weight, strained, filled);
+    });
     if (filled) {
       add_body_forces(force);
     }
@@ -91,18 +63,59 @@ public:
 private:
   using Forces = std::array<std::array<base::Vec3, partners>*, S::nodes>;
 
+  void add_point(const Forces& force, const shape::Point<2>& r, double weight, bool strained,
+                 bool filled) const {
+    const fe::Jacobian<S> at = fe::jacobian<S>(X_, r);
+    const Eigen::Matrix<double, S::nodes, 1> N = S::N(r);
+    const base::Vec2 x = X_ * N;
+    const double w = weight * at.det * set_.depth(x);
+    const Here own = solution(at, r, x, filled);
+    // Partners of K and T meet the affine temperature alone; what differs from it is heat_term's
+    // (crack.34).
+    const Here met = filled && set_.affine ? under_affine(own, x) : own;
+    for (std::size_t k = 0; k < partners; ++k) {
+      const Here& here = k == 0 ? own : met;
+      const Partner v = k == 0 ? itself(here) : partner_at(set_, k_, x, k);
+      const Momentum M =
+          strained || set_.axial() ? (k == 0 ? own_momentum(here) : of_both(here, v)) : Momentum();
+      // What does not hang on the gradient of q: the temperature's gradient on the volume change
+      // of u (crack.22) or of v (crack.23), about an axis the way outwards (crack.37) and partners
+      // that are not at rest.
+      base::Vec2 c = base::Vec2::Zero();
+      if (filled) {
+        const double work = k == 0 && carried_ ? 2.0 * here.free_strain : v.dilatation();
+        c = work * here.beta_grad_T;
+      }
+      if (set_.axial()) {
+        c += base::Vec2(M.hoop / x.x(), 0.0) + here.nodal.transpose() * v.divergence;
+      }
+      for (int n = 0; n < S::nodes; ++n) {
+        auto P = (*force[static_cast<std::size_t>(n)])[k].template head<2>();
+        const base::Vec2 gradient = at.dNdx.row(n);
+        P += w * N[n] * c;
+        if (strained) {
+          P += w * (M.T * gradient);
+        }
+        if (k == 0 && carried_) { // nodes carried through the free expansion
+          P += w * (free_.gradient(X_.col(n)).transpose() * (own.sigma * gradient));
+        }
+      }
+    }
+  }
+
   // At points of their own: they may bend and jump where the fields do not.
   void add_body_forces(const Forces& force) const {
     for_body_forces<S>(
         fields_, e_, X_, [&](const shape::Point<2>& r, double weight, const base::Vec2& b) {
           const fe::Jacobian<S> at = fe::jacobian<S>(X_, r);
           const Eigen::Matrix<double, S::nodes, 1> N = S::N(r);
-          const Polar place = polar(set_.tip, X_ * N);
+          const base::Vec2 x = X_ * N;
+          const Polar place = polar(set_.tip, x);
           for (std::size_t k = 0; k < partners; ++k) {
             const Tensor<2> Hv =
                 k == 0 ? Tensor<2>(U_ * at.dNdx) : partner_gradient(set_, place, k);
             // - q b . u,k (crack.19), or with v in the place of u (crack.23).
-            const base::Vec2 c = weight * at.det * (Hv.transpose() * b);
+            const base::Vec2 c = weight * at.det * set_.depth(x) * (Hv.transpose() * b);
             for (int n = 0; n < S::nodes; ++n) {
               (*force[static_cast<std::size_t>(n)])[k].template head<2>() -= N[n] * c;
             }
@@ -114,27 +127,34 @@ private:
                               const base::Vec2& x, bool filled) const {
     Here here;
     here.nodal = here.H = here.strained = U_ * at.dNdx;
+    here.hoop = U_.row(0) * fe::Hoop<S>(X_, k_.law, r).h;
     if (filled) {
       heat(at, r, x, here);
     }
     // (crack.21).
-    here.sigma = stress_of<2>(D_, here.H);
-    here.sigma.diagonal().array() -= here.beta_T;
+    static_cast<SectionState&>(here) = stressed(k_, here.H, here.hoop);
+    warm(here, here.beta_T);
     return here;
+  }
+
+  // The normal stresses that a temperature takes out.
+  void warm(Here& here, double beta_T) const {
+    here.sigma.diagonal().array() -= beta_T;
+    here.sigma_hoop -= set_.axial() ? beta_T : 0.0;
   }
 
   // What the partners of K and T meet: the same displacements under the affine temperature.
   [[nodiscard]] Here under_affine(const Here& own, const base::Vec2& x) const {
     Here here = own;
-    const double beta = fe::heat_modulus(law_);
-    here.sigma.diagonal().array() += own.beta_T - beta * (*set_.affine)(set_.tip, x);
+    const double beta = fe::heat_modulus(k_.law);
+    warm(here, beta * (*set_.affine)(set_.tip, x) - own.beta_T);
     here.beta_grad_T = beta * set_.affine->slope;
     return here;
   }
 
   void heat(const fe::Jacobian<S>& at, const shape::Point<2>& r, const base::Vec2& x,
             Here& here) const {
-    const double beta = fe::heat_modulus(law_);
+    const double beta = fe::heat_modulus(k_.law);
     if (carried_) {
       const Tensor<2> expansion = free_.gradient(x);
       here.beta_T = beta * free_.temperature(x);
@@ -149,11 +169,28 @@ private:
     here.beta_grad_T = beta * at.J.transpose().inverse() * Linear::dN(r).transpose() * T_;
   }
 
+  // The solution in the place of a partner: it is at rest but for loads, which have terms.
+  static Partner itself(const Here& here) {
+    Partner v;
+    v.H = here.nodal;
+    v.hoop = here.hoop;
+    return v;
+  }
+
   // Of u with itself, halved: W is half of (sigma - beta T) : eps.
-  [[nodiscard]] Tensor<2> own_momentum(const Here& u) const {
+  [[nodiscard]] Momentum own_momentum(const Here& u) const {
     const Tensor<2>& H = carried_ ? u.strained : u.H;
-    const double thermal = carried_ ? 2.0 * u.free_strain : H.trace();
-    return energy_momentum<2>({H, u.sigma}, u.beta_T * thermal);
+    const double thermal = u.beta_T * (carried_ ? 2.0 * u.free_strain : u.dilatation());
+    const double round = u.sigma_hoop * u.hoop;
+    const Tensor<2> T = energy_momentum<2>({H, u.sigma}, thermal - round);
+    return {T, round - 0.5 * (u.sigma.cwiseProduct(H).sum() + round - thermal)};
+  }
+
+  // (crack.10), with the components round the axis.
+  static Momentum of_both(const Here& u, const Partner& v) {
+    Tensor<2> T = energy_momentum<2>({u.H, u.sigma}, {v.H, v.sigma});
+    T.diagonal().array() -= u.sigma_hoop * v.hoop;
+    return {T, u.sigma_hoop * v.hoop + v.sigma_hoop * u.hoop - u.work_on(v)};
   }
 
   const TipSetting& set_;
@@ -161,8 +198,7 @@ private:
   base::ElementId e_;
   fe::NodeVectors<S> X_;
   fe::NodeVectors<S> U_;
-  fe::Elasticity<2> D_;
-  fe::Law law_;
+  Stiffness k_;
   fe::CornerValues<S> T_;
   bool carried_ = false; ///< the nodes, through the free expansion
   fe::FreeExpansion<S> free_;
@@ -190,7 +226,8 @@ void add_domain_terms(const TipSetting& set, const std::vector<ExtensionField>& 
   const std::vector<BodyField> loads = body_fields(set);
   const Elements strained = united(fields, &ExtensionField::elements);
   Elements rigid;
-  if (filled) {
+  // About an axis also elements that q moves as one come to other radii.
+  if (filled || set.axial()) {
     std::ranges::set_difference(united(fields, &ExtensionField::inside), strained,
                                 std::back_inserter(rigid));
   }

@@ -57,7 +57,7 @@ void add_face(const TipSetting& set, const ScaledLoad& on, const model::Face& fa
     }
     const base::Vec2 tangent = along.normalized();
     const base::Vec2 normal(tangent.y(), -tangent.x());
-    const base::Vec2 t = traction(acting, x, normal);
+    const base::Vec2 t = set.depth(x) * traction(acting, x, normal);
     const Polar place = polar_on_face({{0.0, 0.0}, set.tip.e1, set.tip.e2}, from, normal);
     for (std::size_t k = 0; k < partners; ++k) {
       const base::Vec2 du =

@@ -30,15 +30,24 @@ struct Shift {
 
 // Work of the forces per volume on the displacements U of an element at nodes X.
 template <shape::PlaneShape S>
-double body_work(const std::vector<BodyField>& fields, base::ElementId e,
-                 const fe::NodeVectors<S>& X, const fe::NodeVectors<S>& U) {
+double body_work(const Shift& shift, base::ElementId e, const fe::NodeVectors<S>& X,
+                 const fe::NodeVectors<S>& U) {
+  const TipSetting& set = shift.set;
   double work = 0.0;
-  for_body_forces<S>(fields, e, X,
-                     [&](const shape::Point<2>& r, double weight, const base::Vec2& b) {
-                       const base::Vec2 value = U * S::N(r);
-                       work += weight * fe::jacobian<S>(X, r).det * b.dot(value);
-                     });
+  for_body_forces<S>(
+      shift.fields, e, X, [&](const shape::Point<2>& r, double weight, const base::Vec2& b) {
+        const base::Vec2 value = U * S::N(r);
+        work += weight * fe::jacobian<S>(X, r).det * set.depth(X * S::N(r)) * b.dot(value);
+      });
   return work;
+}
+
+// Per unit of the front.
+template <shape::PlaneShape S>
+double strain_energy(const TipSetting& set, const fe::NodeVectors<S>& X, const fe::Law& law,
+                     const fe::NodeVectors<S>& U) {
+  const double front = set.axial() ? law.depth(set.tip.x.x()) : 1.0;
+  return 0.5 * U.cwiseProduct(fe::element_force<S>(X, law, U)).sum() / front;
 }
 
 // Strain energy of an element and what its temperature, a field that stays where it is, makes of
@@ -71,10 +80,12 @@ double heated_energy(const Shift& shift, base::ElementId e, const fe::NodeVector
       // A point that q has carried on by s meets the field ahead of it, which stays in space.
       const double here =
           T.dot(Linear::N(point.r)) + shift.s * q.dot(S::N(point.r)) * slope.dot(set.tip.e1);
-      thermal += point.weight * at.det * beta * here * (U * at.dNdx).trace();
+      const double hoop = U.row(0) * fe::Hoop<S>(X, law, point.r).h;
+      thermal += point.weight * at.det * set.depth(X * S::N(point.r)) * beta * here *
+                 ((U * at.dNdx).trace() + hoop);
     }
   }
-  return 0.5 * U.cwiseProduct(fe::element_force<S>(X, law, U)).sum() - thermal;
+  return strain_energy<S>(set, X, law, U) - thermal;
 }
 
 // Strain energy less the work of what fills the elements.
@@ -84,10 +95,9 @@ template <shape::PlaneShape S> double element_energy(const Shift& shift, base::E
   const fe::NodeVectors<S> U = fe::gather<S>(set.mesh, e, shift.u);
   fe::Law law = fe::law_of(set.model, set.mesh, e);
   law.thickness = 1.0; // G counts per unit of it
-  const double strain = set.loads.temperature.size() > 0
-                            ? heated_energy<S>(shift, e, X, law)
-                            : 0.5 * U.cwiseProduct(fe::element_force<S>(X, law, U)).sum();
-  return set.loads.fill_elements() ? strain - body_work<S>(shift.fields, e, X, U) : strain;
+  const double strain = set.loads.temperature.size() > 0 ? heated_energy<S>(shift, e, X, law)
+                                                         : strain_energy<S>(set, X, law, U);
+  return set.loads.fill_elements() ? strain - body_work<S>(shift, e, X, U) : strain;
 }
 
 template <shape::Shape Side>
@@ -106,8 +116,8 @@ double face_work(const Shift& shift, const ActingLoad& acting, const model::Face
     const auto N = Side::N(point.r);
     const base::Vec2 area = fe::area_vector<Side>(X, point.r).template head<2>();
     const base::Vec2 x = (X * N).template head<2>();
-    work +=
-        point.weight * area.norm() * traction(acting, x, area.normalized()).dot(base::Vec2(U * N));
+    work += point.weight * area.norm() * shift.set.depth(x) *
+            traction(acting, x, area.normalized()).dot(base::Vec2(U * N));
   }
   return work;
 }
@@ -116,7 +126,8 @@ double potential_energy(const Shift& shift, const ExtensionField& field) {
   const TipSetting& set = shift.set;
   std::vector<base::ElementId> elements = field.elements;
   // Elements that move as one keep their strain energy; the work of a field in space changes.
-  if (set.loads.fill_elements()) {
+  // About an axis they come to other radii.
+  if (set.loads.fill_elements() || set.axial()) {
     elements.insert(elements.end(), field.inside.begin(), field.inside.end());
   }
   double energy = 0.0;

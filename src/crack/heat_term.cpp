@@ -26,9 +26,9 @@ std::vector<ElementId> all_elements(const ExtensionField& field) {
   return all;
 }
 
-// Derivative along the crack of the volume change of partner 1 to 3: of harmonic functions, from
-// sigma_11 + sigma_22 of the near-tip fields and of the force at the tip.
-double volume_slope(const TipSetting& set, const Polar& at, std::size_t partner) {
+// Derivative along the crack of the volume change in the section of partner 1 to 3: of harmonic
+// functions, from sigma_11 + sigma_22 of the near-tip fields and of the force at the tip.
+double section_slope(const TipSetting& set, const Polar& at, std::size_t partner) {
   const double shear = set.material.E / (2.0 * (1.0 + set.material.nu));
   // Volume change in the plane by sigma_11 + sigma_22.
   const double bulk = (kolosov(set.material.nu, set.state()) - 1.0) / (4.0 * shear);
@@ -37,6 +37,24 @@ double volume_slope(const TipSetting& set, const Polar& at, std::size_t partner)
   }
   const double root = -bulk / (at.r * std::sqrt(2.0 * pi * at.r));
   return partner == 1 ? root * std::cos(1.5 * at.theta) : -root * std::sin(1.5 * at.theta);
+}
+
+/// The volume change of a partner along the crack, and about an axis its strain round it.
+struct Swelling {
+  double slope = 0.0; ///< of the volume change, along the crack
+  double hoop = 0.0;
+};
+Swelling swelling(const TipSetting& set, const Vec2& x, std::size_t partner) {
+  const Polar at = polar(set.tip, x);
+  Swelling s{section_slope(set, at, partner), 0.0};
+  if (set.axial()) {
+    s.hoop = partner_displacement(set, at, partner).x() / x.x();
+    // (v_x / x),1
+    s.slope +=
+        (Vec2(partner_gradient(set, at, partner) * set.tip.e1).x() - s.hoop * set.tip.e1.x()) /
+        x.x();
+  }
+  return s;
 }
 
 // One element of a domain.
@@ -62,22 +80,32 @@ public:
   }
   [[nodiscard]] double extension(const shape::Point<2>& r) const { return moved_.dot(S::N(r)); }
   [[nodiscard]] double volume_change(const shape::Point<2>& r) const {
-    return (U_ * fe::jacobian<S>(X_, r).dNdx).trace();
+    return (U_ * fe::jacobian<S>(X_, r).dNdx).trace() + hoop(r);
+  }
+  [[nodiscard]] double hoop(const shape::Point<2>& r) const {
+    return U_.row(0) * fe::Hoop<S>(X_, law_, r).h;
+  }
+  /// Of q, round the axis.
+  [[nodiscard]] double extension_round(const shape::Point<2>& r) const {
+    return set_.axial() ? extension(r) * set_.tip.e1.x() / x(r).x() : 0.0;
   }
 
   // - beta D div(q v,1) of a partner v.
   void add_to_K(const shape::Point<2>& r, double area, double D,
                 std::array<double, partners>& sum) const {
-    const Polar place = polar(set_.tip, x(r));
+    const Vec2 at = x(r);
+    const Polar place = polar(set_.tip, at);
     const double q = extension(r);
+    const double round = extension_round(r);
     const Vec2 grad =
         strained_ ? Vec2(fe::jacobian<S>(X_, r).dNdx.transpose() * moved_) : Vec2(Vec2::Zero());
     for (std::size_t k = 1; k < partners; ++k) {
-      double div = q * volume_slope(set_, place, k);
+      const Swelling v = swelling(set_, at, k);
+      double div = q * v.slope + round * v.hoop;
       if (strained_) {
         div += grad.dot(partner_gradient(set_, place, k) * set_.tip.e1);
       }
-      sum[k] -= beta() * area * D * div;
+      sum[k] -= beta() * area * set_.depth(at) * D * div;
     }
   }
 
@@ -94,7 +122,8 @@ public:
     const double along = (slope * at.J.inverse()).dot(set_.tip.e1);
     const Vec2 grad = at.dNdx.transpose() * moved_;
     const Vec2 carried = U_ * at.dNdx * set_.tip.e1;
-    return -beta() * area * D * (grad.dot(carried) + extension(r) * along);
+    return -beta() * area * set_.depth(x(r)) * D *
+           (grad.dot(carried) + extension(r) * along + extension_round(r) * hoop(r));
   }
 
   void add(const mesh::Front& front, bool wants_G, std::array<double, partners>& sum) const {
@@ -211,7 +240,7 @@ public:
                                   temperature_beside<R>(right, edge.right, s));
           const double a = (T - left.taken(r)) * left.volume_change(r) * left.beta();
           const double b = (T - right.taken(s)) * right.volume_change(s) * right.beta();
-          const double weight = left.extension(r) * n;
+          const double weight = left.extension(r) * n * set_.depth(left.x(r));
           size = std::max(size, scale_ * std::abs(left.volume_change(r)) * left.beta() *
                                     tangent.norm() * left.extension(r));
           return (a - b) * weight;

@@ -6,6 +6,8 @@
 #include "crack/finite_shift.hpp"
 #include "crack/heat_term.hpp"
 #include "crack/opening.hpp"
+#include "crack/partner.hpp"
+#include "crack/partner_pressure.hpp"
 #include "crack/rough_loads.hpp"
 #include "crack/thermal_term.hpp"
 
@@ -78,6 +80,7 @@ NodalForces configurational_forces(const TipSetting& set, const std::vector<Exte
   NodalForces forces;
   add_domain_terms(set, fields, u, forces);
   add_face_terms(set, u, forces);
+  add_partner_pressure(set, fields, u, forces);
   return forces;
 }
 
@@ -90,63 +93,108 @@ void take_shift(DomainValue& value, double G) {
   value.G = G;
 }
 
-// What the displacement gradient is contracted with at the points of an element, for one partner:
-// s(u) : A + (H e1) . (s(v) grad q) with A = (H_v e1) (x) grad q - (e1 . grad q) H_v is e1 . T grad
-// q of the interaction; D is symmetric, so s(u) : A = H_u : s(A). Calls visit(r, map, M), the
-// weight of the point in M.
+/// What a displacement is contracted with at a point: its gradient, and about an axis the strain
+/// round it.
+struct Contracted {
+  Eigen::Matrix2d M;
+  double hoop = 0.0;
+};
+
+// Of one partner at the points of an element:
+// s(u) : A + (H e1) . (s(v) grad q) with A = (H_v e1) (x) grad q - (div q) H_v is e1 . T grad q of
+// the interaction; D is symmetric, so s(u) : A = H_u : s(A). About an axis all have components
+// round it (crack.37), and partners have a divergence (crack.38). Calls visit(r, map, contracted),
+// the weight of the point in it.
 template <shape::ElementShape S, class Visit>
 void for_element_points(const TipSetting& set, base::ElementId e,
                         const std::map<base::NodeId, double>& q, std::size_t partner,
                         Visit&& visit) {
   const fe::NodeVectors<S> X = fe::coordinates<S>(set.mesh, e);
-  const fe::Elasticity<2> D = set.elasticity(e);
+  const Stiffness k(set, e);
   const Eigen::Matrix<double, S::nodes, 1> moved = extension_at<S>(set.mesh, e, q);
   const base::Vec2& e1 = set.tip.e1;
-  for (const auto& point : shape::quadrature<S>(domain_degree)) {
-    const fe::Jacobian<S> at = fe::jacobian<S>(X, point.r);
-    const double w = point.weight * at.det;
+  for_domain_points<S>(set, e, [&](const shape::Point<2>& r, double weight) {
+    const fe::Jacobian<S> at = fe::jacobian<S>(X, r);
+    const Eigen::Matrix<double, S::nodes, 1> N = S::N(r);
+    const base::Vec2 x = X * N;
+    const double w = weight * at.det * set.depth(x);
     const base::Vec2 grad = at.dNdx.transpose() * moved;
-    const Polar place = polar(set.tip, X * S::N(point.r));
-    const Eigen::Matrix2d Hv = partner_gradient(set, place, partner);
-    const Eigen::Matrix2d A = Hv * e1 * grad.transpose() - e1.dot(grad) * Hv;
-    const Eigen::Matrix2d M = stress_of<2>(D, A) + stress_of<2>(D, Hv) * grad * e1.transpose();
-    visit(point.r, at, Eigen::Matrix2d(w * M));
-  }
+    const double here = N.dot(moved);
+    const double round = set.axial() ? here * e1.x() / x.x() : 0.0; // of q, round the axis
+    const double div = e1.dot(grad) + round;
+    const Partner v = partner_at(set, k, x, partner);
+    const SectionState A =
+        stressed(k, v.H * e1 * grad.transpose() - div * v.H, (round - div) * v.hoop);
+    const Eigen::Matrix2d M = A.sigma + (v.sigma * grad + here * v.divergence) * e1.transpose();
+    visit(r, at, Contracted{w * M, w * (A.sigma_hoop + v.sigma_hoop * round)});
+  });
 }
 
-// The same for all elements of all domains, averaged over these: visit(e, r, map, M).
+// The same for all elements of all domains, averaged over these: visit(e, r, map, contracted).
 template <class Visit>
 void for_points(const TipSetting& set, const std::vector<ExtensionField>& fields,
                 std::size_t partner, Visit&& visit) {
   const double part = 1.0 / static_cast<double>(fields.size());
   for (const ExtensionField& field : fields) {
     const std::map<base::NodeId, double> q = field.q();
-    fe::for_plane_blocks(set.mesh, field.elements,
-                         [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
-                           for (const base::ElementId e : block) {
-                             for_element_points<S>(
-                                 set, e, q, partner,
-                                 [&](const shape::Point<2>& r, const fe::Jacobian<S>& at,
-                                     const Eigen::Matrix2d& M) { visit(e, r, at, part * M); });
-                           }
-                         });
+    std::vector<base::ElementId> elements = field.elements;
+    if (set.axial()) {
+      elements.insert(elements.end(), field.inside.begin(), field.inside.end());
+    }
+    fe::for_plane_blocks(
+        set.mesh, elements, [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
+          for (const base::ElementId e : block) {
+            for_element_points<S>(
+                set, e, q, partner,
+                [&](const shape::Point<2>& r, const fe::Jacobian<S>& at, const Contracted& c) {
+                  visit(e, r, at, Contracted{part * c.M, part * c.hoop});
+                });
+          }
+        });
   }
+}
+
+// Of the strain round the axis, u_x / x.
+void add_hoop(const TipSetting& set, base::ElementId e, const shape::Point<2>& r, double weight,
+              base::Vector& row) {
+  shape::with_plane_shape(set.mesh.type[e.index()], [&]<shape::PlaneShape S>(S) {
+    const Eigen::Matrix<double, S::nodes, 1> N = S::N(r);
+    const double x = fe::coordinates<S>(set.mesh, e).row(0) * N;
+    for (int n = 0; n < S::nodes; ++n) {
+      const base::NodeId node = set.mesh.nodes_of(e)[static_cast<std::size_t>(n)];
+      row[2 * static_cast<Eigen::Index>(node.index())] += weight / x * N[n];
+    }
+  });
 }
 
 base::Vector partner_row(const TipSetting& set, const std::vector<ExtensionField>& fields,
                          std::size_t partner) {
   base::Vector row = base::Vector::Zero(2 * static_cast<Eigen::Index>(set.mesh.node_count()));
   for_points(set, fields, partner,
-             [&](base::ElementId e, const shape::Point<2>& /*r*/, const auto& at,
-                 const Eigen::Matrix2d& M) {
+             [&](base::ElementId e, const shape::Point<2>& r, const auto& at, const Contracted& c) {
                const std::span<const base::NodeId> nodes = set.mesh.nodes_of(e);
                for (std::size_t n = 0; n < nodes.size(); ++n) {
                  const auto freedom = 2 * static_cast<Eigen::Index>(nodes[n].index());
                  row.segment<2>(freedom) +=
-                     M * at.dNdx.row(static_cast<Eigen::Index>(n)).transpose();
+                     c.M * at.dNdx.row(static_cast<Eigen::Index>(n)).transpose();
+               }
+               if (set.axial()) {
+                 add_hoop(set, e, r, c.hoop, row);
                }
              });
+  for (const ExtensionField& field : fields) {
+    add_partner_pressure_row(set, field, partner, 1.0 / static_cast<double>(fields.size()), row);
+  }
   return row;
+}
+
+// What the strain round the axis, u_x / x at the tip, adds to T (crack.41): of a unit of u_x.
+double stress_of_hoop(const TipSetting& set) {
+  return fe::effective_modulus(set.material, set.state()) * set.material.nu / set.tip.x.x();
+}
+double stress_of_hoop(const TipSetting& set, const base::Vector& u) {
+  return set.axial() ? stress_of_hoop(set) * u[2 * static_cast<Eigen::Index>(set.tip_node.index())]
+                     : 0.0;
 }
 
 TipPlace tip_place(const TipSetting& set, const mesh::Front& front) {
@@ -195,9 +243,9 @@ StressIntensity stress_intensity(const model::Model& model, const mesh::CrackedM
       fields, [&](const ExtensionField& f) { return between_materials(set, f); });
   const NodalForces forces = configurational_forces(set, fields, u);
   // What stands beside the bracket of (crack.26).
-  const double T_of_tip = stress_on_crack_faces_at_tip(set, front) -
-                          thermal_stress_at_tip(set, front) +
-                          (request.crack_faces != nullptr ? request.crack_faces->at_tip : 0.0);
+  const double T_of_tip =
+      stress_on_crack_faces_at_tip(set, front) - thermal_stress_at_tip(set, front) +
+      (request.crack_faces != nullptr ? request.crack_faces->at_tip : 0.0) + stress_of_hoop(set, u);
   double shifted = 0.0;
   double analytic = 0.0;
   double doubt = 0.0; // what is rough in one domain is so for the displacements in all
@@ -287,7 +335,7 @@ std::vector<IntensityPoint> intensity_points(const model::Model& model,
   const auto visit = [&](std::size_t partner, auto&& take) {
     for_points(set, fields, partner,
                [&](base::ElementId e, const shape::Point<2>& r, const auto& /*at*/,
-                   const Eigen::Matrix2d& M) { take(e, r, Eigen::Matrix2d(factor * M)); });
+                   const Contracted& c) { take(e, r, Eigen::Matrix2d(factor * c.M)); });
   };
   visit(1, [&](base::ElementId e, const shape::Point<2>& r, const Eigen::Matrix2d& M) {
     points.push_back({e, r, {M, Eigen::Matrix2d::Zero()}});
@@ -335,7 +383,12 @@ base::Vector t_stress_row(const model::Model& model, const mesh::CrackedMesh& cr
   }
   const TipLoads none;
   const TipSetting set = tip_setting(model, cracked, front, fields, none);
-  return factors_of(set, front, model::CrackState::automatic).T() * partner_row(set, fields, 3);
+  base::Vector row =
+      factors_of(set, front, model::CrackState::automatic).T() * partner_row(set, fields, 3);
+  if (set.axial()) {
+    row[2 * static_cast<Eigen::Index>(set.tip_node.index())] += stress_of_hoop(set);
+  }
+  return row;
 }
 
 IntensityConstant intensity_constant(const model::Model& model, const mesh::CrackedMesh& cracked,

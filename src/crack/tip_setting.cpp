@@ -32,12 +32,18 @@ TipSetting tip_setting(const model::Model& model, const mesh::CrackedMesh& crack
           model.material_of(cracked.mesh, near),
           model.property_of(cracked.mesh, near),
           frame_of(front),
+          front.tip().node,
+          front.crack.index() < cracked.faces.size() ? &cracked.faces[front.crack.index()]
+                                                     : nullptr,
           loads,
           std::nullopt};
 }
 
 fe::Elasticity<2> TipSetting::elasticity(base::ElementId e) const {
-  return fe::elasticity<2>(model.material_of(mesh, e), model.property_of(mesh, e).state);
+  const model::State own = model.property_of(mesh, e).state;
+  // About an axis the section is strained round it as well: see SectionState.
+  return fe::elasticity<2>(model.material_of(mesh, e),
+                           own == model::State::axisymmetric ? model::State::plane_strain : own);
 }
 
 bool between_materials(const TipSetting& set, const ExtensionField& field) {
@@ -75,6 +81,13 @@ Eigen::Matrix2d partner_gradient(const TipSetting& set, const Polar& at, std::si
   return partner == 3 ? point_force_gradient(set.tip, at, set.material, set.state())
                       : auxiliary_gradient(set.tip, at, static_cast<int>(partner), set.material,
                                            set.state());
+}
+
+base::Vec2 partner_displacement(const TipSetting& set, const Polar& at, std::size_t partner) {
+  return partner == 3
+             ? point_force_displacement(set.tip, at, set.tip.x.x(), set.material, set.state())
+             : auxiliary_displacement(set.tip, at, static_cast<int>(partner), set.material,
+                                      set.state());
 }
 
 } // namespace spricka::crack

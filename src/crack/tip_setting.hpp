@@ -4,6 +4,7 @@
 #include "crack/extension.hpp"
 #include "crack/tip_loads.hpp"
 #include "crack/williams.hpp"
+#include "fe/corner_rule.hpp"
 #include "fe/element.hpp"
 #include "mesh/cut/cracked.hpp"
 #include "model/forward.hpp"
@@ -36,11 +37,19 @@ struct TipSetting {
   const model::Material& material;
   const model::Property& property;
   TipFrame tip;
+  base::NodeId tip_node;
+  const mesh::CrackFaces* crack_faces; ///< of the tip's crack; null: unknown
   const TipLoads& loads;
   std::optional<AffineHeat> affine = std::nullopt;
 
   [[nodiscard]] model::State state() const { return property.state; }
-  /// Of an element's own.
+  [[nodiscard]] bool axial() const { return state() == model::State::axisymmetric; }
+  /// What stands behind a point of the section for a unit of the front: 1, and about an axis its
+  /// radius over the front's (crack.36).
+  [[nodiscard]] double depth(const base::Vec2& x) const {
+    return axial() ? x.x() / tip.x.x() : 1.0;
+  }
+  /// Of an element's own, in the section.
   [[nodiscard]] fe::Elasticity<2> elasticity(base::ElementId e) const;
 };
 TipSetting tip_setting(const model::Model& model, const mesh::CrackedMesh& cracked,
@@ -67,6 +76,9 @@ struct NodalForces {
 
 /// Displacement gradient of partner 1 to 3 at a point off the tip.
 Eigen::Matrix2d partner_gradient(const TipSetting& set, const Polar& at, std::size_t partner);
+/// Its displacement. About an axis a motion along the radius is none of a rigid body: the tip of
+/// partners 1 and 2 rests, and partner 3 is zero in a distance of the front's radius.
+base::Vec2 partner_displacement(const TipSetting& set, const Polar& at, std::size_t partner);
 
 /// The q of a field at the nodes of an element.
 template <shape::PlaneShape S>
@@ -84,5 +96,22 @@ Eigen::Matrix<double, S::nodes, 1> extension_at(const model::Mesh& mesh, base::E
 /// In the elements where q varies the partners behave like r^-1/2 or r^-1 but are smooth; degree 9
 /// leaves 1e-7 of them.
 inline constexpr int domain_degree = 9;
+
+/// Calls visit(r, weight) at the points of an element of a domain. About an axis the elements at
+/// the tip count as well (crack.37), where partners are singular: by charts collapsed into it.
+template <shape::PlaneShape S, class Visit>
+void for_domain_points(const TipSetting& set, base::ElementId e, Visit&& visit) {
+  const std::array<base::NodeId, 1> tips{set.tip_node};
+  const int corner = set.axial() ? fe::corner_at<S>(set.mesh, e, tips) : -1;
+  if (corner < 0) {
+    for (const auto& point : shape::quadrature<S>(domain_degree)) {
+      visit(point.r, point.weight);
+    }
+    return;
+  }
+  for (const fe::Chart& chart : fe::charts<S>(corner)) {
+    fe::for_chart_points(chart, {0.0, 0.0, 1.0}, visit);
+  }
+}
 
 } // namespace spricka::crack

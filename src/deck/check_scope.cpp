@@ -75,8 +75,9 @@ void cracks_in_reach(Context& c) {
   const bool space = c.model.mesh.dim == 3;
   const bool axial = model::axisymmetric(c.model);
   for (const model::Crack& crack : c.model.cracks) {
-    if (axial) {
-      c.unavailable("$CRACK with STATE=AXI", crack.span);
+    if (axial && crack.state == model::CrackState::stress) {
+      c.unavailable("$CRACK STATE=STRESS about an axis, where a front is in plane strain,",
+                    crack.span);
     }
   }
   if (space) {

@@ -85,6 +85,10 @@ bool on_symmetry_line(const model::Model& model, const std::vector<base::NodeId>
   if (std::abs(along[across]) > 1e-9) {
     return false;
   }
+  // About an axis a cylinder is no mirror, and the axis itself is held along the radius by nature.
+  if (across == 0 && model::axisymmetric(model)) {
+    return false;
+  }
   const auto dim = static_cast<std::size_t>(mesh.dim);
   return std::all_of(path.begin(), path.end(), [&](base::NodeId n) {
     return cls[dim * n.index() + static_cast<std::size_t>(across)] ==

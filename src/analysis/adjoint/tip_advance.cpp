@@ -61,6 +61,10 @@ TipAdvance::TipAdvance(const model::Model& model, const Scene& scene, std::size_
       motion_(estimate::tip_motion(scene.cracked, tip,
                                    scene.tips[tip].beyond.value_or(scene.tips[tip].fields.back()))),
       strained_(motion_.field.elements) {
+  if (model::axisymmetric(model)) {
+    strained_.insert(strained_.end(), motion_.field.inside.begin(), motion_.field.inside.end());
+    std::ranges::sort(strained_);
+  }
   std::vector<bool> moves(scene.cracked.mesh.node_count(), false);
   for (const crack::NodeMotion& moved : motion_.field.motion) {
     moves[moved.node.index()] = true;
@@ -74,7 +78,9 @@ TipAdvance::TipAdvance(const model::Model& model, const Scene& scene, std::size_
   move_loads(moves);
   row_rate_.resize(scene.tips.size());
   for (std::size_t t = 0; t < scene.tips.size(); ++t) {
-    if (!estimate::moves_as_one(scene.cracked.mesh, motion_, scene.tips[t].fields)) {
+    // About an axis what moves as one comes to other radii.
+    if (model::axisymmetric(model) ||
+        !estimate::moves_as_one(scene.cracked.mesh, motion_, scene.tips[t].fields)) {
       row_rate_[t] =
           (rows_of(model, *ahead_, t) - rows_of(model, *behind_, t)) / (2.0 * motion_.step);
     }

@@ -98,6 +98,9 @@ crack::ActingLoad acting_near(const model::Model& model, const model::Mesh& mesh
   return acting;
 }
 
+// Part of a front's radius that domains stay off the axis, as in space off its centre.
+constexpr double near_axis = 0.2;
+
 } // namespace
 
 std::vector<std::int64_t> material_zones(const model::Model& model, const model::Mesh& mesh) {
@@ -177,6 +180,12 @@ crack::DomainLimits domain_limits(const model::Model& model, const Scene& scene,
         // The line of a half model is held across it, and the virtual extension moves along it.
         limits.node[n] = false;
       }
+    }
+  }
+  if (model::axisymmetric(model)) {
+    // Partners are carried round the axis with the section (crack.38): they have no place there.
+    for (std::size_t n = 0; n < mesh.node_count(); ++n) {
+      limits.node[n] = limits.node[n] || mesh.x[n].x() < near_axis * front.tip().x.x();
     }
   }
   auto zone = static_cast<std::int64_t>(model.properties.size());

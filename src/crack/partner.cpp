@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "crack/partner.hpp"
+
+namespace spricka::crack {
+
+SectionState stressed(const Stiffness& k, const Tensor<2>& H, double hoop) {
+  SectionState state{.H = H, .hoop = hoop, .sigma = stress_of<2>(k.D, H), .sigma_hoop = 0.0};
+  if (k.law.axisymmetric) {
+    const double pressed = k.law.lambda * hoop;
+    state.sigma.diagonal().array() += pressed;
+    state.sigma_hoop = k.law.lambda * H.trace() + pressed + 2.0 * k.law.mu * hoop;
+  }
+  return state;
+}
+
+Partner partner_at(const TipSetting& set, const Stiffness& k, const base::Vec2& x,
+                   std::size_t partner) {
+  const Polar place = polar(set.tip, x);
+  const Tensor<2> H = partner_gradient(set, place, partner);
+  if (!set.axial()) {
+    return {stressed(k, H, 0.0), base::Vec2::Zero()};
+  }
+  const double hoop = partner_displacement(set, place, partner).x() / x.x();
+  // (crack.39): in the section alone it is at rest.
+  const base::Vec2 divergence((k.law.lambda + 2.0 * k.law.mu) * (H(0, 0) - hoop),
+                              k.law.lambda * H(0, 1) + k.law.mu * (H(0, 1) + H(1, 0)));
+  return {stressed(k, H, hoop), divergence / x.x()};
+}
+
+} // namespace spricka::crack

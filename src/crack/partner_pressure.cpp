@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "crack/partner_pressure.hpp"
+
+#include "crack/partner.hpp"
+#include "fe/face.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spricka::crack {
+
+namespace {
+
+/// A point of a face: what presses there, per displacement of a partner along the radius.
+template <shape::Shape Side> struct PressedPoint {
+  std::array<base::NodeId, Side::nodes> nodes;
+  Eigen::Matrix<double, Side::nodes, 1> N, dN;
+  base::Vec2 tangent, normal;
+  Polar place;
+  double weight = 0.0; ///< lambda / x included
+};
+
+// Order along the crack of the nodes of one face; -1: not on it.
+class Along {
+public:
+  explicit Along(const std::vector<base::NodeId>& face) {
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      place_[face[i]] = static_cast<int>(i);
+    }
+  }
+  // Neighbours along the crack, with the middle node between them.
+  template <std::size_t count>
+  [[nodiscard]] bool has_side(const std::array<base::NodeId, count>& nodes) const {
+    std::array<int, count> at{};
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto met = place_.find(nodes[i]);
+      if (met == place_.end()) {
+        return false;
+      }
+      at[i] = met->second;
+    }
+    return std::abs(at[0] - at[1]) == static_cast<int>(count) - 1;
+  }
+
+private:
+  std::map<base::NodeId, int> place_;
+};
+
+constexpr int degree = 9;
+
+// Calls visit(point) on a side. Towards the tip 1 + xi = 2 t^2, as products of partners with
+// derivatives of displacements go with roots of the distance.
+template <shape::Shape Side, class Visit>
+void for_points_of(const TipSetting& set, const model::Face& face, Visit&& visit) {
+  const fe::SideNodes<Side> X = fe::side_coordinates<Side>(set.mesh, face);
+  PressedPoint<Side> p;
+  p.nodes = fe::nodes_of_face<Side>(set.mesh, face);
+  const double from = p.nodes[0] == set.tip_node ? 1.0 : p.nodes[1] == set.tip_node ? -1.0 : 0.0;
+  const Eigen::Matrix<double, 2, Side::nodes> R = X.template topRows<2>().colwise() - set.tip.x;
+  const double lambda = Stiffness(set, face.element).law.lambda;
+  for (const auto& point : shape::line_rule(degree)) {
+    shape::Point<1> r = point.r;
+    double weight = point.weight;
+    if (from != 0.0) {
+      const double t = 0.5 * (1.0 + point.r[0]);
+      r[0] = from * (2.0 * t * t - 1.0);
+      weight *= 2.0 * t; // d xi = 4 t dt, and dt is half of dr
+    }
+    p.N = Side::N(r);
+    p.dN = Side::dN(r);
+    p.tangent = base::Vec2(R * p.dN).normalized();
+    p.normal = {p.tangent.y(), -p.tangent.x()};
+    const base::Vec2 at = R * p.N;
+    p.place = polar_on_face({{0.0, 0.0}, set.tip.e1, set.tip.e2}, at, p.normal);
+    const base::Vec2 x = set.tip.x + at;
+    p.weight = weight * set.depth(x) * lambda / x.x();
+    visit(p);
+  }
+}
+
+// The same on all sides of some elements that are faces of the tip's crack.
+template <class Visit>
+void for_pressed_points(const TipSetting& set, const std::vector<base::ElementId>& elements,
+                        Visit&& visit) {
+  if (!set.axial() || set.crack_faces == nullptr) {
+    return;
+  }
+  const Along left(set.crack_faces->left);
+  const Along right(set.crack_faces->right);
+  for (const base::ElementId e : elements) {
+    shape::with_plane_shape(set.mesh.type[e.index()], [&]<shape::PlaneShape S>(S) {
+      for (int s = 0; s < base::info(S::type).sides; ++s) {
+        const model::Face face{e, s};
+        const auto nodes = fe::nodes_of_face<typename S::Side>(set.mesh, face);
+        if (left.has_side(nodes) || right.has_side(nodes)) {
+          for_points_of<typename S::Side>(set, face, visit);
+        }
+      }
+    });
+  }
+}
+
+std::vector<base::ElementId> elements_of(const std::vector<ExtensionField>& fields) {
+  std::vector<base::ElementId> all;
+  for (const ExtensionField& field : fields) {
+    all.insert(all.end(), field.elements.begin(), field.elements.end());
+    all.insert(all.end(), field.inside.begin(), field.inside.end());
+  }
+  std::ranges::sort(all);
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+} // namespace
+
+void add_partner_pressure(const TipSetting& set, const std::vector<ExtensionField>& fields,
+                          const base::Vector& u, NodalForces& out) {
+  for_pressed_points(set, elements_of(fields), [&](const auto& p) {
+    double opens = 0.0; // n . du/dr
+    for (std::size_t i = 0; i < p.nodes.size(); ++i) {
+      const auto freedom = 2 * static_cast<Eigen::Index>(p.nodes[i].index());
+      opens += p.dN[static_cast<Eigen::Index>(i)] * p.normal.dot(u.segment<2>(freedom));
+    }
+    for (std::size_t k = 1; k < partners; ++k) {
+      const double outwards = partner_displacement(set, p.place, k).x();
+      for (std::size_t i = 0; i < p.nodes.size(); ++i) {
+        out[p.nodes[i]][k].template head<2>() -=
+            p.N[static_cast<Eigen::Index>(i)] * outwards * p.weight * opens * p.tangent;
+      }
+    }
+  });
+}
+
+void add_partner_pressure_row(const TipSetting& set, const ExtensionField& field,
+                              std::size_t partner, double factor, base::Vector& row) {
+  const std::map<base::NodeId, double> q = field.q();
+  for_pressed_points(set, elements_of({field}), [&](const auto& p) {
+    double moved = 0.0;
+    for (std::size_t i = 0; i < p.nodes.size(); ++i) {
+      const auto at = q.find(p.nodes[i]);
+      moved += at == q.end() ? 0.0 : p.N[static_cast<Eigen::Index>(i)] * at->second;
+    }
+    const double amount = factor * moved * set.tip.e1.dot(p.tangent) * p.weight *
+                          partner_displacement(set, p.place, partner).x();
+    for (std::size_t i = 0; i < p.nodes.size(); ++i) {
+      row.segment<2>(2 * static_cast<Eigen::Index>(p.nodes[i].index())) -=
+          amount * p.dN[static_cast<Eigen::Index>(i)] * p.normal;
+    }
+  });
+}
+
+} // namespace spricka::crack
