@@ -4,10 +4,12 @@
 #include "contact/row_builder.hpp"
 #include "contact/space/frames.hpp"
 #include "contact/space/rigid_round.hpp"
+#include "contact/space/twin_sight.hpp"
 #include "contact/space_dual.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <functional>
 #include <map>
 #include <memory>
@@ -43,9 +45,10 @@ struct HatIntegrals {
 
 class SpaceRows {
 public:
-  SpaceRows(PairRows& pair, std::optional<double> declared_gap, bool tangents)
+  SpaceRows(PairRows& pair, std::optional<double> declared_gap, bool tangents,
+            const NodesBehind& at_front)
       : pair_(pair), own_(pair.contact.space), other_(pair.target.space), declared_(declared_gap),
-        directions_(tangents ? 3 : 1), frames_(own_) {}
+        directions_(tangents ? 3 : 1), at_front_(at_front), frames_(own_) {}
 
   void make() {
     number_functions();
@@ -63,6 +66,7 @@ public:
     }
     pair_.segments = true;
     join_weak_ones();
+    join_front();
     append();
     pair_.found = !pair_.normal.empty();
   }
@@ -221,6 +225,23 @@ private:
     }
   }
 
+  // Nodes of a crack's front belong to both faces: their own rows would ask nothing.
+  void join_front() {
+    for (const auto& [key, i] : place_) {
+      const auto behind = at_front_.find(key.second);
+      if (behind == at_front_.end()) {
+        continue;
+      }
+      if (const auto taker = place_.find({key.first, behind->second}); taker != place_.end()) {
+        root_[i] = root_[taker->second];
+        for (std::size_t k = 0; k < rows_[i].size(); ++k) {
+          rows_[root_[i]][k].add(rows_[i][k]);
+        }
+      }
+      rows_[i] = {};
+    }
+  }
+
   void append() {
     std::vector<int> row_of(rows_.size(), -1);
     for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -245,6 +266,7 @@ private:
   const SpaceSurface& other_;
   std::optional<double> declared_;
   int directions_; ///< 1, or 3 with tangents
+  const NodesBehind& at_front_;
   Frames frames_;
   std::map<PartNode, std::size_t> place_;
   std::vector<std::array<RowBuilder, 3>> rows_;  ///< [function] along normal and tangents
@@ -254,12 +276,20 @@ private:
 
 } // namespace
 
-void space_rows(PairRows& pair, std::optional<double> declared_gap, bool tangents) {
-  SpaceRows(pair, declared_gap, tangents).make();
+void space_rows(PairRows& pair, std::optional<double> declared_gap, bool tangents,
+                const NodesBehind& at_front) {
+  SpaceRows(pair, declared_gap, tangents, at_front).make();
 }
 
 std::function<Sight(const SurfaceTriangle&)> sight_of(const PairRows& pair) {
   const SpaceSurface& own = pair.contact.space;
+  if (pair.faces) {
+    const std::optional<std::vector<TwinFace>> twins = twin_faces(own, pair.target.space);
+    assert(twins);
+    return [&own, twins = *twins](const SurfaceTriangle& triangle) {
+      return see_twin(own, twins[triangle.face], triangle);
+    };
+  }
   if (pair.rigid_shape) {
     return [&own, shape = *pair.rigid_shape](const SurfaceTriangle& triangle) {
       return see_rigid(own, shape, triangle);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/recover/gather_fronts.hpp"
 
-#include "analysis/recover/face_overlap.hpp"
+#include "analysis/recover/judge_front.hpp"
 #include "analysis/scene/front_scene.hpp"
 #include "analysis/scene/solid_cracks.hpp"
 #include "base/tidy.hpp"
@@ -91,6 +91,10 @@ void gather_fronts(const model::Model& model, const Scene& scene, const StepStat
     crack::FrontLoads loads;
     loads.given = front_loads(model, scene, at.fields, state.case_factor);
     loads.contact = contact_forces(scene, at.fields, state);
+    const std::vector<FrontFaces> faces = front_faces(scene, front, state);
+    for (const FrontFaces& point : faces) {
+      loads.across.push_back(0.0 - point.pressure);
+    }
     const std::vector<crack::StressIntensity> K =
         crack::front_intensity(model, scene.cracked, front, at.fields, request, state.u, loads);
     results::FrontResult result;
@@ -103,10 +107,7 @@ void gather_fronts(const model::Model& model, const Scene& scene, const StepStat
       result.points.push_back(place_of(crack, front.points[i], K[i]));
       result.points.back().number = static_cast<int>(i) + 1;
     }
-    if (const std::string overlap = face_overlap(scene, front, state); !overlap.empty()) {
-      result.doubt = overlap;
-      out.notes.push_back(results::warning(fmt::format("{}: {}", result.name, overlap)));
-    }
+    judge_front({model, scene, front, state, K, faces}, result, out);
     out.fronts.push_back(std::move(result));
   }
 }

@@ -147,7 +147,7 @@ bool many_alike(const std::vector<results::ContactPoint>& points, std::size_t i)
 // nodes are all that is closed or open, to their distance.
 void note_parting(const Scene& scene, std::size_t pair, results::ContactResult& result,
                   results::StepResult& out) {
-  const bool faces = std::ranges::any_of(scene.crack_face_pairs,
+  const bool faces = !result.space && std::ranges::any_of(scene.crack_face_pairs,
                                          [&](const std::optional<CrackFacePair>& crack_face) {
                                            return crack_face && crack_face->pair == pair;
                                          });

@@ -4,6 +4,7 @@
 #include "analysis/scene/domain_rings.hpp"
 #include "analysis/scene/front_scene.hpp"
 #include "analysis/scene/gone_nodes.hpp"
+#include "analysis/scene/held_rows.hpp"
 #include "analysis/scene/scene_loads.hpp"
 #include "analysis/scene/scene_mouths.hpp"
 #include "analysis/scene/scene_nodes.hpp"
@@ -16,7 +17,6 @@
 #include "model/model.hpp"
 
 #include <algorithm>
-#include <set>
 
 #include <fmt/format.h>
 
@@ -42,15 +42,7 @@ std::vector<base::NodeId> contact_nodes(const model::Mesh& mesh, const model::Co
   if (mesh.dim == 2) {
     return contact::surface_nodes(mesh, contact);
   }
-  std::set<base::NodeId> nodes;
-  for (const auto* rows : {&pair.normal, &pair.tangent}) {
-    for (const contact::ConstraintRow& row : *rows) {
-      for (const contact::RowEntry& entry : row.entries) {
-        nodes.insert(entry.node);
-      }
-    }
-  }
-  return {nodes.begin(), nodes.end()};
+  return weighed_nodes(pair);
 }
 
 void note_pair(const model::Contact& contact, const contact::PairRows& pair, Scene& scene) {
@@ -66,46 +58,6 @@ void note_pair(const model::Contact& contact, const contact::PairRows& pair, Sce
   }
 }
 
-// Between solids there is no slip where supports, as those of a symmetry plane, hold a node of the
-// contact side and the target before it in one direction: a row of friction or of a bond in it
-// would press across the plane.
-void drop_held_slips(contact::PairRows& pair, const std::vector<model::FreedomClass>& cls) {
-  constexpr double most = 0.7; // of a row's weight, squared: a surface turns on to one side
-  std::set<base::NodeId> own;
-  for (const contact::SolidFace& face : pair.contact.space.faces) {
-    own.insert(face.nodes.begin(), face.nodes.end());
-  }
-  const auto is_held = [&](const contact::RowEntry& entry) {
-    double held = 0.0;
-    for (int c = 0; c < 3; ++c) {
-      const model::FreedomClass type = cls[3 * entry.node.index() + static_cast<std::size_t>(c)];
-      const bool free =
-          type != model::FreedomClass::suppressed && type != model::FreedomClass::prescribed;
-      held += free ? 0.0 : entry.weight[c] * entry.weight[c];
-    }
-    return held >= most * entry.weight.squaredNorm();
-  };
-  std::erase_if(pair.tangent, [&](const contact::ConstraintRow& row) {
-    const auto node = std::ranges::find(row.entries, row.node, &contact::RowEntry::node);
-    return node != row.entries.end() && is_held(*node) &&
-           (pair.rigid || std::ranges::any_of(row.entries, [&](const contact::RowEntry& entry) {
-              return !own.contains(entry.node) && is_held(entry);
-            }));
-  });
-}
-
-// Where a support holds a node along an axis the surface may end at a plane of symmetry, across
-// which the pressure has no slope.
-void mark_held_functions(contact::PairRows& pair, const std::vector<model::FreedomClass>& cls) {
-  for (contact::SpaceFunction& function : pair.functions) {
-    for (std::size_t c = 0; c < function.held.size(); ++c) {
-      const model::FreedomClass type = cls[3 * function.node.index() + c];
-      function.held[c] =
-          type == model::FreedomClass::suppressed || type == model::FreedomClass::prescribed;
-    }
-  }
-}
-
 bool make_pairs(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics) {
   const model::Mesh& mesh = scene.cracked.mesh;
   bool good = true;
@@ -114,8 +66,7 @@ bool make_pairs(const model::Model& model, Scene& scene, base::Diagnostics& diag
   for (const model::Contact& contact : model.contacts) {
     scene.pairs.push_back(contact::pair_rows(model, mesh, contact));
     if (mesh.dim == 3) {
-      drop_held_slips(scene.pairs.back(), scene.cls);
-      mark_held_functions(scene.pairs.back(), scene.cls);
+      take_in_supports(scene.pairs.back(), scene.cls);
     }
     const contact::PairRows& pair = scene.pairs.back();
     if (!pair.trouble.empty()) {

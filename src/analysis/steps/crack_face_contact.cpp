@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/steps/crack_face_contact.hpp"
 
+#include "analysis/scene/held_rows.hpp"
 #include "analysis/scene/scene_rows.hpp"
 #include "analysis/scene/scene_ties.hpp"
 #include "analysis/steps/crack_face_overlap.hpp"
+#include "analysis/steps/solid_face_contact.hpp"
 #include "contact/crack_face_pairing.hpp"
 #include "crack/stress_intensity.hpp"
 #include "mesh/boundary.hpp"
@@ -20,7 +22,11 @@ namespace {
 constexpr double slip_of_round_off = 1e-9;
 
 std::vector<model::Face> sides_of(const model::Mesh& mesh, const mesh::CrackFaces& crack_faces) {
-  std::vector<model::Face> sides;
+  std::vector<model::Face> sides = crack_faces.left_sides;
+  if (mesh.dim == 3) {
+    sides.insert(sides.end(), crack_faces.right_sides.begin(), crack_faces.right_sides.end());
+    return sides;
+  }
   for (const std::vector<base::NodeId>* crack_face : {&crack_faces.left, &crack_faces.right}) {
     if (!crack_face->empty()) {
       const std::vector<model::Face> own = mesh::faces_within(mesh, *crack_face);
@@ -55,13 +61,15 @@ std::size_t row_of(const contact::PairRows& pair, base::NodeId node) {
 
 std::vector<std::size_t> touching_lines(const model::Model& model, const Scene& scene,
                                         const base::Vector& u) {
+  const bool space = scene.cracked.mesh.dim == 3;
   std::vector<std::size_t> lines;
-  if (scene.cracked.mesh.dim == 3) {
-    return lines;
-  }
   for (std::size_t i = 0; i < scene.cracked.faces.size(); ++i) {
-    if (model.cracks[i].faces_in_contact && !scene.crack_face_pairs[i] &&
-        crack_face_overlap(scene.cracked, i, u).resolved > overlap_of_round_off) {
+    if (!model.cracks[i].faces_in_contact || scene.crack_face_pairs[i]) {
+      continue;
+    }
+    const double overlap = space ? solid_face_overlap(model, scene, i, u)
+                                 : crack_face_overlap(scene.cracked, i, u).resolved;
+    if (overlap > (space ? overlap_of_ripple : overlap_of_round_off)) {
       lines.push_back(i);
     }
   }
@@ -71,22 +79,26 @@ std::vector<std::size_t> touching_lines(const model::Model& model, const Scene& 
 void add_crack_face_pairs(const model::Model& model, const std::vector<std::size_t>& lines,
                           Scene& scene) {
   const model::Mesh& mesh = scene.cracked.mesh;
+  const auto dim = static_cast<std::size_t>(mesh.dim);
+  const bool space = dim == 3;
   for (const std::size_t i : lines) {
     const mesh::CrackFaces& crack_faces = scene.cracked.faces[i];
     const model::Crack& crack = model.cracks[i];
     model::Contact contact;
     contact.name = crack.name + ".FACES";
     contact.mu = crack_faces.half() ? 0.0 : crack.mu; // mirrored: no slip
-    contact.pairing = model::Pairing::node;
     contact.span = crack.span;
     scene.crack_face_pairs[i] = CrackFacePair{scene.pairs.size(), sides_of(mesh, crack_faces)};
-    scene.pairs.push_back(contact::crack_face_rows(model, mesh, crack_faces, contact.mu > 0.0));
+    const bool friction = contact.mu > 0.0;
+    contact.pairing = space ? model::Pairing::segment : model::Pairing::node;
+    scene.pairs.push_back(space ? solid_face_pair(model, scene, i, friction)
+                                : contact::crack_face_rows(model, mesh, crack_faces, friction));
     scene.contacts.push_back(std::move(contact));
-    for (const std::vector<base::NodeId>* crack_face : {&crack_faces.left, &crack_faces.right}) {
-      for (const base::NodeId n : *crack_face) {
-        for (std::size_t c = 0; c < 2; ++c) {
-          make_external(2 * n.index() + c, *scene.ties, scene.cls);
-        }
+    std::vector<base::NodeId> nodes = crack_faces.left;
+    nodes.insert(nodes.end(), crack_faces.right.begin(), crack_faces.right.end());
+    for (const base::NodeId n : space ? weighed_nodes(scene.pairs.back()) : nodes) {
+      for (std::size_t c = 0; c < dim; ++c) {
+        make_external(dim * n.index() + c, *scene.ties, scene.cls);
       }
     }
   }

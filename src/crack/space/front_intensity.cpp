@@ -227,7 +227,7 @@ std::vector<StressIntensity> front_intensity(const model::Model& model,
       e_tt += entry.weight.dot(u.segment<3>(3 * static_cast<Eigen::Index>(entry.node.index())));
     }
     const double nu = set.body.nu;
-    const double sigma = at_front.across[i];
+    const double sigma = at_front.across[i] + (loads.across.empty() ? 0.0 : loads.across[i]);
     const double free = at_front.thermal[i];
     for (const ExtensionField& field : fields.points[i]) {
       std::array<double, front_partners> sum = forces.along(field);

@@ -25,6 +25,8 @@ struct FaceForces {
 struct FrontLoads {
   TipLoads given;                  ///< of the deck; its elements as a whole
   std::vector<FaceForces> contact; ///< on faces of the body that has the crack
+  /// Of contact, the normal stress across the crack's faces at the front [point]; empty: none.
+  std::vector<double> across = {};
 };
 
 /// Everything the kernels need of one front. The material is that of all elements of its domains.

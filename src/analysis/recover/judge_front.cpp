@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/recover/judge_front.hpp"
+
+#include "analysis/recover/face_overlap.hpp"
+#include "model/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+namespace spricka::analysis {
+
+namespace {
+
+// As at a tip (judge_faces.cpp): what domains may find for K1 where faces touch, and what they may
+// find below 0 where these do not, over K of that size of crack and load.
+constexpr double worst_closed_front = 0.05;
+constexpr double worst_open_front = 0.02;
+constexpr double small_front_K1 = 1e-3;
+
+double largest_of(const std::vector<crack::StressIntensity>& K) {
+  double most = 0.0;
+  for (const crack::StressIntensity& at : K) {
+    most = std::max(most, std::hypot(at.K1, at.K2, at.K3));
+  }
+  return most;
+}
+
+// K of the size that the pressure between the faces has at a crack of this size.
+double pressed_scale(const FrontState& at) {
+  double pressure = 0.0;
+  if (const auto& pair = at.scene.crack_face_pairs[at.front.crack.index()]) {
+    const std::size_t rows = at.scene.pairs[pair->pair].normal.size();
+    for (std::size_t r = 0; r < rows; ++r) {
+      pressure = std::max(pressure, at.state.pair_lambda[pair->pair][static_cast<Eigen::Index>(r)]);
+    }
+  }
+  const double size = at.front.a > 0.0 ? at.front.a : at.front.radius;
+  return 2.0 * pressure * std::sqrt(size / std::numbers::pi);
+}
+
+// Faces that may lie in one another: what overlaps is told, and where K1 < 0 K is no answer.
+void tell_front_overlap(const FrontState& at, results::FrontResult& result,
+                        results::StepResult& out) {
+  const std::string overlap = face_overlap(at.scene, at.front, at.state);
+  if (overlap.empty()) {
+    return;
+  }
+  const double least = -small_front_K1 * largest_of(at.K);
+  const bool negative = std::ranges::any_of(
+      result.points, [&](const results::FrontPlace& place) { return place.K1 < least; });
+  if (negative) {
+    result.doubt = overlap + ", which FACES=FREE lets them: K1 < 0 is not an answer";
+  }
+  out.notes.push_back(results::warning(
+      negative ? fmt::format("{}: {}", result.name, result.doubt)
+               : fmt::format("{}: {}, which FACES=FREE lets them", result.name, overlap)));
+}
+
+// K1 is 0 where the faces touch, and all of K where they have not slipped either. G of such a point
+// is that of the modes that are left.
+void close_place(const FrontFaces& faces, const crack::StressIntensity& K,
+                 results::FrontPlace& place) {
+  place.closed = true;
+  place.K1 = 0.0;
+  place.smooth[0] = 0.0;
+  if (faces.held) {
+    place.K2 = place.K3 = place.G = 0.0;
+    place.smooth = {};
+  }
+  const double E = K.E_effective;
+  const double all = K.G_from_K;
+  const double of_K1 = E > 0.0 ? K.K1 * K.K1 / E : 0.0;
+  place.G_from_K = faces.held ? 0.0 : std::max(0.0, all - of_K1);
+}
+
+void note_front(std::size_t closed, std::size_t held, const results::FrontResult& result,
+                results::StepResult& out) {
+  const std::size_t count = result.points.size();
+  if (closed == 0) {
+    return;
+  }
+  const std::string where = closed == count
+                                ? "all round the front"
+                                : fmt::format("at {} of {} points of the front", closed, count);
+  const std::string stuck = held == 0 ? ""
+                            : held == closed
+                                ? " and have not slipped: K = 0 there"
+                                : fmt::format(" and have not slipped at {}: K = 0 there", held);
+  out.notes.push_back(results::note(fmt::format("{}: the crack faces touch {}{}", result.name,
+                                                where, held > 0 ? stuck : ": K1 = 0 there")));
+}
+
+} // namespace
+
+void judge_front(const FrontState& at, results::FrontResult& result, results::StepResult& out) {
+  if (!at.model.cracks[at.front.crack.index()].faces_in_contact) {
+    tell_front_overlap(at, result, out);
+    return;
+  }
+  const double scale = std::max(largest_of(at.K), pressed_scale(at));
+  std::size_t closed = 0;
+  std::size_t held = 0;
+  double worst = 0.0;  // K1 of closed points
+  double lowest = 0.0; // K1 of open ones
+  for (std::size_t i = 0; i < result.points.size(); ++i) {
+    results::FrontPlace& place = result.points[i];
+    if (i < at.faces.size() && at.faces[i].closed) {
+      worst = place.at_surface ? worst : std::max(worst, std::abs(place.K1));
+      close_place(at.faces[i], at.K[i], place);
+      ++closed;
+      held += at.faces[i].held ? 1 : 0;
+      continue;
+    }
+    lowest = place.at_surface ? lowest : std::min(lowest, place.K1);
+    place.K1 = place.K1 < 0.0 ? 0.0 : place.K1;
+    place.smooth[0] = std::max(0.0, place.smooth[0]);
+  }
+  if (worst > worst_closed_front * scale) {
+    out.notes.push_back(results::warning(fmt::format(
+        "{}: the crack faces touch at the front, but the domains find K1 = {:.3g} there: the mesh "
+        "is too coarse",
+        result.name, worst)));
+  }
+  if (lowest < -worst_open_front * scale) {
+    result.doubt =
+        fmt::format("K1 is {:.3g} though the crack faces do not overlap: the mesh at the "
+                    "front is too coarse, so this K is not an answer",
+                    lowest);
+    out.notes.push_back(results::warning(fmt::format("{}: {}", result.name, result.doubt)));
+  }
+  note_front(closed, held, result, out);
+}
+
+} // namespace spricka::analysis

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/steps/solid_face_contact.hpp"
+#include "crack/stress_intensity.hpp"
+#include "results/results.hpp"
+
+#include <vector>
+
+namespace spricka::analysis {
+
+/// A front at the end of a step, and K as its domains find it [point].
+struct FrontState {
+  const model::Model& model;
+  const Scene& scene;
+  const mesh::Front& front;
+  const StepState& state;
+  const std::vector<crack::StressIntensity>& K;
+  const std::vector<FrontFaces>& faces; ///< [point]; empty: they touch nowhere
+};
+
+/// What the faces of a crack in space make of K along its front: K1 = 0 at points where they touch,
+/// doubt where K is no answer; notes on both.
+void judge_front(const FrontState& at, results::FrontResult& result, results::StepResult& out);
+
+} // namespace spricka::analysis

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "contact/constraint.hpp"
+#include "model/freedoms.hpp"
+
+#include <vector>
+
+/// What supports make of the rows between solids.
+namespace spricka::analysis {
+
+/// Leaves out slips that supports hold and notes which functions they hold. cls [3 * node].
+void take_in_supports(contact::PairRows& pair, const std::vector<model::FreedomClass>& cls);
+
+/// Nodes whose freedoms the rows of a pair weigh, ascending.
+std::vector<base::NodeId> weighed_nodes(const contact::PairRows& pair);
+
+} // namespace spricka::analysis

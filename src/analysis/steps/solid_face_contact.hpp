@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/scene/scene.hpp"
+#include "analysis/steps/step_state.hpp"
+
+#include <vector>
+
+/// Contact between the faces of cracks in space (crack_face_contact.hpp).
+namespace spricka::analysis {
+
+/// The faces of a crack line as a pair, with what supports make of its rows.
+contact::PairRows solid_face_pair(const model::Model& model, const Scene& scene, std::size_t line,
+                                  bool friction);
+
+/// By how much the faces of a crack lie in one another in u [3 * node], as rows between them weigh
+/// it, over the largest displacement of one against the other.
+double solid_face_overlap(const model::Model& model, const Scene& scene, std::size_t line,
+                          const base::Vector& u);
+
+/// What the faces of a crack do at a point of its front.
+struct FrontFaces {
+  bool closed = false;   ///< they touch behind it
+  bool held = false;     ///< closed, and they have not slipped
+  double pressure = 0.0; ///< between them there [stress]
+};
+
+/// [point of the front]; empty: the faces are no pair.
+std::vector<FrontFaces> front_faces(const Scene& scene, const mesh::Front& front,
+                                    const StepState& state);
+
+} // namespace spricka::analysis

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/solid_crack_pairing.hpp"
+
+#include "contact/space/twin_sight.hpp"
+#include "contact/space_rows.hpp"
+
+#include <set>
+
+namespace spricka::contact {
+
+namespace {
+
+// Where the function of each front node of a face goes: that of a corner to the next node of an
+// edge that leaves the front (a quarter point), that of a middle on the front across the face.
+void find_behind(const SolidFace& face, const std::set<base::NodeId>& front, NodesBehind& behind) {
+  const auto corners = static_cast<std::size_t>(base::info(face.shape).corners);
+  const bool quadratic = face.nodes.size() > corners;
+  const auto on_front = [&](std::size_t n) { return front.contains(face.nodes[n]); };
+  for (std::size_t c = 0; c < corners; ++c) {
+    const std::size_t next = (c + 1) % corners;
+    if (on_front(c) != on_front(next)) {
+      const std::size_t end = on_front(c) ? c : next;
+      const std::size_t other = on_front(c) ? next : c;
+      behind.try_emplace(face.nodes[end], face.nodes[quadratic ? corners + c : other]);
+    }
+    if (quadratic && on_front(corners + c)) {
+      const std::size_t across = corners == 4 ? corners + (c + 2) % corners : (c + 2) % corners;
+      behind.try_emplace(face.nodes[corners + c], face.nodes[across]);
+    }
+  }
+}
+
+} // namespace
+
+PairRows solid_crack_rows(const model::Model& model, const model::Mesh& mesh,
+                          const mesh::CrackFaces& crack_faces, bool friction) {
+  PairRows pair;
+  pair.faces = true;
+  pair.choice = "upper face: twins";
+  pair.contact = make_surface(model, mesh, crack_faces.left_sides);
+  pair.target = make_surface(model, mesh, crack_faces.right_sides);
+  if (!twin_faces(pair.contact.space, pair.target.space)) {
+    pair.trouble = "the faces of the crack do not lie on one another node by node";
+    return pair;
+  }
+  std::set<base::NodeId> front;
+  for (std::size_t i = 0; i < crack_faces.left.size(); ++i) {
+    if (crack_faces.left[i] == crack_faces.right[i]) {
+      front.insert(crack_faces.left[i]);
+    }
+  }
+  NodesBehind behind;
+  for (const SolidFace& face : pair.contact.space.faces) {
+    find_behind(face, front, behind);
+  }
+  space_rows(pair, 0.0, friction, behind);
+  return pair;
+}
+
+} // namespace spricka::contact

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Faces of cracks in space that bear on each other.
+#include "analysis/recover/gather_fronts.hpp"
+#include "analysis/scene/front_scene.hpp"
+#include "analysis/steps/crack_face_contact.hpp"
+#include "analysis/steps/solid_face_contact.hpp"
+#include "crack/space/front_intensity.hpp"
+#include "tests/unit/support/solved_scene.hpp"
+#include "tests/unit/support/solved_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+namespace spricka {
+namespace {
+
+using test::solve_text;
+using test::Solved;
+using test::SolvedScene;
+
+// A penny of radius 1 in a block of half width 8, pressed by uniform stress on all sides or on two.
+std::string penny(const std::string& crack, const std::string& steps) {
+  return R"($DECK VERSION=1 LENGTH=mm FORCE=N
+$NET NAME=B
+  $MESH SHAPE=BLOCK TYPE=TET10 X0=-8 Y0=-8 Z0=-8 LX=16 LY=16 LZ=16 NX=3 NY=3 NZ=3
+$ENDNET
+$MATERIAL NAME=M E=1000 NU=0.3
+$PROPERTY ESET=B.BODY MATERIAL=M STATE=SOLID
+$NSET NAME=P1 WHERE=(x < -7.99 and y < -7.99 and z < -7.99)
+$NSET NAME=P2 WHERE=(x > 7.99 and y < -7.99 and z < -7.99)
+$NSET NAME=P3 WHERE=(x < -7.99 and y > 7.99 and z < -7.99)
+$FREEDOM CLASS=SUPPRESSED DOF=XYZ
+  P1
+$FREEDOM CLASS=SUPPRESSED DOF=YZ
+  P2
+$FREEDOM CLASS=SUPPRESSED DOF=Z
+  P3
+$CRACK NAME=C NET=B A=1 X0=0 Y0=0 Z0=0 NORMAL=Z )" +
+         crack + R"(
+$TIPNET CRACK=C RADIUS=0.2 RINGS=3
+$LOAD CASE=UP TYPE=TRACTION
+  B.ZMAX 0 0 1
+  B.ZMIN 0 0 -1
+$LOAD CASE=ROUND TYPE=TRACTION
+  B.XMAX 1 0 0
+  B.XMIN -1 0 0
+  B.YMAX 0 1 0
+  B.YMIN 0 -1 0
+$LOAD CASE=SHEAR TYPE=TRACTION
+  B.ZMAX 1 0 0
+  B.ZMIN -1 0 0
+  B.XMAX 0 0 1
+  B.XMIN 0 0 -1
+$LOAD CASE=RIM TYPE=FACES
+  C (2*(x*x + y*y) - 1)
+)" + steps +
+         "$END\n";
+}
+
+constexpr double k_shear = 4.0 / 1.7 * 0.5641895835477563; // 4 sqrt(pi) / (pi (2 - nu))
+
+const results::ContactResult& faces_of(const results::StepResult& step) {
+  const results::ContactResult* found = results::find_contact(step, "C.FACES");
+  EXPECT_NE(found, nullptr);
+  static const results::ContactResult none{};
+  return found == nullptr ? none : *found;
+}
+
+bool tells(const results::StepResult& step, const std::string& words) {
+  return std::ranges::any_of(results::marked(step.notes), [&](const std::string& note) {
+    return note.find(words) != std::string::npos;
+  });
+}
+
+// Hydrostatic pressure leaves nothing of the crack: the strain of the body without it at all nodes,
+// its pressure at all nodes of the faces.
+TEST(SolidFaceContact, PressureAllRoundLeavesNothingOfACrack) {
+  const auto solved = solve_text(penny("", "$STEP NAME=S\n  LOAD UP -2\n  LOAD ROUND -2\n"));
+  ASSERT_TRUE(solved);
+  const double strain = -2.0 * 0.4 / 1000.0;
+  const std::vector<bool> used = model::nodes_in_use(solved->mesh());
+  for (std::size_t n = 0; n < used.size(); ++n) {
+    const base::Vec3 exact = strain * (solved->mesh().x[n] + base::Vec3::Constant(8.0));
+    EXPECT_LT(used[n] ? (solved->u(base::NodeId(n)) - exact).norm() : 0.0, 1e-8 * 16.0 * 8e-4);
+  }
+  for (const results::ContactPoint& p : faces_of(solved->step()).points) {
+    EXPECT_NEAR(p.p_consistent, 2.0, 1e-5);
+    EXPECT_TRUE(p.closed);
+  }
+  for (const results::FrontPlace& place : solved->step().fronts.front().points) {
+    EXPECT_TRUE(place.closed);
+    EXPECT_EQ(place.K1, 0.0);
+    EXPECT_NEAR(place.K2, 0.0, 1e-3); // of 2 sqrt(a/pi) p = 2.3
+    EXPECT_NEAR(place.K3, 0.0, 1e-3);
+    EXPECT_NEAR(place.T, -2.0, 0.04);
+  }
+  EXPECT_TRUE(solved->step().fronts.front().doubt.empty());
+}
+
+// Friction that holds the faces everywhere leaves nothing of it either.
+TEST(SolidFaceContact, FacesThatStickAreNoCrack) {
+  const auto solved =
+      solve_text(penny("MU=1", "$STEP NAME=S SUBSTEPS=1\n  LOAD UP -1\n  LOAD SHEAR 0.5\n"));
+  ASSERT_TRUE(solved);
+  for (const results::FrontPlace& place : solved->step().fronts.front().points) {
+    EXPECT_TRUE(place.closed);
+    EXPECT_EQ(place.K1, 0.0);
+    EXPECT_EQ(place.K2, 0.0);
+    EXPECT_EQ(place.K3, 0.0);
+    EXPECT_EQ(place.G, 0.0);
+  }
+  EXPECT_NEAR(faces_of(solved->step()).max_pressure, 1.0, 1e-4);
+}
+
+// The same K, with pressure and friction of the faces left out of the integrals.
+std::vector<crack::StressIntensity> without_faces(const SolvedScene& solved,
+                                                  const analysis::StepState& state) {
+  const analysis::FrontScene& at = solved.scene().fronts.front();
+  crack::FrontLoads loads;
+  loads.given =
+      analysis::front_loads(solved.model(), solved.scene(), at.fields, state.case_factor);
+  return crack::front_intensity(solved.model(), solved.scene().cracked, at.front, at.fields, {},
+                                state.u, loads);
+}
+
+const SolvedScene::Changes closed_from_the_start{
+    .model = {},
+    .scene = [](analysis::Scene& scene, const model::Model& model) {
+      analysis::add_crack_face_pairs(model, {0}, scene);
+    }};
+
+// D04: slip against friction, K2 and K3 of the shear that is left; without the tractions of the
+// faces in the integrals K2 is 60 % and K3 86 % too large.
+TEST(SolidFaceContact, SlipsAgainstFriction) {
+  SolvedScene solved(
+      penny("MU=0.3", "$STEP NAME=S SUBSTEPS=1\n  LOAD UP -1\n  LOAD SHEAR 0.5\n"),
+      closed_from_the_start);
+  const auto state = solved.solve(0);
+  ASSERT_TRUE(state);
+  const results::StepResult found = solved.length->recover(solved.model().steps[0], *state);
+  const double k = 0.2 * k_shear;
+  const auto rough = without_faces(solved, *state);
+  double K2_off = 0.0;
+  double K3_off = 0.0;
+  for (std::size_t i = 0; i < rough.size(); ++i) {
+    const results::FrontPlace& place = found.fronts.front().points[i];
+    EXPECT_TRUE(place.closed);
+    EXPECT_EQ(place.K1, 0.0);
+    EXPECT_NEAR(place.K2, k * std::cos(place.phi), 0.02 * k);
+    EXPECT_NEAR(place.K3, 0.7 * k * std::sin(-place.phi), 2.0 * k); // sign below
+    EXPECT_NEAR(std::abs(place.K3), 0.7 * k * std::abs(std::sin(place.phi)), 0.025 * k);
+    EXPECT_NEAR(place.G, place.G_from_K, 0.03 * k * k / 1000.0);
+    K2_off = std::max(K2_off, std::abs(rough[i].K2 - place.K2));
+    K3_off = std::max(K3_off, std::abs(rough[i].K3 - place.K3));
+  }
+  EXPECT_GT(K2_off, 0.3 * k);
+  EXPECT_GT(K3_off, 0.3 * k);
+  const results::ContactResult& faces = faces_of(found);
+  EXPECT_LE(faces.shear_ratio, 1.0 + 1e-9);
+  EXPECT_NEAR(faces.mean_pressure, 1.0, 5e-3);
+  for (const results::Balance& body : found.balance) { // equal and opposite
+    EXPECT_LT(body.contact.norm(), 1e-9);
+  }
+}
+
+// D05: closed in its middle; faces that overlap, and K without the pressure between them, are far
+// off.
+TEST(SolidFaceContact, ClosesInItsMiddle) {
+  SolvedScene solved(penny("", "$STEP NAME=S\n  LOAD RIM 1\n"), closed_from_the_start);
+  const auto state = solved.solve(0);
+  ASSERT_TRUE(state);
+  const results::StepResult found = solved.length->recover(solved.model().steps[0], *state);
+  for (const results::FrontPlace& place : found.fronts.front().points) {
+    EXPECT_NEAR(place.K1, 0.4975, 0.02 * 0.4975);
+    EXPECT_FALSE(place.closed);
+  }
+  EXPECT_NEAR(std::sqrt(faces_of(found).area / std::numbers::pi), 0.587, 0.06);
+  const auto open = solve_text(penny("FACES=FREE", "$STEP NAME=S\n  LOAD RIM 1\n"));
+  ASSERT_TRUE(open);
+  EXPECT_NEAR(open->step().fronts.front().points.front().K1, 0.376, 0.02);
+  EXPECT_TRUE(open->step().fronts.front().doubt.empty()); // it opens at the front
+  EXPECT_TRUE(tells(open->step(), "overlap"));
+}
+
+// Pulled, pressed and pulled again: faces close and open again, and what friction did is gone.
+TEST(SolidFaceContact, OpensAgain) {
+  const auto solved = solve_text(
+      penny("", "$STEP NAME=A\n  LOAD UP 1\n$STEP NAME=B\n  LOAD UP -1\n$STEP NAME=C\n  LOAD UP 1\n"));
+  ASSERT_TRUE(solved);
+  const auto& first = solved->step(0).fronts.front().points;
+  const auto& last = solved->step(2).fronts.front().points;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    EXPECT_NEAR(first[i].K1, last[i].K1, 1e-9);
+    EXPECT_FALSE(first[i].closed);
+    EXPECT_TRUE(solved->step(1).fronts.front().points[i].closed);
+  }
+  EXPECT_EQ(faces_of(solved->step(0)).closed, 0);
+}
+
+// Faces that may not bear: told, and K1 < 0 is no answer.
+TEST(SolidFaceContact, TellsFreeFacesThatOverlap) {
+  const auto solved = solve_text(penny("FACES=FREE", "$STEP NAME=S\n  LOAD UP -1\n"));
+  ASSERT_TRUE(solved);
+  EXPECT_FALSE(solved->step().fronts.front().doubt.empty());
+  EXPECT_TRUE(tells(solved->step(), "overlap"));
+  EXPECT_TRUE(solved->step().contacts.empty());
+}
+
+// Open faces are no pair and change no bit.
+TEST(SolidFaceContact, OpenFacesCostNothing) {
+  const std::string pull = "$STEP NAME=S\n  LOAD UP 1\n  LOAD SHEAR 0.3\n";
+  const auto contact = solve_text(penny("MU=0.3", pull));
+  const auto free = solve_text(penny("FACES=FREE", pull));
+  ASSERT_TRUE(contact && free);
+  EXPECT_TRUE(contact->step().u == free->step().u);
+  EXPECT_TRUE(contact->step().contacts.empty());
+  EXPECT_EQ(contact->run.log.size(), free->run.log.size());
+}
+
+TEST(SolidFaceContact, ThreadsChangeNoBit) {
+  const std::string deck =
+      penny("MU=0.2", "$STEP NAME=S SUBSTEPS=1\n  LOAD UP -1\n  LOAD SHEAR 0.5\n");
+  const auto one = solve_text(deck, 1);
+  const auto two = solve_text(deck, 2);
+  ASSERT_TRUE(one && two);
+  EXPECT_TRUE(one->step().u == two->step().u);
+  EXPECT_EQ(one->step().fronts.front().points[0].K2, two->step().fronts.front().points[0].K2);
+}
+
+} // namespace
+} // namespace spricka
