@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/model.hpp"
+#include "tests/unit/support/solved_text.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+// Cracks in bodies about an axis: cones and rings in a bar, against energies, motions, differences
+// and closed forms. What the decks check (D05, D06, D09, pennies) is not repeated here.
+namespace spricka {
+namespace {
+
+using results::TipResult;
+using test::solve_text;
+using test::Solved;
+
+constexpr double E = 210e3;
+constexpr double nu = 0.3;
+constexpr double E_effective = E / (1.0 - nu * nu);
+
+// A bar of radius 10 with a crack from its surface inwards that rises towards the axis: K1 and K2.
+struct Bar {
+  double a = 3.0;
+  double rise = 20.0;  ///< degrees
+  double height = 0.0; ///< of the mouth
+  double unit = 1.0;   ///< all lengths are so many times as large, and forces per area the same
+  std::string steps = "$STEP NAME=S\n  LOAD PULL 1\n";
+  std::string more = {};
+
+  [[nodiscard]] double radius() const {
+    return 10.0 - a * std::cos(rise * std::numbers::pi / 180.0);
+  }
+  [[nodiscard]] std::string text() const {
+    return fmt::format(R"($DECK VERSION=1 LENGTH=mm FORCE=N
+$PARAMETER
+  u = {}
+  h = {}
+$MESH SHAPE=BLOCK TYPE=QUAMC8 Y0=((h-30)*u) LX=(10*u) LY=(60*u) NX=8 NY=40
+$NSET NAME=FOOT WHERE=(x < 1e-9*u and y < (h-30+1e-6)*u)
+$MATERIAL NAME=M E={} NU={} ALPHA=1.2e-5
+$PROPERTY ESET=BODY MATERIAL=M STATE=AXI
+$FREEDOM CLASS=SUPPRESSED DOF=Y
+  FOOT
+$CRACK NAME=C A0=({:.17g}*u) ANGLE={}[deg]
+  (10*u)  (h*u)
+{}
+$LOAD CASE=PULL TYPE=TRACTION
+  YMAX  0  100
+  YMIN  0  -100
+$LOAD CASE=FACES TYPE=FACES
+  C  (50*(1+x/u/10))
+$LOAD CASE=SPIN TYPE=BODY
+  BODY  (0.5*x/u^2)  (1e-3*y/u^2)
+$LOAD CASE=HEAT TYPE=TEMPERATURE
+  BODY  (-40*(x/u/10)^2+3*(y/u-h))
+$LOAD CASE=STEEP TYPE=TEMPERATURE
+  BODY  (30*(y/u-h))
+{}$END
+)",
+                       unit, height, E, nu, a, 180.0 + rise, more, steps);
+  }
+};
+
+const TipResult& tip(const std::optional<Solved>& solved, std::size_t step = 0) {
+  return solved->step(step).tips.at(0);
+}
+
+double size_of(const TipResult& K) {
+  return std::hypot(K.K1, K.K2);
+}
+
+constexpr const char* each = R"($STEP NAME=PULL
+  LOAD PULL 1
+$STEP NAME=FACES
+  LOAD PULL 0
+  LOAD FACES 1
+$STEP NAME=SPIN
+  LOAD FACES 1
+  LOAD SPIN 1
+$STEP NAME=HEAT
+  LOAD SPIN 0
+  LOAD FACES 0
+  LOAD HEAT 1
+  LOAD PULL 1
+)";
+
+// Under loads the potential is less the energy, which each crack length has as a whole.
+TEST(AxialCracks, ReleaseWhatTheEnergyLoses) {
+  const double h = 0.05;
+  Bar bar;
+  bar.steps = each;
+  const auto at = solve_text(bar.text());
+  bar.a += h;
+  const auto longer = solve_text(bar.text());
+  bar.a -= 2.0 * h;
+  const auto shorter = solve_text(bar.text());
+  ASSERT_TRUE(at && longer && shorter);
+  const double front = 2.0 * std::numbers::pi * Bar().radius();
+  for (std::size_t s = 0; s < 3; ++s) {
+    const double lost = (longer->step(s).energy - shorter->step(s).energy) / (2.0 * h) / front;
+    EXPECT_NEAR(tip(at, s).G, lost, 2e-3 * lost) << at->step(s).step;
+  }
+}
+
+// Two ways to K: the displacements with themselves, and with the near-tip fields. Domains of two to
+// five rings agree.
+TEST(AxialCracks, GAndKTellTheSameInAllDomains) {
+  for (const double rise : {-60.0, 0.0, 20.0, 60.0}) {
+    Bar bar;
+    bar.rise = rise;
+    bar.steps = each;
+    const auto solved = solve_text(bar.text());
+    ASSERT_TRUE(solved);
+    for (std::size_t s = 0; s < 4; ++s) {
+      const TipResult& K = tip(solved, s);
+      EXPECT_NEAR(size_of(K) * size_of(K) / E_effective, K.G, 2e-4 * K.G) << rise << " " << s;
+      EXPECT_LT(K.spread, 1.5e-4) << rise << " " << s;
+    }
+  }
+}
+
+TEST(AxialCracks, DoNotCareForPlaceAndUnit) {
+  Bar bar;
+  bar.steps = each;
+  const auto at = solve_text(bar.text());
+  bar.height = 7.3;
+  // Of SPIN one component knows where the axis begins, and the part of the body that it pulls.
+  const auto moved = solve_text(bar.text());
+  bar = Bar();
+  bar.steps = each;
+  bar.unit = 1000.0;
+  const auto large = solve_text(bar.text());
+  ASSERT_TRUE(at && moved && large);
+  for (const std::size_t s : {std::size_t{0}, std::size_t{1}, std::size_t{3}}) {
+    const double K = size_of(tip(at, s));
+    EXPECT_NEAR(tip(moved, s).K1, tip(at, s).K1, 1e-9 * K);
+    EXPECT_NEAR(tip(moved, s).K2, tip(at, s).K2, 1e-9 * K);
+  }
+  for (std::size_t s = 0; s < 4; ++s) {
+    const double K = size_of(tip(at, s));
+    EXPECT_NEAR(tip(large, s).K1 / std::sqrt(1000.0), tip(at, s).K1, 1e-9 * K);
+    EXPECT_NEAR(tip(large, s).K2 / std::sqrt(1000.0), tip(at, s).K2, 1e-9 * K);
+    EXPECT_NEAR(tip(large, s).T, tip(at, s).T, 1e-8 * std::abs(tip(at, s).T));
+  }
+}
+
+// K of the finite shift takes its size from the energy of moved nodes, with all loads.
+TEST(AxialCracks, MovedNodesReleaseTheSame) {
+  Bar bar;
+  bar.steps = each;
+  const auto analytic = solve_text(bar.text());
+  bar.more = "$VCE CRACK=C SHIFT=1e-3 CHECK=OPENING";
+  const auto shifted = solve_text(bar.text());
+  ASSERT_TRUE(analytic && shifted);
+  for (std::size_t s = 0; s < 4; ++s) {
+    EXPECT_NEAR(tip(shifted, s).G, tip(analytic, s).G, 1e-5 * tip(analytic, s).G);
+    ASSERT_TRUE(tip(shifted, s).K_opening);
+    EXPECT_NEAR((*tip(shifted, s).K_opening)[0], tip(analytic, s).K1,
+                0.02 * size_of(tip(analytic, s)));
+    EXPECT_NEAR((*tip(shifted, s).K_opening)[1], tip(analytic, s).K2,
+                0.02 * size_of(tip(analytic, s)));
+  }
+}
+
+// A temperature that is linear along the axis strains the whole body without stress.
+TEST(AxialCracks, HaveNoKWhereHeatLeavesNoStress) {
+  Bar bar;
+  bar.steps = "$STEP NAME=PULL\n  LOAD PULL 1\n$STEP NAME=BOTH\n  LOAD STEEP 1\n";
+  const auto solved = solve_text(bar.text());
+  ASSERT_TRUE(solved);
+  const double K = size_of(tip(solved, 0));
+  EXPECT_NEAR(tip(solved, 1).K1, tip(solved, 0).K1, 2e-3 * K);
+  EXPECT_NEAR(tip(solved, 1).K2, tip(solved, 0).K2, 2e-3 * K);
+  EXPECT_NEAR(tip(solved, 1).T, tip(solved, 0).T, 1.0);
+}
+
+double by(const TipResult& K, results::Cause cause, const std::string& name, std::size_t mode) {
+  for (const results::Sensitivity& s : K.sensitivities.of) {
+    if (s.cause == cause && s.name == name && s.slope()) {
+      return (*s.slope())[mode];
+    }
+  }
+  ADD_FAILURE() << "no derivative by " << name;
+  return 0.0;
+}
+
+TEST(AxialCracks, DerivativesAreDifferences) {
+  const double h = 0.02;
+  Bar bar;
+  bar.steps = "$STEP NAME=S\n  LOAD PULL 1\n  LOAD FACES 1\n  LOAD SPIN 1\n  LOAD HEAT 1\n";
+  const auto at = solve_text(bar.text());
+  bar.a += h;
+  const auto longer = solve_text(bar.text());
+  bar.a -= 2.0 * h;
+  const auto shorter = solve_text(bar.text());
+  ASSERT_TRUE(at && longer && shorter);
+  const base::Vec2 slope =
+      base::Vec2(tip(longer).K1 - tip(shorter).K1, tip(longer).K2 - tip(shorter).K2) / (2.0 * h);
+  const base::Vec2 found(by(tip(at), results::Cause::length, "C", 0),
+                         by(tip(at), results::Cause::length, "C", 1));
+  EXPECT_LT((found - slope).norm(), 2e-3 * slope.norm())
+      << found.transpose() << " against " << slope.transpose();
+  base::Vec2 sum = base::Vec2::Zero();
+  for (const char* load : {"PULL", "FACES", "SPIN", "HEAT"}) {
+    for (const std::size_t mode : {std::size_t{0}, std::size_t{1}}) {
+      sum[static_cast<Eigen::Index>(mode)] += by(tip(at), results::Cause::load, load, mode);
+    }
+  }
+  // K is linear in the loads, rows and constants together.
+  EXPECT_NEAR(sum.x(), tip(at).K1, 1e-9 * size_of(tip(at)));
+  EXPECT_NEAR(sum.y(), tip(at).K2, 1e-9 * size_of(tip(at)));
+}
+
+// A hub pressed on a shaft with a ring crack beside its edge, which the fit opens.
+std::string press_fit(double a) {
+  return fmt::format(R"($DECK VERSION=1 LENGTH=mm FORCE=N
+$NET NAME=SHAFT
+  $MESH SHAPE=BLOCK TYPE=QUAMC8 Y0=-40 LX=20 LY=80 NX=10 NY=40
+$ENDNET
+$NET NAME=HUB
+  $MESH SHAPE=BLOCK TYPE=QUAMC8 X0=20 Y0=-15 LX=20 LY=30 NX=9 NY=16
+$ENDNET
+$MATERIAL NAME=STEEL E=210e3 NU=0.3
+$MATERIAL NAME=ALU E=70e3 NU=0.33
+$PROPERTY ESET=SHAFT.BODY MATERIAL=STEEL STATE=AXI
+$PROPERTY ESET=HUB.BODY MATERIAL=ALU STATE=AXI
+$FREEDOM CLASS=SUPPRESSED DOF=Y
+  SHAFT.YMIN  HUB.YMIN
+$CONTACT NAME=FIT SLAVE=HUB.XMIN MASTER=SHAFT.XMAX INTERFERENCE=0.1
+$CRACK NAME=C NET=SHAFT A0={:.17g} ANGLE=180[deg]
+  20  20
+$STEP NAME=FIT
+  FIT FIT 1
+$END
+)",
+                     a);
+}
+
+TEST(AxialCracks, ReleaseWhatAPressFitLoses) {
+  const double h = 0.1;
+  const auto at = solve_text(press_fit(2.0));
+  const auto longer = solve_text(press_fit(2.0 + h));
+  const auto shorter = solve_text(press_fit(2.0 - h));
+  ASSERT_TRUE(at && longer && shorter);
+  ASSERT_GT(tip(at).K1, 0.0);
+  const double lost = (shorter->step().energy - longer->step().energy) / (2.0 * h) /
+                      (2.0 * std::numbers::pi * 18.0);
+  EXPECT_NEAR(tip(at).G, lost, 0.01 * lost);
+  EXPECT_NEAR(size_of(tip(at)) * size_of(tip(at)) / E_effective, tip(at).G, 2e-4 * tip(at).G);
+}
+
+// The whole of a bar and the half above the plane of the crack.
+TEST(AxialCracks, HalfTellsWhatTheWholeTells) {
+  const auto deck = [](bool half) {
+    return fmt::format(R"($DECK VERSION=1 LENGTH=mm FORCE=N
+$MESH SHAPE=BLOCK TYPE=QUAMC8 Y0={} LX=10 LY={} NX=10 NY={}
+$NSET NAME=LINE WHERE=({}) ORDER=(x)
+$MATERIAL NAME=M E=210e3 NU=0.3
+$PROPERTY ESET=BODY MATERIAL=M STATE=AXI
+$FREEDOM CLASS=SUPPRESSED DOF=Y
+  LINE
+$CRACK NAME=C {}
+$LOAD CASE=PULL TYPE=TRACTION
+  YMAX  0  100
+{}$STEP NAME=S
+  LOAD PULL 1
+$END
+)",
+                       half ? 0 : -30, half ? 30 : 60, half ? 30 : 60,
+                       half ? "abs(y) < 1e-9" : "x < 1e-9 and y < 1e-9-30",
+                       half ? "PATH=LINE A0=4" : "\n  0 0\n  4 0", half ? "" : "  YMIN 0 -100\n");
+  };
+  const auto whole = solve_text(deck(false));
+  const auto half = solve_text(deck(true));
+  ASSERT_TRUE(whole && half);
+  EXPECT_NEAR(tip(half).K1, tip(whole).K1, 3e-4 * tip(whole).K1);
+  EXPECT_NEAR(tip(half).G, tip(whole).G, 6e-4 * tip(whole).G);
+  EXPECT_NEAR(tip(half).T, tip(whole).T, 0.01 * std::abs(tip(whole).T));
+}
+
+// Friction holds the faces of a steep crack under pressure all round; the body is the one without.
+TEST(AxialCracks, ClosedFacesCarryPressure) {
+  Bar bar;
+  bar.rise = 30.0;
+  bar.steps = "$LOAD CASE=ROUND TYPE=PRESSURE\n  XMAX 70\n  YMIN 70\n  YMAX 70\n"
+              "$STEP NAME=S\n  LOAD ROUND 1\n";
+  const auto solved = solve_text(bar.text());
+  ASSERT_TRUE(solved);
+  EXPECT_EQ(tip(solved).K1, 0.0);
+  EXPECT_NEAR(tip(solved).K2, 0.0, 1e-8 * 70.0);
+  for (const results::ContactPoint& point : solved->step().contacts.at(0).points) {
+    EXPECT_NEAR(point.p_lumped, 70.0, 1e-6 * 70.0);
+  }
+}
+
+} // namespace
+} // namespace spricka
