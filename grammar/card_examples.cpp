@@ -181,8 +181,9 @@ constexpr std::array texts{
         "a face a surface crack, on an edge a corner crack. An open front starts and ends on the "
         "surface or outside, X0 Y0 Z0 is a point within the crack. K belongs to the points along "
         "the front; its angle phi counts from the axis C towards A, which is normal x C. The face "
-        "that the normal points away from is NAME.RIGHT, the other one NAME.LEFT. In this version "
-        "there is no crack with STATE=AXI.",
+        "that the normal points away from is NAME.RIGHT, the other one NAME.LEFT. With STATE=AXI a "
+        "crack is a ring, a cone or, from a point on the axis, a penny; K is that of a unit of its "
+        "front.",
         "$CRACK NAME=TOP NET=LUG A0=1.8 ANGLE=90[deg]\n"
         "  0  36\n"
         "$CRACK NAME=CORNER NET=LUG A=3.6 X0=20 Y0=0 Z0=0 NORMAL=Y\n"},

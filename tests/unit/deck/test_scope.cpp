@@ -150,7 +150,12 @@ TEST(Scope, CracksAreOfThePlane) {
   };
   using Notes = std::vector<std::string>;
   EXPECT_EQ(cracked("STRESS", "NU=0.3"), Notes{});
-  EXPECT_EQ(cracked("AXI", "NU=0.3"), Notes{"$CRACK with STATE=AXI"});
+  EXPECT_EQ(cracked("AXI", "NU=0.3"), Notes{});
+  EXPECT_EQ(
+      notes(Reading(folder, head + block("A", plane) + material("NU=0.3") + property("A", "AXI") +
+                                "$CRACK NAME=C NET=A A0=0.5 ANGLE=90[deg] STATE=STRESS\n 2 "
+                                "0\n$END\n")),
+      Notes{"$CRACK STATE=STRESS about an axis, where a front is in plane strain,"});
   EXPECT_EQ(cracked("STRAIN", "NU=0.495"),
             Notes{"$CRACK with QUAMC8 elements and nu = 0.495, nearly incompressible,"});
   EXPECT_EQ(cracked("STRAIN", "NU=0.48"), Notes{});
