@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crack/stress_intensity.hpp"
 
+#include "crack/contraction.hpp"
 #include "crack/domain_integral.hpp"
 #include "crack/face_term.hpp"
 #include "crack/finite_shift.hpp"
@@ -93,67 +94,6 @@ void take_shift(DomainValue& value, double G) {
   value.G = G;
 }
 
-/// What a displacement is contracted with at a point: its gradient, and about an axis the strain
-/// round it.
-struct Contracted {
-  Eigen::Matrix2d M;
-  double hoop = 0.0;
-};
-
-// Of one partner at the points of an element:
-// s(u) : A + (H e1) . (s(v) grad q) with A = (H_v e1) (x) grad q - (div q) H_v is e1 . T grad q of
-// the interaction; D is symmetric, so s(u) : A = H_u : s(A). About an axis all have components
-// round it (crack.37), and partners have a divergence (crack.38). Calls visit(r, map, contracted),
-// the weight of the point in it.
-template <shape::ElementShape S, class Visit>
-void for_element_points(const TipSetting& set, base::ElementId e,
-                        const std::map<base::NodeId, double>& q, std::size_t partner,
-                        Visit&& visit) {
-  const fe::NodeVectors<S> X = fe::coordinates<S>(set.mesh, e);
-  const Stiffness k(set, e);
-  const Eigen::Matrix<double, S::nodes, 1> moved = extension_at<S>(set.mesh, e, q);
-  const base::Vec2& e1 = set.tip.e1;
-  for_domain_points<S>(set, e, [&](const shape::Point<2>& r, double weight) {
-    const fe::Jacobian<S> at = fe::jacobian<S>(X, r);
-    const Eigen::Matrix<double, S::nodes, 1> N = S::N(r);
-    const base::Vec2 x = X * N;
-    const double w = weight * at.det * set.depth(x);
-    const base::Vec2 grad = at.dNdx.transpose() * moved;
-    const double here = N.dot(moved);
-    const double round = set.axial() ? here * e1.x() / x.x() : 0.0; // of q, round the axis
-    const double div = e1.dot(grad) + round;
-    const Partner v = partner_at(set, k, x, partner);
-    const SectionState A =
-        stressed(k, v.H * e1 * grad.transpose() - div * v.H, (round - div) * v.hoop);
-    const Eigen::Matrix2d M = A.sigma + (v.sigma * grad + here * v.divergence) * e1.transpose();
-    visit(r, at, Contracted{w * M, w * (A.sigma_hoop + v.sigma_hoop * round)});
-  });
-}
-
-// The same for all elements of all domains, averaged over these: visit(e, r, map, contracted).
-template <class Visit>
-void for_points(const TipSetting& set, const std::vector<ExtensionField>& fields,
-                std::size_t partner, Visit&& visit) {
-  const double part = 1.0 / static_cast<double>(fields.size());
-  for (const ExtensionField& field : fields) {
-    const std::map<base::NodeId, double> q = field.q();
-    std::vector<base::ElementId> elements = field.elements;
-    if (set.axial()) {
-      elements.insert(elements.end(), field.inside.begin(), field.inside.end());
-    }
-    fe::for_plane_blocks(
-        set.mesh, elements, [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
-          for (const base::ElementId e : block) {
-            for_element_points<S>(
-                set, e, q, partner,
-                [&](const shape::Point<2>& r, const fe::Jacobian<S>& at, const Contracted& c) {
-                  visit(e, r, at, Contracted{part * c.M, part * c.hoop});
-                });
-          }
-        });
-  }
-}
-
 // Of the strain round the axis, u_x / x.
 void add_hoop(const TipSetting& set, base::ElementId e, const shape::Point<2>& r, double weight,
               base::Vector& row) {
@@ -170,18 +110,18 @@ void add_hoop(const TipSetting& set, base::ElementId e, const shape::Point<2>& r
 base::Vector partner_row(const TipSetting& set, const std::vector<ExtensionField>& fields,
                          std::size_t partner) {
   base::Vector row = base::Vector::Zero(2 * static_cast<Eigen::Index>(set.mesh.node_count()));
-  for_points(set, fields, partner,
-             [&](base::ElementId e, const shape::Point<2>& r, const auto& at, const Contracted& c) {
-               const std::span<const base::NodeId> nodes = set.mesh.nodes_of(e);
-               for (std::size_t n = 0; n < nodes.size(); ++n) {
-                 const auto freedom = 2 * static_cast<Eigen::Index>(nodes[n].index());
-                 row.segment<2>(freedom) +=
-                     c.M * at.dNdx.row(static_cast<Eigen::Index>(n)).transpose();
-               }
-               if (set.axial()) {
-                 add_hoop(set, e, r, c.hoop, row);
-               }
-             });
+  for_contractions(
+      set, fields, partner,
+      [&](base::ElementId e, const shape::Point<2>& r, const auto& at, const Contracted& c) {
+        const std::span<const base::NodeId> nodes = set.mesh.nodes_of(e);
+        for (std::size_t n = 0; n < nodes.size(); ++n) {
+          const auto freedom = 2 * static_cast<Eigen::Index>(nodes[n].index());
+          row.segment<2>(freedom) += c.M * at.dNdx.row(static_cast<Eigen::Index>(n)).transpose();
+        }
+        if (set.axial()) {
+          add_hoop(set, e, r, c.hoop, row);
+        }
+      });
   for (const ExtensionField& field : fields) {
     add_partner_pressure_row(set, field, partner, 1.0 / static_cast<double>(fields.size()), row);
   }
@@ -333,9 +273,9 @@ std::vector<IntensityPoint> intensity_points(const model::Model& model,
   }
   const double factor = factors_of(set, front, state).K();
   const auto visit = [&](std::size_t partner, auto&& take) {
-    for_points(set, fields, partner,
-               [&](base::ElementId e, const shape::Point<2>& r, const auto& /*at*/,
-                   const Contracted& c) { take(e, r, Eigen::Matrix2d(factor * c.M)); });
+    for_contractions(set, fields, partner,
+                     [&](base::ElementId e, const shape::Point<2>& r, const auto& /*at*/,
+                         const Contracted& c) { take(e, r, Eigen::Matrix2d(factor * c.M)); });
   };
   visit(1, [&](base::ElementId e, const shape::Point<2>& r, const Eigen::Matrix2d& M) {
     points.push_back({e, r, {M, Eigen::Matrix2d::Zero()}});
