@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "fe/element.hpp"
-#include "fe/law.hpp"
 
 /// What the motion of nodes releases, at a point of an element, in the plane and in space. A
 /// displacement with the gradient H = du/dx that keeps its nodal values while nodes move by v
