@@ -49,9 +49,15 @@ void write_front_vtu(const std::filesystem::path& file, const model::Model& mode
 /// Face sets must be given as node sets by the caller.
 void write_mesh_vtu(const std::filesystem::path& file, const model::Mesh& mesh);
 
-/// The collection that ParaView opens: (time, file) pairs.
-void write_pvd(const std::filesystem::path& file,
-               const std::vector<std::pair<double, std::string>>& entries);
+/// A file of a collection; files of one time are parts of one picture.
+struct CollectedFile {
+  double time = 0.0;
+  int part = 0;
+  std::string name;
+};
+
+/// The collection that ParaView opens.
+void write_pvd(const std::filesystem::path& file, const std::vector<CollectedFile>& entries);
 
 /// The listing: deck echo with line numbers, model summary with the totals of the load cases,
 /// processor log with times, tables.

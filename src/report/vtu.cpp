@@ -233,14 +233,13 @@ void write_front_vtu(const std::filesystem::path& file, const model::Model& mode
   write_file(file, vtu_end(document));
 }
 
-void write_pvd(const std::filesystem::path& file,
-               const std::vector<std::pair<double, std::string>>& entries) {
+void write_pvd(const std::filesystem::path& file, const std::vector<CollectedFile>& entries) {
   std::string text = "<?xml version=\"1.0\"?>\n"
                      "<VTKFile type=\"Collection\" version=\"1.0\">\n"
                      "  <Collection>\n";
-  for (const auto& [time, name] : entries) {
-    text +=
-        fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", time, escape(name));
+  for (const CollectedFile& entry : entries) {
+    text += fmt::format("    <DataSet timestep=\"{}\" part=\"{}\" file=\"{}\"/>\n", entry.time,
+                        entry.part, escape(entry.name));
   }
   write_file(file, text + "  </Collection>\n</VTKFile>\n");
 }

@@ -54,6 +54,12 @@ std::vector<crack::FaceForces> contact_forces(const Scene& scene, const crack::F
   return forces;
 }
 
+// Round-off of a coordinate that is zero would be printed as a number.
+base::Vec3 without_round_off(const base::Vec3& x, double reach) {
+  constexpr double round_off = 1e-14;
+  return (x.array().abs() > round_off * reach).select(x, base::Vec3::Zero());
+}
+
 results::FrontPlace place_of(const model::Crack& crack, const mesh::FrontPoint& point,
                              const crack::StressIntensity& K) {
   results::FrontPlace place;
@@ -103,8 +109,13 @@ void gather_fronts(const model::Model& model, const Scene& scene, const StepStat
     result.closed = at.fields.closed;
     result.length = result.closed ? front.curve->length() : front.points.back().s;
     result.angles = crack.kind == model::CrackKind::ellipse;
+    double reach = 0.0;
+    for (const mesh::FrontPoint& point : front.points) {
+      reach = std::max(reach, point.x.cwiseAbs().maxCoeff());
+    }
     for (std::size_t i = 0; i < front.points.size(); ++i) {
       result.points.push_back(place_of(crack, front.points[i], K[i]));
+      result.points.back().x = without_round_off(front.points[i].x, reach);
       result.points.back().number = static_cast<int>(i) + 1;
     }
     judge_front({model, scene, front, state, K, faces}, result, out);

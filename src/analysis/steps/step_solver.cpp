@@ -229,8 +229,8 @@ bool StepSolver::accept(const contact::ContactSystem::Solution& solution,
   if (s.left_over > solve::rest_load) {
     state.notes.push_back(
         results::note(fmt::format("{:.1e} of the load acts on motions that no contact touches "
-                                  "(its moment about the axis of the meshed body) and is left "
-                                  "over",
+                                  "(such as its moment about the axis of a meshed round "
+                                  "body) and is left over",
                                   s.left_over)));
   }
   if (s.redundant > 0) {

@@ -222,7 +222,7 @@ bool shows_surfaces(const results::StepResult& step) {
 
 void RunFolder::put_pictures(const model::Model& model, const results::Run& run) {
   const std::string stem = picture_stem(model);
-  std::vector<std::pair<double, std::string>> entries;
+  std::vector<report::CollectedFile> entries;
   double time = 0.0;
   for (const results::Increment& increment : run.increments) {
     for (const results::StepResult& step : increment.steps) {
@@ -232,15 +232,17 @@ void RunFolder::put_pictures(const model::Model& model, const results::Run& run)
       }
       const std::string name = fmt::format("{}_{:03}_{}.vtu", stem, increment.number, step.step);
       put(name, [&](const fs::path& file) { report::write_vtu(file, model, increment, step); });
-      entries.emplace_back(time, name);
+      entries.push_back({.time = time, .part = 0, .name = name});
       if (shows_surfaces(step)) {
         const std::string surfaces =
             fmt::format("contact_{:03}_{}.vtu", increment.number, step.step);
         put(surfaces, [&](const fs::path& file) { report::write_contact_vtu(file, model, step); });
+        entries.push_back({.time = time, .part = 1, .name = surfaces});
       }
       if (!step.fronts.empty()) {
         const std::string fronts = fmt::format("fronts_{:03}_{}.vtu", increment.number, step.step);
         put(fronts, [&](const fs::path& file) { report::write_front_vtu(file, model, step); });
+        entries.push_back({.time = time, .part = 2, .name = fronts});
       }
     }
   }

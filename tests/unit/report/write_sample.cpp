@@ -76,11 +76,11 @@ int main(int count, char** arguments) {
   const std::filesystem::path folder = arguments[1];
   std::filesystem::create_directories(folder);
   const test::Sample sample = test::make_sample();
-  std::vector<std::pair<double, std::string>> entries;
+  std::vector<report::CollectedFile> entries;
   for (const results::Increment& increment : sample.run.increments) {
     const std::string name = "sample." + std::to_string(increment.number) + ".vtu";
     report::write_vtu(folder / name, sample.model, increment, increment.steps[1]);
-    entries.emplace_back(increment.a, name);
+    entries.push_back({.time = increment.a, .part = 0, .name = name});
   }
   using enum ElementType;
   report::write_vtu(folder / "solids.vtu", sample.model,
