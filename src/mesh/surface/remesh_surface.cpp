@@ -137,6 +137,12 @@ private:
   void cross_edge(const LinePoint& corner, int point) {
     const SurfaceEdge& edge = surface_.edges()[corner.edge];
     if (!std::ranges::binary_search(patches_.features(), corner.edge)) {
+      // The line may have been followed over borders of sets that are no edges here.
+      if (edge.faces[0] != nowhere && edge.faces[1] != nowhere &&
+          patches_.patch_of(edge.faces[0]) != nowhere &&
+          patches_.patch_of(edge.faces[0]) == patches_.patch_of(edge.faces[1])) {
+        return;
+      }
       fail("the crack's mouth leaves the surface that the cavity takes away", corner.place.x);
     }
     if (std::abs(corner.t) >= 1.0 - same) {

@@ -68,7 +68,8 @@ struct SurfaceGeometry::Tree {
   bg::index::rtree<TreeEntry, bg::index::rstar<16>> boxes;
 };
 
-SurfaceGeometry::SurfaceGeometry(const model::Mesh& mesh, std::span<const base::FaceSetId> kept) {
+SurfaceGeometry::SurfaceGeometry(const model::Mesh& mesh, std::span<const base::FaceSetId> kept,
+                                 bool borders) {
   std::vector<TreeEntry> entries;
   Vec3 low = Vec3::Zero();
   Vec3 high = Vec3::Zero();
@@ -88,7 +89,8 @@ SurfaceGeometry::SurfaceGeometry(const model::Mesh& mesh, std::span<const base::
   extent_ = (high - low).norm();
   tree_ = std::make_unique<Tree>(Tree{bg::index::rtree<TreeEntry, bg::index::rstar<16>>(entries)});
   find_edges();
-  find_pieces(mesh, kept);
+  find_sets(mesh, kept);
+  find_pieces(borders);
 }
 
 SurfaceGeometry::~SurfaceGeometry() = default;

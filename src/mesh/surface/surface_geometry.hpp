@@ -33,6 +33,7 @@ struct SurfaceEdge {
   std::array<int, 2> side{-1, -1}; ///< the edge's number round the faces
   int count = 0;                   ///< faces that have it: 2 but where bodies touch in an edge
   bool feature = false;            ///< ends the smooth pieces beside it
+  bool border = false;             ///< a feature only as the border of a set
 };
 
 /// Feature edges one after another, between two nodes where other than two of them meet, or round.
@@ -56,8 +57,10 @@ public:
   /// bore of sixteen linear facets (22.5 degrees) is one piece.
   static constexpr double most_turn = 0.61; // 35 degrees
 
-  /// Borders of the face sets in `kept` are feature edges too, however smooth the surface is there.
-  explicit SurfaceGeometry(const model::Mesh& mesh, std::span<const base::FaceSetId> kept = {});
+  /// Borders of the face sets in `kept` are feature edges too, however smooth the surface is there,
+  /// but where only sharp edges are to be (`borders` false).
+  explicit SurfaceGeometry(const model::Mesh& mesh, std::span<const base::FaceSetId> kept = {},
+                           bool borders = true);
   ~SurfaceGeometry();
   SurfaceGeometry(SurfaceGeometry&&) noexcept;
   SurfaceGeometry& operator=(SurfaceGeometry&&) noexcept;
@@ -82,6 +85,8 @@ public:
   /// The smooth piece of a face, counted from 0 in the order of the faces.
   [[nodiscard]] std::size_t piece(std::size_t face) const { return piece_[face]; }
   [[nodiscard]] std::size_t piece_count() const { return pieces_; }
+  /// Which of the sets kept have a face, ascending, by their place in `kept`.
+  [[nodiscard]] const std::vector<std::size_t>& sets(std::size_t face) const { return sets_[face]; }
   [[nodiscard]] std::vector<FeatureChain> feature_chains() const;
 
   /// The place nearest to x; of several faces as near (an edge) that with the lowest number.
@@ -95,12 +100,14 @@ public:
 private:
   struct Tree;
   void find_edges();
-  void find_pieces(const model::Mesh& mesh, std::span<const base::FaceSetId> kept);
+  void find_sets(const model::Mesh& mesh, std::span<const base::FaceSetId> kept);
+  void find_pieces(bool borders);
 
   std::vector<SurfaceFace> faces_; ///< ascending by element and side
   std::vector<std::array<std::size_t, 4>> face_edges_;
   std::vector<SurfaceEdge> edges_;
   std::vector<std::size_t> piece_;
+  std::vector<std::vector<std::size_t>> sets_; ///< [face]
   std::size_t pieces_ = 0;
   double extent_ = 0.0;
   std::unique_ptr<Tree> tree_;

@@ -29,22 +29,6 @@ NodeId mid_of_side(const SurfaceFace& face, int i) {
   return face.quadratic() ? face.nodes[static_cast<std::size_t>(face.corners() + i)] : NodeId();
 }
 
-/// [face] which of some sets have it, ascending.
-std::vector<std::vector<std::size_t>> membership(const SurfaceGeometry& surface,
-                                                 const model::Mesh& mesh,
-                                                 std::span<const base::FaceSetId> sets) {
-  std::vector<std::vector<std::size_t>> of(surface.faces().size());
-  for (std::size_t s = 0; s < sets.size(); ++s) {
-    for (const model::Face& face : mesh.set(sets[s]).faces) {
-      const std::size_t f = surface.index(face);
-      if (f != nowhere && (of[f].empty() || of[f].back() != s)) {
-        of[f].push_back(s);
-      }
-    }
-  }
-  return of;
-}
-
 /// Walks along feature edges from node to node.
 class ChainWalk {
 public:
@@ -124,19 +108,32 @@ void SurfaceGeometry::find_edges() {
   }
 }
 
-void SurfaceGeometry::find_pieces(const model::Mesh& mesh, std::span<const base::FaceSetId> kept) {
-  const std::vector<std::vector<std::size_t>> sets = membership(*this, mesh, kept);
+void SurfaceGeometry::find_sets(const model::Mesh& mesh, std::span<const base::FaceSetId> kept) {
+  sets_.resize(faces_.size());
+  for (std::size_t s = 0; s < kept.size(); ++s) {
+    for (const model::Face& face : mesh.set(kept[s]).faces) {
+      const std::size_t f = index(face);
+      if (f != nowhere && (sets_[f].empty() || sets_[f].back() != s)) {
+        sets_[f].push_back(s);
+      }
+    }
+  }
+}
+
+void SurfaceGeometry::find_pieces(bool borders) {
   const double least = std::cos(most_turn);
   std::vector<std::size_t> parent(faces_.size());
   std::iota(parent.begin(), parent.end(), std::size_t{0});
   for (SurfaceEdge& edge : edges_) {
     const auto [one, two] = edge.faces;
-    edge.feature = edge.count != 2 || one == nowhere || two == nowhere || sets[one] != sets[two];
+    edge.feature = edge.count != 2 || one == nowhere || two == nowhere;
     if (!edge.feature) {
       const Vec3 n1 = place(one, edge_r(faces_[one].shape, edge.side[0], 0.0)).normal;
       const Vec3 n2 = place(two, edge_r(faces_[two].shape, edge.side[1], 0.0)).normal;
       edge.feature = !(n1.dot(n2) > least);
     }
+    edge.border = borders && !edge.feature && sets_[one] != sets_[two];
+    edge.feature = edge.feature || edge.border;
     if (!edge.feature) {
       const std::size_t a = root_of(parent, one);
       const std::size_t b = root_of(parent, two);

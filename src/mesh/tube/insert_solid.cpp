@@ -121,22 +121,102 @@ private:
   bool make_patches() {
     bool good = true;
     for (Group& group : groups_) {
-      // Finer elements bend less: the remedy for those that curved surfaces fold.
-      for (const double fineness : {1.0, 1.3, 1.3}) {
-        for (PatchSolidCrack& crack : group.cracks) {
-          crack.finer *= fineness;
-        }
-        group.graft.patch = build_solid_patch(host_, group.frame, group.cracks, group.graft.cavity);
-        if (!group.graft.patch.folded) {
-          break;
-        }
-      }
+      make_patch(group);
       if (!group.graft.patch.trouble.empty()) {
         refuse(group, group.graft.patch.trouble);
         good = false;
       }
     }
     return good;
+  }
+
+  /// Where a curved surface or a curved rim of the cavity folds elements there are three remedies:
+  /// the surface meshed anew, a larger cavity, whose rim is others', and finer elements, which bend
+  /// less.
+  void make_patch(Group& group) {
+    constexpr double finer = 1.3;
+    constexpr int most_finer = 2;
+    SolidPatch& patch = group.graft.patch;
+    PatchWish wish;
+    bool renewed = false;
+    bool widened = false;
+    for (int refined = 0; refined <= most_finer;) {
+      patch = build_solid_patch(host_, group.frame, group.cracks, group.graft.cavity, wish);
+      if (!patch.trouble.empty() && patch.at_border && wish.borders) {
+        wish.borders = false;
+        continue;
+      }
+      if (!patch.folded && !(wish.renew && !patch.trouble.empty())) {
+        break;
+      }
+      wish.renew = !renewed && patch.old_surface;
+      renewed = renewed || wish.renew;
+      if (wish.renew) {
+        continue;
+      }
+      widened = refined > 0 && !widened && widen(group);
+      if (!widened) {
+        ++refined;
+        for (PatchSolidCrack& crack : group.cracks) {
+          crack.finer *= finer;
+        }
+      }
+    }
+    if (patch.trouble.empty()) {
+      tell_of_sets(group);
+    }
+  }
+
+  void tell_of_sets(const Group& group) {
+    const SolidRequest& first = requests_[group.members.front()];
+    const auto name = [](const std::string& set) {
+      return set.empty() ? std::string("a set") : "the set " + set;
+    };
+    for (const SetShift& shift : group.graft.patch.shifts) {
+      diagnostics_.warning(
+          first.span, "W425",
+          fmt::format("{}: its elements cover the border of {} at {} and move it by up to {:.3g}: "
+                      "what is loaded or held there is a little another part of the surface",
+                      first.crack->title(), name(shift.set), text_of(shift.at), shift.by),
+          "let the border keep off the end of the front, or give a smaller RADIUS on $TIPNET");
+    }
+    for (const SplitSet& set : split_sets(host_, group.graft.cavity)) {
+      diagnostics_.warning(
+          first.span, "W425",
+          fmt::format("{}: the border of {}, elements, runs through its patch near {}: there it "
+                      "goes along new elements, up to one of them beside where it was",
+                      first.crack->title(), name(set.name), text_of(set.at)),
+          "loads per volume and results of the set are off by as much");
+    }
+  }
+
+  /// Takes in the elements behind folded ones, but not those of other groups.
+  bool widen(Group& group) {
+    std::vector<ElementId> seeds;
+    std::vector<CrackReach> reach;
+    for (std::size_t i = 0; i < group.members.size(); ++i) {
+      seeds.push_back(requests_[group.members[i]].seed);
+      reach.push_back(group.cracks[i].reach);
+    }
+    const SolidCavity& before = group.graft.cavity;
+    seeds.insert(seeds.end(), before.elements.begin(), before.elements.end());
+    for (const NodeId n : group.graft.patch.folded_at) {
+      const auto around = host_.around(n);
+      seeds.insert(seeds.end(), around.begin(), around.end());
+    }
+    SolidCavity cavity = find_solid_cavity(host_, group.frame, reach, seeds);
+    const auto has = [](const Group& other, ElementId e) {
+      return std::ranges::binary_search(other.graft.cavity.elements, e);
+    };
+    const bool free = std::ranges::none_of(groups_, [&](const Group& other) {
+      return &other != &group &&
+             std::ranges::any_of(cavity.elements, [&](ElementId e) { return has(other, e); });
+    });
+    if (!free || !cavity.trouble.empty() || cavity.elements.size() == before.elements.size()) {
+      return false;
+    }
+    group.graft.cavity = std::move(cavity);
+    return true;
   }
 
   void refuse(const Group& group, const std::string& why) {

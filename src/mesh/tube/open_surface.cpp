@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 namespace spricka::mesh {
 namespace {
@@ -18,12 +19,16 @@ class SurfaceOpener {
 public:
   SurfaceOpener(const OpenRequest& request, SolidNet& net, std::unordered_map<int, int>& lower,
                 std::vector<FacePieces>& pieces)
-      : body_(request.body), frame_(request.frame), cracks_(request.cracks), tubes_(request.tubes),
-        net_(net), lower_(lower), pieces_(pieces) {}
+      : body_(request.body), borders_(request.borders),
+        geometry_(request.borders ? body_.geometry() : body_.without_borders()),
+        frame_(request.frame), cracks_(request.cracks), tubes_(request.tubes), net_(net),
+        lower_(lower), pieces_(pieces) {}
 
   OpenSurface open(const std::vector<CavityFace>& faces) {
     for (const CavityFace& face : faces) {
       region_.faces.push_back(body_.index(face.face));
+      // Also those that no triangle will lie on are replaced.
+      pieces_.emplace_back(face.face, std::vector<std::vector<int>>());
     }
     std::ranges::sort(region_.faces);
     region_.plane = {frame_.origin, frame_.axes.col(2), frame_.a};
@@ -38,17 +43,19 @@ public:
     };
     region_.growth = CrackReach::usual_growth;
     describe();
-    surface_ = remesh_surface(body_.geometry(), region_);
+    surface_ = remesh_surface(geometry_, region_);
     if (surface_.trouble) {
       made_.trouble =
           fmt::format("{}, at ({:.6g}, {:.6g}, {:.6g})", surface_.trouble.why,
                       surface_.trouble.at.x(), surface_.trouble.at.y(), surface_.trouble.at.z());
+      made_.at_border = has_borders();
       return std::move(made_);
     }
     take_points();
     take_edges();
     take_triangles();
     take_ends();
+    find_shifts();
     return std::move(made_);
   }
 
@@ -174,14 +181,92 @@ private:
           corners.push_back(element.nodes[static_cast<std::size_t>(i)]);
           middle += net_.x(corners.back()) / static_cast<double>(count);
         }
-        const SurfacePlace place = body_.geometry().nearest(middle, region_.faces);
+        const SurfacePlace place = geometry_.nearest(middle, region_.faces);
+        for (const int n : corners) {
+          look_at(net_.x(n), place.face);
+        }
         pieces_.emplace_back(body_.face(place.face),
                              std::vector<std::vector<int>>{std::move(corners)});
       }
     }
   }
 
+  /// Edges of the region that are features only as borders of sets.
+  [[nodiscard]] bool has_borders() const {
+    return std::ranges::any_of(region_.faces, [&](std::size_t face) {
+      for (int s = 0; s < geometry_.face(face).corners(); ++s) {
+        if (geometry_.edges()[geometry_.edge(face, s)].border) {
+          return true;
+        }
+      }
+      return false;
+    });
+  }
+
+  void find_shifts() {
+    if (borders_) {
+      return; // kept by their lines
+    }
+    std::set<std::size_t> left(region_.faces.begin(), region_.faces.end());
+    for (const NewTriangle& t : surface_.triangles) {
+      left.erase(t.face);
+      for (const int p : t.points) {
+        look_at(place_of(p), t.face);
+      }
+    }
+    for (const std::size_t face : left) {
+      look_at_lost(face);
+    }
+  }
+
+  /// What is in the sets of a face lies on faces of the same sets, or borders are moved as far.
+  void look_at(const Vec3& x, std::size_t face) {
+    const std::vector<std::size_t>& sets = geometry_.sets(face);
+    const SurfacePlace here = geometry_.nearest(x, region_.faces);
+    if (borders_ || geometry_.sets(here.face) == sets) {
+      return;
+    }
+    std::vector<std::size_t> alike;
+    std::ranges::copy_if(region_.faces, std::back_inserter(alike),
+                         [&](std::size_t f) { return geometry_.sets(f) == sets; });
+    const double by = (geometry_.nearest(x, alike).x - here.x).norm();
+    if (by > 1e-6 * frame_.a) {
+      add_shifts(sets, geometry_.sets(here.face), by, x);
+    }
+  }
+
+  /// A face at a border that no triangle stands for: the border may have passed over it.
+  void look_at_lost(std::size_t face) {
+    const SurfaceFace& own = geometry_.face(face);
+    const double edge = (own.X.col(1) - own.X.col(0)).norm();
+    for (int s = 0; s < own.corners(); ++s) {
+      const SurfaceEdge& side = geometry_.edges()[geometry_.edge(face, s)];
+      const std::size_t other = side.faces[0] == face ? side.faces[1] : side.faces[0];
+      if (!side.feature && other != nowhere) {
+        add_shifts(geometry_.sets(face), geometry_.sets(other), edge, own.X.col(0));
+      }
+    }
+  }
+
+  /// The border between faces of some sets and faces of others is moved.
+  void add_shifts(const std::vector<std::size_t>& one, const std::vector<std::size_t>& two,
+                  double by, const Vec3& at) {
+    std::vector<std::size_t> moved;
+    std::ranges::set_symmetric_difference(one, two, std::back_inserter(moved));
+    for (const std::size_t set : moved) {
+      const std::string& name = body_.set_name(set);
+      const auto known = std::ranges::find(made_.shifts, name, &SetShift::set);
+      if (known == made_.shifts.end()) {
+        made_.shifts.push_back({name, by, at});
+      } else if (by > known->by) {
+        *known = {name, by, at};
+      }
+    }
+  }
+
   const BodySurface& body_;
+  bool borders_;
+  const SurfaceGeometry& geometry_;
   const SolidFrame& frame_;
   std::span<const PatchSolidCrack> cracks_;
   const std::vector<std::vector<LaidTube>>& tubes_;

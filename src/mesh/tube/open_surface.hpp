@@ -10,12 +10,21 @@
 
 namespace spricka::mesh {
 
+/// How far the border of a set was moved, because there was no room for it.
+struct SetShift {
+  std::string set; ///< may be empty
+  double by = 0.0;
+  base::Vec3 at = base::Vec3::Zero();
+};
+
 /// The surface of the body where cracks come out, meshed anew and put into a patch.
 struct OpenSurface {
   std::vector<PatchTriangle> triangles; ///< part of a shell
   /// [crack][mouth] nodes between those of the tubes, which are not among them.
   std::vector<std::vector<std::vector<int>>> mouths;
+  std::vector<SetShift> shifts; ///< of the sets' borders that are not kept
   std::string trouble;
+  bool at_border = false; ///< borders of sets may be the trouble
 };
 
 /// Where the tubes of a patch have gone.
@@ -31,6 +40,7 @@ struct OpenRequest {
   std::span<const PatchSolidCrack> cracks;
   const std::vector<std::vector<LaidTube>>& tubes; ///< [crack][tube]
   std::vector<CavityFace> faces;                   ///< of the cavity, free ones
+  bool borders = true;                             ///< of sets are kept
 };
 
 /// What takes the place of the faces is added to `pieces`. Nodes of mouths get a second node in

@@ -96,6 +96,10 @@ private:
 
   void take_wanted(std::span<const ElementId> seeds) {
     std::vector<ElementId> open(seeds.begin(), seeds.end());
+    std::vector<bool> given(mesh_.element_count(), false);
+    for (const ElementId e : seeds) {
+      given[e.index()] = true;
+    }
     std::vector<bool> met(mesh_.element_count(), false);
     while (!open.empty()) {
       const ElementId e = open.back();
@@ -104,7 +108,7 @@ private:
         continue;
       }
       met[e.index()] = true;
-      if (std::ranges::find(seeds, e) == seeds.end() && !wanted(e)) {
+      if (!given[e.index()] && !wanted(e)) {
         continue;
       }
       in_[e.index()] = true;
@@ -259,6 +263,23 @@ SolidCavity find_solid_cavity(const SolidHost& host, const SolidFrame& frame,
                               std::span<const CrackReach> cracks,
                               std::span<const ElementId> seeds) {
   return Digger(host, frame, cracks).dig(seeds);
+}
+
+std::vector<SplitSet> split_sets(const SolidHost& host, const SolidCavity& cavity) {
+  std::vector<SplitSet> found;
+  for (const model::ElementSet& set : host.mesh().element_sets) {
+    std::vector<bool> has(host.mesh().element_count(), false);
+    for (const ElementId e : set.elements) {
+      has[e.index()] = true;
+    }
+    const ElementId first = cavity.elements.front();
+    const auto other = std::ranges::find_if(
+        cavity.elements, [&](ElementId e) { return has[e.index()] != has[first.index()]; });
+    if (other != cavity.elements.end()) {
+      found.push_back({set.name, 0.5 * (host.extent(first).middle + host.extent(*other).middle)});
+    }
+  }
+  return found;
 }
 
 } // namespace spricka::mesh

@@ -30,4 +30,13 @@ SolidCavity find_solid_cavity(const SolidHost& host, const SolidFrame& frame,
                               std::span<const CrackReach> cracks,
                               std::span<const base::ElementId> seeds);
 
+/// An element set whose border runs through a cavity.
+struct SplitSet {
+  std::string name;
+  base::Vec3 at = base::Vec3::Zero(); ///< on the border
+};
+
+/// Sets that have some of a cavity's elements and not others.
+std::vector<SplitSet> split_sets(const SolidHost& host, const SolidCavity& cavity);
+
 } // namespace spricka::mesh

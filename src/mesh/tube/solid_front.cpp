@@ -18,6 +18,30 @@ namespace {
 using base::ElementId;
 using base::Vec3;
 
+/// Lengths between the two of a range at which a polygon along a curve has its corners: as far
+/// apart as given, and nowhere turning by more than a little.
+std::vector<double> steps_along(const FrontCurve& curve, const std::array<double, 2>& range,
+                                double apart) {
+  constexpr double most_turn = 0.1; // [rad]: its chords lie an eightieth of their length off
+  const double least = 0.01 * apart;
+  std::vector<double> steps;
+  double s = range[0];
+  while (true) {
+    double step = apart;
+    for (int i = 0; i < 4; ++i) { // the bend half way and at the end counts too
+      for (const double at : {s, s + 0.5 * step, s + step}) {
+        const double bend = std::abs(curve.at(at).curvature());
+        step = bend * step > most_turn ? std::max(least, most_turn / bend) : step;
+      }
+    }
+    s += step;
+    if (s >= range[1] - 0.5 * step) {
+      return steps;
+    }
+    steps.push_back(s);
+  }
+}
+
 class Placer {
 public:
   Placer(const SolidHost& host, SolidRequest& request, base::Diagnostics& diagnostics)
@@ -67,13 +91,12 @@ private:
     if (arc.whole) {
       return {std::make_shared<const FrontCurve>(whole_), arc.place};
     }
+    // As dense as the curve's own points, or as it bends, but not at the ends.
     const double length = arc.s[1] - arc.s[0];
-    // As dense as the curve's own points, evenly: these may come close to the ends.
     const double spacing = whole_.length() / static_cast<double>(whole_.points().size());
-    const int pieces = std::max(4, static_cast<int>(std::ceil(length / spacing)));
     std::vector<Vec3> points{arc.place[0].x};
-    for (int i = 1; i < pieces; ++i) {
-      points.push_back(whole_.at(arc.s[0] + i * length / pieces).x);
+    for (const double s : steps_along(whole_, arc.s, std::min(spacing, length / 4.0))) {
+      points.push_back(whole_.at(s).x);
     }
     points.push_back(arc.place[1].x);
     std::vector<Vec3> normals(points.size(), crack_.normal);
@@ -113,8 +136,15 @@ private:
       for (; !done[k]; k = request_.fronts[k].next) {
         done[k] = true;
         const SolidFront& front = request_.fronts[k];
-        const std::vector<Vec3>& points = front.curve->points();
-        outline.insert(outline.end(), points.begin(), points.end());
+        const FrontCurve& curve = *front.curve;
+        outline.push_back(curve.at(0.0).x);
+        const double spacing = curve.length() / static_cast<double>(curve.points().size());
+        for (const double s : steps_along(curve, {0.0, curve.length()}, spacing)) {
+          outline.push_back(curve.at(s).x);
+        }
+        if (!curve.closed()) {
+          outline.push_back(curve.at(curve.length()).x);
+        }
         if (front.curve->closed()) {
           k = first;
           break;

@@ -173,12 +173,13 @@ private:
     const SideIndex sides(result_.mesh, first_new_);
     for (const SolidGraft& g : grafts_) {
       for (const auto& [face, pieces] : g.patch.faces) {
+        std::vector<model::Face>& sides_there = faces_[face];
         for (const std::vector<int>& piece : pieces) {
           std::vector<NodeId> corners;
           std::ranges::transform(piece, std::back_inserter(corners),
                                  [&](int n) { return g.node[static_cast<std::size_t>(n)]; });
           for (const model::Face& side : sides.find(corners)) {
-            faces_[face].push_back(side);
+            sides_there.push_back(side);
           }
         }
       }

@@ -5,7 +5,6 @@
 #include "mesh/plane.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/tube/crack_surface.hpp"
-#include "mesh/tube/open_surface.hpp"
 #include "mesh/tube/solid_split.hpp"
 
 #include <fmt/format.h>
@@ -25,8 +24,9 @@ constexpr double growth_at_rim = 0.5;
 class PatchBuilder {
 public:
   PatchBuilder(const SolidHost& host, const SolidFrame& frame,
-               std::span<const PatchSolidCrack> cracks, const SolidCavity& cavity)
-      : host_(host), frame_(frame), cracks_(cracks), cavity_(cavity), net_(host.mesh(), frame) {}
+               std::span<const PatchSolidCrack> cracks, const SolidCavity& cavity, PatchWish wish)
+      : host_(host), frame_(frame), cracks_(cracks), cavity_(cavity), wish_(wish),
+        net_(host.mesh(), frame) {}
 
   SolidPatch build() {
     patch_.cracks.resize(cracks_.size());
@@ -62,6 +62,8 @@ private:
     std::vector<CavityFace> free;
     for (std::size_t s = 0; s < cavity_.shells.size(); ++s) {
       std::vector<CavityFace> faces = cavity_.shells[s];
+      patch_.old_surface =
+          patch_.old_surface || (!open[s] && std::ranges::any_of(faces, &CavityFace::free));
       if (open[s]) {
         std::ranges::copy_if(faces, std::back_inserter(free), &CavityFace::free);
         std::erase_if(faces, [](const CavityFace& face) { return face.free; });
@@ -80,10 +82,12 @@ private:
     }
     mouths_.resize(cracks_.size());
     if (!free.empty()) {
-      OpenSurface surface = mesh_open_surface(
-          {host_.surface(cavity_.elements.front()), frame_, cracks_, tubes_, std::move(free)}, net_,
-          lower_, patch_.faces);
+      OpenSurface surface = mesh_open_surface({host_.surface(cavity_.elements.front()), frame_,
+                                               cracks_, tubes_, std::move(free), wish_.borders},
+                                              net_, lower_, patch_.faces);
       patch_.trouble = surface.trouble;
+      patch_.at_border = surface.at_border;
+      patch_.shifts = std::move(surface.shifts);
       mouths_ = std::move(surface.mouths);
       joined.insert(joined.end(), surface.triangles.begin(), surface.triangles.end());
     }
@@ -109,8 +113,9 @@ private:
       }
     }
     for (std::size_t s = 0; s < open.size(); ++s) {
-      open[s] = std::ranges::any_of(
-          cavity_.shells[s], [&](const CavityFace& face) { return ends.contains(face.face); });
+      open[s] = std::ranges::any_of(cavity_.shells[s], [&](const CavityFace& face) {
+        return ends.contains(face.face) || (wish_.renew && face.free);
+      });
     }
     return open;
   }
@@ -328,9 +333,19 @@ private:
     const MeshFaults faults = mesh_faults(mesh);
     if (!faults.bad.empty()) {
       patch_.folded = true;
+      std::set<NodeId> of_host;
+      for (const BadElement& bad : faults.bad) {
+        for (const int n : net_.elements[bad.element.index()].nodes) {
+          of_host.insert(net_.nodes[static_cast<std::size_t>(n)].host);
+        }
+      }
+      of_host.erase(NodeId());
+      patch_.folded_at.assign(of_host.begin(), of_host.end());
       const BadElement& worst = *std::ranges::min_element(faults.bad, {}, &BadElement::jacobian);
-      patch_.trouble = fmt::format("{} elements are folded, one at ({:.6g}, {:.6g}, {:.6g})",
-                                   faults.bad.size(), worst.at.x(), worst.at.y(), worst.at.z());
+      patch_.trouble =
+          fmt::format("{} elements are folded, a {} at ({:.6g}, {:.6g}, {:.6g})", faults.bad.size(),
+                      base::info(mesh.type[worst.element.index()]).name, worst.at.x(), worst.at.y(),
+                      worst.at.z());
     }
   }
 
@@ -338,6 +353,7 @@ private:
   const SolidFrame& frame_;
   std::span<const PatchSolidCrack> cracks_;
   const SolidCavity& cavity_;
+  PatchWish wish_;
   SolidNet net_;
   SolidPatch patch_;
   std::vector<std::vector<PatchTriangle>> shells_;    ///< closed, the outermost first
@@ -352,8 +368,9 @@ private:
 } // namespace
 
 SolidPatch build_solid_patch(const SolidHost& host, const SolidFrame& frame,
-                             std::span<const PatchSolidCrack> cracks, const SolidCavity& cavity) {
-  return PatchBuilder(host, frame, cracks, cavity).build();
+                             std::span<const PatchSolidCrack> cracks, const SolidCavity& cavity,
+                             PatchWish wish) {
+  return PatchBuilder(host, frame, cracks, cavity, wish).build();
 }
 
 } // namespace spricka::mesh

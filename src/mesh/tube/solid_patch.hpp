@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "mesh/tube/laid_crack.hpp"
+#include "mesh/tube/open_surface.hpp"
 #include "mesh/tube/solid_cavity.hpp"
 #include "mesh/tube/solid_net.hpp"
 #include "mesh/tube/solid_shell.hpp"
@@ -30,10 +31,22 @@ struct SolidPatch {
   std::vector<FacePieces> faces; ///< of the cavity
   std::string trouble;           ///< why there is no patch
   bool folded = false;           ///< because elements are
+  /// The host's nodes of such elements, ascending.
+  std::vector<base::NodeId> folded_at;
+  bool old_surface = false;     ///< of the body has a part in it that is not meshed anew
+  bool at_border = false;       ///< borders of sets may be the trouble
+  std::vector<SetShift> shifts; ///< of sets' borders, where they are not kept
+};
+
+/// How the surface of the body is treated.
+struct PatchWish {
+  bool borders = true; ///< of sets are kept; else they go where triangles end
+  bool renew = false;  ///< the cavity's part of it is meshed anew where no tube ends, too
 };
 
 /// Meshes a cavity round its cracks: tubes along their fronts, graded tetrahedra in the rest.
 SolidPatch build_solid_patch(const SolidHost& host, const SolidFrame& frame,
-                             std::span<const PatchSolidCrack> cracks, const SolidCavity& cavity);
+                             std::span<const PatchSolidCrack> cracks, const SolidCavity& cavity,
+                             PatchWish wish);
 
 } // namespace spricka::mesh

@@ -109,11 +109,19 @@ constexpr std::array advice{
               "RADIUS of $TIPNET must be smaller than the room named, SIZE smaller than "
               "RADIUS. Where the net section is lost, take a shorter A0; a body cut through is "
               "two nets. Along a line of symmetry a crack is a PATH whose nodes are all "
-              "suppressed across it."},
-    ErrorCode{"E424", "Give a smaller RADIUS on $TIPNET, or move the crack."},
+              "suppressed across it. In space a front keeps off the surface, its edges and other "
+              "cracks, or ends on the surface at 25 degrees or more: the message names where it "
+              "does not; a smaller RADIUS makes the tube round it narrower."},
+    ErrorCode{"E424", "Give a smaller RADIUS on $TIPNET, or move the crack. In space the whole "
+                      "front lies in one material."},
+    ErrorCode{"E425", "Move the crack or change its size: the message names where it leaves the "
+                      "body, touches the surface along it, or has a hole of the body within."},
     ErrorCode{"E426", "Use TRIMC6, QUAMC8 or QUAMC9, or TYPE=QUADRATIC on $IMPORT."},
     ErrorCode{"E428", "Refine the net there, or give a smaller RADIUS on $TIPNET."},
-    ErrorCode{"E429", "Refine the net near the crack or give RADIUS and SIZE on $TIPNET."},
+    ErrorCode{"E429", "Refine the net near the crack or give RADIUS and SIZE on $TIPNET. In space "
+                      "the message names the place: an edge of the body nearer than the tube is "
+                      "wide wants a smaller RADIUS, folded elements on a curved surface want a "
+                      "finer net there."},
     ErrorCode{"E430", "End a crack before it meets another, and bend it by less than 165 degrees."},
     ErrorCode{"E431", "Give an AMAX that is longer than the crack is at first; leave PATCH=NO to "
                       "LAW=INCREMENT with lengths that end at nodes."},
@@ -127,6 +135,9 @@ constexpr std::array advice{
     ErrorCode{"E435",
               "Keep the crack's patch away from the rim of the load's set: a smaller RADIUS "
               "on $TIPNET, or a set whose rim is straight."},
+    ErrorCode{"W425", "Let borders of what is held, loaded or in contact keep off the ends of the "
+                      "crack's front, or give a smaller RADIUS on $TIPNET. A set that nothing uses "
+                      "can be left out."},
     ErrorCode{"W432", "Give THICK, or THICK=1 where forces are meant per unit of thickness."},
     ErrorCode{"W433", "A plane model spreads contact forces and stresses evenly through each "
                       "thickness: meant only where the bodies share their middle plane."},
