@@ -319,6 +319,22 @@ private:
     }
   }
 
+  /// By the edges of the body that its mouth passes.
+  [[nodiscard]] std::string kind_of(const Group& group, std::size_t c) const {
+    const PatchSolidCrack& crack = group.cracks[c];
+    const SurfaceGeometry& surface = host_.surface(requests_[group.members[c]].seed).geometry();
+    std::ptrdiff_t passed = 0;
+    for (const CrackMouth& mouth : crack.mouths) {
+      passed += std::ranges::count_if(mouth.line.corners, [&](const LinePoint& corner) {
+        return corner.edge != nowhere && !surface.edges()[corner.edge].border;
+      });
+    }
+    return crack.mouths.empty()                    ? "embedded, inside the body"
+           : crack.mouths.size() > 1 || passed > 1 ? "a through crack, from surface to surface"
+           : passed == 1                           ? "a corner crack, from surface to surface"
+                                                   : "a surface crack, from surface to surface";
+  }
+
   void note(const Group& group, std::size_t c, const Front& front, const Tube& tube) {
     const SolidRequest& request = requests_[group.members[c]];
     const double widest = group.frame.a * *std::ranges::max_element(tube.radius);
@@ -327,8 +343,7 @@ private:
         "elements, tube of radius {:.6g}{} with {} rings of {} sectors, patch of {} elements for "
         "{} "
         "of the net{}",
-        request.crack->title(), front.a,
-        tube.closed ? "inside the body" : "from surface to surface", front.curve->length(),
+        request.crack->title(), front.a, kind_of(group, c), front.curve->length(),
         tube.closed ? tube.stations.size() : tube.stations.size() - 1, front.radius,
         widest > 1.001 * front.radius ? fmt::format(" to {:.6g}", widest) : "", request.mesh->rings,
         request.mesh->sectors, group.graft.patch.elements.size(),
