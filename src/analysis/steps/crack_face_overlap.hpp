@@ -9,8 +9,8 @@ namespace spricka::analysis {
 
 /// Faces that overlap by less, over their largest displacement, do so by round-off.
 inline constexpr double overlap_of_round_off = 1e-6;
-/// In space, where the mesh's ripple opens and closes faces under shear.
-inline constexpr double overlap_of_ripple = 1e-6;
+/// In space, where the ripple of a mesh opens and closes faces under shear: of the size of 1e-4.
+inline constexpr double overlap_of_ripple = 5e-4;
 
 /// The largest overlap [node along a face, tips left out] that two neighbouring nodes share, or one
 /// of the two at either end has; 0: there is none. A lone node that overlaps inside, beside a kink,
