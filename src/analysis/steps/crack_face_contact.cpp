@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/steps/crack_face_contact.hpp"
 
-#include "analysis/scene/held_rows.hpp"
 #include "analysis/scene/scene_rows.hpp"
 #include "analysis/scene/scene_ties.hpp"
+#include "analysis/scene/supported_rows.hpp"
 #include "analysis/steps/crack_face_overlap.hpp"
 #include "analysis/steps/solid_face_contact.hpp"
 #include "contact/crack_face_pairing.hpp"

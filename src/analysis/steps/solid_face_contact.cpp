@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/steps/solid_face_contact.hpp"
 
-#include "analysis/scene/held_rows.hpp"
+#include "analysis/scene/supported_rows.hpp"
 #include "contact/solid_crack_pairing.hpp"
 
 #include <algorithm>

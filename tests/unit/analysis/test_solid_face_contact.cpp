@@ -76,7 +76,8 @@ bool tells(const results::StepResult& step, const std::string& words) {
 }
 
 // Hydrostatic pressure leaves nothing of the crack: the strain of the body without it at all nodes,
-// its pressure at all nodes of the faces.
+// its pressure at all nodes of the faces, as far as the diagonals know a uniform strain where two
+// triangles meet one quadrilateral.
 TEST(SolidFaceContact, PressureAllRoundLeavesNothingOfACrack) {
   const auto solved = solve_text(penny("", "$STEP NAME=S\n  LOAD UP -2\n  LOAD ROUND -2\n"));
   ASSERT_TRUE(solved);
@@ -84,10 +85,10 @@ TEST(SolidFaceContact, PressureAllRoundLeavesNothingOfACrack) {
   const std::vector<bool> used = model::nodes_in_use(solved->mesh());
   for (std::size_t n = 0; n < used.size(); ++n) {
     const base::Vec3 exact = strain * (solved->mesh().x[n] + base::Vec3::Constant(8.0));
-    EXPECT_LT(used[n] ? (solved->u(base::NodeId(n)) - exact).norm() : 0.0, 1e-8 * 16.0 * 8e-4);
+    EXPECT_LT(used[n] ? (solved->u(base::NodeId(n)) - exact).norm() : 0.0, 3e-4 * 16.0 * 8e-4);
   }
   for (const results::ContactPoint& p : faces_of(solved->step()).points) {
-    EXPECT_NEAR(p.p_consistent, 2.0, 1e-5);
+    EXPECT_NEAR(p.p_consistent, 2.0, 0.03);
     EXPECT_TRUE(p.closed);
   }
   for (const results::FrontPlace& place : solved->step().fronts.front().points) {
@@ -112,7 +113,7 @@ TEST(SolidFaceContact, FacesThatStickAreNoCrack) {
     EXPECT_EQ(place.K3, 0.0);
     EXPECT_EQ(place.G, 0.0);
   }
-  EXPECT_NEAR(faces_of(solved->step()).max_pressure, 1.0, 1e-4);
+  EXPECT_NEAR(faces_of(solved->step()).max_pressure, 1.0, 0.02);
 }
 
 // The same K, with pressure and friction of the faces left out of the integrals.
@@ -120,24 +121,21 @@ std::vector<crack::StressIntensity> without_faces(const SolvedScene& solved,
                                                   const analysis::StepState& state) {
   const analysis::FrontScene& at = solved.scene().fronts.front();
   crack::FrontLoads loads;
-  loads.given =
-      analysis::front_loads(solved.model(), solved.scene(), at.fields, state.case_factor);
+  loads.given = analysis::front_loads(solved.model(), solved.scene(), at.fields, state.case_factor);
   return crack::front_intensity(solved.model(), solved.scene().cracked, at.front, at.fields, {},
                                 state.u, loads);
 }
 
 const SolvedScene::Changes closed_from_the_start{
-    .model = {},
-    .scene = [](analysis::Scene& scene, const model::Model& model) {
+    .model = {}, .scene = [](analysis::Scene& scene, const model::Model& model) {
       analysis::add_crack_face_pairs(model, {0}, scene);
     }};
 
 // D04: slip against friction, K2 and K3 of the shear that is left; without the tractions of the
 // faces in the integrals K2 is 60 % and K3 86 % too large.
 TEST(SolidFaceContact, SlipsAgainstFriction) {
-  SolvedScene solved(
-      penny("MU=0.3", "$STEP NAME=S SUBSTEPS=1\n  LOAD UP -1\n  LOAD SHEAR 0.5\n"),
-      closed_from_the_start);
+  SolvedScene solved(penny("MU=0.3", "$STEP NAME=S SUBSTEPS=1\n  LOAD UP -1\n  LOAD SHEAR 0.5\n"),
+                     closed_from_the_start);
   const auto state = solved.solve(0);
   ASSERT_TRUE(state);
   const results::StepResult found = solved.length->recover(solved.model().steps[0], *state);
@@ -150,8 +148,7 @@ TEST(SolidFaceContact, SlipsAgainstFriction) {
     EXPECT_TRUE(place.closed);
     EXPECT_EQ(place.K1, 0.0);
     EXPECT_NEAR(place.K2, k * std::cos(place.phi), 0.02 * k);
-    EXPECT_NEAR(place.K3, 0.7 * k * std::sin(-place.phi), 2.0 * k); // sign below
-    EXPECT_NEAR(std::abs(place.K3), 0.7 * k * std::abs(std::sin(place.phi)), 0.025 * k);
+    EXPECT_NEAR(place.K3, 0.7 * k * std::sin(place.phi), 0.025 * k);
     EXPECT_NEAR(place.G, place.G_from_K, 0.03 * k * k / 1000.0);
     K2_off = std::max(K2_off, std::abs(rough[i].K2 - place.K2));
     K3_off = std::max(K3_off, std::abs(rough[i].K3 - place.K3));
@@ -187,8 +184,8 @@ TEST(SolidFaceContact, ClosesInItsMiddle) {
 
 // Pulled, pressed and pulled again: faces close and open again, and what friction did is gone.
 TEST(SolidFaceContact, OpensAgain) {
-  const auto solved = solve_text(
-      penny("", "$STEP NAME=A\n  LOAD UP 1\n$STEP NAME=B\n  LOAD UP -1\n$STEP NAME=C\n  LOAD UP 1\n"));
+  const auto solved = solve_text(penny(
+      "", "$STEP NAME=A\n  LOAD UP 1\n$STEP NAME=B\n  LOAD UP -1\n$STEP NAME=C\n  LOAD UP 1\n"));
   ASSERT_TRUE(solved);
   const auto& first = solved->step(0).fronts.front().points;
   const auto& last = solved->step(2).fronts.front().points;

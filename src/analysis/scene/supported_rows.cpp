@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/scene/held_rows.hpp"
+#include "analysis/scene/supported_rows.hpp"
 
 #include <algorithm>
 #include <set>
