@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace spricka::crack {
 
@@ -183,7 +184,10 @@ FrontPlace FrontAxes::place(const Vec3& x, FaceSide side) const {
   place.r = std::hypot(place.y, place.z);
   place.theta = std::atan2(place.z, place.y);
   if (side != FaceSide::none) {
-    place.theta = std::copysign(place.theta, side == FaceSide::upper ? 1.0 : -1.0);
+    // Edges on the front are parabolas: where its curvature changes they pass it by some thousandths
+    // of a radius, and points of a face beside it may lie ahead of the curve, where the partners'
+    // stress has no bound.
+    place.theta = side == FaceSide::upper ? std::numbers::pi : -std::numbers::pi;
   }
   return place;
 }
