@@ -5,7 +5,12 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
+#include <string>
+#include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 namespace spricka::grammar {
 
@@ -24,47 +29,6 @@ constexpr std::array quantities{
     ResultQuantity{"K2.BEST", "cs?aa", stress_intensity, "K2 with its estimated error taken out"},
     ResultQuantity{"G", "cs?aa", energy_release, "energy release rate"},
     ResultQuantity{"T", "cs?aa", stress, "stress along the crack at the tip"},
-    ResultQuantity{"K1.AT", "caaas?a", stress_intensity,
-                   "in space: K1 where the front is nearest to x, y, z"},
-    ResultQuantity{"K1.PHI", "csa?a", stress_intensity,
-                   "in space: K1 at the angle phi of an ellipse, as 45[deg]"},
-    ResultQuantity{"K1.MIN", "cs?a", stress_intensity,
-                   "in space: smallest K1 along the front, but for its ends on a surface"},
-    ResultQuantity{"K1.MAX", "cs?a", stress_intensity,
-                   "in space: largest K1 along the front, but for its ends on a surface"},
-    ResultQuantity{"K2.AT", "caaas?a", stress_intensity,
-                   "in space: K2 where the front is nearest to x, y, z"},
-    ResultQuantity{"K2.PHI", "csa?a", stress_intensity,
-                   "in space: K2 at the angle phi of an ellipse, as 45[deg]"},
-    ResultQuantity{"K2.MIN", "cs?a", stress_intensity,
-                   "in space: smallest K2 along the front, but for its ends on a surface"},
-    ResultQuantity{"K2.MAX", "cs?a", stress_intensity,
-                   "in space: largest K2 along the front, but for its ends on a surface"},
-    ResultQuantity{"K3.AT", "caaas?a", stress_intensity,
-                   "in space: K3 where the front is nearest to x, y, z"},
-    ResultQuantity{"K3.PHI", "csa?a", stress_intensity,
-                   "in space: K3 at the angle phi of an ellipse, as 45[deg]"},
-    ResultQuantity{"K3.MIN", "cs?a", stress_intensity,
-                   "in space: smallest K3 along the front, but for its ends on a surface"},
-    ResultQuantity{"K3.MAX", "cs?a", stress_intensity,
-                   "in space: largest K3 along the front, but for its ends on a surface"},
-    ResultQuantity{"G.AT", "caaas?a", energy_release,
-                   "in space: energy release rate where the front is nearest to x, y, z"},
-    ResultQuantity{"G.PHI", "csa?a", energy_release,
-                   "in space: energy release rate at the angle phi of an ellipse, as 45[deg]"},
-    ResultQuantity{
-        "G.MIN", "cs?a", energy_release,
-        "in space: smallest energy release rate along the front, but for its ends on a surface"},
-    ResultQuantity{
-        "G.MAX", "cs?a", energy_release,
-        "in space: largest energy release rate along the front, but for its ends on a surface"},
-    ResultQuantity{"T.AT", "caaas?a", stress, "in space: T where the front is nearest to x, y, z"},
-    ResultQuantity{"T.PHI", "csa?a", stress,
-                   "in space: T at the angle phi of an ellipse, as 45[deg]"},
-    ResultQuantity{"T.MIN", "cs?a", stress,
-                   "in space: smallest T along the front, but for its ends on a surface"},
-    ResultQuantity{"T.MAX", "cs?a", stress,
-                   "in space: largest T along the front, but for its ends on a surface"},
     ResultQuantity{"DK1.LOAD", "cso?a", stress_intensity,
                    "factor of a load case times dK1 by it, contact kept"},
     ResultQuantity{"DK1.FIT", "csp?a", stress_intensity,
@@ -168,6 +132,78 @@ constexpr std::array quantities{
     ResultQuantity{"TEST.SCATTER", "t", length, "standard deviation of the readings of a test"},
 };
 
+/// One quantity along fronts; `name` stands in front of the place.
+struct AlongFronts {
+  std::string name;
+  std::string_view arguments; ///< behind crack and place: a step, or a path and t
+  Quantity quantity;
+  std::string doc;
+  bool ends = true; ///< has MIN and MAX
+};
+
+std::vector<AlongFronts> along_fronts() {
+  std::vector<AlongFronts> all;
+  for (const char* K : {"K1", "K2", "K3"}) {
+    all.push_back({K, "s", stress_intensity, K});
+  }
+  all.push_back({"G", "s", energy_release, "energy release rate"});
+  all.push_back({"T", "s", stress, "T"});
+  for (const char* K : {"K1", "K2", "K3"}) {
+    const std::string name = K;
+    all.push_back({name + ".BAR", "s", stress_intensity, "error bar of " + name});
+    all.push_back(
+        {name + ".BEST", "s", stress_intensity, name + " with its estimated error taken out"});
+  }
+  for (const char* K : {"K1", "K2", "K3"}) {
+    all.push_back({fmt::format("PATH.{}", K), "la", stress_intensity,
+                   fmt::format("{} at a place t of a load path", K)});
+  }
+  for (const char* K : {"K1", "K2", "K3"}) {
+    all.push_back({fmt::format("D{}.LOAD", K), "so", stress_intensity,
+                   fmt::format("factor of a load case times d{} by it", K), false});
+    all.push_back({fmt::format("D{}.FIT", K), "sp", stress_intensity,
+                   fmt::format("interference of a contact times d{} by it", K), false});
+    all.push_back({fmt::format("D{}.E", K), "sm", stress_intensity,
+                   fmt::format("Young's modulus of a material times d{} by it", K), false});
+    all.push_back({fmt::format("D{}.A", K), "s", stress_intensity,
+                   fmt::format("crack size times d{} by it, the front moved on by the same all "
+                               "along",
+                               K),
+                   false});
+  }
+  return all;
+}
+
+/// Results along fronts of cracks in space: each quantity at a place, at an angle and at its ends.
+const std::vector<ResultQuantity>& front_results() {
+  static std::deque<std::string> texts; // what the words below look at
+  static const std::vector<ResultQuantity> all = [] {
+    const auto keep = [](std::string text) -> std::string_view {
+      return texts.emplace_back(std::move(text));
+    };
+    std::vector<ResultQuantity> found;
+    for (const AlongFronts& q : along_fronts()) {
+      found.push_back(
+          {keep(q.name + ".AT"), keep(fmt::format("caaa{}?a", q.arguments)), q.quantity,
+           keep(fmt::format("in space: {} where the front is nearest to x, y, z", q.doc))});
+      found.push_back(
+          {keep(q.name + ".PHI"), keep(fmt::format("c{}a?a", q.arguments)), q.quantity,
+           keep(fmt::format("in space: {} at the angle phi of an ellipse, as 45[deg]", q.doc))});
+      for (const auto& [end, word] : {std::pair("MIN", "smallest"), std::pair("MAX", "largest")}) {
+        if (q.ends) {
+          found.push_back({keep(fmt::format("{}.{}", q.name, end)),
+                           keep(fmt::format("c{}?a", q.arguments)), q.quantity,
+                           keep(fmt::format("in space: {} {} along the front, but for its ends on "
+                                            "a surface",
+                                            word, q.doc))});
+        }
+      }
+    }
+    return found;
+  }();
+  return all;
+}
+
 } // namespace
 
 std::span<const CardSpec> catalogue() {
@@ -193,13 +229,20 @@ const CardSpec* find_card(std::string_view name) {
 }
 
 std::span<const ResultQuantity> result_quantities() {
-  return quantities;
+  static const std::vector<ResultQuantity> all = [] {
+    std::vector<ResultQuantity> both(quantities.begin(), quantities.end());
+    // Those of fronts behind the last one of tips.
+    const auto behind = std::ranges::find(both, "T", &ResultQuantity::name) + 1;
+    both.insert(behind, front_results().begin(), front_results().end());
+    return both;
+  }();
+  return all;
 }
 
 const ResultQuantity* find_quantity(std::string_view name) {
-  const auto* const it = std::find_if(quantities.begin(), quantities.end(),
-                                      [&](const ResultQuantity& q) { return q.name == name; });
-  return it == quantities.end() ? nullptr : it;
+  const auto all = result_quantities();
+  const auto it = std::ranges::find(all, name, &ResultQuantity::name);
+  return it == all.end() ? nullptr : &*it;
 }
 
 } // namespace spricka::grammar

@@ -77,6 +77,15 @@ std::string number_name(const ResultQuantity& quantity, std::size_t before, bool
   if (quantity.name == "PATH.K1.SUM") {
     return before == 0 ? "x" : "y";
   }
+  if (quantity.name.ends_with(".PHI") && quantity.arguments.find('l') == std::string_view::npos) {
+    return "phi";
+  }
+  if (quantity.name.starts_with("PATH.") && quantity.name.ends_with(".PHI")) {
+    return before == 0 ? "t" : "phi";
+  }
+  if (quantity.arguments.starts_with("caaa")) { // a place in space
+    return before == 0 ? "x" : before == 1 ? "y" : before == 2 ? "z" : "t";
+  }
   if (quantity.name.starts_with("PATH.")) {
     return "t";
   }

@@ -7,34 +7,35 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <map>
+#include <utility>
 
 namespace spricka::contact {
 
 namespace {
 
-// Multipliers of a function's row: along the normal and the two tangents.
-using Pushes = std::array<double, 3>;
+// Rows of a function: along the normal and the two tangents; -1: none.
+using RowsAlong = std::array<std::int64_t, 3>;
 
-std::vector<Pushes> pushes_of(const PairRows& pair, const base::Vector& lambda) {
-  std::vector<Pushes> of_row(pair.normal.size(), Pushes{});
+std::vector<RowsAlong> rows_along(const PairRows& pair) {
+  std::vector<RowsAlong> of_row(pair.normal.size(), RowsAlong{-1, -1, -1});
   for (std::size_t r = 0; r < pair.normal.size(); ++r) {
-    of_row[r][0] = lambda[static_cast<Eigen::Index>(r)];
+    of_row[r][0] = static_cast<std::int64_t>(r);
   }
   for (std::size_t t = 0; t < pair.tangent.size(); ++t) {
     const ConstraintRow& row = pair.tangent[t];
     of_row[static_cast<std::size_t>(row.normal)][static_cast<std::size_t>(row.along)] =
-        lambda[static_cast<Eigen::Index>(pair.normal.size() + t)];
+        static_cast<std::int64_t>(pair.normal.size() + t);
   }
   return of_row;
 }
 
 class Tractions {
 public:
-  Tractions(const PairRows& pair, const base::Vector& lambda,
-            const std::function<bool(const model::Face&)>& wanted)
-      : pair_(pair), own_(pair.contact.space), other_(pair.target.space), wanted_(wanted),
-        frames_(own_), push_(pushes_of(pair, lambda)), functions_(functions_by_face(pair)) {
+  Tractions(const PairRows& pair, const std::function<bool(const model::Face&)>& wanted)
+      : pair_(pair), own_(pair.contact.space), other_(pair.target.space), frames_(own_),
+        rows_(rows_along(pair)), functions_(functions_by_face(pair)) {
     for (std::size_t f = 0; f < own_.faces.size(); ++f) {
       own_wanted_.push_back(wanted(own_.faces[f].face));
     }
@@ -43,7 +44,7 @@ public:
     }
   }
 
-  std::vector<FaceTraction> make() {
+  std::vector<UnitTraction> make() {
     const bool target_side = std::ranges::any_of(other_wanted_, [](bool wanted) { return wanted; });
     const std::function<Sight(const SurfaceTriangle&)> see = sight_of(pair_);
     for (const SurfaceTriangle& triangle : own_.triangles) {
@@ -51,7 +52,7 @@ public:
         add(triangle, see(triangle));
       }
     }
-    std::vector<FaceTraction> all;
+    std::vector<UnitTraction> all;
     for (auto& [face, points] : points_) {
       all.push_back({face, std::move(points)});
     }
@@ -66,26 +67,33 @@ private:
       moment += p.weight * p.hat * p.hat.transpose();
     }
     const Eigen::Matrix3d dual = dual_weights(moment);
-    std::array<Pushes, 3> push{};
+    std::array<RowsAlong, 3> rows{};
     for (std::size_t a = 0; a < 3; ++a) {
       const std::size_t at = functions_[triangle.face][static_cast<std::size_t>(triangle.node[a])];
       const int row = pair_.functions[at].row;
-      push[a] = row < 0 ? Pushes{} : push_[static_cast<std::size_t>(row)];
+      rows[a] = row < 0 ? RowsAlong{-1, -1, -1} : rows_[static_cast<std::size_t>(row)];
     }
     for (const SightPoint& p : sight.points) {
       const Eigen::Vector3d weight = dual * (p.weight * p.hat);
       const std::array<Vec3, 3> along = frames_.at(own_.part[triangle.face], p.normal);
-      Vec3 force = Vec3::Zero();
+      std::vector<UnitTractionPoint::OfRow> forces;
       for (std::size_t a = 0; a < 3; ++a) {
         for (std::size_t k = 0; k < 3; ++k) {
-          force += push[a][k] * weight[static_cast<Eigen::Index>(a)] * along[k];
+          if (rows[a][k] >= 0) {
+            forces.push_back({static_cast<std::size_t>(rows[a][k]),
+                              weight[static_cast<Eigen::Index>(a)] * along[k]});
+          }
         }
       }
       if (own_wanted_[triangle.face]) {
-        points_[own_.faces[triangle.face].face].push_back({p.r, -force});
+        UnitTractionPoint& point =
+            points_[own_.faces[triangle.face].face].emplace_back(UnitTractionPoint{p.r, forces});
+        for (UnitTractionPoint::OfRow& one : point.rows) {
+          one.force = -one.force;
+        }
       }
       if (!pair_.rigid && other_wanted_[p.target]) {
-        points_[other_.faces[p.target].face].push_back({p.s, force});
+        points_[other_.faces[p.target].face].push_back({p.s, std::move(forces)});
       }
     }
   }
@@ -93,22 +101,38 @@ private:
   const PairRows& pair_;
   const SpaceSurface& own_;
   const SpaceSurface& other_;
-  const std::function<bool(const model::Face&)>& wanted_;
   Frames frames_;
-  std::vector<Pushes> push_; ///< [normal row]
+  std::vector<RowsAlong> rows_; ///< [normal row]
   std::vector<std::vector<std::size_t>> functions_;
   std::vector<bool> own_wanted_, other_wanted_;
-  std::map<model::Face, std::vector<TractionPoint>> points_;
+  std::map<model::Face, std::vector<UnitTractionPoint>> points_;
 };
 
 } // namespace
 
-std::vector<FaceTraction> space_tractions(const PairRows& pair, const base::Vector& lambda,
-                                          const std::function<bool(const model::Face&)>& wanted) {
+std::vector<UnitTraction>
+space_unit_tractions(const PairRows& pair, const std::function<bool(const model::Face&)>& wanted) {
   if (!pair.segments || pair.contact.space.faces.empty()) {
     return {};
   }
-  return Tractions(pair, lambda, wanted).make();
+  return Tractions(pair, wanted).make();
+}
+
+std::vector<FaceTraction> space_tractions(const PairRows& pair, const base::Vector& lambda,
+                                          const std::function<bool(const model::Face&)>& wanted) {
+  std::vector<FaceTraction> all;
+  for (const UnitTraction& unit : space_unit_tractions(pair, wanted)) {
+    FaceTraction& on_face = all.emplace_back();
+    on_face.face = unit.face;
+    for (const UnitTractionPoint& point : unit.points) {
+      Vec3 force = Vec3::Zero();
+      for (const UnitTractionPoint::OfRow& one : point.rows) {
+        force += lambda[static_cast<Eigen::Index>(one.row)] * one.force;
+      }
+      on_face.points.push_back({point.r, force});
+    }
+  }
+  return all;
 }
 
 } // namespace spricka::contact

@@ -26,4 +26,22 @@ struct FaceTraction {
 std::vector<FaceTraction> space_tractions(const PairRows& pair, const base::Vector& lambda,
                                           const std::function<bool(const model::Face&)>& wanted);
 
+/// What a unit of each row's multiplier presses at a point of a face.
+struct UnitTractionPoint {
+  base::Vec2 r = base::Vec2::Zero(); ///< on the face
+  struct OfRow {
+    std::size_t row = 0; ///< of the pair: normal ones, then tangential ones
+    base::Vec3 force = base::Vec3::Zero();
+  };
+  std::vector<OfRow> rows;
+};
+struct UnitTraction {
+  model::Face face;
+  std::vector<UnitTractionPoint> points;
+};
+
+/// The same by row: space_tractions() is their sum times the multipliers.
+std::vector<UnitTraction>
+space_unit_tractions(const PairRows& pair, const std::function<bool(const model::Face&)>& wanted);
+
 } // namespace spricka::contact

@@ -45,7 +45,7 @@ void one_symmetry(Context& c) {
 
 // What cracks in space do not have in this version.
 void solid_cracks_in_reach(Context& c) {
-  static constexpr std::array cards{"GROW", "LOADPATH", "SPECTRUM", "TEST"};
+  static constexpr std::array cards{"GROW", "SPECTRUM", "TEST"};
   for (const BoundCard& card : c.cards) {
     if (!c.model.cracks.empty() && std::ranges::find(cards, card.spec->name) != cards.end()) {
       c.unavailable(fmt::format("${} with a crack in space", card.spec->name), card.span);

@@ -153,14 +153,18 @@ private:
 
   // K of a tip in the plane is one number, along a front in space a place belongs to it.
   bool is_of_these_cracks(std::string_view name, const Field& quantity) {
-    const std::size_t point = name.find('.');
-    const std::string_view of = name.substr(0, point);
+    const std::size_t point = name.rfind('.');
     const std::string_view where =
         point == std::string_view::npos ? std::string_view() : name.substr(point + 1);
     static constexpr std::array along{"AT", "PHI", "MIN", "MAX"};
-    static constexpr std::array tips{"K", "K1", "K2", "G", "T"};
     const bool front = std::ranges::find(along, where) != along.end();
-    const bool of_crack = of == "K3" || std::ranges::find(tips, of) != tips.end();
+    const std::string_view of = front ? name.substr(0, point) : name;
+    // Paths have openings and knots as well, which are of contacts.
+    static constexpr std::array tips{"K",       "K1",      "K2",      "K3",      "G",
+                                     "T",       "K1.BAR",  "K2.BAR",  "K3.BAR",  "K1.BEST",
+                                     "K2.BEST", "K3.BEST", "PATH.K1", "PATH.K2", "PATH.K3"};
+    const bool of_crack = std::ranges::find(tips, of) != tips.end() || of.starts_with("DK1.") ||
+                          of.starts_with("DK2.") || of.starts_with("DK3.");
     const bool solid = c_.model.mesh.dim == 3;
     if (!of_crack || solid == front) {
       return true;

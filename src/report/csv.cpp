@@ -76,7 +76,8 @@ void write_fronts_csv(const std::filesystem::path& file, const model::Model& mod
           fmt::format_to(out, "{},{},{},{},{},{:d},{:d}", increment.number, step.step, front.name,
                          front.a, place.number, place.at_surface, place.closed);
           for (const results::FrontQuantity& q : results::front_quantities) {
-            const bool given = q.given == nullptr || q.given(front);
+            const bool given =
+                (q.given == nullptr || q.given(front)) && !(q.inside && place.at_surface);
             const double unit = q.kind == base::Quantity::angle ? degree : 1.0;
             text += given ? fmt::format(",{}", q.of(place) * unit) : ",";
           }

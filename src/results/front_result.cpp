@@ -71,7 +71,7 @@ double between(const FrontResult& front, const FrontQuantity& quantity, std::siz
 const FrontQuantity* find_front_quantity(std::string_view name) {
   const std::string_view word = name == "K" ? "K1" : name;
   const auto* const found = std::ranges::find_if(
-      front_quantities, [&](const FrontQuantity& q) { return word == q.name; });
+      front_quantities, [&](const FrontQuantity& q) { return word == q.name || word == q.word; });
   return found == front_quantities.end() ? nullptr : found;
 }
 

@@ -3,6 +3,7 @@
 #include "base/quantity.hpp"
 #include "base/vec.hpp"
 #include "results/k_bar.hpp"
+#include "results/sensitivity.hpp"
 
 #include <array>
 #include <optional>
@@ -31,7 +32,8 @@ struct FrontPlace {
   std::optional<std::array<double, 3>> opening; ///< by the opening of the faces, on request
   bool at_surface = false; ///< the front leaves the body here: K is a number of the mesh
   bool closed = false;     ///< the faces touch, so that K1 is 0
-  std::array<KBar, 3> bar; ///< of K1, K2, K3, where `no_bar` of the front is empty
+  /// Of K1, K2, K3, where `no_bar` of the front is empty; at the surface those of the next point.
+  std::array<KBar, 3> bar;
   base::Vec3 growth = base::Vec3::Zero(); ///< m, unit
 };
 
@@ -45,6 +47,7 @@ struct FrontResult {
   std::vector<FrontPlace> points;
   std::string no_bar = "not estimated"; ///< why there is no error bar; empty: there is one
   std::string doubt;                    ///< why K is not an answer; empty: it is one
+  FrontSensitivities sensitivities;
 };
 
 /// One quantity of a place of a front.
@@ -57,11 +60,18 @@ struct FrontQuantity {
   bool listed = false;                             ///< in the listing and report.html
   bool checked = false;                            ///< $CHECK asks for it: K1.AT and so on
   bool (*given)(const FrontResult&) = nullptr;     ///< whether a front has it; null: always
+  bool inside = false;                             ///< points at the surface have none of their own
+  std::string_view word = {};                      ///< what $CHECK calls it; empty: its name
 
   [[nodiscard]] double of(const FrontPlace& place) const {
     return member != nullptr ? place.*member : computed(place);
   }
 };
+
+/// Whether K along the front has an error bar.
+inline bool has_bar(const FrontResult& front) {
+  return front.no_bar.empty();
+}
 
 /// In the order of k.csv: increment, step, crack and point stand in front of them.
 inline constexpr std::array front_quantities{
@@ -142,9 +152,57 @@ inline constexpr std::array front_quantities{
                   .kind = base::Quantity::stress_intensity,
                   .doc = "K3 as a smooth function along the front",
                   .computed = [](const FrontPlace& place) { return place.smooth[2]; }},
+    FrontQuantity{.name = "K1_bar",
+                  .kind = base::Quantity::stress_intensity,
+                  .doc = "error bar of K1",
+                  .computed = [](const FrontPlace& place) { return place.bar[0].size(); },
+                  .checked = true,
+                  .given = has_bar,
+                  .inside = true,
+                  .word = "K1.BAR"},
+    FrontQuantity{.name = "K2_bar",
+                  .kind = base::Quantity::stress_intensity,
+                  .doc = "error bar of K2",
+                  .computed = [](const FrontPlace& place) { return place.bar[1].size(); },
+                  .checked = true,
+                  .given = has_bar,
+                  .inside = true,
+                  .word = "K2.BAR"},
+    FrontQuantity{.name = "K3_bar",
+                  .kind = base::Quantity::stress_intensity,
+                  .doc = "error bar of K3",
+                  .computed = [](const FrontPlace& place) { return place.bar[2].size(); },
+                  .checked = true,
+                  .given = has_bar,
+                  .inside = true,
+                  .word = "K3.BAR"},
+    FrontQuantity{.name = "K1_best",
+                  .kind = base::Quantity::stress_intensity,
+                  .doc = "K1 with its estimated error taken out",
+                  .computed = [](const FrontPlace& place) { return place.bar[0].best; },
+                  .checked = true,
+                  .given = has_bar,
+                  .inside = true,
+                  .word = "K1.BEST"},
+    FrontQuantity{.name = "K2_best",
+                  .kind = base::Quantity::stress_intensity,
+                  .doc = "K2 with its estimated error taken out",
+                  .computed = [](const FrontPlace& place) { return place.bar[1].best; },
+                  .checked = true,
+                  .given = has_bar,
+                  .inside = true,
+                  .word = "K2.BEST"},
+    FrontQuantity{.name = "K3_best",
+                  .kind = base::Quantity::stress_intensity,
+                  .doc = "K3 with its estimated error taken out",
+                  .computed = [](const FrontPlace& place) { return place.bar[2].best; },
+                  .checked = true,
+                  .given = has_bar,
+                  .inside = true,
+                  .word = "K3.BEST"},
 };
 
-/// The quantity of that name ("K1", also as "K"), or null.
+/// The quantity of that name ("K1", also as "K"; "K1.BAR" as K1_bar), or null.
 const FrontQuantity* find_front_quantity(std::string_view name);
 
 /// What a quantity is at a place of the front, linear between its points; the nearest to x.

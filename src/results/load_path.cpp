@@ -6,6 +6,20 @@
 
 namespace spricka::results {
 
+FrontResult PathFront::at(double t) const {
+  FrontResult front = is;
+  for (const PathPoint& point : points) {
+    FrontPlace& place = front.points.emplace_back(point.is);
+    place.K1 = point.K[0](t);
+    place.K2 = point.K[1](t);
+    place.K3 = point.K[2](t);
+    for (std::size_t k = 0; k < 3; ++k) {
+      place.smooth[k] = point.inner[k].empty() ? point.K[k](t) : point.inner[k](t);
+    }
+  }
+  return front;
+}
+
 const PathTip* find_tip(const LoadPath& path, std::string_view tip) {
   const auto it = std::ranges::find(path.tips, tip, &PathTip::name);
   return it == path.tips.end() ? nullptr : &*it;

@@ -2,8 +2,10 @@
 #pragma once
 #include "base/id.hpp"
 #include "base/piecewise_linear.hpp"
+#include "results/front_result.hpp"
 #include "results/note.hpp"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,6 +20,22 @@ struct PathTip {
   double a = 0.0;
   base::PiecewiseLinear K1, K2; ///< [stress * length^0.5]
   std::string doubt;            ///< why none of it is an answer; empty: it is one where K1 > 0
+};
+
+/// K at one point of a front in space.
+struct PathPoint {
+  FrontPlace is;                              ///< where it is; its K are those at the beginning
+  std::array<base::PiecewiseLinear, 3> K;     ///< K1, K2, K3
+  std::array<base::PiecewiseLinear, 3> inner; ///< at the surface: what points further in go on to
+};
+
+/// One front in space by t, exact between all knots.
+struct PathFront {
+  FrontResult is; ///< without its points
+  std::vector<PathPoint> points;
+
+  /// The front as steps have it, with K at t (of the path) alone.
+  [[nodiscard]] FrontResult at(double t) const;
 };
 
 /// One contact at the breakpoints: the longest run of closed pairs.
@@ -41,8 +59,9 @@ struct PathChange {
 /// Loads and fits (1 - t) of step `from` and t of step `to`.
 struct LoadPath {
   std::string name, from, to;
-  std::vector<double> t; ///< [knot] first, breakpoints, last
-  std::vector<PathTip> tips;
+  std::vector<double> t;         ///< [knot] first, breakpoints, last
+  std::vector<PathTip> tips;     ///< of cracks in the plane
+  std::vector<PathFront> fronts; ///< of cracks in space
   std::vector<PathContact> contacts;
   std::vector<PathChange> changes;
   std::string stopped; ///< why it ends before its time; empty: it does not

@@ -39,6 +39,25 @@ struct Sensitivities {
   std::vector<std::string> notes; ///< why some or all are not given
 };
 
+/// Derivatives of K1, K2, K3 along a front in space by one value, everything else kept.
+struct FrontSensitivity {
+  Cause cause = Cause::load;
+  std::string name;   ///< load case, contact, material or crack
+  double value = 0.0; ///< at the end of the step
+  /// [point] as in Sensitivity; empty: on that side nothing holds a body.
+  std::vector<std::array<double, 3>> below, above;
+  std::optional<std::array<double, 2>> range; ///< as in Sensitivity
+
+  /// Whether both sides are known and agree.
+  [[nodiscard]] bool smooth() const { return !below.empty() && below == above; }
+};
+
+/// Of one front at the end of one step.
+struct FrontSensitivities {
+  std::vector<FrontSensitivity> of;
+  std::vector<std::string> notes; ///< why some or all are not given
+};
+
 /// "LOAD", "FIT", "E", "A".
 std::string word_of(Cause cause);
 

@@ -60,6 +60,20 @@ template <class V, Of<TipResult> T> void fields(V& v, T& r) {
   v("direction", r.direction);
 }
 
+template <class V, Of<FrontSensitivity> T> void fields(V& v, T& r) {
+  v("cause", r.cause);
+  v("name", r.name);
+  v("value", r.value);
+  v("below", r.below);
+  v("above", r.above);
+  v("range", r.range);
+}
+
+template <class V, Of<FrontSensitivities> T> void fields(V& v, T& r) {
+  v("of", r.of);
+  v("notes", r.notes);
+}
+
 template <class V, Of<FrontPlace> T> void fields(V& v, T& r) {
   v("number", r.number);
   v("at", r.x);
@@ -85,6 +99,7 @@ template <class V, Of<FrontResult> T> void fields(V& v, T& r) {
   v("points", r.points);
   v("no_bar", r.no_bar);
   v("doubt", r.doubt);
+  v("sensitivities", r.sensitivities);
 }
 
 template <class V, Of<ContactPoint> T> void fields(V& v, T& r) {
@@ -163,6 +178,17 @@ template <class V, Of<PathTip> T> void fields(V& v, T& r) {
   v("doubt", r.doubt);
 }
 
+template <class V, Of<PathPoint> T> void fields(V& v, T& r) {
+  v("is", r.is);
+  v("K", r.K);
+  v("inner", r.inner);
+}
+
+template <class V, Of<PathFront> T> void fields(V& v, T& r) {
+  v("is", r.is);
+  v("points", r.points);
+}
+
 template <class V, Of<PathContact> T> void fields(V& v, T& r) {
   v("name", r.name);
   v("opening", r.opening);
@@ -187,6 +213,7 @@ template <class V, Of<LoadPath> T> void fields(V& v, T& r) {
   v("to", r.to);
   v("t", r.t);
   v("tips", r.tips);
+  v("fronts", r.fronts);
   v("contacts", r.contacts);
   v("changes", r.changes);
   v("stopped", r.stopped);

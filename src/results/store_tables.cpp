@@ -79,7 +79,9 @@ Rows front_rows(const Run& run) {
         rows("increment", increment.number)("step", step.step)("crack", front.name)("a", front.a);
         rows("point", place.number);
         for (const FrontQuantity& q : front_quantities) {
-          rows(q.name, q.given == nullptr || q.given(front) ? q.of(place) : no_number);
+          const bool given =
+              (q.given == nullptr || q.given(front)) && !(q.inside && place.at_surface);
+          rows(q.name, given ? q.of(place) : no_number);
         }
         rows("at_surface", static_cast<int>(place.at_surface))("doubt", front.doubt);
         rows.end_row();
@@ -117,6 +119,25 @@ Rows pressure_rows(const Run& run) {
   return rows;
 }
 
+Rows path_front_rows(const Run& run) {
+  Rows rows;
+  for (const Increment& increment : run.increments) {
+    for (const LoadPath& path : increment.paths) {
+      for (const PathFront& front : path.fronts) {
+        for (const PathPoint& point : front.points) {
+          for (const double t : path.t) {
+            rows("increment", increment.number)("path", path.name)("crack", front.is.name);
+            rows("point", point.is.number)("t", t)("K1", point.K[0](t))("K2", point.K[1](t));
+            rows("K3", point.K[2](t));
+            rows.end_row();
+          }
+        }
+      }
+    }
+  }
+  return rows;
+}
+
 Rows path_rows(const Run& run) {
   Rows rows;
   for (const Increment& increment : run.increments) {
@@ -140,6 +161,7 @@ void write_reader_tables(StoreGroup group, const Run& run) {
   front_rows(run).write(group, "fronts");
   pressure_rows(run).write(group, "pressure");
   path_rows(run).write(group, "load_path");
+  path_front_rows(run).write(group, "load_path_fronts");
 }
 
 } // namespace spricka::results

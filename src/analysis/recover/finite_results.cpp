@@ -82,6 +82,15 @@ std::string not_finite(const results::LoadPath& path) {
       }
     }
   }
+  for (const results::PathFront& front : path.fronts) {
+    for (const results::PathPoint& point : front.points) {
+      if (std::ranges::any_of(point.K, [](const base::PiecewiseLinear& K) {
+            return !K.empty() && (!good(K.lowest()) || !good(K.highest()));
+          })) {
+        return words("K along the load path is");
+      }
+    }
+  }
   return {};
 }
 

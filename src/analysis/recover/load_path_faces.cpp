@@ -30,6 +30,9 @@ bool between_faces(const Scene& scene, std::size_t row) {
 std::vector<LoadPaths::Watch> LoadPaths::watch_faces(const model::Model& model,
                                                      const Scene& scene) {
   std::vector<Watch> watches;
+  if (!scene.fronts.empty()) {
+    return watches; // in space steps say where faces overlap
+  }
   const bool wanted = !model.load_paths.empty() || follows_history(model);
   for (std::size_t i = 0; i < scene.cracked.faces.size() && wanted; ++i) {
     // Faces that are a pair already cannot overlap; FREE ones may.

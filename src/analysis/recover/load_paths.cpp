@@ -2,6 +2,7 @@
 #include "analysis/recover/load_paths.hpp"
 
 #include "analysis/recover/closed_run.hpp"
+#include "analysis/recover/path_functions.hpp"
 #include "analysis/scene/tip_surroundings.hpp"
 #include "analysis/steps/crack_face_contact.hpp"
 #include "analysis/steps/history_program.hpp"
@@ -20,8 +21,6 @@ namespace spricka::analysis {
 
 namespace {
 
-// K on the path and K of the steps come from the same numbers by different ways.
-constexpr double worst_mismatch = 1e-6;
 // Functionals that are condensed at a time.
 constexpr Eigen::Index most_columns = 64;
 
@@ -39,25 +38,6 @@ bool shifted(const model::Model& model, base::CrackId crack) {
   return std::ranges::any_of(model.vces, [&](const model::Vce& vce) {
     return vce.crack == crack && vce.shift.has_value();
   });
-}
-
-std::vector<double> knots_of(const solve::SolutionPath& found) {
-  std::vector<double> t;
-  for (const solve::PathSegment& s : found.segments) {
-    t.push_back(s.from);
-  }
-  t.push_back(found.end);
-  return t;
-}
-
-base::PiecewiseLinear functional(const solve::SolutionPath& found, Eigen::Index k) {
-  std::vector<double> value;
-  std::vector<double> slope;
-  for (const solve::PathSegment& s : found.segments) {
-    value.push_back(s.value[k]);
-    slope.push_back(s.slope[k]);
-  }
-  return {knots_of(found), std::move(value), std::move(slope)};
 }
 
 std::string why_stopped(const solve::SolutionPath& found, const StepSolver& solver) {
@@ -98,14 +78,19 @@ void LoadPaths::keep(std::size_t step, const StepSolver& solver,
   }
   end.case_factor = solver.factors().case_factor;
   end.result.tips = result.tips;
+  end.result.fronts = result.fronts;
   end.result.contacts = result.contacts;
 }
 
-LoadPaths::Functionals LoadPaths::functionals(const StepSolver& solver) const {
+LoadPaths::Functionals LoadPaths::functionals(const StepSolver& solver) {
   const Eigen::Index count = functional_count();
   Functionals out;
   if (solver.system() == nullptr || count == 0) {
     return out;
+  }
+  const bool space = !scene_.fronts.empty();
+  if (space) {
+    front_rows_ = front_rows(model_, scene_);
   }
   const contact::ContactSystem& system = *solver.system();
   Eigen::Index modes = 0;
@@ -116,7 +101,8 @@ LoadPaths::Functionals LoadPaths::functionals(const StepSolver& solver) const {
   out.of_row.resize(count, rows);
   out.of_mode.resize(count, modes);
   for (Eigen::Index first = 0; first < count;) {
-    base::Matrix nodal = functional_columns(first, most_columns);
+    base::Matrix nodal =
+        space ? front_columns(first, most_columns) : functional_columns(first, most_columns);
     // A functional is condensed as a load is (solve.32).
     scene_.ties->reduce(nodal);
     std::vector<base::Matrix> external;
@@ -140,8 +126,24 @@ LoadPaths::Functionals LoadPaths::functionals(const StepSolver& solver) const {
     first += nodal.cols();
   }
   // Between faces in contact a unit of a row changes K without moving anything, too (crack.33).
-  out.of_row.topRows(first_watched()) += intensity_of_forces(model_, scene_);
+  out.of_row.topRows(first_watched()) +=
+      space ? front_rows_of_forces(model_, scene_) : intensity_of_forces(model_, scene_);
   return out;
+}
+
+base::Vector LoadPaths::intensities_of(const base::Vector& u,
+                                       const base::Vector& case_factor) const {
+  if (!scene_.fronts.empty()) {
+    return front_values(model_, scene_, u, case_factor);
+  }
+  const crack::KLayout layout = scene_.k_layout();
+  base::Vector values(layout.count());
+  for (std::size_t t = 0; t < scene_.cracked.fronts.size(); ++t) {
+    const crack::StressIntensity found = intensity(model_, scene_, t, u, case_factor);
+    values[layout.at(t, 1)] = found.K1;
+    values[layout.at(t, 2)] = found.K2;
+  }
+  return values;
 }
 
 // K and faces of the bodies alone, without contact forces and rigid motions.
@@ -155,12 +157,7 @@ base::Vector LoadPaths::free_values(const base::Vector& case_factor) const {
     recover_body(body, external, case_factor, u);
   }
   base::Vector values(functional_count());
-  const crack::KLayout layout = scene_.k_layout();
-  for (std::size_t t = 0; t < scene_.cracked.fronts.size(); ++t) {
-    const crack::StressIntensity found = intensity(model_, scene_, t, u, case_factor);
-    values[layout.at(t, 1)] = found.K1;
-    values[layout.at(t, 2)] = found.K2;
-  }
+  values.head(first_watched()) = intensities_of(u, case_factor);
   values.tail(2 * static_cast<Eigen::Index>(watches_.size())) = watched(u);
   return values;
 }
@@ -218,8 +215,8 @@ void LoadPaths::tips(const solve::SolutionPath& found, const End& from, const En
     results::PathTip tip;
     tip.name = from.result.tips[t].name;
     tip.a = from.result.tips[t].a;
-    tip.K1 = functional(found, layout.at(t, 1));
-    tip.K2 = functional(found, layout.at(t, 2));
+    tip.K1 = path_functional(found, layout.at(t, 1));
+    tip.K2 = path_functional(found, layout.at(t, 2));
     size = std::max({size, std::abs(tip.K1.lowest()), std::abs(tip.K1.highest())});
     if (close_tip(t, from, found, tip.K1)) {
       path.notes.push_back(results::note(fmt::format(
@@ -266,12 +263,7 @@ void LoadPaths::tips(const solve::SolutionPath& found, const End& from, const En
     path.tips.push_back(std::move(tip));
   }
   path.mismatch = size > 0.0 ? apart / size : 0.0;
-  if (!(path.mismatch <= worst_mismatch)) {
-    path.notes.push_back(
-        results::warning(fmt::format("K on the path differs from K of the steps at its "
-                                     "ends by {:.1e} of the largest",
-                                     path.mismatch)));
-  }
+  tell_mismatch(path);
 }
 
 void LoadPaths::contacts(const solve::SolutionPath& found, const End& end,
@@ -381,10 +373,14 @@ results::LoadPath LoadPaths::path(const model::LoadPath& card, const StepSolver&
                                   "stops it, which changes no K",
                                   t)));
   }
-  out.t = knots_of(found);
+  out.t = path_knots(found);
   out.homogeneous = homogeneous(from, to, solver);
   look_at_faces(found);
-  tips(found, from, to, out);
+  if (scene_.fronts.empty()) {
+    tips(found, from, to, out);
+  } else {
+    fronts(found, from, to, out);
+  }
   contacts(found, from, out);
   return out;
 }

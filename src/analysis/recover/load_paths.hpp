@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "analysis/scene/front_functionals.hpp"
 #include "analysis/scene/scene.hpp"
 #include "analysis/steps/step_solver.hpp"
 #include "model/steps.hpp"
@@ -58,6 +59,7 @@ private:
   }
   /// Columns [dim * node] of functionals from `first` on, at most so many.
   [[nodiscard]] base::Matrix functional_columns(Eigen::Index first, Eigen::Index most) const;
+  [[nodiscard]] base::Matrix front_columns(Eigen::Index first, Eigen::Index most) const;
   /// Of watches, from displacements [dim * node].
   [[nodiscard]] base::Vector watched(const base::Vector& u) const;
   /// Adds lines to `touching_` whose faces overlap at a knot.
@@ -70,7 +72,10 @@ private:
     base::Matrix of_row;  ///< [functional, row of the table]
     base::Matrix of_mode; ///< [functional, mode of the system]
   };
-  [[nodiscard]] Functionals functionals(const StepSolver& solver) const;
+  [[nodiscard]] Functionals functionals(const StepSolver& solver);
+  /// K of the bodies alone from their displacements. [K]
+  [[nodiscard]] base::Vector intensities_of(const base::Vector& u,
+                                            const base::Vector& case_factor) const;
   [[nodiscard]] base::Vector free_values(const base::Vector& case_factor) const;
   [[nodiscard]] solve::ParametricProblem problem(const End& from, const End& to,
                                                  const StepSolver& solver) const;
@@ -78,6 +83,9 @@ private:
   void contacts(const solve::SolutionPath& found, const End& end, results::LoadPath& path) const;
   void tips(const solve::SolutionPath& found, const End& from, const End& to,
             results::LoadPath& path) const;
+  /// K along fronts in space, and how far it is from that of the steps at the path's ends.
+  void fronts(const solve::SolutionPath& found, const End& from, const End& to,
+              results::LoadPath& path) const;
   /// Sets K1 of tip t to 0 on the segments on which its faces touch; whether there are any.
   bool close_tip(std::size_t t, const End& end, const solve::SolutionPath& found,
                  base::PiecewiseLinear& K1) const;
@@ -87,6 +95,7 @@ private:
   const Scene& scene_;
   const std::vector<BodyNet>& bodies_;
   std::map<std::size_t, End> ends_; ///< by step
+  crack::SparseRows front_rows_;    ///< in space; made with rows_
   std::optional<Functionals> rows_; ///< made once
   base::Matrix of_case_;            ///< [functional, case] of the bodies alone; made once
   std::vector<Watch> watches_;

@@ -79,8 +79,14 @@ struct Scene {
   base::Matrix case_temperature;  ///< [connectivity index, case]; empty: no case heats
   std::vector<std::shared_ptr<const fe::CaseHeat>> case_heat; ///< [case] the same, and the rest
 
-  /// Where K of which tip stands among functionals.
-  [[nodiscard]] crack::KLayout k_layout() const { return {tips.size(), cracked.mesh.dim}; }
+  /// Where K of which tip, or point of a front, stands among functionals.
+  [[nodiscard]] crack::KLayout k_layout() const {
+    std::size_t points = tips.size();
+    for (const FrontScene& at : fronts) {
+      points += at.front.points.size();
+    }
+    return {points, cracked.mesh.dim};
+  }
   /// Row r of the table, as its pair has it.
   [[nodiscard]] const contact::ConstraintRow& row(std::size_t r) const {
     const RowTable::Place at = table.places[r];

@@ -170,8 +170,10 @@ FrontStations stations_of(const mesh::Front& front, const FrontFields& fields,
   return at;
 }
 
-void smooth(const mesh::Front& front, const FrontFields& fields,
-            std::vector<StressIntensity>& result) {
+} // namespace
+
+void smooth_along(const mesh::Front& front, const FrontFields& fields,
+                  std::vector<StressIntensity>& result) {
   FrontStations at = stations_of(front, fields, result);
   base::Matrix values(static_cast<Eigen::Index>(result.size()), 3);
   for (Eigen::Index i = 0; i < values.rows(); ++i) {
@@ -201,8 +203,6 @@ void smooth(const mesh::Front& front, const FrontFields& fields,
     result[i].front->smooth = {fitted(row, 0), fitted(row, 1), fitted(row, 2)};
   }
 }
-
-} // namespace
 
 std::vector<StressIntensity> front_intensity(const model::Model& model,
                                              const mesh::CrackedMesh& cracked,
@@ -257,7 +257,7 @@ std::vector<StressIntensity> front_intensity(const model::Model& model,
       }
     }
   }
-  smooth(front, fields, result);
+  smooth_along(front, fields, result);
   return result;
 }
 

@@ -23,6 +23,11 @@ std::vector<StressIntensity> front_intensity(const model::Model& model,
                                              const FrontRequest& request, const base::Vector& u,
                                              const FrontLoads& loads);
 
+/// Fills smooth values and those from inside (crack_space.15, crack_space.16) from K1, K2 and K3 of
+/// the points that have domains: linear in K.
+void smooth_along(const mesh::Front& front, const FrontFields& fields,
+                  std::vector<StressIntensity>& result);
+
 /// What K1, K2 and K3 [KLayout] and T [point] have at u = 0: linear in the loads.
 struct FrontConstant {
   base::Vector K, T;

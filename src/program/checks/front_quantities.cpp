@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/checks/front_quantities.hpp"
 
+#include "program/checks/path_quantities.hpp"
+
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <optional>
 #include <string_view>
@@ -17,25 +20,55 @@ namespace {
 struct FrontWord {
   const results::FrontQuantity* quantity = nullptr;
   std::string_view where;
+  std::optional<results::Cause> by; ///< a derivative: "DK1.LOAD.AT"
 };
 
-FrontWord front_word(std::string_view word) {
-  const std::size_t point = word.find('.');
+std::optional<results::Cause> cause_named(std::string_view word) {
+  for (const results::Cause cause : {results::Cause::load, results::Cause::fit,
+                                     results::Cause::modulus, results::Cause::length}) {
+    if (results::word_of(cause) == word) {
+      return cause;
+    }
+  }
+  return std::nullopt;
+}
+
+// "DK1.LOAD" of "DK1.LOAD.AT".
+FrontWord derivative_word(std::string_view of, std::string_view where) {
+  const std::size_t point = of.find('.');
+  if (point != 3 || (where != "AT" && where != "PHI")) {
+    return {};
+  }
+  const std::optional<results::Cause> by = cause_named(of.substr(point + 1));
+  return by ? FrontWord{results::find_front_quantity(of.substr(1, 2)), where, by} : FrontWord{};
+}
+
+// On load paths there are K1, K2 and K3.
+constexpr std::string_view of_path = "PATH.";
+
+FrontWord front_word(std::string_view text) {
+  const bool on_path = text.starts_with(of_path);
+  const std::string_view word = on_path ? text.substr(of_path.size()) : text;
+  const std::size_t point = word.rfind('.');
   if (point == std::string_view::npos) {
     return {};
   }
-  const results::FrontQuantity* quantity = results::find_front_quantity(word.substr(0, point));
   const std::string_view where = word.substr(point + 1);
+  if (!on_path && word.starts_with("DK")) {
+    return derivative_word(word.substr(0, point), where);
+  }
+  const results::FrontQuantity* quantity = results::find_front_quantity(word.substr(0, point));
   const bool known = where == "AT" || where == "PHI" || where == "MIN" || where == "MAX";
-  return quantity != nullptr && quantity->checked && known ? FrontWord{quantity, where}
-                                                           : FrontWord{};
+  const bool follows = quantity != nullptr && (!on_path || quantity->name[0] == 'K');
+  return follows && quantity->checked && known ? FrontWord{quantity, where, {}} : FrontWord{};
 }
 
+using Fronts = std::vector<const results::FrontResult*>;
+
 // Fronts of a crack: one, or NAME.1, NAME.2 and so on.
-std::vector<const results::FrontResult*> fronts_of(const results::StepResult& step,
-                                                   const std::string& crack) {
-  std::vector<const results::FrontResult*> fronts;
-  for (const results::FrontResult& front : step.fronts) {
+Fronts fronts_of(const std::vector<results::FrontResult>& all, const std::string& crack) {
+  Fronts fronts;
+  for (const results::FrontResult& front : all) {
     if (front.name == crack || front.name.starts_with(crack + ".")) {
       fronts.push_back(&front);
     }
@@ -51,7 +84,18 @@ std::vector<const results::FrontResult*> fronts_of(const results::StepResult& st
   return fronts;
 }
 
-double extreme(const std::vector<const results::FrontResult*>& fronts, const FrontWord& word) {
+void refuse_without(const Fronts& fronts, const results::FrontQuantity& quantity) {
+  for (const results::FrontResult* front : fronts) {
+    if (quantity.given == nullptr || quantity.given(*front)) {
+      continue;
+    }
+    throw Missing(quantity.inside
+                      ? fmt::format("K of {} has no error bar: {}", front->name, front->no_bar)
+                      : fmt::format("{} has no {}", front->name, quantity.name));
+  }
+}
+
+double extreme(const Fronts& fronts, const FrontWord& word) {
   const double sign = word.where == "MAX" ? 1.0 : -1.0;
   std::optional<double> best;
   for (const results::FrontResult* front : fronts) {
@@ -68,8 +112,7 @@ double extreme(const std::vector<const results::FrontResult*>& fronts, const Fro
   return sign * *best;
 }
 
-double at_place(const std::vector<const results::FrontResult*>& fronts, const FrontWord& word,
-                const base::Vec3& x) {
+double at_place(const Fronts& fronts, const FrontWord& word, const base::Vec3& x) {
   const auto away = [&](const results::FrontResult* front) {
     const auto nearest = std::ranges::min_element(
         front->points, {}, [&](const results::FrontPlace& p) { return (p.x - x).norm(); });
@@ -78,8 +121,7 @@ double at_place(const std::vector<const results::FrontResult*>& fronts, const Fr
   return results::front_value_near(**std::ranges::min_element(fronts, {}, away), *word.quantity, x);
 }
 
-double at_angle(const std::vector<const results::FrontResult*>& fronts, const FrontWord& word,
-                double phi) {
+double at_angle(const Fronts& fronts, const FrontWord& word, double phi) {
   for (const results::FrontResult* front : fronts) {
     if (!front->angles) {
       throw Missing(fmt::format("{} is no ellipse: its points have no angle", front->name));
@@ -98,20 +140,90 @@ bool is_front_quantity(std::string_view word) {
   return front_word(word).quantity != nullptr;
 }
 
+namespace {
+
+// K1 < 0 is no answer, as at the end of a step; the place of t on the path.
+std::vector<results::FrontResult> fronts_at(const results::LoadPath& path, double t) {
+  std::vector<results::FrontResult> fronts;
+  for (const results::PathFront& front : path.fronts) {
+    fronts.push_back(front.at(t));
+    for (const results::FrontPlace& place : fronts.back().points) {
+      const double other = std::max(std::abs(place.K2), std::abs(place.K3));
+      if (!place.at_surface && place.K1 < 0.0 && std::abs(place.K1) > 1e-2 * other) {
+        fronts.back().doubt = "K1 is negative at some points there: the crack faces overlap";
+      }
+    }
+  }
+  return fronts;
+}
+
+} // namespace
+
+namespace {
+
+// Value times derivative in the place of K. At a change of contact there are two of them and no
+// answer.
+results::FrontResult derivative_of(const results::FrontResult& front, results::Cause cause,
+                                   const std::string& name) {
+  const auto& all = front.sensitivities.of;
+  const auto it = std::ranges::find_if(all, [&](const results::FrontSensitivity& s) {
+    return s.cause == cause && (cause == results::Cause::length || s.name == name);
+  });
+  if (it == all.end()) {
+    throw Missing(front.sensitivities.notes.empty()
+                      ? fmt::format("{} has no value in that step", name)
+                      : front.sensitivities.notes.front());
+  }
+  if (!it->smooth()) {
+    throw Missing("the contact changes at this very state: there are two derivatives");
+  }
+  results::FrontResult out = front;
+  for (std::size_t i = 0; i < out.points.size(); ++i) {
+    results::FrontPlace& place = out.points[i];
+    place.K1 = it->value * it->above[i][0];
+    place.K2 = it->value * it->above[i][1];
+    place.K3 = it->value * it->above[i][2];
+    place.smooth = {place.K1, place.K2, place.K3};
+  }
+  return out;
+}
+
+double read_fronts(const FrontWord& word, const Fronts& fronts, const base::Vec3& x, double phi) {
+  if (word.where == "AT") {
+    return at_place(fronts, word, x);
+  }
+  return word.where == "PHI" ? at_angle(fronts, word, phi) : extreme(fronts, word);
+}
+
+} // namespace
+
 double front_quantity(const std::string& text, Arguments& args, const results::Run& run) {
+  const bool on_path = text.starts_with(of_path);
   const FrontWord word = front_word(text);
   const std::string crack = args.name("a crack");
   base::Vec3 x = base::Vec3::Zero();
   if (word.where == "AT") {
     x = {args.needed("x"), args.needed("y"), args.needed("z")};
   }
-  const std::string step = args.name("a step");
+  const std::string name = args.name(on_path ? "a load path" : "a step");
+  const double t = on_path ? args.needed("a place t") : 0.0;
+  const bool named = word.by && *word.by != results::Cause::length;
+  const std::string by = named ? args.name("a name") : std::string();
   const double phi = word.where == "PHI" ? args.needed("an angle") : 0.0;
-  const auto fronts = fronts_of(*find_place(run, step, args.number()).step, crack);
-  if (word.where == "AT") {
-    return at_place(fronts, word, x);
+  const std::optional<double> a = args.number();
+  std::vector<results::FrontResult> of_t;
+  if (on_path) {
+    of_t = fronts_at(path_at(run, name, t, a), t);
   }
-  return word.where == "PHI" ? at_angle(fronts, word, phi) : extreme(fronts, word);
+  const Fronts fronts = fronts_of(on_path ? of_t : find_place(run, name, a).step->fronts, crack);
+  if (word.by) {
+    for (const results::FrontResult* front : fronts) {
+      of_t.push_back(derivative_of(*front, *word.by, by));
+    }
+    return read_fronts(word, fronts_of(of_t, crack), x, phi);
+  }
+  refuse_without(fronts, *word.quantity);
+  return read_fronts(word, fronts, x, phi);
 }
 
 } // namespace spricka::program

@@ -46,13 +46,8 @@ double at_place(const std::string& quantity, Arguments& args, const results::Run
   const std::string tip_name = args.name("a crack");
   const std::string path_name = args.name("a load path");
   const double t = args.needed("a place t");
-  const results::LoadPath& path = path_of(run, path_name, args.number());
+  const results::LoadPath& path = path_at(run, path_name, t, args.number());
   const results::PathTip& tip = tip_of(path, tip_name);
-  if (!(t >= path.t.front() && t <= path.t.back())) {
-    throw Missing(fmt::format("load path {} goes from t = {:.6g} to {:.6g}{}{}", path_name,
-                              path.t.front(), path.t.back(), path.stopped.empty() ? "" : ": ",
-                              path.stopped));
-  }
   refuse_closed(tip.K1(t), tip.K2(t));
   if (quantity == "PATH.SLOPE") {
     std::size_t s = tip.K1.segment(t);
@@ -82,6 +77,17 @@ double of_two(Arguments& args, const results::Run& run) {
 }
 
 } // namespace
+
+const results::LoadPath& path_at(const results::Run& run, const std::string& name, double t,
+                                 std::optional<double> a) {
+  const results::LoadPath& path = path_of(run, name, a);
+  if (!(t >= path.t.front() && t <= path.t.back())) {
+    throw Missing(fmt::format("load path {} goes from t = {:.6g} to {:.6g}{}{}", name,
+                              path.t.front(), path.t.back(), path.stopped.empty() ? "" : ": ",
+                              path.stopped));
+  }
+  return path;
+}
 
 double path_quantity(const std::string& quantity, Arguments& args, const results::Run& run) {
   if (quantity == "PATH.K1.SUM") {

@@ -3,6 +3,7 @@
 #include "program/checks/field_quantities.hpp"
 #include "results/results.hpp"
 
+#include <optional>
 #include <string>
 
 namespace spricka::program {
@@ -10,5 +11,9 @@ namespace spricka::program {
 /// PATH.K1, PATH.OPENING and their like of $CHECK. What a path does not cover is Missing: nothing
 /// is extrapolated.
 double path_quantity(const std::string& quantity, Arguments& args, const results::Run& run);
+
+/// The path of that name with the place t on it.
+const results::LoadPath& path_at(const results::Run& run, const std::string& name, double t,
+                                 std::optional<double> a);
 
 } // namespace spricka::program

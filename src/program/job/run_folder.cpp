@@ -262,11 +262,12 @@ void RunFolder::write(const base::Sources& sources, const model::Model& model, r
                       const std::vector<results::ScriptConstant>& scripts) {
   const base::Stopwatch watch;
   using Table = void (*)(const fs::path&, const model::Model&, const results::Run&);
-  constexpr std::array<std::pair<const char*, Table>, 8> tables{
+  constexpr std::array<std::pair<const char*, Table>, 9> tables{
       {{"k.csv", report::write_k_csv},
        {"sensitivity.csv", report::write_sensitivity_csv},
        {"pressure.csv", report::write_pressure_csv},
        {"load_path.csv", report::write_load_path_csv},
+       {"load_path_fronts.csv", report::write_load_path_fronts_csv},
        {"life.csv", report::write_life_csv},
        {"life_curve.csv", report::write_life_curve_csv},
        {"beta.csv", report::write_beta_csv},

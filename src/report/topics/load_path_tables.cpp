@@ -2,7 +2,6 @@
 #include "report/topics/load_path_tables.hpp"
 
 #include "model/model.hpp"
-#include "report/drawing/file.hpp"
 #include "report/drawing/plot.hpp"
 
 #include <fmt/format.h>
@@ -10,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 #include <utility>
 
@@ -24,95 +22,43 @@ double in_print(const results::PathContact& contact, double place) {
   return contact.round ? place * degrees : place;
 }
 
-// "-PIN@152.3 +BUSH@90": pairs that open and close at this t; between solids "-PIN@36/0/7", the
-// node's place.
-std::string changes_at(const model::Mesh& mesh, const results::LoadPath& path, double t) {
-  std::string text;
-  for (const results::PathChange& change : path.changes) {
-    if (change.t != t) {
-      continue;
-    }
-    if (mesh.dim == 3) {
-      const base::Vec3& x = mesh.x[change.node.index()];
-      text += fmt::format("{}{}{}@{:.6g}/{:.6g}/{:.6g}", text.empty() ? "" : " ",
-                          change.closes ? '+' : '-', change.contact, x.x(), x.y(), x.z());
-      continue;
-    }
-    const results::PathContact* contact = results::find_contact(path, change.contact);
-    text += fmt::format("{}{}{}@{:.6g}", text.empty() ? "" : " ", change.closes ? '+' : '-',
-                        change.contact,
-                        contact == nullptr ? change.place : in_print(*contact, change.place));
-  }
-  return text;
-}
-
-struct PathPlace {
-  std::size_t knot = 0;
-  bool space = false;
+/// A curve of K1 over t that is shown: of a tip, or of a point of a front.
+struct Shown {
+  std::string name;
+  double a = 0.0;
+  const base::PiecewiseLinear* K1 = nullptr;
+  const results::PathTip* tip = nullptr; ///< null: of a front
 };
 
-void add_row(std::string& text, const std::vector<std::string>& contacts,
-             const results::LoadPath& path, const PathPlace& at,
-             const std::vector<std::string>& tips) {
-  const std::size_t k = at.knot;
-  auto out = std::back_inserter(text);
-  for (const std::string& name : tips) {
-    const results::PathTip* tip = results::find_tip(path, name);
-    if (tip == nullptr) {
-      text += ",,,,,,";
+// Of each front the points with the largest and the smallest K1 at the path's end.
+void add_extremes(const results::PathFront& front, std::vector<Shown>& shown) {
+  const results::PathPoint* low = nullptr;
+  const results::PathPoint* high = nullptr;
+  const auto end = [](const results::PathPoint* p) { return p->K[0].at_knot(p->K[0].segments()); };
+  for (const results::PathPoint& point : front.points) {
+    if (point.is.at_surface) {
       continue;
     }
-    fmt::format_to(out, ",{},{},{},{},{},{}", tip->K1.at_knot(k), tip->K2.at_knot(k),
-                   tip->K1.slope_before(k), tip->K1.slope_after(k), tip->K2.slope_before(k),
-                   tip->K2.slope_after(k));
+    low = low == nullptr || end(&point) < end(low) ? &point : low;
+    high = high == nullptr || end(&point) > end(high) ? &point : high;
   }
-  for (const std::string& name : contacts) {
-    const results::PathContact* contact = results::find_contact(path, name);
-    if (contact == nullptr) {
-      text += ",,,";
-      continue;
-    }
-    fmt::format_to(out, ",{}", contact->closed[k]);
-    if (contact->closed[k] > 0 && !at.space) { // solids have no arcs
-      fmt::format_to(out, ",{},{}", in_print(*contact, contact->from[k]),
-                     in_print(*contact, contact->to[k]));
-    } else {
-      text += ",,";
-    }
+  if (high != nullptr) {
+    shown.push_back({fmt::format("{} point {} (largest)", front.is.name, high->is.number),
+                     front.is.a, high->K.data(), nullptr});
+    shown.push_back({fmt::format("{} point {} (smallest)", front.is.name, low->is.number),
+                     front.is.a, low->K.data(), nullptr});
   }
-  text += '\n';
 }
 
-std::vector<std::string> path_tip_names(const results::Run& run) {
-  std::vector<std::string> names;
-  for (const results::Increment& increment : run.increments) {
-    for (const results::LoadPath& path : increment.paths) {
-      for (const results::PathTip& tip : path.tips) {
-        if (std::ranges::find(names, tip.name) == names.end()) {
-          names.push_back(tip.name);
-        }
-      }
-    }
+std::vector<Shown> shown_curves(const results::LoadPath& path) {
+  std::vector<Shown> shown;
+  for (const results::PathTip& tip : path.tips) {
+    shown.push_back({tip.name, tip.a, &tip.K1, &tip});
   }
-  return names;
-}
-
-// The deck's contacts, and the faces of its cracks where they touch.
-std::vector<std::string> contact_names(const model::Model& model, const results::Run& run) {
-  std::vector<std::string> names;
-  for (const model::Contact& contact : model.contacts) {
-    names.push_back(contact.name);
+  for (const results::PathFront& front : path.fronts) {
+    add_extremes(front, shown);
   }
-  for (const results::Increment& increment : run.increments) {
-    for (const results::LoadPath& path : increment.paths) {
-      for (const results::PathContact& contact : path.contacts) {
-        if (std::ranges::find(names, contact.name) == names.end()) {
-          names.push_back(contact.name);
-        }
-      }
-    }
-  }
-  return names;
+  return shown;
 }
 
 /// The knot where the slope jumps most, and by how much.
@@ -182,7 +128,7 @@ Series end_bars(const results::Increment& increment, const results::LoadPath& pa
 }
 
 // Where contacts begin to open, as marks on the curve of a tip.
-void add_openings(Plot& plot, const results::LoadPath& path, const results::PathTip& tip,
+void add_openings(Plot& plot, const results::LoadPath& path, const base::PiecewiseLinear& K1,
                   bool named) {
   constexpr std::array<Marker, 4> shapes{Marker::diamond, Marker::triangle, Marker::plus,
                                          Marker::cross};
@@ -192,7 +138,7 @@ void add_openings(Plot& plot, const results::LoadPath& path, const results::Path
     if (contact.opening) {
       Series series;
       series.name = named ? fmt::format("{} begins to open", contact.name) : std::string();
-      series.points = {{*contact.opening, tip.K1(*contact.opening)}};
+      series.points = {{*contact.opening, K1(*contact.opening)}};
       series.joined = false;
       series.marker = marker;
       plot.series.push_back(series);
@@ -212,25 +158,28 @@ Figure figure_of(const model::Model& model, const results::Run& run, std::size_t
   for (const results::Increment* increment : increments) {
     const results::LoadPath& path = increment->paths[p];
     std::size_t pattern = 0;
-    for (const results::PathTip& tip : path.tips) {
+    const std::vector<Shown> curves = shown_curves(path);
+    for (const Shown& tip : curves) {
       Series series;
       series.name =
-          fmt::format("{}a = {:.4g} {}", path.tips.size() > 1 ? tip.name + ", " : std::string(),
-                      tip.a, model.units.length_name);
+          fmt::format("{}a = {:.4g} {}", curves.size() > 1 ? tip.name + ", " : std::string(), tip.a,
+                      model.units.length_name);
       series.colour = colour(ink);
       series.dash = dash(pattern++);
-      series.points = values(tip.K1);
+      series.points = values(*tip.K1);
       value.series.push_back(series);
-      value.series.push_back(end_bars(*increment, path, tip, series.colour));
-      series.points = slopes(tip.K1);
+      if (tip.tip != nullptr) {
+        value.series.push_back(end_bars(*increment, path, *tip.tip, series.colour));
+      }
+      series.points = slopes(*tip.K1);
       slope.series.push_back(series);
     }
     ++ink;
   }
   for (const results::Increment* increment : increments) {
     const results::LoadPath& path = increment->paths[p];
-    if (!path.tips.empty()) {
-      add_openings(value, path, path.tips.front(), increment == increments.front());
+    if (const std::vector<Shown> curves = shown_curves(path); !curves.empty()) {
+      add_openings(value, path, *curves.front().K1, increment == increments.front());
     }
   }
   const results::LoadPath& path = increments.front()->paths[p];
@@ -243,37 +192,6 @@ Figure figure_of(const model::Model& model, const results::Run& run, std::size_t
 }
 
 } // namespace
-
-void write_load_path_csv(const std::filesystem::path& file, const model::Model& model,
-                         const results::Run& run) {
-  if (model.load_paths.empty()) {
-    return;
-  }
-  const std::vector<std::string> tips = path_tip_names(run);
-  std::string text = fmt::format(
-      "# units: K1 K2 and slopes by t [{}], from to [deg] on circles, else [{}], t [1]\n"
-      "increment,path,t,changes",
-      model.units.stress_intensity_name(), model.units.length_name);
-  for (const std::string& tip : tips) {
-    text += fmt::format(",{0}.K1,{0}.K2,{0}.dK1_before,{0}.dK1_after,{0}.dK2_before,{0}.dK2_after",
-                        tip);
-  }
-  const std::vector<std::string> contacts = contact_names(model, run);
-  for (const std::string& contact : contacts) {
-    text += fmt::format(",{0}.closed,{0}.from,{0}.to", contact);
-  }
-  text += '\n';
-  for (const results::Increment& increment : run.increments) {
-    for (const results::LoadPath& path : increment.paths) {
-      for (std::size_t k = 0; k < path.t.size(); ++k) {
-        text += fmt::format("{},{},{},{}", increment.number, path.name, path.t[k],
-                            changes_at(increment.mesh, path, path.t[k]));
-        add_row(text, contacts, path, {k, increment.mesh.dim == 3}, tips);
-      }
-    }
-  }
-  write_file(file, text);
-}
 
 Table load_path_table(const model::Model& model, const results::Increment& increment) {
   const std::string unit = model.units.stress_intensity_name();
@@ -292,16 +210,17 @@ Table load_path_table(const model::Model& model, const results::Increment& incre
                {"at t", "", false}},
               {}};
   for (const results::LoadPath& path : increment.paths) {
-    for (const results::PathTip& tip : path.tips) {
-      const Kink kink = sharpest(tip.K1);
+    for (const Shown& tip : shown_curves(path)) {
+      const base::PiecewiseLinear& K1 = *tip.K1;
+      const Kink kink = sharpest(K1);
       const bool kinked = kink.jump > 0.0 && kink.largest_slope > 0.0;
       table.rows.push_back(
           {path.name, path.from, path.to, tip.name, fmt::format("{}", path.t.size() - 2),
-           six_digits(path.t.back()), six_digits(tip.K1.at_knot(0)),
-           six_digits(tip.K1.at_knot(tip.K1.segments())), six_digits(tip.K1.slope_after(0)),
-           six_digits(tip.K1.slope_before(tip.K1.segments())),
+           six_digits(path.t.back()), six_digits(K1.at_knot(0)),
+           six_digits(K1.at_knot(K1.segments())), six_digits(K1.slope_after(0)),
+           six_digits(K1.slope_before(K1.segments())),
            kinked ? fmt::format("{:.2f}", 100.0 * kink.jump / kink.largest_slope) : "",
-           kinked ? six_digits(tip.K1.knots()[kink.knot]) : ""});
+           kinked ? six_digits(K1.knots()[kink.knot]) : ""});
     }
   }
   return table;
@@ -345,7 +264,7 @@ std::vector<Figure> load_path_figures(const model::Model& model, const results::
   for (std::size_t p = 0; p < model.load_paths.size(); ++p) {
     const bool drawn = !run.increments.empty() &&
                        std::ranges::all_of(run.increments, [&](const results::Increment& i) {
-                         return p < i.paths.size() && !i.paths[p].tips.empty();
+                         return p < i.paths.size() && !shown_curves(i.paths[p]).empty();
                        });
     if (drawn) {
       figures.push_back(figure_of(model, run, p));

@@ -122,9 +122,10 @@ template <class T> class Records : public ::testing::Test {};
 using AllRecords =
     ::testing::Types<KBar, Sensitivity, Sensitivities, TipResult, FrontPlace, FrontResult,
                      ContactPoint, ContactResult, Balance, NetError, SurfaceFace, PathTip,
-                     PathContact, PathChange, LoadPath, LogLine, CheckResult, ToleranceRound,
-                     GrowingTip, GrowthStation, LifePoint, ScaledLife, Growth, TestPoint,
-                     GrowthTest, base::Span, model::NodeSet, model::ElementSet, model::FaceSet>;
+                     PathPoint, PathFront, FrontSensitivity, FrontSensitivities, PathContact,
+                     PathChange, LoadPath, LogLine, CheckResult, ToleranceRound, GrowingTip,
+                     GrowthStation, LifePoint, ScaledLife, Growth, TestPoint, GrowthTest,
+                     base::Span, model::NodeSet, model::ElementSet, model::FaceSet>;
 TYPED_TEST_SUITE(Records, AllRecords);
 
 // A member that somebody adds and no file keeps would be lost in a restart.

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/recover/load_paths.hpp"
+#include "analysis/recover/path_functions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+/// K along fronts in space on load paths.
+namespace spricka::analysis {
+
+namespace {
+
+// K1, K2, K3 of a point that a front begins with.
+struct FrontStart {
+  const FrontScene& at;
+  Eigen::Index first = 0; ///< among the functionals
+};
+
+results::PathFront follow_front(const FrontStart& front, const solve::SolutionPath& found,
+                                const results::FrontResult& is) {
+  results::PathFront out;
+  out.is = is;
+  for (const results::FrontPlace& place : is.points) {
+    out.points.emplace_back().is = place;
+  }
+  out.is.points.clear();
+  out.is.sensitivities = {};
+  const std::size_t n = out.points.size();
+  std::vector<std::array<std::vector<double>, 3>> value(n);
+  std::vector<std::array<std::vector<double>, 3>> slope(n);
+  for (const solve::PathSegment& s : found.segments) {
+    const auto values = smooth_front(front.at, s.value, front.first);
+    const auto slopes = smooth_front(front.at, s.slope, front.first);
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        value[i][k].push_back(values[i][k]);
+        slope[i][k].push_back(slopes[i][k]);
+      }
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    results::PathPoint& point = out.points[i];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Eigen::Index at = front.first + static_cast<Eigen::Index>(3 * i + k);
+      point.K[k] = path_functional(found, at);
+      if (point.is.at_surface) {
+        point.inner[k] = base::PiecewiseLinear(path_knots(found), std::move(value[i][k]),
+                                               std::move(slope[i][k]));
+      }
+    }
+  }
+  return out;
+}
+
+// The lowest K1 of the points inside the body, and the largest of any mode, on the whole path.
+struct Range {
+  double lowest = 0.0, largest = 0.0;
+};
+Range range_of(const results::PathFront& front) {
+  Range range;
+  for (const results::PathPoint& point : front.points) {
+    if (point.is.at_surface) {
+      continue;
+    }
+    range.lowest = std::min(range.lowest, point.K[0].lowest());
+    for (const base::PiecewiseLinear& K : point.K) {
+      range.largest = std::max({range.largest, std::abs(K.lowest()), std::abs(K.highest())});
+    }
+  }
+  return range;
+}
+
+// The largest difference to K of a step.
+double apart_from(const results::PathFront& front, double t, const results::FrontResult& step) {
+  double apart = 0.0;
+  for (std::size_t i = 0; i < front.points.size(); ++i) {
+    const results::FrontPlace& own = step.points[i];
+    const std::array<double, 3> K{own.K1, own.K2, own.K3};
+    for (std::size_t k = 0; k < 3; ++k) {
+      apart = std::max(apart, std::abs(front.points[i].K[k](t) - K[k]));
+    }
+  }
+  return apart;
+}
+
+} // namespace
+
+base::Matrix LoadPaths::front_columns(Eigen::Index first, Eigen::Index most) const {
+  return base::Matrix(front_rows_.middleCols(first, std::min(most, front_rows_.cols() - first)));
+}
+
+void LoadPaths::fronts(const solve::SolutionPath& found, const End& from, const End& to,
+                       results::LoadPath& path) const {
+  double size = 0.0;
+  double apart = 0.0;
+  const crack::KLayout layout = scene_.k_layout();
+  std::size_t first = 0;
+  for (std::size_t f = 0; f < scene_.fronts.size(); ++f) {
+    results::PathFront front =
+        follow_front({scene_.fronts[f], layout.first(first)}, found, from.result.fronts[f]);
+    first += front.points.size();
+    const Range range = range_of(front);
+    size = std::max(size, range.largest);
+    front.is.doubt.clear();
+    for (const End* end : {&from, &to}) {
+      if (const std::string& doubt = end->result.fronts[f].doubt;
+          !doubt.empty() && front.is.doubt.empty()) {
+        front.is.doubt = doubt;
+        path.notes.push_back(
+            results::warning(fmt::format("{}: at an end of the path {}", front.is.name, doubt)));
+      }
+    }
+    if (front.is.doubt.empty() && range.lowest < -1e-9 * range.largest) {
+      path.notes.push_back(results::warning(
+          fmt::format("{}: K1 is negative at some points on a part of the path: there this K is "
+                      "not an answer (the crack faces overlap)",
+                      front.is.name)));
+    }
+    for (const auto& [t, end] : {std::pair(0.0, &from), std::pair(1.0, &to)}) {
+      if (found.end >= t) {
+        apart = std::max(apart, apart_from(front, t, end->result.fronts[f]));
+      }
+    }
+    path.fronts.push_back(std::move(front));
+  }
+  path.mismatch = size > 0.0 ? apart / size : 0.0;
+  tell_mismatch(path);
+}
+
+} // namespace spricka::analysis

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/recover/path_functions.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::analysis {
+
+namespace {
+
+constexpr double worst_mismatch = 1e-6;
+
+} // namespace
+
+std::vector<double> path_knots(const solve::SolutionPath& found) {
+  std::vector<double> t;
+  for (const solve::PathSegment& s : found.segments) {
+    t.push_back(s.from);
+  }
+  t.push_back(found.end);
+  return t;
+}
+
+base::PiecewiseLinear path_functional(const solve::SolutionPath& found, Eigen::Index k) {
+  std::vector<double> value;
+  std::vector<double> slope;
+  for (const solve::PathSegment& s : found.segments) {
+    value.push_back(s.value[k]);
+    slope.push_back(s.slope[k]);
+  }
+  return {path_knots(found), std::move(value), std::move(slope)};
+}
+
+void tell_mismatch(results::LoadPath& path) {
+  if (!(path.mismatch <= worst_mismatch)) {
+    path.notes.push_back(
+        results::warning(fmt::format("K on the path differs from K of the steps at its "
+                                     "ends by {:.1e} of the largest",
+                                     path.mismatch)));
+  }
+}
+
+} // namespace spricka::analysis

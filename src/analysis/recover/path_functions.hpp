@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "results/load_path.hpp"
+#include "solve/parametric.hpp"
+
+/// What load paths of cracks in the plane and in space have in common.
+namespace spricka::analysis {
+
+std::vector<double> path_knots(const solve::SolutionPath& found);
+
+/// Functional k of a solution path.
+base::PiecewiseLinear path_functional(const solve::SolutionPath& found, Eigen::Index k);
+
+/// Warns where K on the path and K of the steps at its ends, which come from the same numbers by
+/// different ways, are apart.
+void tell_mismatch(results::LoadPath& path);
+
+} // namespace spricka::analysis

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/scene/front_functionals.hpp"
+
+#include "analysis/scene/front_scene.hpp"
+#include "contact/space_tractions.hpp"
+#include "crack/space/front_intensity.hpp"
+
+#include <set>
+
+namespace spricka::analysis {
+
+namespace {
+
+/// Forces at points of sides, and how they come from the rows of the table.
+struct ForcePlaces {
+  std::vector<crack::FaceForces> faces;
+  std::vector<Eigen::Triplet<double>> by_row; ///< [3 * point, row]
+};
+
+ForcePlaces force_places(const Scene& scene, const crack::FrontFields& fields) {
+  std::set<model::Face> moved;
+  for (const crack::FrontSide& side : fields.sides) {
+    moved.insert(side.face);
+  }
+  ForcePlaces places;
+  Eigen::Index at = 0;
+  for (std::size_t c = 0; c < scene.pairs.size(); ++c) {
+    for (const contact::UnitTraction& traction : contact::space_unit_tractions(
+             scene.pairs[c], [&](const model::Face& face) { return moved.contains(face); })) {
+      crack::FaceForces& on_face = places.faces.emplace_back();
+      on_face.face = traction.face;
+      for (const contact::UnitTractionPoint& point : traction.points) {
+        on_face.points.push_back({{point.r.x(), point.r.y(), 0.0}, base::Vec3::Zero()});
+        for (const contact::UnitTractionPoint::OfRow& one : point.rows) {
+          for (Eigen::Index k = 0; k < 3; ++k) {
+            places.by_row.emplace_back(
+                at + k, static_cast<Eigen::Index>(scene.table.first[c] + one.row), one.force[k]);
+          }
+        }
+        at += 3;
+      }
+    }
+  }
+  return places;
+}
+
+} // namespace
+
+crack::SparseRows front_rows(const model::Model& model, const Scene& scene) {
+  std::vector<Eigen::Triplet<double>> entries;
+  const crack::KLayout layout = scene.k_layout();
+  std::size_t first = 0;
+  for (const FrontScene& at : scene.fronts) {
+    const crack::SparseRows own =
+        crack::front_intensity_rows(model, scene.cracked, at.front, at.fields);
+    for (Eigen::Index c = 0; c < own.cols(); ++c) {
+      for (crack::SparseRows::InnerIterator it(own, c); it; ++it) {
+        entries.emplace_back(it.row(), layout.first(first) + c, it.value());
+      }
+    }
+    first += at.front.points.size();
+  }
+  crack::SparseRows rows(3 * static_cast<Eigen::Index>(scene.cracked.mesh.node_count()),
+                         layout.count());
+  rows.setFromTriplets(entries.begin(), entries.end());
+  return rows;
+}
+
+base::Matrix front_rows_of_forces(const model::Model& model, const Scene& scene) {
+  const crack::KLayout layout = scene.k_layout();
+  const auto count = static_cast<Eigen::Index>(scene.table.size());
+  base::Matrix of_row = base::Matrix::Zero(layout.count(), count);
+  std::size_t first = 0;
+  for (const FrontScene& at : scene.fronts) {
+    const ForcePlaces places = force_places(scene, at.fields);
+    if (!places.by_row.empty()) {
+      const crack::SparseRows rows =
+          crack::front_force_rows(model, scene.cracked, at.front, at.fields, places.faces);
+      crack::SparseRows by_row(rows.rows(), count);
+      by_row.setFromTriplets(places.by_row.begin(), places.by_row.end());
+      const crack::SparseRows product = rows.transpose() * by_row;
+      of_row.middleRows(layout.first(first), product.rows()) += product;
+    }
+    first += at.front.points.size();
+  }
+  return of_row;
+}
+
+base::Vector front_values(const model::Model& model, const Scene& scene, const base::Vector& u,
+                          const base::Vector& case_factor) {
+  const crack::KLayout layout = scene.k_layout();
+  base::Vector values = base::Vector::Zero(layout.count());
+  std::size_t first = 0;
+  for (const FrontScene& at : scene.fronts) {
+    crack::FrontLoads loads;
+    loads.given = front_loads(model, scene, at.fields, case_factor);
+    for (const crack::StressIntensity& K :
+         crack::front_intensity(model, scene.cracked, at.front, at.fields, {}, u, loads)) {
+      values.segment<3>(layout.first(first++)) << K.K1, K.K2, K.K3;
+    }
+  }
+  return values;
+}
+
+std::vector<std::array<double, 3>> smooth_front(const FrontScene& at, const base::Vector& K,
+                                                Eigen::Index first) {
+  std::vector<crack::StressIntensity> points(at.front.points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Index k = first + 3 * static_cast<Eigen::Index>(i);
+    points[i].K1 = K[k];
+    points[i].K2 = K[k + 1];
+    points[i].K3 = K[k + 2];
+    points[i].front = crack::AlongFront();
+    points[i].domains.resize(at.fields.points[i].size());
+  }
+  crack::smooth_along(at.front, at.fields, points);
+  std::vector<std::array<double, 3>> smooth;
+  for (const crack::StressIntensity& point : points) {
+    smooth.push_back(point.front->from_inside.value_or(point.front->smooth));
+  }
+  return smooth;
+}
+
+} // namespace spricka::analysis
