@@ -32,7 +32,8 @@ Length::Processors::Processors(const Length& length)
             length.scene_, length.bodies_),
       adjoints(length.model(), length.scene_, length.bodies_),
       bars(length.model(), length.scene_, length.parts_.modes),
-      sensitivities(length.model(), length.scene_, length.bodies_) {}
+      sensitivities(length.model(), length.scene_, length.bodies_),
+      fronts(length.model(), length.scene_, length.bodies_) {}
 
 CondenseRequest Length::request() const {
   return {.model = parts_.model,
@@ -96,6 +97,11 @@ void Length::add_bars(const StepState& state, results::StepResult& result) {
 void Length::add_sensitivities(const StepSolver& solver, const StepState& state,
                                results::StepResult& result) {
   processors_->sensitivities.add(solver, state, processors_->adjoints, result);
+}
+
+void Length::add_of_fronts(const StepSolver& solver, const StepState& state,
+                           results::StepResult& result) {
+  processors_->fronts.add(solver, state, result);
 }
 
 void Length::add_net_errors(const StepState& state, results::StepResult& result) const {

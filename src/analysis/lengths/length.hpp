@@ -2,6 +2,7 @@
 #pragma once
 #include "analysis/adjoint/adjoints.hpp"
 #include "analysis/adjoint/error_bars.hpp"
+#include "analysis/adjoint/front_analysis.hpp"
 #include "analysis/adjoint/sensitivities.hpp"
 #include "analysis/bodies/condense_bodies.hpp"
 #include "analysis/recover/load_paths.hpp"
@@ -75,6 +76,8 @@ public:
   /// SENSITIVITY of K to loads, fits, moduli and lengths.
   void add_sensitivities(const StepSolver& solver, const StepState& state,
                          results::StepResult& result);
+  /// ESTIMATE and SENSITIVITY of K along fronts in space.
+  void add_of_fronts(const StepSolver& solver, const StepState& state, results::StepResult& result);
   /// ESTIMATE: errors of the nets in the energy norm.
   void add_net_errors(const StepState& state, results::StepResult& result) const;
 
@@ -91,6 +94,7 @@ private:
     Adjoints adjoints;
     ErrorBars bars;
     Sensitivities sensitivities;
+    FrontAnalysis fronts;
     const std::vector<estimate::Adjoint>* of_K = nullptr; ///< [tip] of the last step
   };
 

@@ -215,6 +215,10 @@ bool LengthSolver::estimate(Length& length, const LengthRequest& request, const 
     length.add_sensitivities(solved.solver, solved.state, result);
     log.add("SENSITIVITY", fmt::format("step {}: loads, fits, moduli, lengths", step.name));
   }
+  if (!length.scene().fronts.empty() && request.bars) {
+    length.add_of_fronts(solved.solver, solved.state, result);
+    log.add("ESTIMATE", fmt::format("step {}: error bars and derivatives of K", step.name));
+  }
   if (!request.pictured[solved.step]) {
     return true;
   }

@@ -274,7 +274,7 @@ void StepSolver::balance(StepState& state) const {
   }
   // With tips internal forces are kept by material: derivatives by moduli take them
   // (sensitivity.8).
-  const bool cracked = !scene_.cracked.fronts.empty();
+  const bool cracked = !scene_.cracked.fronts.empty() || !scene_.fronts.empty();
   std::vector<std::vector<base::ElementId>> elements(cracked ? model_.materials.size() : 1);
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const base::MaterialId material = model_.property_of(mesh, base::ElementId(e)).material;

@@ -4,6 +4,7 @@
 #include "crack/space/face_forces.hpp"
 #include "crack/space/solid_blocks.hpp"
 #include "fe/face.hpp"
+#include "shape/topology.hpp"
 
 #include <map>
 #include <set>
@@ -37,6 +38,25 @@ struct Columns {
 
 using Entries = std::vector<Eigen::Triplet<double>>;
 
+// A place of a side in the coordinates of the element, which has flat sides in them.
+template <shape::ElementShape S>
+shape::Point<3> place_on_solid(int side, const shape::Point<2>& r) {
+  const std::span<const int> local = shape::side_nodes(S::type, side);
+  shape::Point<3> place = shape::Point<3>::Zero();
+  const auto add = [&](const auto& N) {
+    for (Eigen::Index k = 0; k < N.size(); ++k) {
+      const auto node = static_cast<std::size_t>(local[static_cast<std::size_t>(k)]);
+      place += N[k] * Eigen::Map<const shape::Point<3>>(S::coordinates[node].data());
+    }
+  };
+  if (shape::side_corners(S::type, side) == 3) {
+    add(shape::Trim3::N(r));
+  } else {
+    add(shape::Quam4::N(r));
+  }
+  return place;
+}
+
 /// One front with the motions of its points, and which points move an element.
 class RowBuilder {
 public:
@@ -69,6 +89,23 @@ public:
       });
     }
     return made(3 * static_cast<Eigen::Index>(set_.mesh.node_count()));
+  }
+
+  [[nodiscard]] SparseRows rows_of(const OtherFunctions& others) {
+    for_solid_blocks(set_.mesh, fields_.elements(),
+                     [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
+                       for (const base::ElementId e : block) {
+                         add_others<S>(e, others);
+                       }
+                     });
+    for (const FrontSide& side : fields_.sides) {
+      fe::with_side(set_.mesh, side.face, [&]<shape::Shape Side>(Side) {
+        if constexpr (Side::dim == 2) {
+          add_others_on<Side>(side, others);
+        }
+      });
+    }
+    return made(3 * others.count);
   }
 
   [[nodiscard]] SparseRows force_rows(const std::vector<FaceForces>& places) {
@@ -191,6 +228,116 @@ private:
     }
   }
 
+  // As add_element, contracted with the gradients of other functions.
+  template <shape::ElementShape S>
+  void add_others(base::ElementId e, const OtherFunctions& others) {
+    const fe::NodeVectors<S> X = fe::coordinates<S>(set_.mesh, e);
+    const std::span<const base::NodeId> nodes = set_.mesh.nodes_of(e);
+    const auto count = static_cast<Eigen::Index>(others.of_element(e).size());
+    std::vector<std::pair<std::size_t, fe::NodeVectors<S>>> moved;
+    for (const std::size_t i : points_of_.at(e)) {
+      fe::NodeVectors<S> q;
+      if (gather(i, nodes, q)) {
+        moved.emplace_back(i, q);
+      }
+    }
+    const std::size_t width = columns_.partners.size();
+    std::vector<Eigen::Matrix3Xd> sums(moved.size() * width, Eigen::Matrix3Xd::Zero(3, count));
+    const std::vector<Eigen::MatrixX3d>& table = slope_table<S>(others);
+    std::size_t number = 0;
+    for (const auto& point : shape::quadrature<S>(front_degree)) {
+      const fe::Jacobian<S> at = fe::jacobian<S>(X, point.r);
+      const Eigen::Matrix<double, S::nodes, 1> N = S::N(point.r);
+      const Eigen::Matrix3Xd slopes = (table[number++] * at.J.inverse()).transpose();
+      const FrontPlace place = set_.axes.place(X * N);
+      const TurningAxes axes(place);
+      for (std::size_t k = 0; k < width; ++k) {
+        const MovingField w = moving_field(columns_.partners[k], place, axes, set_.body);
+        for (std::size_t j = 0; j < moved.size(); ++j) {
+          const Tensor<3> M =
+              point.weight * at.det * contracted(w, moved[j].second * at.dNdx, moved[j].second * N);
+          sums[width * j + k].noalias() += M * slopes;
+        }
+      }
+    }
+    for (std::size_t j = 0; j < moved.size(); ++j) {
+      for (std::size_t k = 0; k < width; ++k) {
+        put_others(e, moved[j].first, k, set_.factor(columns_.partners[k]) * sums[width * j + k],
+                   others);
+      }
+    }
+  }
+
+  // Rows of an element's other functions. [3, function]
+  void put_others(base::ElementId e, std::size_t point, std::size_t column,
+                  const Eigen::Matrix3Xd& values, const OtherFunctions& others) {
+    const std::span<const std::int32_t> functions = others.of_element(e);
+    const std::span<const double> signs = others.signs(e);
+    for (std::size_t n = 0; n < functions.size(); ++n) {
+      put(3 * static_cast<Eigen::Index>(functions[n]), point, column,
+          signs[n] * values.col(static_cast<Eigen::Index>(n)));
+    }
+  }
+
+  // Slopes of other functions at the points of the rule.
+  template <shape::ElementShape S>
+  const std::vector<Eigen::MatrixX3d>& slope_table(const OtherFunctions& others) {
+    std::vector<Eigen::MatrixX3d>& table = slopes_[S::type];
+    if (table.empty()) {
+      for (const auto& point : shape::quadrature<S>(front_degree)) {
+        table.push_back(others.slopes(S::type, point.r));
+      }
+    }
+    return table;
+  }
+
+  // What the gradient of a displacement is contracted with (crack_space.10).
+  [[nodiscard]] Tensor<3> contracted(const MovingField& w, const Tensor<3>& grad,
+                                     const Vec3& moved) const {
+    return isotropic_stress(set_.body, w.H * grad - grad.trace() * w.H) +
+           w.sigma * grad.transpose() + w.divergence * moved.transpose();
+  }
+
+  // As add_side: the motion runs along the side, so that the element's own gradient serves.
+  template <shape::Shape Side>
+  void add_others_on(const FrontSide& side, const OtherFunctions& others) {
+    const fe::SideNodes<Side> X = fe::side_coordinates<Side>(set_.mesh, side.face);
+    const auto nodes = fe::nodes_of_face<Side>(set_.mesh, side.face);
+    for (const std::size_t i : points_of_.at(side.face.element)) {
+      fe::SideNodes<Side> q;
+      if (!gather(i, nodes, q)) {
+        continue;
+      }
+      for (const auto& point : shape::quadrature<Side>(front_degree)) {
+        const Eigen::Matrix<double, Side::nodes, 1> N = Side::N(point.r);
+        const FrontPlace place = set_.axes.place(X * N, side.on);
+        const Vec3 area = point.weight * fe::area_vector<Side>(X, point.r);
+        const Eigen::RowVectorXd along =
+            (slopes_on(side.face, point.r, others) * (q * N)).transpose();
+        for (std::size_t k = 0; k < columns_.partners.size(); ++k) {
+          const std::size_t partner = columns_.partners[k];
+          const Vec3 t =
+              set_.factor(partner) * (moving_field(partner, place, set_.body).sigma * area);
+          put_others(side.face.element, i, k, -t * along, others);
+        }
+      }
+    }
+  }
+
+  // Gradients in space of other functions at a place of a side. [function, 3]
+  [[nodiscard]] Eigen::MatrixX3d slopes_on(const model::Face& face, const shape::Point<2>& r,
+                                           const OtherFunctions& others) const {
+    Eigen::MatrixX3d slopes;
+    shape::with_shape(set_.mesh.type[face.element.index()], [&]<shape::ElementShape S>(S) {
+      if constexpr (S::dim == 3) {
+        const shape::Point<3> at = place_on_solid<S>(face.side, r);
+        const fe::Jacobian<S> J = fe::jacobian<S>(fe::coordinates<S>(set_.mesh, face.element), at);
+        slopes = others.slopes(S::type, at) * J.J.inverse();
+      }
+    });
+    return slopes;
+  }
+
   template <shape::Shape Side>
   void add_places(const FaceForces& on, FaceSide side, Eigen::Index first) {
     const fe::SideNodes<Side> X = fe::side_coordinates<Side>(set_.mesh, on.face);
@@ -221,6 +368,7 @@ private:
   std::vector<PointMotion> motion_; ///< [point]
   std::map<base::ElementId, std::set<std::size_t>> points_of_;
   Entries entries_;
+  std::map<base::ElementType, std::vector<Eigen::MatrixX3d>> slopes_; ///< of other functions
 };
 
 Columns modes(const mesh::Front& front) {
@@ -258,6 +406,16 @@ SparseRows front_intensity_rows(const model::Model& model, const mesh::CrackedMe
   }
   const FrontSetting set = front_setting(model, cracked, front, fields);
   return spread(RowBuilder(set, front, fields, modes(front)).rows(), front.points.size());
+}
+
+SparseRows front_rows_of(const model::Model& model, const mesh::CrackedMesh& cracked,
+                         const mesh::Front& front, const FrontFields& fields,
+                         const OtherFunctions& others) {
+  if (fields.empty()) {
+    return {3 * others.count, KLayout(front.points.size(), 3).count()};
+  }
+  const FrontSetting set = front_setting(model, cracked, front, fields);
+  return spread(RowBuilder(set, front, fields, modes(front)).rows_of(others), front.points.size());
 }
 
 SparseRows front_t_rows(const model::Model& model, const mesh::CrackedMesh& cracked,

@@ -5,6 +5,10 @@
 
 #include <Eigen/SparseCore>
 
+#include <cstdint>
+#include <functional>
+#include <span>
+
 /// K along a front as linear functions.
 namespace spricka::crack {
 
@@ -14,6 +18,21 @@ using SparseRows = Eigen::SparseMatrix<double>;
 /// finds. The rows are their exact gradient, columns as in KLayout. [3 * node, 3 * points]
 SparseRows front_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
                                 const mesh::Front& front, const FrontFields& fields);
+
+/// Functions beside those of the nodes, three directions each.
+struct OtherFunctions {
+  Eigen::Index count = 0;
+  /// Of an element: their numbers and signs.
+  std::function<std::span<const std::int32_t>(base::ElementId)> of_element;
+  std::function<std::span<const double>(base::ElementId)> signs;
+  /// Of a type: their slopes by its reference coordinates [function, 3].
+  std::function<Eigen::MatrixX3d(base::ElementType, const base::Vec3&)> slopes;
+};
+/// K as functions of what multiplies other functions, 3 * function + direction: the same functional
+/// as front_intensity_rows. [3 * count, 3 * points]
+SparseRows front_rows_of(const model::Model& model, const mesh::CrackedMesh& cracked,
+                         const mesh::Front& front, const FrontFields& fields,
+                         const OtherFunctions& others);
 
 /// The same of T. [3 * node, points]
 SparseRows front_t_rows(const model::Model& model, const mesh::CrackedMesh& cracked,

@@ -4,6 +4,7 @@
 #include "model/model.hpp"
 #include "report/drawing/crack_picture.hpp"
 #include "report/drawing/plot.hpp"
+#include "report/topics/k_bars.hpp"
 #include "report/topics/result_tables.hpp"
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace spricka::report {
 namespace {
@@ -43,6 +45,9 @@ bool shows(const results::FrontQuantity& q, const results::FrontResult& front) {
   return q.listed && (q.given == nullptr || q.given(front));
 }
 
+constexpr std::array front_modes{&results::FrontPlace::K1, &results::FrontPlace::K2,
+                                 &results::FrontPlace::K3};
+
 std::string front_cell(const results::FrontQuantity& q, const results::FrontPlace& place,
                        double scale) {
   const double value = q.of(place);
@@ -70,6 +75,13 @@ Table front_table(const model::Model& model, const results::Increment& increment
           {q.name, angle ? "deg" : base::unit_name(model.units, q.kind), false});
     }
   }
+  if (first.no_bar.empty()) {
+    for (std::size_t k = 1; k <= front_modes.size(); ++k) {
+      table.columns.push_back({fmt::format("K{} +-", k),
+                               base::unit_name(model.units, base::Quantity::stress_intensity),
+                               false});
+    }
+  }
   table.columns.push_back({"", "", true});
   const double scale = largest_K(increment);
   for (const results::StepResult& step : increment.steps) {
@@ -83,6 +95,10 @@ Table front_table(const model::Model& model, const results::Increment& increment
           if (shows(q, front)) {
             row.push_back(front_cell(q, place, scale));
           }
+        }
+        for (std::size_t k = 0; k < front_modes.size() && first.no_bar.empty(); ++k) {
+          const bool given = front.no_bar.empty() && !place.at_surface;
+          row.push_back(given ? bar_size(place.bar[k].size()) : "");
         }
         row.emplace_back(place.at_surface ? "surface" : place.closed ? "closed" : "");
         table.rows.push_back(std::move(row));
@@ -115,26 +131,37 @@ std::vector<double> abscissas(const results::FrontResult& front) {
 }
 
 /// A mode over them; points on the surface are left out, as K there is a number of the mesh.
-std::vector<Point> curve_along(const results::FrontResult& front, double results::FrontPlace::*K) {
-  const std::vector<double> at = abscissas(front);
+struct Curve {
   std::vector<Point> points;
+  std::vector<double> bars; ///< empty: there are none
+};
+Curve curve_along(const results::FrontResult& front, std::size_t mode) {
+  const std::vector<double> at = abscissas(front);
+  std::vector<std::pair<Point, double>> points;
   for (std::size_t i = 0; i < front.points.size(); ++i) {
-    if (!front.points[i].at_surface) {
-      points.push_back({at[i], front.points[i].*K});
+    const results::FrontPlace& place = front.points[i];
+    if (!place.at_surface) {
+      points.push_back({{at[i], place.*front_modes[mode]}, place.bar[mode].size()});
     }
   }
-  std::ranges::sort(points, {}, &Point::x);
+  std::ranges::sort(points, {}, [](const auto& p) { return p.first.x; });
   if (front.closed && !points.empty()) { // once round
     const double round = front.angles ? 360.0 : front.length;
-    points.push_back({points.front().x + round, points.front().y});
+    points.push_back(points.front());
+    points.back().first.x += round;
   }
-  return points;
+  Curve curve;
+  for (const auto& [point, bar] : points) {
+    curve.points.push_back(point);
+    if (front.no_bar.empty()) {
+      curve.bars.push_back(bar);
+    }
+  }
+  return curve;
 }
 
 Figure front_figure(const model::Model& model, const results::Increment& increment,
                     const std::string& name) {
-  static constexpr std::array modes{&results::FrontPlace::K1, &results::FrontPlace::K2,
-                                    &results::FrontPlace::K3};
   const double scale = largest_K(increment);
   Plot plot;
   plot.label = fmt::format("stress intensity factors along the front of {}", name);
@@ -151,9 +178,11 @@ Figure front_figure(const model::Model& model, const results::Increment& increme
       plot.x_name = front.angles
                         ? "angle φ along the front, degrees"
                         : fmt::format("length along the front, {}", model.units.length_name);
-      for (std::size_t mode = 0; mode < modes.size(); ++mode) {
+      for (std::size_t mode = 0; mode < front_modes.size(); ++mode) {
         Series series;
-        series.points = curve_along(front, modes[mode]);
+        Curve curve = curve_along(front, mode);
+        series.points = std::move(curve.points);
+        series.bars = std::move(curve.bars);
         const bool nothing = std::ranges::all_of(
             series.points, [&](const Point& p) { return std::abs(p.y) < nothing_beside * scale; });
         if (mode > 0 && nothing) {

@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -140,9 +141,47 @@ Tornado tornado_of(const model::Model& model, const results::TipResult& tip, std
 
 } // namespace
 
+namespace {
+
+// One row for each point of a front and each cause.
+void write_fronts(const std::filesystem::path& file, const model::Model& model,
+                  const results::Run& run) {
+  const base::UnitSystem& units = model.units;
+  std::string text = fmt::format(
+      "# units: a, s and values of FIT and A [{0}], of E [{1}], of LOAD [1]; dK1 dK2 dK3 [{2}] "
+      "over "
+      "the unit of the value\n"
+      "increment,step,crack,a,point,at_surface,s,cause,name,value,dK1,dK2,dK3,from,to\n",
+      units.length_name, units.stress_name(), units.stress_intensity_name());
+  auto out = std::back_inserter(text);
+  for (const results::Increment& increment : run.increments) {
+    for (const results::StepResult& step : increment.steps) {
+      for (const results::FrontResult& front : step.fronts) {
+        for (const results::FrontSensitivity& s : front.sensitivities.of) {
+          for (std::size_t i = 0; i < s.above.size(); ++i) {
+            const results::FrontPlace& place = front.points[i];
+            fmt::format_to(out, "{},{},{},{},{},{:d},{},{},{},{},{},{},{},{},{}\n",
+                           increment.number, step.step, front.name, front.a, place.number,
+                           place.at_surface, place.s, results::word_of(s.cause), s.name, s.value,
+                           s.above[i][0], s.above[i][1], s.above[i][2], cell(s.range, 0),
+                           cell(s.range, 1));
+          }
+        }
+      }
+    }
+  }
+  write_file(file, text);
+}
+
+} // namespace
+
 void write_sensitivity_csv(const std::filesystem::path& file, const model::Model& model,
                            const results::Run& run) {
   if (model.cracks.empty()) {
+    return;
+  }
+  if (model.mesh.dim == 3) {
+    write_fronts(file, model, run);
     return;
   }
   const base::UnitSystem& units = model.units;

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/adjoint/bar_along_front.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spricka::analysis {
+
+namespace {
+
+// Found by comparison with known values (manual, error_bar.md).
+constexpr double share_of_own = 1.4;     // of the error estimated at the point
+constexpr double share_of_others = 0.25; // of the rms of those along the front
+constexpr double floor_share = 3e-4;     // of the largest K along it
+
+// Points with an estimate: within the body, with a domain.
+bool has_estimate(const results::FrontPlace& place) {
+  return !place.at_surface && (place.G != 0.0 || place.K1 != 0.0 || place.K2 != 0.0);
+}
+
+// The nearest point with an estimate stands for one at the surface, between points.
+void fill_surface(results::FrontResult& front) {
+  const std::size_t n = front.points.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t away = 1; !has_estimate(front.points[i]) && away < n; ++away) {
+      if (i >= away && has_estimate(front.points[i - away])) {
+        front.points[i].bar = front.points[i - away].bar;
+        break;
+      }
+      if (i + away < n && has_estimate(front.points[i + away])) {
+        front.points[i].bar = front.points[i + away].bar;
+        break;
+      }
+    }
+  }
+}
+
+} // namespace
+
+void add_front_bars(const base::Vector& eta, const std::vector<std::array<double, 3>>& best,
+                    Eigen::Index first, results::FrontResult& front) {
+  double size = 0.0;
+  std::array<double, 3> squares{};
+  double count = 0.0;
+  for (std::size_t i = 0; i < front.points.size(); ++i) {
+    results::FrontPlace& place = front.points[i];
+    if (!has_estimate(place)) {
+      continue;
+    }
+    const std::array<double, 3> K{place.K1, place.K2, place.K3};
+    size = std::max(size, std::hypot(K[0], K[1], K[2]));
+    count += 1.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      place.bar[k].eta = eta[first + static_cast<Eigen::Index>(3 * i + k)];
+      place.bar[k].best = best[i][k];
+      squares[k] += std::pow(best[i][k] - K[k], 2);
+    }
+  }
+  for (results::FrontPlace& place : front.points) {
+    const std::array<double, 3> K{place.K1, place.K2, place.K3};
+    for (std::size_t k = 0; k < 3 && has_estimate(place); ++k) {
+      results::KBar& bar = place.bar[k];
+      bar.mesh = share_of_own * std::abs(bar.best - K[k]) +
+                 share_of_others * std::sqrt(squares[k] / count);
+      bar.floor = floor_share * size;
+    }
+  }
+  fill_surface(front);
+}
+
+} // namespace spricka::analysis

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/vec.hpp"
+#include "results/front_result.hpp"
+
+#include <array>
+#include <vector>
+
+namespace spricka::analysis {
+
+/// Gives the points of a front their bars (manual, estimate.24) from what cubic elements add to K1,
+/// K2, K3, those of the front from `first` on, and the smooth values of K with that [point].
+void add_front_bars(const base::Vector& eta, const std::vector<std::array<double, 3>>& best,
+                    Eigen::Index first, results::FrontResult& front);
+
+} // namespace spricka::analysis

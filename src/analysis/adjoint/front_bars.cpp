@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/adjoint/front_bars.hpp"
+
+#include "analysis/adjoint/bar_along_front.hpp"
+#include "contact/space_tractions.hpp"
+#include "model/model.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace spricka::analysis {
+
+namespace {
+
+// Steps of conjugate gradients on the modes, and what change of any K ends them, of the largest.
+constexpr int most_steps = 12;
+constexpr double small_change = 4e-2;
+
+// Whether a step changed no K within the body by much.
+bool settled(const Scene& scene, const base::Vector& more, const base::Vector& all) {
+  double change = 0.0;
+  double size = 0.0;
+  Eigen::Index first = 0;
+  for (const FrontScene& at : scene.fronts) {
+    for (const mesh::FrontPoint& point : at.front.points) {
+      if (!point.at_surface) {
+        change = std::max(change, more.segment<3>(first).cwiseAbs().maxCoeff());
+        size = std::max(size, all.segment<3>(first).cwiseAbs().maxCoeff());
+      }
+      first += 3;
+    }
+  }
+  return change <= small_change * size;
+}
+
+crack::SparseRows goal_rows(const model::Model& model, const Scene& scene,
+                            const estimate::SpaceEnrichment& enrichment) {
+  crack::OtherFunctions others;
+  others.count = enrichment.freedoms() / 3;
+  others.of_element = [&](base::ElementId e) { return enrichment.of_element(e); };
+  others.signs = [&](base::ElementId e) { return enrichment.signs(e); };
+  others.slopes = [](base::ElementType type, const base::Vec3& r) {
+    return estimate::SpaceModes::of(type).dpsi(r);
+  };
+  const crack::KLayout layout = scene.k_layout();
+  std::vector<Eigen::Triplet<double>> entries;
+  std::size_t first = 0;
+  for (const FrontScene& at : scene.fronts) {
+    const crack::SparseRows own =
+        crack::front_rows_of(model, scene.cracked, at.front, at.fields, others);
+    for (Eigen::Index c = 0; c < own.cols(); ++c) {
+      for (crack::SparseRows::InnerIterator it(own, c); it; ++it) {
+        entries.emplace_back(it.row(), layout.first(first) + c,
+                             it.value() * enrichment.free()[it.row()]);
+      }
+    }
+    first += at.front.points.size();
+  }
+  crack::SparseRows rows(enrichment.freedoms(), layout.count());
+  rows.setFromTriplets(entries.begin(), entries.end());
+  return rows;
+}
+
+} // namespace
+
+FrontBars::FrontBars(const model::Model& model, const Scene& scene)
+    : model_(model), scene_(scene) {}
+
+void FrontBars::prepare() {
+  prepared_ = true;
+  why_not_ = estimate::not_enriched_in_space(model_, scene_.cracked.mesh);
+  for (const contact::PairRows& pair : scene_.pairs) {
+    if (!pair.segments && !pair.normal.empty()) {
+      why_not_ = "a contact is one of single nodes (PAIRING=NODE)";
+    }
+  }
+  if (!why_not_.empty()) {
+    return;
+  }
+  enrichment_.emplace(model_, scene_.cracked.mesh, scene_.cls, *scene_.ties);
+  goals_ = goal_rows(model_, scene_, *enrichment_);
+  case_load_.resize(model_.cases.size());
+}
+
+std::string FrontBars::why_not(const FrozenStep& step) const {
+  if (!why_not_.empty()) {
+    return why_not_;
+  }
+  if (step.contact.rubs) {
+    return "contacts rub: what K changes by depends on the way there";
+  }
+  return step.state.temperature.size() > 0 ? "there are temperatures" : "";
+}
+
+base::Vector FrontBars::load(const StepState& state) {
+  base::Vector f = base::Vector::Zero(enrichment_->freedoms());
+  for (std::size_t c = 0; c < case_load_.size(); ++c) {
+    const double factor = state.case_factor[static_cast<Eigen::Index>(c)];
+    if (factor == 0.0) {
+      continue;
+    }
+    if (!case_load_[c]) {
+      case_load_[c] = enrichment_->load(model_.cases[c]);
+    }
+    f += factor * *case_load_[c];
+  }
+  for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
+    if (state.mounted[c]) {
+      enrichment_->add_tractions(contact::space_tractions(scene_.pairs[c], state.pair_lambda[c],
+                                                          [](const model::Face&) { return true; }),
+                                 f);
+    }
+  }
+  return f;
+}
+
+// Conjugate gradients on the modes with the nodes eliminated (estimate.23): each step is one
+// back-substitution.
+std::optional<base::Vector> FrontBars::changes(const FrozenStep& step, const FrontFunctionals& K) {
+  const estimate::SpaceEnrichment& modes = *enrichment_;
+  base::Vector eta = base::Vector::Zero(K.rows.cols());
+  base::Vector r = load(step.state) - modes.on_modes(&step.state.u, nullptr);
+  base::Vector s = modes.precondition(r);
+  base::Vector p = s;
+  double rs = r.dot(s);
+  for (int i = 0; i < most_steps && rs > 0.0; ++i) {
+    base::Vector on_nodes;
+    base::Vector Sp;
+    modes.product(p, on_nodes, Sp);
+    const FrozenChange change = step.system.change(-on_nodes, {});
+    if (!change.why_not.empty()) {
+      return std::nullopt;
+    }
+    const base::Vector v = change.u.col(0);
+    Sp += modes.on_modes(&v, nullptr);
+    const double alpha = rs / p.dot(Sp);
+    const base::Vector more = alpha * (goals_.transpose() * p + K.rows.transpose() * v +
+                                       K.of_force * change.force.col(0));
+    eta += more;
+    if (i > 0 && settled(scene_, more, eta)) {
+      break;
+    }
+    r -= alpha * Sp;
+    s = modes.precondition(r);
+    const double next = r.dot(s);
+    p = s + (next / rs) * p;
+    rs = next;
+  }
+  return eta;
+}
+
+void FrontBars::tell(const results::FrontResult& front, results::StepResult& result) {
+  if (front.no_bar.empty()) {
+    return;
+  }
+  results::Note note =
+      results::note(fmt::format("K of {} has no error bar: {}", front.name, front.no_bar));
+  if (std::ranges::find(told_, note) == told_.end()) {
+    told_.push_back(note);
+    result.notes.push_back(std::move(note));
+  }
+}
+
+void FrontBars::add(const FrozenStep& step, const FrontFunctionals& K,
+                    results::StepResult& result) {
+  if (!prepared_) {
+    prepare();
+  }
+  std::string reason = why_not(step);
+  std::optional<base::Vector> eta;
+  if (reason.empty()) {
+    eta = changes(step, K);
+    reason = eta ? "" : "what closed contacts hold gives way";
+  }
+  const crack::KLayout layout = scene_.k_layout();
+  std::size_t first = 0;
+  for (std::size_t f = 0; f < result.fronts.size(); ++f) {
+    results::FrontResult& front = result.fronts[f];
+    front.no_bar = front.doubt.empty() ? reason : front.doubt;
+    if (front.no_bar.empty()) {
+      base::Vector better = *eta;
+      for (std::size_t i = 0; i < front.points.size(); ++i) {
+        const results::FrontPlace& place = front.points[i];
+        better.segment<3>(layout.first(first + i)) += base::Vec3(place.K1, place.K2, place.K3);
+      }
+      add_front_bars(*eta, smooth_front(scene_.fronts[f], better, layout.first(first)),
+                     layout.first(first), front);
+    }
+    first += front.points.size();
+    tell(front, result);
+  }
+}
+
+} // namespace spricka::analysis

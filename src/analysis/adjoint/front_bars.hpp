@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/adjoint/frozen_change.hpp"
+#include "analysis/scene/front_functionals.hpp"
+#include "estimate/space_enrichment.hpp"
+#include "results/results.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace spricka::analysis {
+
+/// K along the fronts of a scene as functions of displacements and contact forces.
+struct FrontFunctionals {
+  crack::SparseRows rows; ///< [3 * node, K]
+  base::Matrix of_force;  ///< [K, row of the table]
+};
+
+/// One solved step and what its answer is when something is changed.
+struct FrozenStep {
+  const StepSolver& solver;
+  const StepState& state;
+  const ClosedRows& contact;
+  const FrozenSystem& system;
+};
+
+/// Processor ESTIMATE in space: error bars of K along fronts, from the solution that cubic elements
+/// would have (manual, estimate.20 to 24).
+class FrontBars {
+public:
+  /// All must outlive it; nothing is computed before the first step that needs it.
+  FrontBars(const model::Model& model, const Scene& scene);
+
+  /// Gives the fronts of a step, which was solved last, their bars, or says why they have none.
+  void add(const FrozenStep& step, const FrontFunctionals& K, results::StepResult& result);
+
+private:
+  void prepare();
+  [[nodiscard]] base::Vector load(const StepState& state);
+  [[nodiscard]] std::string why_not(const FrozenStep& step) const;
+  /// What cubic elements add to K. [K]; empty: a solution failed
+  [[nodiscard]] std::optional<base::Vector> changes(const FrozenStep& step,
+                                                    const FrontFunctionals& K);
+  void tell(const results::FrontResult& front, results::StepResult& result);
+
+  const model::Model& model_;
+  const Scene& scene_;
+  bool prepared_ = false;
+  std::string why_not_; ///< of the whole mesh
+  std::optional<estimate::SpaceEnrichment> enrichment_;
+  crack::SparseRows goals_;                            ///< [freedoms of modes, K]
+  std::vector<std::optional<base::Vector>> case_load_; ///< [case] on the modes
+  std::vector<results::Note> told_;
+};
+
+} // namespace spricka::analysis

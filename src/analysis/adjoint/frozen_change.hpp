@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/adjoint/adjoints.hpp"
+
+#include <string>
+#include <vector>
+
+namespace spricka::analysis {
+
+/// Which rows of the table the step that was solved last ended with closed, and whether some rub.
+struct ClosedRows {
+  std::vector<bool> closed; ///< [row of the table]
+  bool rubs = false;
+};
+ClosedRows closed_rows(const StepSolver& solver, const Scene& scene);
+
+/// What displacements and contact forces change by as loads and gaps do, rows that are closed
+/// staying so and open ones open: one back-substitution for each column.
+struct FrozenChange {
+  base::Matrix u;             ///< [dim * node, k]
+  base::Matrix force;         ///< [row of the table, k]
+  contact::FreeResponse free; ///< without contact forces, where there are contacts
+  std::string why_not;        ///< empty: there is one
+};
+
+/// All must outlive it.
+class FrozenSystem {
+public:
+  FrozenSystem(const StepSolver& solver, const Scene& scene, const std::vector<BodyNet>& bodies,
+               const std::vector<bool>& closed);
+
+  /// Loads [dim * node, k], of which only those on independent freedoms count once ties are
+  /// reduced; gaps [row, k], or no columns.
+  [[nodiscard]] FrozenChange change(base::Matrix loads, const base::Matrix& gaps) const;
+  [[nodiscard]] const contact::HeldContact* held() const { return held_.get(); }
+
+private:
+  const StepSolver& solver_;
+  const Scene& scene_;
+  const std::vector<BodyNet>& bodies_;
+  std::unique_ptr<contact::HeldContact> held_;
+};
+
+} // namespace spricka::analysis

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/vec.hpp"
+#include "contact/space_tractions.hpp"
+#include "estimate/space_modes.hpp"
+#include "fe/dependence.hpp"
+#include "model/forward.hpp"
+#include "model/freedoms.hpp"
+#include "model/loads.hpp"
+#include "model/mesh.hpp"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+/// The cubic modes of a mesh of solids: numbers, products with their stiffness, loads. No matrix is
+/// kept: forces follow from displacements at the points of a rule (fe.8).
+namespace spricka::estimate {
+
+/// Why a model of solids cannot be enriched; empty: it can.
+std::string not_enriched_in_space(const model::Model& model, const model::Mesh& mesh);
+
+class SpaceEnrichment {
+public:
+  /// Held are modes along freedoms that supports hold at all nodes of an edge or a face, and modes
+  /// of edges and faces that ties join (manual, estimate.22). All must outlive it.
+  SpaceEnrichment(const model::Model& model, const model::Mesh& mesh,
+                  const std::vector<model::FreedomClass>& cls, const fe::Dependence& ties);
+
+  /// Three directions of each mode. [freedoms]
+  [[nodiscard]] Eigen::Index freedoms() const { return freedoms_; }
+  /// Modes of an element in the order of SpaceModes.
+  [[nodiscard]] std::span<const std::int32_t> of_element(base::ElementId e) const {
+    return {mode_.data() + first_[e.index()], mode_.data() + first_[e.index() + 1]};
+  }
+  /// Whether the element's own function is the mode or its negative.
+  [[nodiscard]] std::span<const double> signs(base::ElementId e) const {
+    return {sign_.data() + first_[e.index()], sign_.data() + first_[e.index() + 1]};
+  }
+
+  /// What displacements of nodes v [3 * node] and modes x [freedoms] load the modes with,
+  /// K_ep v + K_ee x, on free ones; null: zero.
+  [[nodiscard]] base::Vector on_modes(const base::Vector* v, const base::Vector* x) const;
+  /// Both: K_pe x on the nodes [3 * node] and K_ee x on the modes.
+  void product(const base::Vector& x, base::Vector& on_nodes, base::Vector& on_modes) const;
+  /// The inverse of the 3 by 3 diagonal blocks of K_ee, times r on free ones.
+  [[nodiscard]] base::Vector precondition(const base::Vector& r) const;
+  /// Zero where held. [freedoms]
+  [[nodiscard]] const base::Vector& free() const { return free_; }
+
+  /// Forces on the modes of spread loads of a case; temperatures are not among them.
+  [[nodiscard]] base::Vector load(const model::LoadCase& load_case) const;
+  /// Adds what forces at points of faces, as contacts have them, do.
+  void add_tractions(const std::vector<contact::FaceTraction>& tractions, base::Vector& f) const;
+
+private:
+  void sum_diagonal();
+  void add_on_side(const model::Face& face, const base::Vec2& r, const base::Vec3& force,
+                   base::Vector& f) const;
+  void add_inside(base::ElementId e, const base::Vec3& r, const base::Vec3& force,
+                  base::Vector& f) const;
+  void apply(const base::Vector* v, const base::Vector* x, base::Vector* on_nodes,
+             base::Vector& on_modes) const;
+
+  const model::Model& model_;
+  const model::Mesh& mesh_;
+  Eigen::Index freedoms_ = 0;
+  std::vector<std::size_t> first_; ///< [element + 1] into mode_ and sign_
+  std::vector<std::int32_t> mode_;
+  std::vector<double> sign_;
+  base::Vector free_;
+  std::vector<Eigen::Matrix3d> inverse_; ///< [mode]
+};
+
+/// Place on an element of a place on one of its sides, both in reference coordinates.
+base::Vec3 place_on_element(base::ElementType type, int side, const base::Vec2& r);
+
+} // namespace spricka::estimate

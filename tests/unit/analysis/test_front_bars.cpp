@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Error bars of K along fronts against closed forms: do they hold, and are they tight?
+#include "tests/unit/support/solved_text.hpp"
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace spricka {
+namespace {
+
+constexpr double nu = 0.3;
+constexpr double counts_from = 1e-3; // errors of this part of the largest K count for the width
+
+using Exact = std::function<std::array<double, 3>(const std::string& step, double phi)>;
+
+// An ellipse in a large block under tension, shear and bending (decks/penny_solid.deck,
+// decks/ellipse_solid.deck).
+std::string buried(double a, double c, double half, const std::string& tip) {
+  return fmt::format(R"($DECK VERSION=1 LENGTH=mm FORCE=N
+$PARAMETER
+  L = {2}
+  c = {1}
+$NET NAME=BODY
+  $MESH SHAPE=BLOCK TYPE=TET10 X0=(-L) Y0=(-L) Z0=(-L) LX=(2*L) LY=(2*L) LZ=(2*L) NX=4 NY=4 NZ=4
+$ENDNET
+$MATERIAL NAME=M E=1000 NU=0.3
+$PROPERTY ESET=BODY.BODY MATERIAL=M STATE=SOLID
+$NSET NAME=P1 WHERE=(x < -L + 1e-6 and y < -L + 1e-6 and z < -L + 1e-6)
+$NSET NAME=P2 WHERE=(x > L - 1e-6 and y < -L + 1e-6 and z < -L + 1e-6)
+$NSET NAME=P3 WHERE=(x < -L + 1e-6 and y > L - 1e-6 and z < -L + 1e-6)
+$FREEDOM CLASS=SUPPRESSED DOF=XYZ
+  P1
+$FREEDOM CLASS=SUPPRESSED DOF=YZ
+  P2
+$FREEDOM CLASS=SUPPRESSED DOF=Z
+  P3
+$CRACK NAME=C1 NET=BODY A={0} C={1} X0=0 Y0=0 Z0=0 NORMAL=Z
+{3}
+$LOAD CASE=PULL TYPE=TRACTION
+  BODY.ZMAX  0 0 1
+  BODY.ZMIN  0 0 -1
+$LOAD CASE=SHEAR TYPE=TRACTION
+  BODY.ZMAX  1 0 0
+  BODY.ZMIN  -1 0 0
+  BODY.XMAX  0 0 1
+  BODY.XMIN  0 0 -1
+$LOAD CASE=BEND TYPE=TRACTION
+  BODY.ZMAX  0 0 (x/c)
+  BODY.ZMIN  0 0 (-x/c)
+$STEP NAME=PULL
+  LOAD PULL 1
+$STEP NAME=BOTH
+  LOAD {4} 1
+$END
+)",
+                     a, c, half, tip, a == c ? "SHEAR" : "BEND");
+}
+
+// Sneddon 1946, Segedin 1951.
+std::array<double, 3> penny(const std::string& step, double phi) {
+  const double shear = step == "BOTH" ? 4.0 / (2.0 - nu) / std::sqrt(std::numbers::pi) : 0.0;
+  return {2.0 / std::sqrt(std::numbers::pi), shear * std::cos(phi),
+          (1.0 - nu) * shear * std::sin(phi)};
+}
+
+// Irwin 1962, and under a linear stress (references of decks/ellipse_solid.deck).
+std::array<double, 3> ellipse(const std::string& step, double phi) {
+  constexpr double a = 0.5;
+  const auto D = [&](double f) { return std::hypot(std::cos(f), std::sin(f) / a); };
+  double I0 = 0.0;
+  double Ic = 0.0;
+  constexpr int n = 2000;
+  for (int i = 0; i < n; ++i) {
+    const double f = 2.0 * std::numbers::pi * i / n;
+    I0 += D(f) * 2.0 * std::numbers::pi / n;
+    Ic += D(f) * std::pow(std::cos(f), 2) * 2.0 * std::numbers::pi / n;
+  }
+  const double bend = step == "BOTH" ? 4.0 * std::cos(phi) / (3.0 * Ic) : 0.0;
+  return {std::sqrt(std::numbers::pi * D(phi)) * (4.0 / I0 + bend), 0.0, 0.0};
+}
+
+struct Tally {
+  int all = 0, inside = 0, large = 0, tight = 0;
+  double error = 0.0, best = 0.0; ///< squares, of the largest K
+};
+
+Tally tally_of(const test::Solved& solved, const Exact& exact) {
+  Tally tally;
+  for (const results::StepResult& step : solved.run.increments.front().steps) {
+    const results::FrontResult& front = step.fronts.front();
+    EXPECT_EQ(front.no_bar, "");
+    double size = 0.0;
+    for (const results::FrontPlace& place : front.points) {
+      size = std::max(size, std::hypot(place.K1, place.K2, place.K3));
+    }
+    for (const results::FrontPlace& place : front.points) {
+      const std::array<double, 3> truth = exact(step.step, place.phi);
+      const std::array<double, 3> K{place.K1, place.K2, place.K3};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double error = std::abs(truth[k] - K[k]);
+        const double bar = place.bar[k].size();
+        tally.all += 1;
+        tally.inside += error <= bar ? 1 : 0;
+        if (error > counts_from * size) {
+          tally.large += 1;
+          tally.tight += error <= bar && bar <= 3.0 * error ? 1 : 0;
+        }
+        tally.error += std::pow(error / size, 2);
+        tally.best += std::pow((truth[k] - place.bar[k].best) / size, 2);
+      }
+    }
+  }
+  return tally;
+}
+
+void judge(const std::string& deck, const Exact& exact) {
+  const auto solved = test::solve_text(deck);
+  ASSERT_TRUE(solved);
+  const Tally t = tally_of(*solved, exact);
+  std::printf("%d of %d inside, %d of %d within 1 to 3, rms error %.3f %%, of best %.3f %%\n",
+              t.inside, t.all, t.tight, t.large, 100.0 * std::sqrt(t.error / t.all),
+              100.0 * std::sqrt(t.best / t.all));
+  EXPECT_GE(t.inside, 0.95 * t.all);
+  EXPECT_GE(t.tight, 0.8 * t.large);
+  EXPECT_LT(t.best, t.error / 4.0);
+}
+
+TEST(FrontBars, PennyUnderTensionAndShear) {
+  judge(buried(1.0, 1.0, 20.0, ""), penny);
+}
+
+TEST(FrontBars, PennyWithASmallTube) {
+  judge(buried(1.0, 1.0, 20.0, "$TIPNET CRACK=C1 RADIUS=0.12"), penny);
+}
+
+TEST(FrontBars, PennyWithFewSectors) {
+  judge(buried(1.0, 1.0, 20.0, "$TIPNET CRACK=C1 SECTORS=6"), penny);
+}
+
+TEST(FrontBars, EllipseUnderTensionAndBending) {
+  judge(buried(0.5, 1.0, 20.0, ""), ellipse);
+}
+
+} // namespace
+} // namespace spricka
