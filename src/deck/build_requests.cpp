@@ -30,7 +30,7 @@ constexpr std::array<Request, 5> requests{{{"U", Kind::any_set},
                                            {"REACTION", Kind::any_set}}};
 
 // Files of every run folder or sweep; none is given away.
-constexpr std::array<std::string_view, 15> own_files{
+constexpr std::array<std::string_view, 16> own_files{
     "k.csv",       "sensitivity.csv", "pressure.csv",
     "listing.txt", "load_path.csv",   "load_path_fronts.csv",
     "life.csv",    "life_curve.csv",  "beta.csv",
