@@ -165,11 +165,6 @@ std::vector<AlongFronts> along_fronts() {
                    fmt::format("interference of a contact times d{} by it", K), false});
     all.push_back({fmt::format("D{}.E", K), "sm", stress_intensity,
                    fmt::format("Young's modulus of a material times d{} by it", K), false});
-    all.push_back({fmt::format("D{}.A", K), "s", stress_intensity,
-                   fmt::format("crack size times d{} by it, the front moved on by the same all "
-                               "along",
-                               K),
-                   false});
   }
   return all;
 }
