@@ -184,9 +184,9 @@ FrontPlace FrontAxes::place(const Vec3& x, FaceSide side) const {
   place.r = std::hypot(place.y, place.z);
   place.theta = std::atan2(place.z, place.y);
   if (side != FaceSide::none) {
-    // Edges on the front are parabolas: where its curvature changes they pass it by some thousandths
-    // of a radius, and points of a face beside it may lie ahead of the curve, where the partners'
-    // stress has no bound.
+    // Edges on the front are parabolas: where its curvature changes they pass it by some
+    // thousandths of a radius, and points of a face beside it may lie ahead of the curve, where the
+    // partners' stress has no bound.
     place.theta = side == FaceSide::upper ? std::numbers::pi : -std::numbers::pi;
   }
   return place;
