@@ -56,6 +56,8 @@ $LOAD CASE=SHEAR TYPE=TRACTION
   B.XMIN 0 0 -1
 $LOAD CASE=RIM TYPE=FACES
   C (2*(x*x + y*y) - 1)
+$LOAD CASE=BEND TYPE=FACES
+  C (0.2 + x)
 )" + steps +
          "$END\n";
 }
@@ -180,6 +182,40 @@ TEST(SolidFaceContact, ClosesInItsMiddle) {
   EXPECT_NEAR(open->step().fronts.front().points.front().K1, 0.376, 0.02);
   EXPECT_TRUE(open->step().fronts.front().doubt.empty()); // it opens at the front
   EXPECT_TRUE(tells(open->step(), "overlap"));
+}
+
+// A front that is closed along a part of it: the energy of two radii is that of G along it, and G
+// that of K.
+TEST(SolidFaceContact, ClosesAlongAPartOfTheFront) {
+  const auto solve = [](const std::string& a) {
+    std::string deck = penny("", "$STEP NAME=S\n  LOAD BEND 1\n");
+    return solve_text(deck.replace(deck.find("A=1 "), 4, "A=" + a + " "));
+  };
+  const auto less = solve("0.98");
+  const auto at = solve("1");
+  const auto more = solve("1.02");
+  ASSERT_TRUE(less && at && more);
+  const results::FrontResult& front = at->step().fronts.front();
+  EXPECT_TRUE(front.doubt.empty());
+  double released = 0.0;
+  double of_K = 0.0;
+  std::size_t closed = 0;
+  const std::size_t count = front.points.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const results::FrontPlace& place = front.points[i];
+    const double ahead = i + 1 < count ? front.points[i + 1].s : front.length;
+    const double behind = i > 0 ? front.points[i - 1].s : front.points.back().s - front.length;
+    released += 0.5 * (ahead - behind) * place.G;
+    of_K += 0.5 * (ahead - behind) * place.G_from_K;
+    closed += place.closed ? 1 : 0;
+    EXPECT_TRUE(place.closed || place.x.x() > -0.55) << place.x.x();
+    EXPECT_TRUE(!place.closed || place.x.x() < -0.15) << place.x.x();
+    EXPECT_EQ(place.K1 == 0.0, place.closed);
+  }
+  EXPECT_GT(closed, 0U);
+  const double differenced = (more->step().energy - less->step().energy) / 0.04;
+  EXPECT_NEAR(released, differenced, 0.01 * differenced);
+  EXPECT_NEAR(of_K, differenced, 0.02 * differenced);
 }
 
 // Pulled, pressed and pulled again: faces close and open again, and what friction did is gone.
