@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/scene/cut_cracks.hpp"
 
+#include "analysis/scene/moved_borders.hpp"
 #include "analysis/scene/solid_cracks.hpp"
 #include "analysis/scene/tip_net_of.hpp"
 #include "growth/crack_lines.hpp"
@@ -77,7 +78,12 @@ std::optional<mesh::CrackedMesh> cracked_mesh(const model::Model& model,
     spans.push_back(model.cracks[line.crack.index()].span);
   }
   const mesh::Host host(model.mesh);
-  return mesh::insert_cracks(host, lines, tip_meshes(model, host, lines), spans, diagnostics);
+  std::optional<mesh::CrackedMesh> cracked =
+      mesh::insert_cracks(host, lines, tip_meshes(model, host, lines), spans, diagnostics);
+  if (cracked) {
+    tell_moved_borders(model, *cracked, diagnostics);
+  }
+  return cracked;
 }
 
 RegionPlan plan_region(const model::Model& model, const std::vector<double>& lengths,
