@@ -41,6 +41,14 @@ double pressed_scale(const FrontState& at) {
   return 2.0 * pressure * std::sqrt(size / std::numbers::pi);
 }
 
+// K that displacements leave by round-off where a crack is carried along.
+double round_off_scale(const FrontState& at) {
+  const double size = at.front.a > 0.0 ? at.front.a : at.front.radius;
+  return at.K.empty() ? 0.0
+                      : 1e-6 * at.K.front().E_effective * at.state.u.lpNorm<Eigen::Infinity>() /
+                            std::sqrt(size);
+}
+
 // Faces that may lie in one another: what overlaps is told, and where K1 < 0 K is no answer.
 void tell_front_overlap(const FrontState& at, results::FrontResult& result,
                         results::StepResult& out) {
@@ -85,12 +93,12 @@ void note_front(std::size_t closed, std::size_t held, const results::FrontResult
   const std::string where = closed == count
                                 ? "all round the front"
                                 : fmt::format("at {} of {} points of the front", closed, count);
-  const std::string stuck = held == 0 ? ""
-                            : held == closed
-                                ? " and have not slipped: K = 0 there"
-                                : fmt::format(" and have not slipped at {}: K = 0 there", held);
-  out.notes.push_back(results::note(fmt::format("{}: the crack faces touch {}{}", result.name,
-                                                where, held > 0 ? stuck : ": K1 = 0 there")));
+  std::string left = ": K1 = 0 there";
+  if (held > 0) {
+    left = fmt::format(" and have not slipped at {}: K = 0 there", held);
+  }
+  out.notes.push_back(
+      results::note(fmt::format("{}: the crack faces touch {}{}", result.name, where, left)));
 }
 
 } // namespace
@@ -100,7 +108,13 @@ void judge_front(const FrontState& at, results::FrontResult& result, results::St
     tell_front_overlap(at, result, out);
     return;
   }
-  const double scale = std::max(largest_of(at.K), pressed_scale(at));
+  if (at.faces.empty()) { // no rows have been violated: nodes must say the same
+    if (const std::string overlap = face_overlap(at.scene, at.front, at.state); !overlap.empty()) {
+      result.doubt = overlap;
+      out.notes.push_back(results::warning(fmt::format("{}: {}", result.name, overlap)));
+    }
+  }
+  const double scale = std::max({largest_of(at.K), pressed_scale(at), round_off_scale(at)});
   std::size_t closed = 0;
   std::size_t held = 0;
   double worst = 0.0;  // K1 of closed points

@@ -147,10 +147,11 @@ bool many_alike(const std::vector<results::ContactPoint>& points, std::size_t i)
 // nodes are all that is closed or open, to their distance.
 void note_parting(const Scene& scene, std::size_t pair, results::ContactResult& result,
                   results::StepResult& out) {
-  const bool faces = !result.space && std::ranges::any_of(scene.crack_face_pairs,
-                                         [&](const std::optional<CrackFacePair>& crack_face) {
-                                           return crack_face && crack_face->pair == pair;
-                                         });
+  const bool faces =
+      !result.space && std::ranges::any_of(scene.crack_face_pairs,
+                                           [&](const std::optional<CrackFacePair>& crack_face) {
+                                             return crack_face && crack_face->pair == pair;
+                                           });
   for (const double end : {result.arc_from, result.arc_to}) {
     for (std::size_t i = 1; faces && i < result.points.size(); ++i) {
       const results::ContactPoint& a = result.points[i - 1];

@@ -50,8 +50,8 @@ double solid_face_overlap(const model::Model& model, const Scene& scene, std::si
   for (const auto& [upper, lower] : scene.cracked.faces[line].twins()) {
     largest = std::max(largest, (at_node(u, upper) - at_node(u, lower)).norm());
   }
-  if (!(largest > 0.0)) {
-    return 0.0;
+  if (!(largest > slip_of_solid_round_off * u.lpNorm<Eigen::Infinity>())) {
+    return 0.0; // nothing loads the crack
   }
   double deepest = 0.0;
   for (const contact::ConstraintRow& row : solid_face_pair(model, scene, line, false).normal) {
