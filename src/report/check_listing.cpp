@@ -198,6 +198,13 @@ std::string check_listing(const Preview& preview) {
   if (!preview.scripts.empty()) {
     out += "\n" + to_text(script_table(preview.scripts));
   }
+  // Cracks in space have no mouth and tip for the table: kind, front, tube and patch stand in
+  // notes.
+  for (const results::LengthPreview& length : preview.lengths) {
+    for (const std::string& note : preview.dim == 3 ? length.notes : std::vector<std::string>()) {
+      out += fmt::format("\n  note: {}", note);
+    }
+  }
   out += fmt::format("\n  {} elements turned inside out\n", preview.inside_out);
   out += fmt::format("  steps: {}\n", fmt::join(preview.steps, " "));
   if (!preview.sweep.empty()) {
