@@ -19,18 +19,31 @@ std::size_t piece_count(const FrontResult& front) {
   return front.closed ? n : n - std::min<std::size_t>(n, 1);
 }
 
-// Which of K1, K2, K3, that have a smooth curve.
-std::optional<std::size_t> mode_of(const FrontQuantity& quantity) {
+// Which of K1, K2, K3, that have a smooth curve, or of these with their estimated error taken out.
+struct CurveOf {
+  std::size_t mode = 0;
+  bool best = false;
+  // Where the front leaves the body there is no error to take out.
+  [[nodiscard]] double operator()(const FrontPlace& place) const {
+    return best && !place.at_surface ? place.bar[mode].best : place.smooth[mode];
+  }
+};
+
+std::optional<CurveOf> curve_of(const FrontQuantity& quantity) {
   static constexpr std::array modes{&FrontPlace::K1, &FrontPlace::K2, &FrontPlace::K3};
-  const auto* const mode = std::ranges::find(modes, quantity.member);
-  return mode == modes.end() ? std::nullopt
-                             : std::optional(static_cast<std::size_t>(mode - modes.begin()));
+  static constexpr std::array<std::string_view, 3> best{"K1_best", "K2_best", "K3_best"};
+  for (std::size_t mode = 0; mode < modes.size(); ++mode) {
+    if (quantity.member == modes[mode] || quantity.name == best[mode]) {
+      return CurveOf{mode, quantity.name == best[mode]};
+    }
+  }
+  return std::nullopt;
 }
 
 // The cubic through the smooth values of the two points on either side of a place (fewer on a front
 // of fewer): K at a point is the mean over its hat, and chords between points cut the curve by as
 // much again.
-double on_curve(const FrontResult& front, std::size_t mode, std::size_t piece, double part) {
+double on_curve(const FrontResult& front, const CurveOf& curve, std::size_t piece, double part) {
   const std::size_t n = front.points.size();
   const std::size_t count = std::min<std::size_t>(n, 4);
   // The first of them, counted from 1 so that a closed front may begin before its first point.
@@ -40,7 +53,7 @@ double on_curve(const FrontResult& front, std::size_t mode, std::size_t piece, d
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t i = first + k + n - 1;
     s[k] = front.points[i % n].s + front.length * (static_cast<double>(i / n) - 1.0);
-    value[k] = front.points[i % n].smooth[mode];
+    value[k] = curve(front.points[i % n]);
   }
   const double from = front.points[piece].s;
   const double to = piece + 1 < n ? front.points[piece + 1].s : front.points[0].s + front.length;
@@ -58,8 +71,8 @@ double on_curve(const FrontResult& front, std::size_t mode, std::size_t piece, d
 
 double between(const FrontResult& front, const FrontQuantity& quantity, std::size_t piece,
                double part) {
-  if (const auto mode = mode_of(quantity)) {
-    return on_curve(front, *mode, piece, part);
+  if (const auto curve = curve_of(quantity)) {
+    return on_curve(front, *curve, piece, part);
   }
   const FrontPlace& from = front.points[piece];
   const FrontPlace& to = front.points[(piece + 1) % front.points.size()];
