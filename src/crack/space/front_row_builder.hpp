@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "crack/space/face_forces.hpp"
+#include "crack/space/front_rows.hpp"
+#include "crack/space/solid_blocks.hpp"
+#include "fe/face.hpp"
+#include "shape/topology.hpp"
+
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+/// How the entries of K's rows are gathered, element by element.
+namespace spricka::crack {
+
+/// How nodes move with one point of the front, the mean over its domains per length of the front.
+using PointMotion = std::map<base::NodeId, base::Vec3>;
+
+inline PointMotion motion_of(const mesh::FrontPoint& point,
+                             const std::vector<ExtensionField>& domains) {
+  PointMotion motion;
+  const double part = 1.0 / (static_cast<double>(domains.size()) * point.weight);
+  for (const ExtensionField& field : domains) {
+    for (const NodeMotion& moved : field.motion) {
+      motion.try_emplace(moved.node, base::Vec3::Zero()).first->second +=
+          part * moved.q * moved.along;
+    }
+  }
+  return motion;
+}
+
+/// Which partners, and where their rows go.
+struct PartnerColumns {
+  std::vector<std::size_t> partners;
+
+  [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(partners.size()); }
+};
+
+using RowEntries = std::vector<Eigen::Triplet<double>>;
+
+// A place of a side in the coordinates of the element, which has flat sides in them.
+template <shape::ElementShape S>
+shape::Point<3> place_on_solid(int side, const shape::Point<2>& r) {
+  const std::span<const int> local = shape::side_nodes(S::type, side);
+  shape::Point<3> place = shape::Point<3>::Zero();
+  const auto add = [&](const auto& N) {
+    for (Eigen::Index k = 0; k < N.size(); ++k) {
+      const auto node = static_cast<std::size_t>(local[static_cast<std::size_t>(k)]);
+      place += N[k] * Eigen::Map<const shape::Point<3>>(S::coordinates[node].data());
+    }
+  };
+  if (shape::side_corners(S::type, side) == 3) {
+    add(shape::Trim3::N(r));
+  } else {
+    add(shape::Quam4::N(r));
+  }
+  return place;
+}
+
+/// One front with the motions of its points, and which points move an element.
+class RowBuilder {
+public:
+  RowBuilder(const FrontSetting& set, const mesh::Front& front, const FrontFields& fields,
+             PartnerColumns columns)
+      : set_(set), fields_(fields), columns_(std::move(columns)) {
+    for (std::size_t i = 0; i < fields.points.size(); ++i) {
+      motion_.push_back(fields.points[i].empty() ? PointMotion()
+                                                 : motion_of(front.points[i], fields.points[i]));
+      for (const ExtensionField& field : fields.points[i]) {
+        for (const base::ElementId e : field.elements) {
+          points_of_[e].insert(i);
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] SparseRows rows() {
+    for_solid_blocks(set_.mesh, fields_.elements(),
+                     [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
+                       for (const base::ElementId e : block) {
+                         add_element<S>(e);
+                       }
+                     });
+    for (const FrontSide& side : fields_.sides) {
+      fe::with_side(set_.mesh, side.face, [&]<shape::Shape Side>(Side) {
+        if constexpr (Side::dim == 2) {
+          add_side<Side>(side);
+        }
+      });
+    }
+    return made(3 * static_cast<Eigen::Index>(set_.mesh.node_count()));
+  }
+
+  [[nodiscard]] SparseRows rows_of(const OtherFunctions& others) {
+    for_solid_blocks(set_.mesh, fields_.elements(),
+                     [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
+                       for (const base::ElementId e : block) {
+                         add_others<S>(e, others);
+                       }
+                     });
+    for (const FrontSide& side : fields_.sides) {
+      fe::with_side(set_.mesh, side.face, [&]<shape::Shape Side>(Side) {
+        if constexpr (Side::dim == 2) {
+          add_others_on<Side>(side, others);
+        }
+      });
+    }
+    return made(3 * others.count);
+  }
+
+  [[nodiscard]] SparseRows force_rows(const std::vector<FaceForces>& places) {
+    std::map<model::Face, FaceSide> moved;
+    for (const FrontSide& side : fields_.sides) {
+      moved.emplace(side.face, side.on);
+    }
+    Eigen::Index first = 0;
+    for (const FaceForces& place : places) {
+      const auto known = moved.find(place.face);
+      if (known != moved.end()) {
+        fe::with_side(set_.mesh, place.face, [&]<shape::Shape Side>(Side) {
+          if constexpr (Side::dim == 2) {
+            add_places<Side>(place, known->second, first);
+          }
+        });
+      }
+      first += 3 * static_cast<Eigen::Index>(place.points.size());
+    }
+    return made(first);
+  }
+
+private:
+  [[nodiscard]] SparseRows made(Eigen::Index count) const {
+    SparseRows rows(count, columns_.count() * static_cast<Eigen::Index>(motion_.size()));
+    rows.setFromTriplets(entries_.begin(), entries_.end());
+    return rows;
+  }
+
+  // The motion of some nodes with a point of the front; false: they rest.
+  template <class Nodes, class Motion>
+  bool gather(std::size_t point, const Nodes& nodes, Motion& q) const {
+    bool moves = false;
+    q.setZero();
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      const auto at = motion_[point].find(nodes[n]);
+      if (at != motion_[point].end()) {
+        q.col(static_cast<Eigen::Index>(n)) = at->second;
+        moves = true;
+      }
+    }
+    return moves;
+  }
+
+  void put(Eigen::Index row, std::size_t point, std::size_t column, const base::Vec3& value) {
+    const Eigen::Index at =
+        columns_.count() * static_cast<Eigen::Index>(point) + static_cast<Eigen::Index>(column);
+    for (Eigen::Index c = 0; c < 3; ++c) {
+      if (value[c] != 0.0) {
+        entries_.emplace_back(row + c, at, value[c]);
+      }
+    }
+  }
+
+  // The displacement gradient H is contracted with s(A - q_k,k H_w) + sigma_w (grad q)^T +
+  // div sigma_w (x) q, A = H_w grad q (crack_space.10).
+  template <shape::ElementShape S> void add_element(base::ElementId e) {
+    const fe::NodeVectors<S> X = fe::coordinates<S>(set_.mesh, e);
+    const std::span<const base::NodeId> nodes = set_.mesh.nodes_of(e);
+    std::vector<std::pair<std::size_t, fe::NodeVectors<S>>> moved;
+    for (const std::size_t i : points_of_.at(e)) {
+      fe::NodeVectors<S> q;
+      if (gather(i, nodes, q)) {
+        moved.emplace_back(i, q);
+      }
+    }
+    const std::size_t width = columns_.partners.size();
+    std::vector<fe::NodeVectors<S>> sums(moved.size() * width, fe::NodeVectors<S>::Zero());
+    for (const auto& point : shape::quadrature<S>(front_degree)) {
+      const fe::Jacobian<S> at = fe::jacobian<S>(X, point.r);
+      const Eigen::Matrix<double, S::nodes, 1> N = S::N(point.r);
+      const FrontPlace place = set_.axes.place(X * N);
+      const TurningAxes axes(place);
+      for (std::size_t k = 0; k < width; ++k) {
+        const MovingField w = moving_field(columns_.partners[k], place, axes, set_.body);
+        for (std::size_t j = 0; j < moved.size(); ++j) {
+          const Tensor<3> grad = moved[j].second * at.dNdx;
+          const Tensor<3> M = isotropic_stress(set_.body, w.H * grad - grad.trace() * w.H) +
+                              w.sigma * grad.transpose() +
+                              w.divergence * (moved[j].second * N).transpose();
+          sums[width * j + k] += point.weight * at.det * M * at.dNdx.transpose();
+        }
+      }
+    }
+    for (std::size_t j = 0; j < moved.size(); ++j) {
+      for (std::size_t k = 0; k < width; ++k) {
+        const double factor = set_.factor(columns_.partners[k]);
+        for (std::size_t n = 0; n < nodes.size(); ++n) {
+          put(3 * static_cast<Eigen::Index>(nodes[n].index()), moved[j].first, k,
+              factor * sums[width * j + k].col(static_cast<Eigen::Index>(n)));
+        }
+      }
+    }
+  }
+
+  template <shape::Shape Side> void add_side(const FrontSide& side) {
+    const fe::SideNodes<Side> X = fe::side_coordinates<Side>(set_.mesh, side.face);
+    const auto nodes = fe::nodes_of_face<Side>(set_.mesh, side.face);
+    for (const std::size_t i : points_of_.at(side.face.element)) {
+      fe::SideNodes<Side> q;
+      if (!gather(i, nodes, q)) {
+        continue;
+      }
+      for (const auto& point : shape::quadrature<Side>(front_degree)) {
+        const Eigen::Matrix<double, Side::nodes, 1> N = Side::N(point.r);
+        const FrontPlace place = set_.axes.place(X * N, side.on);
+        const base::Vec3 area = point.weight * fe::area_vector<Side>(X, point.r);
+        const Eigen::Matrix<double, Side::nodes, 1> along =
+            surface_gradients<Side>(X, point.r) * (q * N);
+        for (std::size_t k = 0; k < columns_.partners.size(); ++k) {
+          const std::size_t partner = columns_.partners[k];
+          const base::Vec3 t =
+              set_.factor(partner) * (moving_field(partner, place, set_.body).sigma * area);
+          for (std::size_t n = 0; n < nodes.size(); ++n) {
+            put(3 * static_cast<Eigen::Index>(nodes[n].index()), i, k,
+                -along[static_cast<Eigen::Index>(n)] * t);
+          }
+        }
+      }
+    }
+  }
+
+  // As add_element, contracted with the gradients of other functions.
+  template <shape::ElementShape S>
+  void add_others(base::ElementId e, const OtherFunctions& others) {
+    const fe::NodeVectors<S> X = fe::coordinates<S>(set_.mesh, e);
+    const std::span<const base::NodeId> nodes = set_.mesh.nodes_of(e);
+    const auto count = static_cast<Eigen::Index>(others.of_element(e).size());
+    std::vector<std::pair<std::size_t, fe::NodeVectors<S>>> moved;
+    for (const std::size_t i : points_of_.at(e)) {
+      fe::NodeVectors<S> q;
+      if (gather(i, nodes, q)) {
+        moved.emplace_back(i, q);
+      }
+    }
+    const std::size_t width = columns_.partners.size();
+    std::vector<Eigen::Matrix3Xd> sums(moved.size() * width, Eigen::Matrix3Xd::Zero(3, count));
+    const std::vector<Eigen::MatrixX3d>& table = slope_table<S>(others);
+    std::size_t number = 0;
+    for (const auto& point : shape::quadrature<S>(front_degree)) {
+      const fe::Jacobian<S> at = fe::jacobian<S>(X, point.r);
+      const Eigen::Matrix<double, S::nodes, 1> N = S::N(point.r);
+      const Eigen::Matrix3Xd slopes = (table[number++] * at.J.inverse()).transpose();
+      const FrontPlace place = set_.axes.place(X * N);
+      const TurningAxes axes(place);
+      for (std::size_t k = 0; k < width; ++k) {
+        const MovingField w = moving_field(columns_.partners[k], place, axes, set_.body);
+        for (std::size_t j = 0; j < moved.size(); ++j) {
+          const Tensor<3> M =
+              point.weight * at.det * contracted(w, moved[j].second * at.dNdx, moved[j].second * N);
+          sums[width * j + k].noalias() += M * slopes;
+        }
+      }
+    }
+    for (std::size_t j = 0; j < moved.size(); ++j) {
+      for (std::size_t k = 0; k < width; ++k) {
+        put_others(e, moved[j].first, k, set_.factor(columns_.partners[k]) * sums[width * j + k],
+                   others);
+      }
+    }
+  }
+
+  // Rows of an element's other functions. [3, function]
+  void put_others(base::ElementId e, std::size_t point, std::size_t column,
+                  const Eigen::Matrix3Xd& values, const OtherFunctions& others) {
+    const std::span<const std::int32_t> functions = others.of_element(e);
+    const std::span<const double> signs = others.signs(e);
+    for (std::size_t n = 0; n < functions.size(); ++n) {
+      put(3 * static_cast<Eigen::Index>(functions[n]), point, column,
+          signs[n] * values.col(static_cast<Eigen::Index>(n)));
+    }
+  }
+
+  // Slopes of other functions at the points of the rule.
+  template <shape::ElementShape S>
+  const std::vector<Eigen::MatrixX3d>& slope_table(const OtherFunctions& others) {
+    std::vector<Eigen::MatrixX3d>& table = slopes_[S::type];
+    if (table.empty()) {
+      for (const auto& point : shape::quadrature<S>(front_degree)) {
+        table.push_back(others.slopes(S::type, point.r));
+      }
+    }
+    return table;
+  }
+
+  // What the gradient of a displacement is contracted with (crack_space.10).
+  [[nodiscard]] Tensor<3> contracted(const MovingField& w, const Tensor<3>& grad,
+                                     const base::Vec3& moved) const {
+    return isotropic_stress(set_.body, w.H * grad - grad.trace() * w.H) +
+           w.sigma * grad.transpose() + w.divergence * moved.transpose();
+  }
+
+  // As add_side: the motion runs along the side, so that the element's own gradient serves.
+  template <shape::Shape Side>
+  void add_others_on(const FrontSide& side, const OtherFunctions& others) {
+    const fe::SideNodes<Side> X = fe::side_coordinates<Side>(set_.mesh, side.face);
+    const auto nodes = fe::nodes_of_face<Side>(set_.mesh, side.face);
+    for (const std::size_t i : points_of_.at(side.face.element)) {
+      fe::SideNodes<Side> q;
+      if (!gather(i, nodes, q)) {
+        continue;
+      }
+      for (const auto& point : shape::quadrature<Side>(front_degree)) {
+        const Eigen::Matrix<double, Side::nodes, 1> N = Side::N(point.r);
+        const FrontPlace place = set_.axes.place(X * N, side.on);
+        const base::Vec3 area = point.weight * fe::area_vector<Side>(X, point.r);
+        const Eigen::RowVectorXd along =
+            (slopes_on(side.face, point.r, others) * (q * N)).transpose();
+        for (std::size_t k = 0; k < columns_.partners.size(); ++k) {
+          const std::size_t partner = columns_.partners[k];
+          const base::Vec3 t =
+              set_.factor(partner) * (moving_field(partner, place, set_.body).sigma * area);
+          put_others(side.face.element, i, k, -t * along, others);
+        }
+      }
+    }
+  }
+
+  // Gradients in space of other functions at a place of a side. [function, 3]
+  [[nodiscard]] Eigen::MatrixX3d slopes_on(const model::Face& face, const shape::Point<2>& r,
+                                           const OtherFunctions& others) const {
+    Eigen::MatrixX3d slopes;
+    shape::with_shape(set_.mesh.type[face.element.index()], [&]<shape::ElementShape S>(S) {
+      if constexpr (S::dim == 3) {
+        const shape::Point<3> at = place_on_solid<S>(face.side, r);
+        const fe::Jacobian<S> J = fe::jacobian<S>(fe::coordinates<S>(set_.mesh, face.element), at);
+        slopes = others.slopes(S::type, at) * J.J.inverse();
+      }
+    });
+    return slopes;
+  }
+
+  template <shape::Shape Side>
+  void add_places(const FaceForces& on, FaceSide side, Eigen::Index first) {
+    const fe::SideNodes<Side> X = fe::side_coordinates<Side>(set_.mesh, on.face);
+    const auto nodes = fe::nodes_of_face<Side>(set_.mesh, on.face);
+    for (const std::size_t i : points_of_.at(on.face.element)) {
+      fe::SideNodes<Side> q;
+      if (!gather(i, nodes, q)) {
+        continue;
+      }
+      for (std::size_t p = 0; p < on.points.size(); ++p) {
+        const Eigen::Matrix<double, Side::nodes, 1> N = Side::N(on.points[p].r.head<2>());
+        const FrontPlace place = set_.axes.place(X * N, side);
+        if (!(place.r > 0.0)) {
+          continue; // the front itself, a line without an area
+        }
+        for (std::size_t k = 0; k < columns_.partners.size(); ++k) {
+          const std::size_t partner = columns_.partners[k];
+          put(first + 3 * static_cast<Eigen::Index>(p), i, k,
+              -set_.factor(partner) * (moving_field(partner, place, set_.body).H * (q * N)));
+        }
+      }
+    }
+  }
+
+  const FrontSetting& set_;
+  const FrontFields& fields_;
+  PartnerColumns columns_;
+  std::vector<PointMotion> motion_; ///< [point]
+  std::map<base::ElementId, std::set<std::size_t>> points_of_;
+  RowEntries entries_;
+  std::map<base::ElementType, std::vector<Eigen::MatrixX3d>> slopes_; ///< of other functions
+};
+
+} // namespace spricka::crack
