@@ -77,7 +77,21 @@ public:
 private:
   [[nodiscard]] bool on_a_crack(const model::Load& load) const {
     return std::ranges::any_of(model_.cracks, [&](const model::Crack& crack) {
-      return load.faces.valid() && (load.faces == crack.left || load.faces == crack.right);
+      return load.faces.valid() && (load.faces == crack.left || load.faces == crack.right ||
+                                    lies_on_path(mesh_.set(load.faces), crack));
+    });
+  }
+
+  // On a line of symmetry, which is held until the crack runs along it.
+  [[nodiscard]] bool lies_on_path(const model::FaceSet& set, const model::Crack& crack) const {
+    if (!crack.path.valid()) {
+      return false;
+    }
+    const std::vector<base::NodeId>& path = mesh_.set(crack.path).nodes;
+    return std::ranges::any_of(set.faces, [&](const model::Face& face) {
+      return std::ranges::all_of(mesh::nodes_of_faces(mesh_, {face}), [&](base::NodeId n) {
+        return std::ranges::find(path, n) != path.end();
+      });
     });
   }
 
