@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "crack/space/face_forces.hpp"
-#include "crack/space/front_rows.hpp"
+#include "crack/space/front_forces.hpp"
+#include "crack/space/other_functions.hpp"
 #include "crack/space/solid_blocks.hpp"
 #include "fe/face.hpp"
 #include "shape/topology.hpp"

@@ -2,32 +2,16 @@
 #pragma once
 #include "crack/k_layout.hpp"
 #include "crack/space/front_forces.hpp"
-
-#include <Eigen/SparseCore>
-
-#include <cstdint>
-#include <functional>
-#include <span>
+#include "crack/space/other_functions.hpp"
 
 /// K along a front as linear functions.
 namespace spricka::crack {
-
-using SparseRows = Eigen::SparseMatrix<double>;
 
 /// K1, K2 and K3 of all points as functions of u, rows^T u + what loads add: what front_intensity
 /// finds. The rows are their exact gradient, columns as in KLayout. [3 * node, 3 * points]
 SparseRows front_intensity_rows(const model::Model& model, const mesh::CrackedMesh& cracked,
                                 const mesh::Front& front, const FrontFields& fields);
 
-/// Functions beside those of the nodes, three directions each.
-struct OtherFunctions {
-  Eigen::Index count = 0;
-  /// Of an element: their numbers and signs.
-  std::function<std::span<const std::int32_t>(base::ElementId)> of_element;
-  std::function<std::span<const double>(base::ElementId)> signs;
-  /// Of a type: their slopes by its reference coordinates [function, 3].
-  std::function<Eigen::MatrixX3d(base::ElementType, const base::Vec3&)> slopes;
-};
 /// K as functions of what multiplies other functions, 3 * function + direction: the same functional
 /// as front_intensity_rows. [3 * count, 3 * points]
 SparseRows front_rows_of(const model::Model& model, const mesh::CrackedMesh& cracked,
