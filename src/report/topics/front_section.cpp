@@ -53,7 +53,7 @@ std::string front_cell(const results::FrontQuantity& q, const results::FrontPlac
   const double value = q.of(place);
   switch (q.kind) {
   case base::Quantity::angle:
-    return fmt::format("{:.2f}", value * degrees_per_radian);
+    return fmt::format("{:.2f}", std::round(value * degrees_per_radian * 100.0) / 100.0 + 0.0);
   case base::Quantity::number:
     return fmt::format("{:.2g}", value);
   case base::Quantity::stress_intensity:
