@@ -7,9 +7,11 @@ template <shape::ElementShape S>
 Jacobian<S> jacobian(const NodeVectors<S>& X, const shape::Point<S::dim>& r) {
   const Gradients<S> dN = S::dN(r);
   Jacobian<S> at;
-  at.J.noalias() = X * dN;
+  // Eigen would pack such small matrices for a product of large ones.
+  at.J = X.lazyProduct(dN);
   at.det = at.J.determinant();
-  at.dNdx.noalias() = dN * at.J.inverse();
+  const Eigen::Matrix<double, S::dim, S::dim> inverse = at.J.inverse();
+  at.dNdx = dN.lazyProduct(inverse);
   return at;
 }
 

@@ -82,7 +82,7 @@ double distance(const std::vector<Vec2>& polygon, const std::vector<Vec2>& polyl
 
 double rounded(double x) {
   static constexpr double grid = 67108864.0; // 2^26
-  return std::round(x * grid) / grid;
+  return std::round(x * grid) / grid + 0.0;  // of the two zeros that without a sign
 }
 
 Vec2 CrackFrame::exact(const Vec3& x) const {

@@ -12,7 +12,7 @@ namespace spricka::mesh {
 struct Region {
   std::vector<base::Vec2> points;
   std::vector<std::vector<int>> loops;    ///< closed polygons of points, region on the left
-  std::vector<std::vector<int>> embedded; ///< open polygons inside, ends on the loops
+  std::vector<std::vector<int>> embedded; ///< polygons inside, ends on the loops or free
 };
 
 struct Filling {

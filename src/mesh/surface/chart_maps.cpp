@@ -47,11 +47,28 @@ double extent_of(const FacetNet& net) {
   return (high - low).norm();
 }
 
+/// What a direction has across another one, unit; what a second one has where that is little.
+Vec3 across(const Vec3& normal, const Vec3& wanted, const Vec3& instead) {
+  const Vec3 lying = wanted - wanted.dot(normal) * normal;
+  return (lying.norm() > 0.1 ? lying : Vec3(instead - instead.dot(normal) * normal)).normalized();
+}
+
 /// e1 along the crack's normal where that lies in the plane.
 FlatFrame frame_across(const Vec3& normal, const CrackPlane& plane) {
-  const Vec3 lying = plane.normal - plane.normal.dot(normal) * normal;
-  const Vec3 e1 = lying.norm() > 0.1 ? lying.normalized() : normal.unitOrthogonal();
+  const Vec3 e1 = across(normal, plane.normal, plane.axis);
   return {plane.origin, e1, normal.cross(e1), plane.length};
+}
+
+/// Of a line's two directions the one along the crack's normal; along other axes of the crack
+/// where it lies in its plane.
+bool along_crack(const Vec3& axis, const CrackPlane& plane) {
+  for (const Vec3& way : {plane.normal, plane.axis, plane.normal.cross(plane.axis).eval()}) {
+    const double up = rounded(axis.dot(way));
+    if (up != 0.0) {
+      return up > 0.0;
+    }
+  }
+  return true;
 }
 
 struct Cylinder {
@@ -66,11 +83,8 @@ std::optional<Cylinder> fit_cylinder(const ChartPatch& patch) {
     moment += n * n.transpose() / std::max(n.norm(), 1e-300);
   }
   Vec3 axis = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moment).eigenvectors().col(0);
-  const double up = rounded(axis.dot(patch.plane.normal));
-  Eigen::Index largest = 0;
-  axis.cwiseAbs().maxCoeff(&largest);
-  axis *= up < 0.0 || (up == 0.0 && axis[largest] < 0.0) ? -1.0 : 1.0;
-  const Vec3 t1 = axis.unitOrthogonal();
+  axis *= along_crack(axis, patch.plane) ? 1.0 : -1.0;
+  const Vec3 t1 = across(axis, patch.plane.normal, patch.plane.axis);
   const Vec3 t2 = axis.cross(t1);
   const double extent = extent_of(patch.net);
   const Vec3 middle = patch.net.x().front();

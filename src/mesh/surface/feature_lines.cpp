@@ -103,6 +103,7 @@ FeatureLines::FeatureLines(const SurfaceGeometry& surface, const RegionPatches& 
   for (const auto& [node, point] : on_node_) {
     stops.insert(node);
   }
+  add_ends_of_lines(stops);
   for (const FeatureChain& chain : chain_edges(surface_.edges(), patches_.features(), stops)) {
     divide(chain);
   }
@@ -139,6 +140,17 @@ void FeatureLines::add_rim() {
     made.mid = surface_.place_on_edge(e, 0.0);
     made.host_mid = edge.mid;
     out_.edges.push_back(made);
+  }
+}
+
+/// Where a set has a node, and not the edges on both sides of it, a new edge ends.
+void FeatureLines::add_ends_of_lines(std::set<NodeId>& stops) const {
+  for (const std::size_t e : patches_.features()) {
+    for (const NodeId n : surface_.edges()[e].ends) {
+      if (surface_.lines(e) != surface_.lines(n)) {
+        stops.insert(n);
+      }
+    }
   }
 }
 
@@ -202,6 +214,7 @@ void FeatureLines::divide(const FeatureChain& feature) {
     made.points = {point_at(chain, s[i]), point_at(chain, s[i + 1])};
     made.kind = NewEdgeKind::feature;
     made.mid = chain.middle(s[i], s[i + 1]);
+    made.host_edge = feature.edges[chain.place(0.5 * (s[i] + s[i + 1])).i];
     out_.edges.push_back(made);
   }
 }
@@ -228,7 +241,7 @@ int FeatureLines::point_at(const Chain& chain, double s) {
 int FeatureLines::point_on_node(NodeId node, const SurfacePlace& place) {
   const auto [at, fresh] = on_node_.try_emplace(node, static_cast<int>(out_.points.size()));
   if (fresh) {
-    out_.points.push_back({place, NodeId()});
+    out_.points.push_back({place, surface_.lines(node).empty() ? NodeId() : node});
   }
   return at->second;
 }

@@ -4,6 +4,7 @@
 #include "mesh/surface/region_patches.hpp"
 
 #include <map>
+#include <set>
 #include <vector>
 
 namespace spricka::mesh {
@@ -31,6 +32,7 @@ private:
   struct Chain;
   void add_rim();
   void take_nodes();
+  void add_ends_of_lines(std::set<base::NodeId>& stops) const;
   void divide(const FeatureChain& feature);
   int point_at(const Chain& chain, double s);
   int point_on_node(base::NodeId node, const SurfacePlace& place);

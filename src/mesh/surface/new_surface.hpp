@@ -17,6 +17,7 @@ struct MouthEnd {
 struct SurfaceMouth {
   SurfaceLine line;            ///< of divide(); end places are those of the caps' corners
   std::array<MouthEnd, 2> end; ///< of its first and last corner
+  bool closed = false;         ///< its last corner is the first one again, both are free
 };
 
 /// What is to be meshed.
@@ -46,11 +47,13 @@ struct NewEdge {
   NewEdgeKind kind = NewEdgeKind::inner;
   SurfacePlace mid;      ///< on the host's true face
   base::NodeId host_mid; ///< of a rim of quadratic elements
+  /// Of a feature one of the host's edges that it lies on; all of these have the same lines.
+  std::size_t host_edge = nowhere;
 };
 
 struct NewPoint {
   SurfacePlace place;
-  base::NodeId host; ///< on the rim (and nowhere else)
+  base::NodeId host; ///< on the rim, and where a line of nodes has one
 };
 
 struct NewTriangle {

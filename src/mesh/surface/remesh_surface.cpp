@@ -113,6 +113,10 @@ private:
       for (std::size_t i = 0; i < corners.size(); ++i) {
         const bool end = i == 0 || i + 1 == corners.size();
         const MouthEnd& at = mouth.end[i == 0 ? 0 : 1];
+        if (mouth.closed && i + 1 == corners.size()) {
+          points.push_back(points.front());
+          continue;
+        }
         if (end && at.cap >= 0) {
           points.push_back(
               out_.caps[static_cast<std::size_t>(at.cap)][static_cast<std::size_t>(at.corner)]);
@@ -296,26 +300,22 @@ private:
     return chart.at(near.face, near.r);
   }
 
-  /// Feature edges that end within the patch.
+  /// Feature edges that end within the patch, as they are divided.
   void embed_creases(std::size_t patch, const SurfaceChart& chart, PieceOutline& outline) {
-    for (const std::size_t e : patches_.features()) {
-      const SurfaceEdge& edge = surface_.edges()[e];
+    for (const NewEdge& made : out_.edges) {
+      if (made.kind != NewEdgeKind::feature) {
+        continue;
+      }
+      const SurfaceEdge& edge = surface_.edges()[made.host_edge];
       if (patches_.patch_of(edge.faces[0]) != patch || patches_.patch_of(edge.faces[1]) != patch) {
         continue;
       }
-      std::vector<int> chain;
-      const auto take = [&](int point, double t) {
-        if (point >= 0) {
-          chain.push_back(outline.local(point, from_patch(patch, e, t, chart)));
-        }
-      };
-      take(lines_->on_node(edge.ends[0]), -1.0);
-      for (const EdgePoint& point : lines_->on_edge(e)) {
-        take(point.point, point.t);
-      }
-      take(lines_->on_node(edge.ends[1]), 1.0);
-      if (chain.size() > 1) {
-        outline.region.embedded.push_back(chain);
+      std::vector<int>& chain = outline.region.embedded.emplace_back();
+      for (const int point : made.points) {
+        const SurfacePlace near = patches_.patch_of(place(point).face) == patch
+                                      ? place(point)
+                                      : surface_.nearest(place(point).x, patches_.faces(patch));
+        chain.push_back(outline.local(point, chart.at(near.face, near.r)));
       }
     }
   }

@@ -69,7 +69,7 @@ struct SurfaceGeometry::Tree {
 };
 
 SurfaceGeometry::SurfaceGeometry(const model::Mesh& mesh, std::span<const base::FaceSetId> kept,
-                                 bool borders) {
+                                 bool borders, std::span<const base::NodeSetId> lines) {
   std::vector<TreeEntry> entries;
   Vec3 low = Vec3::Zero();
   Vec3 high = Vec3::Zero();
@@ -90,6 +90,7 @@ SurfaceGeometry::SurfaceGeometry(const model::Mesh& mesh, std::span<const base::
   tree_ = std::make_unique<Tree>(Tree{bg::index::rtree<TreeEntry, bg::index::rstar<16>>(entries)});
   find_edges();
   find_sets(mesh, kept);
+  find_lines(mesh, lines);
   find_pieces(borders);
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <memory>
 #include <set>
 #include <span>
@@ -58,9 +59,10 @@ public:
   static constexpr double most_turn = 0.61; // 35 degrees
 
   /// Borders of the face sets in `kept` are feature edges too, however smooth the surface is there,
-  /// but where only sharp edges are to be (`borders` false).
+  /// and edges of which the node sets in `lines` have all nodes, but not a face beside them; but
+  /// where only sharp edges are to be (`borders` false).
   explicit SurfaceGeometry(const model::Mesh& mesh, std::span<const base::FaceSetId> kept = {},
-                           bool borders = true);
+                           bool borders = true, std::span<const base::NodeSetId> lines = {});
   ~SurfaceGeometry();
   SurfaceGeometry(SurfaceGeometry&&) noexcept;
   SurfaceGeometry& operator=(SurfaceGeometry&&) noexcept;
@@ -87,6 +89,12 @@ public:
   [[nodiscard]] std::size_t piece_count() const { return pieces_; }
   /// Which of the sets kept have a face, ascending, by their place in `kept`.
   [[nodiscard]] const std::vector<std::size_t>& sets(std::size_t face) const { return sets_[face]; }
+  /// Which of the node sets in `lines` have all nodes of an edge, ascending, by their place there.
+  [[nodiscard]] const std::vector<std::size_t>& lines(std::size_t edge) const {
+    return lines_[edge];
+  }
+  /// Which of them have a node.
+  [[nodiscard]] const std::vector<std::size_t>& lines(base::NodeId node) const;
   [[nodiscard]] std::vector<FeatureChain> feature_chains() const;
 
   /// The place nearest to x; of several faces as near (an edge) that with the lowest number.
@@ -101,13 +109,17 @@ private:
   struct Tree;
   void find_edges();
   void find_sets(const model::Mesh& mesh, std::span<const base::FaceSetId> kept);
+  void find_lines(const model::Mesh& mesh, std::span<const base::NodeSetId> lines);
   void find_pieces(bool borders);
 
   std::vector<SurfaceFace> faces_; ///< ascending by element and side
   std::vector<std::array<std::size_t, 4>> face_edges_;
   std::vector<SurfaceEdge> edges_;
   std::vector<std::size_t> piece_;
-  std::vector<std::vector<std::size_t>> sets_; ///< [face]
+  std::vector<std::vector<std::size_t>> sets_;  ///< [face]
+  std::vector<std::vector<std::size_t>> lines_; ///< [edge]
+  std::map<base::NodeId, std::vector<std::size_t>> line_nodes_;
+  std::vector<bool> bare_; ///< [edge] some set has it, but no face beside it
   std::size_t pieces_ = 0;
   double extent_ = 0.0;
   std::unique_ptr<Tree> tree_;

@@ -120,11 +120,41 @@ void SurfaceGeometry::find_sets(const model::Mesh& mesh, std::span<const base::F
   }
 }
 
+void SurfaceGeometry::find_lines(const model::Mesh& mesh, std::span<const base::NodeSetId> lines) {
+  lines_.assign(edges_.size(), {});
+  bare_.assign(edges_.size(), false);
+  for (std::size_t s = 0; s < lines.size(); ++s) {
+    std::vector<bool> member(mesh.node_count(), false);
+    for (const NodeId n : mesh.set(lines[s]).nodes) {
+      member[n.index()] = true;
+      line_nodes_[n].push_back(s);
+    }
+    const auto has = [&](NodeId n) { return member[n.index()]; };
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      const SurfaceEdge& edge = edges_[e];
+      if (!std::ranges::all_of(edge.ends, has) || (edge.mid.valid() && !has(edge.mid))) {
+        continue;
+      }
+      lines_[e].push_back(s);
+      bare_[e] = bare_[e] || std::ranges::none_of(edge.faces, [&](std::size_t f) {
+                   return f != nowhere && std::ranges::all_of(faces_[f].nodes, has);
+                 });
+    }
+  }
+}
+
+const std::vector<std::size_t>& SurfaceGeometry::lines(NodeId node) const {
+  static const std::vector<std::size_t> none;
+  const auto at = line_nodes_.find(node);
+  return at == line_nodes_.end() ? none : at->second;
+}
+
 void SurfaceGeometry::find_pieces(bool borders) {
   const double least = std::cos(most_turn);
   std::vector<std::size_t> parent(faces_.size());
   std::iota(parent.begin(), parent.end(), std::size_t{0});
-  for (SurfaceEdge& edge : edges_) {
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    SurfaceEdge& edge = edges_[e];
     const auto [one, two] = edge.faces;
     edge.feature = edge.count != 2 || one == nowhere || two == nowhere;
     if (!edge.feature) {
@@ -132,7 +162,7 @@ void SurfaceGeometry::find_pieces(bool borders) {
       const Vec3 n2 = place(two, edge_r(faces_[two].shape, edge.side[1], 0.0)).normal;
       edge.feature = !(n1.dot(n2) > least);
     }
-    edge.border = borders && !edge.feature && sets_[one] != sets_[two];
+    edge.border = borders && !edge.feature && (sets_[one] != sets_[two] || bare_[e]);
     edge.feature = edge.feature || edge.border;
     if (!edge.feature) {
       const std::size_t a = root_of(parent, one);

@@ -57,14 +57,18 @@ public:
   }
   [[nodiscard]] Vec3 x(const Side& side) const { return at_.at(side).x; }
 
-  /// The stretch nearest to a point.
+  /// The stretch nearest to a point. Those round a vertex on the plane have no length, and so no
+  /// direction in which the line could be left or met: they are only passed.
   [[nodiscard]] std::size_t nearest(const Vec3& p) const {
     std::size_t best = nowhere;
     double least = std::numeric_limits<double>::max();
     for (std::size_t i = 0; i < passings_.size(); ++i) {
       const Vec3 a = x(passings_[i].sides[0]);
       const Vec3 d = x(passings_[i].sides[1]) - a;
-      const double t = std::clamp(d.dot(p - a) / std::max(d.squaredNorm(), 1e-300), 0.0, 1.0);
+      if (!(d.norm() > same * plane_.length)) {
+        continue;
+      }
+      const double t = std::clamp(d.dot(p - a) / d.squaredNorm(), 0.0, 1.0);
       const double away = rounded((p - a - t * d).norm() / plane_.length);
       if (away < least) {
         least = away;
@@ -222,7 +226,7 @@ public:
     PlaneLine::Side side = sides[along.dot(towards) > 0.0 ? 1 : 0];
     std::size_t at = first;
     Vec2 r = nearest_on(surface_.face(line_.facet(at).face), from.x);
-    std::size_t end = ahead(to, last, {at, from.x}, line_.x(side));
+    std::size_t end = ahead(to, last, {at, from.x, false}, line_.x(side));
     while (end == nowhere) {
       add(at, r, line_.point(at, side), line_.r(at, side));
       const std::size_t next = line_.beyond(at, side);
@@ -237,7 +241,7 @@ public:
       const auto& both = line_.passings()[next].sides;
       side = both[0] == side ? both[1] : both[0];
       at = next;
-      end = ahead(to, last, {at, 2.0 * entry - line_.x(side)}, line_.x(side));
+      end = ahead(to, last, {at, entry, true}, line_.x(side));
     }
     add(at, r, {to[end], nowhere, 0.0}, nearest_on(surface_.face(line_.facet(at).face), to[end].x));
     if (points_.size() < 2) {
@@ -250,6 +254,7 @@ private:
   struct Start {
     std::size_t passing = nowhere;
     Vec3 x;
+    bool entered = false; ///< from another stretch, so that all of it is ahead
   };
   /// Of the places to go to the first in a stretch, seen from its start towards `side`.
   [[nodiscard]] static std::size_t ahead(std::span<const SurfacePlace> to,
@@ -259,7 +264,7 @@ private:
     double least = std::numeric_limits<double>::max();
     for (std::size_t i = 0; i < to.size(); ++i) {
       const double way = (to[i].x - start.x).dot(side - start.x);
-      if (passing[i] == start.passing && way > 0.0 && way < least) {
+      if (passing[i] == start.passing && (start.entered || way > 0.0) && way < least) {
         least = way;
         best = i;
       }

@@ -17,13 +17,15 @@ struct SurfaceTrouble {
   explicit operator bool() const { return !why.empty(); }
 };
 
-/// The plane of a crack: a point of it, its unit normal b, and a length of the crack (its size, or
-/// that of its front). Decisions are taken on coordinates about that point, divided by that length
-/// and rounded, so that units and place of a model do not change a mesh.
+/// The plane of a crack: a point of it, its unit normal b, a length of the crack (its size, or that
+/// of its front), and a direction in it that goes with the crack. Decisions are taken on
+/// coordinates about that point, divided by that length and rounded, so that units and place of a
+/// model do not change a mesh.
 struct CrackPlane {
   base::Vec3 origin = base::Vec3::Zero();
   base::Vec3 normal = base::Vec3::UnitZ();
   double length = 1.0;
+  base::Vec3 axis = base::Vec3::UnitX(); ///< unit
 
   [[nodiscard]] double height(const base::Vec3& x) const { return (x - origin).dot(normal); }
 };

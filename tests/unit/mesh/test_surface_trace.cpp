@@ -4,8 +4,10 @@
 #include "mesh/surface/surface_trace.hpp"
 #include "surface_hosts.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -64,6 +66,33 @@ TEST(SurfaceTrace, StraightOverABoxAndItsEdge) {
       const Traced round = trace(surface, plane, from, to, -Vec3::UnitX());
       ASSERT_FALSE(round.trouble) << round.trouble.why;
       EXPECT_NEAR(round.trace.front().length(), 8.0 - 2.3, 1e-12);
+    }
+  }
+}
+
+// Both ends on nodes, the plane through nodes: what a crack in a regular mesh asks for.
+TEST(SurfaceTrace, FromNodeToNode) {
+  for (const ElementType type : {ElementType::tet4, ElementType::tet10, ElementType::hexe8,
+                                 ElementType::hexec20, ElementType::hexec27}) {
+    const SurfaceGeometry surface(test::box_host(type, {2.0, 2.0, 2.0}, 4));
+    for (const double noise : {0.0, 1e-14, -1e-14}) { // of ends found by iteration
+      for (const double y : {0.5, 1.0}) {
+        for (const double a : {0.5, 1.0}) {
+          const CrackPlane plane{{2.0, y, 2.0}, Vec3::UnitY(), 0.3};
+          const auto from = surface.nearest({2.0 - a + noise, y, 2.0});
+          const auto to = surface.nearest({2.0, y, 2.0 - a + noise});
+          for (const auto& [way, length] :
+               {std::pair(Vec3(Vec3::UnitX()), 2.0 * a), {-Vec3::UnitX(), 8.0 - 2.0 * a}}) {
+            const Traced traced = trace(surface, plane, from, to, way);
+            ASSERT_FALSE(traced.trouble) << traced.trouble.why << base::info(type).name;
+            EXPECT_NEAR(traced.trace.front().length(), length, 1e-12);
+            expect_on_plane_and_faces(surface, plane, traced.trace.front());
+            EXPECT_EQ(std::ranges::count_if(traced.trace.front().points(),
+                                            [](const LinePoint& p) { return p.edge != nowhere; }),
+                      length > 4.0 ? 3 : 1);
+          }
+        }
+      }
     }
   }
 }
