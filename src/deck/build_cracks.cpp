@@ -197,7 +197,7 @@ void tip_net(Context& c, const BoundCard& card, std::set<std::size_t>& seen) {
   tip.join = card.is("JOIN", "TRANSITION") ? model::Join::transition : model::Join::conforming;
   tip.patch = card.is("PATCH", "YES");
   tip.tolerance = card.optional("TOL");
-  if (tip.tolerance && !card.has("SIZE") && !card.has("RINGS") && !card.has("SECTORS")) {
+  if (tip.tolerance && !solid && !card.has("SIZE") && !card.has("RINGS") && !card.has("SECTORS")) {
     tip.finer = finer_for(*tip.tolerance);
   }
   tip.span = card.span;

@@ -52,10 +52,9 @@ void solid_cracks_in_reach(Context& c) {
     }
   }
   for (const model::TipNet& tip : c.model.tip_nets) {
-    if (tip.tolerance || !tip.patch || tip.join == model::Join::transition) {
-      c.unavailable(fmt::format("$TIPNET {} in space", tip.tolerance ? "TOL"
-                                                       : !tip.patch  ? "PATCH=NO"
-                                                                     : "JOIN=TRANSITION"),
+    const bool found = c.model.cracks[tip.crack.index()].kind == model::CrackKind::front;
+    if ((!tip.patch && !found) || tip.join == model::Join::transition) {
+      c.unavailable(fmt::format("$TIPNET {} in space", !tip.patch ? "PATCH=NO" : "JOIN=TRANSITION"),
                     tip.span);
     }
   }

@@ -2,6 +2,7 @@
 #include "analysis/scene/cut_cracks.hpp"
 
 #include "analysis/scene/moved_borders.hpp"
+#include "analysis/scene/sets_in_use.hpp"
 #include "analysis/scene/solid_cracks.hpp"
 #include "analysis/scene/tip_net_of.hpp"
 #include "growth/crack_lines.hpp"
@@ -9,10 +10,14 @@
 #include "mesh/cut/host.hpp"
 #include "mesh/cut/patch.hpp"
 #include "mesh/cut/tip_mesh.hpp"
+#include "mesh/tube/found_crack.hpp"
 #include "mesh/tube/insert_solid.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
 
 namespace spricka::analysis {
 
@@ -56,6 +61,49 @@ mesh::CrackedMesh without_cracks(const model::Mesh& host) {
   return cracked;
 }
 
+// Cracks that the deck's own mesh has already (PATCH=NO) are looked for behind those that are cut.
+bool find_cracks(const model::Model& model, mesh::CrackedMesh& cracked,
+                 base::Diagnostics& diagnostics) {
+  bool good = true;
+  for (std::size_t c = 0; c < model.cracks.size(); ++c) {
+    const model::Crack& crack = model.cracks[c];
+    if (crack.kind != model::CrackKind::front || !crack.path.valid()) {
+      continue;
+    }
+    const mesh::FoundCrack found{base::CrackId(c), crack.name, model.mesh.set(crack.path).nodes};
+    if (const std::string why = mesh::find_crack(found, cracked); !why.empty()) {
+      diagnostics.error(crack.span, "E439", fmt::format("crack {}: {}", crack.name, why));
+      good = false;
+    }
+  }
+  return good;
+}
+
+std::optional<mesh::CrackedMesh> cracked_solid(const model::Model& model,
+                                               base::Diagnostics& diagnostics) {
+  std::vector<mesh::SolidCrack> cut = solid_cracks(model);
+  std::vector<mesh::TubeMesh> tubes;
+  std::vector<base::Span> cards;
+  const std::vector<mesh::TubeMesh> all = tube_meshes(model);
+  for (const mesh::SolidCrack& crack : cut) {
+    tubes.push_back(all[crack.crack.index()]);
+    cards.push_back(model.cracks[crack.crack.index()].span);
+  }
+  std::optional<mesh::CrackedMesh> cracked =
+      cut.empty() ? without_cracks(model.mesh)
+                  : mesh::insert_solid_cracks(mesh::SolidHost(model.mesh, sets_in_use(model)), cut,
+                                              tubes, cards, diagnostics);
+  if (!cracked) {
+    return cracked;
+  }
+  std::vector<mesh::CrackFaces> faces(model.cracks.size());
+  for (std::size_t i = 0; i < cut.size(); ++i) {
+    faces[cut[i].crack.index()] = std::move(cracked->faces[i]);
+  }
+  cracked->faces = std::move(faces);
+  return find_cracks(model, *cracked, diagnostics) ? std::move(cracked) : std::nullopt;
+}
+
 } // namespace
 
 std::optional<mesh::CrackedMesh> cracked_mesh(const model::Model& model,
@@ -65,12 +113,7 @@ std::optional<mesh::CrackedMesh> cracked_mesh(const model::Model& model,
     return without_cracks(model.mesh);
   }
   if (model.mesh.dim == 3) {
-    std::vector<base::Span> cards;
-    for (const model::Crack& crack : model.cracks) {
-      cards.push_back(crack.span);
-    }
-    return mesh::insert_solid_cracks(model.mesh, solid_cracks(model), tube_meshes(model), cards,
-                                     diagnostics);
+    return cracked_solid(model, diagnostics);
   }
   std::vector<base::Span> spans;
   spans.reserve(lines.size());

@@ -5,6 +5,7 @@
 #include "contact/space_tractions.hpp"
 #include "crack/space/front_intensity.hpp"
 
+#include <algorithm>
 #include <set>
 
 namespace spricka::analysis {
@@ -100,6 +101,17 @@ base::Vector front_values(const model::Model& model, const Scene& scene, const b
     }
   }
   return values;
+}
+
+bool acts_on_fronts(const model::Model& model, const Scene& scene,
+                    const base::Vector& case_factor) {
+  return std::ranges::any_of(scene.fronts, [&](const FrontScene& at) {
+    const crack::TipLoads loads = front_loads(model, scene, at.fields, case_factor);
+    return loads.temperature.size() > 0 ||
+           std::ranges::any_of(loads.loads, [](const crack::ActingLoad& acting) {
+             return !acting.elements.empty() || !acting.faces.empty();
+           });
+  });
 }
 
 std::vector<std::array<double, 3>> smooth_front(const FrontScene& at, const base::Vector& K,

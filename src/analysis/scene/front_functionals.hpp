@@ -21,6 +21,9 @@ base::Matrix front_rows_of_forces(const model::Model& model, const Scene& scene)
 base::Vector front_values(const model::Model& model, const Scene& scene, const base::Vector& u,
                           const base::Vector& case_factor);
 
+/// Whether cases act on what the domains of some front take.
+bool acts_on_fronts(const model::Model& model, const Scene& scene, const base::Vector& case_factor);
+
 /// Smooth values of K1, K2, K3 of the points of a front from those in `K` [K], of which the front's
 /// begin at `first`; at the surface what points further in go on to (crack_space.15,
 /// crack_space.16). Linear in K.

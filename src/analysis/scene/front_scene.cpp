@@ -3,8 +3,10 @@
 
 #include "analysis/scene/domain_rings.hpp"
 #include "analysis/scene/tip_surroundings.hpp"
+#include "fe/face.hpp"
 #include "mesh/boundary.hpp"
 #include "model/model.hpp"
+#include "shape/quadrature.hpp"
 #include "shape/topology.hpp"
 
 #include <algorithm>
@@ -108,12 +110,32 @@ crack::TipLoads front_loads(const model::Model& model, const Scene& scene,
   return tip_loads(model, scene, all, case_factor);
 }
 
+// How deep a crack reaches behind an open front: the area of a face over the chord of the front's
+// ends.
+double mean_depth(const mesh::CrackedMesh& cracked, const mesh::Front& front) {
+  Vec3 area = Vec3::Zero();
+  for (const model::Face& face : cracked.faces[front.crack.index()].left_sides) {
+    fe::with_side(cracked.mesh, face, [&]<shape::Shape Side>(Side) {
+      if constexpr (Side::dim == 2) {
+        const fe::SideNodes<Side> X = fe::side_coordinates<Side>(cracked.mesh, face);
+        for (const auto& point : shape::quadrature<Side>(2)) {
+          area += point.weight * fe::area_vector<Side>(X, point.r);
+        }
+      }
+    });
+  }
+  const double chord = (front.points.back().x - front.points.front().x).norm();
+  return chord > 0.0 ? area.norm() / chord : front.a;
+}
+
 bool make_fronts(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics) {
   bool good = true;
   const crack::DomainLimits limits = front_limits(model, scene);
   for (mesh::Front& front : scene.cracked.fronts) {
     if (model.cracks[front.crack.index()].kind == model::CrackKind::ellipse) {
       front.a = model.cracks[front.crack.index()].plane.a;
+    } else if (front.points.front().at_surface && !model.cracks[front.crack.index()].plane.closed) {
+      front.a = mean_depth(scene.cracked, front);
     }
     crack::FrontFields fields =
         crack::front_fields(scene.cracked, front, domain_rings(model, front.crack), limits);

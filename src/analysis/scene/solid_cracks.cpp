@@ -58,6 +58,9 @@ std::vector<mesh::SolidCrack> solid_cracks(const model::Model& model) {
   std::vector<mesh::SolidCrack> cracks;
   for (std::size_t i = 0; i < model.cracks.size(); ++i) {
     const model::Crack& crack = model.cracks[i];
+    if (crack.kind == model::CrackKind::front) {
+      continue; // in the mesh already
+    }
     const bool ellipse = crack.kind == model::CrackKind::ellipse;
     mesh::SolidCrack cut;
     cut.crack = base::CrackId(i);

@@ -66,6 +66,20 @@ struct FrontPoint {
   bool at_surface = false; ///< the front leaves the body there
 };
 
+/// Where a crack in space lies in its body.
+enum class CrackKind {
+  embedded, ///< inside
+  surface,  ///< one mouth on one smooth piece of the surface
+  corner,   ///< one mouth across one edge of the body
+  through,  ///< several mouths, or across several edges
+};
+inline const char* name_of(CrackKind kind) {
+  return kind == CrackKind::embedded  ? "embedded"
+         : kind == CrackKind::surface ? "surface"
+         : kind == CrackKind::corner  ? "corner"
+                                      : "through";
+}
+
 /// Where a front of a crack ended up in the mesh. K belongs to its points; in the plane there is
 /// one, the tip, in space one for each corner node on the front, in the order of t = m x b.
 struct Front {
@@ -77,6 +91,7 @@ struct Front {
   bool symmetric_half = false;
   std::vector<FrontPoint> points{FrontPoint{}}; ///< along the front
   std::shared_ptr<const FrontCurve> curve;      ///< in space: the front, with the crack's axes
+  CrackKind kind = CrackKind::embedded;         ///< in space, of the whole crack
 
   /// The one point of a front in the plane.
   [[nodiscard]] const FrontPoint& tip() const { return points.front(); }

@@ -4,14 +4,15 @@
 #include "mesh/boundary.hpp"
 
 #include <algorithm>
-#include <set>
+#include <map>
 #include <utility>
 
 namespace spricka::mesh {
 
 using base::ElementId;
 
-BodySurface::BodySurface(const model::Mesh& mesh, const std::vector<ElementId>& elements)
+BodySurface::BodySurface(const model::Mesh& mesh, const std::vector<ElementId>& elements,
+                         const SetUse& use)
     : elements_(elements), number_(mesh.element_count(), -1) {
   body_.dim = 3;
   body_.x = mesh.x;
@@ -23,16 +24,21 @@ BodySurface::BodySurface(const model::Mesh& mesh, const std::vector<ElementId>& 
     model::add_element(body_, mesh.type[e.index()], mesh.nodes_of(e), mesh.element_label[e.index()],
                        mesh.element_net[e.index()]);
   }
-  add_face_sets(mesh);
-  add_node_sets(mesh);
+  add_face_sets(mesh, use);
+  add_node_sets(mesh, use);
   for (std::size_t s = 0; s < body_.face_sets.size(); ++s) {
     kept_.emplace_back(s);
   }
-  geometry_.emplace(body_, kept_);
+  for (const base::NodeSetId set : use.held) {
+    lines_.emplace_back(body_.node_sets.size());
+    body_.node_sets.push_back(mesh.set(set));
+  }
+  static_cast<void>(geometry());
 }
 
-void BodySurface::add_face_sets(const model::Mesh& mesh) {
-  for (const model::FaceSet& set : mesh.face_sets) {
+void BodySurface::add_face_sets(const model::Mesh& mesh, const SetUse& use) {
+  for (std::size_t s = 0; s < mesh.face_sets.size(); ++s) {
+    const model::FaceSet& set = mesh.face_sets[s];
     model::FaceSet own{set.name, {}, set.span};
     for (const model::Face& face : set.faces) {
       if (number_[face.element.index()] >= 0) {
@@ -42,17 +48,20 @@ void BodySurface::add_face_sets(const model::Mesh& mesh) {
     }
     std::ranges::sort(own.faces);
     body_.face_sets.push_back(std::move(own));
+    used_.push_back(SetUse::uses(use.faces, s));
   }
 }
 
 /// A face set has a node set of the same faces: only what is new makes borders.
-void BodySurface::add_node_sets(const model::Mesh& mesh) {
-  std::set<std::vector<model::Face>> known;
-  for (const model::FaceSet& set : body_.face_sets) {
-    known.insert(set.faces);
+void BodySurface::add_node_sets(const model::Mesh& mesh, const SetUse& use) {
+  std::map<std::vector<model::Face>, std::size_t> known;
+  for (std::size_t s = 0; s < body_.face_sets.size(); ++s) {
+    const std::size_t first = known.try_emplace(body_.face_sets[s].faces, s).first->second;
+    used_[first] = used_[first] || used_[s];
   }
   const std::vector<model::Face> boundary = boundary_faces(body_);
-  for (const model::NodeSet& set : mesh.node_sets) {
+  for (std::size_t s = 0; s < mesh.node_sets.size(); ++s) {
+    const model::NodeSet& set = mesh.node_sets[s];
     std::vector<bool> member(mesh.node_count(), false);
     for (const base::NodeId n : set.nodes) {
       member[n.index()] = true;
@@ -61,26 +70,36 @@ void BodySurface::add_node_sets(const model::Mesh& mesh) {
     std::ranges::copy_if(boundary, std::back_inserter(own.faces),
                          [&](const model::Face& face) { return lies_within(body_, face, member); });
     std::ranges::sort(own.faces);
-    if (known.insert(own.faces).second) {
+    const bool used = SetUse::uses(use.nodes, s);
+    const auto [at, fresh] = known.try_emplace(own.faces, body_.face_sets.size());
+    if (fresh) {
       body_.face_sets.push_back(std::move(own));
+      used_.push_back(used);
+    } else {
+      used_[at->second] = used_[at->second] || used;
     }
   }
 }
 
-const SurfaceGeometry& BodySurface::without_borders() const {
-  if (!without_borders_) {
-    without_borders_.emplace(body_, kept_, false);
+const SurfaceGeometry& BodySurface::geometry(Borders borders) const {
+  std::optional<SurfaceGeometry>& made = geometry_[static_cast<std::size_t>(borders)];
+  if (!made) {
+    std::vector<base::FaceSetId> kept = kept_;
+    if (borders == Borders::used) {
+      std::erase_if(kept, [&](base::FaceSetId set) { return !used_[set.index()]; });
+    }
+    made.emplace(body_, kept, borders != Borders::none, lines_);
   }
-  return *without_borders_;
+  return *made;
 }
 
 std::size_t BodySurface::index(const model::Face& face) const {
   const std::int32_t e = number_[face.element.index()];
-  return e < 0 ? nowhere : geometry_->index({ElementId(static_cast<std::size_t>(e)), face.side});
+  return e < 0 ? nowhere : geometry().index({ElementId(static_cast<std::size_t>(e)), face.side});
 }
 
 model::Face BodySurface::face(std::size_t index) const {
-  const model::Face& own = geometry_->face(index).face;
+  const model::Face& own = geometry().face(index).face;
   return {elements_[own.element.index()], own.side};
 }
 

@@ -23,25 +23,27 @@ double twice_area(const std::vector<Vec2>& points, const std::vector<int>& loop)
 
 } // namespace
 
-CrackSurface mesh_crack(const CrackReach& reach, const std::vector<int>& nodes, double finer,
-                        SolidNet& net) {
+CrackSurface mesh_crack(const CrackReach& reach, const std::vector<std::vector<int>>& loops,
+                        double finer, SolidNet& net) {
   CrackSurface surface;
   Region region;
   Grading size(CrackReach::usual_growth / finer);
-  std::vector<int> loop;
-  for (const int n : nodes) {
-    const Vec2 q = reach.plane().flat(net.local(n));
-    loop.push_back(static_cast<int>(region.points.size()));
-    region.points.emplace_back(rounded(q.x()), rounded(q.y()));
-    surface.nodes.push_back(n);
-    const CrackReach::Distance d = reach.distance(net.local(n));
-    const double wanted = size_at(d, CrackReach::usual_growth / finer) / finer;
-    size.add(region.points.back(), rounded(wanted));
+  for (const std::vector<int>& nodes : loops) {
+    std::vector<int> loop;
+    for (const int n : nodes) {
+      const Vec2 q = reach.plane().flat(net.local(n));
+      loop.push_back(static_cast<int>(region.points.size()));
+      region.points.emplace_back(rounded(q.x()), rounded(q.y()));
+      surface.nodes.push_back(n);
+      const CrackReach::Distance d = reach.distance(net.local(n));
+      const double wanted = size_at(d, CrackReach::usual_growth / finer) / finer;
+      size.add(region.points.back(), rounded(wanted));
+    }
+    if ((twice_area(region.points, loop) < 0.0) == region.loops.empty()) {
+      std::reverse(loop.begin(), loop.end());
+    }
+    region.loops.push_back(std::move(loop));
   }
-  if (twice_area(region.points, loop) < 0.0) {
-    std::reverse(loop.begin(), loop.end());
-  }
-  region.loops.push_back(std::move(loop));
   const Filling filling = fill(region, size);
   surface.trouble = filling.trouble;
   for (const Vec2& q : filling.added) {

@@ -11,12 +11,13 @@ namespace spricka::mesh {
 /// A crack between its tubes (and mouths), as triangles round its normal.
 struct CrackSurface {
   std::vector<PatchTriangle> triangles;
-  std::vector<int> nodes; ///< corners, those of the loop first
+  std::vector<int> nodes; ///< corners, those of the loops first
   std::string trouble;    ///< what the mesher said
 };
 
-/// Fills a loop, a closed polygon of nodes of the patch in the plane of the crack.
-CrackSurface mesh_crack(const CrackReach& reach, const std::vector<int>& nodes, double finer,
-                        SolidNet& net);
+/// Fills the first of some loops, closed polygons of nodes of the patch in the plane of the crack,
+/// but for the others, which are holes in it.
+CrackSurface mesh_crack(const CrackReach& reach, const std::vector<std::vector<int>>& loops,
+                        double finer, SolidNet& net);
 
 } // namespace spricka::mesh

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/tube/insert_solid.hpp"
 
+#include "mesh/tube/front_points.hpp"
 #include "mesh/tube/lay_tubes.hpp"
 #include "mesh/tube/solid_graft.hpp"
 #include "mesh/tube/solid_mouths.hpp"
@@ -142,8 +143,8 @@ private:
     bool widened = false;
     for (int refined = 0; refined <= most_finer;) {
       patch = build_solid_patch(host_, group.frame, group.cracks, group.graft.cavity, wish);
-      if (!patch.trouble.empty() && patch.at_border && wish.borders) {
-        wish.borders = false;
+      if (!patch.trouble.empty() && patch.at_border && wish.borders != Borders::none) {
+        wish.borders = wish.borders == Borders::all ? Borders::used : Borders::none;
         continue;
       }
       if (!patch.folded && !(wish.renew && !patch.trouble.empty())) {
@@ -181,6 +182,9 @@ private:
           "let the border keep off the end of the front, or give a smaller RADIUS on $TIPNET");
     }
     for (const SplitSet& set : split_sets(host_, group.graft.cavity)) {
+      if (!SetUse::uses(host_.use().elements, set.index)) {
+        continue;
+      }
       diagnostics_.warning(
           first.span, "W425",
           fmt::format("{}: the border of {}, elements, runs through its patch near {}: there it "
@@ -281,6 +285,7 @@ private:
       Front front;
       front.crack = crack.crack;
       front.number = static_cast<int>(t) + 1;
+      front.kind = kind_of(group, c);
       front.a = frame_of(crack).a;
       front.size = unit * *std::ranges::min_element(tube.size);
       front.radius = unit * *std::ranges::min_element(tube.radius);
@@ -298,29 +303,14 @@ private:
         point.radius = unit * tube.radius[k];
         point.at_surface = !tube.closed && (k == 0 || k + 1 == n);
       }
-      weigh(front, tube.closed);
+      weigh_points(tube.closed, front);
       note(group, c, front, tube);
       result_.fronts.push_back(std::move(front));
     }
   }
 
-  /// Lengths of front below the linear hats of its points.
-  static void weigh(Front& front, bool closed) {
-    const std::size_t n = front.points.size();
-    for (FrontPoint& point : front.points) {
-      point.weight = 0.0;
-    }
-    for (std::size_t k = 0; k < (closed ? n : n - 1); ++k) {
-      const std::size_t next = (k + 1) % n;
-      const double end = next == 0 ? front.curve->length() : front.points[next].s;
-      const double half = 0.5 * (end - front.points[k].s);
-      front.points[k].weight += half;
-      front.points[next].weight += half;
-    }
-  }
-
   /// By the edges of the body that its mouth passes.
-  [[nodiscard]] std::string kind_of(const Group& group, std::size_t c) const {
+  [[nodiscard]] CrackKind kind_of(const Group& group, std::size_t c) const {
     const PatchSolidCrack& crack = group.cracks[c];
     const SurfaceGeometry& surface = host_.surface(requests_[group.members[c]].seed).geometry();
     std::ptrdiff_t passed = 0;
@@ -329,10 +319,11 @@ private:
         return corner.edge != nowhere && !surface.edges()[corner.edge].border;
       });
     }
-    return crack.mouths.empty()                    ? "embedded, inside the body"
-           : crack.mouths.size() > 1 || passed > 1 ? "a through crack, from surface to surface"
-           : passed == 1                           ? "a corner crack, from surface to surface"
-                                                   : "a surface crack, from surface to surface";
+    const std::size_t mouths = crack.mouths.size() + crack.holes.size();
+    return mouths == 0                ? CrackKind::embedded
+           : mouths > 1 || passed > 1 ? CrackKind::through
+           : passed == 1              ? CrackKind::corner
+                                      : CrackKind::surface;
   }
 
   void note(const Group& group, std::size_t c, const Front& front, const Tube& tube) {
@@ -343,10 +334,13 @@ private:
         "elements, tube of radius {:.6g}{} with {} rings of {} sectors, patch of {} elements for "
         "{} "
         "of the net{}",
-        request.crack->title(), front.a, kind_of(group, c), front.curve->length(),
-        tube.closed ? tube.stations.size() : tube.stations.size() - 1, front.radius,
-        widest > 1.001 * front.radius ? fmt::format(" to {:.6g}", widest) : "", request.mesh->rings,
-        request.mesh->sectors, group.graft.patch.elements.size(),
+        request.crack->title(), front.a,
+        front.kind == CrackKind::embedded
+            ? "embedded, inside the body"
+            : fmt::format("a {} crack, from surface to surface", name_of(front.kind)),
+        front.curve->length(), tube.closed ? tube.stations.size() : tube.stations.size() - 1,
+        front.radius, widest > 1.001 * front.radius ? fmt::format(" to {:.6g}", widest) : "",
+        request.mesh->rings, request.mesh->sectors, group.graft.patch.elements.size(),
         group.graft.cavity.elements.size(),
         group.members.size() > 1 ? ", shared with others" : ""));
   }

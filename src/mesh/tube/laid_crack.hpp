@@ -20,6 +20,7 @@ struct PatchSolidCrack {
   std::vector<Tube> tubes;
   double finer = 1.0;             ///< TubeMesh::finer
   std::vector<CrackMouth> mouths; ///< of open tubes, in their order
+  std::vector<SurfaceLine> holes; ///< mouths all round, the first corner again at the end
 };
 
 } // namespace spricka::mesh

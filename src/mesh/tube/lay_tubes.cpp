@@ -42,7 +42,8 @@ public:
     for (const std::vector<Vec3>& outline : request_.outlines) {
       outlines.push_back(local(outline));
     }
-    PatchSolidCrack made{CrackReach(PlanePolygons(plane, outlines)), {}, request_.mesh->finer, {}};
+    PatchSolidCrack made{
+        CrackReach(PlanePolygons(plane, outlines)), {}, request_.mesh->finer, {}, {}};
     for (const SolidFront& front : request_.fronts) {
       const FrontCurve curve(local(front.curve->points()),
                              std::vector<Vec3>(front.curve->points().size(), plane.normal),

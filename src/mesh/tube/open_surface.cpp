@@ -19,8 +19,7 @@ class SurfaceOpener {
 public:
   SurfaceOpener(const OpenRequest& request, SolidNet& net, std::unordered_map<int, int>& lower,
                 std::vector<FacePieces>& pieces)
-      : body_(request.body), borders_(request.borders),
-        geometry_(request.borders ? body_.geometry() : body_.without_borders()),
+      : body_(request.body), borders_(request.borders), geometry_(body_.geometry(request.borders)),
         frame_(request.frame), cracks_(request.cracks), tubes_(request.tubes), net_(net),
         lower_(lower), pieces_(pieces) {}
 
@@ -31,7 +30,7 @@ public:
       pieces_.emplace_back(face.face, std::vector<std::vector<int>>());
     }
     std::ranges::sort(region_.faces);
-    region_.plane = {frame_.origin, frame_.axes.col(2), frame_.a};
+    region_.plane = {frame_.origin, frame_.axes.col(2), frame_.a, frame_.axes.col(0)};
     region_.size = [&](const Vec3& x) {
       double least = std::numeric_limits<double>::max();
       for (const PatchSolidCrack& crack : cracks_) {
@@ -55,6 +54,7 @@ public:
     take_edges();
     take_triangles();
     take_ends();
+    take_lost_edges();
     find_shifts();
     return std::move(made_);
   }
@@ -83,6 +83,9 @@ private:
         region_.mouths.push_back(
             {mouth.line, {MouthEnd{cap_of[mouth.from][1], 0}, MouthEnd{cap_of[mouth.to][0], 0}}});
       }
+      for (const SurfaceLine& hole : cracks_[c].holes) {
+        region_.mouths.push_back({hole, {}, true});
+      }
     }
   }
 
@@ -107,14 +110,11 @@ private:
     for (const PatchSolidCrack& crack : cracks_) {
       auto& mouths = made_.mouths.emplace_back();
       for (std::size_t k = 0; k < crack.mouths.size(); ++k, ++m) {
-        std::vector<int>& nodes = mouths.emplace_back();
-        const std::vector<int>& points = surface_.mouths[m];
-        for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-          const int n = net_.new_node(place_of(points[i]));
-          node_[static_cast<std::size_t>(points[i])] = n;
-          lower_[n] = net_.copy(n);
-          nodes.push_back(n);
-        }
+        mouths.push_back(doubled(surface_.mouths[m], 1));
+      }
+      auto& holes = made_.holes.emplace_back();
+      for (std::size_t k = 0; k < crack.holes.size(); ++k, ++m) {
+        holes.push_back(doubled(surface_.mouths[m], 0));
       }
     }
     for (std::size_t i = 0; i < surface_.points.size(); ++i) {
@@ -123,6 +123,18 @@ private:
         node_[i] = point.host.valid() ? net_.host_node(point.host) : net_.new_node(point.place.x);
       }
     }
+  }
+
+  /// New nodes on either lip of a mouth, from one of its points up to the last but one.
+  std::vector<int> doubled(const std::vector<int>& points, std::size_t first) {
+    std::vector<int> nodes;
+    for (std::size_t i = first; i + 1 < points.size(); ++i) {
+      const int n = net_.new_node(place_of(points[i]));
+      node_[static_cast<std::size_t>(points[i])] = n;
+      lower_[n] = net_.copy(n);
+      nodes.push_back(n);
+    }
+    return nodes;
   }
 
   [[nodiscard]] const Vec3& place_of(int point) const {
@@ -149,6 +161,30 @@ private:
       } else if (below(a) != a || below(b) != b) { // on one side of the crack, whichever
         net_.set_mid(below(a), below(b), mid);
       }
+      if (edge.kind == NewEdgeKind::feature && !geometry_.lines(edge.host_edge).empty()) {
+        made_.edges.push_back({host_nodes(edge.host_edge), {a, b, below(a), below(b)}, mid});
+      }
+    }
+  }
+
+  [[nodiscard]] std::array<base::NodeId, 3> host_nodes(std::size_t edge) const {
+    const SurfaceEdge& e = geometry_.edges()[edge];
+    return {e.ends[0], e.ends[1], e.mid};
+  }
+
+  /// Edges that went as parts of longer ones are replaced too.
+  void take_lost_edges() {
+    std::set<std::size_t> lost;
+    for (const std::size_t face : region_.faces) {
+      for (int s = 0; s < geometry_.face(face).corners(); ++s) {
+        const std::size_t e = geometry_.edge(face, s);
+        if (geometry_.edges()[e].feature && !geometry_.lines(e).empty()) {
+          lost.insert(e);
+        }
+      }
+    }
+    for (const std::size_t e : lost) {
+      made_.edges.push_back({host_nodes(e), {}, -1});
     }
   }
 
@@ -204,7 +240,7 @@ private:
   }
 
   void find_shifts() {
-    if (borders_) {
+    if (borders_ != Borders::none) {
       return; // kept by their lines
     }
     std::set<std::size_t> left(region_.faces.begin(), region_.faces.end());
@@ -223,7 +259,7 @@ private:
   void look_at(const Vec3& x, std::size_t face) {
     const std::vector<std::size_t>& sets = geometry_.sets(face);
     const SurfacePlace here = geometry_.nearest(x, region_.faces);
-    if (borders_ || geometry_.sets(here.face) == sets) {
+    if (borders_ != Borders::none || geometry_.sets(here.face) == sets) {
       return;
     }
     std::vector<std::size_t> alike;
@@ -254,6 +290,9 @@ private:
     std::vector<std::size_t> moved;
     std::ranges::set_symmetric_difference(one, two, std::back_inserter(moved));
     for (const std::size_t set : moved) {
+      if (!body_.set_used(set)) {
+        continue;
+      }
       const std::string& name = body_.set_name(set);
       const auto known = std::ranges::find(made_.shifts, name, &SetShift::set);
       if (known == made_.shifts.end()) {
@@ -265,7 +304,7 @@ private:
   }
 
   const BodySurface& body_;
-  bool borders_;
+  Borders borders_;
   const SurfaceGeometry& geometry_;
   const SolidFrame& frame_;
   std::span<const PatchSolidCrack> cracks_;

@@ -3,12 +3,21 @@
 #include "mesh/tube/laid_crack.hpp"
 #include "mesh/tube/solid_shell.hpp"
 
+#include <array>
 #include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
 namespace spricka::mesh {
+
+/// What takes the place of an edge of the host that a held set has: nodes of the patch, both of a
+/// mouth that it ends at.
+struct EdgePieces {
+  std::array<base::NodeId, 3> host; ///< ends and middle, invalid in linear elements
+  std::vector<int> ends;
+  int mid = -1; ///< none: what lies there belongs to another piece
+};
 
 /// How far the border of a set was moved, because there was no room for it.
 struct SetShift {
@@ -22,7 +31,9 @@ struct OpenSurface {
   std::vector<PatchTriangle> triangles; ///< part of a shell
   /// [crack][mouth] nodes between those of the tubes, which are not among them.
   std::vector<std::vector<std::vector<int>>> mouths;
-  std::vector<SetShift> shifts; ///< of the sets' borders that are not kept
+  std::vector<std::vector<std::vector<int>>> holes; ///< [crack][hole] nodes all round
+  std::vector<SetShift> shifts; ///< of the borders of used sets that are not kept
+  std::vector<EdgePieces> edges;
   std::string trouble;
   bool at_border = false; ///< borders of sets may be the trouble
 };
@@ -40,7 +51,7 @@ struct OpenRequest {
   std::span<const PatchSolidCrack> cracks;
   const std::vector<std::vector<LaidTube>>& tubes; ///< [crack][tube]
   std::vector<CavityFace> faces;                   ///< of the cavity, free ones
-  bool borders = true;                             ///< of sets are kept
+  Borders borders = Borders::all;                  ///< of sets that are kept
 };
 
 /// What takes the place of the faces is added to `pieces`. Nodes of mouths get a second node in

@@ -45,8 +45,10 @@ PlanePolygons::PlanePolygons(const SolidCrack& crack,
     : PlanePolygons(basis_of(crack), outlines) {}
 
 bool PlanePolygons::within(const Vec2& q) const {
-  return std::ranges::any_of(outlines_,
-                             [&](const std::vector<Vec2>& outline) { return inside(q, outline); });
+  return std::ranges::count_if(
+             outlines_, [&](const std::vector<Vec2>& outline) { return inside(q, outline); }) %
+             2 ==
+         1;
 }
 
 double PlanePolygons::from_outline(const Vec2& q) const {

@@ -8,7 +8,7 @@
 
 namespace spricka::mesh {
 
-/// Areas of a plane, within closed polygons.
+/// Areas of a plane, within closed polygons; those within others are holes.
 class PlanePolygons {
 public:
   PlanePolygons(const PlaneBasis& plane, const std::vector<std::vector<base::Vec3>>& outlines);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/tube/solid_cavity.hpp"
 
+#include "mesh/plane.hpp"
+
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -267,7 +269,8 @@ SolidCavity find_solid_cavity(const SolidHost& host, const SolidFrame& frame,
 
 std::vector<SplitSet> split_sets(const SolidHost& host, const SolidCavity& cavity) {
   std::vector<SplitSet> found;
-  for (const model::ElementSet& set : host.mesh().element_sets) {
+  for (std::size_t s = 0; s < host.mesh().element_sets.size(); ++s) {
+    const model::ElementSet& set = host.mesh().element_sets[s];
     std::vector<bool> has(host.mesh().element_count(), false);
     for (const ElementId e : set.elements) {
       has[e.index()] = true;
@@ -276,7 +279,8 @@ std::vector<SplitSet> split_sets(const SolidHost& host, const SolidCavity& cavit
     const auto other = std::ranges::find_if(
         cavity.elements, [&](ElementId e) { return has[e.index()] != has[first.index()]; });
     if (other != cavity.elements.end()) {
-      found.push_back({set.name, 0.5 * (host.extent(first).middle + host.extent(*other).middle)});
+      found.push_back(
+          {s, set.name, 0.5 * (host.extent(first).middle + host.extent(*other).middle)});
     }
   }
   return found;

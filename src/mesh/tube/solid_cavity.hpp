@@ -32,6 +32,7 @@ SolidCavity find_solid_cavity(const SolidHost& host, const SolidFrame& frame,
 
 /// An element set whose border runs through a cavity.
 struct SplitSet {
+  std::size_t index = 0; ///< of the mesh
   std::string name;
   base::Vec3 at = base::Vec3::Zero(); ///< on the border
 };

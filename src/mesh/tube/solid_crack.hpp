@@ -33,7 +33,7 @@ struct TubeMesh {
   int rings = 3;       ///< rings of elements in the tube, that at the front included
   int sectors = 8;     ///< of a full circle
   bool quarter_point = true;
-  double finer = 1.0; ///< divides sizes, and their growth with the distance, outside the tube
+  double finer = 1.0; ///< divides all sizes, and their growth with the distance outside the tube
 };
 
 } // namespace spricka::mesh

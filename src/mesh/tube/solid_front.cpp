@@ -174,15 +174,58 @@ private:
     return true;
   }
 
-  /// No hole of the body within the crack, no other material.
+  /// Holes of the body within the crack are mouths; nothing else of the surface, and no other
+  /// material, lies there.
   bool nothing_crosses() {
-    const PlanePolygons area(crack_, request_.outlines);
+    constexpr std::size_t most_holes = 100;
     const double rim = 1e-2 * frame_of(crack_).a; // a mouth lies on the surface
-    for (const CornerPlaces& triangle : host_.skin(host_.part(request_.seed)).triangles()) {
-      if (const auto at = area.meets(triangle, rim)) {
+    const auto crossing = [&](const PlanePolygons& area) {
+      std::optional<Vec3> found;
+      for (const CornerPlaces& triangle : host_.skin(host_.part(request_.seed)).triangles()) {
+        found = found ? found : area.meets(triangle, rim);
+      }
+      return found;
+    };
+    while (true) {
+      const PlanePolygons area(crack_, request_.outlines);
+      const std::optional<Vec3> at = crossing(area);
+      if (!at) {
+        return true;
+      }
+      if (request_.holes.size() == most_holes || !add_hole(area, *at)) {
         return fail("the surface of the body, or another material, crosses it", *at);
       }
     }
+  }
+
+  /// The hole whose surface passes near a point of the crack's plane, if all of it lies within.
+  bool add_hole(const PlanePolygons& area, const Vec3& at) {
+    const SurfaceGeometry& surface = host_.surface(request_.seed).geometry();
+    const CrackPlane plane = plane_of(crack_);
+    SurfacePlace near = surface.nearest(at);
+    const Vec3 towards = near.normal.cross(plane.normal);
+    const Traced first = trace(surface, plane, near, near, towards);
+    if (first.trouble) {
+      return false;
+    }
+    // Begun anew half way between two of its points, which lies on the plane and on no edge.
+    SolidHole hole{first.trace.front().at(0.5 * first.trace.front().arc()[1]), {}, {}};
+    hole.towards = hole.from.normal.cross(plane.normal);
+    const Traced all = trace(surface, plane, hole.from, hole.from, hole.towards);
+    if (all.trouble) {
+      return false;
+    }
+    for (const LinePoint& point : all.trace.front().points()) {
+      hole.mouth.push_back(point.place.x);
+    }
+    hole.mouth.pop_back();
+    const bool within = std::ranges::all_of(
+        hole.mouth, [&](const Vec3& x) { return area.within(area.plane().flat(x)); });
+    if (!within || hole.mouth.size() < 3) {
+      return false;
+    }
+    request_.outlines.push_back(hole.mouth);
+    request_.holes.push_back(std::move(hole));
     return true;
   }
 
@@ -201,7 +244,7 @@ std::string text_of(const Vec3& x) {
 
 CrackPlane plane_of(const SolidCrack& crack) {
   const SolidFrame frame = frame_of(crack);
-  return {frame.origin, crack.normal, frame.a};
+  return {frame.origin, crack.normal, frame.a, frame.axes.col(0)};
 }
 
 bool place_in_host(const SolidHost& host, SolidRequest& request, base::Diagnostics& diagnostics) {

@@ -26,6 +26,13 @@ struct SolidFront {
   std::size_t next = 0;
 };
 
+/// A hole of the body within a crack: a mouth that runs all round.
+struct SolidHole {
+  SurfacePlace from; ///< on the crack's plane
+  base::Vec3 towards = base::Vec3::Zero();
+  std::vector<base::Vec3> mouth; ///< closed, the first point not repeated
+};
+
 /// A crack before it is cut: where it lies in the host.
 struct SolidRequest {
   const SolidCrack* crack = nullptr;
@@ -33,7 +40,8 @@ struct SolidRequest {
   base::Span span;
   base::ElementId seed{}; ///< the host's element that its front begins in
   std::vector<SolidFront> fronts = {};
-  /// What fronts and mouths enclose, as closed polygons.
+  std::vector<SolidHole> holes = {};
+  /// What fronts and mouths enclose, as closed polygons; those of holes lie within others.
   std::vector<std::vector<base::Vec3>> outlines = {};
 };
 

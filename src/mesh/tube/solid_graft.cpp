@@ -239,6 +239,22 @@ private:
     });
   }
 
+  template <class Join>
+  static void join_edge(const SolidGraft& g, const EdgePieces& edge, Join&& join,
+                        std::vector<bool>& replaced) {
+    for (const int n : edge.ends) {
+      join(g.node[static_cast<std::size_t>(n)]);
+    }
+    if (edge.mid >= 0) {
+      join(g.node[static_cast<std::size_t>(edge.mid)]);
+    }
+    for (const NodeId n : edge.host) {
+      if (n.valid()) {
+        replaced[n.index()] = true;
+      }
+    }
+  }
+
   void inherit_node_sets() {
     std::vector<bool> had(host_.node_count(), false);
     for (const NodeId n : host_.nodes) {
@@ -273,6 +289,12 @@ private:
         }
       }
       for (const SolidGraft& g : grafts_) {
+        for (const EdgePieces& edge : g.patch.edges) {
+          if (std::ranges::all_of(edge.host,
+                                  [&](NodeId n) { return !n.valid() || old_member[n.index()]; })) {
+            join_edge(g, edge, join, replaced);
+          }
+        }
         // A set that has all of a cavity has all of the patch.
         if (covers(old_member, g.cavity)) {
           std::ranges::for_each(g.node, join);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 namespace spricka::mesh {
 
@@ -63,7 +64,8 @@ void add_triangles(const model::Mesh& mesh, const model::Face& face,
   }
 }
 
-SolidHost::SolidHost(const model::Mesh& mesh) : mesh_(mesh), elements_(mesh) {
+SolidHost::SolidHost(const model::Mesh& mesh, SetUse use)
+    : mesh_(mesh), use_(std::move(use)), elements_(mesh) {
   assert(mesh.dim == 3);
   find_neighbours();
   find_parts();
@@ -154,7 +156,7 @@ const BodySurface& SolidHost::surface(ElementId e) const {
       }
     }
     std::sort(elements.begin(), elements.end());
-    const auto made = std::make_shared<const BodySurface>(mesh_, elements);
+    const auto made = std::make_shared<const BodySurface>(mesh_, elements, use_);
     for (const std::size_t p : parts) {
       surface_[p] = made;
     }

@@ -37,9 +37,10 @@ FaceNodes face_nodes(const model::Mesh& mesh, const model::Face& face);
 /// (surface of the body, other properties) is its skin.
 class SolidHost {
 public:
-  explicit SolidHost(const model::Mesh& mesh);
+  explicit SolidHost(const model::Mesh& mesh, SetUse use = {});
 
   [[nodiscard]] const model::Mesh& mesh() const { return mesh_; }
+  [[nodiscard]] const SetUse& use() const { return use_; }
   /// Elements that have this node, ascending.
   [[nodiscard]] std::span<const base::ElementId> around(base::NodeId node) const {
     return elements_.around(node);
@@ -84,6 +85,7 @@ private:
   void find_extents();
 
   const model::Mesh& mesh_;
+  SetUse use_;
   NodeElements elements_;
   std::vector<std::int32_t> beyond_; ///< [most_sides * element + side] element there or -1
   std::vector<std::size_t> part_;    ///< [element]

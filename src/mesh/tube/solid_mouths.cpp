@@ -20,6 +20,12 @@ bool find_mouths(const SolidHost& host, const SolidFrame& frame, const SolidRequ
     const int node = end == 0 ? t.lower.corner.front() : t.lower.corner.back();
     return surface.nearest(frame.global(t.x[static_cast<std::size_t>(node)]));
   };
+  const auto fail = [&](const SurfaceTrouble& trouble) {
+    diagnostics.error(request.span, "E425",
+                      fmt::format("{}: its mouth cannot be followed: {}, at {}",
+                                  request.crack->title(), trouble.why, text_of(trouble.at)));
+    return false;
+  };
   for (std::size_t t = 0; t < crack.tubes.size(); ++t) {
     if (crack.tubes[t].closed) {
       continue;
@@ -29,13 +35,17 @@ bool find_mouths(const SolidHost& host, const SolidFrame& frame, const SolidRequ
     const Traced traced =
         trace(surface, plane_of(*request.crack), corner(t, 1), corner(next, 0), back);
     if (traced.trouble) {
-      diagnostics.error(request.span, "E425",
-                        fmt::format("{}: its mouth cannot be followed: {}, at {}",
-                                    request.crack->title(), traced.trouble.why,
-                                    text_of(traced.trouble.at)));
-      return false;
+      return fail(traced.trouble);
     }
     crack.mouths.push_back({t, next, divide(traced.trace.front(), size)});
+  }
+  for (const SolidHole& hole : request.holes) {
+    const Traced traced =
+        trace(surface, plane_of(*request.crack), hole.from, hole.from, hole.towards);
+    if (traced.trouble) {
+      return fail(traced.trouble);
+    }
+    crack.holes.push_back(divide(traced.trace.front(), size));
   }
   return true;
 }

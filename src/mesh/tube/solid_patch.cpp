@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <set>
+#include <unordered_map>
 
 namespace spricka::mesh {
 namespace {
@@ -42,6 +43,7 @@ public:
     }
     if (patch_.trouble.empty()) {
       promote();
+      settle_edges();
       look_at_elements();
     }
     patch_.nodes = std::move(net_.nodes);
@@ -81,6 +83,7 @@ private:
       lay_tubes_of(c, joined);
     }
     mouths_.resize(cracks_.size());
+    holes_.resize(cracks_.size());
     if (!free.empty()) {
       OpenSurface surface = mesh_open_surface({host_.surface(cavity_.elements.front()), frame_,
                                                cracks_, tubes_, std::move(free), wish_.borders},
@@ -88,7 +91,9 @@ private:
       patch_.trouble = surface.trouble;
       patch_.at_border = surface.at_border;
       patch_.shifts = std::move(surface.shifts);
+      patch_.edges = std::move(surface.edges);
       mouths_ = std::move(surface.mouths);
+      holes_ = std::move(surface.holes);
       joined.insert(joined.end(), surface.triangles.begin(), surface.triangles.end());
     }
     if (!joined.empty()) {
@@ -97,11 +102,17 @@ private:
     }
   }
 
-  /// Whether tubes end on the shells of the cavity.
+  /// Whether tubes end on the shells of the cavity, or cracks in a hole.
   [[nodiscard]] std::vector<bool> find_open() const {
     std::vector<bool> open(cavity_.shells.size(), false);
     std::set<model::Face> ends;
     for (const PatchSolidCrack& crack : cracks_) {
+      for (const SurfaceLine& hole : crack.holes) {
+        const BodySurface& body = host_.surface(cavity_.elements.front());
+        for (const SurfacePlace& place : hole.mids) {
+          ends.insert(body.face(place.face));
+        }
+      }
       for (const Tube& tube : crack.tubes) {
         for (const Tube::End& end : tube.ends) {
           for (const int n : end.corner) {
@@ -155,14 +166,16 @@ private:
   void make_crack(std::size_t c) {
     const PatchSolidCrack& crack = cracks_[c];
     SolidPatch::Crack& made = patch_.cracks[c];
-    for (const std::vector<int>& nodes : mouths_[c]) {
-      for (const int n : nodes) {
-        made.twins.emplace_back(n, lower_.at(n));
+    for (const auto* lips : {&mouths_[c], &holes_[c]}) {
+      for (const std::vector<int>& nodes : *lips) {
+        for (const int n : nodes) {
+          made.twins.emplace_back(n, lower_.at(n));
+        }
       }
     }
     std::vector<PatchTriangle>& faces = faces_.emplace_back();
     for (const std::vector<int>& loop : loops_of(c)) {
-      const CrackSurface surface = mesh_crack(crack.reach, loop, crack.finer, net_);
+      const CrackSurface surface = mesh_crack(crack.reach, with_holes(c, loop), crack.finer, net_);
       if (!surface.trouble.empty()) {
         patch_.trouble = "its faces: " + surface.trouble;
         return;
@@ -175,6 +188,21 @@ private:
       }
       faces.insert(faces.end(), surface.triangles.begin(), surface.triangles.end());
     }
+  }
+
+  /// A loop, and the holes within.
+  [[nodiscard]] std::vector<std::vector<int>> with_holes(std::size_t c,
+                                                         const std::vector<int>& loop) const {
+    const PlaneBasis& plane = cracks_[c].reach.plane();
+    std::vector<base::Vec2> polygon;
+    for (const int n : loop) {
+      polygon.push_back(plane.flat(net_.local(n)));
+    }
+    std::vector<std::vector<int>> loops{loop};
+    std::ranges::copy_if(holes_[c], std::back_inserter(loops), [&](const std::vector<int>& hole) {
+      return inside(plane.flat(net_.local(hole.front())), polygon);
+    });
+    return loops;
   }
 
   /// Along tubes and mouths, round and round.
@@ -316,6 +344,27 @@ private:
     }
   }
 
+  /// Of two nodes at a mouth an edge has that of its side.
+  void settle_edges() {
+    std::unordered_map<int, std::set<int>> beside; // nodes of the elements at the middle of an edge
+    for (const EdgePieces& edge : patch_.edges) {
+      if (edge.mid >= 0) {
+        beside[edge.mid];
+      }
+    }
+    for (std::size_t e = 0; e < net_.elements.size() && !beside.empty(); ++e) {
+      const std::vector<int>& nodes = net_.elements[e].nodes;
+      for (const int n : nodes) {
+        if (const auto at = beside.find(n); at != beside.end()) {
+          at->second.insert(nodes.begin(), nodes.end());
+        }
+      }
+    }
+    for (EdgePieces& edge : patch_.edges) {
+      std::erase_if(edge.ends, [&](int n) { return !beside.at(edge.mid).contains(n); });
+    }
+  }
+
   void look_at_elements() {
     model::Mesh mesh;
     mesh.dim = 3;
@@ -360,6 +409,7 @@ private:
   std::vector<std::vector<PatchTriangle>> rims_;      ///< of them, what the host gives
   std::vector<std::vector<LaidTube>> tubes_;          ///< [crack]
   std::vector<std::vector<std::vector<int>>> mouths_; ///< [crack][mouth] nodes between tubes
+  std::vector<std::vector<std::vector<int>>> holes_;  ///< [crack][hole] nodes all round
   std::vector<std::vector<PatchTriangle>> faces_;     ///< [crack] between its tubes
   std::unordered_map<int, int> lower_;                ///< second nodes of those on cracks
   std::vector<std::array<int, 4>> tetrahedra_;

@@ -33,15 +33,16 @@ struct SolidPatch {
   bool folded = false;           ///< because elements are
   /// The host's nodes of such elements, ascending.
   std::vector<base::NodeId> folded_at;
-  bool old_surface = false;     ///< of the body has a part in it that is not meshed anew
-  bool at_border = false;       ///< borders of sets may be the trouble
-  std::vector<SetShift> shifts; ///< of sets' borders, where they are not kept
+  bool old_surface = false;      ///< of the body has a part in it that is not meshed anew
+  bool at_border = false;        ///< borders of sets may be the trouble
+  std::vector<SetShift> shifts;  ///< of used sets' borders, where they are not kept
+  std::vector<EdgePieces> edges; ///< of the cavity that held sets have
 };
 
 /// How the surface of the body is treated.
 struct PatchWish {
-  bool borders = true; ///< of sets are kept; else they go where triangles end
-  bool renew = false;  ///< the cavity's part of it is meshed anew where no tube ends, too
+  Borders borders = Borders::all; ///< of which sets are kept; others go where triangles end
+  bool renew = false; ///< the cavity's part of it is meshed anew where no tube ends, too
 };
 
 /// Meshes a cavity round its cracks: tubes along their fronts, graded tetrahedra in the rest.

@@ -95,16 +95,21 @@ double FrontSurroundings::width(double s) const {
     return std::numeric_limits<double>::max();
   }
   const Vec2 end = q + *along * back;
+  const auto passes = [&](const Vec3& from, const Vec3& to) {
+    return mesh::distance(end, plane.flat(from), plane.flat(to)) < same * *along;
+  };
+  bool at_mouth = false;
   for (const SolidFront& front : request_.fronts) {
     for (std::size_t i = 1; i < front.mouth.size(); ++i) {
-      const Vec2 a = plane.flat(front.mouth[i - 1]);
-      const Vec2 b = plane.flat(front.mouth[i]);
-      if (mesh::distance(end, a, b) < same * *along) {
-        return 2.0 * *along;
-      }
+      at_mouth = at_mouth || passes(front.mouth[i - 1], front.mouth[i]);
     }
   }
-  return *along;
+  for (const SolidHole& hole : request_.holes) {
+    for (std::size_t i = 0; i < hole.mouth.size(); ++i) {
+      at_mouth = at_mouth || passes(hole.mouth[i], hole.mouth[(i + 1) % hole.mouth.size()]);
+    }
+  }
+  return at_mouth ? 2.0 * *along : *along;
 }
 
 } // namespace spricka::mesh

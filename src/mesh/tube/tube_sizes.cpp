@@ -102,14 +102,14 @@ TubeSizes tube_sizes(const FrontCurve& curve, const TubeRoom& room, const TubeMe
       radius = given.size > 0.0 ? given.size * given.rings : radius_of_width * width;
       radius = std::min({radius, radius_of_curvature * round, radius_of_room * sizes.room.back()});
     }
-    sizes.radius.push_back(radius);
+    sizes.radius.push_back(radius / given.finer);
     double length = std::min(length_of_width * width, length_of_curvature * round);
     if (!curve.closed()) {
       const double from_end = std::min(frame.s, curve.length() - frame.s);
       length = std::min(length, length_at_surface * std::min(width, round) +
                                     growth_from_surface * std::max(from_end, 0.0));
     }
-    sizes.length.push_back(given.length > 0.0 ? given.length : length);
+    sizes.length.push_back((given.length > 0.0 ? given.length : length) / given.finer);
   }
   smooth(sizes.radius, step, curve.closed());
   smooth(sizes.length, step, curve.closed(), curve.closed() ? steepest : growth_from_surface);

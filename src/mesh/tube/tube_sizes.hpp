@@ -33,7 +33,7 @@ struct TubeRoom {
 /// The sizes of section lengths: a tenth of the crack's width, half of the radius of curvature and
 /// 0.4 of the room for the radius; elements as long as 0.15 and 0.25 of the first two, and 0.5 to 3
 /// radii, shorter towards the ends of an open front. Given sizes (`given`, in the lengths of the
-/// curve) stand as they are.
+/// curve) stand as they are, all divided by `finer`.
 TubeSizes tube_sizes(const FrontCurve& curve, const TubeRoom& room, const TubeMesh& given);
 
 } // namespace spricka::mesh

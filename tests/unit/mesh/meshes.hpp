@@ -22,7 +22,7 @@ inline double area(const model::Mesh& mesh) {
     const auto nodes = mesh.nodes_of(base::ElementId(e));
     sum += shape::with_shape(mesh.type[e], [&]<shape::ElementShape S>(S) {
       double part = 0.0;
-      for (const auto& q : shape::quadrature<S>()) {
+      for (const auto& q : shape::quadrature<S>(7)) {
         Eigen::Matrix<double, S::dim, S::dim> J;
         J.setZero();
         const Eigen::Matrix<double, S::nodes, S::dim> d = S::dN(q.r);

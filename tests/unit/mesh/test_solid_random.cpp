@@ -7,6 +7,7 @@
 #include "shape/solid.hpp"
 #include "surface_hosts.hpp"
 
+#include "tests/unit/mesh/meshes.hpp"
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -274,25 +275,6 @@ Case across_edge(const Host& host, Dice& dice) {
                    std::min(a, 3.0))}};
 }
 
-double volume(const model::Mesh& mesh) {
-  double sum = 0.0;
-  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
-    shape::with_shape(mesh.type[e], [&]<shape::ElementShape S>(S) {
-      if constexpr (S::dim == 3) {
-        Eigen::Matrix<double, S::nodes, 3> X;
-        const auto nodes = mesh.nodes_of(ElementId(e));
-        for (int i = 0; i < S::nodes; ++i) {
-          X.row(i) = mesh.x[nodes[static_cast<std::size_t>(i)].index()].transpose();
-        }
-        for (const auto& q : shape::quadrature<S>(7)) {
-          sum += q.weight * Eigen::Matrix3d(X.transpose() * S::dN(q.r)).determinant();
-        }
-      }
-    });
-  }
-  return sum;
-}
-
 double flat_area(const model::Mesh& mesh, const std::vector<model::Face>& sides) {
   double sum = 0.0;
   for (const model::Face& side : sides) {
@@ -337,8 +319,8 @@ std::vector<model::Face> on_skin(const model::Mesh& mesh, const std::vector<Node
 void expect_sound(const Host& host, const mesh::CrackedMesh& cracked, bool shifted) {
   const model::Mesh& mesh = cracked.mesh;
   EXPECT_TRUE(mesh::mesh_faults(mesh).bad.empty());
-  const double v = volume(host.mesh);
-  EXPECT_NEAR(volume(mesh), v, (host.curved ? 2e-3 : 1e-5) * v);
+  const double v = test::area(host.mesh);
+  EXPECT_NEAR(test::area(mesh), v, (host.curved ? 2e-3 : 1e-5) * v);
   for (std::size_t s = 0; s < host.mesh.face_sets.size(); ++s) {
     const double area = flat_area(host.mesh, host.mesh.face_sets[s].faces);
     EXPECT_NEAR(flat_area(mesh, mesh.face_sets[s].faces), area,
@@ -457,6 +439,89 @@ TEST(SolidSets, NodeSetsOfAPartOfAFaceKeepTheirBorders) {
   }
 }
 
+/// Nodes that an element has, on the segment from a to b of a straight line.
+std::set<NodeId> on_line(const model::Mesh& mesh, const Vec3& a, const Vec3& b) {
+  std::set<NodeId> found;
+  for (const NodeId n : mesh.nodes) {
+    const Vec3& x = mesh.x[n.index()];
+    const Vec3 d = (b - a).normalized();
+    const double s = d.dot(x - a);
+    if ((x - a - s * d).norm() < 1e-9 && s > -1e-9 && s < (b - a).norm() + 1e-9) {
+      found.insert(n);
+    }
+  }
+  return found;
+}
+
+// Nodes are held along a sharp edge, a part of it, a line on a smooth face; the crack, half an
+// ellipse at z = 3.7 of the face y = -4 or a corner at x = -4, takes their elements, and its mouth
+// runs across the lines.
+TEST(SolidSets, NodesHeldAlongEdgesAreHeldAlongNewOnes) {
+  const Vec3 corner(-4, -4, 3.7);
+  const mesh::SolidCrack at_corner = ellipse(corner, axes(Vec3::UnitX(), Vec3::UnitY()), 1.2, 0.9);
+  const mesh::SolidCrack at_face =
+      ellipse({0.1, -4, 3.7}, axes(Vec3::UnitX(), Vec3::UnitY()), 1.2, 0.9);
+  struct Line {
+    const mesh::SolidCrack* crack;
+    Vec3 from, to;
+  };
+  const std::vector<Line> lines{
+      {&at_corner, {-4, -4, 0}, {-4, -4, 8}}, {&at_corner, {-4, -4, 3}, {-4, -4, 5}},
+      {&at_corner, {-4, -4, 4}, {-4, -4, 8}}, {&at_face, {0, -4, 0}, {0, -4, 8}},
+      {&at_face, {-4, -4, 5}, {4, -4, 5}},    {&at_face, {0, -4, 4}, {0, -4, 6}},
+      {&at_face, {0, -4, 3}, {0, -4, 5}}};
+  for (const ElementType type : {ElementType::hexec20, ElementType::tet10, ElementType::hexe8}) {
+    for (const Line& line : lines) {
+      model::Mesh host = box(type, 8).mesh;
+      host.node_sets.clear();
+      const std::set<NodeId> before = on_line(host, line.from, line.to);
+      host.node_sets.push_back({"LINE", {before.begin(), before.end()}, {}});
+      mesh::SetUse use;
+      use.held.emplace_back(std::size_t{0});
+      base::Diagnostics diagnostics;
+      const auto cracked = mesh::insert_solid_cracks(
+          mesh::SolidHost(host, use), std::vector{*line.crack}, std::vector<mesh::TubeMesh>(1),
+          std::vector<base::Span>(1), diagnostics);
+      ASSERT_TRUE(cracked);
+      EXPECT_TRUE(diagnostics.all().empty());
+      EXPECT_TRUE(cracked->lost[0].empty()) << base::info(type).name << line.from.transpose();
+      const std::vector<NodeId>& now = cracked->mesh.node_sets[0].nodes;
+      std::set<NodeId> there = on_line(cracked->mesh, line.from, line.to);
+      for (const mesh::RimTie& tie : cracked->ties) { // between linear elements' nodes
+        there.erase(tie.slave);
+      }
+      EXPECT_EQ(std::set<NodeId>(now.begin(), now.end()), there)
+          << base::info(type).name << " " << line.from.transpose();
+    }
+  }
+}
+
+// Three nodes hold a body: those at its corners and on its edges stay, whatever is meshed anew.
+TEST(SolidSets, SingleNodesHeldOnEdgesStay) {
+  model::Mesh host = box(ElementType::tet10, 4).mesh;
+  host.node_sets.clear();
+  mesh::SetUse use;
+  for (const Vec3& x : {Vec3(-4, -4, 0), Vec3(-4, -4, 2), Vec3(-2, -4, 0)}) {
+    const std::set<NodeId> found = on_line(host, x, x + 1e-3 * Vec3::UnitX());
+    ASSERT_EQ(found.size(), 1U);
+    use.held.emplace_back(host.node_sets.size());
+    host.node_sets.push_back({"", {found.begin(), found.end()}, {}});
+  }
+  const mesh::SolidCrack crack =
+      ellipse({-4, -4, 1.1}, axes(Vec3::UnitX(), Vec3::UnitY()), 0.9, 0.8);
+  base::Diagnostics diagnostics;
+  const auto cracked = mesh::insert_solid_cracks(mesh::SolidHost(host, use), std::vector{crack},
+                                                 std::vector<mesh::TubeMesh>(1),
+                                                 std::vector<base::Span>(1), diagnostics);
+  ASSERT_TRUE(cracked);
+  const std::vector<bool> used = model::nodes_in_use(cracked->mesh);
+  for (std::size_t s = 0; s < 3; ++s) {
+    EXPECT_TRUE(cracked->lost[s].empty()) << s;
+    EXPECT_EQ(cracked->mesh.node_sets[s].nodes, host.node_sets[s].nodes) << s;
+    EXPECT_TRUE(used[host.node_sets[s].nodes.front().index()]) << s;
+  }
+}
+
 TEST(SolidSets, ABorderThroughTheEndOfATubeIsTold) {
   const mesh::SolidCrack crack =
       ellipse({0.1, -4, 4.03}, axes(Vec3::UnitX(), Vec3::UnitY()), 1.2, 0.9);
@@ -473,6 +538,15 @@ TEST(SolidSets, ABorderThroughTheEndOfATubeIsTold) {
   const double area =
       flat_area(cracked->mesh, on_skin(cracked->mesh, cracked->mesh.node_sets[0].nodes));
   EXPECT_NEAR(area, 32.0, 0.5);
+  // A group that nothing uses may move unsaid; the skin goes all round and has no border.
+  mesh::SetUse use;
+  use.nodes = {false};
+  use.faces = {true};
+  base::Diagnostics quiet;
+  EXPECT_TRUE(mesh::insert_solid_cracks(mesh::SolidHost(host, use), std::vector{crack},
+                                        std::vector<mesh::TubeMesh>(1), std::vector<base::Span>(1),
+                                        quiet));
+  EXPECT_TRUE(quiet.all().empty());
 }
 
 } // namespace

@@ -1,0 +1,377 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/tube/found_crack.hpp"
+
+#include "mesh/side_index.hpp"
+#include "mesh/tube/front_points.hpp"
+#include "shape/topology.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <set>
+#include <utility>
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+namespace spricka::mesh {
+
+namespace {
+
+using base::NodeId;
+using base::Vec3;
+
+/// Nodes within this part of the shortest edge at the front lie at one place.
+constexpr double at_one_place = 1e-4;
+/// Cosine of the angle at which faces of one crack go on from side to side: others that lie on one
+/// another are those of a contact.
+constexpr double least_cosine = 0.5;
+/// Rings of elements that are taken for the surroundings of the front.
+constexpr double rings_of_front = 3.0;
+
+/// A side of the body with its corners by the places they lie at.
+struct PlacedSide {
+  model::Face face;
+  std::vector<NodeId> nodes;       ///< corners, then mid nodes
+  std::size_t corners = 0;         ///< so many of them
+  std::vector<std::size_t> places; ///< [corner]
+  Vec3 normal = Vec3::Zero();      ///< outer, of the size of the side
+};
+
+class Finder {
+public:
+  Finder(const FoundCrack& crack, CrackedMesh& cracked)
+      : crack_(crack), cracked_(cracked), mesh_(cracked.mesh) {}
+
+  std::string find() {
+    for (std::string (Finder::*step)() :
+         {&Finder::place_sides, &Finder::pair_sides, &Finder::spread, &Finder::take_faces,
+          &Finder::take_fronts}) {
+      if (std::string why = (this->*step)(); !why.empty()) {
+        return why;
+      }
+    }
+    return {};
+  }
+
+private:
+  [[nodiscard]] const Vec3& x(NodeId n) const { return mesh_.x[n.index()]; }
+  [[nodiscard]] base::Label label(NodeId n) const { return mesh_.node_label[n.index()]; }
+
+  // Sides on the surface, with numbers for the places of their nodes.
+  std::string place_sides() {
+    const std::set<NodeId> front(crack_.front.begin(), crack_.front.end());
+    double shortest = std::numeric_limits<double>::infinity();
+    std::set<NodeId> used;
+    for (const model::Face& face : SideIndex(mesh_).alone()) {
+      PlacedSide& side = sides_.emplace_back();
+      side.face = face;
+      const base::ElementType type = mesh_.type[face.element.index()];
+      const std::span<const NodeId> nodes = mesh_.nodes_of(face.element);
+      for (const int k : shape::side_nodes(type, face.side)) {
+        side.nodes.push_back(nodes[static_cast<std::size_t>(k)]);
+      }
+      side.corners = shape::side_corners(type, face.side);
+      for (std::size_t k = 0; k < side.corners; ++k) {
+        const NodeId a = side.nodes[k];
+        const NodeId b = side.nodes[(k + 1) % side.corners];
+        if (front.contains(a) || front.contains(b)) {
+          shortest = std::min(shortest, (x(a) - x(b)).norm());
+        }
+      }
+      const Vec3 across = x(side.nodes[side.corners - 1]) - x(side.nodes[1]);
+      side.normal =
+          0.5 * (side.corners == 3 ? Vec3(x(side.nodes[1]) - x(side.nodes[0]))
+                                         .cross(Vec3(x(side.nodes[2]) - x(side.nodes[0])))
+                                   : Vec3(x(side.nodes[2]) - x(side.nodes[0])).cross(across));
+      used.insert(side.nodes.begin(), side.nodes.end());
+    }
+    if (!std::isfinite(shortest)) {
+      return "no node of its FRONT is a corner of an element on the surface of the body or of a "
+             "crack";
+    }
+    shortest_ = shortest;
+    number_places({used.begin(), used.end()});
+    for (PlacedSide& side : sides_) {
+      for (std::size_t k = 0; k < side.corners; ++k) {
+        side.places.push_back(place_.at(side.nodes[k]));
+      }
+    }
+    return {};
+  }
+
+  // Nodes nearer to one another than `at_one_place` get one number: swept along x.
+  void number_places(std::vector<NodeId> nodes) {
+    std::ranges::sort(nodes, [&](NodeId a, NodeId b) {
+      return std::pair(x(a).x(), a.value) < std::pair(x(b).x(), b.value);
+    });
+    const double near = at_one_place * shortest_;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      std::size_t number = count;
+      for (std::size_t k = i; k-- > 0 && x(nodes[i]).x() - x(nodes[k]).x() <= near;) {
+        if ((x(nodes[i]) - x(nodes[k])).norm() <= near) {
+          number = place_.at(nodes[k]);
+          break;
+        }
+      }
+      place_.emplace(nodes[i], number);
+      count += number == count ? 1 : 0;
+    }
+  }
+
+  // Two sides at the same places, one of each body, are faces of a crack.
+  std::string pair_sides() {
+    std::map<std::vector<std::size_t>, std::vector<std::size_t>> at;
+    for (std::size_t s = 0; s < sides_.size(); ++s) {
+      std::vector<std::size_t> key = sides_[s].places;
+      std::ranges::sort(key);
+      at[std::move(key)].push_back(s);
+    }
+    twin_.assign(sides_.size(), sides_.size());
+    for (const auto& [key, found] : at) {
+      const auto net = [&](std::size_t s) {
+        return mesh_.element_net[sides_[s].face.element.index()];
+      };
+      if (found.size() == 2 && net(found[0]) == net(found[1])) {
+        twin_[found[0]] = found[1];
+        twin_[found[1]] = found[0];
+      }
+    }
+    return {};
+  }
+
+  // From sides that end at the front over common edges, each time to the one whose normal goes on.
+  std::string spread() {
+    const std::set<NodeId> front(crack_.front.begin(), crack_.front.end());
+    std::map<std::size_t, std::vector<std::size_t>> at_place;
+    for (std::size_t s = 0; s < sides_.size(); ++s) {
+      for (const std::size_t place : sides_[s].places) {
+        if (twin_[s] < sides_.size()) {
+          at_place[place].push_back(s);
+        }
+      }
+    }
+    std::vector<bool> seen(sides_.size(), false);
+    for (std::size_t s = 0; s < sides_.size(); ++s) {
+      const bool begins =
+          twin_[s] < sides_.size() &&
+          std::any_of(sides_[s].nodes.begin(),
+                      sides_[s].nodes.begin() + static_cast<std::ptrdiff_t>(sides_[s].corners),
+                      [&](NodeId n) { return front.contains(n); });
+      if (begins && !seen[s] && !seen[twin_[s]]) {
+        grow(s, at_place, seen);
+      }
+    }
+    if (upper_.empty()) {
+      return "no faces begin at its FRONT: of a crack that is in the mesh already each face has "
+             "its own nodes, at the same places, and those of the front are common to both";
+    }
+    return {};
+  }
+
+  void grow(std::size_t first, const std::map<std::size_t, std::vector<std::size_t>>& at_place,
+            std::vector<bool>& seen) {
+    std::vector<std::size_t> open{upward(first) ? twin_[first] : first};
+    seen[first] = seen[twin_[first]] = true;
+    while (!open.empty()) {
+      const std::size_t s = open.back();
+      open.pop_back();
+      upper_.push_back(s);
+      const std::set<std::size_t> own(sides_[s].places.begin(), sides_[s].places.end());
+      for (const std::size_t place : own) {
+        for (const std::size_t next : at_place.at(place)) {
+          const auto common =
+              std::ranges::count_if(sides_[next].places, [&](auto p) { return own.contains(p); });
+          const double turn = sides_[next].normal.normalized().dot(sides_[s].normal.normalized());
+          if (common >= 2 && !seen[next] && std::abs(turn) > least_cosine) {
+            seen[next] = seen[twin_[next]] = true;
+            open.push_back(turn > 0.0 ? next : twin_[next]);
+          }
+        }
+      }
+    }
+  }
+
+  // The outer normal of an upper face points down.
+  [[nodiscard]] bool upward(std::size_t s) const {
+    Eigen::Index largest = 0;
+    sides_[s].normal.cwiseAbs().maxCoeff(&largest);
+    return sides_[s].normal[largest] > 0.0;
+  }
+
+  std::string take_faces() {
+    std::ranges::sort(upper_);
+    CrackFaces& faces = cracked_.faces[crack_.crack.index()];
+    std::map<NodeId, NodeId> pairs;
+    for (const std::size_t s : upper_) {
+      const PlacedSide& own = sides_[s];
+      const PlacedSide& other = sides_[twin_[s]];
+      faces.left_sides.push_back(own.face);
+      faces.right_sides.push_back(other.face);
+      for (const NodeId n : own.nodes) {
+        const auto twin = std::ranges::find_if(
+            other.nodes, [&](NodeId m) { return place_.at(m) == place_.at(n); });
+        if (twin == other.nodes.end()) {
+          return fmt::format("the faces at node {} have mid nodes at different places", label(n));
+        }
+        pairs.emplace(n, *twin);
+      }
+    }
+    for (const auto& [left, right] : pairs) {
+      faces.left.push_back(left);
+      faces.right.push_back(right);
+    }
+    return {};
+  }
+
+  // Edges between nodes of the front that end the crack, in the order of t = m x b.
+  std::string take_fronts() {
+    const std::set<NodeId> given(crack_.front.begin(), crack_.front.end());
+    std::map<NodeId, NodeId> next;
+    std::map<NodeId, Vec3> up;
+    std::map<std::pair<NodeId, NodeId>, NodeId> middle;
+    for (const std::size_t s : upper_) {
+      const PlacedSide& side = sides_[s];
+      for (std::size_t k = 0; k < side.corners; ++k) {
+        const NodeId a = side.nodes[k];
+        const NodeId b = side.nodes[(k + 1) % side.corners];
+        if (!single(a, s) || !single(b, s) || !given.contains(a) || !given.contains(b)) {
+          continue;
+        }
+        // Seen along the outer normal of the upper face, -b, the side lies on the left of its
+        // edges: t = m x b runs the same way.
+        if (!next.emplace(a, b).second) {
+          return fmt::format("its front branches at node {}", label(a));
+        }
+        up.try_emplace(a, Vec3::Zero()).first->second -= side.normal;
+        up.try_emplace(b, Vec3::Zero()).first->second -= side.normal;
+        if (side.nodes.size() > side.corners) {
+          middle.emplace(std::pair(a, b), side.nodes[side.corners + k]);
+        }
+      }
+    }
+    if (next.empty()) {
+      return "no two nodes of its FRONT are joined by an edge at which its faces end";
+    }
+    int number = 0;
+    while (!next.empty()) {
+      add_front(line_of(next), up, middle, ++number);
+    }
+    return {};
+  }
+
+  // A node that both faces have.
+  [[nodiscard]] bool single(NodeId n, std::size_t upper) const {
+    return std::ranges::find(sides_[twin_[upper]].nodes, n) != sides_[twin_[upper]].nodes.end();
+  }
+
+  // Takes one line out of the edges; a closed one begins with its lowest node, which ends it, too.
+  static std::vector<NodeId> line_of(std::map<NodeId, NodeId>& next) {
+    std::set<NodeId> ends;
+    for (const auto& [from, to] : next) {
+      ends.insert(to);
+    }
+    NodeId at = next.begin()->first;
+    for (const auto& [from, to] : next) {
+      if (!ends.contains(from)) {
+        at = from;
+        break;
+      }
+    }
+    std::vector<NodeId> line{at};
+    for (auto found = next.find(at); found != next.end(); found = next.find(line.back())) {
+      line.push_back(found->second);
+      next.erase(found);
+    }
+    return line;
+  }
+
+  void add_front(std::vector<NodeId> line, const std::map<NodeId, Vec3>& up,
+                 const std::map<std::pair<NodeId, NodeId>, NodeId>& middle, int number) {
+    const bool closed = line.size() > 3 && line.front() == line.back();
+    std::vector<Vec3> points;
+    std::vector<Vec3> normals;
+    for (std::size_t k = 0; k < line.size() && !(closed && k + 1 == line.size()); ++k) {
+      points.push_back(x(line[k]));
+      normals.push_back(up.at(line[k]).normalized());
+      const bool last = k + 1 == line.size();
+      const auto between = last ? middle.end() : middle.find({line[k], line[k + 1]});
+      if (between != middle.end()) {
+        points.push_back(x(between->second));
+        normals.push_back(
+            (up.at(line[k]).normalized() + up.at(line[k + 1]).normalized()).normalized());
+      }
+    }
+    if (closed) {
+      line.pop_back();
+    }
+    Front front;
+    front.crack = crack_.crack;
+    front.number = number;
+    front.curve = std::make_shared<const FrontCurve>(std::move(points), std::move(normals), closed);
+    front.points.clear();
+    for (std::size_t k = 0; k < line.size(); ++k) {
+      FrontPoint& point = front.points.emplace_back();
+      point.node = line[k];
+      point.at_surface = !closed && (k == 0 || k + 1 == line.size());
+      point.size = size_at(line[k], {line.begin(), line.end()});
+      point.radius = rings_of_front * point.size;
+    }
+    place_points(mesh_, front);
+    front.size = std::ranges::min(front.points, {}, &FrontPoint::size).size;
+    front.radius = rings_of_front * front.size;
+    front.kind = closed ? CrackKind::embedded : CrackKind::surface;
+    front.a = std::sqrt(area() / std::numbers::pi);
+    cracked_.notes.push_back(
+        fmt::format("crack {}: in the mesh already, as large as a circle of radius {:.4g}, {} "
+                    "sides of elements "
+                    "on each face, front of length {:.6g} with {} points, elements of {:.3g} at it",
+                    crack_.name, front.a, upper_.size(), front.curve->length(), front.points.size(),
+                    front.size));
+    cracked_.fronts.push_back(std::move(front));
+  }
+
+  // The shortest edge of the crack's faces from a node of the front away from it.
+  [[nodiscard]] double size_at(NodeId n, const std::set<NodeId>& front) const {
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const std::size_t s : upper_) {
+      const PlacedSide& side = sides_[s];
+      for (std::size_t k = 0; k < side.corners; ++k) {
+        const NodeId a = side.nodes[k];
+        const NodeId b = side.nodes[(k + 1) % side.corners];
+        if ((a == n && !front.contains(b)) || (b == n && !front.contains(a))) {
+          shortest = std::min(shortest, (x(a) - x(b)).norm());
+        }
+      }
+    }
+    return std::isfinite(shortest) ? shortest : shortest_;
+  }
+
+  [[nodiscard]] double area() const {
+    double sum = 0.0;
+    for (const std::size_t s : upper_) {
+      sum += sides_[s].normal.norm();
+    }
+    return sum;
+  }
+
+  const FoundCrack& crack_;
+  CrackedMesh& cracked_;
+  const model::Mesh& mesh_;
+  double shortest_ = 0.0; ///< edge at the front
+  std::vector<PlacedSide> sides_;
+  std::map<NodeId, std::size_t> place_;
+  std::vector<std::size_t> twin_; ///< [side] the one it lies on, or their number
+  std::vector<std::size_t> upper_;
+};
+
+} // namespace
+
+std::string find_crack(const FoundCrack& crack, CrackedMesh& cracked) {
+  return Finder(crack, cracked).find();
+}
+
+} // namespace spricka::mesh

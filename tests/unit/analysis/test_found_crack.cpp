@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cracks in space that the deck's own mesh has already: faces with nodes of their own at the same
+// places, the front by its nodes.
+#include "shape/solid.hpp"
+#include "tests/unit/support/run_text.hpp"
+#include "tests/unit/support/solved_text.hpp"
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string>
+
+#include <fmt/format.h>
+
+namespace spricka {
+namespace {
+
+constexpr int across = 16; // elements across the strip, of edge 1/16
+constexpr int half = 32;   // and on both sides of the crack
+
+// A strip 1 x 1/16 x 4 of HEXEC20 with an edge crack of depth 1/2 in z = 0, between smooth plates;
+// mid nodes beside the front at a quarter. `doubled`: the faces have their own nodes.
+std::string strip(bool doubled, const std::string& more) {
+  using S = shape::Hexec20;
+  using Place = std::array<int, 4>; // twice the numbers of the grid, and 1 on the lower face
+  std::map<Place, int> number;
+  std::string nodes;
+  std::string elements;
+  std::string front;
+  const double h = 1.0 / across;
+  for (int i = 0; i < across; ++i) {
+    for (int k = -half; k < half; ++k) {
+      elements += fmt::format("{}", elements.empty() ? 1 : (i * 2 * half + k + half + 1));
+      for (const auto& local : S::coordinates) {
+        Place at{2 * i + 1 + static_cast<int>(std::lround(local[0])),
+                 1 + static_cast<int>(std::lround(local[1])),
+                 2 * k + 1 + static_cast<int>(std::lround(local[2])), 0};
+        at[3] = doubled && at[2] == 0 && at[0] < across && k < 0 ? 1 : 0;
+        const auto [found, fresh] = number.try_emplace(at, static_cast<int>(number.size()) + 1);
+        elements += fmt::format(" {}", found->second);
+        if (!fresh) {
+          continue;
+        }
+        double x = 0.5 * at[0];
+        double z = 0.5 * at[2];
+        const int from = std::abs(at[0] - across);
+        if (from + std::abs(at[2]) == 1) { // a quarter of the way from the front
+          x = 0.5 * across + 0.25 * (at[0] - across);
+          z = 0.25 * at[2];
+        }
+        nodes += fmt::format("{} {:.15g} {:.15g} {:.15g}\n", found->second, h * x, 0.5 * h * at[1],
+                             h * z);
+        if (from == 0 && at[2] == 0) {
+          front += fmt::format(" {}", found->second);
+        }
+      }
+      elements += "\n";
+    }
+  }
+  return "$DECK VERSION=1 LENGTH=mm FORCE=N\n$COOR DIM=3\n" + nodes +
+         "$ELEMENT TYPE=HEXEC20 ESET=BODY\n" + elements +
+         fmt::format(R"($MATERIAL NAME=M E=1000 NU=0.3
+$PROPERTY ESET=BODY MATERIAL=M STATE=SOLID
+$NSET NAME=SIDES WHERE=(y < 1e-9 or y > {0} - 1e-9)
+$NSET NAME=P1 WHERE=(x > 1 - 1e-9 and z < -2 + 1e-9)
+$NSET NAME=P2 WHERE=(x < 1e-9 and z < -2 + 1e-9)
+$FSET NAME=TOP WHERE=(z > 2 - 1e-9)
+$FSET NAME=FOOT WHERE=(z < -2 + 1e-9)
+$FREEDOM CLASS=SUPPRESSED DOF=Y
+  SIDES
+$FREEDOM CLASS=SUPPRESSED DOF=XZ
+  P1
+$FREEDOM CLASS=SUPPRESSED DOF=Z
+  P2
+$NSET NAME=FRONT
+  {1}
+$CRACK NAME=C FRONT=FRONT
+$TIPNET CRACK=C PATCH=NO
+$LOAD CASE=PULL TYPE=TRACTION
+  TOP 0 0 1
+  FOOT 0 0 -1
+{2}$STEP NAME=S
+  LOAD PULL 1
+$END
+)",
+                     h, front, more);
+}
+
+// F01: 2.824579 sqrt(pi a) of the strip in plane strain (Bowie's, to 1e-6), on a regular mesh.
+TEST(FoundCrack, HasTheKOfItsStrip) {
+  const auto solved = test::solve_text(strip(true, ""));
+  ASSERT_TRUE(solved);
+  ASSERT_EQ(solved->step().fronts.size(), 1U);
+  const results::FrontResult& front = solved->step().fronts[0];
+  const double K = 2.824579 * std::sqrt(std::numbers::pi * 0.5);
+  ASSERT_EQ(front.points.size(), 2U);
+  EXPECT_NEAR(front.a, 0.5, 1e-9);
+  for (const results::FrontPlace& place : front.points) {
+    EXPECT_NEAR(place.K1, K, 0.005 * K);
+    EXPECT_NEAR(place.K2, 0.0, 1e-6 * K);
+    EXPECT_NEAR(place.G, place.G_from_K, 0.005 * place.G);
+    EXPECT_NEAR(place.growth.x(), 1.0, 1e-9);
+  }
+}
+
+// Pressed, its faces bear on each other, and nothing is left of it.
+TEST(FoundCrack, ClosesUnderPressure) {
+  std::string text = strip(true, "");
+  text.replace(text.find("LOAD PULL 1"), 11, "LOAD PULL -1");
+  const auto solved = test::solve_text(text);
+  ASSERT_TRUE(solved);
+  for (const results::FrontPlace& place : solved->step().fronts[0].points) {
+    EXPECT_TRUE(place.closed);
+    EXPECT_EQ(place.K1, 0.0);
+  }
+  const results::ContactResult* faces = results::find_contact(solved->step(), "C.FACES");
+  ASSERT_NE(faces, nullptr);
+  EXPECT_NEAR(faces->mean_pressure, 1.0, 0.01);
+}
+
+// Nodes that are there once make no crack: told, not solved without one.
+TEST(FoundCrack, IsNotWhereNodesAreNotDoubled) {
+  const test::Folder folder;
+  const test::Outcome outcome = test::run_text(folder, strip(false, ""));
+  EXPECT_NE(outcome.exit_code, 0);
+  EXPECT_NE(outcome.messages.find("E439"), std::string::npos) << outcome.messages;
+}
+
+} // namespace
+} // namespace spricka
