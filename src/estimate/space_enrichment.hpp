@@ -3,6 +3,7 @@
 #include "base/vec.hpp"
 #include "contact/space_tractions.hpp"
 #include "estimate/space_modes.hpp"
+#include "estimate/space_operator.hpp"
 #include "fe/dependence.hpp"
 #include "model/forward.hpp"
 #include "model/freedoms.hpp"
@@ -14,8 +15,7 @@
 #include <string>
 #include <vector>
 
-/// The cubic modes of a mesh of solids: numbers, products with their stiffness, loads. No matrix is
-/// kept: forces follow from displacements at the points of a rule (fe.8).
+/// The cubic modes of a mesh of solids: numbers, products with their stiffness, loads.
 namespace spricka::estimate {
 
 /// Why a model of solids cannot be enriched; empty: it can.
@@ -29,14 +29,16 @@ public:
                   const std::vector<model::FreedomClass>& cls, const fe::Dependence& ties);
 
   /// Three directions of each mode. [freedoms]
-  [[nodiscard]] Eigen::Index freedoms() const { return freedoms_; }
+  [[nodiscard]] Eigen::Index freedoms() const { return free().size(); }
   /// Modes of an element in the order of SpaceModes.
   [[nodiscard]] std::span<const std::int32_t> of_element(base::ElementId e) const {
-    return {mode_.data() + first_[e.index()], mode_.data() + first_[e.index() + 1]};
+    const SpaceNumbers& of = operator_.numbers();
+    return {of.mode.data() + of.first[e.index()], of.mode.data() + of.first[e.index() + 1]};
   }
   /// Whether the element's own function is the mode or its negative.
   [[nodiscard]] std::span<const double> signs(base::ElementId e) const {
-    return {sign_.data() + first_[e.index()], sign_.data() + first_[e.index() + 1]};
+    const SpaceNumbers& of = operator_.numbers();
+    return {of.sign.data() + of.first[e.index()], of.sign.data() + of.first[e.index() + 1]};
   }
 
   /// What displacements of nodes v [3 * node] and modes x [freedoms] load the modes with,
@@ -47,7 +49,7 @@ public:
   /// The inverse of the 3 by 3 diagonal blocks of K_ee, times r on free ones.
   [[nodiscard]] base::Vector precondition(const base::Vector& r) const;
   /// Zero where held. [freedoms]
-  [[nodiscard]] const base::Vector& free() const { return free_; }
+  [[nodiscard]] const base::Vector& free() const { return operator_.numbers().free; }
 
   /// Forces on the modes of spread loads of a case; temperatures are not among them.
   [[nodiscard]] base::Vector load(const model::LoadCase& load_case) const;
@@ -55,21 +57,14 @@ public:
   void add_tractions(const std::vector<contact::FaceTraction>& tractions, base::Vector& f) const;
 
 private:
-  void sum_diagonal();
   void add_on_side(const model::Face& face, const base::Vec2& r, const base::Vec3& force,
                    base::Vector& f) const;
   void add_inside(base::ElementId e, const base::Vec3& r, const base::Vec3& force,
                   base::Vector& f) const;
-  void apply(const base::Vector* v, const base::Vector* x, base::Vector* on_nodes,
-             base::Vector& on_modes) const;
 
   const model::Model& model_;
   const model::Mesh& mesh_;
-  Eigen::Index freedoms_ = 0;
-  std::vector<std::size_t> first_; ///< [element + 1] into mode_ and sign_
-  std::vector<std::int32_t> mode_;
-  std::vector<double> sign_;
-  base::Vector free_;
+  SpaceOperator operator_;
   std::vector<Eigen::Matrix3d> inverse_; ///< [mode]
 };
 

@@ -329,8 +329,8 @@ base::Matrix SparseCondensation::take_schur() {
 base::Matrix SparseCondensation::condense_load(const base::Matrix& f) const {
   const Impl& c = *impl_;
   assert(f.rows() == c.n && c.report.status == FactorStatus::ok);
-  if (c.n == 0) {
-    return f;
+  if (c.n == c.locals) {
+    return {0, f.cols()}; // no external to hand anything to
   }
   base::Matrix X(c.n, f.cols());
   for (std::int64_t k = 0; k < c.n; ++k) {

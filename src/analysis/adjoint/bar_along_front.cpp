@@ -18,6 +18,11 @@ bool has_estimate(const results::FrontPlace& place) {
   return !place.at_surface && (place.G != 0.0 || place.K1 != 0.0 || place.K2 != 0.0);
 }
 
+// Faces that touch hold K1 at 0 whatever the mesh finds for it: there is nothing to estimate.
+bool held_at_zero(const results::FrontPlace& place, std::size_t mode) {
+  return place.closed && mode == 0;
+}
+
 // The nearest point with an estimate stands for one at the surface, between points.
 void fill_surface(results::FrontResult& front) {
   const std::size_t n = front.points.size();
@@ -41,7 +46,7 @@ void add_front_bars(const base::Vector& eta, const std::vector<std::array<double
                     Eigen::Index first, results::FrontResult& front) {
   double size = 0.0;
   std::array<double, 3> squares{};
-  double count = 0.0;
+  std::array<double, 3> counts{};
   for (std::size_t i = 0; i < front.points.size(); ++i) {
     results::FrontPlace& place = front.points[i];
     if (!has_estimate(place)) {
@@ -49,8 +54,11 @@ void add_front_bars(const base::Vector& eta, const std::vector<std::array<double
     }
     const std::array<double, 3> K{place.K1, place.K2, place.K3};
     size = std::max(size, std::hypot(K[0], K[1], K[2]));
-    count += 1.0;
     for (std::size_t k = 0; k < 3; ++k) {
+      if (held_at_zero(place, k)) {
+        continue;
+      }
+      counts[k] += 1.0;
       place.bar[k].eta = eta[first + static_cast<Eigen::Index>(3 * i + k)];
       place.bar[k].best = best[i][k];
       squares[k] += std::pow(best[i][k] - K[k], 2);
@@ -59,13 +67,19 @@ void add_front_bars(const base::Vector& eta, const std::vector<std::array<double
   for (results::FrontPlace& place : front.points) {
     const std::array<double, 3> K{place.K1, place.K2, place.K3};
     for (std::size_t k = 0; k < 3 && has_estimate(place); ++k) {
+      if (held_at_zero(place, k)) {
+        continue;
+      }
       results::KBar& bar = place.bar[k];
       bar.mesh = share_of_own * std::abs(bar.best - K[k]) +
-                 share_of_others * std::sqrt(squares[k] / count);
+                 share_of_others * std::sqrt(squares[k] / counts[k]);
       bar.floor = floor_share * size;
     }
   }
   fill_surface(front);
+  for (results::FrontPlace& place : front.points) {
+    place.bar[0] = held_at_zero(place, 0) ? results::KBar{} : place.bar[0];
+  }
 }
 
 } // namespace spricka::analysis

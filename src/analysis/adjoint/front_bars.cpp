@@ -18,6 +18,9 @@ namespace {
 // Steps of conjugate gradients on the modes, and what change of any K ends them, of the largest.
 constexpr int most_steps = 12;
 constexpr double small_change = 4e-2;
+// Residuals are multiples of each other to this part of them; so many are remembered.
+constexpr double alike = 1e-9;
+constexpr std::size_t remembered = 8;
 
 // Whether a step changed no K within the body by much.
 bool settled(const Scene& scene, const base::Vector& more, const base::Vector& all) {
@@ -117,12 +120,31 @@ base::Vector FrontBars::load(const StepState& state) {
   return f;
 }
 
+std::optional<base::Vector> FrontBars::changes(const FrozenStep& step, const FrontFunctionals& K) {
+  const base::Vector r = load(step.state) - enrichment_->on_modes(&step.state.u, nullptr);
+  for (const Known& one : known_) {
+    const double factor = r.dot(one.residual) / one.residual.squaredNorm();
+    if (one.mounted == step.state.mounted && one.closed == step.contact.closed &&
+        (r - factor * one.residual).norm() <= alike * r.norm()) {
+      return factor * one.eta;
+    }
+  }
+  std::optional<base::Vector> eta = solve(step, K, r);
+  if (eta && r.squaredNorm() > 0.0) {
+    if (known_.size() == remembered) {
+      known_.erase(known_.begin());
+    }
+    known_.push_back({step.state.mounted, step.contact.closed, r, *eta});
+  }
+  return eta;
+}
+
 // Conjugate gradients on the modes with the nodes eliminated (estimate.23): each step is one
 // back-substitution.
-std::optional<base::Vector> FrontBars::changes(const FrozenStep& step, const FrontFunctionals& K) {
+std::optional<base::Vector> FrontBars::solve(const FrozenStep& step, const FrontFunctionals& K,
+                                             base::Vector r) const {
   const estimate::SpaceEnrichment& modes = *enrichment_;
   base::Vector eta = base::Vector::Zero(K.rows.cols());
-  base::Vector r = load(step.state) - modes.on_modes(&step.state.u, nullptr);
   base::Vector s = modes.precondition(r);
   base::Vector p = s;
   double rs = r.dot(s);
@@ -184,7 +206,9 @@ void FrontBars::add(const FrozenStep& step, const FrontFunctionals& K,
       base::Vector better = *eta;
       for (std::size_t i = 0; i < front.points.size(); ++i) {
         const results::FrontPlace& place = front.points[i];
-        better.segment<3>(layout.first(first + i)) += base::Vec3(place.K1, place.K2, place.K3);
+        const Eigen::Index at = layout.first(first + i);
+        better.segment<3>(at) += base::Vec3(place.K1, place.K2, place.K3);
+        better[at] = place.closed ? 0.0 : better[at];
       }
       add_front_bars(*eta, smooth_front(scene_.fronts[f], better, layout.first(first)),
                      layout.first(first), front);

@@ -42,6 +42,9 @@ private:
   /// What cubic elements add to K. [K]; empty: a solution failed
   [[nodiscard]] std::optional<base::Vector> changes(const FrozenStep& step,
                                                     const FrontFunctionals& K);
+  /// The same from the residual of the modes.
+  [[nodiscard]] std::optional<base::Vector> solve(const FrozenStep& step, const FrontFunctionals& K,
+                                                  base::Vector r) const;
   void tell(const results::FrontResult& front, results::StepResult& result);
 
   const model::Model& model_;
@@ -51,6 +54,13 @@ private:
   std::optional<estimate::SpaceEnrichment> enrichment_;
   crack::SparseRows goals_;                            ///< [freedoms of modes, K]
   std::vector<std::optional<base::Vector>> case_load_; ///< [case] on the modes
+  /// Steps with bars: where the same rows are closed in another and its residual is a multiple of
+  /// this one's, as in load cycles, so is the rest.
+  struct Known {
+    std::vector<bool> mounted, closed;
+    base::Vector residual, eta;
+  };
+  std::vector<Known> known_;
   std::vector<results::Note> told_;
 };
 

@@ -123,17 +123,30 @@ FrontAxes::Turned FrontAxes::turned(std::size_t i, double part) const {
   return result;
 }
 
+FrontAxes::Point FrontAxes::point(std::size_t i, double part) const {
+  const double h = s_[i + 1] - s_[i];
+  const double p = part;
+  const Vec3 rise = axes_[i + 1].col(0) - axes_[i].col(0);
+  const Vec3 d0 = turn_[i].col(0);
+  const Vec3 d1 = turn_[i + 1].col(0);
+  const Vec3 second = 3.0 * rise - h * (2.0 * d0 + d1);
+  const Vec3 third = h * (d0 + d1) - 2.0 * rise;
+  return {axes_[i].col(0) + p * (h * d0 + p * (second + p * third)),
+          d0 + p / h * (2.0 * second + 3.0 * p * third),
+          (2.0 * second + 6.0 * p * third) / (h * h)};
+}
+
 FrontPlace FrontAxes::place(const Vec3& x, FaceSide side) const {
   const std::size_t last = s_.size() - 2; // of the intervals
   std::size_t i = std::min(nearest_station(x), last);
   double part = 0.0;
-  Turned f = turned(i, part);
+  Point on = point(i, part);
   double beyond = 0.0; // an open end, along its tangent
   // Newton's steps for d . t = 0, across stations where they lead there.
   for (int step = 0; step < 20; ++step) {
-    const Vec3 d = x - f.at.col(0);
-    const Vec3 t = f.by_s.col(0);
-    const double full = t.squaredNorm() - d.dot(f.by_ss.col(0));
+    const Vec3 d = x - on.at;
+    const Vec3& t = on.by_s;
+    const double full = t.squaredNorm() - d.dot(on.by_ss);
     const double way = d.dot(t) / (full > 0.1 ? full : t.squaredNorm());
     double s = s_[i] + part * (s_[i + 1] - s_[i]) + way;
     if (closed_) {
@@ -152,11 +165,12 @@ FrontPlace FrontAxes::place(const Vec3& x, FaceSide side) const {
       i = s > s_[i + 1] ? last : 0;
     }
     part = (s - s_[i]) / (s_[i + 1] - s_[i]);
-    f = turned(i, part);
+    on = point(i, part);
     if (std::abs(way) < 1e-13 * s_.back() || (!closed_ && beyond != 0.0 && step > 0)) {
       break;
     }
   }
+  const Turned f = turned(i, part);
   FrontPlace place;
   mesh::FrontFrame& frame = place.frame;
   frame.s = s_[i] + part * (s_[i + 1] - s_[i]);

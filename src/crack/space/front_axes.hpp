@@ -36,6 +36,11 @@ private:
   };
   [[nodiscard]] std::size_t nearest_station(const base::Vec3& x) const;
   [[nodiscard]] Turned turned(std::size_t station, double part) const;
+  /// The place alone, and its derivatives by s.
+  struct Point {
+    base::Vec3 at, by_s, by_ss;
+  };
+  [[nodiscard]] Point point(std::size_t station, double part) const;
 
   std::vector<double> s_;  ///< [station] ascending, of a closed front its length last
   std::vector<Axes> axes_; ///< [station]

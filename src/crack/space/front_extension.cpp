@@ -407,7 +407,9 @@ FrontFields front_fields(const mesh::CrackedMesh& cracked, const mesh::Front& fr
   for (const int count : rings) {
     builder.add_domain(count);
   }
-  return builder.take();
+  FrontFields fields = builder.take();
+  fields.partners = std::make_shared<PartnerMemory>();
+  return fields;
 }
 
 } // namespace spricka::crack

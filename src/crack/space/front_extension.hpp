@@ -3,8 +3,10 @@
 #include "crack/extension.hpp"
 #include "crack/space/front_axes.hpp"
 #include "crack/space/front_layers.hpp"
+#include "crack/space/partner_memory.hpp"
 #include "mesh/cut/cracked.hpp"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,6 +35,7 @@ struct FrontFields {
   std::vector<base::NodeId> middle; ///< [point] mid node between it and the next, or invalid
   bool closed = false;
   std::vector<LeftOut> left_out;
+  std::shared_ptr<PartnerMemory> partners = nullptr; ///< what was made of them in these domains
 
   [[nodiscard]] bool empty() const;
   /// All elements of all domains, ascending.

@@ -2,6 +2,7 @@
 #include "crack/space/front_forces.hpp"
 
 #include "crack/space/front_heat.hpp"
+#include "crack/space/partner_table.hpp"
 #include "crack/space/solid_blocks.hpp"
 #include "fe/heat.hpp"
 #include "fe/load_rule.hpp"
@@ -56,6 +57,7 @@ std::vector<FrontBodyLoad> body_loads(const model::Mesh& mesh, const TipLoads& l
 /// What the kernels of all elements read.
 struct FrontElements {
   const FrontSetting& set;
+  const PartnerTable& partners;
   const std::vector<FrontBodyLoad>& body;
   const base::Vector& temperature;
   std::optional<LinearHeat> linear; ///< what the temperature is, if it is that in all of them
@@ -79,8 +81,9 @@ public:
     for (auto& node : P) {
       node.fill(Vec3::Zero());
     }
+    std::size_t number = 0;
     for (const auto& point : shape::quadrature<S>(front_degree)) {
-      add_point(point, P);
+      add_point(point, number++, P);
     }
     add_body_loads(P);
     const std::span<const base::NodeId> nodes = set_.mesh.nodes_of(e_);
@@ -95,15 +98,13 @@ public:
 private:
   using OfNodes = std::array<FrontForces::OfNode, S::nodes>;
 
-  void add_point(const shape::QuadraturePoint<3>& point, OfNodes& P) const {
+  void add_point(const shape::QuadraturePoint<3>& point, std::size_t number, OfNodes& P) const {
     const fe::Jacobian<S> at = fe::jacobian<S>(X_, point.r);
     const Eigen::Matrix<double, S::nodes, 1> N = S::N(point.r);
     const double weight = point.weight * at.det;
     const Vec3 x = X_ * N;
     const Tensor<3> H = U_ * at.dNdx;
     const Tensor<3> cold = isotropic_stress(set_.body, H);
-    const FrontPlace place = set_.axes.place(x);
-    const TurningAxes axes(place);
     for (std::size_t k = 0; k < front_partners; ++k) {
       const Warmth heat = warmth(k, at, point.r, x);
       Tensor<3> sigma = cold;
@@ -115,7 +116,7 @@ private:
         c = H.trace() * heat.beta_grad_T;
         carry_corners(weight * H.trace(), point.r, P);
       } else {
-        const MovingField w = moving_field(k, place, axes, set_.body);
+        const MovingField w = all_.partners.at(e_, number, k);
         T = energy_momentum<3>({H, sigma}, {w.H, w.sigma});
         c = w.H.trace() * heat.beta_grad_T;
         if (all_.terms.divergence) {
@@ -201,8 +202,10 @@ void add_element_forces(const FrontSetting& set, const FrontFields& fields, cons
                         const base::Vector& u, FrontForces& out, const FrontTerms& terms) {
   const std::vector<FrontBodyLoad> body = body_loads(set.mesh, loads);
   const std::vector<base::ElementId> elements = fields.elements();
+  const std::shared_ptr<const PartnerTable> partners = partner_table(set, fields);
   const FrontElements all{
-      set, body, loads.temperature, linear_heat(set.mesh, elements, loads.temperature), u, terms};
+      set, *partners, body, loads.temperature, linear_heat(set.mesh, elements, loads.temperature),
+      u,   terms};
   for_solid_blocks(set.mesh, elements,
                    [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
                      for (const base::ElementId e : block) {

@@ -3,9 +3,10 @@
 #include "crack/space/face_forces.hpp"
 #include "crack/space/front_forces.hpp"
 #include "crack/space/other_functions.hpp"
+#include "crack/space/partner_table.hpp"
 #include "crack/space/solid_blocks.hpp"
 #include "fe/face.hpp"
-#include "shape/topology.hpp"
+#include "shape/side_place.hpp"
 
 #include <map>
 #include <set>
@@ -40,25 +41,6 @@ struct PartnerColumns {
 
 using RowEntries = std::vector<Eigen::Triplet<double>>;
 
-// A place of a side in the coordinates of the element, which has flat sides in them.
-template <shape::ElementShape S>
-shape::Point<3> place_on_solid(int side, const shape::Point<2>& r) {
-  const std::span<const int> local = shape::side_nodes(S::type, side);
-  shape::Point<3> place = shape::Point<3>::Zero();
-  const auto add = [&](const auto& N) {
-    for (Eigen::Index k = 0; k < N.size(); ++k) {
-      const auto node = static_cast<std::size_t>(local[static_cast<std::size_t>(k)]);
-      place += N[k] * Eigen::Map<const shape::Point<3>>(S::coordinates[node].data());
-    }
-  };
-  if (shape::side_corners(S::type, side) == 3) {
-    add(shape::Trim3::N(r));
-  } else {
-    add(shape::Quam4::N(r));
-  }
-  return place;
-}
-
 /// One front with the motions of its points, and which points move an element.
 class RowBuilder {
 public:
@@ -77,6 +59,7 @@ public:
   }
 
   [[nodiscard]] SparseRows rows() {
+    partners_ = partner_table(set_, fields_);
     for_solid_blocks(set_.mesh, fields_.elements(),
                      [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
                        for (const base::ElementId e : block) {
@@ -94,6 +77,7 @@ public:
   }
 
   [[nodiscard]] SparseRows rows_of(const OtherFunctions& others) {
+    partners_ = partner_table(set_, fields_);
     for_solid_blocks(set_.mesh, fields_.elements(),
                      [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
                        for (const base::ElementId e : block) {
@@ -162,48 +146,76 @@ private:
     }
   }
 
-  // The displacement gradient H is contracted with s(A - q_k,k H_w) + sigma_w (grad q)^T +
-  // div sigma_w (x) q, A = H_w grad q (crack_space.10).
-  template <shape::ElementShape S> void add_element(base::ElementId e) {
+  // What the gradients of some functions of an element are contracted with, at each point of its
+  // rule (crack_space.10). slopes_at(number of the point, Jacobian): [3, function], of type Values;
+  // take(point of the front, partner's column, [3, function]).
+  template <shape::ElementShape S, class Values, class SlopesAt, class Take>
+  void contract(base::ElementId e, const Values& zero, const SlopesAt& slopes_at,
+                const Take& take) const {
     const fe::NodeVectors<S> X = fe::coordinates<S>(set_.mesh, e);
-    const std::span<const base::NodeId> nodes = set_.mesh.nodes_of(e);
     std::vector<std::pair<std::size_t, fe::NodeVectors<S>>> moved;
     for (const std::size_t i : points_of_.at(e)) {
       fe::NodeVectors<S> q;
-      if (gather(i, nodes, q)) {
+      if (gather(i, set_.mesh.nodes_of(e), q)) {
         moved.emplace_back(i, q);
       }
     }
     const std::size_t width = columns_.partners.size();
-    std::vector<fe::NodeVectors<S>> sums(moved.size() * width, fe::NodeVectors<S>::Zero());
+    std::vector<Values> sums(moved.size() * width, zero);
+    std::size_t number = 0;
     for (const auto& point : shape::quadrature<S>(front_degree)) {
       const fe::Jacobian<S> at = fe::jacobian<S>(X, point.r);
       const Eigen::Matrix<double, S::nodes, 1> N = S::N(point.r);
-      const FrontPlace place = set_.axes.place(X * N);
-      const TurningAxes axes(place);
-      for (std::size_t k = 0; k < width; ++k) {
-        const MovingField w = moving_field(columns_.partners[k], place, axes, set_.body);
-        for (std::size_t j = 0; j < moved.size(); ++j) {
-          const Tensor<3> grad = moved[j].second * at.dNdx;
-          const Tensor<3> M = isotropic_stress(set_.body, w.H * grad - grad.trace() * w.H) +
-                              w.sigma * grad.transpose() +
-                              w.divergence * (moved[j].second * N).transpose();
-          sums[width * j + k] += point.weight * at.det * M * at.dNdx.transpose();
+      const Values slopes = slopes_at(number, at);
+      for (std::size_t j = 0; j < moved.size(); ++j) {
+        const Tensor<3> grad = moved[j].second.lazyProduct(at.dNdx);
+        const base::Vec3 q = moved[j].second * N;
+        for (std::size_t k = 0; k < width; ++k) {
+          const MovingField w = partners_->at(e, number, columns_.partners[k]);
+          const Tensor<3> M = point.weight * at.det * contracted(w, grad, q);
+          sums[width * j + k] += M.lazyProduct(slopes);
         }
       }
+      ++number;
     }
     for (std::size_t j = 0; j < moved.size(); ++j) {
       for (std::size_t k = 0; k < width; ++k) {
-        const double factor = set_.factor(columns_.partners[k]);
-        for (std::size_t n = 0; n < nodes.size(); ++n) {
-          put(3 * static_cast<Eigen::Index>(nodes[n].index()), moved[j].first, k,
-              factor * sums[width * j + k].col(static_cast<Eigen::Index>(n)));
-        }
+        take(moved[j].first, k, set_.factor(columns_.partners[k]) * sums[width * j + k]);
       }
     }
   }
 
-  template <shape::Shape Side> void add_side(const FrontSide& side) {
+  template <shape::ElementShape S> void add_element(base::ElementId e) {
+    using Values = fe::NodeVectors<S>;
+    const std::span<const base::NodeId> nodes = set_.mesh.nodes_of(e);
+    contract<S>(
+        e, Values(Values::Zero()),
+        [](std::size_t, const fe::Jacobian<S>& at) -> Values { return at.dNdx.transpose(); },
+        [&](std::size_t point, std::size_t column, const Values& values) {
+          put_nodes(nodes, point, column, values);
+        });
+  }
+
+  // The same of other functions.
+  template <shape::ElementShape S>
+  void add_others(base::ElementId e, const OtherFunctions& others) {
+    const auto count = static_cast<Eigen::Index>(others.of_element(e).size());
+    const std::vector<Eigen::MatrixX3d>& table = slope_table<S>(others);
+    contract<S>(
+        e, Eigen::Matrix3Xd(Eigen::Matrix3Xd::Zero(3, count)),
+        [&](std::size_t number, const fe::Jacobian<S>& at) -> Eigen::Matrix3Xd {
+          const Tensor<3> inverse = at.J.inverse();
+          return table[number].lazyProduct(inverse).transpose();
+        },
+        [&](std::size_t point, std::size_t column, const Eigen::Matrix3Xd& values) {
+          put_others(e, point, column, values, others);
+        });
+  }
+
+  // The partners' tractions on a side times the slopes along the motion of some functions.
+  // slopes_at(place r, X): [function, 3]; take as in contract.
+  template <shape::Shape Side, class SlopesAt, class Take>
+  void contract_side(const FrontSide& side, const SlopesAt& slopes_at, const Take& take) const {
     const fe::SideNodes<Side> X = fe::side_coordinates<Side>(set_.mesh, side.face);
     const auto nodes = fe::nodes_of_face<Side>(set_.mesh, side.face);
     for (const std::size_t i : points_of_.at(side.face.element)) {
@@ -215,58 +227,49 @@ private:
         const Eigen::Matrix<double, Side::nodes, 1> N = Side::N(point.r);
         const FrontPlace place = set_.axes.place(X * N, side.on);
         const base::Vec3 area = point.weight * fe::area_vector<Side>(X, point.r);
-        const Eigen::Matrix<double, Side::nodes, 1> along =
-            surface_gradients<Side>(X, point.r) * (q * N);
+        const base::Vec3 moved = q * N;
+        const Eigen::RowVectorXd along = (slopes_at(point.r, X) * moved).transpose();
         for (std::size_t k = 0; k < columns_.partners.size(); ++k) {
           const std::size_t partner = columns_.partners[k];
           const base::Vec3 t =
               set_.factor(partner) * (moving_field(partner, place, set_.body).sigma * area);
-          for (std::size_t n = 0; n < nodes.size(); ++n) {
-            put(3 * static_cast<Eigen::Index>(nodes[n].index()), i, k,
-                -along[static_cast<Eigen::Index>(n)] * t);
-          }
+          take(i, k, Eigen::Matrix3Xd(-t * along));
         }
       }
     }
   }
 
-  // As add_element, contracted with the gradients of other functions.
-  template <shape::ElementShape S>
-  void add_others(base::ElementId e, const OtherFunctions& others) {
-    const fe::NodeVectors<S> X = fe::coordinates<S>(set_.mesh, e);
-    const std::span<const base::NodeId> nodes = set_.mesh.nodes_of(e);
-    const auto count = static_cast<Eigen::Index>(others.of_element(e).size());
-    std::vector<std::pair<std::size_t, fe::NodeVectors<S>>> moved;
-    for (const std::size_t i : points_of_.at(e)) {
-      fe::NodeVectors<S> q;
-      if (gather(i, nodes, q)) {
-        moved.emplace_back(i, q);
-      }
-    }
-    const std::size_t width = columns_.partners.size();
-    std::vector<Eigen::Matrix3Xd> sums(moved.size() * width, Eigen::Matrix3Xd::Zero(3, count));
-    const std::vector<Eigen::MatrixX3d>& table = slope_table<S>(others);
-    std::size_t number = 0;
-    for (const auto& point : shape::quadrature<S>(front_degree)) {
-      const fe::Jacobian<S> at = fe::jacobian<S>(X, point.r);
-      const Eigen::Matrix<double, S::nodes, 1> N = S::N(point.r);
-      const Eigen::Matrix3Xd slopes = (table[number++] * at.J.inverse()).transpose();
-      const FrontPlace place = set_.axes.place(X * N);
-      const TurningAxes axes(place);
-      for (std::size_t k = 0; k < width; ++k) {
-        const MovingField w = moving_field(columns_.partners[k], place, axes, set_.body);
-        for (std::size_t j = 0; j < moved.size(); ++j) {
-          const Tensor<3> M =
-              point.weight * at.det * contracted(w, moved[j].second * at.dNdx, moved[j].second * N);
-          sums[width * j + k].noalias() += M * slopes;
-        }
-      }
-    }
-    for (std::size_t j = 0; j < moved.size(); ++j) {
-      for (std::size_t k = 0; k < width; ++k) {
-        put_others(e, moved[j].first, k, set_.factor(columns_.partners[k]) * sums[width * j + k],
-                   others);
-      }
+  template <shape::Shape Side> void add_side(const FrontSide& side) {
+    const auto nodes = fe::nodes_of_face<Side>(set_.mesh, side.face);
+    contract_side<Side>(
+        side,
+        [](const shape::Point<2>& r, const fe::SideNodes<Side>& X) {
+          return surface_gradients<Side>(X, r);
+        },
+        [&](std::size_t point, std::size_t column, const Eigen::Matrix3Xd& values) {
+          put_nodes(nodes, point, column, values);
+        });
+  }
+
+  // The motion runs along the side, so that the element's own gradient serves.
+  template <shape::Shape Side>
+  void add_others_on(const FrontSide& side, const OtherFunctions& others) {
+    contract_side<Side>(
+        side,
+        [&](const shape::Point<2>& r, const fe::SideNodes<Side>&) {
+          return slopes_on(side.face, r, others);
+        },
+        [&](std::size_t point, std::size_t column, const Eigen::Matrix3Xd& values) {
+          put_others(side.face.element, point, column, values, others);
+        });
+  }
+
+  // Rows of nodes. [3, node]
+  template <class Nodes, class Values>
+  void put_nodes(const Nodes& nodes, std::size_t point, std::size_t column, const Values& values) {
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      put(3 * static_cast<Eigen::Index>(nodes[n].index()), point, column,
+          values.col(static_cast<Eigen::Index>(n)));
     }
   }
 
@@ -293,37 +296,12 @@ private:
     return table;
   }
 
-  // What the gradient of a displacement is contracted with (crack_space.10).
+  // What the gradient H of a displacement is contracted with: s(A - q_k,k H_w) + sigma_w (grad q)^T
+  // + div sigma_w (x) q, A = H_w grad q (crack_space.10).
   [[nodiscard]] Tensor<3> contracted(const MovingField& w, const Tensor<3>& grad,
                                      const base::Vec3& moved) const {
     return isotropic_stress(set_.body, w.H * grad - grad.trace() * w.H) +
            w.sigma * grad.transpose() + w.divergence * moved.transpose();
-  }
-
-  // As add_side: the motion runs along the side, so that the element's own gradient serves.
-  template <shape::Shape Side>
-  void add_others_on(const FrontSide& side, const OtherFunctions& others) {
-    const fe::SideNodes<Side> X = fe::side_coordinates<Side>(set_.mesh, side.face);
-    const auto nodes = fe::nodes_of_face<Side>(set_.mesh, side.face);
-    for (const std::size_t i : points_of_.at(side.face.element)) {
-      fe::SideNodes<Side> q;
-      if (!gather(i, nodes, q)) {
-        continue;
-      }
-      for (const auto& point : shape::quadrature<Side>(front_degree)) {
-        const Eigen::Matrix<double, Side::nodes, 1> N = Side::N(point.r);
-        const FrontPlace place = set_.axes.place(X * N, side.on);
-        const base::Vec3 area = point.weight * fe::area_vector<Side>(X, point.r);
-        const Eigen::RowVectorXd along =
-            (slopes_on(side.face, point.r, others) * (q * N)).transpose();
-        for (std::size_t k = 0; k < columns_.partners.size(); ++k) {
-          const std::size_t partner = columns_.partners[k];
-          const base::Vec3 t =
-              set_.factor(partner) * (moving_field(partner, place, set_.body).sigma * area);
-          put_others(side.face.element, i, k, -t * along, others);
-        }
-      }
-    }
   }
 
   // Gradients in space of other functions at a place of a side. [function, 3]
@@ -332,7 +310,7 @@ private:
     Eigen::MatrixX3d slopes;
     shape::with_shape(set_.mesh.type[face.element.index()], [&]<shape::ElementShape S>(S) {
       if constexpr (S::dim == 3) {
-        const shape::Point<3> at = place_on_solid<S>(face.side, r);
+        const shape::Point<3> at = shape::place_on_solid<S>(face.side, r);
         const fe::Jacobian<S> J = fe::jacobian<S>(fe::coordinates<S>(set_.mesh, face.element), at);
         slopes = others.slopes(S::type, at) * J.J.inverse();
       }
@@ -367,6 +345,7 @@ private:
   const FrontSetting& set_;
   const FrontFields& fields_;
   PartnerColumns columns_;
+  std::shared_ptr<const PartnerTable> partners_;
   std::vector<PointMotion> motion_; ///< [point]
   std::map<base::ElementId, std::set<std::size_t>> points_of_;
   RowEntries entries_;

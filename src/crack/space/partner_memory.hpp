@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <memory>
+#include <mutex>
+
+namespace spricka::crack {
+
+class PartnerTable;
+
+/// Keeps the table of the partners in a front's domains from one call to the next (partner_table).
+/// It changes how long K takes, not what it is.
+struct PartnerMemory {
+  std::mutex mutex;
+  std::shared_ptr<const PartnerTable> table;
+};
+
+} // namespace spricka::crack

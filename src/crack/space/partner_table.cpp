@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "crack/space/partner_table.hpp"
+
+#include "crack/space/solid_blocks.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
+namespace spricka::crack {
+
+namespace {
+
+// Where all nodes of an element are, as a sum in which no two of them count alike: a node that
+// moves changes it.
+base::Vec3 places_of(const model::Mesh& mesh, base::ElementId e) {
+  base::Vec3 sum = base::Vec3::Zero();
+  double weight = 1.0;
+  for (const base::NodeId n : mesh.nodes_of(e)) {
+    sum += weight * mesh.x[n.index()];
+    weight += std::numbers::phi;
+  }
+  return sum;
+}
+
+} // namespace
+
+PartnerTable::PartnerTable(const FrontSetting& set, std::vector<base::ElementId> elements)
+    : body_(set.body), elements_(std::move(elements)) {
+  if (elements_.empty()) {
+    return;
+  }
+  first_ = elements_.front().index();
+  slot_.assign(elements_.back().index() - first_ + 1, 0);
+  std::size_t points = 0;
+  for_solid_blocks(set.mesh, elements_,
+                   [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
+                     points += block.size() * shape::quadrature<S>(front_degree).size();
+                   });
+  fields_.reserve(points);
+  for_solid_blocks(set.mesh, elements_,
+                   [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
+                     for (const base::ElementId e : block) {
+                       slot_[e.index() - first_] = start_.size();
+                       start_.push_back(fields_.size());
+                       places_.push_back(places_of(set.mesh, e));
+                       const fe::NodeVectors<S> X = fe::coordinates<S>(set.mesh, e);
+                       for (const auto& point : shape::quadrature<S>(front_degree)) {
+                         const FrontPlace place = set.axes.place(X * S::N(point.r));
+                         const TurningAxes axes(place);
+                         Fields& at = fields_.emplace_back();
+                         for (std::size_t k = 1; k < front_partners; ++k) {
+                           const MovingField w = moving_field(k, place, axes, set.body);
+                           at[k - 1] = {w.H, w.divergence};
+                         }
+                       }
+                     }
+                   });
+}
+
+bool PartnerTable::is_of(const FrontSetting& set) const {
+  const bool same_body = body_.lambda == set.body.lambda && body_.mu == set.body.mu &&
+                         body_.nu == set.body.nu && body_.unit == set.body.unit;
+  return same_body && elements_.back().index() < set.mesh.element_count() &&
+         std::ranges::all_of(elements_, [&](base::ElementId e) {
+           return places_[slot_[e.index() - first_]] == places_of(set.mesh, e);
+         });
+}
+
+std::shared_ptr<const PartnerTable> partner_table(const FrontSetting& set,
+                                                  const FrontFields& fields) {
+  if (!fields.partners) {
+    return std::make_shared<const PartnerTable>(set, fields.elements());
+  }
+  const std::lock_guard<std::mutex> guard(fields.partners->mutex);
+  std::shared_ptr<const PartnerTable>& table = fields.partners->table;
+  if (!table || !table->is_of(set)) {
+    table = std::make_shared<const PartnerTable>(set, fields.elements());
+  }
+  return table;
+}
+
+} // namespace spricka::crack

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "crack/space/front_setting.hpp"
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace spricka::crack {
+
+/// The partners' fields at the points of the rule of the domains' elements. They belong to the mesh
+/// and the material: steps, rows of K and rows of other functions all read the same.
+class PartnerTable {
+public:
+  /// Elements ascending.
+  PartnerTable(const FrontSetting& set, std::vector<base::ElementId> elements);
+
+  /// The partners 1 to 4 of an element at a point of its rule (front_degree).
+  [[nodiscard]] MovingField at(base::ElementId e, std::size_t point, std::size_t partner) const {
+    const Fields& fields = fields_[start_[slot_[e.index() - first_]] + point];
+    MovingField w;
+    w.H = fields[partner - 1].H;
+    w.sigma = isotropic_stress(body_, w.H);
+    w.divergence = fields[partner - 1].divergence;
+    return w;
+  }
+
+  /// Whether it is of this body and of a mesh with nodes at the same places.
+  [[nodiscard]] bool is_of(const FrontSetting& set) const;
+
+private:
+  struct Kept {
+    Tensor<3> H;
+    base::Vec3 divergence;
+  };
+  using Fields = std::array<Kept, front_partners - 1>;
+
+  FrontBody body_;
+  std::vector<base::ElementId> elements_;
+  std::size_t first_ = 0;          ///< the lowest element
+  std::vector<std::size_t> slot_;  ///< [element - first] into start_
+  std::vector<std::size_t> start_; ///< [slot] into fields_
+  std::vector<base::Vec3> places_; ///< [element] of its nodes, as a sum
+  std::vector<Fields> fields_;
+};
+
+/// Of the domains of a front, from their memory if they have one.
+std::shared_ptr<const PartnerTable> partner_table(const FrontSetting& set,
+                                                  const FrontFields& fields);
+
+} // namespace spricka::crack

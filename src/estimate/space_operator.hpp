@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/vec.hpp"
+#include "estimate/space_numbers.hpp"
+#include "model/forward.hpp"
+#include "model/mesh.hpp"
+
+#include <cstddef>
+#include <vector>
+
+/// The stiffness of the cubic modes of a mesh of solids as an operator. No matrix is kept: it is
+/// larger than what it is made of. Blocks of elements of one type go through the points of a rule
+/// together (fe.8): their gradients and their forces are each one dense product with the slopes of
+/// the functions in reference coordinates, the same for all elements of a type.
+namespace spricka::estimate {
+
+/// Elements that go together.
+inline constexpr Eigen::Index operator_lanes = 32;
+
+/// Some elements of one type: entries of all of them next to each other, zero where a block has
+/// fewer than lanes.
+struct ElementBlock {
+  std::vector<base::ElementId> elements;
+  std::vector<double> lambda, mu; ///< [lane] Lame's constants
+  std::vector<double> volume;     ///< [point][lane] weight times determinant
+  std::vector<double> inverse;    ///< [point][reference coordinate][coordinate][lane] of Jacobians
+};
+
+class SpaceOperator {
+public:
+  /// The mesh must outlive it.
+  SpaceOperator(const model::Model& model, const model::Mesh& mesh, SpaceNumbers numbers);
+
+  [[nodiscard]] const SpaceNumbers& numbers() const { return numbers_; }
+
+  /// Displacements of nodes [3 * node] and of modes [3 * mode]; null: zero.
+  struct Motion {
+    const base::Vector* nodes = nullptr;
+    const base::Vector* modes = nullptr;
+  };
+  /// Where forces on them are added up; null: not asked for.
+  struct Forces {
+    base::Vector* nodes = nullptr;
+    base::Vector* modes = nullptr;
+  };
+  void add(const Motion& motion, const Forces& forces) const;
+
+  /// The 3 by 3 blocks on the diagonal of K_ee. [mode]
+  [[nodiscard]] std::vector<Eigen::Matrix3d> diagonal() const;
+
+private:
+  void add_diagonal(const ElementBlock& block, std::vector<Eigen::Matrix3d>& diagonal) const;
+
+  const model::Mesh& mesh_;
+  SpaceNumbers numbers_;
+  std::vector<ElementBlock> blocks_;
+};
+
+} // namespace spricka::estimate
