@@ -12,9 +12,11 @@ std::string word_of(Cause cause) {
   case Cause::modulus:
     return "E";
   case Cause::length:
+    return "A";
+  case Cause::axis:
     break;
   }
-  return "A";
+  return "C";
 }
 
 } // namespace spricka::results

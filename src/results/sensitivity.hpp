@@ -12,7 +12,8 @@ enum class Cause : char {
   load,    ///< factor of a load case
   fit,     ///< normal interference of a contact, a gap counts negative [length]
   modulus, ///< Young's modulus of a material [stress]
-  length   ///< crack length at a tip [length]
+  length,  ///< crack length at a tip, or semi-axis A of an ellipse [length]
+  axis     ///< semi-axis C of an ellipse [length]
 };
 
 /// Derivatives of K1 and K2 of one tip at the end of one step by one value, everything else kept.
@@ -58,7 +59,7 @@ struct FrontSensitivities {
   std::vector<std::string> notes; ///< why some or all are not given
 };
 
-/// "LOAD", "FIT", "E", "A".
+/// "LOAD", "FIT", "E", "A", "C".
 std::string word_of(Cause cause);
 
 } // namespace spricka::results

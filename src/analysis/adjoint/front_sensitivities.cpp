@@ -2,6 +2,7 @@
 #include "analysis/adjoint/front_sensitivities.hpp"
 
 #include "analysis/adjoint/contact_rates.hpp"
+#include "analysis/adjoint/front_advance.hpp"
 #include "analysis/scene/front_scene.hpp"
 #include "analysis/scene/scene_heat.hpp"
 #include "analysis/scene/scene_loads.hpp"
@@ -28,17 +29,6 @@ FrontCause cause_of(results::Cause kind, std::string name, double value, Eigen::
   return out;
 }
 
-// Whether a case acts on what the domains of some front take.
-bool acts_on_fronts(const model::Model& model, const Scene& scene, const base::Vector& factor) {
-  return std::ranges::any_of(scene.fronts, [&](const FrontScene& at) {
-    const crack::TipLoads loads = front_loads(model, scene, at.fields, factor);
-    return loads.temperature.size() > 0 ||
-           std::ranges::any_of(loads.loads, [](const crack::ActingLoad& acting) {
-             return !acting.elements.empty() || !acting.faces.empty();
-           });
-  });
-}
-
 std::size_t front_material(const model::Model& model, const Scene& scene, const FrontScene& at) {
   const std::vector<base::ElementId> elements = at.fields.elements();
   return elements.empty()
@@ -57,6 +47,8 @@ void note_all(results::StepResult& result, const std::string& text) {
 FrontSensitivities::FrontSensitivities(const model::Model& model, const Scene& scene)
     : model_(model), scene_(scene) {}
 
+FrontSensitivities::~FrontSensitivities() = default;
+
 void FrontSensitivities::prepare() {
   if (prepared_) {
     return;
@@ -72,6 +64,13 @@ void FrontSensitivities::prepare() {
     const base::Vector one = base::Vector::Unit(columns, c);
     if (acts_on_fronts(model_, scene_, one)) {
       of_loads_.col(c) = front_values(model_, scene_, still, one);
+    }
+  }
+  for (std::size_t c = 0; c < model_.cracks.size(); ++c) {
+    if (model_.cracks[c].kind == model::CrackKind::ellipse) {
+      for (const Axis axis : {Axis::a, Axis::c}) {
+        advances_.push_back(std::make_unique<FrontAdvance>(model_, scene_, base::CrackId(c), axis));
+      }
     }
   }
 }
@@ -162,6 +161,24 @@ void FrontSensitivities::add_moduli(const FrozenStep& step, const FrontFunctiona
   }
 }
 
+void FrontSensitivities::add_lengths(const FrozenStep& step, const FrontFunctionals& K,
+                                     std::vector<FrontCause>& causes,
+                                     results::StepResult& result) const {
+  for (const std::unique_ptr<FrontAdvance>& advance : advances_) {
+    const std::string why = advance->why_not(step);
+    if (why.empty()) {
+      causes.push_back(advance->cause(step, K));
+      continue;
+    }
+    const std::string text = "no derivative by the axes of " + advance->name() + ": " + why;
+    for (results::FrontResult& front : result.fronts) {
+      if (std::ranges::find(front.sensitivities.notes, text) == front.sensitivities.notes.end()) {
+        front.sensitivities.notes.push_back(text);
+      }
+    }
+  }
+}
+
 void FrontSensitivities::solve(const FrozenStep& step, const FrontFunctionals& K,
                                const std::vector<FrontCause>& causes,
                                results::StepResult& result) const {
@@ -198,7 +215,8 @@ void FrontSensitivities::solve(const FrozenStep& step, const FrontFunctionals& K
       const auto at = static_cast<Eigen::Index>(i);
       for (std::size_t p = 0; p < front.points.size(); ++p) {
         const Eigen::Index first = scene_.k_layout().first(point + p);
-        const base::Vec3 own = dK.col(at).segment<3>(first) + causes[i].direct.segment<3>(first);
+        base::Vec3 own = dK.col(at).segment<3>(first) + causes[i].direct.segment<3>(first);
+        own[0] = front.points[p].closed ? 0.0 : own[0]; // faces that touch hold K1 at 0
         one.below.push_back({own[0], own[1], own[2]});
       }
       one.above = one.below;
@@ -233,6 +251,7 @@ void FrontSensitivities::add(const FrozenStep& step, const FrontFunctionals& K,
   } else {
     add_moduli(step, K, causes);
   }
+  add_lengths(step, K, causes, result);
   solve(step, K, causes, result);
 }
 

@@ -1,27 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "analysis/adjoint/front_bars.hpp"
+#include "analysis/adjoint/front_cause.hpp"
 
+#include <memory>
 #include <vector>
 
 namespace spricka::analysis {
 
-/// One thing that K along fronts depends on: loads, gaps and a part of K that it changes by itself.
-struct FrontCause {
-  results::FrontSensitivity is; ///< without its derivatives
-  base::Vector load;            ///< [dim * node] by its value; empty: none
-  base::Vector gap;             ///< [table row] by its value; empty: none
-  base::Vector given;           ///< [dim * node] displacements of supports; empty: none
-  base::Vector direct;          ///< [K] dK by its value with u kept
-};
+class FrontAdvance;
 
-/// Processor SENSITIVITY in space: derivatives of K along fronts by loads, fits and moduli. There
-/// are fewer causes than K: each is solved for, where the plane has an adjoint for each K; the
-/// numbers are the same (manual, sensitivity.14).
+/// Processor SENSITIVITY in space: derivatives of K along fronts by loads, fits, moduli and the
+/// axes of ellipses. There are fewer causes than K: each is solved for, where the plane has an
+/// adjoint for each K; the numbers are the same (manual, sensitivity.14).
 class FrontSensitivities {
 public:
   /// All must outlive it; nothing is computed yet.
   FrontSensitivities(const model::Model& model, const Scene& scene);
+  ~FrontSensitivities();
 
   /// Adds to the fronts of `result` what the end of a step, which was solved last, gives.
   void add(const FrozenStep& step, const FrontFunctionals& K, results::StepResult& result);
@@ -33,6 +29,8 @@ private:
   void add_fits(const FrozenStep& step, std::vector<FrontCause>& causes) const;
   void add_moduli(const FrozenStep& step, const FrontFunctionals& K,
                   std::vector<FrontCause>& causes) const;
+  void add_lengths(const FrozenStep& step, const FrontFunctionals& K,
+                   std::vector<FrontCause>& causes, results::StepResult& result) const;
   void solve(const FrozenStep& step, const FrontFunctionals& K,
              const std::vector<FrontCause>& causes, results::StepResult& result) const;
 
@@ -41,6 +39,7 @@ private:
   bool prepared_ = false;
   base::Matrix case_load_; ///< [dim * node, case] with the pull of supports
   base::Matrix of_loads_;  ///< [K, case] what loads add to K themselves
+  std::vector<std::unique_ptr<FrontAdvance>> advances_; ///< of the axes of ellipses
 };
 
 } // namespace spricka::analysis

@@ -23,9 +23,15 @@ struct FrontWord {
   std::optional<results::Cause> by; ///< a derivative: "DK1.LOAD.AT"
 };
 
+// Of the crack itself: no name tells which.
+bool is_of_crack(results::Cause cause) {
+  return cause == results::Cause::length || cause == results::Cause::axis;
+}
+
 std::optional<results::Cause> cause_named(std::string_view word) {
-  for (const results::Cause cause : {results::Cause::load, results::Cause::fit,
-                                     results::Cause::modulus, results::Cause::length}) {
+  for (const results::Cause cause :
+       {results::Cause::load, results::Cause::fit, results::Cause::modulus, results::Cause::length,
+        results::Cause::axis}) {
     if (results::word_of(cause) == word) {
       return cause;
     }
@@ -167,7 +173,7 @@ results::FrontResult derivative_of(const results::FrontResult& front, results::C
                                    const std::string& name) {
   const auto& all = front.sensitivities.of;
   const auto it = std::ranges::find_if(all, [&](const results::FrontSensitivity& s) {
-    return s.cause == cause && (cause == results::Cause::length || s.name == name);
+    return s.cause == cause && (is_of_crack(cause) || s.name == name);
   });
   if (it == all.end()) {
     throw Missing(front.sensitivities.notes.empty()
@@ -207,7 +213,7 @@ double front_quantity(const std::string& text, Arguments& args, const results::R
   }
   const std::string name = args.name(on_path ? "a load path" : "a step");
   const double t = on_path ? args.needed("a place t") : 0.0;
-  const bool named = word.by && *word.by != results::Cause::length;
+  const bool named = word.by && !is_of_crack(*word.by);
   const std::string by = named ? args.name("a name") : std::string();
   const double phi = word.where == "PHI" ? args.needed("an angle") : 0.0;
   const std::optional<double> a = args.number();

@@ -37,6 +37,7 @@ std::string unit_of(const model::Model& model, Cause cause) {
     return " " + model.units.stress_name();
   case Cause::fit:
   case Cause::length:
+  case Cause::axis:
     break;
   }
   return " " + model.units.length_name;

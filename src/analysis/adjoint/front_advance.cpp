@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/adjoint/front_advance.hpp"
+
+#include "analysis/scene/domain_rings.hpp"
+#include "analysis/scene/front_functionals.hpp"
+#include "analysis/scene/front_scene.hpp"
+#include "analysis/scene/supported_rows.hpp"
+#include "analysis/steps/row_opening.hpp"
+#include "contact/pairing.hpp"
+#include "fe/assemble.hpp"
+#include "fe/face.hpp"
+#include "mesh/boundary.hpp"
+#include "mesh/tube/front_points.hpp"
+#include "model/model.hpp"
+#include "shape/topology.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::analysis {
+
+namespace {
+
+using base::Vec3;
+
+// Of the elements at the front: a difference to one side leaves this part of dK, and round-off
+// 1e-10.
+constexpr double part_of_size = 1e-6;
+
+// Of the shorter axis: how far beyond the tube the mesh gives way.
+constexpr double share_of_axis = 0.5;
+
+// Nodes of free sides of the body, without those of the crack's faces.
+std::set<base::NodeId> skin_of(const model::Mesh& mesh, const crack::FrontFields& fields) {
+  std::set<base::NodeId> nodes;
+  for (const crack::FrontSide& side : fields.sides) {
+    if (side.on == crack::FaceSide::none) {
+      fe::with_side(mesh, side.face, [&]<shape::Shape Side>(Side) {
+        if constexpr (Side::dim == 2) {
+          const auto own = fe::nodes_of_face<Side>(mesh, side.face);
+          nodes.insert(own.begin(), own.end());
+        }
+      });
+    }
+  }
+  return nodes;
+}
+
+// What the widest domains of all points move together: the sums of q and of q times the direction.
+struct Carried {
+  double q = 0.0;
+  Vec3 along = Vec3::Zero();
+};
+std::map<base::NodeId, Carried> carried_by(const crack::FrontFields& fields) {
+  std::map<base::NodeId, Carried> sum;
+  for (const std::vector<crack::ExtensionField>& point : fields.points) {
+    if (point.empty()) {
+      continue;
+    }
+    for (const crack::NodeMotion& moved : point.back().motion) {
+      Carried& at = sum[moved.node];
+      at.q += moved.q;
+      at.along += moved.q * moved.along;
+    }
+  }
+  return sum;
+}
+
+// How far nodes go along with points belongs to the nodes: hats have kinks at places where nodes
+// are. Only the directions are those of the moved front.
+void keep_shares(const crack::FrontFields& own, crack::FrontFields& moved) {
+  for (std::size_t i = 0; i < own.points.size(); ++i) {
+    std::map<base::NodeId, Vec3> along;
+    for (const crack::ExtensionField& field : moved.points[i]) {
+      for (const crack::NodeMotion& motion : field.motion) {
+        along.emplace(motion.node, motion.along);
+      }
+    }
+    moved.points[i] = own.points[i];
+    for (crack::ExtensionField& field : moved.points[i]) {
+      for (crack::NodeMotion& motion : field.motion) {
+        const auto at = along.find(motion.node);
+        motion.along = at == along.end() ? motion.along : at->second;
+      }
+    }
+  }
+  moved.sides = own.sides;
+}
+
+bool acts_by_place(const model::Model& model) {
+  return std::ranges::any_of(model.cases, [](const model::LoadCase& load_case) {
+    return std::ranges::any_of(load_case.loads, [](const model::Load& load) {
+      return load.type == model::LoadType::temperature;
+    });
+  });
+}
+
+} // namespace
+
+FrontAdvance::FrontAdvance(const model::Model& model, const Scene& scene, base::CrackId crack,
+                           Axis axis)
+    : model_(model), scene_(scene), crack_(crack), axis_(axis) {
+  if (acts_by_place(model)) {
+    why_never_ = "there are temperatures";
+    return;
+  }
+  stretch();
+  if (!why_never_.empty()) {
+    return;
+  }
+  move();
+  move_pairs();
+  if (why_never_.empty()) {
+    rows_ = front_rows(model_, moved_);
+    of_force_ = pairs_.empty() ? base::Matrix() : front_rows_of_forces(model_, moved_);
+  }
+}
+
+// [node] of the surface but for the crack's own faces, where materials meet, or kept from domains.
+std::vector<bool> FrontAdvance::resting() const {
+  const model::Mesh& mesh = scene_.cracked.mesh;
+  std::vector<bool> rests = front_limits(model_, scene_).node;
+  std::vector<std::int32_t> property(mesh.node_count(), -1);
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    for (const base::NodeId n : mesh.nodes_of(base::ElementId(e))) {
+      std::int32_t& own = property[n.index()];
+      rests[n.index()] = rests[n.index()] || (own >= 0 && own != mesh.property[e].value);
+      own = mesh.property[e].value;
+    }
+  }
+  const mesh::CrackFaces& faces = scene_.cracked.faces[crack_.index()];
+  std::set<model::Face> own(faces.left_sides.begin(), faces.left_sides.end());
+  own.insert(faces.right_sides.begin(), faces.right_sides.end());
+  for (const model::Face& face : mesh::boundary_faces(mesh)) {
+    const std::span<const base::NodeId> nodes = mesh.nodes_of(face.element);
+    for (const int k : shape::side_nodes(mesh.type[face.element.index()], face.side)) {
+      const std::size_t n = nodes[static_cast<std::size_t>(k)].index();
+      rests[n] = rests[n] || !own.contains(face);
+    }
+  }
+  return rests;
+}
+
+// An ellipse whose axis grows is an affine picture of itself; sections of the tube go along with
+// the front as they are, on the surface as domains do (sensitivity.15).
+std::vector<Vec3> FrontAdvance::motion_of(const FrontScene& at) const {
+  const model::CrackPlane& plane = model_.cracks[crack_.index()].plane;
+  const Vec3 direction = axis_ == Axis::a ? plane.across() : plane.along;
+  const double size = axis_ == Axis::a ? plane.a : plane.c;
+  const model::Mesh& mesh = scene_.cracked.mesh;
+  std::vector<Vec3> velocity(mesh.node_count(), Vec3::Zero());
+  const std::set<base::NodeId> skin = skin_of(mesh, at.fields);
+  for (const auto& [node, carried] : carried_by(at.fields)) {
+    const Vec3& x = mesh.x[node.index()];
+    const mesh::FrontFrame foot = at.front.curve->at(at.front.curve->nearest(x));
+    const Vec3 own = direction.dot(foot.x - plane.place) / size * direction;
+    velocity[node.index()] =
+        skin.contains(node) ? Vec3(own.dot(foot.m) * carried.along) : Vec3(carried.q * own);
+  }
+  // Elements beyond the domains take part, so that none is strained much.
+  const std::vector<bool> rests = resting();
+  const double tube = std::ranges::max(at.front.points, {}, &mesh::FrontPoint::radius).radius;
+  const double room = share_of_axis * std::min(plane.a, plane.c);
+  for (std::size_t n = 0; n < velocity.size(); ++n) {
+    const Vec3& x = mesh.x[n];
+    if (rests[n] || std::abs(plane.normal.dot(x - plane.place)) > tube + room) {
+      continue;
+    }
+    const Vec3 foot = at.front.curve->at(at.front.curve->nearest(x)).x;
+    const double part = std::clamp((tube + room - (x - foot).norm()) / room, 0.0, 1.0);
+    const Vec3 own = part * direction.dot(foot - plane.place) / size * direction;
+    velocity[n] = own.norm() > velocity[n].norm() ? own : velocity[n];
+  }
+  // Where rows tie nodes of the patch, they still hold of the mesh that moves.
+  for (const mesh::RimTie& tie : scene_.cracked.ties) {
+    Vec3 v = Vec3::Zero();
+    for (std::size_t k = 0; k < tie.master.size(); ++k) {
+      v += tie.weight[k] * velocity[tie.master[k].index()];
+    }
+    velocity[tie.slave.index()] = v;
+  }
+  return velocity;
+}
+
+void FrontAdvance::stretch() {
+  velocity_.assign(scene_.cracked.mesh.node_count(), Vec3::Zero());
+  double size = std::numeric_limits<double>::infinity();
+  for (const FrontScene& at : scene_.fronts) {
+    if (at.front.crack != crack_) {
+      continue;
+    }
+    if (std::ranges::any_of(at.fields.points, [](const auto& point) { return point.empty(); })) {
+      why_never_ = "no domain fits round some points of the front";
+      return;
+    }
+    const std::vector<Vec3> own = motion_of(at);
+    for (std::size_t n = 0; n < own.size(); ++n) {
+      velocity_[n] += own[n];
+    }
+    size = std::min(size, at.front.size);
+  }
+  step_ = part_of_size * size;
+  for (std::size_t e = 0; e < scene_.cracked.mesh.element_count(); ++e) {
+    const base::ElementId element(e);
+    if (std::ranges::any_of(scene_.cracked.mesh.nodes_of(element),
+                            [&](base::NodeId n) { return !velocity_[n.index()].isZero(0.0); })) {
+      strained_.push_back(element);
+    }
+  }
+}
+
+void FrontAdvance::move() {
+  const model::CrackPlane& plane = model_.cracks[crack_.index()].plane;
+  const Vec3 direction = axis_ == Axis::a ? plane.across() : plane.along;
+  const double rate = step_ / (axis_ == Axis::a ? plane.a : plane.c);
+  moved_.cracked = scene_.cracked;
+  for (std::size_t n = 0; n < velocity_.size(); ++n) {
+    moved_.cracked.mesh.x[n] += step_ * velocity_[n];
+  }
+  const crack::DomainLimits limits = front_limits(model_, scene_);
+  for (const FrontScene& at : scene_.fronts) {
+    FrontScene& moved = moved_.fronts.emplace_back(at);
+    if (at.front.crack != crack_) {
+      continue;
+    }
+    std::vector<Vec3> points = at.front.curve->points();
+    for (Vec3& x : points) {
+      x += rate * direction.dot(x - plane.place) * direction;
+    }
+    const std::vector<Vec3> normals(points.size(), plane.normal);
+    moved.front.curve = std::make_shared<const mesh::FrontCurve>(std::move(points), normals,
+                                                                 at.front.curve->closed());
+    mesh::place_points(moved_.cracked.mesh, moved.front);
+    moved.fields =
+        crack::front_fields(moved_.cracked, moved.front, domain_rings(model_, crack_), limits);
+    keep_shares(at.fields, moved.fields);
+  }
+}
+
+void FrontAdvance::move_pairs() {
+  const auto moves = [&](const contact::ConstraintRow& row) {
+    return std::ranges::any_of(row.entries, [&](const contact::RowEntry& entry) {
+      return !velocity_[entry.node.index()].isZero(0.0);
+    });
+  };
+  moved_.pairs = scene_.pairs;
+  moved_.table = scene_.table;
+  moved_.contacts = scene_.contacts;
+  for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
+    if (!std::ranges::any_of(scene_.pairs[c].normal, moves) &&
+        !std::ranges::any_of(scene_.pairs[c].tangent, moves)) {
+      continue;
+    }
+    pairs_.push_back(c);
+    if (c >= model_.contacts.size()) {
+      continue; // between the faces of a crack
+    }
+    contact::PairRows& pair = moved_.pairs[c];
+    pair = contact::pair_rows(model_, moved_.cracked.mesh, model_.contacts[c]);
+    take_in_supports(pair, scene_.cls);
+    const auto same_row = [](const auto& own, const auto& other) { return own.node == other.node; };
+    if (!std::ranges::equal(pair.normal, scene_.pairs[c].normal, same_row) ||
+        !std::ranges::equal(pair.tangent, scene_.pairs[c].tangent, same_row)) {
+      why_never_ = "rows of a contact change where its surface moves with the front";
+    }
+  }
+}
+
+const std::string& FrontAdvance::name() const {
+  return model_.cracks[crack_.index()].name;
+}
+
+std::string FrontAdvance::why_not(const FrozenStep& step) const {
+  if (!why_never_.empty()) {
+    return why_never_;
+  }
+  for (const std::size_t c : pairs_) {
+    const std::vector<bool>& closed = step.state.pair_closed[c];
+    if (c >= model_.contacts.size() && std::ranges::find(closed, true) != closed.end()) {
+      return "faces of the crack touch";
+    }
+  }
+  return (step.solver.offset().array() != 0.0).any() ? "parts were mounted on deformed ones" : "";
+}
+
+// Forces on nodes with u kept: applied loads and contact forces less internal ones.
+base::Vector FrontAdvance::loads(const Scene& side, const StepState& state) const {
+  base::Vector internal = base::Vector::Zero(state.u.size());
+  fe::add_internal_force(model_, side.cracked.mesh, strained_, state.u, internal);
+  base::Vector out = -internal;
+  for (std::size_t c = 0; c < model_.cases.size(); ++c) {
+    const double factor = state.case_factor[static_cast<Eigen::Index>(c)];
+    if (factor != 0.0) {
+      out += factor * fe::nodal_load(model_, side.cracked.mesh, model_.cases[c]);
+    }
+  }
+  for (const std::size_t c : pairs_) {
+    const contact::PairRows& pair = side.pairs[c];
+    Eigen::Index r = 0;
+    for (const auto* rows : {&pair.normal, &pair.tangent}) {
+      for (const contact::ConstraintRow& row : *rows) {
+        const double value = state.pair_lambda[c][r++];
+        for (const contact::RowEntry& entry : row.entries) {
+          out.segment<3>(3 * static_cast<Eigen::Index>(entry.node.index())) += value * entry.weight;
+        }
+      }
+    }
+  }
+  return out;
+}
+
+// Weighted gaps of the rows that move, u kept. [row of the table]
+base::Vector FrontAdvance::openings(const Scene& side, const FrozenStep& step) const {
+  base::Vector out = base::Vector::Zero(static_cast<Eigen::Index>(scene_.table.size()));
+  const base::Vector& u = step.state.u;
+  for (const std::size_t c : pairs_) {
+    const double fit = scene_.contacts[c].gap ? step.solver.factors().fit[c] : 1.0;
+    auto r = static_cast<Eigen::Index>(scene_.table.first[c]);
+    for (const auto* rows : {&side.pairs[c].normal, &side.pairs[c].tangent}) {
+      for (const contact::ConstraintRow& row : *rows) {
+        out[r++] = row_opening(row, 3, u) + fit * row.gap;
+      }
+    }
+  }
+  return out;
+}
+
+// K with u and contact forces kept, less what it is now.
+base::Vector FrontAdvance::change(const FrozenStep& step, const FrontFunctionals& K) const {
+  const StepState& state = step.state;
+  base::Vector out = rows_.transpose() * state.u - K.rows.transpose() * state.u;
+  if (acts_on_fronts(model_, scene_, state.case_factor)) {
+    const base::Vector still = base::Vector::Zero(state.u.size());
+    out += front_values(model_, moved_, still, state.case_factor) -
+           front_values(model_, scene_, still, state.case_factor);
+  }
+  if (!pairs_.empty()) {
+    base::Vector lambda(static_cast<Eigen::Index>(scene_.table.size()));
+    for (std::size_t c = 0; c < scene_.pairs.size(); ++c) {
+      lambda.segment(static_cast<Eigen::Index>(scene_.table.first[c]),
+                     state.pair_lambda[c].size()) = state.pair_lambda[c];
+    }
+    out += of_force_ * lambda - K.of_force * lambda;
+  }
+  return out;
+}
+
+FrontCause FrontAdvance::cause(const FrozenStep& step, const FrontFunctionals& K) const {
+  const model::Crack& crack = model_.cracks[crack_.index()];
+  FrontCause out;
+  out.is.cause = axis_ == Axis::a ? results::Cause::length : results::Cause::axis;
+  out.is.name = crack.name;
+  out.is.value = axis_ == Axis::a ? crack.plane.a : crack.plane.c;
+  out.load = (loads(moved_, step.state) - loads(scene_, step.state)) / step_;
+  if (!pairs_.empty()) {
+    out.gap = (openings(moved_, step) - openings(scene_, step)) / step_;
+  }
+  out.direct = change(step, K) / step_;
+  return out;
+}
+
+} // namespace spricka::analysis

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/adjoint/front_bars.hpp"
+#include "analysis/adjoint/front_cause.hpp"
+#include "analysis/scene/scene.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+/// What a longer semi-axis of an ellipse does to the equations and to K along its front, the
+/// contact kept as it is.
+namespace spricka::analysis {
+
+enum class Axis : char { a, c };
+
+/// A scene with the mesh round the fronts of one crack stretched along an axis by a small step: its
+/// mesh, its fronts and the pairs that have nodes there.
+class FrontAdvance {
+public:
+  FrontAdvance(const model::Model& model, const Scene& scene, base::CrackId crack, Axis axis);
+
+  [[nodiscard]] const std::string& name() const; ///< of the crack
+  /// The scene that is moved, and by how much its axis is longer.
+  [[nodiscard]] const Scene& moved() const { return moved_; }
+  [[nodiscard]] double step() const { return step_; }
+  /// Why there is no derivative in this step; empty: there is one.
+  [[nodiscard]] std::string why_not(const FrozenStep& step) const;
+  /// d/da of loads, gaps and K, u and contact forces kept; K at an angle phi (sensitivity.15).
+  [[nodiscard]] FrontCause cause(const FrozenStep& step, const FrontFunctionals& K) const;
+
+private:
+  void stretch();
+  [[nodiscard]] std::vector<bool> resting() const;
+  [[nodiscard]] std::vector<base::Vec3> motion_of(const FrontScene& at) const;
+  void move();
+  void move_pairs();
+  [[nodiscard]] base::Vector loads(const Scene& side, const StepState& state) const;
+  [[nodiscard]] base::Vector openings(const Scene& side, const FrozenStep& step) const;
+  [[nodiscard]] base::Vector change(const FrozenStep& step, const FrontFunctionals& K) const;
+
+  const model::Model& model_;
+  const Scene& scene_;
+  base::CrackId crack_;
+  Axis axis_;
+  std::vector<base::Vec3> velocity_;      ///< [node] of the mesh, by the length of the axis
+  std::vector<base::ElementId> strained_; ///< elements with a node that moves
+  double step_ = 0.0;                     ///< [length] of the axis
+  Scene moved_;
+  crack::SparseRows rows_;         ///< K of the moved scene by displacements
+  base::Matrix of_force_;          ///< the same by contact forces; empty: no pair moves
+  std::vector<std::size_t> pairs_; ///< that have nodes which move
+  std::string why_never_;
+};
+
+} // namespace spricka::analysis
