@@ -2,6 +2,7 @@
 #include "analysis/refine/refinement_plan.hpp"
 
 #include "analysis/refine/contact_places.hpp"
+#include "analysis/refine/front_shortfall.hpp"
 #include "analysis/refine/wide_bars.hpp"
 #include "model/model.hpp"
 
@@ -216,7 +217,25 @@ RefinementPlan::RefinementPlan(const model::Model& model) : finer_(model.cracks.
   }
 }
 
+std::string RefinementPlan::refine_fronts(const model::Model& model, const results::Run& run) {
+  std::vector<std::string> made;
+  patch_growth_ = 1.0;
+  const std::vector<double> finer = finer_fronts(model, run);
+  for (std::size_t c = 0; c < finer.size(); ++c) {
+    if (finer[c] > 1.0 / no_change) {
+      finer_[c] *= finer[c];
+      patch_growth_ = std::max(patch_growth_, std::pow(finer[c], 3));
+      made.push_back(
+          fmt::format("tube and patch of {} {:.2f} times", model.cracks[c].name, finer[c]));
+    }
+  }
+  return fmt::format("{}", fmt::join(made, "; "));
+}
+
 std::string RefinementPlan::refine(const model::Model& model, const results::Run& run) {
+  if (model.mesh.dim == 3) {
+    return refine_fronts(model, run);
+  }
   Demands demands = demands_of(model, run);
   const Followers followers = followers_of(demands.places, demands.elements, demands.patch.size());
   for (const Wishes* more : {&std::as_const(demands.elements.cut), &followers.nets}) {

@@ -30,6 +30,8 @@ public:
   [[nodiscard]] double patch_growth() const { return patch_growth_; }
 
 private:
+  std::string refine_fronts(const model::Model& model, const results::Run& run);
+
   double patch_growth_ = 1.0;
   std::map<std::string, deck::Refinement> nets_;
   std::vector<double> finer_; ///< [crack] divides the element sizes of its patch

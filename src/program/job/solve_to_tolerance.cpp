@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/job/solve_to_tolerance.hpp"
 
+#include "analysis/refine/front_shortfall.hpp"
 #include "analysis/refine/refinement_plan.hpp"
 #include "analysis/refine/wide_bars.hpp"
 #include "base/clock.hpp"
@@ -33,7 +34,8 @@ std::size_t unknowns(const results::Run& run) {
 // Bars against what is asked for; `why_not` where no mesh can give it.
 results::ToleranceRound look_at(const model::Model& model, const results::Run& run,
                                 std::string& why_not) {
-  const analysis::Shortfall now = analysis::shortfall(model, run);
+  const analysis::Shortfall now =
+      model.mesh.dim == 3 ? analysis::front_shortfall(model, run) : analysis::shortfall(model, run);
   results::ToleranceRound round;
   round.unknowns = unknowns(run);
   round.worst = now.where;
@@ -49,7 +51,7 @@ results::ToleranceRound look_at(const model::Model& model, const results::Run& r
   return round;
 }
 
-// More freedoms than these no K in the plane needs: what asks for them has an error that finer
+// More freedoms than these no K needs: what asks for them has an error that finer
 // meshes do not end.
 constexpr double most_freedoms = 2e6;
 // A round that leaves more than this of the bar has not helped.

@@ -59,7 +59,7 @@ struct Round {
 std::vector<Round> rounds(const Folder& folder) {
   std::vector<Round> found;
   std::ifstream in(folder.path() / "out" / "listing.txt");
-  const std::regex row(R"(^\s+(\d+)\s+(\d+)\s+[\d.]+\s+([\d.e+-]+)\s+[\d.e+-]+\s+K[12] of .*)");
+  const std::regex row(R"(^\s+(\d+)\s+(\d+)\s+[\d.]+\s+([\d.e+-]+)\s+[\d.e+-]+\s+K[123] of .*)");
   std::smatch match;
   for (std::string line; std::getline(in, line);) {
     if (std::regex_match(line, match, row)) {
@@ -103,6 +103,47 @@ TEST(Tolerance, BlocksAreRefinedUntilTheBarIsInside) {
     EXPECT_GT(way[i].freedoms, way[i - 1].freedoms);
     EXPECT_GT(way[i - 1].bar, 0.05);
   }
+}
+
+// A penny in space (Sneddon 1946; a block of 16 radii adds 0.3 %): tube and patch become finer
+// until every point's bar is inside, and K lies within what is asked for of the exact one.
+TEST(Tolerance, FrontsAreRefinedUntilTheirBarsAreInside) {
+  const Folder folder;
+  const double K = 2.0 / std::sqrt(std::numbers::pi);
+  const Outcome outcome = run_text(folder, fmt::format(R"($DECK VERSION=1 LENGTH=mm FORCE=N
+$NET NAME=B
+  $MESH SHAPE=BLOCK TYPE=TET10 X0=-8 Y0=-8 Z0=-8 LX=16 LY=16 LZ=16 NX=3 NY=3 NZ=3
+$ENDNET
+$MATERIAL NAME=M E=1000 NU=0.3
+$PROPERTY ESET=B.BODY MATERIAL=M STATE=SOLID
+$NSET NAME=P1 WHERE=(x < -7.99 and y < -7.99 and z < -7.99)
+$NSET NAME=P2 WHERE=(x > 7.99 and y < -7.99 and z < -7.99)
+$NSET NAME=P3 WHERE=(x < -7.99 and y > 7.99 and z < -7.99)
+$FREEDOM CLASS=SUPPRESSED DOF=XYZ
+  P1
+$FREEDOM CLASS=SUPPRESSED DOF=YZ
+  P2
+$FREEDOM CLASS=SUPPRESSED DOF=Z
+  P3
+$CRACK NAME=C NET=B A=1 X0=0 Y0=0 Z0=0 NORMAL=Z
+$TIPNET CRACK=C TOL=0.005
+$LOAD CASE=PULL TYPE=TRACTION
+  B.ZMAX 0 0 1
+  B.ZMIN 0 0 -1
+$STEP NAME=PULL
+  LOAD PULL 1
+$CHECK
+  K1.MIN(C,PULL) = {0}  REL 0.007  SOURCE 'Sneddon 1946'
+  K1.MAX(C,PULL) = {0}  REL 0.007  SOURCE 'Sneddon 1946'
+  K1.BAR.MAX(C,PULL) = 0  ABS {1}  SOURCE 'TOL'
+$END
+)",
+                                                       K, 0.005 * 1.003 * K));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.messages;
+  const std::vector<Round> way = rounds(folder);
+  ASSERT_EQ(way.size(), 2U);
+  EXPECT_GT(way[0].bar, 0.5);
+  EXPECT_LE(way[1].bar, 0.5);
 }
 
 // What is fine enough at once is solved once.

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "analysis/refine/wide_bars.hpp"
+
+#include <vector>
+
+/// Error bars along fronts in space against what $TIPNET TOL asks for.
+namespace spricka::analysis {
+
+/// As shortfall, of fronts: bars of the points within the body over the largest K of their front.
+Shortfall front_shortfall(const model::Model& model, const results::Run& run);
+
+/// By what sizes of each crack's tube and patch are to be divided, so that the part of its bars
+/// that the mesh makes comes below what is left of its tolerance. [crack], >= 1
+std::vector<double> finer_fronts(const model::Model& model, const results::Run& run);
+
+} // namespace spricka::analysis
