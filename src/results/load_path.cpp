@@ -10,6 +10,7 @@ FrontResult PathFront::at(double t) const {
   FrontResult front = is;
   for (const PathPoint& point : points) {
     FrontPlace& place = front.points.emplace_back(point.is);
+    place.closed = false; // a path knows K of its points, not what faces do there
     place.K1 = point.K[0](t);
     place.K2 = point.K[1](t);
     place.K3 = point.K[2](t);

@@ -75,6 +75,18 @@ struct TipPreview {
   double size = 0.0;   ///< of the tip elements
 };
 
+/// A front of a crack in space.
+struct FrontPreview {
+  std::string name;
+  std::string kind;                   ///< of the crack: embedded, surface, corner, through
+  double a = 0.0;                     ///< radius of a circle as large as the crack
+  base::Vec3 at = base::Vec3::Zero(); ///< half way along the front
+  double length = 0.0;
+  std::size_t elements = 0; ///< along it
+  double radius = 0.0;      ///< of the tube, the smallest
+  double size = 0.0;        ///< of the elements at the front
+};
+
 /// One crack length of the growth plan.
 struct LengthPreview {
   int number = 1;
@@ -93,6 +105,7 @@ struct LengthPreview {
   int condensed = 0;           ///< nets
   int reused = 0;
   std::vector<TipPreview> tips;
+  std::vector<FrontPreview> fronts; ///< in space
   std::vector<std::string> notes;
 };
 

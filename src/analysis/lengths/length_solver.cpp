@@ -33,7 +33,8 @@ std::string tips_in_words(const Scene& scene) {
   for (const FrontScene& at : scene.fronts) {
     points += at.front.points.size();
   }
-  return fmt::format("{} fronts of {} points", scene.fronts.size(), points);
+  return fmt::format("{} {} of {} points", scene.fronts.size(),
+                     scene.fronts.size() == 1 ? "front" : "fronts", points);
 }
 
 bool rubs(const Scene& scene) {
@@ -289,8 +290,7 @@ bool LengthSolver::walk_steps(Length& length, const LengthRequest& request, LogW
     if (!numbers_are_sound(increment.steps.back(), step)) {
       return false;
     }
-    log.add("VCE", fmt::format("step {}: {} tips, pressures, balance", step.name,
-                               scene.cracked.fronts.size()));
+    log.add("VCE", fmt::format("step {}: {}, pressures, balance", step.name, tips_in_words(scene)));
     paths.keep(s, solver, increment.steps.back());
     if (follows) {
       history.keep(s, solver, increment.steps.back());

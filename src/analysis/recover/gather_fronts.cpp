@@ -2,6 +2,7 @@
 #include "analysis/recover/gather_fronts.hpp"
 
 #include "analysis/recover/judge_front.hpp"
+#include "analysis/scene/front_name.hpp"
 #include "analysis/scene/front_scene.hpp"
 #include "analysis/scene/solid_cracks.hpp"
 #include "base/tidy.hpp"
@@ -12,8 +13,6 @@
 #include <algorithm>
 #include <set>
 
-#include <fmt/format.h>
-
 namespace spricka::analysis {
 
 namespace {
@@ -21,15 +20,6 @@ namespace {
 const model::Vce* request_of(const model::Model& model, base::CrackId crack) {
   const auto found = std::ranges::find(model.vces, crack, &model::Vce::crack);
   return found == model.vces.end() ? nullptr : &*found;
-}
-
-// NAME, or NAME.1 and NAME.2 where a crack has several fronts.
-std::string front_name(const model::Model& model, const Scene& scene, const mesh::Front& front) {
-  const std::string& name = model.cracks[front.crack.index()].name;
-  const auto of_crack = [&](const FrontScene& f) { return f.front.crack == front.crack; };
-  return std::ranges::count_if(scene.fronts, of_crack) > 1
-             ? fmt::format("{}.{}", name, front.number)
-             : name;
 }
 
 // What contacts press on the free sides that domains move.

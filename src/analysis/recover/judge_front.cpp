@@ -14,10 +14,9 @@ namespace spricka::analysis {
 
 namespace {
 
-// As at a tip (judge_faces.cpp): what domains may find for K1 where faces touch, and what they may
-// find below 0 where these do not, over K of that size of crack and load.
+// As at a tip (judge_faces.cpp): what domains may find for K1 where faces touch, over K of that
+// size of crack and load.
 constexpr double worst_closed_front = 0.05;
-constexpr double worst_open_front = 0.01;
 constexpr double small_front_K1 = 1e-3;
 
 double largest_of(const std::vector<crack::StressIntensity>& K) {

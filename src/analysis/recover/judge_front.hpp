@@ -8,6 +8,9 @@
 
 namespace spricka::analysis {
 
+/// What domains may find for K1 below 0 where faces in contact do not touch, over the largest K.
+inline constexpr double worst_open_front = 0.01;
+
 /// A front at the end of a step, and K as its domains find it [point].
 struct FrontState {
   const model::Model& model;

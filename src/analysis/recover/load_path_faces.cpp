@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/recover/load_paths.hpp"
 
+#include "analysis/recover/path_functions.hpp"
 #include "analysis/scene/free_faces.hpp"
 #include "analysis/steps/crack_face_contact.hpp"
 #include "analysis/steps/crack_face_overlap.hpp"
@@ -174,26 +175,8 @@ bool LoadPaths::close_tip(std::size_t t, const End& end, const solve::SolutionPa
                           base::PiecewiseLinear& K1) const {
   const std::optional<std::size_t> row = row_at_tip(scene_, scene_.cracked.fronts[t]);
   const auto at = row ? std::ranges::find(end.problem.rows, *row) : end.problem.rows.end();
-  if (at == end.problem.rows.end()) {
-    return false;
-  }
-  const auto place = at - end.problem.rows.begin();
-  bool closed = found.closed[static_cast<std::size_t>(place)];
-  bool any = false;
-  std::vector<double> value;
-  std::vector<double> slope;
-  auto change = found.changes.begin();
-  for (std::size_t s = 0; s < found.segments.size(); ++s) {
-    for (; change != found.changes.end() && change->segment == s; ++change) {
-      // Changes of a segment happen at its beginning.
-      closed = change->row == place ? change->closes : closed;
-    }
-    any = any || closed;
-    value.push_back(closed ? 0.0 : K1.at_knot(s));
-    slope.push_back(closed ? 0.0 : K1.slope(s));
-  }
-  K1 = base::PiecewiseLinear(K1.knots(), std::move(value), std::move(slope));
-  return any;
+  return at != end.problem.rows.end() &&
+         zero_where_closed(found, static_cast<std::size_t>(at - end.problem.rows.begin()), K1);
 }
 
 } // namespace spricka::analysis

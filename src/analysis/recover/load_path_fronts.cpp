@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/recover/judge_front.hpp"
 #include "analysis/recover/load_paths.hpp"
 #include "analysis/recover/path_functions.hpp"
+#include "analysis/steps/solid_face_contact.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -73,6 +75,24 @@ Range range_of(const results::PathFront& front) {
   return range;
 }
 
+// K1 is 0 where the faces of the crack touch, as steps have it; at how many points on some part of
+// the path. rows: [point] among those of the path's problem.
+std::size_t close_points(const std::vector<std::optional<std::size_t>>& rows,
+                         const solve::SolutionPath& found, results::PathFront& front) {
+  std::size_t touching = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    results::PathPoint& point = front.points[i];
+    if (!rows[i] || !zero_where_closed(found, *rows[i], point.K[0])) {
+      continue;
+    }
+    ++touching;
+    if (point.is.at_surface) {
+      zero_where_closed(found, *rows[i], point.inner[0]);
+    }
+  }
+  return touching;
+}
+
 // The largest difference to K of a step.
 double apart_from(const results::PathFront& front, double t, const results::FrontResult& step) {
   double apart = 0.0;
@@ -80,13 +100,35 @@ double apart_from(const results::PathFront& front, double t, const results::Fron
     const results::FrontPlace& own = step.points[i];
     const std::array<double, 3> K{own.K1, own.K2, own.K3};
     for (std::size_t k = 0; k < 3; ++k) {
-      apart = std::max(apart, std::abs(front.points[i].K[k](t) - K[k]));
+      const double value = front.points[i].K[k](t);
+      // Of faces in contact steps take what the mesh finds a little below 0 for 0.
+      const bool at_zero = k == 0 && K[k] == 0.0;
+      apart = std::max(apart, std::abs((at_zero ? std::max(0.0, value) : value) - K[k]));
     }
   }
   return apart;
 }
 
 } // namespace
+
+// [point of front f] the row behind it among those of the path's problem, if there is one.
+std::vector<std::optional<std::size_t>> LoadPaths::rows_behind(std::size_t f,
+                                                               const End& end) const {
+  std::vector<std::optional<std::size_t>> out;
+  const mesh::Front& front = scene_.fronts[f].front;
+  for (const std::optional<std::size_t>& row : rows_at_front(scene_, front)) {
+    std::optional<std::size_t>& place = out.emplace_back();
+    if (!row) {
+      continue;
+    }
+    const std::size_t pair = scene_.crack_face_pairs[front.crack.index()]->pair;
+    const auto at = std::ranges::find(end.problem.rows, scene_.table.first[pair] + *row);
+    if (at != end.problem.rows.end()) {
+      place = static_cast<std::size_t>(at - end.problem.rows.begin());
+    }
+  }
+  return out;
+}
 
 base::Matrix LoadPaths::front_columns(Eigen::Index first, Eigen::Index most) const {
   return base::Matrix(front_rows_.middleCols(first, std::min(most, front_rows_.cols() - first)));
@@ -102,6 +144,13 @@ void LoadPaths::fronts(const solve::SolutionPath& found, const End& from, const 
     results::PathFront front =
         follow_front({scene_.fronts[f], layout.first(first)}, found, from.result.fronts[f]);
     first += front.points.size();
+    const std::size_t touching = close_points(rows_behind(f, from), found, front);
+    if (touching > 0) {
+      path.notes.push_back(results::note(fmt::format(
+          "{}: the crack faces touch at {} of {} points of the front on a part of the path: "
+          "K1 = 0 there",
+          front.is.name, touching, front.points.size())));
+    }
     const Range range = range_of(front);
     size = std::max(size, range.largest);
     front.is.doubt.clear();
@@ -113,11 +162,14 @@ void LoadPaths::fronts(const solve::SolutionPath& found, const End& from, const 
             results::warning(fmt::format("{}: at an end of the path {}", front.is.name, doubt)));
       }
     }
-    if (front.is.doubt.empty() && range.lowest < -1e-9 * range.largest) {
+    const bool bear = scene_.crack_face_pairs[scene_.fronts[f].front.crack.index()].has_value();
+    const double allowed = bear ? worst_open_front : 1e-9;
+    if (front.is.doubt.empty() && range.lowest < -allowed * range.largest) {
       path.notes.push_back(results::warning(
           fmt::format("{}: K1 is negative at some points on a part of the path: there this K is "
-                      "not an answer (the crack faces overlap)",
-                      front.is.name)));
+                      "not an answer ({})",
+                      front.is.name,
+                      bear ? "the mesh at the front is too coarse" : "the crack faces overlap")));
     }
     for (const auto& [t, end] : {std::pair(0.0, &from), std::pair(1.0, &to)}) {
       if (found.end >= t) {

@@ -59,6 +59,8 @@ private:
   }
   /// Columns [dim * node] of functionals from `first` on, at most so many.
   [[nodiscard]] base::Matrix functional_columns(Eigen::Index first, Eigen::Index most) const;
+  [[nodiscard]] std::vector<std::optional<std::size_t>> rows_behind(std::size_t f,
+                                                                    const End& end) const;
   [[nodiscard]] base::Matrix front_columns(Eigen::Index first, Eigen::Index most) const;
   /// Of watches, from displacements [dim * node].
   [[nodiscard]] base::Vector watched(const base::Vector& u) const;

@@ -32,6 +32,27 @@ base::PiecewiseLinear path_functional(const solve::SolutionPath& found, Eigen::I
   return {path_knots(found), std::move(value), std::move(slope)};
 }
 
+bool zero_where_closed(const solve::SolutionPath& found, std::size_t row,
+                       base::PiecewiseLinear& K1) {
+  const auto place = static_cast<std::ptrdiff_t>(row);
+  bool closed = found.closed[row];
+  bool any = false;
+  std::vector<double> value;
+  std::vector<double> slope;
+  auto change = found.changes.begin();
+  for (std::size_t s = 0; s < found.segments.size(); ++s) {
+    for (; change != found.changes.end() && change->segment == s; ++change) {
+      // Changes of a segment happen at its beginning.
+      closed = change->row == place ? change->closes : closed;
+    }
+    any = any || closed;
+    value.push_back(closed ? 0.0 : K1.at_knot(s));
+    slope.push_back(closed ? 0.0 : K1.slope(s));
+  }
+  K1 = base::PiecewiseLinear(K1.knots(), std::move(value), std::move(slope));
+  return any;
+}
+
 void tell_mismatch(results::LoadPath& path) {
   if (!(path.mismatch <= worst_mismatch)) {
     path.notes.push_back(

@@ -60,6 +60,25 @@ double solid_face_overlap(const model::Model& model, const Scene& scene, std::si
   return deepest / largest;
 }
 
+std::vector<std::optional<std::size_t>> rows_at_front(const Scene& scene,
+                                                      const mesh::Front& front) {
+  const std::optional<CrackFacePair>& crack_face = scene.crack_face_pairs[front.crack.index()];
+  if (!crack_face) {
+    return {};
+  }
+  const contact::PairRows& pair = scene.pairs[crack_face->pair];
+  std::vector<std::optional<std::size_t>> rows;
+  for (const mesh::FrontPoint& point : front.points) {
+    std::optional<std::size_t>& row = rows.emplace_back();
+    const auto function =
+        std::ranges::find(pair.functions, point.node, &contact::SpaceFunction::node);
+    if (function != pair.functions.end() && function->row >= 0) {
+      row = static_cast<std::size_t>(function->row);
+    }
+  }
+  return rows;
+}
+
 std::vector<FrontFaces> front_faces(const Scene& scene, const mesh::Front& front,
                                     const StepState& state) {
   const std::optional<CrackFacePair>& crack_face = scene.crack_face_pairs[front.crack.index()];
@@ -75,17 +94,14 @@ std::vector<FrontFaces> front_faces(const Scene& scene, const mesh::Front& front
     slipped[at] = slipped[at] || std::abs(slip.jump) > slip_of_solid_round_off * slip.size;
   }
   std::vector<FrontFaces> all;
-  for (const mesh::FrontPoint& point : front.points) {
+  for (const std::optional<std::size_t>& row : rows_at_front(scene, front)) {
     FrontFaces& faces = all.emplace_back();
-    const auto function =
-        std::ranges::find(pair.functions, point.node, &contact::SpaceFunction::node);
-    if (function == pair.functions.end() || function->row < 0) {
+    if (!row) {
       continue;
     }
-    const auto row = static_cast<std::size_t>(function->row);
-    faces.closed = row < closed.size() && closed[row];
-    faces.held = faces.closed && !slipped[row];
-    faces.pressure = state.pair_lambda[crack_face->pair][function->row];
+    faces.closed = *row < closed.size() && closed[*row];
+    faces.held = faces.closed && !slipped[*row];
+    faces.pressure = state.pair_lambda[crack_face->pair][static_cast<Eigen::Index>(*row)];
   }
   return all;
 }

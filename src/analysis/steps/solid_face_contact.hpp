@@ -3,6 +3,8 @@
 #include "analysis/scene/scene.hpp"
 #include "analysis/steps/step_state.hpp"
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 /// Contact between the faces of cracks in space (crack_face_contact.hpp).
@@ -23,6 +25,10 @@ struct FrontFaces {
   bool held = false;     ///< closed, and they have not slipped
   double pressure = 0.0; ///< between them there [stress]
 };
+
+/// [point of the front] the row of its pair that holds the faces together behind it, if there is
+/// one; empty: the faces are no pair.
+std::vector<std::optional<std::size_t>> rows_at_front(const Scene& scene, const mesh::Front& front);
 
 /// [point of the front]; empty: the faces are no pair.
 std::vector<FrontFaces> front_faces(const Scene& scene, const mesh::Front& front,

@@ -71,10 +71,14 @@ const results::ContactResult& faces_of(const results::StepResult& step) {
   return found == nullptr ? none : *found;
 }
 
-bool tells(const results::StepResult& step, const std::string& words) {
-  return std::ranges::any_of(results::marked(step.notes), [&](const std::string& note) {
+bool tells_of(const std::vector<results::Note>& notes, const std::string& words) {
+  return std::ranges::any_of(results::marked(notes), [&](const std::string& note) {
     return note.find(words) != std::string::npos;
   });
+}
+
+bool tells(const results::StepResult& step, const std::string& words) {
+  return tells_of(step.notes, words);
 }
 
 // Hydrostatic pressure leaves nothing of the crack: the strain of the body without it at all nodes,
@@ -216,6 +220,42 @@ TEST(SolidFaceContact, ClosesAlongAPartOfTheFront) {
   const double differenced = (more->step().energy - less->step().energy) / 0.04;
   EXPECT_NEAR(released, differenced, 0.01 * differenced);
   EXPECT_NEAR(of_K, differenced, 0.02 * differenced);
+}
+
+// Where faces bear on each other K1 is 0 without an error and without a derivative, on a load path
+// that closes a part of the front, too, which is that of steps in between.
+TEST(SolidFaceContact, KnowsClosedPointsOnPathsAndInBars) {
+  std::string steps;
+  for (int k = 0; k <= 2; ++k) {
+    steps += fmt::format("$STEP NAME=S{}\n  LOAD UP {}\n  LOAD BEND 1\n", k, 1.0 - 0.5 * k);
+  }
+  const auto solved = solve_text(penny("", steps + "$LOADPATH NAME=DOWN FROM=S0 TO=S2\n"));
+  ASSERT_TRUE(solved);
+  const results::Increment& increment = solved->run.increments.front();
+  const results::LoadPath& path = increment.paths.front();
+  EXPECT_LT(path.mismatch, 1e-6);
+  EXPECT_TRUE(tells_of(path.notes, "touch at"));
+  std::size_t closed = 0;
+  for (std::size_t s = 0; s < increment.steps.size(); ++s) {
+    const results::FrontResult& own = increment.steps[s].fronts[0];
+    const results::FrontResult found = path.fronts[0].at(0.5 * static_cast<double>(s));
+    ASSERT_TRUE(own.no_bar.empty()) << own.no_bar;
+    for (std::size_t i = 0; i < own.points.size(); ++i) {
+      const results::FrontPlace& place = own.points[i];
+      EXPECT_NEAR(std::max(0.0, found.points[i].K1), place.K1, 1e-6) << s << " point " << i;
+      EXPECT_NEAR(found.points[i].K2, place.K2, 1e-6) << s << " point " << i;
+      EXPECT_NEAR(found.points[i].K3, place.K3, 1e-6) << s << " point " << i;
+      EXPECT_EQ(place.bar[0].size() == 0.0, place.closed) << s << " point " << i;
+      EXPECT_EQ(place.bar[0].best == 0.0, place.closed);
+      for (const results::FrontSensitivity& cause : own.sensitivities.of) {
+        EXPECT_TRUE(!place.closed || cause.below[i][0] == 0.0) << cause.name;
+        EXPECT_TRUE(place.closed || place.at_surface || cause.name != "UP" ||
+                    cause.below[i][0] > 0.0);
+      }
+      closed += place.closed ? 1 : 0;
+    }
+  }
+  EXPECT_GT(closed, 0U);
 }
 
 // Pulled, pressed and pulled again: faces close and open again, and what friction did is gone.
