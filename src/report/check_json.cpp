@@ -87,6 +87,11 @@ json of(const results::TipPreview& t) {
           {"at", place(t.tip)}, {"radius", t.radius}, {"size", t.size}};
 }
 
+json of(const results::FrontPreview& f) {
+  return {{"front", f.name},    {"kind", f.kind},         {"a", f.a},           {"at", place(f.at)},
+          {"length", f.length}, {"elements", f.elements}, {"radius", f.radius}, {"size", f.size}};
+}
+
 json of(const results::LengthPreview& l) {
   return {{"number", l.number},
           {"a", l.a},
@@ -104,6 +109,7 @@ json of(const results::LengthPreview& l) {
           {"memory", l.memory},
           {"cpu", l.seconds},
           {"tips", array_of(l.tips, [](const auto& t) { return of(t); })},
+          {"fronts", array_of(l.fronts, [](const auto& f) { return of(f); })},
           {"notes", l.notes}};
 }
 

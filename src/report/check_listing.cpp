@@ -160,6 +160,32 @@ Table tips(const Preview& p) {
   return table;
 }
 
+Table fronts(const Preview& p) {
+  Table table{"Cracks",
+              {{"length", "", false},
+               {"front", "", true},
+               {"kind", "", true},
+               {"as a circle of", p.length_unit, false},
+               {"length of front", p.length_unit, false},
+               {"half way at", p.length_unit, true},
+               {"elements", "", false},
+               {"tube", p.length_unit, false},
+               {"tip element", p.length_unit, false},
+               {"elements cut", "", false},
+               {"elements new", "", false}},
+              {}};
+  for (const results::LengthPreview& length : p.lengths) {
+    for (const results::FrontPreview& front : length.fronts) {
+      const bool first = &front == &length.fronts.front();
+      table.rows.push_back({fmt::format("{}", length.number), front.name, front.kind,
+                            number(front.a), number(front.length), place(front.at, p.dim),
+                            count(front.elements), number(front.radius), number(front.size),
+                            first ? count(length.replaced) : "", first ? count(length.fresh) : ""});
+    }
+  }
+  return table;
+}
+
 Table forecast(const Preview& p) {
   Table table{"Forecast",
               {{"length", "", false},
@@ -190,7 +216,7 @@ std::string check_listing(const Preview& preview) {
   for (const Table& table :
        {nets(preview), quality(preview), pairs(preview), bodies(preview),
         load_table(preview.loads, {preview.length_unit, preview.force_unit, preview.dim}),
-        tips(preview)}) {
+        tips(preview), fronts(preview)}) {
     if (!table.rows.empty()) {
       out += "\n" + to_text(table);
     }
@@ -198,8 +224,7 @@ std::string check_listing(const Preview& preview) {
   if (!preview.scripts.empty()) {
     out += "\n" + to_text(script_table(preview.scripts));
   }
-  // Cracks in space have no mouth and tip for the table: kind, front, tube and patch stand in
-  // notes.
+  // Of cracks in space notes tell more: rings and sectors, patches that are shared, ties.
   for (const results::LengthPreview& length : preview.lengths) {
     for (const std::string& note : preview.dim == 3 ? length.notes : std::vector<std::string>()) {
       out += fmt::format("\n  note: {}", note);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/preview/preview_model.hpp"
 
+#include "analysis/scene/front_name.hpp"
 #include "analysis/scene/tip_name.hpp"
 
 #include "contact/survey.hpp"
@@ -185,6 +186,20 @@ results::LengthPreview preview_length(const model::Model& model, const analysis:
     preview.size = front.size;
     length.a = length.a > 0.0 ? length.a : front.a;
     length.tips.push_back(std::move(preview));
+  }
+  for (const analysis::FrontScene& at : scene.fronts) {
+    const mesh::Front& front = at.front;
+    results::FrontPreview preview;
+    preview.name = analysis::front_name(model, scene, front);
+    preview.kind = mesh::name_of(front.kind);
+    preview.a = front.a;
+    preview.at = front.curve->at(0.5 * front.curve->length()).x;
+    preview.length = front.curve->length();
+    preview.elements = front.points.size() - (front.curve->closed() ? 0 : 1);
+    preview.radius = front.radius;
+    preview.size = front.size;
+    length.a = length.a > 0.0 ? length.a : front.a;
+    length.fronts.push_back(std::move(preview));
   }
   return length;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 namespace spricka {
 namespace {
@@ -205,6 +206,45 @@ TEST(Check, GrowthPlanShowsEveryLength) {
   EXPECT_NEAR(lengths[2]["tips"][0]["mouth"][1].get<double>(), 10.0, 1e-9);
   EXPECT_GT(lengths[0]["elements_cut"], 0);
   EXPECT_EQ(lengths[1]["nets_reused"], 1); // what no length touches is factorised once
+}
+
+TEST(Check, CracksInSolidsHaveTheirKind) {
+  const Folder folder;
+  const auto deck = [](const std::string& crack) {
+    return R"($DECK VERSION=1 LENGTH=mm FORCE=N
+$NET NAME=B
+  $MESH SHAPE=BLOCK TYPE=TET10 LX=4 LY=4 LZ=8 NX=3 NY=3 NZ=5
+$ENDNET
+$MATERIAL NAME=M E=1000 NU=0.3
+$PROPERTY ESET=B.BODY MATERIAL=M STATE=SOLID
+$FREEDOM CLASS=SUPPRESSED DOF=XYZ
+  B.ZMIN
+$CRACK NAME=C NET=B )" +
+           crack + R"( Z0=4 NORMAL=Z
+$LOAD CASE=L TYPE=TRACTION
+  B.ZMAX 0 0 1
+$STEP NAME=S
+  LOAD L 1
+$END
+)";
+  };
+  const double pi = std::numbers::pi;
+  for (const auto& [crack, kind, length] : {std::tuple("A=0.5 X0=2 Y0=2", "embedded", pi),
+                                            {"A=0.5 X0=2 Y0=0", "surface", 0.5 * pi},
+                                            {"A=0.5 X0=0 Y0=0", "corner", 0.25 * pi}}) {
+    const Checked c = check_text(folder, deck(crack));
+    ASSERT_EQ(c.outcome.exit_code, 0) << c.outcome.messages;
+    const json& fronts = c.found["lengths"][0]["fronts"];
+    ASSERT_EQ(fronts.size(), 1U);
+    EXPECT_EQ(fronts[0]["kind"], kind);
+    EXPECT_EQ(fronts[0]["front"], "C");
+    EXPECT_NEAR(fronts[0]["length"].get<double>(), length, 1e-3 * length);
+    EXPECT_NEAR(fronts[0]["a"].get<double>(), 0.5, 1e-3);
+    EXPECT_GT(fronts[0]["elements"].get<int>(), 7);
+  }
+  const Checked through = check_text(folder, deck("A=7 X0=2 Y0=-6"));
+  ASSERT_EQ(through.outcome.exit_code, 0) << through.outcome.messages;
+  EXPECT_EQ(through.found["lengths"][0]["fronts"][0]["kind"], "through");
 }
 
 TEST(Check, PointsOfASweepAreLookedAt) {
