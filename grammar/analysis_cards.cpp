@@ -89,7 +89,7 @@ constexpr std::array crack_keys{
     preset(word("LINE", "STRAIGHT|SMOOTH",
                 "how a free crack runs from point to point: straight, or on a smooth curve"),
            "STRAIGHT"),
-    later(refers("FRONT", set, "ordered nodes of a 3D front"), "*"),
+    refers("FRONT", set, "nodes of the front of a crack in space that the mesh has already"),
     real("A", length, above(0), "semi-axis of an ellipse in space, at right angles to C"),
     real("C", length, above(0), "its other semi-axis; left out: a circle"),
     real("X0", length, anything,
@@ -148,7 +148,9 @@ constexpr std::array tipnet_keys{
                 "how the patch meets the host: edge to edge, or finer and tied to its edges"),
            "CONFORMING"),
     preset(word("PATCH", "YES|NO", "NO: the deck's own elements stay"), "YES"),
-    real("TOL", number, above(0), "refine until the error bars of K1 and K2 are below TOL*K"),
+    real("TOL", number, above(0),
+         "refine until the error bars of K1 and K2 are below TOL*K, of fronts TOL times the "
+         "largest K"),
 };
 
 constexpr std::array tipnet_when{

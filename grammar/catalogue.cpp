@@ -165,6 +165,10 @@ std::vector<AlongFronts> along_fronts() {
                    fmt::format("interference of a contact times d{} by it", K), false});
     all.push_back({fmt::format("D{}.E", K), "sm", stress_intensity,
                    fmt::format("Young's modulus of a material times d{} by it", K), false});
+    for (const char* axis : {"A", "C"}) {
+      all.push_back({fmt::format("D{}.{}", K, axis), "s", stress_intensity,
+                     fmt::format("semi-axis {} of an ellipse times d{} by it", axis, K), false});
+    }
   }
   return all;
 }

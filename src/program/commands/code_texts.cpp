@@ -136,8 +136,8 @@ constexpr std::array advice{
               "Keep the crack's patch away from the rim of the load's set: a smaller RADIUS "
               "on $TIPNET, or a set whose rim is straight."},
     ErrorCode{"W425", "Let borders of what is held, loaded or in contact keep off the ends of the "
-                      "crack's front, or give a smaller RADIUS on $TIPNET. A set that nothing uses "
-                      "can be left out."},
+                      "crack's front, or give a smaller RADIUS on $TIPNET. Sets "
+                      "that nothing uses are not told of."},
     ErrorCode{"W432", "Give THICK, or THICK=1 where forces are meant per unit of thickness."},
     ErrorCode{"W433", "A plane model spreads contact forces and stresses evenly through each "
                       "thickness: meant only where the bodies share their middle plane."},
@@ -150,6 +150,11 @@ constexpr std::array advice{
               "A crack gives the node at its mouth two, one for each face. Hold, tie or load "
               "an edge that ends there, or move the crack or the node a little."},
     ErrorCode{"E438", "Of a half model the body has one face of the crack: load that one."},
+    ErrorCode{"E439",
+              "FRONT names nodes of a crack that the mesh has already: its faces are sides of "
+              "elements that lie on one another, each with nodes of its own at the same places; "
+              "nodes of the front are common to both. To have a crack cut into the mesh draw it: "
+              "A, X0, Y0, Z0 or its points."},
     ErrorCode{"E464",
               "Name another folder with --out, or take away what is in the way yourself: only "
               "folders with the mark .spricka are replaced, and of them only the files that "

@@ -52,6 +52,7 @@ inline constexpr std::array later_codes{
     ErrorCode{"W436", "a displacement that the nodes it is given at do not carry"},
     ErrorCode{"E437", "a support, tie or force in the node of a crack's mouth that tells no face"},
     ErrorCode{"E438", "a load on a face of a crack that the body does not have"},
+    ErrorCode{"E439", "no crack in the mesh at the nodes that FRONT names"},
     ErrorCode{"W451", "bodies drawn touching with nothing to join them"},
     ErrorCode{"W457", "a load that goes wholly into supports"},
     ErrorCode{"W458", "a contact surface or mouth of a crack that is wholly held"},
