@@ -148,13 +148,18 @@ constexpr std::array tipnet_keys{
                 "how the patch meets the host: edge to edge, or finer and tied to its edges"),
            "CONFORMING"),
     preset(word("PATCH", "YES|NO", "NO: the deck's own elements stay"), "YES"),
+    preset(word("TUBE", "YES|NO",
+                "in space; NO: tetrahedra up to the front, even ones within RADIUS, as where no "
+                "tube fits"),
+           "YES"),
     real("TOL", number, above(0),
          "refine until the error bars of K1 and K2 are below TOL*K, of fronts TOL times the "
          "largest K"),
 };
 
 constexpr std::array tipnet_when{
-    When{"PATCH", "NO", "", "RADIUS SIZE SECTORS JOIN"},
+    When{"PATCH", "NO", "", "RADIUS SIZE SECTORS JOIN TUBE"},
+    When{"TUBE", "NO", "", "SECTORS JOIN"},
 };
 
 constexpr std::array vce_keys{

@@ -196,6 +196,11 @@ void tip_net(Context& c, const BoundCard& card, std::set<std::size_t>& seen) {
   tip.quarter_point = card.is("QUARTER", "YES");
   tip.join = card.is("JOIN", "TRANSITION") ? model::Join::transition : model::Join::conforming;
   tip.patch = card.is("PATCH", "YES");
+  tip.tube = card.is("TUBE", "YES");
+  if (!tip.tube && !solid) {
+    c.error(card.find("TUBE")->span, "E313", "TUBE=NO means nothing in the plane",
+            "round a tip in the plane stands a rosette; QUARTER=NO has ordinary elements in it");
+  }
   tip.tolerance = card.optional("TOL");
   if (tip.tolerance && !solid && !card.has("SIZE") && !card.has("RINGS") && !card.has("SECTORS")) {
     tip.finer = finer_for(*tip.tolerance);

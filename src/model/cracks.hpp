@@ -59,6 +59,7 @@ struct TipNet {
   bool quarter_point = true;
   Join join = Join::conforming;
   bool patch = true;
+  bool tube = true;                ///< in space; false: tetrahedra up to the front
   std::optional<double> tolerance; ///< of K, as a part of it
   double finer = 1.0;              ///< divides the sizes of the patch's elements
   base::Span span;

@@ -5,6 +5,7 @@
 #include "analysis/scene/tip_surroundings.hpp"
 #include "fe/face.hpp"
 #include "mesh/boundary.hpp"
+#include "mesh/node_elements.hpp"
 #include "model/model.hpp"
 #include "shape/quadrature.hpp"
 #include "shape/topology.hpp"
@@ -75,6 +76,55 @@ std::string why_none(const crack::FrontFields& fields) {
   return fmt::format("{}", fmt::join(reasons, "; "));
 }
 
+// Whether tetrahedra stand round a crack that was cut, no tube.
+bool has_no_tube(const model::Model& model, const mesh::CrackedMesh& cracked,
+                 const mesh::NodeElements& elements, const mesh::Front& front) {
+  return model.cracks[front.crack.index()].kind != model::CrackKind::front &&
+         std::ranges::all_of(elements.around(front.points.front().node), [&](base::ElementId e) {
+           return cracked.mesh.type[e.index()] == base::ElementType::tet10;
+         });
+}
+
+// Points inside the body that no domain belongs to.
+std::vector<std::size_t> points_without(const mesh::Front& front,
+                                        const crack::FrontFields& fields) {
+  std::vector<std::size_t> without;
+  for (std::size_t i = 0; i < front.points.size(); ++i) {
+    if (fields.points.empty() || (fields.points[i].empty() && !front.points[i].at_surface)) {
+      without.push_back(i);
+    }
+  }
+  return without;
+}
+
+// Layers of tetrahedra reach unevenly far: where those of the usual domains have no room the first
+// one is a domain, too. Where that has none a smooth curve through the others would be no K.
+crack::FrontFields free_fields(const model::Model& model, const Scene& scene,
+                               const mesh::Front& front, base::Diagnostics& diagnostics) {
+  std::vector<int> rings = domain_rings(model, front.crack);
+  const crack::DomainLimits limits = front_limits(model, scene);
+  crack::FrontFields fields = crack::front_fields(scene.cracked, front, rings, limits);
+  const bool given = std::ranges::any_of(model.vces, [&](const model::Vce& vce) {
+    return vce.crack == front.crack && !vce.domains.empty();
+  });
+  if (!points_without(front, fields).empty() && !given) {
+    rings.insert(rings.begin(), 1);
+    fields = crack::front_fields(scene.cracked, front, rings, limits);
+  }
+  const std::vector<std::size_t> without = points_without(front, fields);
+  if (!without.empty() && !fields.empty()) {
+    const model::Crack& crack = model.cracks[front.crack.index()];
+    const Vec3& x = front.points[without.front()].x;
+    diagnostics.error(crack.span, "E412",
+                      fmt::format("crack {}: no domain of tetrahedra fits round {} of {} points of "
+                                  "its front, the first at ({:.6g}, {:.6g}, {:.6g}): {}",
+                                  crack.name, without.size(), front.points.size(), x.x(), x.y(),
+                                  x.z(), why_none(fields)),
+                      "give a smaller SIZE on $TIPNET or other DOMAINS on $VCE");
+  }
+  return fields;
+}
+
 } // namespace
 
 crack::DomainLimits front_limits(const model::Model& model, const Scene& scene) {
@@ -131,14 +181,19 @@ double mean_depth(const mesh::CrackedMesh& cracked, const mesh::Front& front) {
 bool make_fronts(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics) {
   bool good = true;
   const crack::DomainLimits limits = front_limits(model, scene);
+  const mesh::NodeElements elements(scene.cracked.mesh);
   for (mesh::Front& front : scene.cracked.fronts) {
     if (model.cracks[front.crack.index()].kind == model::CrackKind::ellipse) {
       front.a = model.cracks[front.crack.index()].plane.a;
     } else if (front.points.front().at_surface && !model.cracks[front.crack.index()].plane.closed) {
       front.a = mean_depth(scene.cracked, front);
     }
+    const std::size_t errors = diagnostics.error_count();
     crack::FrontFields fields =
-        crack::front_fields(scene.cracked, front, domain_rings(model, front.crack), limits);
+        has_no_tube(model, scene.cracked, elements, front)
+            ? free_fields(model, scene, front, diagnostics)
+            : crack::front_fields(scene.cracked, front, domain_rings(model, front.crack), limits);
+    good = good && diagnostics.error_count() == errors;
     const model::Crack& crack = model.cracks[front.crack.index()];
     if (fields.empty()) {
       diagnostics.error(

@@ -84,6 +84,7 @@ std::vector<mesh::TubeMesh> tube_meshes(const model::Model& model) {
       tube.rings = tip->rings;
       tube.sectors = tip->sectors;
       tube.quarter_point = tip->quarter_point;
+      tube.tube = tip->tube;
       tube.finer = tip->finer;
     }
     tubes.push_back(tube);

@@ -160,7 +160,8 @@ private:
     crossings_[corner.edge].push_back({corner.t, point});
   }
 
-  /// Feature edges beside a cap are divided no coarser than they are far from it.
+  /// Feature edges beside a cap, or a mouth's end, are divided no coarser than they are far from
+  /// it.
   [[nodiscard]] SizeAt size_near_caps() const {
     return [this](const Vec3& x) {
       const double wanted = region_.size(x);
@@ -170,6 +171,15 @@ private:
           const Vec3 d = cap[(i + 1) % cap.size()] - cap[i];
           const double t = std::clamp((x - cap[i]).dot(d) / d.squaredNorm(), 0.0, 1.0);
           away = std::min(away, (x - cap[i] - t * d).norm());
+        }
+      }
+      for (const SurfaceMouth& mouth : region_.mouths) {
+        const auto& corners = mouth.line.corners;
+        for (const std::size_t end : {0U, 1U}) {
+          if (!mouth.closed && mouth.end[end].cap < 0) {
+            const LinePoint& corner = end == 0 ? corners.front() : corners.back();
+            away = std::min(away, (x - corner.place.x).norm());
+          }
         }
       }
       return std::max(away, 0.1 * wanted);

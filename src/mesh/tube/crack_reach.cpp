@@ -12,10 +12,12 @@ using base::Vec3;
 
 void CrackReach::add(const Tube& tube) {
   const std::size_t n = tube.stations.size();
+  free_ = free_ || tube.free;
   for (std::size_t i = 0; i < (tube.closed ? n : n - 1); ++i) {
     const std::size_t next = (i + 1) % n;
-    pieces_.push_back(
-        {tube.stations[i].x, tube.stations[next].x, std::max(tube.radius[i], tube.radius[next])});
+    pieces_.push_back({tube.stations[i].x, tube.stations[next].x,
+                       std::max(tube.radius[i], tube.radius[next]),
+                       std::max(tube.size_beside(i), tube.size_beside(next))});
   }
   Vec3 low = pieces_.front().from;
   Vec3 high = low;
@@ -45,6 +47,7 @@ CrackReach::Distance CrackReach::distance(const Vec3& p) const {
     if (d < least) {
       least = d;
       result.radius = piece.radius;
+      result.size = piece.size;
     }
   }
   result.front = std::sqrt(least);

@@ -19,10 +19,13 @@ public:
   struct Distance {
     double front = 0.0;   ///< from the nearest front
     double radius = 0.0;  ///< of the tube there
+    double size = 0.0;    ///< of elements up to that radius
     double surface = 0.0; ///< from the crack's faces
   };
   [[nodiscard]] Distance distance(const base::Vec3& p) const;
   [[nodiscard]] const PlaneBasis& plane() const { return area_.plane(); }
+  /// Whether it has a front without a tube.
+  [[nodiscard]] bool free() const { return free_; }
   /// A ball that holds the crack and its tubes.
   [[nodiscard]] const base::Vec3& middle() const { return middle_; }
   [[nodiscard]] double radius() const { return radius_; }
@@ -31,16 +34,18 @@ private:
   struct Piece {
     base::Vec3 from, to;
     double radius = 0.0;
+    double size = 0.0;
   };
   PlanePolygons area_;
   std::vector<Piece> pieces_;
   base::Vec3 middle_ = base::Vec3::Zero();
   double radius_ = 0.0;
+  bool free_ = false;
 };
 
 /// Size of the elements wanted at a distance from a front.
 inline double size_at(const CrackReach::Distance& d, double growth = CrackReach::usual_growth) {
-  return d.radius + growth * std::max(0.0, d.front - d.radius);
+  return d.size + growth * std::max(0.0, d.front - d.radius);
 }
 
 } // namespace spricka::mesh

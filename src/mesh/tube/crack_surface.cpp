@@ -27,7 +27,10 @@ CrackSurface mesh_crack(const CrackReach& reach, const std::vector<std::vector<i
                         double finer, SolidNet& net) {
   CrackSurface surface;
   Region region;
-  Grading size(CrackReach::usual_growth / finer);
+  // Layers of elements round a free front are to be alike.
+  constexpr double growth_at_free = 0.15;
+  const double growth = (reach.free() ? growth_at_free : CrackReach::usual_growth) / finer;
+  Grading size(growth);
   for (const std::vector<int>& nodes : loops) {
     std::vector<int> loop;
     for (const int n : nodes) {

@@ -3,8 +3,8 @@
 
 #include "mesh/tube/front_points.hpp"
 #include "mesh/tube/lay_tubes.hpp"
-#include "mesh/tube/solid_graft.hpp"
 #include "mesh/tube/solid_mouths.hpp"
+#include "mesh/tube/solid_notes.hpp"
 
 #include <fmt/format.h>
 
@@ -19,14 +19,6 @@ using base::ElementId;
 using base::NodeId;
 using base::Vec3;
 
-/// Cracks that share a cavity, in the frame of the first.
-struct Group {
-  std::vector<std::size_t> members;
-  SolidFrame frame{};
-  std::vector<PatchSolidCrack> cracks{};
-  SolidGraft graft{};
-};
-
 class SolidInserter {
 public:
   SolidInserter(const SolidHost& host, base::Diagnostics& diagnostics)
@@ -36,17 +28,19 @@ public:
                                     std::span<const TubeMesh> tubes,
                                     std::span<const base::Span> spans) {
     bool good = true;
+    tubes_.assign(tubes.begin(), tubes.end());
+    why_free_.resize(cracks.size());
     for (std::size_t i = 0; i < cracks.size(); ++i) {
-      requests_.push_back({&cracks[i], &tubes[i], spans[i]});
+      requests_.push_back({&cracks[i], &tubes_[i], spans[i]});
       good = place_in_host(host_, requests_.back(), diagnostics_) && good;
       groups_.push_back({{i}});
     }
     // Each stage looks at all cracks before it fails, so that one run tells all that is wrong.
-    if (!good || !dig() || !make_patches()) {
+    if (!good || !mesh_groups()) {
       return std::nullopt;
     }
     std::vector<SolidGraft> grafts;
-    for (Group& group : groups_) {
+    for (SolidGroup& group : groups_) {
       grafts.push_back(std::move(group.graft));
     }
     result_ = graft_solids(host_, grafts);
@@ -88,20 +82,20 @@ private:
     members.insert(members.end(), groups_[b].members.begin(), groups_[b].members.end());
     std::sort(members.begin(), members.end());
     groups_.erase(groups_.begin() + static_cast<std::ptrdiff_t>(b));
-    for (Group& group : groups_) {
-      group = Group{std::move(group.members)};
+    for (SolidGroup& group : groups_) {
+      group = SolidGroup{std::move(group.members)};
     }
   }
 
-  bool dig(Group& group) {
+  bool dig(SolidGroup& group) {
     const SolidRequest& first = requests_[group.members.front()];
     group.frame = frame_of(*first.crack);
     std::vector<CrackReach> reach;
     std::vector<ElementId> seeds;
     bool good = true;
     for (const std::size_t i : group.members) {
-      auto crack = lay_tubes(host_, group.frame, requests_[i], requests_, diagnostics_);
-      if (crack && find_mouths(host_, group.frame, requests_[i], *crack, diagnostics_)) {
+      auto crack = lay(group.frame, i);
+      if (crack) {
         reach.push_back(crack->reach);
         seeds.push_back(requests_[i].seed);
         group.cracks.push_back(std::move(*crack));
@@ -119,22 +113,99 @@ private:
     return good;
   }
 
-  bool make_patches() {
-    bool good = true;
-    for (Group& group : groups_) {
-      make_patch(group);
-      if (!group.graft.patch.trouble.empty()) {
-        refuse(group, group.graft.patch.trouble);
-        good = false;
+  /// A crack with its tubes and mouths; without tubes where they do not fit.
+  std::optional<PatchSolidCrack> lay(const SolidFrame& frame, std::size_t i) {
+    const auto attempt = [&](base::Diagnostics& found) {
+      auto crack = lay_tubes(host_, frame, requests_[i], requests_, found);
+      return crack && find_mouths(host_, frame, requests_[i], *crack, found) ? std::move(crack)
+                                                                             : std::nullopt;
+    };
+    base::Diagnostics found;
+    std::optional<PatchSolidCrack> crack = attempt(found);
+    if (!crack && may_be_free(i)) {
+      base::Diagnostics without;
+      tubes_[i].tube = false;
+      crack = attempt(without);
+      tubes_[i].tube = !crack;
+      if (crack) {
+        const std::string title = requests_[i].crack->title() + ": ";
+        const std::string& why = found.all().front().text;
+        why_free_[i] = why.starts_with(title) ? why.substr(title.size()) : why;
       }
     }
-    return good;
+    for (const base::Diagnostic& d : crack ? std::vector<base::Diagnostic>() : found.all()) {
+      diagnostics_.error(d.span, d.code, d.text, d.hint);
+    }
+    return crack;
+  }
+
+  /// A radius that the deck gives is for a tube: where it does not fit another is wanted.
+  [[nodiscard]] bool may_be_free(std::size_t i) const {
+    return tubes_[i].tube && tubes_[i].radius <= 0.0;
+  }
+
+  /// Where no patch can be made with tubes it is tried without. Cavities then are others, too: all
+  /// begins anew.
+  bool mesh_groups() {
+    for (bool more = true; more;) {
+      if (!dig()) {
+        return false;
+      }
+      more = false;
+      bool good = true;
+      for (SolidGroup& group : groups_) {
+        make_patch(group);
+        const std::string& trouble = group.graft.patch.trouble;
+        good = good && trouble.empty();
+        more = (!trouble.empty() && free_fronts(group, trouble)) || more;
+      }
+      for (SolidGroup& group : groups_) {
+        if (more) {
+          group = SolidGroup{std::move(group.members)};
+        } else if (!group.graft.patch.trouble.empty()) {
+          refuse(group, group.graft.patch.trouble);
+        } else if (good) {
+          tell_of_sets(host_, requests_, group, diagnostics_);
+        }
+      }
+      if (!good && !more) {
+        return false;
+      }
+    }
+    for (std::size_t i = 0; i < requests_.size(); ++i) {
+      tell_of_free(i);
+    }
+    return true;
+  }
+
+  /// Takes the tubes of a group away; false if there is none that may go.
+  bool free_fronts(const SolidGroup& group, const std::string& why) {
+    bool any = false;
+    for (const std::size_t i : group.members) {
+      if (may_be_free(i)) {
+        tubes_[i].tube = false;
+        why_free_[i] = "no patch could be made with one: " + why;
+        any = true;
+      }
+    }
+    return any;
+  }
+
+  void tell_of_free(std::size_t i) {
+    if (!why_free_[i].empty()) {
+      diagnostics_.warning(
+          requests_[i].span, "W423",
+          fmt::format("{}: tetrahedra up to its front, as no tube of elements fits round it: {}",
+                      requests_[i].crack->title(), why_free_[i]),
+          "K along it is less exact: K1 scatters by some 2 % from point to point and by 1.4 % as a "
+          "smooth curve, with tubes by 0.5 % (manual/solid_crack.md)");
+    }
   }
 
   /// Where a curved surface or a curved rim of the cavity folds elements there are three remedies:
   /// the surface meshed anew, a larger cavity, whose rim is others', and finer elements, which bend
   /// less.
-  void make_patch(Group& group) {
+  void make_patch(SolidGroup& group) {
     constexpr double finer = 1.3;
     constexpr int most_finer = 2;
     SolidPatch& patch = group.graft.patch;
@@ -163,39 +234,10 @@ private:
         }
       }
     }
-    if (patch.trouble.empty()) {
-      tell_of_sets(group);
-    }
-  }
-
-  void tell_of_sets(const Group& group) {
-    const SolidRequest& first = requests_[group.members.front()];
-    const auto name = [](const std::string& set) {
-      return set.empty() ? std::string("a set") : "the set " + set;
-    };
-    for (const SetShift& shift : group.graft.patch.shifts) {
-      diagnostics_.warning(
-          first.span, "W425",
-          fmt::format("{}: its elements cover the border of {} at {} and move it by up to {:.3g}: "
-                      "what is loaded or held there is a little another part of the surface",
-                      first.crack->title(), name(shift.set), text_of(shift.at), shift.by),
-          "let the border keep off the end of the front, or give a smaller RADIUS on $TIPNET");
-    }
-    for (const SplitSet& set : split_sets(host_, group.graft.cavity)) {
-      if (!SetUse::uses(host_.use().elements, set.index)) {
-        continue;
-      }
-      diagnostics_.warning(
-          first.span, "W425",
-          fmt::format("{}: the border of {}, elements, runs through its patch near {}: there it "
-                      "goes along new elements, up to one of them beside where it was",
-                      first.crack->title(), name(set.name), text_of(set.at)),
-          "loads per volume and results of the set are off by as much");
-    }
   }
 
   /// Takes in the elements behind folded ones, but not those of other groups.
-  bool widen(Group& group) {
+  bool widen(SolidGroup& group) {
     std::vector<ElementId> seeds;
     std::vector<CrackReach> reach;
     for (std::size_t i = 0; i < group.members.size(); ++i) {
@@ -209,10 +251,10 @@ private:
       seeds.insert(seeds.end(), around.begin(), around.end());
     }
     SolidCavity cavity = find_solid_cavity(host_, group.frame, reach, seeds);
-    const auto has = [](const Group& other, ElementId e) {
+    const auto has = [](const SolidGroup& other, ElementId e) {
       return std::ranges::binary_search(other.graft.cavity.elements, e);
     };
-    const bool free = std::ranges::none_of(groups_, [&](const Group& other) {
+    const bool free = std::ranges::none_of(groups_, [&](const SolidGroup& other) {
       return &other != &group &&
              std::ranges::any_of(cavity.elements, [&](ElementId e) { return has(other, e); });
     });
@@ -223,24 +265,16 @@ private:
     return true;
   }
 
-  void refuse(const Group& group, const std::string& why) {
-    std::string names;
-    for (const std::size_t i : group.members) {
-      names += (names.empty() ? "" : ", ") + requests_[i].crack->title();
-    }
-    for (const PatchSolidCrack& crack : group.cracks) {
-      for (const Tube& tube : crack.tubes) {
-        names += fmt::format(" (tube of radius {:.3g} to {:.3g}, {} elements long)",
-                             group.frame.a * *std::ranges::min_element(tube.radius),
-                             group.frame.a * *std::ranges::max_element(tube.radius),
-                             tube.stations.size() - 1);
-      }
-    }
-    diagnostics_.error(requests_[group.members.front()].span, "E429",
-                       fmt::format("no patch could be made round {}: {}", names, why));
+  void refuse(const SolidGroup& group, const std::string& why) {
+    const std::size_t first = group.members.front();
+    diagnostics_.error(
+        requests_[first].span, "E429",
+        fmt::format("no patch could be made round {}: {}", titles_of(requests_, group), why),
+        why_free_[first].empty() ? std::string()
+                                 : "nor does a tube of elements fit: " + why_free_[first]);
   }
 
-  void tie(const Group& group) {
+  void tie(const SolidGroup& group) {
     const auto node = [&](int n) { return group.graft.node[static_cast<std::size_t>(n)]; };
     for (const SolidTie& tie : group.graft.patch.ties) {
       RimTie& made = result_.ties.emplace_back();
@@ -252,7 +286,7 @@ private:
   }
 
   void finish(std::size_t i) {
-    for (const Group& group : groups_) {
+    for (const SolidGroup& group : groups_) {
       const auto at = std::ranges::find(group.members, i);
       if (at != group.members.end()) {
         const auto c = static_cast<std::size_t>(at - group.members.begin());
@@ -262,7 +296,7 @@ private:
     }
   }
 
-  void add_faces(const Group& group, std::size_t c) {
+  void add_faces(const SolidGroup& group, std::size_t c) {
     const SolidPatch::Crack& crack = group.graft.patch.cracks[c];
     CrackFaces& faces = result_.faces.emplace_back();
     for (const auto& [upper, lower] : crack.twins) {
@@ -276,7 +310,7 @@ private:
     std::ranges::transform(crack.lower, std::back_inserter(faces.right_sides), side);
   }
 
-  void add_fronts(const Group& group, std::size_t c) {
+  void add_fronts(const SolidGroup& group, std::size_t c) {
     const SolidRequest& request = requests_[group.members[c]];
     const SolidCrack& crack = *request.crack;
     const double unit = group.frame.a;
@@ -304,13 +338,13 @@ private:
         point.at_surface = !tube.closed && (k == 0 || k + 1 == n);
       }
       weigh_points(tube.closed, front);
-      note(group, c, front, tube);
+      result_.notes.push_back(note_of(request, group, {c, t}, front));
       result_.fronts.push_back(std::move(front));
     }
   }
 
   /// By the edges of the body that its mouth passes.
-  [[nodiscard]] CrackKind kind_of(const Group& group, std::size_t c) const {
+  [[nodiscard]] CrackKind kind_of(const SolidGroup& group, std::size_t c) const {
     const PatchSolidCrack& crack = group.cracks[c];
     const SurfaceGeometry& surface = host_.surface(requests_[group.members[c]].seed).geometry();
     std::ptrdiff_t passed = 0;
@@ -326,29 +360,12 @@ private:
                                       : CrackKind::surface;
   }
 
-  void note(const Group& group, std::size_t c, const Front& front, const Tube& tube) {
-    const SolidRequest& request = requests_[group.members[c]];
-    const double widest = group.frame.a * *std::ranges::max_element(tube.radius);
-    result_.notes.push_back(fmt::format(
-        "{}: as large as a circle of radius {:.4g}, {}, front of length {:.6g} with {} "
-        "elements, tube of radius {:.6g}{} with {} rings of {} sectors, patch of {} elements for "
-        "{} "
-        "of the net{}",
-        request.crack->title(), front.a,
-        front.kind == CrackKind::embedded
-            ? "embedded, inside the body"
-            : fmt::format("a {} crack, from surface to surface", name_of(front.kind)),
-        front.curve->length(), tube.closed ? tube.stations.size() : tube.stations.size() - 1,
-        front.radius, widest > 1.001 * front.radius ? fmt::format(" to {:.6g}", widest) : "",
-        request.mesh->rings, request.mesh->sectors, group.graft.patch.elements.size(),
-        group.graft.cavity.elements.size(),
-        group.members.size() > 1 ? ", shared with others" : ""));
-  }
-
   const SolidHost& host_;
   base::Diagnostics& diagnostics_;
+  std::vector<TubeMesh> tubes_;       ///< [crack]
+  std::vector<std::string> why_free_; ///< [crack] why it has no tube, if not by the deck's wish
   std::vector<SolidRequest> requests_;
-  std::vector<Group> groups_;
+  std::vector<SolidGroup> groups_;
   CrackedMesh result_;
 };
 

@@ -2,6 +2,7 @@
 #include "mesh/tube/lay_tubes.hpp"
 
 #include "mesh/surface/surface_hits.hpp"
+#include "mesh/tube/free_front.hpp"
 #include "mesh/tube/tube_room.hpp"
 
 #include <fmt/format.h>
@@ -22,6 +23,10 @@ constexpr double most_elements = 800.0; // along a front
 /// How far a front may lean from the surface's normal where it ends: 65 degrees; a tube that is
 /// sheared further has elements too flat.
 constexpr double most_lean = 2.1445;
+/// Tetrahedra go on to 10 degrees from the surface.
+constexpr double most_lean_free = 5.6713;
+/// They are shorter than elements of a tube.
+constexpr double most_free_elements = 2000.0;
 
 class TubeLayer {
 public:
@@ -52,13 +57,20 @@ public:
       if (!stands(front, round)) {
         return std::nullopt;
       }
-      const TubeSizes sizes =
-          tube_sizes(curve,
-                     {[&](double s) { return round.free(s * frame_.a) / frame_.a; },
-                      [&](double s) { return round.width(s * frame_.a) / frame_.a; }},
-                     mesh_);
+      TubeSizes sizes = tube_sizes(curve,
+                                   {[&](double s) { return round.free(s * frame_.a) / frame_.a; },
+                                    [&](double s) { return round.width(s * frame_.a) / frame_.a; }},
+                                   mesh_);
+      if (!mesh_.tube) {
+        sizes = free_sizes(std::move(sizes), mesh_);
+      }
       if (!fits(curve, sizes)) {
         return std::nullopt;
+      }
+      if (!mesh_.tube) {
+        made.tubes.push_back(make_free_front(curve, sizes, mesh_));
+        made.reach.add(made.tubes.back());
+        continue;
       }
       made.tubes.push_back(make_tube(curve, sizes, mesh_, [&](const Vec3& p, const Vec3& t) {
         return to_surface(p, t, sizes.radius.front() + sizes.radius.back());
@@ -93,14 +105,17 @@ private:
   }
 
   bool stands(const SolidFront& front, const FrontSurroundings& round) {
+    const double most = mesh_.tube ? most_lean : most_lean_free;
     for (const std::size_t end : {0U, 1U}) {
-      if (!front.curve->closed() && round.lean(end) > most_lean) {
+      if (!front.curve->closed() && round.lean(end) > most) {
         diagnostics_.error(
             request_.span, "E423",
             fmt::format("{}: its front meets the body's surface at {} at {:.0f} degrees only",
                         request_.crack->title(), text_of(front.end[end].x),
                         90.0 - std::atan(round.lean(end)) * 180.0 / std::numbers::pi),
-            "a tube of elements fits round fronts that leave the body at 25 degrees or more");
+            mesh_.tube
+                ? "a tube of elements fits round fronts that leave the body at 25 degrees or more"
+                : "tetrahedra fit round fronts that leave the body at 10 degrees or more");
         return false;
       }
     }
@@ -127,23 +142,24 @@ private:
       if (!(sizes.radius[i] <= free) || !(sizes.radius[i] > 0.0)) {
         diagnostics_.error(
             request_.span, "E423",
-            fmt::format("{}: a tube of radius {:.6g} does not fit round its front at {}: there is "
-                        "room for {:.6g}, the body's surface or another crack is {:.6g} away",
-                        request_.crack->title(), sizes.radius[i] * frame_.a,
-                        text_of(frame_.global(at.x)), free * frame_.a, sizes.room[i] * frame_.a),
+            fmt::format("{}: {} of radius {:.6g} does not fit round its front at {}: there is room "
+                        "for {:.6g}, the body's surface or another crack is {:.6g} away",
+                        request_.crack->title(), mesh_.tube ? "a tube" : "a zone of even elements",
+                        sizes.radius[i] * frame_.a, text_of(frame_.global(at.x)), free * frame_.a,
+                        sizes.room[i] * frame_.a),
             "give a smaller RADIUS on $TIPNET, or a crack that keeps off the surface or ends on "
             "it");
         return false;
       }
     }
-    if (sizes.count() > most_elements) {
+    if (sizes.count() > (mesh_.tube ? most_elements : most_free_elements)) {
       const auto narrow = std::ranges::min_element(sizes.radius) - sizes.radius.begin();
       const auto i = static_cast<std::size_t>(narrow);
       diagnostics_.error(request_.span, "E423",
                          fmt::format("{}: its front would take {:.0f} elements, as there is room "
-                                     "for a tube of radius {:.3g} only at {}",
+                                     "for {} of radius {:.3g} only at {}",
                                      request_.crack->title(), sizes.count(),
-                                     sizes.radius[i] * frame_.a,
+                                     mesh_.tube ? "a tube" : "elements", sizes.radius[i] * frame_.a,
                                      text_of(frame_.global(curve.at(sizes.s[i]).x))),
                          "a crack keeps off the surface of the body or ends on it");
       return false;

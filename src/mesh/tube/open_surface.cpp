@@ -70,7 +70,7 @@ private:
       for (std::size_t t = 0; t < cracks_[c].tubes.size(); ++t) {
         const Tube& tube = cracks_[c].tubes[t];
         cap_of.push_back({-1, -1});
-        for (std::size_t e = 0; e < 2 && !tube.closed; ++e) {
+        for (std::size_t e = 0; e < 2 && !tube.closed && !tube.free; ++e) {
           cap_of.back()[e] = static_cast<int>(region_.caps.size());
           caps_.push_back({c, t, e});
           std::vector<Vec3>& cap = region_.caps.emplace_back();
@@ -107,9 +107,11 @@ private:
       }
     }
     std::size_t m = 0;
-    for (const PatchSolidCrack& crack : cracks_) {
+    for (std::size_t c = 0; c < cracks_.size(); ++c) {
+      const PatchSolidCrack& crack = cracks_[c];
       auto& mouths = made_.mouths.emplace_back();
       for (std::size_t k = 0; k < crack.mouths.size(); ++k, ++m) {
+        take_free_ends(c, crack.mouths[k], surface_.mouths[m]);
         mouths.push_back(doubled(surface_.mouths[m], 1));
       }
       auto& holes = made_.holes.emplace_back();
@@ -122,6 +124,18 @@ private:
       if (node_[i] < 0) {
         node_[i] = point.host.valid() ? net_.host_node(point.host) : net_.new_node(point.place.x);
       }
+    }
+  }
+
+  /// Where no tube is a mouth ends at the front itself.
+  void take_free_ends(std::size_t c, const CrackMouth& mouth, const std::vector<int>& points) {
+    const Tube& from = cracks_[c].tubes[mouth.from];
+    const Tube& to = cracks_[c].tubes[mouth.to];
+    if (from.free) {
+      node_[static_cast<std::size_t>(points.front())] = node_of(c, mouth.from, from.front.back());
+    }
+    if (to.free) {
+      node_[static_cast<std::size_t>(points.back())] = node_of(c, mouth.to, to.front.front());
     }
   }
 

@@ -33,6 +33,7 @@ struct TubeMesh {
   int rings = 3;       ///< rings of elements in the tube, that at the front included
   int sectors = 8;     ///< of a full circle
   bool quarter_point = true;
+  bool tube = true;   ///< false: tetrahedra with the front as edges; `radius` is that of even sizes
   double finer = 1.0; ///< divides all sizes, and their growth with the distance outside the tube
 };
 

@@ -3,13 +3,16 @@
 
 #include "mesh/link/fill_solid.hpp"
 #include "mesh/plane.hpp"
-#include "mesh/quality.hpp"
 #include "mesh/tube/crack_surface.hpp"
+#include "mesh/tube/folded_elements.hpp"
+#include "mesh/tube/free_front.hpp"
+#include "mesh/tube/patch_sizes.hpp"
 #include "mesh/tube/solid_split.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 #include <unordered_map>
 
@@ -18,9 +21,6 @@ namespace {
 
 using base::NodeId;
 using base::Vec3;
-
-/// Growth of sizes beside small faces of the cavity.
-constexpr double growth_at_rim = 0.5;
 
 class PatchBuilder {
 public:
@@ -43,6 +43,7 @@ public:
     }
     if (patch_.trouble.empty()) {
       promote();
+      move_quarters();
       settle_edges();
       look_at_elements();
     }
@@ -139,7 +140,7 @@ private:
       const std::size_t first = net_.elements.size();
       std::vector<PatchTriangle> shell;
       laid.push_back({add_tube(tube, net_, shell), first});
-      if (tube.closed) {
+      if (tube.closed && !tube.free) {
         shells_.push_back(std::move(shell));
       } else {
         joined.insert(joined.end(), shell.begin(), shell.end());
@@ -156,7 +157,13 @@ private:
       }
       std::vector<int>& front = made.fronts.emplace_back();
       std::ranges::transform(tube.front, std::back_inserter(front), at);
-      for (std::size_t i = 0; i < tube.upper.corner.size(); ++i) {
+      if (tube.free) {
+        free_.insert(front.begin(), front.end());
+        if (tube.quarter_point) {
+          quarter_.insert(front.begin(), front.end());
+        }
+      }
+      for (std::size_t i = 0; i < tube.upper.corner.size() && !tube.free; ++i) {
         lower_[at(tube.upper.corner[i])] = at(tube.lower.corner[i]);
       }
     }
@@ -166,6 +173,13 @@ private:
   void make_crack(std::size_t c) {
     const PatchSolidCrack& crack = cracks_[c];
     SolidPatch::Crack& made = patch_.cracks[c];
+    for (std::size_t m = 0; m < mouths_[c].size(); ++m) {
+      const CrackMouth& mouth = crack.mouths[m];
+      if (mouths_[c][m].empty() && (crack.tubes[mouth.from].free || crack.tubes[mouth.to].free)) {
+        patch_.trouble = "its mouth is shorter than two elements";
+        return;
+      }
+    }
     for (const auto* lips : {&mouths_[c], &holes_[c]}) {
       for (const std::vector<int>& nodes : *lips) {
         for (const int n : nodes) {
@@ -175,13 +189,14 @@ private:
     }
     std::vector<PatchTriangle>& faces = faces_.emplace_back();
     for (const std::vector<int>& loop : loops_of(c)) {
-      const CrackSurface surface = mesh_crack(crack.reach, with_holes(c, loop), crack.finer, net_);
+      CrackSurface surface = mesh_crack(crack.reach, with_holes(c, loop), crack.finer, net_);
       if (!surface.trouble.empty()) {
         patch_.trouble = "its faces: " + surface.trouble;
         return;
       }
+      divide_chords(crack.reach.plane(), free_, net_, surface);
       for (const int n : surface.nodes) {
-        if (!lower_.contains(n)) {
+        if (!lower_.contains(n) && !free_.contains(n)) {
           lower_[n] = net_.copy(n);
           made.twins.emplace_back(n, lower_[n]);
         }
@@ -231,35 +246,6 @@ private:
     return loops;
   }
 
-  [[nodiscard]] SolidGrading grading() const {
-    SolidGrading size;
-    for (const PatchSolidCrack& crack : cracks_) {
-      for (const Tube& tube : crack.tubes) {
-        for (std::size_t i = 0; i < tube.stations.size(); ++i) {
-          const double radius = rounded(tube.radius[i]);
-          size.sources.push_back({rounded(tube.stations[i].x), radius, radius / crack.finer,
-                                  CrackReach::usual_growth / crack.finer});
-        }
-      }
-    }
-    // Faces of a finer host.
-    const std::vector<SolidGrading::Source> tubes = size.sources;
-    const SolidGrading own{tubes};
-    for (const std::vector<PatchTriangle>& rim : rims_) {
-      for (const PatchTriangle& t : rim) {
-        const Vec3 middle = (net_.local(t[0]) + net_.local(t[1]) + net_.local(t[2])) / 3.0;
-        const double edge = ((net_.local(t[1]) - net_.local(t[0])).norm() +
-                             (net_.local(t[2]) - net_.local(t[1])).norm() +
-                             (net_.local(t[0]) - net_.local(t[2])).norm()) /
-                            3.0;
-        if (edge < 0.7 * own(middle)) {
-          size.sources.push_back({middle, 0.0, edge, growth_at_rim});
-        }
-      }
-    }
-    return size;
-  }
-
   void fill_rest() {
     SolidRegion region;
     std::vector<int> place(net_.nodes.size(), -1); // patch node -> point
@@ -287,7 +273,7 @@ private:
       const auto triangles = points(faces);
       region.embedded.insert(region.embedded.end(), triangles.begin(), triangles.end());
     }
-    const SolidFilling filling = fill_solid(region, grading());
+    const SolidFilling filling = fill_solid(region, patch_sizes(cracks_, rims_, net_));
     patch_.trouble = filling.trouble;
     for (const Vec3& p : filling.added) {
       node.push_back(net_.new_node_at(p));
@@ -331,17 +317,29 @@ private:
       for (const auto& [upper, lower] : patch_.cracks[c].twins) {
         known.insert(upper);
       }
+      const auto below = [&](int n) { return free_.contains(n) ? n : lower_.at(n); };
       for (const PatchTriangle& t : faces_[c]) {
         for (std::size_t i = 0; i < 3; ++i) {
           const int a = t[i];
           const int b = t[(i + 1) % 3];
           const int upper = net_.mid(a, b);
           if (known.insert(upper).second) {
-            patch_.cracks[c].twins.emplace_back(upper, net_.mid(lower_.at(a), lower_.at(b)));
+            patch_.cracks[c].twins.emplace_back(upper, net_.mid(below(a), below(b)));
           }
         }
       }
     }
+  }
+
+  void move_quarters() {
+    if (quarter_.empty()) {
+      return;
+    }
+    std::vector<std::pair<int, int>> twins;
+    for (const SolidPatch::Crack& crack : patch_.cracks) {
+      twins.insert(twins.end(), crack.twins.begin(), crack.twins.end());
+    }
+    patch_.quarters = move_to_quarters(net_, quarter_, twins);
   }
 
   /// Of two nodes at a mouth an edge has that of its side.
@@ -366,35 +364,24 @@ private:
   }
 
   void look_at_elements() {
-    model::Mesh mesh;
-    mesh.dim = 3;
-    for (const SolidPatchNode& node : net_.nodes) {
-      model::add_node(mesh, node.x, 0, {});
-    }
-    std::vector<NodeId> nodes;
-    for (const SolidPatchElement& element : net_.elements) {
-      nodes.clear();
-      for (const int n : element.nodes) {
-        nodes.emplace_back(static_cast<std::size_t>(n));
-      }
-      model::add_element(mesh, element.type, nodes, 0, {});
-    }
-    const MeshFaults faults = mesh_faults(mesh);
-    if (!faults.bad.empty()) {
+    std::vector<std::size_t> all(net_.elements.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    const std::vector<BadElement> folded = folded_elements(net_, all);
+    if (!folded.empty()) {
       patch_.folded = true;
       std::set<NodeId> of_host;
-      for (const BadElement& bad : faults.bad) {
+      for (const BadElement& bad : folded) {
         for (const int n : net_.elements[bad.element.index()].nodes) {
           of_host.insert(net_.nodes[static_cast<std::size_t>(n)].host);
         }
       }
       of_host.erase(NodeId());
       patch_.folded_at.assign(of_host.begin(), of_host.end());
-      const BadElement& worst = *std::ranges::min_element(faults.bad, {}, &BadElement::jacobian);
+      const BadElement& worst = *std::ranges::min_element(folded, {}, &BadElement::jacobian);
       patch_.trouble =
-          fmt::format("{} elements are folded, a {} at ({:.6g}, {:.6g}, {:.6g})", faults.bad.size(),
-                      base::info(mesh.type[worst.element.index()]).name, worst.at.x(), worst.at.y(),
-                      worst.at.z());
+          fmt::format("{} elements are folded, a {} at ({:.6g}, {:.6g}, {:.6g})", folded.size(),
+                      base::info(net_.elements[worst.element.index()].type).name, worst.at.x(),
+                      worst.at.y(), worst.at.z());
     }
   }
 
@@ -411,6 +398,8 @@ private:
   std::vector<std::vector<std::vector<int>>> mouths_; ///< [crack][mouth] nodes between tubes
   std::vector<std::vector<std::vector<int>>> holes_;  ///< [crack][hole] nodes all round
   std::vector<std::vector<PatchTriangle>> faces_;     ///< [crack] between its tubes
+  std::set<int> free_;                                ///< corner nodes of free fronts
+  std::set<int> quarter_;                             ///< of them, with quarter points
   std::unordered_map<int, int> lower_;                ///< second nodes of those on cracks
   std::vector<std::array<int, 4>> tetrahedra_;
 };

@@ -2,6 +2,7 @@
 #pragma once
 #include "mesh/tube/laid_crack.hpp"
 #include "mesh/tube/open_surface.hpp"
+#include "mesh/tube/quarter_points.hpp"
 #include "mesh/tube/solid_cavity.hpp"
 #include "mesh/tube/solid_net.hpp"
 #include "mesh/tube/solid_shell.hpp"
@@ -28,6 +29,7 @@ struct SolidPatch {
   std::vector<SolidPatchElement> elements;
   std::vector<SolidTie> ties;
   std::vector<Crack> cracks;
+  QuarterPoints quarters;        ///< of free fronts
   std::vector<FacePieces> faces; ///< of the cavity
   std::string trouble;           ///< why there is no patch
   bool folded = false;           ///< because elements are

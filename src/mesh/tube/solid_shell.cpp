@@ -150,6 +150,10 @@ std::vector<int> add_tube(const Tube& tube, SolidNet& net, std::vector<PatchTria
     SolidPatchElement& e = net.elements.emplace_back(SolidPatchElement{element.type, {}});
     std::ranges::transform(element.nodes, std::back_inserter(e.nodes), at);
   }
+  for (std::size_t i = 0; i < tube.front_mid.size(); ++i) {
+    net.set_mid(at(tube.front[i]), at(tube.front[(i + 1) % tube.front.size()]),
+                at(tube.front_mid[i]));
+  }
   // The fill meets the upper of the two lines of the crack until it is split.
   std::vector<int> single = node;
   for (const auto& [upper, lower] : tube.twins) {

@@ -23,7 +23,7 @@ std::vector<PatchTriangle> shell_of(const SolidHost& host, const std::vector<boo
                                     std::vector<FacePieces>& pieces);
 
 /// Puts a tube into a patch: returns its nodes there; its outside, as triangles, is added to
-/// `shell`.
+/// `shell`. A free front has none.
 std::vector<int> add_tube(const Tube& tube, SolidNet& net, std::vector<PatchTriangle>& shell);
 
 } // namespace spricka::mesh

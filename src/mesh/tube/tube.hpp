@@ -38,12 +38,17 @@ struct Tube {
   };
 
   bool closed = true;
+  /// No elements: the front alone, round which tetrahedra are as large as `size` up to `radius`.
+  /// Both lines of the crack are the front.
+  bool free = false;
+  bool quarter_point = true; ///< of a free one
   std::vector<base::Vec3> x; ///< [node]
   std::vector<Element> elements;
   std::vector<FrontFrame> stations; ///< where elements begin and end
   std::vector<double> radius;       ///< [station]
   std::vector<double> size;         ///< [station] radial length of the elements at the front
   std::vector<int> front;           ///< [station] corner nodes
+  std::vector<int> front_mid;       ///< of a free one: nodes behind these
   std::vector<TubeQuad> outer;      ///< seen from outside in anticlockwise order
   Line upper, lower;
   std::vector<std::pair<int, int>> twins; ///< nodes of the faces, upper and lower; of the front one
@@ -56,6 +61,11 @@ struct Tube {
   };
   std::array<End, 2> ends;
   std::optional<base::Vec3> off_surface; ///< a place of an end that finds no surface: no tube
+
+  /// Of the fill's elements beside it.
+  [[nodiscard]] double size_beside(std::size_t station) const {
+    return free ? size[station] : radius[station];
+  }
 };
 
 /// How far a place is from the surface along a direction; empty if it finds none.

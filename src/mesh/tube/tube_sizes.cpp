@@ -13,6 +13,8 @@ namespace {
 // Measured on pennies and ellipses, a/c down to 0.2: K within 0.7 % everywhere.
 constexpr double radius_of_width = 0.1;
 constexpr double radius_of_curvature = 0.5;
+// Layers of tetrahedra reach as far as 2 radii: all within the centre of curvature.
+constexpr double free_of_curvature = 0.33;
 constexpr double radius_of_room = 0.4;
 constexpr double length_of_width = 0.15;
 constexpr double length_of_curvature = 0.25;
@@ -100,7 +102,8 @@ TubeSizes tube_sizes(const FrontCurve& curve, const TubeRoom& room, const TubeMe
     double radius = given.radius;
     if (radius <= 0.0) {
       radius = given.size > 0.0 ? given.size * given.rings : radius_of_width * width;
-      radius = std::min({radius, radius_of_curvature * round, radius_of_room * sizes.room.back()});
+      const double bent = given.tube ? radius_of_curvature : free_of_curvature;
+      radius = std::min({radius, bent * round, radius_of_room * sizes.room.back()});
     }
     sizes.radius.push_back(radius / given.finer);
     double length = std::min(length_of_width * width, length_of_curvature * round);

@@ -42,6 +42,7 @@ inline constexpr std::array later_codes{
     ErrorCode{"E426", "a crack patch among linear elements"},
     ErrorCode{"E427", "a PATH that cannot be followed"},
     ErrorCode{"E428", "crack patches that meet on a line of symmetry"},
+    ErrorCode{"W423", "a crack in space without a tube of tip elements"},
     ErrorCode{"W425", "the border of a set that a crack's elements move"},
     ErrorCode{"E429", "a crack patch that could not be meshed"},
     ErrorCode{"E430", "cracks that meet, cross or turn back"},

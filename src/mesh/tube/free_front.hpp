@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "mesh/tube/crack_surface.hpp"
+#include "mesh/tube/tube.hpp"
+
+#include <set>
+
+/// Fronts without a tube: edges of tetrahedra, where no tube fits or none is wanted.
+namespace spricka::mesh {
+
+/// Elements along a free front as long as those round it are large (mesh.13).
+TubeSizes free_sizes(TubeSizes sizes, const TubeMesh& given);
+
+/// The front alone, as a tube without elements.
+Tube make_free_front(const FrontCurve& curve, const TubeSizes& sizes, const TubeMesh& given);
+
+/// Divides the edges of a crack's triangles that join two nodes of free fronts across the crack:
+/// with no node between them that is there twice the crack could not open there.
+void divide_chords(const PlaneBasis& plane, const std::set<int>& front, SolidNet& net,
+                   CrackSurface& surface);
+
+} // namespace spricka::mesh

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/tube/patch_sizes.hpp"
+
+#include "mesh/plane.hpp"
+
+namespace spricka::mesh {
+
+using base::Vec3;
+
+namespace {
+
+/// Growth of sizes beside small faces of the cavity.
+constexpr double growth_at_rim = 0.5;
+
+} // namespace
+
+SolidGrading patch_sizes(std::span<const PatchSolidCrack> cracks,
+                         const std::vector<std::vector<PatchTriangle>>& rims, const SolidNet& net) {
+  SolidGrading size;
+  for (const PatchSolidCrack& crack : cracks) {
+    for (const Tube& tube : crack.tubes) {
+      for (std::size_t i = 0; i < tube.stations.size(); ++i) {
+        size.sources.push_back({rounded(tube.stations[i].x), rounded(tube.radius[i]),
+                                rounded(tube.size_beside(i)) / crack.finer,
+                                CrackReach::usual_growth / crack.finer});
+      }
+    }
+  }
+  // Faces of a finer host.
+  const std::vector<SolidGrading::Source> tubes = size.sources;
+  const SolidGrading own{tubes};
+  for (const std::vector<PatchTriangle>& rim : rims) {
+    for (const PatchTriangle& t : rim) {
+      const Vec3 middle = (net.local(t[0]) + net.local(t[1]) + net.local(t[2])) / 3.0;
+      const double edge =
+          ((net.local(t[1]) - net.local(t[0])).norm() + (net.local(t[2]) - net.local(t[1])).norm() +
+           (net.local(t[0]) - net.local(t[2])).norm()) /
+          3.0;
+      if (edge < 0.7 * own(middle)) {
+        size.sources.push_back({middle, 0.0, edge, growth_at_rim});
+      }
+    }
+  }
+  return size;
+}
+
+} // namespace spricka::mesh

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "mesh/link/solid_region.hpp"
+#include "mesh/tube/laid_crack.hpp"
+#include "mesh/tube/solid_net.hpp"
+
+#include <span>
+#include <vector>
+
+namespace spricka::mesh {
+
+/// Sizes of the tetrahedra of a patch: those of the fronts, growing with the distance, and of the
+/// faces of a finer host at its rim.
+SolidGrading patch_sizes(std::span<const PatchSolidCrack> cracks,
+                         const std::vector<std::vector<PatchTriangle>>& rims, const SolidNet& net);
+
+} // namespace spricka::mesh

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/tube/solid_notes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace spricka::mesh {
+namespace {
+
+std::string what_and_where(const SolidCrack& crack, const Front& front) {
+  return fmt::format("{}: as large as a circle of radius {:.4g}, {}, front of length {:.6g}",
+                     crack.title(), front.a,
+                     front.kind == CrackKind::embedded
+                         ? "embedded, inside the body"
+                         : fmt::format("a {} crack, from surface to surface", name_of(front.kind)),
+                     front.curve->length());
+}
+
+std::string patch_of(const SolidGroup& group) {
+  return fmt::format("patch of {} elements for {} of the net{}", group.graft.patch.elements.size(),
+                     group.graft.cavity.elements.size(),
+                     group.members.size() > 1 ? ", shared with others" : "");
+}
+
+/// "1" or "1 to 2".
+std::string range_text(double least, double most, const char* number) {
+  const auto text = [&](double x) { return fmt::format(fmt::runtime(number), x); };
+  return most > 1.001 * least ? text(least) + " to " + text(most) : text(least);
+}
+
+std::string free_text(const SolidGroup& group, const Tube& tube) {
+  const auto [finest, coarsest] = std::ranges::minmax(tube.size);
+  const QuarterPoints& quarters = group.graft.patch.quarters;
+  std::string mids = "mid nodes in the middle";
+  if (tube.quarter_point) {
+    mids = fmt::format("mid nodes at a quarter of {} edges from it", quarters.moved);
+    mids += quarters.left > 0 ? fmt::format(", in the middle of {}", quarters.left) : "";
+  }
+  return fmt::format("{} edges of tetrahedra and no tube, elements of {} at it, {}",
+                     tube.front_mid.size(),
+                     range_text(group.frame.a * finest, group.frame.a * coarsest, "{:.3g}"), mids);
+}
+
+} // namespace
+
+void tell_of_sets(const SolidHost& host, std::span<const SolidRequest> requests,
+                  const SolidGroup& group, base::Diagnostics& diagnostics) {
+  const SolidRequest& first = requests[group.members.front()];
+  const auto name = [](const std::string& set) {
+    return set.empty() ? std::string("a set") : "the set " + set;
+  };
+  for (const SetShift& shift : group.graft.patch.shifts) {
+    diagnostics.warning(
+        first.span, "W425",
+        fmt::format("{}: its elements cover the border of {} at {} and move it by up to {:.3g}: "
+                    "what is loaded or held there is a little another part of the surface",
+                    first.crack->title(), name(shift.set), text_of(shift.at), shift.by),
+        "let the border keep off the end of the front, or give a smaller RADIUS on $TIPNET");
+  }
+  for (const SplitSet& set : split_sets(host, group.graft.cavity)) {
+    if (!SetUse::uses(host.use().elements, set.index)) {
+      continue;
+    }
+    diagnostics.warning(
+        first.span, "W425",
+        fmt::format("{}: the border of {}, elements, runs through its patch near {}: there it "
+                    "goes along new elements, up to one of them beside where it was",
+                    first.crack->title(), name(set.name), text_of(set.at)),
+        "loads per volume and results of the set are off by as much");
+  }
+}
+
+std::string titles_of(std::span<const SolidRequest> requests, const SolidGroup& group) {
+  std::string names;
+  for (const std::size_t i : group.members) {
+    names += (names.empty() ? "" : ", ") + requests[i].crack->title();
+  }
+  for (const PatchSolidCrack& crack : group.cracks) {
+    for (const Tube& tube : crack.tubes) {
+      if (tube.free) {
+        names += fmt::format(" (tetrahedra up to its front, {} edges long)", tube.front_mid.size());
+        continue;
+      }
+      names += fmt::format(" (tube of radius {:.3g} to {:.3g}, {} elements long)",
+                           group.frame.a * *std::ranges::min_element(tube.radius),
+                           group.frame.a * *std::ranges::max_element(tube.radius),
+                           tube.stations.size() - 1);
+    }
+  }
+  return names;
+}
+
+std::string note_of(const SolidRequest& request, const SolidGroup& group,
+                    std::pair<std::size_t, std::size_t> at, const Front& front) {
+  const Tube& tube = group.cracks[at.first].tubes[at.second];
+  const double widest = group.frame.a * *std::ranges::max_element(tube.radius);
+  const std::string elements =
+      tube.free ? free_text(group, tube)
+                : fmt::format("{} elements, tube of radius {} with {} rings of {} sectors",
+                              tube.closed ? tube.stations.size() : tube.stations.size() - 1,
+                              range_text(front.radius, widest, "{:.6g}"), request.mesh->rings,
+                              request.mesh->sectors);
+  return fmt::format("{} with {}, {}", what_and_where(*request.crack, front), elements,
+                     patch_of(group));
+}
+
+} // namespace spricka::mesh

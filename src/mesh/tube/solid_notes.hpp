@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "mesh/tube/solid_front.hpp"
+#include "mesh/tube/solid_graft.hpp"
+
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// What is said of cracks that are cut into solids.
+namespace spricka::mesh {
+
+/// Cracks that share a cavity, in the frame of the first.
+struct SolidGroup {
+  std::vector<std::size_t> members; ///< their numbers
+  SolidFrame frame{};
+  std::vector<PatchSolidCrack> cracks{};
+  SolidGraft graft{};
+};
+
+/// Warns (W425) of sets whose borders a patch moves.
+void tell_of_sets(const SolidHost& host, std::span<const SolidRequest> requests,
+                  const SolidGroup& group, base::Diagnostics& diagnostics);
+
+/// The cracks of a group by their names, with their tubes.
+std::string titles_of(std::span<const SolidRequest> requests, const SolidGroup& group);
+
+/// What was chosen for a front; `at`: its crack in the group and its tube.
+std::string note_of(const SolidRequest& request, const SolidGroup& group,
+                    std::pair<std::size_t, std::size_t> at, const Front& front);
+
+} // namespace spricka::mesh
