@@ -197,8 +197,9 @@ private:
           requests_[i].span, "W423",
           fmt::format("{}: tetrahedra up to its front, as no tube of elements fits round it: {}",
                       requests_[i].crack->title(), why_free_[i]),
-          "K along it is less exact: K1 scatters by some 2 % from point to point and by 1.4 % as a "
-          "smooth curve, with tubes by 0.5 % (manual/solid_crack.md)");
+          "K along it is less exact: K1 scatters by 2 to 4 % from point to point and by 1.3 to 2.6 "
+          "% "
+          "as a smooth curve, where tubes have 0.5 % (manual/solid_crack.md)");
     }
   }
 

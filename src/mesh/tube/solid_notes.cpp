@@ -37,9 +37,10 @@ std::string free_text(const SolidGroup& group, const Tube& tube) {
     mids = fmt::format("mid nodes at a quarter of {} edges from it", quarters.moved);
     mids += quarters.left > 0 ? fmt::format(", in the middle of {}", quarters.left) : "";
   }
-  return fmt::format("{} edges of tetrahedra and no tube, elements of {} at it, {}",
-                     tube.front_mid.size(),
-                     range_text(group.frame.a * finest, group.frame.a * coarsest, "{:.3g}"), mids);
+  return fmt::format(
+      "{} edges of tetrahedra and no tube (K1 scatters by 2 to 4 %), elements of {} at it, {}",
+      tube.front_mid.size(), range_text(group.frame.a * finest, group.frame.a * coarsest, "{:.3g}"),
+      mids);
 }
 
 } // namespace

@@ -6,7 +6,7 @@
 #include "mesh/tube/crack_surface.hpp"
 #include "mesh/tube/folded_elements.hpp"
 #include "mesh/tube/free_front.hpp"
-#include "mesh/tube/patch_sizes.hpp"
+#include "mesh/tube/solid_sizes.hpp"
 #include "mesh/tube/solid_split.hpp"
 
 #include <fmt/format.h>
@@ -273,7 +273,7 @@ private:
       const auto triangles = points(faces);
       region.embedded.insert(region.embedded.end(), triangles.begin(), triangles.end());
     }
-    const SolidFilling filling = fill_solid(region, patch_sizes(cracks_, rims_, net_));
+    const SolidFilling filling = fill_solid(region, solid_sizes(cracks_, rims_, net_));
     patch_.trouble = filling.trouble;
     for (const Vec3& p : filling.added) {
       node.push_back(net_.new_node_at(p));

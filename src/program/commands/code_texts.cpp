@@ -135,11 +135,10 @@ constexpr std::array advice{
     ErrorCode{"E435",
               "Keep the crack's patch away from the rim of the load's set: a smaller RADIUS "
               "on $TIPNET, or a set whose rim is straight."},
-    ErrorCode{"W423",
-              "K along such a front scatters by some 2 % from point to point, its smooth curve "
-              "($CHECK at an angle or a place) by 1.4 %; fronts with tubes are within 0.5 "
-              "%. A front that leaves the body at 25 degrees or more, and keeps off its "
-              "edges, has a tube."},
+    ErrorCode{"W423", "K1 along such a front scatters by 2 to 4 % from point to point, its smooth "
+                      "curve ($CHECK at an angle or a place) by 1.3 to 2.6 %; fronts with tubes "
+                      "are within 0.5 %. A front that leaves the body at 25 degrees or more and "
+                      "keeps off its edges has a tube."},
     ErrorCode{"W425", "Let borders of what is held, loaded or in contact keep off the ends of the "
                       "crack's front, or give a smaller RADIUS on $TIPNET. Sets "
                       "that nothing uses are not told of."},

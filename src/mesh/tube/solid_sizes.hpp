@@ -11,7 +11,7 @@ namespace spricka::mesh {
 
 /// Sizes of the tetrahedra of a patch: those of the fronts, growing with the distance, and of the
 /// faces of a finer host at its rim.
-SolidGrading patch_sizes(std::span<const PatchSolidCrack> cracks,
+SolidGrading solid_sizes(std::span<const PatchSolidCrack> cracks,
                          const std::vector<std::vector<PatchTriangle>>& rims, const SolidNet& net);
 
 } // namespace spricka::mesh

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/tube/patch_sizes.hpp"
+#include "mesh/tube/solid_sizes.hpp"
 
 #include "mesh/plane.hpp"
 
@@ -14,7 +14,7 @@ constexpr double growth_at_rim = 0.5;
 
 } // namespace
 
-SolidGrading patch_sizes(std::span<const PatchSolidCrack> cracks,
+SolidGrading solid_sizes(std::span<const PatchSolidCrack> cracks,
                          const std::vector<std::vector<PatchTriangle>>& rims, const SolidNet& net) {
   SolidGrading size;
   for (const PatchSolidCrack& crack : cracks) {
