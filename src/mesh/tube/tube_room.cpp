@@ -22,6 +22,9 @@ constexpr int directions = 16;
 /// surface that the front ends on: as many times as that surface leans, and a half more; no less
 /// than this.
 constexpr double least_lean = 1.7;
+/// A surface is another one if the front's end lies so far beside its tangent plane, as a part of
+/// the way to it.
+constexpr double other_surface = 0.7;
 /// Near its ends a crack is as wide as a little inside.
 constexpr double end_part = 0.05;
 
@@ -73,7 +76,11 @@ double FrontSurroundings::across_section(const FrontFrame& at) const {
     const double angle = 2.0 * std::numbers::pi * k / directions;
     const Vec3 d = std::cos(angle) * at.m + std::sin(angle) * at.b;
     for (const SurfaceHit& hit : hits(surface, at.x, d, least)) {
-      if (to_end > beside_end * hit.along + same * least) {
+      // What the front's end lies far beside of is another surface, however near the end is.
+      const bool other = !front_.curve->closed() && hit.along > same * surface.extent() &&
+                         std::abs(hit.place.normal.dot(front_.end[first ? 0 : 1].x - hit.place.x)) >
+                             other_surface * hit.along;
+      if (other || to_end > beside_end * hit.along + same * least) {
         least = std::min(least, hit.along);
       }
     }
