@@ -35,6 +35,12 @@ constexpr double same_end = 5e-3;
 constexpr double law_of_length = 3.0;
 /// An end on the very first advance is believed if that is no longer than this step.
 constexpr double first_look = 0.11;
+/// First step behind a leap, and how a leap that cannot be meshed gets longer.
+constexpr double step_after_leap = 0.1;
+constexpr double longer_leap = 1.15;
+constexpr double longest_leap = 3.0;
+/// Part of the cycles of a leap that may be wrong.
+constexpr double part_of_leap = 0.5;
 /// A growth this much slower than it was at its fastest has come to rest.
 constexpr double rest = 1e-9;
 /// Stations of a growth that gets somewhere: at the shortest step an arm grows by e^20 in as many.
@@ -68,7 +74,7 @@ double March::cycles_missed() const {
 double March::turn_missed() const {
   const std::vector<Station>& all = state_.stations;
   double most = 0.0;
-  for (std::size_t tip = 0; all.size() > 1 && tip < tips_.size(); ++tip) {
+  for (std::size_t tip = 0; all.size() > 1 && tip < tips().size(); ++tip) {
     if (advance_[tip] <= 0.0) {
       continue;
     }
@@ -94,15 +100,18 @@ double March::turn_missed() const {
 void March::settle() {
   std::vector<Station>& all = state_.stations;
   const std::size_t n = all.size();
-  if (n < 2 || tips_.size() < 2 || !(all.back().rate() > 0.0) ||
+  if (n < 2 || tips().size() < 2 || !(all.back().rate() > 0.0) ||
       !std::isfinite(all.back().rate())) {
     return;
   }
+  if (all.back().leapt > 0) {
+    return; // shares before and behind have nothing in common
+  }
   const double h = all[n - 1].s - all[n - 2].s;
-  for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
+  for (std::size_t tip = 0; tip < tips().size(); ++tip) {
     const auto share = [&](std::size_t k) { return all[k].tips[tip].rate / all[k].rate(); };
     double made = 0.5 * h * (share(n - 2) + share(n - 1));
-    if (n > 2) {
+    if (n > 2 && all[n - 2].leapt == 0) {
       const double before = all[n - 2].s - all[n - 3].s;
       const double bend =
           ((share(n - 1) - share(n - 2)) / h - (share(n - 2) - share(n - 3)) / before) /
@@ -129,8 +138,13 @@ bool March::good_enough() {
   if (n < 2) {
     return true;
   }
+  // No polynomial leads over a leap, and there is no shorter one.
+  if (leaping_ > 0) {
+    state_.step = step_after_leap;
+    return true;
+  }
   double step = 0.0;
-  for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
+  for (std::size_t tip = 0; tip < tips().size(); ++tip) {
     step = std::max(step, std::log1p(advance_[tip] / state_.stations[n - 2].tips[tip].a));
   }
   double factor = 2.0; // of the step
@@ -146,7 +160,7 @@ bool March::good_enough() {
   const double missed = cycles_missed() * (n > 3 ? 1.0 : of_straight_line);
   judge(missed, aimed_part * tolerance, still_good * tolerance, n > 3 ? 3.0 : 2.0);
   judge(drift(), aimed_part * tolerance, still_good * tolerance, n > 2 ? 3.0 : 2.0);
-  if (turns()) {
+  if (ways_->turns()) {
     judge(turn_missed(), aimed_miss, largest_miss, n > 2 ? 2.0 : 1.0);
   }
   const Station& last = state_.stations[n - 2];
@@ -170,10 +184,19 @@ bool March::good_enough() {
 }
 
 void March::shorten(const std::string& why) {
-  state_.step *= 0.5;
   ++state_.rejected;
-  if (state_.step < 0.5 * shortest_step || state_.stations.empty()) {
-    end_at_station("MESH", fmt::format("the next advance could not be meshed: {}", why));
+  if (leaping_ > 0 && leap_factor_ < longest_leap) {
+    leap_factor_ *= longer_leap;
+    return;
+  }
+  state_.step *= 0.5;
+  if (leaping_ == 0 && state_.step >= 0.5 * shortest_step && !state_.stations.empty()) {
+    return;
+  }
+  if (const std::optional<WayEnd> end = ways_->refused(state_, leaping_ > 0, why)) {
+    end_at_station(end->word, end->reason);
+  } else {
+    state_.step = shortest_step;
   }
 }
 
@@ -187,16 +210,16 @@ std::optional<End> March::crossing(const Trajectory& between, double s0, double 
     }
   };
   const Station& last = state_.stations.back();
-  for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
+  for (std::size_t tip = 0; tip < tips().size(); ++tip) {
     const TipStation& here = last.tips[tip];
     if (const auto K_c = rules().constants.k_c; K_c && here.K_max >= *K_c) {
       consider(first_crossing([&](double s) { return between.K_max(tip, s) - *K_c; }, s0, s1), "KC",
-               fmt::format("K of {} reaches KC", tips_[tip].name));
+               fmt::format("K of {} reaches KC", tips()[tip].name));
     }
     if (rules().flow_stress && here.plastic >= 1.0) {
       consider(first_crossing([&](double s) { return between.plastic(tip, s) - 1.0; }, s0, s1),
                "NET SECTION",
-               fmt::format("the ligament ahead of {} reaches its plastic limit", tips_[tip].name));
+               fmt::format("the ligament ahead of {} reaches its plastic limit", tips()[tip].name));
     }
   }
   if (!(last.rate() > 0.0)) {
@@ -217,14 +240,14 @@ void March::look_for_end() {
   const Trajectory between = trajectory();
   end_.reset();
   if (all.size() == 1) {
-    for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
+    for (std::size_t tip = 0; tip < tips().size(); ++tip) {
       if (rules().constants.k_c && here.tips[tip].K_max >= *rules().constants.k_c) {
-        end_at_station("KC", fmt::format("K of {} is KC or more from the start", tips_[tip].name));
+        end_at_station("KC", fmt::format("K of {} is KC or more from the start", tips()[tip].name));
       } else if (rules().flow_stress && here.tips[tip].plastic >= 1.0) {
         end_at_station(
             "NET SECTION",
             fmt::format("the ligament ahead of {} is at its plastic limit from the start",
-                        tips_[tip].name));
+                        tips()[tip].name));
       }
     }
     if (!end_ && !(here.rate() > 0.0)) {
@@ -233,9 +256,9 @@ void March::look_for_end() {
     return;
   }
   end_ = crossing(between, s0, here.s);
-  for (std::size_t tip = 0; tip < tips_.size() && rules().last_length && !end_; ++tip) {
+  for (std::size_t tip = 0; tip < tips().size() && rules().last_length && !end_; ++tip) {
     if (here.tips[tip].a >= *rules().last_length * (1.0 - 1e-12)) {
-      end_at_station("AMAX", fmt::format("{} has its last length, {:.6g}", tips_[tip].name,
+      end_at_station("AMAX", fmt::format("{} has its last length, {:.6g}", tips()[tip].name,
                                          *rules().last_length));
     }
   }
@@ -298,9 +321,9 @@ void March::look_for_no_end() {
     end_at_station("ARREST", fmt::format("the growth has come to rest: it is {:.1e} of the fastest",
                                          all.back().rate() / fastest));
   }
-  for (std::size_t tip = 0; tip < tips_.size() && !end_; ++tip) {
+  for (std::size_t tip = 0; tip < tips().size() && !end_; ++tip) {
     if (std::abs(turned(tip)) > 2.0 * std::numbers::pi) {
-      end_at_station("CURL", fmt::format("{} has turned by a full circle", tips_[tip].name));
+      end_at_station("CURL", fmt::format("{} has turned by a full circle", tips()[tip].name));
     }
   }
   if (!end_ && all.size() >= most_stations()) {
@@ -320,6 +343,10 @@ double March::error() const {
   double missed = 0.0;
   for (std::size_t i = 0; i + 1 < all.size() && all[i].s < last; ++i) {
     const double to = std::min(all[i + 1].s, last);
+    if (all[i + 1].leapt > 0) { // K is known at both ends of it only
+      missed += part_of_leap * fine.cycles(all[i].s, to);
+      continue;
+    }
     missed += std::abs(fine.cycles(all[i].s, to) - coarse.cycles(all[i].s, to));
   }
   return missed / fine.cycles(all.front().s, last);

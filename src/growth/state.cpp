@@ -8,11 +8,12 @@ namespace spricka::growth {
 namespace {
 
 // The order of values in restart files; files with more or fewer are refused by their length.
-constexpr std::array tip_values{&TipStation::a,         &TipStation::K_max,  &TipStation::K_min,
-                                &TipStation::K2_max,    &TipStation::rate,   &TipStation::turn,
-                                &TipStation::heading,   &TipStation::x,      &TipStation::y,
-                                &TipStation::plastic,   &TipStation::owed,   &TipStation::first_max,
-                                &TipStation::first_min, &TipStation::passes, &TipStation::change};
+constexpr std::array tip_values{
+    &TipStation::a,     &TipStation::K_max,     &TipStation::K_min,     &TipStation::K2_max,
+    &TipStation::rate,  &TipStation::turn,      &TipStation::heading,   &TipStation::x,
+    &TipStation::y,     &TipStation::z,         &TipStation::lever,     &TipStation::plastic,
+    &TipStation::owed,  &TipStation::first_max, &TipStation::first_min, &TipStation::passes,
+    &TipStation::change};
 
 /// Reads an array from its beginning; whether it held enough is known at the end.
 class Reader {
@@ -46,6 +47,7 @@ Arrays to_arrays(const State& state) {
   std::vector<double>& stations = out["stations"];
   for (const Station& station : state.stations) {
     stations.push_back(station.s);
+    stations.push_back(static_cast<double>(station.leapt));
     for (const TipStation& tip : station.tips) {
       for (const auto value : tip_values) {
         stations.push_back(tip.*value);
@@ -74,12 +76,13 @@ std::optional<State> state_of(const Arrays& arrays) {
   state.step = control.next();
   state.rejected = static_cast<int>(control.next());
   // Before anything is sized by these numbers: files may be broken.
-  if (!control.finished() || stations.left() != count * (1 + tips * tip_values.size())) {
+  if (!control.finished() || stations.left() != count * (2 + tips * tip_values.size())) {
     return std::nullopt;
   }
   for (std::size_t i = 0; i < count; ++i) {
     Station station;
     station.s = stations.next();
+    station.leapt = static_cast<std::size_t>(stations.next());
     station.tips.resize(tips);
     for (TipStation& tip : station.tips) {
       for (const auto value : tip_values) {

@@ -27,7 +27,12 @@ double Station::rate() const {
 }
 
 Trajectory::Trajectory(const std::vector<Station>& stations, Law law, std::size_t points)
-    : stations_(stations), law_(std::move(law)), points_(std::min(points, stations.size())) {}
+    : stations_(stations), law_(std::move(law)), points_(std::min(points, stations.size())) {
+  for (const Station& station : stations_) {
+    levers_ = levers_ || std::ranges::any_of(
+                             station.tips, [](const TipStation& tip) { return tip.lever != 1.0; });
+  }
+}
 
 std::size_t Trajectory::interval(double s) const {
   std::size_t i = 0;
@@ -37,11 +42,28 @@ std::size_t Trajectory::interval(double s) const {
   return i;
 }
 
+std::pair<std::size_t, std::size_t> Trajectory::smooth_about(std::size_t interval) const {
+  const std::size_t n = stations_.size();
+  if (interval + 1 < n && stations_[interval + 1].leapt > 0) {
+    return {interval, interval + 2};
+  }
+  std::size_t low = interval;
+  std::size_t high = std::min(interval + 2, n);
+  for (; low > 0 && stations_[low].leapt == 0; --low) {
+  }
+  for (; high < n && stations_[high].leapt == 0; ++high) {
+  }
+  return {low, high};
+}
+
 // Lagrange's polynomial in ln s through the stations about an interval, of those from `low` to
 // before `high`.
 template <class Value>
 double Trajectory::interpolate(std::size_t interval, double s, Value value, std::size_t low,
                                std::size_t high) const {
+  const auto [from, to] = smooth_about(interval);
+  low = std::max(low, from);
+  high = std::min(high, to);
   const std::size_t points = std::min(points_, high - low);
   // As many on either side of the interval as there are; near an end the nearest that exist.
   const std::size_t before = (points - 1) / 2;
@@ -81,6 +103,16 @@ double Trajectory::plastic(std::size_t tip, double s) const {
       stations_.size());
 }
 
+// Straight between the stations: it changes slowly, and never below 0.
+double Trajectory::lever(std::size_t tip, std::size_t i, double s) const {
+  const double left = stations_[i].tips[tip].lever;
+  if (i + 1 == stations_.size()) {
+    return left;
+  }
+  const double part = (s - stations_[i].s) / (stations_[i + 1].s - stations_[i].s);
+  return left + part * (stations_[i + 1].tips[tip].lever - left);
+}
+
 double Trajectory::tip_rate(std::size_t tip, std::size_t i, double s) const {
   if (law_) {
     const double K = K_max(tip, s);
@@ -92,7 +124,7 @@ double Trajectory::tip_rate(std::size_t tip, std::size_t i, double s) const {
           return t.K_max > 0.0 ? t.K_min / t.K_max : 0.0;
         },
         0, stations_.size());
-    return law_(K, R * K);
+    return levers_ ? lever(tip, i, s) * law_(K, R * K) : law_(K, R * K);
   }
   // a spectrum's rates, as far as they are numbers: none at a threshold, no bound at the toughness
   const auto usual = [&](std::size_t k) {

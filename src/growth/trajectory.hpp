@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 /// Growth between the stations where K is known: interpolated K or rates, cycles by quadrature.
@@ -14,10 +15,11 @@ struct TipStation {
   double K_max = 0.0;   ///< given to the law [stress * length^0.5]
   double K_min = 0.0;   ///< given to the law
   double K2_max = 0.0;  ///< before the turn
-  double rate = 0.0;    ///< [length per cycle or per pass]
+  double rate = 0.0;    ///< of its arm [length per cycle or per pass]
+  double lever = 1.0;   ///< that over the rate where K is, if the arm ends elsewhere
   double turn = 0.0;    ///< the way on against the crack's last part [rad]
   double heading = 0.0; ///< the way on, from +x [rad]
-  double x = 0.0, y = 0.0;
+  double x = 0.0, y = 0.0, z = 0.0;
   double owed = 0.0;    ///< what the rates found since would have made of the arm more [length]
   double plastic = 0.0; ///< force and moment over the ligament, over their plastic limit
   /// Where friction makes K a history: K of its first cycle or pass, passes until it repeated
@@ -29,6 +31,9 @@ struct TipStation {
 struct Station {
   double s = 0.0; ///< sum of the arms
   std::vector<TipStation> tips;
+  /// The tip (counted from 1) that has gone through a surface on the way to it; no polynomial leads
+  /// over that. 0: none has.
+  std::size_t leapt = 0;
 
   [[nodiscard]] double rate() const; ///< ds per cycle
 };
@@ -54,15 +59,19 @@ public:
 
 private:
   [[nodiscard]] std::size_t interval(double s) const;
+  /// Stations about an interval with no leap between them: from the first to before the second.
+  [[nodiscard]] std::pair<std::size_t, std::size_t> smooth_about(std::size_t interval) const;
   template <class Value>
   double interpolate(std::size_t interval, double s, Value value, std::size_t low,
                      std::size_t high) const;
+  [[nodiscard]] double lever(std::size_t tip, std::size_t interval, double s) const;
   [[nodiscard]] double tip_rate(std::size_t tip, std::size_t interval, double s) const;
   [[nodiscard]] double gauss(double s0, double s1) const;
 
   const std::vector<Station>& stations_;
   Law law_;
   std::size_t points_;
+  bool levers_ = false; ///< some arm does not grow as its place does
 };
 
 /// First place between s0 and s1 (found to 1e-12 of s1) where `value` is not below 0 any more, if

@@ -52,7 +52,7 @@ Costs solve_all(const model::Model& model) {
     lines.clear();
     auto cracks = growth::crack_lines(model, a, diagnostics);
     const std::vector<bool> pictured(model.steps.size(), false);
-    if (!cracks || !solver.solve({std::move(*cracks), a, pictured, false}, plan)) {
+    if (!cracks || !solver.solve({{.lines = std::move(*cracks)}, a, pictured, false}, plan)) {
       return {};
     }
     if (costs.lengths.empty()) {

@@ -43,7 +43,7 @@ void GrowthRegion::choose(const std::vector<mesh::CrackLine>& lines, const growt
   for (int k = 1; k <= looks; ++k) {
     const double part = static_cast<double>(k) / looks;
     // Closer together near the tips, where the next stations will be.
-    add_to_region(model_, march.straight_on(reach * part * part), plan_);
+    add_to_region(model_, march.straight_on(reach * part * part).lines, plan_);
   }
 }
 

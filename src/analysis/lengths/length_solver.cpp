@@ -71,7 +71,7 @@ void log_paths(const std::vector<results::LoadPath>& paths, LogWriter& log) {
 
 LengthParts LengthSolver::parts() {
   const bool keep = model_.growth && model_.growth->mounted == model::Mounted::first;
-  return {.model = model_,
+  return {.model = grown_ ? *grown_ : model_,
           .cache = cache_,
           .threads = options_.threads,
           .mounted = keep ? &mounted_ : nullptr,
@@ -84,7 +84,13 @@ std::optional<results::Increment> LengthSolver::solve(const LengthRequest& reque
                                                       const RegionPlan& plan) {
   LogWriter log(log_);
   const double a = request.a;
-  std::unique_ptr<Length> length = Length::make(parts(), request.lines, plan, diagnostics_);
+  if (!request.cracks.solids.empty()) {
+    if (!grown_) {
+      grown_.emplace(model_);
+    }
+    grown_->cracks = request.cracks.solids;
+  }
+  std::unique_ptr<Length> length = Length::make(parts(), request.cracks.lines, plan, diagnostics_);
   if (!length) {
     return std::nullopt;
   }

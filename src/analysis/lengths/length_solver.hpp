@@ -12,8 +12,9 @@
 #include "base/diagnostics.hpp"
 #include "base/outcome.hpp"
 #include "estimate/enrichment.hpp"
+#include "growth/ways.hpp"
 #include "mesh/cut/cracked.hpp"
-#include "model/forward.hpp"
+#include "model/model.hpp"
 #include "results/results.hpp"
 
 #include <optional>
@@ -24,10 +25,10 @@ namespace spricka::analysis {
 
 /// One state of the cracks to be solved.
 struct LengthRequest {
-  std::vector<mesh::CrackLine> lines; ///< [crack]
-  double a = 0.0;                     ///< for the record; 0: that of the first tip
-  std::vector<bool> pictured;         ///< [step] stresses are recovered
-  bool bars = true;                   ///< error bars of K, and sensitivities
+  growth::CrackState cracks;  ///< in space none: those of the deck
+  double a = 0.0;             ///< for the record; 0: that of the first tip
+  std::vector<bool> pictured; ///< [step] stresses are recovered
+  bool bars = true;           ///< error bars of K, and sensitivities
 };
 
 /// Solves all steps for one state of the cracks after another; what one leaves for the next (nets
@@ -88,6 +89,7 @@ private:
                 LogWriter& log, results::StepResult& result);
 
   const model::Model& model_;
+  std::optional<model::Model> grown_; ///< in space: with the cracks of the state that is solved
   const SolveOptions& options_;
   std::vector<results::LogLine>& log_;
   base::Diagnostics& diagnostics_;

@@ -78,7 +78,7 @@ bool solve_lengths(const model::Model& model, const SolveOptions& options,
       return false;
     }
     std::optional<results::Increment> increment =
-        solver.solve({std::move(*lines), lengths[i], pictured}, plan);
+        solver.solve({{.lines = std::move(*lines)}, lengths[i], pictured}, plan);
     if (!increment) {
       return false;
     }

@@ -86,7 +86,7 @@ void run(growth::March& march, const Measure& measure) {
       break;
     }
     std::vector<TipStation> found(march.tips().size());
-    measure(march, *lines, found);
+    measure(march, lines->lines, found);
     march.take(std::move(found));
   }
   EXPECT_FALSE(diagnostics.has_errors());
@@ -370,7 +370,7 @@ TEST(March, GoesOnFromItsState) {
   base::Diagnostics diagnostics;
   for (int k = 0; k < 4; ++k) {
     std::vector<TipStation> found(1);
-    measure(first, *first.next(diagnostics), found);
+    measure(first, first.next(diagnostics)->lines, found);
     first.take(std::move(found));
   }
   const auto read = growth::state_of(growth::to_arrays(first.state()));

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/diagnostics.hpp"
+#include "growth/state.hpp"
+#include "mesh/cut/cracked.hpp"
+#include "model/cracks.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace spricka::growth {
+
+/// A place of a crack that grows at a rate of its own: a tip in the plane, an end of an axis of an
+/// ellipse or a point of a front in space.
+struct GrowingTip {
+  std::string name;       ///< "C1", "C1.2", "C1.A"
+  std::size_t line = 0;   ///< of CrackState::lines in the plane, else of solids
+  bool at_first = false;  ///< in the plane: at the first point of its line, else at the last
+  std::size_t number = 0; ///< in space: counts the tips of its crack
+};
+
+/// All cracks as they are at one moment.
+struct CrackState {
+  std::vector<mesh::CrackLine> lines; ///< [crack] in the plane
+  std::vector<model::Crack> solids{}; ///< [crack] in space
+  /// [tip] in space: K is taken where the front is nearest to this place.
+  std::vector<base::Vec3> aims{};
+};
+
+/// The growth cannot go on: one word and a sentence (March, End).
+struct WayEnd {
+  std::string word;
+  std::string reason;
+};
+
+/// What the next advance of all may be, as far as one tip is asked.
+struct WayLimit {
+  double ds = 0.0; ///< sum of the advances [length]
+  /// Sum with which this tip goes through all that is left before it: so near to the surface no
+  /// front can be meshed, and the next one lies behind.
+  std::optional<double> leap{};
+  std::optional<WayEnd> end{};
+};
+
+/// From the last station to the next.
+struct Advance {
+  std::vector<double> by; ///< [tip] [length]
+  double leap = 0.0;      ///< 0: no leap
+};
+
+/// The ways cracks can go: how far it is to where they meet something, and what they are after an
+/// advance. March asks it where to go next; it knows nothing of cycles.
+class Ways {
+public:
+  Ways() = default;
+  Ways(const Ways&) = delete;
+  Ways& operator=(const Ways&) = delete;
+  virtual ~Ways() = default;
+
+  [[nodiscard]] virtual const std::vector<GrowingTip>& tips() const = 0;
+  /// Whether the way on follows from K.
+  [[nodiscard]] virtual bool turns() const = 0;
+  /// Goes on from the last station of an earlier run.
+  virtual void go_on(const State& state) = 0;
+  /// The cracks as they are at the last station that counts; then the state on trial.
+  [[nodiscard]] virtual CrackState here() = 0;
+  /// The arm of a tip before anything has grown [length].
+  [[nodiscard]] virtual double first_arm(std::size_t tip) const = 0;
+  /// What a tip can grow from the last station on, at most [length].
+  [[nodiscard]] virtual double length_left(const State& state, std::size_t tip) const = 0;
+  /// How far all may go (`ds` at most) for the sake of a tip that takes `share` of it.
+  [[nodiscard]] virtual WayLimit limit(const State& state, std::size_t tip, double share,
+                                       double ds) const = 0;
+  /// Takes out of an advance [tip] what would make waves of a front grow instead of dying away.
+  virtual void damp(std::vector<double>& /*by*/) const {}
+  /// The cracks after an advance [tip] from the last station, then the state on trial; empty, with
+  /// errors: there are none. `leap` > 0: through what is left, and so much farther than needed.
+  virtual std::optional<CrackState> advanced(const State& state, const Advance& advance,
+                                             base::Diagnostics& diagnostics) = 0;
+  /// What K at its places means for the tips of the state on trial: where they stand and head to
+  /// (in the plane), how their arms grow with the rates found (TipStation::lever).
+  virtual void place(std::vector<TipStation>& found) const = 0;
+  /// The state on trial counts: it is the last station's from now on, kept in `state`.
+  virtual void settle(State& state) = 0;
+  /// The advance asked for last cannot be made, however short (a leap: however long); `why`. Empty:
+  /// to be asked again, there is another way.
+  [[nodiscard]] virtual std::optional<WayEnd> refused(const State& state, bool leapt,
+                                                      const std::string& why) = 0;
+  /// Cracks straight on from the last station by so much at each tip, for a look ahead.
+  [[nodiscard]] virtual CrackState straight_on(const State& state, double advance) const = 0;
+};
+
+} // namespace spricka::growth
