@@ -202,11 +202,11 @@ void law_constants(const Context& c, const BoundCard& card, model::LawConstants&
 }
 
 // What ends the growth by a law, and how well it is followed.
-void stops(const BoundCard& card, model::Growth& growth) {
+void stops(const BoundCard& card, double tolerance, model::Growth& growth) {
   growth.largest_advance = card.optional("DA");
   growth.last_length = card.optional("AMAX");
   growth.cycles = card.optional("CYCLES");
-  growth.tolerance = card.number("TOL");
+  growth.tolerance = card.optional("TOL").value_or(tolerance);
   growth.flow_stress = card.optional("SFLOW");
   growth.corrected = card.is("CORRECT", "YES");
 }
@@ -221,7 +221,8 @@ void law(Context& c, const BoundCard& card, model::Growth& growth) {
     c.error(card.rows.front().span, "E115",
             fmt::format("LAW={} takes no data lines", card.word("LAW")));
   }
-  stops(card, growth);
+  // K of fronts scatters from mesh to mesh by some thousandths: a life is no better than that.
+  stops(card, c.model.mesh.dim == 3 ? 0.02 : 1e-3, growth);
 }
 
 // The loads that a law counts: from step to step, or a spectrum.
@@ -261,6 +262,7 @@ void grow(Context& c, const BoundCard& card) {
   growth.mounted = card.is("MOUNTED", "FIRST") || growth.history == model::History::carry_on
                        ? model::Mounted::first
                        : model::Mounted::each;
+  growth.shape = card.is("SHAPE", "ELLIPSE") ? model::FrontShape::ellipse : model::FrontShape::free;
   growth.span = card.span;
   cycles_of(c, card, growth);
   law(c, card, growth);

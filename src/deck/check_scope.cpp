@@ -3,8 +3,8 @@
 #include "model/model.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -43,13 +43,43 @@ void one_symmetry(Context& c) {
   }
 }
 
+// What growth in space does not have in this version.
+void solid_growth_in_reach(Context& c) {
+  const model::Growth& growth = *c.model.growth;
+  const auto no = [&](const char* what) {
+    c.unavailable(fmt::format("$GROW {} with a crack in space", what), growth.span);
+  };
+  if (growth.law == model::GrowthLaw::increment) {
+    no("LAW=INCREMENT");
+  }
+  if (growth.direction != model::GrowthDirection::path) {
+    no("DIRECTION other than PATH");
+  }
+  if (growth.flow_stress) {
+    no("SFLOW");
+  }
+  if (growth.corrected && growth.spectrum) {
+    no("CORRECT=YES and SPECTRUM");
+  }
+  if (growth.mounted == model::Mounted::first) {
+    no("MOUNTED=FIRST or HISTORY=CONTINUE");
+  }
+  const auto rubs = [](const auto& contact) { return contact.mu > 0.0; };
+  if (growth.law != model::GrowthLaw::increment &&
+      (std::ranges::any_of(c.model.contacts, rubs) || std::ranges::any_of(c.model.cracks, rubs))) {
+    no("by a law and friction");
+  }
+}
+
 // What cracks in space do not have in this version.
 void solid_cracks_in_reach(Context& c) {
-  static constexpr std::array cards{"GROW", "SPECTRUM", "TEST"};
   for (const BoundCard& card : c.cards) {
-    if (!c.model.cracks.empty() && std::ranges::find(cards, card.spec->name) != cards.end()) {
-      c.unavailable(fmt::format("${} with a crack in space", card.spec->name), card.span);
+    if (!c.model.cracks.empty() && card.spec->name == std::string_view("TEST")) {
+      c.unavailable("$TEST with a crack in space", card.span);
     }
+  }
+  if (c.model.growth && !c.model.cracks.empty()) {
+    solid_growth_in_reach(c);
   }
   for (const model::TipNet& tip : c.model.tip_nets) {
     const bool found = c.model.cracks[tip.crack.index()].kind == model::CrackKind::front;

@@ -12,6 +12,8 @@ namespace spricka::model {
 
 enum class GrowthLaw { increment, paris, walker, forman, nasgro, table };
 enum class GrowthDirection { path, hoop, k2_zero };
+/// In space: fronts as K shapes them, or held to ellipses.
+enum class FrontShape { ellipse, free };
 enum class History { restart, carry_on };
 enum class Mounted { each, first };
 
@@ -34,6 +36,7 @@ struct LawConstants {
 struct Growth {
   GrowthLaw law = GrowthLaw::increment;
   GrowthDirection direction = GrowthDirection::path;
+  FrontShape shape = FrontShape::free;
   std::vector<base::CrackId> cracks; ///< empty: all
   base::StepId kmax;
   base::StepId kmin;

@@ -294,6 +294,7 @@ template <class V, Of<Growth> T> void fields(V& v, T& r) {
   v("curve", r.curve);
   v("ended", r.ended);
   v("reason", r.reason);
+  v("passages", r.passages);
   v("error", r.error);
   v("corrected", r.corrected);
   v("counted", r.counted);

@@ -13,11 +13,15 @@
 #include "analysis/lengths/shown_results.hpp"
 #include "archive/safe_file.hpp"
 #include "growth/crack_lines.hpp"
+#include "growth/ellipse_ways.hpp"
+#include "growth/free_ways.hpp"
+#include "growth/line_ways.hpp"
 #include "growth/march.hpp"
 #include "model/model.hpp"
 #include "results/growth_end.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include <fmt/format.h>
@@ -45,9 +49,8 @@ public:
         on_the_way_(asked_steps(model, false)) {}
 
   bool run() {
-    std::optional<std::vector<mesh::CrackLine>> lines =
-        growth::crack_lines(model_, 0.0, diagnostics_);
-    if (!lines || !growth_can_begin(model_, *lines, diagnostics_)) {
+    std::unique_ptr<growth::Ways> ways = first_ways();
+    if (!ways) {
       return false;
     }
     growth::Law law;
@@ -56,7 +59,7 @@ public:
       law = [this](double K_max, double K_min) { return measure_.law().rate(K_max, K_min); };
     }
     const std::optional<results::NamedArrays> kept = take_over_kept();
-    growth::March march(model_, law, std::move(*lines), kept ? state_from(*kept) : growth::State());
+    growth::March march(model_, law, std::move(ways), kept ? state_from(*kept) : growth::State());
     GrowthRegion region(model_, march);
     if (kept) {
       region.load(*kept);
@@ -68,12 +71,12 @@ public:
       }
       // Mistakes of a state that is tried count only if it is the first.
       trial_ = {};
-      const std::optional<std::vector<mesh::CrackLine>> next = march.next(trial_);
+      const std::optional<growth::CrackState> next = march.next(trial_);
       if (march.end()) {
         break;
       }
-      if (next) {
-        region.look(*next, march, run_.log);
+      if (next && next->solids.empty()) { // bodies of solids stay whole
+        region.look(next->lines, march, run_.log);
       }
       if (!(next && station(*next, region, march))) {
         // Nothing shorter than the first state could be tried: what is wrong with it is the deck's.
@@ -96,6 +99,25 @@ public:
   }
 
 private:
+  // The cracks as they are first; null: they cannot grow.
+  std::unique_ptr<growth::Ways> first_ways() {
+    if (model_.mesh.dim == 3) {
+      std::unique_ptr<growth::Ways> ways;
+      if (model_.growth->shape == model::FrontShape::ellipse) {
+        ways = std::make_unique<growth::EllipseWays>(model_);
+      } else {
+        ways = std::make_unique<growth::FreeWays>(model_);
+      }
+      return growth_can_begin(model_, *ways, diagnostics_) ? std::move(ways) : nullptr;
+    }
+    std::optional<std::vector<mesh::CrackLine>> lines =
+        growth::crack_lines(model_, 0.0, diagnostics_);
+    if (!lines || !growth_can_begin(model_, *lines, diagnostics_)) {
+      return nullptr;
+    }
+    return std::make_unique<growth::LineWays>(model_, std::move(*lines));
+  }
+
   // Stations of an earlier run; the state behind the last of them.
   std::optional<results::NamedArrays> take_over_kept() {
     std::optional<results::NamedArrays> state;
@@ -135,11 +157,10 @@ private:
   }
 
   // Solves, measures, and lets the march judge; false: not solvable there.
-  bool station(const std::vector<mesh::CrackLine>& lines, GrowthRegion& region,
-               growth::March& march) {
+  bool station(const growth::CrackState& cracks, GrowthRegion& region, growth::March& march) {
     const bool first = march.state().stations.empty();
     std::optional<results::Increment> increment =
-        solver_.solve({lines, 0.0, first ? pictured_steps(model_, false) : on_the_way_,
+        solver_.solve({cracks, 0.0, first ? pictured_steps(model_, false) : on_the_way_,
                        first || wants_bars(model_)},
                       region.plan());
     if (!increment) {
@@ -148,7 +169,7 @@ private:
     region.tell_cost(run_.log);
     LogWriter log(run_.log);
     std::optional<std::vector<growth::TipStation>> found = measure_.measure(
-        {*increment, solver_.tips(), lines, solver_.followed(), solver_.free_faces()},
+        {*increment, solver_.tips(), cracks, solver_.followed(), solver_.free_faces()},
         march.tips());
     if (!found) {
       trial_trouble_ = measure_.trouble();

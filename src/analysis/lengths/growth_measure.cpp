@@ -133,7 +133,13 @@ GrowthMeasure::measure(const SolvedLength& at, const std::vector<growth::Growing
                                  at.followed->none));
   }
   for (std::size_t i = 0; i < growing.size(); ++i) {
-    const mesh::CrackLine& line = at.lines[growing[i].line];
+    if (!at.cracks.solids.empty()) {
+      if (!by_front(at, growing[i], at.cracks.aims[i], found[i])) {
+        return std::nullopt;
+      }
+      continue;
+    }
+    const mesh::CrackLine& line = at.cracks.lines[growing[i].line];
     const std::string& name = growing[i].name;
     const bool straight = line.symmetric_half;
     const bool good = history     ? by_history(at, name, straight, found[i])

@@ -3,6 +3,7 @@
 #include "analysis/lengths/load_history.hpp"
 #include "analysis/scene/free_faces.hpp"
 #include "base/outcome.hpp"
+#include "growth/ahead.hpp"
 #include "growth/march.hpp"
 #include "life/growth_law.hpp"
 #include "life/spectrum.hpp"
@@ -25,7 +26,7 @@ life::GrowthLaw law_of(const model::Growth& growth);
 struct SolvedLength {
   const results::Increment& increment;
   const std::vector<mesh::Front>& tips;
-  const std::vector<mesh::CrackLine>& lines;
+  const growth::CrackState& cracks;
   const std::optional<FollowedLoads>& followed; ///< where friction makes K a history
   const std::optional<FreeFaces>& free;         ///< faces that may overlap, where they close
 };
@@ -73,6 +74,11 @@ private:
   /// K_min by the tip at KMIN; `part` of its K1 and K2 counts.
   [[nodiscard]] double at_smallest(const SolvedLength& at, const results::TipResult& tip,
                                    const base::Vec2& part);
+  /// Of a tip in space, whose K is that of the place nearest to `aim`.
+  bool by_front(const SolvedLength& at, const growth::GrowingTip& tip, const base::Vec3& aim,
+                growth::TipStation& found);
+  bool by_front_spectrum(const SolvedLength& at, const std::string& crack, const base::Vec3& aim,
+                         growth::TipStation& found);
   void warn_of_closing(const std::string& name, double a);
   bool by_history(const SolvedLength& at, const std::string& name, bool straight,
                   growth::TipStation& found);

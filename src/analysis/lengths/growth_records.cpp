@@ -11,6 +11,8 @@
 #include <functional>
 #include <map>
 
+#include <fmt/format.h>
+
 namespace spricka::analysis {
 
 namespace {
@@ -56,7 +58,7 @@ results::GrowingTip record_of(const std::string& name, const growth::TipStation&
           .K2_max = t.K2_max,
           .rate = t.rate,
           .turn = t.turn,
-          .x = base::Vec3(t.x, t.y, 0.0),
+          .x = base::Vec3(t.x, t.y, t.z),
           .first_max = t.first_max,
           .first_min = t.first_min};
 }
@@ -90,6 +92,11 @@ results::Growth growth_records(const model::Model& model, const growth::March& m
     station.increment = static_cast<int>(i) + 1;
     at_station += i > 0 ? between.cycles(stations[i - 1].s, stations[i].s) : 0.0;
     station.cycles = at_station;
+    if (stations[i].leapt > 0) {
+      out.passages.push_back(
+          fmt::format("{} goes through a surface between stations {} and {}, at {:.6g} {}s",
+                      out.tips[stations[i].leapt - 1], i, i + 1, at_station, out.unit));
+    }
     for (std::size_t tip = 0; tip < out.tips.size(); ++tip) {
       const growth::TipStation& t = stations[i].tips[tip];
       station.tips.push_back(record_of(out.tips[tip], t));

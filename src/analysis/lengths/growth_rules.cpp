@@ -2,7 +2,7 @@
 #include "analysis/lengths/growth_rules.hpp"
 
 #include "growth/crack_lines.hpp"
-#include "growth/march.hpp"
+#include "growth/line_ways.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -48,6 +48,46 @@ bool growth_can_begin(const model::Model& model, const std::vector<mesh::CrackLi
   if (model.growth->flow_stress && (heated || model::axisymmetric(model))) {
     return no("SFLOW: the plastic limit of a ligament is not known with temperatures, nor round "
               "an axis");
+  }
+  return true;
+}
+
+bool growth_can_begin(const model::Model& model, const growth::Ways& ways,
+                      base::Diagnostics& diagnostics) {
+  const auto no = [&](const std::string& why) {
+    diagnostics.error(model.growth->span, "E431", why);
+    return false;
+  };
+  for (std::size_t c = 0; c < model.cracks.size(); ++c) {
+    const model::Crack& crack = model.cracks[c];
+    if (!growth::crack_grows(model, c)) {
+      continue;
+    }
+    if (crack.kind == model::CrackKind::front) {
+      return no(fmt::format("crack {} keeps the deck's own mesh (PATCH=NO): its front can only "
+                            "stand at nodes, so that no law can move it",
+                            crack.name));
+    }
+    if (model.growth->shape == model::FrontShape::ellipse &&
+        crack.kind != model::CrackKind::ellipse) {
+      return no(fmt::format("SHAPE=ELLIPSE: crack {} is drawn by points", crack.name));
+    }
+    if (std::ranges::none_of(ways.tips(),
+                             [&](const growth::GrowingTip& tip) { return tip.line == c; })) {
+      return no(fmt::format("crack {} has not one front in the body: no law can move none, or "
+                            "several",
+                            crack.name));
+    }
+  }
+  if (ways.tips().empty()) {
+    return no("$GROW: no crack grows");
+  }
+  for (std::size_t tip = 0; tip < ways.tips().size(); ++tip) {
+    if (model.growth->last_length && ways.first_arm(tip) >= *model.growth->last_length) {
+      return no(fmt::format("AMAX = {:.6g} is not longer than {} is at first, {:.6g}",
+                            *model.growth->last_length, ways.tips()[tip].name,
+                            ways.first_arm(tip)));
+    }
   }
   return true;
 }

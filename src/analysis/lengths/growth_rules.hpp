@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "base/diagnostics.hpp"
+#include "growth/ways.hpp"
 #include "mesh/cut/cracked.hpp"
 #include "model/forward.hpp"
 #include "results/growth.hpp"
@@ -14,6 +15,10 @@ namespace spricka::analysis {
 /// Whether the cracks as they are at first (`lines`) can grow by the law of $GROW; why not is an
 /// error at the card.
 bool growth_can_begin(const model::Model& model, const std::vector<mesh::CrackLine>& lines,
+                      base::Diagnostics& diagnostics);
+
+/// The same for cracks in space, whose ways know the tips.
+bool growth_can_begin(const model::Model& model, const growth::Ways& ways,
                       base::Diagnostics& diagnostics);
 
 /// Doubts about the cycles as a whole: none or next to none, or growth too fast for a law.

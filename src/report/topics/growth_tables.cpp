@@ -151,19 +151,24 @@ void write_life_csv(const std::filesystem::path& file, const model::Model& model
     return;
   }
   const results::Growth& growth = *run.growth;
+  const bool space = model.mesh.dim == 3;
   std::string text = fmt::format(
       "# units: a x y [{0}], K_max K_min delta_K K2_max [{1}], da_dN [{0}/{2}], turn [deg], N "
       "[{2}]; ended: {3}{5}\n"
-      "increment,N,tip,a,K_max,K_min,delta_K,K2_max,da_dN,turn,x,y{4}\n",
+      "increment,N,tip,a,K_max,K_min,delta_K,K2_max,da_dN,turn,x,y{6}{4}\n",
       model.units.length_name, model.units.stress_intensity_name(), growth.unit, growth.ended,
       growth.followed ? ",K_max_first,K_min_first,passes,change" : "",
-      continued_below_closing(model, growth) ? "; K_min below 0: of faces that could overlap" : "");
+      continued_below_closing(model, growth) ? "; K_min below 0: of faces that could overlap" : "",
+      space ? ",z" : "");
   auto out = std::back_inserter(text);
   for (const results::GrowthStation& station : growth.stations) {
     for (const results::GrowingTip& tip : station.tips) {
       fmt::format_to(out, "{},{},{},{},{},{},{},{},{},{},{},{}", station.increment, station.cycles,
                      tip.name, tip.a, tip.K_max, tip.K_min, tip.K_max - tip.K_min, tip.K2_max,
                      tip.rate, tip.turn * degree, tip.x[0], tip.x[1]);
+      if (space) {
+        fmt::format_to(out, ",{}", tip.x[2]);
+      }
       if (growth.followed) {
         fmt::format_to(out, ",{},{},{},{}", tip.first_max, tip.first_min, station.passes,
                        station.change);
@@ -335,7 +340,11 @@ std::string life_summary(const model::Model& model, const results::Run& run) {
     return {};
   }
   const results::Growth& growth = *run.growth;
-  std::string out = fmt::format("Ended by {}: {}.\n", growth.ended, growth.reason);
+  std::string out;
+  for (const std::string& passage : growth.passages) {
+    out += passage + ".\n";
+  }
+  out += fmt::format("Ended by {}: {}.\n", growth.ended, growth.reason);
   out += fmt::format("N = {:.7g} {}", growth.cycles(),
                      growth.unit == "pass" ? "passes of the spectrum" : "cycles");
   if (growth.unit == "pass") {

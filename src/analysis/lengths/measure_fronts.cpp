@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/lengths/growth_measure.hpp"
+#include "model/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+/// Growth by K at places of fronts in space.
+namespace spricka::analysis {
+
+namespace {
+
+/// K2 or K3 beyond this part of K1 is worth a word: the crack would not stay in its plane.
+constexpr double much_shear = 0.25;
+
+/// A place between two points of a front, or nothing.
+struct PlaceOnFront {
+  std::size_t front = 0, from = 0, to = 0;
+  double part = 0.0; ///< of the way from one to the other
+  double away = std::numeric_limits<double>::infinity();
+  base::Vec3 x = base::Vec3::Zero();
+
+  [[nodiscard]] bool found() const { return std::isfinite(away); }
+};
+
+bool is_of(const std::string& front, const std::string& crack) {
+  return front == crack || front.starts_with(crack + ".");
+}
+
+// The place of a crack's fronts that is nearest to x; `front_of` and `x_of` read the records.
+template <class Front, class FrontOf, class XOf>
+PlaceOnFront nearest_place(const std::vector<Front>& fronts, const std::string& crack,
+                           const base::Vec3& x, const std::pair<FrontOf, XOf>& read) {
+  PlaceOnFront best;
+  for (std::size_t f = 0; f < fronts.size(); ++f) {
+    const results::FrontResult& is = read.first(fronts[f]);
+    const std::size_t n = fronts[f].points.size();
+    if (!is_of(is.name, crack)) {
+      continue;
+    }
+    for (std::size_t i = 0; i + (is.closed ? 0 : 1) < n; ++i) {
+      const std::size_t j = (i + 1) % n;
+      const base::Vec3& a = read.second(fronts[f].points[i]);
+      const base::Vec3 edge = read.second(fronts[f].points[j]) - a;
+      const double part = std::clamp((x - a).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
+      const double away = (x - a - part * edge).norm();
+      if (away < best.away) {
+        best = {.front = f, .from = i, .to = j, .part = part, .away = away, .x = a + part * edge};
+      }
+    }
+  }
+  return best;
+}
+
+PlaceOnFront place_in_step(const results::StepResult& step, const std::string& crack,
+                           const base::Vec3& x) {
+  const auto front_of = [](const results::FrontResult& f) -> const results::FrontResult& {
+    return f;
+  };
+  const auto x_of = [](const results::FrontPlace& p) -> const base::Vec3& { return p.x; };
+  return nearest_place(step.fronts, crack, x, std::pair(front_of, x_of));
+}
+
+PlaceOnFront place_on_path(const results::LoadPath& path, const std::string& crack,
+                           const base::Vec3& x) {
+  const auto front_of = [](const results::PathFront& f) -> const results::FrontResult& {
+    return f.is;
+  };
+  const auto x_of = [](const results::PathPoint& p) -> const base::Vec3& { return p.is.x; };
+  return nearest_place(path.fronts, crack, x, std::pair(front_of, x_of));
+}
+
+// K1, K2, K3 as smooth functions along the front; `corrected`: with the estimated error of K taken
+// out, at the surface that of the next point.
+base::Vec3 smooth_K(const results::FrontResult& front, const PlaceOnFront& at, bool corrected) {
+  const auto of = [&](std::size_t i) {
+    const results::FrontPlace& p = front.points[i];
+    base::Vec3 K(p.smooth[0], p.smooth[1], p.smooth[2]);
+    const std::size_t last = front.points.size() - 1;
+    const results::FrontPlace& near =
+        !p.at_surface ? p : front.points[i == 0 ? 1 : (i == last ? last - 1 : i)];
+    if (corrected && front.no_bar.empty() && !p.closed) {
+      K[0] += near.bar[0].best - near.K1;
+    }
+    return K;
+  };
+  return (1.0 - at.part) * of(at.from) + at.part * of(at.to);
+}
+
+// K1 on the path; at the surface that which points further in go on to.
+base::PiecewiseLinear K1_on_path(const results::PathFront& front, const PlaceOnFront& at) {
+  const auto of = [](const results::PathPoint& p) -> const base::PiecewiseLinear& {
+    return p.is.at_surface ? p.inner[0] : p.K[0];
+  };
+  const base::PiecewiseLinear& from = of(front.points[at.from]);
+  const base::PiecewiseLinear& to = of(front.points[at.to]);
+  std::vector<double> value;
+  std::vector<double> slope;
+  for (std::size_t i = 0; i < from.segments(); ++i) {
+    value.push_back((1.0 - at.part) * from.at_knot(i) + at.part * to.at_knot(i));
+    slope.push_back((1.0 - at.part) * from.slope(i) + at.part * to.slope(i));
+  }
+  return {from.knots(), std::move(value), std::move(slope)};
+}
+
+} // namespace
+
+bool GrowthMeasure::by_front(const SolvedLength& at, const growth::GrowingTip& tip,
+                             const base::Vec3& aim, growth::TipStation& found) {
+  const std::string& crack = at.cracks.solids[tip.line].name;
+  const results::StepResult& high = at.increment.steps[largest_step()];
+  const PlaceOnFront place = place_in_step(high, crack, aim);
+  if (!place.found()) {
+    return no_rate(fmt::format("crack {} has no front to grow from", crack));
+  }
+  const results::FrontResult& front = high.fronts[place.front];
+  const bool corrected = model_.growth->corrected;
+  const base::Vec3 K = smooth_K(front, place, corrected);
+  found.x = place.x.x();
+  found.y = place.x.y();
+  found.z = place.x.z();
+  found.K2_max = K[1];
+  if (corrected && !front.no_bar.empty()) {
+    warnings_.insert(fmt::format("CORRECT=YES, but {} has no error bar everywhere ({}): there K is "
+                                 "as computed",
+                                 front.name, front.no_bar));
+  }
+  if (!front.doubt.empty() && K[0] > 0.0) {
+    warnings_.insert(fmt::format("{}: K at KMAX is in doubt: {}", front.name, front.doubt));
+  }
+  if (K[0] > 0.0 && std::max(std::abs(K[1]), std::abs(K[2])) > much_shear * K[0]) {
+    warnings_.insert(fmt::format("{} grows in its plane although {} is {:.2f} of K1; the law is "
+                                 "given K1 alone",
+                                 tip.name, std::abs(K[1]) > std::abs(K[2]) ? "K2" : "K3",
+                                 std::max(std::abs(K[1]), std::abs(K[2])) / K[0]));
+  }
+  if (spectrum_) {
+    return by_front_spectrum(at, crack, aim, found);
+  }
+  const results::StepResult& low = at.increment.steps[model_.growth->kmin.index()];
+  const PlaceOnFront there = place_in_step(low, crack, aim);
+  if (!there.found()) {
+    return no_rate(fmt::format("crack {} has no front to grow from", crack));
+  }
+  found.K_max = std::max(0.0, K[0]);
+  found.K_min = smooth_K(low.fronts[there.front], there, corrected)[0];
+  const results::FrontPlace& nearest = low.fronts[there.front].points[there.from];
+  if (nearest.closed && continues_below_closing(model_)) {
+    warn_of_closing(tip.name, low.fronts[there.front].a);
+  }
+  found.rate = found.K_max > found.K_min ? law_.rate(found.K_max, found.K_min) : 0.0;
+  const bool upside_down = found.K_min > K[0] && found.K_min > 0.0;
+  upside_down_ = upside_down_ && upside_down;
+  if (upside_down) {
+    warnings_.insert(fmt::format("{}: K at KMIN is larger than at KMAX", tip.name));
+  }
+  return true;
+}
+
+bool GrowthMeasure::by_front_spectrum(const SolvedLength& at, const std::string& crack,
+                                      const base::Vec3& aim, growth::TipStation& found) {
+  const model::Spectrum& card = model_.spectra[*model_.growth->spectrum];
+  const results::LoadPath& path = at.increment.paths[card.path];
+  const PlaceOnFront place = place_on_path(path, crack, aim);
+  if (!place.found() || path.t.empty() || path.t.back() < spectrum_->highest()) {
+    return no_rate(
+        fmt::format("spectrum {}: there is no K up to t = {:.6g}, load path {} ends before: {}",
+                    card.name, spectrum_->highest(), path.name, path.stopped));
+  }
+  const base::PiecewiseLinear K = K1_on_path(path.fronts[place.front], place);
+  const auto [low, high] = spectrum_->extreme_K(K);
+  found.K_min = low;
+  found.K_max = std::max(0.0, high);
+  found.rate = spectrum_->growth(law_, K);
+  counted_on_K_ = counted_on_K_ || spectrum_->counts_on_K(K);
+  if (std::isnan(found.rate)) {
+    return no_rate(fmt::format("spectrum {}: the growth of a pass is not a number on crack {}",
+                               card.name, crack));
+  }
+  return true;
+}
+
+} // namespace spricka::analysis

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "growth/front_arc.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <Eigen/QR>
+
+namespace spricka::growth {
+
+namespace {
+
+using base::Vec3;
+
+constexpr int looks_along = 240;     // places of a front that are looked at: in the body or not
+constexpr int points_of_front = 120; // of a front that is handed on: a spline through them
+constexpr int steps_out = 60;        // out of the body, each a fiftieth of the arc
+constexpr double step_out = 0.02;
+constexpr int degree_open = 4; // of the polynomial along an open front
+constexpr int harmonics = 6;   // along a closed one
+
+std::vector<Vec3> normals_of(const model::Crack& crack, std::size_t count) {
+  return std::vector<Vec3>(count, crack.plane.normal);
+}
+
+// All of the front as the deck or an advance drew it, m out of the crack.
+mesh::FrontCurve whole_front(const model::Crack& crack) {
+  std::vector<Vec3> points = crack.points;
+  const model::CrackPlane& plane = crack.plane;
+  const bool ellipse = crack.kind == model::CrackKind::ellipse;
+  if (ellipse) {
+    points.clear();
+    for (int i = 0; i < looks_along; ++i) {
+      const double phi = -2.0 * std::numbers::pi * i / looks_along;
+      points.emplace_back(plane.place + plane.c * std::cos(phi) * plane.along +
+                          plane.a * std::sin(phi) * plane.across());
+    }
+  }
+  const bool closed = ellipse || plane.closed;
+  mesh::FrontCurve curve(points, normals_of(crack, points.size()), closed);
+  double outwards = 0.0;
+  for (const Vec3& x : points) {
+    outwards += curve.at(curve.nearest(x)).m.dot(x - plane.place);
+  }
+  if (outwards < 0.0) {
+    std::ranges::reverse(points);
+    curve = mesh::FrontCurve(points, normals_of(crack, points.size()), closed);
+  }
+  return curve;
+}
+
+// Places of a front one after another that lie in the body, the first and the last.
+struct Run {
+  int begin = 0, last = 0;
+};
+
+// The one run there is; of a closed front it may go on over its end. Empty: there is none, or more.
+std::optional<Run> only_run(const std::vector<bool>& in, bool closed) {
+  const int n = static_cast<int>(in.size());
+  const auto is_in = [&](int i) { return in[static_cast<std::size_t>((i + n) % n)]; };
+  int runs = 0;
+  Run run;
+  for (int i = 0; i < n; ++i) {
+    if (is_in(i) && (i == 0 ? !closed || !is_in(-1) : !is_in(i - 1))) {
+      ++runs;
+      run.begin = i;
+    }
+  }
+  if (runs != 1) {
+    return std::nullopt;
+  }
+  if (closed && run.begin == 0) { // lengths along it count up from 0
+    run.begin = n;
+  }
+  run.last = run.begin;
+  while (run.last + 1 < (closed ? 2 * n : n) && is_in(run.last + 1)) {
+    ++run.last;
+  }
+  return run;
+}
+
+} // namespace
+
+double FrontArc::place(std::size_t number, std::size_t count) const {
+  const std::size_t parts = closed() ? count : count - 1;
+  return curve.length() * static_cast<double>(number) / static_cast<double>(parts);
+}
+
+std::optional<FrontArc> arc_in_body(const model::Crack& crack, const SolidSurroundings& around) {
+  const mesh::FrontCurve whole = whole_front(crack);
+  const bool closed = whole.closed();
+  const int n = closed ? looks_along : looks_along + 1;
+  const auto s_of = [&](int i) { return whole.length() * i / looks_along; };
+  const auto in_body = [&](double s) { return around.inside(whole.at(s).x, crack.net); };
+  std::vector<bool> in;
+  for (int i = 0; i < n; ++i) {
+    in.push_back(in_body(s_of(i)));
+  }
+  if (std::ranges::all_of(in, [](bool inside) { return inside; })) {
+    return FrontArc{whole};
+  }
+  const std::optional<Run> run = only_run(in, closed);
+  if (!run) {
+    return std::nullopt;
+  }
+  // Where it comes out, between a place inside and the next one outside.
+  const auto border = [&](double inside, double outside) {
+    for (int k = 0; k < 50; ++k) {
+      const double middle = 0.5 * (inside + outside);
+      (in_body(middle) ? inside : outside) = middle;
+    }
+    return inside;
+  };
+  const bool from_end = !closed && run->begin == 0;
+  const bool to_end = !closed && run->last == n - 1;
+  const double s0 = from_end ? 0.0 : border(s_of(run->begin), s_of(run->begin - 1));
+  const double s1 = to_end ? whole.length() : border(s_of(run->last), s_of(run->last + 1));
+  std::vector<Vec3> points;
+  for (int i = 0; i <= points_of_front; ++i) {
+    points.push_back(whole.at(s0 + (s1 - s0) * i / points_of_front).x);
+  }
+  const std::size_t count = points.size();
+  return FrontArc{mesh::FrontCurve(std::move(points), normals_of(crack, count), false)};
+}
+
+std::optional<model::Crack> crack_through(const model::Crack& before,
+                                          const std::vector<Vec3>& points, bool closed,
+                                          const SolidSurroundings& around) {
+  const mesh::FrontCurve curve(points, normals_of(before, points.size()), closed);
+  model::Crack crack = before;
+  crack.kind = model::CrackKind::drawn;
+  crack.plane.closed = closed;
+  crack.points.clear();
+  for (int i = 0; i < points_of_front + (closed ? 0 : 1); ++i) {
+    crack.points.push_back(curve.at(curve.length() * i / points_of_front).x);
+  }
+  if (closed) {
+    return crack;
+  }
+  const double h = step_out * curve.length();
+  for (const bool at_last : {false, true}) {
+    const mesh::FrontFrame end = curve.at(at_last ? curve.length() : 0.0);
+    const Vec3 way = at_last ? end.t : Vec3(-end.t);
+    int outside = 0;
+    for (int k = 1; k <= steps_out && outside < 2; ++k) {
+      const Vec3 x = end.x + k * h * way;
+      outside += around.inside(x, crack.net) ? -outside : 1;
+      crack.points.insert(at_last ? crack.points.end() : crack.points.begin(), x);
+    }
+    if (outside < 2) {
+      return std::nullopt;
+    }
+  }
+  return crack;
+}
+
+std::vector<double> without_waves(const std::vector<double>& by, double stiffness, bool closed) {
+  const auto n = static_cast<Eigen::Index>(by.size());
+  base::Matrix shape(n, n);
+  base::Vector value(n);
+  base::Vector waves(n); // half of them along the arc
+  for (Eigen::Index k = 0; k < n; ++k) {
+    waves[k] = static_cast<double>(closed ? (k + 1) / 2 * 2 : k);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const double turn = std::numbers::pi * waves[k] * static_cast<double>(i) /
+                          static_cast<double>(closed ? n : n - 1);
+      shape(i, k) = closed && k % 2 == 0 && k > 0 ? std::sin(turn) : std::cos(turn);
+    }
+    value[k] = by[static_cast<std::size_t>(k)];
+  }
+  base::Vector height = shape.partialPivLu().solve(value);
+  const double mean = value.mean();
+  for (Eigen::Index k = 1; k < n; ++k) {
+    // How many times its height an advance by its rate would change a wave (Rice 1985).
+    height[k] /= std::max(1.0, 0.5 * mean * stiffness * std::numbers::pi * waves[k]);
+  }
+  const base::Vector damped = shape * height;
+  return {damped.begin(), damped.end()};
+}
+
+std::vector<double> smooth_along(const std::vector<double>& values, bool closed) {
+  const auto n = static_cast<Eigen::Index>(values.size());
+  const Eigen::Index count = closed ? 2 * harmonics + 1 : degree_open + 1;
+  if (n <= count || std::ranges::any_of(values, [](double v) { return !(v > 0.0); })) {
+    return values;
+  }
+  base::Matrix shape(n, count);
+  base::Vector value(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    value[i] = std::log(values[static_cast<std::size_t>(i)]);
+    const double part = static_cast<double>(i) / static_cast<double>(closed ? n : n - 1);
+    for (Eigen::Index k = 0; k < count; ++k) {
+      const auto order = static_cast<double>((k + 1) / 2);
+      const double turn = 2.0 * std::numbers::pi * order * part;
+      shape(i, k) = !closed      ? std::cos(static_cast<double>(k) * std::acos(2.0 * part - 1.0))
+                    : k % 2 == 0 ? std::cos(turn)
+                                 : std::sin(turn);
+    }
+  }
+  const base::Vector fitted = shape * shape.householderQr().solve(value);
+  std::vector<double> smooth;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    smooth.push_back(std::exp(fitted[i]));
+  }
+  return smooth;
+}
+
+} // namespace spricka::growth

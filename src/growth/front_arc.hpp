@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "growth/solid_surroundings.hpp"
+#include "mesh/front_curve.hpp"
+#include "model/cracks.hpp"
+
+#include <optional>
+#include <vector>
+
+/// The fronts of cracks in space that take their own shape: the part of a front in the body, and
+/// the front that follows when its points go on.
+namespace spricka::growth {
+
+/// What of a crack's front lies in the body.
+struct FrontArc {
+  mesh::FrontCurve curve; ///< m points out of the crack
+
+  [[nodiscard]] bool closed() const { return curve.closed(); }
+  /// The place of a point of `count` spread evenly along it [length].
+  [[nodiscard]] double place(std::size_t number, std::size_t count) const;
+};
+
+/// Empty: no part, or more than one, of the front is in the body.
+std::optional<FrontArc> arc_in_body(const model::Crack& crack, const SolidSurroundings& around);
+
+/// A crack whose front goes through these points, in the order of an arc's, and straight on out of
+/// the body at the ends of an open one. Empty: it does not come out.
+std::optional<model::Crack> crack_through(const model::Crack& before,
+                                          const std::vector<base::Vec3>& points, bool closed,
+                                          const SolidSurroundings& around);
+
+/// Values [point] along an arc, all above 0, without their scatter from mesh to mesh: their
+/// logarithms as the polynomial of degree 4 (an open arc) or by six harmonics (a closed one) that
+/// fits best.
+std::vector<double> smooth_along(const std::vector<double>& values, bool closed);
+
+/// Advances [point] along an arc, of whose waves none gets more than it takes to die away at once
+/// (growth.12). `stiffness`: the exponent of the law over the length of the arc [1/length].
+std::vector<double> without_waves(const std::vector<double>& by, double stiffness, bool closed);
+
+} // namespace spricka::growth

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "mesh/tube/solid_host.hpp"
+#include "model/cracks.hpp"
+
+#include <optional>
+
+namespace spricka::growth {
+
+/// The body that a crack in space grows in: which places are inside of it, and how far it is to its
+/// surface.
+class SolidSurroundings {
+public:
+  explicit SolidSurroundings(const model::Mesh& host) : host_(host) {}
+
+  /// Whether a place lies in a body of the net (invalid: any), its surface included.
+  [[nodiscard]] bool inside(const base::Vec3& x, base::NetId net) const {
+    return host_.element_at(x, net).has_value();
+  }
+  /// The surface ahead: how far, and which of its pieces between sharp edges.
+  struct Ahead {
+    double distance = 0.0;
+    std::size_t piece = 0;
+  };
+  /// The surface along `way` (unit) of the body that x lies in; empty: x lies in none, or on the
+  /// surface that `way` leaves it by.
+  [[nodiscard]] std::optional<Ahead> to_surface(const base::Vec3& x, const base::Vec3& way,
+                                                base::NetId net) const;
+  /// The piece of the surface that x lies on, or is nearest to, of the body round `within`; empty:
+  /// that lies in none.
+  [[nodiscard]] std::optional<std::size_t> piece_at(const base::Vec3& x, const base::Vec3& within,
+                                                    base::NetId net) const;
+
+private:
+  mesh::SolidHost host_;
+};
+
+} // namespace spricka::growth

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "growth/ellipse_ways.hpp"
+#include "growth/free_ways.hpp"
+#include "growth/march.hpp"
+#include "model/model.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <numbers>
+#include <vector>
+
+namespace {
+
+using namespace spricka;
+using base::Vec3;
+using growth::TipStation;
+
+constexpr double pi = std::numbers::pi;
+
+/// A block of hexahedra with an ellipse in the plane z = 0; K comes from a formula.
+struct Block {
+  model::Model model;
+
+  Block(const Vec3& low, const Vec3& high, int n) {
+    model::Mesh& mesh = model.mesh;
+    mesh.dim = 3;
+    for (int i = 0; i < (n + 1) * (n + 1) * (n + 1); ++i) {
+      const Vec3 part(i % (n + 1), i / (n + 1) % (n + 1), i / ((n + 1) * (n + 1)));
+      model::add_node(mesh, low + (high - low).cwiseProduct(part) / n,
+                      static_cast<base::Label>(i) + 1, base::NetId(0));
+    }
+    const auto node = [&](int i, int j, int k) {
+      return base::NodeId(static_cast<std::size_t>((k * (n + 1) + j) * (n + 1) + i));
+    };
+    for (int e = 0; e < n * n * n; ++e) {
+      const int i = e % n;
+      const int j = e / n % n;
+      const int k = e / (n * n);
+      const std::array nodes{node(i, j, k),
+                             node(i + 1, j, k),
+                             node(i + 1, j + 1, k),
+                             node(i, j + 1, k),
+                             node(i, j, k + 1),
+                             node(i + 1, j, k + 1),
+                             node(i + 1, j + 1, k + 1),
+                             node(i, j + 1, k + 1)};
+      model::add_element(mesh, base::ElementType::hexe8, nodes, static_cast<base::Label>(e) + 1,
+                         base::NetId(0));
+    }
+    mesh.property.assign(mesh.element_count(), base::PropertyId(0));
+    model.nets.push_back({"", {}});
+    model.properties.emplace_back();
+    model.growth.emplace();
+    model.growth->law = model::GrowthLaw::paris;
+    model.growth->tolerance = 1e-3;
+  }
+
+  void ellipse(const Vec3& centre, double a, double c) {
+    model::Crack crack;
+    crack.name = "C";
+    crack.kind = model::CrackKind::ellipse;
+    crack.net = base::NetId(0);
+    crack.plane = {.place = centre,
+                   .normal = Vec3::UnitZ(),
+                   .along = Vec3::UnitX(),
+                   .a = a,
+                   .c = c,
+                   .closed = false};
+    model.cracks.push_back(crack);
+  }
+};
+
+double paris(double K_max, double K_min) {
+  return 1e-9 * std::pow(K_max - K_min, 3);
+}
+
+// K1 at a place of the crack.
+using KAt = std::function<double(const growth::CrackState& cracks, const Vec3& x)>;
+
+void run(growth::March& march, const KAt& K_at) {
+  for (int k = 0; k < 300 && !march.end(); ++k) {
+    base::Diagnostics diagnostics;
+    const auto cracks = march.next(diagnostics);
+    if (!cracks) {
+      if (!march.end()) {
+        march.shorten("no front");
+      }
+      continue;
+    }
+    std::vector<TipStation> found(march.tips().size());
+    for (std::size_t tip = 0; tip < found.size(); ++tip) {
+      const Vec3& x = cracks->aims[tip];
+      found[tip].x = x.x();
+      found[tip].y = x.y();
+      found[tip].z = x.z();
+      found[tip].K_max = K_at(*cracks, x);
+      found[tip].rate = paris(found[tip].K_max, 0.0);
+    }
+    march.take(std::move(found));
+  }
+  ASSERT_TRUE(march.end()) << "no end after 300 stations";
+}
+
+// Irwin 1962, stress 1, at the parametric angle of x.
+double K_of_ellipse(double a, double c, double phi) {
+  double integral = 0.0; // of sqrt(sin^2 + (a/c)^2 cos^2) over a quarter
+  constexpr int parts = 400;
+  for (int i = 0; i < parts; ++i) {
+    const double t = (i + 0.5) * 0.5 * pi / parts;
+    integral += std::hypot(std::sin(t), a / c * std::cos(t)) * 0.5 * pi / parts;
+  }
+  return std::sqrt(pi * a) / integral *
+         std::pow(std::pow(std::sin(phi), 2) + std::pow(a / c * std::cos(phi), 2), 0.25);
+}
+
+double K_at_ellipse(const growth::CrackState& cracks, const Vec3& x) {
+  const model::CrackPlane& p = cracks.solids[0].plane;
+  const Vec3 off = x - p.place;
+  const double phi = std::atan2(off.y() / p.a, off.x() / p.c);
+  return K_of_ellipse(p.a, p.c, phi);
+}
+
+// Arms and cycles of an ellipse until c has grown to `last`, in steps of a thousandth.
+std::array<double, 3> integrated(double a, double c, double last) {
+  double cycles = 0.0;
+  const double dc = 1e-3 * c;
+  while (c < last - 1e-9) {
+    const auto ratio = [](double A, double C) {
+      return paris(K_of_ellipse(A, C, 0.5 * pi), 0.0) / paris(K_of_ellipse(A, C, 0.0), 0.0);
+    };
+    const double half = a + 0.5 * dc * ratio(a, c);
+    cycles += dc / paris(K_of_ellipse(half, c + 0.5 * dc, 0.0), 0.0);
+    a += dc * ratio(half, c + 0.5 * dc);
+    c += dc;
+  }
+  return {a, c, cycles};
+}
+
+double cycles_of(const growth::March& march) {
+  return march.trajectory().cycles(march.state().stations.front().s, march.end()->s);
+}
+
+// An embedded ellipse has four arms, which grow alike, and its life is that of two numbers.
+TEST(EllipseWays, EmbeddedEllipseAsTwoNumbers) {
+  Block block({-20, -20, -20}, {20, 20, 20}, 4);
+  block.ellipse(Vec3::Zero(), 0.5, 1.0);
+  block.model.growth->last_length = 1.5;
+  growth::March march(block.model, paris, std::make_unique<growth::EllipseWays>(block.model), {});
+  ASSERT_EQ(march.tips().size(), 4U);
+  EXPECT_EQ(march.tips()[0].name, "C.A1");
+  EXPECT_EQ(march.tips()[3].name, "C.C2");
+  run(march, K_at_ellipse);
+  const auto [a, c, cycles] = integrated(0.5, 1.0, 1.5);
+  EXPECT_EQ(march.end()->word, "AMAX");
+  EXPECT_NEAR(cycles_of(march) / cycles, 1.0, 1e-3);
+  EXPECT_NEAR(march.state().stations.back().tips[0].a / a, 1.0, 1e-3);
+}
+
+// A quarter of it in the corner of a block has two arms, and the same life.
+TEST(EllipseWays, CornerCrackHasAnArmForEachAxis) {
+  Block block({0, 0, -20}, {20, 20, 20}, 4);
+  block.ellipse(Vec3::Zero(), 0.5, 1.0);
+  block.model.growth->last_length = 1.5;
+  growth::March march(block.model, paris, std::make_unique<growth::EllipseWays>(block.model), {});
+  ASSERT_EQ(march.tips().size(), 2U);
+  EXPECT_EQ(march.tips()[0].name, "C.A");
+  EXPECT_EQ(march.tips()[1].name, "C.C");
+  run(march, K_at_ellipse);
+  EXPECT_NEAR(cycles_of(march) / integrated(0.5, 1.0, 1.5)[2], 1.0, 1e-3);
+}
+
+// K larger on one side of the centre moves it: both ends of the axis keep their own rates.
+TEST(EllipseWays, ArmsOfOneAxisGrowApart) {
+  Block block({-20, -20, -20}, {20, 20, 20}, 4);
+  block.ellipse(Vec3::Zero(), 1.0, 1.0);
+  block.model.growth->last_length = 1.3;
+  growth::March march(block.model, paris, std::make_unique<growth::EllipseWays>(block.model), {});
+  growth::CrackState last;
+  run(march, [&](const growth::CrackState& cracks, const Vec3& x) {
+    last = cracks;
+    return x.x() > 0.5 ? std::cbrt(3.0) : 1.0;
+  });
+  const std::vector<TipStation>& tips = march.state().stations.back().tips;
+  ASSERT_EQ(tips.size(), 4U);
+  EXPECT_NEAR(tips[2].a, 1.3, 1e-9);
+  EXPECT_NEAR(tips[3].a, 1.1, 1e-6);
+  const model::CrackPlane& plane = last.solids[0].plane;
+  EXPECT_NEAR(plane.place.x(), 0.1, 1e-6);
+  EXPECT_NEAR(plane.c, 1.2, 1e-6);
+  EXPECT_NEAR(plane.a, 1.1, 1e-6);
+}
+
+// Through the far face of a plate: the front behind it leads from face to face, and the growth goes
+// on to the edge.
+template <class Ways> void through_the_plate() {
+  Block block({0, 0, -20}, {20, 2, 20}, 4); // the plate is 2 thick along y
+  block.ellipse(Vec3::Zero(), 1.0, 1.0);
+  growth::March march(block.model, paris, std::make_unique<Ways>(block.model), {});
+  std::vector<Vec3> ends;
+  run(march, [&](const growth::CrackState& cracks, const Vec3& x) {
+    ends = cracks.aims;
+    return 1.0 + 0.01 * x.y();
+  });
+  EXPECT_EQ(march.end()->word, "EDGE");
+  std::size_t leaps = 0;
+  for (const growth::Station& station : march.state().stations) {
+    leaps += station.leapt > 0 ? 1 : 0;
+  }
+  EXPECT_GE(leaps, 1U);
+  double far = 0.0;
+  for (const Vec3& x : ends) {
+    far = std::max(far, x.x());
+  }
+  EXPECT_GT(far, 0.8 * 20.0);
+  EXPECT_GT(march.error(), 0.0);
+}
+TEST(EllipseWays, CornerCrackGoesThroughTheFarFace) {
+  through_the_plate<growth::EllipseWays>();
+}
+TEST(FreeWays, CornerCrackGoesThroughTheFarFace) {
+  through_the_plate<growth::FreeWays>();
+}
+
+// The same K all round: a circle grows as one, in the body and from a corner.
+TEST(FreeWays, CircleStaysACircle) {
+  for (const bool corner : {false, true}) {
+    const double low = corner ? 0.0 : -20.0;
+    Block block({low, low, -20}, {20, 20, 20}, 4);
+    block.ellipse(Vec3::Zero(), 1.0, 1.0);
+    block.model.growth->last_length = 2.0;
+    growth::March march(block.model, paris, std::make_unique<growth::FreeWays>(block.model), {});
+    ASSERT_EQ(march.tips().size(), corner ? 9U : 16U);
+    growth::CrackState last;
+    run(march, [&](const growth::CrackState& cracks, const Vec3&) {
+      last = cracks;
+      return 1.0;
+    });
+    EXPECT_EQ(march.end()->word, "AMAX");
+    for (const Vec3& x : last.aims) {
+      EXPECT_NEAR(x.norm(), 2.0, 2e-3) << x.transpose();
+    }
+    EXPECT_NEAR(cycles_of(march) / (1.0 / paris(1.0, 0.0)), 1.0, 1e-3);
+  }
+}
+
+// An ellipse on its way to a circle: K of the ellipse that the front's own half-axes make. Five
+// advances of a tenth of c (G22: a/c = 0.708 +- 0.005).
+TEST(FreeWays, EllipseBecomesRounder) {
+  Block block({-20, -20, -20}, {20, 20, 20}, 4);
+  block.ellipse(Vec3::Zero(), 0.5, 1.0);
+  block.model.growth->last_length = 1.5;
+  growth::March march(block.model, paris, std::make_unique<growth::FreeWays>(block.model), {});
+  double a = 0.0;
+  double c = 0.0;
+  run(march, [&](const growth::CrackState& cracks, const Vec3& x) {
+    a = c = 0.0;
+    for (const Vec3& aim : cracks.aims) {
+      a = std::max(a, std::abs(aim.y()));
+      c = std::max(c, std::abs(aim.x()));
+    }
+    return K_of_ellipse(a, c, std::atan2(x.y() / a, x.x() / c));
+  });
+  const auto [end_a, end_c, cycles] = integrated(0.5, 1.0, c);
+  EXPECT_NEAR(a / end_a, 1.0, 5e-3);
+  EXPECT_NEAR(cycles_of(march) / cycles, 1.0, 1e-2);
+}
+
+// A run that goes on from a station asks for the same front as one that never stopped.
+template <class Ways> void goes_on_alike() {
+  Block block({0, 0, -20}, {20, 2, 20}, 4);
+  block.ellipse(Vec3::Zero(), 0.7, 1.0);
+  block.model.growth->last_length = 4.0;
+  growth::March whole(block.model, paris, std::make_unique<Ways>(block.model), {});
+  base::Diagnostics none;
+  for (int k = 0; k < 8; ++k) {
+    const auto cracks = whole.next(none);
+    ASSERT_TRUE(cracks);
+    const auto state = growth::state_of(growth::to_arrays(whole.state()));
+    ASSERT_TRUE(state);
+    growth::March again(block.model, paris, std::make_unique<Ways>(block.model), *state);
+    const auto same = again.next(none);
+    ASSERT_TRUE(same);
+    ASSERT_EQ(same->aims.size(), cracks->aims.size());
+    for (std::size_t i = 0; i < same->aims.size(); ++i) {
+      EXPECT_EQ(same->aims[i], cracks->aims[i]) << "station " << k;
+    }
+    std::vector<TipStation> found(whole.tips().size());
+    for (std::size_t tip = 0; tip < found.size(); ++tip) {
+      const Vec3& x = cracks->aims[tip];
+      found[tip].x = x.x();
+      found[tip].y = x.y();
+      found[tip].z = x.z();
+      found[tip].K_max = 1.0 + 0.1 * x.y();
+      found[tip].rate = paris(found[tip].K_max, 0.0);
+    }
+    whole.take(std::move(found));
+  }
+}
+TEST(EllipseWays, GoesOnAlike) {
+  goes_on_alike<growth::EllipseWays>();
+}
+TEST(FreeWays, GoesOnAlike) {
+  goes_on_alike<growth::FreeWays>();
+}
+
+} // namespace
