@@ -3,6 +3,7 @@
 #include "report/drawing/mesh_picture.hpp"
 #include "report/drawing/plot.hpp"
 #include "report/topics/figures.hpp"
+#include "report/topics/front_marks.hpp"
 #include "report/topics/growth_tables.hpp"
 #include "report/topics/result_tables.hpp"
 
@@ -388,6 +389,9 @@ std::vector<Figure> growth_figures(const model::Model& model, const results::Run
   }
   if (std::optional<Figure> path = path_figure(model, run, *run.growth)) {
     figures.push_back(std::move(*path));
+  }
+  for (Figure& marks : front_marks(model, run)) {
+    figures.push_back(std::move(marks));
   }
   return figures;
 }
