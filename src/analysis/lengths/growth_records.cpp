@@ -94,8 +94,9 @@ results::Growth growth_records(const model::Model& model, const growth::March& m
     station.cycles = at_station;
     if (stations[i].leapt > 0) {
       out.passages.push_back(
-          fmt::format("{} goes through a surface between stations {} and {}, at {:.6g} {}s",
-                      out.tips[stations[i].leapt - 1], i, i + 1, at_station, out.unit));
+          fmt::format("{} goes through a surface between stations {} and {}, at {:.6g} {}",
+                      out.tips[stations[i].leapt - 1], i, i + 1, at_station,
+                      out.unit == "pass" ? "passes" : "cycles"));
     }
     for (std::size_t tip = 0; tip < out.tips.size(); ++tip) {
       const growth::TipStation& t = stations[i].tips[tip];

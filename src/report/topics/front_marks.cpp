@@ -61,8 +61,8 @@ std::vector<Figure> front_marks(const model::Model& model, const results::Run& r
     figures.push_back({{draw(view)},
                        "",
                        fmt::format("Where the front of {} was solved, seen along the crack's "
-                                   "normal; N in {}s.",
-                                   crack.name, run.growth->unit)});
+                                   "normal; N in {}.",
+                                   crack.name, run.growth->unit == "pass" ? "passes" : "cycles")});
   }
   return figures;
 }
