@@ -77,7 +77,6 @@ void EllipseWays::find_tips() {
     if (!crack_grows(model_, c) || crack.kind != model::CrackKind::ellipse) {
       continue;
     }
-    std::size_t number = 0;
     for (const bool on_a : {true, false}) {
       std::vector<double> ends;
       for (const double sign : {1.0, -1.0}) {
@@ -98,8 +97,7 @@ void EllipseWays::find_tips() {
                                              : sign > 0.0 ? "1"
                                                           : "2"),
                          .line = c,
-                         .at_first = false,
-                         .number = number++});
+                         .at_first = false});
       }
     }
   }

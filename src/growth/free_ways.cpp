@@ -52,10 +52,8 @@ FreeWays::FreeWays(const model::Model& model)
     growing_.push_back({.crack = c, .first = tips_.size(), .count = count});
     arcs_.push_back(std::move(arc));
     for (std::size_t i = 0; i < count; ++i) {
-      tips_.push_back({.name = fmt::format("{}.{}", cracks_[c].name, i + 1),
-                       .line = c,
-                       .at_first = false,
-                       .number = i});
+      tips_.push_back(
+          {.name = fmt::format("{}.{}", cracks_[c].name, i + 1), .line = c, .at_first = false});
       first_arm_.push_back((frame(growing_.back(), i).x - cracks_[c].plane.place).norm());
     }
   }

@@ -57,7 +57,7 @@ std::vector<GrowingTip> growing_tips(const model::Model& model,
                                      const std::vector<mesh::CrackLine>& lines) {
   std::vector<GrowingTip> tips;
   const auto add = [&](std::string name, std::size_t line, bool at_first) {
-    tips.push_back({.name = std::move(name), .line = line, .at_first = at_first, .number = 0});
+    tips.push_back({.name = std::move(name), .line = line, .at_first = at_first});
   };
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (!crack_grows(model, lines[i].crack.index())) {

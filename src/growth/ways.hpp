@@ -15,10 +15,9 @@ namespace spricka::growth {
 /// A place of a crack that grows at a rate of its own: a tip in the plane, an end of an axis of an
 /// ellipse or a point of a front in space.
 struct GrowingTip {
-  std::string name;       ///< "C1", "C1.2", "C1.A"
-  std::size_t line = 0;   ///< of CrackState::lines in the plane, else of solids
-  bool at_first = false;  ///< in the plane: at the first point of its line, else at the last
-  std::size_t number = 0; ///< in space: counts the tips of its crack
+  std::string name;      ///< "C1", "C1.2", "C1.A"
+  std::size_t line = 0;  ///< of CrackState::lines in the plane, else of solids
+  bool at_first = false; ///< in the plane: at the first point of its line, else at the last
 };
 
 /// All cracks as they are at one moment.
