@@ -273,17 +273,20 @@ std::vector<IntensityPoint> intensity_points(const model::Model& model,
   }
   const double factor = factors_of(set, front, state).K();
   const auto visit = [&](std::size_t partner, auto&& take) {
-    for_contractions(set, fields, partner,
-                     [&](base::ElementId e, const shape::Point<2>& r, const auto& /*at*/,
-                         const Contracted& c) { take(e, r, Eigen::Matrix2d(factor * c.M)); });
+    for_contractions(
+        set, fields, partner,
+        [&](base::ElementId e, const shape::Point<2>& r, const auto& /*at*/, const Contracted& c) {
+          take(e, r, Contracted{factor * c.M, factor * c.hoop});
+        });
   };
-  visit(1, [&](base::ElementId e, const shape::Point<2>& r, const Eigen::Matrix2d& M) {
-    points.push_back({e, r, {M, Eigen::Matrix2d::Zero()}});
+  visit(1, [&](base::ElementId e, const shape::Point<2>& r, const Contracted& c) {
+    points.push_back({e, r, {c.M, Eigen::Matrix2d::Zero()}, {c.hoop, 0.0}});
   });
   if (!front.symmetric_half) { // the points come in the same order
     std::size_t i = 0;
-    visit(2, [&](base::ElementId, const shape::Point<2>&, const Eigen::Matrix2d& M) {
-      points[i++].M[1] = M;
+    visit(2, [&](base::ElementId, const shape::Point<2>&, const Contracted& c) {
+      points[i].M[1] = c.M;
+      points[i++].hoop[1] = c.hoop;
     });
   }
   return points;

@@ -84,11 +84,13 @@ base::Matrix intensity_rows(const model::Model& model, const mesh::CrackedMesh& 
                             model::CrackState state);
 
 /// The same functional of any displacement gradient, also of functions that are not the mesh's: K_m
-/// is the sum over the points of M_m : grad u (row i: gradient of u_i).
+/// is the sum over the points of M_m : grad u (row i: gradient of u_i), about an axis with hoop_m
+/// u_x / x.
 struct IntensityPoint {
   base::ElementId element;
   shape::Point<2> r = shape::Point<2>::Zero(); ///< in the element's reference coordinates
   std::array<Eigen::Matrix2d, 2> M;            ///< by mode, integration weight included
+  std::array<double, 2> hoop{};                ///< the same
 };
 std::vector<IntensityPoint> intensity_points(const model::Model& model,
                                              const mesh::CrackedMesh& cracked,

@@ -41,9 +41,6 @@ std::string not_enriched(const model::Model& model, const model::Mesh& mesh) {
   if (mesh.dim != 2) {
     return "the model is no plane one";
   }
-  if (model::axisymmetric(model)) {
-    return "the model is axisymmetric";
-  }
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const base::ElementId id(e);
     if (!has_modes(mesh.type[e])) {
@@ -218,7 +215,11 @@ base::Matrix Enrichment::functional(const std::vector<crack::IntensityPoint>& po
         const Eigen::Matrix2d& M = point.M[static_cast<std::size_t>(mode)];
         // M : grad psi, in the order of the rows of ModeGradients.
         const Eigen::RowVector4d by_row(M(0, 0), M(0, 1), M(1, 0), M(1, 1));
-        const Eigen::Matrix<double, 1, mode_freedoms<S>> value = by_row * G;
+        Eigen::Matrix<double, 1, mode_freedoms<S>> value = by_row * G;
+        if (const double hoop = point.hoop[static_cast<std::size_t>(mode)]; hoop != 0.0) {
+          const double x = X.row(0) * S::N(point.r);
+          value += hoop / x * mode_outward<S>(X, point.r, sides(e));
+        }
         for (int i = 0; i < mode_freedoms<S>; ++i) {
           g(freedom[static_cast<std::size_t>(i)], mode) += value[i];
         }

@@ -43,6 +43,29 @@ ModeGradients<S> mode_gradients(const fe::NodeVectors<S>& X, const shape::Point<
   return G;
 }
 
+template <shape::PlaneShape S>
+Eigen::Matrix<double, 1, mode_freedoms<S>>
+mode_outward(const fe::NodeVectors<S>& X, const shape::Point<2>& r, const SideState& sides) {
+  using M = Modes<S>;
+  const Eigen::Matrix<double, M::count, 1> psi = M::psi(r);
+  Eigen::Matrix<double, 1, mode_freedoms<S>> along =
+      Eigen::Matrix<double, 1, mode_freedoms<S>>::Zero();
+  for (int m = 0; m < M::count; ++m) {
+    if (m >= M::sides) {
+      along[2 * m] = psi[m];
+      continue;
+    }
+    const auto s = static_cast<std::size_t>(m);
+    along[2 * m] = sides.sign[s] * psi[m];
+    if (sides.framed[s]) {
+      const SideFrame frame = side_frame(side_points<S>(X, m), M::along(r, m));
+      along[2 * m + 1] = along[2 * m] * frame.axis[1].x();
+      along[2 * m] *= frame.axis[0].x();
+    }
+  }
+  return along;
+}
+
 namespace {
 
 // Strains xx yy xy of gradients as above.
@@ -60,7 +83,9 @@ template <shape::PlaneShape S>
 EnrichedStiffness<S>::EnrichedStiffness(const fe::NodeVectors<S>& X, const fe::Law& law,
                                         const SideState& sides) {
   // Moments know modes along x and y only; in a frame the directions change from point to point.
-  if (sides.any_framed()) {
+  if (law.axisymmetric) {
+    about_axis(X, law, sides);
+  } else if (sides.any_framed()) {
     by_strains(X, law, sides);
   } else {
     by_moments(X, law, sides);
@@ -84,6 +109,36 @@ void EnrichedStiffness<S>::by_strains(const fe::NodeVectors<S>& X, const fe::Law
     const Eigen::Matrix<double, 3, mode_freedoms<S>> DB = (w * D) * B;
     ee.noalias() += B.transpose() * DB;
     ep.noalias() += DB.transpose() * fe::strain_matrix<S>(at.dNdx);
+  }
+}
+
+// As by_strains, with the strain round the axis as the fourth.
+template <shape::PlaneShape S>
+void EnrichedStiffness<S>::about_axis(const fe::NodeVectors<S>& X, const fe::Law& law,
+                                      const SideState& sides) {
+  Eigen::Matrix4d D = Eigen::Matrix4d::Zero();
+  D.topLeftCorner<2, 2>().setConstant(law.lambda);
+  D.block<2, 1>(0, 3).setConstant(law.lambda);
+  D.block<1, 2>(3, 0).setConstant(law.lambda);
+  D(3, 3) = law.lambda;
+  D.diagonal() += law.mu * Eigen::Vector4d(2.0, 2.0, 1.0, 2.0);
+  ee.setZero();
+  ep.setZero();
+  for (const auto& point : shape::quadrature<S>(Modes<S>::degree)) {
+    const fe::Jacobian<S> at = fe::jacobian<S>(X, point.r);
+    const fe::Hoop<S> hoop(X, law, point.r);
+    const double w = point.weight * at.det * law.depth(hoop.x);
+    Eigen::Matrix<double, 4, mode_freedoms<S>> B;
+    B.template topRows<3>() = strains_of(mode_gradients<S>(X, point.r, at.J, sides));
+    B.row(3) = mode_outward<S>(X, point.r, sides) / hoop.x;
+    Eigen::Matrix<double, 4, 2 * S::nodes> P = Eigen::Matrix<double, 4, 2 * S::nodes>::Zero();
+    P.template topRows<3>() = fe::strain_matrix<S>(at.dNdx);
+    for (int n = 0; n < S::nodes; ++n) {
+      P(3, 2 * n) = hoop.h[n];
+    }
+    const Eigen::Matrix<double, 4, mode_freedoms<S>> DB = (w * D) * B;
+    ee.noalias() += B.transpose() * DB;
+    ep.noalias() += DB.transpose() * P;
   }
 }
 
@@ -147,6 +202,8 @@ void EnrichedStiffness<S>::by_moments(const fe::NodeVectors<S>& X, const fe::Law
 #define MODE_KERNEL(S)                                                                             \
   template ModeGradients<S> mode_gradients<S>(const fe::NodeVectors<S>&, const shape::Point<2>&,   \
                                               const Eigen::Matrix2d&, const SideState&);           \
+  template Eigen::Matrix<double, 1, mode_freedoms<S>> mode_outward<S>(                             \
+      const fe::NodeVectors<S>&, const shape::Point<2>&, const SideState&);                        \
   template struct EnrichedStiffness<S>;
 MODE_KERNEL(shape::Trimc6)
 MODE_KERNEL(shape::Quamc8)

@@ -49,6 +49,12 @@ template <shape::PlaneShape S>
 ModeGradients<S> mode_gradients(const fe::NodeVectors<S>& X, const shape::Point<2>& r,
                                 const Eigen::Matrix2d& J, const SideState& sides);
 
+/// Displacements along x of all mode freedoms at a point: about an axis the strain round it is
+/// these over x.
+template <shape::PlaneShape S>
+Eigen::Matrix<double, 1, mode_freedoms<S>>
+mode_outward(const fe::NodeVectors<S>& X, const shape::Point<2>& r, const SideState& sides);
+
 /// Stiffness of the modes with themselves and with the nodes' displacements (manual, estimate.8).
 template <shape::PlaneShape S> struct EnrichedStiffness {
   static constexpr int modes = Modes<S>::count;
@@ -59,6 +65,7 @@ template <shape::PlaneShape S> struct EnrichedStiffness {
 
 private:
   void by_strains(const fe::NodeVectors<S>& X, const fe::Law& law, const SideState& sides);
+  void about_axis(const fe::NodeVectors<S>& X, const fe::Law& law, const SideState& sides);
   void by_moments(const fe::NodeVectors<S>& X, const fe::Law& law, const SideState& sides);
 };
 

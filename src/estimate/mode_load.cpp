@@ -76,7 +76,15 @@ ModeForces<S> taken_forces(const fe::NodeVectors<S>& X, const fe::Law& law,
   ModeForces<S> F = ModeForces<S>::Zero();
   for (const auto& point : shape::quadrature<S>(Modes<S>::degree)) {
     const fe::Jacobian<S> at = fe::jacobian<S>(X, point.r);
-    Eigen::Matrix2d stress = thermal.at(point.r) * Eigen::Matrix2d::Identity();
+    const double even = thermal.at(point.r);
+    Eigen::Matrix2d stress = even * Eigen::Matrix2d::Identity();
+    if (law.axisymmetric) { // nothing is carried there, and the strain round the axis takes part
+      const double x = X.row(0) * S::N(point.r);
+      const double w = point.weight * at.det * law.depth(x);
+      F += pressed<S>(mode_gradients<S>(X, point.r, at.J, sides), w * stress);
+      F += w * even / x * mode_outward<S>(X, point.r, sides).transpose();
+      continue;
+    }
     if (carried) {
       const Eigen::Matrix2d H = U * at.dNdx;
       stress = law.mu * (H + H.transpose());

@@ -4,6 +4,7 @@
 #include "estimate/modes.hpp"
 #include "fe/element.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -22,11 +23,14 @@ Held hold(const CornerSetting& setting, const Corner& corner, const base::Matrix
   const model::Mesh& mesh = setting.mesh;
   for (const base::ElementId e : corner.elements) {
     const fe::Law law = fe::law_of(setting.model, mesh, e);
-    // E' of (fe.4) by Lame's constants; with the reduced lambda of plane stress it is E.
-    held.modulus =
-        law.thickness * 4.0 * law.mu * (law.lambda + law.mu) / (law.lambda + 2.0 * law.mu);
     with_mode_shape(mesh.type[e.index()], [&]<shape::PlaneShape S>(S) {
       const std::span<const base::NodeId> nodes = mesh.nodes_of(e);
+      // On an axis a ring as wide as the elements stands for the point.
+      const fe::NodeVectors<S> X = fe::coordinates<S>(mesh, e);
+      const double x = std::max(mesh.x[corner.node.index()].x(), X.row(0).mean());
+      // E' of (fe.4) by Lame's constants; with the reduced lambda of plane stress it is E.
+      held.modulus =
+          law.depth(x) * 4.0 * law.mu * (law.lambda + law.mu) / (law.lambda + 2.0 * law.mu);
       for (Eigen::Index k = 0; k < z.cols(); ++k) {
         fe::NodeVectors<S> U;
         for (int i = 0; i < S::nodes; ++i) {
@@ -34,7 +38,7 @@ Held hold(const CornerSetting& setting, const Corner& corner, const base::Matrix
               2 * static_cast<Eigen::Index>(nodes[static_cast<std::size_t>(i)].index()));
         }
         // What the elements at the node ask of it in the adjoint: its reaction R_z (estimate.18).
-        const fe::NodeVectors<S> F = fe::element_force<S>(fe::coordinates<S>(mesh, e), law, U);
+        const fe::NodeVectors<S> F = fe::element_force<S>(X, law, U);
         for (int i = 0; i < S::nodes; ++i) {
           if (nodes[static_cast<std::size_t>(i)] == corner.node) {
             held.force.col(k) += F.col(i);

@@ -2,6 +2,7 @@
 #include "estimate/space_enrichment.hpp"
 
 #include "fe/load_points.hpp"
+#include "fe/thermal_kernel.hpp"
 #include "model/model.hpp"
 #include "shape/side_place.hpp"
 #include "shape/topology.hpp"
@@ -94,7 +95,33 @@ void SpaceEnrichment::add_on_side(const model::Face& face, const base::Vec2& r, 
              f);
 }
 
-base::Vector SpaceEnrichment::load(const model::LoadCase& load_case) const {
+// A temperature presses on the volume change of the modes.
+template <shape::ElementShape S>
+void SpaceEnrichment::add_thermal(base::ElementId e, const base::Vector& temperature,
+                                  base::Vector& f) const {
+  const fe::CornerValues<S> T = fe::corner_temperature<S>(mesh_, e, temperature);
+  if ((T.array() == 0.0).all()) {
+    return;
+  }
+  const fe::NodeVectors<S> X = fe::coordinates<S>(mesh_, e);
+  const fe::Law law = fe::law_of(model_, mesh_, e);
+  const fe::ThermalStress<S> thermal(X, law, T);
+  const SpaceModes& modes = SpaceModes::of(S::type);
+  base::Matrix F = base::Matrix::Zero(static_cast<Eigen::Index>(modes.modes().size()), 3);
+  for (const auto& point : shape::quadrature<S>(S::degree)) {
+    const fe::Jacobian<S> at = fe::jacobian<S>(X, point.r);
+    F += point.weight * at.det * thermal.at(point.r) * (modes.dpsi(point.r) * at.J.inverse());
+  }
+  const std::span<const std::int32_t> mode = of_element(e);
+  const std::span<const double> sign = signs(e);
+  for (std::size_t m = 0; m < mode.size(); ++m) {
+    f.segment<3>(3 * static_cast<Eigen::Index>(mode[m])) +=
+        sign[m] * F.row(static_cast<Eigen::Index>(m)).transpose();
+  }
+}
+
+base::Vector SpaceEnrichment::load(const model::LoadCase& load_case,
+                                   const base::Vector& temperature) const {
   base::Vector f = base::Vector::Zero(freedoms());
   const auto on_side = [&](const model::Face& face, std::span<const fe::LoadPoint> points) {
     for (const fe::LoadPoint& p : points) {
@@ -108,6 +135,13 @@ base::Vector SpaceEnrichment::load(const model::LoadCase& load_case) const {
   };
   for (const model::Load& load : load_case.loads) {
     fe::for_load_points(model_, mesh_, load, {on_side, inside});
+  }
+  for (std::size_t e = 0; e < mesh_.element_count() && temperature.size() > 0; ++e) {
+    shape::with_shape(mesh_.type[e], [&]<shape::ElementShape S>(S) {
+      if constexpr (S::dim == 3) {
+        add_thermal<S>(base::ElementId(e), temperature, f);
+      }
+    });
   }
   return f.cwiseProduct(free());
 }

@@ -9,6 +9,7 @@
 #include "model/freedoms.hpp"
 #include "model/loads.hpp"
 #include "model/mesh.hpp"
+#include "shape/shape.hpp"
 
 #include <cstdint>
 #include <span>
@@ -51,8 +52,10 @@ public:
   /// Zero where held. [freedoms]
   [[nodiscard]] const base::Vector& free() const { return operator_.numbers().free; }
 
-  /// Forces on the modes of spread loads of a case; temperatures are not among them.
-  [[nodiscard]] base::Vector load(const model::LoadCase& load_case) const;
+  /// Forces on the modes of spread loads of a case, and what temperatures that elements take press.
+  /// [connectivity index]; empty: none
+  [[nodiscard]] base::Vector load(const model::LoadCase& load_case,
+                                  const base::Vector& temperature) const;
   /// Adds what forces at points of faces, as contacts have them, do.
   void add_tractions(const std::vector<contact::FaceTraction>& tractions, base::Vector& f) const;
 
@@ -61,6 +64,8 @@ private:
                    base::Vector& f) const;
   void add_inside(base::ElementId e, const base::Vec3& r, const base::Vec3& force,
                   base::Vector& f) const;
+  template <shape::ElementShape S>
+  void add_thermal(base::ElementId e, const base::Vector& temperature, base::Vector& f) const;
 
   const model::Model& model_;
   const model::Mesh& mesh_;

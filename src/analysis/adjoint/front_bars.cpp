@@ -92,10 +92,7 @@ std::string FrontBars::why_not(const FrozenStep& step) const {
   if (!why_not_.empty()) {
     return why_not_;
   }
-  if (step.contact.rubs) {
-    return "contacts rub: what K changes by depends on the way there";
-  }
-  return step.state.temperature.size() > 0 ? "there are temperatures" : "";
+  return step.contact.rubs ? "contacts rub: what K changes by depends on the way there" : "";
 }
 
 base::Vector FrontBars::load(const StepState& state) {
@@ -106,7 +103,7 @@ base::Vector FrontBars::load(const StepState& state) {
       continue;
     }
     if (!case_load_[c]) {
-      case_load_[c] = enrichment_->load(model_.cases[c]);
+      case_load_[c] = enrichment_->load(model_.cases[c], scene_.case_heat[c]->temperature);
     }
     f += factor * *case_load_[c];
   }

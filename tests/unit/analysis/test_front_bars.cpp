@@ -145,5 +145,25 @@ TEST(FrontBars, EllipseUnderTensionAndBending) {
   judge(buried(0.5, 1.0, 20.0, ""), ellipse);
 }
 
+// A block between walls that becomes colder, the more so the larger x is: the walls pull by
+// E alpha (1 + x) = 1 + x, and the sides are free.
+TEST(FrontBars, PennyInABlockThatCoolsBetweenWalls) {
+  std::string deck = buried(1.0, 1.0, 20.0, "");
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    deck.replace(deck.find(from), from.size(), to);
+  };
+  replace("E=1000 NU=0.3", "E=1000 NU=0.3 ALPHA=1e-3");
+  replace("DOF=XYZ\n  P1", "DOF=XY\n  P1");
+  replace("DOF=YZ\n  P2", "DOF=Y\n  P2");
+  replace("DOF=Z\n  P3", "DOF=Z\n  BODY.ZMIN BODY.ZMAX");
+  const std::size_t loads = deck.find("$LOAD");
+  deck.replace(loads, std::string::npos,
+               "$LOAD CASE=COLD TYPE=TEMPERATURE\n  BODY.BODY  (-1-x)\n"
+               "$STEP NAME=COLD\n  LOAD COLD 1\n$END\n");
+  judge(deck, [](const std::string&, double phi) -> std::array<double, 3> {
+    return {(2.0 + 4.0 / 3.0 * std::cos(phi)) / std::sqrt(std::numbers::pi), 0.0, 0.0};
+  });
+}
+
 } // namespace
 } // namespace spricka
