@@ -79,9 +79,42 @@ NodeVectors<S> FreeExpansion<S>::at_nodes(const NodeVectors<S>& X) const {
   return U;
 }
 
+template <shape::ElementShape S> HeatFunctions<S>::HeatFunctions(const NodeVectors<S>& X) : X_(X) {
+  if constexpr (bent) {
+    const auto C = X.template leftCols<corners<S>()>();
+    const Eigen::Matrix<double, corners<S>(), S::dim> A =
+        (C.colwise() - C.rowwise().mean()).transpose();
+    const Eigen::Matrix<double, S::dim, S::dim> normal = A.transpose() * A;
+    slope_ = normal.ldlt().solve(A.transpose()).transpose();
+  } else {
+    slope_.setZero();
+  }
+}
+
+template <shape::ElementShape S>
+CornerValues<S> HeatFunctions<S>::at(const shape::Point<S::dim>& r) const {
+  const CornerValues<S> L = Linear<S>::N(r);
+  if constexpr (bent) {
+    // How far a point is from where the corners put it.
+    return L + slope_ * (X_ * S::N(r) - X_.template leftCols<corners<S>()>() * L);
+  }
+  return L;
+}
+
+template <shape::ElementShape S>
+Eigen::Matrix<double, corners<S>(), S::dim>
+HeatFunctions<S>::gradients(const Jacobian<S>& at, const shape::Point<S::dim>& r) const {
+  const Eigen::Matrix<double, corners<S>(), S::dim> G = Linear<S>::dN(r) * at.J.inverse();
+  if constexpr (bent) {
+    return G + slope_ * (Eigen::Matrix<double, S::dim, S::dim>::Identity() -
+                         X_.template leftCols<corners<S>()>() * G);
+  }
+  return G;
+}
+
 template <shape::ElementShape S>
 ThermalStress<S>::ThermalStress(const NodeVectors<S>& X, const Law& law_, const CornerValues<S>& T_)
-    : law(law_), T(T_) {
+    : law(law_), T(T_), functions(X) {
   if (!law.projected || (T.array() == 0.0).all()) {
     return;
   }
@@ -120,6 +153,7 @@ NodeVectors<S> thermal_forces(const NodeVectors<S>& X, const Law& law, const Cor
 SPRICKA_EACH_PLANE_SHAPE(EXPANSION)
 
 #define THERMAL(S)                                                                                 \
+  template class HeatFunctions<S>;                                                                 \
   template struct ThermalStress<S>;                                                                \
   template NodeVectors<S> thermal_forces<S>(const NodeVectors<S>&, const Law&,                     \
                                             const CornerValues<S>&);

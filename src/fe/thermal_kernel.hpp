@@ -59,6 +59,24 @@ private:
   Eigen::Vector3d plane_ = Eigen::Vector3d::Zero();
 };
 
+/// Functions of the corner temperatures of an element: those of its linear relative, in quadratic
+/// solids with what makes a temperature that is linear in x that in the element too, wherever the
+/// nodes of its edges are (manual, fe.40).
+template <shape::ElementShape S> class HeatFunctions {
+public:
+  explicit HeatFunctions(const NodeVectors<S>& X);
+  [[nodiscard]] CornerValues<S> at(const shape::Point<S::dim>& r) const;
+  /// Their gradients by x. [corners, dim]
+  [[nodiscard]] Eigen::Matrix<double, corners<S>(), S::dim>
+  gradients(const Jacobian<S>& at, const shape::Point<S::dim>& r) const;
+
+private:
+  static constexpr bool bent = S::dim == 3 && base::info(S::type).quadratic;
+
+  NodeVectors<S> X_;
+  Eigen::Matrix<double, corners<S>(), S::dim> slope_; ///< of a plane through corner values
+};
+
 /// What a temperature T takes out of the normal stresses of an element: a body held all round
 /// carries -alpha (3 lambda T + 2 mu T); in plane stress, with the reduced lambda, two directions
 /// are held. Where the volume change is projected, so is the temperature that drives it: a body
@@ -66,11 +84,12 @@ private:
 template <shape::ElementShape S> struct ThermalStress {
   const Law& law;
   CornerValues<S> T;
+  HeatFunctions<S> functions;
   typename Dilatation<S>::Modes projected = Dilatation<S>::Modes::Zero();
 
   ThermalStress(const NodeVectors<S>& X, const Law& law_, const CornerValues<S>& T_);
   [[nodiscard]] double temperature(const shape::Point<S::dim>& r) const {
-    return T.dot(Linear<S>::N(r));
+    return T.dot(functions.at(r));
   }
   /// The temperature that drives the volume change.
   [[nodiscard]] double of_volume(const shape::Point<S::dim>& r) const {
@@ -83,8 +102,8 @@ template <shape::ElementShape S> struct ThermalStress {
 };
 
 /// A temperature field(x) as an element takes it: constant in linear elements, linear in the
-/// reference coordinates of quadratic ones, and in x where these do not hold quadratic functions;
-/// the nearest to the field at the points of a rule. Compiled in thermal_kernel_project.cpp.
+/// reference coordinates of quadratic ones, and in x where plane ones do not hold quadratic
+/// functions, in solids by HeatFunctions; the nearest to the field at the points of a rule. Compiled in thermal_kernel_project.cpp.
 template <shape::ElementShape S>
 using Temperature = std::function<double(const Eigen::Matrix<double, S::dim, 1>& x)>;
 template <shape::ElementShape S>

@@ -9,25 +9,26 @@ namespace {
 
 template <shape::ElementShape S> using Rule = std::span<const shape::QuadraturePoint<S::dim>>;
 
-// Corner values of the function in the span of f(x, N of the corners) that comes nearest to a
+// Corner values of the function in the span of f(x, functions of the corners) that comes nearest to a
 // temperature field(x) at the points of a rule.
 template <shape::ElementShape S, int terms, class Functions>
 CornerValues<S> nearest_temperature(const NodeVectors<S>& X, const Law& law, const Rule<S>& rule,
                                     const Temperature<S>& field, const Functions& functions) {
+  const HeatFunctions<S> heat(X);
   Eigen::Matrix<double, terms, terms> G;
   G.setZero();
   Eigen::Matrix<double, terms, 1> right = Eigen::Matrix<double, terms, 1>::Zero();
   for (const auto& point : rule) {
     const Eigen::Matrix<double, S::dim, 1> x = X * S::N(point.r);
     const double w = point.weight * jacobian<S>(X, point.r).det * law.depth(x[0]);
-    const Eigen::Matrix<double, terms, 1> f = functions(x, Linear<S>::N(point.r));
+    const Eigen::Matrix<double, terms, 1> f = functions(x, heat.at(point.r));
     G.noalias() += (w * f) * f.transpose();
     right += (w * field(x)) * f;
   }
   const Eigen::Matrix<double, terms, 1> c = G.ldlt().solve(right);
   CornerValues<S> T;
   for (int n = 0; n < corners<S>(); ++n) {
-    T[n] = c.dot(functions(X.col(n), Linear<S>::N(shape::node<S>(n))));
+    T[n] = c.dot(functions(X.col(n), heat.at(shape::node<S>(n))));
   }
   return T;
 }

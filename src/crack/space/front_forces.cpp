@@ -60,7 +60,7 @@ struct FrontElements {
   const PartnerTable& partners;
   const std::vector<FrontBodyLoad>& body;
   const base::Vector& temperature;
-  std::optional<LinearHeat> linear; ///< what the temperature is, if it is that in all of them
+  std::optional<LinearHeat> linear; ///< the temperature, if it is that in all of them
   const base::Vector& u;
   const FrontTerms& terms;
 };
@@ -69,7 +69,7 @@ template <shape::ElementShape S> class FrontElement {
 public:
   FrontElement(const FrontElements& all, base::ElementId e)
       : all_(all), set_(all.set), e_(e), X_(fe::coordinates<S>(set_.mesh, e)),
-        U_(fe::gather<S>(set_.mesh, e, all.u)) {
+        U_(fe::gather<S>(set_.mesh, e, all.u)), heat_(X_) {
     if (all.temperature.size() > 0) {
       T_ = fe::corner_temperature<S>(set_.mesh, e, all.temperature);
       beta_ = fe::heat_modulus(fe::law_of(set_.model, set_.mesh, e));
@@ -105,8 +105,8 @@ private:
     const Vec3 x = X_ * N;
     const Tensor<3> H = U_ * at.dNdx;
     const Tensor<3> cold = isotropic_stress(set_.body, H);
+    const Warmth heat = warmth(at, point.r, x);
     for (std::size_t k = 0; k < front_partners; ++k) {
-      const Warmth heat = warmth(k, at, point.r, x);
       Tensor<3> sigma = cold;
       sigma.diagonal().array() -= heat.beta_T;
       Tensor<3> T;
@@ -114,7 +114,6 @@ private:
       if (k == 0) {
         T = energy_momentum<3>({H, sigma}, heat.beta_T * H.trace());
         c = H.trace() * heat.beta_grad_T;
-        carry_corners(weight * H.trace(), point.r, P);
       } else {
         const MovingField w = all_.partners.at(e_, number, k);
         T = energy_momentum<3>({H, sigma}, {w.H, w.sigma});
@@ -134,32 +133,17 @@ private:
     Vec3 beta_grad_T = Vec3::Zero();
   };
 
-  // Of the solution itself what the element takes of the temperature (crack.21, crack.22). Partners
-  // meet the temperature as it is, if that is linear: at the quarter points of an element at the
-  // front the element's is not (crack_space.11).
-  [[nodiscard]] Warmth warmth(std::size_t partner, const fe::Jacobian<S>& at,
-                              const shape::Point<3>& r, const Vec3& x) const {
-    using Linear = fe::Linear<S>;
+  // A linear temperature is that in all elements (fe.40), another one what the element takes
+  // (crack.21, crack.22).
+  [[nodiscard]] Warmth warmth(const fe::Jacobian<S>& at, const shape::Point<3>& r,
+                              const Vec3& x) const {
     if (beta_ == 0.0) {
       return {};
     }
-    if (all_.linear && partner > 0) {
+    if (all_.linear) {
       return {beta_ * (*all_.linear)(x), beta_ * all_.linear->slope};
     }
-    const Vec3 gradient = all_.linear
-                              ? Vec3::Zero()
-                              : Vec3(at.J.transpose().inverse() * (Linear::dN(r).transpose() * T_));
-    return {beta_ * T_.dot(Linear::N(r)), beta_ * gradient};
-  }
-
-  // Corners that move through a linear temperature take on that of their new place.
-  void carry_corners(double volume_change, const shape::Point<3>& r, OfNodes& P) const {
-    if (beta_ != 0.0 && all_.linear) {
-      const auto L = fe::Linear<S>::N(r);
-      for (Eigen::Index c = 0; c < L.size(); ++c) {
-        P[static_cast<std::size_t>(c)][0] += volume_change * beta_ * L[c] * all_.linear->slope;
-      }
-    }
+    return {beta_ * T_.dot(heat_.at(r)), beta_ * (heat_.gradients(at, r).transpose() * T_)};
   }
 
   // - q b . u,k (crack.19) and the same of the partners, at points of the load's own.
@@ -192,6 +176,7 @@ private:
   base::ElementId e_;
   fe::NodeVectors<S> X_;
   fe::NodeVectors<S> U_;
+  fe::HeatFunctions<S> heat_;
   fe::CornerValues<S> T_ = fe::CornerValues<S>::Zero();
   double beta_ = 0.0;
 };
