@@ -5,7 +5,6 @@
 #include "analysis/scene/tip_surroundings.hpp"
 #include "fe/face.hpp"
 #include "mesh/boundary.hpp"
-#include "mesh/node_elements.hpp"
 #include "model/model.hpp"
 #include "shape/quadrature.hpp"
 #include "shape/topology.hpp"
@@ -76,15 +75,6 @@ std::string why_none(const crack::FrontFields& fields) {
   return fmt::format("{}", fmt::join(reasons, "; "));
 }
 
-// Whether tetrahedra stand round a crack that was cut, no tube.
-bool has_no_tube(const model::Model& model, const mesh::CrackedMesh& cracked,
-                 const mesh::NodeElements& elements, const mesh::Front& front) {
-  return model.cracks[front.crack.index()].kind != model::CrackKind::front &&
-         std::ranges::all_of(elements.around(front.points.front().node), [&](base::ElementId e) {
-           return cracked.mesh.type[e.index()] == base::ElementType::tet10;
-         });
-}
-
 // Points inside the body that no domain belongs to.
 std::vector<std::size_t> points_without(const mesh::Front& front,
                                         const crack::FrontFields& fields) {
@@ -97,10 +87,11 @@ std::vector<std::size_t> points_without(const mesh::Front& front,
   return without;
 }
 
-// Layers of tetrahedra reach unevenly far: where those of the usual domains have no room the first
-// one is a domain, too. Where that has none a smooth curve through the others would be no K.
-crack::FrontFields free_fields(const model::Model& model, const Scene& scene,
-                               const mesh::Front& front, base::Diagnostics& diagnostics) {
+// Layers of tetrahedra reach unevenly far, and wide ones of a tube where the front turns sharply:
+// where those of the usual domains have no room the first one is a domain, too. Where that has none
+// a smooth curve through the others would be no K.
+crack::FrontFields fields_of(const model::Model& model, const Scene& scene,
+                             const mesh::Front& front, base::Diagnostics& diagnostics) {
   std::vector<int> rings = domain_rings(model, front.crack);
   const crack::DomainLimits limits = front_limits(model, scene);
   crack::FrontFields fields = crack::front_fields(scene.cracked, front, rings, limits);
@@ -112,15 +103,22 @@ crack::FrontFields free_fields(const model::Model& model, const Scene& scene,
     fields = crack::front_fields(scene.cracked, front, rings, limits);
   }
   const std::vector<std::size_t> without = points_without(front, fields);
-  if (!without.empty() && !fields.empty()) {
-    const model::Crack& crack = model.cracks[front.crack.index()];
+  const model::Crack& crack = model.cracks[front.crack.index()];
+  const char* const remedy = "give a smaller RADIUS or SIZE on $TIPNET or other DOMAINS on $VCE";
+  if (fields.empty()) {
+    diagnostics.error(
+        crack.span, "E412",
+        fmt::format("crack {}: no domain fits round its front: {}", crack.name, why_none(fields)),
+        remedy);
+  } else if (!without.empty()) {
     const Vec3& x = front.points[without.front()].x;
-    diagnostics.error(crack.span, "E412",
-                      fmt::format("crack {}: no domain of tetrahedra fits round {} of {} points of "
-                                  "its front, the first at ({:.6g}, {:.6g}, {:.6g}): {}",
-                                  crack.name, without.size(), front.points.size(), x.x(), x.y(),
-                                  x.z(), why_none(fields)),
-                      "give a smaller SIZE on $TIPNET or other DOMAINS on $VCE");
+    diagnostics.error(
+        crack.span, "E412",
+        fmt::format("crack {}: no domain fits round {} of {} points of its front, the "
+                    "first at ({:.6g}, {:.6g}, {:.6g}): {}",
+                    crack.name, without.size(), front.points.size(), x.x(), x.y(), x.z(),
+                    why_none(fields)),
+        remedy);
   }
   return fields;
 }
@@ -180,8 +178,6 @@ double mean_depth(const mesh::CrackedMesh& cracked, const mesh::Front& front) {
 
 bool make_fronts(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics) {
   bool good = true;
-  const crack::DomainLimits limits = front_limits(model, scene);
-  const mesh::NodeElements elements(scene.cracked.mesh);
   for (mesh::Front& front : scene.cracked.fronts) {
     if (model.cracks[front.crack.index()].kind == model::CrackKind::ellipse) {
       front.a = model.cracks[front.crack.index()].plane.a;
@@ -189,29 +185,8 @@ bool make_fronts(const model::Model& model, Scene& scene, base::Diagnostics& dia
       front.a = mean_depth(scene.cracked, front);
     }
     const std::size_t errors = diagnostics.error_count();
-    crack::FrontFields fields =
-        has_no_tube(model, scene.cracked, elements, front)
-            ? free_fields(model, scene, front, diagnostics)
-            : crack::front_fields(scene.cracked, front, domain_rings(model, front.crack), limits);
+    crack::FrontFields fields = fields_of(model, scene, front, diagnostics);
     good = good && diagnostics.error_count() == errors;
-    const model::Crack& crack = model.cracks[front.crack.index()];
-    if (fields.empty()) {
-      diagnostics.error(
-          crack.span, "E412",
-          fmt::format("crack {}: no domain fits round its front: {}", crack.name, why_none(fields)),
-          "give a smaller RADIUS on $TIPNET or other DOMAINS on $VCE");
-      good = false;
-    }
-    std::size_t without = 0;
-    for (const auto& point : fields.points) {
-      without += point.empty() ? 1 : 0;
-    }
-    if (without > 0 && !fields.empty()) {
-      scene.notes.push_back(fmt::format("{}: no domain fits round {} of {} points of the front, "
-                                        "which have no K: {}",
-                                        crack.name, without, fields.points.size(),
-                                        why_none(fields)));
-    }
     scene.fronts.push_back({front, std::move(fields)});
   }
   scene.cracked.fronts.clear();

@@ -7,7 +7,7 @@
 namespace spricka::analysis {
 
 /// Takes the fronts of cracks in space out of the cut mesh, with the domains that fit round them.
-/// Errors (no domain fits anywhere along a front) go to the crack's card.
+/// Errors (no domain fits round a point of a front inside the body) go to the crack's card.
 bool make_fronts(const model::Model& model, Scene& scene, base::Diagnostics& diagnostics);
 
 /// The same as tip_loads, of all domains of a front.
