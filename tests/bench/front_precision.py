@@ -27,6 +27,8 @@ sys.path.insert(0, str(TOP / "manual"))
 # Radius of the tube over the crack's smaller half axis, its rings and sectors. The third is what the
 # program does when nothing is said.
 LEVELS = ((0.2, 2, 6), (0.27, 3, 6), (None, 3, 8), (0.13, 3, 10), (0.09, 4, 12))
+# Size of tetrahedra at the front over the same half axis, where there is no tube.
+FREE = (0.3, 0.2, 0.1)
 COLUMNS = ("problem", "program", "radius", "rings", "sectors", "unknowns", "cpu_s", "memory_MiB",
            "rms", "largest", "smooth_rms", "smooth_largest", "bar_rms", "best_rms", "inside")
 
@@ -62,13 +64,16 @@ PROBLEMS = {"penny": ("penny_solid.deck", penny, 1.0),
 
 
 def deck_of(problem, level):
-    """The deck of decks/ with a tube of that level, without its checks, which are of another."""
+    """The deck of decks/ with a front of that level, without its checks, which are of another."""
     name, _, a = PROBLEMS[problem]
     text = (TOP / "decks" / name).read_text(encoding="utf-8")
-    radius, rings, sectors = level
-    if radius is not None:
+    card = ""
+    if isinstance(level, float):
+        card = f"$TIPNET CRACK=C1 TUBE=NO SIZE={level * a:g}\n"
+    elif level[0] is not None:
+        radius, rings, sectors = level
         card = f"$TIPNET CRACK=C1 RADIUS={radius * a:g} RINGS={rings} SECTORS={sectors}\n"
-        text = text.replace("$LOAD CASE=PULL", card + "$LOAD CASE=PULL")
+    text = text.replace("$LOAD CASE=PULL", card + "$LOAD CASE=PULL")
     return text[:text.index("$CHECK")] + "$END\n"
 
 
@@ -108,17 +113,20 @@ def unknowns(folder):
     raise RuntimeError(f"no unknowns in {folder}")
 
 
-def spricka(arguments, problem, number, folder):
-    deck = folder / f"{problem}_{number}.deck"
-    deck.write_text(deck_of(problem, LEVELS[number]), encoding="utf-8")
+def spricka(arguments, problem, level, deck):
+    folder = deck.parent
+    deck.write_text(deck_of(problem, level), encoding="utf-8")
     out = deck.with_suffix(".run")
     command = [str(arguments.spricka), "run", str(deck), "--threads", "1", "--out", str(out)]
     costs = [measure.run(command, str(folder), f"{deck.stem}.log") for _ in range(arguments.repeat)]
     if any(cost.code != 0 for cost in costs):
         raise RuntimeError(f"{deck.stem}: see {folder / deck.stem}.log")
     best = min(costs, key=lambda cost: cost.cpu)
-    return {"problem": problem, "program": "spricka", "unknowns": unknowns(out),
-            "cpu_s": round(best.cpu, 2), "memory_MiB": round(best.memory), **errors(problem, out)}
+    radius, rings, sectors = (level, "", "") if isinstance(level, float) else level
+    return {"problem": problem, "program": "spricka, no tube" if isinstance(level, float) else "spricka",
+            "radius": radius or "as it comes", "rings": rings, "sectors": sectors,
+            "unknowns": unknowns(out), "cpu_s": round(best.cpu, 2),
+            "memory_MiB": round(best.memory), **errors(problem, out)}
 
 
 def ccx(problem, number, folder):
@@ -141,14 +149,17 @@ def ccx(problem, number, folder):
           f"{100.0 * np.sqrt(np.mean((own - exact) ** 2)) / exact.max():.3f} %, largest "
           f"{100.0 * np.abs(own - exact).max() / exact.max():.3f} %")
     off = 100.0 * np.abs(K - exact) / exact.max()
-    return {"problem": problem, "program": "ccx", "unknowns": unknowns(out),
+    radius, rings, sectors = LEVELS[number]
+    return {"problem": problem, "program": "ccx", "radius": radius or "as it comes",
+            "rings": rings, "sectors": sectors, "unknowns": unknowns(out),
             "cpu_s": round(cost.cpu, 2), "memory_MiB": round(cost.memory),
             "rms": np.sqrt(np.mean(off ** 2)), "largest": off.max()}
 
 
 def draw(rows, path):
     chart.COLOURS.update({"K at points, rms": "#1b5e9b", "K at points, largest": "#5aa0d6",
-                          "smooth K, rms": "#8a2be2", "bar, rms": "#7a7a7a", "best, rms": "#2e8b57", "ccx, K1 rms": "#c2571a"})
+                          "smooth K, rms": "#8a2be2", "bar, rms": "#7a7a7a", "best, rms": "#2e8b57", "no tube, smooth K, rms": "#b8860b",
+                          "ccx, K1 rms": "#c2571a"})
     panels = []
     for problem, title in (("penny", "penny, tension and shear"),
                            ("ellipse", "ellipse a/c = 0.5, tension and bending")):
@@ -158,6 +169,7 @@ def draw(rows, path):
                                       ("K at points, rms", "spricka", "rms"),
                                       ("smooth K, rms", "spricka", "smooth_rms"),
                                       ("best, rms", "spricka", "best_rms"),
+                                      ("no tube, smooth K, rms", "spricka, no tube", "smooth_rms"),
                                       ("ccx, K1 rms", "ccx", "rms")):
             points = [(float(row["cpu_s"]), float(row[column])) for row in rows
                       if row["problem"] == problem and row["program"] == program]
@@ -179,15 +191,18 @@ def main():
     folder = arguments.out.resolve()
     rows = []
     for problem in [arguments.only] if arguments.only else PROBLEMS:
-        for number, (radius, rings, sectors) in enumerate(LEVELS):
-            found = [spricka(arguments, problem, number, folder)]
+        found = [lambda size=size: spricka(arguments, problem, size, folder / f"{problem}_free_{size}.deck")
+                 for size in FREE]
+        for number, level in enumerate(LEVELS):
+            deck = folder / f"{problem}_{number}.deck"
+            found.append(lambda level=level, deck=deck: spricka(arguments, problem, level, deck))
             if number < arguments.ccx:
-                found.append(ccx(problem, number, folder))
-            for row in found:
-                row |= {"radius": radius or "as it comes", "rings": rings, "sectors": sectors}
-                row |= {key: f"{row[key]:.4g}" for key in COLUMNS[8:] if key in row}
-                print(row, flush=True)
-                rows.append(row)
+                found.append(lambda number=number: ccx(problem, number, folder))
+        for run in found:
+            row = run()
+            row |= {key: f"{row[key]:.4g}" for key in COLUMNS[8:] if key in row}
+            print(row, flush=True)
+            rows.append(row)
     with open(folder / "work_precision_front.csv", "w", encoding="utf-8", newline="") as file:
         file.write("# errors in % of the largest K along the front, all modes and points; of ccx K1 "
                    "under tension\n")
