@@ -13,6 +13,7 @@
 #include "results/tolerance_round.hpp"
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -74,7 +75,8 @@ struct StepResult {
 /// One crack length: the mesh with the crack in it, and its steps.
 struct Increment {
   int number = 0;
-  double a = 0.0; ///< of the first growing crack; 0 without cracks
+  double a = 0.0;           ///< of the first growing crack; 0 without cracks
+  std::size_t unknowns = 0; ///< free displacements of the mesh with the crack in it
   model::Mesh mesh;
   std::size_t kept = 0;             ///< elements of the host, before those of patches
   std::vector<SurfaceFace> surface; ///< of solids; empty in the plane
@@ -101,6 +103,8 @@ struct CheckResult {
   bool passed = false;
   std::string source;
   std::string trouble; ///< why no value could be found; empty normally
+  /// Half width of the error bar that the run prints for the quantity; not a number: it has none.
+  double bar = std::numeric_limits<double>::quiet_NaN();
 };
 
 struct Run {

@@ -242,6 +242,7 @@ template <class V, Of<CheckResult> T> void fields(V& v, T& r) {
   v("passed", r.passed);
   v("source", r.source);
   v("trouble", r.trouble);
+  v("bar", r.bar);
 }
 
 template <class V, Of<ToleranceRound> T> void fields(V& v, T& r) {

@@ -175,6 +175,7 @@ void write_increment(const StoreGroup& given, const Increment& increment) {
   StoreGroup group = given;
   group.describe("number", std::int64_t{increment.number});
   group.describe("a", increment.a);
+  group.describe("unknowns", static_cast<std::int64_t>(increment.unknowns));
   group.describe("kept", static_cast<std::int64_t>(increment.kept));
   write_mesh(group.group("mesh"), increment.mesh);
   write_list(group, "surface", increment.surface);
@@ -193,6 +194,7 @@ Increment read_increment(const StoreGroup& group) {
   Increment increment;
   increment.number = static_cast<int>(group.integer("number"));
   increment.a = group.real("a");
+  increment.unknowns = static_cast<std::size_t>(group.integer("unknowns"));
   increment.kept = static_cast<std::size_t>(group.integer("kept"));
   increment.mesh = read_mesh(group.group("mesh"));
   increment.surface = read_list<SurfaceFace>(group, "surface");
@@ -258,6 +260,7 @@ Increment without_fields(const Increment& whole) {
   Increment thin;
   thin.number = whole.number;
   thin.a = whole.a;
+  thin.unknowns = whole.unknowns;
   thin.kept = whole.kept;
   thin.mesh.dim = whole.mesh.dim;
   thin.paths = whole.paths;
@@ -316,13 +319,17 @@ void write_run(const StoreGroup& given, const Run& run, Times times,
   group.describe("times", std::int64_t{times == Times::kept});
 }
 
+std::vector<CheckResult> read_checks(const StoreGroup& group) {
+  return read_list<CheckResult>(group, "checks");
+}
+
 Run read_run(const StoreGroup& group) {
   Run run;
   const StoreGroup all = group.group("increments");
   for (std::size_t i = 0; all.has(fmt::format("{:04}", i + 1)); ++i) {
     run.increments.push_back(read_increment(all.group(fmt::format("{:04}", i + 1))));
   }
-  run.checks = read_list<CheckResult>(group, "checks");
+  run.checks = read_checks(group);
   run.warnings = texts(group, "warnings");
   run.rounds = read_list<ToleranceRound>(group, "rounds");
   const std::vector<Growth> growth = read_list<Growth>(group, "growth");

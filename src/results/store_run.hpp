@@ -23,6 +23,8 @@ Increment read_increment(const StoreGroup& group);
 void write_run(const StoreGroup& given, const Run& run, Times times,
                const std::vector<bool>& fields = {});
 Run read_run(const StoreGroup& group);
+/// The checks of a run alone.
+std::vector<CheckResult> read_checks(const StoreGroup& group);
 
 void write_arrays(const StoreGroup& group, const NamedArrays& arrays);
 NamedArrays read_arrays(const StoreGroup& group);

@@ -121,6 +121,7 @@ std::optional<results::Increment> LengthSolver::solve(const LengthRequest& reque
     keep_free(touching, increment);
     close_faces(touching, *length, log);
   } while (!touching.empty());
+  increment.unknowns = unknowns(length->bodies());
   Scene scene = Length::take_scene(std::move(length));
   tips_ = scene.cracked.fronts;
   // From here on what was mounted stands, for MOUNTED=FIRST.

@@ -207,6 +207,28 @@ double evaluate(const model::Model& model, const model::Check& check, const resu
   return read(line);
 }
 
+// The word for the error bar of K: K1.AT becomes K1.BAR.AT; empty: no K at one place.
+std::string bar_word(const std::string& word) {
+  if (word.size() < 2 || word[0] != 'K' || word[1] < '1' || word[1] > '3') {
+    return {};
+  }
+  const std::string place = word.substr(2);
+  const bool one = place.empty() || place == ".AT" || place == ".PHI";
+  return one ? word.substr(0, 2) + ".BAR" + place : std::string();
+}
+
+double bar_of(const model::Model& model, const model::Check& check, const results::Run& run) {
+  model::Check asked = check;
+  asked.quantity = bar_word(check.quantity);
+  if (!asked.quantity.empty() && is_available(asked.quantity)) {
+    try {
+      return evaluate(model, asked, run);
+    } catch (const Missing&) { // it has none here
+    }
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
 std::string text_of(const model::Check& check) {
   std::string text = check.quantity + "(";
   for (std::size_t i = 0; i < check.arguments.size(); ++i) {
@@ -239,6 +261,7 @@ std::vector<results::CheckResult> evaluate_checks(const model::Model& model,
       const double difference = result.found - result.wanted;
       result.error = check.relative ? difference / std::abs(check.value) : difference;
       result.passed = std::abs(result.error) <= check.tolerance;
+      result.bar = bar_of(model, check, run);
     } catch (const Missing& missing) {
       result.trouble = missing.what();
     }

@@ -170,6 +170,7 @@ WholeRun random_run() {
     increment.number = i;
     increment.a = 0.1 * i;
     increment.kept = 7;
+    increment.unknowns = 1234;
     increment.mesh.dim = 2;
     for (int n = 0; n < 5; ++n) {
       model::add_node(increment.mesh, {0.1 * n, 1.0 / 3.0, -0.0}, 10 + n, base::NetId{0U});
@@ -234,7 +235,7 @@ TEST(Store, a_run_comes_back_to_the_bit) {
   const std::string bytes = bytes_of(run);
   const WholeRun back = read_run(Store::from_bytes(bytes).root());
   EXPECT_EQ(bytes_of(back), bytes);
-  EXPECT_EQ(members<Increment>(), 8U) << "a new member needs a place in store_run.cpp";
+  EXPECT_EQ(members<Increment>(), 9U) << "a new member needs a place in store_run.cpp";
   EXPECT_EQ(members<WholeRun>(), 10U) << "a new member needs a place in store_run.cpp";
   EXPECT_EQ(members<StepResult>(), 20U) << "a new member needs a place in store_run.cpp";
   EXPECT_EQ(members<model::Mesh>(), 13U) << "a new member needs a place in store_run.cpp";

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <condition_variable>
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <mutex>
+#include <set>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <sys/types.h>
+
+/// Decks run as processes of their own: what brings one down, or eats its memory, concerns no
+/// other, and the system counts what each of them took.
+namespace spricka::program {
+
+/// `spricka run DECK --quiet --threads N --out FOLDER -D NAME=VALUE ..`.
+struct ChildRun {
+  std::filesystem::path deck;
+  std::filesystem::path out; ///< its run folder
+  std::vector<std::pair<std::string, std::string>> defines;
+  int threads = 1;
+  double seconds = 0.0; ///< wall time after which it is ended; 0: as long as it takes
+};
+
+/// How such a process has ended.
+struct ChildEnd {
+  int exit_code = 0;           ///< 128 + signal where a signal has ended it, as a shell says it
+  int signal = 0;              ///< 0: none
+  bool late = false;           ///< ended by its time limit
+  double cpu = 0.0;            ///< [s] of the process and of its mesher
+  double wall = 0.0;           ///< [s]
+  std::size_t peak_memory = 0; ///< [bytes] largest resident set, of it or of its mesher
+  std::string messages;        ///< the end of what it wrote to stderr
+};
+
+/// The file of the running program.
+std::filesystem::path own_program();
+
+/// Starts such processes, several at once.
+class ChildRuns {
+public:
+  explicit ChildRuns(std::filesystem::path program = own_program());
+
+  /// Runs all, at most `at_once` at a time, begun in their order. `ended` is called with the index
+  /// of each when it has ended, from any thread, one call at a time. Throws std::system_error where
+  /// a process cannot be started, when those that run have ended.
+  void run(std::span<const ChildRun> runs, int at_once,
+           const std::function<void(std::size_t, const ChildEnd&)>& ended);
+
+  /// From any thread: ends those that run, which remove what they have begun to write, begins no
+  /// more, and comes back when none is left.
+  void stop();
+  [[nodiscard]] bool stopped() const;
+
+private:
+  [[nodiscard]] bool start(const ChildRun& run, pid_t& pid, int& words);
+  ChildEnd reap(pid_t pid);
+
+  std::filesystem::path program_;
+  mutable std::mutex guard_;
+  std::condition_variable gone_;
+  std::set<pid_t> running_; ///< not yet reaped
+  bool stopped_ = false;
+  std::mutex telling_;
+};
+
+} // namespace spricka::program
