@@ -108,6 +108,7 @@ CommandTree::CommandTree() : app_(fmt::format("spricka: {}", k_about), "spricka"
   add_check();
   add_shell();
   add_convert();
+  add_verify();
   add_help();
   add_format();
   add_for_editors();
@@ -238,6 +239,39 @@ void CommandTree::add_convert() {
   command.add_option("OUT", convert_.out, "its name says the form: .msh, .vtu or .inp")
       ->required()
       ->type_name("");
+}
+
+void CommandTree::add_verify() {
+  CLI::App& command =
+      add("verify", "run the decks that ship against their references",
+          "  spricka verify                    the cheap ones, in less than a minute\n"
+          "  spricka verify all                every deck, in less than ten\n"
+          "  spricka verify 'hertz*' kirsch    by name\n"
+          "  spricka verify all --list         which there are, and what they cost\n"
+          "  spricka verify all --out new --before old/verification.csv",
+          [this] { return verify(verify_); });
+  command
+      .add_option("WHAT", verify_.asked,
+                  "a tier, quick or all, names of decks or shell patterns (default: quick)")
+      ->type_name("");
+  command
+      .add_option("--out", verify_.out,
+                  "folder of verification.html and verification.csv (default: verification)")
+      ->type_name("FOLDER");
+  command
+      .add_option("--before", verify_.before,
+                  "table to compare with (default: the one that is in the folder)")
+      ->type_name("FILE");
+  command.add_option("--jobs", verify_.at_once, "decks at a time (default: as many as cores)")
+      ->check(whole_number())
+      ->type_name("NUMBER");
+  command.add_option("--decks", verify_.decks, "another folder of decks")->type_name("FOLDER");
+  command.add_option("--markdown", verify_.markdown, "write the chapter of the manual, too")
+      ->type_name("FILE");
+  command.add_flag("--list", verify_.list, "print the decks and run none");
+  command.add_flag("--keep", verify_.keep, "keep the run folders, beside the page");
+  command.add_flag("--costs", verify_.costs, "renew the table that the tiers come from");
+  command.add_flag("--quiet", verify_.quiet, "print what failed and the sum only");
 }
 
 void CommandTree::add_help() {

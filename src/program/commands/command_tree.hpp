@@ -5,6 +5,7 @@
 #include "program/commands/convert.hpp"
 #include "program/job/run_options.hpp"
 #include "program/shell/shell.hpp"
+#include "program/verify/verify.hpp"
 
 #include <functional>
 #include <string>
@@ -48,6 +49,7 @@ private:
   void add_check();
   void add_shell();
   void add_convert();
+  void add_verify();
   void add_help();
   void add_format();
   void add_for_editors();
@@ -58,6 +60,7 @@ private:
   RunOptions run_;
   ShellOptions session_;
   ConvertOptions convert_;
+  VerifyOptions verify_;
   HelpOptions help_;
   FormatOptions format_;
   std::string editor_;

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/trials/machine.hpp"
+
+#include "archive/safe_file.hpp"
+#include "base/input_file.hpp"
+#include "base/memory.hpp"
+#include "program/trials/child_run.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+#include <fmt/format.h>
+#include <sched.h>
+#include <sys/utsname.h>
+
+namespace spricka::program {
+
+namespace {
+
+// The kernel's name of the processor, where it has one.
+std::string processor_name() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) {
+      return line.substr(colon + 2);
+    }
+  }
+  utsname names{};
+  return uname(&names) == 0 ? std::string(names.machine) : "unknown processor";
+}
+
+} // namespace
+
+int core_count() {
+  cpu_set_t cores;
+  CPU_ZERO(&cores);
+  return sched_getaffinity(0, sizeof cores, &cores) == 0 ? std::max(1, CPU_COUNT(&cores)) : 1;
+}
+
+std::string machine_name() {
+  return fmt::format("{}, {} cores, {:.0f} GB", processor_name(), core_count(),
+                     1e-9 * static_cast<double>(base::memory_limit()));
+}
+
+std::string program_name() {
+  const std::string hash =
+      archive::hash_of(base::read_file(own_program(), base::largest_mesh_file));
+  return fmt::format("spricka {} ({})", SPRICKA_VERSION, hash.substr(0, 8));
+}
+
+} // namespace spricka::program

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/verify/verification.hpp"
+
+#include "base/exit_codes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+namespace {
+
+std::string many(std::size_t n, const char* word) {
+  return fmt::format("{} {}{}", n, word, n == 1 ? "" : "s");
+}
+
+void count_check(const results::CheckResult& check, VerificationCounts& counts) {
+  if (is_recorded(check)) {
+    ++counts.recorded;
+    counts.recorded_missed += check.passed ? 0 : 1;
+    return;
+  }
+  ++counts.checks;
+  counts.missed += check.passed ? 0 : 1;
+  if (std::isfinite(check.bar)) {
+    ++counts.bars;
+    counts.within_bars += std::abs(check.found - check.wanted) <= check.bar ? 1 : 0;
+  }
+}
+
+} // namespace
+
+bool is_recorded(const results::CheckResult& check) {
+  return check.source == "RECORDED";
+}
+
+bool has_reference(const VerifiedDeck& deck) {
+  return std::ranges::any_of(deck.points, [](const VerifiedPoint& point) {
+    return std::ranges::any_of(point.checks,
+                               [](const results::CheckResult& c) { return !is_recorded(c); });
+  });
+}
+
+VerificationCounts count(const Verification& verification) {
+  VerificationCounts counts;
+  for (const VerifiedDeck& deck : verification.decks) {
+    const std::size_t recorded = counts.recorded;
+    for (const VerifiedPoint& point : deck.points) {
+      ++counts.points;
+      for (const results::CheckResult& check : point.checks) {
+        count_check(check, counts);
+      }
+    }
+    if (has_reference(deck)) {
+      ++counts.with_reference;
+    } else if (counts.recorded > recorded) {
+      ++counts.recorded_only;
+    } else {
+      ++counts.unchecked;
+    }
+    counts.failed += deck.failed() ? 1 : 0;
+    counts.cpu += deck.cpu;
+    counts.memory = std::max(counts.memory, deck.memory);
+  }
+  return counts;
+}
+
+base::Outcome outcome_of(const Verification& verification) {
+  base::Outcome worst = base::Outcome::done;
+  for (const VerifiedDeck& deck : verification.decks) {
+    const base::Outcome own =
+        deck.late ? base::Outcome::stopped
+                  : base::outcome_of(deck.exit_code).value_or(base::Outcome::defect); // a signal
+    worst = std::max(worst, own);
+  }
+  return worst;
+}
+
+std::vector<std::string> summary(const Verification& verification) {
+  const VerificationCounts counts = count(verification);
+  std::vector<std::string> lines{
+      fmt::format("{} with a reference, {}, {}: {} passed, {} missed.",
+                  many(counts.with_reference, "deck"), many(counts.points, "run"),
+                  many(counts.checks, "check"), counts.checks - counts.missed, counts.missed)};
+  if (counts.recorded > 0 || counts.unchecked > 0) {
+    lines.push_back(fmt::format(
+        "Apart from these: {} with a value that this program has recorded, {} missed; {} with "
+        "nothing else, {} without a check, which prove that they run.",
+        many(counts.recorded, "check"), counts.recorded_missed, many(counts.recorded_only, "deck"),
+        counts.unchecked));
+  }
+  if (counts.failed > 0) {
+    lines.push_back(fmt::format("{} did not end with exit code 0.", many(counts.failed, "deck")));
+  }
+  if (counts.bars > 0) {
+    lines.push_back(fmt::format("{} of {} references of K lie within the printed error bar.",
+                                counts.within_bars, counts.bars));
+  }
+  return lines;
+}
+
+} // namespace spricka::program

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/outcome.hpp"
+#include "results/results.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+/// What a verification has found, as plain records.
+namespace spricka::program {
+
+/// A run of a deck: the one, or a point of its sweep.
+struct VerifiedPoint {
+  std::string values; ///< "beta = 0.785398"; empty: no sweep
+  std::size_t unknowns = 0;
+  std::vector<results::CheckResult> checks;
+};
+
+struct VerifiedDeck {
+  std::string name; ///< without .deck
+  std::string title;
+  int exit_code = 0;
+  bool late = false;      ///< ended, as it took far longer than it is known to
+  std::string message;    ///< the last line that it said, where it has no results
+  double cpu = 0.0;       ///< [s]
+  double wall = 0.0;      ///< [s]
+  std::size_t memory = 0; ///< [bytes]
+  std::vector<VerifiedPoint> points;
+
+  [[nodiscard]] bool failed() const { return exit_code != 0; }
+};
+
+struct Verification {
+  std::string program; ///< version and build
+  std::string machine;
+  std::vector<std::string> asked; ///< tiers, names and patterns
+  int at_once = 1;
+  double wall = 0.0;               ///< [s]
+  std::vector<VerifiedDeck> decks; ///< by name
+};
+
+/// Whether a check compares with a value of this program itself.
+bool is_recorded(const results::CheckResult& check);
+/// Whether some check of it has a reference.
+bool has_reference(const VerifiedDeck& deck);
+
+struct VerificationCounts {
+  std::size_t points = 0;
+  std::size_t checks = 0, missed = 0; ///< with a reference
+  std::size_t recorded = 0, recorded_missed = 0;
+  std::size_t with_reference = 0;        ///< decks
+  std::size_t recorded_only = 0;         ///< decks
+  std::size_t unchecked = 0;             ///< decks without a check
+  std::size_t failed = 0;                ///< decks that have not ended with 0
+  std::size_t bars = 0, within_bars = 0; ///< of checks with a reference, and an error bar
+  double cpu = 0.0;                      ///< [s]
+  std::size_t memory = 0;                ///< [bytes] of the largest
+};
+VerificationCounts count(const Verification& verification);
+
+/// The worst end of a deck: check_failed if some value has missed its tolerance and that is all.
+base::Outcome outcome_of(const Verification& verification);
+
+/// "110 decks, 146 runs, 1312 checks with a reference: 1310 passed, 2 missed", and what counts
+/// apart, a sentence each.
+std::vector<std::string> summary(const Verification& verification);
+
+} // namespace spricka::program

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/verify/verification_tables.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+namespace {
+
+std::string error_in_words(double value, bool relative, const char* form) {
+  return relative ? fmt::format("{} %", fmt::format(fmt::runtime(form), 100.0 * value))
+                  : fmt::format("{:.2g}", value);
+}
+
+std::string error_of(const results::CheckResult& check) {
+  if (!check.trouble.empty()) {
+    return "-";
+  }
+  return error_in_words(check.error, check.relative, "{:+.3f}") + (check.passed ? "" : " MISSED");
+}
+
+std::string end_of(const VerifiedDeck& deck) {
+  if (deck.late) {
+    return "too slow, ended";
+  }
+  return deck.exit_code > 128 ? fmt::format("signal {}", deck.exit_code - 128)
+                              : fmt::format("exit code {}", deck.exit_code);
+}
+
+// How the decks of a problem have ended, as far as they were run.
+std::string standing(const Verification& verification, const Problem& problem) {
+  std::size_t run = 0;
+  std::size_t failed = 0;
+  for (const std::string& name : problem.decks) {
+    const auto found = std::ranges::find(verification.decks, name, &VerifiedDeck::name);
+    if (found != verification.decks.end()) {
+      ++run;
+      failed += found->failed() ? 1 : 0;
+    }
+  }
+  if (failed > 0) {
+    return fmt::format("{} of {} FAILED", failed, problem.decks.size());
+  }
+  if (problem.decks.empty()) {
+    return "by a test";
+  }
+  return run == problem.decks.size() ? "passed"
+         : run == 0                  ? "not run"
+                                     : fmt::format("{} of {} run", run, problem.decks.size());
+}
+
+void add_changes(const std::vector<Change>& changes, const char* how, report::Table& table) {
+  for (const Change& change : changes) {
+    table.rows.push_back({how, change.deck, change.what, fmt::format("{:.3g}", change.before),
+                          fmt::format("{:.3g}", change.now)});
+  }
+}
+
+std::vector<Change> in_megabytes(std::vector<Change> changes) {
+  for (Change& change : changes) {
+    change.before *= 1e-6;
+    change.now *= 1e-6;
+  }
+  return changes;
+}
+
+} // namespace
+
+std::string heading_of(const VerifiedDeck& deck, const VerifiedPoint& point) {
+  return fmt::format("{}: {}{}{}", deck.name, deck.title, point.values.empty() ? "" : ", ",
+                     point.values);
+}
+
+std::string cost_of(const VerifiedDeck& deck, const VerifiedPoint& point) {
+  return fmt::format("{} freedoms, {:.2f} s CPU, {:.0f} MB{}", point.unknowns, deck.cpu,
+                     1e-6 * static_cast<double>(deck.memory),
+                     deck.points.size() > 1 ? " with all points" : "");
+}
+
+report::Table check_table(const VerifiedPoint& point) {
+  report::Table table{"",
+                      {{"check", "", true},
+                       {"reference", "", false},
+                       {"result", "", false},
+                       {"error", "", false},
+                       {"allowed", "", false},
+                       {"error bar", "", false},
+                       {"source", "", true}},
+                      {}};
+  for (const results::CheckResult& check : point.checks) {
+    const bool found = check.trouble.empty();
+    table.rows.push_back({check.text, report::six_digits(check.wanted),
+                          found ? report::six_digits(check.found) : "-", error_of(check),
+                          error_in_words(check.tolerance, check.relative, "{:.4g}"),
+                          std::isfinite(check.bar) ? fmt::format("{:.2g}", check.bar) : "",
+                          found ? check.source : check.trouble});
+  }
+  return table;
+}
+
+report::Table problem_table(const Verification& verification,
+                            const std::vector<Problem>& problems) {
+  report::Table table{"",
+                      {{"problem", "", true},
+                       {"what", "", true},
+                       {"decks", "", true},
+                       {"tests", "", true},
+                       {"", "", true},
+                       {"remark", "", true}},
+                      {}};
+  for (const Problem& problem : problems) {
+    if (problem.covered()) {
+      table.rows.push_back({problem.name, problem.title,
+                            fmt::format("{}", fmt::join(problem.decks, ", ")),
+                            fmt::format("{}", fmt::join(problem.tests, ", ")),
+                            standing(verification, problem), problem.remark});
+    }
+  }
+  return table;
+}
+
+report::Table uncovered_table(const std::vector<Problem>& problems) {
+  report::Table table{
+      "", {{"problem", "", true}, {"what", "", true}, {"not covered, because", "", true}}, {}};
+  for (const Problem& problem : problems) {
+    if (!problem.covered()) {
+      table.rows.push_back({problem.name, problem.title, problem.remark});
+    }
+  }
+  return table;
+}
+
+report::Table failed_table(const Verification& verification) {
+  report::Table table{"",
+                      {{"deck", "", true},
+                       {"ended with", "", true},
+                       {"checks missed", "", false},
+                       {"said last", "", true}},
+                      {}};
+  for (const VerifiedDeck& deck : verification.decks) {
+    if (!deck.failed()) {
+      continue;
+    }
+    std::ptrdiff_t missed = 0;
+    for (const VerifiedPoint& point : deck.points) {
+      missed +=
+          std::ranges::count_if(point.checks, [](const auto& check) { return !check.passed; });
+    }
+    table.rows.push_back({deck.name, end_of(deck), std::to_string(missed), deck.message});
+  }
+  return table;
+}
+
+report::Table change_table(const Comparison& comparison) {
+  report::Table table{"",
+                      {{"what", "", true},
+                       {"deck", "", true},
+                       {"check", "", true},
+                       {"before", "", false},
+                       {"now", "", false}},
+                      {}};
+  add_changes(comparison.failed, "missed now (error)", table);
+  add_changes(comparison.worse, "larger error", table);
+  add_changes(comparison.slower, "slower (CPU, s)", table);
+  add_changes(in_megabytes(comparison.larger), "more memory (MB)", table);
+  add_changes(comparison.passed, "passed again (error)", table);
+  add_changes(comparison.better, "smaller error", table);
+  add_changes(comparison.faster, "faster (CPU, s)", table);
+  return table;
+}
+
+} // namespace spricka::program

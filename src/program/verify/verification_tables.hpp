@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "program/verify/comparison.hpp"
+#include "program/verify/problems.hpp"
+#include "program/verify/verification.hpp"
+#include "report/drawing/table.hpp"
+
+#include <vector>
+
+/// The tables that page and chapter of the manual have in common.
+namespace spricka::program {
+
+/// "le1: NAFEMS LE1, elliptic membrane, beta = 0.78".
+std::string heading_of(const VerifiedDeck& deck, const VerifiedPoint& point);
+/// "1240 freedoms, 0.31 s CPU, 45 MB"; of a sweep time and memory are those of all its points.
+std::string cost_of(const VerifiedDeck& deck, const VerifiedPoint& point);
+
+/// The checks of a point: check, reference, result, error, allowed, bar, source.
+report::Table check_table(const VerifiedPoint& point);
+
+/// Problems of the open collections: which decks and tests stand for each, and how they ended.
+report::Table problem_table(const Verification& verification, const std::vector<Problem>& problems);
+/// Those that are not covered, with the reason.
+report::Table uncovered_table(const std::vector<Problem>& problems);
+
+/// Decks that have not ended with 0, and why.
+report::Table failed_table(const Verification& verification);
+
+/// What has changed since the last verification; without rows: nothing.
+report::Table change_table(const Comparison& comparison);
+
+} // namespace spricka::program

@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/verify/verify.hpp"
+
+#include "base/clock.hpp"
+#include "base/output_file.hpp"
+#include "program/job/interrupt.hpp"
+#include "program/job/log.hpp"
+#include "program/job/restart_run.hpp"
+#include "program/job/standard_streams.hpp"
+#include "program/trials/child_run.hpp"
+#include "program/trials/deck_outcome.hpp"
+#include "program/trials/machine.hpp"
+#include "program/verify/chapter.hpp"
+#include "program/verify/comparison.hpp"
+#include "program/verify/deck_list.hpp"
+#include "program/verify/decks_folder.hpp"
+#include "program/verify/problems.hpp"
+#include "program/verify/verification.hpp"
+#include "program/verify/verification_csv.hpp"
+#include "program/verify/verification_page.hpp"
+#include "program/verify/verification_tables.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace spricka::program {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* table_name = "verification.csv";
+constexpr const char* page_name = "verification.html";
+/// A deck that takes so many times what the costliest is known to take has lost its way.
+constexpr double far_longer = 20.0;
+
+/// A new folder for the run folders: what an earlier verification has left is no part of this one.
+/// Removed at the end, unless it is kept.
+class Scratch {
+public:
+  Scratch(const fs::path& beside, bool keep) : keep_(keep) {
+    std::string name = (beside / "runs.XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) {
+      throw std::system_error(errno, std::generic_category(), name);
+    }
+    path_ = name;
+  }
+  ~Scratch() { remove(); }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  void remove() const {
+    std::error_code ignored;
+    if (!keep_) {
+      fs::remove_all(path_, ignored);
+    }
+  }
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+private:
+  fs::path path_;
+  bool keep_;
+};
+
+// The last line that says something.
+std::string last_line(const std::string& text) {
+  const std::size_t end = text.find_last_not_of(" \n\r");
+  if (end == std::string::npos) {
+    return {};
+  }
+  const std::size_t begin = text.rfind('\n', end);
+  return text.substr(begin == std::string::npos ? 0 : begin + 1,
+                     end - (begin == std::string::npos ? 0 : begin + 1) + 1);
+}
+
+// The line of the first error, or what was said last.
+std::string reason_of(const std::string& messages) {
+  const std::size_t error = messages.find("error");
+  if (error == std::string::npos) {
+    return last_line(messages);
+  }
+  const std::size_t begin = messages.rfind('\n', error);
+  const std::size_t first = begin == std::string::npos ? 0 : begin + 1;
+  return messages.substr(first, std::min(messages.find('\n', error), messages.size()) - first);
+}
+
+std::string point_words(const DeckOutcome& outcome) {
+  std::string text;
+  for (const auto& [name, value] : outcome.point) {
+    text += fmt::format("{}{} = {:.6g}", text.empty() ? "" : ", ", name, value);
+  }
+  return text;
+}
+
+VerifiedDeck verified(const ListedDeck& deck, const ChildEnd& end, const fs::path& folder) {
+  VerifiedDeck out;
+  out.name = deck.name;
+  out.exit_code = end.exit_code;
+  out.late = end.late;
+  out.cpu = end.cpu;
+  out.wall = end.wall;
+  out.memory = end.peak_memory;
+  for (DeckOutcome& outcome : read_outcomes(folder)) {
+    out.title = outcome.title;
+    out.points.push_back({.values = point_words(outcome),
+                          .unknowns = outcome.unknowns,
+                          .checks = std::move(outcome.checks)});
+  }
+  if (out.failed()) {
+    out.message = reason_of(end.messages);
+  }
+  return out;
+}
+
+class VerifyRun {
+public:
+  VerifyRun(const VerifyOptions& options, fs::path decks)
+      : options_(options), decks_(std::move(decks)), all_(list_decks(decks_)) {
+    verification_.asked = options.asked.empty() ? std::vector<std::string>{"quick"} : options.asked;
+    verification_.at_once = options.at_once > 0 ? options.at_once : core_count();
+  }
+
+  base::Outcome run() {
+    base::Trouble trouble;
+    chosen_ = chosen_decks(all_, verification_.asked, trouble);
+    if (trouble) {
+      to_stderr(fmt::format("spricka verify: {}\n       = {}\n       = spricka verify all --list "
+                            "shows the decks of {}\n",
+                            trouble->why, trouble->hint, decks_.string()));
+      return trouble->kind;
+    }
+    if (options_.list) {
+      print_list();
+      return base::Outcome::done;
+    }
+    warn_of_costs();
+    fs::create_directories(options_.out);
+    before_ = read_verification_csv(options_.before.empty() ? options_.out / table_name
+                                                            : options_.before);
+    if (!run_decks()) {
+      return base::Outcome::stopped;
+    }
+    write();
+    return outcome_of(verification_);
+  }
+
+private:
+  void print_list() const {
+    for (const ListedDeck& deck : chosen_) {
+      to_stdout(fmt::format("{:<36} {:<6} {}\n", deck.name, deck.quick ? "quick" : "",
+                            deck.cost ? fmt::format("{:8.2f} s {:6.0f} MB", deck.cost->cpu,
+                                                    1e-6 * static_cast<double>(deck.cost->memory))
+                                      : "  in no tier: its cost is not known"));
+    }
+  }
+
+  void warn_of_costs() const {
+    for (const ListedDeck& deck : chosen_) {
+      if (!deck.cost && !options_.costs && options_.decks.empty()) {
+        to_stderr(fmt::format("note: {} is in no tier: {} does not have it; --costs adds it\n",
+                              deck.name, costs_name));
+      }
+    }
+  }
+
+  // The costliest first, so that none is left for one core at the end.
+  void order_by_cost() {
+    std::ranges::stable_sort(chosen_, std::greater<>(), [](const ListedDeck& deck) {
+      return deck.cost ? deck.cost->cpu : whole_budget;
+    });
+  }
+
+  // False: stopped by a signal.
+  bool run_decks() {
+    order_by_cost();
+    const base::Stopwatch watch;
+    const Scratch scratch(options_.out, options_.keep);
+    std::vector<ChildRun> runs;
+    double most = 0.0;
+    for (const ListedDeck& deck : all_) {
+      most = std::max(most, deck.cost ? deck.cost->cpu : 0.0);
+    }
+    for (const ListedDeck& deck : chosen_) {
+      runs.push_back({.deck = deck.file,
+                      .out = scratch.path() / deck.name,
+                      .defines = {},
+                      .threads = 1,
+                      .seconds = far_longer * most});
+    }
+    ChildRuns children;
+    const Interrupt interrupt([&](int signal) {
+      children.stop();
+      scratch.remove();
+      to_stderr(fmt::format("\nstopped by {}: nothing is written\n", signal_name(signal)));
+      return 128 + signal;
+    });
+    children.run(runs, verification_.at_once, [&](std::size_t i, const ChildEnd& end) {
+      verification_.decks.push_back(verified(chosen_[i], end, runs[i].out));
+      if (!options_.keep) {
+        std::error_code ignored;
+        fs::remove_all(runs[i].out, ignored);
+      }
+      tell(verification_.decks.back(), chosen_[i], watch.wall());
+    });
+    verification_.wall = watch.wall();
+    std::ranges::sort(verification_.decks, {}, &VerifiedDeck::name);
+    if (options_.keep) {
+      to_stdout(fmt::format("run folders in {}\n", scratch.path().string()));
+    }
+    return !children.stopped();
+  }
+
+  // A line for each deck; on a terminal one more below it, that says how far it is.
+  void tell(const VerifiedDeck& deck, const ListedDeck& listed, double wall) {
+    const bool terminal = isatty(STDERR_FILENO) != 0;
+    known_done_ += listed.cost ? listed.cost->cpu : 0.0;
+    std::size_t checks = 0;
+    std::size_t missed = 0;
+    for (const VerifiedPoint& point : deck.points) {
+      checks += point.checks.size();
+      missed += static_cast<std::size_t>(
+          std::ranges::count_if(point.checks, [](const auto& check) { return !check.passed; }));
+    }
+    if (!options_.quiet || deck.failed()) {
+      to_stdout(
+          fmt::format("{}{:>4} of {}  {:<6} {:<36} {:>4} checks {:8.2f} s {:6.0f} MB{}\n",
+                      terminal && !options_.quiet ? "\r\x1b[K" : "", verification_.decks.size(),
+                      chosen_.size(), deck.failed() ? "FAILED" : "passed", deck.name, checks,
+                      deck.cpu, 1e-6 * static_cast<double>(deck.memory),
+                      deck.failed() ? fmt::format("  {} missed; {}", missed, deck.message) : ""));
+      std::fflush(stdout);
+    }
+    if (terminal && !options_.quiet) {
+      to_stderr(verification_.decks.size() < chosen_.size() ? seconds_left(wall) : "");
+    }
+  }
+
+  [[nodiscard]] std::string seconds_left(double wall) const {
+    double known = 0.0;
+    for (const ListedDeck& deck : chosen_) {
+      known += deck.cost ? deck.cost->cpu : 0.0;
+    }
+    return known_done_ > 0.0
+               ? fmt::format("      {:.0f} s left", wall * (known - known_done_) / known_done_)
+               : std::string();
+  }
+
+  void write() {
+    verification_.program = program_name();
+    verification_.machine = machine_name();
+    const std::vector<Problem> problems = read_problems(decks_);
+    std::optional<Comparison> comparison;
+    if (before_) {
+      comparison = compare(verification_, *before_);
+    }
+    base::write_whole(options_.out / table_name, verification_csv(verification_));
+    base::write_whole(options_.out / page_name,
+                      verification_page(verification_, problems, comparison));
+    if (!options_.markdown.empty()) {
+      base::write_whole(options_.markdown, verification_chapter(verification_, problems));
+    }
+    if (options_.costs) {
+      std::vector<std::pair<std::string, Cost>> found;
+      for (const VerifiedDeck& deck : verification_.decks) {
+        found.emplace_back(deck.name, Cost{.cpu = deck.cpu, .memory = deck.memory});
+      }
+      write_costs(decks_, all_, found);
+    }
+    print_summary(comparison);
+  }
+
+  void print_summary(const std::optional<Comparison>& comparison) const {
+    for (const std::string& line : summary(verification_)) {
+      to_stdout(line + "\n");
+    }
+    if (comparison) {
+      to_stdout(
+          fmt::format("Since the last time ({}): {}\n", comparison->program, summary(*comparison)));
+      const report::Table changes = change_table(*comparison);
+      if (!changes.rows.empty() && !options_.quiet) {
+        to_stdout(report::to_text(changes));
+      }
+    }
+    to_stdout(fmt::format("{:.1f} s CPU, {:.1f} s; {} and {}\n", count(verification_).cpu,
+                          verification_.wall, (options_.out / page_name).string(), table_name));
+  }
+
+  const VerifyOptions& options_;
+  fs::path decks_;
+  std::vector<ListedDeck> all_, chosen_;
+  Verification verification_;
+  std::optional<Verification> before_;
+  double known_done_ = 0.0; ///< of the costs of the decks that have ended [s]
+};
+
+} // namespace
+
+base::Outcome verify(const VerifyOptions& options) {
+  const Log log(LogFormat::text);
+  try {
+    const fs::path decks = options.decks.empty() ? shipped_decks() : options.decks;
+    if (decks.empty()) {
+      log.message(base::Severity::error, "E530",
+                  "the decks are not installed beside spricka; --decks FOLDER names another place");
+      return base::Outcome::file_trouble;
+    }
+    return VerifyRun(options, decks).run();
+  } catch (const std::system_error& trouble) {
+    log.message(base::Severity::error, "E530", trouble.what());
+    return base::Outcome::file_trouble;
+  }
+}
+
+} // namespace spricka::program
