@@ -4,7 +4,7 @@
 import subprocess
 from pathlib import Path
 
-from program import CRACKED, PROGRAM, ProgramTest, environment, main
+from program import CRACKED, PROGRAM, TOP, ProgramTest, environment, main
 
 BUILD = Path(PROGRAM).parents[1]  # build/PRESET/bin/spricka
 
@@ -23,7 +23,8 @@ class Install(ProgramTest):
                 "libexec/spricka/spricka-mesher",
                 "share/man/man1/spricka.1",
                 "share/bash-completion/completions/spricka",
-            },
+            }
+            | {f"share/spricka/decks/{f.name}" for f in (TOP / "decks").iterdir() if f.name != "run"},
         )
         self.deck(CRACKED)  # its patches are filled by the mesher that was installed
         done = subprocess.run(
@@ -35,6 +36,17 @@ class Install(ProgramTest):
         )
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertTrue((self.folder / "out/k.csv").exists())
+
+        # Its decks came with it.
+        verified = subprocess.run(
+            [place / "bin/spricka", "verify", "le1", "kirsch"],
+            cwd=self.folder,
+            env=environment(),
+            capture_output=True,
+            text=True,
+        )
+        self.assertEqual(verified.returncode, 0, verified.stdout + verified.stderr)
+        self.assertIn("2 decks with a reference", verified.stdout)
 
 
 if __name__ == "__main__":

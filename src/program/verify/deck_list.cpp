@@ -19,8 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double megabyte = 1e6;
-
 double number_of(const std::string& text) {
   double value = 0.0;
   std::from_chars(text.data(), text.data() + text.size(), value);
@@ -36,7 +34,7 @@ std::map<std::string, Cost> read_costs(const fs::path& file) {
   for (std::size_t i = 1; i < rows.size(); ++i) {
     if (rows[i].size() >= 3) {
       costs[rows[i][0]] = {.cpu = number_of(rows[i][1]),
-                           .memory = static_cast<std::size_t>(megabyte * number_of(rows[i][2]))};
+                           .memory = static_cast<std::size_t>(bytes_of_MB * number_of(rows[i][2]))};
     }
   }
   return costs;
@@ -132,7 +130,7 @@ void write_costs(const fs::path& folder, const std::vector<ListedDeck>& decks,
     }
     if (cost) {
       text += fmt::format("{},{:.2g},{:.2g}\n", deck.name, cost->cpu,
-                          static_cast<double>(cost->memory) / megabyte);
+                          static_cast<double>(cost->memory) / bytes_of_MB);
     }
   }
   base::write_whole(folder / costs_name, text);

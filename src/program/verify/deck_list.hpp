@@ -28,6 +28,9 @@ struct ListedDeck {
   bool quick = false;       ///< belongs to the tier `quick`
 };
 
+/// Memory stands in tables in MB [bytes].
+inline constexpr double bytes_of_MB = 1e6;
+
 /// CPU time that the decks of the tier `quick` may take together [s]: a minute of two cores, with
 /// two fifths to spare for machines that are slower, and for the last deck on one core.
 inline constexpr double quick_budget = 0.6 * 2 * 60;

@@ -3,6 +3,7 @@
 
 #include "base/input_file.hpp"
 #include "program/trials/csv_rows.hpp"
+#include "program/verify/deck_list.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,8 +15,6 @@
 namespace spricka::program {
 
 namespace {
-
-constexpr double megabyte = 1e6;
 
 // In the order of the file.
 constexpr std::array columns{"deck",  "point",  "quantity",  "reference", "source", "result",
@@ -49,7 +48,7 @@ public:
     text += fmt::format("{},{},{},{},{:.3f},{:.1f},{},{}\n", csv_field(deck.name),
                         csv_field(point == nullptr ? "" : point->values), check_fields(check),
                         point == nullptr ? "" : std::to_string(point->unknowns), deck.cpu,
-                        static_cast<double>(deck.memory) / megabyte, deck.exit_code, origin_);
+                        static_cast<double>(deck.memory) / bytes_of_MB, deck.exit_code, origin_);
   }
 
   std::string text;
@@ -78,7 +77,7 @@ void take_row(const Row& row, Verification& out) {
     VerifiedDeck& deck = out.decks.emplace_back();
     deck.name = cell(row, "deck");
     deck.cpu = number_in(cell(row, "cpu"));
-    deck.memory = static_cast<std::size_t>(megabyte * number_in(cell(row, "memory")));
+    deck.memory = static_cast<std::size_t>(bytes_of_MB * number_in(cell(row, "memory")));
     deck.exit_code = static_cast<int>(number_in(cell(row, "exit_code")));
   }
   VerifiedDeck& deck = out.decks.back();
