@@ -62,7 +62,7 @@ class Verify(ProgramTest):
         self.decks(good=plate(GOOD.format("1e-9")))
         missed = self.verify(1, "all")
         self.assertIn("FAILED good", missed.stdout)
-        self.assertIn("1 checks missed that passed", missed.stdout)
+        self.assertIn("missed now: 1", missed.stdout)
         self.decks(broken="$DECK VERSION=1\n$MESCH SHAPE=BLOCK\n$END\n")
         broken = self.verify(3, "broken", "good")
         self.assertIn("$MESCH", broken.stdout)

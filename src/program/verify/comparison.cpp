@@ -118,18 +118,18 @@ Comparison compare(const Verification& now, const Verification& before) {
 
 std::string summary(const Comparison& c) {
   std::string text;
-  const auto add = [&](std::size_t n, const char* words) {
+  const auto add = [&](const char* what, std::size_t n) {
     if (n > 0) {
-      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", n, words);
+      text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", what, n);
     }
   };
-  add(c.failed.size(), "checks missed that passed");
-  add(c.passed.size(), "passed that were missed");
-  add(c.worse.size(), "with a larger error");
-  add(c.better.size(), "with a smaller error");
-  add(c.slower.size(), "decks slower");
-  add(c.faster.size(), "faster");
-  add(c.larger.size(), "with more memory");
+  add("missed now", c.failed.size());
+  add("passed again", c.passed.size());
+  add("larger error", c.worse.size());
+  add("smaller error", c.better.size());
+  add("slower", c.slower.size());
+  add("faster", c.faster.size());
+  add("more memory", c.larger.size());
   return text.empty() ? "nothing has changed" : text;
 }
 

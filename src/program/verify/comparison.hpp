@@ -41,7 +41,7 @@ struct Comparison {
 /// cheapest deck takes altogether. Memory counts from 1.2 times on.
 Comparison compare(const Verification& now, const Verification& before);
 
-/// "2 worse, 1 slower"; "nothing has changed".
+/// "larger error: 2, slower: 1"; "nothing has changed".
 std::string summary(const Comparison& comparison);
 
 } // namespace spricka::program

@@ -107,16 +107,15 @@ report::Table problem_table(const Verification& verification,
   report::Table table{"",
                       {{"problem", "", true},
                        {"what", "", true},
-                       {"decks", "", true},
-                       {"tests", "", true},
+                       {"decks, other tests", "", true},
                        {"", "", true},
                        {"remark", "", true}},
                       {}};
   for (const Problem& problem : problems) {
     if (problem.covered()) {
-      table.rows.push_back({problem.name, problem.title,
-                            fmt::format("{}", fmt::join(problem.decks, ", ")),
-                            fmt::format("{}", fmt::join(problem.tests, ", ")),
+      std::vector<std::string> by = problem.decks;
+      by.insert(by.end(), problem.tests.begin(), problem.tests.end());
+      table.rows.push_back({problem.name, problem.title, fmt::format("{}", fmt::join(by, ", ")),
                             standing(verification, problem), problem.remark});
     }
   }

@@ -140,6 +140,8 @@ public:
       return base::Outcome::done;
     }
     warn_of_costs();
+    verification_.program = program_name(); // now: its file may be another one at the end
+    verification_.machine = machine_name();
     fs::create_directories(options_.out);
     before_ = read_verification_csv(options_.before.empty() ? options_.out / table_name
                                                             : options_.before);
@@ -252,8 +254,6 @@ private:
   }
 
   void write() {
-    verification_.program = program_name();
-    verification_.machine = machine_name();
     const std::vector<Problem> problems = read_problems(decks_);
     std::optional<Comparison> comparison;
     if (before_) {
