@@ -57,7 +57,7 @@ std::string card_section(const CardSpec& card) {
   if (const std::string later = later_phrase(card); !later.empty()) {
     out += fmt::format("Read and checked, but not available in this version: {}.\n\n", code(later));
   }
-  return out + fmt::format("```\n{}```\n\n", card.example);
+  return out + fmt::format("```deck\n{}```\n\n", card.example);
 }
 
 std::string contents() {
@@ -66,7 +66,7 @@ std::string contents() {
     out += fmt::format("- **{}** ({}):", group, about_group(group));
     for (const CardSpec& card : catalogue()) {
       if (card.group == group) {
-        out += fmt::format(" [${}](#{})", card.name, anchor(card.name));
+        out += fmt::format(" [`${}`](#{})", card.name, anchor(card.name));
       }
     }
     out += '\n';
