@@ -130,6 +130,9 @@ private:
 
 std::vector<SweepCell> sweep_cells(const results::Run& run) {
   std::vector<SweepCell> cells;
+  if (run.growth) {
+    cells.push_back({"N", "", "", 0, run.growth->cycles()});
+  }
   for (const results::Increment& increment : run.increments) {
     if (increment.a > 0.0) {
       cells.push_back({"a", "", "", increment.number, increment.a});

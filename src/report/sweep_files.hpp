@@ -12,7 +12,8 @@
 /// Tables and page of a sweep. Writers throw std::system_error.
 namespace spricka::report {
 
-/// The numbers of a run that sweep.csv shows: crack length of each increment; at each step's end
+/// The numbers of a run that sweep.csv shows: the life, cycles or passes, of a growth by a law; crack
+/// length of each increment; at each step's end
 /// the quantities of each tip and of each contact that are for sweeps (results/tip_result.hpp,
 /// results/contact_result.hpp), of those that have a value.
 std::vector<results::SweepCell> sweep_cells(const results::Run& run);

@@ -179,16 +179,18 @@ std::map<int, double> lengths_of(const Sweep& sweep) {
   return lengths;
 }
 
-/// The cells that the table shows: K1 of each tip and the largest pressure of each contact at the
-/// end of that step.
+/// The cells that the table shows: the life; K1 of each tip and the largest pressure of each contact
+/// at the end of that step.
 std::vector<SweepCell> shown_cells(const Sweep& sweep, const std::string& step) {
   std::vector<SweepCell> shown;
-  for (const char* const quantity : {"K1", "PMAX"}) {
+  const std::string nowhere;
+  for (const char* const quantity : {"N", "K1", "PMAX"}) {
+    const std::string& at = std::string_view(quantity) == "N" ? nowhere : step;
     for (const SweepPoint& point : sweep.points) {
       for (const SweepCell& cell : point.cells) {
         const bool known =
             std::ranges::find(shown, cell.column(), &SweepCell::column) != shown.end();
-        if (cell.quantity == quantity && cell.step == step && !known) {
+        if (cell.quantity == quantity && cell.step == at && !known) {
           shown.push_back(cell);
         }
       }
@@ -207,6 +209,10 @@ std::string checks_of(const SweepPoint& point) {
   return point.checks == 0 ? "" : fmt::format("{} of {} passed", point.passed, point.checks);
 }
 
+std::string life_unit(const model::Model& model) {
+  return model.growth && model.growth->spectrum ? "passes" : "cycles";
+}
+
 Table points_table(const model::Model& model, const Sweep& sweep, const Units& units) {
   const std::string step = leading_step(model);
   const std::vector<SweepCell> shown = shown_cells(sweep, step);
@@ -220,6 +226,10 @@ Table points_table(const model::Model& model, const Sweep& sweep, const Units& u
   const bool several =
       std::ranges::any_of(shown, [](const SweepCell& c) { return c.increment > 1; });
   for (const SweepCell& cell : shown) {
+    if (cell.quantity == "N") {
+      table.columns.push_back({"N", life_unit(model), false});
+      continue;
+    }
     const bool crack = cell.quantity == "K1";
     const std::string unit =
         crack ? model.units.stress_intensity_name() : model.units.stress_name();

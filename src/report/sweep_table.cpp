@@ -64,6 +64,12 @@ std::string value_of(const std::vector<const std::vector<SweepCell>*>& lists,
 std::string unit_line(const model::Model& model, const results::Sweep& sweep) {
   using enum base::Quantity;
   UnitsLine units;
+  const bool life = std::ranges::any_of(sweep.points, [](const SweepPoint& point) {
+    return std::ranges::find(point.cells, "N", &SweepCell::quantity) != point.cells.end();
+  });
+  if (life) {
+    units.add(number, "N");
+  }
   units.add(length, "a");
   units.add(length, "U");
   for (const results::TipQuantity& q : results::tip_quantities) {

@@ -291,6 +291,18 @@ private:
     }
     to_stdout(
         fmt::format("{}: {}{}", head, report::status_word(point), point.reused ? " earlier" : ""));
+    tell_result(point);
+    to_stdout("\n");
+    std::fflush(stdout);
+  }
+
+  // The life, else K1 at the last length.
+  void tell_result(const SweepPoint& point) const {
+    const auto life = std::ranges::find(point.cells, "N", &results::SweepCell::quantity);
+    if (life != point.cells.end()) {
+      to_stdout(fmt::format("  N = {:.7g}", life->value));
+      return;
+    }
     const std::string step = report::leading_step(*deck_.model);
     int last = 0;
     for (const results::SweepCell& cell : point.cells) {
@@ -301,8 +313,6 @@ private:
         to_stdout(fmt::format("  K1 {} = {:.7g}", cell.name, cell.value));
       }
     }
-    to_stdout("\n");
-    std::fflush(stdout);
   }
 
   // On the watcher's thread, while the point goes on being computed. Its locks are not given back:
