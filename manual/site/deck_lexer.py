@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Colours for decks."""
+"""Colours for decks and for geometry scripts of gmsh."""
 
 from pygments.lexer import RegexLexer, bygroups
+from pygments.lexers.c_cpp import CLexer
 from pygments.token import Comment, Keyword, Name, Number, Operator, String, Text
 
 
@@ -23,6 +24,15 @@ class DeckLexer(RegexLexer):
     }
 
 
+class GeoLexer(CLexer):
+    """Their syntax is near enough to C."""
+
+    name = "gmsh geometry"
+    aliases = ["geo"]
+    filenames = ["*.geo"]
+
+
 def setup(app):
     app.add_lexer("deck", DeckLexer)
+    app.add_lexer("geo", GeoLexer)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

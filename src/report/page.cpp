@@ -37,8 +37,10 @@ figure svg { max-width: 100%; height: auto; }
 figure > svg, figcaption { break-before: avoid; }
 figcaption { font-size: .9em; color: #222; max-width: 60em; margin-top: .4em; }
 pre { font-size: .8em; line-height: 1.3; overflow-x: auto; }
+@media screen {
+  table { display: block; width: fit-content; max-width: 100%; overflow-x: auto; }
+}
 @media screen and (max-width: 800px) {
-  table { display: block; overflow-x: auto; }
   figure { overflow-x: auto; }
   figure div { flex-wrap: nowrap; flex-direction: column; }
   figure svg { max-width: none; flex: none; }

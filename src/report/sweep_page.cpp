@@ -179,8 +179,8 @@ std::map<int, double> lengths_of(const Sweep& sweep) {
   return lengths;
 }
 
-/// The cells that the table shows: the life; K1 of each tip and the largest pressure of each contact
-/// at the end of that step.
+/// The cells that the table shows: the life; K1 of each tip and the largest pressure of each
+/// contact at the end of that step.
 std::vector<SweepCell> shown_cells(const Sweep& sweep, const std::string& step) {
   std::vector<SweepCell> shown;
   const std::string nowhere;

@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 namespace spricka::report {
@@ -63,6 +64,14 @@ std::string front_cell(const results::FrontQuantity& q, const results::FrontPlac
   }
 }
 
+/// Which K a column is.
+std::optional<std::size_t> mode_of(const results::FrontQuantity& q) {
+  const auto found = std::ranges::find(front_modes, q.member);
+  return found == front_modes.end()
+             ? std::nullopt
+             : std::optional<std::size_t>(std::distance(front_modes.begin(), found));
+}
+
 Table front_table(const model::Model& model, const results::Increment& increment,
                   const results::FrontResult& first) {
   Table table{fmt::format("Stress intensity factors along the front of {}", first.name),
@@ -71,15 +80,11 @@ Table front_table(const model::Model& model, const results::Increment& increment
   for (const results::FrontQuantity& q : results::front_quantities) {
     if (shows(q, first)) {
       const bool angle = q.kind == base::Quantity::angle;
-      table.columns.push_back(
-          {q.name, angle ? "deg" : base::unit_name(model.units, q.kind), false});
-    }
-  }
-  if (first.no_bar.empty()) {
-    for (std::size_t k = 1; k <= front_modes.size(); ++k) {
-      table.columns.push_back({fmt::format("K{} +-", k),
-                               base::unit_name(model.units, base::Quantity::stress_intensity),
-                               false});
+      const std::string unit = angle ? "deg" : base::unit_name(model.units, q.kind);
+      table.columns.push_back({q.name, unit, false});
+      if (mode_of(q) && first.no_bar.empty()) {
+        table.columns.push_back({fmt::format("+- {}", q.name), unit, false});
+      }
     }
   }
   table.columns.push_back({"", "", true});
@@ -94,11 +99,11 @@ Table front_table(const model::Model& model, const results::Increment& increment
         for (const results::FrontQuantity& q : results::front_quantities) {
           if (shows(q, front)) {
             row.push_back(front_cell(q, place, scale));
+            if (mode_of(q) && first.no_bar.empty()) {
+              const bool given = front.no_bar.empty() && !place.at_surface;
+              row.push_back(given ? bar_size(place.bar[*mode_of(q)].size()) : "");
+            }
           }
-        }
-        for (std::size_t k = 0; k < front_modes.size() && first.no_bar.empty(); ++k) {
-          const bool given = front.no_bar.empty() && !place.at_surface;
-          row.push_back(given ? bar_size(place.bar[k].size()) : "");
         }
         row.emplace_back(place.at_surface ? "surface" : place.closed ? "closed" : "");
         table.rows.push_back(std::move(row));

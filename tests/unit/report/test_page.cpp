@@ -287,5 +287,24 @@ TEST(SweepPage, HasErrorBarsStepChecksAndUnits) {
   EXPECT_TRUE(contains(page, "<td class=\"w\">7</td>"));
 }
 
+TEST(SweepPage, HasLives) {
+  test::Sample sample = test::make_sample();
+  results::Sweep sweep{{"delta"}, 2, {}};
+  for (const double life : {1234.0, 5678.0}) {
+    results::SweepPoint point;
+    point.values = {life};
+    results::Run run = sample.run;
+    run.growth.emplace();
+    run.growth->curve = {{0.0, {1.0}}, {life, {2.0}}};
+    point.cells = sweep_cells(run);
+    EXPECT_EQ(point.cells.front().column(), "N");
+    sweep.points.push_back(point);
+  }
+  const std::string page = sweep_page(sample.sources, sample.model, sweep);
+  EXPECT_TRUE(contains(page, "<th>N<br><span>cycles</span></th>"));
+  EXPECT_TRUE(contains(page, "<td>1234</td>"));
+  EXPECT_TRUE(contains(page, "<td>5678</td>"));
+}
+
 } // namespace
 } // namespace spricka::report
