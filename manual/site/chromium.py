@@ -14,7 +14,7 @@ PROGRAM = shutil.which("chromium")
 FLAGS = ("--headless --no-sandbox --disable-gpu --disable-quic --no-first-run --hide-scrollbars "
          "--disable-background-networking --disable-component-update --disable-sync "
          "--disable-extensions --remote-debugging-pipe").split()
-SECONDS = 60.0  # that one answer may take
+SECONDS = 300.0  # that one answer may take, as a PDF on a busy machine does
 
 
 class BrowserError(Exception):

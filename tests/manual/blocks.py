@@ -11,6 +11,8 @@ behind an `sh` block is what that printed. A comment on the line before a block 
     <!-- not run: WHY -->          nothing is done with the block
     <!-- shown -->                 the block is for reading: part of a file above, or of what a file holds
 
+    <!-- follows: EXPR = NUMBER -->   a number of the text, by arithmetic from known ones (CHECKED pages)
+
 and of a page, anywhere in it: <!-- setup: COMMANDS --> is run before its first block.
 """
 

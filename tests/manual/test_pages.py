@@ -24,6 +24,8 @@ RUN = ["quickstart.md", "first_deck.md", "tutorial.md", "command_line.md", "rest
 RUN += sorted(f"howto/{p.name}" for p in (MANUAL / "howto").glob("*.md"))
 # Of those the ones whose blocks all say what they are; on the others only marked ones count.
 STRICT = [p for p in RUN if p in ("quickstart.md", "first_deck.md", "tutorial.md") or p.startswith("howto/")]
+# Of those the ones every number of whose text must be in a deck or printed by one.
+CHECKED = ["tutorial.md"]
 # For those who change the program: their commands build and test it.
 DEVELOPERS = ["CONTRIBUTING.md", "architecture.md", "new_card.md", "new_element.md", "new_result.md"]
 
@@ -74,6 +76,7 @@ class Reader:
     def __init__(self, folder):
         self.folder = Path(folder)
         self.printed = None
+        self.known = set()  # numbers of files and of what was printed
         bin_folder = self.folder / "build/release/bin"
         bin_folder.mkdir(parents=True)
         (bin_folder / "spricka").symlink_to(PROGRAM)
@@ -114,6 +117,12 @@ class Reader:
 
     def do(self, block):
         """Empty, or what is wrong."""
+        result = self.do_it(block)
+        self.known |= set(NUMBER.findall(block.text if "shown" not in block.marks else ""))
+        self.known |= set(NUMBER.findall(self.printed or ""))
+        return result
+
+    def do_it(self, block):
         if {"not run", "shown"} & set(block.marks):
             return ""
         if {"file", "more", "into"} & set(block.marks):
@@ -131,6 +140,33 @@ class Reader:
         return ""
 
 
+FOLLOWS = re.compile(r"<!-- follows: (.+) = (\S+) -->")
+
+
+def prose_of(page):
+    """The text of a page without blocks, code, links, comments and headings."""
+    text = re.sub(r"^```.*?^```$", "", (MANUAL / page).read_text(encoding="utf-8"), flags=re.S | re.M)
+    for gone in (r"<!--.*?-->", r"`[^`]*`", r"\]\([^)]*\)", r"^#.*$"):
+        text = re.sub(gone, "", text, flags=re.M)
+    return text
+
+
+def unknown_numbers(page, known):
+    """Numbers of the text, of three digits or with decimals, that nothing gives."""
+    text = (MANUAL / page).read_text(encoding="utf-8")
+    results = []
+    for expression, value in FOLLOWS.findall(text):
+        for number in re.findall(r"\d+\.\d+|\d{3,}", expression):
+            if not any(same_number(number, k) for k in known):
+                results.append(f"{number} in {expression}")
+        found = eval(expression, {"__builtins__": {}})  # arithmetic of our own pages
+        if not same_number(value, found):
+            results.append(f"{expression} is {found}, not {value}")
+        known = known | {value}
+    told = re.findall(r"(?<![\w.])-?(?:\d+\.\d+|\d{3,})(?!\w)", prose_of(page))
+    return results + [n for n in told if not any(same_number(n, k) for k in known)]
+
+
 class Pages(unittest.TestCase):
     """One test for each page, made below."""
 
@@ -143,6 +179,8 @@ def page_test(page):
             self.assertEqual(code, 0, printed)
             for block in blocks_of(page):
                 self.assertEqual("", reader.do(block), f"{block.place}")
+            if page in CHECKED:
+                self.assertEqual([], unknown_numbers(page, reader.known), page)
 
     return test
 
