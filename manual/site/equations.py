@@ -55,7 +55,7 @@ def pieces_of(app, docname, text, pattern):
             continue
         yield nodes.Text(text[at:found.start()])
         uri = "" if page == docname else app.builder.get_relative_uri(docname, page)
-        yield nodes.reference("", tag, internal=True, refuri=f"{uri}#{anchor(tag)}", classes=["equation"])
+        yield nodes.reference("", tag, internal=True, refuri=f"{uri}#{anchor(tag)}", classes=["eqref"])
         at = found.end()
     yield nodes.Text(text[at:])
 

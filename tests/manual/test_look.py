@@ -166,7 +166,7 @@ class Site(Look):
         self.browser.open((self.html / "theory/estimate.html").as_uri())
         numbers, lost = self.browser.value(
             "[[...document.querySelectorAll('.eqno')].map(e => e.textContent),"
-            "[...document.querySelectorAll('a.equation')].filter(a => a.getAttribute('href').startsWith('#') &&"
+            "[...document.querySelectorAll('a.eqref')].filter(a => a.getAttribute('href').startsWith('#') &&"
             "!document.getElementById(a.getAttribute('href').slice(1))).map(a => a.textContent)]")
         self.assertIn("(estimate.23)", numbers)
         self.assertEqual([], lost)
