@@ -143,6 +143,10 @@ constexpr std::array tipnet_keys{
     preset(integer("SECTORS", between(6, 1000),
                    "elements round a full circle; in space 8 if left out"),
            "24"),
+    preset(real("FINER", number, between(0.2, 20.0),
+                "so many times smaller elements, and more rings and sectors in the plane, than the "
+                "other keys say"),
+           "1"),
     preset(word("QUARTER", "YES|NO", "quarter-point tip elements"), "YES"),
     preset(word("JOIN", "CONFORMING|TRANSITION",
                 "how the patch meets the host: edge to edge, or finer and tied to its edges"),
@@ -158,7 +162,7 @@ constexpr std::array tipnet_keys{
 };
 
 constexpr std::array tipnet_when{
-    When{"PATCH", "NO", "", "RADIUS SIZE SECTORS JOIN TUBE"},
+    When{"PATCH", "NO", "", "RADIUS SIZE SECTORS FINER JOIN TUBE"},
     When{"TUBE", "NO", "", "SECTORS JOIN"},
 };
 

@@ -202,7 +202,9 @@ void tip_net(Context& c, const BoundCard& card, std::set<std::size_t>& seen) {
             "round a tip in the plane stands a rosette; QUARTER=NO has ordinary elements in it");
   }
   tip.tolerance = card.optional("TOL");
-  if (tip.tolerance && !solid && !card.has("SIZE") && !card.has("RINGS") && !card.has("SECTORS")) {
+  tip.finer = card.number("FINER");
+  if (tip.tolerance && !solid && !card.has("FINER") && !card.has("SIZE") && !card.has("RINGS") &&
+      !card.has("SECTORS")) {
     tip.finer = finer_for(*tip.tolerance);
   }
   tip.span = card.span;

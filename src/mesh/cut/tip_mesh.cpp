@@ -20,6 +20,9 @@ constexpr double radius_part = 0.4;
 constexpr double ring_growth = 1.5;
 /// The smallest tip element, as a part of the radius: more rings than 17 grow more slowly.
 constexpr double smallest_part = 5e-4;
+/// What a coarse net still has: as $TIPNET allows them.
+constexpr int fewest_rings = 2;
+constexpr int fewest_sectors = 6;
 
 } // namespace
 
@@ -28,8 +31,8 @@ TipMesh choose_tip_mesh(const Host& host, const CrackLine& line, const model::Ti
   TipMesh tip;
   const double finer = wishes == nullptr ? 1.0 : wishes->finer;
   if (wishes != nullptr) {
-    tip.rings = static_cast<int>(std::lround(finer * wishes->rings));
-    tip.sectors = static_cast<int>(std::lround(finer * wishes->sectors));
+    tip.rings = std::max(fewest_rings, static_cast<int>(std::lround(finer * wishes->rings)));
+    tip.sectors = std::max(fewest_sectors, static_cast<int>(std::lround(finer * wishes->sectors)));
     tip.quarter_point = wishes->quarter_point;
     tip.patch = wishes->patch;
     tip.transition = wishes->join == model::Join::transition;

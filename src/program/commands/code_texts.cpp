@@ -256,6 +256,8 @@ constexpr std::array advice{
     ErrorCode{"E550", "sweep.csv has the error of each point; started again, the sweep tries them "
                       "again."},
     ErrorCode{"E551", "Start it again with the same folder: finished points are taken over."},
+    ErrorCode{"E555", "Make the deck run by itself first; it needs a crack, a contact, a $CHECK or "
+                      "a body that is loaded."},
     ErrorCode{"E560",
               "Is the path right? AT= up to an increment that is whole may help; else start "
               "from the beginning: exit code 7."},

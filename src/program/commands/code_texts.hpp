@@ -88,6 +88,7 @@ inline constexpr std::array later_codes{
     ErrorCode{"W337", "SCALE on a file that brings moduli"},
     ErrorCode{"E550", "a point of a sweep without success; the sweep goes on"},
     ErrorCode{"E551", "a sweep stopped by a signal"},
+    ErrorCode{"E555", "a study or a ladder of a deck that gives no answer to compare"},
     ErrorCode{"E560", "a restart file, or a part of it, that is missing, cut off or changed"},
     ErrorCode{"E561", "a restart file of another deck: a card differs"},
     ErrorCode{"E562", "a restart from an increment that was not kept"},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/commands/command_tree.hpp"
 #include "base/exit_codes.hpp"
+#include "program/commands/positive.hpp"
 #include "program/commands/run_deck.hpp"
 #include "program/job/standard_streams.hpp"
 
@@ -9,8 +10,6 @@
 #include "mesh/link/mesher_limits.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -57,18 +56,6 @@ CLI::Validator whole_number() {
           ""};
 }
 
-CLI::Validator positive() {
-  return {[](const std::string& given) {
-            double value = 0.0;
-            const char* const end = given.data() + given.size();
-            const auto read = std::from_chars(given.data(), end, value);
-            const bool good =
-                read.ec == std::errc() && read.ptr == end && value > 0.0 && std::isfinite(value);
-            return good ? std::string() : fmt::format("a number above 0, not '{}'", given);
-          },
-          ""};
-}
-
 OptionText describe(const CLI::Option& option) {
   OptionText text;
   text.positional = option.get_positional();
@@ -107,6 +94,8 @@ CommandTree::CommandTree() : app_(fmt::format("spricka: {}", k_about), "spricka"
   add_run();
   add_check();
   add_shell();
+  add_study();
+  add_ladder();
   add_convert();
   add_verify();
   add_help();

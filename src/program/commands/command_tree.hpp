@@ -5,6 +5,8 @@
 #include "program/commands/convert.hpp"
 #include "program/job/run_options.hpp"
 #include "program/shell/shell.hpp"
+#include "program/study/ladder_deck.hpp"
+#include "program/study/study_deck.hpp"
 #include "program/verify/verify.hpp"
 
 #include <functional>
@@ -48,6 +50,8 @@ private:
   void add_run();
   void add_check();
   void add_shell();
+  void add_study();
+  void add_ladder();
   void add_convert();
   void add_verify();
   void add_help();
@@ -61,6 +65,8 @@ private:
   ShellOptions session_;
   ConvertOptions convert_;
   VerifyOptions verify_;
+  StudyOptions study_;
+  LadderOptions ladder_;
   HelpOptions help_;
   FormatOptions format_;
   std::string editor_;

@@ -4,11 +4,13 @@
 #include "base/clock.hpp"
 #include "base/parallel.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <fstream>
 #include <system_error>
 
 #include <fcntl.h>
@@ -74,16 +76,33 @@ bool take_said(int words, std::string& said) {
   return got > 0;
 }
 
-/// Listens until the process has ended, or is to be ended (true).
-bool listen(int words, double seconds, std::string& said) {
+/// High water mark of the resident set of a process that runs [bytes]; 0: not told.
+std::size_t high_water(pid_t pid) {
+  std::ifstream status("/proc/" + std::to_string(pid) + "/status");
+  for (std::string word; status >> word;) {
+    if (word == "VmHWM:") {
+      std::size_t kibibytes = 0;
+      status >> kibibytes;
+      return 1024 * kibibytes;
+    }
+  }
+  return 0;
+}
+
+/// Listens until the process has ended, or is to be ended (true), and watches its memory.
+bool listen(int words, double seconds, std::string& said, pid_t pid, std::size_t& peak) {
+  constexpr int pace = 20; // [ms]
   const base::Stopwatch watch;
   for (;;) {
+    peak = std::max(peak, high_water(pid));
     const double left = seconds > 0.0 ? seconds - watch.wall() : 0.0;
     if (seconds > 0.0 && left <= 0.0) {
       return true;
     }
     pollfd end{words, POLLIN, 0};
-    const int wait = seconds > 0.0 ? static_cast<int>(std::ceil(1e3 * std::min(left, 1e6))) : -1;
+    const int wait = seconds > 0.0
+                         ? std::min(pace, static_cast<int>(std::ceil(1e3 * std::min(left, 1e6))))
+                         : pace;
     if (poll(&end, 1, wait) > 0 && !take_said(words, said)) {
       return false;
     }
@@ -155,15 +174,20 @@ void ChildRuns::run(std::span<const ChildRun> runs, int at_once,
       return;
     }
     std::string said;
-    const bool late = listen(words, runs[i].seconds, said);
+    std::size_t peak = 0;
+    const bool late = listen(words, runs[i].seconds, said, pid, peak);
     if (late) {
       kill(pid, SIGTERM); // it is not reaped yet
-      if (listen(words, patience, said)) {
+      if (listen(words, patience, said, pid, peak)) {
         kill(pid, SIGKILL);
       }
     }
     close(words);
     ChildEnd end = reap(pid);
+    // What the system says counts the memory of this process at the moment of the start as well.
+    if (end.peak_memory <= base::peak_memory() && peak > 0) {
+      end.peak_memory = peak;
+    }
     end.late = late;
     end.wall = watch.wall();
     end.messages = said.size() > most_said ? said.substr(said.size() - most_said) : said;

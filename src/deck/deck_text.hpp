@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/diagnostics.hpp"
+#include "base/source.hpp"
+#include "grammar/ast.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+/// A deck as the texts of its cards, to be changed card by card and written out as a deck again:
+/// for variants of a deck that the program makes itself. Nothing is looked up or evaluated here.
+namespace spricka::deck {
+
+/// One card: its keys and data lines as the deck writes them.
+struct DeckCard {
+  std::string name;                                      ///< upper case, without the $
+  std::string net;                                       ///< the open net, upper case; or empty
+  std::vector<std::pair<std::string, std::string>> keys; ///< key in upper case, value as written
+  std::string data;   ///< data lines with their comments; empty or ended by a newline
+  grammar::Card card; ///< as it was read; empty for a new one
+
+  [[nodiscard]] const std::string* find(std::string_view key) const;
+  [[nodiscard]] bool has(std::string_view key) const { return find(key) != nullptr; }
+  /// The value of a key in upper case, quotes taken off; empty without it.
+  [[nodiscard]] std::string word(std::string_view key) const;
+  /// Gives a key a value, in its place or behind the others.
+  void set(std::string_view key, std::string value);
+  void erase(std::string_view key);
+};
+
+using DeckText = std::vector<DeckCard>;
+
+/// The cards of a deck with those of its includes in their places; $INCLUDE itself is left out.
+/// Names of files are made absolute. Mistakes of syntax go to `diagnostics`; with them, or where
+/// an include is missing, the result is empty. Throws std::system_error as load_deck does.
+std::optional<DeckText> read_deck_text(const std::filesystem::path& deck, base::Sources& sources,
+                                       base::Diagnostics& diagnostics);
+
+/// The deck in canonical layout, to stand in `folder`: names of files that cards read count from
+/// there. `head` are comment lines without their !, in front of the first card.
+std::string write_deck(DeckText text, const std::filesystem::path& folder,
+                       const std::vector<std::string>& head = {});
+
+/// Puts a card in front of $END, or at the end.
+void append(DeckText& text, DeckCard card);
+
+} // namespace spricka::deck

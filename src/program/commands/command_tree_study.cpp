@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/commands/command_tree.hpp"
+#include "program/commands/positive.hpp"
+
+namespace spricka::program {
+
+namespace {
+
+// --vary NAME=value,value
+Wish wish_of(const std::string& text) {
+  const std::size_t equal = text.find('=');
+  if (equal == std::string::npos || equal == 0 || equal + 1 == text.size()) {
+    throw CLI::ValidationError("--vary", "write --vary NAME=value,value, not '" + text + "'");
+  }
+  Wish wish{text.substr(0, equal), {}};
+  int depth = 0;
+  wish.values.emplace_back();
+  for (const char c : text.substr(equal + 1)) {
+    depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+    if (c == ',' && depth == 0) {
+      wish.values.emplace_back();
+    } else {
+      wish.values.back() += c;
+    }
+  }
+  return wish;
+}
+
+} // namespace
+
+void CommandTree::add_study() {
+  CLI::App& command =
+      add("study", "run a deck in many settings: what an answer costs, and how right it is",
+          "  spricka study lug.deck\n"
+          "  spricka study lug.deck --time 60 --out lug_study\n"
+          "  spricka study lug.deck --vary fine=0.5,1,2    this parameter and nothing else",
+          [this] {
+            study_.deck = run_;
+            return study_deck(study_);
+          });
+  add_deck_options(command);
+  command.add_option("--out", run_.out, "folder (default: the deck's name with .study)")
+      ->type_name("FOLDER");
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--vary",
+          [this](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) {
+              study_.wishes.push_back(wish_of(text));
+            }
+          },
+          "a parameter and its values, in place of what is found; may be given again")
+      ->type_name("NAME=V,V,..")
+      ->allow_extra_args(false);
+  command.add_option("--jobs", study_.jobs, "runs at once; CPU times are honest with 1 (default)")
+      ->check(CLI::Range(1, 64))
+      ->type_name("NUMBER");
+  command.add_option("--time", study_.budget, "CPU time of all runs together (default: 600)")
+      ->check(positive())
+      ->type_name("SECONDS");
+  command.add_flag("--quiet", run_.quiet, "do not say which run has ended");
+}
+
+void CommandTree::add_ladder() {
+  CLI::App& command =
+      add("ladder", "run ever simpler models of a joint and name the cheapest that is enough",
+          "  spricka ladder lug.deck\n"
+          "  spricka ladder lug.deck --tol 0.1\n"
+          "  spricka run lug.ladder/cheapest.deck",
+          [this] {
+            ladder_.deck = run_;
+            return ladder_deck(ladder_);
+          });
+  add_deck_options(command);
+  command.add_option("--out", run_.out, "folder (default: the deck's name with .ladder)")
+      ->type_name("FOLDER");
+  command
+      .add_option("--tol", ladder_.tolerance,
+                  "what the answers may differ by, as a part of them (default: 0.02)")
+      ->check(positive())
+      ->type_name("NUMBER");
+  command.add_option("--jobs", ladder_.jobs, "runs at once; CPU times are honest with 1 (default)")
+      ->check(CLI::Range(1, 64))
+      ->type_name("NUMBER");
+  command.add_flag("--quiet", run_.quiet, "do not say which run has ended");
+}
+
+} // namespace spricka::program

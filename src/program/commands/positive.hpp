@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <CLI/CLI.hpp>
+
+namespace spricka::program {
+
+/// An option's value is a finite number above 0.
+CLI::Validator positive();
+
+} // namespace spricka::program

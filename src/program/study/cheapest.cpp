@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/study/cheapest.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+namespace {
+
+/// A setting that could be chosen.
+struct Candidate {
+  std::size_t trial = 0;
+  bool corrected = false;
+  double error = 0.0;
+};
+
+// The deck as it is stands in the series of all sizes.
+Family series_family(Family family) {
+  return family == Family::given ? Family::whole : family;
+}
+
+double lasting_error(const GroupVerdict& group, const std::vector<Trial>& trials, std::size_t t,
+                     bool corrected) {
+  const auto own = [&](std::size_t i) {
+    return corrected ? group.errors[i].best : group.errors[i].plain;
+  };
+  double largest = own(t);
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    const bool finer =
+        series_family(trials[i].setting.family) == series_family(trials[t].setting.family) &&
+        trials[i].setting.fineness > trials[t].setting.fineness;
+    if (finer && std::isfinite(own(i))) {
+      largest = std::max(largest, own(i));
+    }
+  }
+  return largest;
+}
+
+std::vector<Candidate> candidates_of(const GroupVerdict& group, const std::vector<Trial>& trials) {
+  std::vector<Candidate> all;
+  for (std::size_t t = 0; t < trials.size(); ++t) {
+    if (trials[t].readings.empty()) {
+      continue;
+    }
+    for (const bool corrected : {false, true}) {
+      const double error = lasting_error(group, trials, t, corrected);
+      if (std::isfinite(error)) {
+        all.push_back({t, corrected, error});
+      }
+    }
+  }
+  std::ranges::stable_sort(all, [&](const Candidate& a, const Candidate& b) {
+    return trials[a.trial].end.cpu < trials[b.trial].end.cpu;
+  });
+  return all;
+}
+
+// By CPU; what differs by less than a clock can tell is chosen by freedoms, and plain values before
+// corrected ones.
+const Candidate* choose(const std::vector<Candidate>& all, double floor, double tolerance,
+                        const std::vector<Trial>& trials) {
+  constexpr double alike = 1.15; // CPU of one and the same run differs so much
+  const Candidate* best = nullptr;
+  double least = 0.0;
+  for (const Candidate& candidate : all) {
+    if (!(candidate.error + floor <= tolerance)) {
+      continue;
+    }
+    const Trial& trial = trials[candidate.trial];
+    least = best == nullptr ? trial.end.cpu : least; // they come in this order
+    const bool fewer = best != nullptr && trial.unknowns < trials[best->trial].unknowns;
+    if (best == nullptr || (fewer && trial.end.cpu <= alike * least)) {
+      best = &candidate;
+    }
+  }
+  return best;
+}
+
+std::string cheapest_sentence(const GroupVerdict& group, const std::vector<Trial>& trials,
+                              const Cheapest& found) {
+  const char* const what = name_of(group.group);
+  if (found.trial) {
+    const Trial& trial = trials[*found.trial];
+    return fmt::format("{} within {:g} %: {} gives {} for {:.2f} s{}", what,
+                       100.0 * found.tolerance, trial.setting.name, percent(found.error),
+                       trial.end.cpu,
+                       found.corrected ? ", with the estimated error taken out" : "");
+  }
+  if (group.floor >= found.tolerance) {
+    return fmt::format("{} within {:g} %: not to be told, the reference is known to {} only", what,
+                       100.0 * found.tolerance, percent(group.floor));
+  }
+  return fmt::format("{} within {:g} %: none of the settings that were run", what,
+                     100.0 * found.tolerance);
+}
+
+} // namespace
+
+std::string percent(double part) {
+  return std::isfinite(part) ? fmt::format("{:.2g} %", 100.0 * part) : "-";
+}
+
+std::vector<Cheapest> cheapest_settings(const GroupVerdict& group,
+                                        const std::vector<Trial>& trials) {
+  const std::vector<Candidate> all = candidates_of(group, trials);
+  std::vector<Cheapest> found;
+  for (const double tolerance : std::array{1e-2, 1e-3, 1e-4}) {
+    Cheapest cheapest{tolerance, std::nullopt, false, 0.0, {}};
+    if (const Candidate* best = choose(all, group.floor, tolerance, trials)) {
+      cheapest.trial = best->trial;
+      cheapest.corrected = best->corrected;
+      cheapest.error = best->error;
+    }
+    cheapest.words = cheapest_sentence(group, trials, cheapest);
+    found.push_back(std::move(cheapest));
+  }
+  return found;
+}
+
+} // namespace spricka::program

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "program/study/verdict.hpp"
+
+#include <vector>
+
+namespace spricka::program {
+
+/// For 1, 0.1 and 0.01 %: the setting of the least CPU (within 15 % of it, of the fewest freedoms)
+/// whose error, and that of all finer ones of
+/// its family, is below it together with what the references are uncertain by.
+std::vector<Cheapest> cheapest_settings(const GroupVerdict& group,
+                                        const std::vector<Trial>& trials);
+
+/// "0.023 %"
+std::string percent(double part);
+
+} // namespace spricka::program

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/study/convergence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace spricka::program {
+
+namespace {
+
+/// Mean and scatter of log(error / law(size)) for one power.
+struct Fit {
+  double mean = 0.0;
+  double scatter = std::numeric_limits<double>::infinity();
+};
+
+double law(double size, double reference, double power) {
+  const double beyond = reference > 0.0 ? std::pow(reference, power) : 0.0;
+  return std::abs(std::pow(size, power) - beyond);
+}
+
+Fit fit_of(const std::vector<SeriesPoint>& points, double reference, double power) {
+  Fit fit;
+  std::vector<double> logs;
+  for (const SeriesPoint& point : points) {
+    logs.push_back(std::log(point.error / law(point.size, reference, power)));
+    fit.mean += logs.back() / static_cast<double>(points.size());
+  }
+  fit.scatter = 0.0;
+  for (const double value : logs) {
+    fit.scatter += (value - fit.mean) * (value - fit.mean);
+  }
+  return fit;
+}
+
+// The scatter has one minimum: first a walk, then sections.
+double best_power(const std::vector<SeriesPoint>& points, double reference) {
+  constexpr double least = 0.05;
+  constexpr double most = 16.0;
+  constexpr double pace = 0.25;
+  double best = least;
+  for (double power = least; power <= most; power += pace) {
+    if (fit_of(points, reference, power).scatter < fit_of(points, reference, best).scatter) {
+      best = power;
+    }
+  }
+  double low = std::max(least, best - pace);
+  double high = best + pace;
+  constexpr double golden = 0.6180339887498949;
+  for (int i = 0; i < 60; ++i) {
+    const double left = high - golden * (high - low);
+    const double right = low + golden * (high - low);
+    const bool lower =
+        fit_of(points, reference, left).scatter < fit_of(points, reference, right).scatter;
+    (lower ? high : low) = lower ? right : left;
+  }
+  return 0.5 * (low + high);
+}
+
+} // namespace
+
+std::optional<Slope> fit_slope(std::span<const SeriesPoint> points, double floor,
+                               double reference) {
+  std::vector<SeriesPoint> used;
+  std::ranges::copy_if(points, std::back_inserter(used), [&](const SeriesPoint& point) {
+    return std::isfinite(point.error) && point.error > floor && point.size > 1.01 * reference;
+  });
+  if (used.size() < 3) {
+    return std::nullopt;
+  }
+  const double power = best_power(used, reference);
+  return Slope{power, std::exp(fit_of(used, reference, power).mean), used.size()};
+}
+
+std::vector<double> lasting_errors(std::span<const SeriesPoint> points) {
+  std::vector<double> lasting;
+  for (const SeriesPoint& point : points) {
+    double largest = 0.0;
+    for (const SeriesPoint& other : points) {
+      largest = other.size <= point.size ? std::max(largest, other.error) : largest;
+    }
+    lasting.push_back(largest);
+  }
+  return lasting;
+}
+
+std::optional<Plateau> find_plateau(std::span<const SeriesPoint> points, double nothing) {
+  constexpr double falling = 0.5; // the least power of an error that goes on
+  const std::vector<double> lasting = lasting_errors(points);
+  std::size_t first = points.size();
+  for (std::size_t i = points.size(); i-- > 1;) {
+    const double finer = std::log(points[i - 1].size / points[i].size);
+    const double fallen = std::log(lasting[i - 1] / lasting[i]);
+    if (!(lasting[i] > nothing) || !(finer > 0.0) || !(fallen < falling * finer)) {
+      break;
+    }
+    first = i - 1;
+  }
+  if (first + 1 >= points.size()) {
+    return std::nullopt;
+  }
+  return Plateau{first, lasting[first]};
+}
+
+} // namespace spricka::program

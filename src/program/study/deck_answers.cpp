@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/study/deck_answers.hpp"
+
+#include "model/model.hpp"
+#include "program/checks/check_quantities.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+namespace spricka::program {
+
+namespace {
+
+struct GroupWord {
+  std::string_view word; ///< what stands in front of the first point
+  AnswerGroup group;
+};
+constexpr std::array group_words{
+    GroupWord{"K", AnswerGroup::K},           GroupWord{"K1", AnswerGroup::K},
+    GroupWord{"K2", AnswerGroup::K},          GroupWord{"K3", AnswerGroup::K},
+    GroupWord{"PATH", AnswerGroup::K},        GroupWord{"G", AnswerGroup::K},
+    GroupWord{"T", AnswerGroup::T},           GroupWord{"CPRESS", AnswerGroup::pressure},
+    GroupWord{"S", AnswerGroup::stress},      GroupWord{"U", AnswerGroup::displacement},
+    GroupWord{"ENERGY", AnswerGroup::energy}, GroupWord{"ARC", AnswerGroup::arc},
+    GroupWord{"STICK", AnswerGroup::arc},     GroupWord{"N", AnswerGroup::life},
+    GroupWord{"LIFE", AnswerGroup::life},     GroupWord{"SHEAR", AnswerGroup::pressure}};
+
+std::string_view stem_of(std::string_view quantity) {
+  return quantity.substr(0, quantity.find('.'));
+}
+
+std::optional<AnswerGroup> group_of(std::string_view quantity) {
+  const bool of_path = stem_of(quantity) == "PATH";
+  if ((of_path && !quantity.starts_with("PATH.K1") && !quantity.starts_with("PATH.K2")) ||
+      quantity.find(".BAR") != std::string_view::npos || quantity == "ARC.PARTS") {
+    return std::nullopt;
+  }
+  const auto* const found = std::ranges::find(group_words, stem_of(quantity), &GroupWord::word);
+  return found == group_words.end() ? std::nullopt : std::optional(found->group);
+}
+
+// "K1.BAR" for K and K1, "K2.BEST.PHI" for K2.PHI; empty where there is no such word.
+std::string with_part(std::string_view quantity, std::string_view part) {
+  const std::string stem(quantity == "K" ? "K1" : stem_of(quantity));
+  constexpr std::array of_K{"K1", "K2", "K3"};
+  const bool corrected = quantity.find(".BEST") != std::string_view::npos;
+  if (std::ranges::find(of_K, stem) == of_K.end() || corrected) {
+    return {};
+  }
+  const std::size_t point = quantity.find('.');
+  const std::string_view place = point == std::string_view::npos ? "" : quantity.substr(point);
+  return stem + std::string(part) + std::string(place);
+}
+
+/// Makes the questions that a deck has not asked.
+class Questions {
+public:
+  explicit Questions(const results::Run& run) : run_(run) {}
+
+  std::vector<model::Check> of_cracks() {
+    for (const results::Increment* increment : shown_increments()) {
+      for (const results::StepResult& step : increment->steps) {
+        for (const results::TipResult& tip : step.tips) {
+          of_tip(step.step, tip);
+        }
+        for (const results::FrontResult& front : step.fronts) {
+          of_front(step.step, front);
+        }
+      }
+    }
+    return std::move(made_);
+  }
+
+  std::vector<model::Check> of_bodies() {
+    if (run_.increments.empty()) {
+      return {};
+    }
+    for (const results::StepResult& step : run_.increments.back().steps) {
+      for (const results::ContactResult& contact : step.contacts) {
+        add("CPRESS.MEAN", {contact.name, step.step}, false);
+      }
+      add("ENERGY", {"*", step.step}, true);
+    }
+    return std::move(made_);
+  }
+
+private:
+  using Arguments = std::vector<std::variant<std::string, double>>;
+
+  // Of a long growth the first, the middle and the last length.
+  [[nodiscard]] std::vector<const results::Increment*> shown_increments() const {
+    constexpr std::size_t many = 12;
+    std::vector<const results::Increment*> shown;
+    const std::size_t n = run_.increments.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      if (n <= many || i == 0 || i == n / 2 || i + 1 == n) {
+        shown.push_back(&run_.increments[i]);
+      }
+    }
+    return shown;
+  }
+
+  void of_tip(const std::string& step, const results::TipResult& tip) {
+    if (!tip.doubt.empty()) {
+      return;
+    }
+    const double K = std::hypot(tip.K1, tip.K2);
+    constexpr double least = 1e-3; // of K, that a mode is asked for
+    for (const auto& [word, value] : {std::pair{"K1", tip.K1}, std::pair{"K2", tip.K2}}) {
+      if (std::abs(value) > least * K) {
+        Arguments arguments{tip.name, step};
+        if (run_.increments.size() > 1) {
+          arguments.emplace_back(tip.a);
+        }
+        add(word, std::move(arguments), false);
+      }
+    }
+  }
+
+  void of_front(const std::string& step, const results::FrontResult& front) {
+    std::vector<const results::FrontPlace*> places;
+    for (const results::FrontPlace& place : front.points) {
+      if (!place.at_surface) {
+        places.push_back(&place);
+      }
+    }
+    constexpr std::size_t wanted = 8;
+    const std::size_t count = std::min(wanted, places.size());
+    for (std::size_t i = 0; i < count; ++i) {
+      const results::FrontPlace& place = *places[(2 * i + 1) * places.size() / (2 * count)];
+      Arguments arguments{front.name, place.x.x(), place.x.y(), place.x.z(), step};
+      if (run_.increments.size() > 1) {
+        arguments.emplace_back(front.a);
+      }
+      add("K1.AT", std::move(arguments), false);
+    }
+  }
+
+  void add(std::string word, Arguments arguments, bool relative) {
+    model::Check check;
+    check.quantity = std::move(word);
+    check.arguments = std::move(arguments);
+    check.relative = relative;
+    check.tolerance = 1.0;
+    made_.push_back(std::move(check));
+  }
+
+  const results::Run& run_;
+  std::vector<model::Check> made_;
+};
+
+// Evaluates lines on a run; trouble, or a line without a quantity, leaves no number.
+std::vector<double> values_of(model::Model& model, const std::vector<model::Check>& checks,
+                              const results::Run& run) {
+  std::vector<double> values(checks.size(), std::numeric_limits<double>::quiet_NaN());
+  std::vector<std::size_t> asked;
+  model.checks.clear();
+  for (std::size_t i = 0; i < checks.size(); ++i) {
+    if (!checks[i].quantity.empty()) {
+      asked.push_back(i);
+      model.checks.push_back(checks[i]);
+    }
+  }
+  const std::vector<results::CheckResult> found = evaluate_checks(model, run);
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    if (found[k].trouble.empty()) {
+      values[asked[k]] = found[k].found;
+    }
+  }
+  return values;
+}
+
+// Whose answer it is, where a name stands first; places are of their group.
+std::string subject_of(const Answer& answer) {
+  const auto* const name = answer.check.arguments.empty()
+                               ? nullptr
+                               : std::get_if<std::string>(&answer.check.arguments.front());
+  return name == nullptr ? std::string() : *name;
+}
+
+} // namespace
+
+const char* name_of(AnswerGroup group) {
+  constexpr std::array names{"K",      "T",           "pressure", "stress", "displacement",
+                             "energy", "contact arc", "life",     "other"};
+  return names.at(static_cast<std::size_t>(group));
+}
+
+std::vector<Answer> answers_of(const model::Model& model, const results::Run& run) {
+  std::vector<Answer> answers;
+  const auto add = [&](const model::Check& check, bool own) {
+    const std::optional<AnswerGroup> group = group_of(check.quantity);
+    if (group) {
+      const bool given = own && check.relative && check.value != 0.0;
+      answers.push_back({check, "", *group, given ? std::optional(check.value) : std::nullopt});
+    }
+  };
+  for (const model::Check& check : model.checks) {
+    add(check, true);
+  }
+  const bool asks_K = std::ranges::any_of(
+      answers, [](const Answer& answer) { return answer.group == AnswerGroup::K; });
+  Questions questions(run);
+  if (!model.cracks.empty() && !asks_K) {
+    std::ranges::for_each(questions.of_cracks(), [&](const auto& check) { add(check, false); });
+  }
+  if (answers.empty()) {
+    std::ranges::for_each(questions.of_bodies(), [&](const auto& check) { add(check, false); });
+  }
+  // What the deck itself does not find is no answer.
+  model::Model asked = model;
+  asked.checks.clear();
+  for (const Answer& answer : answers) {
+    asked.checks.push_back(answer.check);
+  }
+  const std::vector<results::CheckResult> found = evaluate_checks(asked, run);
+  std::vector<Answer> kept;
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    answers[i].text = found[i].text;
+    if (found[i].trouble.empty() && std::isfinite(found[i].found)) {
+      kept.push_back(std::move(answers[i]));
+    }
+  }
+  return kept;
+}
+
+std::vector<Reading> read_answers(const model::Model& model, const std::vector<Answer>& answers,
+                                  const results::Run& run) {
+  model::Model asked = model;
+  std::vector<model::Check> value;
+  std::vector<model::Check> bar;
+  std::vector<model::Check> best;
+  for (const Answer& answer : answers) {
+    value.push_back(answer.check);
+    bar.push_back(answer.check);
+    bar.back().quantity = with_part(answer.check.quantity, ".BAR");
+    best.push_back(answer.check);
+    best.back().quantity = with_part(answer.check.quantity, ".BEST");
+  }
+  const std::vector<double> values = values_of(asked, value, run);
+  const std::vector<double> bars = values_of(asked, bar, run);
+  const std::vector<double> bests = values_of(asked, best, run);
+  std::vector<Reading> readings;
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    readings.push_back({values[i], bars[i], bests[i]});
+  }
+  return readings;
+}
+
+std::vector<double> scales_of(const std::vector<Answer>& answers,
+                              const std::vector<double>& found) {
+  std::vector<double> scales;
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    double scale = 0.0;
+    for (std::size_t k = 0; k < answers.size(); ++k) {
+      const bool alike =
+          answers[k].group == answers[i].group && subject_of(answers[k]) == subject_of(answers[i]);
+      scale = alike && std::isfinite(found[k]) ? std::max(scale, std::abs(found[k])) : scale;
+    }
+    const bool own = answers[i].check.relative && (answers[i].reference || found[i] != 0.0);
+    scales.push_back(own && std::isfinite(found[i]) ? std::abs(found[i]) : scale);
+  }
+  return scales;
+}
+
+} // namespace spricka::program

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "model/forward.hpp"
+#include "model/requests.hpp"
+#include "results/results.hpp"
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// The numbers that a deck is asked for, and what one run of a variant of it says of them. They are
+/// lines of $CHECK: the deck's own, or made where it has none.
+namespace spricka::program {
+
+/// What an answer is of: they are judged together, and shown in this order.
+enum class AnswerGroup { K, T, pressure, stress, displacement, energy, arc, life, other };
+
+/// "K", "pressure": for headings.
+const char* name_of(AnswerGroup group);
+
+struct Answer {
+  model::Check check;
+  std::string text; ///< "K(TOP,LOAD,10.8)"
+  AnswerGroup group = AnswerGroup::other;
+  std::optional<double> reference; ///< of the deck; empty: it has none, or asks for zero
+};
+
+/// One answer of one run; what there is not, is no number.
+struct Reading {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  double bar = std::numeric_limits<double>::quiet_NaN();  ///< half width of the error bar of K
+  double best = std::numeric_limits<double>::quiet_NaN(); ///< K with its estimated error taken out
+};
+
+/// The deck's own checks, but for equilibrium, derivatives, bars and what says nothing of a mesh.
+/// Of a deck that checks no K of its cracks K1 and K2 of each tip at the end of each step and
+/// length, along fronts at eight points; without cracks and checks mean pressures of its contacts,
+/// and the energy.
+std::vector<Answer> answers_of(const model::Model& model, const results::Run& run);
+
+/// [answer]
+std::vector<Reading> read_answers(const model::Model& model, const std::vector<Answer>& answers,
+                                  const results::Run& run);
+
+/// What errors of each answer are parts of: the amount of `found`, or where an answer may be zero
+/// (an absolute tolerance, none at all) the largest amount in the answers of its group about the
+/// same crack, contact or set. 0: there is no such thing. [answer]
+std::vector<double> scales_of(const std::vector<Answer>& answers, const std::vector<double>& found);
+
+} // namespace spricka::program

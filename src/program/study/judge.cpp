@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/study/judge.hpp"
+
+#include "program/study/cheapest.hpp"
+#include "program/study/plateau_reason.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace spricka::program {
+
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+double distance_of(double a, double b) {
+  return std::abs(a - b);
+}
+
+bool has_results(const Trial& trial) {
+  return !trial.readings.empty();
+}
+
+// Trials of the series that the reference comes from, coarse to fine.
+std::vector<std::size_t> reference_series(const std::vector<Trial>& trials) {
+  const auto rows = [&](Family family) {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+      const Family own = trials[i].setting.family;
+      if (has_results(trials[i]) && (own == family || own == Family::given)) {
+        found.push_back(i);
+      }
+    }
+    std::ranges::stable_sort(found, [&](std::size_t a, std::size_t b) {
+      return trials[a].setting.fineness < trials[b].setting.fineness;
+    });
+    return found;
+  };
+  const std::vector<std::size_t> whole = rows(Family::whole);
+  return whole.size() > 1 ? whole : rows(Family::asked);
+}
+
+// How far the answer still moves at the fine end.
+double movement(const std::vector<Trial>& trials, const std::vector<std::size_t>& series,
+                std::size_t answer) {
+  const std::size_t n = series.size();
+  double most = 0.0;
+  for (std::size_t back = 1; back <= 2 && back < n; ++back) {
+    most = std::max(most, distance_of(trials[series[n - 1]].readings[answer].value,
+                                      trials[series[n - 1 - back]].readings[answer].value));
+  }
+  return n > 1 ? most : std::numeric_limits<double>::infinity();
+}
+
+AnswerReference reference_of(const Answer& answer, std::size_t a, const std::vector<Trial>& trials,
+                             const std::vector<std::size_t>& series) {
+  AnswerReference reference;
+  const Reading& finest = trials[series.back()].readings[a];
+  const bool barred = std::isfinite(finest.bar) && std::isfinite(finest.best);
+  const double moved = movement(trials, series, a);
+  reference.uncertainty = barred ? finest.bar : moved;
+  reference.value = barred ? finest.best : finest.value;
+  if (answer.reference && std::isfinite(finest.value)) {
+    const double off = distance_of(finest.value, *answer.reference);
+    constexpr double round_off = 1e-9;
+    if (off <= std::max(reference.uncertainty, round_off * std::abs(*answer.reference))) {
+      reference.value = *answer.reference;
+      reference.uncertainty = 0.0;
+      reference.of_deck = true;
+    } else {
+      reference.deck_is_off = off / std::abs(*answer.reference);
+    }
+  }
+  return reference;
+}
+
+void widen(double& largest, double value) {
+  if (std::isfinite(value)) {
+    largest = std::isfinite(largest) ? std::max(largest, value) : value;
+  }
+}
+
+GroupErrors errors_of(AnswerGroup group, const std::vector<Answer>& answers,
+                      const std::vector<AnswerReference>& references, const Trial& trial,
+                      bool is_finest) {
+  GroupErrors errors{none, none, none};
+  bool all_best = true;
+  for (std::size_t a = 0; a < answers.size() && has_results(trial); ++a) {
+    const AnswerReference& reference = references[a];
+    if (answers[a].group != group || !(reference.scale > 0.0)) {
+      continue;
+    }
+    const Reading& reading = trial.readings[a];
+    const bool itself = is_finest && !reference.of_deck;
+    const bool barred = std::isfinite(reading.bar) && std::isfinite(reading.best);
+    if (!itself || barred) { // against its own corrected value
+      widen(errors.plain, distance_of(reading.value, reference.value) / reference.scale);
+    }
+    all_best = all_best && barred && !itself;
+    widen(errors.best, distance_of(reading.best, reference.value) / reference.scale);
+    widen(errors.bar, reading.bar / reference.scale);
+  }
+  errors.best = all_best ? errors.best : none;
+  return errors;
+}
+
+/// Series of one family, coarse to fine; the deck as it is belongs to all series of sizes.
+std::vector<std::size_t> series_of(Family family, const std::vector<Trial>& trials) {
+  constexpr std::array with_given{Family::whole, Family::host, Family::tip, Family::asked};
+  const bool given = std::ranges::find(with_given, family) != with_given.end();
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    const Family own = trials[i].setting.family;
+    if (has_results(trials[i]) && (own == family || (given && own == Family::given))) {
+      rows.push_back(i);
+    }
+  }
+  std::ranges::stable_sort(rows, [&](std::size_t a, std::size_t b) {
+    return trials[a].setting.fineness < trials[b].setting.fineness;
+  });
+  return rows;
+}
+
+// Energy falls with twice the degree of the elements where nothing is singular (Strang and Fix
+// 1973, chapter 3). K is a derivative of the energy, whose error is that of the elements at the
+// tip: they have sqrt(r) and r of the displacement by quarter points, and lack r^(3/2), of an
+// energy proportional to h^3; without quarter points they lack sqrt(r), of an energy proportional
+// to h.
+std::optional<double> theory_of(AnswerGroup group, Family family, bool cracked) {
+  const bool all_sizes = family == Family::whole || family == Family::tip;
+  if (group == AnswerGroup::K && family == Family::quarter) {
+    return 1.0;
+  }
+  if (group == AnswerGroup::K && all_sizes) {
+    return 3.0;
+  }
+  if (group == AnswerGroup::energy && !cracked && family == Family::whole) {
+    return 4.0;
+  }
+  if (group == AnswerGroup::energy && !cracked && family == Family::linear) {
+    return 2.0;
+  }
+  return std::nullopt;
+}
+
+// Whether some answer is about a crack: then the energy is singular as well.
+bool asks_of_cracks(const std::vector<Answer>& answers) {
+  return std::ranges::any_of(answers,
+                             [](const Answer& answer) { return answer.group == AnswerGroup::K; });
+}
+
+std::vector<SeriesPoint> points_of(const std::vector<std::size_t>& rows,
+                                   const std::vector<Trial>& trials,
+                                   const std::vector<double>& errors) {
+  std::vector<SeriesPoint> points;
+  for (const std::size_t row : rows) {
+    if (std::isfinite(errors[row])) {
+      points.push_back({1.0 / trials[row].setting.fineness, errors[row]});
+    }
+  }
+  return points;
+}
+
+class GroupJudge {
+public:
+  GroupJudge(const std::vector<Answer>& answers, const std::vector<Trial>& trials,
+             const StudyVerdict& verdict, AnswerGroup group)
+      : answers_(answers), trials_(trials), verdict_(verdict) {
+    found_.group = group;
+  }
+
+  std::optional<GroupVerdict> run() {
+    for (std::size_t t = 0; t < trials_.size(); ++t) {
+      found_.errors.push_back(
+          errors_of(found_.group, answers_, verdict_.references, trials_[t], t == verdict_.finest));
+    }
+    const bool any = std::ranges::any_of(
+        found_.errors, [](const GroupErrors& errors) { return std::isfinite(errors.plain); });
+    if (!any) {
+      return std::nullopt;
+    }
+    floor();
+    for (const Family family : {Family::whole, Family::host, Family::tip, Family::quarter,
+                                Family::linear, Family::asked}) {
+      judge_series(family, false);
+      if (family == Family::whole || family == Family::asked) {
+        judge_series(family, true);
+      }
+    }
+    found_.cheapest = cheapest_settings(found_, trials_);
+    return std::move(found_);
+  }
+
+private:
+  void floor() {
+    for (std::size_t a = 0; a < answers_.size(); ++a) {
+      const AnswerReference& reference = verdict_.references[a];
+      if (answers_[a].group == found_.group && reference.scale > 0.0) {
+        own_ = own_ || !reference.of_deck;
+        found_.floor = std::max(found_.floor, reference.uncertainty / reference.scale);
+      }
+    }
+  }
+
+  void judge_series(Family family, bool corrected) {
+    const std::vector<std::size_t> rows = series_of(family, trials_);
+    std::vector<double> errors;
+    for (const GroupErrors& all : found_.errors) {
+      errors.push_back(corrected ? all.best : all.plain);
+    }
+    const std::vector<SeriesPoint> points = points_of(rows, trials_, errors);
+    if (rows.size() < 2 || points.size() < 2 ||
+        trials_[rows.front()].setting.fineness == trials_[rows.back()].setting.fineness) {
+      return;
+    }
+    SeriesVerdict series;
+    series.family = family;
+    series.corrected = corrected;
+    series.plateau = find_plateau(points);
+    series.theory =
+        corrected ? std::nullopt : theory_of(found_.group, family, asks_of_cracks(answers_));
+    // Differences to values of the finest mesh, which has an error of the same law.
+    const bool alike = family == Family::whole || family == Family::asked;
+    const bool to_finest = alike && own_ && !has_bars() && verdict_.finest;
+    const double reference = to_finest ? 1.0 / trials_[*verdict_.finest].setting.fineness : 0.0;
+    const std::size_t falling = series.plateau ? series.plateau->first + 1 : points.size();
+    // A corrected value is several times better than its bar (manual, error_bar.md).
+    constexpr double better = 0.25;
+    series.slope = fit_slope(std::span(points).first(falling),
+                             own_ && !to_finest ? better * found_.floor : 0.0, reference);
+    if (series.plateau) {
+      series.reason = plateau_reason({found_, series, trials_, answers_, verdict_}, points);
+    }
+    found_.series.push_back(std::move(series));
+  }
+
+  [[nodiscard]] bool has_bars() const {
+    return verdict_.finest && std::isfinite(found_.errors[*verdict_.finest].bar);
+  }
+
+  const std::vector<Answer>& answers_;
+  const std::vector<Trial>& trials_;
+  const StudyVerdict& verdict_;
+  GroupVerdict found_;
+  bool own_ = false; ///< some reference is of the finest setting
+};
+
+} // namespace
+
+StudyVerdict judge(const std::vector<Answer>& answers, const std::vector<Trial>& trials) {
+  StudyVerdict verdict;
+  const std::vector<std::size_t> series = reference_series(trials);
+  if (series.empty()) {
+    return verdict;
+  }
+  verdict.finest = series.back();
+  std::vector<double> values;
+  for (std::size_t a = 0; a < answers.size(); ++a) {
+    verdict.references.push_back(reference_of(answers[a], a, trials, series));
+    values.push_back(verdict.references.back().value);
+  }
+  const std::vector<double> scales = scales_of(answers, values);
+  for (std::size_t a = 0; a < answers.size(); ++a) {
+    verdict.references[a].scale = scales[a];
+  }
+  for (int g = 0; g <= static_cast<int>(AnswerGroup::other); ++g) {
+    if (auto group = GroupJudge(answers, trials, verdict, static_cast<AnswerGroup>(g)).run()) {
+      verdict.groups.push_back(std::move(*group));
+    }
+  }
+  return verdict;
+}
+
+} // namespace spricka::program

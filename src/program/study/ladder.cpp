@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/study/ladder.hpp"
+
+#include "model/model.hpp"
+#include "report/topics/result_tables.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+namespace {
+
+bool is_of_step(const Answer& answer, const std::string& step) {
+  return std::ranges::any_of(answer.check.arguments, [&](const auto& argument) {
+    const auto* name = std::get_if<std::string>(&argument);
+    return name != nullptr && *name == step;
+  });
+}
+
+/// The largest difference of two rungs and the widths of both bars there.
+struct Difference {
+  double value = std::numeric_limits<double>::quiet_NaN(); ///< with its sign
+  double bars = 0.0;
+  bool all_within = true;
+  bool any_outside = false;
+};
+
+Difference difference_of(const Ladder& ladder, const RungResult& rung) {
+  Difference found;
+  const RungResult& richest = ladder.rungs[*ladder.richest];
+  for (std::size_t a = 0; a < ladder.answers.size(); ++a) {
+    const Reading& own = rung.readings[a];
+    const Reading& rich = richest.readings[a];
+    if (!(ladder.scales[a] > 0.0) || !std::isfinite(rich.value)) {
+      continue;
+    }
+    const double part = (own.value - rich.value) / ladder.scales[a];
+    const double bars =
+        ((std::isfinite(own.bar) ? own.bar : 0.0) + (std::isfinite(rich.bar) ? rich.bar : 0.0)) /
+        ladder.scales[a];
+    found.all_within = found.all_within && std::abs(part) + bars <= ladder.tolerance;
+    found.any_outside = found.any_outside || std::abs(part) - bars > ladder.tolerance;
+    if (!std::isfinite(part)) {
+      found.all_within = false;
+    } else if (!std::isfinite(found.value) || std::abs(part) > std::abs(found.value)) {
+      found.value = part;
+      found.bars = bars;
+    }
+  }
+  return found;
+}
+
+bool is_enough(const RungResult& rung) {
+  return rung.verdict == RungVerdict::richest ||
+         (rung.verdict == RungVerdict::within && rung.rung.simpler);
+}
+
+// Rungs stand in the order of their richness.
+std::optional<std::size_t> cheapest_of(const std::vector<RungResult>& rungs) {
+  constexpr double alike = 1.15; // CPU of one and the same run differs so much
+  double least = std::numeric_limits<double>::infinity();
+  for (const RungResult& rung : rungs) {
+    least = is_enough(rung) ? std::min(least, rung.end.cpu) : least;
+  }
+  std::optional<std::size_t> found;
+  for (std::size_t r = 0; r < rungs.size(); ++r) {
+    if (is_enough(rungs[r]) && rungs[r].end.cpu <= alike * least) {
+      found = r;
+    }
+  }
+  return found;
+}
+
+} // namespace
+
+const char* name_of(RungVerdict verdict) {
+  constexpr std::array names{"the richest", "within", "not to be told", "not within", "-"};
+  return names.at(static_cast<std::size_t>(verdict));
+}
+
+std::vector<Answer> ladder_answers(const model::Model& model, const results::Run& run) {
+  std::vector<Answer> all = answers_of(model, run);
+  if (all.empty()) {
+    return all;
+  }
+  const AnswerGroup leading = std::ranges::min(all, {}, &Answer::group).group;
+  std::erase_if(all, [&](const Answer& answer) { return answer.group != leading; });
+  const bool own = !model.checks.empty() && std::ranges::any_of(all, [](const Answer& answer) {
+    return answer.check.span.valid();
+  });
+  const std::string step = report::leading_step(model);
+  const bool has_step =
+      std::ranges::any_of(all, [&](const Answer& answer) { return is_of_step(answer, step); });
+  if (!own && has_step) {
+    std::erase_if(all, [&](const Answer& answer) { return !is_of_step(answer, step); });
+  }
+  return all;
+}
+
+void compare(Ladder& ladder) {
+  const auto first = std::ranges::find_if(
+      ladder.rungs, [](const RungResult& rung) { return !rung.readings.empty(); });
+  if (first == ladder.rungs.end()) {
+    return;
+  }
+  ladder.richest = static_cast<std::size_t>(first - ladder.rungs.begin());
+  std::vector<double> values;
+  for (const Reading& reading : first->readings) {
+    values.push_back(reading.value);
+  }
+  ladder.scales = scales_of(ladder.answers, values);
+  for (std::size_t r = 0; r < ladder.rungs.size(); ++r) {
+    RungResult& rung = ladder.rungs[r];
+    if (rung.readings.empty()) {
+      continue;
+    }
+    const Difference found = difference_of(ladder, rung);
+    rung.difference = found.value;
+    for (std::size_t a = 0; a < ladder.answers.size(); ++a) {
+      const double bar = rung.readings[a].bar / ladder.scales[a];
+      rung.bar = std::isfinite(bar) ? std::max(rung.bar, bar) : rung.bar;
+    }
+    rung.verdict = r == *ladder.richest         ? RungVerdict::richest
+                   : found.any_outside          ? RungVerdict::outside
+                   : found.all_within           ? RungVerdict::within
+                   : std::isfinite(found.value) ? RungVerdict::undecided
+                                                : RungVerdict::missing;
+  }
+  ladder.cheapest = cheapest_of(ladder.rungs);
+}
+
+deck::DeckText with_checks(const Ladder& ladder, const deck::DeckText& text) {
+  deck::DeckCard checks;
+  checks.name = "CHECK";
+  const RungResult& richest = ladder.rungs[*ladder.richest];
+  for (std::size_t a = 0; a < ladder.answers.size(); ++a) {
+    const double value = richest.readings[a].value;
+    if (std::isfinite(value) && ladder.scales[a] > 0.0) {
+      checks.data += fmt::format("  {} = {:.7g}  ABS {:.3g}  SOURCE 'the richest rung, {}'\n",
+                                 ladder.answers[a].text, value, ladder.tolerance * ladder.scales[a],
+                                 richest.rung.name);
+    }
+  }
+  deck::DeckText whole = text;
+  append(whole, std::move(checks));
+  return whole;
+}
+
+} // namespace spricka::program

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/study/ladder_deck.hpp"
+
+#include "archive/safe_file.hpp"
+#include "base/exit_codes.hpp"
+#include "model/model.hpp"
+#include "program/job/interrupt.hpp"
+#include "program/job/run_folder.hpp"
+#include "program/job/standard_streams.hpp"
+#include "program/study/ladder_report.hpp"
+#include "program/study/variant_runs.hpp"
+#include "report/drawing/file.hpp"
+
+#include <algorithm>
+#include <system_error>
+
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+namespace {
+
+class LadderRun {
+public:
+  LadderRun(const LadderOptions& options, const Log& log) : options_(options), log_(log) {
+    ladder_.tolerance = options.tolerance;
+  }
+
+  base::Outcome run() {
+    ready_ = read_ready(options_.deck.deck, {.defines = options_.deck.defines}, log_);
+    if (!ready_.model) {
+      return ready_.refusal.kind;
+    }
+    base::Diagnostics ignored; // the same mistakes as before: none
+    const auto text = deck::read_deck_text(options_.deck.deck, ready_.sources, ignored);
+    const StudiedDeck deck{options_.deck.deck, options_.deck.defines, text.value(), &ready_};
+    RunFolder folder(options_.deck.out);
+    const ScratchFolder scratch(options_.deck.out);
+    const Interrupt interrupt([&](int signal) {
+      children_.stop();
+      scratch.remove();
+      folder.abandon();
+      return 128 + signal;
+    });
+    for (Rung& rung : make_rungs(deck, joint_of(*ready_.model))) {
+      RungResult result;
+      result.trouble = rung.reason;
+      result.rung = std::move(rung);
+      ladder_.rungs.push_back(std::move(result));
+    }
+    if (const base::Outcome outcome = climb(scratch.path()); outcome != base::Outcome::done) {
+      return outcome;
+    }
+    compare(ladder_);
+    keep(folder);
+    folder.commit();
+    to_stdout(ladder_text(*ready_.model, ladder_));
+    to_stdout(fmt::format("decks of all rungs, cheapest.deck, ladder.csv and ladder.html in {}\n",
+                          options_.deck.out.string()));
+    return base::Outcome::done;
+  }
+
+private:
+  ChildRun child_of(const RungResult& result, const std::filesystem::path& scratch) const {
+    ChildRun child;
+    child.deck = scratch / result.rung.file;
+    child.out = scratch / (result.rung.file + ".run");
+    report::write_file(child.deck, write_deck(*result.rung.text, scratch));
+    return child;
+  }
+
+  // The deck itself first: it decides what is compared.
+  base::Outcome climb(const std::filesystem::path& scratch) {
+    const VariantEnd given = run_variant(children_, child_of(ladder_.rungs.front(), scratch));
+    if (!given.run) {
+      to_stderr(given.end.messages);
+      log_.message(
+          base::Severity::error, "E555",
+          fmt::format("the deck itself has no results to compare with: {}", given.trouble));
+      return base::outcome_of(given.end.exit_code).value_or(base::Outcome::not_solvable);
+    }
+    ladder_.answers = ladder_answers(*ready_.model, *given.run);
+    if (ladder_.answers.empty()) {
+      log_.message(base::Severity::error, "E555", "the deck has no answer to compare");
+      return base::Outcome::not_solvable;
+    }
+    take(0, given);
+    std::vector<std::size_t> chosen;
+    std::vector<ChildRun> children;
+    for (std::size_t r = 1; r < ladder_.rungs.size(); ++r) {
+      if (ladder_.rungs[r].rung.text) {
+        chosen.push_back(r);
+        children.push_back(child_of(ladder_.rungs[r], scratch));
+      }
+    }
+    run_variants(children_, children, options_.jobs,
+                 [&](std::size_t i, const VariantEnd& end) { take(chosen[i], end); });
+    return base::Outcome::done;
+  }
+
+  void take(std::size_t r, const VariantEnd& end) {
+    RungResult& result = ladder_.rungs[r];
+    result.end = end.end;
+    result.unknowns = end.unknowns;
+    result.trouble = end.trouble;
+    if (end.run) {
+      result.readings = read_answers(*ready_.model, ladder_.answers, *end.run);
+    }
+    if (!options_.deck.quiet) {
+      to_stderr(fmt::format("{}: {:.2f} s\n", result.rung.name, end.end.cpu));
+    }
+  }
+
+  void keep(RunFolder& folder) const {
+    const std::filesystem::path place = resolved_folder(options_.deck.out);
+    for (const RungResult& result : ladder_.rungs) {
+      if (result.rung.text) {
+        folder.keep(result.rung.file, write_deck(*result.rung.text, place, {result.rung.words}));
+      }
+    }
+    if (ladder_.cheapest) {
+      const RungResult& cheapest = ladder_.rungs[*ladder_.cheapest];
+      folder.keep("cheapest.deck",
+                  write_deck(with_checks(ladder_, *cheapest.rung.text), place,
+                             {fmt::format("{}: {}", cheapest.rung.name, cheapest.rung.words)}));
+    }
+    folder.keep("ladder.csv", ladder_csv(ladder_));
+    folder.keep("ladder.html", ladder_page(ready_.sources, *ready_.model, ladder_));
+  }
+
+  const LadderOptions& options_;
+  const Log& log_;
+  ReadyDeck ready_;
+  ChildRuns children_;
+  Ladder ladder_;
+};
+
+} // namespace
+
+base::Outcome ladder_deck(const LadderOptions& given) {
+  LadderOptions options = given;
+  const Log log(options.deck.log_format);
+  if (options.deck.out.empty()) {
+    options.deck.out = options.deck.deck.filename().replace_extension(".ladder");
+  }
+  try {
+    return LadderRun(options, log).run();
+  } catch (const archive::FileTrouble& trouble) {
+    log.message(base::Severity::error, trouble.code(), trouble.what());
+    return base::Outcome::file_trouble;
+  } catch (const std::system_error& trouble) {
+    log.message(base::Severity::error, "E530", trouble.what());
+    return base::Outcome::file_trouble;
+  }
+}
+
+} // namespace spricka::program

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/study/ladder_report.hpp"
+
+#include "model/model.hpp"
+#include "report/deck_name.hpp"
+#include "report/drawing/plot.hpp"
+#include "report/drawing/table.hpp"
+#include "report/page.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+namespace {
+
+std::string unit_of(const model::Model& model, AnswerGroup group) {
+  switch (group) {
+  case AnswerGroup::K:
+    return model.units.stress_intensity_name();
+  case AnswerGroup::T:
+  case AnswerGroup::pressure:
+  case AnswerGroup::stress:
+    return model.units.stress_name();
+  default:
+    return {};
+  }
+}
+
+report::Table rungs_table(const model::Model& model, const Ladder& ladder) {
+  report::Table table{"Rungs", {{"rung", "", true}}, {}};
+  const std::string unit = unit_of(model, ladder.answers.front().group);
+  table.columns.push_back({ladder.answers.front().text, unit, false});
+  if (ladder.answers.size() > 1) {
+    table.columns.push_back({ladder.answers.back().text, unit, false});
+  }
+  table.columns.insert(table.columns.end(),
+                       {{"largest difference", "%", false},
+                        {"bar", "%", false},
+                        {"CPU", "s", false},
+                        {"memory", "MiB", false},
+                        {"freedoms", "", false},
+                        {fmt::format("{:g} %", 100.0 * ladder.tolerance), "", true}});
+  for (const RungResult& rung : ladder.rungs) {
+    if (rung.readings.empty()) {
+      continue;
+    }
+    std::vector<std::string> row{rung.rung.name,
+                                 fmt::format("{:.5g}", rung.readings.front().value)};
+    if (ladder.answers.size() > 1) {
+      row.push_back(fmt::format("{:.5g}", rung.readings.back().value));
+    }
+    row.insert(row.end(),
+               {rung.verdict == RungVerdict::richest
+                    ? "-"
+                    : fmt::format("{:+.2g}", 100.0 * rung.difference),
+                rung.bar > 0.0 ? fmt::format("{:.2g}", 100.0 * rung.bar) : "-",
+                fmt::format("{:.2f}", rung.end.cpu),
+                fmt::format("{:.0f}", static_cast<double>(rung.end.peak_memory) / 1048576.0),
+                fmt::format("{}", rung.unknowns), name_of(rung.verdict)});
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+report::Table left_out_table(const Ladder& ladder) {
+  report::Table table{"Left out", {{"rung", "", true}, {"why", "", true}}, {}};
+  for (const RungResult& rung : ladder.rungs) {
+    if (rung.readings.empty()) {
+      table.rows.push_back({rung.rung.name, rung.trouble});
+    }
+  }
+  return table;
+}
+
+std::string ladder_sentence(const Ladder& ladder) {
+  const char* const what = name_of(ladder.answers.front().group);
+  if (!ladder.cheapest) {
+    return "no rung has an answer";
+  }
+  const RungResult& cheapest = ladder.rungs[*ladder.cheapest];
+  if (cheapest.verdict == RungVerdict::richest) {
+    return fmt::format("{} within {:g} %: no simpler and cheaper model will do; the deck as given "
+                       "takes {:.2f} s",
+                       what, 100.0 * ladder.tolerance, cheapest.end.cpu);
+  }
+  return fmt::format("{} within {:g} %: '{}' is enough ({}), {:+.2g} % at most from '{}', for "
+                     "{:.2f} s in place of {:.2f} s",
+                     what, 100.0 * ladder.tolerance, cheapest.rung.name, cheapest.rung.words,
+                     100.0 * cheapest.difference, ladder.rungs[*ladder.richest].rung.name,
+                     cheapest.end.cpu, ladder.rungs[*ladder.richest].end.cpu);
+}
+
+report::Plot ladder_plot(const Ladder& ladder) {
+  report::Plot plot;
+  plot.label = "difference of each rung from the richest against CPU time";
+  plot.x_name = "CPU  [s]";
+  plot.y_name = fmt::format("largest difference of {}  [%]", name_of(ladder.answers.front().group));
+  plot.log_x = true;
+  plot.log_y = true;
+  double low = 1e300;
+  double high = 0.0;
+  for (std::size_t r = 0; r < ladder.rungs.size(); ++r) {
+    const RungResult& rung = ladder.rungs[r];
+    if (rung.readings.empty()) {
+      continue;
+    }
+    low = std::min(low, rung.end.cpu);
+    high = std::max(high, rung.end.cpu);
+    if (rung.verdict == RungVerdict::richest || !(std::abs(rung.difference) > 0.0)) {
+      continue;
+    }
+    report::Series series;
+    series.name = rung.rung.name;
+    series.points = {{rung.end.cpu, 100.0 * std::abs(rung.difference)}};
+    series.colour = report::colour(plot.series.size());
+    series.marker = report::closed_marker(plot.series.size());
+    series.joined = false;
+    plot.series.push_back(std::move(series));
+  }
+  report::Series limit;
+  limit.name = "the tolerance";
+  limit.colour = "#888";
+  limit.dash = "5 4";
+  limit.points = {{low, 100.0 * ladder.tolerance},
+                  {std::max(high, 1.01 * low), 100.0 * ladder.tolerance}};
+  plot.series.push_back(std::move(limit));
+  return plot;
+}
+
+} // namespace
+
+std::string ladder_text(const model::Model& model, const Ladder& ladder) {
+  std::string out = report::to_text(rungs_table(model, ladder)) + "\n";
+  const report::Table left = left_out_table(ladder);
+  out += left.rows.empty() ? "" : report::to_text(left) + "\n";
+  return out + ladder_sentence(ladder) + "\n";
+}
+
+std::string ladder_csv(const Ladder& ladder) {
+  std::string out = "rung,verdict,freedoms,cpu,wall,memory,exit_code,answer,value,bar,difference\n";
+  for (const RungResult& rung : ladder.rungs) {
+    const std::string head = fmt::format("\"{}\",{},{},{},{},{},{}", rung.rung.name,
+                                         name_of(rung.verdict), rung.unknowns, rung.end.cpu,
+                                         rung.end.wall, rung.end.peak_memory, rung.end.exit_code);
+    if (rung.readings.empty()) {
+      out += head + ",,,,\n";
+    }
+    for (std::size_t a = 0; a < rung.readings.size(); ++a) {
+      const Reading& reading = rung.readings[a];
+      const double rich = ladder.rungs[*ladder.richest].readings[a].value;
+      const double part = (reading.value - rich) / ladder.scales[a];
+      out += fmt::format("{},\"{}\",{},{},{}\n", head, ladder.answers[a].text,
+                         std::isfinite(reading.value) ? fmt::format("{}", reading.value) : "",
+                         std::isfinite(reading.bar) ? fmt::format("{}", reading.bar) : "",
+                         std::isfinite(part) ? fmt::format("{}", part) : "");
+    }
+  }
+  return out;
+}
+
+std::string ladder_page(const base::Sources& sources, const model::Model& model,
+                        const Ladder& ladder) {
+  report::Page page;
+  const std::string title = model.title.empty() ? "spricka ladder" : model.title;
+  page.add(fmt::format("<h1>{}</h1>\n", report::escape(title)));
+  page.add(fmt::format("<p class=\"about\">Simpler models of {}. Computed by spricka {}.</p>\n",
+                       report::escape(report::deck_name(sources, 0)), SPRICKA_VERSION));
+  page.add(fmt::format("<p>{}</p>\n", report::escape(ladder_sentence(ladder))));
+  page.figure({{draw(ladder_plot(ladder))},
+               "",
+               "The largest difference of each rung from the richest, of all answers, against the "
+               "CPU time of its run."});
+  page.table(rungs_table(model, ladder));
+  page.table(left_out_table(ladder));
+  return page.finish(title);
+}
+
+} // namespace spricka::program

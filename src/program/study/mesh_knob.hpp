@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "deck/deck_text.hpp"
+#include "model/forward.hpp"
+#include "program/job/ready_deck.hpp"
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// What of a deck makes the meshes of its bodies finer: found from the deck itself.
+namespace spricka::program {
+
+using Defines = std::vector<std::pair<std::string, std::string>>;
+
+/// A parameter that sets sizes or numbers of elements, and nothing else.
+struct MeshParameter {
+  std::string name; ///< as the deck writes it
+  double value = 1.0;
+  bool larger_is_finer = true;
+};
+
+/// How the meshes of bodies are made finer; there may be nothing.
+struct MeshKnob {
+  std::vector<MeshParameter> parameters;
+  bool counts = false;  ///< numbers of elements of $MESH cards that no such parameter reaches
+  bool scripts = false; ///< geometry scripts without such a parameter: all sizes by a factor
+  std::vector<std::string> fixed; ///< meshes that stay as they are, and why
+
+  [[nodiscard]] bool empty() const { return parameters.empty() && !counts && !scripts; }
+};
+
+/// A deck as its cards, what it was read with, and the model that it makes.
+struct StudiedDeck {
+  std::filesystem::path file;
+  Defines defines; ///< of the command line
+  deck::DeckText text;
+  const ReadyDeck* ready = nullptr;
+};
+
+/// Parameters are those that the numbers of elements of $MESH are made of, or that a geometry
+/// script takes, and that nothing else uses. What a script makes of one is found by reading the
+/// deck with twice its value: there must be more or fewer elements in the same sets of the same
+/// extent.
+MeshKnob find_mesh_knob(const StudiedDeck& deck);
+
+/// How a deck is changed to have elements of 1/fineness of their size: parameters by name, or cards
+/// in `text`. Scripts are copied into `folder`.
+struct FinerMesh {
+  Defines defines;
+  std::string words; ///< "fine=0.5", "elements*0.5"
+};
+FinerMesh finer_mesh(const StudiedDeck& deck, const MeshKnob& knob, double fineness,
+                     deck::DeckText& text, const std::filesystem::path& folder);
+
+} // namespace spricka::program

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/study/name_uses.hpp"
+
+#include "grammar/lexeme.hpp"
+#include "grammar/parse.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string_view>
+
+namespace spricka::program {
+
+namespace {
+
+bool is_letter_or_digit(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+// Words of a text, upper case, but for those in comments and quotes.
+std::set<std::string> words_of(std::string_view text) {
+  std::set<std::string> words;
+  std::size_t i = 0;
+  while (i < text.size()) {
+    if (text[i] == '!') {
+      i = std::min(text.find('\n', i), text.size());
+    } else if (text[i] == '\'') {
+      const std::size_t close = text.find('\'', i + 1);
+      i = close == std::string_view::npos ? text.size() : close + 1;
+    } else if (is_letter_or_digit(text[i])) {
+      const std::size_t begin = i;
+      while (i < text.size() && is_letter_or_digit(text[i])) {
+        ++i;
+      }
+      words.insert(grammar::to_upper(text.substr(begin, i - begin)));
+    } else {
+      ++i;
+    }
+  }
+  return words;
+}
+
+} // namespace
+
+bool is_count_key(std::string_view key) {
+  constexpr std::array keys{"NX", "NY", "NZ", "NR", "NT", "BIAS"};
+  return std::ranges::find(keys, key) != keys.end();
+}
+
+std::map<std::string, std::set<std::string>> ingredients_of(const deck::DeckText& text,
+                                                            const base::Sources& sources) {
+  std::map<std::string, std::set<std::string>> made_of;
+  base::Diagnostics ignored;
+  for (const deck::DeckCard& card : text) {
+    if (card.name != "PARAMETER") {
+      continue;
+    }
+    for (const grammar::Assignment& line :
+         grammar::parse_assignments(sources, card.card.data, ignored)) {
+      std::set<std::string>& all = made_of[line.name];
+      for (const std::string& word : words_of(sources.text(line.value.span))) {
+        const auto known = made_of.find(word); // defined before, with all of its own
+        if (known != made_of.end() && word != line.name) {
+          all.insert(word);
+          all.insert(known->second.begin(), known->second.end());
+        }
+      }
+    }
+  }
+  return made_of;
+}
+
+std::map<std::string, NameUse> uses_of_parameters(const deck::DeckText& text,
+                                                  const base::Sources& sources) {
+  const std::map<std::string, std::set<std::string>> made_of = ingredients_of(text, sources);
+  std::map<std::string, NameUse> uses;
+  for (const auto& entry : made_of) {
+    uses[entry.first];
+  }
+  const auto note = [&](const std::set<std::string>& words, const auto& act) {
+    for (const std::string& word : words) {
+      const auto found = made_of.find(word);
+      if (found == made_of.end()) {
+        continue;
+      }
+      act(uses[word]);
+      for (const std::string& ingredient : found->second) {
+        act(uses[ingredient]);
+      }
+    }
+  };
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const deck::DeckCard& card = text[i];
+    if (card.name == "PARAMETER") {
+      continue;
+    }
+    for (const auto& [key, value] : card.keys) {
+      const bool count = card.name == "MESH" && is_count_key(key);
+      const bool expression = value.find('(') != std::string::npos; // else a name of something
+      if (expression) {
+        note(words_of(value), [&](NameUse& use) {
+          count ? void(use.counts.insert(i)) : void(use.elsewhere = true);
+        });
+      }
+    }
+    note(words_of(card.data), [](NameUse& use) { use.elsewhere = true; });
+  }
+  return uses;
+}
+
+} // namespace spricka::program

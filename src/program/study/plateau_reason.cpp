@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/study/plateau_reason.hpp"
+
+#include "program/study/cheapest.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+namespace {
+
+// The smallest lasting error of the series of all sizes.
+double least_of_whole(const PlateauView& view) {
+  double finest = 0.0;
+  double error = std::numeric_limits<double>::infinity();
+  for (std::size_t t = 0; t < view.trials.size(); ++t) {
+    const double value = view.group.errors[t].plain;
+    if (view.trials[t].setting.family == Family::whole && std::isfinite(value) &&
+        view.trials[t].setting.fineness > finest) {
+      finest = view.trials[t].setting.fineness;
+      error = value;
+    }
+  }
+  return error;
+}
+
+bool is_own(const PlateauView& view, std::size_t answer) {
+  return view.answers[answer].group == view.group.group &&
+         view.verdict.references[answer].scale > 0.0;
+}
+
+// How far the deck's references lie from what the finest setting has, its error taken out where it
+// can be: their own uncertainty, if the plateau is as high.
+double reference_distance(const PlateauView& view) {
+  double largest = 0.0;
+  const Trial& finest = view.trials[*view.verdict.finest];
+  for (std::size_t a = 0; a < view.answers.size(); ++a) {
+    const AnswerReference& reference = view.verdict.references[a];
+    if (is_own(view, a) && reference.of_deck) {
+      const Reading& reading = finest.readings[a];
+      const double limit = std::isfinite(reading.best) ? reading.best : reading.value;
+      largest = std::max(largest, std::abs(limit - reference.value) / reference.scale);
+    }
+  }
+  return largest;
+}
+
+// How far all answers still move between the last two points of the plateau.
+double movement_of(const PlateauView& view) {
+  std::vector<std::size_t> rows;
+  for (std::size_t t = 0; t < view.trials.size(); ++t) {
+    if (!view.trials[t].readings.empty() && (view.trials[t].setting.family == view.series.family ||
+                                             view.trials[t].setting.family == Family::given)) {
+      rows.push_back(t);
+    }
+  }
+  std::ranges::stable_sort(rows, [&](std::size_t a, std::size_t b) {
+    return view.trials[a].setting.fineness < view.trials[b].setting.fineness;
+  });
+  double largest = 0.0;
+  for (std::size_t a = 0; a < view.answers.size() && rows.size() > 1; ++a) {
+    if (is_own(view, a)) {
+      const Reading& last = view.trials[rows.back()].readings[a];
+      const Reading& before = view.trials[rows[rows.size() - 2]].readings[a];
+      const bool best = view.series.corrected && std::isfinite(last.best);
+      const double moved = best ? last.best - before.best : last.value - before.value;
+      largest = std::max(largest, std::abs(moved) / view.verdict.references[a].scale);
+    }
+  }
+  return largest;
+}
+
+// The answer with the largest error on the finest setting of the series.
+std::optional<std::size_t> worst_answer(const PlateauView& view) {
+  std::optional<std::size_t> worst;
+  double largest = 0.0;
+  double finest = 0.0;
+  for (std::size_t t = 0; t < view.trials.size(); ++t) {
+    const Trial& trial = view.trials[t];
+    if (trial.setting.family != view.series.family || trial.readings.empty() ||
+        trial.setting.fineness < finest) {
+      continue;
+    }
+    finest = trial.setting.fineness;
+    largest = 0.0;
+    for (std::size_t a = 0; a < view.answers.size(); ++a) {
+      const AnswerReference& reference = view.verdict.references[a];
+      const double error = std::abs(trial.readings[a].value - reference.value) / reference.scale;
+      if (is_own(view, a) && error > largest) {
+        largest = error;
+        worst = a;
+      }
+    }
+  }
+  return worst;
+}
+
+bool is_at_node(const std::string& quantity) {
+  return quantity.ends_with(".MAX") || quantity.ends_with(".MIN") || quantity.ends_with(".NEAR") ||
+         quantity.starts_with("ARC");
+}
+
+} // namespace
+
+std::string plateau_reason(const PlateauView& view, std::span<const SeriesPoint> points) {
+  const double level = view.series.plateau->level;
+  if (view.series.family == Family::quarter) {
+    return "quarter points are missing";
+  }
+  if (view.series.family == Family::host && least_of_whole(view) < 0.6 * level) {
+    return "the nets of the tips stay as they are";
+  }
+  if (view.series.family == Family::tip && least_of_whole(view) < 0.6 * level) {
+    return "the meshes of the bodies stay as they are";
+  }
+  if (level <= 2.0 * view.group.floor) {
+    return fmt::format("the reference is known to {} only (the bar of the finest setting)",
+                       percent(view.group.floor));
+  }
+  const double still = movement_of(view);
+  const double distance = reference_distance(view);
+  if (still < 0.5 * level && distance > 0.5 * points.back().error) {
+    return fmt::format("the reference's own uncertainty: finer meshes change by {} only and end "
+                       "{} from it",
+                       percent(still), percent(distance));
+  }
+  // What stops all sizes together stops each of them.
+  const auto whole = std::ranges::find_if(view.group.series, [](const SeriesVerdict& series) {
+    return series.family == Family::whole && !series.corrected && series.plateau;
+  });
+  if (whole != view.group.series.end() && whole->plateau->level > 0.7 * level) {
+    return "as of all sizes";
+  }
+  if (const auto worst = worst_answer(view)) {
+    const std::string& quantity = view.answers[*worst].check.quantity;
+    if (is_at_node(quantity)) {
+      return fmt::format("{} is the value of a single node, or has no bound where a contact ends",
+                         view.answers[*worst].text);
+    }
+    return fmt::format("no cause found; the largest error is that of {}",
+                       view.answers[*worst].text);
+  }
+  return "no cause found";
+}
+
+} // namespace spricka::program

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "program/study/verdict.hpp"
+
+#include <span>
+#include <string>
+
+namespace spricka::program {
+
+/// What a plateau is judged by.
+struct PlateauView {
+  const GroupVerdict& group; ///< its errors and floor
+  const SeriesVerdict& series;
+  const std::vector<Trial>& trials;
+  const std::vector<Answer>& answers;
+  const StudyVerdict& verdict;
+};
+
+/// Why errors of a series stop falling, in words: how well the reference is known, what is not made
+/// finer with the rest, quarter points that are missing, values at single nodes.
+std::string plateau_reason(const PlateauView& view, std::span<const SeriesPoint> points);
+
+} // namespace spricka::program

@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/study/settings.hpp"
+
+#include "base/input_file.hpp"
+#include "grammar/lexeme.hpp"
+#include "program/study/path_steps.hpp"
+#include "report/drawing/file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+namespace {
+
+namespace fs = std::filesystem;
+using deck::DeckCard;
+using deck::DeckText;
+
+/// A fineness that is wanted, and what may stand for it.
+struct Nominal {
+  std::vector<double> values;
+};
+
+std::vector<Nominal> nominals(int dim) {
+  std::vector<Nominal> wanted{{{0.5, 0.6, 0.625}}, {{0.7, 0.75, 2.0 / 3.0, 0.8}}};
+  wanted.push_back({{1.4, 1.5, 1.25, 4.0 / 3.0}});
+  if (dim == 2) {
+    wanted.push_back({{2.0, 1.75}});
+  }
+  return wanted;
+}
+
+// What belongs to long runs, not to a study of one state.
+void drop_frame_cards(DeckText& text) {
+  std::erase_if(text, [](const DeckCard& card) {
+    return card.name == "SWEEP" || card.name == "RESTART" || card.name == "OUTPUT";
+  });
+}
+
+DeckCard* tip_net_of(DeckText& text, const std::string& crack) {
+  const auto found = std::ranges::find_if(text, [&](const DeckCard& card) {
+    return card.name == "TIPNET" && card.word("CRACK") == crack;
+  });
+  return found == text.end() ? nullptr : &*found;
+}
+
+// Cracks whose tips the program meshes.
+std::vector<std::string> cut_cracks(const DeckText& text) {
+  std::vector<std::string> names;
+  for (const DeckCard& card : text) {
+    if (card.name != "CRACK" || card.has("FRONT")) {
+      continue;
+    }
+    const std::string name = card.word("NAME");
+    const bool own = std::ranges::any_of(text, [&](const DeckCard& net) {
+      return net.name == "TIPNET" && net.word("CRACK") == name && net.word("PATCH") == "NO";
+    });
+    if (!own) {
+      names.push_back(name);
+    }
+  }
+  return names;
+}
+
+/// Every crack's $TIPNET gets a key.
+template <class Set> void set_tip_nets(DeckText& text, const Set& set) {
+  for (const std::string& crack : cut_cracks(text)) {
+    if (tip_net_of(text, crack) == nullptr) {
+      DeckCard card;
+      card.name = "TIPNET";
+      card.set("CRACK", crack);
+      append(text, std::move(card));
+    }
+    set(*tip_net_of(text, crack));
+  }
+}
+
+void make_tips_finer(DeckText& text, double fineness) {
+  if (fineness == 1.0) {
+    return;
+  }
+  set_tip_nets(text, [&](DeckCard& card) {
+    const std::string* own = card.find("FINER");
+    card.set("FINER", own == nullptr ? fmt::format("{:.6g}", fineness)
+                                     : fmt::format("({}*{:.6g})", *own, fineness));
+  });
+}
+
+void erase_tolerance(DeckText& text) {
+  for (DeckCard& card : text) {
+    if (card.name == "TIPNET") {
+      card.erase("TOL");
+    }
+  }
+}
+
+// Element types of $MESH by their linear partners; false: there is nothing to change.
+bool make_linear(DeckText& text, const fs::path& folder) {
+  constexpr std::array<std::array<const char*, 2>, 5> partners{{{"TRIMC6", "TRIM3"},
+                                                                {"QUAMC8", "QUAM4"},
+                                                                {"QUAMC9", "QUAM4"},
+                                                                {"HEXEC20", "HEXE8"},
+                                                                {"HEXEC27", "HEXE8"}}};
+  bool changed = false;
+  for (DeckCard& card : text) {
+    for (const auto& [curved, linear] : partners) {
+      if (card.name == "MESH" && card.word("TYPE") == curved) {
+        card.set("TYPE", linear);
+        changed = true;
+      }
+    }
+    if (card.name == "IMPORT" && card.word("FORMAT") == "GEO") {
+      const std::string quoted = *card.find("FILE");
+      const fs::path file = quoted.substr(1, quoted.size() - 2);
+      const fs::path copy = folder / (file.stem().string() + "_linear.geo");
+      report::write_file(copy, base::read_file(file, base::largest_mesh_file) +
+                                   "\nMesh.ElementOrder = 1;\n");
+      card.set("FILE", "'" + fs::absolute(copy).lexically_normal().string() + "'");
+      card.erase("TYPE");
+      changed = true;
+    }
+  }
+  return changed;
+}
+
+std::string joined(std::string a, const std::string& b) {
+  return a.empty() ? b : b.empty() ? a : a + " " + b;
+}
+
+class Planner {
+public:
+  Planner(const StudiedDeck& deck, fs::path folder) : deck_(deck), folder_(std::move(folder)) {
+    base_ = deck.text;
+    drop_frame_cards(base_);
+    sizes_ = base_;
+    erase_tolerance(sizes_);
+    cracks_ = !cut_cracks(base_).empty();
+    dim_ = deck.ready->model->mesh.dim;
+  }
+
+  Plan run(const std::vector<Wish>& wishes) {
+    plan_.knob = find_mesh_knob(deck_);
+    plan_.notes = plan_.knob.fixed;
+    add("as given", Family::given, 1.0, base_, {});
+    for (const Wish& wish : wishes) {
+      add_wish(wish);
+    }
+    if (wishes.empty()) {
+      add_series();
+      add_ways();
+    }
+    return std::move(plan_);
+  }
+
+private:
+  void add(const std::string& name, Family family, double fineness, const DeckText& text,
+           const Defines& defines) {
+    Setting setting{name, family, fineness, deck_.defines, {}};
+    for (const auto& define : defines) { // the study's own go before those of the command line
+      std::erase_if(setting.defines, [&](const auto& given) {
+        return grammar::to_upper(given.first) == grammar::to_upper(define.first);
+      });
+      setting.defines.push_back(define);
+    }
+    setting.deck = folder_ / fmt::format("{:02}.deck", plan_.settings.size() + 1);
+    report::write_file(setting.deck, write_deck(text, folder_, {name}));
+    plan_.settings.push_back(std::move(setting));
+  }
+
+  void add_wish(const Wish& wish) {
+    const auto& parameters = deck_.ready->model->parameters;
+    const auto known = std::ranges::find_if(parameters, [&](const auto& parameter) {
+      return grammar::to_upper(parameter.first) == grammar::to_upper(wish.parameter);
+    });
+    const auto finer = std::ranges::find_if(plan_.knob.parameters, [&](const auto& parameter) {
+      return grammar::to_upper(parameter.name) == grammar::to_upper(wish.parameter);
+    });
+    for (const std::string& value : wish.values) {
+      double fineness = 1.0;
+      double number = 0.0;
+      const auto read = std::from_chars(value.data(), value.data() + value.size(), number);
+      if (read.ec == std::errc() && known != parameters.end() && known->second > 0.0) {
+        const bool larger = finer == plan_.knob.parameters.end() || finer->larger_is_finer;
+        fineness = larger ? number / known->second : known->second / number;
+      }
+      add(fmt::format("{}={}", wish.parameter, value), Family::asked, fineness, sizes_,
+          {{wish.parameter, value}});
+    }
+  }
+
+  /// The deck with its bodies' meshes so much finer.
+  struct Finer {
+    DeckText text;
+    Defines defines;
+    std::string words;
+  };
+  Finer bodies(double fineness) {
+    Finer finer{sizes_, {}, {}};
+    const FinerMesh mesh = finer_mesh(deck_, plan_.knob, fineness, finer.text, folder_);
+    finer.defines = mesh.defines;
+    finer.words = mesh.words;
+    return finer;
+  }
+
+  bool is_readable(double fineness) {
+    const Finer finer = bodies(fineness);
+    const fs::path probe = folder_ / "probe.deck";
+    report::write_file(probe, write_deck(finer.text, folder_));
+    Defines defines = deck_.defines;
+    defines.insert(defines.end(), finer.defines.begin(), finer.defines.end());
+    const bool sound = read_silently(probe, {.defines = defines}).model.has_value();
+    fs::remove(probe);
+    return sound;
+  }
+
+  // Coarse to fine, without the deck's own.
+  std::vector<double> finenesses() {
+    std::vector<double> found;
+    for (const Nominal& nominal : nominals(dim_)) {
+      const auto sound =
+          plan_.knob.parameters.empty()
+              ? nominal.values.begin()
+              : std::ranges::find_if(nominal.values, [&](double f) { return is_readable(f); });
+      if (sound != nominal.values.end()) {
+        found.push_back(*sound);
+      }
+    }
+    return found;
+  }
+
+  void add_whole(double fineness, const char* word, Family family, const Finer& finer) {
+    DeckText text = finer.text;
+    make_tips_finer(text, fineness);
+    std::string name = joined(
+        finer.words, cracks_ && fineness != 1.0 ? fmt::format("FINER={:.4g}", fineness) : "");
+    name = joined(std::move(name), word);
+    add(name.empty() ? "as given" : name, family, fineness, text, finer.defines);
+  }
+
+  void add_series() {
+    if (plan_.knob.empty()) {
+      plan_.notes.emplace_back("no mesh of a body can be varied: the nets round tips alone");
+    }
+    sizes_of_bodies_ = plan_.knob.empty() ? std::vector<double>{0.5, 0.7, 1.4, 2.0} : finenesses();
+    if (plan_.knob.empty() && !cracks_) {
+      plan_.notes.emplace_back("without cracks nothing is left to vary; name a parameter: --vary");
+      return;
+    }
+    for (const double f : sizes_of_bodies_) {
+      add_whole(f, "", Family::whole, bodies(f));
+    }
+    if (!cracks_ || plan_.knob.empty()) {
+      return;
+    }
+    for (const double f : sizes_of_bodies_) {
+      const Finer finer = bodies(f);
+      add(finer.words, Family::host, f, finer.text, finer.defines);
+    }
+    for (const double f : {0.5, 2.0}) {
+      DeckText text = sizes_;
+      make_tips_finer(text, f);
+      add(fmt::format("FINER={:g}", f), Family::tip, f, text, {});
+    }
+  }
+
+  // Other ways at some of the sizes.
+  void add_ways() {
+    std::vector<double> some{1.0};
+    if (!sizes_of_bodies_.empty()) {
+      some = {sizes_of_bodies_.front(), 1.0, sizes_of_bodies_.back()};
+    }
+    if (cracks_) {
+      add_tip_ways(some);
+    }
+    DeckText linear = sizes_;
+    if (cracks_) {
+      plan_.notes.emplace_back("no linear elements: a crack is cut into quadratic ones");
+    } else if (make_linear(linear, folder_)) {
+      for (const double f : some) {
+        Finer finer = bodies(f);
+        make_linear(finer.text, folder_);
+        add_whole(f, "linear", Family::linear, finer);
+      }
+    } else {
+      plan_.notes.emplace_back("the deck's elements have no linear partners");
+    }
+    DeckText steps = sizes_;
+    if (put_steps_for_paths(steps, *deck_.ready->model)) {
+      add("steps for paths", Family::path, 1.0, steps, {});
+    }
+  }
+
+  void add_tip_ways(const std::vector<double>& some) {
+    for (const double tolerance : {1e-2, 1e-3, 3e-4}) {
+      Finer finer = bodies(some.front());
+      set_tip_nets(finer.text,
+                   [&](DeckCard& card) { card.set("TOL", fmt::format("{:g}", tolerance)); });
+      add(joined(finer.words, fmt::format("TOL={:g}", tolerance)), Family::tolerance, 1.0,
+          finer.text, finer.defines);
+    }
+    for (const double f : some) {
+      Finer finer = bodies(f);
+      set_tip_nets(finer.text, [](DeckCard& card) { card.set("QUARTER", "NO"); });
+      add_whole(f, "QUARTER=NO", Family::quarter, finer);
+    }
+    for (const double f : {some.front(), 1.0}) {
+      Finer finer = bodies(f);
+      set_tip_nets(finer.text, [](DeckCard& card) { card.set("JOIN", "TRANSITION"); });
+      add(joined(finer.words, "JOIN=TRANSITION"), Family::transition, f, finer.text, finer.defines);
+    }
+    if (dim_ == 3) {
+      DeckText text = sizes_;
+      set_tip_nets(text, [](DeckCard& card) {
+        card.erase("SECTORS");
+        card.erase("JOIN");
+        card.set("TUBE", "NO");
+      });
+      add("TUBE=NO", Family::tube, 1.0, text, {});
+    }
+  }
+
+  const StudiedDeck& deck_;
+  fs::path folder_;
+  DeckText base_;
+  DeckText sizes_; ///< without TOL, which would undo what is varied
+  bool cracks_ = false;
+  int dim_ = 2;
+  std::vector<double> sizes_of_bodies_;
+  Plan plan_;
+};
+
+} // namespace
+
+const char* name_of(Family family) {
+  constexpr std::array names{"as given",
+                             "all sizes",
+                             "meshes of bodies alone",
+                             "nets of tips alone",
+                             "without quarter points",
+                             "linear elements",
+                             "JOIN=TRANSITION",
+                             "TUBE=NO",
+                             "to a tolerance",
+                             "steps in place of load paths",
+                             "as asked for"};
+  return names.at(static_cast<std::size_t>(family));
+}
+
+Plan plan_settings(const StudiedDeck& deck, const std::vector<Wish>& wishes,
+                   const fs::path& folder) {
+  return Planner(deck, folder).run(wishes);
+}
+
+} // namespace spricka::program

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "program/study/mesh_knob.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// Which variants of a deck a study runs, and their decks.
+namespace spricka::program {
+
+/// What is varied; settings of one family with several sizes are a series.
+enum class Family {
+  given,      ///< the deck as it is
+  whole,      ///< meshes of bodies and nets of tips, all sizes alike; a deck without cracks: bodies
+  host,       ///< meshes of bodies alone
+  tip,        ///< nets of tips alone
+  quarter,    ///< all sizes, with QUARTER=NO
+  linear,     ///< all sizes, with linear elements
+  transition, ///< JOIN=TRANSITION
+  tube,       ///< TUBE=NO
+  tolerance,  ///< TOL, from the coarsest mesh
+  path,       ///< steps in place of load paths
+  asked       ///< --vary
+};
+
+/// For legends: "all sizes", "without quarter points".
+const char* name_of(Family family);
+
+struct Setting {
+  std::string name; ///< "fine=0.5 FINER=0.5"
+  Family family = Family::given;
+  double fineness = 1.0; ///< elements have 1/fineness of the deck's sizes, where those vary
+  Defines defines;
+  std::filesystem::path deck;
+};
+
+/// A parameter and the values that the command line wants of it.
+struct Wish {
+  std::string parameter;
+  std::vector<std::string> values;
+};
+
+struct Plan {
+  std::vector<Setting> settings;  ///< the deck itself first, then by worth
+  std::vector<std::string> notes; ///< what cannot be varied, and why
+  MeshKnob knob;
+};
+
+/// Writes the decks of all settings into `folder`. Finenesses at which numbers of elements would be
+/// broken are replaced by the next that a deck can be read with.
+Plan plan_settings(const StudiedDeck& deck, const std::vector<Wish>& wishes,
+                   const std::filesystem::path& folder);
+
+} // namespace spricka::program

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Decks rewritten card by card: they mean the same, and what is changed is changed.
+#include "deck/deck_text.hpp"
+#include "deck/read_deck.hpp"
+#include "program/study/deck_edits.hpp"
+#include "program/study/name_uses.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace spricka {
+namespace {
+
+namespace fs = std::filesystem;
+
+deck::DeckText text_of(const fs::path& file, base::Sources& sources) {
+  base::Diagnostics diagnostics;
+  auto text = deck::read_deck_text(file, sources, diagnostics);
+  EXPECT_TRUE(text) << file;
+  return text.value_or(deck::DeckText{});
+}
+
+std::optional<model::Model> model_of(const fs::path& file) {
+  base::Sources sources;
+  base::Diagnostics diagnostics;
+  return deck::read_deck(file, {}, sources, diagnostics);
+}
+
+class DeckTexts : public ::testing::Test {
+protected:
+  void SetUp() override {
+    folder_ = fs::path(::testing::TempDir()) / "deck_texts";
+    fs::create_directories(folder_);
+  }
+  fs::path written(const deck::DeckText& text) {
+    const fs::path file = folder_ / "written.deck";
+    std::ofstream(file) << deck::write_deck(text, folder_, {"a comment"});
+    return file;
+  }
+  fs::path folder_;
+};
+
+TEST_F(DeckTexts, a_deck_written_elsewhere_makes_the_same_model) {
+  for (const char* name : {"lug_single.deck", "edge_crack.deck", "press_fit_hub.deck",
+                           "penny_solid.deck", "lug_load_path.deck", "lug_friction.deck"}) {
+    base::Sources sources;
+    const fs::path file = fs::path(DECKS_DIR) / name;
+    const auto before = model_of(file);
+    const auto after = model_of(written(text_of(file, sources)));
+    ASSERT_TRUE(before && after) << name;
+    EXPECT_EQ(after->mesh.x.size(), before->mesh.x.size()) << name;
+    EXPECT_EQ(after->parameters, before->parameters) << name;
+    EXPECT_EQ(after->contacts.size(), before->contacts.size()) << name;
+    EXPECT_EQ(after->checks.size(), before->checks.size()) << name;
+    EXPECT_EQ(after->steps.size(), before->steps.size()) << name;
+  }
+}
+
+TEST_F(DeckTexts, a_net_goes_with_all_that_is_about_it_alone) {
+  base::Sources sources;
+  deck::DeckText text = text_of(fs::path(DECKS_DIR) / "press_fit_hub.deck", sources);
+  program::drop_requests(text);
+  EXPECT_EQ(program::remove_nets(text, {"BUSH", "HUB3"}), std::set<std::string>{"HEAT"});
+  program::drop_lost_loads(text);
+  const auto model = model_of(written(text));
+  ASSERT_TRUE(model);
+  EXPECT_EQ(model->nets.size(), 5U); // four, and what stands in none
+  EXPECT_EQ(model->contacts.size(), 2U);
+  EXPECT_TRUE(model->cases.empty()); // heat of the bush
+  EXPECT_EQ(model->freedoms.size(), 1U); // its line named other nets as well
+}
+
+TEST(NameUses, parameters_of_counts_are_told_from_those_of_the_model) {
+  base::Sources sources;
+  const deck::DeckText text = text_of(fs::path(DECKS_DIR) / "edge_crack.deck", sources);
+  const auto uses = program::uses_of_parameters(text, sources);
+  EXPECT_FALSE(uses.at("FINE").elsewhere);
+  EXPECT_EQ(uses.at("FINE").counts.size(), 1U);
+  EXPECT_TRUE(uses.at("W").elsewhere);
+  EXPECT_TRUE(uses.at("W").counts.empty());
+}
+
+TEST(DeckEdits, fields_keep_brackets_units_and_lose_comments) {
+  EXPECT_EQ(program::fields_of("  SHAFT.BODY  (F*(1 - x))  97.1[kN], 0 ! along x"),
+            (std::vector<std::string>{"SHAFT.BODY", "(F*(1 - x))", "97.1[kN]", "0"}));
+  EXPECT_TRUE(program::fields_of("   ! nothing").empty());
+}
+
+} // namespace
+} // namespace spricka
