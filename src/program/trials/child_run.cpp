@@ -8,8 +8,8 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
-#include <cmath>
 #include <csignal>
+#include <ctime>
 #include <fstream>
 #include <system_error>
 
@@ -76,38 +76,50 @@ bool take_said(int words, std::string& said) {
   return got > 0;
 }
 
-/// High water mark of the resident set of a process that runs [bytes]; 0: not told.
-std::size_t high_water(pid_t pid) {
-  std::ifstream status("/proc/" + std::to_string(pid) + "/status");
+double cpu_of(pid_t pid) {
+  clockid_t clock{};
+  timespec now{};
+  if (clock_getcpuclockid(pid, &clock) != 0 || clock_gettime(clock, &now) != 0) {
+    return 0.0;
+  }
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// The largest resident set of a process so far [bytes]; 0: not told, it has ended.
+std::size_t peak_of(pid_t pid) {
+  std::ifstream status(fmt::format("/proc/{}/status", pid));
   for (std::string word; status >> word;) {
-    if (word == "VmHWM:") {
-      std::size_t kibibytes = 0;
-      status >> kibibytes;
-      return 1024 * kibibytes;
+    if (std::size_t kibibytes = 0; word == "VmHWM:" && status >> kibibytes) {
+      return kibibytes * 1024;
     }
   }
   return 0;
 }
 
-/// Listens until the process has ended, or is to be ended (true), and watches its memory.
-bool listen(int words, double seconds, std::string& said, pid_t pid, std::size_t& peak) {
-  constexpr int pace = 20; // [ms]
-  const base::Stopwatch watch;
-  for (;;) {
-    peak = std::max(peak, high_water(pid));
-    const double left = seconds > 0.0 ? seconds - watch.wall() : 0.0;
-    if (seconds > 0.0 && left <= 0.0) {
-      return true;
-    }
-    pollfd end{words, POLLIN, 0};
-    const int wait = seconds > 0.0
-                         ? std::min(pace, static_cast<int>(std::ceil(1e3 * std::min(left, 1e6))))
-                         : pace;
-    if (poll(&end, 1, wait) > 0 && !take_said(words, said)) {
-      return false;
+/// Listens to a process while it runs.
+struct Listener {
+  pid_t pid;
+  int words; ///< what it says, the end of a pipe
+  std::string said = {};
+  std::size_t peak = 0;
+
+  /// Until it has ended, or is to be ended (true).
+  bool wait(double seconds, double cpu_seconds) {
+    constexpr int look_again = 20; // [ms]
+    const base::Stopwatch watch;
+    for (;;) {
+      if ((seconds > 0.0 && watch.wall() >= seconds) ||
+          (cpu_seconds > 0.0 && cpu_of(pid) >= cpu_seconds)) {
+        return true;
+      }
+      pollfd end{words, POLLIN, 0};
+      if (poll(&end, 1, look_again) > 0 && !take_said(words, said)) {
+        return false;
+      }
+      peak = std::max(peak, peak_of(pid));
     }
   }
-}
+};
 
 } // namespace
 
@@ -145,7 +157,7 @@ bool ChildRuns::start(const ChildRun& run, pid_t& pid, int& words) {
   return begun;
 }
 
-ChildEnd ChildRuns::reap(pid_t pid) {
+ChildEnd ChildRuns::reap(pid_t pid, std::size_t seen, std::size_t inherited) {
   // Its number is not given to another process before it is reaped: until then it may be killed.
   siginfo_t info{};
   while (waitid(P_PID, static_cast<id_t>(pid), &info, WEXITED | WNOWAIT) != 0 && errno == EINTR) {
@@ -160,7 +172,8 @@ ChildEnd ChildRuns::reap(pid_t pid) {
   end.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   end.exit_code = end.signal != 0 ? 128 + end.signal : WEXITSTATUS(status);
   end.cpu = seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
-  end.peak_memory = static_cast<std::size_t>(usage.ru_maxrss) * 1024; // Linux counts KiB
+  const auto counted = static_cast<std::size_t>(usage.ru_maxrss) * 1024; // Linux counts KiB
+  end.peak_memory = counted > inherited || seen == 0 ? counted : seen;
   return end;
 }
 
@@ -173,23 +186,20 @@ void ChildRuns::run(std::span<const ChildRun> runs, int at_once,
     if (!start(runs[i], pid, words)) {
       return;
     }
-    std::string said;
-    std::size_t peak = 0;
-    const bool late = listen(words, runs[i].seconds, said, pid, peak);
+    Listener listener{.pid = pid, .words = words};
+    const bool late = listener.wait(runs[i].seconds, runs[i].cpu_seconds);
     if (late) {
       kill(pid, SIGTERM); // it is not reaped yet
-      if (listen(words, patience, said, pid, peak)) {
+      if (listener.wait(patience, 0.0)) {
         kill(pid, SIGKILL);
       }
     }
     close(words);
-    ChildEnd end = reap(pid);
-    // What the system says counts the memory of this process at the moment of the start as well.
-    if (end.peak_memory <= base::peak_memory() && peak > 0) {
-      end.peak_memory = peak;
-    }
+    // A process begins with the peak of the one that started it.
+    ChildEnd end = reap(pid, listener.peak, base::peak_memory());
     end.late = late;
     end.wall = watch.wall();
+    const std::string& said = listener.said;
     end.messages = said.size() > most_said ? said.substr(said.size() - most_said) : said;
     const std::scoped_lock lock(telling_);
     if (!stopped()) {

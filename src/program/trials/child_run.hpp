@@ -23,18 +23,21 @@ struct ChildRun {
   std::filesystem::path out; ///< its run folder
   std::vector<std::pair<std::string, std::string>> defines;
   int threads = 1;
-  double seconds = 0.0; ///< wall time after which it is ended; 0: as long as it takes
+  double seconds = 0.0;     ///< wall time after which it is ended; 0: as long as it takes
+  double cpu_seconds = 0.0; ///< the same of its CPU time
 };
 
 /// How such a process has ended.
 struct ChildEnd {
-  int exit_code = 0;           ///< 128 + signal where a signal has ended it, as a shell says it
-  int signal = 0;              ///< 0: none
-  bool late = false;           ///< ended by its time limit
-  double cpu = 0.0;            ///< [s] of the process and of its mesher
-  double wall = 0.0;           ///< [s]
-  std::size_t peak_memory = 0; ///< [bytes] largest resident set, of it or of its mesher
-  std::string messages;        ///< the end of what it wrote to stderr
+  int exit_code = 0; ///< 128 + signal where a signal has ended it, as a shell says it
+  int signal = 0;    ///< 0: none
+  bool late = false; ///< ended by a time limit
+  double cpu = 0.0;  ///< [s] of the process and of its mesher
+  double wall = 0.0; ///< [s]
+  /// [bytes] largest resident set, of it or of its mesher. Where it is less than this program has
+  /// had itself, which the system counts as the process's own, it is what was seen while it ran.
+  std::size_t peak_memory = 0;
+  std::string messages; ///< the end of what it wrote to stderr
 };
 
 /// The file of the running program.
@@ -58,7 +61,7 @@ public:
 
 private:
   [[nodiscard]] bool start(const ChildRun& run, pid_t& pid, int& words);
-  ChildEnd reap(pid_t pid);
+  ChildEnd reap(pid_t pid, std::size_t seen, std::size_t inherited);
 
   std::filesystem::path program_;
   mutable std::mutex guard_;

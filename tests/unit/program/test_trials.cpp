@@ -8,6 +8,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <thread>
 
 namespace spricka {
@@ -119,6 +120,32 @@ TEST_F(Trials, AProcessThatIsTooSlowIsEndedAndLeavesNoResults) {
   EXPECT_NE(end.exit_code, 0);
   EXPECT_FALSE(fs::exists(run.out));
   EXPECT_FALSE(fs::exists(run.out.string() + ".part"));
+}
+
+TEST_F(Trials, ALimitOfCpuTimeHoldsToo) {
+  ChildRun run = run_of(deck("slow.deck", cracked_plate("")));
+  run.defines = {{"n", "400"}};
+  run.cpu_seconds = 0.2;
+  ChildEnd end;
+  ChildRuns(SPRICKA).run({&run, 1}, 1, [&](std::size_t, const ChildEnd& e) { end = e; });
+  EXPECT_TRUE(end.late);
+  EXPECT_GE(end.cpu, 0.2);
+  EXPECT_FALSE(fs::exists(run.out));
+}
+
+TEST_F(Trials, ASignalEndsOneAndItsMemoryIsItsOwn) {
+  const fs::path dies = deck("dies", "#!/bin/sh\necho last words >&2\nsleep 0.2\nkill -SEGV $$\n");
+  fs::permissions(dies, fs::perms::owner_all);
+  // Of this process, not of a shell that it starts.
+  const std::vector<char> much(std::size_t{200} << 20U, 'x');
+  const ChildRun run = run_of(dies);
+  ChildEnd end;
+  ChildRuns(dies).run({&run, 1}, 1, [&](std::size_t, const ChildEnd& e) { end = e; });
+  EXPECT_EQ(end.signal, SIGSEGV);
+  EXPECT_EQ(end.exit_code, 128 + SIGSEGV);
+  EXPECT_EQ(end.messages, "last words\n");
+  EXPECT_GT(end.peak_memory, 0U);
+  EXPECT_LT(end.peak_memory, much.size());
 }
 
 TEST_F(Trials, AreStoppedTogetherAndNoneIsBegunAfterwards) {
