@@ -50,7 +50,10 @@ std::string with_part(std::string_view quantity, std::string_view part) {
     return {};
   }
   const std::size_t point = quantity.find('.');
-  const std::string_view place = point == std::string_view::npos ? "" : quantity.substr(point);
+  std::string_view place = point == std::string_view::npos ? "" : quantity.substr(point);
+  if (part == ".BAR" && place == ".MIN") {
+    place = ".MAX"; // the smallest K may lie where the bar is widest
+  }
   return stem + std::string(part) + std::string(place);
 }
 
