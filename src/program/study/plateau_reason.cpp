@@ -119,8 +119,9 @@ std::string plateau_reason(const PlateauView& view, std::span<const SeriesPoint>
     return "the meshes of the bodies stay as they are";
   }
   if (level <= 2.0 * view.group.floor) {
-    return fmt::format("the reference is known to {} only (the bar of the finest setting)",
-                       percent(view.group.floor));
+    return fmt::format(
+        "the reference is known to {} only (bar or last change of the finest setting)",
+        percent(view.group.floor));
   }
   const double still = movement_of(view);
   const double distance = reference_distance(view);
