@@ -68,7 +68,7 @@ TEST_F(DeckTexts, a_net_goes_with_all_that_is_about_it_alone) {
   ASSERT_TRUE(model);
   EXPECT_EQ(model->nets.size(), 5U); // four, and what stands in none
   EXPECT_EQ(model->contacts.size(), 2U);
-  EXPECT_TRUE(model->cases.empty()); // heat of the bush
+  EXPECT_TRUE(model->cases.empty());     // heat of the bush
   EXPECT_EQ(model->freedoms.size(), 1U); // its line named other nets as well
 }
 
