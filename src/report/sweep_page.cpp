@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -86,6 +87,25 @@ std::string others(const model::Model& model, const Sweep& sweep, const SweepPoi
   return text;
 }
 
+/// Lives over the swept parameter.
+std::vector<Curve> lives_of(const model::Model& model, const Sweep& sweep) {
+  const std::size_t axis = axis_of(sweep);
+  std::map<std::string, Curve> curves;
+  for (const SweepPoint& point : sweep.points) {
+    if (const SweepCell* const life = find_cell(point, "N")) {
+      const std::string name = "N" + others(model, sweep, point, axis);
+      Curve& curve = curves.try_emplace(name, Curve{name, {}}).first->second;
+      curve.points.push_back({{point.values[axis], life->value}});
+    }
+  }
+  std::vector<Curve> list;
+  for (auto& [name, curve] : curves) {
+    std::ranges::stable_sort(curve.points, {}, [](const Curve::At& at) { return at.place.x; });
+    list.push_back(std::move(curve));
+  }
+  return list;
+}
+
 std::vector<Curve> curves_of(const model::Model& model, const Sweep& sweep, int increment) {
   const std::size_t axis = axis_of(sweep);
   std::vector<Curve> curves;
@@ -143,14 +163,15 @@ std::string axis_name(const std::string& parameter, const std::string& unit) {
   return unit.empty() ? parameter : fmt::format("{}  [{}]", parameter, print_unit(unit));
 }
 
-Plot plot_of(const model::Model& model, const Sweep& sweep, const Units& units, int increment) {
+Plot plot_of(const Sweep& sweep, const Units& units, const std::string& y_name,
+             std::vector<Curve> curves) {
   Plot plot;
-  plot.label = "K1 over the swept parameter";
+  plot.label = y_name + " over the swept parameter";
   const std::size_t axis = axis_of(sweep);
   plot.x_name = axis_name(sweep.parameters[axis], units[axis]);
-  plot.y_name = fmt::format("K₁ [{}]", print_unit(model.units.stress_intensity_name()));
+  plot.y_name = y_name;
   std::size_t i = 0;
-  for (Curve& curve : merged(curves_of(model, sweep, increment))) {
+  for (Curve& curve : curves) {
     Series series;
     series.name = std::move(curve.name);
     for (const Curve::At& at : curve.points) {
@@ -166,12 +187,23 @@ Plot plot_of(const model::Model& model, const Sweep& sweep, const Units& units, 
   return plot;
 }
 
-// Increments with the first crack length met, in order.
+bool has_lives(const Sweep& sweep) {
+  return std::ranges::any_of(
+      sweep.points, [](const SweepPoint& point) { return find_cell(point, "N") != nullptr; });
+}
+
+std::string life_unit(const model::Model& model) {
+  return model.growth && model.growth->spectrum ? "passes" : "cycles";
+}
+
+// Increments with the first crack length met, in order; of lives the first one, as the others are
+// those of other lengths at each point.
 std::map<int, double> lengths_of(const Sweep& sweep) {
   std::map<int, double> lengths;
+  const int last = has_lives(sweep) ? 1 : std::numeric_limits<int>::max();
   for (const SweepPoint& point : sweep.points) {
     for (const SweepCell& cell : point.cells) {
-      if (cell.quantity == "a" && cell.name.empty()) {
+      if (cell.quantity == "a" && cell.name.empty() && cell.increment <= last) {
         lengths.emplace(cell.increment, cell.value);
       }
     }
@@ -184,13 +216,14 @@ std::map<int, double> lengths_of(const Sweep& sweep) {
 std::vector<SweepCell> shown_cells(const Sweep& sweep, const std::string& step) {
   std::vector<SweepCell> shown;
   const std::string nowhere;
+  const int last = has_lives(sweep) ? 1 : std::numeric_limits<int>::max();
   for (const char* const quantity : {"N", "K1", "PMAX"}) {
     const std::string& at = std::string_view(quantity) == "N" ? nowhere : step;
     for (const SweepPoint& point : sweep.points) {
       for (const SweepCell& cell : point.cells) {
         const bool known =
             std::ranges::find(shown, cell.column(), &SweepCell::column) != shown.end();
-        if (cell.quantity == quantity && cell.step == at && !known) {
+        if (cell.quantity == quantity && cell.step == at && cell.increment <= last && !known) {
           shown.push_back(cell);
         }
       }
@@ -207,10 +240,6 @@ bool any_bar(const Sweep& sweep, const SweepCell& cell) {
 
 std::string checks_of(const SweepPoint& point) {
   return point.checks == 0 ? "" : fmt::format("{} of {} passed", point.passed, point.checks);
-}
-
-std::string life_unit(const model::Model& model) {
-  return model.growth && model.growth->spectrum ? "passes" : "cycles";
 }
 
 Table points_table(const model::Model& model, const Sweep& sweep, const Units& units) {
@@ -286,14 +315,25 @@ std::string sweep_page(const base::Sources& sources, const model::Model& model,
   for (const std::string& parameter : sweep.parameters) {
     units.push_back(parameter_unit(sources, model.units, parameter));
   }
+  const std::string K_name =
+      fmt::format("K₁ [{}]", print_unit(model.units.stress_intensity_name()));
   for (const auto& [increment, a] : lengths) {
-    const Plot plot = plot_of(model, sweep, units, increment);
+    const Plot plot = plot_of(sweep, units, K_name, merged(curves_of(model, sweep, increment)));
     page.figure({{draw(plot)},
                  "",
                  fmt::format("K₁ at the end of each step, increment {} (a = {:.6g} {}). Curves "
                              "within 0.1 % of the largest value are drawn once.",
                              increment, a, model.units.length_name) +
                      bar_words(plot.series)});
+  }
+  if (has_lives(sweep)) {
+    page.heading("Life");
+    page.figure(
+        {{draw(plot_of(sweep, units, fmt::format("N [{}]", life_unit(model)),
+                       lives_of(model, sweep)))},
+         "",
+         "The life of each point. The lengths that K was solved at are the program's own and "
+         "differ from point to point: K is shown at the first one."});
   }
   page.heading("Points");
   if (const auto warned = std::ranges::count_if(

@@ -302,6 +302,10 @@ TEST(SweepPage, HasLives) {
   }
   const std::string page = sweep_page(sample.sources, sample.model, sweep);
   EXPECT_TRUE(contains(page, "<th>N<br><span>cycles</span></th>"));
+  EXPECT_TRUE(contains(page, "N [cycles] over the swept parameter"));
+  // later lengths are other ones at each point
+  EXPECT_TRUE(contains(page, "increment 1 (a"));
+  EXPECT_FALSE(contains(page, "increment 2"));
   EXPECT_TRUE(contains(page, "<td>1234</td>"));
   EXPECT_TRUE(contains(page, "<td>5678</td>"));
 }
