@@ -87,15 +87,15 @@ std::string others(const model::Model& model, const Sweep& sweep, const SweepPoi
   return text;
 }
 
-/// Lives over the swept parameter.
-std::vector<Curve> lives_of(const model::Model& model, const Sweep& sweep) {
+/// Lives over the swept parameter, each divided by `unit`.
+std::vector<Curve> lives_of(const model::Model& model, const Sweep& sweep, double unit) {
   const std::size_t axis = axis_of(sweep);
   std::map<std::string, Curve> curves;
   for (const SweepPoint& point : sweep.points) {
     if (const SweepCell* const life = find_cell(point, "N")) {
       const std::string name = "N" + others(model, sweep, point, axis);
       Curve& curve = curves.try_emplace(name, Curve{name, {}}).first->second;
-      curve.points.push_back({{point.values[axis], life->value}});
+      curve.points.push_back({{point.values[axis], life->value / unit}});
     }
   }
   std::vector<Curve> list;
@@ -194,6 +194,16 @@ bool has_lives(const Sweep& sweep) {
 
 std::string life_unit(const model::Model& model) {
   return model.growth && model.growth->spectrum ? "passes" : "cycles";
+}
+
+/// Of an axis of lives: numbers on it stay short.
+double life_scale(const Sweep& sweep) {
+  double largest = 0.0;
+  for (const SweepPoint& point : sweep.points) {
+    const SweepCell* const life = find_cell(point, "N");
+    largest = std::max(largest, life == nullptr ? 0.0 : life->value);
+  }
+  return largest < 1e4 ? 1.0 : std::pow(1000.0, std::floor(std::log10(largest / 10.0) / 3.0));
 }
 
 // Increments with the first crack length met, in order; of lives the first one, as the others are
@@ -328,9 +338,11 @@ std::string sweep_page(const base::Sources& sources, const model::Model& model,
   }
   if (has_lives(sweep)) {
     page.heading("Life");
+    const double unit = life_scale(sweep);
+    const std::string name = fmt::format(
+        "N [{}{}]", unit > 1.0 ? fmt::format("{:.0f} ", unit) : std::string(), life_unit(model));
     page.figure(
-        {{draw(plot_of(sweep, units, fmt::format("N [{}]", life_unit(model)),
-                       lives_of(model, sweep)))},
+        {{draw(plot_of(sweep, units, name, lives_of(model, sweep, unit)))},
          "",
          "The life of each point. The lengths that K was solved at are the program's own and "
          "differ from point to point: K is shown at the first one."});
