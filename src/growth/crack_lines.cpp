@@ -222,6 +222,18 @@ std::vector<double> crack_lengths(const model::Model& model) {
   return {0.0};
 }
 
+std::vector<model::Crack> cracks_of_size(const model::Model& model, double a) {
+  std::vector<model::Crack> cracks = model.cracks;
+  for (std::size_t i = 0; i < cracks.size(); ++i) {
+    model::CrackPlane& plane = cracks[i].plane;
+    if (a > 0.0 && crack_grows(model, i) && cracks[i].kind == model::CrackKind::ellipse) {
+      plane.c *= a / plane.a;
+      plane.a = a;
+    }
+  }
+  return cracks;
+}
+
 bool crack_grows(const model::Model& model, std::size_t crack) {
   if (!model.growth) {
     return false;

@@ -2,6 +2,7 @@
 #pragma once
 #include "base/diagnostics.hpp"
 #include "mesh/cut/cracked.hpp"
+#include "model/cracks.hpp"
 #include "model/forward.hpp"
 
 #include <optional>
@@ -32,6 +33,10 @@ struct Arms {
 std::optional<std::vector<mesh::CrackLine>> crack_lines(const model::Model& model,
                                                         const std::vector<Arms>& arms,
                                                         base::Diagnostics& diagnostics);
+
+/// The cracks in space where sizes are given: ellipses that grow have the semi-axis A = a, and C in
+/// its ratio to it; all as they are first when a = 0.
+std::vector<model::Crack> cracks_of_size(const model::Model& model, double a);
 
 /// Whether $GROW names a crack, or all.
 bool crack_grows(const model::Model& model, std::size_t crack);

@@ -20,21 +20,9 @@ namespace {
 
 using base::Vec3;
 
-/// Advance as a part of the way to the surface, and to another crack, which may come the other way.
-constexpr double of_way_to_surface = 0.6;
-constexpr double of_way_to_front = 0.35;
-/// A ligament that is less of the way from the centre to the surface is gone through in one go: a
-/// front so near to the surface is hard to mesh and of no account for the life.
-constexpr double leap_at = 0.1;
-constexpr double leap_at_refused = 0.45;
 /// The axis behind the surface over the way to it: the front meets the surface under an angle that
 /// a tube can be laid to (28 degrees of a circle; steeper the farther).
 constexpr double axis_behind = 1.15;
-/// Where no front would be left behind the surface, this part of the way counts as cut through.
-constexpr double cut_through = 0.03;
-constexpr double nearly_through = 0.2;
-/// Gap between two cracks that counts as closed, as a part of an arm.
-constexpr double met = 0.1;
 /// Parametric angles beside an end of an axis at which the body is looked for [rad].
 constexpr std::array beside_end{0.1, 0.2, 0.3, 0.5};
 /// An arm that ends outside of the body grows at most so many times as fast as the front moves: of
@@ -66,8 +54,7 @@ double end_angle(bool on_a, double sign) {
 
 } // namespace
 
-EllipseWays::EllipseWays(const model::Model& model)
-    : model_(model), around_(model.mesh), cracks_(model.cracks) {
+EllipseWays::EllipseWays(const model::Model& model) : FrontWays(model), cracks_(model.cracks) {
   find_tips();
 }
 
@@ -107,6 +94,7 @@ CrackState EllipseWays::state_of(const std::vector<model::Crack>& cracks) const 
   CrackState state{.lines = {}, .solids = cracks};
   for (const Arm& arm : arms_) {
     state.aims.push_back(on_ellipse(cracks[arm.crack], end_angle(arm.on_a, arm.sign)));
+    state.fronts.push_back(arm.crack);
   }
   return state;
 }
@@ -130,12 +118,16 @@ double EllipseWays::first_arm(std::size_t tip) const {
   return arms_[tip].on_a ? plane.a : plane.c;
 }
 
-double EllipseWays::length_left(const State& state, std::size_t tip) const {
-  return model_.growth->last_length.value_or(std::numeric_limits<double>::infinity()) -
-         state.stations.back().tips[tip].a;
+double EllipseWays::behind(std::size_t tip) const {
+  const model::CrackPlane& plane = cracks_[arms_[tip].crack].plane;
+  return arms_[tip].on_a ? plane.a : plane.c;
 }
 
-std::optional<EllipseWays::Ligament> EllipseWays::ligament(std::size_t tip) const {
+double EllipseWays::longest_advance(std::size_t /*tip*/) const {
+  return std::numeric_limits<double>::infinity();
+}
+
+std::optional<FrontWays::Ligament> EllipseWays::ligament(std::size_t tip) const {
   const Arm& arm = arms_[tip];
   const model::Crack& crack = cracks_[arm.crack];
   const double end = end_angle(arm.on_a, arm.sign);
@@ -157,14 +149,13 @@ std::optional<EllipseWays::Ligament> EllipseWays::ligament(std::size_t tip) cons
   if (!left) {
     return std::nullopt;
   }
-  return Ligament{.axis = arm.on_a ? crack.plane.a : crack.plane.c, .left = left->distance};
+  return Ligament{.behind = behind(tip), .left = left->distance};
 }
 
-// Whether something of the front is left in the body once an arm has gone through the surface.
 bool EllipseWays::goes_on_behind(std::size_t tip, const Ligament& before) const {
   const Arm& arm = arms_[tip];
   model::Crack crack = cracks_[arm.crack];
-  (arm.on_a ? crack.plane.a : crack.plane.c) = axis_behind * (before.axis + before.left);
+  (arm.on_a ? crack.plane.a : crack.plane.c) = axis_behind * (before.behind + before.left);
   for (int k = 0; k < looks_round; ++k) {
     if (around_.inside(on_ellipse(crack, 2.0 * std::numbers::pi * k / looks_round), crack.net)) {
       return true;
@@ -173,29 +164,7 @@ bool EllipseWays::goes_on_behind(std::size_t tip, const Ligament& before) const 
   return false;
 }
 
-WayLimit EllipseWays::limit(const State& state, std::size_t tip, double share, double ds) const {
-  WayLimit limit{.ds = std::min(ds, length_left(state, tip) / share)};
-  if (const auto way = limit_by_cracks(tip, share, limit.ds)) {
-    limit = *way;
-  }
-  const std::optional<Ligament> before = ligament(tip);
-  if (limit.end || !before) {
-    return limit;
-  }
-  const bool behind = goes_on_behind(tip, *before);
-  if (behind && before->part() < (leap_early_ ? leap_at_refused : leap_at)) {
-    limit.leap = before->left / share;
-  } else if (before->part() < cut_through) {
-    limit.end = WayEnd{"EDGE", fmt::format("{} reaches the surface: {:.3g} is left of the "
-                                           "ligament, in which K grows without bound",
-                                           tips_[tip].name, before->left)};
-  }
-  limit.ds = std::min(limit.ds, of_way_to_surface * before->left / share);
-  return limit;
-}
-
-std::optional<WayLimit> EllipseWays::limit_by_cracks(std::size_t tip, double share,
-                                                     double ds) const {
+std::optional<FrontWays::Neighbour> EllipseWays::neighbour(std::size_t tip) const {
   const Arm& arm = arms_[tip];
   const model::Crack& own = cracks_[arm.crack];
   const Vec3 end = on_ellipse(own, end_angle(arm.on_a, arm.sign));
@@ -223,12 +192,7 @@ std::optional<WayLimit> EllipseWays::limit_by_cracks(std::size_t tip, double sha
   if (other == arm.crack) {
     return std::nullopt;
   }
-  WayLimit limit{.ds = std::min(ds, of_way_to_front * nearest / share)};
-  if (nearest < met * (arm.on_a ? own.plane.a : own.plane.c)) {
-    limit.end = WayEnd{"LINK-UP", fmt::format("{} meets crack {}: {:.3g} is left between them",
-                                              tips_[tip].name, cracks_[other].name, nearest)};
-  }
-  return limit;
+  return Neighbour{.gap = nearest, .crack = other};
 }
 
 std::optional<CrackState> EllipseWays::advanced(const State& /*state*/, const Advance& advance,
@@ -241,7 +205,7 @@ std::optional<CrackState> EllipseWays::advanced(const State& /*state*/, const Ad
     if (advance.leap > 0.0) {
       const std::optional<Ligament> before = ligament(tip);
       if (before && by >= before->left * (1.0 - 1e-9)) {
-        by = axis_behind * advance.leap * (before->axis + before->left) - before->axis;
+        by = axis_behind * advance.leap * (before->behind + before->left) - before->behind;
       }
     }
     double& axis = arm.on_a ? plane.a : plane.c;
@@ -302,35 +266,11 @@ void EllipseWays::place(std::vector<TipStation>& found) const {
 
 void EllipseWays::settle(State& state) {
   cracks_ = trial_;
-  leap_early_ = false;
+  stands_anew();
   state.lines.clear();
   for (const model::Crack& crack : cracks_) {
     state.lines.push_back({crack.plane.place, {crack.plane.a, crack.plane.c, 0.0}});
   }
-}
-
-std::optional<WayEnd> EllipseWays::refused(const State& /*state*/, bool leapt,
-                                           const std::string& why) {
-  std::optional<Ligament> least;
-  std::size_t at = 0;
-  for (std::size_t tip = 0; tip < arms_.size(); ++tip) {
-    const std::optional<Ligament> before = ligament(tip);
-    if (before && (!least || before->part() < least->part())) {
-      least = before;
-      at = tip;
-    }
-  }
-  if (!leapt && !leap_early_ && least && least->part() < leap_at_refused &&
-      goes_on_behind(at, *least)) {
-    leap_early_ = true;
-    return std::nullopt;
-  }
-  if (least && least->part() < nearly_through) {
-    return WayEnd{"EDGE", fmt::format("{} is {:.3g} from the surface, and no front can be meshed "
-                                      "in what is left: {}",
-                                      tips_[at].name, least->left, why)};
-  }
-  return WayEnd{"MESH", fmt::format("the next advance could not be meshed: {}", why)};
 }
 
 CrackState EllipseWays::straight_on(const State& /*state*/, double /*advance*/) const {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -20,8 +21,14 @@ constexpr int looks_along = 240;     // places of a front that are looked at: in
 constexpr int points_of_front = 120; // of a front that is handed on: a spline through them
 constexpr int steps_out = 60;        // out of the body, each a fiftieth of the arc
 constexpr double step_out = 0.02;
-constexpr int degree_open = 4; // of the polynomial along an open front
-constexpr int harmonics = 6;   // along a closed one
+// Of nine points of an open front, and of sixteen of a closed one; of more, where two fronts have
+// become one, as many more.
+constexpr int degree_open = 4; // of the polynomial
+constexpr int harmonics = 6;
+constexpr int points_open = 9;
+constexpr int points_closed = 16;
+constexpr double still_apart = 0.25; // of two points before they went on
+constexpr std::size_t fewest_kept = 4;
 
 std::vector<Vec3> normals_of(const model::Crack& crack, std::size_t count) {
   return std::vector<Vec3>(count, crack.plane.normal);
@@ -158,6 +165,42 @@ std::optional<model::Crack> crack_through(const model::Crack& before,
   return crack;
 }
 
+std::vector<Vec3> without_crossings(const std::vector<mesh::FrontFrame>& from,
+                                    const std::vector<Vec3>& to, bool closed) {
+  std::vector<std::size_t> kept(from.size());
+  std::iota(kept.begin(), kept.end(), std::size_t{0});
+  for (bool more = true; more && kept.size() > fewest_kept;) {
+    const std::size_t n = kept.size();
+    std::vector<bool> crosses(n, false);
+    // Of the two sides of a notch neither may pass the point between them.
+    for (std::size_t k = 0; k < 2 * n; ++k) {
+      const std::size_t first = k % n;
+      const std::size_t last = first + 1 + k / n;
+      const Vec3 apart = from[kept[last % n]].x - from[kept[first]].x;
+      const Vec3 behind = to[kept[last % n]] - to[kept[first]];
+      if ((closed || last < n) && behind.dot(apart) < still_apart * apart.squaredNorm()) {
+        crosses[first] = crosses[last % n] = true;
+      }
+    }
+    if (!closed) {
+      crosses.front() = crosses.back() = false;
+    }
+    std::vector<std::size_t> next;
+    for (std::size_t k = 0; k < n; ++k) {
+      if (!crosses[k]) {
+        next.push_back(kept[k]);
+      }
+    }
+    more = next.size() < n;
+    kept = std::move(next);
+  }
+  std::vector<Vec3> points;
+  for (const std::size_t i : kept) {
+    points.push_back(to[i]);
+  }
+  return points;
+}
+
 std::vector<double> without_waves(const std::vector<double>& by, double stiffness, bool closed) {
   const auto n = static_cast<Eigen::Index>(by.size());
   base::Matrix shape(n, n);
@@ -184,7 +227,9 @@ std::vector<double> without_waves(const std::vector<double>& by, double stiffnes
 
 std::vector<double> smooth_along(const std::vector<double>& values, bool closed) {
   const auto n = static_cast<Eigen::Index>(values.size());
-  const Eigen::Index count = closed ? 2 * harmonics + 1 : degree_open + 1;
+  const Eigen::Index count =
+      closed ? 2 * std::max<Eigen::Index>(1, n * harmonics / points_closed) + 1
+             : (n > points_closed ? n * degree_open / points_open : degree_open) + 1;
   if (n <= count || std::ranges::any_of(values, [](double v) { return !(v > 0.0); })) {
     return values;
   }

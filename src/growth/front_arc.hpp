@@ -29,6 +29,11 @@ std::optional<model::Crack> crack_through(const model::Crack& before,
                                           const std::vector<base::Vec3>& points, bool closed,
                                           const SolidSurroundings& around);
 
+/// Where places of a front (`from`) go to, without those that would pass one another, where a notch
+/// closes: the ends of an open front stay.
+std::vector<base::Vec3> without_crossings(const std::vector<mesh::FrontFrame>& from,
+                                          const std::vector<base::Vec3>& to, bool closed);
+
 /// Values [point] along an arc, all above 0, without their scatter from mesh to mesh: their
 /// logarithms as the polynomial of degree 4 (an open arc) or by six harmonics (a closed one) that
 /// fits best.

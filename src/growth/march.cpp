@@ -80,7 +80,13 @@ std::optional<CrackState> March::next(base::Diagnostics& diagnostics) {
   if (!plan()) {
     return std::nullopt;
   }
-  return ways_->advanced(state_, {advance_, leaping_ > 0 ? leap_factor_ : 0.0}, diagnostics);
+  Advance advance{.by = advance_};
+  if (leaping_ > 0) {
+    advance.leap = leap_factor_;
+    advance.tip = leaping_ - 1;
+    advance.meets = meets_;
+  }
+  return ways_->advanced(state_, advance, diagnostics);
 }
 
 bool March::plan() {
@@ -120,6 +126,7 @@ std::optional<double> March::next_advance(const std::vector<double>& share) {
   }
   std::optional<double> leap;
   leaping_ = 0;
+  meets_ = 0;
   for (std::size_t tip = 0; tip < tips().size(); ++tip) {
     if (!(share[tip] > 0.0)) {
       continue;
@@ -136,6 +143,7 @@ std::optional<double> March::next_advance(const std::vector<double>& share) {
     if (limit.leap && *limit.leap < leap.value_or(std::numeric_limits<double>::infinity())) {
       leap = limit.leap;
       leaping_ = tip + 1;
+      meets_ = limit.meets;
     }
   }
   return leap.value_or(ds);
@@ -148,6 +156,7 @@ void March::end_at_station(std::string word, std::string reason) {
 bool March::take(std::vector<TipStation> found) {
   Station station;
   station.leapt = leaping_;
+  station.met = meets_;
   ways_->place(found);
   for (std::size_t tip = 0; tip < tips().size(); ++tip) {
     TipStation& here = found[tip];
@@ -166,6 +175,7 @@ bool March::take(std::vector<TipStation> found) {
     return false;
   }
   leaping_ = 0;
+  meets_ = 0;
   leap_factor_ = 1.0;
   ways_->settle(state_);
   look_for_end();

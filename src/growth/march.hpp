@@ -76,6 +76,7 @@ private:
   std::unique_ptr<Ways> ways_;
   std::vector<double> advance_; ///< [tip] that leads to the state on trial
   std::size_t leaping_ = 0;     ///< the tip, from 1, that goes through a surface; 0: none
+  std::size_t meets_ = 0;       ///< the crack, from 1, that its front joins on that way; 0: none
   double leap_factor_ = 1.0;    ///< larger where the last leap could not be meshed
   State state_;
   std::optional<End> end_;

@@ -48,6 +48,7 @@ Arrays to_arrays(const State& state) {
   for (const Station& station : state.stations) {
     stations.push_back(station.s);
     stations.push_back(static_cast<double>(station.leapt));
+    stations.push_back(static_cast<double>(station.met));
     for (const TipStation& tip : station.tips) {
       for (const auto value : tip_values) {
         stations.push_back(tip.*value);
@@ -76,13 +77,14 @@ std::optional<State> state_of(const Arrays& arrays) {
   state.step = control.next();
   state.rejected = static_cast<int>(control.next());
   // Before anything is sized by these numbers: files may be broken.
-  if (!control.finished() || stations.left() != count * (2 + tips * tip_values.size())) {
+  if (!control.finished() || stations.left() != count * (3 + tips * tip_values.size())) {
     return std::nullopt;
   }
   for (std::size_t i = 0; i < count; ++i) {
     Station station;
     station.s = stations.next();
     station.leapt = static_cast<std::size_t>(stations.next());
+    station.met = static_cast<std::size_t>(stations.next());
     station.tips.resize(tips);
     for (TipStation& tip : station.tips) {
       for (const auto value : tip_values) {

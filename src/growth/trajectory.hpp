@@ -34,6 +34,7 @@ struct Station {
   /// The tip (counted from 1) that has gone through a surface on the way to it; no polynomial leads
   /// over that. 0: none has.
   std::size_t leapt = 0;
+  std::size_t met = 0; ///< the crack (counted from 1) that this tip's has joined on that way
 
   [[nodiscard]] double rate() const; ///< ds per cycle
 };

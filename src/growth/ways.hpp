@@ -26,6 +26,8 @@ struct CrackState {
   std::vector<model::Crack> solids{}; ///< [crack] in space
   /// [tip] in space: K is taken where the front is nearest to this place.
   std::vector<base::Vec3> aims{};
+  /// [tip] in space: the crack whose front that is; not its first one where two have become one.
+  std::vector<std::size_t> fronts{};
 };
 
 /// The growth cannot go on: one word and a sentence (March, End).
@@ -40,6 +42,8 @@ struct WayLimit {
   /// Sum with which this tip goes through all that is left before it: so near to the surface no
   /// front can be meshed, and the next one lies behind.
   std::optional<double> leap{};
+  /// The crack (counted from 1) that a leap joins it with; 0: it leads through a surface.
+  std::size_t meets = 0;
   std::optional<WayEnd> end{};
 };
 
@@ -47,6 +51,8 @@ struct WayLimit {
 struct Advance {
   std::vector<double> by; ///< [tip] [length]
   double leap = 0.0;      ///< 0: no leap
+  std::size_t tip = 0;    ///< that leaps
+  std::size_t meets = 0;  ///< as WayLimit
 };
 
 /// The ways cracks can go: how far it is to where they meet something, and what they are after an

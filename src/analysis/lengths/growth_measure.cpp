@@ -134,7 +134,9 @@ GrowthMeasure::measure(const SolvedLength& at, const std::vector<growth::Growing
   }
   for (std::size_t i = 0; i < growing.size(); ++i) {
     if (!at.cracks.solids.empty()) {
-      if (!by_front(at, growing[i], at.cracks.aims[i], found[i])) {
+      growth::GrowingTip tip = growing[i];
+      tip.line = at.cracks.fronts[i]; // the crack that its own has become a part of
+      if (!by_front(at, tip, at.cracks.aims[i], found[i])) {
         return std::nullopt;
       }
       continue;

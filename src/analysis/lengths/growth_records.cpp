@@ -93,10 +93,13 @@ results::Growth growth_records(const model::Model& model, const growth::March& m
     at_station += i > 0 ? between.cycles(stations[i - 1].s, stations[i].s) : 0.0;
     station.cycles = at_station;
     if (stations[i].leapt > 0) {
-      out.passages.push_back(
-          fmt::format("{} goes through a surface between stations {} and {}, at {:.6g} {}",
-                      out.tips[stations[i].leapt - 1], i, i + 1, at_station,
-                      out.unit == "pass" ? "passes" : "cycles"));
+      const std::size_t met = stations[i].met;
+      out.passages.push_back(fmt::format(
+          "{} {} between stations {} and {}, at {:.6g} {}", out.tips[stations[i].leapt - 1],
+          met > 0
+              ? fmt::format("meets crack {}, and the two go on as one", model.cracks[met - 1].name)
+              : "goes through a surface",
+          i, i + 1, at_station, out.unit == "pass" ? "passes" : "cycles"));
     }
     for (std::size_t tip = 0; tip < out.tips.size(); ++tip) {
       const growth::TipStation& t = stations[i].tips[tip];

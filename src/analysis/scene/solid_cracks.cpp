@@ -58,8 +58,9 @@ std::vector<mesh::SolidCrack> solid_cracks(const model::Model& model) {
   std::vector<mesh::SolidCrack> cracks;
   for (std::size_t i = 0; i < model.cracks.size(); ++i) {
     const model::Crack& crack = model.cracks[i];
-    if (crack.kind == model::CrackKind::front) {
-      continue; // in the mesh already
+    const bool gone = crack.kind == model::CrackKind::drawn && crack.points.empty();
+    if (crack.kind == model::CrackKind::front || gone) {
+      continue; // in the mesh already, or become a part of another one as it grew
     }
     const bool ellipse = crack.kind == model::CrackKind::ellipse;
     mesh::SolidCrack cut;

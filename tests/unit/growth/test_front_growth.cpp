@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "growth/ellipse_ways.hpp"
 #include "growth/free_ways.hpp"
+#include "growth/join_fronts.hpp"
 #include "growth/march.hpp"
 #include "model/model.hpp"
 
@@ -12,6 +13,7 @@
 #include <functional>
 #include <memory>
 #include <numbers>
+#include <string>
 #include <vector>
 
 namespace {
@@ -60,9 +62,9 @@ struct Block {
     model.growth->tolerance = 1e-3;
   }
 
-  void ellipse(const Vec3& centre, double a, double c) {
+  void ellipse(const Vec3& centre, double a, double c, const std::string& name = "C") {
     model::Crack crack;
-    crack.name = "C";
+    crack.name = name;
     crack.kind = model::CrackKind::ellipse;
     crack.net = base::NetId(0);
     crack.plane = {.place = centre,
@@ -270,6 +272,125 @@ TEST(FreeWays, EllipseBecomesRounder) {
   EXPECT_NEAR(cycles_of(march) / cycles, 1.0, 1e-2);
 }
 
+// Two cracks that K is the same along all round grow as circles, meet, and go on as one, whose far
+// sides know nothing of that; the notch between them fills.
+struct Meeting {
+  growth::CrackState last;
+  std::vector<std::size_t> met;
+  std::string end;
+  double error = 0.0;
+};
+
+Meeting two_that_meet(Block& block, double last_length) {
+  block.model.growth->last_length = last_length;
+  growth::March march(block.model, paris, std::make_unique<growth::FreeWays>(block.model), {});
+  Meeting out;
+  run(march, [&](const growth::CrackState& cracks, const Vec3&) {
+    out.last = cracks;
+    return 1.0;
+  });
+  for (const growth::Station& station : march.state().stations) {
+    if (station.met > 0) {
+      out.met.push_back(station.met);
+    }
+  }
+  out.end = march.end()->word;
+  out.error = march.error();
+  return out;
+}
+
+TEST(FreeWays, TwoCirclesGoOnAsOne) {
+  for (const double normal : {1.0, -1.0}) { // of the second: faces up or down
+    Block block({-20, -20, -20}, {20, 20, 20}, 4);
+    block.ellipse({-1.3, 0, 0}, 1.0, 1.0, "C1");
+    block.ellipse({1.3, 0, 0}, 1.0, 1.0, "C2");
+    block.model.cracks[1].plane.normal *= normal;
+    const Meeting both = two_that_meet(block, 2.5);
+    EXPECT_EQ(both.end, "AMAX");
+    ASSERT_EQ(both.met.size(), 1U);
+    EXPECT_GT(both.error, 0.0);
+    const std::size_t gone = both.met[0] - 1;
+    EXPECT_TRUE(growth::is_gone(both.last.solids[gone]));
+    EXPECT_FALSE(growth::is_gone(both.last.solids[1 - gone]));
+    ASSERT_EQ(both.last.aims.size(), 32U);
+    double far = 0.0;
+    double waist = 1e300;
+    for (std::size_t i = 0; i < both.last.aims.size(); ++i) {
+      const Vec3& x = both.last.aims[i];
+      EXPECT_EQ(both.last.fronts[i], 1 - gone);
+      EXPECT_NEAR(x.z(), 0.0, 1e-12);
+      far = std::max(far, std::abs(x.x()));
+      waist = std::abs(x.x()) < 0.4 ? std::min(waist, std::abs(x.y())) : waist;
+    }
+    EXPECT_NEAR(far, 1.3 + 2.5, 0.02 * 3.8);
+    // circles of 2.5 about the two centres cross at 2.14
+    EXPECT_GT(waist, 2.0);
+    EXPECT_LT(waist, 2.5);
+  }
+}
+
+// On a free surface the front behind leads from the far end of one to the far end of the other.
+TEST(FreeWays, TwoSurfaceCracksGoOnAsOne) {
+  Block block({-20, 0, -20}, {20, 20, 20}, 4);
+  block.ellipse({-1.3, 0, 0}, 1.0, 1.0, "C1");
+  block.ellipse({1.3, 0, 0}, 1.0, 1.0, "C2");
+  const Meeting both = two_that_meet(block, 2.5);
+  EXPECT_EQ(both.end, "AMAX");
+  ASSERT_EQ(both.met.size(), 1U);
+  ASSERT_EQ(both.last.aims.size(), 18U);
+  double left = 0.0;
+  double right = 0.0;
+  for (const Vec3& x : both.last.aims) {
+    left = std::min(left, x.x());
+    right = std::max(right, x.x());
+    EXPECT_GT(x.y(), -1e-6);
+  }
+  EXPECT_NEAR(left, -3.8, 0.1);
+  EXPECT_NEAR(right, 3.8, 0.1);
+}
+
+// Cracks in two planes do not become one.
+TEST(FreeWays, CracksInTwoPlanesEndWhereTheyMeet) {
+  Block block({-20, -20, -20}, {20, 20, 20}, 4);
+  block.ellipse({-1.3, 0, 0}, 1.0, 1.0, "C1");
+  block.ellipse({1.3, 0, 0.01}, 1.0, 1.0, "C2");
+  EXPECT_EQ(two_that_meet(block, 2.5).end, "LINK-UP");
+}
+
+// Points that stay, of fronts that meet at one place; none where they meet at two.
+TEST(JoinFronts, OneFrontOrNone) {
+  const auto front = [](bool closed, std::vector<bool> stays, std::size_t first) {
+    growth::MeetingFront out{.points = {}, .tips = {}, .stays = std::move(stays), .closed = closed};
+    for (std::size_t i = 0; i < out.stays.size(); ++i) {
+      out.points.emplace_back(static_cast<double>(first + i), 0, 0);
+      out.tips.push_back(first + i);
+    }
+    return out;
+  };
+  const auto ring = front(true, {true, false, false, true, true, true}, 0);
+  const auto other_ring = front(true, {false, true, true, true, true, false}, 10);
+  const auto rings = growth::join_fronts(ring, other_ring);
+  ASSERT_TRUE(rings);
+  EXPECT_TRUE(rings->closed);
+  EXPECT_EQ(rings->tips, (std::vector<std::size_t>{2, 3, 4, 5, 0, 1, 10, 11, 12, 13, 14, 15}));
+  EXPECT_EQ(rings->points.size(), 8U);
+  const auto left = front(false, {true, true, true, false}, 20);
+  const auto right = front(false, {false, true, true, true}, 30);
+  for (const bool turned : {false, true}) {
+    const auto open = turned ? growth::join_fronts(right, left) : growth::join_fronts(left, right);
+    ASSERT_TRUE(open);
+    EXPECT_FALSE(open->closed);
+    EXPECT_EQ(open->tips, (std::vector<std::size_t>{20, 21, 22, 23, 30, 31, 32, 33}));
+  }
+  const auto through = growth::join_fronts(front(false, {true, true, false, true, true}, 40), ring);
+  ASSERT_TRUE(through);
+  EXPECT_FALSE(through->closed);
+  EXPECT_EQ(through->tips.size(), 11U);
+  EXPECT_FALSE(growth::join_fronts(ring, left));
+  EXPECT_FALSE(growth::join_fronts(left, front(false, {true, true, false}, 50)));
+  EXPECT_FALSE(growth::join_fronts(front(true, {true, false, true, false}, 60), other_ring));
+}
+
 // A run that goes on from a station asks for the same front as one that never stopped.
 template <class Ways> void goes_on_alike() {
   Block block({0, 0, -20}, {20, 2, 20}, 4);
@@ -306,6 +427,39 @@ TEST(EllipseWays, GoesOnAlike) {
 }
 TEST(FreeWays, GoesOnAlike) {
   goes_on_alike<growth::FreeWays>();
+}
+
+// Also behind the station where two cracks have become one.
+TEST(FreeWays, GoesOnAlikeAsOne) {
+  Block block({-20, -20, -20}, {20, 20, 20}, 4);
+  block.ellipse({-1.3, 0, 0}, 1.0, 1.0, "C1");
+  block.ellipse({1.3, 0, 0}, 1.0, 1.0, "C2");
+  block.model.growth->last_length = 2.5;
+  growth::March whole(block.model, paris, std::make_unique<growth::FreeWays>(block.model), {});
+  base::Diagnostics none;
+  std::size_t behind = 0;
+  for (int k = 0; k < 60 && behind < 3; ++k) {
+    const auto cracks = whole.next(none);
+    ASSERT_TRUE(cracks);
+    const auto state = growth::state_of(growth::to_arrays(whole.state()));
+    ASSERT_TRUE(state);
+    growth::March again(block.model, paris, std::make_unique<growth::FreeWays>(block.model),
+                        *state);
+    const auto same = again.next(none);
+    ASSERT_TRUE(same);
+    for (std::size_t i = 0; i < same->aims.size(); ++i) {
+      EXPECT_EQ(same->aims[i], cracks->aims[i]) << "station " << k;
+      EXPECT_EQ(same->fronts[i], cracks->fronts[i]) << "station " << k;
+    }
+    std::vector<TipStation> found(whole.tips().size());
+    for (std::size_t tip = 0; tip < found.size(); ++tip) {
+      found[tip].K_max = 1.0 + 0.01 * cracks->aims[tip].y();
+      found[tip].rate = paris(found[tip].K_max, 0.0);
+    }
+    whole.take(std::move(found));
+    behind += behind > 0 || whole.state().stations.back().met > 0 ? 1 : 0;
+  }
+  EXPECT_EQ(behind, 3U);
 }
 
 } // namespace

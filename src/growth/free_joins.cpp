@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "growth/free_ways.hpp"
+#include "model/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+/// Two free fronts that meet and go on as one.
+namespace spricka::growth {
+
+namespace {
+
+using base::Vec3;
+
+/// Planes that are one: sine of their angle, and distance as a part of the way between the cracks'
+/// places.
+constexpr double one_plane = 1e-6;
+/// Points are left out that are not farther from the other front than the gap and this part of the
+/// way behind: the notch between two fronts closes next to at once, and a narrow one has no smooth
+/// curve that could go on.
+constexpr double notch = 0.4;
+
+} // namespace
+
+// What may differ between two cracks that join is nothing that counts behind that.
+bool FreeWays::may_join(const model::Crack& one, const model::Crack& other) const {
+  const model::CrackPlane& a = one.plane;
+  const model::CrackPlane& b = other.plane;
+  const Vec3 way = b.place - a.place;
+  const bool coplanar = a.normal.cross(b.normal).norm() < one_plane &&
+                        std::abs(a.normal.dot(way)) < one_plane * way.norm();
+  const bool loaded = std::ranges::any_of(model_.cases, [&](const model::LoadCase& load_case) {
+    return std::ranges::any_of(load_case.loads, [&](const model::Load& load) {
+      return load.faces.valid() && (load.faces == one.left || load.faces == one.right ||
+                                    load.faces == other.left || load.faces == other.right);
+    });
+  });
+  return coplanar && !loaded && one.net == other.net && one.mu == other.mu &&
+         one.faces_in_contact == other.faces_in_contact;
+}
+
+MeetingFront FreeWays::meeting(const Growing& of, const Growing& other, double reach,
+                               const std::vector<double>& by) const {
+  MeetingFront front{.points = {}, .tips = of.tips, .stays = {}, .closed = of.arc.closed()};
+  for (std::size_t i = 0; i < of.tips.size(); ++i) {
+    const mesh::FrontFrame at = of.frame(i);
+    const mesh::FrontCurve& there = other.arc.curve;
+    front.stays.push_back((there.at(there.nearest(at.x)).x - at.x).norm() > reach);
+    front.points.emplace_back(at.x + (by.empty() ? 0.0 : by[of.tips[i]]) * at.m);
+  }
+  return front;
+}
+
+std::optional<JoinedFront> FreeWays::joined(std::size_t tip, const Neighbour& other,
+                                            const Advance& advance) const {
+  const Growing& one = place_of(tip).of;
+  const auto two = std::ranges::find(now_.growing, other.crack, &Growing::crack);
+  const model::Crack& crack = now_.cracks[one.crack];
+  if (two == now_.growing.end() || !may_join(crack, now_.cracks[other.crack])) {
+    return std::nullopt;
+  }
+  const double reach = advance.leap * (other.gap + notch * behind(tip));
+  MeetingFront here = meeting(one, *two, reach, advance.by);
+  MeetingFront there = meeting(*two, one, reach, advance.by);
+  if (crack.plane.normal.dot(now_.cracks[other.crack].plane.normal) < 0.0) {
+    there.turn_over();
+  }
+  return join_fronts(here, there);
+}
+
+bool FreeWays::joins(std::size_t tip, const Neighbour& other) const {
+  return joined(tip, other, {.by = {}, .leap = 1.0}).has_value();
+}
+
+// The crack of the tip goes on with the front of both, the other one is gone.
+bool FreeWays::join(const Advance& advance) {
+  const std::optional<Neighbour> other = neighbour(advance.tip);
+  if (!other || other->crack + 1 != advance.meets) {
+    return false;
+  }
+  const std::optional<JoinedFront> both = joined(advance.tip, *other, advance);
+  if (!both) {
+    return false;
+  }
+  const Place at = place_of(advance.tip);
+  const auto one = std::ranges::find(trial_.growing, at.of.crack, &Growing::crack);
+  // Within both, where they met: what lies between counts as cracked.
+  const mesh::FrontFrame tip = at.frame();
+  trial_.cracks[one->crack].plane.place = tip.x + 0.5 * other->gap * tip.m;
+  one->tips = both->tips;
+  if (!draw({both->points, both->closed}, *one)) {
+    return false;
+  }
+  model::Crack& gone = trial_.cracks[other->crack];
+  gone.kind = model::CrackKind::drawn;
+  gone.points.clear();
+  std::erase_if(trial_.growing, [&](const Growing& of) { return of.crack == other->crack; });
+  return true;
+}
+
+} // namespace spricka::growth

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "growth/front_ways.hpp"
+
+#include "model/model.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::growth {
+
+namespace {
+
+/// Advance as a part of the way to the surface, and to another front, which may come the other way.
+constexpr double part_to_surface = 0.6;
+constexpr double part_to_front = 0.35;
+/// Part of the way that is gone in one go where nothing nearer can be meshed.
+constexpr double gone_through_refused = 0.45;
+/// Where no front would be left behind the surface, this part of the way counts as cut through.
+constexpr double nothing_left = 0.03;
+constexpr double next_to_nothing_left = 0.2;
+/// Fronts that meet both come nearer.
+constexpr double own_part_of_gap = 0.5;
+
+} // namespace
+
+FrontWays::FrontWays(const model::Model& model) : model_(model), around_(model.mesh) {}
+
+double FrontWays::length_left(const State& state, std::size_t tip) const {
+  return model_.growth->last_length.value_or(std::numeric_limits<double>::infinity()) -
+         state.stations.back().tips[tip].a;
+}
+
+WayLimit FrontWays::limit(const State& state, std::size_t tip, double share, double ds) const {
+  WayLimit limit{.ds =
+                     std::min({ds, length_left(state, tip) / share, longest_advance(tip) / share})};
+  limit_by_front(tip, share, limit);
+  const std::optional<Ligament> before = ligament(tip);
+  if (limit.end || limit.leap || !before) {
+    return limit;
+  }
+  const double gap = leap_early_ ? gone_through_refused : gone_through;
+  if (before->part() < gap && goes_on_behind(tip, *before)) {
+    limit.leap = before->left / share;
+  } else if (before->part() < nothing_left) {
+    limit.end = WayEnd{"EDGE", fmt::format("{} reaches the surface: {:.3g} is left of the "
+                                           "ligament, in which K grows without bound",
+                                           tips_[tip].name, before->left)};
+  }
+  limit.ds = std::min(limit.ds, part_to_surface * before->left / share);
+  return limit;
+}
+
+void FrontWays::limit_by_front(std::size_t tip, double share, WayLimit& limit) const {
+  const std::optional<Neighbour> other = neighbour(tip);
+  if (!other) {
+    return;
+  }
+  limit.ds = std::min(limit.ds, part_to_front * other->gap / share);
+  const double met = fronts_met * behind(tip);
+  if (other->gap < (leap_early_ ? gone_through_refused * behind(tip) : met) && joins(tip, *other)) {
+    limit.leap = own_part_of_gap * other->gap / share;
+    limit.meets = other->crack + 1;
+  } else if (other->gap < met) {
+    limit.end = WayEnd{"LINK-UP",
+                       fmt::format("{} meets crack {}: {:.3g} is left between them",
+                                   tips_[tip].name, model_.cracks[other->crack].name, other->gap)};
+  }
+}
+
+std::optional<WayEnd> FrontWays::refused(const State& /*state*/, bool leapt,
+                                         const std::string& why) {
+  std::optional<Ligament> least;
+  std::size_t at = 0;
+  bool meets = false;
+  for (std::size_t tip = 0; tip < tips_.size(); ++tip) {
+    const std::optional<Ligament> before = ligament(tip);
+    if (before && (!least || before->part() < least->part())) {
+      least = before;
+      at = tip;
+    }
+    const std::optional<Neighbour> other = leapt || leap_early_ ? std::nullopt : neighbour(tip);
+    meets =
+        meets || (other && other->gap < gone_through_refused * behind(tip) && joins(tip, *other));
+  }
+  const bool through = least && least->part() < gone_through_refused && goes_on_behind(at, *least);
+  if (!leapt && !leap_early_ && (through || meets)) {
+    leap_early_ = true;
+    return std::nullopt;
+  }
+  if (least && least->part() < next_to_nothing_left) {
+    return WayEnd{"EDGE", fmt::format("{} is {:.3g} from the surface, and no front can be meshed "
+                                      "in what is left: {}",
+                                      tips_[at].name, least->left, why)};
+  }
+  return WayEnd{"MESH", fmt::format("the next advance could not be meshed: {}", why)};
+}
+
+} // namespace spricka::growth

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "growth/solid_surroundings.hpp"
+#include "growth/ways.hpp"
+#include "model/forward.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace spricka::growth {
+
+/// Cracks in space, whatever shape their fronts take: how far it is to surfaces and other fronts,
+/// when a front goes through in one go, and when it ends there.
+class FrontWays : public Ways {
+public:
+  [[nodiscard]] const std::vector<GrowingTip>& tips() const override { return tips_; }
+  [[nodiscard]] bool turns() const override { return false; }
+  [[nodiscard]] double length_left(const State& state, std::size_t tip) const override;
+  [[nodiscard]] WayLimit limit(const State& state, std::size_t tip, double share,
+                               double ds) const override;
+  [[nodiscard]] std::optional<WayEnd> refused(const State& state, bool leapt,
+                                              const std::string& why) override;
+
+protected:
+  /// A ligament that is less of the way to the surface is gone through in one go: a front so near
+  /// to the surface is hard to mesh and of no account for the life.
+  static constexpr double gone_through = 0.1;
+  /// Gap between two fronts that counts as closed, as a part of the way behind.
+  static constexpr double fronts_met = 0.1;
+
+  explicit FrontWays(const model::Model& model);
+
+  /// The way to the surface before a tip.
+  struct Ligament {
+    double behind = 0.0; ///< from the crack's place to the tip [length]
+    double left = 0.0;   ///< from there to the surface [length]
+    [[nodiscard]] double part() const { return left / (behind + left); }
+  };
+  /// The nearest place of another crack.
+  struct Neighbour {
+    double gap = 0.0; ///< [length]
+    std::size_t crack = 0;
+  };
+  /// Empty: no surface is ahead.
+  [[nodiscard]] virtual std::optional<Ligament> ligament(std::size_t tip) const = 0;
+  /// Whether something of the front is left in the body once a tip has gone through the surface.
+  [[nodiscard]] virtual bool goes_on_behind(std::size_t tip, const Ligament& before) const = 0;
+  /// Empty: there is no other crack.
+  [[nodiscard]] virtual std::optional<Neighbour> neighbour(std::size_t tip) const = 0;
+  /// Whether the two go on as one crack where a tip meets another one.
+  [[nodiscard]] virtual bool joins(std::size_t tip, const Neighbour& other) const = 0;
+  /// From the crack's place to a tip [length].
+  [[nodiscard]] virtual double behind(std::size_t tip) const = 0;
+  /// The longest advance of a tip [length].
+  [[nodiscard]] virtual double longest_advance(std::size_t tip) const = 0;
+
+  /// A state counts: what could not be meshed at the last one says nothing any more.
+  void stands_anew() { leap_early_ = false; }
+
+  const model::Model& model_;
+  SolidSurroundings around_;
+  std::vector<GrowingTip> tips_;
+
+private:
+  void limit_by_front(std::size_t tip, double share, WayLimit& limit) const;
+
+  bool leap_early_ = false; ///< nearer to the surface, or to another front, nothing can be meshed
+};
+
+} // namespace spricka::growth

@@ -1,0 +1,174 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Cracks by chance in plates and at a bore, inside, at surfaces and at corners, grown to their ends: none
+stops for want of a mesh before 80 % of the way to the surface, or the thickness, is cut; every end has its name.
+
+    tests/stability/random_growth.py PROGRAM [--full] [NUMBER ..]
+
+--full (or SPRICKA_FULL in the environment) runs all of them, else a few.
+"""
+import math
+import os
+import random
+import sys
+
+from program import Run, numbers
+
+ALL = 50
+FEW = (0, 1, 2, 3)
+SEED = 20262
+CUT = 0.8
+ENDS = ("EDGE", "LINK-UP", "THRESHOLD", "CLOSED", "ARREST", "AMAX")
+
+PLATE = """$NET NAME=PLATE
+  $MESH SHAPE=BLOCK TYPE={type} X0=(-W) Y0=0 Z0=(-H) LX=(2*W) LY=(t) LZ=(2*H) NX={nx} NY={ny} NZ={nz}
+$ENDNET
+"""
+BORE = """$PARAMETER
+  R = {R}
+  x0 = (-W)
+  x1 = (W)
+  z0 = (-H)
+  z1 = (H)
+  h = {h}
+$NET NAME=PLATE
+  $IMPORT FILE='strip_bore_solid.geo' FORMAT=GEO
+$ENDNET
+"""
+DECK = """$DECK VERSION=1 LENGTH=mm FORCE=N TITLE='Crack by chance {number}'
+$PARAMETER
+  W = {W}
+  t = {t}
+  H = {H}
+{body}$MATERIAL NAME=M E=70000 NU=0.3
+$PROPERTY ESET={eset} MATERIAL=M STATE=SOLID
+$NSET NAME=TOP WHERE=(abs(z - H) < 1e-6)
+$NSET NAME=FOOT WHERE=(abs(z + H) < 1e-6)
+$NSET NAME=P1 WHERE=(x < -W + 1e-6 and y < 1e-6 and z < -H + 1e-6)
+$NSET NAME=P2 WHERE=(x > W - 1e-6 and y < 1e-6 and z < -H + 1e-6)
+$NSET NAME=P3 WHERE=(x < -W + 1e-6 and y > t - 1e-6 and z < -H + 1e-6)
+$FREEDOM CLASS=SUPPRESSED DOF=XYZ
+  P1
+$FREEDOM CLASS=SUPPRESSED DOF=YZ
+  P2
+$FREEDOM CLASS=SUPPRESSED DOF=Z
+  P3
+$CRACK NAME=C1 NET=PLATE A={a:.4g} C={c:.4g} X0={x:.6g} Y0={y:.6g} Z0={z:.4g} NORMAL=Z
+$LOAD CASE=PULL TYPE=TRACTION
+  TOP   0  0  ({tension})
+  FOOT  0  0  (-({tension}))
+$STEP NAME=FULL
+  LOAD PULL 1
+$STEP NAME=ZERO
+  LOAD PULL 0
+$GROW LAW=PARIS SHAPE={shape} KMAX=FULL KMIN=ZERO C=1e-12 M={m} TOL=0.1 KUNIT='MPa*mm^0.5' AUNIT='mm'
+$END
+"""
+
+
+class Case:
+    """One plate with one crack; of the same number always the same."""
+
+    def __init__(self, number):
+        dice = random.Random(SEED + number)
+        self.number = number
+        self.place = ("corner", "surface", "embedded", "bore corner", "bore surface")[number % 5]
+        self.bore = self.place.startswith("bore")
+        self.shape = "ELLIPSE" if number % 4 == 3 else "FREE"
+        self.t = dice.uniform(2, 6)
+        self.W = self.t * dice.uniform(2.5, 5)
+        self.H = self.W * dice.uniform(0.9, 1.3)
+        self.R = dice.uniform(0.4, 1.2) * self.t
+        self.W = max(self.W, 3 * self.R)
+        # The longer axis along or across the thickness; both well inside.
+        a = self.t * dice.uniform(0.15, 0.45)
+        ratio = math.exp(dice.uniform(math.log(0.4), math.log(2.0)))
+        c = min(a / ratio, 0.3 * self.W)
+        self.x = self.y = 0.0
+        if self.place == "corner":
+            self.x = -self.W
+        elif self.place == "surface":
+            self.x = dice.uniform(-0.4, 0.4) * (self.W - 2 * c)
+        elif self.place == "embedded":
+            a = min(a, 0.3 * self.t)
+            self.y = self.t * dice.uniform(0.4, 0.6)
+            self.x = dice.uniform(-0.3, 0.3) * (self.W - 2 * c)
+        elif self.place == "bore corner":
+            self.x = self.R
+            c = min(c, 0.5 * (self.W - self.R))
+        else:
+            # across the thickness along the bore: C is along x, A along y
+            self.x = self.R
+            self.y = self.t * dice.uniform(0.4, 0.6)
+            a = min(a, 0.3 * self.t)
+            c = min(c, 0.5 * (self.W - self.R))
+        self.a, self.c = a, c
+        self.z = 0.0 if self.bore else dice.uniform(-0.1, 0.1) * self.H
+        self.m = dice.choice((2.5, 3, 3.5, 4))
+        self.bend = dice.choice((0, 0, 0.5, -0.5))
+        self.type = dice.choice(("TET10", "HEXEC20"))
+
+    def text(self):
+        body = BORE.format(R=round(self.R, 4), h=round(0.5 * self.R, 4)) if self.bore else PLATE.format(
+            type=self.type, nx=6, ny=2, nz=6)
+        bend = f"100*(1 + ({self.bend})*(2*y/t - 1))"
+        return DECK.format(number=self.number, W=round(self.W, 4), t=round(self.t, 4), H=round(self.H, 4), body=body,
+                           a=self.a, c=self.c, x=round(self.x, 4), y=round(self.y, 4), z=self.z, tension=bend,
+                           shape=self.shape, m=self.m, eset="PLATE.STRIP" if self.bore else "PLATE.BODY")
+
+    def border(self, dx, dy):
+        """How far it is from the crack's place to the border of the section, along a direction."""
+        ways = [1e9]
+        for d, x, low, high in ((dx, self.x, -self.W, self.W), (dy, self.y, 0.0, self.t)):
+            if abs(d) > 1e-12:
+                ways.append(((high if d > 0 else low) - x) / d)
+        return max(min(ways), 1e-9)
+
+    def cut(self, run):
+        """How much of the way to the border the crack has gone, where it has gone most of it."""
+        rows = numbers(run.out / "life.csv")
+        last = rows[-1]["increment"]
+        most = 0.0
+        for row in rows:
+            if row["increment"] == last:
+                dx, dy = float(row["x"]) - self.x, float(row["y"]) - self.y
+                way = math.hypot(dx, dy)
+                # along the surface that it began at is no way to anywhere
+                if way > 0 and self.border(dx / way, dy / way) > 1e-3 * self.t:
+                    most = max(most, way / self.border(dx / way, dy / way))
+        return most
+
+
+def judge(case, run):
+    """What went wrong, or nothing; and a line of the table."""
+    if run.code not in (0, 4) or not (run.out / "life.csv").exists():
+        return f"exit {run.code}: {run.messages.strip().splitlines()[-1:]}", "no life"
+    head = (run.out / "life.csv").read_text(encoding="utf-8").splitlines()[0]
+    ended = head.split("ended: ")[1].split(";")[0].strip()
+    listing = run.listing()
+    through = listing.count("goes through a surface")
+    cut = case.cut(run)
+    line = f"{ended}, {through} passages, {100 * cut:.0f} % cut, {run.seconds:.0f} s"
+    if ended not in ENDS and not (ended == "MESH" and (cut >= CUT or through > 0)):
+        reason = next((one for one in listing.splitlines() if one.startswith("Ended by")), "")
+        return f"{ended} with {100 * cut:.0f} % cut: {reason}", line
+    return "", line
+
+
+def main():
+    program = sys.argv[1]
+    chosen = [int(word) for word in sys.argv[2:] if word.isdigit()]
+    full = "--full" in sys.argv or os.environ.get("SPRICKA_FULL")
+    wrong = 0
+    for number in chosen or (range(ALL) if full else FEW):
+        case = Case(number)
+        run = Run(program, case.text())
+        trouble, line = judge(case, run)
+        print(f"{number:2d} {case.place}, {case.shape}: {line}{'  WRONG: ' + trouble if trouble else ''}", flush=True)
+        wrong += bool(trouble)
+    print(f"{wrong} wrong")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
