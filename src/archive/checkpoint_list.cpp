@@ -150,9 +150,10 @@ std::string growth_rules(const model::Model& model) {
     return "none";
   }
   const model::Growth& g = *model.growth;
-  std::string text = fmt::format("law {} direction {} history {} mounted {}",
-                                 static_cast<int>(g.law), static_cast<int>(g.direction),
-                                 static_cast<int>(g.history), static_cast<int>(g.mounted));
+  std::string text =
+      fmt::format("law {} direction {} shape {} history {} mounted {}", static_cast<int>(g.law),
+                  static_cast<int>(g.direction), static_cast<int>(g.shape),
+                  static_cast<int>(g.history), static_cast<int>(g.mounted));
   for (const base::CrackId crack : g.cracks) {
     text += " " + model.cracks[crack.index()].name;
   }
