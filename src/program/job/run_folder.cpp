@@ -8,6 +8,7 @@
 #include "base/output_file.hpp"
 #include "model/model.hpp"
 #include "report/report.hpp"
+#include "report/topics/beta_csv.hpp"
 #include "report/topics/growth_tables.hpp"
 #include "report/topics/growth_test_tables.hpp"
 #include "report/topics/load_path_tables.hpp"

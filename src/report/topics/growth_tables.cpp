@@ -11,9 +11,7 @@
 #include <iterator>
 #include <numbers>
 #include <optional>
-#include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace spricka::report {
@@ -21,62 +19,6 @@ namespace spricka::report {
 namespace {
 
 constexpr double degree = 180.0 / std::numbers::pi;
-
-/// Factors of load cases and fits at the end of a step.
-struct Factors {
-  std::vector<double> of_case, of_fit;
-};
-
-// A fit that no step names is there from the beginning.
-std::vector<Factors> factors_of_steps(const model::Model& model) {
-  Factors now{std::vector<double>(model.cases.size(), 0.0),
-              std::vector<double>(model.contacts.size(), 1.0)};
-  for (const model::Step& step : model.steps) {
-    for (const model::Action& action : step.actions) {
-      if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {
-        now.of_fit[fit->contact.index()] = 0.0;
-      }
-    }
-  }
-  std::vector<Factors> out;
-  for (const model::Step& step : model.steps) {
-    for (const model::Action& action : step.actions) {
-      if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {
-        now.of_fit[fit->contact.index()] = fit->factor;
-      } else if (const auto* load = std::get_if<model::ApplyLoad>(&action)) {
-        now.of_case[load->load_case.index()] = load->factor;
-      }
-    }
-    out.push_back(now);
-  }
-  return out;
-}
-
-Factors between(const Factors& from, const Factors& to, double t) {
-  Factors out = from;
-  for (std::size_t i = 0; i < out.of_case.size(); ++i) {
-    out.of_case[i] += t * (to.of_case[i] - from.of_case[i]);
-  }
-  for (std::size_t i = 0; i < out.of_fit.size(); ++i) {
-    out.of_fit[i] += t * (to.of_fit[i] - from.of_fit[i]);
-  }
-  return out;
-}
-
-std::string factor_cells(const Factors& factors) {
-  std::string text;
-  for (const double f : factors.of_case) {
-    text += fmt::format(",{}", f);
-  }
-  for (const double f : factors.of_fit) {
-    text += fmt::format(",{}", f);
-  }
-  return text;
-}
-
-std::string k_cells(double a, double K1, double K2) {
-  return fmt::format(",{},{},{}\n", K1, K2, K1 / std::sqrt(std::numbers::pi * a));
-}
 
 // Smallest and largest K_min / K_max of what the law was given; empty where nothing is open.
 std::optional<std::pair<double, double>> range_of_R(const results::Growth& growth) {
@@ -136,11 +78,6 @@ std::string ratio_words(const model::Model& model, const results::Run& run) {
         "at R < 0 whose delta K is K_max - K_min do not fit it.\n";
   }
   return out;
-}
-
-std::size_t step_index(const model::Model& model, std::string_view name) {
-  const auto found = std::ranges::find(model.steps, name, &model::Step::name);
-  return static_cast<std::size_t>(found - model.steps.begin());
 }
 
 } // namespace
@@ -203,48 +140,6 @@ void write_life_curve_csv(const std::filesystem::path& file, const model::Model&
       text += k < other.curve.size() ? fmt::format(",{}", other.curve[k].cycles) : ",";
     }
     text += '\n';
-  }
-  write_file(file, text);
-}
-
-void write_beta_csv(const std::filesystem::path& file, const model::Model& model,
-                    const results::Run& run) {
-  if (model.cracks.empty()) {
-    return;
-  }
-  std::string text = fmt::format(
-      "# units: a [{0}], K1 K2 [{1}], beta [{2}] = K1/sqrt(pi a), factors and t [1]\n"
-      "increment,tip,a,where,t",
-      model.units.length_name, model.units.stress_intensity_name(), model.units.stress_name());
-  for (const model::LoadCase& load_case : model.cases) {
-    text += ",load_" + load_case.name;
-  }
-  for (const model::Contact& contact : model.contacts) {
-    text += ",fit_" + contact.name;
-  }
-  text += ",K1,K2,beta\n";
-  const std::vector<Factors> factors = factors_of_steps(model);
-  for (const results::Increment& increment : run.increments) {
-    for (const results::StepResult& step : increment.steps) {
-      for (const results::TipResult& tip : step.tips) {
-        if (!tip.two_materials) {
-          text += fmt::format("{},{},{},{},{}", increment.number, tip.name, tip.a, step.step, "") +
-                  factor_cells(factors[step_index(model, step.step)]) +
-                  k_cells(tip.a, tip.K1, tip.K2);
-        }
-      }
-    }
-    for (const results::LoadPath& path : increment.paths) {
-      for (const results::PathTip& tip : path.tips) {
-        for (std::size_t k = 0; k < path.t.size(); ++k) {
-          text += fmt::format("{},{},{},{},{}", increment.number, tip.name, tip.a, path.name,
-                              path.t[k]) +
-                  factor_cells(between(factors[step_index(model, path.from)],
-                                       factors[step_index(model, path.to)], path.t[k])) +
-                  k_cells(tip.a, tip.K1.at_knot(k), tip.K2.at_knot(k));
-        }
-      }
-    }
   }
   write_file(file, text);
 }

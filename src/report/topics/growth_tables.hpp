@@ -16,11 +16,6 @@ void write_life_csv(const std::filesystem::path& file, const model::Model& model
 void write_life_curve_csv(const std::filesystem::path& file, const model::Model& model,
                           const results::Run& run);
 
-/// beta.csv: K1, K2 and K1/sqrt(pi a) of every length, tip and step, and of every breakpoint of the
-/// load paths, with the factors of load cases and fits that belong to them.
-void write_beta_csv(const std::filesystem::path& file, const model::Model& model,
-                    const results::Run& run);
-
 /// Stations of a growth by a law; without rows where there is none.
 Table life_table(const model::Model& model, const results::Run& run);
 /// How it ended, after how many cycles, and how good they are: lines of text.

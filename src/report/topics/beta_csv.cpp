@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/topics/beta_csv.hpp"
+
+#include "model/model.hpp"
+#include "report/drawing/file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace spricka::report {
+
+namespace {
+
+using base::Vec3;
+
+/// Factors of load cases and fits at the end of a step.
+struct Factors {
+  std::vector<double> of_case, of_fit;
+};
+
+// A fit that no step names is there from the beginning.
+std::vector<Factors> factors_of_steps(const model::Model& model) {
+  Factors now{std::vector<double>(model.cases.size(), 0.0),
+              std::vector<double>(model.contacts.size(), 1.0)};
+  for (const model::Step& step : model.steps) {
+    for (const model::Action& action : step.actions) {
+      if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {
+        now.of_fit[fit->contact.index()] = 0.0;
+      }
+    }
+  }
+  std::vector<Factors> out;
+  for (const model::Step& step : model.steps) {
+    for (const model::Action& action : step.actions) {
+      if (const auto* fit = std::get_if<model::ApplyFit>(&action)) {
+        now.of_fit[fit->contact.index()] = fit->factor;
+      } else if (const auto* load = std::get_if<model::ApplyLoad>(&action)) {
+        now.of_case[load->load_case.index()] = load->factor;
+      }
+    }
+    out.push_back(now);
+  }
+  return out;
+}
+
+Factors between(const Factors& from, const Factors& to, double t) {
+  Factors out = from;
+  for (std::size_t i = 0; i < out.of_case.size(); ++i) {
+    out.of_case[i] += t * (to.of_case[i] - from.of_case[i]);
+  }
+  for (std::size_t i = 0; i < out.of_fit.size(); ++i) {
+    out.of_fit[i] += t * (to.of_fit[i] - from.of_fit[i]);
+  }
+  return out;
+}
+
+std::string factor_cells(const Factors& factors) {
+  std::string text;
+  for (const double f : factors.of_case) {
+    text += fmt::format(",{}", f);
+  }
+  for (const double f : factors.of_fit) {
+    text += fmt::format(",{}", f);
+  }
+  return text;
+}
+
+std::string k_cells(double a, double K1, double K2) {
+  return fmt::format(",{},{},{}\n", K1, K2, K1 / std::sqrt(std::numbers::pi * a));
+}
+
+std::size_t step_index(const model::Model& model, std::string_view name) {
+  const auto found = std::ranges::find(model.steps, name, &model::Step::name);
+  return static_cast<std::size_t>(found - model.steps.begin());
+}
+
+/// K of a front at the end of an axis of its crack, between two of its points.
+struct AxisEnd {
+  std::string tip{}; ///< "C1.A", "C1.C2"
+  bool on_a = true;  ///< of the axis A, else of C
+  std::size_t from = 0, to = 0;
+  double part = 0.0; ///< of the way from one to the other
+  double size = 0.0; ///< from the crack's place [length]
+};
+
+// An end of the front counts as the end of an axis up to this angle from it: a bore or a corner
+// lies askew to the axes.
+constexpr double beside_axis = 0.45; // its sine
+
+// Where a front crosses the ray from the crack's place along `way`, or ends beside it.
+std::optional<AxisEnd> end_on(const std::vector<Vec3>& points, bool closed, const Vec3& place,
+                              const Vec3& way, const Vec3& aside) {
+  const std::size_t n = points.size();
+  const auto off = [&](std::size_t i) { return (points[i] - place).dot(aside); };
+  const auto ahead = [&](std::size_t i) { return (points[i] - place).dot(way) > 0.0; };
+  for (std::size_t i = 0; i + (closed ? 0 : 1) < n; ++i) {
+    const std::size_t k = (i + 1) % n;
+    if (ahead(i) && ahead(k) && (off(i) <= 0.0) != (off(k) <= 0.0)) {
+      const double part = off(i) / (off(i) - off(k));
+      const Vec3 x = (1.0 - part) * points[i] + part * points[k];
+      return AxisEnd{.from = i, .to = k, .part = part, .size = (x - place).norm()};
+    }
+  }
+  std::optional<AxisEnd> nearest;
+  double least = beside_axis;
+  for (const std::size_t i : {std::size_t{0}, n - 1}) {
+    const double size = (points[i] - place).norm();
+    if (!closed && ahead(i) && std::abs(off(i)) < least * size) {
+      least = std::abs(off(i)) / size;
+      nearest = AxisEnd{.from = i, .to = i, .size = size};
+    }
+  }
+  return nearest;
+}
+
+// Both ends of both axes, as far as the front has them.
+std::vector<AxisEnd> ends_of(const model::Crack& crack, const std::vector<Vec3>& points,
+                             bool closed) {
+  const model::CrackPlane& plane = crack.plane;
+  std::vector<AxisEnd> ends;
+  for (const bool on_a : {true, false}) {
+    const Vec3 way = on_a ? plane.across() : plane.along;
+    const Vec3 aside = on_a ? plane.along : plane.across();
+    std::array<std::optional<AxisEnd>, 2> both{end_on(points, closed, plane.place, way, aside),
+                                               end_on(points, closed, plane.place, -way, aside)};
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (both.at(k)) {
+        AxisEnd& end = ends.emplace_back(*both.at(k));
+        end.on_a = on_a;
+        end.tip = fmt::format("{}.{}{}", crack.name, on_a ? "A" : "C",
+                              !(both[0] && both[1]) ? ""
+                              : k == 0              ? "1"
+                                                    : "2");
+      }
+    }
+  }
+  return ends;
+}
+
+// Half-axes: half of what the ends span where both are there; empty cells where there is none.
+std::array<std::string, 2> sizes_of(const std::vector<AxisEnd>& ends) {
+  std::array<std::string, 2> text;
+  for (const bool on_a : {true, false}) {
+    double sum = 0.0;
+    int count = 0;
+    for (const AxisEnd& end : ends) {
+      sum += end.on_a == on_a ? end.size : 0.0;
+      count += end.on_a == on_a ? 1 : 0;
+    }
+    text.at(on_a ? 0 : 1) = count > 0 ? fmt::format("{}", sum / count) : "";
+  }
+  return text;
+}
+
+const model::Crack* crack_of(const model::Model& model, const std::string& front) {
+  const auto found = std::ranges::find_if(model.cracks, [&](const model::Crack& crack) {
+    return front == crack.name || front.starts_with(crack.name + ".");
+  });
+  return found == model.cracks.end() ? nullptr : &*found;
+}
+
+/// One line of the table in space.
+struct SpaceRow {
+  int increment = 0;
+  const AxisEnd& end;
+  const std::array<std::string, 2>& sizes;
+  std::string where, factors;
+  double K1 = 0.0, K2 = 0.0;
+};
+
+std::string line_of(const SpaceRow& row) {
+  return fmt::format("{},{},{},{},{}{},{},{},{}\n", row.increment, row.end.tip, row.sizes[0],
+                     row.sizes[1], row.where, row.factors, row.K1, row.K2,
+                     row.K1 / std::sqrt(std::numbers::pi * row.end.size));
+}
+
+// K as the smooth function along the front: at the surface what goes on from inside.
+std::string front_rows(int increment, const model::Model& model, const results::StepResult& step,
+                       const std::string& factors) {
+  std::string text;
+  for (const results::FrontResult& front : step.fronts) {
+    const model::Crack* crack = crack_of(model, front.name);
+    if (crack == nullptr || crack->kind == model::CrackKind::front || front.points.size() < 2) {
+      continue;
+    }
+    std::vector<Vec3> points;
+    for (const results::FrontPlace& place : front.points) {
+      points.push_back(place.x);
+    }
+    const std::vector<AxisEnd> ends = ends_of(*crack, points, front.closed);
+    const std::array<std::string, 2> sizes = sizes_of(ends);
+    for (const AxisEnd& end : ends) {
+      const auto K = [&](std::size_t mode) {
+        return (1.0 - end.part) * front.points[end.from].smooth.at(mode) +
+               end.part * front.points[end.to].smooth.at(mode);
+      };
+      text += line_of({increment, end, sizes, step.step + ",", factors, K(0), K(1)});
+    }
+  }
+  return text;
+}
+
+std::string path_rows(int increment, const model::Model& model, const results::LoadPath& path,
+                      const std::array<const Factors*, 2>& ways) {
+  std::string text;
+  for (const results::PathFront& front : path.fronts) {
+    const model::Crack* crack = crack_of(model, front.is.name);
+    if (crack == nullptr || crack->kind == model::CrackKind::front || front.points.size() < 2) {
+      continue;
+    }
+    std::vector<Vec3> points;
+    for (const results::PathPoint& point : front.points) {
+      points.push_back(point.is.x);
+    }
+    const std::vector<AxisEnd> ends = ends_of(*crack, points, front.is.closed);
+    const std::array<std::string, 2> sizes = sizes_of(ends);
+    for (const AxisEnd& end : ends) {
+      for (std::size_t k = 0; k < path.t.size(); ++k) {
+        const auto at = [&](std::size_t i, std::size_t mode) {
+          const results::PathPoint& point = front.points[i];
+          return (point.is.at_surface ? point.inner : point.K).at(mode).at_knot(k);
+        };
+        const auto K = [&](std::size_t mode) {
+          return (1.0 - end.part) * at(end.from, mode) + end.part * at(end.to, mode);
+        };
+        text += line_of({increment, end, sizes, fmt::format("{},{}", path.name, path.t[k]),
+                         factor_cells(between(*ways[0], *ways[1], path.t[k])), K(0), K(1)});
+      }
+    }
+  }
+  return text;
+}
+
+} // namespace
+
+void write_beta_csv(const std::filesystem::path& file, const model::Model& model,
+                    const results::Run& run) {
+  if (model.cracks.empty()) {
+    return;
+  }
+  const bool space = model.mesh.dim == 3;
+  std::string text = fmt::format(
+      "# units: a{3} [{0}], K1 K2 [{1}], beta [{2}] = K1/sqrt(pi a){4}, factors and t [1]\n"
+      "increment,tip,a{5},where,t",
+      model.units.length_name, model.units.stress_intensity_name(), model.units.stress_name(),
+      space ? " c" : "", space ? ", of tips C K1/sqrt(pi c)" : "", space ? ",c" : "");
+  for (const model::LoadCase& load_case : model.cases) {
+    text += ",load_" + load_case.name;
+  }
+  for (const model::Contact& contact : model.contacts) {
+    text += ",fit_" + contact.name;
+  }
+  text += ",K1,K2,beta\n";
+  const std::vector<Factors> factors = factors_of_steps(model);
+  for (const results::Increment& increment : run.increments) {
+    for (const results::StepResult& step : increment.steps) {
+      text += front_rows(increment.number, model, step,
+                         factor_cells(factors[step_index(model, step.step)]));
+      for (const results::TipResult& tip : step.tips) {
+        if (!tip.two_materials) {
+          text += fmt::format("{},{},{},{},{}", increment.number, tip.name, tip.a, step.step, "") +
+                  factor_cells(factors[step_index(model, step.step)]) +
+                  k_cells(tip.a, tip.K1, tip.K2);
+        }
+      }
+    }
+    for (const results::LoadPath& path : increment.paths) {
+      text +=
+          path_rows(increment.number, model, path,
+                    {&factors[step_index(model, path.from)], &factors[step_index(model, path.to)]});
+      for (const results::PathTip& tip : path.tips) {
+        for (std::size_t k = 0; k < path.t.size(); ++k) {
+          text += fmt::format("{},{},{},{},{}", increment.number, tip.name, tip.a, path.name,
+                              path.t[k]) +
+                  factor_cells(between(factors[step_index(model, path.from)],
+                                       factors[step_index(model, path.to)], path.t[k])) +
+                  k_cells(tip.a, tip.K1.at_knot(k), tip.K2.at_knot(k));
+        }
+      }
+    }
+  }
+  write_file(file, text);
+}
+
+} // namespace spricka::report
