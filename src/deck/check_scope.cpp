@@ -49,8 +49,13 @@ void solid_growth_in_reach(Context& c) {
   const auto no = [&](const char* what) {
     c.unavailable(fmt::format("$GROW {} with a crack in space", what), growth.span);
   };
-  if (growth.law == model::GrowthLaw::increment) {
-    no("LAW=INCREMENT");
+  for (std::size_t i = 0; i < c.model.cracks.size(); ++i) {
+    const bool grows = growth.cracks.empty() ||
+                       std::ranges::find(growth.cracks, base::CrackId(i)) != growth.cracks.end();
+    if (growth.law == model::GrowthLaw::increment && grows &&
+        c.model.cracks[i].kind != model::CrackKind::ellipse) {
+      c.unavailable("$GROW LAW=INCREMENT with a crack in space that is no ellipse", growth.span);
+    }
   }
   if (growth.direction != model::GrowthDirection::path) {
     no("DIRECTION other than PATH");

@@ -48,6 +48,20 @@ void compare_extremes(const model::Model& model, results::Run& run) {
   }
 }
 
+// The cracks of one increment; empty, with errors: they do not fit.
+std::optional<growth::CrackState> cracks_of(const model::Model& model, double a,
+                                            base::Diagnostics& diagnostics) {
+  auto lines = growth::crack_lines(model, a, diagnostics);
+  if (!lines) {
+    return std::nullopt;
+  }
+  growth::CrackState cracks{.lines = std::move(*lines)};
+  if (model.mesh.dim == 3 && a > 0.0) {
+    cracks.solids = growth::cracks_of_size(model, a);
+  }
+  return cracks;
+}
+
 // The lengths of the deck, one after another.
 bool solve_lengths(const model::Model& model, const SolveOptions& options,
                    base::Diagnostics& diagnostics, base::Trouble& trouble, results::Run& run) {
@@ -72,13 +86,12 @@ bool solve_lengths(const model::Model& model, const SolveOptions& options,
       return false;
     }
     const IncrementMark mark(run.log);
-    std::optional<std::vector<mesh::CrackLine>> lines =
-        growth::crack_lines(model, lengths[i], diagnostics);
-    if (!lines) {
+    std::optional<growth::CrackState> cracks = cracks_of(model, lengths[i], diagnostics);
+    if (!cracks) {
       return false;
     }
     std::optional<results::Increment> increment =
-        solver.solve({{.lines = std::move(*lines)}, lengths[i], pictured}, plan);
+        solver.solve({std::move(*cracks), lengths[i], pictured}, plan);
     if (!increment) {
       return false;
     }

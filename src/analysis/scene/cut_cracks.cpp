@@ -133,8 +133,8 @@ RegionPlan plan_region(const model::Model& model, const std::vector<double>& len
                        base::Diagnostics& diagnostics) {
   RegionPlan plan;
   plan.region.assign(model.mesh.element_count(), false);
-  // One length alone has nothing to keep for another.
-  plan.split = lengths.size() > 1 && !model.cracks.empty();
+  // One length alone has nothing to keep for another; bodies of solids stay whole.
+  plan.split = lengths.size() > 1 && !model.cracks.empty() && model.mesh.dim == 2;
   if (!plan.split) {
     return plan;
   }

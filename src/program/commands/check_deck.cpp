@@ -92,8 +92,14 @@ public:
     analysis::CondensationCache cache; // stays empty: nothing is condensed
     for (std::size_t i = 0; i < lengths.size(); ++i) {
       const base::Stopwatch watch;
+      std::optional<model::Model> sized; // in space
+      if (model_.mesh.dim == 3 && lengths[i] > 0.0) {
+        sized.emplace(model_);
+        sized->cracks = growth::cracks_of_size(model_, lengths[i]);
+      }
       const std::unique_ptr<analysis::Length> length = analysis::Length::make(
-          {.model = model_, .cache = cache, .threads = threads_}, lengths[i], plan, diagnostics);
+          {.model = sized ? *sized : model_, .cache = cache, .threads = threads_}, lengths[i], plan,
+          diagnostics);
       if (!length) {
         return;
       }

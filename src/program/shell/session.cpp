@@ -69,6 +69,10 @@ void begin_growth(model::Model& model) {
   if (!model.growth || model.growth->lengths.empty()) {
     return;
   }
+  if (model.mesh.dim == 3) {
+    model.cracks = growth::cracks_of_size(model, model.growth->lengths.front());
+    return;
+  }
   const std::vector<base::CrackId>& grow = model.growth->cracks;
   for (std::size_t c = 0; c < model.cracks.size(); ++c) {
     if (grow.empty() || std::ranges::find(grow, base::CrackId(c)) != grow.end()) {
