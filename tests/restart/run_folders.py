@@ -11,6 +11,25 @@ from program import CRACKED, PROGRAM, TOP, ProgramTest, environment, main  # noq
 
 KEEP = "$RESTART WRITE='state.rst'\n"
 
+# A corner crack in a plate of solids goes through the far face: as the front takes its shape, and held
+# to an ellipse.
+CORNER = """$DECK VERSION=1 LENGTH=mm FORCE=N
+$MESH SHAPE=BLOCK TYPE=TET10 X0=0 Y0=0 Z0=-8 LX=8 LY=2 LZ=16 NX=4 NY=1 NZ=8
+$MATERIAL NAME=M E=70000 NU=0.3
+$PROPERTY ESET=BODY MATERIAL=M STATE=SOLID
+$FREEDOM CLASS=SUPPRESSED DOF=XYZ
+  ZMIN
+$CRACK NAME=C1 A=1.5 C=1.5 X0=0 Y0=0 Z0=0 NORMAL=Z
+$LOAD CASE=PULL TYPE=TRACTION
+  ZMAX  0 0 100
+$STEP NAME=FULL
+  LOAD PULL 1
+$STEP NAME=ZERO
+  LOAD PULL 0
+$GROW LAW=PARIS SHAPE={shape} KMAX=FULL KMIN=ZERO C=1e-12 M=3 KUNIT='MPa*mm^0.5' AUNIT='mm' CYCLES={cycles}
+$END
+"""
+
 
 def press_fit(contact, interference, rings, sectors, more=""):
     """A pin pressed into a ring, elements along the ring's radius and round it."""

@@ -3,7 +3,7 @@
 constant load and spectra, K to a tolerance, slip carried from length to length; and further than it
 was asked to at first."""
 
-from run_folders import RestartTest, keeping, main
+from run_folders import CORNER, RestartTest, keeping, main
 
 PLATE = """$DECK VERSION=1 LENGTH=MM FORCE=N TITLE='Growth'
 $MESH SHAPE=BLOCK TYPE=QUAMC8 LX=20 LY=40 NX=8 NY=16
@@ -62,25 +62,6 @@ $STEP NAME=OPEN
 $STEP NAME=SHUT
   LOAD INSIDE 0
 $GROW LAW=PARIS KMAX=OPEN KMIN=SHUT C=1e-11 M=3 KUNIT='MPa*mm^0.5' AUNIT='mm' AMAX=4 HISTORY=CONTINUE
-$END
-"""
-
-# A corner crack in a plate of solids goes through the far face: as the front takes its shape, and held
-# to an ellipse.
-CORNER = """$DECK VERSION=1 LENGTH=mm FORCE=N
-$MESH SHAPE=BLOCK TYPE=TET10 X0=0 Y0=0 Z0=-8 LX=8 LY=2 LZ=16 NX=4 NY=1 NZ=8
-$MATERIAL NAME=M E=70000 NU=0.3
-$PROPERTY ESET=BODY MATERIAL=M STATE=SOLID
-$FREEDOM CLASS=SUPPRESSED DOF=XYZ
-  ZMIN
-$CRACK NAME=C1 A=1.5 C=1.5 X0=0 Y0=0 Z0=0 NORMAL=Z
-$LOAD CASE=PULL TYPE=TRACTION
-  ZMAX  0 0 100
-$STEP NAME=FULL
-  LOAD PULL 1
-$STEP NAME=ZERO
-  LOAD PULL 0
-$GROW LAW=PARIS SHAPE={shape} KMAX=FULL KMIN=ZERO C=1e-12 M=3 KUNIT='MPa*mm^0.5' AUNIT='mm' CYCLES={cycles}
 $END
 """
 

@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A growth of the lug that is killed at any moment goes on to the same bits."""
+"""A growth that is killed at any moment goes on to the same bits: the lug's, and fronts in space that go
+through a surface."""
 
 import os
 import random
 import shutil
 import time
 
-from run_folders import TOP, RestartTest, main
+from run_folders import CORNER, TOP, RestartTest, keeping, main
 
 KILLS = 100 if os.environ.get("SPRICKA_FULL") else 10
+KILLS_IN_SPACE = 15 if os.environ.get("SPRICKA_FULL") else 2  # of each shape
 SEED = 20261
 
 
@@ -21,15 +23,23 @@ class Kill(RestartTest):
         return self.deck(text.replace("$CHECK", "$RESTART WRITE='lug.rst'\n$CHECK", 1), "lug.deck")
 
     def test_same_bits_after_a_kill(self):
-        deck = self.lug()
+        self.check(self.lug(), "lug.rst", KILLS)
+
+    def test_same_bits_in_space(self):
+        for shape in ("FREE", "ELLIPSE"):
+            with self.subTest(shape):
+                deck = self.deck(keeping(CORNER.format(shape=shape, cycles=60000)), f"{shape}.deck")
+                self.check(deck, "state.rst", KILLS_IN_SPACE)
+
+    def check(self, deck, kept, kills):
         begin = time.monotonic()
         self.expect(0, "run", deck, "--out", "whole.run", "--quiet")
         whole = time.monotonic() - begin
         dice = random.Random(SEED)
         gone_on = 0
-        for attempt in range(KILLS):
+        for attempt in range(kills):
             for name in os.listdir(self.folder):
-                if name.startswith("lug.rst"):
+                if name.startswith(kept):
                     path = self.folder / name
                     shutil.rmtree(path) if path.is_dir() else path.unlink()
             for _ in range(1 + attempt % 2):  # some die twice
@@ -37,7 +47,7 @@ class Kill(RestartTest):
                 time.sleep(dice.uniform(0.0, whole))
                 child.kill()
                 child.communicate()
-            gone_on += (self.folder / "lug.rst").exists()
+            gone_on += (self.folder / kept).exists()
             self.expect(0, "run", deck, "--out", "killed.run", "--quiet", "--restart")
             self.same_folders(self.folder / "whole.run", self.folder / "killed.run")
         self.assertGreater(gone_on, 0, "no kill left a state: nothing was tested")
