@@ -236,7 +236,8 @@ constexpr std::array texts{
     CardText{
         "GROW",
         "All steps are run for every crack length. With LAW=INCREMENT the data lines are the "
-        "lengths; in space semi-axes A of ellipses, C in its ratio to A. KMAX and KMIN name the steps whose K is the largest and the smallest of a "
+        "lengths; in space semi-axes A of ellipses, C in its ratio to A. KMAX and KMIN name the "
+        "steps whose K is the largest and the smallest of a "
         "load cycle. By a law the program chooses the lengths itself, so that the cycles are "
         "right to TOL, and ends at AMAX, CYCLES, KC, the ligament's plastic limit (SFLOW), an "
         "edge, another crack, or where nothing grows any more. With friction the loads are "

@@ -103,7 +103,8 @@ template <shape::ElementShape S> struct ThermalStress {
 
 /// A temperature field(x) as an element takes it: constant in linear elements, linear in the
 /// reference coordinates of quadratic ones, and in x where plane ones do not hold quadratic
-/// functions, in solids by HeatFunctions; the nearest to the field at the points of a rule. Compiled in thermal_kernel_project.cpp.
+/// functions, in solids by HeatFunctions; the nearest to the field at the points of a rule.
+/// Compiled in thermal_kernel_project.cpp.
 template <shape::ElementShape S>
 using Temperature = std::function<double(const Eigen::Matrix<double, S::dim, 1>& x)>;
 template <shape::ElementShape S>

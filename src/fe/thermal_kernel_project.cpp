@@ -9,8 +9,8 @@ namespace {
 
 template <shape::ElementShape S> using Rule = std::span<const shape::QuadraturePoint<S::dim>>;
 
-// Corner values of the function in the span of f(x, functions of the corners) that comes nearest to a
-// temperature field(x) at the points of a rule.
+// Corner values of the function in the span of f(x, functions of the corners) that comes nearest to
+// a temperature field(x) at the points of a rule.
 template <shape::ElementShape S, int terms, class Functions>
 CornerValues<S> nearest_temperature(const NodeVectors<S>& X, const Law& law, const Rule<S>& rule,
                                     const Temperature<S>& field, const Functions& functions) {
