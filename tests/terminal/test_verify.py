@@ -63,7 +63,7 @@ class Verify(ProgramTest):
         missed = self.verify(1, "all")
         self.assertIn("FAILED good", missed.stdout)
         self.assertIn("missed now: 1", missed.stdout)
-        self.decks(broken="$DECK VERSION=1\n$MESCH SHAPE=BLOCK\n$END\n")
+        self.decks(broken="$DECK VERSION=1 LENGTH=MM FORCE=N\n$MESCH SHAPE=BLOCK\n$END\n")
         broken = self.verify(3, "broken", "good")
         self.assertIn("$MESCH", broken.stdout)
 
@@ -97,7 +97,7 @@ class Verify(ProgramTest):
         self.verify(0)
 
     def test_sweeps_are_rows_by_point(self):
-        self.decks(sweep=plate(GOOD.format("s/10") + "$SWEEP PARAMETER=s\n  1 2\n").replace(
+        self.decks(sweep=plate(GOOD.format("(s/10)") + "$SWEEP PARAMETER=s\n  1 2\n").replace(
             "$MESH", "$PARAMETER\n  s = 1\n$MESH", 1))
         self.verify(0, "all")
         table = rows(self.folder / "verification/verification.csv")
@@ -111,7 +111,9 @@ class Verify(ProgramTest):
                 [PROGRAM, "verify", "all", "--decks", "decks", "--jobs", "2"],
                 cwd=self.folder, env=environment(), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
             )
-            time.sleep(0.5)
+            while not list(self.folder.glob("verification/runs.*/*.part")):  # until decks run
+                self.assertIsNone(child.poll())
+                time.sleep(0.02)
             child.send_signal(stop)
             _, said = child.communicate(timeout=60)
             self.assertEqual(child.returncode, 128 + stop)
@@ -132,7 +134,8 @@ class Problems(unittest.TestCase):
         known = subprocess.run(["ctest", "--test-dir", BUILD, "-N"], capture_output=True, text=True, check=True).stdout
         for row in rows(TOP / "decks/problems.csv"):
             for name in row["tests"].split():
-                self.assertIn(f": {name}", known, f"{row['problem']}: there is no test {name}")
+                if f"test_{name.partition('.')[0]}_NOT_BUILT" not in known:
+                    self.assertTrue(f": {name}" in known, f"{row['problem']}: there is no test {name}")
 
 
 if __name__ == "__main__":

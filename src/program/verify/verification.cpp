@@ -57,7 +57,7 @@ VerificationCounts count(const Verification& verification) {
       ++counts.with_reference;
     } else if (counts.recorded > recorded) {
       ++counts.recorded_only;
-    } else {
+    } else if (!deck.failed()) {
       ++counts.unchecked;
     }
     counts.failed += deck.failed() ? 1 : 0;

@@ -51,7 +51,7 @@ struct VerificationCounts {
   std::size_t recorded = 0, recorded_missed = 0;
   std::size_t with_reference = 0;        ///< decks
   std::size_t recorded_only = 0;         ///< decks
-  std::size_t unchecked = 0;             ///< decks without a check
+  std::size_t unchecked = 0;             ///< decks without a check that end with 0
   std::size_t failed = 0;                ///< decks that have not ended with 0
   std::size_t bars = 0, within_bars = 0; ///< of checks with a reference, and an error bar
   double cpu = 0.0;                      ///< [s]
