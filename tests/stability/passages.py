@@ -12,7 +12,8 @@ import sys
 from program import Run, numbers
 from random_growth import Case
 
-ALLOWED = 0.01
+ALLOWED = 0.01  # of the mean along the front
+SCATTER = 0.02  # of single points: two meshes
 
 
 def numbered(number, place, **more):
@@ -47,7 +48,7 @@ def smooth_K(rows):
 
 
 def compare(program, case):
-    """Largest difference of K inside the body, over the mean; and how many stations lie behind the passage."""
+    """Differences of K inside the body over its mean: of the mean along the front, and the largest."""
     grown = case.text().replace("TOL=0.1", f"TOL=0.1 AMAX={2.2 * case.a:.4g}")
     run = Run(program, grown)
     if run.code != 0:
@@ -60,14 +61,15 @@ def compare(program, case):
         raise ValueError(f"the front drawn anew, exit {again.code}: {again.messages}")
     other = smooth_K(numbers(again.out / "k.csv"))
     mean = sum(p[3] for p in front) / len(front)
-    most = 0.0
+    most = total = 0.0
     for x, y, z, K in front[1:-1]:
         # linear between the two points of the other front that are nearest
         near = sorted(other, key=lambda p: (p[0] - x)**2 + (p[1] - y)**2 + (p[2] - z)**2)[:2]
         ways = [((p[0] - x)**2 + (p[1] - y)**2 + (p[2] - z)**2)**0.5 for p in near]
         part = ways[0] / (ways[0] + ways[1]) if sum(ways) > 0 else 0.0
-        most = max(most, abs(K - (1 - part) * near[0][3] - part * near[1][3]) / mean)
-    return most
+        off = (K - (1 - part) * near[0][3] - part * near[1][3]) / mean
+        most, total = max(most, abs(off)), total + off
+    return abs(total) / (len(front) - 2), most
 
 
 def main():
@@ -75,10 +77,10 @@ def main():
     full = "--full" in sys.argv or os.environ.get("SPRICKA_FULL")
     wrong = 0
     for name in ("plate", "bore") if full else ("plate",):
-        most = compare(program, CASES[name])
-        print(f"{name}: K of the through crack differs by {100 * most:.2f} % from that of a model that begins with it",
-              flush=True)
-        wrong += most > ALLOWED
+        mean, most = compare(program, CASES[name])
+        print(f"{name}: K of the through crack differs by {100 * mean:.2f} % in the mean, {100 * most:.2f} % at most, from "
+              "that of a model that begins with it", flush=True)
+        wrong += mean > ALLOWED or most > SCATTER
     return 1 if wrong else 0
 
 
