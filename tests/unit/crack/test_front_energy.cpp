@@ -114,17 +114,13 @@ private:
     const fe::NodeVectors<S> U = fe::gather<S>(mesh, e, u);
     const fe::Elasticity<3> D = fe::elasticity<3>(tube_.model.materials[0], model::State::solid);
     const double beta = fe::heat_modulus(fe::law_of(tube_.model, mesh, e));
-    fe::CornerValues<S> T;
-    for (Eigen::Index c = 0; c < T.size(); ++c) {
-      T[c] = acting_.heat ? linear_temperature(X.col(c)) : 0.0;
-    }
     double sum = 0.0;
     for (const auto& point : shape::quadrature<S>(crack::front_degree)) {
       const fe::Jacobian<S> at = fe::jacobian<S>(X, point.r);
       const crack::Tensor<3> H = U * at.dNdx;
       const Eigen::Matrix<double, S::nodes, 1> N = S::N(point.r);
-      double density = 0.5 * crack::stress_of<3>(D, H).cwiseProduct(H).sum() -
-                       beta * T.dot(fe::Linear<S>::N(point.r)) * H.trace();
+      const double T = acting_.heat ? linear_temperature(X * N) : 0.0;
+      double density = 0.5 * crack::stress_of<3>(D, H).cwiseProduct(H).sum() - beta * T * H.trace();
       if (acting_.body) {
         density -= fe::load_value(body_, X * N).dot(U * N);
       }
