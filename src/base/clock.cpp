@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/clock.hpp"
 
+#include <chrono>
 #include <ctime>
 #include <fstream>
+#include <string>
+
 #include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -13,6 +16,10 @@ double cpu_seconds() {
   timespec t{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+double moment() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 void return_large_blocks() {
@@ -28,7 +35,22 @@ void return_free_memory() {
   }
 }
 
+std::optional<std::size_t> peak_memory_of(const std::string& process) {
+  std::ifstream status("/proc/" + process + "/status");
+  for (std::string word; status >> word;) {
+    if (std::size_t kibibytes = 0; word == "VmHWM:" && status >> kibibytes) {
+      return kibibytes * 1024;
+    }
+  }
+  return std::nullopt;
+}
+
 std::size_t peak_memory() {
+  if (const std::optional<std::size_t> own = peak_memory_of("self")) {
+    return *own;
+  }
+  // Without /proc. It knows no less than the peak of the parent: a process that vfork or
+  // posix_spawn made has run in the memory of that one until it became a program of its own.
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<std::size_t>(usage.ru_maxrss) * 1024; // Linux counts KiB

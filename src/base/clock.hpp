@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include <chrono>
 #include <cstddef>
+#include <optional>
+#include <string>
 
 namespace spricka::base {
 
@@ -16,23 +17,31 @@ void return_large_blocks();
 /// blocks (meshing).
 void return_free_memory();
 
-/// Largest resident set of the process so far [bytes].
+/// Largest resident set of the process so far [bytes]: of what it is itself, without the peak of
+/// the process that started it.
 std::size_t peak_memory();
+
+/// The same of another process, by its number, or of this one, "self"; empty where the system does
+/// not tell: it may have ended.
+std::optional<std::size_t> peak_memory_of(const std::string& process);
 
 /// Resident set of the process now [bytes]; 0 where the system does not tell.
 std::size_t resident_memory();
+
+/// The steady clock [s]; its origin is the same throughout the process.
+double moment();
 
 /// Measures a stretch of the run; both times start at construction.
 class Stopwatch {
 public:
   [[nodiscard]] double cpu() const { return cpu_seconds() - cpu_; }
-  [[nodiscard]] double wall() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_).count();
-  }
+  [[nodiscard]] double wall() const { return moment() - begun_; }
+  /// When it was started, as moment() has it [s].
+  [[nodiscard]] double begun() const { return begun_; }
 
 private:
   double cpu_ = cpu_seconds();
-  std::chrono::steady_clock::time_point wall_ = std::chrono::steady_clock::now();
+  double begun_ = moment();
 };
 
 } // namespace spricka::base

@@ -10,7 +10,6 @@
 #include <chrono>
 #include <csignal>
 #include <ctime>
-#include <fstream>
 #include <system_error>
 
 #include <fcntl.h>
@@ -85,17 +84,6 @@ double cpu_of(pid_t pid) {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// The largest resident set of a process so far [bytes]; 0: not told, it has ended.
-std::size_t peak_of(pid_t pid) {
-  std::ifstream status(fmt::format("/proc/{}/status", pid));
-  for (std::string word; status >> word;) {
-    if (std::size_t kibibytes = 0; word == "VmHWM:" && status >> kibibytes) {
-      return kibibytes * 1024;
-    }
-  }
-  return 0;
-}
-
 /// Listens to a process while it runs.
 struct Listener {
   pid_t pid;
@@ -116,7 +104,7 @@ struct Listener {
       if (poll(&end, 1, look_again) > 0 && !take_said(words, said)) {
         return false;
       }
-      peak = std::max(peak, peak_of(pid));
+      peak = std::max(peak, base::peak_memory_of(std::to_string(pid)).value_or(0));
     }
   }
 };
