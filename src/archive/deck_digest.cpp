@@ -89,6 +89,22 @@ std::string deck_digest(const base::Sources& sources, const model::Model& model,
   return fmt::format("{:016x}{:016x}", high, low);
 }
 
+std::uintmax_t bytes_of_deck(const base::Sources& sources, const model::Model& model) {
+  std::uintmax_t bytes = 0;
+  for (std::int32_t f = 0; f < static_cast<std::int32_t>(sources.count()); ++f) {
+    bytes += sources.name(f).starts_with("-D ") ? 0 : sources.text(f).size();
+  }
+  std::vector<fs::path> seen;
+  std::vector<std::string> texts;
+  for (const std::string& file : model.imported_files) {
+    add_texts(file, seen, texts);
+  }
+  for (const std::string& text : texts) {
+    bytes += text.size();
+  }
+  return bytes;
+}
+
 std::string texts_of_import(const std::string& file) {
   std::vector<fs::path> seen;
   std::vector<std::string> texts;

@@ -3,6 +3,7 @@
 #include "base/source.hpp"
 #include "model/forward.hpp"
 
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +16,9 @@ namespace spricka::archive {
 /// written makes no difference.
 std::string deck_digest(const base::Sources& sources, const model::Model& model,
                         const std::vector<std::pair<std::string, double>>& sweep_values);
+
+/// How much of deck, includes and the files of deck_digest() there is to be read [bytes].
+std::uintmax_t bytes_of_deck(const base::Sources& sources, const model::Model& model);
 
 /// The text of a file that a card brings in, and those that a .geo names between quotes; empty
 /// where there is none.

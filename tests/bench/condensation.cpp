@@ -3,13 +3,13 @@
 // against analysis and numeric phase of one plain factorisation of the whole model, in one run.
 // Usage: bench_condensation DECK [REPEATS]
 #include "analysis/bodies/condense_bodies.hpp"
+#include "analysis/bodies/whole_stiffness.hpp"
 #include "analysis/scene/make_scene.hpp"
 #include "base/diagnostics.hpp"
 #include "base/messages.hpp"
 #include "deck/read_deck.hpp"
 #include "growth/crack_lines.hpp"
 #include "solve/rate.hpp"
-#include "whole_stiffness.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -60,7 +60,7 @@ int main(int argc, char** argv) {
   for (int i = 0; i < (argc > 2 ? std::atoi(argv[2]) : 7); ++i) {
     const analysis::CondenseLog log = condense(*model, *scene);
     const solve::FactorReport report =
-        solve::Condensation(bench::whole_stiffness(*model, *scene), 0).report();
+        solve::Condensation(analysis::whole_stiffness(*model, *scene), 0).report();
     nets = i == 0 || total(log) < total(nets) ? log : nets;
     plain = i == 0 || total(report) < total(plain) ? report : plain;
   }

@@ -2,17 +2,16 @@
 // The floor: plain assemble, factorise, solve of a cracked lug, all bodies in one matrix and no
 // contact, by the same elements and CHOLMOD: called plainly, and with this program's ordering.
 // Prints one line. Usage: bench_plain_lug DECK FINE COUNT
+#include "analysis/bodies/whole_stiffness.hpp"
 #include "analysis/scene/make_scene.hpp"
 #include "base/clock.hpp"
 #include "base/diagnostics.hpp"
 #include "base/messages.hpp"
 #include "deck/read_deck.hpp"
-#include "fe/assemble.hpp"
 #include "growth/crack_lines.hpp"
 #include "model/model.hpp"
 #include "solve/cholmod_session.hpp"
 #include "solve/condense.hpp"
-#include "whole_stiffness.hpp"
 
 #include <array>
 #include <cstdio>
@@ -52,7 +51,7 @@ double by_cholmod(base::SymmetricCsc K, bool metis) {
 
 double once(const model::Model& model, const analysis::Scene& scene, Way& way) {
   const base::Stopwatch watch;
-  base::SymmetricCsc K = bench::whole_stiffness(model, scene);
+  base::SymmetricCsc K = analysis::whole_stiffness(model, scene);
   const auto n = static_cast<Eigen::Index>(K.n);
   double first = 0.0;
   if (way.own) {
@@ -86,7 +85,7 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "{}", base::format(sources, diagnostics));
     return 3;
   }
-  const std::int64_t equations = bench::whole_stiffness(*model, *scene).n;
+  const std::int64_t equations = analysis::whole_stiffness(*model, *scene).n;
   std::array<Way, 4> ways{{{false, true}, {false, false}, {true, true}, {true, false}}};
   double sum = 0.0;
   for (int i = 0; i < std::atoi(argv[3]); ++i) {

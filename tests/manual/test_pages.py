@@ -20,7 +20,7 @@ ONLY = sys.argv[2:]
 
 # Pages whose commands are run, block by block, each page in a folder of its own.
 RUN = ["quickstart.md", "first_deck.md", "tutorial.md", "command_line.md", "restart.md", "sweeps.md",
-       "results_file.md", "check.md", "shell.md"]
+       "results_file.md", "check.md", "shell.md", "profile.md"]
 RUN += sorted(f"howto/{p.name}" for p in (MANUAL / "howto").glob("*.md"))
 # Of those the ones whose blocks all say what they are; on the others only marked ones count.
 STRICT = [p for p in RUN if p in ("quickstart.md", "first_deck.md", "tutorial.md") or p.startswith("howto/")]

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/bodies/condense_bodies.hpp"
 
+#include "analysis/bodies/net_work.hpp"
 #include "base/clock.hpp"
 #include "base/parallel.hpp"
+#include "solve/factor_checks.hpp"
 
 #include <algorithm>
 #include <set>
 #include <span>
+#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
@@ -27,11 +30,12 @@ base::Matrix rows_of(const base::Matrix& nodal, const std::vector<std::int32_t>&
 
 struct Task {
   Net* net = nullptr;
+  results::NetWork work;
   std::vector<fe::Superelement> supers;
   HashKey key;
   bool layered = false; ///< its externals may stay a factor
   std::shared_ptr<const solve::EarlyRows> early;
-  double stiffness_cpu = 0.0;
+  double stiffness_wall = 0.0; ///< [s]
 };
 
 // Factorises the nets that the cache does not have; tasks write to their own slots only.
@@ -42,14 +46,19 @@ void factorise(const CondenseRequest& request, std::vector<Task>& tasks, Condens
     const auto known = cache.nets.find(task.key);
     if (known != cache.nets.end()) {
       task.net->factor = known->second;
+      task.work.reused = true;
       ++log.reused;
     } else {
       missing.push_back(&task);
     }
   }
+  const std::thread::id main_thread = std::this_thread::get_id();
   base::parallel_for(missing.size(), request.threads, [&](std::size_t i) {
     Task& task = *missing[i];
     const base::Stopwatch watch;
+    const double cpu = solve::thread_cpu();
+    task.work.beside = std::this_thread::get_id() != main_thread;
+    task.work.begin = watch.begun();
     const fe::DofMap& map = task.net->map;
     std::vector<solve::DenseBlock> blocks;
     for (const fe::Superelement& super : task.supers) {
@@ -59,17 +68,20 @@ void factorise(const CondenseRequest& request, std::vector<Task>& tasks, Condens
     base::SymmetricCsc K =
         fe::assemble_stiffness(request.model, request.mesh, task.net->elements,
                                stacked ? std::span<const fe::Superelement>() : task.supers, map);
-    task.stiffness_cpu = watch.wall();
+    task.stiffness_wall = watch.wall();
+    task.work.stiffness_cpu = solve::thread_cpu() - cpu;
+    task.work.assembled = base::moment();
     task.net->factor =
         stacked ? std::make_shared<solve::Condensation>(K, map.externals(), blocks,
                                                         task.layered ? &task.early : nullptr)
                 : std::make_shared<solve::Condensation>(std::move(K), map.externals(),
                                                         solve::Ordering::automatic,
                                                         contact_bytes(request.rows));
+    task.work.end = base::moment();
   });
   for (const Task* task : missing) {
     const solve::FactorReport& report = task->net->factor->report();
-    log.stiffness_cpu += task->stiffness_cpu;
+    log.stiffness_cpu += task->stiffness_wall;
     log.analysis_cpu += report.analysis_cpu;
     log.numeric_cpu += report.numeric_cpu;
     log.flops += report.flops;
@@ -77,6 +89,10 @@ void factorise(const CondenseRequest& request, std::vector<Task>& tasks, Condens
     if (report.status == solve::FactorStatus::ok) {
       cache.nets.emplace(task->key, task->net->factor);
     }
+  }
+  for (Task& task : tasks) {
+    add_figures(task.net->map, task.net->factor->report(), task.work);
+    log.nets.push_back(std::move(task.work));
   }
 }
 
@@ -214,11 +230,14 @@ std::vector<BodyNet> condense_bodies(const CondenseRequest& request, Condensatio
       Task& part = parts.emplace_back();
       part.net = bodies[b].parts[p].get();
       part.key = keys[b].parts[p];
+      part.work.name = part_name(request.model, request.mesh, bodies[b].name,
+                                 {part.net->elements, bodies[b].region.elements});
     }
     Task& region = regions.emplace_back();
     region.net = &bodies[b].region;
     region.key = keys[b].region;
     region.layered = may_stay_factor(bodies[b]);
+    region.work.name = bodies[b].name + (bodies[b].parts.empty() ? "" : ": region");
   }
   forget_unused(parts, regions, cache);
 

@@ -5,6 +5,7 @@
 #include "fe/assemble.hpp"
 #include "fe/dof_map.hpp"
 #include "model/forward.hpp"
+#include "results/run_profile.hpp"
 #include "solve/condense.hpp"
 
 #include <map>
@@ -68,7 +69,8 @@ struct CondenseLog {
   double stiffness_cpu = 0.0;
   double flops = 0.0;
   int condensed = 0, reused = 0;
-  base::Trouble trouble; ///< a singular local block, named, or too little memory
+  std::vector<results::NetWork> nets; ///< what each took, parts before the regions that they are in
+  base::Trouble trouble;              ///< a singular local block, named, or too little memory
 };
 
 /// Whether bodies are condensed to the freedoms that rows weigh, or the rows are eliminated with

@@ -8,6 +8,7 @@
 #include "analysis/lengths/length_solver.hpp"
 #include "analysis/lengths/log_writer.hpp"
 #include "analysis/lengths/pictured_steps.hpp"
+#include "analysis/lengths/recorder.hpp"
 #include "analysis/lengths/resume.hpp"
 #include "analysis/lengths/scaled_lives.hpp"
 #include "analysis/lengths/shown_results.hpp"
@@ -71,12 +72,9 @@ public:
       }
       // Mistakes of a state that is tried count only if it is the first.
       trial_ = {};
-      const std::optional<growth::CrackState> next = march.next(trial_);
+      const std::optional<growth::CrackState> next = next_state(march, region);
       if (march.end()) {
         break;
-      }
-      if (next && next->solids.empty()) { // bodies of solids stay whole
-        region.look(next->lines, march, run_.log);
       }
       if (!(next && station(*next, region, march))) {
         // Nothing shorter than the first state could be tried: what is wrong with it is the deck's.
@@ -120,6 +118,8 @@ private:
 
   // Stations of an earlier run; the state behind the last of them.
   std::optional<results::NamedArrays> take_over_kept() {
+    const Recorded stretch(options_.checkpoint != nullptr ? options_.recorder : nullptr, "RESTART",
+                           "stations of an earlier run");
     std::optional<results::NamedArrays> state;
     for (int number = 1;; ++number) {
       std::optional<archive::KeptIncrement> kept =
@@ -156,9 +156,20 @@ private:
     return number == 1 ? pictured_steps(model_, false) : on_the_way_;
   }
 
+  // Where to solve next; empty: no state can be made there.
+  std::optional<growth::CrackState> next_state(growth::March& march, GrowthRegion& region) {
+    const Recorded stretch(options_.recorder, "GROW", "where to solve next");
+    std::optional<growth::CrackState> next = march.next(trial_);
+    if (next && next->solids.empty() && !march.end()) { // bodies of solids stay whole
+      region.look(next->lines, march, run_.log);
+    }
+    return next;
+  }
+
   // Solves, measures, and lets the march judge; false: not solvable there.
   bool station(const growth::CrackState& cracks, GrowthRegion& region, growth::March& march) {
     const bool first = march.state().stations.empty();
+    RecordedLength length(options_.recorder);
     std::optional<results::Increment> increment =
         solver_.solve({cracks, 0.0, first ? pictured_steps(model_, false) : on_the_way_,
                        first || wants_bars(model_)},
@@ -166,6 +177,8 @@ private:
     if (!increment) {
       return false;
     }
+    length.solved(increment->a);
+    const Recorded stretch(options_.recorder, "GROW", "station measured, judged and kept");
     region.tell_cost(run_.log);
     LogWriter log(run_.log);
     std::optional<std::vector<growth::TipStation>> found = measure_.measure(
@@ -192,6 +205,7 @@ private:
     }
     // Only a state that counts hands its slips and mountings on.
     solver_.carry_on();
+    length.counts();
     increment->number = static_cast<int>(run_.increments.size()) + 1;
     run_.increments.push_back(std::move(*increment));
     const growth::Station& here = march.state().stations.back();
@@ -222,6 +236,7 @@ private:
   }
 
   void finish(const growth::March& march) {
+    const Recorded stretch(options_.recorder, "GROW", "lives");
     results::Increment& last = run_.increments.back();
     const std::vector<bool> pictured = pictured_steps(model_, true);
     for (std::size_t s = 0; s < last.steps.size(); ++s) {

@@ -82,7 +82,7 @@ LengthParts LengthSolver::parts() {
 
 std::optional<results::Increment> LengthSolver::solve(const LengthRequest& request,
                                                       const RegionPlan& plan) {
-  LogWriter log(log_);
+  LogWriter log(log_, options_.recorder);
   const double a = request.a;
   if (!request.cracks.solids.empty()) {
     if (!grown_) {
@@ -137,12 +137,15 @@ std::optional<results::Increment> LengthSolver::solve(const LengthRequest& reque
   }
   keep_gone_members(model_.mesh, increment.mesh);
   add_face_nodes(model_, increment.mesh);
+  log.record("RECOVER", "surface, results of the nodes that the patches took");
   return increment;
 }
 
 bool LengthSolver::condense(Length& length, LogWriter& log) {
   CondenseLog figures;
-  if (!length.condense(figures)) {
+  const bool condensed = length.condense(figures);
+  log.record_nets(std::move(figures.nets));
+  if (!condensed) {
     trouble_ = figures.trouble;
     return false;
   }
@@ -150,7 +153,9 @@ bool LengthSolver::condense(Length& length, LogWriter& log) {
           fmt::format("{} nets condensed, {} reused, {} unknowns, {:.3g} flops; stiffness {:.3f} "
                       "s, analysis {:.3f} s, numeric {:.3f} s",
                       figures.condensed, figures.reused, unknowns(length.bodies()), figures.flops,
-                      figures.stiffness_cpu, figures.analysis_cpu, figures.numeric_cpu));
+                      figures.stiffness_cpu, figures.analysis_cpu, figures.numeric_cpu),
+          figures.flops > 0.0 || figures.condensed == 0 ? std::optional(figures.flops)
+                                                        : std::nullopt);
   return true;
 }
 
@@ -254,8 +259,10 @@ bool LengthSolver::walk_steps(Length& length, const LengthRequest& request, LogW
   const bool follows = follows_history(model_);
   const bool goes_on = continues_below_closing(model_);
   const double row_flops = solver.system() == nullptr ? 0.0 : solver.system()->row_flops();
-  log.add("CONTACT", fmt::format("compliances of the contact rows{}",
-                                 row_flops > 0.0 ? fmt::format(", {:.3g} flops", row_flops) : ""));
+  log.add("CONTACT",
+          fmt::format("compliances of the contact rows{}",
+                      row_flops > 0.0 ? fmt::format(", {:.3g} flops", row_flops) : ""),
+          row_flops > 0.0 ? std::optional(row_flops) : std::nullopt);
   for (std::size_t s = 0; s < model_.steps.size(); ++s) {
     const model::Step& step = model_.steps[s];
     if (const std::size_t* earlier = repeated.of(s)) {

@@ -1,25 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "analysis/lengths/recorder.hpp"
 #include "base/clock.hpp"
 #include "results/results.hpp"
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace spricka::analysis {
 
-/// Writes lines of the processor log, each with the time since the one before.
+/// Writes lines of the processor log, each with the time since the one before, and the same into a
+/// profile where one is recorded.
 class LogWriter {
 public:
-  explicit LogWriter(std::vector<results::LogLine>& lines) : lines_(lines) {}
-  void add(const std::string& processor, const std::string& text) {
+  explicit LogWriter(std::vector<results::LogLine>& lines, Recorder* recorder = nullptr)
+      : lines_(lines), recorder_(recorder) {}
+  void add(const std::string& processor, const std::string& text,
+           std::optional<double> flops = {}) {
     lines_.push_back(
         {.processor = processor, .text = text, .cpu = watch_.cpu(), .wall = watch_.wall()});
+    record(processor, text, flops);
+  }
+  /// The same for the profile alone: what the listing does not tell.
+  void record(const std::string& processor, const std::string& text,
+              std::optional<double> flops = {}) {
+    if (recorder_ != nullptr) {
+      recorder_->add(processor, text, watch_, flops);
+    }
     watch_ = base::Stopwatch();
+  }
+  /// What was done by nets since the line before.
+  void record_nets(std::vector<results::NetWork> nets) {
+    if (recorder_ != nullptr) {
+      recorder_->add(std::move(nets));
+    }
   }
 
 private:
   std::vector<results::LogLine>& lines_;
+  Recorder* recorder_;
   base::Stopwatch watch_;
 };
 

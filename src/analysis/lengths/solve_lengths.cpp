@@ -4,6 +4,7 @@
 #include "analysis/lengths/growth_loop.hpp"
 #include "analysis/lengths/length_solver.hpp"
 #include "analysis/lengths/pictured_steps.hpp"
+#include "analysis/lengths/recorder.hpp"
 #include "analysis/lengths/resume.hpp"
 #include "archive/checkpoint.hpp"
 #include "base/clock.hpp"
@@ -62,12 +63,18 @@ std::optional<growth::CrackState> cracks_of(const model::Model& model, double a,
   return cracks;
 }
 
+// One region for all lengths, so that the rest is condensed once.
+RegionPlan one_region(const model::Model& model, const SolveOptions& options,
+                      const std::vector<double>& lengths, base::Diagnostics& diagnostics) {
+  const Recorded stretch(options.recorder, "TOPOLOGY", "region of the cracks");
+  return plan_region(model, lengths, diagnostics);
+}
+
 // The lengths of the deck, one after another.
 bool solve_lengths(const model::Model& model, const SolveOptions& options,
                    base::Diagnostics& diagnostics, base::Trouble& trouble, results::Run& run) {
   const std::vector<double> lengths = growth::crack_lengths(model);
-  // One region for all lengths, so that the rest is condensed once.
-  const RegionPlan plan = plan_region(model, lengths, diagnostics);
+  const RegionPlan plan = one_region(model, options, lengths, diagnostics);
   if (diagnostics.has_errors()) {
     return false;
   }
@@ -75,16 +82,21 @@ bool solve_lengths(const model::Model& model, const SolveOptions& options,
   for (std::size_t i = 0; i < lengths.size(); ++i) {
     const int number = static_cast<int>(i) + 1;
     const std::vector<bool> pictured = pictured_steps(model, i + 1 == lengths.size());
+    const base::Stopwatch resuming;
     if (auto kept = resume(model, options.checkpoint, number, lengths[i], pictured)) {
       // What was mounted and closed goes on from the last length that was kept.
       solver.go_on(kept->state);
       take_over(std::move(*kept), run);
+      if (options.recorder != nullptr) {
+        options.recorder->add("RESTART", "an increment taken over", resuming);
+      }
       continue;
     }
     // Lengths that were kept cost nothing: time is asked for before one is solved.
     if (stop_here(options.checkpoint, trouble)) {
       return false;
     }
+    RecordedLength length(options.recorder);
     const IncrementMark mark(run.log);
     std::optional<growth::CrackState> cracks = cracks_of(model, lengths[i], diagnostics);
     if (!cracks) {
@@ -95,6 +107,10 @@ bool solve_lengths(const model::Model& model, const SolveOptions& options,
     if (!increment) {
       return false;
     }
+    length.solved(increment->a);
+    length.counts();
+    const Recorded keeping(options.checkpoint != nullptr ? options.recorder : nullptr, "RESTART",
+                           "state of the increment");
     increment->number = number;
     run.increments.push_back(std::move(*increment));
     results::NamedArrays state;
@@ -116,6 +132,9 @@ std::optional<results::Run> solve_run(const model::Model& model, const SolveOpti
   results::Run run;
   if (options.checkpoint != nullptr) {
     options.checkpoint->begin_round();
+  }
+  if (options.recorder != nullptr) {
+    options.recorder->begin_round();
   }
   const bool done = grows_by_law(model) ? grow_by_law(model, options, diagnostics, trouble, run)
                                         : solve_lengths(model, options, diagnostics, trouble, run);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/link/mesher_link.hpp"
 
+#include "base/clock.hpp"
 #include "mesh/link/mesher_limits.hpp"
 #include "mesh/link/mesher_process.hpp"
 #include "mesh/link/mesher_request.hpp"
+#include "mesh/link/mesher_use.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -176,9 +178,14 @@ MesherLimits& mesher_limits() {
   return limits;
 }
 
-MesherAnswer ask_mesher(std::string_view request) {
-  Mesher& m = mesher();
-  const std::scoped_lock lock(m.turn);
+std::function<void(const MesherUse&)>& mesher_listener() {
+  static std::function<void(const MesherUse&)> listener;
+  return listener;
+}
+
+namespace {
+
+MesherAnswer ask(Mesher& m, std::string_view request) {
   for (bool again : {true, false}) {
     if (m.process && !m.process->mine()) {
       m.process.reset(); // made before a fork; its owner goes on with it
@@ -198,6 +205,27 @@ MesherAnswer ask_mesher(std::string_view request) {
     }
   }
   return {};
+}
+
+} // namespace
+
+MesherAnswer ask_mesher(std::string_view request) {
+  Mesher& m = mesher();
+  const std::scoped_lock lock(m.turn);
+  if (!mesher_listener()) {
+    return ask(m, request);
+  }
+  const base::Stopwatch watch;
+  // One that is started for this request has all of its time from it.
+  const double used = m.process && m.process->mine() ? m.process->processor_time() : 0.0;
+  MesherAnswer answer = ask(m, request);
+  MesherUse use{.begin = watch.begun(), .end = base::moment(), .cpu = {}, .peak = {}};
+  if (m.process) {
+    use.cpu = std::max(0.0, m.process->processor_time() - used);
+    use.peak = m.process->peak_memory();
+  }
+  mesher_listener()(use);
+  return answer;
 }
 
 void dismiss_mesher() {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/link/mesher_process.hpp"
 
+#include "base/clock.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -238,6 +240,10 @@ double MesherProcess::processor_time() const {
     return 0.0;
   }
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+std::optional<std::size_t> MesherProcess::peak_memory() const {
+  return base::peak_memory_of(std::to_string(pid_));
 }
 
 void MesherProcess::take_printed() {

@@ -31,6 +31,8 @@ public:
   News listen(int milliseconds, std::size_t most, std::string& frame);
   /// Seconds of processor time it has used so far.
   [[nodiscard]] double processor_time() const;
+  /// Its largest resident set so far [bytes]; empty: the system does not tell.
+  [[nodiscard]] std::optional<std::size_t> peak_memory() const;
   /// The last of what it printed since the last call.
   std::string take_words();
   /// Ends it, if it has not ended; the status as waitpid gives it.

@@ -165,6 +165,7 @@ void CommandTree::add_run() {
                           "  spricka run lug.deck\n"
                           "  spricka run lug.deck -D 'F=80[kN]' -D fine=2 --out lug_80\n"
                           "  spricka run lug.deck --threads 4 --log-format json 2> lug.log\n"
+                          "  spricka run lug.deck --profile               what the time goes into\n"
                           "  spricka run lug.deck --restart --time 3500   in a job queue",
                           [this] { return run_deck(run_); });
   add_deck_options(command);
@@ -174,6 +175,9 @@ void CommandTree::add_run() {
   command.add_flag("--quiet", run_.quiet, "print messages only");
   command.add_flag("--restart", run_.restart,
                    "go on from the file of the deck's $RESTART WRITE, if it is there");
+  command.add_flag("--profile", run_.profile,
+                   "tell time, flops and memory by processor, net and length, beside one plain "
+                   "factorisation; profile.csv and trace.json");
   command
       .add_option("--time", run_.seconds,
                   "wall time; no increment is begun that would not fit, exit code 6")

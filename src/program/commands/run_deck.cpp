@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/commands/run_deck.hpp"
 
+#include "analysis/lengths/recorder.hpp"
 #include "archive/safe_file.hpp"
 #include "base/exit_codes.hpp"
 #include "model/model.hpp"
@@ -9,6 +10,8 @@
 #include "program/job/interrupt.hpp"
 #include "program/job/job.hpp"
 #include "program/job/restart_run.hpp"
+#include "program/job/standard_streams.hpp"
+#include "program/profile/profile.hpp"
 
 #include <mutex>
 #include <optional>
@@ -65,8 +68,14 @@ base::Outcome run_once(const RunOptions& options, const ReadyDeck& deck, const L
   folder->commit();
   if (!options.quiet) {
     print_summary(*deck.model, *outcome.run, options.out);
+    to_stdout(outcome.profile);
   }
   return outcome.kind;
+}
+
+ReadyDeck read_recorded(const RunOptions& options, const Log& log) {
+  const analysis::Recorded stretch(options.recorder.get(), "DECK", "deck and meshes");
+  return read_ready(options.deck, {.defines = options.defines}, log);
 }
 
 } // namespace
@@ -77,8 +86,11 @@ base::Outcome run_deck(const RunOptions& given) {
   if (options.out.empty()) {
     options.out = options.deck.filename().replace_extension(".run");
   }
+  if (options.profile) {
+    options.recorder = begin_profile_of_process(options.since);
+  }
   try {
-    const ReadyDeck deck = read_ready(options.deck, {.defines = options.defines}, log);
+    const ReadyDeck deck = read_recorded(options, log);
     if (!deck.model) {
       return deck.refusal.kind;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/commands/sweep_deck.hpp"
 
+#include "analysis/lengths/recorder.hpp"
 #include "archive/deck_digest.hpp"
 #include "archive/folder_mark.hpp"
 #include "archive/safe_file.hpp"
@@ -11,6 +12,7 @@
 #include "program/job/point_record.hpp"
 #include "program/job/restart_run.hpp"
 #include "program/job/standard_streams.hpp"
+#include "program/profile/profile.hpp"
 #include "report/drawing/file.hpp"
 #include "report/sweep_files.hpp"
 #include "report/topics/result_tables.hpp"
@@ -176,10 +178,12 @@ private:
   }
 
   void solve_point(std::size_t i, SweepPoint& point) {
-    const ReadyDeck deck =
-        read_ready(options_.deck, {.defines = options_.defines, .sweep_values = points_[i]}, log_,
-                   &deck_.diagnostics);
-    const RunOutcome outcome = deck.model ? solve(deck, *folder_, point) : deck.refusal;
+    RunOptions options = options_;
+    options.quiet = true;
+    // Each point has a profile of its own, from here on.
+    options.recorder = options.profile ? begin_profile() : nullptr;
+    const ReadyDeck deck = read_point(options, i);
+    const RunOutcome outcome = deck.model ? solve(options, deck, point) : deck.refusal;
     point.outcome = outcome.kind;
     point.error = outcome.error;
     if (outcome.run) {
@@ -197,6 +201,12 @@ private:
     }
   }
 
+  [[nodiscard]] ReadyDeck read_point(const RunOptions& options, std::size_t i) const {
+    const analysis::Recorded stretch(options.recorder.get(), "DECK", "deck and meshes");
+    return read_ready(options.deck, {.defines = options.defines, .sweep_values = points_[i]}, log_,
+                      &deck_.diagnostics);
+  }
+
   // Made and ended where last_words() knows of it.
   void open_point(const SweepPoint& point) {
     const std::scoped_lock lock(current_guard_);
@@ -208,9 +218,7 @@ private:
   }
 
   // Each point keeps its state in a folder of its own, beside its run folder.
-  RunOutcome solve(const ReadyDeck& deck, RunFolder& folder, const SweepPoint& point) {
-    RunOptions options = options_;
-    options.quiet = true;
+  RunOutcome solve(const RunOptions& options, const ReadyDeck& deck, const SweepPoint& point) {
     const OpenCheckpoint opened =
         open_checkpoint(options, deck, out_ / (point.folder + ".restart"), log_);
     if (opened.refusal) {
@@ -218,7 +226,7 @@ private:
     }
     set_current(opened.checkpoint.get());
     try {
-      RunOutcome outcome = solve_and_write(options, deck, folder, opened.checkpoint.get(), log_);
+      RunOutcome outcome = solve_and_write(options, deck, *folder_, opened.checkpoint.get(), log_);
       set_current(nullptr);
       return outcome;
     } catch (...) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/job/job.hpp"
 
+#include "analysis/lengths/recorder.hpp"
 #include "analysis/lengths/solve_lengths.hpp"
 #include "analysis/recover/judge_size.hpp"
 #include "analysis/recover/net_errors.hpp"
@@ -13,6 +14,7 @@
 #include "program/job/script_constants.hpp"
 #include "program/job/solve_to_tolerance.hpp"
 #include "program/job/standard_streams.hpp"
+#include "program/profile/profile.hpp"
 #include "report/topics/notes.hpp"
 #include "report/topics/result_tables.hpp"
 #include "results/growth_end.hpp"
@@ -87,6 +89,7 @@ Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, archive::Che
   solve.checkpoint = checkpoint;
   solve.threads = solve::reserve_kernels(thread_count(options, *deck.model));
   solve.progress = log.progress(options.quiet);
+  solve.recorder = options.recorder.get();
   Solved out;
   bool first = true;
   const auto once = [&](const model::Model& model, base::Trouble& trouble) {
@@ -113,6 +116,7 @@ Solved solve_deck(const RunOptions& options, const ReadyDeck& deck, archive::Che
   const auto read_finer = [&](const std::map<std::string, deck::Refinement>& refine) {
     deck::ReadOptions finer = deck.options;
     finer.refine = refine;
+    const analysis::Recorded stretch(solve.recorder, "DECK", "meshes made finer");
     return read_silently(options.deck, finer);
   };
   ToleratedRun found = solve_to_tolerance(deck, read_finer, once);
@@ -142,6 +146,37 @@ void tell_of(const base::NoAnswer& answer, base::Diagnostics& diagnostics) {
                     answer.why, remedy_of(answer));
 }
 
+// How a run ends that has its results.
+RunOutcome judged(const Solved& solved, const results::Run& run, const Log& log) {
+  const int failed = report_checks(run, log);
+  RunOutcome outcome;
+  if (failed > 0) {
+    outcome.kind = base::Outcome::check_failed;
+    outcome.error = fmt::format("{} of {} checks failed", failed, run.checks.size());
+  } else if (!solved.why_not.empty()) {
+    outcome.kind = base::Outcome::not_converged;
+    outcome.error = run.warnings.back();
+  }
+  if (outcome.kind == base::Outcome::done && run.growth && results::ended_early(*run.growth)) {
+    outcome.kind = base::Outcome::not_solvable;
+    outcome.error = run.growth->reason;
+    log.message(base::Severity::error, "E510", outcome.error);
+  }
+  return outcome;
+}
+
+// What the run has cost goes into its folder beside the results.
+std::string write_profile(const RunOptions& options, const base::Sources& sources,
+                          const model::Model& model, RunFolder& folder) {
+  if (!options.recorder) {
+    return {};
+  }
+  ProfileTexts texts = end_profile(*options.recorder, sources, model, folder.written());
+  folder.keep(profile_name, texts.csv);
+  folder.keep(trace_name, texts.trace);
+  return std::move(texts.table);
+}
+
 } // namespace
 
 RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, RunFolder& folder,
@@ -162,6 +197,8 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
   }
   const ReadyDeck& used = solved.finer ? *solved.finer : deck;
   results::Run& run = *solved.run;
+  std::optional<analysis::Recorded> checking(std::in_place, options.recorder.get(), "CHECKS",
+                                             "checks, warnings");
   log.diagnostics(deck.sources, diagnostics);
   run.tests = invert_tests(*used.model, run);
   // Before the notes are collected: it changes their words.
@@ -180,21 +217,13 @@ RunOutcome solve_and_write(const RunOptions& options, const ReadyDeck& deck, Run
   finish_restart(checkpoint, run);
   run.checks = evaluate_checks(*used.model, run);
   run.cpu += cpu_before;
-  folder.write(deck.sources, *used.model, run, script_constants(deck));
-  const int failed = report_checks(run, log);
-  RunOutcome outcome;
-  if (failed > 0) {
-    outcome.kind = base::Outcome::check_failed;
-    outcome.error = fmt::format("{} of {} checks failed", failed, run.checks.size());
-  } else if (!solved.why_not.empty()) {
-    outcome.kind = base::Outcome::not_converged;
-    outcome.error = run.warnings.back();
+  checking.reset();
+  {
+    const analysis::Recorded stretch(options.recorder.get(), "OUTPUT", "tables, pictures, report");
+    folder.write(deck.sources, *used.model, run, script_constants(deck));
   }
-  if (outcome.kind == base::Outcome::done && run.growth && results::ended_early(*run.growth)) {
-    outcome.kind = base::Outcome::not_solvable;
-    outcome.error = run.growth->reason;
-    log.message(base::Severity::error, "E510", outcome.error);
-  }
+  RunOutcome outcome = judged(solved, run, log);
+  outcome.profile = write_profile(options, deck.sources, *used.model, folder);
   outcome.run = std::move(solved.run);
   return outcome;
 }

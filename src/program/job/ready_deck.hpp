@@ -20,6 +20,7 @@ struct RunOutcome {
   base::Outcome kind = base::Outcome::done;
   std::string error; ///< the first one, with its place, or how many checks failed
   std::optional<results::Run> run;
+  std::string profile = {}; ///< the table of --profile, where it is asked for
 };
 
 /// A deck that has been read: fit to be solved (model) or refused.

@@ -291,6 +291,16 @@ void RunFolder::write(const base::Sources& sources, const model::Model& model, r
        report::listing(sources, model, run, totals) + report::script_section(scripts));
 }
 
+std::uintmax_t RunFolder::written() const {
+  std::uintmax_t bytes = 0;
+  for (const std::string& name : names_) {
+    std::error_code none; // a table without rows
+    const std::uintmax_t size = fs::file_size(part_ / name, none);
+    bytes += none ? 0 : size;
+  }
+  return bytes;
+}
+
 void RunFolder::keep(const std::string& name, const std::string& text) {
   put(name, [&](const fs::path& file) { base::write_whole(file, text); });
 }

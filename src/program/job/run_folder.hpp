@@ -6,6 +6,7 @@
 #include "results/results.hpp"
 #include "results/script_constant.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <mutex>
@@ -45,6 +46,8 @@ public:
   /// the run's log before the listing is made. Throws std::system_error.
   void write(const base::Sources& sources, const model::Model& model, results::Run& run,
              const std::vector<results::ScriptConstant>& scripts);
+  /// What has been written so far [bytes].
+  [[nodiscard]] std::uintmax_t written() const;
   /// Adds a file of that name.
   void keep(const std::string& name, const std::string& text);
   /// Puts the folder in place; without it nothing stays.

@@ -5,9 +5,14 @@
 #include "program/job/log_format.hpp"
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace spricka::analysis {
+class Recorder;
+}
 
 namespace spricka::program {
 
@@ -21,6 +26,8 @@ struct RunOptions {
   bool restart = false;  ///< go on from the deck's own $RESTART WRITE file, if it is there
   double seconds = 0.0;  ///< wall time after which no increment is begun; 0: no limit
   base::Stopwatch since; ///< when the program was started
+  bool profile = false;  ///< tell what the run costs, processor by processor
+  std::shared_ptr<analysis::Recorder> recorder = {}; ///< takes it down; null: nobody does
   bool check_only = false;
   bool json = false; ///< check: the same as JSON
   LogFormat log_format = LogFormat::text;

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/lengths/recorder.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+namespace spricka::analysis {
+
+namespace {
+
+// Where the system does not tell it is not known, which is not nothing.
+std::optional<std::size_t> known(std::size_t bytes) {
+  return bytes > 0 ? std::optional(bytes) : std::nullopt;
+}
+
+} // namespace
+
+Recorder::Recorder(const base::Stopwatch& since, double cpu_before) : cpu_before_(cpu_before) {
+  profile_.begin = since.begun();
+}
+
+void Recorder::add(const std::string& processor, const std::string& text,
+                   const base::Stopwatch& watch, std::optional<double> flops) {
+  results::Stretch stretch{.processor = processor,
+                           .text = text,
+                           .begin = watch.begun(),
+                           .end = base::moment(),
+                           .cpu = watch.cpu(),
+                           .flops = flops,
+                           .resident = known(base::resident_memory()),
+                           .peak = known(base::peak_memory())};
+  const std::scoped_lock lock(guard_);
+  if (length_) {
+    stretch.length = profile_.lengths.size();
+  }
+  profile_.stretches.push_back(std::move(stretch));
+}
+
+void Recorder::add_start(const base::Stopwatch& since) {
+  add("START", "libraries, command line", since);
+  const std::scoped_lock lock(guard_);
+  profile_.stretches.back().cpu = base::cpu_seconds() - cpu_before_;
+}
+
+void Recorder::add(std::vector<results::NetWork> nets) {
+  const std::scoped_lock lock(guard_);
+  for (results::NetWork& net : nets) {
+    if (length_) {
+      net.length = profile_.lengths.size();
+    }
+    profile_.nets.push_back(std::move(net));
+  }
+}
+
+void Recorder::add(const results::MesherWork& work) {
+  const std::scoped_lock lock(guard_);
+  profile_.mesher.push_back(work);
+}
+
+void Recorder::begin_round() {
+  const std::scoped_lock lock(guard_);
+  ++round_;
+}
+
+void Recorder::begin_length() {
+  const std::scoped_lock lock(guard_);
+  length_.emplace();
+}
+
+void Recorder::end_length(std::optional<double> a, bool counts) {
+  const std::scoped_lock lock(guard_);
+  if (length_) {
+    profile_.lengths.push_back({.a = a,
+                                .counts = counts,
+                                .round = std::max(round_, 1),
+                                .begin = length_->begun(),
+                                .end = base::moment(),
+                                .cpu = length_->cpu()});
+    length_.reset();
+  }
+}
+
+results::Profile Recorder::finish() {
+  const std::scoped_lock lock(guard_);
+  profile_.end = base::moment();
+  profile_.cpu = base::cpu_seconds() - cpu_before_;
+  profile_.peak = known(base::peak_memory());
+  return std::move(profile_);
+}
+
+// What there is no memory to take down is left out: the run has other troubles then.
+Recorded::~Recorded() {
+  try {
+    if (recorder_ != nullptr) {
+      recorder_->add(processor_, text_, watch_);
+    }
+  } catch (const std::exception&) {
+    recorder_ = nullptr;
+  }
+}
+
+RecordedLength::RecordedLength(Recorder* recorder) : recorder_(recorder) {
+  if (recorder_ != nullptr) {
+    recorder_->begin_length();
+  }
+}
+
+RecordedLength::~RecordedLength() {
+  try {
+    if (recorder_ != nullptr) {
+      recorder_->end_length(a_, counts_);
+    }
+  } catch (const std::exception&) {
+    recorder_ = nullptr;
+  }
+}
+
+} // namespace spricka::analysis

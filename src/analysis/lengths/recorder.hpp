@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/clock.hpp"
+#include "results/run_profile.hpp"
+
+#include <cstddef>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace spricka::analysis {
+
+/// Takes down what a run costs while it goes along. Stretches come from the main thread, one after
+/// another; requests to the mesher may come from any.
+class Recorder {
+public:
+  /// From where `since` was started; `cpu_before` [s] of the process are not the run's.
+  explicit Recorder(const base::Stopwatch& since, double cpu_before);
+
+  /// What was done since `watch` was started, and up to now.
+  void add(const std::string& processor, const std::string& text, const base::Stopwatch& watch,
+           std::optional<double> flops = {});
+  /// What was before all else, since the process began.
+  void add_start(const base::Stopwatch& since);
+  /// Nets of the length that is worked on.
+  void add(std::vector<results::NetWork> nets);
+  void add(const results::MesherWork& work);
+  /// The lengths of a deck again, on a finer mesh.
+  void begin_round();
+  void begin_length();
+  /// The length that was begun last; one that came to no solution has no `a`.
+  void end_length(std::optional<double> a, bool counts);
+
+  /// All of it, up to now; the run is over.
+  [[nodiscard]] results::Profile finish();
+
+private:
+  std::mutex guard_;
+  results::Profile profile_;
+  double cpu_before_;
+  int round_ = 0;
+  std::optional<base::Stopwatch> length_; ///< empty: between lengths
+};
+
+/// A stretch from its construction to its end; with a null recorder nothing at all.
+class Recorded {
+public:
+  Recorded(Recorder* recorder, const char* processor, const char* text)
+      : recorder_(recorder), processor_(processor), text_(text) {}
+  ~Recorded();
+  Recorded(const Recorded&) = delete;
+  Recorded& operator=(const Recorded&) = delete;
+
+private:
+  Recorder* recorder_;
+  const char* processor_;
+  const char* text_;
+  base::Stopwatch watch_;
+};
+
+/// A crack length from its construction to its end; with a null recorder nothing at all.
+class RecordedLength {
+public:
+  explicit RecordedLength(Recorder* recorder);
+  ~RecordedLength();
+  RecordedLength(const RecordedLength&) = delete;
+  RecordedLength& operator=(const RecordedLength&) = delete;
+  /// It has a solution.
+  void solved(double a) { a_ = a; }
+  /// It is an increment of the run.
+  void counts() { counts_ = true; }
+
+private:
+  Recorder* recorder_;
+  std::optional<double> a_;
+  bool counts_ = false;
+};
+
+} // namespace spricka::analysis

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/profile/floor.hpp"
+
+#include "analysis/bodies/whole_stiffness.hpp"
+#include "analysis/lengths/growth_loop.hpp"
+#include "analysis/scene/make_scene.hpp"
+#include "base/clock.hpp"
+#include "base/diagnostics.hpp"
+#include "base/vec.hpp"
+#include "growth/crack_lines.hpp"
+#include "model/model.hpp"
+#include "solve/condense.hpp"
+
+#include <algorithm>
+#include <new>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+namespace {
+
+// Until so much time is spent [s], so that what takes milliseconds is not a matter of chance.
+constexpr double enough = 0.2;
+constexpr int most_times = 20;
+
+std::optional<analysis::Scene> first_scene(const model::Model& given) {
+  model::Model model = given;
+  const double a = analysis::grows_by_law(model) ? 0.0 : growth::crack_lengths(model).front();
+  if (model.mesh.dim == 3 && a > 0.0) {
+    model.cracks = growth::cracks_of_size(model, a);
+  }
+  base::Diagnostics told_before;
+  return analysis::make_scene(model, a, {}, told_before);
+}
+
+std::string trouble_of(const solve::FactorReport& report) {
+  return report.status == solve::FactorStatus::out_of_memory
+             ? fmt::format("it needs {:.0f} MB of memory, {:.0f} MB can be had",
+                           1e-6 * report.memory, 1e-6 * report.memory_left)
+             : "its matrix is singular";
+}
+
+void once(const model::Model& model, const analysis::Scene& scene, Floor& floor) {
+  const base::Stopwatch assembling;
+  base::SymmetricCsc K = analysis::whole_stiffness(model, scene);
+  const double assembly = assembling.cpu();
+  floor.equations = K.n;
+  const solve::Condensation plain(std::move(K), 0);
+  const solve::FactorReport& report = plain.report();
+  if (report.status != solve::FactorStatus::ok) {
+    floor.why_not = trouble_of(report);
+    return;
+  }
+  const base::Stopwatch solving;
+  const base::Matrix u = plain.recover(base::Matrix(0, 1), base::Matrix::Ones(floor.equations, 1));
+  const double solution = solving.cpu();
+  const bool first = floor.times++ == 0;
+  const auto least = [first](double& of, double now) { of = first ? now : std::min(of, now); };
+  least(floor.assembly, assembly);
+  least(floor.analysis, report.analysis_cpu);
+  least(floor.numeric, report.numeric_cpu);
+  least(floor.solution, solution);
+  floor.entries = report.factor_entries;
+  floor.flops = report.flops;
+  if (!u.allFinite()) {
+    floor.why_not = "its solution is no number";
+  }
+}
+
+} // namespace
+
+Floor find_floor(const model::Model& model) {
+  Floor floor;
+  try {
+    const std::optional<analysis::Scene> scene = first_scene(model);
+    if (!scene) {
+      floor.why_not = "its mesh cannot be made";
+      return floor;
+    }
+    const base::Stopwatch watch;
+    do {
+      once(model, *scene, floor);
+    } while (floor.why_not.empty() && floor.times < most_times && watch.cpu() < enough);
+    if (floor.why_not.empty() && floor.equations == 0) {
+      floor.why_not = "nothing is free to move";
+    }
+  } catch (const std::bad_alloc&) {
+    // The run itself is done: what it found is not lost for this.
+    floor.why_not = "there is not enough memory for it";
+  }
+  return floor;
+}
+
+} // namespace spricka::program

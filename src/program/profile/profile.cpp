@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/profile/profile.hpp"
+
+#include "archive/deck_digest.hpp"
+#include "mesh/link/mesher_use.hpp"
+#include "program/profile/profile_csv.hpp"
+#include "program/profile/profile_record.hpp"
+#include "program/profile/profile_tables.hpp"
+#include "program/profile/trace.hpp"
+
+#include <limits>
+
+namespace spricka::program {
+
+namespace {
+
+void listen_to_mesher(const std::shared_ptr<analysis::Recorder>& recorder) {
+  mesh::mesher_listener() = [recorder](const mesh::MesherUse& use) {
+    recorder->add(
+        results::MesherWork{.begin = use.begin, .end = use.end, .cpu = use.cpu, .peak = use.peak});
+  };
+}
+
+} // namespace
+
+std::shared_ptr<analysis::Recorder> begin_profile() {
+  auto recorder = std::make_shared<analysis::Recorder>(base::Stopwatch(), base::cpu_seconds());
+  listen_to_mesher(recorder);
+  return recorder;
+}
+
+std::shared_ptr<analysis::Recorder> begin_profile_of_process(const base::Stopwatch& since) {
+  auto recorder = std::make_shared<analysis::Recorder>(since, 0.0);
+  recorder->add_start(since);
+  listen_to_mesher(recorder);
+  return recorder;
+}
+
+double floors(const ProfileRecord& record) {
+  double cpu = record.profile.cpu;
+  for (const results::MesherWork& work : record.profile.mesher) {
+    cpu += work.cpu.value_or(0.0);
+  }
+  return record.floor.why_not.empty() && record.floor.plain() > 0.0
+             ? cpu / record.floor.plain()
+             : std::numeric_limits<double>::quiet_NaN();
+}
+
+ProfileTexts end_profile(analysis::Recorder& recorder, const base::Sources& sources,
+                         const model::Model& model, std::uintmax_t written) {
+  mesh::mesher_listener() = nullptr; // the floor is no part of the run
+  ProfileRecord record{.profile = recorder.finish(),
+                       .floor = {},
+                       .bytes_read = archive::bytes_of_deck(sources, model),
+                       .bytes_written = written};
+  record.floor = find_floor(model);
+  return {.table = profile_text(record),
+          .csv = profile_csv(record),
+          .trace = trace_json(record.profile)};
+}
+
+} // namespace spricka::program

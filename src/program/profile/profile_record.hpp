@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "program/profile/floor.hpp"
+#include "results/run_profile.hpp"
+
+#include <cstdint>
+
+namespace spricka::program {
+
+/// A profile and what stands beside it.
+struct ProfileRecord {
+  results::Profile profile;
+  Floor floor;
+  std::uintmax_t bytes_read = 0;    ///< deck, what it includes and what it imports
+  std::uintmax_t bytes_written = 0; ///< files of the run folder, without those of the profile
+};
+
+/// How many plain factorisations the run took; not a number where there is no floor.
+double floors(const ProfileRecord& record);
+
+} // namespace spricka::program

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/profile/profile_sums.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+namespace {
+
+using results::MesherWork;
+using results::NetWork;
+using results::Profile;
+using results::Stretch;
+
+// As a run goes along. Others stand behind these.
+constexpr std::array<std::string_view, 17> order{
+    "START",   "DECK", "MESHER",   "TOPOLOGY", "STIFFNESS", "CONDENSE",
+    "CONTACT", "VCE",  "LOADPATH", "ADJOINT",  "ESTIMATE",  "SENSITIVITY",
+    "RECOVER", "GROW", "RESTART",  "CHECKS",   "OUTPUT"};
+
+template <typename T> void add(std::optional<T>& sum, const std::optional<T>& more) {
+  sum = sum && more ? std::optional(*sum + *more) : std::nullopt;
+}
+
+class Sums {
+public:
+  explicit Sums(const Profile& profile) : profile_(profile) {}
+
+  ProcessorSums make() {
+    for (const Stretch& stretch : profile_.stretches) {
+      add_stretch(stretch);
+    }
+    add_mesher();
+    ProcessorSums out;
+    out.program_cpu = profile_.cpu;
+    out.wall = profile_.end - profile_.begin;
+    out.peak = profile_.peak;
+    out.cpu_rest = out.program_cpu;
+    out.wall_rest = out.wall;
+    for (const ProcessorSum& row : rows_) {
+      out.wall_rest -= row.wall;
+      if (row.processor == "MESHER") {
+        out.mesher_cpu = row.cpu;
+      } else {
+        out.cpu_rest -= row.cpu.value_or(0.0);
+      }
+    }
+    std::ranges::stable_sort(rows_, {}, [](const ProcessorSum& row) {
+      return std::ranges::find(order, row.processor) - order.begin();
+    });
+    out.rows = std::move(rows_);
+    return out;
+  }
+
+private:
+  ProcessorSum& row_of(std::string_view processor) {
+    const auto known = std::ranges::find(rows_, processor, &ProcessorSum::processor);
+    if (known != rows_.end()) {
+      return *known;
+    }
+    rows_.emplace_back().processor = processor;
+    return rows_.back();
+  }
+
+  // Requests come one after another: none lies in two.
+  [[nodiscard]] double waited(const Stretch& stretch) const {
+    double wall = 0.0;
+    for (const MesherWork& work : profile_.mesher) {
+      wall += std::max(0.0, std::min(work.end, stretch.end) - std::max(work.begin, stretch.begin));
+    }
+    return wall;
+  }
+
+  void add_stretch(const Stretch& stretch) {
+    double cpu = stretch.cpu;
+    double wall = stretch.end - stretch.begin - waited(stretch);
+    if (stretch.processor == "CONDENSE") {
+      take_stiffness(stretch, cpu, wall);
+    }
+    ProcessorSum& row = row_of(stretch.processor);
+    ++row.calls;
+    row.cpu = row.cpu.value_or(0.0) + cpu;
+    row.wall += wall;
+    row.all_counted = row.all_counted && stretch.flops.has_value();
+    if (stretch.flops) {
+      row.flops = row.flops.value_or(0.0) + *stretch.flops;
+      row.counted_cpu += cpu;
+    }
+    row.resident = std::max(row.resident, stretch.resident);
+    row.peak = std::max(row.peak, stretch.peak);
+    if (stretch.peak) {
+      const std::size_t more = *stretch.peak - std::min(highest_, *stretch.peak);
+      row.raised = row.raised.value_or(0) + more;
+      highest_ += more;
+    }
+  }
+
+  // What its nets took for their stiffness. Nets side by side share the time on the wall.
+  void take_stiffness(const Stretch& stretch, double& cpu, double& wall) {
+    double stiffness = 0.0;
+    double both = 0.0;
+    double busy = 0.0; // on the wall, with one net or several
+    double until = stretch.begin;
+    double stiffness_cpu = 0.0;
+    std::size_t calls = 0;
+    for (const NetWork* net : nets_within(stretch)) {
+      stiffness += net->assembled - net->begin;
+      both += net->end - net->begin;
+      busy += std::max(0.0, net->end - std::max(until, net->begin));
+      until = std::max(until, net->end);
+      stiffness_cpu += net->stiffness_cpu;
+      ++calls;
+    }
+    if (calls == 0) {
+      return;
+    }
+    const double share = both > 0.0 ? stiffness / both * busy : 0.0;
+    ProcessorSum& row = row_of("STIFFNESS");
+    row.calls += calls;
+    row.cpu = row.cpu.value_or(0.0) + stiffness_cpu;
+    row.wall += share;
+    row.all_counted = false;
+    cpu -= stiffness_cpu;
+    wall -= share;
+  }
+
+  // Those condensed in a stretch, by when they began.
+  [[nodiscard]] std::vector<const NetWork*> nets_within(const Stretch& stretch) const {
+    std::vector<const NetWork*> nets;
+    for (const NetWork& net : profile_.nets) {
+      if (!net.reused && net.begin >= stretch.begin && net.begin <= stretch.end) {
+        nets.push_back(&net);
+      }
+    }
+    std::ranges::sort(nets, {}, [](const NetWork* net) { return net->begin; });
+    return nets;
+  }
+
+  void add_mesher() {
+    for (const MesherWork& work : profile_.mesher) {
+      ProcessorSum& row = row_of("MESHER");
+      ++row.calls;
+      add(row.cpu, work.cpu);
+      row.wall += work.end - work.begin;
+      row.all_counted = false;
+      row.peak = std::max(row.peak, work.peak);
+    }
+  }
+
+  const Profile& profile_;
+  std::vector<ProcessorSum> rows_;
+  std::size_t highest_ = 0; ///< [bytes] the peak so far
+};
+
+} // namespace
+
+ProcessorSums by_processor(const Profile& profile) {
+  return Sums(profile).make();
+}
+
+std::vector<NetSum> by_net(const Profile& profile) {
+  std::vector<NetSum> sums;
+  for (const NetWork& net : profile.nets) {
+    auto sum = std::ranges::find(sums, net.name, &NetSum::name);
+    if (sum == sums.end()) {
+      sums.push_back({.name = net.name, .entries = {}, .flops = 0.0});
+      sum = sums.end() - 1;
+    }
+    sum->freedoms = std::max(sum->freedoms, net.freedoms);
+    sum->externals = std::max(sum->externals, net.externals);
+    sum->entries = std::max(sum->entries, net.entries);
+    if (net.reused) {
+      ++sum->reused;
+      continue;
+    }
+    ++sum->condensed;
+    add(sum->flops, net.flops);
+    sum->stiffness_cpu += net.stiffness_cpu;
+    sum->analysis_cpu += net.analysis_cpu;
+    sum->numeric_cpu += net.numeric_cpu;
+  }
+  return sums;
+}
+
+std::vector<LengthSum> by_length(const Profile& profile) {
+  std::vector<LengthSum> sums(profile.lengths.size());
+  const bool rounds = !sums.empty() && profile.lengths.back().round > 1;
+  int round = 0;
+  int increment = 0;
+  for (std::size_t l = 0; l < sums.size(); ++l) {
+    const results::LengthWork& work = profile.lengths[l];
+    increment = work.round == round ? increment : 0;
+    round = work.round;
+    sums[l].work = &work;
+    sums[l].label = (rounds ? fmt::format("round {}: ", round) : "") +
+                    (work.counts ? fmt::format("increment {}", ++increment) : "tried");
+    for (const MesherWork& asked : profile.mesher) {
+      if (asked.begin >= work.begin && asked.begin <= work.end) {
+        add(sums[l].mesher_cpu, asked.cpu);
+      }
+    }
+  }
+  for (const NetWork& net : profile.nets) {
+    if (!net.length || *net.length >= sums.size()) {
+      continue;
+    }
+    LengthSum& sum = sums[*net.length];
+    (net.reused ? sum.reused : sum.condensed).push_back(net.name);
+    if (!net.reused) {
+      add(sum.flops, net.flops);
+    }
+  }
+  return sums;
+}
+
+} // namespace spricka::program

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/profile/profile_tables.hpp"
+
+#include "program/profile/profile_sums.hpp"
+#include "report/drawing/table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+namespace {
+
+using report::Table;
+
+constexpr const char* unknown = "unknown";
+constexpr double mebi = 1048576.0;
+
+std::string seconds(const std::optional<double>& value) {
+  return value ? fmt::format("{:.3f}", *value) : unknown;
+}
+
+std::string number(const std::optional<double>& value) {
+  return value ? fmt::format("{:.3g}", *value) : unknown;
+}
+
+std::string mebibytes(const std::optional<std::size_t>& value) {
+  return value ? fmt::format("{:.0f}", static_cast<double>(*value) / mebi) : unknown;
+}
+
+std::string percent(const std::optional<double>& part, double whole) {
+  return part && whole > 0.0 ? fmt::format("{:.1f}", 100.0 * *part / whole) : unknown;
+}
+
+// Of time that is too short for its clock there is no rate.
+std::string rate(const std::optional<double>& flops, double cpu) {
+  return flops && *flops > 0.0 && cpu > 1e-6 ? fmt::format("{:.2f}", 1e-9 * *flops / cpu) : unknown;
+}
+
+Table processor_table(const ProcessorSums& sums) {
+  Table table{"Profile by processor",
+              {{"", "", true},
+               {"calls", "", false},
+               {"cpu", "s", false},
+               {"wall", "s", false},
+               {"share", "%", false},
+               {"flops", "", false},
+               {"rate", "Gflop/s", false},
+               {"resident", "MiB", false},
+               {"peak", "MiB", false},
+               {"raised", "MiB", false}},
+              {}};
+  const double all = sums.cpu();
+  for (const ProcessorSum& row : sums.rows) {
+    const std::string at_least = row.flops && !row.all_counted ? ">" : "";
+    table.rows.push_back({row.processor, fmt::format("{}", row.calls), seconds(row.cpu),
+                          seconds(row.wall), percent(row.cpu, all), at_least + number(row.flops),
+                          rate(row.flops, row.counted_cpu), mebibytes(row.resident),
+                          mebibytes(row.peak), mebibytes(row.raised)});
+  }
+  table.rows.push_back({"not accounted for", "", seconds(sums.cpu_rest), seconds(sums.wall_rest),
+                        percent(sums.cpu_rest, all), "", "", "", "", ""});
+  table.rows.push_back({"all", "", (sums.mesher_cpu ? "" : ">") + seconds(all), seconds(sums.wall),
+                        "100.0", "", "", "", mebibytes(sums.peak), ""});
+  return table;
+}
+
+Table net_table(const std::vector<NetSum>& nets) {
+  Table table{"Nets",
+              {{"", "", true},
+               {"freedoms", "", false},
+               {"externals", "", false},
+               {"nonzeros", "", false},
+               {"condensed", "", false},
+               {"reused", "", false},
+               {"flops", "", false},
+               {"stiffness", "s", false},
+               {"analysis", "s", false},
+               {"numeric", "s", false},
+               {"rate", "Gflop/s", false}},
+              {}};
+  for (const NetSum& net : nets) {
+    table.rows.push_back({net.name, fmt::format("{}", net.freedoms),
+                          fmt::format("{}", net.externals), number(net.entries),
+                          fmt::format("{}", net.condensed), fmt::format("{}", net.reused),
+                          number(net.flops), seconds(net.stiffness_cpu), seconds(net.analysis_cpu),
+                          seconds(net.numeric_cpu), rate(net.flops, net.numeric_cpu)});
+  }
+  return table;
+}
+
+// The first of them, each once.
+std::string names(std::vector<std::string> list) {
+  constexpr std::size_t most = 4;
+  std::ranges::sort(list);
+  list.erase(std::ranges::unique(list).begin(), list.end());
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, list.size()); ++i) {
+    text += (i == 0 ? "" : ", ") + list[i];
+  }
+  return list.size() > most ? fmt::format("{}, {} more", text, list.size() - most) : text;
+}
+
+Table length_table(const std::vector<LengthSum>& lengths) {
+  Table table{"Crack lengths",
+              {{"", "", true},
+               {"a", "", false},
+               {"cpu", "s", false},
+               {"wall", "s", false},
+               {"mesher", "s", false},
+               {"flops", "", false},
+               {"condensed", "", true},
+               {"reused", "", true}},
+              {}};
+  for (const LengthSum& sum : lengths) {
+    const results::LengthWork& work = *sum.work;
+    table.rows.push_back({sum.label, work.a ? report::six_digits(*work.a) : unknown,
+                          seconds(work.cpu), seconds(work.end - work.begin),
+                          seconds(sum.mesher_cpu), number(sum.flops), names(sum.condensed),
+                          names(sum.reused)});
+  }
+  return table;
+}
+
+std::string bytes(std::uintmax_t count) {
+  const auto value = static_cast<double>(count);
+  return value < 1e6 ? fmt::format("{:.1f} kB", 1e-3 * value)
+                     : fmt::format("{:.1f} MB", 1e-6 * value);
+}
+
+std::string floor_text(const ProfileRecord& record) {
+  const Floor& floor = record.floor;
+  std::string text =
+      "The floor: one plain factorisation of the stiffness of all bodies at the first length, "
+      "without contact\n";
+  if (!floor.why_not.empty()) {
+    text += fmt::format("  {}: {}\n", unknown, floor.why_not);
+  } else {
+    text += fmt::format(
+        "  {} equations, {:.3g} nonzeros of the factor, {:.3g} flops, {} Gflop/s\n"
+        "  analysis {:.4f} s, numeric {:.4f} s, one solution {:.4f} s: {:.4f} s CPU; its assembly "
+        "{:.4f} s\n",
+        floor.equations, floor.entries, floor.flops, rate(floor.flops, floor.numeric),
+        floor.analysis, floor.numeric, floor.solution, floor.plain(), floor.assembly);
+  }
+  text += fmt::format("  read {} of deck and meshes, written {} into the run folder\n",
+                      bytes(record.bytes_read), bytes(record.bytes_written));
+  const double times = floors(record);
+  if (std::isnan(times)) {
+    return text + "How many plain factorisations the run took is unknown.\n";
+  }
+  const auto lengths = static_cast<double>(record.profile.lengths.size());
+  text += fmt::format("The run took {:.3g} plain factorisations", times);
+  return text + (lengths > 1.0 ? fmt::format(", {:.3g} for each of its {} crack lengths.\n",
+                                             times / lengths, lengths)
+                               : ".\n");
+}
+
+} // namespace
+
+std::string profile_text(const ProfileRecord& record) {
+  std::string text = "\n" + report::to_text(processor_table(by_processor(record.profile)));
+  if (const std::vector<NetSum> nets = by_net(record.profile); !nets.empty()) {
+    text += "\n" + report::to_text(net_table(nets));
+  }
+  if (const std::vector<LengthSum> lengths = by_length(record.profile); !lengths.empty()) {
+    text += "\n" + report::to_text(length_table(lengths));
+  }
+  return text + "\n" + floor_text(record);
+}
+
+} // namespace spricka::program
