@@ -8,7 +8,7 @@ from pathlib import Path
 
 SECTION = re.compile(r"^## +(.+)$", re.M)
 LINK = re.compile(r"\]\(([\w./-]+\.md)\)")
-INDEXES = ("index", "theory/index")
+INDEXES = ("index", "theory/index", "gallery/index")
 
 
 def toctree(caption, pages):
