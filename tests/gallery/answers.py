@@ -49,7 +49,8 @@ class Answer(Run):
     def said(self):
         """The first warning or refusal, without numbers of lines."""
         if self.outcome() == "refusal":
-            return f"refused, exit {self.code}: {self.refusal()}"
+            code = self.refusal()  # without a code of an error nothing is said
+            return f"refused, exit {self.code}: {code}" if code.startswith("E") else ""
         warnings = self.warnings()
         return f"warns: {warnings[0][0]} {warnings[0][1]}" if warnings else ""
 

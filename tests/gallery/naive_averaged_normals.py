@@ -23,10 +23,3 @@ def spin(x, normals):
     radius = np.hypot(*x.T).max()
     turn = np.stack([-x[:, 1], x[:, 0]], 1) / radius
     return np.linalg.norm((normals * turn).sum(1)) / np.linalg.norm(normals[:, 0])
-
-
-def torque(x, normals, force):
-    """Moment of contact forces along their normals, over their sum times the radius: what a coefficient of friction
-    would give."""
-    moment = (x[:, 0] * normals[:, 1] - x[:, 1] * normals[:, 0]) @ force
-    return abs(moment) / (np.abs(force).sum() * np.hypot(*x.T).max())

@@ -10,8 +10,9 @@ class Row:
     """One line of a table. `error` is relative unless `unit` says otherwise.
 
     A naive method must still fail as it did where it was measured, `measured`, within a factor of two, or by
-    `at_least`. spricka must be right to `allowed`, or say that it is not (`said`: the words of its warning or
-    refusal). Other rows, exact or for comparison, are right to `allowed`."""
+    `at_least`. spricka must be right to `allowed`; rows without an error, and those at its limit, must say
+    something (`said`: the words of a warning, a note or a refusal). Other rows, exact or for comparison, are right to
+    `allowed`."""
     who: str            # "naive", "spricka" or "other"
     method: str
     value: str
@@ -22,6 +23,7 @@ class Row:
     said: str = ""
     unit: str = "%"
     note: str = ""
+    limit: bool = False
 
     def ok(self):
         if self.who == "naive":
@@ -29,9 +31,9 @@ class Row:
                 low, high = self.measured if isinstance(self.measured, tuple) else 2 * (self.measured,)
                 return 0.5 * abs(low) <= abs(self.error) <= 2.0 * abs(high)
             return self.at_least is None or (self.error is not None and abs(self.error) >= self.at_least)
-        if self.said:
-            return True
-        return self.allowed is None or (self.error is not None and abs(self.error) <= self.allowed)
+        if self.error is not None and self.allowed is not None and not self.limit:
+            return abs(self.error) <= self.allowed
+        return self.who == "other" or bool(self.said)
 
     def shown(self, value):
         if value is None:
@@ -42,13 +44,17 @@ class Row:
         if self.unit != "%":
             return f"{value:.3g} {self.unit}".strip()
         if abs(value) < 5e-6:
-            return f"{value:.0e}" if value else "0"
+            return f"{abs(value):.0e}" if value else "0"
         percent = 100.0 * value
-        return f"{percent:+.3f} %" if abs(percent) < 0.0995 else f"{percent:+.1f} %" if abs(percent) < 1000 else \
-            f"{value:+.2g} times"
+        if abs(percent) >= 1e5:
+            return f"{value:.0e} times"
+        form = "+.2g" if abs(percent) < 9.95 else "+.1f" if abs(percent) < 1000 else "+.0f"
+        return f"{percent:{form}} %"
 
     def cells(self):
-        return [self.method, self.value, self.shown(self.error), self.shown(self.measured), self.said or self.note]
+        # measured figures are sizes where they have no sign
+        measured = self.shown(self.measured).replace("+", "")
+        return [self.method, self.value, self.shown(self.error), measured, self.said or self.note]
 
 
 def folded(text):

@@ -118,7 +118,7 @@ def friction_history(program):
     exact = (1 - np.sqrt(0.5)) - 2 * (1 - np.sqrt(0.75))
     peak = np.abs(back).max()
     run = answer(program, "cattaneo")
-    a, R = 0.23489, 20.0
+    a = 0.23489
 
     def shear(step):
         half = 2 * 500.0 / (np.pi * a)

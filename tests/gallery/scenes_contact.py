@@ -12,6 +12,7 @@ from naive_corner_nodes import corners_only
 from naive_one_pass import even_areas, one_pass
 from naive_penalty import penalty
 from scene import Row, Scene, Table
+from scenes_joint import WHEN
 from scenes_tip import ours
 
 NAMES = {"mm": "mm", "m": "metres", "in": "inches"}
@@ -31,11 +32,12 @@ def stiffness(program):
             error = K / SINGLE[step] - 1
             curves[step].append((k, 100 * abs(error)))
             if k in MEASURED or k == 1e7:
-                rows.append(Row("naive", f"{k:.0e} N/mm^3, {step}", f"{K:.5g}", error,
+                rows.append(Row("naive", f"1e{round(np.log10(k))} N/mm^3, {WHEN[step]}", f"{K:.5g}", error,
                                 measured=MEASURED[k][which] if k in MEASURED else None,
                                 note="" if count else "status of nodes still changing after 40 iterations"))
     run = answer(program, "lug_single_literal")
-    rows += [ours(run, step, "TOP", A, SINGLE[step], 1e-3, f"spricka, {run.name}, {step}") for step in SINGLE]
+    rows += [ours(run, step, "TOP", A, SINGLE[step], 1e-3, f"spricka, {run.name}, {WHEN[step]}")
+             for step in SINGLE]
     traps = []
     for name, unit, measured in (("mm", 1.0, -0.0018), ("m", 1000.0, -0.500), ("in", 25.4, -0.0254)):
         pair = fitted(unit)
@@ -60,7 +62,7 @@ def stiffness(program):
         [pic.Chart("Error of K1 over the stiffness", "N/mm^3", "error, %",
                    [pic.Curve("naive, press fit", curves["PRESS"], pic.NAIVE),
                     pic.Curve("naive, under load", curves["LOAD"],
-                              pic.OTHERS[1])], log_x=True, log_y=True)], "S02, S07, peer trap: units")
+                              pic.OTHERS[1])], log_x=True, log_y=True)], "S02, peer trap: units")
 
 
 def lumped_areas(pair):

@@ -56,9 +56,9 @@ def solid_friction(program):
     off = np.sqrt(np.mean((inside[:, 2] - law) ** 2) / np.mean(law ** 2))
     press = table["PRESS"][:, 1].max()
     rows = [Row("spricka", f"spricka, {run.name}: largest shear after pressing, exactly 0", f"{press:.3f}", press,
-                unit="of mu p0", said=run.said(), allowed=0.0),
+                unit="of mu p0", said=run.said(), limit=True),
             Row("spricka", "shear after the push against Mindlin, root mean square", "", off, said=run.said(),
-                allowed=0.01)]
+                limit=True)]
     x = np.linspace(0, 1, 60)
     return Scene(
         "limit_solid_friction",

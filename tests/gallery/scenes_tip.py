@@ -21,8 +21,9 @@ AHEAD = np.array([1.0, 0.0])
 def ours(run, step, crack, a, reference, allowed, method=None):
     """spricka's row for K1."""
     K = run.K(step, crack, a) if run.code in (0, 1) else None
+    said = run.said() if K is not None else ""  # an answer is asked for
     return Row("spricka", method or f"spricka, {run.name}", "" if K is None else f"{K:.5g}",
-               None if K is None else K / reference - 1.0, allowed=allowed, said=run.said())
+               None if K is None else K / reference - 1.0, allowed=allowed, said=said)
 
 
 def K_of(energy):
