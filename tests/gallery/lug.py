@@ -82,6 +82,15 @@ class Lug:
         others = np.flatnonzero(self.owner != 0)
         return solve(self.K, f, np.r_[self.held, 2 * others, 2 * others + 1])
 
+    def sleeve_forces(self):
+        """Contact forces under load at the nodes of the sleeve, when those carry the rows: nodes, forces."""
+        nodes = np.unique(self.skin)
+        rows = [contact_rows(self.mesh, s, self.mesh.x[s] / np.hypot(*self.mesh.x[s].T)[:, None], edges)
+                for s, edges in ((nodes, self.bore), (self.shaft, self.eye))]
+        joint = Joint(self.K + self.rotations(), sparse.vstack([row[0] for row in rows]).tocsr(), self.held)
+        fit = np.repeat((-FIT, 0.0), [len(row[1]) for row in rows])
+        return nodes[rows[0][2]], joint.exact(self.load, fit)[1][:len(rows[0][1])]
+
 
 def lug_of(program, name, increment=1, *definitions):
     """The small program's model on the mesh of a run, made once."""
