@@ -225,14 +225,14 @@ private:
       }
       for (const auto& point : shape::quadrature<Side>(front_degree)) {
         const Eigen::Matrix<double, Side::nodes, 1> N = Side::N(point.r);
-        const FrontPlace place = set_.axes.place(X * N, side.on);
+        const TurningAxes axes(set_.axes.place(X * N, side.on));
         const base::Vec3 area = point.weight * fe::area_vector<Side>(X, point.r);
         const base::Vec3 moved = q * N;
         const Eigen::RowVectorXd along = (slopes_at(point.r, X) * moved).transpose();
         for (std::size_t k = 0; k < columns_.partners.size(); ++k) {
           const std::size_t partner = columns_.partners[k];
           const base::Vec3 t =
-              set_.factor(partner) * (moving_field(partner, place, set_.body).sigma * area);
+              set_.factor(partner) * (moving_field(partner, axes, set_.body).sigma * area);
           take(i, k, Eigen::Matrix3Xd(-t * along));
         }
       }
@@ -333,10 +333,11 @@ private:
         if (!(place.r > 0.0)) {
           continue; // the front itself, a line without an area
         }
+        const TurningAxes axes(place);
         for (std::size_t k = 0; k < columns_.partners.size(); ++k) {
           const std::size_t partner = columns_.partners[k];
           put(first + 3 * static_cast<Eigen::Index>(p), i, k,
-              -set_.factor(partner) * (moving_field(partner, place, set_.body).H * (q * N)));
+              -set_.factor(partner) * (moving_field(partner, axes, set_.body).H * (q * N)));
         }
       }
     }

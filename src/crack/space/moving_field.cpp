@@ -4,6 +4,7 @@
 #include "crack/williams.hpp"
 #include "model/materials.hpp"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -21,12 +22,9 @@ struct AngularParts {
 };
 
 // (crack.6), (crack.7) and mode 3, their products of cosines and sines resolved.
-AngularParts near_front(std::size_t mode, double theta, const FrontBody& body) {
+AngularParts near_front(std::size_t mode, const SectionPlace& at, const FrontBody& body) {
   const double kappa = kolosov(body.nu, model::State::plane_strain);
-  const double c1 = std::cos(0.5 * theta);
-  const double s1 = std::sin(0.5 * theta);
-  const double c3 = std::cos(1.5 * theta);
-  const double s3 = std::sin(1.5 * theta);
+  const auto [c1, s1, c3, s3] = std::array{at.c1, at.s1, at.c3, at.s3};
   AngularParts f;
   f.amplitude = 1.0 / (2.0 * body.mu * std::sqrt(2.0 * std::numbers::pi));
   f.power = 0.5;
@@ -47,10 +45,11 @@ AngularParts near_front(std::size_t mode, double theta, const FrontBody& body) {
 }
 
 // (crack.24).
-AngularParts line_force(double theta, const FrontBody& body) {
+AngularParts line_force(const SectionPlace& at, const FrontBody& body) {
   const double kappa = kolosov(body.nu, model::State::plane_strain);
-  const double C = std::cos(2.0 * theta);
-  const double S = std::sin(2.0 * theta);
+  const double theta = at.theta;
+  const double C = at.C * at.C - at.S * at.S; // of twice the angle
+  const double S = 2.0 * at.C * at.S;
   AngularParts f;
   f.amplitude = -1.0 / (8.0 * std::numbers::pi * body.mu);
   f.a.x() = kappa + 1.0;
@@ -62,22 +61,29 @@ AngularParts line_force(double theta, const FrontBody& body) {
 
 } // namespace
 
-SectionField section_field(std::size_t partner, double r, double theta, const FrontBody& body) {
-  const AngularParts f =
-      partner == line_force_partner ? line_force(theta, body) : near_front(partner, theta, body);
-  const double C = std::cos(theta);
-  const double S = std::sin(theta);
+SectionPlace::SectionPlace(double radius, double angle)
+    : r(radius), theta(angle), c1(std::cos(0.5 * angle)), s1(std::sin(0.5 * angle)),
+      C(c1 * c1 - s1 * s1), S(2.0 * c1 * s1), c3(C * c1 - S * s1), s3(S * c1 + C * s1) {}
+
+SectionField section_field(std::size_t partner, const SectionPlace& at, const FrontBody& body) {
+  const bool force = partner == line_force_partner;
+  const AngularParts f = force ? line_force(at, body) : near_front(partner, at, body);
+  const double C = at.C;
+  const double S = at.S;
   const double p = f.power;
   // r^(p-1) Y and r^(p-1) Z are the derivatives by y and z, as (crack.8); they once more.
   const Vec3 Y = p * C * f.g - S * f.dg + C * f.a;
   const Vec3 dY = -p * S * f.g + (p - 1.0) * C * f.dg - S * f.ddg - S * f.a;
   const Vec3 Z = p * S * f.g + C * f.dg + S * f.a;
   const Vec3 dZ = p * C * f.g + (p - 1.0) * S * f.dg + C * f.ddg + C * f.a;
-  const double zeroth = f.amplitude * std::pow(r, p);
-  const double first = zeroth / r;
-  const double second = first / r;
+  const double zeroth = f.amplitude * (force ? 1.0 : std::sqrt(at.r)); // the powers 0 and 1/2
+  const double first = zeroth / at.r;
+  const double second = first / at.r;
   SectionField w;
-  w.w = zeroth * f.g + f.amplitude * std::log(r / body.unit) * f.a;
+  w.w = zeroth * f.g;
+  if (force) {
+    w.w += f.amplitude * std::log(at.r / body.unit) * f.a;
+  }
   w.w_y = first * Y;
   w.w_z = first * Z;
   w.w_yy = second * ((p - 1.0) * C * Y - S * dY);
@@ -86,7 +92,7 @@ SectionField section_field(std::size_t partner, double r, double theta, const Fr
   return w;
 }
 
-TurningAxes::TurningAxes(const FrontPlace& at) {
+TurningAxes::TurningAxes(const FrontPlace& at) : section(at.r, at.theta) {
   const mesh::FrontFrame& f = at.frame;
   Q << f.m, f.b, f.t;
   dQ << f.dm, f.db, f.dt;
@@ -113,35 +119,49 @@ TurningAxes::TurningAxes(const FrontPlace& at) {
   by_z.z = -twist * at.y * by_z.s;
 }
 
-MovingField moving_field(std::size_t partner, const FrontPlace& at, const TurningAxes& axes,
-                         const FrontBody& body) {
-  const SectionField w = section_field(partner, at.r, at.theta, body);
-  using Section = Eigen::Matrix<double, 3, 2>;
-  const auto pair = [](const Vec3& one, const Vec3& other) {
-    Section both;
-    both << one, other;
-    return both;
-  };
-  const Section across = axes.Q * pair(w.w_y, w.w_z);
-  const Vec3 turned = axes.dQ * w.w;
+namespace {
+
+// by_y (x) slopes.y + by_z (x) slopes.z + by_s (x) slopes.s, column by column: products of fixed
+// size would each become a matrix of its own.
+struct Across {
+  Vec3 y, z, s;
+  [[nodiscard]] Tensor<3> with(const TurningAxes::Slopes& slopes) const {
+    Tensor<3> sum;
+    for (Eigen::Index j = 0; j < 3; ++j) {
+      sum.col(j) = slopes.y[j] * y + slopes.z[j] * z + slopes.s[j] * s;
+    }
+    return sum;
+  }
+};
+
+// The stress of A, times g.
+Vec3 stress_times(const FrontBody& body, const Tensor<3>& A, const Vec3& g) {
+  const Vec3 Ag = g[0] * A.col(0) + g[1] * A.col(1) + g[2] * A.col(2);
+  const Vec3 transposed(A.col(0).dot(g), A.col(1).dot(g), A.col(2).dot(g));
+  return body.lambda * A.trace() * g + body.mu * (Ag + transposed);
+}
+
+} // namespace
+
+MovingField moving_field(std::size_t partner, const TurningAxes& axes, const FrontBody& body) {
+  const SectionField w = section_field(partner, axes.section, body);
   // Q (w_,y grad y + w_,z grad z) + Q' w grad s, with these gradients or with derivatives of them.
-  const auto gradient = [&](const TurningAxes::Slopes& by) -> Tensor<3> {
-    return across * pair(by.y, by.z).transpose() + turned * by.s.transpose();
-  };
-  const Section grad = pair(axes.grad.y, axes.grad.z);
+  const Across field_across{axes.Q * w.w_y, axes.Q * w.w_z, axes.dQ * w.w};
   MovingField field;
-  field.H = gradient(axes.grad);
+  field.H = field_across.with(axes.grad);
   field.sigma = isotropic_stress(body, field.H);
   // Derivatives of H by s, y and z (crack_space.5).
-  const Tensor<3> H_s = axes.dQ * pair(w.w_y, w.w_z) * grad.transpose() +
-                        axes.ddQ * w.w * axes.grad.s.transpose() + gradient(axes.by_s);
-  const Tensor<3> H_y = axes.Q * pair(w.w_yy, w.w_yz) * grad.transpose() +
-                        axes.dQ * w.w_y * axes.grad.s.transpose() + gradient(axes.by_y);
-  const Tensor<3> H_z = axes.Q * pair(w.w_yz, w.w_zz) * grad.transpose() +
-                        axes.dQ * w.w_z * axes.grad.s.transpose() + gradient(axes.by_z);
-  field.divergence = isotropic_stress(body, H_s) * axes.grad.s +
-                     isotropic_stress(body, H_y) * axes.grad.y +
-                     isotropic_stress(body, H_z) * axes.grad.z;
+  const Vec3 mixed = axes.Q * w.w_yz;
+  const Vec3 turned_y = axes.dQ * w.w_y;
+  const Vec3 turned_z = axes.dQ * w.w_z;
+  const Tensor<3> H_s =
+      Across{turned_y, turned_z, axes.ddQ * w.w}.with(axes.grad) + field_across.with(axes.by_s);
+  const Tensor<3> H_y =
+      Across{axes.Q * w.w_yy, mixed, turned_y}.with(axes.grad) + field_across.with(axes.by_y);
+  const Tensor<3> H_z =
+      Across{mixed, axes.Q * w.w_zz, turned_z}.with(axes.grad) + field_across.with(axes.by_z);
+  field.divergence = stress_times(body, H_s, axes.grad.s) + stress_times(body, H_y, axes.grad.y) +
+                     stress_times(body, H_z, axes.grad.z);
   return field;
 }
 

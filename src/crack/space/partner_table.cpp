@@ -46,11 +46,10 @@ PartnerTable::PartnerTable(const FrontSetting& set, std::vector<base::ElementId>
                        places_.push_back(places_of(set.mesh, e));
                        const fe::NodeVectors<S> X = fe::coordinates<S>(set.mesh, e);
                        for (const auto& point : shape::quadrature<S>(front_degree)) {
-                         const FrontPlace place = set.axes.place(X * S::N(point.r));
-                         const TurningAxes axes(place);
+                         const TurningAxes axes(set.axes.place(X * S::N(point.r)));
                          Fields& at = fields_.emplace_back();
                          for (std::size_t k = 1; k < front_partners; ++k) {
-                           const MovingField w = moving_field(k, place, axes, set.body);
+                           const MovingField w = moving_field(k, axes, set.body);
                            at[k - 1] = {w.H, w.divergence};
                          }
                        }

@@ -35,7 +35,7 @@ base::Vector near_front(const Tube& tube) {
     Vec3 u(0.91e-3 * x.x(), -0.39e-3 * x.y(), 0.0);
     const double theta = side == crack::FaceSide::lower ? -pi : std::atan2(x.y(), x.x());
     for (std::size_t m = 1; m <= 3 && r > 1e-12; ++m) {
-      u += K_given[m - 1] * crack::section_field(m, r, theta, body_of(tube)).w;
+      u += K_given[m - 1] * crack::section_field(m, {r, theta}, body_of(tube)).w;
     }
     return u;
   });

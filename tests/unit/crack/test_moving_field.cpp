@@ -32,7 +32,7 @@ class Partner : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(Partner, SectionHasItsDerivatives) {
   const auto at = [&](double y, double z) {
-    return section_field(GetParam(), std::hypot(y, z), std::atan2(z, y), body);
+    return section_field(GetParam(), {std::hypot(y, z), std::atan2(z, y)}, body);
   };
   const double y = -0.3;
   const double z = 0.4;
@@ -51,7 +51,7 @@ TEST_P(Partner, GradientIsThatOfTheDisplacement) {
   const Vec3 x = axes.place(Vec3(1.2, -1.5, 0.5)).frame.x + Vec3(0.2, -0.1, 0.3);
   const auto displacement = [&](const Vec3& at) -> Vec3 {
     const FrontPlace place = axes.place(at);
-    return TurningAxes(place).Q * section_field(GetParam(), place.r, place.theta, body).w;
+    return TurningAxes(place).Q * section_field(GetParam(), {place.r, place.theta}, body).w;
   };
   Tensor<3> differences;
   const double h = 1e-5;
