@@ -113,6 +113,10 @@ json of(const results::LengthPreview& l) {
           {"notes", l.notes}};
 }
 
+json of(const results::MirrorPreview& m) {
+  return {{"across", std::string(1, "xyz"[m.axis])}, {"at", m.at}, {"against", m.against}};
+}
+
 json of(const results::ScriptConstant& c) {
   return {{"file", c.file}, {"name", c.name}, {"value", c.value}, {"from", c.from}};
 }
@@ -132,6 +136,7 @@ std::string check_json(const results::Preview& p, base::Outcome outcome) {
                  {"contacts", array_of(p.pairs, make)},
                  {"bodies", array_of(p.bodies, make)},
                  {"loads", array_of(p.loads, make)},
+                 {"symmetry", array_of(p.mirrors, make)},
                  {"lengths", array_of(p.lengths, make)},
                  {"scripts", array_of(p.scripts, make)},
                  {"steps", p.steps},

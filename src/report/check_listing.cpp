@@ -209,6 +209,18 @@ Table forecast(const Preview& p) {
   return table;
 }
 
+std::string mirror_line(const results::MirrorPreview& mirror) {
+  const char axis = "xyz"[mirror.axis];
+  const std::string plane = fmt::format("{} = {:.5g}", axis, mirror.at);
+  return mirror.against.empty()
+             ? fmt::format(
+                   "  {} is a plane of symmetry: half of the model, with U.{} = 0 on it and "
+                   "half of each resultant across it, has the same answer\n",
+                   plane, "XYZ"[mirror.axis])
+             : fmt::format("  {} is a plane of symmetry of the bodies, but {}\n", plane,
+                           mirror.against);
+}
+
 } // namespace
 
 std::string check_listing(const Preview& preview) {
@@ -231,6 +243,9 @@ std::string check_listing(const Preview& preview) {
     }
   }
   out += fmt::format("\n  {} elements turned inside out\n", preview.inside_out);
+  for (const results::MirrorPreview& mirror : preview.mirrors) {
+    out += mirror_line(mirror);
+  }
   out += fmt::format("  steps: {}\n", fmt::join(preview.steps, " "));
   if (!preview.sweep.empty()) {
     out += fmt::format("  sweep: {} points, {} .. {}; tables and forecast are of the deck's own "

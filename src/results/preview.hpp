@@ -109,6 +109,13 @@ struct LengthPreview {
   std::vector<std::string> notes;
 };
 
+/// A plane in which all bodies are their own mirror image.
+struct MirrorPreview {
+  int axis = 0;        ///< 0 x, 1 y, 2 z: across it
+  double at = 0.0;     ///< coordinate [length]
+  std::string against; ///< what is not mirrored; empty: half a model does
+};
+
 struct Preview {
   std::string deck;
   std::string title;
@@ -121,6 +128,7 @@ struct Preview {
   std::vector<PairPreview> pairs;
   std::vector<BodyPreview> bodies;
   std::vector<LoadTotal> loads; ///< of each case that has forces
+  std::vector<MirrorPreview> mirrors;
   std::vector<LengthPreview> lengths;
   std::vector<ScriptConstant> scripts;
   std::vector<std::string> steps;

@@ -19,6 +19,7 @@
 #include "program/preview/preview_model.hpp"
 #include "report/check_listing.hpp"
 #include "sense/load_totals.hpp"
+#include "sense/mirrors.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -132,6 +133,7 @@ private:
     preview.pairs = preview_pairs(scene);
     preview.bodies = analysis::held_modes(model_, scene, bodies);
     preview.loads = sense::load_totals(model_);
+    preview.mirrors = sense::find_mirrors(model_);
     unheld = analysis::unheld_loads(model_, scene, bodies);
   }
 

@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sense/mirrors.hpp"
+
+#include "fe/dof_map.hpp"
+#include "mesh/boundary.hpp"
+#include "model/model.hpp"
+#include "sense/mirrored_cracks.hpp"
+#include "sense/places.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <string>
+#include <tuple>
+
+#include <fmt/format.h>
+
+namespace spricka::sense {
+
+namespace {
+
+constexpr double same_value = 1e-9; // of the larger of two
+
+bool alike(double a, double b) {
+  return std::abs(a - b) <= same_value * std::max({std::abs(a), std::abs(b), 1e-300});
+}
+
+// The boundary of some elements: sides that only one of them has.
+std::vector<model::Face> skin_of(const model::Mesh& mesh,
+                                 const std::vector<base::ElementId>& elements) {
+  model::Mesh part;
+  part.dim = mesh.dim;
+  part.x = mesh.x;
+  part.node_label = mesh.node_label;
+  part.node_net = mesh.node_net;
+  for (const base::ElementId e : elements) {
+    model::add_element(part, mesh.type[e.index()], mesh.nodes_of(e), mesh.element_label[e.index()],
+                       mesh.element_net[e.index()]);
+  }
+  std::vector<model::Face> faces = mesh::outer_faces(part);
+  for (model::Face& face : faces) {
+    face.element = elements[face.element.index()];
+  }
+  return faces;
+}
+
+std::vector<base::ElementId> elements_in_use(const model::Mesh& mesh) {
+  std::vector<base::ElementId> all;
+  for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+    all.emplace_back(e);
+  }
+  return all;
+}
+
+/// What all planes ask of a model, made once.
+class Looks {
+public:
+  explicit Looks(const model::Model& model) : model_(model), mesh_(model.mesh) {
+    using Kind = std::tuple<std::size_t, model::State, double>;
+    std::map<Kind, std::vector<base::ElementId>> groups;
+    for (const base::ElementId e : elements_in_use(mesh_)) {
+      const model::Property& p = model.property_of(mesh_, e);
+      groups[{p.material.index(), p.state, p.thickness}].push_back(e);
+    }
+    for (const auto& [kind, elements] : groups) {
+      bodies_.emplace_back(mesh_, skin_of(mesh_, elements));
+    }
+    find_held();
+  }
+
+  /// What stands against a plane as a mirror; empty: nothing.
+  [[nodiscard]] std::string against(const Mirror& mirror) const {
+    std::string found = against_supports(mirror);
+    found = found.empty() ? against_loads(mirror) : found;
+    found = found.empty() ? against_contacts(mirror) : found;
+    found = found.empty() ? against_ties(mirror) : found;
+    return found.empty() ? against_cracks(model_, mirror) : found;
+  }
+
+  [[nodiscard]] bool bodies_mirrored(const Mirror& mirror) const {
+    return std::ranges::all_of(bodies_,
+                               [&](const Places& body) { return onto(mirror, body, body); });
+  }
+
+private:
+  struct Held {
+    std::vector<Places> places; ///< one for each direction
+  };
+
+  static bool onto(const Mirror& mirror, const Places& one, const Places& other) {
+    return std::ranges::all_of(one.samples(),
+                               [&](const base::Vec3& x) { return other.has(mirror(x)); });
+  }
+
+  void find_held() {
+    const std::vector<model::FreedomClass> cls = fe::classify_freedoms(model_, mesh_);
+    const std::vector<bool> used = model::nodes_in_use(mesh_);
+    const auto dim = static_cast<std::size_t>(mesh_.dim);
+    for (std::size_t c = 0; c < dim; ++c) {
+      std::vector<base::NodeId> nodes;
+      for (std::size_t n = 0; n < mesh_.node_count(); ++n) {
+        const model::FreedomClass k = cls[dim * n + c];
+        if (used[n] &&
+            (k == model::FreedomClass::suppressed || k == model::FreedomClass::prescribed)) {
+          nodes.emplace_back(n);
+        }
+      }
+      held_.emplace_back(places_of_nodes(nodes));
+    }
+  }
+
+  [[nodiscard]] Places places_of_nodes(const std::vector<base::NodeId>& nodes) const {
+    return {mesh_, mesh::faces_within(mesh_, nodes), nodes};
+  }
+  [[nodiscard]] Places places_of(const model::Load& load) const {
+    if (load.nodes.valid()) {
+      return places_of_nodes(mesh_.set(load.nodes).nodes);
+    }
+    if (load.faces.valid()) {
+      return {mesh_, mesh_.set(load.faces).faces};
+    }
+    return {mesh_, skin_of(mesh_, mesh_.set(load.elements).elements)};
+  }
+
+  [[nodiscard]] std::string against_supports(const Mirror& mirror) const {
+    for (std::size_t c = 0; c < held_.size(); ++c) {
+      if (!onto(mirror, held_[c], held_[c])) {
+        return fmt::format("the supports along {} are not", "xyz"[c]);
+      }
+    }
+    return {};
+  }
+
+  // Values of a load at a point and of another at its mirror image.
+  static bool same_values(const Mirror& mirror, const model::Load& one, const model::Load& other,
+                          const base::Vec3& x) {
+    if (one.value.size() != other.value.size()) {
+      return false;
+    }
+    // A pressure and a temperature have no direction.
+    const bool scalar =
+        one.type == model::LoadType::pressure || one.type == model::LoadType::temperature;
+    double size = 0.0;
+    double off = 0.0;
+    for (std::size_t c = 0; c < one.value.size(); ++c) {
+      const double sign = !scalar && static_cast<int>(c) == mirror.axis ? -1.0 : 1.0;
+      const double here = one.value[c](x);
+      size = std::max(size, std::abs(here));
+      off = std::max(off, std::abs(sign * here - other.value[c](mirror(x))));
+    }
+    return off <= same_value * std::max(size, 1e-300);
+  }
+
+  [[nodiscard]] bool answers(const Mirror& mirror, const model::Load& one,
+                             const model::Load& other) const {
+    if (one.type != other.type || one.shape != other.shape) {
+      return false;
+    }
+    const Places here = places_of(one);
+    if (!onto(mirror, here, places_of(other))) {
+      return false;
+    }
+    std::vector<base::Vec3> at = here.samples();
+    if (one.elements.valid()) { // inside, too
+      for (const base::ElementId e : mesh_.set(one.elements).elements) {
+        base::Vec3 middle = base::Vec3::Zero();
+        for (const base::NodeId n : mesh_.nodes_of(e)) {
+          middle += mesh_.x[n.index()];
+        }
+        at.push_back(middle / static_cast<double>(mesh_.nodes_of(e).size()));
+      }
+    }
+    return std::ranges::all_of(
+        at, [&](const base::Vec3& x) { return same_values(mirror, one, other, x); });
+  }
+
+  [[nodiscard]] std::string against_loads(const Mirror& mirror) const {
+    for (const model::LoadCase& load_case : model_.cases) {
+      for (const model::Load& load : load_case.loads) {
+        if (std::ranges::none_of(load_case.loads, [&](const model::Load& other) {
+              return answers(mirror, load, other);
+            })) {
+          return fmt::format("load case {} is not", load_case.name);
+        }
+      }
+    }
+    return {};
+  }
+
+  // What the steps do with a contact.
+  [[nodiscard]] std::vector<std::tuple<std::size_t, int, double>>
+  actions_on(base::ContactId contact) const {
+    std::vector<std::tuple<std::size_t, int, double>> all;
+    for (std::size_t s = 0; s < model_.steps.size(); ++s) {
+      for (const model::Action& action : model_.steps[s].actions) {
+        if (const auto* fit = std::get_if<model::ApplyFit>(&action);
+            fit != nullptr && fit->contact == contact) {
+          all.emplace_back(s, 0, fit->factor);
+        } else if (const auto* mount = std::get_if<model::Mount>(&action);
+                   mount != nullptr && mount->contact == contact) {
+          all.emplace_back(s, 1, 0.0);
+        } else if (const auto* off = std::get_if<model::Dismount>(&action);
+                   off != nullptr && off->contact == contact) {
+          all.emplace_back(s, 2, 0.0);
+        }
+      }
+    }
+    return all;
+  }
+
+  [[nodiscard]] bool mirrored_faces(const Mirror& mirror, base::FaceSetId one,
+                                    base::FaceSetId other) const {
+    return onto(mirror, {mesh_, mesh_.set(one).faces}, {mesh_, mesh_.set(other).faces});
+  }
+
+  // A rigid target that is its own image; of two targets that are images of each other it is not
+  // asked.
+  [[nodiscard]] bool mirrored_target(const Mirror& mirror, base::RigidId id) const {
+    const model::Rigid& r = model_.rigids[id.index()];
+    const double size = (r.second - r.first).norm() + std::abs(r.radius);
+    const auto same = [&](const base::Vec3& a, const base::Vec3& b) {
+      return (a - b).norm() <= same_value * size;
+    };
+    const base::Vec3 axis = r.second - r.first;
+    const bool across = axis.cross(base::Vec3::Unit(mirror.axis)).norm() <= same_value * size;
+    switch (r.shape) {
+    case model::RigidShape::arc:
+    case model::RigidShape::sphere:
+      return same(mirror(r.first), r.first);
+    case model::RigidShape::line:
+      return same(mirror(r.first), r.second);
+    case model::RigidShape::plane: // its normal lies in the mirror
+      return std::abs(axis[mirror.axis]) <= same_value * size;
+    case model::RigidShape::cylinder:
+      return across || (same(mirror(r.first), r.first) && same(mirror(r.second), r.second));
+    case model::RigidShape::cone:
+      return same(mirror(r.first), r.first) && same(mirror(r.second), r.second);
+    }
+    return false;
+  }
+
+  [[nodiscard]] bool answers(const Mirror& mirror, std::size_t one, std::size_t other) const {
+    const model::Contact& a = model_.contacts[one];
+    const model::Contact& b = model_.contacts[other];
+    if (a.type != b.type || a.gap.has_value() != b.gap.has_value() ||
+        (a.gap && !alike(*a.gap, *b.gap)) || !alike(a.mu, b.mu) ||
+        a.master.valid() != b.master.valid() ||
+        actions_on(base::ContactId(one)) != actions_on(base::ContactId(other)) ||
+        !mirrored_faces(mirror, a.slave, b.slave)) {
+      return false;
+    }
+    return a.master.valid() ? mirrored_faces(mirror, a.master, b.master)
+                            : one == other && mirrored_target(mirror, a.rigid);
+  }
+
+  [[nodiscard]] std::string against_contacts(const Mirror& mirror) const {
+    for (std::size_t one = 0; one < model_.contacts.size(); ++one) {
+      bool answered = false;
+      for (std::size_t other = 0; other < model_.contacts.size() && !answered; ++other) {
+        answered = answers(mirror, one, other);
+      }
+      if (!answered) {
+        return fmt::format("contact {} is not", model_.contacts[one].name);
+      }
+    }
+    return {};
+  }
+
+  [[nodiscard]] bool answers(const Mirror& mirror, const model::Mpc& one,
+                             const model::Mpc& other) const {
+    if (one.index() != other.index()) {
+      return false;
+    }
+    if (const auto* tie = std::get_if<model::Transition>(&one)) {
+      const auto& image = std::get<model::Transition>(other);
+      return onto(mirror, places_of_nodes(mesh_.set(tie->slave).nodes),
+                  places_of_nodes(mesh_.set(image.slave).nodes)) &&
+             mirrored_faces(mirror, tie->master, image.master);
+    }
+    if (const auto* rigid = std::get_if<model::RigidTie>(&one)) {
+      return onto(mirror, places_of_nodes(mesh_.set(rigid->slave).nodes),
+                  places_of_nodes(mesh_.set(std::get<model::RigidTie>(other).slave).nodes));
+    }
+    return false;
+  }
+
+  [[nodiscard]] std::string against_ties(const Mirror& mirror) const {
+    for (const model::Mpc& one : model_.mpcs) {
+      if (std::ranges::none_of(
+              model_.mpcs, [&](const model::Mpc& other) { return answers(mirror, one, other); })) {
+        return "an $MPC is not";
+      }
+    }
+    return {};
+  }
+
+  const model::Model& model_;
+  const model::Mesh& mesh_;
+  std::vector<Places> bodies_; ///< by material, state and thickness
+  std::vector<Places> held_;   ///< [direction]
+};
+
+} // namespace
+
+std::vector<results::MirrorPreview> find_mirrors(const model::Model& model) {
+  std::vector<results::MirrorPreview> found;
+  const std::vector<bool> used = model::nodes_in_use(model.mesh);
+  base::Vec3 low = base::Vec3::Constant(1e300);
+  base::Vec3 high = -low;
+  for (std::size_t n = 0; n < used.size(); ++n) {
+    if (used[n]) {
+      low = low.cwiseMin(model.mesh.x[n]);
+      high = high.cwiseMax(model.mesh.x[n]);
+    }
+  }
+  const Looks looks(model);
+  for (int axis = axisymmetric(model) ? 1 : 0; axis < model.mesh.dim; ++axis) {
+    const Mirror mirror{axis, 0.5 * (low[axis] + high[axis]), (high - low).norm()};
+    if (looks.bodies_mirrored(mirror)) {
+      const bool zero = std::abs(mirror.at) < 1e-9 * mirror.size;
+      found.push_back(
+          {.axis = axis, .at = zero ? 0.0 : mirror.at, .against = looks.against(mirror)});
+    }
+  }
+  return found;
+}
+
+} // namespace spricka::sense

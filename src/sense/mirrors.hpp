@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "model/forward.hpp"
+#include "results/preview.hpp"
+
+#include <vector>
+
+namespace spricka::sense {
+
+/// Planes across an axis of the deck in which all bodies and materials are their own mirror image:
+/// half a model does in those that supports, loads, contacts and cracks respect as well; for the
+/// others, what stands against it. Meshes need not be mirrored, their boundaries must be
+/// (`Places`). Nothing is offered where that can't be told: equations between freedoms stand
+/// against it.
+std::vector<results::MirrorPreview> find_mirrors(const model::Model& model);
+
+} // namespace spricka::sense

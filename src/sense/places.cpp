@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sense/places.hpp"
+
+#include "fe/face_point.hpp"
+#include "mesh/boundary.hpp"
+
+#include <utility>
+
+namespace spricka::sense {
+
+namespace {
+
+constexpr double same_side = 3e-3;  // of a face's size
+constexpr double same_point = 1e-6; // of the mesh's size
+constexpr double bulge = 0.1;       // of a face's size, beyond the box of its nodes
+
+contact::Box box_of(const std::vector<base::Vec3>& points) {
+  contact::Box box{points.front(), points.front()};
+  for (const base::Vec3& x : points) {
+    box.low = box.low.cwiseMin(x);
+    box.high = box.high.cwiseMax(x);
+  }
+  return box;
+}
+
+contact::Box grown(const contact::Box& box, double by) {
+  return {box.low.array() - by, box.high.array() + by};
+}
+
+std::vector<base::Vec3> corners_of(const model::Mesh& mesh, const model::Face& face) {
+  std::vector<base::Vec3> x;
+  for (const base::NodeId n : mesh::nodes_of_faces(mesh, {face})) {
+    x.push_back(mesh.x[n.index()]);
+  }
+  return x;
+}
+
+} // namespace
+
+Places::Places(const model::Mesh& mesh, std::vector<model::Face> faces,
+               std::vector<base::NodeId> nodes)
+    : mesh_(mesh), faces_(std::move(faces)) {
+  const contact::Box all = mesh.x.empty() ? contact::Box{} : box_of(mesh.x);
+  same_point_ = mesh.x.empty() ? 0.0 : same_point * (all.high - all.low).norm();
+  std::vector<contact::Box> boxes;
+  for (const model::Face& face : faces_) {
+    const std::vector<base::Vec3> x = corners_of(mesh, face);
+    const contact::Box box = box_of(x);
+    size_.push_back((box.high - box.low).norm());
+    boxes.push_back(grown(box, bulge * size_.back()));
+    fe::with_side(mesh, face, [&]<shape::Shape Side>(Side) {
+      samples_.push_back(fe::side_coordinates<Side>(mesh, face) * Side::N(shape::centre<Side>()));
+    });
+  }
+  for (const base::NodeId n : mesh::nodes_of_faces(mesh, faces_)) {
+    samples_.push_back(mesh.x[n.index()]);
+  }
+  for (const base::NodeId n : nodes) {
+    points_.push_back(mesh.x[n.index()]);
+    boxes.push_back(grown({points_.back(), points_.back()}, same_point_));
+    samples_.push_back(points_.back());
+  }
+  if (!boxes.empty()) {
+    tree_.emplace(boxes);
+  }
+}
+
+bool Places::has(const base::Vec3& x) const {
+  if (!tree_) {
+    return false;
+  }
+  for (const std::size_t i : tree_->met_by({x, x})) {
+    double off = 0.0;
+    double allowed = same_point_;
+    if (i >= faces_.size()) {
+      off = (x - points_[i - faces_.size()]).norm();
+    } else {
+      allowed = same_side * size_[i];
+      fe::with_side(mesh_, faces_[i], [&]<shape::Shape Side>(Side) {
+        const fe::SideNodes<Side> X = fe::side_coordinates<Side>(mesh_, faces_[i]);
+        off = (x - X * Side::N(fe::nearest_on_side<Side>(X, x))).norm();
+      });
+    }
+    if (off <= allowed) {
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace spricka::sense

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "contact/space/box_tree.hpp"
+#include "model/mesh.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace spricka::sense {
+
+/// A part of a mesh's boundary, faces and nodes, that one can ask whether a point lies on it: up to
+/// 3e-3 of the size of a face, as curved sides of two meshes of one body differ, and to 1e-6 of the
+/// whole mesh on a node.
+class Places {
+public:
+  Places(const model::Mesh& mesh, std::vector<model::Face> faces,
+         std::vector<base::NodeId> nodes = {});
+
+  [[nodiscard]] bool has(const base::Vec3& x) const;
+  /// Nodes of the faces and their centres, and the nodes: has() is true of each.
+  [[nodiscard]] const std::vector<base::Vec3>& samples() const { return samples_; }
+
+private:
+  const model::Mesh& mesh_;
+  std::vector<model::Face> faces_;
+  std::vector<double> size_; ///< [face]
+  std::vector<base::Vec3> points_;
+  double same_point_ = 0.0;
+  std::vector<base::Vec3> samples_;
+  std::optional<contact::BoxTree> tree_; ///< faces, then points
+};
+
+} // namespace spricka::sense
