@@ -26,6 +26,9 @@ constexpr std::size_t fewest_points = 4;
 /// An advance as a part of the way from the crack's place.
 constexpr double longest_part = 0.2;
 constexpr double usual_exponent = 3.0; // of a table
+/// A front is laid through its points so many times; what a point may have missed of its advance.
+constexpr int rounds = 2;
+constexpr double largest_miss = 0.5;
 
 } // namespace
 
@@ -179,19 +182,45 @@ std::optional<FrontWays::Neighbour> FreeWays::neighbour(std::size_t tip) const {
   return nearest;
 }
 
-void FreeWays::damp(std::vector<double>& by) const {
+FrontRates FreeWays::rates_of(const Growing& of, const State& state) const {
   const double exponent =
       model_.growth->constants.m > 0.0 ? model_.growth->constants.m : usual_exponent;
-  for (const Growing& of : now_.growing) {
-    std::vector<double> own;
-    for (const std::size_t tip : of.tips) {
-      own.push_back(by[tip]);
+  FrontRates front;
+  front.stiffness = exponent / of.arc.curve.length();
+  front.closed = of.arc.closed();
+  const Station& here = state.stations.back();
+  const std::size_t count = state.stations.size();
+  // A leap has nothing in common with what was before.
+  const Station* before = count > 1 && here.leapt == 0 ? &state.stations[count - 2] : nullptr;
+  for (const std::size_t tip : of.tips) {
+    front.rate.push_back(here.tips[tip].rate);
+    front.owed.push_back(here.tips[tip].owed);
+    if (before != nullptr) {
+      front.rate_before.push_back(before->tips[tip].rate);
+      front.last.push_back(here.tips[tip].a - before->tips[tip].a);
     }
-    own = without_waves(own, exponent / of.arc.curve.length(), of.arc.closed());
+  }
+  return front;
+}
+
+bool FreeWays::relax(const State& state, std::vector<double>& by) const {
+  for (const Growing& of : now_.growing) {
+    const FrontRates front = rates_of(of, state);
+    double sum = 0.0;
+    double rates = 0.0;
+    for (const std::size_t tip : of.tips) {
+      sum += by[tip];
+      rates += state.stations.back().tips[tip].rate;
+    }
+    if (!(rates > 0.0) || !std::isfinite(rates)) {
+      continue;
+    }
+    const std::vector<double> own = front.advances(sum / static_cast<double>(of.tips.size()));
     for (std::size_t i = 0; i < own.size(); ++i) {
       by[of.tips[i]] = own[i];
     }
   }
+  return true;
 }
 
 FreeWays::NextPoints FreeWays::next_points(const Growing& of, const Advance& advance) const {
@@ -243,16 +272,44 @@ bool FreeWays::draw(const NextPoints& next, Growing& of) {
   return true;
 }
 
+// Rates found later count along the front, whose points slide on it to stay evenly spread: each has
+// gone its advance at right angles to the mean of the front's directions before and behind.
+void FreeWays::go_round(const Growing& from, const std::vector<double>& by, Growing& of) {
+  if (of.arc.closed() != from.arc.closed()) {
+    return;
+  }
+  for (int round = 0; round < rounds; ++round) {
+    NextPoints next{.points = {}, .closed = of.arc.closed()};
+    for (std::size_t i = 0; i < of.tips.size(); ++i) {
+      const mesh::FrontFrame before = from.frame(i);
+      const mesh::FrontFrame behind = of.frame(i);
+      const Vec3 way = (before.m + behind.m).normalized();
+      const double missed = by[of.tips[i]] - (behind.x - before.x).dot(way);
+      if (std::abs(missed) > largest_miss * by[of.tips[i]]) {
+        return; // a notch, or a front that has come to lie otherwise
+      }
+      next.points.emplace_back(behind.x + missed * behind.m);
+    }
+    if (!draw(next, of)) {
+      return;
+    }
+  }
+}
+
 std::optional<CrackState> FreeWays::advanced(const State& /*state*/, const Advance& advance,
                                              base::Diagnostics& diagnostics) {
   trial_ = now_;
   for (std::size_t g = 0; g < now_.growing.size(); ++g) {
     Growing& of = trial_.growing[g];
-    if (!draw(next_points(now_.growing[g], advance), of)) {
+    const NextPoints next = next_points(now_.growing[g], advance);
+    if (!draw(next, of)) {
       diagnostics.error(now_.cracks[of.crack].span, "E425",
                         fmt::format("crack {}: its front would fall into several parts",
                                     now_.cracks[of.crack].name));
       return std::nullopt;
+    }
+    if (advance.leap == 0.0 && next.points.size() == of.tips.size()) {
+      go_round(now_.growing[g], advance.by, of);
     }
   }
   if (advance.meets > 0 && !join(advance)) {
@@ -288,6 +345,13 @@ void FreeWays::settle(State& state) {
   now_ = trial_;
   stands_anew();
   find_ligaments();
+  for (const Growing& of : now_.growing) {
+    const std::vector<double> astray = rates_of(of, state).astray();
+    for (std::size_t i = 0; i < astray.size(); ++i) {
+      double& part = state.stations.back().tips[of.tips[i]].astray;
+      part = std::max(part, std::abs(astray[i]));
+    }
+  }
   state.lines.assign(now_.cracks.size(), {});
   for (std::size_t c = 0; c < now_.cracks.size(); ++c) {
     if (is_gone(now_.cracks[c])) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "growth/front_arc.hpp"
+#include "growth/front_waves.hpp"
 #include "growth/front_ways.hpp"
 #include "growth/join_fronts.hpp"
 #include "model/cracks.hpp"
@@ -25,14 +26,14 @@ class FreeWays final : public FrontWays {
 public:
   /// Points of an open front and of one that is closed at first.
   static constexpr std::size_t open_points = 9;
-  static constexpr std::size_t closed_points = 16;
+  static constexpr std::size_t closed_points = 32;
 
   explicit FreeWays(const model::Model& model);
 
   void go_on(const State& state) override;
   [[nodiscard]] CrackState here() override;
   [[nodiscard]] double first_arm(std::size_t tip) const override { return first_arm_[tip]; }
-  void damp(std::vector<double>& by) const override;
+  bool relax(const State& state, std::vector<double>& by) const override;
   std::optional<CrackState> advanced(const State& state, const Advance& advance,
                                      base::Diagnostics& diagnostics) override;
   void place(std::vector<TipStation>& found) const override;
@@ -80,6 +81,10 @@ private:
   [[nodiscard]] NextPoints next_points(const Growing& of, const Advance& advance) const;
   /// A front on trial; false: it would be none, or several.
   bool draw(const NextPoints& next, Growing& of);
+  /// Of all that a front has made on its way to the last station.
+  [[nodiscard]] FrontRates rates_of(const Growing& of, const State& state) const;
+  /// Moves a front on trial to where its points have advanced by `by` [tip] on their way.
+  void go_round(const Growing& from, const std::vector<double>& by, Growing& of);
   [[nodiscard]] bool may_join(const model::Crack& one, const model::Crack& other) const;
   /// Of one crack against the other: what is nearer to it than `reach` does not stay.
   [[nodiscard]] MeetingFront meeting(const Growing& of, const Growing& other, double reach,

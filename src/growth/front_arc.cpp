@@ -8,8 +8,6 @@
 #include <utility>
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
-#include <Eigen/QR>
 
 namespace spricka::growth {
 
@@ -21,12 +19,6 @@ constexpr int looks_along = 240;     // places of a front that are looked at: in
 constexpr int points_of_front = 120; // of a front that is handed on: a spline through them
 constexpr int steps_out = 60;        // out of the body, each a fiftieth of the arc
 constexpr double step_out = 0.02;
-// Of nine points of an open front, and of sixteen of a closed one; of more, where two fronts have
-// become one, as many more.
-constexpr int degree_open = 4; // of the polynomial
-constexpr int harmonics = 6;
-constexpr int points_open = 9;
-constexpr int points_closed = 16;
 constexpr double still_apart = 0.25; // of two points before they went on
 constexpr std::size_t fewest_kept = 4;
 
@@ -199,59 +191,6 @@ std::vector<Vec3> without_crossings(const std::vector<mesh::FrontFrame>& from,
     points.push_back(to[i]);
   }
   return points;
-}
-
-std::vector<double> without_waves(const std::vector<double>& by, double stiffness, bool closed) {
-  const auto n = static_cast<Eigen::Index>(by.size());
-  base::Matrix shape(n, n);
-  base::Vector value(n);
-  base::Vector waves(n); // half of them along the arc
-  for (Eigen::Index k = 0; k < n; ++k) {
-    waves[k] = static_cast<double>(closed ? (k + 1) / 2 * 2 : k);
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const double turn = std::numbers::pi * waves[k] * static_cast<double>(i) /
-                          static_cast<double>(closed ? n : n - 1);
-      shape(i, k) = closed && k % 2 == 0 && k > 0 ? std::sin(turn) : std::cos(turn);
-    }
-    value[k] = by[static_cast<std::size_t>(k)];
-  }
-  base::Vector height = shape.partialPivLu().solve(value);
-  const double mean = value.mean();
-  for (Eigen::Index k = 1; k < n; ++k) {
-    // How many times its height an advance by its rate would change a wave (Rice 1985).
-    height[k] /= std::max(1.0, 0.5 * mean * stiffness * std::numbers::pi * waves[k]);
-  }
-  const base::Vector damped = shape * height;
-  return {damped.begin(), damped.end()};
-}
-
-std::vector<double> smooth_along(const std::vector<double>& values, bool closed) {
-  const auto n = static_cast<Eigen::Index>(values.size());
-  const Eigen::Index count =
-      closed ? 2 * std::max<Eigen::Index>(1, n * harmonics / points_closed) + 1
-             : (n > points_closed ? n * degree_open / points_open : degree_open) + 1;
-  if (n <= count || std::ranges::any_of(values, [](double v) { return !(v > 0.0); })) {
-    return values;
-  }
-  base::Matrix shape(n, count);
-  base::Vector value(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    value[i] = std::log(values[static_cast<std::size_t>(i)]);
-    const double part = static_cast<double>(i) / static_cast<double>(closed ? n : n - 1);
-    for (Eigen::Index k = 0; k < count; ++k) {
-      const auto order = static_cast<double>((k + 1) / 2);
-      const double turn = 2.0 * std::numbers::pi * order * part;
-      shape(i, k) = !closed      ? std::cos(static_cast<double>(k) * std::acos(2.0 * part - 1.0))
-                    : k % 2 == 0 ? std::cos(turn)
-                                 : std::sin(turn);
-    }
-  }
-  const base::Vector fitted = shape * shape.householderQr().solve(value);
-  std::vector<double> smooth;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    smooth.push_back(std::exp(fitted[i]));
-  }
-  return smooth;
 }
 
 } // namespace spricka::growth

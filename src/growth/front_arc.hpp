@@ -34,13 +34,4 @@ std::optional<model::Crack> crack_through(const model::Crack& before,
 std::vector<base::Vec3> without_crossings(const std::vector<mesh::FrontFrame>& from,
                                           const std::vector<base::Vec3>& to, bool closed);
 
-/// Values [point] along an arc, all above 0, without their scatter from mesh to mesh: their
-/// logarithms as the polynomial of degree 4 (an open arc) or by six harmonics (a closed one) that
-/// fits best.
-std::vector<double> smooth_along(const std::vector<double>& values, bool closed);
-
-/// Advances [point] along an arc, of whose waves none gets more than it takes to die away at once
-/// (growth.12). `stiffness`: the exponent of the law over the length of the arc [1/length].
-std::vector<double> without_waves(const std::vector<double>& by, double stiffness, bool closed);
-
 } // namespace spricka::growth

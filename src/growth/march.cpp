@@ -17,6 +17,8 @@ namespace {
 
 /// Logarithm of the ratio by which an arm grows at most.
 constexpr double first_step = 0.1;
+/// An advance that leads so far of the way to a tip's last length leads to it.
+constexpr double nearly_there = 0.95;
 
 } // namespace
 
@@ -108,10 +110,31 @@ bool March::plan() {
     const double all = std::clamp(by + owed, 0.5 * by, 2.0 * by);
     advance_.push_back(to_the_end ? left : std::min(all, left));
   }
-  if (leaping_ == 0) {
-    ways_->damp(advance_);
+  if (leaping_ == 0 && ways_->relax(state_, advance_)) {
+    stop_at_last_length();
   }
   return true;
+}
+
+// A front that relaxes goes farther at some places, and less far at others, than was planned: all
+// of it goes as far as the first tip may, which meets its last length exactly.
+void March::stop_at_last_length() {
+  std::size_t first = 0;
+  double most = 0.0;
+  for (std::size_t tip = 0; tip < tips().size(); ++tip) {
+    const double part = advance_[tip] / ways_->length_left(state_, tip);
+    if (part > most) {
+      most = part;
+      first = tip;
+    }
+  }
+  if (most < nearly_there) {
+    return;
+  }
+  for (double& by : advance_) {
+    by /= most;
+  }
+  advance_[first] = ways_->length_left(state_, first);
 }
 
 // The advance of all together; empty: the growth ends here.

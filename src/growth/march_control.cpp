@@ -347,7 +347,12 @@ double March::error() const {
       missed += part_of_leap * fine.cycles(all[i].s, to);
       continue;
     }
-    missed += std::abs(fine.cycles(all[i].s, to) - coarse.cycles(all[i].s, to));
+    double astray = 0.0; // a front that is not where it is owed to be
+    for (const TipStation& tip : all[i + 1].tips) {
+      astray = std::max(astray, tip.astray);
+    }
+    const double cycles = fine.cycles(all[i].s, to);
+    missed += std::abs(cycles - coarse.cycles(all[i].s, to)) + astray * cycles;
   }
   return missed / fine.cycles(all.front().s, last);
 }

@@ -8,12 +8,12 @@ namespace spricka::growth {
 namespace {
 
 // The order of values in restart files; files with more or fewer are refused by their length.
-constexpr std::array tip_values{
-    &TipStation::a,     &TipStation::K_max,     &TipStation::K_min,     &TipStation::K2_max,
-    &TipStation::rate,  &TipStation::turn,      &TipStation::heading,   &TipStation::x,
-    &TipStation::y,     &TipStation::z,         &TipStation::lever,     &TipStation::plastic,
-    &TipStation::owed,  &TipStation::first_max, &TipStation::first_min, &TipStation::passes,
-    &TipStation::change};
+constexpr std::array tip_values{&TipStation::a,         &TipStation::K_max,  &TipStation::K_min,
+                                &TipStation::K2_max,    &TipStation::rate,   &TipStation::turn,
+                                &TipStation::heading,   &TipStation::x,      &TipStation::y,
+                                &TipStation::z,         &TipStation::lever,  &TipStation::plastic,
+                                &TipStation::owed,      &TipStation::astray, &TipStation::first_max,
+                                &TipStation::first_min, &TipStation::passes, &TipStation::change};
 
 /// Reads an array from its beginning; whether it held enough is known at the end.
 class Reader {

@@ -21,6 +21,7 @@ struct TipStation {
   double heading = 0.0; ///< the way on, from +x [rad]
   double x = 0.0, y = 0.0, z = 0.0;
   double owed = 0.0;    ///< what the rates found since would have made of the arm more [length]
+  double astray = 0.0;  ///< part of its rate that may be wrong for what is owed
   double plastic = 0.0; ///< force and moment over the ligament, over their plastic limit
   /// Where friction makes K a history: K of its first cycle or pass, passes until it repeated
   /// itself, and what still changed in the last one over the largest K.

@@ -78,8 +78,9 @@ public:
   /// How far all may go (`ds` at most) for the sake of a tip that takes `share` of it.
   [[nodiscard]] virtual WayLimit limit(const State& state, std::size_t tip, double share,
                                        double ds) const = 0;
-  /// Takes out of an advance [tip] what would make waves of a front grow instead of dying away.
-  virtual void damp(std::vector<double>& /*by*/) const {}
+  /// Turns an advance [tip] into the one that a front makes which takes the shape it tends to;
+  /// false: there is no such front.
+  virtual bool relax(const State& /*state*/, std::vector<double>& /*by*/) const { return false; }
   /// The cracks after an advance [tip] from the last station, then the state on trial; empty, with
   /// errors: there are none. `leap` > 0: through what is left, and so much farther than needed.
   virtual std::optional<CrackState> advanced(const State& state, const Advance& advance,

@@ -78,6 +78,51 @@ PlaceOnFront place_on_path(const results::LoadPath& path, const std::string& cra
   return nearest_place(path.fronts, crack, x, std::pair(front_of, x_of));
 }
 
+/// What of a front's point counts at a place.
+struct PointWeight {
+  std::size_t point = 0;
+  double weight = 0.0;
+};
+
+// The cubic through the four points about a place (`s_of` [point] the length up to it), as K along
+// a front bends between two of them; a line where the faces touch at one of them.
+template <class SOf, class ClosedOf>
+std::vector<PointWeight> weights_at(const results::FrontResult& front, std::size_t count,
+                                    const PlaceOnFront& at, const std::pair<SOf, ClosedOf>& read) {
+  constexpr std::size_t four = 4;
+  std::vector<PointWeight> found{{at.from, 1.0 - at.part}, {at.to, at.part}};
+  if (count < four) {
+    return found;
+  }
+  // From the one before the two on; at an open end the first or the last four.
+  const std::size_t first = front.closed
+                                ? (at.from + count - 1) % count
+                                : std::min(std::max<std::size_t>(at.from, 1) - 1, count - four);
+  std::vector<double> s;
+  std::vector<PointWeight> all;
+  double place = 0.0;
+  for (std::size_t k = first; k < first + four; ++k) {
+    const std::size_t i = k % count;
+    const double round = k < count ? 0.0 : front.length;
+    s.push_back(read.first(i) + round);
+    all.push_back({i, 1.0});
+    if (read.second(i)) {
+      return found;
+    }
+    if (i == at.from) {
+      const std::size_t next = (i + 1) % count;
+      const double after = read.first(next) + (next == 0 ? front.length : 0.0) - read.first(i);
+      place = s.back() + at.part * after;
+    }
+  }
+  for (std::size_t k = 0; k < four; ++k) {
+    for (std::size_t j = 0; j < four; ++j) {
+      all[k].weight *= j == k ? 1.0 : (place - s[j]) / (s[k] - s[j]);
+    }
+  }
+  return all;
+}
+
 // K1, K2, K3 as smooth functions along the front; `corrected`: with the estimated error of K taken
 // out, at the surface that of the next point.
 base::Vec3 smooth_K(const results::FrontResult& front, const PlaceOnFront& at, bool corrected) {
@@ -92,7 +137,14 @@ base::Vec3 smooth_K(const results::FrontResult& front, const PlaceOnFront& at, b
     }
     return K;
   };
-  return (1.0 - at.part) * of(at.from) + at.part * of(at.to);
+  const auto s_of = [&](std::size_t i) { return front.points[i].s; };
+  const auto closed = [&](std::size_t i) { return front.points[i].closed; };
+  base::Vec3 K = base::Vec3::Zero();
+  for (const auto& [i, weight] :
+       weights_at(front, front.points.size(), at, std::pair(s_of, closed))) {
+    K += weight * of(i);
+  }
+  return K;
 }
 
 // K1 on the path; at the surface that which points further in go on to.
@@ -101,12 +153,18 @@ base::PiecewiseLinear K1_on_path(const results::PathFront& front, const PlaceOnF
     return p.is.at_surface ? p.inner[0] : p.K[0];
   };
   const base::PiecewiseLinear& from = of(front.points[at.from]);
-  const base::PiecewiseLinear& to = of(front.points[at.to]);
-  std::vector<double> value;
-  std::vector<double> slope;
-  for (std::size_t i = 0; i < from.segments(); ++i) {
-    value.push_back((1.0 - at.part) * from.at_knot(i) + at.part * to.at_knot(i));
-    slope.push_back((1.0 - at.part) * from.slope(i) + at.part * to.slope(i));
+  const auto s_of = [&](std::size_t i) { return front.points[i].is.s; };
+  // Where faces touch under a load K bends by t: no cubic.
+  const auto closed = [&](std::size_t i) { return front.points[i].is.closed; };
+  std::vector<double> value(from.segments(), 0.0);
+  std::vector<double> slope(from.segments(), 0.0);
+  for (const auto& [i, weight] :
+       weights_at(front.is, front.points.size(), at, std::pair(s_of, closed))) {
+    const base::PiecewiseLinear& K = of(front.points[i]);
+    for (std::size_t k = 0; k < value.size(); ++k) {
+      value[k] += weight * K.at_knot(k);
+      slope[k] += weight * K.slope(k);
+    }
   }
   return {from.knots(), std::move(value), std::move(slope)};
 }

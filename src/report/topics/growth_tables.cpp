@@ -221,6 +221,34 @@ std::string history_summary(const model::Model& model, const results::Growth& gr
   return out;
 }
 
+// What the error bars of K at the first station mean for the cycles of cracks in space, where a
+// wish for K, or CORRECT, costs so much that most lives are those of the mesh as it is.
+std::string mesh_words(const model::Model& model, const results::Run& run) {
+  const double exponent = model.growth->constants.m;
+  if (run.growth->corrected || model.growth->spectrum || !(exponent > 0.0) ||
+      run.increments.empty() || model.growth->kmax.index() >= run.increments[0].steps.size()) {
+    return {};
+  }
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (const results::FrontResult& front :
+       run.increments[0].steps[model.growth->kmax.index()].fronts) {
+    for (const results::FrontPlace& place : front.points) {
+      if (front.no_bar.empty() && !place.at_surface && place.K1 > 0.0) {
+        sum += place.bar[0].size() / place.K1;
+        ++count;
+      }
+    }
+  }
+  if (count == 0) {
+    return {};
+  }
+  const double known = sum / static_cast<double>(count);
+  return fmt::format("K of the first station has error bars of {:.2g} % on the mean, which are "
+                     "{:.2g} % of the cycles; CORRECT=YES takes out what is known of it.\n",
+                     100.0 * known, 100.0 * exponent * known);
+}
+
 } // namespace
 
 std::string scaled_words(const results::ScaledLife& other) {
@@ -251,6 +279,7 @@ std::string life_summary(const model::Model& model, const results::Run& run) {
              ? fmt::format("; the stations miss some {:.2g} % of them (TOL {:.2g} %)\n",
                            100.0 * growth.error, 100.0 * model.growth->tolerance)
              : "; too few stations to tell their error\n";
+  out += mesh_words(model, run);
   if (growth.followed) {
     out += history_summary(model, growth);
   }

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "growth/front_waves.hpp"
+
+#include "base/vec.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+
+namespace spricka::growth {
+
+namespace {
+
+// Of nine points of an open front, and of 32 of a closed one; of more, where two fronts have
+// become one, as many more.
+constexpr int degree_open = 4; // of the polynomial
+constexpr int harmonics = 12;
+constexpr int points_open = 9;
+constexpr int points_closed = 32;
+/// What rates of before, and what is owed, may add to an advance or take away: parts of it.
+constexpr double least_part = 0.5;
+constexpr double largest_part = 2.0;
+
+base::Vector vector_of(const std::vector<double>& values) {
+  return base::Vector(base::Vector::Map(values.data(), static_cast<Eigen::Index>(values.size())));
+}
+
+// Waves [column] of unit height at the points of an arc, and how many halves of each it has.
+struct Waves {
+  base::Matrix shape;
+  base::Vector halves;
+
+  Waves(Eigen::Index n, bool closed) : shape(n, n), halves(n) {
+    for (Eigen::Index k = 0; k < n; ++k) {
+      halves[k] = static_cast<double>(closed ? (k + 1) / 2 * 2 : k);
+      for (Eigen::Index i = 0; i < n; ++i) {
+        const double turn = std::numbers::pi * halves[k] * static_cast<double>(i) /
+                            static_cast<double>(closed ? n : n - 1);
+        shape(i, k) = closed && k % 2 == 0 && k > 0 ? std::sin(turn) : std::cos(turn);
+      }
+    }
+  }
+  [[nodiscard]] base::Vector heights(const base::Vector& values) const {
+    return shape.partialPivLu().solve(values);
+  }
+};
+
+// Integrals of exp(-z t) and t exp(-z (1 - t)) over an advance, t from 0 to 1; series where the
+// closed forms cancel.
+double decayed(double z) {
+  return z < 1e-4 ? 1.0 - 0.5 * z : -std::expm1(-z) / z;
+}
+double decayed_rise(double z) {
+  return z < 1e-4 ? 0.5 - z / 6.0 : (std::expm1(-z) + z) / (z * z);
+}
+
+} // namespace
+
+std::vector<double> FrontRates::advances(double mean) const {
+  const auto n = static_cast<Eigen::Index>(rate.size());
+  const Waves waves(n, closed);
+  const base::Vector now = vector_of(rate) / vector_of(rate).mean();
+  const base::Vector due = vector_of(owed).array() - vector_of(owed).mean();
+  const base::Vector share = waves.heights(now);
+  const base::Vector missed = waves.heights(due);
+  const base::Vector decay = 0.5 * stiffness * std::numbers::pi * waves.halves; // [1/length]
+  base::Vector first(n);
+  base::Vector more(n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    first[k] = mean * decayed(decay[k] * mean) * share[k];
+    more[k] = std::exp(-decay[k] * mean) * missed[k];
+  }
+  const double mean_before = last.empty() ? 0.0 : vector_of(last).mean();
+  if (!rate_before.empty() && mean_before > 0.0) {
+    const base::Vector before = vector_of(rate_before) / vector_of(rate_before).mean();
+    // What a wave's rate has changed by beside what its own height took away.
+    const base::Vector change =
+        waves.heights(now - before) + decay.cwiseProduct(waves.heights(vector_of(last)));
+    for (Eigen::Index k = 1; k < n; ++k) {
+      const double z = decay[k] * mean;
+      more[k] += mean * mean / mean_before * decayed_rise(z) / std::max(1.0, z) * change[k];
+    }
+  }
+  const base::Vector way = (waves.shape * first).cwiseMax(0.0);
+  const base::Vector all = way + waves.shape * more;
+  std::vector<double> by;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    by.push_back(now[i] > 0.0 ? std::clamp(all[i], least_part * way[i], largest_part * way[i])
+                              : 0.0);
+  }
+  return by;
+}
+
+std::vector<double> FrontRates::astray() const {
+  const Waves waves(static_cast<Eigen::Index>(owed.size()), closed);
+  const base::Vector part = waves.shape * (0.5 * stiffness * std::numbers::pi * waves.halves)
+                                              .cwiseProduct(waves.heights(vector_of(owed)));
+  return {part.begin(), part.end()};
+}
+
+std::vector<double> smooth_along(const std::vector<double>& values, bool closed) {
+  const auto n = static_cast<Eigen::Index>(values.size());
+  const Eigen::Index count =
+      closed ? 2 * std::max<Eigen::Index>(1, n * harmonics / points_closed) + 1
+             : (n > points_closed ? n * degree_open / points_open : degree_open) + 1;
+  if (n <= count || std::ranges::any_of(values, [](double v) { return !(v > 0.0); })) {
+    return values;
+  }
+  base::Matrix shape(n, count);
+  base::Vector value(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    value[i] = std::log(values[static_cast<std::size_t>(i)]);
+    const double part = static_cast<double>(i) / static_cast<double>(closed ? n : n - 1);
+    for (Eigen::Index k = 0; k < count; ++k) {
+      const auto order = static_cast<double>((k + 1) / 2);
+      const double turn = 2.0 * std::numbers::pi * order * part;
+      shape(i, k) = !closed      ? std::cos(static_cast<double>(k) * std::acos(2.0 * part - 1.0))
+                    : k % 2 == 0 ? std::cos(turn)
+                                 : std::sin(turn);
+    }
+  }
+  const base::Vector fitted = shape * shape.householderQr().solve(value);
+  std::vector<double> smooth;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    smooth.push_back(std::exp(fitted[i]));
+  }
+  return smooth;
+}
+
+} // namespace spricka::growth

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <vector>
+
+/// Waves of a front that takes its own shape: points spread evenly along it, what K makes of the
+/// waves that they stand for, and the scatter of meshes in it.
+namespace spricka::growth {
+
+/// Values [point] along an arc, all above 0, without their scatter from mesh to mesh: their
+/// logarithms as the polynomial of degree 4 (an open arc) or by twelve harmonics (a closed one)
+/// that fits best.
+std::vector<double> smooth_along(const std::vector<double>& values, bool closed);
+
+/// What is known of a front that goes on.
+struct FrontRates {
+  std::vector<double> rate;        ///< [point]
+  std::vector<double> rate_before; ///< [point] one advance ago; empty: not known
+  std::vector<double> last;        ///< [point] that advance [length]
+  std::vector<double> owed;        ///< [point] what is to be made up for [length]
+  double stiffness = 0.0;          ///< exponent of the law over the length of the arc [1/length]
+  bool closed = false;
+
+  /// Its advances [point] by `mean` on the whole, of the second order in it, each wave on its way
+  /// to the shape that it tends to (growth.13) [length].
+  [[nodiscard]] std::vector<double> advances(double mean) const;
+  /// Part by which rates [point] are wrong where the front is not where it is owed to be.
+  [[nodiscard]] std::vector<double> astray() const;
+};
+
+} // namespace spricka::growth

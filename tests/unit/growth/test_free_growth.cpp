@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "exact_front.hpp"
+#include "growing_block.hpp"
+#include "growth/free_ways.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+#include <numbers>
+#include <vector>
+
+namespace {
+
+using namespace spricka;
+using namespace spricka::test;
+
+/// An embedded ellipse of `ratio` by 1 that grows freely by da/dN = K^m until its longer axis is
+/// `last`, and what tests/bench/free_front.py has for it.
+struct Free {
+  double ratio, m, last;
+  double cycles, shape;       ///< the truth
+  double of_cycles, of_shape; ///< parts that may be missed with TOL=0.02
+  int points;
+};
+
+mesh::FrontCurve curve_of(const model::Crack& crack) {
+  std::vector<Vec3> points = crack.points;
+  if (crack.kind == model::CrackKind::ellipse) {
+    for (int i = 0; i < 240; ++i) {
+      const double phi = 2.0 * std::numbers::pi * i / 240;
+      points.emplace_back(crack.plane.c * std::cos(phi), crack.plane.a * std::sin(phi), 0.0);
+    }
+  }
+  const std::vector<Vec3> normals(points.size(), Vec3::UnitZ());
+  return {points, normals, true};
+}
+
+void grows_as(const Free& truth) {
+  Block block({-20, -20, -20}, {20, 20, 20}, 4);
+  block.ellipse(Vec3::Zero(), truth.ratio, 1.0);
+  block.model.growth->last_length = truth.last;
+  block.model.growth->tolerance = 0.02;
+  block.model.growth->constants.m = truth.m;
+  const auto law = [&](double K, double /*K_min*/) { return std::pow(K, truth.m); };
+  growth::March march(block.model, law, std::make_unique<growth::FreeWays>(block.model), {});
+  ExactFront exact(truth.points);
+  exact.flatten(truth.ratio);
+  const Vec3 nowhere(1e9, 0, 0);
+  Vec3 solved = nowhere;
+  std::vector<Vec3> aims;
+  run(
+      march,
+      [&](const growth::CrackState& cracks, const Vec3& x) {
+        if (cracks.aims.front() != solved) { // of all tips the first
+          exact.move_to(curve_of(cracks.solids[0]));
+          solved = cracks.aims.front();
+        }
+        aims = cracks.aims;
+        return exact.K_at(x);
+      },
+      law);
+  ASSERT_EQ(march.end()->word, "AMAX");
+  double a = 0.0;
+  double c = 0.0;
+  for (const Vec3& x : aims) {
+    a = std::max(a, std::abs(x.y()));
+    c = std::max(c, std::abs(x.x()));
+  }
+  const double cycles = march.trajectory().cycles(march.state().stations.front().s, march.end()->s);
+  EXPECT_NEAR(cycles / truth.cycles, 1.0, truth.of_cycles);
+  EXPECT_NEAR(a / c / truth.shape, 1.0, truth.of_shape);
+  EXPECT_LT(std::abs(cycles / truth.cycles - 1.0), march.error());
+  EXPECT_LT(march.error(), 0.02);
+  EXPECT_LT(march.state().stations.size(), 12U);
+}
+
+// Its life is 1.6 % longer than that of an ellipse that stays one.
+TEST(FreeGrowth, OfAnEllipseIsTheTrueOne) {
+  grows_as({0.5, 3, 1.15, 0.2320557, 0.709149, 3e-3, 3e-3, 64});
+}
+
+// Longer, steeper, flatter.
+TEST(FreeGrowth, OfOtherEllipsesIsTheTrueOne) {
+  if (std::getenv("SPRICKA_FULL") == nullptr) { // NOLINT(concurrency-mt-unsafe)
+    GTEST_SKIP() << "with SPRICKA_FULL=1";
+  }
+  grows_as({0.5, 3, 1.5, 0.4690921, 0.869814, 3e-3, 3e-3, 96});
+  grows_as({0.5, 4, 1.15, 0.2457220, 0.758326, 3e-3, 3e-3, 96});
+  grows_as({0.2, 3, 1.15, 0.59619, 0.6531, 5e-3, 5e-3, 160});
+}
+
+} // namespace
