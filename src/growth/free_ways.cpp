@@ -29,6 +29,15 @@ constexpr double usual_exponent = 3.0; // of a table
 /// A front is laid through its points so many times; what a point may have missed of its advance.
 constexpr int rounds = 2;
 constexpr double largest_miss = 0.5;
+/// Cosine of what a front turns by from end to end at least if it is no straight one: 45 degrees.
+constexpr double hardly_turned = 0.7;
+
+FrontKind kind_of(const FrontArc& arc) {
+  const double turned = arc.curve.at(0.0).m.dot(arc.curve.at(arc.curve.length()).m);
+  return arc.closed()             ? FrontKind::closed
+         : turned > hardly_turned ? FrontKind::straight
+                                  : FrontKind::round;
+}
 
 } // namespace
 
@@ -330,7 +339,7 @@ void FreeWays::place(std::vector<TipStation>& found) const {
     if (std::ranges::any_of(rate, [](double r) { return !std::isfinite(r); })) {
       continue;
     }
-    const std::vector<double> smooth = smooth_along(rate, of.arc.closed());
+    const std::vector<double> smooth = smooth_along(rate, kind_of(of.arc));
     for (std::size_t i = 0; i < of.tips.size(); ++i) {
       TipStation& at = found[of.tips[i]];
       if (at.rate > 0.0) {

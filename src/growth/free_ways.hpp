@@ -25,7 +25,7 @@ inline bool is_gone(const model::Crack& crack) {
 class FreeWays final : public FrontWays {
 public:
   /// Points of an open front and of one that is closed at first.
-  static constexpr std::size_t open_points = 9;
+  static constexpr std::size_t open_points = 17;
   static constexpr std::size_t closed_points = 32;
 
   explicit FreeWays(const model::Model& model);

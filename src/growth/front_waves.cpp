@@ -14,11 +14,12 @@ namespace spricka::growth {
 
 namespace {
 
-// Of nine points of an open front, and of 32 of a closed one; of more, where two fronts have
-// become one, as many more.
-constexpr int degree_open = 4; // of the polynomial
+// Of 17 points of an open front, and of 32 of a closed one; of more, where two fronts have become
+// one, as many more.
+constexpr int degree_round = 8; // of the polynomial, of a front that turns
+constexpr int degree_straight = 4;
 constexpr int harmonics = 12;
-constexpr int points_open = 9;
+constexpr int points_open = 17;
 constexpr int points_closed = 32;
 /// What rates of before, and what is owed, may add to an advance or take away: parts of it.
 constexpr double least_part = 0.5;
@@ -101,11 +102,13 @@ std::vector<double> FrontRates::astray() const {
   return {part.begin(), part.end()};
 }
 
-std::vector<double> smooth_along(const std::vector<double>& values, bool closed) {
+std::vector<double> smooth_along(const std::vector<double>& values, FrontKind kind) {
+  const bool closed = kind == FrontKind::closed;
+  const int degree = kind == FrontKind::straight ? degree_straight : degree_round;
   const auto n = static_cast<Eigen::Index>(values.size());
-  const Eigen::Index count =
-      closed ? 2 * std::max<Eigen::Index>(1, n * harmonics / points_closed) + 1
-             : (n > points_closed ? n * degree_open / points_open : degree_open) + 1;
+  const Eigen::Index count = closed
+                                 ? 2 * std::max<Eigen::Index>(1, n * harmonics / points_closed) + 1
+                                 : (n > points_closed ? n * degree / points_open : degree) + 1;
   if (n <= count || std::ranges::any_of(values, [](double v) { return !(v > 0.0); })) {
     return values;
   }

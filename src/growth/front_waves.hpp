@@ -6,10 +6,14 @@
 /// waves that they stand for, and the scatter of meshes in it.
 namespace spricka::growth {
 
+/// A front all round; from surface to surface on a bend, as that of a surface or corner crack;
+/// nearly straight, as one behind the faces of a plate, with few points of the mesh along it.
+enum class FrontKind { closed, round, straight };
+
 /// Values [point] along an arc, all above 0, without their scatter from mesh to mesh: their
-/// logarithms as the polynomial of degree 4 (an open arc) or by twelve harmonics (a closed one)
+/// logarithms as the polynomial of degree 8 (round; straight: 4) or by twelve harmonics (closed)
 /// that fits best.
-std::vector<double> smooth_along(const std::vector<double>& values, bool closed);
+std::vector<double> smooth_along(const std::vector<double>& values, FrontKind kind);
 
 /// What is known of a front that goes on.
 struct FrontRates {
