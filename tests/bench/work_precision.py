@@ -59,10 +59,10 @@ def strip_problem(folder, level, _):
 
 PROBLEMS = {
     "single": Problem("Lug, press-fitted sleeve, net-fit shaft, one crack a/R = 0.3",
-                      "bench_lug_single.deck", 630.62,
-                      "node pairs with an active set and Lagrange multipliers agree to 1e-4",
+                      "bench_lug_single.deck", 630.6572,
+                      "limit of two rows of meshes, lug_reference.py; others' solvers 630.62 to 1e-4",
                       "LOAD", "TOP", lug_problem(False), (0.0, 1.0), "LUG",
-                      calculix.LUG_MATERIAL["LUG"], (3.0, 8.0)),
+                      calculix.LUG_MATERIAL["LUG"], (3.0, 8.0), doubt=1e-6),
     "double": Problem("The same with two cracks", "bench_lug_double.deck", 664.467,
                       "two independent plane solvers agree to 1e-4", "LOAD", "TOP",
                       lug_problem(True), (0.0, 1.0), "LUG", calculix.LUG_MATERIAL["LUG"],
