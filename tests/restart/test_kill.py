@@ -9,8 +9,8 @@ import time
 
 from run_folders import CORNER, TOP, RestartTest, keeping, main
 
-KILLS = 100 if os.environ.get("SPRICKA_FULL") else 10
-KILLS_IN_SPACE = 15 if os.environ.get("SPRICKA_FULL") else 2  # of each shape
+KILLS = 100 if os.environ.get("SPRICKA_FULL") else 6
+KILLS_IN_SPACE = 15 if os.environ.get("SPRICKA_FULL") else 1  # of each shape
 SEED = 20261
 
 
