@@ -65,6 +65,11 @@ void MeetingFront::turn_over() {
 std::optional<JoinedFront> join_fronts(const MeetingFront& one, const MeetingFront& other) {
   const Gap a = gap_of(one);
   const Gap b = gap_of(other);
+  const bool open = !one.closed && !other.closed;
+  if ((one.closed && !other.closed) ||
+      (open && a.where == Meets::at_first && b.where == Meets::at_last)) {
+    return join_fronts(other, one);
+  }
   JoinedFront joined;
   if (one.closed && other.closed && a.where == Meets::inside && b.where == Meets::inside) {
     joined.closed = true;
@@ -74,15 +79,9 @@ std::optional<JoinedFront> join_fronts(const MeetingFront& one, const MeetingFro
     append(one, 0, a.middle(), joined);
     append_all(other, b.middle(), joined);
     append(one, a.middle(), one.points.size(), joined);
-  } else if (one.closed && !other.closed) {
-    return join_fronts(other, one);
-  } else if (!one.closed && !other.closed && a.where == Meets::at_last &&
-             b.where == Meets::at_first) {
+  } else if (open && a.where == Meets::at_last && b.where == Meets::at_first) {
     append_all(one, 0, joined);
     append_all(other, 0, joined);
-  } else if (!one.closed && !other.closed && a.where == Meets::at_first &&
-             b.where == Meets::at_last) {
-    return join_fronts(other, one);
   } else {
     return std::nullopt;
   }

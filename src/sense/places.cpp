@@ -38,7 +38,7 @@ std::vector<base::Vec3> corners_of(const model::Mesh& mesh, const model::Face& f
 } // namespace
 
 Places::Places(const model::Mesh& mesh, std::vector<model::Face> faces,
-               std::vector<base::NodeId> nodes)
+               const std::vector<base::NodeId>& nodes)
     : mesh_(mesh), faces_(std::move(faces)) {
   const contact::Box all = mesh.x.empty() ? contact::Box{} : box_of(mesh.x);
   same_point_ = mesh.x.empty() ? 0.0 : same_point * (all.high - all.low).norm();

@@ -14,7 +14,7 @@ namespace spricka::sense {
 class Places {
 public:
   Places(const model::Mesh& mesh, std::vector<model::Face> faces,
-         std::vector<base::NodeId> nodes = {});
+         const std::vector<base::NodeId>& nodes = {});
 
   [[nodiscard]] bool has(const base::Vec3& x) const;
   /// Nodes of the faces and their centres, and the nodes: has() is true of each.
