@@ -14,9 +14,6 @@
 #include "analysis/lengths/shown_results.hpp"
 #include "archive/safe_file.hpp"
 #include "growth/crack_lines.hpp"
-#include "growth/ellipse_ways.hpp"
-#include "growth/free_ways.hpp"
-#include "growth/line_ways.hpp"
 #include "growth/march.hpp"
 #include "model/model.hpp"
 #include "results/growth_end.hpp"
@@ -50,7 +47,7 @@ public:
         on_the_way_(asked_steps(model, false)) {}
 
   bool run() {
-    std::unique_ptr<growth::Ways> ways = first_ways();
+    std::unique_ptr<growth::Ways> ways = first_ways(model_, diagnostics_);
     if (!ways) {
       return false;
     }
@@ -97,25 +94,6 @@ public:
   }
 
 private:
-  // The cracks as they are first; null: they cannot grow.
-  std::unique_ptr<growth::Ways> first_ways() {
-    if (model_.mesh.dim == 3) {
-      std::unique_ptr<growth::Ways> ways;
-      if (model_.growth->shape == model::FrontShape::ellipse) {
-        ways = std::make_unique<growth::EllipseWays>(model_);
-      } else {
-        ways = std::make_unique<growth::FreeWays>(model_);
-      }
-      return growth_can_begin(model_, *ways, diagnostics_) ? std::move(ways) : nullptr;
-    }
-    std::optional<std::vector<mesh::CrackLine>> lines =
-        growth::crack_lines(model_, 0.0, diagnostics_);
-    if (!lines || !growth_can_begin(model_, *lines, diagnostics_)) {
-      return nullptr;
-    }
-    return std::make_unique<growth::LineWays>(model_, std::move(*lines));
-  }
-
   // Stations of an earlier run; the state behind the last of them.
   std::optional<results::NamedArrays> take_over_kept() {
     const Recorded stretch(options_.checkpoint != nullptr ? options_.recorder : nullptr, "RESTART",

@@ -2,11 +2,15 @@
 #include "analysis/lengths/growth_rules.hpp"
 
 #include "growth/crack_lines.hpp"
+#include "growth/ellipse_ways.hpp"
+#include "growth/free_ways.hpp"
 #include "growth/line_ways.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -151,6 +155,24 @@ std::vector<std::string> doubts_of_life(const results::Growth& growth) {
                     growth.cycles(), growth.unit));
   }
   return warnings;
+}
+
+std::unique_ptr<growth::Ways> first_ways(const model::Model& model,
+                                         base::Diagnostics& diagnostics) {
+  if (model.mesh.dim == 3) {
+    std::unique_ptr<growth::Ways> ways;
+    if (model.growth->shape == model::FrontShape::ellipse) {
+      ways = std::make_unique<growth::EllipseWays>(model);
+    } else {
+      ways = std::make_unique<growth::FreeWays>(model);
+    }
+    return growth_can_begin(model, *ways, diagnostics) ? std::move(ways) : nullptr;
+  }
+  std::optional<std::vector<mesh::CrackLine>> lines = growth::crack_lines(model, 0.0, diagnostics);
+  if (!lines || !growth_can_begin(model, *lines, diagnostics)) {
+    return nullptr;
+  }
+  return std::make_unique<growth::LineWays>(model, std::move(*lines));
 }
 
 } // namespace spricka::analysis

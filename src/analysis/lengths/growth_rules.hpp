@@ -6,6 +6,7 @@
 #include "model/forward.hpp"
 #include "results/growth.hpp"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ bool growth_can_begin(const model::Model& model, const std::vector<mesh::CrackLi
 /// The same for cracks in space, whose ways know the tips.
 bool growth_can_begin(const model::Model& model, const growth::Ways& ways,
                       base::Diagnostics& diagnostics);
+
+/// The cracks of $GROW as they are at first, in the plane or in space; null: they cannot grow.
+std::unique_ptr<growth::Ways> first_ways(const model::Model& model, base::Diagnostics& diagnostics);
 
 /// Doubts about the cycles as a whole: none or next to none, or growth too fast for a law.
 std::vector<std::string> doubts_of_life(const results::Growth& growth);

@@ -27,7 +27,7 @@ struct SectionPlace {
   double C = 0.0, S = 0.0;   ///< of theta
   double c3 = 0.0, s3 = 0.0; ///< of 3 theta/2
 
-  SectionPlace(double r, double theta);
+  SectionPlace(double radius, double angle);
 };
 
 /// Displacements along m, b, t as a function of y and z, with derivatives.

@@ -73,9 +73,11 @@ public:
   /// Every length. Without `forecast` only mistakes are looked for.
   void look(bool forecast) {
     if (analysis::grows_by_law(model_)) {
-      if (const auto lines = growth::crack_lines(model_, 0.0, diagnostics)) {
-        analysis::growth_can_begin(model_, *lines, diagnostics);
-        stations = stations_at_least(model_, *lines);
+      analysis::first_ways(model_, diagnostics);
+      if (model_.mesh.dim == 2 && !diagnostics.has_errors()) {
+        if (const auto lines = growth::crack_lines(model_, 0.0, diagnostics)) {
+          stations = stations_at_least(model_, *lines);
+        }
       }
       if (diagnostics.has_errors()) {
         return;

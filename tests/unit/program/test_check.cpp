@@ -307,5 +307,34 @@ $END
   FAIL() << "no row of net B\n" << text;
 }
 
+// Growths by a law, in space: `check` shows the first front, as of any deck.
+TEST(Check, FrontsThatGrow) {
+  for (const std::string shape : {"FREE", "ELLIPSE"}) {
+    const test::Folder folder;
+    const test::Checked checked = test::check_text(
+        folder, R"($DECK VERSION=1 LENGTH=mm FORCE=N
+$MESH SHAPE=BLOCK TYPE=HEXEC20 X0=-10 Y0=-10 Z0=-10 LX=20 LY=20 LZ=20 NX=4 NY=4 NZ=4
+$MATERIAL NAME=M E=1000 NU=0.3
+$PROPERTY ESET=BODY MATERIAL=M STATE=SOLID
+$FREEDOM CLASS=SUPPRESSED DOF=XYZ
+  ZMIN
+$LOAD CASE=PULL TYPE=TRACTION
+  ZMAX 0 0 1
+$CRACK NAME=C A=0.5 C=1 X0=0 Y0=0 Z0=0 NORMAL=Z
+$STEP NAME=FULL
+  LOAD PULL 1
+$STEP NAME=ZERO
+  LOAD PULL 0
+$GROW LAW=PARIS SHAPE=)" +
+                    shape +
+                    R"( KMAX=FULL KMIN=ZERO C=1e-3 M=3 KUNIT='MPa*mm^0.5' AUNIT='mm' AMAX=1.2
+$END
+)");
+    EXPECT_EQ(checked.outcome.exit_code, 0) << shape << checked.outcome.messages;
+    ASSERT_EQ(checked.found["lengths"].size(), 1U) << shape;
+    EXPECT_EQ(checked.found["lengths"][0]["fronts"][0]["kind"], "embedded");
+  }
+}
+
 } // namespace
 } // namespace spricka
