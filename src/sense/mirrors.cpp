@@ -45,7 +45,7 @@ std::vector<model::Face> skin_of(const model::Mesh& mesh,
   return faces;
 }
 
-std::vector<base::ElementId> elements_in_use(const model::Mesh& mesh) {
+std::vector<base::ElementId> all_elements(const model::Mesh& mesh) {
   std::vector<base::ElementId> all;
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     all.emplace_back(e);
@@ -59,7 +59,7 @@ public:
   explicit Looks(const model::Model& model) : model_(model), mesh_(model.mesh) {
     using Kind = std::tuple<std::size_t, model::State, double>;
     std::map<Kind, std::vector<base::ElementId>> groups;
-    for (const base::ElementId e : elements_in_use(mesh_)) {
+    for (const base::ElementId e : all_elements(mesh_)) {
       const model::Property& p = model.property_of(mesh_, e);
       groups[{p.material.index(), p.state, p.thickness}].push_back(e);
     }
@@ -84,10 +84,6 @@ public:
   }
 
 private:
-  struct Held {
-    std::vector<Places> places; ///< one for each direction
-  };
-
   static bool onto(const Mirror& mirror, const Places& one, const Places& other) {
     return std::ranges::all_of(one.samples(),
                                [&](const base::Vec3& x) { return other.has(mirror(x)); });
@@ -132,9 +128,10 @@ private:
     return {};
   }
 
-  // Values of a load at a point and of another at its mirror image.
+  // Values of a load at points and of another at their mirror images, against the largest of all:
+  // where a field goes through zero there is nothing but round-off.
   static bool same_values(const Mirror& mirror, const model::Load& one, const model::Load& other,
-                          const base::Vec3& x) {
+                          const std::vector<base::Vec3>& at) {
     if (one.value.size() != other.value.size()) {
       return false;
     }
@@ -143,11 +140,13 @@ private:
         one.type == model::LoadType::pressure || one.type == model::LoadType::temperature;
     double size = 0.0;
     double off = 0.0;
-    for (std::size_t c = 0; c < one.value.size(); ++c) {
-      const double sign = !scalar && static_cast<int>(c) == mirror.axis ? -1.0 : 1.0;
-      const double here = one.value[c](x);
-      size = std::max(size, std::abs(here));
-      off = std::max(off, std::abs(sign * here - other.value[c](mirror(x))));
+    for (const base::Vec3& x : at) {
+      for (std::size_t c = 0; c < one.value.size(); ++c) {
+        const double sign = !scalar && static_cast<int>(c) == mirror.axis ? -1.0 : 1.0;
+        const double here = one.value[c](x);
+        size = std::max(size, std::abs(here));
+        off = std::max(off, std::abs(sign * here - other.value[c](mirror(x))));
+      }
     }
     return off <= same_value * std::max(size, 1e-300);
   }
@@ -171,8 +170,7 @@ private:
         at.push_back(middle / static_cast<double>(mesh_.nodes_of(e).size()));
       }
     }
-    return std::ranges::all_of(
-        at, [&](const base::Vec3& x) { return same_values(mirror, one, other, x); });
+    return same_values(mirror, one, other, at);
   }
 
   [[nodiscard]] std::string against_loads(const Mirror& mirror) const {

@@ -60,6 +60,9 @@ TEST(Mirrors, FieldsAreAskedWithinBodiesToo) {
   const std::string even = "$LOAD CASE=F TYPE=TEMPERATURE\n  RING.BODY (20 + y*y)\n";
   const std::string odd = "$LOAD CASE=F TYPE=TEMPERATURE\n  RING.BODY (20 + y)\n";
   EXPECT_EQ(mirrors(joint("500 0", even)).at("y 0"), "");
+  // Zero but for round-off where y = 10 and where y = -10.
+  const std::string zero = "$LOAD CASE=F TYPE=TEMPERATURE\n  RING.BODY (cos(pi*y/20))\n";
+  EXPECT_EQ(mirrors(joint("500 0", zero)).at("y 0"), "");
   EXPECT_EQ(mirrors(joint("500 0", odd)).at("y 0"), "load case F is not");
 }
 
