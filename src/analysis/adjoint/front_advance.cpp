@@ -90,6 +90,7 @@ void keep_shares(const crack::FrontFields& own, crack::FrontFields& moved) {
     }
   }
   moved.sides = own.sides;
+  moved.degree = own.degree;
 }
 
 bool acts_by_place(const model::Model& model) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crack/space/face_forces.hpp"
 
+#include "crack/space/front_rule.hpp"
 #include "crack/space/solid_blocks.hpp"
 #include "fe/face.hpp"
 #include "shape/quadrature.hpp"

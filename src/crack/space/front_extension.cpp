@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crack/space/front_extension.hpp"
 
+#include "crack/space/front_rule.hpp"
 #include "crack/space/surface_motion.hpp"
 #include "shape/topology.hpp"
 
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <ranges>
 #include <set>
 
 namespace spricka::crack {
@@ -91,6 +93,11 @@ public:
     std::set<NodeId> moved;
     for (const std::vector<ExtensionField>& domains : out_.points) {
       for (const ExtensionField& field : domains) {
+        for (const ElementId e : field.elements) {
+          if (const auto [at, fresh] = out_.degree.try_emplace(e); fresh) {
+            at->second = rule_degree(mesh_, e, curve_);
+          }
+        }
         for (const NodeMotion& motion : field.motion) {
           moved.insert(motion.node);
         }
@@ -389,12 +396,7 @@ bool FrontFields::empty() const {
 }
 
 std::vector<ElementId> FrontFields::elements() const {
-  std::set<ElementId> all;
-  for (const std::vector<ExtensionField>& domains : points) {
-    for (const ExtensionField& field : domains) {
-      all.insert(field.elements.begin(), field.elements.end());
-    }
-  }
+  const auto all = std::views::keys(degree);
   return {all.begin(), all.end()};
 }
 

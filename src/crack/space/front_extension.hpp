@@ -6,6 +6,7 @@
 #include "crack/space/partner_memory.hpp"
 #include "mesh/cut/cracked.hpp"
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -35,6 +36,8 @@ struct FrontFields {
   std::vector<base::NodeId> middle; ///< [point] mid node between it and the next, or invalid
   bool closed = false;
   std::vector<LeftOut> left_out;
+  /// Of the rule over each element that some domain strains (rule_degree).
+  std::map<base::ElementId, int> degree;
   std::shared_ptr<PartnerMemory> partners = nullptr; ///< what was made of them in these domains
 
   [[nodiscard]] bool empty() const;

@@ -82,7 +82,7 @@ public:
       node.fill(Vec3::Zero());
     }
     std::size_t number = 0;
-    for (const auto& point : shape::quadrature<S>(front_degree)) {
+    for (const auto& point : all_.partners.rule<S>(e_)) {
       add_point(point, number++, P);
     }
     add_body_loads(P);

@@ -2,6 +2,7 @@
 #pragma once
 #include "crack/space/face_forces.hpp"
 #include "crack/space/front_forces.hpp"
+#include "crack/space/front_rule.hpp"
 #include "crack/space/other_functions.hpp"
 #include "crack/space/partner_table.hpp"
 #include "crack/space/solid_blocks.hpp"
@@ -163,7 +164,7 @@ private:
     const std::size_t width = columns_.partners.size();
     std::vector<Values> sums(moved.size() * width, zero);
     std::size_t number = 0;
-    for (const auto& point : shape::quadrature<S>(front_degree)) {
+    for (const auto& point : partners_->rule<S>(e)) {
       const fe::Jacobian<S> at = fe::jacobian<S>(X, point.r);
       const Eigen::Matrix<double, S::nodes, 1> N = S::N(point.r);
       const Values slopes = slopes_at(number, at);
@@ -200,7 +201,7 @@ private:
   template <shape::ElementShape S>
   void add_others(base::ElementId e, const OtherFunctions& others) {
     const auto count = static_cast<Eigen::Index>(others.of_element(e).size());
-    const std::vector<Eigen::MatrixX3d>& table = slope_table<S>(others);
+    const std::vector<Eigen::MatrixX3d>& table = slope_table<S>(e, others);
     contract<S>(
         e, Eigen::Matrix3Xd(Eigen::Matrix3Xd::Zero(3, count)),
         [&](std::size_t number, const fe::Jacobian<S>& at) -> Eigen::Matrix3Xd {
@@ -286,10 +287,11 @@ private:
 
   // Slopes of other functions at the points of the rule.
   template <shape::ElementShape S>
-  const std::vector<Eigen::MatrixX3d>& slope_table(const OtherFunctions& others) {
-    std::vector<Eigen::MatrixX3d>& table = slopes_[S::type];
+  const std::vector<Eigen::MatrixX3d>& slope_table(base::ElementId e,
+                                                   const OtherFunctions& others) {
+    std::vector<Eigen::MatrixX3d>& table = slopes_[{S::type, fields_.degree.at(e)}];
     if (table.empty()) {
-      for (const auto& point : shape::quadrature<S>(front_degree)) {
+      for (const auto& point : partners_->rule<S>(e)) {
         table.push_back(others.slopes(S::type, point.r));
       }
     }
@@ -350,7 +352,8 @@ private:
   std::vector<PointMotion> motion_; ///< [point]
   std::map<base::ElementId, std::set<std::size_t>> points_of_;
   RowEntries entries_;
-  std::map<base::ElementType, std::vector<Eigen::MatrixX3d>> slopes_; ///< of other functions
+  /// [type, degree of the rule] of other functions
+  std::map<std::pair<base::ElementType, int>, std::vector<Eigen::MatrixX3d>> slopes_;
 };
 
 } // namespace spricka::crack

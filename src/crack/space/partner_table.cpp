@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <numbers>
-#include <utility>
 
 namespace spricka::crack {
 
@@ -25,8 +24,8 @@ base::Vec3 places_of(const model::Mesh& mesh, base::ElementId e) {
 
 } // namespace
 
-PartnerTable::PartnerTable(const FrontSetting& set, std::vector<base::ElementId> elements)
-    : body_(set.body), elements_(std::move(elements)) {
+PartnerTable::PartnerTable(const FrontSetting& set, const FrontFields& fields)
+    : body_(set.body), elements_(fields.elements()) {
   if (elements_.empty()) {
     return;
   }
@@ -35,7 +34,9 @@ PartnerTable::PartnerTable(const FrontSetting& set, std::vector<base::ElementId>
   std::size_t points = 0;
   for_solid_blocks(set.mesh, elements_,
                    [&]<shape::ElementShape S>(S, std::span<const base::ElementId> block) {
-                     points += block.size() * shape::quadrature<S>(front_degree).size();
+                     for (const base::ElementId e : block) {
+                       points += shape::quadrature<S>(fields.degree.at(e)).size();
+                     }
                    });
   fields_.reserve(points);
   for_solid_blocks(set.mesh, elements_,
@@ -43,9 +44,10 @@ PartnerTable::PartnerTable(const FrontSetting& set, std::vector<base::ElementId>
                      for (const base::ElementId e : block) {
                        slot_[e.index() - first_] = start_.size();
                        start_.push_back(fields_.size());
+                       degree_.push_back(fields.degree.at(e));
                        places_.push_back(places_of(set.mesh, e));
                        const fe::NodeVectors<S> X = fe::coordinates<S>(set.mesh, e);
-                       for (const auto& point : shape::quadrature<S>(front_degree)) {
+                       for (const auto& point : rule<S>(e)) {
                          const TurningAxes axes(set.axes.place(X * S::N(point.r)));
                          Fields& at = fields_.emplace_back();
                          for (std::size_t k = 1; k < front_partners; ++k) {
@@ -69,12 +71,12 @@ bool PartnerTable::is_of(const FrontSetting& set) const {
 std::shared_ptr<const PartnerTable> partner_table(const FrontSetting& set,
                                                   const FrontFields& fields) {
   if (!fields.partners) {
-    return std::make_shared<const PartnerTable>(set, fields.elements());
+    return std::make_shared<const PartnerTable>(set, fields);
   }
   const std::lock_guard<std::mutex> guard(fields.partners->mutex);
   std::shared_ptr<const PartnerTable>& table = fields.partners->table;
   if (!table || !table->is_of(set)) {
-    table = std::make_shared<const PartnerTable>(set, fields.elements());
+    table = std::make_shared<const PartnerTable>(set, fields);
   }
   return table;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "crack/space/front_setting.hpp"
+#include "shape/quadrature.hpp"
 
 #include <array>
 #include <memory>
@@ -13,10 +14,15 @@ namespace spricka::crack {
 /// and the material: steps, rows of K and rows of other functions all read the same.
 class PartnerTable {
 public:
-  /// Elements ascending.
-  PartnerTable(const FrontSetting& set, std::vector<base::ElementId> elements);
+  PartnerTable(const FrontSetting& set, const FrontFields& fields);
 
-  /// The partners 1 to 4 of an element at a point of its rule (front_degree).
+  /// The rule over an element.
+  template <shape::ElementShape S>
+  [[nodiscard]] std::span<const shape::QuadraturePoint<3>> rule(base::ElementId e) const {
+    return shape::quadrature<S>(degree_[slot_[e.index() - first_]]);
+  }
+
+  /// The partners 1 to 4 of an element at a point of its rule.
   [[nodiscard]] MovingField at(base::ElementId e, std::size_t point, std::size_t partner) const {
     const Fields& fields = fields_[start_[slot_[e.index() - first_]] + point];
     MovingField w;
@@ -39,6 +45,7 @@ private:
   FrontBody body_;
   std::vector<base::ElementId> elements_;
   std::size_t first_ = 0;          ///< the lowest element
+  std::vector<int> degree_;        ///< [slot] of the rule
   std::vector<std::size_t> slot_;  ///< [element - first] into start_
   std::vector<std::size_t> start_; ///< [slot] into fields_
   std::vector<base::Vec3> places_; ///< [element] of its nodes, as a sum

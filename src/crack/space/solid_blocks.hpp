@@ -4,10 +4,6 @@
 
 namespace spricka::crack {
 
-/// Of the domains' integrals. Partners behave like r^-1/2 or r^-1 across the front and are smooth
-/// along it.
-inline constexpr int front_degree = 9;
-
 /// Calls f(S{}, block) for each run of equal types, where all elements are solids; f as for
 /// fe::for_blocks.
 template <class F>
