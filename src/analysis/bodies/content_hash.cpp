@@ -4,11 +4,27 @@
 #include "base/hasher.hpp"
 #include "model/model.hpp"
 
+#include <algorithm>
+
 namespace spricka::analysis {
+
+namespace {
+
+// Whether a tie has a part in a net: others may change and leave its factor as it is.
+bool concerns(const fe::Dependence::Row& row, const std::vector<bool>& has_node, const Net& net,
+              int dim) {
+  const auto slave = static_cast<std::size_t>(row.freedom / dim);
+  return has_node[slave] || std::ranges::any_of(row.terms, [&](const fe::Term& t) {
+           return net.map.row[static_cast<std::size_t>(t.freedom)] >= 0;
+         });
+}
+
+} // namespace
 
 HashKey hash_net(const model::Model& model, const model::Mesh& mesh, const Net& net,
                  const std::vector<HashKey>& parts) {
   base::Hasher hash;
+  std::vector<bool> has_node(mesh.node_count(), false);
   for (const base::ElementId e : net.elements) {
     hash.value(mesh.type[e.index()]);
     const model::Property& property = model.property_of(mesh, e);
@@ -19,12 +35,16 @@ HashKey hash_net(const model::Model& model, const model::Mesh& mesh, const Net& 
     hash.value(material.nu);
     hash.value(material.alpha);
     for (const base::NodeId n : mesh.nodes_of(e)) {
+      has_node[n.index()] = true;
       hash.value(n.value);
       hash.add(mesh.x[n.index()].data(), 3 * sizeof(double));
     }
   }
   if (net.map.ties) {
     for (const fe::Dependence::Row& row : net.map.ties->rows()) {
+      if (!concerns(row, has_node, net, mesh.dim)) {
+        continue;
+      }
       hash.value(row.freedom);
       for (const fe::Term& t : row.terms) {
         // Constants of ties are loads: they change no factor.
