@@ -49,10 +49,10 @@ double floors(const ProfileRecord& record) {
 ProfileTexts end_profile(analysis::Recorder& recorder, const base::Sources& sources,
                          const model::Model& model, std::uintmax_t written) {
   mesh::mesher_listener() = nullptr; // the floor is no part of the run
-  ProfileRecord record{.profile = recorder.finish(),
-                       .floor = {},
-                       .bytes_read = archive::bytes_of_deck(sources, model),
-                       .bytes_written = written};
+  ProfileRecord record;
+  record.profile = recorder.finish();
+  record.bytes_read = archive::bytes_of_deck(sources, model);
+  record.bytes_written = written;
   record.floor = find_floor(model);
   return {.table = profile_text(record),
           .csv = profile_csv(record),
