@@ -3,10 +3,10 @@
 """Cracks by chance in plates and at a bore, inside, at surfaces and at corners, grown to their ends: none
 stops for want of a mesh before 80 % of the way to the surface, or the thickness, is cut; every end has its name.
 
-    tests/stability/random_growth.py PROGRAM [--full] [NUMBER ..]
+    tests/stability/random_growth.py PROGRAM [--full | --all] [NUMBER ..]
 
---full (or SPRICKA_FULL in the environment) runs all of them, else one of which only the beginning is grown: to its end
-one takes minutes.
+To its end one takes minutes: --all runs the fifty, --full (or SPRICKA_FULL in the environment) two of each place; else
+one is grown, and only its beginning.
 """
 import math
 import os
@@ -15,7 +15,8 @@ import sys
 
 from program import Run, numbers
 
-ALL = 50
+ALL = range(50)
+SOME = range(10)
 FEW = (0,)
 BEGINNING = 1.2  # of the longer axis
 SEED = 20262
@@ -161,11 +162,14 @@ def judge(case, run):
 def main():
     program = sys.argv[1]
     chosen = [int(word) for word in sys.argv[2:] if word.isdigit()]
-    full = "--full" in sys.argv or os.environ.get("SPRICKA_FULL")
+    if not chosen and "--all" in sys.argv:
+        chosen = ALL
+    elif not chosen and ("--full" in sys.argv or os.environ.get("SPRICKA_FULL")):
+        chosen = SOME
     wrong = 0
-    for number in chosen or (range(ALL) if full else FEW):
+    for number in chosen or FEW:
         case = Case(number)
-        run = Run(program, case.text(whole=bool(full or chosen)))
+        run = Run(program, case.text(whole=bool(chosen)))
         trouble, line = judge(case, run)
         print(f"{number:2d} {case.place}, {case.shape}: {line}{'  WRONG: ' + trouble if trouble else ''}", flush=True)
         wrong += bool(trouble)
