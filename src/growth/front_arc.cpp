@@ -96,6 +96,7 @@ std::optional<FrontArc> arc_in_body(const model::Crack& crack, const SolidSurrou
   const auto s_of = [&](int i) { return whole.length() * i / looks_along; };
   const auto in_body = [&](double s) { return around.inside(whole.at(s).x, crack.net); };
   std::vector<bool> in;
+  in.reserve(static_cast<std::size_t>(n));
   for (int i = 0; i < n; ++i) {
     in.push_back(in_body(s_of(i)));
   }
@@ -187,6 +188,7 @@ std::vector<Vec3> without_crossings(const std::vector<mesh::FrontFrame>& from,
     kept = std::move(next);
   }
   std::vector<Vec3> points;
+  points.reserve(kept.size());
   for (const std::size_t i : kept) {
     points.push_back(to[i]);
   }

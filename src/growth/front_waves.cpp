@@ -118,8 +118,8 @@ std::vector<double> smooth_along(const std::vector<double>& values, FrontKind ki
     value[i] = std::log(values[static_cast<std::size_t>(i)]);
     const double part = static_cast<double>(i) / static_cast<double>(closed ? n : n - 1);
     for (Eigen::Index k = 0; k < count; ++k) {
-      const auto order = static_cast<double>((k + 1) / 2);
-      const double turn = 2.0 * std::numbers::pi * order * part;
+      const Eigen::Index order = (k + 1) / 2;
+      const double turn = 2.0 * std::numbers::pi * static_cast<double>(order) * part;
       shape(i, k) = !closed      ? std::cos(static_cast<double>(k) * std::acos(2.0 * part - 1.0))
                     : k % 2 == 0 ? std::cos(turn)
                                  : std::sin(turn);

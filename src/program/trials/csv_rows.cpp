@@ -28,14 +28,14 @@ std::vector<std::string> fields_of(std::string_view line) {
 
 } // namespace
 
-std::string csv_field(std::string_view given) {
-  std::string text(given);
-  std::ranges::replace(text, '\n', ' ');
-  if (text.find_first_of(",\"") == std::string::npos) {
-    return text;
+std::string csv_field(std::string_view text) {
+  std::string line(text);
+  std::ranges::replace(line, '\n', ' ');
+  if (line.find_first_of(",\"") == std::string::npos) {
+    return line;
   }
   std::string out = "\"";
-  for (const char c : text) {
+  for (const char c : line) {
     out += c == '"' ? "\"\"" : std::string(1, c);
   }
   return out + "\"";
