@@ -207,8 +207,11 @@ double evaluate(const model::Model& model, const model::Check& check, const resu
   return read(line);
 }
 
-// The word for the error bar of K: K1.AT becomes K1.BAR.AT; empty: no K at one place.
+// The word for the error bar of K: K1.AT becomes K1.BAR.AT, K is K1; empty: no K at one place.
 std::string bar_word(const std::string& word) {
+  if (word == "K") {
+    return "K1.BAR";
+  }
   if (word.size() < 2 || word[0] != 'K' || word[1] < '1' || word[1] > '3') {
     return {};
   }

@@ -57,7 +57,8 @@ protected:
 TEST_F(Trials, EachSaysHowItEndedWhatItFoundAndWhatItCost) {
   const fs::path good = deck("good.deck", cracked_plate("$CHECK\n"
                                                         "  K1(C,PULL) = 40 REL 0.5 SOURCE 'rough'\n"
-                                                        "  G(C,PULL) = 1 REL 1e-9 SOURCE 'no'\n"));
+                                                        "  G(C,PULL) = 1 REL 1e-9 SOURCE 'no'\n"
+                                                        "  K(C,PULL) = 1 REL 99 SOURCE 'rough'\n"));
   const fs::path bad = deck("bad.deck", "$DECK VERSION=1\n$MISTAKE\n$END\n");
   std::vector<ChildRun> runs{run_of(good), run_of(bad), run_of(good)};
   runs[2].defines = {{"s", "2*10"}};
@@ -79,7 +80,7 @@ TEST_F(Trials, EachSaysHowItEndedWhatItFoundAndWhatItCost) {
   ASSERT_EQ(twice.size(), 1U);
   EXPECT_EQ(first[0].title, "Plate");
   EXPECT_TRUE(first[0].point.empty());
-  ASSERT_EQ(first[0].checks.size(), 2U);
+  ASSERT_EQ(first[0].checks.size(), 3U);
   const results::CheckResult& K1 = first[0].checks[0];
   EXPECT_TRUE(K1.passed);
   EXPECT_EQ(K1.source, "rough");
@@ -87,6 +88,7 @@ TEST_F(Trials, EachSaysHowItEndedWhatItFoundAndWhatItCost) {
   EXPECT_EQ(K1.bar, test::column(runs[0].out / "k.csv", "K1_bar")[0]);
   EXPECT_FALSE(first[0].checks[1].passed);
   EXPECT_TRUE(std::isnan(first[0].checks[1].bar)); // G has none
+  EXPECT_EQ(first[0].checks[2].bar, K1.bar);       // K is K1
   EXPECT_NEAR(twice[0].checks[0].found, 2.0 * K1.found, 1e-9 * K1.found);
   EXPECT_EQ(program::numbers(first[0].k, "K1"), test::column(runs[0].out / "k.csv", "K1"));
   EXPECT_EQ(program::words(first[0].k, "crack"), std::vector<std::string>{"C"});
