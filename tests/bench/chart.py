@@ -13,6 +13,7 @@ class Panel:
     y_label: str
     curves: dict = field(default_factory=dict)  # name -> [(x, y)]
     floor: float = 0.0                          # below it y says nothing; 0: no such line
+    names_beside: bool = False                  # of the curves, right of the panel
 
 
 def decades(values):
@@ -62,14 +63,16 @@ def draw(panel, left, top, width, height):
         out.append(f'<path d="M{line}" fill="none" stroke="{colour}" stroke-width="1.6"/>')
         out += [f'<circle cx="{px(x):.1f}" cy="{py(y):.1f}" r="3.5" fill="{colour}"/>'
                 for x, y in curve]
-        out.append(f'<text x="{left + width - 6}" y="{top + 16 + 16 * row}" text-anchor="end" '
+        place, anchor = (width + 10, "start") if panel.names_beside else (width - 6, "end")
+        out.append(f'<text x="{left + place}" y="{top + 16 + 16 * row}" text-anchor="{anchor}" '
                    f'fill="{colour}">{name}</text>')
     return out
 
 
 def sheet(path, rows):
     """Writes rows of panels."""
-    width, height, gap_x, gap_y = 330, 220, 100, 80
+    width, height, gap_y = 330, 220, 80
+    gap_x = 230 if any(panel.names_beside for row in rows for panel in row) else 100
     columns = max(len(row) for row in rows)
     total_w, total_h = 70 + columns * (width + gap_x), 40 + len(rows) * (height + gap_y)
     out = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{total_w}" height="{total_h}" '

@@ -6,7 +6,7 @@ tension and bending, on tubes of several sizes, against closed forms.
     tests/bench/front_precision.py [--spricka PROGRAM] [--only penny|ellipse] [--ccx LEVELS]
                                    [--repeat N] [--out FOLDER]
 
-Writes work_precision_front.csv and .svg into front_precision.run. With --ccx it gives CalculiX the
+Writes work_precision_front.csv and .svg into front_precision.run, where --only renews the rows of one. With --ccx it gives CalculiX the
 same meshes of the first so many levels, under tension, and takes K1 from its displacements. Needs
 python3-numpy and python3-h5py; --ccx calculix-ccx. One thread; CPU is user + system time of the
 whole program, its mesher in it.
@@ -28,7 +28,7 @@ sys.path.insert(0, str(TOP / "manual"))
 # program does when nothing is said.
 LEVELS = ((0.2, 2, 6), (0.27, 3, 6), (None, 3, 8), (0.13, 3, 10), (0.09, 4, 12))
 # Size of tetrahedra at the front over the same half axis, where there is no tube.
-FREE = (0.3, 0.2, 0.1)
+FREE = (0.2, 0.14, 0.1, 0.07)
 COLUMNS = ("problem", "program", "radius", "rings", "sectors", "unknowns", "cpu_s", "memory_MiB",
            "rms", "largest", "smooth_rms", "smooth_largest", "bar_rms", "best_rms", "inside")
 
@@ -119,6 +119,9 @@ def spricka(arguments, problem, level, deck):
     out = deck.with_suffix(".run")
     command = [str(arguments.spricka), "run", str(deck), "--threads", "1", "--out", str(out)]
     costs = [measure.run(command, str(folder), f"{deck.stem}.log") for _ in range(arguments.repeat)]
+    if costs[0].code == 3:
+        print(f"{deck.stem}: refused, see {folder / deck.stem}.log", flush=True)
+        return None
     if any(cost.code != 0 for cost in costs):
         raise RuntimeError(f"{deck.stem}: see {folder / deck.stem}.log")
     best = min(costs, key=lambda cost: cost.cpu)
@@ -158,12 +161,13 @@ def ccx(problem, number, folder):
 
 def draw(rows, path):
     chart.COLOURS.update({"K at points, rms": "#1b5e9b", "K at points, largest": "#5aa0d6",
-                          "smooth K, rms": "#8a2be2", "bar, rms": "#7a7a7a", "best, rms": "#2e8b57", "no tube, smooth K, rms": "#b8860b",
+                          "smooth K, rms": "#8a2be2", "bar, rms": "#7a7a7a", "best, rms": "#2e8b57",
+                          "no tube, smooth K, rms": "#b8860b",
                           "ccx, K1 rms": "#c2571a"})
     panels = []
     for problem, title in (("penny", "penny, tension and shear"),
                            ("ellipse", "ellipse a/c = 0.5, tension and bending")):
-        panel = chart.Panel(title, "CPU  [s]", "part of the largest K  [%]")
+        panel = chart.Panel(title, "CPU  [s]", "part of the largest K  [%]", names_beside=True)
         for name, program, column in (("bar, rms", "spricka", "bar_rms"),
                                       ("K at points, largest", "spricka", "largest"),
                                       ("K at points, rms", "spricka", "rms"),
@@ -174,8 +178,9 @@ def draw(rows, path):
             points = [(float(row["cpu_s"]), float(row[column])) for row in rows
                       if row["problem"] == problem and row["program"] == program]
             if points:
-                panel.curves[name] = points
-        panels.append(panel)
+                panel.curves[name] = sorted(points)
+        if panel.curves:
+            panels.append(panel)
     chart.sheet(path, [panels])
 
 
@@ -187,6 +192,7 @@ def main():
     parser.add_argument("--repeat", type=int, default=2)
     parser.add_argument("--out", type=Path, default=Path("front_precision.run"))
     arguments = parser.parse_args()
+    arguments.spricka = arguments.spricka.resolve()
     arguments.out.mkdir(parents=True, exist_ok=True)
     folder = arguments.out.resolve()
     rows = []
@@ -200,10 +206,18 @@ def main():
                 found.append(lambda number=number: ccx(problem, number, folder))
         for run in found:
             row = run()
+            if row is None:
+                continue
             row |= {key: f"{row[key]:.4g}" for key in COLUMNS[8:] if key in row}
             print(row, flush=True)
             rows.append(row)
-    with open(folder / "work_precision_front.csv", "w", encoding="utf-8", newline="") as file:
+    table = folder / "work_precision_front.csv"
+    if arguments.only and table.exists():
+        with open(table, encoding="utf-8", newline="") as file:
+            known = csv.DictReader(line for line in file if not line.startswith("#"))
+            rows += [row for row in known if row["problem"] != arguments.only]
+    rows.sort(key=lambda row: list(PROBLEMS).index(row["problem"]))
+    with open(table, "w", encoding="utf-8", newline="") as file:
         file.write("# errors in % of the largest K along the front, all modes and points; of ccx K1 "
                    "under tension\n")
         writer = csv.DictWriter(file, COLUMNS, restval="", lineterminator="\n")
