@@ -10,7 +10,6 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <ranges>
 #include <set>
 
 namespace spricka::crack {
@@ -396,8 +395,12 @@ bool FrontFields::empty() const {
 }
 
 std::vector<ElementId> FrontFields::elements() const {
-  const auto all = std::views::keys(degree);
-  return {all.begin(), all.end()};
+  std::vector<ElementId> all;
+  all.reserve(degree.size());
+  for (const auto& [element, rule] : degree) {
+    all.push_back(element);
+  }
+  return all;
 }
 
 FrontFields front_fields(const mesh::CrackedMesh& cracked, const mesh::Front& front,
