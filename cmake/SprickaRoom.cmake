@@ -47,9 +47,8 @@ endfunction()
 
 # Our own targets compile without a warning, which is an error but in preset release: there g++ 12
 # may take fright at what it has inlined, and a user wants the program. What others ship is included
-# as SYSTEM. A local name is
-# held against those of its own source only, not of the sources compiled with it. The five that
-# are off are guesses about sizes after inlining, which g++ 12 gets wrong inside Eigen and the
+# as SYSTEM. A local name is held against those of its own source only, not of the sources compiled
+# with it. The five that are off are guesses about sizes after inlining, which g++ 12 gets wrong inside Eigen and the
 # standard library at -O3; the address sanitizer sees what they look for.
 function(spricka_warnings target)
   target_compile_options(

@@ -6,10 +6,10 @@ tension and bending, on tubes of several sizes, against closed forms.
     tests/bench/front_precision.py [--spricka PROGRAM] [--only penny|ellipse] [--ccx LEVELS]
                                    [--repeat N] [--out FOLDER]
 
-Writes work_precision_front.csv and .svg into front_precision.run, where --only renews the rows of one. With --ccx it gives CalculiX the
-same meshes of the first so many levels, under tension, and takes K1 from its displacements. Needs
-python3-numpy and python3-h5py; --ccx calculix-ccx. One thread; CPU is user + system time of the
-whole program, its mesher in it.
+Writes work_precision_front.csv and .svg into front_precision.run, where --only renews the rows of
+one. With --ccx it gives CalculiX the same meshes of the first so many levels, under tension, and
+takes K1 from its displacements. Needs python3-numpy and python3-h5py; --ccx calculix-ccx. One
+thread; CPU is user + system time of the whole program, its mesher in it.
 """
 import argparse
 import csv

@@ -92,11 +92,6 @@ public:
     std::set<NodeId> moved;
     for (const std::vector<ExtensionField>& domains : out_.points) {
       for (const ExtensionField& field : domains) {
-        for (const ElementId e : field.elements) {
-          if (const auto [at, fresh] = out_.degree.try_emplace(e); fresh) {
-            at->second = rule_degree(mesh_, e, curve_);
-          }
-        }
         for (const NodeMotion& motion : field.motion) {
           moved.insert(motion.node);
         }
@@ -388,6 +383,16 @@ private:
   FrontFields out_;
 };
 
+std::set<ElementId> strained_by(const std::vector<std::vector<ExtensionField>>& points) {
+  std::set<ElementId> all;
+  for (const std::vector<ExtensionField>& domains : points) {
+    for (const ExtensionField& field : domains) {
+      all.insert(field.elements.begin(), field.elements.end());
+    }
+  }
+  return all;
+}
+
 } // namespace
 
 bool FrontFields::empty() const {
@@ -413,6 +418,9 @@ FrontFields front_fields(const mesh::CrackedMesh& cracked, const mesh::Front& fr
     builder.add_domain(count);
   }
   FrontFields fields = builder.take();
+  for (const ElementId e : strained_by(fields.points)) {
+    fields.degree.emplace(e, rule_degree(cracked.mesh, e, *front.curve));
+  }
   fields.partners = std::make_shared<PartnerMemory>();
   return fields;
 }
