@@ -81,9 +81,9 @@ FrontAxes::FrontAxes(const mesh::FrontCurve& curve)
     for (std::size_t k = 0; k < around; ++k) {
       const std::ptrdiff_t j = first + static_cast<std::ptrdiff_t>(k);
       const std::ptrdiff_t in = closed_ ? (j + period) % period : j;
-      const double rounds = closed_ ? static_cast<double>((j - in) / period) : 0.0;
+      const std::ptrdiff_t rounds = closed_ ? (j - in) / period : 0;
       from[k] = static_cast<std::size_t>(in);
-      s[k] = s_[from[k]] + rounds * s_.back();
+      s[k] = s_[from[k]] + static_cast<double>(rounds) * s_.back();
     }
     const auto weight = slope_weights(s, static_cast<std::size_t>(i - first));
     Axes& turn = turn_.emplace_back(Axes::Zero());

@@ -35,12 +35,13 @@ private:
     Axes at, by_s, by_ss;
   };
   [[nodiscard]] std::size_t nearest_station(const base::Vec3& x) const;
-  [[nodiscard]] Turned turned(std::size_t station, double part) const;
+  /// Between station i and the next, part: of the way, 0 to 1.
+  [[nodiscard]] Turned turned(std::size_t i, double part) const;
   /// The place alone, and its derivatives by s.
   struct Point {
     base::Vec3 at, by_s, by_ss;
   };
-  [[nodiscard]] Point point(std::size_t station, double part) const;
+  [[nodiscard]] Point point(std::size_t i, double part) const;
 
   std::vector<double> s_;  ///< [station] ascending, of a closed front its length last
   std::vector<Axes> axes_; ///< [station]

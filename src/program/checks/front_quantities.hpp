@@ -11,6 +11,6 @@ namespace spricka::program {
 bool is_front_quantity(std::string_view word);
 
 /// Its value. What the front does not have is Missing.
-double front_quantity(const std::string& word, Arguments& args, const results::Run& run);
+double front_quantity(const std::string& text, Arguments& args, const results::Run& run);
 
 } // namespace spricka::program
