@@ -244,6 +244,7 @@ bool counts(const CornerRequest& request, const Corner& corner,
 void raise_at_corners(const CornerRequest& request, const std::vector<Corner>& corners,
                       std::vector<GoalError>& errors) {
   std::vector<double> sums;
+  sums.reserve(errors.size());
   for (const GoalError& error : errors) {
     // As modes alone have found them: what one corner changes does not decide on the next.
     sums.push_back(error.sum);

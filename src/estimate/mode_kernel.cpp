@@ -199,12 +199,14 @@ void EnrichedStiffness<S>::by_moments(const fe::NodeVectors<S>& X, const fe::Law
   }
 }
 
+// NOLINTBEGIN(bugprone-macro-parentheses): types cannot stand in parentheses
 #define MODE_KERNEL(S)                                                                             \
   template ModeGradients<S> mode_gradients<S>(const fe::NodeVectors<S>&, const shape::Point<2>&,   \
                                               const Eigen::Matrix2d&, const SideState&);           \
   template Eigen::Matrix<double, 1, mode_freedoms<S>> mode_outward<S>(                             \
       const fe::NodeVectors<S>&, const shape::Point<2>&, const SideState&);                        \
   template struct EnrichedStiffness<S>;
+// NOLINTEND(bugprone-macro-parentheses)
 MODE_KERNEL(shape::Trimc6)
 MODE_KERNEL(shape::Quamc8)
 MODE_KERNEL(shape::Quamc9)

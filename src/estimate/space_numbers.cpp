@@ -153,7 +153,8 @@ private:
       for (std::size_t c = 0; c < 3; ++c) {
         if (joined || std::ranges::all_of(place.nodes, [&](NodeId n) { return given(n, c); })) {
           for (std::int32_t k = 0; k < (place.quadrilateral ? 4 : 1); ++k) {
-            numbers_.free[3 * (place.first + k) + static_cast<Eigen::Index>(c)] = 0.0;
+            numbers_.free[3 * static_cast<Eigen::Index>(place.first + k) +
+                          static_cast<Eigen::Index>(c)] = 0.0;
           }
         }
       }

@@ -52,7 +52,8 @@ double on_curve(const FrontResult& front, const CurveOf& curve, std::size_t piec
   std::array<double, 4> value{};
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t i = first + k + n - 1;
-    s[k] = front.points[i % n].s + front.length * (static_cast<double>(i / n) - 1.0);
+    const std::size_t rounds = i / n; // one more than there are
+    s[k] = front.points[i % n].s + front.length * (static_cast<double>(rounds) - 1.0);
     value[k] = curve(front.points[i % n]);
   }
   const double from = front.points[piece].s;

@@ -29,7 +29,7 @@ using namespace spricka;
 // [flop/s] of products of this size, by CPU time: others use the machine.
 double dgemm_rate(int n) {
   const base::Matrix A = base::Matrix::Constant(n, n, 1.0 / n);
-  const base::Matrix B = A;
+  const base::Matrix B = base::Matrix::Constant(n, n, 1.0 / n);
   base::Matrix C(n, n);
   const double begin = base::cpu_seconds();
   int products = 0;

@@ -127,6 +127,7 @@ std::vector<std::array<double, 3>> smooth_front(const FrontScene& at, const base
   }
   crack::smooth_along(at.front, at.fields, points);
   std::vector<std::array<double, 3>> smooth;
+  smooth.reserve(points.size());
   for (const crack::StressIntensity& point : points) {
     smooth.push_back(point.front->from_inside.value_or(point.front->smooth));
   }

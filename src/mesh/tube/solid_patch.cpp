@@ -210,6 +210,7 @@ private:
                                                          const std::vector<int>& loop) const {
     const PlaneBasis& plane = cracks_[c].reach.plane();
     std::vector<base::Vec2> polygon;
+    polygon.reserve(loop.size());
     for (const int n : loop) {
       polygon.push_back(plane.flat(net_.local(n)));
     }

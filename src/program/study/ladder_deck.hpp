@@ -16,6 +16,6 @@ struct LadderOptions {
 /// names the cheapest that is within the tolerance. Writes ladder.csv, ladder.html, the decks of
 /// all rungs, and that of the cheapest with the deck's answers as checks, into a folder. The
 /// outcome is that of the deck itself where it cannot be solved.
-base::Outcome ladder_deck(const LadderOptions& options);
+base::Outcome ladder_deck(const LadderOptions& given);
 
 } // namespace spricka::program

@@ -129,7 +129,7 @@ bool make_linear(DeckText& text, const fs::path& folder) {
   return changed;
 }
 
-std::string joined(std::string a, const std::string& b) {
+std::string joined(const std::string& a, const std::string& b) {
   return a.empty() ? b : b.empty() ? a : a + " " + b;
 }
 

@@ -7,6 +7,7 @@
 #include <functional>
 #include <numbers>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace spricka {

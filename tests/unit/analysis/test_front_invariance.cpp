@@ -40,7 +40,9 @@ public:
     std::string out = "$COOR\n";
     for (int n = 0; n < count(); ++n) {
       const int i = put_.backwards ? count() - 1 - n : n;
-      const Vec3 at(i % side, i / side % side, i / side / side);
+      const int row = i / side % side;
+      const int layer = i / side / side;
+      const Vec3 at(i % side, row, layer);
       const Vec3 x = put_.place((8.0 / (side - 1)) * at - Vec3::Constant(4.0));
       out += fmt::format("{} {:.17g} {:.17g} {:.17g}\n", n + 1, x.x(), x.y(), x.z());
     }

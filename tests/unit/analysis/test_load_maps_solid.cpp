@@ -82,7 +82,7 @@ solve::ContactSolution direct(const solve::ParametricProblem& problem, double t)
   solve::ContactProblem at = problem.at_zero;
   at.b += t * problem.db;
   at.h += t * problem.dh;
-  const solve::ContactSolution s = solve::solve_contact(at, solve::ContactSettings{}, {});
+  solve::ContactSolution s = solve::solve_contact(at, solve::ContactSettings{}, {});
   EXPECT_EQ(s.status, solve::ContactStatus::solved);
   return s;
 }

@@ -49,8 +49,8 @@ mesh::FrontCurve penny_front(double a, double part = 1.0);
 mesh::FrontCurve ellipse_front(double p, double q, double part);
 
 /// Displacements of a penny of radius 1 in an infinite body: faces under a pressure of 1.
-base::Vec3 pressed_penny(const base::Vec3& x, crack::FaceSide side, double mu, double nu);
+base::Vec3 pressed_penny(const base::Vec3& at, crack::FaceSide side, double mu, double nu);
 /// Under a remote shear s_xz of 1, faces free.
-base::Vec3 sheared_penny(const base::Vec3& x, crack::FaceSide side, double mu, double nu);
+base::Vec3 sheared_penny(const base::Vec3& at, crack::FaceSide side, double mu, double nu);
 
 } // namespace spricka::test
