@@ -249,7 +249,8 @@ constexpr std::array texts{
     CardText{
         "TEST",
         "Data lines N a are readings of a crack growth test: cycles and length, as $CRACK counts "
-        "it. The rate da/dN at a length is that of a reference at a range of K; so K of the part "
+        "it; in space N a c, both half axes, of which AXIS is compared, or it alone. The rate "
+        "da/dN at a length is that of a reference at a range of K; so K of the part "
         "is known. The reference is the law of $GROW, or rates of a specimen: lines RATE delta_K "
         "da/dN, straight in the logarithms in between. K_min/K_max of each length comes from the "
         "steps KMIN and KMAX of $GROW. Results are in test.csv with the scatter band; manual, "

@@ -14,9 +14,10 @@ namespace {
 
 using grammar::Field;
 
-/// Two numbers of a line and the place for messages about it.
+/// Numbers of a line and the place for messages about it.
 struct Reading {
   double first = 0.0, second = 0.0;
+  std::optional<double> third = {};
   base::Span span;
   std::string where; ///< "line 17 of 'f.txt': "; empty: the span says it
 };
@@ -49,18 +50,19 @@ public:
     test_.ratio = card_.optional("RATIO");
     test_.k_unit = unit("KUNIT");
     test_.a_unit = unit("AUNIT");
+    test_.on_c = card_.is("AXIS", "C");
     test_.span = card_.span;
     if (const Definition* crack = look_up(c_, Kind::crack, card_.reference("CRACK"))) {
       test_.crack = base::CrackId(crack->index);
     }
     if (test_.window % 2 == 0) {
-      wrong({0, 0, card_.find("POINTS")->span, {}}, "E109",
+      wrong({.span = card_.find("POINTS")->span, .where = {}}, "E109",
             fmt::format("POINTS: {} is even: a parabola has its reading in the middle",
                         test_.window));
     }
     rows();
-    file("FILE", [this](const Reading& pair) { reading(pair); });
-    file("REFERENCE", [this](const Reading& pair) { rate(pair); });
+    file("FILE", most_lengths() + 1, [this](const Reading& line) { reading(line); });
+    file("REFERENCE", 2, [this](const Reading& pair) { rate(pair); });
     if (good_ && !card_.rows_bad) {
       look_at_the_whole();
     }
@@ -73,18 +75,25 @@ private:
     return card_.has(key) && parsed ? base::to_deck(*parsed, c_.scope.units) : 1.0;
   }
 
+  // A crack in space has two half axes that can be read.
+  [[nodiscard]] std::size_t most_lengths() const { return c_.model.mesh.dim == 3 ? 2 : 1; }
+
   void rows() {
     for (const grammar::Row& row : card_.rows) {
       const bool of_reference =
           row.fields.front().kind == Field::Kind::name && row.fields.front().text == "RATE";
       const std::string_view other = of_reference ? "REFERENCE" : "FILE";
       const std::size_t first = of_reference ? 1 : 0;
-      if (row.fields.size() != first + 2) {
-        wrong({0, 0, row.span, {}}, "E115", "a line is N a, or RATE delta_K da/dN");
+      const std::size_t count = row.fields.size() - first;
+      const std::size_t most = of_reference ? 2 : most_lengths() + 1;
+      if (count < 2 || count > most) {
+        wrong({.span = row.span, .where = {}}, "E115",
+              fmt::format("a line is N a{}, or RATE delta_K da/dN",
+                          most_lengths() > 1 ? " [c]" : ""));
         continue;
       }
       if (card_.has(other)) {
-        wrong({0, 0, row.span, {}}, "E115",
+        wrong({.span = row.span, .where = {}}, "E115",
               fmt::format("with {} there are no such data lines", other));
         return;
       }
@@ -95,14 +104,19 @@ private:
                                of_reference ? grammar::Quantity::number : grammar::Quantity::length,
                                of_reference ? "a growth per cycle" : "a crack length", c_.scope,
                                c_.diagnostics);
-      good_ = good_ && x && y;
-      if (x && y) {
-        of_reference ? rate({*x, *y, row.span, {}}) : reading({*x, *y, row.span, {}});
+      const auto third = count < 3 ? std::optional<double>()
+                                   : number_of(row.fields[first + 2], grammar::Quantity::length,
+                                               "a half axis", c_.scope, c_.diagnostics);
+      const bool sound = x && y && third.has_value() == (count == 3);
+      good_ = good_ && sound;
+      if (sound) {
+        const Reading line{*x, *y, third, row.span, {}};
+        of_reference ? rate(line) : reading(line);
       }
     }
   }
 
-  template <class Take> void file(std::string_view key, Take&& take) {
+  template <class Take> void file(std::string_view key, std::size_t most, Take&& take) {
     if (!card_.has(key)) {
       return;
     }
@@ -110,22 +124,34 @@ private:
     good_ = good_ && lines.has_value();
     for (std::size_t i = 0; good_ && i < lines->size(); ++i) {
       const NumberLine& line = (*lines)[i];
-      if (!line.sound || line.numbers.size() != 2) {
-        wrong({0, 0, line.span, line.where}, "E115", "a line holds two numbers");
+      const std::size_t count = line.numbers.size();
+      if (!line.sound || count < 2 || count > most) {
+        wrong({.span = line.span, .where = line.where}, "E115",
+              most > 2 ? "a line holds two numbers or three" : "a line holds two numbers");
       } else {
-        take(Reading{line.numbers[0], line.numbers[1], line.span, line.where});
+        const auto third = count > 2 ? std::optional(line.numbers[2]) : std::nullopt;
+        take(Reading{line.numbers[0], line.numbers[1], third, line.span, line.where});
       }
     }
   }
 
-  void reading(const Reading& pair) {
-    if (!test_.readings.empty() && pair.first <= test_.readings.back()[0]) {
-      wrong(pair, "E109",
-            fmt::format("{} cycles do not come after {}", pair.first, test_.readings.back()[0]));
-    } else if (pair.second <= 0.0) {
-      wrong(pair, "E109", fmt::format("{} is no crack length: it is positive", pair.second));
+  void reading(const Reading& line) {
+    const bool both = line.third.has_value();
+    const double least = both ? std::min(line.second, *line.third) : line.second;
+    if (!test_.readings.empty() && line.first <= test_.readings.back()[0]) {
+      wrong(line, "E109",
+            fmt::format("{} cycles do not come after {}", line.first, test_.readings.back()[0]));
+    } else if (least <= 0.0) {
+      wrong(line, "E109", fmt::format("{} is no crack length: it is positive", least));
+    } else if (!test_.readings.empty() && both == test_.other.empty()) {
+      wrong(line, "E109", "either all lines have both half axes, or none");
     } else {
-      test_.readings.push_back({pair.first, pair.second});
+      // A length alone is that of AXIS.
+      const bool second = both && test_.on_c;
+      test_.readings.push_back({line.first, second ? *line.third : line.second});
+      if (both) {
+        test_.other.push_back(second ? line.second : *line.third);
+      }
     }
   }
 
@@ -162,10 +188,23 @@ private:
                         card_.has("KUNIT") ? "AUNIT" : "KUNIT"),
             "KUNIT='MPa*m^0.5' AUNIT='m/cycle', or those of the reference");
     }
+    look_at_the_crack(lacks);
     const bool bad_growth = std::ranges::any_of(
         c_.cards, [](const BoundCard& card) { return card.spec->name == "GROW" && card.bad; });
     if (!bad_growth) {
       look_at_the_growth(lacks);
+    }
+  }
+
+  template <class Lacks> void look_at_the_crack(Lacks&& lacks) {
+    const bool space = c_.model.mesh.dim == 3;
+    if (!space && card_.has("AXIS")) {
+      lacks("AXIS is of a crack in space", "in the plane a crack has one length");
+    }
+    if (space && test_.crack.valid() &&
+        c_.model.cracks[test_.crack.index()].kind != model::CrackKind::ellipse) {
+      lacks(fmt::format("{} has no half axes to read", c_.model.cracks[test_.crack.index()].name),
+            "in space tests are of cracks with A and C");
     }
   }
 

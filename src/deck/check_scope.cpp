@@ -78,11 +78,6 @@ void solid_growth_in_reach(Context& c) {
 
 // What cracks in space do not have in this version.
 void solid_cracks_in_reach(Context& c) {
-  for (const BoundCard& card : c.cards) {
-    if (!c.model.cracks.empty() && card.spec->name == std::string_view("TEST")) {
-      c.unavailable("$TEST with a crack in space", card.span);
-    }
-  }
   if (c.model.growth && !c.model.cracks.empty()) {
     solid_growth_in_reach(c);
   }

@@ -19,9 +19,12 @@ struct GrowthTest {
   RateMethod method = RateMethod::polynomial;
   int window = 7;                              ///< readings of a parabola, odd
   std::vector<std::array<double, 2>> readings; ///< N ascending, a > 0 [length]
-  std::optional<double> ratio;                 ///< K_min / K_max of the test; else from the steps
-  double k_unit = 1.0;                         ///< of delta_k [stress intensity]
-  double a_unit = 1.0;                         ///< of growth [length]
+  /// In space the half axis that is read: C, else A; and the other where it was read too.
+  bool on_c = false;
+  std::vector<double> other;   ///< [reading, or none]
+  std::optional<double> ratio; ///< K_min / K_max of the test; else from the steps
+  double k_unit = 1.0;         ///< of delta_k [stress intensity]
+  double a_unit = 1.0;         ///< of growth [length]
   /// Rates of the reference, ascending, in those units; empty: the law of $GROW.
   std::vector<double> delta_k;
   std::vector<double> growth; ///< [delta_k]

@@ -29,8 +29,9 @@ struct GrowthTest {
   std::string reference;                       ///< what gave K, in words
   std::vector<std::array<double, 2>> readings; ///< N, a
   std::vector<TestPoint> points;
-  double scatter = 0.0;  ///< standard deviation of the readings [length]
-  double freedoms = 0.0; ///< of a spline
+  std::vector<std::array<double, 2>> computed; ///< length, ascending, and K1 of the tip at KMAX
+  double scatter = 0.0;                        ///< standard deviation of the readings [length]
+  double freedoms = 0.0;                       ///< of a spline
   /// From the first to the last point that has a computed K: cycles of the test, and those that
   /// the computed K gives by the reference, with their error by the lengths between which K is
   /// interpolated. Not numbers where there are not.

@@ -324,6 +324,7 @@ template <class V, Of<GrowthTest> T> void fields(V& v, T& r) {
   v("method", r.method);
   v("reference", r.reference);
   v("readings", r.readings);
+  v("computed", r.computed);
   v("points", r.points);
   v("scatter", r.scatter);
   v("freedoms", r.freedoms);

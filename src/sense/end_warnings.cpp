@@ -93,27 +93,18 @@ void add_strange_tests(const model::Model& model, const results::Run& run,
         !test.readings.empty() && std::ranges::all_of(test.points, [](const auto& point) {
           return std::isnan(point.computed);
         });
-    double low = 0.0;
-    double high = 0.0;
-    for (const results::Increment& increment : run.increments) {
-      for (const results::StepResult& step : increment.steps) {
-        if (const results::TipResult* tip = results::find_tip(step, test.tip)) {
-          low = high == 0.0 ? tip->a : std::min(low, tip->a);
-          high = std::max(high, tip->a);
-        }
-      }
-    }
-    if (!outside || !(high > 0.0)) {
+    if (!outside || test.computed.empty()) {
       continue;
     }
     const auto [first, last] = std::ranges::minmax_element(
         test.readings, {}, [](const auto& reading) { return reading[1]; });
-    list.push_back({"W573", fmt::format("test {}: its lengths, {:.4g} to {:.4g} {unit}, lie all "
-                                        "outside those of {} that were computed, {:.4g} to {:.4g} "
-                                        "{unit}: nothing is compared. Are they in the unit meant, "
-                                        "and counted from the crack's mouth?",
-                                        test.name, (*first)[1], (*last)[1], test.tip, low, high,
-                                        fmt::arg("unit", model.units.length_name))});
+    list.push_back(
+        {"W573", fmt::format("test {}: its lengths, {:.4g} to {:.4g} {unit}, lie all "
+                             "outside those of {} that were computed, {:.4g} to {:.4g} "
+                             "{unit}: nothing is compared. Are they in the unit meant, "
+                             "and counted from the crack's mouth?",
+                             test.name, (*first)[1], (*last)[1], test.tip, test.computed.front()[0],
+                             test.computed.back()[0], fmt::arg("unit", model.units.length_name))});
   }
 }
 

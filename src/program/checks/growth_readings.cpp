@@ -6,6 +6,7 @@
 #include "life/life_curve.hpp"
 #include "life/spline.hpp"
 #include "model/model.hpp"
+#include "results/half_axes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -35,15 +36,56 @@ life::GrowthLaw reference_of(const model::Model& model, const model::GrowthTest&
   return {life::Law::table, constants};
 }
 
-// The tip of a crack, the first of two.
-const results::TipResult* tip_of(const results::Increment& increment, const model::Step& step,
-                                 const std::string& crack) {
-  const results::StepResult* at = results::find_step(increment, step.name);
-  if (at == nullptr) {
-    return nullptr;
+/// K that was computed at a length.
+struct AtLength {
+  std::string tip;
+  double a = 0.0, K1 = 0.0;
+  double other = 0.0; ///< in space the other half axis, 0 where the front has none
+};
+
+// Of the end of the axis that is read, the first of two; a length of an axis with two ends is half
+// of what they span.
+std::optional<AtLength> on_axis(const results::StepResult& at, const model::Model& model,
+                                const model::GrowthTest& test) {
+  const model::Crack& crack = model.cracks[test.crack.index()];
+  for (const results::FrontResult& front : at.fronts) {
+    if (results::crack_of_front(model, front.name) != &crack || !front.doubt.empty()) {
+      continue;
+    }
+    std::vector<base::Vec3> points;
+    for (const results::FrontPlace& place : front.points) {
+      points.push_back(place.x);
+    }
+    const std::vector<results::AxisEnd> ends = results::axis_ends(crack, points, front.closed);
+    const auto end = std::ranges::find(ends, !test.on_c, &results::AxisEnd::on_a);
+    if (end != ends.end()) {
+      const auto [a, c] = results::half_axes(ends);
+      return AtLength{
+          .tip = end->tip,
+          .a = test.on_c ? c : a,
+          .K1 = end->between(front.points[end->from].smooth[0], front.points[end->to].smooth[0]),
+          .other = test.on_c ? a : c};
+    }
   }
+  return std::nullopt;
+}
+
+// The tip of a crack, the first of two. Empty where its K is none.
+std::optional<AtLength> found_at(const results::Increment& increment, base::StepId step,
+                                 const model::Model& model, const model::GrowthTest& test) {
+  const results::StepResult* at = results::find_step(increment, model.steps[step.index()].name);
+  if (at == nullptr) {
+    return std::nullopt;
+  }
+  if (model.mesh.dim == 3) {
+    return on_axis(*at, model, test);
+  }
+  const std::string& crack = model.cracks[test.crack.index()].name;
   const results::TipResult* tip = results::find_tip(*at, crack);
-  return tip != nullptr ? tip : results::find_tip(*at, crack + ".1");
+  tip = tip != nullptr ? tip : results::find_tip(*at, crack + ".1");
+  return tip == nullptr || !tip->doubt.empty()
+             ? std::nullopt
+             : std::optional(AtLength{.tip = tip->name, .a = tip->a, .K1 = tip->K1});
 }
 
 /// K and R of the increments between their lengths.
@@ -51,36 +93,47 @@ class ComputedK {
 public:
   ComputedK(const model::Model& model, const results::Run& run, const model::GrowthTest& test) {
     const model::Growth& growth = *model.growth;
-    const std::string& crack = model.cracks[test.crack.index()].name;
-    std::vector<std::array<double, 3>> found; // log a, log K, R
+    std::vector<std::array<double, 4>> found; // log a, log K, R, other half axis
     for (const results::Increment& increment : run.increments) {
-      const auto* high = tip_of(increment, model.steps[growth.kmax.index()], crack);
-      if (high == nullptr || !high->doubt.empty() || !(high->K1 > 0.0)) {
+      const std::optional<AtLength> high = found_at(increment, growth.kmax, model, test);
+      if (!high || !(high->K1 > 0.0)) {
         continue;
       }
-      tip_ = high->name;
+      tip_ = high->tip;
       double R = test.ratio.value_or(k_nan);
       if (!test.ratio) {
-        const auto* low = tip_of(increment, model.steps[growth.kmin.index()], crack);
-        R = low == nullptr || !low->doubt.empty() ? k_nan : low->K1 / high->K1;
+        const std::optional<AtLength> low = found_at(increment, growth.kmin, model, test);
+        R = low ? low->K1 / high->K1 : k_nan;
       }
       if (!std::isnan(R)) {
-        found.push_back({std::log(high->a), std::log(high->K1), R});
+        found.push_back({std::log(high->a), std::log(high->K1), R, high->other});
       }
     }
     std::ranges::sort(found);
-    for (const auto& [a, K, R] : found) {
+    for (const auto& [a, K, R, other] : found) {
       // Splines want lengths that rise: of equal ones the first counts.
       if (log_a_.empty() || a > log_a_.back()) {
         log_a_.push_back(a);
         log_K_.push_back(K);
         R_.push_back(R);
+        other_.push_back(other);
       }
     }
     constant_ = test.ratio;
   }
 
   [[nodiscard]] const std::string& tip() const { return tip_; }
+  /// Lengths, ascending, and K.
+  [[nodiscard]] std::vector<std::array<double, 2>> points() const {
+    std::vector<std::array<double, 2>> all;
+    all.reserve(log_a_.size());
+    for (std::size_t i = 0; i < log_a_.size(); ++i) {
+      all.push_back({std::exp(log_a_[i]), std::exp(log_K_[i])});
+    }
+    return all;
+  }
+  /// The other half axis at a length.
+  [[nodiscard]] double other(double a) const { return at(a) ? value(other_, a) : k_nan; }
   /// The life by these K; empty where some of them do not grow, or have no end.
   [[nodiscard]] std::optional<life::LifeCurve> curve(const life::GrowthLaw& law) const {
     std::vector<double> lengths, rates;
@@ -112,7 +165,7 @@ private:
   }
 
   std::string tip_;
-  std::vector<double> log_a_, log_K_, R_;
+  std::vector<double> log_a_, log_K_, R_, other_;
   std::optional<double> constant_;
 };
 
@@ -203,6 +256,28 @@ void add_notes(results::GrowthTest& test) {
   }
 }
 
+// Where both half axes were read, K is of the shape that was computed.
+void compare_shapes(const ComputedK& computed, const model::GrowthTest& card,
+                    results::GrowthTest& test) {
+  constexpr double alike = 0.05;
+  double most = 0.0;
+  double where = 0.0;
+  for (std::size_t i = 0; i < card.other.size(); ++i) {
+    const double a = card.readings[i][1];
+    const double off = card.other[i] / computed.other(a) - 1.0;
+    if (std::isfinite(off) && std::abs(off) > std::abs(most)) {
+      most = off;
+      where = a;
+    }
+  }
+  if (std::abs(most) > alike) {
+    test.notes.push_back(results::warning(fmt::format(
+        "the crack that was read has another shape than the one that was computed: at {} = {:.4g} "
+        "its {} is {:+.0f} % off. K is of the computed shape",
+        card.on_c ? "c" : "a", where, card.on_c ? "a" : "c", 100.0 * most)));
+  }
+}
+
 results::GrowthTest invert(const model::Model& model, const results::Run& run,
                            const model::GrowthTest& card) {
   const ComputedK computed(model, run, card);
@@ -212,6 +287,7 @@ results::GrowthTest invert(const model::Model& model, const results::Run& run,
   test.method = word_of(card);
   test.reference = reference_words(model, card);
   test.readings = card.readings;
+  test.computed = computed.points();
   std::vector<life::Reading> readings;
   for (const auto& [cycles, a] : card.readings) {
     readings.push_back({cycles, a});
@@ -237,6 +313,7 @@ results::GrowthTest invert(const model::Model& model, const results::Run& run,
   }
   compare_lives(computed, reference, test);
   add_notes(test);
+  compare_shapes(computed, card, test);
   return test;
 }
 

@@ -3,6 +3,7 @@
 
 #include "model/model.hpp"
 #include "report/drawing/file.hpp"
+#include "results/half_axes.hpp"
 
 #include <fmt/format.h>
 
@@ -21,6 +22,7 @@ namespace spricka::report {
 namespace {
 
 using base::Vec3;
+using results::AxisEnd;
 
 /// Factors of load cases and fits at the end of a step.
 struct Factors {
@@ -83,89 +85,11 @@ std::size_t step_index(const model::Model& model, std::string_view name) {
   return static_cast<std::size_t>(found - model.steps.begin());
 }
 
-/// K of a front at the end of an axis of its crack, between two of its points.
-struct AxisEnd {
-  std::string tip{}; ///< "C1.A", "C1.C2"
-  bool on_a = true;  ///< of the axis A, else of C
-  std::size_t from = 0, to = 0;
-  double part = 0.0; ///< of the way from one to the other
-  double size = 0.0; ///< from the crack's place [length]
-};
-
-// An end of the front counts as the end of an axis up to this angle from it: a bore or a corner
-// lies askew to the axes.
-constexpr double beside_axis = 0.45; // its sine
-
-// Where a front crosses the ray from the crack's place along `way`, or ends beside it.
-std::optional<AxisEnd> end_on(const std::vector<Vec3>& points, bool closed, const Vec3& place,
-                              const Vec3& way, const Vec3& aside) {
-  const std::size_t n = points.size();
-  const auto off = [&](std::size_t i) { return (points[i] - place).dot(aside); };
-  const auto ahead = [&](std::size_t i) { return (points[i] - place).dot(way) > 0.0; };
-  for (std::size_t i = 0; i + (closed ? 0 : 1) < n; ++i) {
-    const std::size_t k = (i + 1) % n;
-    if (ahead(i) && ahead(k) && (off(i) <= 0.0) != (off(k) <= 0.0)) {
-      const double part = off(i) / (off(i) - off(k));
-      const Vec3 x = (1.0 - part) * points[i] + part * points[k];
-      return AxisEnd{.from = i, .to = k, .part = part, .size = (x - place).norm()};
-    }
-  }
-  std::optional<AxisEnd> nearest;
-  double least = beside_axis;
-  for (const std::size_t i : {std::size_t{0}, n - 1}) {
-    const double size = (points[i] - place).norm();
-    if (!closed && ahead(i) && std::abs(off(i)) < least * size) {
-      least = std::abs(off(i)) / size;
-      nearest = AxisEnd{.from = i, .to = i, .size = size};
-    }
-  }
-  return nearest;
-}
-
-// Both ends of both axes, as far as the front has them.
-std::vector<AxisEnd> ends_of(const model::Crack& crack, const std::vector<Vec3>& points,
-                             bool closed) {
-  const model::CrackPlane& plane = crack.plane;
-  std::vector<AxisEnd> ends;
-  for (const bool on_a : {true, false}) {
-    const Vec3 way = on_a ? plane.across() : plane.along;
-    const Vec3 aside = on_a ? plane.along : plane.across();
-    std::array<std::optional<AxisEnd>, 2> both{end_on(points, closed, plane.place, way, aside),
-                                               end_on(points, closed, plane.place, -way, aside)};
-    for (std::size_t k = 0; k < 2; ++k) {
-      if (both.at(k)) {
-        AxisEnd& end = ends.emplace_back(*both.at(k));
-        end.on_a = on_a;
-        end.tip = fmt::format("{}.{}{}", crack.name, on_a ? "A" : "C",
-                              !(both[0] && both[1]) ? ""
-                              : k == 0              ? "1"
-                                                    : "2");
-      }
-    }
-  }
-  return ends;
-}
-
-// Half-axes: half of what the ends span where both are there; empty cells where there is none.
+// Empty cells where there is none.
 std::array<std::string, 2> sizes_of(const std::vector<AxisEnd>& ends) {
-  std::array<std::string, 2> text;
-  for (const bool on_a : {true, false}) {
-    double sum = 0.0;
-    int count = 0;
-    for (const AxisEnd& end : ends) {
-      sum += end.on_a == on_a ? end.size : 0.0;
-      count += end.on_a == on_a ? 1 : 0;
-    }
-    text.at(on_a ? 0 : 1) = count > 0 ? fmt::format("{}", sum / count) : "";
-  }
-  return text;
-}
-
-const model::Crack* crack_of(const model::Model& model, const std::string& front) {
-  const auto found = std::ranges::find_if(model.cracks, [&](const model::Crack& crack) {
-    return front == crack.name || front.starts_with(crack.name + ".");
-  });
-  return found == model.cracks.end() ? nullptr : &*found;
+  const std::array<double, 2> half = results::half_axes(ends);
+  const auto cell = [](double size) { return size > 0.0 ? fmt::format("{}", size) : ""; };
+  return {cell(half[0]), cell(half[1])};
 }
 
 /// One line of the table in space.
@@ -188,7 +112,7 @@ std::string front_rows(int increment, const model::Model& model, const results::
                        const std::string& factors) {
   std::string text;
   for (const results::FrontResult& front : step.fronts) {
-    const model::Crack* crack = crack_of(model, front.name);
+    const model::Crack* crack = results::crack_of_front(model, front.name);
     if (crack == nullptr || crack->kind == model::CrackKind::front || front.points.size() < 2) {
       continue;
     }
@@ -196,12 +120,12 @@ std::string front_rows(int increment, const model::Model& model, const results::
     for (const results::FrontPlace& place : front.points) {
       points.push_back(place.x);
     }
-    const std::vector<AxisEnd> ends = ends_of(*crack, points, front.closed);
+    const std::vector<AxisEnd> ends = results::axis_ends(*crack, points, front.closed);
     const std::array<std::string, 2> sizes = sizes_of(ends);
     for (const AxisEnd& end : ends) {
       const auto K = [&](std::size_t mode) {
-        return (1.0 - end.part) * front.points[end.from].smooth.at(mode) +
-               end.part * front.points[end.to].smooth.at(mode);
+        return end.between(front.points[end.from].smooth.at(mode),
+                           front.points[end.to].smooth.at(mode));
       };
       text += line_of({increment, end, sizes, step.step + ",", factors, K(0), K(1)});
     }
@@ -213,7 +137,7 @@ std::string path_rows(int increment, const model::Model& model, const results::L
                       const std::array<const Factors*, 2>& ways) {
   std::string text;
   for (const results::PathFront& front : path.fronts) {
-    const model::Crack* crack = crack_of(model, front.is.name);
+    const model::Crack* crack = results::crack_of_front(model, front.is.name);
     if (crack == nullptr || crack->kind == model::CrackKind::front || front.points.size() < 2) {
       continue;
     }
@@ -221,7 +145,7 @@ std::string path_rows(int increment, const model::Model& model, const results::L
     for (const results::PathPoint& point : front.points) {
       points.push_back(point.is.x);
     }
-    const std::vector<AxisEnd> ends = ends_of(*crack, points, front.is.closed);
+    const std::vector<AxisEnd> ends = results::axis_ends(*crack, points, front.is.closed);
     const std::array<std::string, 2> sizes = sizes_of(ends);
     for (const AxisEnd& end : ends) {
       for (std::size_t k = 0; k < path.t.size(); ++k) {
@@ -230,7 +154,7 @@ std::string path_rows(int increment, const model::Model& model, const results::L
           return (point.is.at_surface ? point.inner : point.K).at(mode).at_knot(k);
         };
         const auto K = [&](std::size_t mode) {
-          return (1.0 - end.part) * at(end.from, mode) + end.part * at(end.to, mode);
+          return end.between(at(end.from, mode), at(end.to, mode));
         };
         text += line_of({increment, end, sizes, fmt::format("{},{}", path.name, path.t[k]),
                          factor_cells(between(*ways[0], *ways[1], path.t[k])), K(0), K(1)});

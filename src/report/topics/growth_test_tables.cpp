@@ -41,19 +41,13 @@ struct Scale {
 };
 
 // Computed K at the lengths that were solved.
-Series computed_series(const model::Model& model, const results::Run& run,
-                       const results::GrowthTest& test, const Scale& scale) {
+Series computed_series(const results::GrowthTest& test, const Scale& scale) {
   Series series;
   series.name = "computed";
   series.marker = Marker::square;
-  for (const results::Increment& increment : run.increments) {
-    const auto* step = results::find_step(increment, leading_step(model));
-    const auto* tip = step == nullptr ? nullptr : results::find_tip(*step, test.tip);
-    if (tip != nullptr) {
-      series.points.push_back(scale(tip->a, tip->K1));
-    }
+  for (const auto& [a, K] : test.computed) {
+    series.points.push_back(scale(a, K));
   }
-  std::ranges::sort(series.points, {}, &Point::x);
   return series;
 }
 
@@ -124,7 +118,7 @@ Figure figure_of(const model::Model& model, const results::Run& run,
             scale.state ? "K₁ / (σ √(πa))" : fmt::format("K₁  [{}]", unit),
             {}};
   plot.legend_below = true;
-  plot.series.push_back(computed_series(model, run, test, scale));
+  plot.series.push_back(computed_series(test, scale));
   add_measured(plot, test, scale);
   add_references(plot, model, run, test, scale);
   return {{readings_plot(model, test), draw(plot)},

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "results/half_axes.hpp"
+
+#include "model/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+namespace spricka::results {
+
+using base::Vec3;
+
+namespace {
+
+// An end of the front counts as the end of an axis up to this angle from it: a bore or a corner
+// lies askew to the axes.
+constexpr double beside_axis = 0.45; // its sine
+
+// Where a front crosses the ray from the crack's place along `way`, or ends beside it.
+std::optional<AxisEnd> end_on(const std::vector<Vec3>& points, bool closed, const Vec3& place,
+                              const Vec3& way, const Vec3& aside) {
+  const std::size_t n = points.size();
+  const auto off = [&](std::size_t i) { return (points[i] - place).dot(aside); };
+  const auto ahead = [&](std::size_t i) { return (points[i] - place).dot(way) > 0.0; };
+  for (std::size_t i = 0; i + (closed ? 0 : 1) < n; ++i) {
+    const std::size_t k = (i + 1) % n;
+    if (ahead(i) && ahead(k) && (off(i) <= 0.0) != (off(k) <= 0.0)) {
+      const double part = off(i) / (off(i) - off(k));
+      const Vec3 x = (1.0 - part) * points[i] + part * points[k];
+      return AxisEnd{.from = i, .to = k, .part = part, .size = (x - place).norm()};
+    }
+  }
+  std::optional<AxisEnd> nearest;
+  double least = beside_axis;
+  for (const std::size_t i : {std::size_t{0}, n - 1}) {
+    const double size = (points[i] - place).norm();
+    if (!closed && ahead(i) && std::abs(off(i)) < least * size) {
+      least = std::abs(off(i)) / size;
+      nearest = AxisEnd{.from = i, .to = i, .size = size};
+    }
+  }
+  return nearest;
+}
+
+} // namespace
+
+std::vector<AxisEnd> axis_ends(const model::Crack& crack, const std::vector<Vec3>& points,
+                               bool closed) {
+  const model::CrackPlane& plane = crack.plane;
+  std::vector<AxisEnd> ends;
+  for (const bool on_a : {true, false}) {
+    const Vec3 way = on_a ? plane.across() : plane.along;
+    const Vec3 aside = on_a ? plane.along : plane.across();
+    std::array<std::optional<AxisEnd>, 2> both{end_on(points, closed, plane.place, way, aside),
+                                               end_on(points, closed, plane.place, -way, aside)};
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (both.at(k)) {
+        AxisEnd& end = ends.emplace_back(*both.at(k));
+        end.on_a = on_a;
+        end.tip = fmt::format("{}.{}{}", crack.name, on_a ? "A" : "C",
+                              !(both[0] && both[1]) ? ""
+                              : k == 0              ? "1"
+                                                    : "2");
+      }
+    }
+  }
+  return ends;
+}
+
+std::array<double, 2> half_axes(const std::vector<AxisEnd>& ends) {
+  std::array<double, 2> half{};
+  for (const bool on_a : {true, false}) {
+    double sum = 0.0;
+    int count = 0;
+    for (const AxisEnd& end : ends) {
+      sum += end.on_a == on_a ? end.size : 0.0;
+      count += end.on_a == on_a ? 1 : 0;
+    }
+    half.at(on_a ? 0 : 1) = count > 0 ? sum / count : 0.0;
+  }
+  return half;
+}
+
+const model::Crack* crack_of_front(const model::Model& model, std::string_view front) {
+  const auto found = std::ranges::find_if(model.cracks, [&](const model::Crack& crack) {
+    return front == crack.name || front.starts_with(crack.name + ".");
+  });
+  return found == model.cracks.end() ? nullptr : &*found;
+}
+
+} // namespace spricka::results
