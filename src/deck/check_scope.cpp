@@ -60,9 +60,6 @@ void solid_growth_in_reach(Context& c) {
   if (growth.direction != model::GrowthDirection::path) {
     no("DIRECTION other than PATH");
   }
-  if (growth.flow_stress) {
-    no("SFLOW");
-  }
   if (growth.corrected && growth.spectrum) {
     no("CORRECT=YES and SPECTRUM");
   }

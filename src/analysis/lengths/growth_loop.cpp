@@ -159,9 +159,10 @@ private:
     const Recorded stretch(options_.recorder, "GROW", "station measured, judged and kept");
     region.tell_cost(run_.log);
     LogWriter log(run_.log);
-    std::optional<std::vector<growth::TipStation>> found = measure_.measure(
-        {*increment, solver_.tips(), cracks, solver_.followed(), solver_.free_faces()},
-        march.tips());
+    std::optional<std::vector<growth::TipStation>> found =
+        measure_.measure({*increment, solver_.tips(), solver_.plastic(), cracks, solver_.followed(),
+                          solver_.free_faces()},
+                         march.tips());
     if (!found) {
       trial_trouble_ = measure_.trouble();
       return false;

@@ -117,9 +117,10 @@ bool GrowthMeasure::no_rate(std::string why) {
 }
 
 // The step whose loads stand for the largest: of a spectrum the one at the end of its path.
-std::size_t GrowthMeasure::largest_step() const {
-  return spectrum_ ? model_.load_paths[model_.spectra[*model_.growth->spectrum].path].to.index()
-                   : model_.growth->kmax.index();
+std::size_t largest_step(const model::Model& model) {
+  const std::optional<std::size_t>& spectrum = model.growth->spectrum;
+  return spectrum ? model.load_paths[model.spectra[*spectrum].path].to.index()
+                  : model.growth->kmax.index();
 }
 
 std::optional<std::vector<growth::TipStation>>
@@ -282,7 +283,7 @@ bool GrowthMeasure::by_spectrum(const SolvedLength& at, const std::string& name,
   const results::Increment& increment = at.increment;
   const model::Spectrum& card = model_.spectra[*model_.growth->spectrum];
   const results::LoadPath& path = increment.paths[card.path];
-  const results::TipResult* at_end = results::find_tip(increment.steps[largest_step()], name);
+  const results::TipResult* at_end = results::find_tip(increment.steps[largest_step(model_)], name);
   const results::PathTip* tip = results::find_tip(path, name);
   if (at_end != nullptr && at_end->two_materials) {
     return no_rate(fmt::format("{} has no K to grow by: its tip lies between two materials", name));
@@ -321,7 +322,7 @@ void GrowthMeasure::plastic(const results::Increment& increment, const mesh::Fro
     found.plastic =
         growth::plastic_part(model_, increment.mesh,
                              {front.tip().node, front.tip().x, front.tip().growth, edge->distance},
-                             increment.steps[largest_step()].u, *model_.growth->flow_stress);
+                             increment.steps[largest_step(model_)].u, *model_.growth->flow_stress);
   }
 }
 

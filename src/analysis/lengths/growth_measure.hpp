@@ -26,10 +26,17 @@ life::GrowthLaw law_of(const model::Growth& growth);
 struct SolvedLength {
   const results::Increment& increment;
   const std::vector<mesh::Front>& tips;
+  const std::vector<double>& plastic; ///< [front] in space, of the section before it, or empty
   const growth::CrackState& cracks;
   const std::optional<FollowedLoads>& followed; ///< where friction makes K a history
   const std::optional<FreeFaces>& free;         ///< faces that may overlap, where they close
 };
+
+/// The step of the largest load of the growth: KMAX, or the end of the spectrum's load path.
+std::size_t largest_step(const model::Model& model);
+
+/// K1 on a load path at the place of all fronts that is nearest to x; empty: there is none.
+std::optional<base::PiecewiseLinear> K1_nearest(const results::LoadPath& path, const base::Vec3& x);
 
 /// What a solved state of the cracks means for their growth: K at the largest and the smallest
 /// load, the way on, the rate.
@@ -96,7 +103,6 @@ private:
   [[nodiscard]] static bool opens(const base::Vec2& K);
   void plastic(const results::Increment& increment, const mesh::Front& front,
                const mesh::CrackLine& line, growth::TipStation& found) const;
-  [[nodiscard]] std::size_t largest_step() const;
 
   const model::Model& model_;
   life::GrowthLaw law_;

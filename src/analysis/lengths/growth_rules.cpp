@@ -16,6 +16,21 @@
 
 namespace spricka::analysis {
 
+namespace {
+
+// What SFLOW cannot be asked for; `no` tells it.
+template <class No> bool ligament_can_yield(const model::Model& model, const No& no) {
+  const bool heated = std::ranges::any_of(model.cases, [](const model::LoadCase& c) {
+    return std::ranges::any_of(
+        c.loads, [](const model::Load& load) { return load.type == model::LoadType::temperature; });
+  });
+  return !model.growth->flow_stress || (!heated && !model::axisymmetric(model)) ||
+         no("SFLOW: the plastic limit of a ligament is not known with temperatures, nor round an "
+            "axis");
+}
+
+} // namespace
+
 bool growth_can_begin(const model::Model& model, const std::vector<mesh::CrackLine>& lines,
                       base::Diagnostics& diagnostics) {
   const auto no = [&](const std::string& why) {
@@ -45,15 +60,7 @@ bool growth_can_begin(const model::Model& model, const std::vector<mesh::CrackLi
                             *model.growth->last_length, line.name, length));
     }
   }
-  const bool heated = std::ranges::any_of(model.cases, [](const model::LoadCase& c) {
-    return std::ranges::any_of(
-        c.loads, [](const model::Load& load) { return load.type == model::LoadType::temperature; });
-  });
-  if (model.growth->flow_stress && (heated || model::axisymmetric(model))) {
-    return no("SFLOW: the plastic limit of a ligament is not known with temperatures, nor round "
-              "an axis");
-  }
-  return true;
+  return ligament_can_yield(model, no);
 }
 
 bool growth_can_begin(const model::Model& model, const growth::Ways& ways,
@@ -93,7 +100,7 @@ bool growth_can_begin(const model::Model& model, const growth::Ways& ways,
                             ways.first_arm(tip)));
     }
   }
-  return true;
+  return ligament_can_yield(model, no);
 }
 
 namespace {

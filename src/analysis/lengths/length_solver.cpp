@@ -7,6 +7,7 @@
 #include "analysis/steps/let_go.hpp"
 #include "analysis/steps/repeated_steps.hpp"
 #include "base/tidy.hpp"
+#include "growth/section_limit.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -124,6 +125,7 @@ std::optional<results::Increment> LengthSolver::solve(const LengthRequest& reque
   increment.unknowns = unknowns(length->bodies());
   Scene scene = Length::take_scene(std::move(length));
   tips_ = scene.cracked.fronts;
+  measure_sections(scene, increment);
   // From here on what was mounted stands, for MOUNTED=FIRST.
   first_ = false;
   increment.kept = static_cast<std::size_t>(
@@ -139,6 +141,18 @@ std::optional<results::Increment> LengthSolver::solve(const LengthRequest& reque
   add_face_nodes(model_, increment.mesh);
   log.record("RECOVER", "surface, results of the nodes that the patches took");
   return increment;
+}
+
+void LengthSolver::measure_sections(const Scene& scene, const results::Increment& increment) {
+  plastic_.clear();
+  if (!model_.growth || !model_.growth->flow_stress || model_.mesh.dim != 3) {
+    return;
+  }
+  const base::Vector& u = increment.steps[largest_step(model_)].u;
+  for (const FrontScene& at : scene.fronts) {
+    plastic_.push_back(growth::plastic_part(model_, scene.cracked, *scene.ties, at.front, u,
+                                            *model_.growth->flow_stress));
+  }
 }
 
 bool LengthSolver::condense(Length& length, LogWriter& log) {

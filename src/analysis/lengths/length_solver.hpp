@@ -46,6 +46,10 @@ public:
   /// Of the state that was solved last.
   [[nodiscard]] const std::vector<mesh::Front>& tips() const { return tips_; }
 
+  /// By front in space, with SFLOW: force and moments of the section before it at the growth's
+  /// largest load, over their plastic limit.
+  [[nodiscard]] const std::vector<double>& plastic() const { return plastic_; }
+
   /// K of that state with faces that may overlap, where they close and the law wants it.
   [[nodiscard]] const std::optional<FreeFaces>& free_faces() const { return free_; }
   /// K of the loads of the growth, one after another; empty without friction.
@@ -78,6 +82,7 @@ private:
   void close_faces(const std::vector<std::size_t>& lines, Length& length, LogWriter& log);
   /// Takes K of faces that may overlap from the first solution of a state whose faces meet.
   void keep_free(const std::vector<std::size_t>& touching, results::Increment& increment);
+  void measure_sections(const Scene& scene, const results::Increment& increment);
   /// Follows the loads of the growth behind the steps; false: no answer.
   bool follow(LoadHistory& history, StepSolver& solver, LogWriter& log);
   /// Whether the results of a step are numbers; else the trouble says which are not.
@@ -102,6 +107,7 @@ private:
   ContactMemory contact_;
   estimate::ModeMemory modes_;
   std::vector<mesh::Front> tips_;
+  std::vector<double> plastic_;
   bool first_ = true;
 };
 

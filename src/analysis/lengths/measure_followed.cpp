@@ -77,7 +77,7 @@ void GrowthMeasure::of_pass(const FollowedPass& pass, std::size_t tip, const bas
 bool GrowthMeasure::by_history(const SolvedLength& at, const std::string& name, bool straight,
                                growth::TipStation& found) {
   const FollowedLoads& loads = *at.followed;
-  const std::vector<results::TipResult>& tips = at.increment.steps[largest_step()].tips;
+  const std::vector<results::TipResult>& tips = at.increment.steps[largest_step(model_)].tips;
   const auto own = std::ranges::find(tips, name, &results::TipResult::name);
   if (own == tips.end() || own->two_materials) {
     return no_rate(fmt::format("{} has no K to grow by: its tip lies between two materials", name));

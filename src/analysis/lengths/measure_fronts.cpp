@@ -31,8 +31,9 @@ struct PlaceOnFront {
   [[nodiscard]] bool found() const { return std::isfinite(away); }
 };
 
+// No name: of any.
 bool is_of(const std::string& front, const std::string& crack) {
-  return front == crack || front.starts_with(crack + ".");
+  return crack.empty() || front == crack || front.starts_with(crack + ".");
 }
 
 // The place of a crack's fronts that is nearest to x; `front_of` and `x_of` read the records.
@@ -171,10 +172,16 @@ base::PiecewiseLinear K1_on_path(const results::PathFront& front, const PlaceOnF
 
 } // namespace
 
+std::optional<base::PiecewiseLinear> K1_nearest(const results::LoadPath& path,
+                                                const base::Vec3& x) {
+  const PlaceOnFront place = place_on_path(path, "", x);
+  return place.found() ? std::optional(K1_on_path(path.fronts[place.front], place)) : std::nullopt;
+}
+
 bool GrowthMeasure::by_front(const SolvedLength& at, const growth::GrowingTip& tip,
                              const base::Vec3& aim, growth::TipStation& found) {
   const std::string& crack = at.cracks.solids[tip.line].name;
-  const results::StepResult& high = at.increment.steps[largest_step()];
+  const results::StepResult& high = at.increment.steps[largest_step(model_)];
   const PlaceOnFront place = place_in_step(high, crack, aim);
   if (!place.found()) {
     return no_rate(fmt::format("crack {} has no front to grow from", crack));
@@ -186,6 +193,7 @@ bool GrowthMeasure::by_front(const SolvedLength& at, const growth::GrowingTip& t
   found.y = place.x.y();
   found.z = place.x.z();
   found.K2_max = K[1];
+  found.plastic = at.plastic.size() == high.fronts.size() ? at.plastic[place.front] : 0.0;
   if (corrected && !front.no_bar.empty()) {
     warnings_.insert(fmt::format("CORRECT=YES, but {} has no error bar everywhere ({}): there K is "
                                  "as computed",

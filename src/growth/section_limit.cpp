@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "growth/section_limit.hpp"
+
+#include "fe/assemble.hpp"
+#include "mesh/front_curve.hpp"
+#include "model/model.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+namespace spricka::growth {
+
+namespace {
+
+using base::ElementId;
+using base::NodeId;
+using base::Vec2;
+using base::Vec3;
+using Tetrahedron = std::array<int, 4>;
+
+constexpr double in_plane = 1e-8;        // of the body
+constexpr double least_pieces = 10000.0; // of a section
+
+// Corners of tetrahedra that fill an element of 4, 6 or 8 corners.
+std::span<const Tetrahedron> tetrahedra(int corners) {
+  static constexpr std::array<Tetrahedron, 1> of_tetrahedron{{{0, 1, 2, 3}}};
+  static constexpr std::array<Tetrahedron, 3> of_wedge{{{0, 1, 2, 3}, {1, 2, 3, 4}, {2, 3, 4, 5}}};
+  static constexpr std::array<Tetrahedron, 6> of_brick{
+      {{0, 1, 2, 6}, {0, 2, 3, 6}, {0, 3, 7, 6}, {0, 7, 4, 6}, {0, 4, 5, 6}, {0, 5, 1, 6}}};
+  return corners == 4   ? std::span<const Tetrahedron>(of_tetrahedron)
+         : corners == 6 ? std::span<const Tetrahedron>(of_wedge)
+                        : std::span<const Tetrahedron>(of_brick);
+}
+
+/// Nodes that hang together.
+class Groups {
+public:
+  explicit Groups(std::size_t count) : up_(count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      up_[i] = i;
+    }
+  }
+  std::size_t of(std::size_t i) {
+    while (up_[i] != i) {
+      up_[i] = up_[up_[i]];
+      i = up_[i];
+    }
+    return i;
+  }
+  void join(std::size_t i, std::size_t k) { up_[of(i)] = of(k); }
+
+private:
+  std::vector<std::size_t> up_;
+};
+
+class Section {
+public:
+  Section(const mesh::CrackedMesh& cracked, const fe::Dependence& ties, const mesh::Front& front)
+      : cracked_(cracked), mesh_(cracked.mesh), groups_(mesh_.node_count()) {
+    const mesh::FrontFrame frame = front.curve->at(0.0);
+    origin_ = frame.x;
+    normal_ = frame.b;
+    first_ = frame.m;
+    second_ = normal_.cross(first_);
+    measure_heights();
+    mark_crack_faces();
+    side_.assign(mesh_.node_count(), 0);
+    for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
+      cut(ElementId(e));
+    }
+    join_ties(ties);
+    keep(groups_.of(front.points.front().node.index()));
+  }
+
+  [[nodiscard]] const std::vector<SectionPiece>& pieces() const { return pieces_; }
+  [[nodiscard]] const std::vector<ElementId>& below() const { return below_; }
+
+  /// Force and moments on the elements below from those above, f reduced by the ties.
+  [[nodiscard]] Vec3 forces(const base::Matrix& f) const {
+    double N = 0.0;
+    Vec3 M = Vec3::Zero();
+    for (std::size_t n = 0; n < mesh_.node_count(); ++n) {
+      if (on_cut_[n]) {
+        const Vec3 F = f.col(0).segment<3>(3 * static_cast<Eigen::Index>(n));
+        N += F.dot(normal_);
+        M += (mesh_.x[n] - origin_).cross(F);
+      }
+    }
+    // r x (sigma n) has -sigma r1 along the second axis and sigma r2 along the first.
+    return {N, -M.dot(second_), M.dot(first_)};
+  }
+
+private:
+  struct Piece {
+    std::array<Vec2, 3> x;
+    double area = 0.0;
+    std::size_t node = 0; ///< of its element
+  };
+
+  void measure_heights() {
+    Vec3 low = mesh_.x.front();
+    Vec3 high = low;
+    for (const Vec3& x : mesh_.x) {
+      low = low.cwiseMin(x);
+      high = high.cwiseMax(x);
+    }
+    const double nothing = in_plane * (high - low).norm();
+    height_.reserve(mesh_.node_count());
+    for (const Vec3& x : mesh_.x) {
+      const double h = (x - origin_).dot(normal_);
+      height_.push_back(std::abs(h) < nothing ? 0.0 : h);
+    }
+  }
+
+  void mark_crack_faces() {
+    on_face_.assign(mesh_.node_count(), false);
+    for (const mesh::CrackFaces& faces : cracked_.faces) {
+      for (const std::vector<NodeId>* side : {&faces.left, &faces.right}) {
+        for (const NodeId n : *side) {
+          on_face_[n.index()] = true;
+        }
+      }
+    }
+  }
+
+  // The plane itself counts as above: what lies in it is the upper side of elements below.
+  void cut(ElementId e) {
+    const std::span<const NodeId> nodes = mesh_.nodes_of(e);
+    const int corners = base::info(mesh_.type[e.index()]).corners;
+    double middle = 0.0;
+    for (int i = 0; i < corners; ++i) {
+      middle += height_[nodes[static_cast<std::size_t>(i)].index()];
+    }
+    const bool is_below = middle < 0.0;
+    if (is_below) {
+      below_.push_back(e);
+    }
+    for (const NodeId n : nodes) {
+      side_[n.index()] = static_cast<char>(side_[n.index()] | (is_below ? 2 : 1));
+    }
+    const std::size_t before = cuts_.size();
+    for (const Tetrahedron& t : tetrahedra(corners)) {
+      cut(nodes, t);
+    }
+    if (cuts_.size() > before) {
+      for (const NodeId n : nodes) {
+        groups_.join(n.index(), nodes[0].index());
+      }
+    }
+  }
+
+  void cut(std::span<const NodeId> nodes, const Tetrahedron& corners) {
+    std::vector<std::size_t> above, below;
+    bool face = true;
+    for (const int i : corners) {
+      const std::size_t n = nodes[static_cast<std::size_t>(i)].index();
+      (height_[n] >= 0.0 ? above : below).push_back(n);
+      face = face && (height_[n] < 0.0 || (height_[n] == 0.0 && on_face_[n]));
+    }
+    if (above.empty() || below.empty() || (face && above.size() == 3)) {
+      return;
+    }
+    const auto crossing = [&](std::size_t a, std::size_t b) -> Vec2 {
+      const double part = height_[a] / (height_[a] - height_[b]);
+      const Vec3 x = (1.0 - part) * mesh_.x[a] + part * mesh_.x[b] - origin_;
+      return {x.dot(first_), x.dot(second_)};
+    };
+    if (above.size() == 2) {
+      const std::array<Vec2, 4> x{crossing(above[0], below[0]), crossing(above[0], below[1]),
+                                  crossing(above[1], below[1]), crossing(above[1], below[0])};
+      add({x[0], x[1], x[2]}, below[0]);
+      add({x[0], x[2], x[3]}, below[0]);
+    } else {
+      std::array<Vec2, 3> x;
+      for (std::size_t k = 0; k < 3; ++k) {
+        x.at(k) = above.size() == 1 ? crossing(above[0], below[k]) : crossing(above[k], below[0]);
+      }
+      add(x, below[0]);
+    }
+  }
+
+  void add(const std::array<Vec2, 3>& x, std::size_t node) {
+    const Vec2 u = x[1] - x[0];
+    const Vec2 v = x[2] - x[0];
+    const double area = 0.5 * std::abs(u.x() * v.y() - u.y() * v.x());
+    if (area > 0.0) {
+      cuts_.push_back({x, area, node});
+    }
+  }
+
+  // A dependent node of the cut belongs to where its masters are, and its forces go there.
+  void join_ties(const fe::Dependence& ties) {
+    dependent_.assign(mesh_.node_count(), false);
+    std::vector<bool> of_cut(mesh_.node_count(), false);
+    for (const Piece& cut : cuts_) {
+      of_cut[groups_.of(cut.node)] = true;
+    }
+    for (const fe::Dependence::Row& row : ties.rows()) {
+      const auto slave = static_cast<std::size_t>(row.freedom / 3);
+      dependent_[slave] = true;
+      const bool joins = of_cut[groups_.of(slave)];
+      for (const auto& term : row.terms) {
+        const auto master = static_cast<std::size_t>(term.freedom / 3);
+        side_[master] = static_cast<char>(side_[master] | side_[slave]);
+        if (joins) {
+          groups_.join(master, slave);
+        }
+      }
+    }
+  }
+
+  void keep(std::size_t group) {
+    on_cut_.assign(mesh_.node_count(), false);
+    for (std::size_t n = 0; n < mesh_.node_count(); ++n) {
+      on_cut_[n] = side_[n] == 3 && groups_.of(n) == group;
+    }
+    std::erase_if(cuts_, [&](const Piece& cut) { return groups_.of(cut.node) != group; });
+    double area = 0.0;
+    for (const Piece& cut : cuts_) {
+      area += cut.area;
+    }
+    for (const Piece& cut : cuts_) {
+      divide(cut, static_cast<int>(std::ceil(std::sqrt(least_pieces * cut.area / area))));
+    }
+  }
+
+  // Into n^2 triangles: |v| bends within those on the neutral line.
+  void divide(const Piece& cut, int n) {
+    const Vec2 u = (cut.x[1] - cut.x[0]) / n;
+    const Vec2 v = (cut.x[2] - cut.x[0]) / n;
+    const double area = cut.area / (n * n);
+    for (int i = 0; i < n; ++i) {
+      for (int k = 0; i + k < n; ++k) {
+        const Vec2 corner = cut.x[0] + i * u + k * v;
+        pieces_.push_back({corner + (u + v) / 3.0, area});
+        if (i + k + 1 < n) {
+          pieces_.push_back({corner + 2.0 * (u + v) / 3.0, area});
+        }
+      }
+    }
+  }
+
+  const mesh::CrackedMesh& cracked_;
+  const model::Mesh& mesh_;
+  Vec3 origin_, normal_, first_, second_; ///< of the section, axes unit
+  std::vector<double> height_;            ///< [node] above the plane
+  std::vector<bool> on_face_;             ///< [node] of a crack
+  std::vector<char> side_;                ///< [node] 1: in elements above, 2: below
+  std::vector<bool> dependent_, on_cut_;  ///< [node]
+  Groups groups_;
+  std::vector<Piece> cuts_;
+  std::vector<SectionPiece> pieces_;
+  std::vector<ElementId> below_;
+};
+
+} // namespace
+
+// The least D(e, k) with N e + q k = 1: quadratic problems whose weights are those of the one
+// before, 1/|v|, until D stays. Pieces on the neutral line have the weight of some tiny v.
+double plastic_part(const std::vector<SectionPiece>& section, double N, const Vec2& q,
+                    double flow_stress) {
+  double area = 0.0;
+  for (const SectionPiece& piece : section) {
+    area += piece.area;
+  }
+  const double width = std::sqrt(area);
+  const Vec3 load(N, q.x() / width, q.y() / width);
+  if (!(area > 0.0) || !(load.norm() > 0.0)) {
+    return 0.0;
+  }
+  constexpr int most = 200;
+  constexpr double settled = 1e-9;
+  constexpr double tiny = 1e-6; // of the mean velocity
+  std::vector<double> weight(section.size(), 1.0);
+  double least = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < most; ++round) {
+    Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
+    for (std::size_t i = 0; i < section.size(); ++i) {
+      const Vec3 b(1.0, section[i].at.x() / width, section[i].at.y() / width);
+      H += section[i].area * weight[i] * b * b.transpose();
+    }
+    const Vec3 way = H.inverse() * load;
+    const Vec3 z = way / load.dot(way);
+    double D = 0.0;
+    for (std::size_t i = 0; i < section.size(); ++i) {
+      const double v = z[0] + (z[1] * section[i].at.x() + z[2] * section[i].at.y()) / width;
+      D += section[i].area * std::abs(v);
+      weight[i] = std::abs(v);
+    }
+    const double floor = tiny * D / area;
+    for (double& w : weight) {
+      w = 1.0 / std::max(w, floor);
+    }
+    const bool done = D > (1.0 - settled) * least;
+    least = std::min(least, D);
+    if (done) {
+      break;
+    }
+  }
+  return 1.0 / (flow_stress * least);
+}
+
+double plastic_part(const model::Model& model, const mesh::CrackedMesh& cracked,
+                    const fe::Dependence& ties, const mesh::Front& front, const base::Vector& u,
+                    double flow_stress) {
+  if (front.curve == nullptr) {
+    return 0.0;
+  }
+  const Section section(cracked, ties, front);
+  // At nodes of the cut the internal forces of what lies below do not sum to zero: they are what
+  // the rest carries.
+  base::Vector own = base::Vector::Zero(u.size());
+  fe::add_internal_force(model, cracked.mesh, section.below(), u, own);
+  base::Matrix f = own;
+  ties.reduce(f);
+  const Vec3 forces = section.forces(f);
+  return plastic_part(section.pieces(), forces[0], {forces[1], forces[2]}, flow_stress);
+}
+
+} // namespace spricka::growth

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/vec.hpp"
+#include "fe/dependence.hpp"
+#include "mesh/cut/cracked.hpp"
+#include "model/forward.hpp"
+
+#include <vector>
+
+/// Force and moments over a section against its plastic limit: net section of bodies in space.
+namespace spricka::growth {
+
+/// A piece of a section: its middle in the section's plane and its area.
+struct SectionPiece {
+  base::Vec2 at = base::Vec2::Zero();
+  double area = 0.0; ///< [length^2]
+};
+
+/// Normal force N and its moments q = integral of sigma r dA about the origin of the pieces, over
+/// what the section carries where all of it flows at +-s: the largest (N e + q k) / (s D(e, k)),
+/// D = integral of |e + k r| dA (manual, growth.6a). By the pieces' middles.
+double plastic_part(const std::vector<SectionPiece>& section, double N, const base::Vec2& q,
+                    double flow_stress);
+
+/// The same of the section in a crack's plane, as far as it is left before a front and hangs
+/// together: cut through the elements' corners. Forces are the internal ones of the elements below
+/// it at displacements u [3 * node]. 0: the front has nothing before it.
+double plastic_part(const model::Model& model, const mesh::CrackedMesh& cracked,
+                    const fe::Dependence& ties, const mesh::Front& front, const base::Vector& u,
+                    double flow_stress);
+
+} // namespace spricka::growth
