@@ -38,6 +38,15 @@ std::optional<double> ratio_of(const base::Vector& low, const base::Vector& high
   return joined ? std::optional(r) : std::nullopt;
 }
 
+// In space K1 of the place where a tip stands; in the plane that of the only tip.
+std::optional<base::PiecewiseLinear> K1_of(const results::LoadPath& path,
+                                           const growth::TipStation& tip) {
+  if (!path.fronts.empty()) {
+    return K1_nearest(path, {tip.x, tip.y, tip.z});
+  }
+  return path.tips.size() == 1 ? std::optional(path.tips.front().K1) : std::nullopt;
+}
+
 // Rates of all stations with K on a line from K0 at t = 0 to the K of the largest load.
 std::optional<std::vector<growth::Station>> on_line(const results::Run& run,
                                                     std::vector<growth::Station> stations,
@@ -46,15 +55,16 @@ std::optional<std::vector<growth::Station>> on_line(const results::Run& run,
   const double top = measure.spectrum()->highest();
   for (std::size_t i = 0; i < stations.size(); ++i) {
     const results::LoadPath& found = run.increments.at(i).paths.at(path);
-    // One tip only: rates of several would change each other's arms.
-    if (found.tips.size() != 1 || !(top > 0.0)) {
-      return std::nullopt;
+    for (growth::TipStation& tip : stations[i].tips) {
+      const std::optional<base::PiecewiseLinear> K1 = K1_of(found, tip);
+      if (!K1 || !(top > 0.0)) {
+        return std::nullopt;
+      }
+      const double K0 = through_zero ? 0.0 : (*K1)(0.0);
+      const base::PiecewiseLinear line({0.0, top}, {K0}, {((*K1)(top)-K0) / top});
+      tip.rate = tip.lever * measure.spectrum()->growth(measure.law(), line);
     }
-    const base::PiecewiseLinear& K1 = found.tips.front().K1;
-    const double K0 = through_zero ? 0.0 : K1(0.0);
-    const base::PiecewiseLinear line({0.0, top}, {K0}, {(K1(top) - K0) / top});
-    stations[i].tips.front().rate = measure.spectrum()->growth(measure.law(), line);
-    if (!(stations[i].tips.front().rate > 0.0)) {
+    if (!(stations[i].rate() > 0.0)) {
       return std::nullopt;
     }
   }
@@ -92,7 +102,10 @@ std::vector<results::ScaledLife> scaled_lives(const model::Model& model, const r
                                               const GrowthMeasure& measure) {
   std::vector<results::ScaledLife> out;
   std::vector<growth::Station> stations = march.state().stations;
-  if (march.tips().size() != 1 || stations.size() < 2 || follows_history(model)) {
+  // Of several tips in the plane the rates would change each other's arms; along fronts they are
+  // taken on the fronts that the true K has made.
+  const bool comparable = march.tips().size() == 1 || model.mesh.dim == 3;
+  if (!comparable || stations.size() < 2 || follows_history(model)) {
     return out;
   }
   const auto add = [&](std::optional<results::ScaledLife> found) {
@@ -105,7 +118,9 @@ std::vector<results::ScaledLife> scaled_lives(const model::Model& model, const r
     const auto r = ratio_of(loads[model.growth->kmin.index()], loads[model.growth->kmax.index()]);
     if (r) {
       for (growth::Station& station : stations) {
-        station.tips.front().K_min = *r * station.tips.front().K_max;
+        for (growth::TipStation& tip : station.tips) {
+          tip.K_min = *r * tip.K_max;
+        }
       }
       const growth::Law law = [&](double K_max, double K_min) {
         return measure.law().rate(K_max, K_min);

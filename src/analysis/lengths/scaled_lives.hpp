@@ -15,7 +15,8 @@ inline constexpr int points_of_interval = 16;
 /// The growth once more by what one K of each length makes of it, for comparison: "scaled", K
 /// proportional to the load through the largest one, and of a spectrum "line", K on a line from
 /// the beginning of its load path to the largest load. Left out: what is the growth itself (K is
-/// such a line), loads that no factor joins, growth of several tips or with friction.
+/// such a line), loads that no factor joins, growth of several tips in the plane or with friction.
+/// In space it goes through the same fronts.
 std::vector<results::ScaledLife> scaled_lives(const model::Model& model, const results::Run& run,
                                               const growth::March& march,
                                               const GrowthMeasure& measure);
