@@ -49,13 +49,16 @@ $END
 
 // What is left beside half an ellipse carries the whole force, through the middle of the plate.
 double by_statics(double a, double c) {
-  constexpr int n = 800;
+  constexpr int nx = 800;
+  constexpr int ny = 200;
   std::vector<growth::SectionPiece> section;
-  for (int i = 0; i < n * n / 4; ++i) {
-    const double x = ((i % n) + 0.5) / n * width - 0.5 * width;
-    const double y = ((i / n) + 0.5) / (n / 4) * thickness;
-    if (std::hypot(x / c, y / a) > 1.0) {
-      section.push_back({{x, y}, width * thickness / (n * n / 4)});
+  for (int i = 0; i < nx; ++i) {
+    for (int k = 0; k < ny; ++k) {
+      const double x = (i + 0.5) / nx * width - 0.5 * width;
+      const double y = (k + 0.5) / ny * thickness;
+      if (std::hypot(x / c, y / a) > 1.0) {
+        section.push_back({{x, y}, width * thickness / (nx * ny)});
+      }
     }
   }
   const double N = 100.0 * width * thickness;

@@ -25,7 +25,9 @@ struct Block {
     model::Mesh& mesh = model.mesh;
     mesh.dim = 3;
     for (int i = 0; i < (n + 1) * (n + 1) * (n + 1); ++i) {
-      const Vec3 part(i % (n + 1), i / (n + 1) % (n + 1), i / ((n + 1) * (n + 1)));
+      const int row = i / (n + 1) % (n + 1);
+      const int layer = i / ((n + 1) * (n + 1));
+      const Vec3 part(i % (n + 1), row, layer);
       model::add_node(mesh, low + (high - low).cwiseProduct(part) / n,
                       static_cast<base::Label>(i) + 1, base::NetId(0));
     }

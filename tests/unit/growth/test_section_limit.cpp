@@ -17,9 +17,11 @@ using growth::SectionPiece;
 // A rectangle about the origin.
 std::vector<SectionPiece> rectangle(double width, double height, int n) {
   std::vector<SectionPiece> pieces;
-  for (int i = 0; i < n * n; ++i) {
-    const Vec2 part((i % n + 0.5) / n - 0.5, (i / n + 0.5) / n - 0.5);
-    pieces.push_back({{width * part.x(), height * part.y()}, width * height / (n * n)});
+  for (int i = 0; i < n; ++i) {
+    for (int k = 0; k < n; ++k) {
+      const Vec2 part((i + 0.5) / n - 0.5, (k + 0.5) / n - 0.5);
+      pieces.push_back({{width * part.x(), height * part.y()}, width * height / (n * n)});
+    }
   }
   return pieces;
 }

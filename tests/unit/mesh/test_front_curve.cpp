@@ -21,6 +21,7 @@ Vec3 on_ellipse(double p, double q, double angle) {
 
 FrontCurve ellipse(double p, double q, int count, double part = 1.0) {
   std::vector<Vec3> points;
+  points.reserve(static_cast<std::size_t>(count));
   const bool closed = part == 1.0;
   for (int i = 0; i < count; ++i) {
     points.push_back(on_ellipse(p, q, 2.0 * pi * part * i / (closed ? count : count - 1)));
