@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/disjoint_sets.hpp"
 #include "fe/dof_map.hpp"
 #include "model/freedoms.hpp"
 
@@ -6,35 +7,8 @@
 
 namespace spricka::fe {
 
-namespace {
-
-// Disjoint sets (of nodes, of bodies) with path halving; the root is the smallest node.
-class NodeGroups {
-public:
-  explicit NodeGroups(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-  std::size_t root(std::size_t n) {
-    while (parent_[n] != n) {
-      parent_[n] = parent_[parent_[n]];
-      n = parent_[n];
-    }
-    return n;
-  }
-  void join(std::size_t a, std::size_t b) {
-    a = root(a);
-    b = root(b);
-    (a < b ? parent_[b] : parent_[a]) = a < b ? a : b;
-  }
-
-private:
-  std::vector<std::size_t> parent_;
-};
-
-} // namespace
-
 std::vector<Body> find_bodies(const model::Mesh& mesh) {
-  NodeGroups groups(mesh.node_count());
+  base::DisjointSets groups(mesh.node_count());
   for (std::size_t e = 0; e < mesh.element_count(); ++e) {
     const std::span<const base::NodeId> nodes = mesh.nodes_of(base::ElementId(e));
     for (const base::NodeId n : nodes) {
@@ -94,7 +68,7 @@ std::vector<std::vector<Body>> join_bodies(const model::Mesh& mesh, std::vector<
       }
     }
   }
-  NodeGroups groups(bodies.size());
+  base::DisjointSets groups(bodies.size());
   for (const auto& [a, b] : links) {
     groups.join(a, b);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "growth/section_limit.hpp"
 
+#include "base/disjoint_sets.hpp"
 #include "fe/assemble.hpp"
 #include "mesh/front_curve.hpp"
 #include "model/model.hpp"
@@ -9,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
 
 #include <Eigen/Geometry>
@@ -25,6 +27,7 @@ using base::Vec3;
 using Tetrahedron = std::array<int, 4>;
 
 constexpr double in_plane = 1e-8;        // of the body
+constexpr double at_end = 1e-6;          // of the section
 constexpr double least_pieces = 10000.0; // of a section
 
 // Corners of tetrahedra that fill an element of 4, 6 or 8 corners.
@@ -38,31 +41,10 @@ std::span<const Tetrahedron> tetrahedra(int corners) {
                         : std::span<const Tetrahedron>(of_brick);
 }
 
-/// Nodes that hang together.
-class Groups {
-public:
-  explicit Groups(std::size_t count) : up_(count) {
-    for (std::size_t i = 0; i < count; ++i) {
-      up_[i] = i;
-    }
-  }
-  std::size_t of(std::size_t i) {
-    while (up_[i] != i) {
-      up_[i] = up_[up_[i]];
-      i = up_[i];
-    }
-    return i;
-  }
-  void join(std::size_t i, std::size_t k) { up_[of(i)] = of(k); }
-
-private:
-  std::vector<std::size_t> up_;
-};
-
 class Section {
 public:
-  Section(const mesh::CrackedMesh& cracked, const fe::Dependence& ties, const mesh::Front& front)
-      : cracked_(cracked), mesh_(cracked.mesh), groups_(mesh_.node_count()) {
+  Section(const CutBodies& in, const mesh::Front& front)
+      : in_(in), mesh_(in.cracked.mesh), groups_(mesh_.node_count()) {
     const mesh::FrontFrame frame = front.curve->at(0.0);
     origin_ = frame.x;
     normal_ = frame.b;
@@ -74,15 +56,16 @@ public:
     for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
       cut(ElementId(e));
     }
-    join_ties(ties);
-    keep(groups_.of(front.points.front().node.index()));
+    join_ties(in.ties);
+    keep(groups_.root(front.points.front().node.index()));
   }
 
   [[nodiscard]] const std::vector<SectionPiece>& pieces() const { return pieces_; }
   [[nodiscard]] const std::vector<ElementId>& below() const { return below_; }
 
-  /// Force and moments on the elements below from those above, f reduced by the ties.
-  [[nodiscard]] Vec3 forces(const base::Matrix& f) const {
+  /// Normal force on the elements below from those above and its moments q about the front's first
+  /// point, f reduced by the ties.
+  [[nodiscard]] SectionLoad load(const base::Matrix& f) const {
     double N = 0.0;
     Vec3 M = Vec3::Zero();
     for (std::size_t n = 0; n < mesh_.node_count(); ++n) {
@@ -93,7 +76,28 @@ public:
       }
     }
     // r x (sigma n) has -sigma r1 along the second axis and sigma r2 along the first.
-    return {N, -M.dot(second_), M.dot(first_)};
+    return {N, {-M.dot(second_), M.dot(first_)}};
+  }
+
+  /// Adds the mirror image beyond planes of symmetry: where all of one end of the section is held
+  /// along a global axis. The half cannot tilt about such a plane.
+  void complete(SectionLoad& load) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vec2 way(first_[axis], second_[axis]);
+      if (way.norm() < 1.0 - in_plane) { // the axis does not lie in the section
+        continue;
+      }
+      if (const std::optional<double> place = held_end(axis)) {
+        const double at = *place - origin_[axis]; // along `way`
+        const std::size_t own = pieces_.size();
+        for (std::size_t i = 0; i < own; ++i) {
+          const SectionPiece& piece = pieces_[i];
+          pieces_.push_back({piece.at - 2.0 * (piece.at.dot(way) - at) * way, piece.area});
+        }
+        load.q = 2.0 * load.q - 2.0 * (load.q.dot(way) - at * load.N) * way;
+        load.N *= 2.0;
+      }
+    }
   }
 
 private:
@@ -102,6 +106,35 @@ private:
     double area = 0.0;
     std::size_t node = 0; ///< of its element
   };
+
+  // The end of the cut along an axis at which all nodes are held along it.
+  [[nodiscard]] std::optional<double> held_end(int axis) const {
+    double low = std::numeric_limits<double>::max();
+    double high = -low;
+    for (std::size_t n = 0; n < mesh_.node_count(); ++n) {
+      if (on_cut_[n]) {
+        low = std::min(low, mesh_.x[n][axis]);
+        high = std::max(high, mesh_.x[n][axis]);
+      }
+    }
+    const double near = at_end * (high - low);
+    for (const double end : {low, high}) {
+      int held = 0;
+      bool free = false;
+      for (std::size_t n = 0; n < mesh_.node_count(); ++n) {
+        if (on_cut_[n] && std::abs(mesh_.x[n][axis] - end) <= near) {
+          const model::FreedomClass cls = in_.cls[3 * n + static_cast<std::size_t>(axis)];
+          held += cls == model::FreedomClass::suppressed ? 1 : 0;
+          free = free || (cls != model::FreedomClass::suppressed &&
+                          cls != model::FreedomClass::dependent); // goes where others go
+        }
+      }
+      if (high > low && held > 1 && !free) {
+        return end;
+      }
+    }
+    return std::nullopt;
+  }
 
   void measure_heights() {
     Vec3 low = mesh_.x.front();
@@ -120,7 +153,7 @@ private:
 
   void mark_crack_faces() {
     on_face_.assign(mesh_.node_count(), false);
-    for (const mesh::CrackFaces& faces : cracked_.faces) {
+    for (const mesh::CrackFaces& faces : in_.cracked.faces) {
       for (const std::vector<NodeId>* side : {&faces.left, &faces.right}) {
         for (const NodeId n : *side) {
           on_face_[n.index()] = true;
@@ -196,15 +229,13 @@ private:
 
   // A dependent node of the cut belongs to where its masters are, and its forces go there.
   void join_ties(const fe::Dependence& ties) {
-    dependent_.assign(mesh_.node_count(), false);
     std::vector<bool> of_cut(mesh_.node_count(), false);
     for (const Piece& cut : cuts_) {
-      of_cut[groups_.of(cut.node)] = true;
+      of_cut[groups_.root(cut.node)] = true;
     }
     for (const fe::Dependence::Row& row : ties.rows()) {
       const auto slave = static_cast<std::size_t>(row.freedom / 3);
-      dependent_[slave] = true;
-      const bool joins = of_cut[groups_.of(slave)];
+      const bool joins = of_cut[groups_.root(slave)];
       for (const auto& term : row.terms) {
         const auto master = static_cast<std::size_t>(term.freedom / 3);
         side_[master] = static_cast<char>(side_[master] | side_[slave]);
@@ -218,9 +249,9 @@ private:
   void keep(std::size_t group) {
     on_cut_.assign(mesh_.node_count(), false);
     for (std::size_t n = 0; n < mesh_.node_count(); ++n) {
-      on_cut_[n] = side_[n] == 3 && groups_.of(n) == group;
+      on_cut_[n] = side_[n] == 3 && groups_.root(n) == group;
     }
-    std::erase_if(cuts_, [&](const Piece& cut) { return groups_.of(cut.node) != group; });
+    std::erase_if(cuts_, [&](const Piece& cut) { return groups_.root(cut.node) != group; });
     double area = 0.0;
     for (const Piece& cut : cuts_) {
       area += cut.area;
@@ -246,14 +277,14 @@ private:
     }
   }
 
-  const mesh::CrackedMesh& cracked_;
+  const CutBodies& in_;
   const model::Mesh& mesh_;
   Vec3 origin_, normal_, first_, second_; ///< of the section, axes unit
   std::vector<double> height_;            ///< [node] above the plane
   std::vector<bool> on_face_;             ///< [node] of a crack
   std::vector<char> side_;                ///< [node] 1: in elements above, 2: below
-  std::vector<bool> dependent_, on_cut_;  ///< [node]
-  Groups groups_;
+  std::vector<bool> on_cut_;              ///< [node]
+  base::DisjointSets groups_;             ///< of nodes that hang together
   std::vector<Piece> cuts_;
   std::vector<SectionPiece> pieces_;
   std::vector<ElementId> below_;
@@ -263,14 +294,14 @@ private:
 
 // The least D(e, k) with N e + q k = 1: quadratic problems whose weights are those of the one
 // before, 1/|v|, until D stays. Pieces on the neutral line have the weight of some tiny v.
-double plastic_part(const std::vector<SectionPiece>& section, double N, const Vec2& q,
+double plastic_part(const std::vector<SectionPiece>& section, const SectionLoad& on,
                     double flow_stress) {
   double area = 0.0;
   for (const SectionPiece& piece : section) {
     area += piece.area;
   }
   const double width = std::sqrt(area);
-  const Vec3 load(N, q.x() / width, q.y() / width);
+  const Vec3 load(on.N, on.q.x() / width, on.q.y() / width);
   if (!(area > 0.0) || !(load.norm() > 0.0)) {
     return 0.0;
   }
@@ -306,21 +337,21 @@ double plastic_part(const std::vector<SectionPiece>& section, double N, const Ve
   return 1.0 / (flow_stress * least);
 }
 
-double plastic_part(const model::Model& model, const mesh::CrackedMesh& cracked,
-                    const fe::Dependence& ties, const mesh::Front& front, const base::Vector& u,
+double plastic_part(const CutBodies& in, const mesh::Front& front, const base::Vector& u,
                     double flow_stress) {
   if (front.curve == nullptr) {
     return 0.0;
   }
-  const Section section(cracked, ties, front);
+  Section section(in, front);
   // At nodes of the cut the internal forces of what lies below do not sum to zero: they are what
   // the rest carries.
   base::Vector own = base::Vector::Zero(u.size());
-  fe::add_internal_force(model, cracked.mesh, section.below(), u, own);
+  fe::add_internal_force(in.model, in.cracked.mesh, section.below(), u, own);
   base::Matrix f = own;
-  ties.reduce(f);
-  const Vec3 forces = section.forces(f);
-  return plastic_part(section.pieces(), forces[0], {forces[1], forces[2]}, flow_stress);
+  in.ties.reduce(f);
+  SectionLoad load = section.load(f);
+  section.complete(load);
+  return plastic_part(section.pieces(), load, flow_stress);
 }
 
 } // namespace spricka::growth

@@ -150,8 +150,8 @@ void LengthSolver::measure_sections(const Scene& scene, const results::Increment
   }
   const base::Vector& u = increment.steps[largest_step(model_)].u;
   for (const FrontScene& at : scene.fronts) {
-    plastic_.push_back(growth::plastic_part(model_, scene.cracked, *scene.ties, at.front, u,
-                                            *model_.growth->flow_stress));
+    plastic_.push_back(growth::plastic_part({model_, scene.cracked, *scene.ties, scene.cls},
+                                            at.front, u, *model_.growth->flow_stress));
   }
 }
 

@@ -3,6 +3,7 @@
 #include "model/model.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -193,7 +194,10 @@ bool GrowthMeasure::by_front(const SolvedLength& at, const growth::GrowingTip& t
   found.y = place.x.y();
   found.z = place.x.z();
   found.K2_max = K[1];
-  found.plastic = at.plastic.size() == high.fronts.size() ? at.plastic[place.front] : 0.0;
+  if (!at.plastic.empty()) {
+    assert(at.plastic.size() == high.fronts.size());
+    found.plastic = at.plastic[place.front];
+  }
   if (corrected && !front.no_bar.empty()) {
     warnings_.insert(fmt::format("CORRECT=YES, but {} has no error bar everywhere ({}): there K is "
                                  "as computed",

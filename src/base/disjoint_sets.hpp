@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace spricka::base {
+
+/// Disjoint sets of things counted from 0, with path halving; the root of a set is its smallest.
+class DisjointSets {
+public:
+  explicit DisjointSets(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+  }
+  std::size_t root(std::size_t n) {
+    while (parent_[n] != n) {
+      parent_[n] = parent_[parent_[n]];
+      n = parent_[n];
+    }
+    return n;
+  }
+  void join(std::size_t a, std::size_t b) {
+    a = root(a);
+    b = root(b);
+    (a < b ? parent_[b] : parent_[a]) = a < b ? a : b;
+  }
+
+private:
+  std::vector<std::size_t> parent_;
+};
+
+} // namespace spricka::base
