@@ -120,8 +120,7 @@ void build_contacts(Context& context) {
     contact.pairing = card.is("PAIRING", "NODE") ? model::Pairing::node : model::Pairing::segment;
     contact.multiplier =
         card.is("MULTIPLIER", "CORNER") ? model::Multiplier::corners : model::Multiplier::nodes;
-    if (contact.multiplier == model::Multiplier::corners && context.model.mesh.dim == 2 &&
-        context.mesh_sound) {
+    if (contact.multiplier == model::Multiplier::corners && context.known_plane()) {
       context.error(card.find("MULTIPLIER")->span, "E313",
                     "MULTIPLIER=CORNER is one of contacts between solids");
     }

@@ -113,7 +113,7 @@ base::FaceSetId crack_face(Context& c, const model::Crack& crack, std::string_vi
 // What is drawn by keys and points; where there is no mesh to tell, they tell plane from space.
 void drawn_crack(Context& c, const BoundCard& card, model::Crack& crack) {
   const bool meshed = c.mesh_sound && c.model.mesh.element_count() > 0;
-  const bool plane = meshed && c.model.mesh.dim == 2;
+  const bool plane = c.known_plane();
   const char* of_space = card.has("A") ? "A" : card.has("X0") ? "X0" : nullptr;
   const bool three = !card.rows.empty() && card.rows.front().fields.size() == 3;
   if (plane && of_space != nullptr) {
@@ -144,7 +144,7 @@ void crack(Context& c, const BoundCard& card) {
   } else if (card.has("FRONT")) {
     crack.kind = model::CrackKind::front;
     crack.path = use_node_set(c, card.reference("FRONT")).value_or(base::NodeSetId());
-    if (c.model.mesh.dim == 2 && c.mesh_sound && c.model.mesh.element_count() > 0) {
+    if (c.known_plane()) {
       c.error(card.find("FRONT")->span, "E313", "a crack front belongs to elements in space",
               "in the plane a crack has PATH and A0, or points");
     }
@@ -197,7 +197,7 @@ void tip_net(Context& c, const BoundCard& card, std::set<std::size_t>& seen) {
   tip.join = card.is("JOIN", "TRANSITION") ? model::Join::transition : model::Join::conforming;
   tip.patch = card.is("PATCH", "YES");
   tip.tube = card.is("TUBE", "YES");
-  if (!tip.tube && !solid) {
+  if (!tip.tube && c.known_plane()) {
     c.error(card.find("TUBE")->span, "E313", "TUBE=NO means nothing in the plane",
             "round a tip in the plane stands a rosette; QUARTER=NO has ordinary elements in it");
   }

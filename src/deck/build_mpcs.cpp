@@ -123,8 +123,7 @@ private:
                fmt::format("expected X, Y or Z, not '{}'", c_.sources.text(field.span)));
       return std::nullopt;
     }
-    if (field.text == "Z" && c_.model.mesh.dim == 2 && c_.mesh_sound &&
-        c_.model.mesh.element_count() > 0) {
+    if (field.text == "Z" && c_.known_plane()) {
       c_.error(field.span, "E313", "a plane model has no freedoms along Z");
     }
     return field.text.front() - 'X';

@@ -93,7 +93,7 @@ void freedom(Context& c, const BoundCard& card) {
                  dof.find('Z') != std::string_view::npos};
   freedom.nodes = base::NodeSetId(c.model.mesh.node_sets.size());
   freedom.span = card.span;
-  if (freedom.dof[2] && c.model.mesh.dim == 2 && c.mesh_sound && c.model.mesh.element_count() > 0) {
+  if (freedom.dof[2] && c.known_plane()) {
     c.error(card.find("DOF")->span, "E313", "DOF: a plane model has no freedoms along Z");
   }
   c.model.mesh.node_sets.push_back({{}, std::move(*nodes), card.span});

@@ -66,6 +66,10 @@ struct Context {
         refine == nullptr ? std::map<std::string, Refinement>::const_iterator() : refine->find(net);
     return refine == nullptr || found == refine->end() ? nullptr : &found->second;
   }
+  /// Elements of the plane, without doubt: a mesh whose card is refused may have been a solid one.
+  [[nodiscard]] bool known_plane() const {
+    return mesh_sound && model.mesh.element_count() > 0 && model.mesh.dim == 2;
+  }
   void unavailable(std::string what, base::Span span) {
     model.unavailable.push_back({std::move(what), span});
   }
