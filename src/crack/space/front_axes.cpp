@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include <Eigen/Geometry>
+
 namespace spricka::crack {
 
 using base::Vec3;
@@ -14,6 +16,9 @@ using base::Vec3;
 namespace {
 
 constexpr std::size_t around = 5; // stations that a derivative is taken from
+// Beyond an open end: the turn of the axes between stations [rad], and stations.
+constexpr double turn_beyond = 0.05;
+constexpr int stations_beyond = 20;
 
 // Stations: the curve's knots, where its places and tangents are best; more between the knots of a
 // curve with few.
@@ -92,6 +97,45 @@ FrontAxes::FrontAxes(const mesh::FrontCurve& curve)
     }
     turn.col(0) = axes_[static_cast<std::size_t>(i)].col(3); // dx/ds
   }
+  if (!closed_) {
+    go_on_beyond_ends();
+  }
+}
+
+// Axes turn about one line at one rate, places lie on a helix about it.
+void FrontAxes::go_on_beyond_ends() {
+  for (const bool last : {false, true}) {
+    const std::size_t end = last ? s_.size() - 1 : 0;
+    const Axes at = axes_[end];
+    const Axes turn = turn_[end];
+    const double s = s_[end];
+    Vec3 rate = Vec3::Zero();
+    for (Eigen::Index k = 1; k < 4; ++k) {
+      rate += 0.5 * at.col(k).cross(turn.col(k));
+    }
+    const double size = rate.norm();
+    const double apart = std::min(turn_beyond / std::max(size, turn_beyond / s_.back()),
+                                  s_.back() / stations_beyond);
+    const Vec3 line = size > 0.0 ? Vec3(rate / size) : Vec3::UnitX();
+    const Vec3 t = at.col(3);
+    for (int k = 1; k <= stations_beyond; ++k) {
+      const double way = (last ? k : -k) * apart;
+      const double angle = size * way;
+      const Eigen::Matrix3d R = Eigen::AngleAxisd(angle, line).toRotationMatrix();
+      Axes there = R * at;
+      there.col(0) = at.col(0) + way * t;
+      if (std::abs(angle) > 1e-6) { // the integral of the turned t
+        there.col(0) += (1.0 - std::cos(angle)) / size * line.cross(t) +
+                        (way - std::sin(angle) / size) * line.cross(line.cross(t));
+      }
+      Axes turned = R * turn;
+      turned.col(0) = there.col(3);
+      const auto place = [&](auto& list) { return last ? list.end() : list.begin(); };
+      s_.insert(place(s_), s + way);
+      axes_.insert(place(axes_), there);
+      turn_.insert(place(turn_), turned);
+    }
+  }
 }
 
 std::size_t FrontAxes::nearest_station(const Vec3& x) const {
@@ -153,8 +197,8 @@ FrontPlace FrontAxes::place(const Vec3& x, FaceSide side) const {
       const double whole = s_.back();
       s -= whole * std::floor(s / whole);
     }
-    beyond = s < 0.0 ? s : std::max(0.0, s - s_.back());
-    s = std::clamp(s, 0.0, s_.back());
+    beyond = s < s_.front() ? s - s_.front() : std::max(0.0, s - s_.back());
+    s = std::clamp(s, s_.front(), s_.back());
     while (i > 0 && s < s_[i]) {
       --i;
     }

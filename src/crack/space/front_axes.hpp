@@ -23,6 +23,9 @@ enum class FaceSide { none, upper, lower };
 
 /// Places along a front. Integrals ask for millions: axes are kept at stations, the knots of the
 /// curve, and are cubic in between, so that their derivatives are exactly those of what is used.
+/// Beyond an open end they go on turning as they do there, by a radian at most, then straight on:
+/// where a front leans against the surface elements of its domains reach beyond its end, and a jump
+/// of how the axes turn would be a load of the partners that no integral has.
 class FrontAxes {
 public:
   explicit FrontAxes(const mesh::FrontCurve& curve);
@@ -37,13 +40,14 @@ private:
   [[nodiscard]] std::size_t nearest_station(const base::Vec3& x) const;
   /// Between station i and the next, part: of the way, 0 to 1.
   [[nodiscard]] Turned turned(std::size_t i, double part) const;
+  void go_on_beyond_ends();
   /// The place alone, and its derivatives by s.
   struct Point {
     base::Vec3 at, by_s, by_ss;
   };
   [[nodiscard]] Point point(std::size_t i, double part) const;
 
-  std::vector<double> s_;  ///< [station] ascending, of a closed front its length last
+  std::vector<double> s_;  ///< [station] ascending, of a closed front from 0 to its length
   std::vector<Axes> axes_; ///< [station]
   std::vector<Axes> turn_; ///< [station] derivatives by s
   bool closed_;

@@ -83,6 +83,25 @@ TEST_P(Partner, DivergenceIsThatOfTheStress) {
   EXPECT_GT(divergence.norm(), 1e-3 * size); // the turning of the axes is seen
 }
 
+// Beyond an open end axes turn as they do there: a stress that jumps would be a load.
+TEST_P(Partner, GoesOnBeyondOpenEnds) {
+  const mesh::FrontCurve curve = twisted();
+  const FrontAxes axes(curve);
+  for (const double s : {0.0, curve.length()}) {
+    const mesh::FrontFrame end = curve.at(s);
+    const Vec3 x = end.x - 0.3 * end.m + 0.2 * end.b;
+    const auto stress = [&](double along) {
+      return moving_field(GetParam(), axes.place(x + along * end.t), body).sigma;
+    };
+    const double h = 1e-6;
+    EXPECT_LT((stress(h) - stress(-h)).norm(), 1e-5 * stress(h).norm());
+    // no faster beyond it than before it
+    const double before = s > 0.0 ? -0.2 : 0.2;
+    EXPECT_LT((stress(-before) - stress(0.0)).norm(),
+              2.0 * (stress(before) - stress(0.0)).norm() + 1e-2 * stress(0.0).norm());
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Partner, testing::Values(1U, 2U, 3U, 4U));
 
 TEST(FrontAxes, AgreeWithTheCurve) {
@@ -98,8 +117,10 @@ TEST(FrontAxes, AgreeWithTheCurve) {
   }
   const mesh::FrontFrame end = curve.at(curve.length());
   const FrontPlace beyond = axes.place(end.x + 0.1 * end.t + 0.2 * end.m);
-  EXPECT_NEAR(beyond.frame.s, curve.length() + 0.1, 1e-6);
-  EXPECT_NEAR(beyond.r, 0.2, 1e-6);
+  EXPECT_NEAR(beyond.frame.s, curve.length() + 0.1, 0.1 * 0.2); // on a bend
+  EXPECT_NEAR(beyond.r, 0.2, 0.1 * 0.1);
+  EXPECT_LT((beyond.frame.t - end.t).norm(), 0.1);
+  EXPECT_NEAR(beyond.frame.dt.norm(), end.dt.norm(), 1e-2 * end.dt.norm());
 }
 
 TEST(FrontAxes, GoRoundAClosedFront) {
