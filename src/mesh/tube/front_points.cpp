@@ -1,7 +1,63 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/tube/front_points.hpp"
 
+#include <algorithm>
+#include <utility>
+
 namespace spricka::mesh {
+
+namespace {
+
+using base::Vec3;
+
+constexpr double apart = 0.5; // radii of the tube
+constexpr std::size_t fewest = 4;
+
+bool is_closed(const Front& front) {
+  return front.points.size() > 1 && !front.points.front().at_surface;
+}
+
+// Points from one end to the middle, the end first.
+std::vector<Vec3> spaced_from(const Front& front, bool last) {
+  const std::size_t count = front.points.size();
+  const auto at = [&](std::size_t i) -> const FrontPoint& {
+    return front.points[last ? count - 1 - i : i];
+  };
+  std::vector<Vec3> kept{at(0).x};
+  for (std::size_t i = 1; i < count / 2; ++i) {
+    if ((at(i).x - kept.back()).norm() >= apart * at(i).radius) {
+      kept.push_back(at(i).x);
+    }
+  }
+  return kept;
+}
+
+// Alike from both ends, so that mirrored fronts have mirrored curves.
+std::vector<Vec3> spaced_points(const Front& front) {
+  std::vector<Vec3> points = spaced_from(front, false);
+  const std::vector<Vec3> others = spaced_from(front, true);
+  if (front.points.size() % 2 != 0) {
+    points.push_back(front.points[front.points.size() / 2].x);
+  }
+  points.insert(points.end(), others.rbegin(), others.rend());
+  return points;
+}
+
+} // namespace
+
+std::shared_ptr<const FrontCurve> curve_of_elements(const Front& front, const Vec3& normal) {
+  std::vector<Vec3> points;
+  std::ranges::transform(front.points, std::back_inserter(points), &FrontPoint::x);
+  if (!is_closed(front)) {
+    std::vector<Vec3> spaced = spaced_points(front);
+    if (spaced.size() >= fewest) {
+      points = std::move(spaced);
+    }
+  }
+  std::vector<Vec3> normals(points.size(), normal);
+  return std::make_shared<const FrontCurve>(std::move(points), std::move(normals),
+                                            is_closed(front));
+}
 
 void weigh_points(bool closed, Front& front) {
   const std::size_t n = front.points.size();
@@ -18,7 +74,7 @@ void weigh_points(bool closed, Front& front) {
 }
 
 void place_points(const model::Mesh& mesh, Front& front) {
-  const bool closed = front.points.size() > 1 && !front.points.front().at_surface;
+  const bool closed = is_closed(front);
   double first = 0.0;
   for (std::size_t k = 0; k < front.points.size(); ++k) {
     FrontPoint& point = front.points[k];

@@ -324,7 +324,6 @@ private:
       front.a = frame_of(crack).a;
       front.size = unit * *std::ranges::min_element(tube.size);
       front.radius = unit * *std::ranges::min_element(tube.radius);
-      front.curve = request.fronts[t].curve;
       front.points.clear();
       const std::size_t n = tube.stations.size();
       for (std::size_t k = 0; k < n; ++k) {
@@ -332,13 +331,12 @@ private:
         point.node =
             group.graft.node[static_cast<std::size_t>(group.graft.patch.cracks[c].fronts[t][k])];
         point.x = result_.mesh.x[point.node.index()];
-        point.growth = group.frame.axes * tube.stations[k].m;
-        point.s = unit * tube.stations[k].s;
         point.size = unit * tube.size[k];
         point.radius = unit * tube.radius[k];
         point.at_surface = !tube.closed && (k == 0 || k + 1 == n);
       }
-      weigh_points(tube.closed, front);
+      front.curve = curve_of_elements(front, crack.normal);
+      place_points(result_.mesh, front);
       result_.notes.push_back(note_of(request, group, {c, t}, front));
       result_.fronts.push_back(std::move(front));
     }
