@@ -20,9 +20,10 @@ using base::ElementId;
 using base::NodeId;
 using base::Vec3;
 
-// Part of the way to the centre of curvature that domains may take: there places along the front
-// run together.
-constexpr double to_centre = 0.8;
+// Part of the way to the centre of curvature that elements of a domain may take: there places along
+// the front run together, and what the partners' derivatives grow by (the third power of what is
+// left) no rule of such wide elements follows.
+constexpr double to_centre = 0.6;
 // The front may turn within an element of a domain by twice as much as from a point to the next,
 // and by this more [rad].
 constexpr double more_turn = 0.35;
@@ -77,7 +78,7 @@ public:
       if (why[i].empty() && leaves_material(i, fields[i])) {
         why[i] = "it meets another material";
       }
-      if (why[i].empty() && turns_too_much(i, fields[i])) {
+      if (why[i].empty() && (comes_to_centre(fields[i]) || turns_too_much(i, fields[i]))) {
         why[i] = "it reaches as far as the front's centre of curvature";
       }
       if (why[i].empty() && !fields[i].motion.empty()) {
@@ -204,9 +205,6 @@ private:
     if (fixed_[n.index()]) {
       f.stays = true;
       f.why = "it reaches a node that is held or belongs to something else";
-    } else if ((x - frame.x).dot(frame.m) * frame.curvature() < -to_centre) {
-      f.stays = true;
-      f.why = "it reaches as far as the front's centre of curvature";
     } else if (const auto v = surface_.along(n, frame.m, frame.t)) {
       f.along = *v;
     } else {
@@ -341,8 +339,14 @@ private:
     const double least = std::cos(std::min(2.0 * turn_beside(point) + more_turn, 0.5 * pi));
     return std::ranges::any_of(field.elements, [&](ElementId e) {
       const std::span<const NodeId> nodes = mesh_.nodes_of(e);
-      const Vec3 first = growth_at(nodes.front());
-      return std::ranges::any_of(nodes, [&](NodeId n) { return growth_at(n).dot(first) < least; });
+      const Vec3 first = place_at(nodes.front()).m;
+      return std::ranges::any_of(nodes, [&](NodeId n) { return place_at(n).m.dot(first) < least; });
+    });
+  }
+  [[nodiscard]] bool comes_to_centre(const ExtensionField& field) {
+    return std::ranges::any_of(field.elements, [&](ElementId e) {
+      return std::ranges::any_of(mesh_.nodes_of(e),
+                                 [&](NodeId n) { return place_at(n).to_centre > to_centre; });
     });
   }
   // How much the front turns from a point to its neighbours [rad].
@@ -358,10 +362,20 @@ private:
     }
     return turn;
   }
-  [[nodiscard]] const Vec3& growth_at(NodeId n) {
-    const auto [at, fresh] = growth_.try_emplace(n);
+  // How a node lies to the place of the front nearest to it.
+  struct NearFront {
+    Vec3 m = Vec3::UnitX();
+    double to_centre = 0.0; ///< part of the way to the centre of curvature, below 0 away from it
+  };
+  [[nodiscard]] const NearFront& place_at(NodeId n) {
+    const auto [at, fresh] = near_front_.try_emplace(n);
     if (fresh) {
-      at->second = curve_.at(curve_.nearest(mesh_.x[n.index()])).m;
+      // Beyond an open end axes turn as they do there.
+      const Vec3& x = mesh_.x[n.index()];
+      const double s = curve_.nearest(x);
+      const mesh::FrontFrame frame =
+          curve_.at(curve_.closed() ? s : std::clamp(s, 0.0, curve_.length()));
+      at->second = {frame.m, (x - frame.x).dot(frame.dt)};
     }
     return at->second;
   }
@@ -378,8 +392,8 @@ private:
   SurfaceMotion surface_;
   std::vector<bool> fixed_; ///< [node]
   std::map<NodeId, Follower> followers_;
-  std::map<NodeId, Vec3> growth_; ///< m at the place of the front nearest to a node
-  double origin_ = 0.0;           ///< of the stations, on the curve
+  std::map<NodeId, NearFront> near_front_;
+  double origin_ = 0.0; ///< of the stations, on the curve
   FrontFields out_;
 };
 
