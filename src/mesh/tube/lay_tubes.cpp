@@ -59,7 +59,8 @@ public:
       }
       TubeSizes sizes = tube_sizes(curve,
                                    {[&](double s) { return round.free(s * frame_.a) / frame_.a; },
-                                    [&](double s) { return round.width(s * frame_.a) / frame_.a; }},
+                                    [&](double s) { return round.width(s * frame_.a) / frame_.a; },
+                                    {round.lean(0), round.lean(1)}},
                                    mesh_);
       if (!mesh_.tube) {
         sizes = free_sizes(std::move(sizes), mesh_);

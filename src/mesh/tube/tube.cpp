@@ -118,13 +118,21 @@ private:
     double sum = 0.0;
     for (const std::size_t end : {0U, 1U}) {
       const std::size_t at = end == 0 ? 0 : tube_.stations.size() - 1;
-      const double reach = std::min(3.0 * tube_.radius[at], 0.5 * curve_.length());
+      const double reach = shear_reach(tube_.radius[at], most_sheared(end), curve_.length());
       const double u = std::abs(s - tube_.stations[at].s) / reach;
       if (u < 1.0) {
         sum += (1.0 - u) * (1.0 - u) * (1.0 + 2.0 * u) * end_shift(end, j, l);
       }
     }
     return sum;
+  }
+  /// Of all places of the outside.
+  double most_sheared(std::size_t end) {
+    double most = 0.0;
+    for (int j = 0; j <= 2 * given_.sectors; ++j) {
+      most = std::max(most, std::abs(end_shift(end, j, 2 * given_.rings)));
+    }
+    return most;
   }
   double end_shift(std::size_t end, int j, int l) {
     const auto [known, fresh] = end_shift_.try_emplace({static_cast<int>(end), j, l}, 0.0);

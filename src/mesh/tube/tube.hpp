@@ -72,8 +72,8 @@ struct Tube {
 using AlongToSurface =
     std::function<std::optional<double>(const base::Vec3& place, const base::Vec3& along)>;
 
-/// The ends of an open tube are sheared along the front onto the surface; over three radii the
-/// shear fades.
+/// The ends of an open tube are sheared along the front onto the surface; over three radii, or
+/// three times the shear if that is more, it fades (shear_reach).
 Tube make_tube(const FrontCurve& curve, const TubeSizes& sizes, const TubeMesh& given,
                const AlongToSurface& to_surface);
 

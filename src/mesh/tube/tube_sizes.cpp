@@ -27,6 +27,12 @@ constexpr double length_at_surface = 0.05; // of width and radius of curvature
 constexpr double growth_from_surface = 0.3;
 constexpr double shortest_at_surface = 0.2;
 
+// Sections run together by the curvature and by the shear at leaning ends; this part of a length
+// along the front they may lose, together.
+constexpr double most_run_together = 0.85;
+constexpr double steepest_shear = 1.5; // of the shear over its reach
+constexpr double fewest_radii = 3.0;   // of that reach
+
 constexpr std::size_t samples = 1024;
 constexpr std::size_t fewest = 8; // elements round a closed front
 
@@ -47,7 +53,20 @@ void smooth(std::vector<double>& size, double step, bool closed, double slope = 
   }
 }
 
+/// Of an open front near the end `from_end` away, for sections not to meet; no limit farther in.
+double radius_by_shear(double lean, double from_end, double bend, double length) {
+  const double most = most_run_together - steepest_shear / fewest_radii * std::min(1.0, lean);
+  const double radius = std::min(bend > 0.0 ? most / bend : std::numeric_limits<double>::max(),
+                                 most_run_together / (bend + 2.0 * steepest_shear * lean / length));
+  return from_end < shear_reach(radius, lean * radius, length) ? radius
+                                                               : std::numeric_limits<double>::max();
+}
+
 } // namespace
+
+double shear_reach(double radius, double sheared, double front_length) {
+  return std::min(fewest_radii * std::max(radius, sheared), 0.5 * front_length);
+}
 
 double TubeSizes::radius_at(double at) const {
   const double step = s[1] - s[0];
@@ -104,6 +123,13 @@ TubeSizes tube_sizes(const FrontCurve& curve, const TubeRoom& room, const TubeMe
       radius = given.size > 0.0 ? given.size * given.rings : radius_of_width * width;
       const double bent = given.tube ? radius_of_curvature : free_of_curvature;
       radius = std::min({radius, bent * round, radius_of_room * sizes.room.back()});
+      for (const std::size_t end : {0U, 1U}) {
+        const double from_end = end == 0 ? frame.s : curve.length() - frame.s;
+        if (given.tube && !curve.closed()) {
+          radius =
+              std::min(radius, radius_by_shear(room.lean[end], from_end, bend, curve.length()));
+        }
+      }
     }
     sizes.radius.push_back(radius / given.finer);
     double length = std::min(length_of_width * width, length_of_curvature * round);
