@@ -283,7 +283,8 @@ constexpr std::array advice{
     ErrorCode{
         "W570",
         "G and (K1^2 + K2^2)/E', domains of different size and the opening of the faces agree "
-        "to some 1e-4 of K on sound meshes. Something near the tip is not as smooth as the "
+        "to some 1e-4 of K on sound meshes, along fronts in space to some 1e-2. Something near the "
+        "tip is not as smooth as the "
         "mesh takes it: a narrow load or temperature, a front of pressure, another tip or "
         "corner within a few elements. Refine there (a smaller SIZE or RADIUS, a finer host); "
         "if the two do not come together, do not trust either: the difference is the error."},

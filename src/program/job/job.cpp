@@ -19,6 +19,7 @@
 #include "report/topics/result_tables.hpp"
 #include "results/growth_end.hpp"
 #include "sense/end_warnings.hpp"
+#include "sense/front_ways.hpp"
 #include "sense/two_ways.hpp"
 #include "solve/one_thread.hpp"
 
@@ -62,6 +63,10 @@ void collect_warnings(const model::Model& model, const base::Diagnostics& readin
     log.message(base::Severity::warning, "W504", coarse);
   }
   for (const std::string& parted : sense::two_ways_warnings(run)) {
+    run.warnings.push_back(parted);
+    log.message(base::Severity::warning, "W570", parted);
+  }
+  for (const std::string& parted : sense::front_ways_warnings(run)) {
     run.warnings.push_back(parted);
     log.message(base::Severity::warning, "W570", parted);
   }

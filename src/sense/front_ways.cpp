@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sense/front_ways.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+namespace spricka::sense {
+
+namespace {
+
+// As a part of the largest K of the front: tubes have 0.5 % and next to the surface 1.5 %,
+// tetrahedra up to the front 4 %.
+constexpr double of_energy = 0.05;
+// K below this part of the largest of the run is what round-off leaves of unloaded steps.
+constexpr double no_K = 1e-6;
+
+// Roots of energy release rates: K but for a factor of the material.
+double root(double G) {
+  return std::copysign(std::sqrt(std::abs(G)), G);
+}
+
+double largest_root(const results::FrontResult& front) {
+  double most = 0.0;
+  for (const results::FrontPlace& place : front.points) {
+    most = std::max(most, place.at_surface ? 0.0 : root(place.G_from_K));
+  }
+  return most;
+}
+
+// Of K, as a part of the largest of the front.
+double bar_of(const results::FrontResult& front, const results::FrontPlace& place, double largest) {
+  const double K = std::hypot(place.K1, place.K2, place.K3);
+  if (!results::has_bar(front) || !(K > 0.0)) {
+    return 0.0;
+  }
+  const double bar = std::hypot(place.bar[0].size(), place.bar[1].size(), place.bar[2].size());
+  return bar / K * root(place.G_from_K) / largest;
+}
+
+struct Parted {
+  double apart = 0.0; ///< as a part of the largest K of the front
+  double ratio = 0.0; ///< of what it may be
+  const results::StepResult* step = nullptr;
+  const results::FrontResult* front = nullptr;
+  const results::FrontPlace* place = nullptr;
+  int others = 0; ///< other results of this front that part
+};
+
+// The worst place of one front at one step; none: ratio <= 1.
+Parted worst_place(const results::StepResult& step, const results::FrontResult& front) {
+  Parted worst{.step = &step, .front = &front};
+  const double largest = largest_root(front);
+  for (const results::FrontPlace& place : front.points) {
+    if (place.at_surface || place.closed || !(largest > 0.0)) {
+      continue;
+    }
+    const double apart = std::abs(root(place.G) - root(place.G_from_K)) / largest;
+    const double ratio = apart / std::max(of_energy, bar_of(front, place, largest));
+    if (ratio > worst.ratio) {
+      worst.apart = apart;
+      worst.ratio = ratio;
+      worst.place = &place;
+    }
+  }
+  return worst;
+}
+
+std::string text_of(const Parted& one) {
+  const results::FrontPlace& at = *one.place;
+  return fmt::format(
+      "{}, step {}, a = {:.6g}, at ({:.6g}, {:.6g}, {:.6g}) of its front: two ways to K part by "
+      "more than {}: G = {:.5g} and what K1, K2 and K3 stand for, {:.5g}, are {:.2g} % of K "
+      "apart{}",
+      one.front->name, one.step->step, one.front->a, at.x.x(), at.x.y(), at.x.z(),
+      results::has_bar(*one.front) ? "its error bar" : "on a sound mesh", at.G, at.G_from_K,
+      100.0 * one.apart,
+      one.others > 0 ? fmt::format("; so they do in {} other results of this front", one.others)
+                     : "");
+}
+
+} // namespace
+
+std::vector<std::string> front_ways_warnings(const results::Run& run) {
+  double largest = 0.0;
+  for (const results::Increment& increment : run.increments) {
+    for (const results::StepResult& step : increment.steps) {
+      for (const results::FrontResult& front : step.fronts) {
+        largest = std::max(largest, largest_root(front));
+      }
+    }
+  }
+  std::map<std::string, Parted> worst;
+  for (const results::Increment& increment : run.increments) {
+    for (const results::StepResult& step : increment.steps) {
+      for (const results::FrontResult& front : step.fronts) {
+        Parted one = worst_place(step, front);
+        if (!front.doubt.empty() || !(one.ratio > 1.0) || largest_root(front) <= no_K * largest) {
+          continue;
+        }
+        const auto [at, fresh] = worst.try_emplace(front.name, one);
+        if (!fresh) {
+          one.others = at->second.others + 1;
+          at->second.others = one.others;
+          at->second = one.ratio > at->second.ratio ? one : at->second;
+        }
+      }
+    }
+  }
+  std::vector<std::string> texts;
+  for (const auto& [name, one] : worst) {
+    texts.push_back(text_of(one));
+  }
+  return texts;
+}
+
+} // namespace spricka::sense
