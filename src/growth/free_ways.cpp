@@ -196,7 +196,7 @@ FrontRates FreeWays::rates_of(const Growing& of, const State& state) const {
       model_.growth->constants.m > 0.0 ? model_.growth->constants.m : usual_exponent;
   FrontRates front;
   front.stiffness = exponent / of.arc.curve.length();
-  front.closed = of.arc.closed();
+  front.kind = kind_of(of.arc);
   const Station& here = state.stations.back();
   const std::size_t count = state.stations.size();
   // A leap has nothing in common with what was before.

@@ -21,6 +21,10 @@ constexpr int degree_straight = 4;
 constexpr int harmonics = 12;
 constexpr int points_open = 17;
 constexpr int points_closed = 32;
+/// Ends of a front through a plate answer to falling behind more steeply than a wave of an endless
+/// front does, by up to so many times: a decay that is taken as too steep only slows the steps'
+/// corrections, one that is too flat lets ends swing from step to step.
+constexpr double of_ends = 2.5;
 /// What rates of before, and what is owed, may add to an advance or take away: parts of it.
 constexpr double least_part = 0.5;
 constexpr double largest_part = 2.0;
@@ -62,12 +66,13 @@ double decayed_rise(double z) {
 
 std::vector<double> FrontRates::advances(double mean) const {
   const auto n = static_cast<Eigen::Index>(rate.size());
-  const Waves waves(n, closed);
+  const Waves waves(n, kind == FrontKind::closed);
   const base::Vector now = vector_of(rate) / vector_of(rate).mean();
   const base::Vector due = vector_of(owed).array() - vector_of(owed).mean();
   const base::Vector share = waves.heights(now);
   const base::Vector missed = waves.heights(due);
-  const base::Vector decay = 0.5 * stiffness * std::numbers::pi * waves.halves; // [1/length]
+  const double steep = kind == FrontKind::straight ? of_ends * stiffness : stiffness;
+  const base::Vector decay = 0.5 * steep * std::numbers::pi * waves.halves; // [1/length]
   base::Vector first(n);
   base::Vector more(n);
   for (Eigen::Index k = 0; k < n; ++k) {
@@ -96,9 +101,13 @@ std::vector<double> FrontRates::advances(double mean) const {
 }
 
 std::vector<double> FrontRates::astray() const {
-  const Waves waves(static_cast<Eigen::Index>(owed.size()), closed);
+  const Waves waves(static_cast<Eigen::Index>(owed.size()), kind == FrontKind::closed);
   const base::Vector part = waves.shape * (0.5 * stiffness * std::numbers::pi * waves.halves)
                                               .cwiseProduct(waves.heights(vector_of(owed)));
+  if (kind == FrontKind::straight) {
+    const base::Vector weight = vector_of(rate);
+    return std::vector<double>(owed.size(), part.dot(weight) / weight.sum());
+  }
   return {part.begin(), part.end()};
 }
 

@@ -22,12 +22,14 @@ struct FrontRates {
   std::vector<double> last;        ///< [point] that advance [length]
   std::vector<double> owed;        ///< [point] what is to be made up for [length]
   double stiffness = 0.0;          ///< exponent of the law over the length of the arc [1/length]
-  bool closed = false;
+  FrontKind kind = FrontKind::closed;
 
   /// Its advances [point] by `mean` on the whole, of the second order in it, each wave on its way
   /// to the shape that it tends to (growth.13) [length].
   [[nodiscard]] std::vector<double> advances(double mean) const;
-  /// Part by which rates [point] are wrong where the front is not where it is owed to be.
+  /// Part by which rates [point] are wrong where the front is not where it is owed to be; of a
+  /// straight front that of their sum, on which cycles are counted: its ends swing about where they
+  /// should be.
   [[nodiscard]] std::vector<double> astray() const;
 };
 

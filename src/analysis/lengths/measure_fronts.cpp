@@ -18,10 +18,6 @@ namespace {
 /// K2 or K3 beyond this part of K1 is worth a word: the crack would not stay in its plane.
 constexpr double much_shear = 0.25;
 
-/// A free front shorter than this part of the way behind it is no smooth line any more: its own
-/// waves are hardly longer than its tube is wide.
-constexpr double short_front = 0.5;
-
 /// A place between two points of a front, or nothing.
 struct PlaceOnFront {
   std::size_t front = 0, from = 0, to = 0;
@@ -211,13 +207,6 @@ bool GrowthMeasure::by_front(const SolvedLength& at, const growth::GrowingTip& t
                                  "given K1 alone",
                                  tip.name, std::abs(K[1]) > std::abs(K[2]) ? "K2" : "K3",
                                  std::max(std::abs(K[1]), std::abs(K[2])) / K[0]));
-  }
-  const double behind = (place.x - at.cracks.solids[tip.line].plane.place).norm();
-  if (model_.growth->shape == model::FrontShape::free && front.length < short_front * behind) {
-    warnings_.insert(fmt::format("{}: its front has become short against the crack and may waver: "
-                                 "shape and K, and the cycles from there on, are known to some per "
-                                 "cent only",
-                                 crack));
   }
   if (spectrum_) {
     return by_front_spectrum(at, crack, aim, found);

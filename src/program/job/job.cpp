@@ -19,8 +19,8 @@
 #include "report/topics/result_tables.hpp"
 #include "results/growth_end.hpp"
 #include "sense/end_warnings.hpp"
-#include "sense/front_ways.hpp"
 #include "sense/two_ways.hpp"
+#include "sense/ways_along_fronts.hpp"
 #include "solve/one_thread.hpp"
 
 #include <algorithm>

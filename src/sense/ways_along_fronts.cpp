@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sense/front_ways.hpp"
+#include "sense/ways_along_fronts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +13,9 @@ namespace {
 
 // As a part of the largest K of the front: tubes have 0.5 % and next to the surface 1.5 %,
 // tetrahedra up to the front 4 %.
-constexpr double of_energy = 0.05;
+constexpr double of_G = 0.05;
 // K below this part of the largest of the run is what round-off leaves of unloaded steps.
-constexpr double no_K = 1e-6;
+constexpr double no_front_K = 1e-6;
 
 // Roots of energy release rates: K but for a factor of the material.
 double root(double G) {
@@ -31,7 +31,7 @@ double largest_root(const results::FrontResult& front) {
 }
 
 // Of K, as a part of the largest of the front.
-double bar_of(const results::FrontResult& front, const results::FrontPlace& place, double largest) {
+double bar_at(const results::FrontResult& front, const results::FrontPlace& place, double largest) {
   const double K = std::hypot(place.K1, place.K2, place.K3);
   if (!results::has_bar(front) || !(K > 0.0)) {
     return 0.0;
@@ -58,7 +58,7 @@ Parted worst_place(const results::StepResult& step, const results::FrontResult& 
       continue;
     }
     const double apart = std::abs(root(place.G) - root(place.G_from_K)) / largest;
-    const double ratio = apart / std::max(of_energy, bar_of(front, place, largest));
+    const double ratio = apart / std::max(of_G, bar_at(front, place, largest));
     if (ratio > worst.ratio) {
       worst.apart = apart;
       worst.ratio = ratio;
@@ -68,7 +68,7 @@ Parted worst_place(const results::StepResult& step, const results::FrontResult& 
   return worst;
 }
 
-std::string text_of(const Parted& one) {
+std::string parted_text(const Parted& one) {
   const results::FrontPlace& at = *one.place;
   return fmt::format(
       "{}, step {}, a = {:.6g}, at ({:.6g}, {:.6g}, {:.6g}) of its front: two ways to K part by "
@@ -97,7 +97,8 @@ std::vector<std::string> front_ways_warnings(const results::Run& run) {
     for (const results::StepResult& step : increment.steps) {
       for (const results::FrontResult& front : step.fronts) {
         Parted one = worst_place(step, front);
-        if (!front.doubt.empty() || !(one.ratio > 1.0) || largest_root(front) <= no_K * largest) {
+        if (!front.doubt.empty() || !(one.ratio > 1.0) ||
+            largest_root(front) <= no_front_K * largest) {
           continue;
         }
         const auto [at, fresh] = worst.try_emplace(front.name, one);
@@ -111,7 +112,7 @@ std::vector<std::string> front_ways_warnings(const results::Run& run) {
   }
   std::vector<std::string> texts;
   for (const auto& [name, one] : worst) {
-    texts.push_back(text_of(one));
+    texts.push_back(parted_text(one));
   }
   return texts;
 }

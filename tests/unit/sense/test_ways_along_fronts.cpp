@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sense/front_ways.hpp"
+#include "sense/ways_along_fronts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ std::vector<std::string> warnings_of(const std::vector<results::StepResult>& ste
   return sense::front_ways_warnings(run);
 }
 
-TEST(FrontWays, AgreeOnSoundMeshes) {
+TEST(WaysAlongFronts, AgreeOnSoundMeshes) {
   results::StepResult step = step_with_front();
   EXPECT_TRUE(warnings_of({step}).empty());
   step.fronts[0].points[1].G *= 1.08; // 4 % of K
@@ -42,7 +42,7 @@ TEST(FrontWays, AgreeOnSoundMeshes) {
   EXPECT_TRUE(warnings_of({step}).empty());
 }
 
-TEST(FrontWays, PartAtTheWorstPlaceOfAllSteps) {
+TEST(WaysAlongFronts, PartAtTheWorstPlaceOfAllSteps) {
   results::StepResult first = step_with_front();
   first.fronts[0].points[1].G *= 1.21;
   results::StepResult second = step_with_front();
@@ -55,7 +55,7 @@ TEST(FrontWays, PartAtTheWorstPlaceOfAllSteps) {
   EXPECT_NE(told[0].find("in 1 other results"), std::string::npos) << told[0];
 }
 
-TEST(FrontWays, MayPartByTheBar) {
+TEST(WaysAlongFronts, MayPartByTheBar) {
   results::StepResult step = step_with_front();
   step.fronts[0].no_bar = "";
   step.fronts[0].points[1].G *= 1.21;
@@ -67,7 +67,7 @@ TEST(FrontWays, MayPartByTheBar) {
   EXPECT_EQ(warnings_of({step}).size(), 1U);
 }
 
-TEST(FrontWays, DoNotCountWhereThereIsNoAnswer) {
+TEST(WaysAlongFronts, DoNotCountWhereThereIsNoAnswer) {
   results::StepResult closed = step_with_front();
   closed.fronts[0].points[1].G *= 1.44;
   closed.fronts[0].points[1].closed = true;
