@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/tube/solid_cavity.hpp"
 
+#include "base/disjoint_sets.hpp"
 #include "mesh/plane.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <set>
 #include <utility>
 
@@ -20,28 +20,6 @@ using base::Vec3;
 /// Clear of a tube, in its radii from the front; of a crack's faces, in sizes of their elements.
 constexpr double clear_of_tube = 1.7;
 constexpr double clear_of_faces = 0.5;
-
-class Sets { // that are joined
-public:
-  explicit Sets(std::size_t count) : root_(count) {
-    std::iota(root_.begin(), root_.end(), std::size_t{0});
-  }
-  std::size_t find(std::size_t i) {
-    while (root_[i] != i) {
-      root_[i] = root_[root_[i]];
-      i = root_[i];
-    }
-    return i;
-  }
-  void join(std::size_t a, std::size_t b) {
-    a = find(a);
-    b = find(b);
-    root_[std::max(a, b)] = std::min(a, b);
-  }
-
-private:
-  std::vector<std::size_t> root_;
-};
 
 class Digger {
 public:
@@ -195,7 +173,7 @@ private:
 
   /// How many sheets of the outline meet at a node.
   std::size_t sheets(NodeId node, const std::vector<std::size_t>& faces) {
-    Sets sets(faces.size());
+    base::DisjointSets sets(faces.size());
     std::map<NodeId, std::size_t> first;
     for (std::size_t k = 0; k < faces.size(); ++k) {
       const FaceNodes nodes = face_nodes(mesh_, outline_[faces[k]].face);
@@ -210,19 +188,19 @@ private:
     }
     std::set<std::size_t> roots;
     for (std::size_t k = 0; k < faces.size(); ++k) {
-      roots.insert(sets.find(k));
+      roots.insert(sets.root(k));
     }
     return roots.size();
   }
 
   [[nodiscard]] std::vector<std::vector<CavityFace>> shells() const {
-    Sets sets(outline_.size());
+    base::DisjointSets sets(outline_.size());
     for (const auto& [edge, faces] : by_edge_) {
       sets.join(faces[0], faces[1]);
     }
     std::map<std::size_t, std::vector<CavityFace>> by_root;
     for (std::size_t f = 0; f < outline_.size(); ++f) {
-      by_root[sets.find(f)].push_back(outline_[f]);
+      by_root[sets.root(f)].push_back(outline_[f]);
     }
     std::vector<std::vector<CavityFace>> result;
     std::size_t outermost = 0;
