@@ -93,7 +93,7 @@ template <shape::ElementShape S> HeatFunctions<S>::HeatFunctions(const NodeVecto
 
 template <shape::ElementShape S>
 CornerValues<S> HeatFunctions<S>::at(const shape::Point<S::dim>& r) const {
-  const CornerValues<S> L = Linear<S>::N(r);
+  CornerValues<S> L = Linear<S>::N(r);
   if constexpr (bent) {
     // How far a point is from where the corners put it.
     return L + slope_ * (X_ * S::N(r) - X_.template leftCols<corners<S>()>() * L);
@@ -104,7 +104,7 @@ CornerValues<S> HeatFunctions<S>::at(const shape::Point<S::dim>& r) const {
 template <shape::ElementShape S>
 Eigen::Matrix<double, corners<S>(), S::dim>
 HeatFunctions<S>::gradients(const Jacobian<S>& at, const shape::Point<S::dim>& r) const {
-  const Eigen::Matrix<double, corners<S>(), S::dim> G = Linear<S>::dN(r) * at.J.inverse();
+  Eigen::Matrix<double, corners<S>(), S::dim> G = Linear<S>::dN(r) * at.J.inverse();
   if constexpr (bent) {
     return G + slope_ * (Eigen::Matrix<double, S::dim, S::dim>::Identity() -
                          X_.template leftCols<corners<S>()>() * G);

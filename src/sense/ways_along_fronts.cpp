@@ -111,6 +111,7 @@ std::vector<std::string> front_ways_warnings(const results::Run& run) {
     }
   }
   std::vector<std::string> texts;
+  texts.reserve(worst.size());
   for (const auto& [name, one] : worst) {
     texts.push_back(parted_text(one));
   }

@@ -97,7 +97,7 @@ Table net_table(const std::vector<NetSum>& nets) {
 std::string names(std::vector<std::string> list) {
   constexpr std::size_t most = 4;
   std::ranges::sort(list);
-  list.erase(std::ranges::unique(list).begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end()); // clang 14 lacks the range's
   std::string text;
   for (std::size_t i = 0; i < std::min(most, list.size()); ++i) {
     text += (i == 0 ? "" : ", ") + list[i];

@@ -239,7 +239,7 @@ private:
     make_tips_finer(text, fineness);
     std::string name = joined(
         finer.words, cracks_ && fineness != 1.0 ? fmt::format("FINER={:.4g}", fineness) : "");
-    name = joined(std::move(name), word);
+    name = joined(name, word);
     add(name.empty() ? "as given" : name, family, fineness, text, finer.defines);
   }
 

@@ -35,7 +35,7 @@ protected:
     fs::create_directories(folder_);
   }
   fs::path written(const deck::DeckText& text) {
-    const fs::path file = folder_ / "written.deck";
+    fs::path file = folder_ / "written.deck";
     std::ofstream(file) << deck::write_deck(text, folder_, {"a comment"});
     return file;
   }

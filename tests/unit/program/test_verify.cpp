@@ -178,6 +178,7 @@ protected:
   }
   static std::vector<std::string> names(const std::vector<ListedDeck>& decks) {
     std::vector<std::string> all;
+    all.reserve(decks.size());
     for (const ListedDeck& d : decks) {
       all.push_back(d.name);
     }
