@@ -60,17 +60,6 @@ void solid_growth_in_reach(Context& c) {
   if (growth.direction != model::GrowthDirection::path) {
     no("DIRECTION other than PATH");
   }
-  if (growth.corrected && growth.spectrum) {
-    no("CORRECT=YES and SPECTRUM");
-  }
-  if (growth.mounted == model::Mounted::first) {
-    no("MOUNTED=FIRST or HISTORY=CONTINUE");
-  }
-  const auto rubs = [](const auto& contact) { return contact.mu > 0.0; };
-  if (growth.law != model::GrowthLaw::increment &&
-      (std::ranges::any_of(c.model.contacts, rubs) || std::ranges::any_of(c.model.cracks, rubs))) {
-    no("by a law and friction");
-  }
 }
 
 // What cracks in space do not have in this version.

@@ -15,7 +15,7 @@ FrontResult PathFront::at(double t) const {
     place.K2 = point.K[1](t);
     place.K3 = point.K[2](t);
     for (std::size_t k = 0; k < 3; ++k) {
-      place.smooth[k] = point.inner[k].empty() ? point.K[k](t) : point.inner[k](t);
+      place.smooth[k] = point.smooth[k](t);
     }
   }
   return front;

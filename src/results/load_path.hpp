@@ -24,9 +24,9 @@ struct PathTip {
 
 /// K at one point of a front in space.
 struct PathPoint {
-  FrontPlace is;                              ///< where it is; its K are those at the beginning
-  std::array<base::PiecewiseLinear, 3> K;     ///< K1, K2, K3
-  std::array<base::PiecewiseLinear, 3> inner; ///< at the surface: what points further in go on to
+  FrontPlace is;                               ///< where it is; its K are those at the beginning
+  std::array<base::PiecewiseLinear, 3> K;      ///< K1, K2, K3
+  std::array<base::PiecewiseLinear, 3> smooth; ///< as those of FrontPlace
 };
 
 /// One front in space by t, exact between all knots.

@@ -181,7 +181,7 @@ template <class V, Of<PathTip> T> void fields(V& v, T& r) {
 template <class V, Of<PathPoint> T> void fields(V& v, T& r) {
   v("is", r.is);
   v("K", r.K);
-  v("inner", r.inner);
+  v("smooth", r.smooth);
 }
 
 template <class V, Of<PathFront> T> void fields(V& v, T& r) {

@@ -159,9 +159,10 @@ private:
     const Recorded stretch(options_.recorder, "GROW", "station measured, judged and kept");
     region.tell_cost(run_.log);
     LogWriter log(run_.log);
+    const std::optional<results::LoadPath> path = path_of_growth(model_, *increment);
     std::optional<std::vector<growth::TipStation>> found =
         measure_.measure({*increment, solver_.tips(), solver_.plastic(), cracks, solver_.followed(),
-                          solver_.free_faces()},
+                          solver_.free_faces(), path ? &*path : nullptr},
                          march.tips());
     if (!found) {
       trial_trouble_ = measure_.trouble();

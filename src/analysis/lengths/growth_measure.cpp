@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/lengths/growth_measure.hpp"
 
+#include "analysis/lengths/path_correction.hpp"
 #include "analysis/scene/tip_name.hpp"
 #include "crack/direction.hpp"
 #include "growth/net_section.hpp"
@@ -123,6 +124,19 @@ std::size_t largest_step(const model::Model& model) {
                   : model.growth->kmax.index();
 }
 
+std::optional<results::LoadPath> path_of_growth(const model::Model& model,
+                                                const results::Increment& increment) {
+  if (!model.growth->spectrum || increment.paths.empty()) {
+    return std::nullopt;
+  }
+  const std::size_t number = model.spectra[*model.growth->spectrum].path;
+  const model::LoadPath& card = model.load_paths[number];
+  const results::LoadPath& path = increment.paths[number];
+  return model.growth->corrected ? corrected_path(path, increment.steps[card.from.index()],
+                                                  increment.steps[card.to.index()])
+                                 : path;
+}
+
 std::optional<std::vector<growth::TipStation>>
 GrowthMeasure::measure(const SolvedLength& at, const std::vector<growth::GrowingTip>& growing) {
   std::vector<growth::TipStation> found(growing.size());
@@ -163,19 +177,18 @@ GrowthMeasure::measure(const SolvedLength& at, const std::vector<growth::Growing
   return found;
 }
 
+bool GrowthMeasure::has_bar(const results::TipResult& tip) {
+  if (!tip.no_bar.empty() && !tip.closed) {
+    warnings_.insert(fmt::format("CORRECT=YES, but {} has no error bar everywhere ({}): there K "
+                                 "is as computed",
+                                 tip.name, tip.no_bar));
+  }
+  return tip.no_bar.empty();
+}
+
 base::Vec2 GrowthMeasure::intensity(const results::TipResult& tip) {
-  if (!model_.growth->corrected) {
-    return {tip.K1, tip.K2};
-  }
-  if (!tip.no_bar.empty()) {
-    if (!tip.closed) {
-      warnings_.insert(fmt::format("CORRECT=YES, but {} has no error bar everywhere ({}): there K "
-                                   "is as computed",
-                                   tip.name, tip.no_bar));
-    }
-    return {tip.K1, tip.K2};
-  }
-  return {tip.bar[0].best, tip.bar[1].best};
+  return model_.growth->corrected && has_bar(tip) ? base::Vec2(tip.bar[0].best, tip.bar[1].best)
+                                                  : base::Vec2(tip.K1, tip.K2);
 }
 
 // K1 = 0 stands for faces that touch; K1 < 0 but for round-off for such that overlap.
@@ -197,11 +210,15 @@ base::Vec2 GrowthMeasure::turn(const base::Vec2& K, bool straight,
   return crack::kinked_mode_one(criterion, found.turn);
 }
 
-void GrowthMeasure::look_at(const std::string& name, const base::Vec2& K, bool upside_down) {
+void GrowthMeasure::note_order(const std::string& name, bool upside_down) {
   upside_down_ = upside_down_ && upside_down;
   if (upside_down) {
     warnings_.insert(fmt::format("{}: K at KMIN is larger than at KMAX", name));
   }
+}
+
+void GrowthMeasure::look_at(const std::string& name, const base::Vec2& K, bool upside_down) {
+  note_order(name, upside_down);
   if (model_.growth->direction == model::GrowthDirection::path && K[0] > 0.0 &&
       std::abs(K[1]) > much_K2 * K[0]) {
     warnings_.insert(fmt::format("{} grows along its path although K2 is {:.2f} of K1; the law is "
@@ -282,7 +299,7 @@ bool GrowthMeasure::by_spectrum(const SolvedLength& at, const std::string& name,
                                 growth::TipStation& found) {
   const results::Increment& increment = at.increment;
   const model::Spectrum& card = model_.spectra[*model_.growth->spectrum];
-  const results::LoadPath& path = increment.paths[card.path];
+  const results::LoadPath& path = *at.path;
   const results::TipResult* at_end = results::find_tip(increment.steps[largest_step(model_)], name);
   const results::PathTip* tip = results::find_tip(path, name);
   if (at_end != nullptr && at_end->two_materials) {
@@ -292,6 +309,14 @@ bool GrowthMeasure::by_spectrum(const SolvedLength& at, const std::string& name,
     return no_rate(
         fmt::format("spectrum {}: there is no K up to t = {:.6g}, load path {} ends before: {}",
                     card.name, spectrum_->highest(), path.name, path.stopped));
+  }
+  if (model_.growth->corrected) {
+    for (const base::StepId step :
+         {model_.load_paths[card.path].from, model_.load_paths[card.path].to}) {
+      if (const auto* end = results::find_tip(increment.steps[step.index()], name)) {
+        has_bar(*end);
+      }
+    }
   }
   if (!tip->doubt.empty()) {
     warnings_.insert(

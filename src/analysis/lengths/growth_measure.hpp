@@ -12,6 +12,7 @@
 #include "results/named_arrays.hpp"
 #include "results/results.hpp"
 
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
@@ -30,10 +31,16 @@ struct SolvedLength {
   const growth::CrackState& cracks;
   const std::optional<FollowedLoads>& followed; ///< where friction makes K a history
   const std::optional<FreeFaces>& free;         ///< faces that may overlap, where they close
+  const results::LoadPath* path;                ///< path_of_growth(), null: it has none
 };
 
 /// The step of the largest load of the growth: KMAX, or the end of the spectrum's load path.
 std::size_t largest_step(const model::Model& model);
+
+/// The load path of the growth's spectrum as the law is to have it: with the errors of K taken out
+/// where CORRECT asks for that. Empty: no spectrum, or there is no map of K.
+std::optional<results::LoadPath> path_of_growth(const model::Model& model,
+                                                const results::Increment& increment);
 
 /// K1 on a load path at the place of all fronts that is nearest to x; empty: there is none.
 std::optional<base::PiecewiseLinear> K1_nearest(const results::LoadPath& path, const base::Vec3& x);
@@ -87,12 +94,26 @@ private:
   bool by_front_spectrum(const SolvedLength& at, const std::string& crack, const base::Vec3& aim,
                          growth::TipStation& found);
   void warn_of_closing(const std::string& name, double a);
+  /// Whether K of a tip has a bar at the end of a step; why not is a warning.
+  bool has_bar(const results::TipResult& tip);
+  /// The same along a front.
+  bool has_bar(const results::FrontResult& front);
   bool by_history(const SolvedLength& at, const std::string& name, bool straight,
                   growth::TipStation& found);
-  /// Rate and extremes of K in a pass of the spectrum that was followed, for one tip whose K is
-  /// `part` of its K1 and K2.
-  void of_pass(const FollowedPass& pass, std::size_t tip, const base::Vec2& part,
-               growth::TipStation& found) const;
+  /// The K that the law is given, out of those of all tips [crack::KLayout].
+  using KOfLaw = std::function<double(const base::Vector&)>;
+  /// Of a place of a front; `K1` takes that of the place.
+  bool by_front_history(const FollowedLoads& loads, const std::string& name, double a,
+                        const KOfLaw& K1, growth::TipStation& found);
+  /// Rate and extremes of K in a pass of the spectrum that was followed.
+  void of_pass(const FollowedPass& pass, const KOfLaw& K, growth::TipStation& found) const;
+  /// Rate and extremes of the loads that were followed, of the first cycle and of those that repeat
+  /// themselves.
+  void of_loads(const FollowedLoads& loads, const KOfLaw& K, growth::TipStation& found) const;
+  /// Warns of loads that do not repeat themselves, and of K that is apart by two ways.
+  void look_at(const FollowedLoads& loads, double a);
+  /// Warns where K at KMIN is larger than at KMAX, which all tips together may not have.
+  void note_order(const std::string& name, bool upside_down);
   /// Warns of what a reader of a rate by KMAX and KMIN must know; K1 and K2 at KMAX.
   void look_at(const std::string& name, const base::Vec2& K, bool upside_down);
   [[nodiscard]] base::Vec2 intensity(const results::TipResult& tip);

@@ -13,13 +13,39 @@ namespace spricka::analysis {
 
 namespace {
 
+// Of all tips; along fronts the smooth ones.
 base::Vector intensities_of(const crack::KLayout& layout, const results::StepResult& result) {
   base::Vector K(layout.count());
+  std::size_t point = 0;
+  for (const results::FrontResult& front : result.fronts) {
+    for (const results::FrontPlace& place : front.points) {
+      layout.of(K, point++) << place.smooth[0], place.smooth[1], place.smooth[2];
+    }
+  }
   for (std::size_t t = 0; t < result.tips.size(); ++t) {
     K[layout.at(t, 1)] = result.tips[t].K1;
     K[layout.at(t, 2)] = result.tips[t].K2;
   }
   return K;
+}
+
+// The largest difference of K along fronts, but for points where faces touch: there steps set more
+// of K to 0 than the law asks for.
+double apart_along_fronts(const crack::KLayout& layout, const base::Vector& K,
+                          const results::StepResult& own) {
+  const base::Vector other = intensities_of(layout, own);
+  double apart = 0.0;
+  std::size_t point = 0;
+  for (const results::FrontResult& front : own.fronts) {
+    for (const results::FrontPlace& place : front.points) {
+      if (!place.closed) {
+        apart =
+            std::max(apart, (layout.of(K, point) - layout.of(other, point)).cwiseAbs().maxCoeff());
+      }
+      ++point;
+    }
+  }
+  return apart;
 }
 
 } // namespace
@@ -143,6 +169,9 @@ bool LoadHistory::compare_with_recovered(FollowedLoads& out, base::Trouble& trou
   }
   const results::StepResult own =
       gather_step(model_, scene_, bodies_, model_.steps.front(), *state);
+  if (!own.fronts.empty() && largest_ > 0.0) {
+    out.mismatch = apart_along_fronts(layout, K, own) / largest_;
+  }
   for (std::size_t t = 0; t < own.tips.size() && !shifted && largest_ > 0.0; ++t) {
     const results::TipResult& tip = own.tips[t];
     // judge_faces() may have set these to 0.

@@ -13,7 +13,7 @@
 /// Loads one after another as increments with friction, until K of a pass repeats itself.
 namespace spricka::analysis {
 
-/// K of all tips, increment by increment: [crack::KLayout].
+/// K of all tips, along fronts the smooth one, increment by increment: [crack::KLayout].
 using WayOfK = std::vector<base::Vector>;
 
 struct FollowedPass {

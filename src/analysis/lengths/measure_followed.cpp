@@ -21,15 +21,6 @@ base::Vec2 of_tip(const base::Vector& K, std::size_t tip) {
   return crack::KLayout(tip + 1, 2).of(K, tip);
 }
 
-std::vector<double> along(const WayOfK& way, std::size_t tip, const base::Vec2& part) {
-  std::vector<double> K;
-  K.reserve(way.size());
-  for (const base::Vector& all : way) {
-    K.push_back(part.dot(of_tip(all, tip)));
-  }
-  return K;
-}
-
 // K1 and K2 where K1 is largest in a pass.
 base::Vec2 largest(const FollowedPass& pass, std::size_t tip) {
   base::Vec2 best(-std::numeric_limits<double>::infinity(), 0.0);
@@ -48,19 +39,21 @@ base::Vec2 largest(const FollowedPass& pass, std::size_t tip) {
 
 } // namespace
 
-void GrowthMeasure::of_pass(const FollowedPass& pass, std::size_t tip, const base::Vec2& part,
+void GrowthMeasure::of_pass(const FollowedPass& pass, const KOfLaw& K,
                             growth::TipStation& found) const {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   found.rate = 0.0;
   const auto count = [&](const WayOfK& way, double times) {
-    const std::vector<double> K = along(way, tip, part);
-    for (const double k : K) {
+    std::vector<double> along;
+    along.reserve(way.size());
+    for (const base::Vector& all : way) {
+      const double k = along.emplace_back(K(all));
       low = std::min(low, k);
       high = std::max(high, k);
     }
     // Counted on K itself: with friction it is no function of the load.
-    for (const life::LoadCycle& cycle : life::rainflow(K, true)) {
+    for (const life::LoadCycle& cycle : life::rainflow(along, true)) {
       if (cycle.high > 0.0 && cycle.high > cycle.low) {
         found.rate += times * cycle.count * law_.rate(cycle.high, cycle.low);
       }
@@ -74,41 +67,32 @@ void GrowthMeasure::of_pass(const FollowedPass& pass, std::size_t tip, const bas
   found.K_max = std::max(0.0, high);
 }
 
-bool GrowthMeasure::by_history(const SolvedLength& at, const std::string& name, bool straight,
-                               growth::TipStation& found) {
-  const FollowedLoads& loads = *at.followed;
-  const std::vector<results::TipResult>& tips = at.increment.steps[largest_step(model_)].tips;
-  const auto own = std::ranges::find(tips, name, &results::TipResult::name);
-  if (own == tips.end() || own->two_materials) {
-    return no_rate(fmt::format("{} has no K to grow by: its tip lies between two materials", name));
-  }
-  const auto tip = static_cast<std::size_t>(own - tips.begin());
+void GrowthMeasure::of_loads(const FollowedLoads& loads, const KOfLaw& K,
+                             growth::TipStation& found) const {
   growth::TipStation first; // of the first cycle or pass
   if (spectrum_) {
-    // The turn of the last pass holds for the first as well: both are told of one kink.
-    const base::Vec2 part = turn(largest(loads.last, tip), straight, found);
-    of_pass(loads.last, tip, part, found);
-    of_pass(loads.first, tip, part, first);
+    of_pass(loads.last, K, found);
+    of_pass(loads.first, K, first);
   } else {
-    const base::Vec2 K = of_tip(loads.last.marks[loads.grow_at], tip);
-    const base::Vec2 part = turn(K, straight, found);
-    found.K_max = std::max(0.0, part.dot(K));
-    found.K_min = part.dot(of_tip(loads.last.marks[loads.smallest], tip));
+    found.K_max = std::max(0.0, K(loads.last.marks[loads.grow_at]));
+    found.K_min = K(loads.last.marks[loads.smallest]);
     found.rate = found.K_max > found.K_min ? law_.rate(found.K_max, found.K_min) : 0.0;
-    look_at(name, K, found.K_min > found.K_max);
-    first.K_max = std::max(0.0, part.dot(of_tip(loads.first.marks[loads.grow_at], tip)));
-    first.K_min = part.dot(of_tip(loads.first.marks[loads.smallest], tip));
+    first.K_max = std::max(0.0, K(loads.first.marks[loads.grow_at]));
+    first.K_min = K(loads.first.marks[loads.smallest]);
   }
   found.first_max = first.K_max;
   found.first_min = first.K_min;
   found.passes = loads.passes;
   found.change = loads.change;
+}
+
+void GrowthMeasure::look_at(const FollowedLoads& loads, double a) {
   if (!(loads.change <= repeats_to)) {
     warnings_.insert(
         fmt::format("K did not come to repeat itself in {} passes of the loads: at a = "
                     "{:.6g} it still changes by {:.1e} of the largest K from one to "
                     "the next",
-                    loads.passes, at.increment.a, loads.change));
+                    loads.passes, a, loads.change));
   }
   if (!(loads.mismatch <= worst_mismatch)) {
     warnings_.insert(fmt::format("K of the loads that were followed differs from K of the "
@@ -118,7 +102,39 @@ bool GrowthMeasure::by_history(const SolvedLength& at, const std::string& name, 
   if (model_.growth->corrected) {
     warnings_.insert("CORRECT=YES, but with friction K has no error bar: K is as computed");
   }
+}
+
+bool GrowthMeasure::by_history(const SolvedLength& at, const std::string& name, bool straight,
+                               growth::TipStation& found) {
+  const FollowedLoads& loads = *at.followed;
+  const std::vector<results::TipResult>& tips = at.increment.steps[largest_step(model_)].tips;
+  const auto own = std::ranges::find(tips, name, &results::TipResult::name);
+  if (own == tips.end() || own->two_materials) {
+    return no_rate(fmt::format("{} has no K to grow by: its tip lies between two materials", name));
+  }
+  const auto tip = static_cast<std::size_t>(own - tips.begin());
+  // The turn of the last pass holds for the first as well: both are told of one kink.
+  const base::Vec2 K =
+      spectrum_ ? largest(loads.last, tip) : of_tip(loads.last.marks[loads.grow_at], tip);
+  const base::Vec2 part = turn(K, straight, found);
+  of_loads(
+      loads, [&](const base::Vector& all) { return part.dot(of_tip(all, tip)); }, found);
+  if (!spectrum_) {
+    look_at(name, K, found.K_min > found.K_max);
+  }
+  look_at(loads, at.increment.a);
   return !std::isnan(found.rate) || no_rate({});
+}
+
+bool GrowthMeasure::by_front_history(const FollowedLoads& loads, const std::string& name, double a,
+                                     const KOfLaw& K1, growth::TipStation& found) {
+  of_loads(loads, K1, found);
+  if (!spectrum_) {
+    note_order(name, found.K_min > found.K_max && found.K_min > 0.0);
+  }
+  look_at(loads, a);
+  return !std::isnan(found.rate) ||
+         no_rate(fmt::format("the growth of a pass of the loads is not a number at {}", name));
 }
 
 } // namespace spricka::analysis

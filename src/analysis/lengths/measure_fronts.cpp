@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/lengths/growth_measure.hpp"
+#include "analysis/lengths/path_correction.hpp"
+#include "crack/k_layout.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -121,36 +123,27 @@ std::vector<PointWeight> weights_at(const results::FrontResult& front, std::size
   return all;
 }
 
-// K1, K2, K3 as smooth functions along the front; `corrected`: with the estimated error of K taken
-// out, at the surface that of the next point.
-base::Vec3 smooth_K(const results::FrontResult& front, const PlaceOnFront& at, bool corrected) {
-  const auto of = [&](std::size_t i) {
-    const results::FrontPlace& p = front.points[i];
-    base::Vec3 K(p.smooth[0], p.smooth[1], p.smooth[2]);
-    const std::size_t last = front.points.size() - 1;
-    const results::FrontPlace& near =
-        !p.at_surface ? p : front.points[i == 0 ? 1 : (i == last ? last - 1 : i)];
-    if (corrected && front.no_bar.empty() && !p.closed) {
-      K[0] += near.bar[0].best - near.K1;
-    }
-    return K;
-  };
+// By the points of a front in the results of a step.
+std::vector<PointWeight> weights_at(const results::FrontResult& front, const PlaceOnFront& at) {
   const auto s_of = [&](std::size_t i) { return front.points[i].s; };
   const auto closed = [&](std::size_t i) { return front.points[i].closed; };
+  return weights_at(front, front.points.size(), at, std::pair(s_of, closed));
+}
+
+// K1, K2, K3 as smooth functions along the front; `corrected`: with the estimated error of K taken
+// out.
+base::Vec3 smooth_K(const results::FrontResult& front, const PlaceOnFront& at, bool corrected) {
   base::Vec3 K = base::Vec3::Zero();
-  for (const auto& [i, weight] :
-       weights_at(front, front.points.size(), at, std::pair(s_of, closed))) {
-    K += weight * of(i);
+  for (const auto& [i, weight] : weights_at(front, at)) {
+    K += weight * base::Vec3::Map(front.points[i].smooth.data());
+    K[0] += corrected ? weight * estimated_error(front, i) : 0.0;
   }
   return K;
 }
 
-// K1 on the path; at the surface that which points further in go on to.
+// Smooth K1 on the path.
 base::PiecewiseLinear K1_on_path(const results::PathFront& front, const PlaceOnFront& at) {
-  const auto of = [](const results::PathPoint& p) -> const base::PiecewiseLinear& {
-    return p.is.at_surface ? p.inner[0] : p.K[0];
-  };
-  const base::PiecewiseLinear& from = of(front.points[at.from]);
+  const base::PiecewiseLinear& from = front.points[at.from].smooth[0];
   const auto s_of = [&](std::size_t i) { return front.points[i].is.s; };
   // Where faces touch under a load K bends by t: no cubic.
   const auto closed = [&](std::size_t i) { return front.points[i].is.closed; };
@@ -158,7 +151,7 @@ base::PiecewiseLinear K1_on_path(const results::PathFront& front, const PlaceOnF
   std::vector<double> slope(from.segments(), 0.0);
   for (const auto& [i, weight] :
        weights_at(front.is, front.points.size(), at, std::pair(s_of, closed))) {
-    const base::PiecewiseLinear& K = of(front.points[i]);
+    const base::PiecewiseLinear& K = front.points[i].smooth[0];
     for (std::size_t k = 0; k < value.size(); ++k) {
       value[k] += weight * K.at_knot(k);
       slope[k] += weight * K.slope(k);
@@ -167,7 +160,33 @@ base::PiecewiseLinear K1_on_path(const results::PathFront& front, const PlaceOnF
   return {from.knots(), std::move(value), std::move(slope)};
 }
 
+// K1 there out of the K of all points of all fronts [crack::KLayout].
+std::function<double(const base::Vector&)> K1_at(const results::StepResult& step,
+                                                 const PlaceOnFront& place) {
+  std::size_t first = 0;
+  for (std::size_t f = 0; f < place.front; ++f) {
+    first += step.fronts[f].points.size();
+  }
+  std::vector<PointWeight> weights = weights_at(step.fronts[place.front], place);
+  return [first, weights = std::move(weights)](const base::Vector& K) {
+    double K1 = 0.0;
+    for (const auto& [point, weight] : weights) {
+      K1 += weight * K[crack::KLayout(first + point + 1, 3).at(first + point, 1)];
+    }
+    return K1;
+  };
+}
+
 } // namespace
+
+bool GrowthMeasure::has_bar(const results::FrontResult& front) {
+  if (!results::has_bar(front)) {
+    warnings_.insert(fmt::format("CORRECT=YES, but {} has no error bar everywhere ({}): there K is "
+                                 "as computed",
+                                 front.name, front.no_bar));
+  }
+  return results::has_bar(front);
+}
 
 std::optional<base::PiecewiseLinear> K1_nearest(const results::LoadPath& path,
                                                 const base::Vec3& x) {
@@ -194,10 +213,8 @@ bool GrowthMeasure::by_front(const SolvedLength& at, const growth::GrowingTip& t
     assert(at.plastic.size() == high.fronts.size());
     found.plastic = at.plastic[place.front];
   }
-  if (corrected && !front.no_bar.empty()) {
-    warnings_.insert(fmt::format("CORRECT=YES, but {} has no error bar everywhere ({}): there K is "
-                                 "as computed",
-                                 front.name, front.no_bar));
+  if (corrected) {
+    has_bar(front);
   }
   if (!front.doubt.empty() && K[0] > 0.0) {
     warnings_.insert(fmt::format("{}: K at KMAX is in doubt: {}", front.name, front.doubt));
@@ -207,6 +224,9 @@ bool GrowthMeasure::by_front(const SolvedLength& at, const growth::GrowingTip& t
                                  "given K1 alone",
                                  tip.name, std::abs(K[1]) > std::abs(K[2]) ? "K2" : "K3",
                                  std::max(std::abs(K[1]), std::abs(K[2])) / K[0]));
+  }
+  if (at.followed && at.followed->none.empty()) {
+    return by_front_history(*at.followed, tip.name, front.a, K1_at(high, place), found);
   }
   if (spectrum_) {
     return by_front_spectrum(at, crack, aim, found);
@@ -223,18 +243,20 @@ bool GrowthMeasure::by_front(const SolvedLength& at, const growth::GrowingTip& t
     warn_of_closing(tip.name, low.fronts[there.front].a);
   }
   found.rate = found.K_max > found.K_min ? law_.rate(found.K_max, found.K_min) : 0.0;
-  const bool upside_down = found.K_min > K[0] && found.K_min > 0.0;
-  upside_down_ = upside_down_ && upside_down;
-  if (upside_down) {
-    warnings_.insert(fmt::format("{}: K at KMIN is larger than at KMAX", tip.name));
-  }
+  note_order(tip.name, found.K_min > K[0] && found.K_min > 0.0);
   return true;
 }
 
 bool GrowthMeasure::by_front_spectrum(const SolvedLength& at, const std::string& crack,
                                       const base::Vec3& aim, growth::TipStation& found) {
   const model::Spectrum& card = model_.spectra[*model_.growth->spectrum];
-  const results::LoadPath& path = at.increment.paths[card.path];
+  const results::LoadPath& path = *at.path;
+  if (model_.growth->corrected) {
+    for (const results::FrontResult& front :
+         at.increment.steps[model_.load_paths[card.path].from.index()].fronts) {
+      has_bar(front);
+    }
+  }
   const PlaceOnFront place = place_on_path(path, crack, aim);
   if (!place.found() || path.t.empty() || path.t.back() < spectrum_->highest()) {
     return no_rate(

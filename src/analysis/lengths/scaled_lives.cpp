@@ -47,16 +47,16 @@ std::optional<base::PiecewiseLinear> K1_of(const results::LoadPath& path,
   return path.tips.size() == 1 ? std::optional(path.tips.front().K1) : std::nullopt;
 }
 
-// Rates of all stations with K on a line from K0 at t = 0 to the K of the largest load.
-std::optional<std::vector<growth::Station>> on_line(const results::Run& run,
+// Rates of all stations, whose K is on `paths` [station], with K on a line from K0 at t = 0 to the
+// K of the largest load.
+std::optional<std::vector<growth::Station>> on_line(const std::vector<results::LoadPath>& paths,
                                                     std::vector<growth::Station> stations,
-                                                    const GrowthMeasure& measure, std::size_t path,
+                                                    const GrowthMeasure& measure,
                                                     bool through_zero) {
   const double top = measure.spectrum()->highest();
   for (std::size_t i = 0; i < stations.size(); ++i) {
-    const results::LoadPath& found = run.increments.at(i).paths.at(path);
     for (growth::TipStation& tip : stations[i].tips) {
-      const std::optional<base::PiecewiseLinear> K1 = K1_of(found, tip);
+      const std::optional<base::PiecewiseLinear> K1 = K1_of(paths.at(i), tip);
       if (!K1 || !(top > 0.0)) {
         return std::nullopt;
       }
@@ -129,15 +129,24 @@ std::vector<results::ScaledLife> scaled_lives(const model::Model& model, const r
     }
     return out;
   }
+  std::vector<results::LoadPath> paths; // [station]
+  for (const results::Increment& increment : run.increments) {
+    if (std::optional<results::LoadPath> path = path_of_growth(model, increment)) {
+      paths.push_back(std::move(*path));
+    }
+  }
+  if (paths.size() < stations.size()) {
+    return out;
+  }
   const std::size_t path = model.spectra[*model.growth->spectrum].path;
   const base::Vector& from = loads[model.load_paths[path].from.index()];
   const base::Vector& to = loads[model.load_paths[path].to.index()];
   if (from.norm() == 0.0 && to.norm() > 0.0) {
-    if (const auto scaled = on_line(run, stations, measure, path, true)) {
+    if (const auto scaled = on_line(paths, stations, measure, true)) {
       add(life("scaled", march, growth::Trajectory(*scaled, {}, 4)));
     }
   }
-  if (const auto line = on_line(run, stations, measure, path, false)) {
+  if (const auto line = on_line(paths, stations, measure, false)) {
     add(life("line", march, growth::Trajectory(*line, {}, 4)));
   }
   return out;

@@ -144,6 +144,9 @@ base::Vector LoadPaths::intensities(const contact::ContactSystem::Problem& probl
     value += rows_->of_row.col(static_cast<Eigen::Index>(problem.rows[i])) *
              solution.contact.lambda[static_cast<Eigen::Index>(i)];
   }
+  if (!scene_.fronts.empty()) {
+    return along_fronts(problem, solution, value);
+  }
   look_at_faces(value);
   base::Vector free; // without the forces between faces of cracks, all others as they are
   if (continues_below_closing(model_)) {
@@ -169,6 +172,28 @@ base::Vector LoadPaths::intensities(const contact::ContactSystem::Problem& probl
     }
   }
   return value.head(layout.count());
+}
+
+// Smooth, and K1 is 0 where faces touch; what the mesh finds a little below 0 for faces in contact
+// is 0 as well, as in steps (judge_front).
+base::Vector LoadPaths::along_fronts(const contact::ContactSystem::Problem& problem,
+                                     const contact::ContactSystem::Solution& solution,
+                                     const base::Vector& value) const {
+  const crack::KLayout layout = scene_.k_layout();
+  base::Vector K(layout.count());
+  std::size_t first = 0;
+  for (std::size_t f = 0; f < scene_.fronts.size(); ++f) {
+    const std::vector<std::optional<std::size_t>> rows = rows_behind(f, problem.rows);
+    const auto smooth = smooth_front(scene_.fronts[f], value, layout.first(first));
+    const base::CrackId crack = scene_.fronts[f].front.crack;
+    const bool bear = scene_.crack_face_pairs[crack.index()].has_value();
+    for (std::size_t i = 0; i < smooth.size(); ++i, ++first) {
+      const bool touches = i < rows.size() && rows[i] && solution.contact.closed[*rows[i]];
+      const double K1 = bear ? std::max(0.0, smooth[i][0]) : smooth[i][0];
+      layout.of(K, first) << (touches ? 0.0 : K1), smooth[i][1], smooth[i][2];
+    }
+  }
+  return K;
 }
 
 bool LoadPaths::close_tip(std::size_t t, const End& end, const solve::SolutionPath& found,

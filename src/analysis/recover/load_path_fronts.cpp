@@ -48,10 +48,8 @@ results::PathFront follow_front(const FrontStart& front, const solve::SolutionPa
     for (std::size_t k = 0; k < 3; ++k) {
       const Eigen::Index at = front.first + static_cast<Eigen::Index>(3 * i + k);
       point.K[k] = path_functional(found, at);
-      if (point.is.at_surface) {
-        point.inner[k] = base::PiecewiseLinear(path_knots(found), std::move(value[i][k]),
-                                               std::move(slope[i][k]));
-      }
+      point.smooth[k] =
+          base::PiecewiseLinear(path_knots(found), std::move(value[i][k]), std::move(slope[i][k]));
     }
   }
   return out;
@@ -86,9 +84,7 @@ std::size_t close_points(const std::vector<std::optional<std::size_t>>& rows,
       continue;
     }
     ++touching;
-    if (point.is.at_surface) {
-      zero_where_closed(found, *rows[i], point.inner[0]);
-    }
+    zero_where_closed(found, *rows[i], point.smooth[0]);
   }
   return touching;
 }
@@ -111,9 +107,8 @@ double apart_from(const results::PathFront& front, double t, const results::Fron
 
 } // namespace
 
-// [point of front f] the row behind it among those of the path's problem, if there is one.
-std::vector<std::optional<std::size_t>> LoadPaths::rows_behind(std::size_t f,
-                                                               const End& end) const {
+std::vector<std::optional<std::size_t>>
+LoadPaths::rows_behind(std::size_t f, const std::vector<std::size_t>& in_force) const {
   std::vector<std::optional<std::size_t>> out;
   const mesh::Front& front = scene_.fronts[f].front;
   for (const std::optional<std::size_t>& row : rows_at_front(scene_, front)) {
@@ -122,9 +117,9 @@ std::vector<std::optional<std::size_t>> LoadPaths::rows_behind(std::size_t f,
       continue;
     }
     const std::size_t pair = scene_.crack_face_pairs[front.crack.index()]->pair;
-    const auto at = std::ranges::find(end.problem.rows, scene_.table.first[pair] + *row);
-    if (at != end.problem.rows.end()) {
-      place = static_cast<std::size_t>(at - end.problem.rows.begin());
+    const auto at = std::ranges::find(in_force, scene_.table.first[pair] + *row);
+    if (at != in_force.end()) {
+      place = static_cast<std::size_t>(at - in_force.begin());
     }
   }
   return out;
@@ -144,7 +139,7 @@ void LoadPaths::fronts(const solve::SolutionPath& found, const End& from, const 
     results::PathFront front =
         follow_front({scene_.fronts[f], layout.first(first)}, found, from.result.fronts[f]);
     first += front.points.size();
-    const std::size_t touching = close_points(rows_behind(f, from), found, front);
+    const std::size_t touching = close_points(rows_behind(f, from.problem.rows), found, front);
     if (touching > 0) {
       path.notes.push_back(results::note(fmt::format(
           "{}: the crack faces touch at {} of {} points of the front on a part of the path: "

@@ -27,8 +27,9 @@ public:
   /// Crack lines whose faces would overlap somewhere on the paths followed, and that have no pair
   /// yet (analysis/steps/crack_face_contact.hpp).
   [[nodiscard]] const std::vector<std::size_t>& touching() const { return touching_; }
-  /// K1 and K2 of each tip in a solved increment [crack::KLayout]; K1 is 0 where its faces
-  /// touch at the tip, or what a law with R < 0 wants there. Looks at the faces, too.
+  /// K of each tip in a solved increment [crack::KLayout], along fronts in space the smooth one; K1
+  /// is 0 where its faces touch at the tip, or in the plane what a law with R < 0 wants there.
+  /// Looks at the faces, too.
   [[nodiscard]] base::Vector intensities(const contact::ContactSystem::Problem& problem,
                                          const contact::ContactSystem::Solution& solution,
                                          const StepSolver& solver);
@@ -59,8 +60,12 @@ private:
   }
   /// Columns [dim * node] of functionals from `first` on, at most so many.
   [[nodiscard]] base::Matrix functional_columns(Eigen::Index first, Eigen::Index most) const;
-  [[nodiscard]] std::vector<std::optional<std::size_t>> rows_behind(std::size_t f,
-                                                                    const End& end) const;
+  /// [point of front f] its row among those in force, if faces bear behind it.
+  [[nodiscard]] std::vector<std::optional<std::size_t>>
+  rows_behind(std::size_t f, const std::vector<std::size_t>& in_force) const;
+  [[nodiscard]] base::Vector along_fronts(const contact::ContactSystem::Problem& problem,
+                                          const contact::ContactSystem::Solution& solution,
+                                          const base::Vector& value) const;
   [[nodiscard]] base::Matrix front_columns(Eigen::Index first, Eigen::Index most) const;
   /// Of watches, from displacements [dim * node].
   [[nodiscard]] base::Vector watched(const base::Vector& u) const;

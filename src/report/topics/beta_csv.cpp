@@ -151,7 +151,7 @@ std::string path_rows(int increment, const model::Model& model, const results::L
       for (std::size_t k = 0; k < path.t.size(); ++k) {
         const auto at = [&](std::size_t i, std::size_t mode) {
           const results::PathPoint& point = front.points[i];
-          return (point.is.at_surface ? point.inner : point.K).at(mode).at_knot(k);
+          return (point.is.at_surface ? point.smooth : point.K).at(mode).at_knot(k);
         };
         const auto K = [&](std::size_t mode) {
           return end.between(at(end.from, mode), at(end.to, mode));

@@ -3,6 +3,7 @@
 #include "tests/unit/support/solved_text.hpp"
 #include "tests/unit/support/strip_text.hpp"
 
+#include "analysis/lengths/path_correction.hpp"
 #include "growth/trajectory.hpp"
 #include "results/growth.hpp"
 
@@ -82,6 +83,47 @@ TEST(Growth, SpectrumOfOneCycleIsConstantAmplitude) {
   EXPECT_NEAR(sequence->run.growth->cycles() * (2.0 * 0.125 + 0.001) /
                   (steps->run.growth->cycles() * 0.125),
               1.0, 2e-3);
+}
+
+// K of a load path has the errors taken out as K of steps has: bars of both ends of the path, and
+// in a linear model a line between them.
+TEST(Growth, CorrectedSpectrumOfOneCycleIsConstantAmplitude) {
+  const std::string law = "LAW=PARIS C=1e-11 M=3 AMAX=8 ";
+  const std::string path = "$LOADPATH NAME=UP FROM=ZERO TO=FULL\n";
+  const auto rates = [&](const std::string& grow, const std::string& cards) {
+    const auto solved = test::solve_text(test::strip_text(law + grow, cards));
+    std::vector<double> found;
+    for (const results::GrowthStation& station : solved->run.growth->stations) {
+      found.push_back(station.tips[0].K_max);
+    }
+    return found;
+  };
+  const std::vector<double> steps = rates("KMAX=FULL KMIN=HALF CORRECT=YES", "");
+  const std::vector<double> plain = rates("KMAX=FULL KMIN=HALF", "");
+  const std::vector<double> spectrum =
+      rates("SPECTRUM=S CORRECT=YES", path + "$SPECTRUM NAME=S PATH=UP TYPE=BLOCKS\n  0.5 1 10\n");
+  ASSERT_FALSE(steps.empty());
+  EXPECT_GT(std::abs(plain[0] / steps[0] - 1.0), 1e-6); // there is something to correct
+  EXPECT_NEAR(spectrum[0] / steps[0], 1.0, 1e-9);
+}
+
+// The error goes with K, and with t where K turns back; faces that touch have none.
+TEST(Growth, ErrorOfKBetweenTheEndsOfAPath) {
+  using base::PiecewiseLinear;
+  const auto line = analysis::with_error_out(PiecewiseLinear({0.0, 2.0}, {10.0}, {30.0}), 1.0, 4.0);
+  for (const double t : {0.0, 0.5, 1.0, 2.0}) {
+    EXPECT_NEAR(line(t), 10.0 + 30.0 * t + 1.0 + 3.0 * t, 1e-12);
+  }
+  // Open from t = 0.5 on.
+  const auto opens =
+      analysis::with_error_out(PiecewiseLinear({0.0, 0.5, 1.0}, {0.0, 0.0}, {0.0, 20.0}), 0.0, 1.0);
+  EXPECT_EQ(opens(0.25), 0.0);
+  EXPECT_NEAR(opens(0.75), 5.0 + 0.5, 1e-12);
+  EXPECT_NEAR(opens(1.0), 10.0 + 1.0, 1e-12);
+  const auto turns = analysis::with_error_out(
+      PiecewiseLinear({0.0, 0.5, 1.0}, {10.0, 6.0}, {-8.0, 8.2}), 1.0, 2.0);
+  EXPECT_NEAR(turns(0.5), 6.0 + 1.5, 1e-12);
+  EXPECT_NEAR(turns(1.0), 10.1 + 2.0, 1e-12);
 }
 
 TEST(Growth, EndsWhereKReachesTheToughness) {

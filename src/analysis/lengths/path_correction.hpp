@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/piecewise_linear.hpp"
+#include "results/load_path.hpp"
+#include "results/results.hpp"
+
+namespace spricka::analysis {
+
+/// K on a path plus its estimated error, which is known at both ends of the path (`at_zero` at
+/// t = 0, `at_one` at t = 1) and linear in K between and beyond; in t, where K turns back on the
+/// way (growth.14). Where faces touch K stays 0. All in units of K.
+base::PiecewiseLinear with_error_out(const base::PiecewiseLinear& K, double at_zero, double at_one);
+
+/// A path with the errors of K taken out that the bars of its first and its last step estimate;
+/// where they have none K is as computed.
+results::LoadPath corrected_path(results::LoadPath path, const results::StepResult& from,
+                                 const results::StepResult& to);
+
+/// The estimated error of K1 at point i of a front, at the surface that of the next point; 0 where
+/// there is no bar, or where faces touch. [K]
+double estimated_error(const results::FrontResult& front, std::size_t i);
+
+} // namespace spricka::analysis
