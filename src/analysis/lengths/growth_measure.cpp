@@ -69,16 +69,6 @@ base::PiecewiseLinear combined(const results::PathTip& tip, const base::Vec2& pa
   return {tip.K1.knots(), std::move(value), std::move(slope)};
 }
 
-// Whether its faces touch somewhere on the path: K1 is 0 there.
-bool closes(const results::PathTip& tip) {
-  for (std::size_t i = 0; i < tip.K1.segments(); ++i) {
-    if (tip.K1.at_knot(i) == 0.0 && tip.K1.slope(i) == 0.0) {
-      return true;
-    }
-  }
-  return false;
-}
-
 // Where K1 is largest between two places: at one of them or at a breakpoint.
 double place_of_largest(const base::PiecewiseLinear& K1, double low, double high) {
   double best = K1(high) >= K1(low) ? high : low;
@@ -177,11 +167,17 @@ GrowthMeasure::measure(const SolvedLength& at, const std::vector<growth::Growing
   return found;
 }
 
+void GrowthMeasure::warn_of_no_bar(const std::string& name, const std::string& why) {
+  if (!why.empty()) {
+    warnings_.insert(fmt::format("CORRECT=YES, but {} has no error bar everywhere ({}): there K is "
+                                 "as computed",
+                                 name, why));
+  }
+}
+
 bool GrowthMeasure::has_bar(const results::TipResult& tip) {
-  if (!tip.no_bar.empty() && !tip.closed) {
-    warnings_.insert(fmt::format("CORRECT=YES, but {} has no error bar everywhere ({}): there K "
-                                 "is as computed",
-                                 tip.name, tip.no_bar));
+  if (!tip.closed) {
+    warn_of_no_bar(tip.name, tip.no_bar);
   }
   return tip.no_bar.empty();
 }
@@ -278,7 +274,7 @@ base::PiecewiseLinear GrowthMeasure::on_path(const SolvedLength& at, const resul
                                              const base::Vec2& part) {
   base::PiecewiseLinear K = combined(tip, part);
   // Without overlap anywhere both ways to K are one.
-  if (!(at.free || closes(tip)) || !continues_below_closing(model_)) {
+  if (!(at.free || touch_somewhere(tip.K1)) || !continues_below_closing(model_)) {
     return K;
   }
   const std::size_t path = model_.spectra[*model_.growth->spectrum].path;

@@ -94,10 +94,10 @@ private:
   bool by_front_spectrum(const SolvedLength& at, const std::string& crack, const base::Vec3& aim,
                          growth::TipStation& found);
   void warn_of_closing(const std::string& name, double a);
+  /// `why` there is no error bar to correct K by; empty: there is one.
+  void warn_of_no_bar(const std::string& name, const std::string& why);
   /// Whether K of a tip has a bar at the end of a step; why not is a warning.
   bool has_bar(const results::TipResult& tip);
-  /// The same along a front.
-  bool has_bar(const results::FrontResult& front);
   bool by_history(const SolvedLength& at, const std::string& name, bool straight,
                   growth::TipStation& found);
   /// The K that the law is given, out of those of all tips [crack::KLayout].

@@ -129,6 +129,10 @@ bool GrowthMeasure::by_history(const SolvedLength& at, const std::string& name, 
 bool GrowthMeasure::by_front_history(const FollowedLoads& loads, const std::string& name, double a,
                                      const KOfLaw& K1, growth::TipStation& found) {
   of_loads(loads, K1, found);
+  // Only faces that touch have K1 = 0 to the last bit.
+  if (continues_below_closing(model_) && found.K_min == 0.0) {
+    warn_of_closing(name, a);
+  }
   if (!spectrum_) {
     note_order(name, found.K_min > found.K_max && found.K_min > 0.0);
   }

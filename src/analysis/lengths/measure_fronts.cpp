@@ -160,33 +160,24 @@ base::PiecewiseLinear K1_on_path(const results::PathFront& front, const PlaceOnF
   return {from.knots(), std::move(value), std::move(slope)};
 }
 
-// K1 there out of the K of all points of all fronts [crack::KLayout].
-std::function<double(const base::Vector&)> K1_at(const results::StepResult& step,
-                                                 const PlaceOnFront& place) {
+// K1 or K2 there out of the K of all points of all fronts [crack::KLayout].
+std::function<double(const base::Vector&)> K_at(const results::StepResult& step,
+                                                const PlaceOnFront& place, int mode) {
   std::size_t first = 0;
   for (std::size_t f = 0; f < place.front; ++f) {
     first += step.fronts[f].points.size();
   }
   std::vector<PointWeight> weights = weights_at(step.fronts[place.front], place);
-  return [first, weights = std::move(weights)](const base::Vector& K) {
-    double K1 = 0.0;
+  return [first, mode, weights = std::move(weights)](const base::Vector& K) {
+    double at = 0.0;
     for (const auto& [point, weight] : weights) {
-      K1 += weight * K[crack::KLayout(first + point + 1, 3).at(first + point, 1)];
+      at += weight * K[crack::KLayout(first + point + 1, 3).at(first + point, mode)];
     }
-    return K1;
+    return at;
   };
 }
 
 } // namespace
-
-bool GrowthMeasure::has_bar(const results::FrontResult& front) {
-  if (!results::has_bar(front)) {
-    warnings_.insert(fmt::format("CORRECT=YES, but {} has no error bar everywhere ({}): there K is "
-                                 "as computed",
-                                 front.name, front.no_bar));
-  }
-  return results::has_bar(front);
-}
 
 std::optional<base::PiecewiseLinear> K1_nearest(const results::LoadPath& path,
                                                 const base::Vec3& x) {
@@ -214,7 +205,7 @@ bool GrowthMeasure::by_front(const SolvedLength& at, const growth::GrowingTip& t
     found.plastic = at.plastic[place.front];
   }
   if (corrected) {
-    has_bar(front);
+    warn_of_no_bar(front.name, front.no_bar);
   }
   if (!front.doubt.empty() && K[0] > 0.0) {
     warnings_.insert(fmt::format("{}: K at KMAX is in doubt: {}", front.name, front.doubt));
@@ -226,7 +217,9 @@ bool GrowthMeasure::by_front(const SolvedLength& at, const growth::GrowingTip& t
                                  std::max(std::abs(K[1]), std::abs(K[2])) / K[0]));
   }
   if (at.followed && at.followed->none.empty()) {
-    return by_front_history(*at.followed, tip.name, front.a, K1_at(high, place), found);
+    const FollowedLoads& loads = *at.followed;
+    found.K2_max = K_at(high, place, 2)(loads.last.marks[loads.grow_at]);
+    return by_front_history(loads, tip.name, front.a, K_at(high, place, 1), found);
   }
   if (spectrum_) {
     return by_front_spectrum(at, crack, aim, found);
@@ -254,7 +247,7 @@ bool GrowthMeasure::by_front_spectrum(const SolvedLength& at, const std::string&
   if (model_.growth->corrected) {
     for (const results::FrontResult& front :
          at.increment.steps[model_.load_paths[card.path].from.index()].fronts) {
-      has_bar(front);
+      warn_of_no_bar(front.name, front.no_bar);
     }
   }
   const PlaceOnFront place = place_on_path(path, crack, aim);
@@ -263,7 +256,11 @@ bool GrowthMeasure::by_front_spectrum(const SolvedLength& at, const std::string&
         fmt::format("spectrum {}: there is no K up to t = {:.6g}, load path {} ends before: {}",
                     card.name, spectrum_->highest(), path.name, path.stopped));
   }
-  const base::PiecewiseLinear K = K1_on_path(path.fronts[place.front], place);
+  const results::PathFront& front = path.fronts[place.front];
+  const base::PiecewiseLinear K = K1_on_path(front, place);
+  if (continues_below_closing(model_) && touch_somewhere(front.points[place.from].smooth[0])) {
+    warn_of_closing(front.is.name, front.is.a);
+  }
   const auto [low, high] = spectrum_->extreme_K(K);
   found.K_min = low;
   found.K_max = std::max(0.0, high);

@@ -2,16 +2,13 @@
 #include "analysis/lengths/path_correction.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
 namespace spricka::analysis {
 
 namespace {
-
-bool closed(const base::PiecewiseLinear& K, std::size_t segment) {
-  return K.at_knot(segment) == 0.0 && K.slope(segment) == 0.0;
-}
 
 // Whether K never turns back between the ends of the path.
 bool monotone(const base::PiecewiseLinear& K, double at_end) {
@@ -33,18 +30,32 @@ double error_of(const results::TipResult& tip, int mode) {
   return mode == 1 ? tip.bar[0].best - tip.K1 : tip.bar[1].best - tip.K2;
 }
 
+bool touch_on(const base::PiecewiseLinear& K1, std::size_t segment) {
+  return K1.at_knot(segment) == 0.0 && K1.slope(segment) == 0.0;
+}
+
 } // namespace
+
+bool touch_somewhere(const base::PiecewiseLinear& K1) {
+  for (std::size_t i = 0; i < K1.segments(); ++i) {
+    if (touch_on(K1, i)) {
+      return true;
+    }
+  }
+  return false;
+}
 
 base::PiecewiseLinear with_error_out(const base::PiecewiseLinear& K, double at_zero,
                                      double at_one) {
   const double K0 = K.at_knot(0);
   const double K1 = K(std::min(1.0, K.knots().back()));
-  const bool by_K = monotone(K, K1);
+  // An error that changes by more than K does is none of K: beyond the ends it would run away.
+  const bool by_K = monotone(K, K1) && std::abs(at_one - at_zero) < std::abs(K1 - K0);
   const double rate = (at_one - at_zero) / (by_K ? K1 - K0 : 1.0);
   std::vector<double> value = K.values();
   std::vector<double> slope = K.slopes();
   for (std::size_t i = 0; i < value.size(); ++i) {
-    if (!closed(K, i)) {
+    if (!touch_on(K, i)) {
       value[i] += at_zero + rate * (by_K ? K.at_knot(i) - K0 : K.knots()[i]);
       slope[i] += rate * (by_K ? K.slope(i) : 1.0);
     }

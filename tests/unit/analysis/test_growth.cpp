@@ -124,6 +124,10 @@ TEST(Growth, ErrorOfKBetweenTheEndsOfAPath) {
       PiecewiseLinear({0.0, 0.5, 1.0}, {10.0, 6.0}, {-8.0, 8.2}), 1.0, 2.0);
   EXPECT_NEAR(turns(0.5), 6.0 + 1.5, 1e-12);
   EXPECT_NEAR(turns(1.0), 10.1 + 2.0, 1e-12);
+  // Next to level between the ends, steep beyond: by K the error would be 1e4 times K.
+  const auto level = analysis::with_error_out(
+      PiecewiseLinear({0.0, 1.0, 2.0}, {10.0, 10.00001}, {1e-5, 5.0}), 0.0, 1.0);
+  EXPECT_NEAR(level(2.0), 15.00001 + 2.0, 1e-9);
 }
 
 TEST(Growth, EndsWhereKReachesTheToughness) {
