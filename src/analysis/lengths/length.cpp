@@ -35,6 +35,12 @@ Length::Processors::Processors(const Length& length)
       sensitivities(length.model(), length.scene_, length.bodies_),
       fronts(length.model(), length.scene_, length.bodies_) {}
 
+double Length::size_of_first() const {
+  return !scene_.cracked.fronts.empty() ? scene_.cracked.fronts.front().a
+         : !scene_.fronts.empty()       ? scene_.fronts.front().front.a
+                                        : 0.0;
+}
+
 CondenseRequest Length::request() const {
   return {.model = parts_.model,
           .mesh = scene_.cracked.mesh,

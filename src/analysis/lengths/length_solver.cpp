@@ -19,13 +19,6 @@ namespace spricka::analysis {
 
 namespace {
 
-// Of the first crack; 0: there is none.
-double first_length(const Scene& scene) {
-  return !scene.cracked.fronts.empty() ? scene.cracked.fronts.front().a
-         : !scene.fronts.empty()       ? scene.fronts.front().front.a
-                                       : 0.0;
-}
-
 std::string tips_in_words(const Scene& scene) {
   if (scene.fronts.empty()) {
     return fmt::format("{} tips", scene.cracked.fronts.size());
@@ -97,12 +90,13 @@ std::optional<results::Increment> LengthSolver::solve(const LengthRequest& reque
   }
   base::return_free_memory();
   const Scene& cut = length->scene();
-  const double first = first_length(cut);
-  log.add("TOPOLOGY",
-          fmt::format("{}{} nodes, {} elements, {} contact rows, {}",
-                      first > 0.0 ? fmt::format("a = {:.6g}: ", a > 0.0 ? a : first) : "",
-                      cut.cracked.mesh.node_count(), cut.cracked.mesh.element_count(),
-                      cut.table.size(), tips_in_words(cut)));
+  const double first = length->size_of_first();
+  // Fronts that K shapes are told by their stations.
+  const double told = a > 0.0 ? a : request.cracks.solids.empty() ? first : 0.0;
+  log.add("TOPOLOGY", fmt::format("{}{} nodes, {} elements, {} contact rows, {}",
+                                  told > 0.0 ? fmt::format("a = {:.6g}: ", told) : "",
+                                  cut.cracked.mesh.node_count(), cut.cracked.mesh.element_count(),
+                                  cut.table.size(), tips_in_words(cut)));
   results::Increment increment;
   std::vector<std::size_t> touching;
   free_.reset();

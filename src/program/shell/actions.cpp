@@ -12,6 +12,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -125,12 +126,22 @@ base::Trouble do_dismount(const ShellCall& call) {
 
 base::Trouble do_length(const ShellCall& call) {
   double a = 0.0;
+  std::optional<double> c;
   if (call.words.size() < 3) {
     return wrong(call);
   }
-  base::Trouble trouble = number_from(call, 2, Quantity::length, a);
+  const model::Model& model = call.session.model();
+  base::Trouble trouble;
+  // Two words behind the name of a crack in space are two axes, not an expression with a blank.
+  if (model.mesh.dim == 3 && call.words.size() == 4) {
+    trouble = read_number(call.words[2].text, model, Quantity::length, a);
+    trouble =
+        trouble ? trouble : read_number(call.words[3].text, model, Quantity::length, c.emplace());
+  } else {
+    trouble = number_from(call, 2, Quantity::length, a);
+  }
   trouble = trouble ? trouble : settle(call.session, call.reply);
-  trouble = trouble ? trouble : call.session.length(name_at(call, 1), a);
+  trouble = trouble ? trouble : call.session.length(name_at(call, 1), a, c);
   if (!trouble) {
     const analysis::CondenseLog& log = call.session.condensed();
     call.reply.messages +=

@@ -96,7 +96,8 @@ base::Trouble ShellSession::evaluate(const model::Check& check, double& value) {
     }
   }
   const std::string& q = check.quantity;
-  if (q.ends_with(".BAR") || q.ends_with(".BEST") || q.starts_with("DK")) {
+  const auto speaks_of = [&](const char* word) { return q.find(word) != std::string::npos; };
+  if (speaks_of(".BAR") || speaks_of(".BEST") || q.starts_with("DK")) {
     if (base::Trouble trouble = bench_->estimate()) {
       return trouble;
     }
@@ -129,18 +130,6 @@ std::vector<std::string> ShellSession::new_notes() {
   return warnings;
 }
 
-double ShellSession::length_of(std::size_t crack) const {
-  const results::StepResult& at = now();
-  for (std::size_t t = 0; t < at.tips.size(); ++t) {
-    const std::string& tip = at.tips[t].name;
-    const std::string& name = model_->cracks[crack].name;
-    if (tip == name || tip == name + ".1") {
-      return at.tips[t].a;
-    }
-  }
-  return model_->cracks[crack].a0.value_or(0.0);
-}
-
 // Everything that K depends on but the lengths.
 std::string ShellSession::setting() const {
   std::string text;
@@ -159,14 +148,22 @@ std::string ShellSession::setting() const {
 }
 
 void ShellSession::remember() {
-  if (now().tips.empty()) {
+  const results::StepResult& at = now();
+  if (at.tips.empty() && at.fronts.empty()) {
     return;
   }
-  Known known{setting(), now().tips.front().a, now().tips};
+  Known known{setting(), run().increments.front().a, at.tips, {}};
+  if (!at.fronts.empty()) {
+    known.space = {size_of(0), at.fronts};
+  }
+  const auto same_size = [](const auto& one, const auto& other) {
+    return one.a == other.a && one.length == other.length;
+  };
   std::erase_if(known_, [&](const Known& k) {
     return k.setting == known.setting &&
            std::ranges::equal(k.tips, known.tips,
-                              [](const auto& a, const auto& b) { return a.a == b.a; });
+                              [](const auto& a, const auto& b) { return a.a == b.a; }) &&
+           std::ranges::equal(k.space.fronts, known.space.fronts, same_size);
   });
   known_.push_back(std::move(known));
 }
@@ -186,6 +183,19 @@ results::Run ShellSession::lengths() const {
   for (std::size_t i = 0; i < out.increments.size(); ++i) {
     out.increments[i].number = static_cast<int>(i) + 1;
   }
+  return out;
+}
+
+std::vector<ShellSession::TriedFronts> ShellSession::fronts_tried() const {
+  std::vector<TriedFronts> out;
+  const std::string present = setting();
+  for (const Known& known : known_) {
+    if (known.setting == present && !known.space.fronts.empty()) {
+      out.push_back(known.space);
+    }
+  }
+  std::ranges::stable_sort(out, {},
+                           [](const TriedFronts& t) { return std::pair(t.size.a, t.size.c); });
   return out;
 }
 

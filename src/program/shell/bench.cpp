@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/shell/bench.hpp"
 
+#include "analysis/lengths/shown_results.hpp"
 #include "analysis/recover/finite_results.hpp"
 #include "analysis/scene/gone_nodes.hpp"
 #include "base/tidy.hpp"
@@ -95,12 +96,14 @@ std::unique_ptr<ShellBench> ShellBench::make(const BenchParts& parts,
 }
 
 void ShellBench::begin_run() {
-  const mesh::CrackedMesh& cracked = length_->scene().cracked;
+  const analysis::Scene& scene = length_->scene();
+  const mesh::CrackedMesh& cracked = scene.cracked;
   results::Increment& increment = run_.increments.emplace_back();
   increment.number = 1;
-  increment.a = cracked.fronts.empty() ? 0.0 : base::tidy(cracked.fronts.front().a);
-  increment.notes = results::notes_of(length_->scene().notes);
+  increment.a = base::tidy(length_->size_of_first());
+  increment.notes = results::notes_of(scene.notes);
   increment.mesh = cracked.mesh;
+  increment.surface = analysis::outer_surface(increment.mesh);
   analysis::keep_gone_members(parts_.model.mesh, increment.mesh);
   increment.kept = static_cast<std::size_t>(
       std::ranges::count_if(cracked.host, [](base::ElementId e) { return e.valid(); }));
@@ -228,19 +231,27 @@ base::Trouble ShellBench::go_on(const model::Step& step, const std::vector<model
 }
 
 base::Trouble ShellBench::estimate() {
-  if (estimated_ || length_->scene().cracked.fronts.empty()) {
+  const analysis::Scene& scene = length_->scene();
+  if (estimated_ || (scene.cracked.fronts.empty() && scene.fronts.empty())) {
     return {};
   }
   results::StepResult found = now();
-  length_->solve_adjoints(*solver_);
-  if (stopped()) {
-    return interrupted();
+  if (!scene.cracked.fronts.empty()) {
+    length_->solve_adjoints(*solver_);
+    if (stopped()) {
+      return interrupted();
+    }
+    length_->add_bars(*state_, found);
+    if (stopped()) {
+      return interrupted();
+    }
+    length_->add_sensitivities(*solver_, *state_, found);
+  } else {
+    length_->add_of_fronts(*solver_, *state_, found);
+    if (stopped()) {
+      return interrupted();
+    }
   }
-  length_->add_bars(*state_, found);
-  if (stopped()) {
-    return interrupted();
-  }
-  length_->add_sensitivities(*solver_, *state_, found);
   run_.increments.front().steps.front() = std::move(found);
   estimated_ = true;
   return {};

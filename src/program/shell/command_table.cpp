@@ -64,15 +64,20 @@ const std::vector<ShellCommand>& shell_commands() {
        "1, and the way is solved again from its beginning."},
       {"mount", "CONTACT", "p", "a contact comes into force, as MOUNT of $STEP", ""},
       {"dismount", "CONTACT", "p", "a contact is taken away", ""},
-      {"length", "CRACK A", "c.", "cuts a crack to another length and solves the same way again",
-       "What the crack does not touch stays condensed."},
+      {"length", "CRACK A [C]", "c..",
+       "cuts a crack to another length and solves the same way again",
+       "What the crack does not touch stays condensed. In space A and C are the axes of an "
+       "ellipse; "
+       "without C their ratio is kept."},
       {"set", "NAME = EXPRESSION", "v.", "a parameter of the deck, which is read again",
        "What was set by name is kept, and a note says where it hides the parameter."},
       {"solve", "[SUBSTEPS]", ".", "makes the changes that are pending",
        "With friction from the last state on, in 10 substeps if nothing is said; else the state "
        "does not depend on the way to it."},
-      {"K", "[CRACK]", "c", "stress intensity factors with their error bars", ""},
-      {"pressure", "CONTACT [THETA | X Y]", "p..",
+      {"K", "[CRACK]", "c", "stress intensity factors with their error bars",
+       "In space the points of each front with the smallest and the largest K1, of a crack that is "
+       "named all points."},
+      {"pressure", "CONTACT [THETA | X Y [Z]]", "p...",
        "pressure along a contact, at an angle of a bore, or near a point",
        "An angle without a unit is in radians, as in the deck: pressure BUSH 95[deg]."},
       {"arc", "CONTACT", "p", "where a contact is closed, part by part", ""},
@@ -84,8 +89,9 @@ const std::vector<ShellCommand>& shell_commands() {
        "A load path runs over its t; a load case over its factor, all else as it is set."},
       {"sensitivity", "", "", "what K changes by with loads, fits, moduli and lengths", ""},
       {"plot", "k|pressure|mesh|path FILE.svg [replace]", "kf", "a picture into a file",
-       "k: K1 over the lengths tried with these loads and fits; path: the last map. A file that is "
-       "there is left as it is unless replace stands behind its name."},
+       "k: K1 over the lengths tried with these loads and fits, in space K along the front; path: "
+       "the "
+       "last map. A file that is there is left as it is unless replace stands behind its name."},
       {"save", "FILE.deck [replace]", "f", "the deck with what is set now in it",
        "Lengths, interferences and parameters in their cards, loads and fits in a step NOW; $GROW, "
        "$SWEEP, $RESTART and checks of other values become comments. A file that is there is left "

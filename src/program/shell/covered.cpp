@@ -26,14 +26,21 @@ std::vector<std::string> ShellSession::covered_by(const OwnCards& before) const 
   }
   for (std::size_t c = 0; c < own_.cracks.size(); ++c) {
     const std::string& name = own_.cracks[c].name;
-    if (own_.cracks[c].a0 == before.cracks[c].a0) {
+    const bool ellipse = own_.cracks[c].kind == model::CrackKind::ellipse;
+    const auto is_sized = [](const model::Crack& a, const model::Crack& b) {
+      return a.a0 == b.a0 && a.plane.a == b.plane.a && a.plane.c == b.plane.c;
+    };
+    if (is_sized(own_.cracks[c], before.cracks[c])) {
       continue;
     }
     if (const auto set = lengths_.find(name); set != lengths_.end()) {
-      out.push_back(fmt::format("crack {} keeps the length set here, {:.6g}", name, set->second));
-    } else if (model_->cracks[c].a0 != own_.cracks[c].a0) {
-      out.push_back(fmt::format("crack {} has the first length of $GROW, {:.6g}, not A0", name,
-                                model_->cracks[c].a0.value_or(0.0)));
+      out.push_back(
+          ellipse ? fmt::format("crack {} keeps the axes set here, A = {:.6g} and C = {:.6g}", name,
+                                set->second.a, set->second.c)
+                  : fmt::format("crack {} keeps the length set here, {:.6g}", name, set->second.a));
+    } else if (!is_sized(model_->cracks[c], own_.cracks[c])) {
+      out.push_back(fmt::format("crack {} has the first length of $GROW, {:.6g}, not {}", name,
+                                size_of(c).a, ellipse ? "A and C" : "A0"));
     }
   }
   for (std::size_t c = 0; c < own_.contacts.size(); ++c) {

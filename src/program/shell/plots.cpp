@@ -3,14 +3,17 @@
 
 #include "base/diagnostics.hpp"
 #include "model/model.hpp"
+#include "program/shell/front_replies.hpp"
 #include "program/shell/trouble.hpp"
 #include "report/drawing/plot.hpp"
 #include "report/drawing/svg.hpp"
 #include "report/drawing/table.hpp"
 #include "report/topics/figures.hpp"
+#include "report/topics/front_section.hpp"
 
 #include <algorithm>
 #include <charconv>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -65,18 +68,45 @@ std::string path_picture(const ShellSession& session, const results::LoadPath& p
                                   : fmt::format("factor of {}", path.name);
   plot.y_name =
       fmt::format("K₁  [{}]", report::print_unit(session.model().units.stress_intensity_name()));
-  for (std::size_t i = 0; i < path.tips.size(); ++i) {
+  std::vector<MappedPoint> curves = mapped_points(path);
+  for (const results::PathTip& tip : path.tips) {
+    curves.push_back({tip.name, &tip.K1});
+  }
+  for (const MappedPoint& curve : curves) {
     report::Series series;
-    series.name = path.tips[i].name;
-    series.colour = report::colour(i);
-    series.dash = report::dash(i);
+    series.name = curve.name;
+    series.colour = report::colour(plot.series.size());
+    series.dash = report::dash(plot.series.size());
     for (std::size_t k = 0; k < path.t.size(); ++k) {
       series.points.push_back(
-          {range.from + (range.to - range.from) * path.t[k], path.tips[i].K1.at_knot(k)});
+          {range.from + (range.to - range.from) * path.t[k], curve.K1->at_knot(k)});
     }
     plot.series.push_back(std::move(series));
   }
   return report::draw(plot);
+}
+
+// The sizes tried with these loads and fits as steps of one increment, each front a figure.
+std::vector<report::Figure> k_along_fronts(const ShellSession& session) {
+  results::Increment sizes;
+  std::vector<std::string> names;
+  std::vector<ShellSession::TriedFronts> all = session.fronts_tried();
+  for (ShellSession::TriedFronts& tried : all) {
+    results::StepResult& step = sizes.steps.emplace_back();
+    step.step = fmt::format("a = {:.5g}", tried.size.a);
+    step.step += tried.size.c > 0.0 ? fmt::format(", c = {:.5g}", tried.size.c) : "";
+    step.fronts = std::move(tried.fronts);
+    for (const results::FrontResult& front : step.fronts) {
+      if (std::ranges::find(names, front.name) == names.end()) {
+        names.push_back(front.name);
+      }
+    }
+  }
+  std::vector<report::Figure> figures;
+  for (const std::string& name : names) {
+    figures.push_back(report::front_figure(session.shown(), sizes, name));
+  }
+  return figures;
 }
 
 } // namespace
@@ -86,7 +116,9 @@ std::vector<std::string> picture_kinds() {
 }
 
 base::Trouble picture(const ShellSession& session, const std::string& kind, std::string& svg) {
-  if (kind == "k") {
+  if (kind == "k" && !session.now().fronts.empty()) {
+    svg = stacked(k_along_fronts(session));
+  } else if (kind == "k") {
     const std::optional<report::Figure> figure =
         report::k_figure(session.shown(), session.lengths());
     if (!figure) {
@@ -105,7 +137,7 @@ base::Trouble picture(const ShellSession& session, const std::string& kind, std:
     svg = stacked(report::mesh_figures(session.shown(), session.run()));
   } else if (kind == "path") {
     const results::LoadPath* path = session.mapped();
-    if (path == nullptr || path->tips.empty()) {
+    if (path == nullptr || (path->tips.empty() && path->fronts.empty())) {
       return misuse("there is no map at this state", "map CASE 0 1.5, or map LOADPATH");
     }
     svg = stacked({{{path_picture(session, *path)}, {}, {}}});

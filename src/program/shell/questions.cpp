@@ -13,15 +13,27 @@
 
 namespace spricka::program {
 
+namespace {
+
+// Tips of cracks in the plane, fronts of those in space.
+std::vector<std::string> names_with_k(const results::StepResult& step) {
+  std::vector<std::string> names;
+  for (const results::TipResult& tip : step.tips) {
+    names.push_back(tip.name);
+  }
+  for (const results::FrontResult& front : step.fronts) {
+    names.push_back(front.name);
+  }
+  return names;
+}
+
+} // namespace
+
 base::Trouble do_k(const ShellCall& call) {
   const std::string only = call.words.size() > 1 ? name_at(call, 1) : std::string();
-  const results::StepResult& before = call.session.now();
-  if (before.tips.empty()) {
+  std::vector<std::string> names = names_with_k(call.session.now());
+  if (names.empty()) {
     return misuse("the deck has no crack");
-  }
-  std::vector<std::string> names;
-  for (const results::TipResult& tip : before.tips) {
-    names.push_back(tip.name);
   }
   for (const std::string& crack : crack_names(call.session.model())) {
     if (std::ranges::find(names, crack) == names.end()) { // of two tips
@@ -60,6 +72,21 @@ base::Trouble contact_now(const ShellCall& call, const results::ContactResult** 
 
 } // namespace
 
+namespace {
+
+// The words from one on as a point in the arguments of a quantity; empty: not as many numbers as
+// there are axes.
+std::string point_of(const ShellCall& call, std::size_t first) {
+  const auto dim = static_cast<std::size_t>(call.session.model().mesh.dim);
+  std::string point;
+  for (std::size_t i = first; i < call.words.size(); ++i) {
+    point += call.words[i].text + ",";
+  }
+  return call.words.size() == dim + first ? point : std::string();
+}
+
+} // namespace
+
 base::Trouble do_pressure(const ShellCall& call) {
   if (call.words.size() < 2) {
     return wrong(call);
@@ -69,16 +96,15 @@ base::Trouble do_pressure(const ShellCall& call) {
         call.session, fmt::format("CPRESS.AT({},NOW,{})", name_at(call, 1), call.words[2].text),
         call.reply);
   }
-  if (call.words.size() == 4) {
-    return answer_quantity(call.session,
-                           fmt::format("CPRESS.NEAR({},{},{},NOW)", name_at(call, 1),
-                                       call.words[2].text, call.words[3].text),
-                           call.reply);
+  if (call.words.size() > 3) {
+    const std::string point = point_of(call, 2);
+    return point.empty()
+               ? wrong(call)
+               : answer_quantity(call.session,
+                                 fmt::format("CPRESS.NEAR({},{}NOW)", name_at(call, 1), point),
+                                 call.reply);
   }
   const results::ContactResult* contact = nullptr;
-  if (call.words.size() != 2) {
-    return wrong(call);
-  }
   if (base::Trouble trouble = contact_now(call, &contact)) {
     return trouble;
   }
@@ -126,22 +152,8 @@ base::Trouble do_reaction(const ShellCall& call) {
   return answer_all(call, quantities);
 }
 
-namespace {
-
-// The point of a command as arguments of a quantity; empty: not as many numbers as there are axes.
-std::string point_of(const ShellCall& call) {
-  const auto dim = static_cast<std::size_t>(call.session.model().mesh.dim);
-  std::string point;
-  for (std::size_t i = 1; i < call.words.size(); ++i) {
-    point += call.words[i].text + ",";
-  }
-  return call.words.size() == dim + 1 ? point : std::string();
-}
-
-} // namespace
-
 base::Trouble do_displacement(const ShellCall& call) {
-  const std::string point = point_of(call);
+  const std::string point = point_of(call, 1);
   std::vector<std::string> quantities;
   quantities.reserve(3);
   for (int axis = 0; axis < call.session.model().mesh.dim; ++axis) {
@@ -151,7 +163,7 @@ base::Trouble do_displacement(const ShellCall& call) {
 }
 
 base::Trouble do_stress(const ShellCall& call) {
-  const std::string point = point_of(call);
+  const std::string point = point_of(call, 1);
   std::vector<std::string> quantities;
   const bool solid = call.session.model().mesh.dim == 3;
   for (const char* component : {"XX", "YY", "ZZ", "XY", "YZ", "XZ", "P1", "MISES"}) {
@@ -198,10 +210,15 @@ base::Trouble do_sensitivity(const ShellCall& call) {
   if (trouble) {
     return trouble;
   }
-  if (call.session.now().tips.empty()) {
+  if (names_with_k(call.session.now()).empty()) {
     return misuse("the deck has no crack");
   }
   call.reply.out = sensitivity_reply(call.session);
+  for (const results::FrontResult& front : call.session.now().fronts) {
+    for (const std::string& note : front.sensitivities.notes) {
+      call.reply.messages += fmt::format("note: {}: {}\n", front.name, note);
+    }
+  }
   for (const results::TipResult& tip : call.session.now().tips) {
     for (const std::string& note : tip.sensitivities.notes) {
       call.reply.messages += fmt::format("note: {}: {}\n", tip.name, note);

@@ -4,6 +4,7 @@
 #include "analysis/recover/closed_parts.hpp"
 #include "base/quantity.hpp"
 #include "model/model.hpp"
+#include "program/shell/front_replies.hpp"
 #include "program/shell/known_names.hpp"
 #include "report/drawing/table.hpp"
 #include "report/topics/sensitivity_tables.hpp"
@@ -25,8 +26,8 @@ std::string number(double value) {
   return fmt::format("{:.7g}", value);
 }
 
-bool is_wanted(const results::TipResult& tip, const std::string& only) {
-  return only.empty() || tip.name == only || tip.name.starts_with(only + ".");
+bool is_wanted(const std::string& name, const std::string& only) {
+  return only.empty() || name == only || name.starts_with(only + ".");
 }
 
 std::string bar(const results::TipResult& tip, int mode) {
@@ -86,6 +87,9 @@ std::string closed_part(const results::ContactResult& contact, const base::UnitS
 } // namespace
 
 std::string k_reply(const ShellSession& session, const std::string& only) {
+  if (!session.now().fronts.empty()) {
+    return front_reply(session, only);
+  }
   const base::UnitSystem& units = session.model().units;
   Table table{"", {{"tip", "", true}}, {}};
   for (const results::TipQuantity& q : results::tip_quantities) {
@@ -97,7 +101,7 @@ std::string k_reply(const ShellSession& session, const std::string& only) {
     }
   }
   for (const results::TipResult& tip : session.now().tips) {
-    if (is_wanted(tip, only)) {
+    if (is_wanted(tip.name, only)) {
       table.rows.push_back(k_row(tip));
     }
   }
@@ -107,7 +111,7 @@ std::string k_reply(const ShellSession& session, const std::string& only) {
 std::string k_notes(const ShellSession& session, const std::string& only) {
   std::string text;
   for (const results::TipResult& tip : session.now().tips) {
-    if (!is_wanted(tip, only)) {
+    if (!is_wanted(tip.name, only)) {
       continue;
     }
     if (!tip.doubt.empty()) {
@@ -120,7 +124,7 @@ std::string k_notes(const ShellSession& session, const std::string& only) {
       text += fmt::format("note: {}: no error bar: {}\n", tip.name, tip.no_bar);
     }
   }
-  return text;
+  return text + front_notes(session, only);
 }
 
 std::string state_reply(const ShellSession& session) {
@@ -132,6 +136,7 @@ std::string state_reply(const ShellSession& session) {
                 : fmt::format("{:<12} a = {:<10.6g} K1 = {:<12.7g} K2 = {:<12.7g} {}\n", tip.name,
                               tip.a, tip.K1, tip.K2, units.stress_intensity_name());
   }
+  text += fronts_state(session);
   for (const results::ContactResult& contact : session.now().contacts) {
     text += fmt::format("{:<12} {}\n", contact.name, closed_part(contact, units));
   }
@@ -148,7 +153,7 @@ std::string state_notes(ShellSession& session) {
       text += fmt::format("warning: {}: {}\n", tip.name, tip.doubt);
     }
   }
-  return text;
+  return text + front_doubts(session);
 }
 
 std::string pressure_reply(const ShellSession& session, const results::ContactResult& contact) {
@@ -193,6 +198,9 @@ std::string pressure_reply(const ShellSession& session, const results::ContactRe
 std::string arc_reply(const ShellSession& session, const results::ContactResult& contact) {
   std::string text =
       fmt::format("{:<12} {}\n", contact.name, closed_part(contact, session.model().units));
+  if (contact.space) { // a part of a surface has no two ends
+    return text;
+  }
   const std::vector<std::array<double, 2>> parts = analysis::closed_parts(contact);
   for (std::size_t i = 0; contact.mounted && parts.size() > 1 && i < parts.size(); ++i) {
     text += fmt::format("  part {} of {}: {} .. {}\n", i + 1, parts.size(),
@@ -213,6 +221,11 @@ std::string map_reply(const ShellSession& session) {
     table.columns.push_back({fmt::format("dK1/d{}{}", range.what, of), K, false});
     table.columns.push_back({"K2" + of, K, false});
   }
+  const std::vector<MappedPoint> points = mapped_points(path);
+  for (const MappedPoint& point : points) {
+    table.columns.push_back({"K1 " + point.name, K, false});
+    table.columns.push_back({fmt::format("dK1/d{} {}", range.what, point.name), K, false});
+  }
   for (const results::PathContact& contact : path.contacts) {
     table.columns.push_back({contact.name, "closed", false});
   }
@@ -223,6 +236,10 @@ std::string map_reply(const ShellSession& session) {
       row.push_back(number(tip.K1.at_knot(k)));
       row.push_back(number(tip.K1.slope_after(k) / width));
       row.push_back(number(tip.K2.at_knot(k)));
+    }
+    for (const MappedPoint& point : points) {
+      row.push_back(number(point.K1->at_knot(k)));
+      row.push_back(number(point.K1->slope_after(k) / width));
     }
     for (const results::PathContact& contact : path.contacts) {
       row.push_back(fmt::format("{}/{}", contact.closed[k], contact.rows));
@@ -303,8 +320,11 @@ std::string show_reply(const ShellSession& session) {
   }
   for (std::size_t c = 0; c < model.cracks.size(); ++c) {
     const bool own = session.set_lengths().contains(model.cracks[c].name);
+    const CrackSize size = session.size_of(c);
     line("length", model.cracks[c].name,
-         fmt::format("{:.10g} {}{}", session.length_of(c), model.units.length_name,
+         fmt::format("{:.10g} {}{}{}", size.a, model.units.length_name,
+                     size.c > 0.0 ? fmt::format(", C = {:.10g} {}", size.c, model.units.length_name)
+                                  : std::string(),
                      own ? ", set here" : ""));
   }
   for (const auto& [name, expression] : session.defines()) {

@@ -134,23 +134,28 @@ void quiet_cards(const ShellSession& session, Edits& edits) {
 }
 
 base::Trouble set_lengths(const ShellSession& session, Edits& edits) {
-  std::map<std::string, double> lengths = session.set_lengths();
+  std::map<std::string, CrackSize> lengths = session.set_lengths();
   if (session.model().growth) { // its lengths are gone with its card
     for (std::size_t c = 0; c < session.model().cracks.size(); ++c) {
       const model::Crack& crack = session.model().cracks[c];
-      if (crack.a0) {
-        lengths.emplace(crack.name, *crack.a0);
+      if (crack.a0 || crack.kind == model::CrackKind::ellipse) {
+        lengths.emplace(crack.name, crack.a0 ? CrackSize{*crack.a0, 0.0} : session.size_of(c));
       }
     }
   }
-  for (const auto& [name, a] : lengths) {
+  for (const auto& [name, size] : lengths) {
     const Card* card = edits.find("CRACK", name);
     if (card == nullptr) {
       return misuse(fmt::format("crack {} is described in an included file, which save does not "
                                 "change",
                                 name));
     }
-    edits.set_key(*card, "A0", exactly(a));
+    if (size.c > 0.0) {
+      edits.set_key(*card, "A", exactly(size.a));
+      edits.set_key(*card, "C", exactly(size.c));
+    } else {
+      edits.set_key(*card, "A0", exactly(size.a));
+    }
   }
   return {};
 }

@@ -9,7 +9,6 @@
 #include "report/topics/result_tables.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -56,12 +55,6 @@ bool same_names(const model::Model& a, const model::Model& b) {
 
 bool keeps_mounts(const model::Model& model) {
   return model.growth && model.growth->mounted == model::Mounted::first;
-}
-
-void join(analysis::RegionPlan& plan, const analysis::RegionPlan& more) {
-  for (std::size_t e = 0; e < plan.region.size(); ++e) {
-    plan.region[e] = plan.region[e] || more.region[e];
-  }
 }
 
 // Lengths of $GROW are those of its cracks: begin with the first.
@@ -170,12 +163,6 @@ base::Trouble ShellSession::open_model() {
     plan_ = plan_lengths();
   }
   return rebuild();
-}
-
-void ShellSession::set_lengths_on(model::Model& model) const {
-  for (const auto& [name, a] : lengths_) {
-    std::ranges::find(model.cracks, name, &model::Crack::name)->a0 = a;
-  }
 }
 
 base::Trouble ShellSession::make_bench(bool first, std::unique_ptr<ShellBench>& bench) {
@@ -310,57 +297,6 @@ base::Trouble ShellSession::interference(const std::string& contact, double valu
     return trouble;
   }
   gaps_[contact] = value;
-  return {};
-}
-
-analysis::RegionPlan ShellSession::plan_lengths() const {
-  base::Diagnostics ignored;
-  analysis::RegionPlan needed = analysis::plan_region(*model_, {0.0, 0.0}, ignored);
-  if (!needed.split ||
-      (plan_.split && std::ranges::equal(plan_.region, needed.region,
-                                         [](bool has, bool needs) { return has || !needs; }))) {
-    return needed.split ? plan_ : needed;
-  }
-  if (plan_.split) {
-    join(needed, plan_);
-  }
-  // Lengths to come are likely to be near: room for half and for half as much again.
-  model::Model near = *model_;
-  for (const double times : {0.5, 0.75, 1.25, 1.5}) {
-    base::Diagnostics misfit; // a length that does not fit needs no room
-    for (std::size_t c = 0; c < near.cracks.size(); ++c) {
-      const std::optional<double> a = model_->cracks[c].a0;
-      near.cracks[c].a0 = a ? std::optional(times * *a) : std::nullopt;
-    }
-    const analysis::RegionPlan more = analysis::plan_region(near, {0.0, 0.0}, misfit);
-    if (!misfit.has_errors()) {
-      join(needed, more);
-    }
-  }
-  return needed;
-}
-
-base::Trouble ShellSession::length(const std::string& crack, double a) {
-  std::size_t index = 0;
-  if (base::Trouble trouble = find_name(crack_names(*model_), "crack", crack, index)) {
-    return trouble;
-  }
-  if (!(a > 0.0) || !std::isfinite(a)) {
-    return misuse(fmt::format("a crack length is positive, not {:.6g}", a));
-  }
-  if (model_->cracks[index].kind == model::CrackKind::front) {
-    return misuse(fmt::format("crack {} has a front, no length", crack));
-  }
-  const std::optional<double> before = model_->cracks[index].a0;
-  analysis::RegionPlan plan = plan_;
-  model_->cracks[index].a0 = a;
-  plan_ = plan_lengths();
-  if (base::Trouble trouble = rebuild()) {
-    model_->cracks[index].a0 = before;
-    plan_ = std::move(plan);
-    return trouble;
-  }
-  lengths_[crack] = a;
   return {};
 }
 

@@ -26,6 +26,13 @@ struct SessionOptions {
   std::function<bool()> stopped; ///< asked between the stages of a computation; may be empty
 };
 
+/// A size given to a crack.
+struct CrackSize {
+  double a = 0.0; ///< its length; in space the semi-axis A of an ellipse [length]
+  double c = 0.0; ///< in space the semi-axis C, else 0 [length]
+  bool operator==(const CrackSize&) const = default;
+};
+
 /// Substeps of a change where something rubs.
 inline constexpr int default_substeps = 10;
 
@@ -55,8 +62,9 @@ public:
   /// first step on.
   base::Trouble interference(const std::string& contact, double value);
   base::Trouble mount(const std::string& contact, bool on);
-  /// Cuts the crack anew, condenses what it touches and solves the same way again.
-  base::Trouble length(const std::string& crack, double a);
+  /// Cuts the crack anew, condenses what it touches and solves the same way again. In space the
+  /// semi-axes of an ellipse; without C the present ratio of both is kept.
+  base::Trouble length(const std::string& crack, double a, std::optional<double> c = {});
   /// A parameter: the deck is read again; what was set by name is kept.
   base::Trouble define(const std::string& name, const std::string& expression);
   /// What the last define() would have changed, had it not been set by name (or by $GROW) before.
@@ -92,6 +100,12 @@ public:
   /// States with the present loads and fits at different lengths, ascending: each an increment
   /// whose only step is NOW, tips only.
   [[nodiscard]] results::Run lengths() const;
+  /// The same in space: the size of the first crack and all fronts.
+  struct TriedFronts {
+    CrackSize size;
+    std::vector<results::FrontResult> fronts;
+  };
+  [[nodiscard]] std::vector<TriedFronts> fronts_tried() const;
 
   [[nodiscard]] const model::Model& model() const { return *model_; } ///< as it is now
   [[nodiscard]] const model::Model& shown() const { return bench_->shown(); }
@@ -102,13 +116,13 @@ public:
   [[nodiscard]] const std::vector<model::Step>& changes() const { return after_; }
   [[nodiscard]] const model::Step& pending_changes() const { return changes_; }
   /// Values given by the user here.
-  [[nodiscard]] const std::map<std::string, double>& set_lengths() const { return lengths_; }
+  [[nodiscard]] const std::map<std::string, CrackSize>& set_lengths() const { return lengths_; }
   [[nodiscard]] const std::map<std::string, double>& set_interferences() const { return gaps_; }
   [[nodiscard]] const Defines& defines() const { return options_.defines; }
   [[nodiscard]] bool rubs() const; ///< a contact or crack with friction: the order counts
   /// Nets condensed and reused when the lengths changed last.
   [[nodiscard]] const analysis::CondenseLog& condensed() const { return bench_->condensed(); }
-  [[nodiscard]] double length_of(std::size_t crack) const;
+  [[nodiscard]] CrackSize size_of(std::size_t crack) const;
   /// Contacts, and the faces of cracks that may touch.
   [[nodiscard]] std::vector<std::string> pair_names() const;
 
@@ -149,8 +163,8 @@ private:
   std::size_t base_ = 0;
   std::vector<model::Step> after_;
   model::Step changes_;
-  std::map<std::string, double> lengths_; ///< by crack
-  std::map<std::string, double> gaps_;    ///< by contact, interference
+  std::map<std::string, CrackSize> lengths_; ///< by crack
+  std::map<std::string, double> gaps_;       ///< by contact, interference
   OwnCards own_;
   std::vector<std::string> covered_;
   std::string mapped_;
@@ -159,6 +173,7 @@ private:
     std::string setting; ///< of all but lengths
     double a = 0.0;
     std::vector<results::TipResult> tips;
+    TriedFronts space;
   };
   std::vector<Known> known_;
   Defines given_; ///< by the command line

@@ -165,49 +165,6 @@ Curve curve_along(const results::FrontResult& front, std::size_t mode) {
   return curve;
 }
 
-Figure front_figure(const model::Model& model, const results::Increment& increment,
-                    const std::string& name) {
-  const double scale = largest_K(increment);
-  Plot plot;
-  plot.label = fmt::format("stress intensity factors along the front of {}", name);
-  plot.y_name = fmt::format("K, {}", print_unit(model.units.stress_intensity_name()));
-  plot.legend_below = true;
-  double a = 0.0;
-  std::size_t ink = 0;
-  for (const results::StepResult& step : increment.steps) {
-    for (const results::FrontResult& front : step.fronts) {
-      if (front.name != name || largest_K(front) <= 1e-9 * scale) {
-        continue;
-      }
-      a = front.a;
-      plot.x_name = front.angles
-                        ? "angle φ along the front, degrees"
-                        : fmt::format("length along the front, {}", model.units.length_name);
-      for (std::size_t mode = 0; mode < front_modes.size(); ++mode) {
-        Series series;
-        Curve curve = curve_along(front, mode);
-        series.points = std::move(curve.points);
-        series.bars = std::move(curve.bars);
-        const bool nothing = std::ranges::all_of(
-            series.points, [&](const Point& p) { return std::abs(p.y) < nothing_beside * scale; });
-        if (mode > 0 && nothing) {
-          continue; // an axis already
-        }
-        series.name = fmt::format("{}: K{}", step.step, mode + 1);
-        series.colour = colour(ink);
-        series.dash = dash(mode);
-        plot.series.push_back(std::move(series));
-      }
-      ++ink;
-    }
-  }
-  return {{draw(plot)},
-          "",
-          fmt::format("K along the front of {}, a = {:.4g} {}; points where the front leaves the "
-                      "body are left out: K there is a number of the mesh.",
-                      name, a, model.units.length_name)};
-}
-
 /// The front in its body and the opened crack, at the end of the leading step.
 std::optional<Figure> crack_pictures(const model::Model& model, const results::Increment& increment,
                                      const std::string& name) {
@@ -260,6 +217,49 @@ std::vector<Table> front_tables(const model::Model& model, const results::Increm
     tables.push_back(front_table(model, increment, *front));
   }
   return tables;
+}
+
+Figure front_figure(const model::Model& model, const results::Increment& increment,
+                    const std::string& name) {
+  const double scale = largest_K(increment);
+  Plot plot;
+  plot.label = fmt::format("stress intensity factors along the front of {}", name);
+  plot.y_name = fmt::format("K, {}", print_unit(model.units.stress_intensity_name()));
+  plot.legend_below = true;
+  double a = 0.0;
+  std::size_t ink = 0;
+  for (const results::StepResult& step : increment.steps) {
+    for (const results::FrontResult& front : step.fronts) {
+      if (front.name != name || largest_K(front) <= 1e-9 * scale) {
+        continue;
+      }
+      a = front.a;
+      plot.x_name = front.angles
+                        ? "angle φ along the front, degrees"
+                        : fmt::format("length along the front, {}", model.units.length_name);
+      for (std::size_t mode = 0; mode < front_modes.size(); ++mode) {
+        Series series;
+        Curve curve = curve_along(front, mode);
+        series.points = std::move(curve.points);
+        series.bars = std::move(curve.bars);
+        const bool nothing = std::ranges::all_of(
+            series.points, [&](const Point& p) { return std::abs(p.y) < nothing_beside * scale; });
+        if (mode > 0 && nothing) {
+          continue; // an axis already
+        }
+        series.name = fmt::format("{}: K{}", step.step, mode + 1);
+        series.colour = colour(ink);
+        series.dash = dash(mode);
+        plot.series.push_back(std::move(series));
+      }
+      ++ink;
+    }
+  }
+  return {{draw(plot)},
+          "",
+          fmt::format("K along the front of {}, a = {:.4g} {}; points where the front leaves the "
+                      "body are left out: K there is a number of the mesh.",
+                      name, a, model.units.length_name)};
 }
 
 std::vector<Figure> front_figures(const model::Model& model, const results::Run& run) {

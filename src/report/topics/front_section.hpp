@@ -5,6 +5,7 @@
 #include "report/topics/figures.hpp"
 #include "results/results.hpp"
 
+#include <string>
 #include <vector>
 
 /// K along the fronts of cracks in space.
@@ -14,7 +15,12 @@ namespace spricka::report {
 /// but round-off.
 std::vector<Table> front_tables(const model::Model& model, const results::Increment& increment);
 
-/// K1, K2 and K3 over the angle (of an ellipse) or the length along each front, steps as curves.
+/// K1, K2 and K3 over the angle (of an ellipse) or the length along the front of that name, steps
+/// of the increment as curves.
+Figure front_figure(const model::Model& model, const results::Increment& increment,
+                    const std::string& name);
+
+/// The same of each front at the last increment, and the front in its body.
 std::vector<Figure> front_figures(const model::Model& model, const results::Run& run);
 
 } // namespace spricka::report

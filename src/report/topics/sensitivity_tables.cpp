@@ -73,6 +73,45 @@ std::vector<const Sensitivity*> sorted(const model::Model& model, const results:
   return order;
 }
 
+Side of_point(const std::vector<std::array<double, 3>>& along, std::size_t point) {
+  return along.empty() ? Side() : Side({along[point][0], along[point][1]});
+}
+
+// The point inside with the largest K1, as a tip of its own; empty: K there is not known to depend
+// on anything.
+std::optional<results::TipResult> tip_of(const results::FrontResult& front) {
+  std::optional<std::size_t> most;
+  for (std::size_t i = 0; i < front.points.size(); ++i) {
+    if (!front.points[i].at_surface && (!most || front.points[i].K1 > front.points[*most].K1)) {
+      most = i;
+    }
+  }
+  if (!most || front.sensitivities.of.empty()) {
+    return std::nullopt;
+  }
+  results::TipResult tip;
+  tip.name = fmt::format("{} point {}", front.name, front.points[*most].number);
+  tip.a = front.a;
+  tip.K1 = front.points[*most].K1;
+  tip.K2 = front.points[*most].K2;
+  tip.doubt = front.doubt;
+  for (const results::FrontSensitivity& s : front.sensitivities.of) {
+    tip.sensitivities.of.push_back(
+        {s.cause, s.name, s.value, of_point(s.below, *most), of_point(s.above, *most), s.range});
+  }
+  return tip;
+}
+
+std::vector<results::TipResult> tips_of(const results::StepResult& step) {
+  std::vector<results::TipResult> tips = step.tips;
+  for (const results::FrontResult& front : step.fronts) {
+    if (std::optional<results::TipResult> tip = tip_of(front)) {
+      tips.push_back(std::move(*tip));
+    }
+  }
+  return tips;
+}
+
 // One number where both sides agree, else both.
 std::string both(const Sensitivity& s, const std::function<std::optional<double>(bool)>& value,
                  const char* form) {
@@ -224,7 +263,7 @@ Table sensitivity_table(const model::Model& model, const results::Increment& inc
   if (found == nullptr) {
     return table;
   }
-  for (const results::TipResult& tip : found->tips) {
+  for (const results::TipResult& tip : tips_of(*found)) {
     for (const Sensitivity* s : sorted(model, tip)) {
       table.rows.push_back(row_of(model, tip, *s));
     }
@@ -236,11 +275,19 @@ std::vector<std::string> sensitivity_notes(const model::Model& model,
                                            const results::Increment& increment) {
   std::vector<std::string> notes;
   const results::StepResult* found = results::find_step(increment, leading_step(model));
-  for (std::size_t t = 0; found != nullptr && t < found->tips.size(); ++t) {
-    for (const std::string& note : found->tips[t].sensitivities.notes) {
+  const auto add = [&](const std::vector<std::string>& more) {
+    for (const std::string& note : more) {
       if (std::ranges::find(notes, note) == notes.end()) {
         notes.push_back(note);
       }
+    }
+  };
+  if (found != nullptr) {
+    for (const results::TipResult& tip : found->tips) {
+      add(tip.sensitivities.notes);
+    }
+    for (const results::FrontResult& front : found->fronts) {
+      add(front.sensitivities.notes);
     }
   }
   return notes;
@@ -251,8 +298,8 @@ std::vector<Figure> sensitivity_figures(const model::Model& model, const results
   Figure figure;
   for (const results::Increment* increment : chosen_increments(run, 3)) {
     const results::StepResult* found = results::find_step(*increment, step);
-    for (std::size_t t = 0; found != nullptr && t < found->tips.size(); ++t) {
-      const results::TipResult& tip = found->tips[t];
+    for (const results::TipResult& tip :
+         found != nullptr ? tips_of(*found) : std::vector<results::TipResult>()) {
       if (tip.doubt.empty() && tip.K1 > 0.0 && !tip.sensitivities.of.empty()) {
         figure.drawings.push_back(draw(tornado_of(
             model, tip,

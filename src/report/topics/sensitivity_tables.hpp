@@ -20,13 +20,14 @@ namespace spricka::report {
 void write_sensitivity_csv(const std::filesystem::path& file, const model::Model& model,
                            const results::Run& run);
 
-/// The leading step of one increment, strongest first, tip by tip.
+/// The leading step of one increment, strongest first, tip by tip; of a front in space at the point
+/// inside with the largest K1.
 Table sensitivity_table(const model::Model& model, const results::Increment& increment);
 /// What is not given there and why, each note once.
 std::vector<std::string> sensitivity_notes(const model::Model& model,
                                            const results::Increment& increment);
 
-/// A tornado of K1 for each tip of the leading step, at three crack lengths at most.
+/// A tornado of K1 for each tip or front of the leading step, at three crack lengths at most.
 std::vector<Figure> sensitivity_figures(const model::Model& model, const results::Run& run);
 
 } // namespace spricka::report

@@ -262,7 +262,7 @@ TEST(ShellSession, StopsWhenAsked) {
   shell.stop = false;
   good(shell->restore());
   EXPECT_EQ(shell.K1(), before);
-  EXPECT_EQ(shell->length_of(0), 4.0);
+  EXPECT_EQ(shell->size_of(0).a, 4.0);
 }
 
 // With friction the order counts: the shell follows it as steps of a run do.
