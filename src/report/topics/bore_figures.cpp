@@ -25,11 +25,54 @@ constexpr double top = 26.0;
 constexpr double bottom = 92.0;
 constexpr double edge_level = 0.01; // of the largest pressure: where contact is drawn to end
 constexpr int stations = 41;        // along the axis
+constexpr std::size_t most_sizes = 5;
 
 struct Seen {
   const results::ContactResult* contact = nullptr;
-  std::string step;
+  std::string label; ///< its step, and of several crack sizes which
+  Unrolled surface;
 };
+
+bool is_consistent(const model::Contact& contact) {
+  return contact.recovery == model::Recovery::consistent;
+}
+
+// What a step of an increment has of a contact, where it is closed anywhere.
+const results::ContactResult* closed_bore(const results::StepResult* step,
+                                          const model::Contact& contact) {
+  const results::ContactResult* const result =
+      step == nullptr ? nullptr : results::find_contact(*step, contact.name);
+  return result != nullptr && result->mounted && result->radius > 0.0 && result->closed > 0
+             ? result
+             : nullptr;
+}
+
+/// The steps of the last length.
+std::vector<Seen> of_steps(const results::Run& run, const model::Contact& contact) {
+  std::vector<Seen> all;
+  for (const results::StepResult& step : run.increments.back().steps) {
+    if (const results::ContactResult* const result = closed_bore(&step, contact)) {
+      all.push_back({result, step.step, Unrolled(*result, is_consistent(contact))});
+    }
+  }
+  return all;
+}
+
+/// The leading step as the crack grows.
+std::vector<Seen> of_sizes(const model::Model& model, const results::Run& run,
+                           const model::Contact& contact) {
+  const std::string step = leading_step(model);
+  std::vector<Seen> all;
+  for (const results::Increment* increment : chosen_increments(run, most_sizes)) {
+    if (const results::ContactResult* const result =
+            closed_bore(results::find_step(*increment, step), contact)) {
+      all.push_back({result,
+                     fmt::format("{}, a = {:.4g} {}", step, increment->a, model.units.length_name),
+                     Unrolled(*result, is_consistent(contact))});
+    }
+  }
+  return all;
+}
 
 /// The part of a triangle where pressure is at least (sign 1) or at most (sign -1) a level.
 std::vector<Unrolled::Corner> cut(const std::vector<Unrolled::Corner>& polygon, double level,
@@ -53,16 +96,16 @@ std::vector<Unrolled::Corner> cut(const std::vector<Unrolled::Corner>& polygon, 
 
 class Map {
 public:
-  Map(const model::Model& model, const Seen& seen, const Unrolled& surface, std::string id)
-      : model_(model), seen_(seen), surface_(surface), id_(std::move(id)),
+  Map(const model::Model& model, const Seen& seen, std::string id)
+      : model_(model), seen_(seen), surface_(seen.surface), id_(std::move(id)),
         svg_(left + width + 18.0, top + height + bottom,
              fmt::format("pressure of contact {} on the unrolled surface, step {}",
-                         seen.contact->name, seen.step)) {}
+                         seen.contact->name, seen.label)) {}
 
-  std::string draw() {
-    svg_.text({left, 15.0}, fmt::format("{}, {}", seen_.contact->name, seen_.step), {.bold = true});
+  std::string draw(const ColourScale& scale) {
+    svg_.text({left, 15.0}, fmt::format("{}, {}", seen_.contact->name, seen_.label),
+              {.bold = true});
     svg_.clip(id_, {left, top}, width, height);
-    const ColourScale scale = scale_between(lowest(), surface_.largest());
     for (const Unrolled::Triangle& t : surface_.triangles()) {
       fill(t, scale);
     }
@@ -77,16 +120,6 @@ public:
   }
 
 private:
-  // Where colours begin: at 0, but a surface that is pressed all over and much alike would have
-  // one.
-  [[nodiscard]] double lowest() const {
-    double least = surface_.largest();
-    for (const Unrolled::Triangle& t : surface_.triangles()) {
-      least = std::min({least, t[0].p, t[1].p, t[2].p});
-    }
-    return least > 0.5 * surface_.largest() ? least : 0.0;
-  }
-
   [[nodiscard]] Point place(Point at) const {
     const double depth = std::max(surface_.high() - surface_.low(), 1e-300);
     return {left + width * (at.x + pi) / (2.0 * pi),
@@ -162,8 +195,19 @@ private:
   Svg svg_;
 };
 
-bool is_consistent(const model::Contact& contact) {
-  return contact.recovery == model::Recovery::consistent;
+// Where colours begin: at 0, but surfaces that are pressed all over and much alike would have one.
+ColourScale common_scale(const std::vector<Seen>& all) {
+  double largest = 0.0;
+  for (const Seen& seen : all) {
+    largest = std::max(largest, seen.surface.largest());
+  }
+  double least = largest;
+  for (const Seen& seen : all) {
+    for (const Unrolled::Triangle& t : seen.surface.triangles()) {
+      least = std::min({least, t[0].p, t[1].p, t[2].p});
+    }
+  }
+  return scale_between(least > 0.5 * largest ? least : 0.0, largest);
 }
 
 Point total_push(const Unrolled& surface) {
@@ -178,11 +222,12 @@ Point total_push(const Unrolled& surface) {
 }
 
 /// Pressure along the axis at the angle the surface is pushed to and beside it.
-std::string depth_plot(const model::Model& model, const Seen& seen, const Unrolled& surface) {
+std::string depth_plot(const model::Model& model, const Seen& seen) {
+  const Unrolled& surface = seen.surface;
   const Point push = total_push(surface);
   const double even = 1e-3 * seen.contact->radius * surface.largest(); // pressed alike all round
   const double middle = std::hypot(push.x, push.y) > even ? std::atan2(push.y, push.x) : 0.0;
-  Plot plot{fmt::format("{}, {}: pressure along the axis", seen.contact->name, seen.step),
+  Plot plot{fmt::format("{}, {}: pressure along the axis", seen.contact->name, seen.label),
             fmt::format("along the axis  [{}]", model.units.length_name),
             fmt::format("p  [{}]", model.units.stress_name()),
             {}};
@@ -218,14 +263,14 @@ std::string force_plot(const model::Model& model, const std::vector<Seen>& all,
       fmt::format("force per length  [{}/{}]", model.units.force_name, model.units.length_name),
       {}};
   for (std::size_t s = 0; s < all.size(); ++s) {
-    const Unrolled surface(*all[s].contact, is_consistent(contact));
+    const Unrolled& surface = all[s].surface;
     const Point push = total_push(surface);
     const double size = std::hypot(push.x, push.y);
     if (!(size > 1e-3 * all[s].contact->radius * surface.largest())) {
       continue; // pressed alike all round
     }
     Series series;
-    series.name = all[s].step;
+    series.name = all[s].label;
     series.colour = colour(s);
     series.dash = dash(s);
     for (int i = 0; i < stations; ++i) {
@@ -246,34 +291,42 @@ std::optional<Figure> bore_figure(const model::Model& model, const results::Run&
   if (run.increments.empty()) {
     return std::nullopt;
   }
-  std::vector<Seen> all;
-  for (const results::StepResult& step : run.increments.back().steps) {
-    const results::ContactResult* const result = results::find_contact(step, contact.name);
-    if (result != nullptr && result->mounted && result->radius > 0.0 && result->closed > 0) {
-      all.push_back({result, step.step});
+  Figure figure;
+  int drawn = 0;
+  const auto draw_maps = [&](const std::vector<Seen>& views, const ColourScale& scale) {
+    for (const Seen& seen : views) {
+      figure.drawings.push_back(
+          Map(model, seen, fmt::format("bore-{}-{}", contact.name, drawn++)).draw(scale));
     }
-  }
-  if (all.empty()) {
+  };
+  const std::vector<Seen> steps = of_steps(run, contact);
+  if (steps.empty()) {
     return std::nullopt;
   }
-  Figure figure;
-  for (std::size_t s = 0; s < all.size(); ++s) {
-    const Unrolled surface(*all[s].contact, is_consistent(contact));
-    figure.drawings.push_back(
-        Map(model, all[s], surface, fmt::format("bore-{}-{}", contact.name, s)).draw());
+  // The leading step of several sizes in the same colours, other steps at the last size.
+  const std::vector<Seen> sizes =
+      run.increments.size() > 1 ? of_sizes(model, run, contact) : std::vector<Seen>();
+  const std::vector<Seen>& shown = sizes.empty() ? steps : sizes;
+  if (!sizes.empty()) {
+    draw_maps(sizes, common_scale(sizes));
   }
-  const Unrolled last(*all.back().contact, is_consistent(contact));
-  for (std::string plot : {depth_plot(model, all.back(), last), force_plot(model, all, contact)}) {
+  for (const Seen& seen : steps) {
+    if (sizes.empty() || seen.label != leading_step(model)) {
+      draw_maps({seen}, common_scale({seen}));
+    }
+  }
+  for (std::string plot : {depth_plot(model, shown.back()), force_plot(model, shown, contact)}) {
     if (!plot.empty()) {
       figure.drawings.push_back(std::move(plot));
     }
   }
   figure.caption =
-      fmt::format("Pressure of contact {} on its surface round the axis, unrolled: angle across, "
+      fmt::format("Pressure of contact {} on its surface round the axis, unrolled{}: angle across, "
                   "place along the axis up; red: where contact ends; white: nothing lies opposite. "
-                  "Below: the pressure of step {} along the axis at some angles, and of each step "
-                  "the force for a unit of length, along its whole force.",
-                  contact.name, all.back().step);
+                  "Below: the pressure of {} along the axis at some angles, and of each {} the "
+                  "force for a unit of length, along its whole force.",
+                  contact.name, sizes.empty() ? "" : ", as the crack grows", shown.back().label,
+                  sizes.empty() ? "step" : "size");
   return figure;
 }
 
