@@ -187,8 +187,10 @@ private:
     solver_.carry_on();
     length.counts();
     increment->number = static_cast<int>(run_.increments.size()) + 1;
-    run_.increments.push_back(std::move(*increment));
     const growth::Station& here = march.state().stations.back();
+    name_sizes(model_, cracks, march.tips(), here, *increment);
+    length.solved(increment->a);
+    run_.increments.push_back(std::move(*increment));
     const growth::Trajectory so_far = march.trajectory();
     log.add("GROW",
             fmt::format("station {}: a = {:.6g}, K {:.6g} .. {:.6g}, da/dN = {:.4g}, N = "

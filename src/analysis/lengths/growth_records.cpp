@@ -127,4 +127,31 @@ results::Growth growth_records(const model::Model& model, const growth::March& m
   return out;
 }
 
+void name_sizes(const model::Model& model, const growth::CrackState& cracks,
+                const std::vector<growth::GrowingTip>& tips, const growth::Station& here,
+                results::Increment& increment) {
+  if (cracks.solids.empty() || model.growth->shape != model::FrontShape::free) {
+    return;
+  }
+  // Backwards, so that the first tip of a front is the one that stays.
+  for (std::size_t t = tips.size(); t-- > 0;) {
+    const double a = base::tidy(here.tips[t].a);
+    const std::string& crack = cracks.solids[cracks.fronts[t]].name;
+    const auto name = [&](results::FrontResult& front) {
+      if (front.name == crack || front.name.starts_with(crack + ".")) {
+        front.a = a;
+      }
+    };
+    for (results::StepResult& step : increment.steps) {
+      std::ranges::for_each(step.fronts, name);
+    }
+    for (results::LoadPath& path : increment.paths) {
+      for (results::PathFront& front : path.fronts) {
+        name(front.is);
+      }
+    }
+    increment.a = a;
+  }
+}
+
 } // namespace spricka::analysis
