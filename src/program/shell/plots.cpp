@@ -103,6 +103,7 @@ std::vector<report::Figure> k_along_fronts(const ShellSession& session) {
     }
   }
   std::vector<report::Figure> figures;
+  figures.reserve(names.size());
   for (const std::string& name : names) {
     figures.push_back(report::front_figure(session.shown(), sizes, name));
   }
