@@ -178,9 +178,9 @@ private:
     }
     // True all the same: the march has noted that it went too far and asks for a nearer state.
     if (!march.take(std::move(*found))) {
-      log.add("GROW", fmt::format("a = {:.6g} lies too far ahead for the tolerance: solved again "
-                                  "nearer",
-                                  increment->a));
+      const std::string where =
+          cracks.solids.empty() ? fmt::format("a = {:.6g}", increment->a) : "this front";
+      log.add("GROW", where + " lies too far ahead for the tolerance: solved again nearer");
       return true;
     }
     // Only a state that counts hands its slips and mountings on.

@@ -50,7 +50,8 @@ public:
   [[nodiscard]] const model::Model& model() const { return parts_.model; }
   [[nodiscard]] const Scene& scene() const { return scene_; }
   [[nodiscard]] const std::vector<BodyNet>& bodies() const { return bodies_; }
-  /// Size of the first crack, in space at its front's first point [length]; 0: there is none.
+  /// Size of the first crack: its length, in space its axis A, or how deep it reaches behind an
+  /// open front that is drawn [length]; 0: there is none.
   [[nodiscard]] double size_of_first() const;
 
   /// What condense() is going to ask for, without loads.

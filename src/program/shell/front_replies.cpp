@@ -3,6 +3,7 @@
 
 #include "base/quantity.hpp"
 #include "model/model.hpp"
+#include "program/shell/known_names.hpp"
 #include "report/drawing/table.hpp"
 #include "report/topics/front_section.hpp"
 
@@ -19,10 +20,6 @@ namespace {
 
 using results::FrontPlace;
 using results::FrontResult;
-
-bool is_wanted(const FrontResult& front, const std::string& only) {
-  return only.empty() || front.name == only || front.name.starts_with(only + ".");
-}
 
 /// The points with the smallest and the largest K1, those at the surface left out: K there is a
 /// number of the mesh.
@@ -49,7 +46,7 @@ results::Increment fronts_alone(const ShellSession& session, const std::string& 
   results::StepResult& step = alone.steps.emplace_back();
   step.step = "NOW";
   for (const FrontResult& front : session.now().fronts) {
-    if (is_wanted(front, only)) {
+    if (is_of_crack(front.name, only)) {
       step.fronts.push_back(front);
     }
   }
@@ -121,7 +118,7 @@ std::string front_doubts(const ShellSession& session) {
 std::string front_notes(const ShellSession& session, const std::string& only) {
   std::string text;
   for (const FrontResult& front : session.now().fronts) {
-    if (!is_wanted(front, only)) {
+    if (!is_of_crack(front.name, only)) {
       continue;
     }
     if (!front.doubt.empty()) {

@@ -81,6 +81,10 @@ std::vector<std::string> quantity_names() {
   return names;
 }
 
+bool is_of_crack(const std::string& tip, const std::string& crack) {
+  return crack.empty() || tip == crack || tip.starts_with(crack + ".");
+}
+
 base::Trouble find_name(const std::vector<std::string>& names, const char* what,
                         const std::string& name, std::size_t& index) {
   const auto found = std::ranges::find(names, name);

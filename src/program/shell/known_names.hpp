@@ -24,6 +24,9 @@ std::vector<std::string> material_names(const model::Model& model);
 std::vector<std::string> parameter_names(const model::Model& model); ///< as the deck writes them
 std::vector<std::string> quantity_names();
 
+/// Whether a tip or front belongs to the crack of that name, or is that tip; to any if it is empty.
+bool is_of_crack(const std::string& tip, const std::string& crack);
+
 /// The place of a name (upper case) in a list, or what it is not and which was meant.
 base::Trouble find_name(const std::vector<std::string>& names, const char* what,
                         const std::string& name, std::size_t& index);

@@ -26,10 +26,6 @@ std::string number(double value) {
   return fmt::format("{:.7g}", value);
 }
 
-bool is_wanted(const std::string& name, const std::string& only) {
-  return only.empty() || name == only || name.starts_with(only + ".");
-}
-
 std::string bar(const results::TipResult& tip, int mode) {
   return tip.no_bar.empty() ? fmt::format("{:.2g}", tip.bar[static_cast<std::size_t>(mode)].size())
                             : std::string("-");
@@ -101,7 +97,7 @@ std::string k_reply(const ShellSession& session, const std::string& only) {
     }
   }
   for (const results::TipResult& tip : session.now().tips) {
-    if (is_wanted(tip.name, only)) {
+    if (is_of_crack(tip.name, only)) {
       table.rows.push_back(k_row(tip));
     }
   }
@@ -111,7 +107,7 @@ std::string k_reply(const ShellSession& session, const std::string& only) {
 std::string k_notes(const ShellSession& session, const std::string& only) {
   std::string text;
   for (const results::TipResult& tip : session.now().tips) {
-    if (!is_wanted(tip.name, only)) {
+    if (!is_of_crack(tip.name, only)) {
       continue;
     }
     if (!tip.doubt.empty()) {
