@@ -154,5 +154,26 @@ TEST(GrowingFronts, MountedAtTheFirstFront) {
   }
 }
 
+// A front that K shapes has in all results the length that its station gives its first point.
+TEST(GrowingFronts, HaveTheLengthOfTheirFirstPoint) {
+  std::string deck = padded_plate("EACH");
+  const std::string held = "SHAPE=ELLIPSE";
+  deck.replace(deck.find(held), held.size(), "SHAPE=FREE");
+  const std::optional<test::Solved> solved = test::solve_text(deck);
+  ASSERT_TRUE(solved && solved->run.growth);
+  const std::vector<results::GrowthStation>& stations = solved->run.growth->stations;
+  ASSERT_GE(stations.size(), 2U);
+  ASSERT_EQ(stations.size(), solved->run.increments.size());
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    const results::Increment& increment = solved->run.increments[i];
+    EXPECT_NEAR(increment.a, stations[i].tips.at(0).a, 1e-12);
+    for (const results::StepResult& step : increment.steps) {
+      EXPECT_EQ(step.fronts.at(0).a, increment.a) << step.step;
+    }
+  }
+  EXPECT_NEAR(stations[0].tips[0].a, 0.8, 1e-9);
+  EXPECT_GT(stations[1].tips[0].a, 0.8);
+}
+
 } // namespace
 } // namespace spricka
