@@ -19,7 +19,8 @@ class Profile(ProgramTest):
         return result, self.folder / "profiled"
 
     def check_trace(self, file):
-        """Valid, in the run, and on each thread one within another or one after another."""
+        """Valid, in the run, and on each thread one within another or one after another, exactly: a viewer orders ends and
+        beginnings by their sums."""
         events = json.loads(file.read_text(encoding="utf-8"))["traceEvents"]
         complete = [e for e in events if e["ph"] == "X"]
         for event in complete:
@@ -32,10 +33,10 @@ class Profile(ProgramTest):
             open_ends = []
             for event in here:
                 end = event["ts"] + event["dur"]
-                while open_ends and open_ends[-1] <= event["ts"] + 1e-3:
+                while open_ends and open_ends[-1] <= event["ts"]:
                     open_ends.pop()
                 if open_ends:
-                    self.assertLessEqual(end, open_ends[-1] + 1e-3, event)
+                    self.assertLessEqual(end, open_ends[-1], event)
                 open_ends.append(end)
         return complete
 

@@ -68,11 +68,13 @@ private:
     }
   }
 
-  // Rounded to a nanosecond before anything is taken from it: what lies within another still does.
-  [[nodiscard]] std::int64_t nanoseconds(double moment) const {
-    return std::llround(1e9 * (std::clamp(moment, profile_.begin, profile_.end) - profile_.begin));
+  // Of 1/1024 microsecond, before anything is taken from them: what lies within another still does,
+  // and a viewer's sum of begin and duration is exact, so that what follows begins where this ends.
+  [[nodiscard]] std::int64_t ticks(double moment) const {
+    const double time = std::clamp(moment, profile_.begin, profile_.end) - profile_.begin; // [s]
+    return std::llround(1024e6 * time);
   }
-  static double microseconds(std::int64_t ns) { return static_cast<double>(ns) / 1000.0; }
+  static double microseconds(std::int64_t ticks) { return static_cast<double>(ticks) / 1024.0; }
 
   void name(const char* what, Track track, const std::string& text) {
     events_.push_back({{"name", what},
@@ -84,12 +86,12 @@ private:
 
   void event(const std::string& title, const char* category, Track track,
              std::pair<double, double> span, Json args) {
-    const std::int64_t begin = nanoseconds(span.first);
+    const std::int64_t begin = ticks(span.first);
     events_.push_back({{"name", title},
                        {"cat", category},
                        {"ph", "X"},
                        {"ts", microseconds(begin)},
-                       {"dur", microseconds(nanoseconds(span.second) - begin)},
+                       {"dur", microseconds(ticks(span.second) - begin)},
                        {"pid", track.process},
                        {"tid", track.thread},
                        {"args", std::move(args)}});
@@ -120,7 +122,7 @@ private:
       if (stretch.resident) {
         events_.push_back({{"name", "memory"},
                            {"ph", "C"},
-                           {"ts", microseconds(nanoseconds(stretch.end))},
+                           {"ts", microseconds(ticks(stretch.end))},
                            {"pid", program_number},
                            {"tid", 0},
                            {"args", {{"resident_bytes", *stretch.resident}}}});
