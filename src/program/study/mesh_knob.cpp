@@ -4,6 +4,7 @@
 #include "base/input_file.hpp"
 #include "grammar/compile.hpp"
 #include "grammar/lexeme.hpp"
+#include "program/study/mesh_probe.hpp"
 #include "program/study/name_uses.hpp"
 #include "report/drawing/file.hpp"
 
@@ -20,60 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// How much a mesh has of everything: to see whether only its sizes have changed.
-struct Extent {
-  std::size_t elements = 0;
-  std::vector<std::pair<std::string, std::pair<base::Vec3, base::Vec3>>> sets; ///< low, high
-};
-
-void widen(std::pair<base::Vec3, base::Vec3>& box, const base::Vec3& x) {
-  box.first = box.first.cwiseMin(x);
-  box.second = box.second.cwiseMax(x);
-}
-
-Extent extent_of(const model::Mesh& mesh) {
-  Extent extent;
-  extent.elements = mesh.element_count();
-  const base::Vec3 far = base::Vec3::Constant(1e300);
-  for (const model::ElementSet& set : mesh.element_sets) {
-    std::pair<base::Vec3, base::Vec3> box{far, -far};
-    for (const base::ElementId e : set.elements) {
-      for (const base::NodeId n : mesh.nodes_of(e)) {
-        widen(box, mesh.x[n.index()]);
-      }
-    }
-    extent.sets.emplace_back(set.name, box);
-  }
-  for (const model::FaceSet& set : mesh.face_sets) {
-    std::pair<base::Vec3, base::Vec3> box{far, -far};
-    for (const model::Face& face : set.faces) {
-      for (const base::NodeId n : mesh.nodes_of(face.element)) {
-        widen(box, mesh.x[n.index()]);
-      }
-    }
-    extent.sets.emplace_back(set.name, box);
-  }
-  return extent;
-}
-
-// Of faces whole elements are measured, whose depth changes with their size.
-bool is_same_shape(const Extent& a, const Extent& b) {
-  constexpr double moved = 0.15; // of the set's size
-  if (a.sets.size() != b.sets.size()) {
-    return false;
-  }
-  for (std::size_t i = 0; i < a.sets.size(); ++i) {
-    const auto& [low, high] = a.sets[i].second;
-    const double size = (high - low).norm();
-    const double change = std::max((low - b.sets[i].second.first).cwiseAbs().maxCoeff(),
-                                   (high - b.sets[i].second.second).cwiseAbs().maxCoeff());
-    if (a.sets[i].first != b.sets[i].first || change > moved * size) {
-      return false;
-    }
-  }
-  return true;
-}
-
 std::set<std::string> names_of_scripts(const ReadyDeck& ready, bool from_deck) {
   std::set<std::string> names;
   for (const deck::ScriptTable& script : ready.scripts) {
@@ -86,8 +33,11 @@ std::set<std::string> names_of_scripts(const ReadyDeck& ready, bool from_deck) {
   return names;
 }
 
+MeshParameter parameter_of(const std::string& name, double value, double ratio) {
+  return {name, value, ratio > 1.0};
+}
+
 std::optional<MeshParameter> probe(const StudiedDeck& deck, const std::string& name, double value) {
-  constexpr double more = 1.15; // elements, or as many fewer
   deck::ReadOptions options{.defines = deck.defines};
   std::erase_if(options.defines,
                 [&](const auto& define) { return grammar::to_upper(define.first) == name; });
@@ -96,15 +46,27 @@ std::optional<MeshParameter> probe(const StudiedDeck& deck, const std::string& n
   if (!twice.model || value <= 0.0) {
     return std::nullopt;
   }
-  const Extent before = extent_of(deck.ready->model->mesh);
-  const Extent after = extent_of(twice.model->mesh);
-  const double ratio = static_cast<double>(after.elements) /
-                       static_cast<double>(std::max<std::size_t>(before.elements, 1));
-  const bool changed = ratio > more || ratio < 1.0 / more;
-  if (!changed || !is_same_shape(before, after)) {
-    return std::nullopt;
-  }
-  return MeshParameter{name, value, ratio > 1.0};
+  const auto ratio = ratio_of_elements(deck.ready->model->mesh, twice.model->mesh);
+  return ratio ? std::optional(parameter_of(name, value, *ratio)) : std::nullopt;
+}
+
+// What the elements become by a change of the deck's text; empty as ratio_of_elements().
+std::optional<double> probe_text(const StudiedDeck& deck, const deck::DeckText& text,
+                                 const fs::path& folder) {
+  const fs::path file = folder / "probe.deck";
+  report::write_file(file, write_deck(text, folder));
+  const ReadyDeck changed = read_silently(file, {.defines = deck.defines});
+  fs::remove(file);
+  return changed.model ? ratio_of_elements(deck.ready->model->mesh, changed.model->mesh)
+                       : std::nullopt;
+}
+
+// A script takes its constants from parameters of the deck.
+void set_constant(deck::DeckText& text, const std::string& name, double value) {
+  deck::DeckCard card;
+  card.name = "PARAMETER";
+  card.data = fmt::format("  {} = {:.9g}\n", name, value);
+  append(text, std::move(card));
 }
 
 // Cards whose elements one of the parameters decides.
@@ -118,16 +80,24 @@ std::set<std::size_t> reached_cards(const std::vector<MeshParameter>& parameters
   return reached;
 }
 
-// Scripts that take one of the parameters, by file.
+bool is_among(const std::vector<MeshParameter>& parameters, const std::string& name) {
+  return std::ranges::any_of(parameters, [&](const MeshParameter& parameter) {
+    return grammar::to_upper(name) == grammar::to_upper(parameter.name);
+  });
+}
+
+std::string name_of_file(const std::string& file) {
+  return fs::path(file).filename().string();
+}
+
+// Scripts that take one of the parameters, or have one of the constants, by file.
 std::set<std::string> reached_scripts(const MeshKnob& knob, const ReadyDeck& ready) {
   std::set<std::string> reached;
   for (const deck::ScriptTable& script : ready.scripts) {
     for (const mesh::ScriptConstant& constant : script.constants) {
-      const bool ours = std::ranges::any_of(knob.parameters, [&](const MeshParameter& parameter) {
-        return grammar::to_upper(constant.name) == grammar::to_upper(parameter.name);
-      });
-      if (constant.from_deck && ours) {
-        reached.insert(fs::path(script.file).filename().string());
+      if (constant.from_deck ? is_among(knob.parameters, constant.name)
+                             : constant.defined && is_among(knob.constants, constant.name)) {
+        reached.insert(name_of_file(script.file));
       }
     }
   }
@@ -172,6 +142,28 @@ std::vector<MeshParameter> find_parameters(const StudiedDeck& deck,
   return found;
 }
 
+// Of scripts that no parameter of the deck reaches.
+std::vector<MeshParameter> find_constants(const StudiedDeck& deck, const MeshKnob& knob,
+                                          const fs::path& folder) {
+  const std::set<std::string> reached = reached_scripts(knob, *deck.ready);
+  std::vector<MeshParameter> found;
+  for (const deck::ScriptTable& script : deck.ready->scripts) {
+    for (const mesh::ScriptConstant& constant : script.constants) {
+      const bool free =
+          constant.defined && !constant.from_deck && constant.value.value_or(0.0) > 0.0;
+      if (!free || reached.contains(name_of_file(script.file)) || is_among(found, constant.name)) {
+        continue;
+      }
+      deck::DeckText text = deck.text;
+      set_constant(text, constant.name, 2.0 * *constant.value);
+      if (const auto ratio = probe_text(deck, text, folder)) {
+        found.push_back(parameter_of(constant.name, *constant.value, *ratio));
+      }
+    }
+  }
+  return found;
+}
+
 /// Evaluates what stands in a card, with the deck's parameters.
 class CardValues {
 public:
@@ -209,7 +201,8 @@ void multiply_counts(const CardValues& values, double fineness, deck::DeckCard& 
   }
 }
 
-// gmsh multiplies all sizes by it; numbers of Transfinite lines stay.
+// gmsh multiplies all sizes by it; numbers of Transfinite lines stay. Scripts in which that changes
+// nothing are found by it, too.
 void copy_finer(deck::DeckCard& card, double fineness, const fs::path& folder) {
   const fs::path file = file_of(card);
   const fs::path copy = folder / fmt::format("{}_{:g}.geo", file.stem().string(), fineness);
@@ -218,24 +211,33 @@ void copy_finer(deck::DeckCard& card, double fineness, const fs::path& folder) {
   card.set("FILE", "'" + fs::absolute(copy).lexically_normal().string() + "'");
 }
 
+bool follows_factor(const StudiedDeck& deck, std::size_t card, const fs::path& folder) {
+  constexpr double finer = 2.0;
+  deck::DeckText text = deck.text;
+  copy_finer(text[card], finer, folder);
+  return probe_text(deck, text, folder).value_or(0.0) > 1.0;
+}
+
 } // namespace
 
-MeshKnob find_mesh_knob(const StudiedDeck& deck) {
+MeshKnob find_mesh_knob(const StudiedDeck& deck, const fs::path& folder) {
   MeshKnob knob;
   const std::map<std::string, NameUse> uses = uses_of_parameters(deck.text, deck.ready->sources);
   knob.parameters = find_parameters(deck, uses);
+  knob.constants = find_constants(deck, knob, folder);
   const std::set<std::size_t> reached = reached_cards(knob.parameters, uses);
   const std::set<std::string> scripts = reached_scripts(knob, *deck.ready);
   for (std::size_t i = 0; i < deck.text.size(); ++i) {
     const deck::DeckCard& card = deck.text[i];
+    const std::string file = name_of_file(file_of(card));
     if (card.name == "MESH" && !reached.contains(i)) {
       knob.counts = true;
-    } else if (is_script(card)) {
-      const bool follows = scripts.contains(fs::path(file_of(card)).filename().string());
-      knob.scripts = knob.scripts || !follows;
+    } else if (is_script(card) && scripts.contains(file)) {
+      continue;
+    } else if (is_script(card) && follows_factor(deck, i, folder)) {
+      knob.scaled.insert(file);
     } else if (card.name == "IMPORT") {
-      knob.fixed.push_back(fmt::format("the mesh of {} stays as it is",
-                                       fs::path(file_of(card)).filename().string()));
+      knob.fixed.push_back(fmt::format("the mesh of {} stays as it is", file));
     } else if (card.name == "ELEMENT") {
       knob.fixed.push_back(fmt::format("the elements of {} stay as the deck writes them",
                                        card.net.empty() ? "$ELEMENT" : "net " + card.net));
@@ -247,27 +249,28 @@ MeshKnob find_mesh_knob(const StudiedDeck& deck) {
 FinerMesh finer_mesh(const StudiedDeck& deck, const MeshKnob& knob, double fineness,
                      deck::DeckText& text, const fs::path& folder) {
   FinerMesh finer;
-  for (const MeshParameter& parameter : knob.parameters) {
-    const double value =
-        parameter.larger_is_finer ? parameter.value * fineness : parameter.value / fineness;
-    finer.defines.emplace_back(parameter.name, fmt::format("{:.6g}", value));
-    finer.words +=
-        fmt::format("{}{}={:.6g}", finer.words.empty() ? "" : " ", parameter.name, value);
-  }
-  if (!knob.counts && !knob.scripts) {
-    return finer;
-  }
-  const std::map<std::string, NameUse> uses = uses_of_parameters(deck.text, deck.ready->sources);
+  const std::map<std::string, NameUse> uses = uses_of_parameters(text, deck.ready->sources);
   const std::set<std::size_t> reached = reached_cards(knob.parameters, uses);
-  const std::set<std::string> scripts = reached_scripts(knob, *deck.ready);
   const CardValues values(deck);
   for (std::size_t i = 0; i < text.size() && fineness != 1.0; ++i) {
     if (text[i].name == "MESH" && !reached.contains(i)) {
       multiply_counts(values, fineness, text[i]);
-    } else if (is_script(text[i]) &&
-               !scripts.contains(fs::path(file_of(text[i])).filename().string())) {
+    } else if (is_script(text[i]) && knob.scaled.contains(name_of_file(file_of(text[i])))) {
       copy_finer(text[i], fineness, folder);
     }
+  }
+  const auto add_words = [&](const MeshParameter& parameter) {
+    const double value =
+        parameter.larger_is_finer ? parameter.value * fineness : parameter.value / fineness;
+    finer.words +=
+        fmt::format("{}{}={:.6g}", finer.words.empty() ? "" : " ", parameter.name, value);
+    return value;
+  };
+  for (const MeshParameter& parameter : knob.parameters) {
+    finer.defines.emplace_back(parameter.name, fmt::format("{:.6g}", add_words(parameter)));
+  }
+  for (const MeshParameter& constant : knob.constants) {
+    set_constant(text, constant.name, add_words(constant));
   }
   if (finer.words.empty()) {
     finer.words = fmt::format("elements*{:.6g}", fineness);

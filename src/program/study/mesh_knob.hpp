@@ -5,6 +5,7 @@
 #include "program/job/ready_deck.hpp"
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,11 +25,14 @@ struct MeshParameter {
 /// How the meshes of bodies are made finer; there may be nothing.
 struct MeshKnob {
   std::vector<MeshParameter> parameters;
-  bool counts = false;  ///< numbers of elements of $MESH cards that no such parameter reaches
-  bool scripts = false; ///< geometry scripts without such a parameter: all sizes by a factor
-  std::vector<std::string> fixed; ///< meshes that stay as they are, and why
+  std::vector<MeshParameter> constants; ///< of geometry scripts that no such parameter reaches
+  bool counts = false; ///< numbers of elements of $MESH cards that no such parameter reaches
+  std::set<std::string> scaled;   ///< scripts without either, by file: all sizes by a factor
+  std::vector<std::string> fixed; ///< meshes that stay as they are
 
-  [[nodiscard]] bool empty() const { return parameters.empty() && !counts && !scripts; }
+  [[nodiscard]] bool empty() const {
+    return parameters.empty() && constants.empty() && !counts && scaled.empty();
+  }
 };
 
 /// A deck as its cards, what it was read with, and the model that it makes.
@@ -42,8 +46,9 @@ struct StudiedDeck {
 /// Parameters are those that the numbers of elements of $MESH are made of, or that a geometry
 /// script takes, and that nothing else uses. What a script makes of one is found by reading the
 /// deck with twice its value: there must be more or fewer elements in the same sets of the same
-/// extent.
-MeshKnob find_mesh_knob(const StudiedDeck& deck);
+/// extent. Constants of scripts (DefineConstant) that the deck leaves alone are tried in the same
+/// way, then the factor of all sizes. Decks to try are written into `folder`.
+MeshKnob find_mesh_knob(const StudiedDeck& deck, const std::filesystem::path& folder);
 
 /// How a deck is changed to have elements of 1/fineness of their size: parameters by name, or cards
 /// in `text`. Scripts are copied into `folder`.

@@ -145,7 +145,7 @@ public:
   }
 
   Plan run(const std::vector<Wish>& wishes) {
-    plan_.knob = find_mesh_knob(deck_);
+    plan_.knob = find_mesh_knob(deck_, folder_);
     plan_.notes = plan_.knob.fixed;
     add("as given", Family::given, 1.0, base_, {});
     for (const Wish& wish : wishes) {
@@ -224,7 +224,7 @@ private:
     std::vector<double> found;
     for (const Nominal& nominal : nominals(dim_)) {
       const auto sound =
-          plan_.knob.parameters.empty()
+          plan_.knob.parameters.empty() && plan_.knob.constants.empty()
               ? nominal.values.begin()
               : std::ranges::find_if(nominal.values, [&](double f) { return is_readable(f); });
       if (sound != nominal.values.end()) {
