@@ -3,6 +3,8 @@
 
 import csv
 import re
+import shutil
+import unittest
 
 from program import ProgramTest, main
 
@@ -48,6 +50,35 @@ $STEP NAME=LOAD
 $END
 """
 
+# The same ring by a script that maps it; its numbers of elements are no business of the deck. Lame: the
+# displacement of the bore is p a^2 (1+nu) ((1-2nu) a + b^2/a) / (E (b^2-a^2)), the hoop stress there 12.5.
+MAPPED_SCRIPT = """DefineConstant[ n = 6, order = 2 ];
+Mesh.ElementOrder = order;
+Mesh.SecondOrderIncomplete = 1;
+Point(1) = {0, 0, 0};
+Point(2) = {10, 0, 0};
+Point(3) = {30, 0, 0};
+Point(4) = {0, 30, 0};
+Point(5) = {0, 10, 0};
+Line(1) = {2, 3};
+Circle(2) = {3, 1, 4};
+Line(3) = {4, 5};
+Circle(4) = {5, 1, 2};
+Curve Loop(1) = {1, 2, 3, 4};
+Plane Surface(1) = {1};
+Transfinite Curve{1, 2, 3, 4} = n + 1;
+Transfinite Surface{1};
+Recombine Surface{1};
+Physical Surface("BODY") = {1};
+Physical Curve("INNER") = {4};
+"""
+MAPPED = RING.replace("$MESH SHAPE=RING TYPE=QUAMC8 RI=10 RO=30 NR=10 NT=10 T1=90[deg]",
+                      "$IMPORT FILE='ring.geo' FORMAT=GEO").replace("$END\n", """$CHECK
+  U.X.AT(10,0,LOAD) = 0.15275  REL 0.01  SOURCE 'Lame'
+  S.YY.AT(10,0,LOAD) = 12.5  REL 0.1  SOURCE 'Lame'
+$END
+""")
+
 # A pin pressed into a ring, both of one material in plane stress.
 FIT = """$DECK VERSION=1 LENGTH=MM FORCE=N
 $NET NAME=RING
@@ -82,7 +113,7 @@ class StudyTest(TableTest):
 
     def slope(self, output, answers, series):
         """The power in the line of a series."""
-        found = re.search(rf"^  {answers} +{series} +([\d.]+) ", output, re.MULTILINE)
+        found = re.search(rf"^  {answers} +{series} +([\d.]+)( |$)", output, re.MULTILINE)
         self.assertIsNotNone(found, output)
         return float(found.group(1))
 
@@ -115,6 +146,43 @@ class StudyTest(TableTest):
         finest = [row for row in rows if row["setting"] == "density=8 FINER=2"]
         self.assertTrue(finest)
         self.assertAlmostEqual(float(finest[0]["best"]) / 11.203, 1.0, delta=2e-3)
+
+    def script(self, text):
+        (self.folder / "ring.geo").write_text(text, encoding="utf-8")
+
+    def test_constants_of_a_script_are_found(self):
+        self.script(MAPPED_SCRIPT)
+        output, rows = self.study(MAPPED)
+        self.assertIn("n=3 ", output)
+        self.assertNotIn("order=", output)
+        freedoms = {row["setting"]: int(row["freedoms"]) for row in rows}
+        self.assertGreater(freedoms["n=12"], 3 * freedoms["as given"])
+        self.assertGreater(self.slope(output, "displacement", "all sizes"), 2.5)
+
+    def test_a_mesh_that_nothing_changes_is_no_proof(self):
+        self.script(MAPPED_SCRIPT.replace("n + 1", "7"))
+        output, rows = self.study(MAPPED)
+        self.assertIn("the mesh of ring.geo stays as it is", output)
+        self.assertNotIn("elements*2", {row["setting"] for row in rows})
+        self.assertNotIn(" gives 0 %", output)
+
+    @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
+    def test_calculix_beside_it(self):
+        self.script(MAPPED_SCRIPT)
+        output, rows = self.study(MAPPED)
+        peer = {(row["setting"], row["group"]): float(row["error"]) for row in rows
+                if row["family"] == "CalculiX, same meshes"}
+        self.assertEqual(len(peer), 10, output)
+        self.assertLess(abs(peer["n=12, CalculiX", "displacement"]), 1e-4)
+        self.assertLess(abs(peer["n=12, CalculiX", "stress"]), 0.02)
+        self.assertLess(abs(peer["n=12, CalculiX", "stress"]), abs(peer["n=3, CalculiX", "stress"]))
+        self.assertRegex(output, r"stress by CalculiX: n=12 gives [\d.]+ % for [\d.]+ s, the program")
+        self.assertNotIn("CalculiX gives", output)  # it is no setting to choose
+
+    @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
+    def test_what_calculix_cannot_be_asked_is_told(self):
+        output, _ = self.study(STRIP, "--vary", "density=4,5")
+        self.assertIn("without CalculiX: $CRACK cannot be written as Abaqus input", output)
 
     def test_only_what_is_asked_for(self):
         output, rows = self.study(STRIP, "--vary", "density=3,4,6")

@@ -45,7 +45,7 @@ std::vector<Label> unique_labels(const std::vector<Label>& labels) {
 class InpWriter {
 public:
   explicit InpWriter(const model::Model& model) : model_(model), mesh_(model.mesh) {
-    node_ = unique_labels(mesh_.node_label);
+    node_ = inp_node_numbers(mesh_);
     element_ = unique_labels(mesh_.element_label);
     used_ = model::nodes_in_use(mesh_);
   }
@@ -226,6 +226,10 @@ std::vector<std::string> types_without_inp(const model::Mesh& mesh) {
     }
   }
   return {missing.begin(), missing.end()};
+}
+
+std::vector<base::Label> inp_node_numbers(const model::Mesh& mesh) {
+  return unique_labels(mesh.node_label);
 }
 
 std::string inp_text(const model::Model& model, const InpStep* step) {

@@ -25,6 +25,9 @@ struct InpStep {
 /// Types of the model that Abaqus and CalculiX have no name for, as the deck calls them.
 std::vector<std::string> types_without_inp(const model::Mesh& mesh);
 
+/// The numbers that inp_text() gives to the nodes of a mesh. [node]
+std::vector<base::Label> inp_node_numbers(const model::Mesh& mesh);
+
 /// A model as the text of an Abaqus or CalculiX input file: nodes, elements, sets, faces as
 /// *SURFACE, materials and sections, and, with a step, supports, nodal forces, nodal temperatures
 /// and requests for displacements and stresses. Dots in names become underscores. Coordinates have

@@ -7,7 +7,7 @@
 #include "mesh/boundary.hpp"
 #include "model/model.hpp"
 #include "model/property_points.hpp"
-#include "results/stress_invariants.hpp"
+#include "results/stress_component.hpp"
 
 #include <algorithm>
 #include <array>
@@ -80,21 +80,13 @@ FieldName split(const std::string& quantity) {
 }
 
 double stress_component(const fe::Stress& stress, const std::string& component) {
-  static constexpr std::array<const char*, 6> names{"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
   results::Stress s{};
   std::copy_n(stress.data(), 6, s.begin());
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (component == names[i]) {
-      return s[i];
-    }
+  const std::optional<double> found = results::stress_component(s, component);
+  if (!found) {
+    throw Missing(fmt::format("no stress component {}", component));
   }
-  if (component == "MISES") {
-    return results::von_mises(s);
-  }
-  if (component == "P1" || component == "P2" || component == "P3") {
-    return results::principal(s)[static_cast<std::size_t>(component[1] - '1')];
-  }
-  throw Missing(fmt::format("no stress component {}", component));
+  return *found;
 }
 
 // Stresses of a set's elements at their own nodes; of a node set, the mean of the elements that

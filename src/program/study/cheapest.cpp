@@ -43,7 +43,7 @@ double lasting_error(const GroupVerdict& group, const std::vector<Trial>& trials
 std::vector<Candidate> candidates_of(const GroupVerdict& group, const std::vector<Trial>& trials) {
   std::vector<Candidate> all;
   for (std::size_t t = 0; t < trials.size(); ++t) {
-    if (trials[t].readings.empty()) {
+    if (trials[t].readings.empty() || trials[t].setting.family == Family::peer) {
       continue;
     }
     for (const bool corrected : {false, true}) {

@@ -10,6 +10,8 @@
 #include <limits>
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace spricka::program {
 
 namespace {
@@ -184,13 +186,14 @@ public:
     }
     floor();
     for (const Family family : {Family::whole, Family::host, Family::tip, Family::quarter,
-                                Family::linear, Family::asked}) {
+                                Family::linear, Family::asked, Family::peer}) {
       judge_series(family, false);
       if (family == Family::whole || family == Family::asked) {
         judge_series(family, true);
       }
     }
     found_.cheapest = cheapest_settings(found_, trials_);
+    found_.peer = peer_sentence();
     return std::move(found_);
   }
 
@@ -235,6 +238,46 @@ private:
       series.reason = plateau_reason({found_, series, trials_, answers_, verdict_}, points);
     }
     found_.series.push_back(std::move(series));
+  }
+
+  // The trial of the finest mesh that CalculiX has an error for.
+  [[nodiscard]] std::optional<std::size_t> finest_peer() const {
+    std::optional<std::size_t> finest;
+    for (std::size_t t = 0; t < trials_.size(); ++t) {
+      if (trials_[t].setting.family == Family::peer && std::isfinite(found_.errors[t].plain) &&
+          (!finest || trials_[t].setting.fineness > trials_[*finest].setting.fineness)) {
+        finest = t;
+      }
+    }
+    return finest;
+  }
+
+  // Both by the answers that CalculiX has: those of the first step.
+  [[nodiscard]] std::string peer_sentence() const {
+    const std::optional<std::size_t> peer = finest_peer();
+    if (!peer) {
+      return {};
+    }
+    const auto same_mesh = std::ranges::find_if(trials_, [&](const Trial& trial) {
+      return trial.setting.family != Family::peer &&
+             trial.setting.deck == trials_[*peer].setting.deck;
+    });
+    Trial own = *same_mesh;
+    for (std::size_t a = 0; a < answers_.size(); ++a) {
+      if (!std::isfinite(trials_[*peer].readings[a].value)) {
+        own.readings[a] = Reading();
+      }
+    }
+    const bool is_finest = same_mesh - trials_.begin() ==
+                           static_cast<std::ptrdiff_t>(verdict_.finest.value_or(trials_.size()));
+    const double error =
+        errors_of(found_.group, answers_, verdict_.references, own, is_finest).plain;
+    return fmt::format("{} by CalculiX: {} gives {} for {:.2f} s, the program on the same mesh {} "
+                       "for {:.2f} s",
+                       name_of(found_.group), own.setting.name, percent(found_.errors[*peer].plain),
+                       trials_[*peer].end.cpu,
+                       std::isfinite(error) ? percent(error) : "what errors are counted from",
+                       own.end.cpu);
   }
 
   [[nodiscard]] bool has_bars() const {

@@ -348,7 +348,8 @@ const char* name_of(Family family) {
                              "TUBE=NO",
                              "to a tolerance",
                              "steps in place of load paths",
-                             "as asked for"};
+                             "as asked for",
+                             "CalculiX, same meshes"};
   return names.at(static_cast<std::size_t>(family));
 }
 

@@ -21,7 +21,8 @@ enum class Family {
   tube,       ///< TUBE=NO
   tolerance,  ///< TOL, from the coarsest mesh
   path,       ///< steps in place of load paths
-  asked       ///< --vary
+  asked,      ///< --vary
+  peer        ///< CalculiX on the meshes of others
 };
 
 /// For legends: "all sizes", "without quarter points".

@@ -7,7 +7,9 @@
 #include "program/job/interrupt.hpp"
 #include "program/job/run_folder.hpp"
 #include "program/job/standard_streams.hpp"
+#include "program/peers/calculix.hpp"
 #include "program/study/judge.hpp"
+#include "program/study/peer_runs.hpp"
 #include "program/study/study_report.hpp"
 #include "program/study/variant_runs.hpp"
 
@@ -50,6 +52,7 @@ public:
       return outcome;
     }
     run_others(plan, scratch.path());
+    run_calculix();
     study_.verdict = judge(study_.answers, study_.trials);
     folder.keep("study.csv", study_csv(study_));
     folder.keep("study.html", study_page(ready_.sources, *ready_.model, study_));
@@ -94,6 +97,7 @@ private:
     for (const std::size_t i : chosen) {
       children.push_back(child_of(plan.settings[i], scratch));
       children.back().seconds = std::max(4.0 * options_.budget, 60.0);
+      children.back().cpu_seconds = options_.budget; // no forecast knows the rounds of a TOL
     }
     run_variants(children_, children, options_.jobs, [&](std::size_t i, const VariantEnd& end) {
       if (!options_.deck.quiet) {
@@ -105,6 +109,19 @@ private:
     std::ranges::sort(trials_, {}, [](const auto& entry) { return entry.first; });
     for (auto& entry : trials_) {
       study_.trials.push_back(std::move(entry.second));
+    }
+  }
+
+  void run_calculix() {
+    PeerTask task{find_calculix(), &ready_, &study_.answers, options_.budget};
+    if (task.program.empty()) {
+      return;
+    }
+    for (const Trial& trial : study_.trials) {
+      task.seconds -= trial.end.cpu;
+    }
+    for (Trial& trial : run_peer(children_, task, study_.trials, study_.notes)) {
+      study_.trials.push_back(std::move(trial));
     }
   }
 

@@ -35,6 +35,9 @@ std::vector<std::string> sentences(const Study& study) {
     for (const Cheapest& cheapest : group.cheapest) {
       all.push_back(cheapest.words);
     }
+    if (!group.peer.empty()) {
+      all.push_back(group.peer);
+    }
   }
   return all;
 }

@@ -63,6 +63,7 @@ struct GroupVerdict {
   double floor = 0.0; ///< how uncertain the references are: nothing below is told apart
   std::vector<SeriesVerdict> series;
   std::vector<Cheapest> cheapest;
+  std::string peer; ///< CalculiX beside it, a sentence; empty: it was not run
 };
 
 struct StudyVerdict {

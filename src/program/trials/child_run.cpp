@@ -30,6 +30,9 @@ constexpr std::size_t most_said = 8192;
 constexpr double patience = 10.0;
 
 std::vector<std::string> words_of(const ChildRun& run) {
+  if (!run.other.empty()) {
+    return run.other;
+  }
   std::vector<std::string> words{
       "spricka",        "run",       run.deck.string(),          "--quiet", "--out",
       run.out.string(), "--threads", std::to_string(run.threads)};
@@ -123,12 +126,13 @@ bool ChildRuns::start(const ChildRun& run, pid_t& pid, int& words) {
   if (pipe2(pipe_ends.data(), O_CLOEXEC) != 0) {
     throw std::system_error(errno, std::generic_category(), "pipe");
   }
+  const std::string program = run.other.empty() ? program_.string() : run.other.front();
   int trouble = 0;
   bool begun = false;
   {
     const std::scoped_lock lock(guard_);
     if (!stopped_) {
-      trouble = spawn_run(program_.string(), words_of(run), pipe_ends[1], pid);
+      trouble = spawn_run(program, words_of(run), pipe_ends[1], pid);
       begun = trouble == 0;
     }
     if (begun) {
@@ -141,7 +145,7 @@ bool ChildRuns::start(const ChildRun& run, pid_t& pid, int& words) {
     close(words);
   }
   if (trouble != 0) {
-    throw std::system_error(trouble, std::generic_category(), program_.string());
+    throw std::system_error(trouble, std::generic_category(), program);
   }
   return begun;
 }

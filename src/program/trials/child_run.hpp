@@ -17,7 +17,7 @@
 /// other, and the system counts what each of them took.
 namespace spricka::program {
 
-/// `spricka run DECK --quiet --threads N --out FOLDER -D NAME=VALUE ..`.
+/// `spricka run DECK --quiet --threads N --out FOLDER -D NAME=VALUE ..`, or another program.
 struct ChildRun {
   std::filesystem::path deck;
   std::filesystem::path out; ///< its run folder
@@ -25,6 +25,8 @@ struct ChildRun {
   int threads = 1;
   double seconds = 0.0;     ///< wall time after which it is ended; 0: as long as it takes
   double cpu_seconds = 0.0; ///< the same of its CPU time
+  /// Another program, by its file, and what it is given; then the deck is of no account.
+  std::vector<std::string> other = {};
 };
 
 /// How such a process has ended.
