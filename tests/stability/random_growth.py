@@ -24,15 +24,15 @@ CUT = 0.8
 ENDS = ("EDGE", "LINK-UP", "THRESHOLD", "CLOSED", "ARREST", "AMAX")
 
 PLATE = """$NET NAME=PLATE
-  $MESH SHAPE=BLOCK TYPE={type} X0=(-W) Y0=0 Z0=(-H) LX=(2*W) LY=(t) LZ=(2*H) NX={nx} NY={ny} NZ={nz}
+  $MESH SHAPE=BLOCK TYPE={type} X0=(-W) Y0=0 Z0=(-L) LX=(2*W) LY=(t) LZ=(2*L) NX={nx} NY={ny} NZ={nz}
 $ENDNET
 """
 BORE = """$PARAMETER
   R = {R}
   x0 = (-W)
   x1 = (W)
-  z0 = (-H)
-  z1 = (H)
+  z0 = (-L)
+  z1 = (L)
   h = {h}
 $NET NAME=PLATE
   $IMPORT FILE='strip_bore_solid.geo' FORMAT=GEO
@@ -42,14 +42,14 @@ DECK = """$DECK VERSION=1 LENGTH=mm FORCE=N TITLE='Crack by chance {number}'
 $PARAMETER
   W = {W}
   t = {t}
-  H = {H}
+  L = {L}
 {body}$MATERIAL NAME=M E=70000 NU=0.3
 $PROPERTY ESET={eset} MATERIAL=M STATE=SOLID
-$NSET NAME=TOP WHERE=(abs(z - H) < 1e-6)
-$NSET NAME=FOOT WHERE=(abs(z + H) < 1e-6)
-$NSET NAME=P1 WHERE=(x < -W + 1e-6 and y < 1e-6 and z < -H + 1e-6)
-$NSET NAME=P2 WHERE=(x > W - 1e-6 and y < 1e-6 and z < -H + 1e-6)
-$NSET NAME=P3 WHERE=(x < -W + 1e-6 and y > t - 1e-6 and z < -H + 1e-6)
+$NSET NAME=TOP WHERE=(abs(z - L) < 1e-6)
+$NSET NAME=FOOT WHERE=(abs(z + L) < 1e-6)
+$NSET NAME=P1 WHERE=(x < -W + 1e-6 and y < 1e-6 and z < -L + 1e-6)
+$NSET NAME=P2 WHERE=(x > W - 1e-6 and y < 1e-6 and z < -L + 1e-6)
+$NSET NAME=P3 WHERE=(x < -W + 1e-6 and y > t - 1e-6 and z < -L + 1e-6)
 $FREEDOM CLASS=SUPPRESSED DOF=XYZ
   P1
 $FREEDOM CLASS=SUPPRESSED DOF=YZ
@@ -116,7 +116,7 @@ class Case:
             type=self.type, nx=6, ny=2, nz=6)
         last = "" if whole else f" AMAX={BEGINNING * max(self.a, self.c):.4g}"
         bend = f"100*(1 + ({self.bend})*(2*y/t - 1))"
-        return DECK.format(number=self.number, W=round(self.W, 4), t=round(self.t, 4), H=round(self.H, 4), body=body,
+        return DECK.format(number=self.number, W=round(self.W, 4), t=round(self.t, 4), L=round(self.H, 4), body=body,
                            a=self.a, c=self.c, x=round(self.x, 4), y=round(self.y, 4), z=self.z, tension=bend,
                            shape=self.shape, m=self.m, last=last, eset="PLATE.STRIP" if self.bore else "PLATE.BODY")
 
