@@ -3,7 +3,7 @@
 constant load and spectra, K to a tolerance, slip carried from length to length; and further than it
 was asked to at first."""
 
-from run_folders import CORNER, RestartTest, keeping, main
+from run_folders import CORNER, TOP, RestartTest, keeping, main
 
 PLATE = """$DECK VERSION=1 LENGTH=MM FORCE=N TITLE='Growth'
 $MESH SHAPE=BLOCK TYPE=QUAMC8 LX=20 LY=40 NX=8 NY=16
@@ -107,6 +107,14 @@ class Growth(RestartTest):
 
     def test_slip_is_carried(self):
         self.check_deck(CLAMPED)
+
+    def test_slip_is_carried_along_a_front(self):
+        """A penny behind a clamp that slips: its life is checked against Sneddon's K behind a play."""
+        text = (TOP / "decks" / "friction_solid_life.deck").read_text(encoding="utf-8")
+        for old, new in (("a1 = 0.9", "a1 = 0.66"), ("AMAX=(a1)", "AMAX=(a1) HISTORY=CONTINUE")):
+            self.assertIn(old, text)
+            text = text.replace(old, new)
+        self.check_deck(text, sessions=1)
 
     def test_further(self):
         deck = PLATE.format(shear=0, more=STEPS.format(amax=4))
