@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <numeric>
@@ -187,10 +188,28 @@ TEST(RandomSolids, AreSolvedOrTheLooseBodyIsNamed) {
   EXPECT_GT(solved, named);
 }
 
-// Bodies that stay whole and bodies condensed to what rows weigh are the same bodies.
+// The largest difference of two answers: of displacements in parts of their norm, of pressures in
+// parts of a hundred loads.
+double difference_of(const results::StepResult& a, const results::StepResult& b, double load) {
+  double largest = (a.u - b.u).norm() / b.u.norm();
+  for (std::size_t c = 0; c < a.contacts.size(); ++c) {
+    const auto& one = a.contacts[c].points;
+    const auto& two = b.contacts[c].points;
+    for (std::size_t i = 0; i < one.size(); ++i) {
+      largest =
+          std::max(largest, std::abs(one[i].p_consistent - two[i].p_consistent) / (100.0 * load));
+    }
+  }
+  return largest;
+}
+
+// Bodies that stay whole and bodies condensed to what rows weigh are the same bodies. With friction
+// an answer may be one of several: nodes at the corner of floor and wall are in two pairs, which on
+// coarse partners share their forces in many ways (manual, theory/solve.md). Then both are answers.
 TEST(RandomSolids, AreTheSameWholeAndCondensed) {
   const unsigned tries = std::getenv("SPRICKA_FULL") != nullptr ? 1000U : 40U;
   unsigned compared = 0;
+  unsigned several = 0;
   for (unsigned seed = 1; seed <= tries; ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
     const RandomStack stack = random_stack(seed);
@@ -207,17 +226,20 @@ TEST(RandomSolids, AreTheSameWholeAndCondensed) {
     ++compared;
     const results::StepResult& a = whole.run->increments.front().steps.front();
     const results::StepResult& b = small.run->increments.front().steps.front();
-    EXPECT_LT((a.u - b.u).norm(), 1e-9 * b.u.norm());
-    ASSERT_EQ(a.contacts.size(), b.contacts.size());
-    for (std::size_t c = 0; c < a.contacts.size(); ++c) {
-      ASSERT_EQ(a.contacts[c].points.size(), b.contacts[c].points.size());
-      for (std::size_t i = 0; i < a.contacts[c].points.size(); ++i) {
-        EXPECT_NEAR(a.contacts[c].points[i].p_consistent, b.contacts[c].points[i].p_consistent,
-                    1e-9 * 100.0 * stack.weight);
-      }
+    const double difference = difference_of(a, b, stack.weight);
+    if (difference > 1e-9 && stack.deck.find(" MU=") != std::string::npos &&
+        stack.deck.find("NAME=SIDE") != std::string::npos) {
+      ++several;
+      expect_conditions(a, stack.weight);
+      expect_conditions(b, stack.weight);
+      EXPECT_LT((a.u - b.u).norm(), 1e-3 * b.u.norm());
+    } else {
+      EXPECT_LE(difference, 1e-9);
     }
   }
+  std::printf("%u compared, %u with several answers\n", compared, several);
   EXPECT_GT(compared, tries / 2);
+  EXPECT_LE(several, tries / 200);
 }
 
 } // namespace
