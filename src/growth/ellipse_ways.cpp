@@ -2,6 +2,7 @@
 #include "growth/ellipse_ways.hpp"
 
 #include "growth/crack_lines.hpp"
+#include "growth/ellipse_arms.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -54,13 +55,14 @@ double end_angle(bool on_a, double sign) {
 
 } // namespace
 
-EllipseWays::EllipseWays(const model::Model& model) : FrontWays(model), cracks_(model.cracks) {
+EllipseWays::EllipseWays(const model::Model& model) : FrontWays(model) {
+  now_.cracks = model.cracks;
   find_tips();
 }
 
 void EllipseWays::find_tips() {
-  for (std::size_t c = 0; c < cracks_.size(); ++c) {
-    const model::Crack& crack = cracks_[c];
+  for (std::size_t c = 0; c < now_.cracks.size(); ++c) {
+    const model::Crack& crack = now_.cracks[c];
     if (!crack_grows(model_, c) || crack.kind != model::CrackKind::ellipse) {
       continue;
     }
@@ -78,7 +80,7 @@ void EllipseWays::find_tips() {
       }
       for (const double sign : ends) {
         const bool paired = ends.size() == 2;
-        arms_.push_back({.crack = c, .on_a = on_a, .sign = sign, .paired = paired});
+        now_.arms.push_back({.crack = c, .on_a = on_a, .sign = sign, .paired = paired});
         tips_.push_back({.name = fmt::format("{}.{}{}", crack.name, on_a ? "A" : "C",
                                              !paired      ? ""
                                              : sign > 0.0 ? "1"
@@ -90,37 +92,29 @@ void EllipseWays::find_tips() {
   }
 }
 
-CrackState EllipseWays::state_of(const std::vector<model::Crack>& cracks) const {
+CrackState EllipseWays::state_of(const Ellipses& ellipses) const {
+  const std::vector<model::Crack>& cracks = ellipses.cracks;
   CrackState state{.lines = {}, .solids = cracks};
-  for (const Arm& arm : arms_) {
+  for (const Arm& arm : ellipses.arms) {
     state.aims.push_back(on_ellipse(cracks[arm.crack], end_angle(arm.on_a, arm.sign)));
     state.fronts.push_back(arm.crack);
   }
   return state;
 }
 
-void EllipseWays::go_on(const State& state) {
-  for (std::size_t c = 0; c < state.lines.size() && c < cracks_.size(); ++c) {
-    model::CrackPlane& plane = cracks_[c].plane;
-    plane.place = state.lines[c].at(0);
-    plane.a = state.lines[c].at(1).x();
-    plane.c = state.lines[c].at(1).y();
-  }
-}
-
 CrackState EllipseWays::here() {
-  trial_ = cracks_;
+  trial_ = now_;
   return state_of(trial_);
 }
 
 double EllipseWays::first_arm(std::size_t tip) const {
-  const model::CrackPlane& plane = model_.cracks[arms_[tip].crack].plane;
-  return arms_[tip].on_a ? plane.a : plane.c;
+  const model::CrackPlane& plane = model_.cracks[now_.arms[tip].crack].plane;
+  return now_.arms[tip].on_a ? plane.a : plane.c;
 }
 
 double EllipseWays::behind(std::size_t tip) const {
-  const model::CrackPlane& plane = cracks_[arms_[tip].crack].plane;
-  return arms_[tip].on_a ? plane.a : plane.c;
+  const model::CrackPlane& plane = now_.cracks[now_.arms[tip].crack].plane;
+  return now_.arms[tip].on_a ? plane.a : plane.c;
 }
 
 double EllipseWays::longest_advance(std::size_t /*tip*/) const {
@@ -128,8 +122,8 @@ double EllipseWays::longest_advance(std::size_t /*tip*/) const {
 }
 
 std::optional<FrontWays::Ligament> EllipseWays::ligament(std::size_t tip) const {
-  const Arm& arm = arms_[tip];
-  const model::Crack& crack = cracks_[arm.crack];
+  const Arm& arm = now_.arms[tip];
+  const model::Crack& crack = now_.cracks[arm.crack];
   const double end = end_angle(arm.on_a, arm.sign);
   const auto in_body = [&](double phi) {
     return around_.inside(on_ellipse(crack, phi), crack.net);
@@ -153,8 +147,8 @@ std::optional<FrontWays::Ligament> EllipseWays::ligament(std::size_t tip) const 
 }
 
 bool EllipseWays::goes_on_behind(std::size_t tip, const Ligament& before) const {
-  const Arm& arm = arms_[tip];
-  model::Crack crack = cracks_[arm.crack];
+  const Arm& arm = now_.arms[tip];
+  model::Crack crack = now_.cracks[arm.crack];
   (arm.on_a ? crack.plane.a : crack.plane.c) = axis_behind * (before.behind + before.left);
   for (int k = 0; k < looks_round; ++k) {
     if (around_.inside(on_ellipse(crack, 2.0 * std::numbers::pi * k / looks_round), crack.net)) {
@@ -165,13 +159,13 @@ bool EllipseWays::goes_on_behind(std::size_t tip, const Ligament& before) const 
 }
 
 std::optional<FrontWays::Neighbour> EllipseWays::neighbour(std::size_t tip) const {
-  const Arm& arm = arms_[tip];
-  const model::Crack& own = cracks_[arm.crack];
+  const Arm& arm = now_.arms[tip];
+  const model::Crack& own = now_.cracks[arm.crack];
   const Vec3 end = on_ellipse(own, end_angle(arm.on_a, arm.sign));
   double nearest = std::numeric_limits<double>::infinity();
   std::size_t other = arm.crack;
-  for (std::size_t c = 0; c < cracks_.size(); ++c) {
-    const model::Crack& crack = cracks_[c];
+  for (std::size_t c = 0; c < now_.cracks.size(); ++c) {
+    const model::Crack& crack = now_.cracks[c];
     if (c == arm.crack || crack.kind == model::CrackKind::front) {
       continue;
     }
@@ -196,11 +190,14 @@ std::optional<FrontWays::Neighbour> EllipseWays::neighbour(std::size_t tip) cons
 }
 
 std::optional<CrackState> EllipseWays::advanced(const State& /*state*/, const Advance& advance,
-                                                base::Diagnostics& /*diagnostics*/) {
-  trial_ = cracks_;
-  for (std::size_t tip = 0; tip < arms_.size(); ++tip) {
-    const Arm& arm = arms_[tip];
-    model::CrackPlane& plane = trial_[arm.crack].plane;
+                                                base::Diagnostics& diagnostics) {
+  trial_ = now_;
+  for (std::size_t tip = 0; tip < now_.arms.size(); ++tip) {
+    const Arm& arm = now_.arms[tip];
+    if (arm.shared) {
+      continue;
+    }
+    model::CrackPlane& plane = trial_.cracks[arm.crack].plane;
     double by = advance.by[tip];
     if (advance.leap > 0.0) {
       const std::optional<Ligament> before = ligament(tip);
@@ -216,6 +213,17 @@ std::optional<CrackState> EllipseWays::advanced(const State& /*state*/, const Ad
       axis += by;
     }
   }
+  if (advance.meets > 0) {
+    auto both = joined(trial_, trial_.arms[advance.tip].crack, advance.meets - 1);
+    if (!both) {
+      const model::Crack& met = now_.cracks[advance.meets - 1];
+      diagnostics.error(
+          met.span, "E425",
+          fmt::format("crack {}: no ellipse is about it and the one it meets", met.name));
+      return std::nullopt;
+    }
+    trial_ = std::move(*both);
+  }
   return state_of(trial_);
 }
 
@@ -229,10 +237,11 @@ double EllipseWays::moved_by(const Arm& arm, const model::Crack& crack, const Ve
 }
 
 void EllipseWays::place(std::vector<TipStation>& found) const {
-  for (std::size_t c = 0; c < trial_.size(); ++c) {
+  const std::vector<Arm>& arms = trial_.arms;
+  for (std::size_t c = 0; c < trial_.cracks.size(); ++c) {
     std::vector<std::size_t> own;
-    for (std::size_t tip = 0; tip < arms_.size(); ++tip) {
-      if (arms_[tip].crack == c) {
+    for (std::size_t tip = 0; tip < arms.size(); ++tip) {
+      if (arms[tip].crack == c && !arms[tip].shared) {
         own.push_back(tip);
       }
     }
@@ -243,7 +252,7 @@ void EllipseWays::place(std::vector<TipStation>& found) const {
       const TipStation& at = found[own[static_cast<std::size_t>(i)]];
       for (Eigen::Index j = 0; j < n; ++j) {
         moved(i, j) =
-            moved_by(arms_[own[static_cast<std::size_t>(j)]], trial_[c], {at.x, at.y, at.z});
+            moved_by(arms[own[static_cast<std::size_t>(j)]], trial_.cracks[c], {at.x, at.y, at.z});
       }
       rate[i] = at.rate;
     }
@@ -262,19 +271,17 @@ void EllipseWays::place(std::vector<TipStation>& found) const {
       }
     }
   }
-}
-
-void EllipseWays::settle(State& state) {
-  cracks_ = trial_;
-  stands_anew();
-  state.lines.clear();
-  for (const model::Crack& crack : cracks_) {
-    state.lines.push_back({crack.plane.place, {crack.plane.a, crack.plane.c, 0.0}});
+  for (std::size_t tip = 0; tip < arms.size(); ++tip) {
+    if (arms[tip].shared) { // its place is that of the tip that moves it
+      const TipStation& own = found[mover_of(arms, tip)];
+      found[tip].lever = own.lever;
+      found[tip].rate = own.rate;
+    }
   }
 }
 
 CrackState EllipseWays::straight_on(const State& /*state*/, double /*advance*/) const {
-  return state_of(cracks_);
+  return state_of(now_);
 }
 
 } // namespace spricka::growth

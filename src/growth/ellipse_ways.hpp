@@ -10,7 +10,8 @@ namespace spricka::growth {
 
 /// Cracks in space that stay ellipses, as life programs take them: a tip at each end of an axis
 /// that lies in the body. Where both ends of an axis do, their arms grow apart and the centre moves
-/// by half of the difference. An end that has gone through the surface stands for the place where
+/// by half of the difference. Two in one plane with parallel axes that meet go on as one that
+/// reaches as far as both. An end that has gone through the surface stands for the place where
 /// the front is nearest to it.
 class EllipseWays final : public FrontWays {
 public:
@@ -25,30 +26,36 @@ public:
   void settle(State& state) override;
   [[nodiscard]] CrackState straight_on(const State& state, double advance) const override;
 
-private:
   /// An end of an axis.
   struct Arm {
     std::size_t crack = 0;
     bool on_a = false;   ///< of the axis A, else of C
     double sign = 1.0;   ///< towards `across` or `along`, or away from it
     bool paired = false; ///< the other end of the axis is an arm as well
+    bool shared = false; ///< another tip moves it, behind a meeting
   };
+  struct Ellipses {
+    std::vector<model::Crack> cracks;
+    std::vector<Arm> arms; ///< [tip]
+  };
+
+private:
   [[nodiscard]] std::optional<Ligament> ligament(std::size_t tip) const override;
   [[nodiscard]] bool goes_on_behind(std::size_t tip, const Ligament& before) const override;
   [[nodiscard]] std::optional<Neighbour> neighbour(std::size_t tip) const override;
-  /// Two ellipses are no ellipse.
-  [[nodiscard]] bool joins(std::size_t, const Neighbour&) const override { return false; }
+  [[nodiscard]] bool joins(std::size_t tip, const Neighbour& other) const override;
   [[nodiscard]] double behind(std::size_t tip) const override;
   [[nodiscard]] double longest_advance(std::size_t tip) const override;
 
   void find_tips();
-  [[nodiscard]] CrackState state_of(const std::vector<model::Crack>& cracks) const;
+  [[nodiscard]] CrackState state_of(const Ellipses& ellipses) const;
+  /// One ellipse in the place of two, under the name of the first; empty: there is none.
+  [[nodiscard]] std::optional<Ellipses> joined(Ellipses from, std::size_t one,
+                                               std::size_t other) const;
   [[nodiscard]] double moved_by(const Arm& arm, const model::Crack& crack,
                                 const base::Vec3& x) const;
 
-  std::vector<Arm> arms_;            ///< [tip]
-  std::vector<model::Crack> cracks_; ///< at the last station that counts
-  std::vector<model::Crack> trial_;  ///< to be solved
+  Ellipses now_, trial_; ///< at the last station that counts; to be solved
 };
 
 } // namespace spricka::growth

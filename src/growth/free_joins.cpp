@@ -3,7 +3,6 @@
 #include "model/model.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 /// Two free fronts that meet and go on as one.
@@ -13,32 +12,12 @@ namespace {
 
 using base::Vec3;
 
-/// Planes that are one: sine of their angle, and distance as a part of the way between the cracks'
-/// places.
-constexpr double one_plane = 1e-6;
 /// Points are left out that are not farther from the other front than the gap and this part of the
 /// way behind: the notch between two fronts closes next to at once, and a narrow one has no smooth
 /// curve that could go on.
 constexpr double notch = 0.4;
 
 } // namespace
-
-// What may differ between two cracks that join is nothing that counts behind that.
-bool FreeWays::may_join(const model::Crack& one, const model::Crack& other) const {
-  const model::CrackPlane& a = one.plane;
-  const model::CrackPlane& b = other.plane;
-  const Vec3 way = b.place - a.place;
-  const bool coplanar = a.normal.cross(b.normal).norm() < one_plane &&
-                        std::abs(a.normal.dot(way)) < one_plane * way.norm();
-  const bool loaded = std::ranges::any_of(model_.cases, [&](const model::LoadCase& load_case) {
-    return std::ranges::any_of(load_case.loads, [&](const model::Load& load) {
-      return load.faces.valid() && (load.faces == one.left || load.faces == one.right ||
-                                    load.faces == other.left || load.faces == other.right);
-    });
-  });
-  return coplanar && !loaded && one.net == other.net && one.mu == other.mu &&
-         one.faces_in_contact == other.faces_in_contact;
-}
 
 MeetingFront FreeWays::meeting(const Growing& of, const Growing& other, double reach,
                                const std::vector<double>& by) const {
@@ -92,9 +71,7 @@ bool FreeWays::join(const Advance& advance) {
   if (!draw({both->points, both->closed}, *one)) {
     return false;
   }
-  model::Crack& gone = trial_.cracks[other->crack];
-  gone.kind = model::CrackKind::drawn;
-  gone.points.clear();
+  let_go(trial_.cracks[other->crack]);
   std::erase_if(trial_.growing, [&](const Growing& of) { return of.crack == other->crack; });
   return true;
 }

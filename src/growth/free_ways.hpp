@@ -12,11 +12,6 @@
 
 namespace spricka::growth {
 
-/// Whether a crack has become a part of another one: it is drawn, by no points.
-inline bool is_gone(const model::Crack& crack) {
-  return crack.kind == model::CrackKind::drawn && crack.points.empty();
-}
-
 /// Cracks in space whose fronts take the shape that K gives them: tips are points spread evenly
 /// along the part of a front that lies in the body, each goes on across the front in the crack's
 /// plane, and the next front is a smooth curve through them, trimmed or continued to the surface.
@@ -85,7 +80,6 @@ private:
   [[nodiscard]] FrontRates rates_of(const Growing& of, const State& state) const;
   /// Moves a front on trial to where its points have advanced by `by` [tip] on their way.
   void go_round(const Growing& from, const std::vector<double>& by, Growing& of);
-  [[nodiscard]] bool may_join(const model::Crack& one, const model::Crack& other) const;
   /// Of one crack against the other: what is nearer to it than `reach` does not stay.
   [[nodiscard]] MeetingFront meeting(const Growing& of, const Growing& other, double reach,
                                      const std::vector<double>& by) const;

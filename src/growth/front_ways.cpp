@@ -4,6 +4,7 @@
 #include "model/model.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -12,6 +13,8 @@
 namespace spricka::growth {
 
 namespace {
+
+using base::Vec3;
 
 /// Advance as a part of the way to the surface, and to another front, which may come the other way.
 constexpr double part_to_surface = 0.6;
@@ -23,6 +26,9 @@ constexpr double nothing_left = 0.03;
 constexpr double next_to_nothing_left = 0.2;
 /// Fronts that meet both come nearer.
 constexpr double own_part_of_gap = 0.5;
+/// Planes that are one: sine of their angle, and distance as a part of the way between the cracks'
+/// places.
+constexpr double one_plane = 1e-6;
 
 } // namespace
 
@@ -68,6 +74,23 @@ void FrontWays::limit_by_front(std::size_t tip, double share, WayLimit& limit) c
                        fmt::format("{} meets crack {}: {:.3g} is left between them",
                                    tips_[tip].name, model_.cracks[other->crack].name, other->gap)};
   }
+}
+
+// What may differ between two cracks that join is nothing that counts behind that.
+bool FrontWays::may_join(const model::Crack& one, const model::Crack& other) const {
+  const model::CrackPlane& a = one.plane;
+  const model::CrackPlane& b = other.plane;
+  const Vec3 way = b.place - a.place;
+  const bool coplanar = a.normal.cross(b.normal).norm() < one_plane &&
+                        std::abs(a.normal.dot(way)) < one_plane * way.norm();
+  const bool loaded = std::ranges::any_of(model_.cases, [&](const model::LoadCase& load_case) {
+    return std::ranges::any_of(load_case.loads, [&](const model::Load& load) {
+      return load.faces.valid() && (load.faces == one.left || load.faces == one.right ||
+                                    load.faces == other.left || load.faces == other.right);
+    });
+  });
+  return coplanar && !loaded && one.net == other.net && one.mu == other.mu &&
+         one.faces_in_contact == other.faces_in_contact;
 }
 
 std::optional<WayEnd> FrontWays::refused(const State& /*state*/, bool leapt,

@@ -2,6 +2,7 @@
 #pragma once
 #include "growth/solid_surroundings.hpp"
 #include "growth/ways.hpp"
+#include "model/cracks.hpp"
 #include "model/forward.hpp"
 
 #include <cstddef>
@@ -10,6 +11,17 @@
 #include <vector>
 
 namespace spricka::growth {
+
+/// Whether a crack has become a part of another one: it is drawn, by no points.
+inline bool is_gone(const model::Crack& crack) {
+  return crack.kind == model::CrackKind::drawn && crack.points.empty();
+}
+
+/// Makes it one.
+inline void let_go(model::Crack& crack) {
+  crack.kind = model::CrackKind::drawn;
+  crack.points.clear();
+}
 
 /// Cracks in space, whatever shape their fronts take: how far it is to surfaces and other fronts,
 /// when a front goes through in one go, and when it ends there.
@@ -55,6 +67,9 @@ protected:
   [[nodiscard]] virtual double behind(std::size_t tip) const = 0;
   /// The longest advance of a tip [length].
   [[nodiscard]] virtual double longest_advance(std::size_t tip) const = 0;
+
+  /// Whether two cracks lie in one plane and differ in nothing that counts behind their meeting.
+  [[nodiscard]] bool may_join(const model::Crack& one, const model::Crack& other) const;
 
   /// A state counts: what could not be meshed at the last one says nothing any more.
   void stands_anew() { leap_early_ = false; }
