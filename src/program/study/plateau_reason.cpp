@@ -150,6 +150,10 @@ std::string plateau_reason(const PlateauView& view, std::span<const SeriesPoint>
       return fmt::format("{} is the value of a single node, or has no bound where a contact ends",
                          view.answers[*worst].text);
     }
+    if (quantity.starts_with("S.") && quantity.ends_with(".AT")) {
+      return fmt::format("{} goes up and down with where in its element the point lies",
+                         view.answers[*worst].text);
+    }
     return fmt::format("no cause found; the largest error is that of {}",
                        view.answers[*worst].text);
   }
