@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "growth/ellipse_arms.hpp"
 #include "growth/ellipse_ways.hpp"
 
 #include <algorithm>
@@ -189,7 +188,7 @@ private:
 
 } // namespace
 
-std::size_t mover_of(const std::vector<Arm>& arms, std::size_t tip) {
+std::size_t EllipseWays::mover_of(const std::vector<Arm>& arms, std::size_t tip) {
   const auto found = std::ranges::find_if(arms, [&](const Arm& arm) {
     return !arm.shared && arm.crack == arms[tip].crack && arm.on_a == arms[tip].on_a &&
            arm.sign == arms[tip].sign;

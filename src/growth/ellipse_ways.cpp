@@ -2,7 +2,6 @@
 #include "growth/ellipse_ways.hpp"
 
 #include "growth/crack_lines.hpp"
-#include "growth/ellipse_arms.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>

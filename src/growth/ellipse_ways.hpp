@@ -49,6 +49,9 @@ private:
 
   void find_tips();
   [[nodiscard]] CrackState state_of(const Ellipses& ellipses) const;
+  /// The tip that moves the arm of another one: its own, or behind a meeting that of the crack
+  /// which the two have become.
+  static std::size_t mover_of(const std::vector<Arm>& arms, std::size_t tip);
   /// One ellipse in the place of two, under the name of the first; empty: there is none.
   [[nodiscard]] std::optional<Ellipses> joined(Ellipses from, std::size_t one,
                                                std::size_t other) const;
