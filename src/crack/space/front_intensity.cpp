@@ -185,7 +185,7 @@ void smooth_along(const mesh::Front& front, const FrontFields& fields,
     if (!point.at_surface) {
       continue;
     }
-    const auto inside = value_from_inside(at, values, {at.s[i], point.radius, 4.0 * point.radius});
+    const auto inside = value_from_inside(at, values, {at.s[i], 4.0 * point.radius});
     if (inside) {
       result[i].front->from_inside = std::array{(*inside)[0], (*inside)[1], (*inside)[2]};
     }

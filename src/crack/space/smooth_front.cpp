@@ -140,27 +140,58 @@ base::Matrix smooth_values(const FrontStations& at, const base::Matrix& values) 
   return B * left.completeOrthogonalDecomposition().solve(right);
 }
 
-std::optional<base::Vector> value_from_inside(const FrontStations& at, const base::Matrix& values,
-                                              const Beside& beside) {
-  std::vector<Eigen::Index> taken;
-  for (std::size_t i = 0; i < at.s.size(); ++i) {
-    const double away = std::abs(at.s[i] - beside.s);
-    if (at.weight[i] > 0.0 && away > beside.near && away < beside.far) {
-      taken.push_back(static_cast<Eigen::Index>(i));
+namespace {
+
+// What each of the values at distances d, ascending, counts in the parabola at 0; in a line where
+// there are fewer than four.
+base::Vector weights_at_zero(const std::vector<double>& d) {
+  const auto n = static_cast<Eigen::Index>(d.size());
+  base::Matrix powers(n, d.size() < 4 ? 2 : 3);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double x = d[static_cast<std::size_t>(i)] / d.back();
+    for (Eigen::Index k = 0; k < powers.cols(); ++k) {
+      powers(i, k) = k == 0 ? 1.0 : powers(i, k - 1) * x;
     }
   }
-  if (taken.size() < 2) {
+  const base::Matrix inverse = powers.colPivHouseholderQr().solve(base::Matrix::Identity(n, n));
+  return inverse.row(0);
+}
+
+} // namespace
+
+std::optional<base::Vector> value_from_inside(const FrontStations& at, const base::Matrix& values,
+                                              const Beside& beside) {
+  constexpr std::size_t fewest = 5;
+  constexpr std::size_t most = 9;
+  constexpr double counted = 1.5; // times an error of the values
+  std::vector<std::pair<double, Eigen::Index>> points;
+  for (std::size_t i = 0; i < at.s.size(); ++i) {
+    if (at.weight[i] > 0.0) {
+      points.emplace_back(std::abs(at.s[i] - beside.s), static_cast<Eigen::Index>(i));
+    }
+  }
+  std::ranges::sort(points);
+  if (points.size() < 2) {
     return std::nullopt;
   }
-  base::Matrix line(static_cast<Eigen::Index>(taken.size()), 2);
-  base::Matrix right(line.rows(), values.cols());
-  for (Eigen::Index k = 0; k < line.rows(); ++k) {
-    const Eigen::Index i = taken[static_cast<std::size_t>(k)];
-    line.row(k) << 1.0, at.s[static_cast<std::size_t>(i)] - beside.s;
-    right.row(k) = values.row(i);
+  std::vector<double> distance;
+  base::Vector weights;
+  const auto is_enough = [&] {
+    const std::size_t n = distance.size();
+    return n == points.size() || n == most ||
+           (n >= fewest && points[n].first > beside.far && weights.norm() <= counted);
+  };
+  while (!is_enough()) {
+    distance.push_back(points[distance.size()].first);
+    if (distance.size() > 1) {
+      weights = weights_at_zero(distance);
+    }
   }
-  const base::Matrix fitted = line.colPivHouseholderQr().solve(right);
-  return base::Vector(fitted.row(0));
+  base::Vector value = base::Vector::Zero(values.cols());
+  for (Eigen::Index k = 0; k < weights.size(); ++k) {
+    value += weights[k] * values.row(points[static_cast<std::size_t>(k)].second).transpose();
+  }
+  return value;
 }
 
 } // namespace spricka::crack

@@ -23,11 +23,14 @@ struct FrontStations {
 /// the values themselves.
 base::Matrix smooth_values(const FrontStations& at, const base::Matrix& values);
 
-/// The line that fits the values at distances from `near` to `far` of the front's place s best, at
-/// s; nothing with fewer than two points there (crack_space.16).
+/// A place of a front, and how far values beside it are looked at [length].
 struct Beside {
-  double s = 0.0, near = 0.0, far = 0.0;
+  double s = 0.0, far = 0.0;
 };
+/// The value at a place whose own says nothing, by a parabola through the values of the points next
+/// to it that count: all that are nearer than `far`, five at least, more (nine at most) where
+/// errors of theirs would count 1.5 times; a line through two or three, nothing with fewer
+/// (crack_space.16). [quantity]
 std::optional<base::Vector> value_from_inside(const FrontStations& at, const base::Matrix& values,
                                               const Beside& beside);
 

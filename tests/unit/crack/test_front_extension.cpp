@@ -155,17 +155,45 @@ TEST(SmoothFront, GivesBackWhatHatsSmear) {
   }
 }
 
+// Of a parabola it is the value itself, whatever the end's own is; an error of one point counts 1.5
+// times at most where there are enough of them.
 TEST(SmoothFront, GoesOnToTheSurfaceFromInside) {
-  const crack::FrontStations at = stations(9, false);
-  base::Matrix values(9, 1);
-  for (Eigen::Index i = 0; i < 9; ++i) {
-    values(i, 0) = 2.0 - 0.5 * at.s[static_cast<std::size_t>(i)];
+  const int count = 13;
+  crack::FrontStations even = stations(count, false);
+  even.weight.front() = 0.0;          // a number of the mesh
+  crack::FrontStations graded = even; // as tubes have them
+  for (std::size_t i = 0; i < graded.s.size(); ++i) {
+    graded.s[i] = std::pow(1.5, static_cast<double>(i)) - 1.0;
   }
-  values(0, 0) = 77.0; // a number of the mesh
-  const auto value = crack::value_from_inside(at, values, {0.0, 0.9, 4.0});
+  for (const crack::FrontStations& at : {even, graded}) {
+    base::Matrix values(count, 1);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const double s = at.s[static_cast<std::size_t>(i)];
+      values(i, 0) = 2.0 - 0.5 * s + 0.03 * s * s;
+    }
+    values(0, 0) = 77.0;
+    const auto value = crack::value_from_inside(at, values, {at.s[0], 0.0});
+    ASSERT_TRUE(value.has_value());
+    EXPECT_NEAR((*value)[0], 2.0 - 0.5 * at.s[0] + 0.03 * at.s[0] * at.s[0], 1e-9);
+    for (Eigen::Index i = 1; i < count; ++i) {
+      base::Matrix wrong = values;
+      wrong(i, 0) += 0.1;
+      EXPECT_LT(std::abs((*crack::value_from_inside(at, wrong, {at.s[0], 0.0}))[0] - (*value)[0]),
+                0.15);
+    }
+  }
+}
+
+TEST(SmoothFront, GoesOnFromFewPointsByALine) {
+  crack::FrontStations at = stations(4, false);
+  at.weight = {0.0, 1.0, 1.0, 0.0};
+  base::Matrix values(4, 1);
+  values << 77.0, 2.0 - 0.5 * at.s[1], 2.0 - 0.5 * at.s[2], 77.0;
+  const auto value = crack::value_from_inside(at, values, {0.0, 0.0});
   ASSERT_TRUE(value.has_value());
   EXPECT_NEAR((*value)[0], 2.0, 1e-12);
-  EXPECT_FALSE(crack::value_from_inside(at, values, {0.0, 0.1, 0.2}).has_value());
+  at.weight = {0.0, 1.0, 0.0, 0.0};
+  EXPECT_FALSE(crack::value_from_inside(at, values, {0.0, 0.0}).has_value());
 }
 
 } // namespace
