@@ -25,6 +25,14 @@ using base::Vec3;
 constexpr double axis_behind = 1.15;
 /// Parametric angles beside an end of an axis at which the body is looked for [rad].
 constexpr std::array beside_end{0.1, 0.2, 0.3, 0.5};
+/// Of an end on a surface K is taken so far inside, as a parametric angle, as life programs do (5
+/// to 10 degrees): beside a bore K rises in a narrow peak that a whole ellipse does not follow.
+/// Where less than a quarter of the ellipse is left in the body it is this part of what is.
+constexpr double inside_end = 10.0 * std::numbers::pi / 180.0;
+constexpr double inside_part = 1.0 / 9.0;
+/// Steps along the ellipse to where it leaves the body, and halvings of the last.
+constexpr int steps_inside = 18;
+constexpr int halvings = 20;
 /// An arm that ends outside of the body grows at most so many times as fast as the front moves: of
 /// a front that has become straight the axis that leads out says nothing any more.
 constexpr double farthest_lever = 20.0;
@@ -91,11 +99,45 @@ void EllipseWays::find_tips() {
   }
 }
 
+// The angle along the ellipse from an end on a surface to where it leaves the body, up to a
+// quarter.
+double EllipseWays::angle_inside(const model::Crack& crack, double end, double sign) const {
+  const auto inside = [&](double angle) {
+    return around_.inside(on_ellipse(crack, end + sign * angle), crack.net);
+  };
+  const double step = 0.5 * std::numbers::pi / steps_inside;
+  double within = step;
+  while (within < 0.5 * std::numbers::pi - 0.5 * step && inside(within + step)) {
+    within += step;
+  }
+  double low = inside(within) ? within : 0.0;
+  double high = inside(within) ? within + step : within;
+  for (int k = 0; k < halvings; ++k) {
+    const double middle = 0.5 * (low + high);
+    (inside(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+// An end whose other axis has one arm lies on the surface that the centre lies on.
+double EllipseWays::aim_of(const Ellipses& ellipses, const Arm& arm) const {
+  const double end = end_angle(arm.on_a, arm.sign);
+  for (const Arm& other : ellipses.arms) {
+    if (other.crack == arm.crack && other.on_a != arm.on_a && !other.paired) {
+      const double turn = std::sin(end_angle(other.on_a, other.sign) - end);
+      const double sign = std::copysign(1.0, turn);
+      const double left = angle_inside(ellipses.cracks[arm.crack], end, sign);
+      return end + sign * std::min(inside_end, inside_part * left);
+    }
+  }
+  return end;
+}
+
 CrackState EllipseWays::state_of(const Ellipses& ellipses) const {
   const std::vector<model::Crack>& cracks = ellipses.cracks;
   CrackState state{.lines = {}, .solids = cracks};
   for (const Arm& arm : ellipses.arms) {
-    state.aims.push_back(on_ellipse(cracks[arm.crack], end_angle(arm.on_a, arm.sign)));
+    state.aims.push_back(on_ellipse(cracks[arm.crack], aim_of(ellipses, arm)));
     state.fronts.push_back(arm.crack);
   }
   return state;

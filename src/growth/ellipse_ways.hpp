@@ -49,6 +49,9 @@ private:
 
   void find_tips();
   [[nodiscard]] CrackState state_of(const Ellipses& ellipses) const;
+  /// The parametric angle at which K of an arm is taken.
+  [[nodiscard]] double aim_of(const Ellipses& ellipses, const Arm& arm) const;
+  [[nodiscard]] double angle_inside(const model::Crack& crack, double end, double sign) const;
   /// The tip that moves the arm of another one: its own, or behind a meeting that of the crack
   /// which the two have become.
   static std::size_t mover_of(const std::vector<Arm>& arms, std::size_t tip);

@@ -12,7 +12,8 @@
 /// Where fronts in space cross the axes of their cracks: what tables and tests call a and c.
 namespace spricka::results {
 
-/// The end of an axis of a crack on its front, between two of its points.
+/// The end of an axis of a crack on its front, between two of its points; of an end on a surface
+/// the place of values is 10 degrees (of the ellipse's parametric angle) inside.
 struct AxisEnd {
   std::string tip{}; ///< "C1.A", "C1.C2"
   bool on_a = true;  ///< of the axis A, else of C
