@@ -88,6 +88,7 @@ void EllipseWays::find_tips() {
       for (const double sign : ends) {
         const bool paired = ends.size() == 2;
         now_.arms.push_back({.crack = c, .on_a = on_a, .sign = sign, .paired = paired});
+        first_arm_.push_back(on_a ? crack.plane.a : crack.plane.c);
         tips_.push_back({.name = fmt::format("{}.{}{}", crack.name, on_a ? "A" : "C",
                                              !paired      ? ""
                                              : sign > 0.0 ? "1"
@@ -146,11 +147,6 @@ CrackState EllipseWays::state_of(const Ellipses& ellipses) const {
 CrackState EllipseWays::here() {
   trial_ = now_;
   return state_of(trial_);
-}
-
-double EllipseWays::first_arm(std::size_t tip) const {
-  const model::CrackPlane& plane = model_.cracks[now_.arms[tip].crack].plane;
-  return now_.arms[tip].on_a ? plane.a : plane.c;
 }
 
 double EllipseWays::behind(std::size_t tip) const {

@@ -19,7 +19,7 @@ public:
 
   void go_on(const State& state) override;
   [[nodiscard]] CrackState here() override;
-  [[nodiscard]] double first_arm(std::size_t tip) const override;
+  [[nodiscard]] double first_arm(std::size_t tip) const override { return first_arm_[tip]; }
   std::optional<CrackState> advanced(const State& state, const Advance& advance,
                                      base::Diagnostics& diagnostics) override;
   void place(std::vector<TipStation>& found) const override;
@@ -61,7 +61,8 @@ private:
   [[nodiscard]] double moved_by(const Arm& arm, const model::Crack& crack,
                                 const base::Vec3& x) const;
 
-  Ellipses now_, trial_; ///< at the last station that counts; to be solved
+  std::vector<double> first_arm_; ///< [tip] of the deck's crack, whatever it has become
+  Ellipses now_, trial_;          ///< at the last station that counts; to be solved
 };
 
 } // namespace spricka::growth

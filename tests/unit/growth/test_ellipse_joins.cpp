@@ -62,6 +62,7 @@ void expect_kept(const Block& block, const Grown& before) {
   for (std::size_t i = 0; i < again.aims.size(); ++i) {
     EXPECT_EQ(again.aims[i], before.last.aims[i]);
     EXPECT_EQ(again.fronts[i], before.last.fronts[i]);
+    EXPECT_EQ(ways.first_arm(i), growth::EllipseWays(block.model).first_arm(i));
   }
 }
 
