@@ -54,6 +54,10 @@ public:
     trial.setting.family = Family::peer;
     trial.unknowns = own.unknowns;
     const ReadyDeck ready = read_silently(own.setting.deck, {.defines = own.setting.defines});
+    if (!ready.model) { // the mesher may run out of time in the same deck
+      trial.trouble = "the mesh could not be made once more";
+      return trial;
+    }
     base::Diagnostics refusals;
     const fs::path inp = fs::path(own.setting.deck).replace_extension(".inp");
     report::write_file(inp,
