@@ -201,7 +201,7 @@ constexpr std::array grow_keys{
                   "(dK/(1-R)^(1-P))^M; FORMAN: C dK^M/((1-R) KC - dK); NASGRO: Forman and Mettu's "
                   "with Newman's crack opening; TABLE: lines delta_K da/dN")),
     preset(word("DIRECTION", "PATH|HOOP|K2ZERO",
-                "where a crack grows to: along its line, or by K1 and K2"),
+                "where a crack grows to: along its line or in its plane, or by K1 and K2"),
            "PATH"),
     of_type(KeyType::references, "CRACKS", crack, "that grow; all when left out"),
     preset(

@@ -57,8 +57,15 @@ void solid_growth_in_reach(Context& c) {
       c.unavailable("$GROW LAW=INCREMENT with a crack in space that is no ellipse", growth.span);
     }
   }
-  if (growth.direction != model::GrowthDirection::path) {
-    no("DIRECTION other than PATH");
+  const bool turns = growth.direction != model::GrowthDirection::path;
+  if (turns && growth.shape == model::FrontShape::ellipse) {
+    no("SHAPE=ELLIPSE and DIRECTION other than PATH");
+  }
+  if (turns && growth.law == model::GrowthLaw::increment) {
+    no("LAW=INCREMENT and DIRECTION other than PATH");
+  }
+  if (turns && growth.flow_stress) {
+    no("FLOW and DIRECTION other than PATH");
   }
 }
 

@@ -2,6 +2,7 @@
 #include "growth/free_ways.hpp"
 
 #include "growth/crack_lines.hpp"
+#include "growth/turned_front.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
@@ -31,6 +32,8 @@ constexpr int rounds = 2;
 constexpr double largest_miss = 0.5;
 /// Cosine of what a front turns by from end to end at least if it is no straight one: 45 degrees.
 constexpr double hardly_turned = 0.7;
+/// Sine of the angle that a crack may make with its first plane: heights over that stand for it.
+constexpr double steepest = 0.966;
 
 FrontKind kind_of(const FrontArc& arc) {
   const double turned = arc.curve.at(0.0).m.dot(arc.curve.at(arc.curve.length()).m);
@@ -63,7 +66,59 @@ FreeWays::FreeWays(const model::Model& model) : FrontWays(model) {
       first_arm_.push_back((of.frame(i).x - crack.plane.place).norm());
     }
   }
+  turning_.assign(tips_.size(), {});
+  part_.assign(tips_.size(), 0.0);
   find_ligaments();
+}
+
+bool FreeWays::turns() const {
+  return model_.growth->direction != model::GrowthDirection::path;
+}
+
+// K2 scatters by some per cent of K1 along fronts.
+double FreeWays::turn_scatter() const {
+  constexpr double scatter = 0.04;
+  return scatter;
+}
+
+void FreeWays::find_turning(const State& state) {
+  const std::size_t count = state.stations.size();
+  for (std::size_t tip = 0; turns() && count > 0 && tip < tips_.size(); ++tip) {
+    const TipStation& here = state.stations.back().tips[tip];
+    turning_[tip] = {.heading = here.heading, .turn = here.turn, .curvature = 0.0};
+    // Over two advances, as headings scatter from mesh to mesh; the kink at the first front is no
+    // curvature, and a leap has nothing in common with what was before.
+    if (count > 3 && state.stations[count - 1].leapt == 0 && state.stations[count - 2].leapt == 0) {
+      const TipStation& last = state.stations[count - 3].tips[tip];
+      turning_[tip].curvature =
+          here.a > last.a ? (here.heading - last.heading) / (here.a - last.a) : 0.0;
+    }
+  }
+}
+
+// Chords follow the arc that goes on with the curvature so far (growth.10).
+double FreeWays::turn_on(std::size_t tip, double by) const {
+  return turning_[tip].turn + 0.5 * turning_[tip].curvature * by;
+}
+
+Vec3 FreeWays::way_on(const mesh::FrontFrame& at, std::size_t tip, double by) const {
+  if (!turns()) {
+    return at.m;
+  }
+  const double angle = turn_on(tip, by);
+  return std::cos(angle) * at.m + std::sin(angle) * at.b;
+}
+
+WayLimit FreeWays::limit(const State& state, std::size_t tip, double share, double ds) const {
+  const Place at = place_of(tip);
+  const Vec3& normal = now_.cracks[at.of.crack].plane.normal;
+  if (std::abs(way_on(at.frame(), tip, 0.0).dot(normal)) > steepest) {
+    return {.ds = ds,
+            .end = WayEnd{"CURL", fmt::format("{} has turned by more than 75 degrees out of its "
+                                              "first plane",
+                                              tips_[tip].name)}};
+  }
+  return FrontWays::limit(state, tip, share, ds);
 }
 
 FreeWays::Place FreeWays::place_of(std::size_t tip) const {
@@ -99,7 +154,7 @@ void FreeWays::look_ahead(const Growing& of) {
     const double s = std::clamp(arc.place(i, of.tips.size()), edge, arc.curve.length() - edge);
     const mesh::FrontFrame at = arc.curve.at(s);
     // The surface that an end lies on is none ahead: the front slides along it.
-    const auto ahead = around_.to_surface(at.x, at.m, crack.net);
+    const auto ahead = around_.to_surface(at.x, way_on(at, of.tips[i], 0.0), crack.net);
     const bool slides = ahead && std::ranges::find(own, ahead->piece) != own.end();
     if (ahead && !slides) {
       ligaments_[of.tips[i]] =
@@ -122,7 +177,8 @@ CrackState FreeWays::state_of(const Fronts& fronts) const {
 }
 
 // A crack is as the deck has it (nothing is kept), or one number tells how many tips its front has:
-// none, and it has become a part of another. Its place, the tips and the points follow.
+// none, and it has become a part of another; and one how many fronts it has in its wake. Its
+// place, the tips, these fronts with the normals of the last, and the points follow.
 void FreeWays::go_on(const State& state) {
   now_.growing.clear();
   for (std::size_t c = 0; c < state.lines.size(); ++c) {
@@ -145,7 +201,20 @@ void FreeWays::go_on(const State& state) {
         for (std::size_t i = 0; i < count; ++i) {
           tips.push_back(static_cast<std::size_t>(kept.at(2 + i).x()));
         }
-        crack.points.assign(kept.begin() + 2 + static_cast<std::ptrdiff_t>(count), kept.end());
+        auto at = kept.begin() + 2 + static_cast<std::ptrdiff_t>(count);
+        const auto take = [&](std::size_t many) {
+          const auto from = at;
+          at += static_cast<std::ptrdiff_t>(many);
+          return std::vector<Vec3>(from, at);
+        };
+        crack.wake = {};
+        for (auto left = static_cast<int>(kept[0].z()); left > 0; --left) {
+          const auto many = static_cast<std::size_t>(take(1).front().x());
+          crack.wake.fronts.push_back(take(many));
+          crack.wake.normals.resize(many);
+        }
+        crack.wake.normals = take(crack.wake.normals.size());
+        crack.points.assign(at, kept.end());
       }
     }
     std::optional<FrontArc> arc = tips.empty() ? std::nullopt : arc_in_body(crack, around_);
@@ -153,11 +222,13 @@ void FreeWays::go_on(const State& state) {
       now_.growing.push_back({c, std::move(tips), std::move(*arc)});
     }
   }
+  find_turning(state);
   find_ligaments();
 }
 
 CrackState FreeWays::here() {
   trial_ = now_;
+  std::ranges::fill(part_, 0.0);
   return state_of(trial_);
 }
 
@@ -259,7 +330,8 @@ FreeWays::NextPoints FreeWays::next_points(const Growing& of, const Advance& adv
     const std::size_t i = (begin + k) % count;
     if (stays[i]) {
       const mesh::FrontFrame& at = from.emplace_back(of.frame(i));
-      next.points.emplace_back(at.x + advance.by[of.tips[i]] * at.m);
+      const double by = advance.by[of.tips[i]];
+      next.points.emplace_back(at.x + by * way_on(at, of.tips[i], by));
     }
   }
   next.points = without_crossings(from, next.points, next.closed);
@@ -271,6 +343,12 @@ bool FreeWays::draw(const NextPoints& next, Growing& of) {
   std::optional<model::Crack> drawn;
   if (next.points.size() >= fewest_points) {
     drawn = crack_through(crack, next.points, next.closed, around_);
+  }
+  if (drawn && turns()) {
+    const auto from = std::ranges::find(now_.growing, of.crack, &Growing::crack);
+    drawn->wake =
+        wake_with(now_.cracks[of.crack], from->arc.curve,
+                  mesh::FrontCurve(next.points, normals_of(crack, next.points), next.closed));
   }
   std::optional<FrontArc> arc = drawn ? arc_in_body(*drawn, around_) : std::nullopt;
   if (!arc) {
@@ -292,9 +370,10 @@ void FreeWays::go_round(const Growing& from, const std::vector<double>& by, Grow
     for (std::size_t i = 0; i < of.tips.size(); ++i) {
       const mesh::FrontFrame before = from.frame(i);
       const mesh::FrontFrame behind = of.frame(i);
-      const Vec3 way = (before.m + behind.m).normalized();
-      const double missed = by[of.tips[i]] - (behind.x - before.x).dot(way);
-      if (std::abs(missed) > largest_miss * by[of.tips[i]]) {
+      const std::size_t tip = of.tips[i];
+      const Vec3 way = (way_on(before, tip, by[tip]) + behind.m).normalized();
+      const double missed = by[tip] - (behind.x - before.x).dot(way);
+      if (std::abs(missed) > largest_miss * by[tip]) {
         return; // a notch, or a front that has come to lie otherwise
       }
       next.points.emplace_back(behind.x + missed * behind.m);
@@ -308,6 +387,9 @@ void FreeWays::go_round(const Growing& from, const std::vector<double>& by, Grow
 std::optional<CrackState> FreeWays::advanced(const State& /*state*/, const Advance& advance,
                                              base::Diagnostics& diagnostics) {
   trial_ = now_;
+  for (std::size_t tip = 0; turns() && tip < tips_.size(); ++tip) {
+    part_[tip] = turning_[tip].heading - turning_[tip].turn + turn_on(tip, advance.by[tip]);
+  }
   for (std::size_t g = 0; g < now_.growing.size(); ++g) {
     Growing& of = trial_.growing[g];
     const NextPoints next = next_points(now_.growing[g], advance);
@@ -332,6 +414,7 @@ std::optional<CrackState> FreeWays::advanced(const State& /*state*/, const Advan
 
 void FreeWays::place(std::vector<TipStation>& found) const {
   for (const Growing& of : trial_.growing) {
+    place_turns(of, found);
     std::vector<double> rate;
     for (const std::size_t tip : of.tips) {
       rate.push_back(found[tip].rate);
@@ -350,9 +433,26 @@ void FreeWays::place(std::vector<TipStation>& found) const {
   }
 }
 
+// Turns without the scatter from mesh to mesh, as rates are.
+void FreeWays::place_turns(const Growing& of, std::vector<TipStation>& found) const {
+  if (!turns()) {
+    return;
+  }
+  std::vector<double> turn;
+  for (const std::size_t tip : of.tips) {
+    turn.push_back(found[tip].turn);
+  }
+  const std::vector<double> smooth = smooth_turns(turn, kind_of(of.arc));
+  for (std::size_t i = 0; i < of.tips.size(); ++i) {
+    found[of.tips[i]].turn = smooth[i];
+    found[of.tips[i]].heading = part_[of.tips[i]] + found[of.tips[i]].turn;
+  }
+}
+
 void FreeWays::settle(State& state) {
   now_ = trial_;
   stands_anew();
+  find_turning(state);
   find_ligaments();
   for (const Growing& of : now_.growing) {
     const std::vector<double> astray = rates_of(of, state).astray();
@@ -371,11 +471,17 @@ void FreeWays::settle(State& state) {
     const model::Crack& crack = now_.cracks[of.crack];
     if (crack.kind == model::CrackKind::drawn) {
       std::vector<Vec3>& kept = state.lines[of.crack];
-      kept.emplace_back(crack.plane.closed ? 1.0 : 0.0, static_cast<double>(of.tips.size()), 0.0);
+      kept.emplace_back(crack.plane.closed ? 1.0 : 0.0, static_cast<double>(of.tips.size()),
+                        static_cast<double>(crack.wake.fronts.size()));
       kept.push_back(crack.plane.place);
       for (const std::size_t tip : of.tips) {
         kept.emplace_back(static_cast<double>(tip), 0.0, 0.0);
       }
+      for (const std::vector<Vec3>& front : crack.wake.fronts) {
+        kept.emplace_back(static_cast<double>(front.size()), 0.0, 0.0);
+        kept.insert(kept.end(), front.begin(), front.end());
+      }
+      kept.insert(kept.end(), crack.wake.normals.begin(), crack.wake.normals.end());
       kept.insert(kept.end(), crack.points.begin(), crack.points.end());
     }
   }

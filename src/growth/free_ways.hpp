@@ -13,8 +13,9 @@
 namespace spricka::growth {
 
 /// Cracks in space whose fronts take the shape that K gives them: tips are points spread evenly
-/// along the part of a front that lies in the body, each goes on across the front in the crack's
-/// plane, and the next front is a smooth curve through them, trimmed or continued to the surface.
+/// along the part of a front that lies in the body, each goes on across the front, straight on or
+/// turned by K2, and the next front is a smooth curve through them, trimmed or continued to the
+/// surface.
 /// Where it comes near to a surface ahead, the points there go through it; where two fronts in one
 /// plane meet, they go on as one, which has the tips of both.
 class FreeWays final : public FrontWays {
@@ -26,6 +27,10 @@ public:
   explicit FreeWays(const model::Model& model);
 
   void go_on(const State& state) override;
+  [[nodiscard]] bool turns() const override;
+  [[nodiscard]] double turn_scatter() const override;
+  [[nodiscard]] WayLimit limit(const State& state, std::size_t tip, double share,
+                               double ds) const override;
   [[nodiscard]] CrackState here() override;
   [[nodiscard]] double first_arm(std::size_t tip) const override { return first_arm_[tip]; }
   bool relax(const State& state, std::vector<double>& by) const override;
@@ -73,9 +78,14 @@ private:
   void look_ahead(const Growing& of);
   [[nodiscard]] Place place_of(std::size_t tip) const;
   [[nodiscard]] CrackState state_of(const Fronts& fronts) const;
+  /// The way on of a tip, unit, of a part of an advance that ends so far ahead [length].
+  [[nodiscard]] base::Vec3 way_on(const mesh::FrontFrame& at, std::size_t tip, double by) const;
+  /// By how much a tip turns on that way [rad].
+  [[nodiscard]] double turn_on(std::size_t tip, double by) const;
   [[nodiscard]] NextPoints next_points(const Growing& of, const Advance& advance) const;
   /// A front on trial; false: it would be none, or several.
   bool draw(const NextPoints& next, Growing& of);
+  void place_turns(const Growing& of, std::vector<TipStation>& found) const;
   /// Of all that a front has made on its way to the last station.
   [[nodiscard]] FrontRates rates_of(const Growing& of, const State& state) const;
   /// Moves a front on trial to where its points have advanced by `by` [tip] on their way.
@@ -87,7 +97,17 @@ private:
                                                   const Advance& advance) const;
   bool join(const Advance& advance);
 
+  /// What the last station says of a tip that turns.
+  struct Turning {
+    double heading = 0.0;   ///< the way on, all turns taken together [rad]
+    double turn = 0.0;      ///< of it against the crack's last part [rad]
+    double curvature = 0.0; ///< of its way so far [rad/length]
+  };
+  void find_turning(const State& state);
+
   std::vector<double> first_arm_; ///< [tip]
+  std::vector<Turning> turning_;  ///< [tip]
+  std::vector<double> part_;      ///< [tip] direction of the crack's last part on trial [rad]
   Fronts now_, trial_;            ///< at the last station that counts; to be solved
   std::vector<std::optional<Ligament>> ligaments_; ///< [tip]
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "growth/front_arc.hpp"
 
+#include "growth/turned_front.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -22,10 +24,6 @@ constexpr double step_out = 0.02;
 constexpr double still_apart = 0.25; // of two points before they went on
 constexpr std::size_t fewest_kept = 4;
 
-std::vector<Vec3> normals_of(const model::Crack& crack, std::size_t count) {
-  return std::vector<Vec3>(count, crack.plane.normal);
-}
-
 // All of the front as the deck or an advance drew it, m out of the crack.
 mesh::FrontCurve whole_front(const model::Crack& crack) {
   std::vector<Vec3> points = crack.points;
@@ -40,14 +38,14 @@ mesh::FrontCurve whole_front(const model::Crack& crack) {
     }
   }
   const bool closed = ellipse || plane.closed;
-  mesh::FrontCurve curve(points, normals_of(crack, points.size()), closed);
+  mesh::FrontCurve curve(points, normals_of(crack, points), closed);
   double outwards = 0.0;
   for (const Vec3& x : points) {
     outwards += curve.at(curve.nearest(x)).m.dot(x - plane.place);
   }
   if (outwards < 0.0) {
     std::ranges::reverse(points);
-    curve = mesh::FrontCurve(points, normals_of(crack, points.size()), closed);
+    curve = mesh::FrontCurve(points, normals_of(crack, points), closed);
   }
   return curve;
 }
@@ -123,14 +121,14 @@ std::optional<FrontArc> arc_in_body(const model::Crack& crack, const SolidSurrou
   for (int i = 0; i <= points_of_front; ++i) {
     points.push_back(whole.at(s0 + (s1 - s0) * i / points_of_front).x);
   }
-  const std::size_t count = points.size();
-  return FrontArc{mesh::FrontCurve(std::move(points), normals_of(crack, count), false)};
+  std::vector<Vec3> normals = normals_of(crack, points);
+  return FrontArc{mesh::FrontCurve(std::move(points), std::move(normals), false)};
 }
 
 std::optional<model::Crack> crack_through(const model::Crack& before,
                                           const std::vector<Vec3>& points, bool closed,
                                           const SolidSurroundings& around) {
-  const mesh::FrontCurve curve(points, normals_of(before, points.size()), closed);
+  const mesh::FrontCurve curve(points, normals_of(before, points), closed);
   model::Crack crack = before;
   crack.kind = model::CrackKind::drawn;
   crack.plane.closed = closed;

@@ -16,9 +16,13 @@ namespace {
 
 // Of 17 points of an open front, and of 32 of a closed one; of more, where two fronts have become
 // one, as many more.
-constexpr int degree_round = 8; // of the polynomial, of a front that turns
-constexpr int degree_straight = 4;
-constexpr int harmonics = 12;
+struct Fit {
+  int round = 0; ///< degree of the polynomial, of a front that turns
+  int straight = 0;
+  int harmonics = 0;
+};
+constexpr Fit rates{.round = 8, .straight = 4, .harmonics = 12};
+constexpr Fit turns{.round = 5, .straight = 2, .harmonics = 7};
 constexpr int points_open = 17;
 constexpr int points_closed = 32;
 /// Ends of a front through a plate answer to falling behind more steeply than a wave of an endless
@@ -52,6 +56,33 @@ struct Waves {
     return shape.partialPivLu().solve(values);
   }
 };
+
+// The polynomial or the harmonics that fit values [point] along an arc best, at its points; the
+// values themselves where there are too few.
+std::vector<double> fitted(const base::Vector& values, FrontKind kind, const Fit& fit) {
+  const bool closed = kind == FrontKind::closed;
+  const int degree = kind == FrontKind::straight ? fit.straight : fit.round;
+  const Eigen::Index n = values.size();
+  const Eigen::Index count =
+      closed ? 2 * std::max<Eigen::Index>(1, n * fit.harmonics / points_closed) + 1
+             : (n > points_closed ? n * degree / points_open : degree) + 1;
+  if (n <= count) {
+    return {values.begin(), values.end()};
+  }
+  base::Matrix shape(n, count);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double part = static_cast<double>(i) / static_cast<double>(closed ? n : n - 1);
+    for (Eigen::Index k = 0; k < count; ++k) {
+      const Eigen::Index order = (k + 1) / 2;
+      const double turn = 2.0 * std::numbers::pi * static_cast<double>(order) * part;
+      shape(i, k) = !closed      ? std::cos(static_cast<double>(k) * std::acos(2.0 * part - 1.0))
+                    : k % 2 == 0 ? std::cos(turn)
+                                 : std::sin(turn);
+    }
+  }
+  const base::Vector found = shape * shape.householderQr().solve(values);
+  return {found.begin(), found.end()};
+}
 
 // Integrals of exp(-z t) and t exp(-z (1 - t)) over an advance, t from 0 to 1; series where the
 // closed forms cancel.
@@ -112,34 +143,16 @@ std::vector<double> FrontRates::astray() const {
 }
 
 std::vector<double> smooth_along(const std::vector<double>& values, FrontKind kind) {
-  const bool closed = kind == FrontKind::closed;
-  const int degree = kind == FrontKind::straight ? degree_straight : degree_round;
-  const auto n = static_cast<Eigen::Index>(values.size());
-  const Eigen::Index count = closed
-                                 ? 2 * std::max<Eigen::Index>(1, n * harmonics / points_closed) + 1
-                                 : (n > points_closed ? n * degree / points_open : degree) + 1;
-  if (n <= count || std::ranges::any_of(values, [](double v) { return !(v > 0.0); })) {
+  if (std::ranges::any_of(values, [](double v) { return !(v > 0.0); })) {
     return values;
   }
-  base::Matrix shape(n, count);
-  base::Vector value(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    value[i] = std::log(values[static_cast<std::size_t>(i)]);
-    const double part = static_cast<double>(i) / static_cast<double>(closed ? n : n - 1);
-    for (Eigen::Index k = 0; k < count; ++k) {
-      const Eigen::Index order = (k + 1) / 2;
-      const double turn = 2.0 * std::numbers::pi * static_cast<double>(order) * part;
-      shape(i, k) = !closed      ? std::cos(static_cast<double>(k) * std::acos(2.0 * part - 1.0))
-                    : k % 2 == 0 ? std::cos(turn)
-                                 : std::sin(turn);
-    }
-  }
-  const base::Vector fitted = shape * shape.householderQr().solve(value);
-  std::vector<double> smooth;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    smooth.push_back(std::exp(fitted[i]));
-  }
+  std::vector<double> smooth = fitted(vector_of(values).array().log(), kind, rates);
+  std::ranges::transform(smooth, smooth.begin(), [](double v) { return std::exp(v); });
   return smooth;
+}
+
+std::vector<double> smooth_turns(const std::vector<double>& angles, FrontKind kind) {
+  return fitted(vector_of(angles), kind, turns);
 }
 
 } // namespace spricka::growth

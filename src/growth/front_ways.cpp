@@ -89,7 +89,8 @@ bool FrontWays::may_join(const model::Crack& one, const model::Crack& other) con
                                     load.faces == other.left || load.faces == other.right);
     });
   });
-  return coplanar && !loaded && one.net == other.net && one.mu == other.mu &&
+  const bool flat = one.wake.fronts.empty() && other.wake.fronts.empty();
+  return flat && coplanar && !loaded && one.net == other.net && one.mu == other.mu &&
          one.faces_in_contact == other.faces_in_contact;
 }
 

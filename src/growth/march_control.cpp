@@ -160,8 +160,10 @@ bool March::good_enough() {
   const double missed = cycles_missed() * (n > 3 ? 1.0 : of_straight_line);
   judge(missed, aimed_part * tolerance, still_good * tolerance, n > 3 ? 3.0 : 2.0);
   judge(drift(), aimed_part * tolerance, still_good * tolerance, n > 2 ? 3.0 : 2.0);
-  if (ways_->turns()) {
-    judge(turn_missed(), aimed_miss, largest_miss, n > 2 ? 2.0 : 1.0);
+  // Behind the first kink of a front headings miss by the root of the advance, however short.
+  const double scatter = ways_->turn_scatter();
+  if (ways_->turns() && (scatter == 0.0 || n > 2)) {
+    judge(turn_missed(), aimed_miss + scatter, largest_miss + scatter, n > 2 ? 2.0 : 1.0);
   }
   const Station& last = state_.stations[n - 2];
   const Station& here = state_.stations[n - 1];

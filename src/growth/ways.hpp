@@ -67,6 +67,8 @@ public:
   [[nodiscard]] virtual const std::vector<GrowingTip>& tips() const = 0;
   /// Whether the way on follows from K.
   [[nodiscard]] virtual bool turns() const = 0;
+  /// What headings scatter by from mesh to mesh [rad]: no advance is too long for that.
+  [[nodiscard]] virtual double turn_scatter() const { return 0.0; }
   /// Goes on from the last station of an earlier run.
   virtual void go_on(const State& state) = 0;
   /// The cracks as they are at the last station that counts; then the state on trial.

@@ -39,6 +39,7 @@ public:
   /// Where the front is nearest to x [length]; below 0 or above length() beyond an open end.
   [[nodiscard]] double nearest(const base::Vec3& x) const;
   [[nodiscard]] const std::vector<base::Vec3>& points() const { return x_; }
+  [[nodiscard]] const std::vector<base::Vec3>& normals() const { return normal_; } ///< [point]
 
 private:
   struct Local {

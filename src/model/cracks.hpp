@@ -28,6 +28,15 @@ struct CrackPlane {
   [[nodiscard]] base::Vec3 across() const;
 };
 
+/// What a crack in space has left behind where it has turned out of its plane: ruled strips between
+/// the fronts it has had.
+struct CrackWake {
+  /// [front][point] The first lies in the plane, the last is the present one. Closed ones end with
+  /// their first point, open ones outside of the body.
+  std::vector<std::vector<base::Vec3>> fronts;
+  std::vector<base::Vec3> normals; ///< [point of the last front] b there, unit
+};
+
 struct Crack {
   std::string name;
   CrackKind kind = CrackKind::path;
@@ -37,7 +46,8 @@ struct Crack {
   bool smooth = false;            ///< free or drawn: a smooth curve through the points
   std::optional<double> angle;    ///< free crack with one point [rad], from +x
   std::optional<double> a0;       ///< first length [length]
-  CrackPlane plane;               ///< in space
+  CrackPlane plane;               ///< in space, as it began
+  CrackWake wake = {};            ///< empty: all of it lies in that plane
   CrackState state = CrackState::automatic;
   bool faces_in_contact = true;
   double mu = 0.0;

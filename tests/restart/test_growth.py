@@ -91,6 +91,12 @@ class Growth(RestartTest):
             with self.subTest(shape):
                 self.check_deck(CORNER.format(shape=shape, cycles=60000))
 
+    def test_a_front_that_turns(self):
+        text = (TOP / "decks" / "inclined_life.deck").read_text(encoding="utf-8")
+        self.assertIn("AMAX=(b + 4)", text)
+        text = text[: text.index("$CHECK")].replace("AMAX=(b + 4)", "AMAX=(b + 1.5)") + "$END\n"
+        self.check_deck(text)
+
     def test_straight(self):
         self.check(STEPS.format(amax=5))
 

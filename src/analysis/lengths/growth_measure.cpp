@@ -69,7 +69,8 @@ base::PiecewiseLinear combined(const results::PathTip& tip, const base::Vec2& pa
   return {tip.K1.knots(), std::move(value), std::move(slope)};
 }
 
-// Where K1 is largest between two places: at one of them or at a breakpoint.
+} // namespace
+
 double place_of_largest(const base::PiecewiseLinear& K1, double low, double high) {
   double best = K1(high) >= K1(low) ? high : low;
   for (const double t : K1.knots()) {
@@ -77,8 +78,6 @@ double place_of_largest(const base::PiecewiseLinear& K1, double low, double high
   }
   return best;
 }
-
-} // namespace
 
 life::GrowthLaw law_of(const model::Growth& growth) {
   const model::LawConstants& c = growth.constants;

@@ -13,6 +13,7 @@
 #include "results/results.hpp"
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -45,6 +46,9 @@ std::optional<results::LoadPath> path_of_growth(const model::Model& model,
 /// K1 on a load path at the place of all fronts that is nearest to x; empty: there is none.
 std::optional<base::PiecewiseLinear> K1_nearest(const results::LoadPath& path, const base::Vec3& x);
 
+/// Where K1 on a path is largest between two places: at one of them or at a breakpoint.
+double place_of_largest(const base::PiecewiseLinear& K1, double low, double high);
+
 /// What a solved state of the cracks means for their growth: K at the largest and the smallest
 /// load, the way on, the rate.
 class GrowthMeasure {
@@ -59,7 +63,7 @@ public:
   /// Whether of the last state K at KMIN was above K at KMAX, and above 0, at all tips that grow.
   [[nodiscard]] bool upside_down() const { return upside_down_; }
   /// What a reader must not miss, each once.
-  [[nodiscard]] const std::set<std::string>& warnings() const { return warnings_; }
+  [[nodiscard]] std::set<std::string> warnings() const;
   [[nodiscard]] const life::GrowthLaw& law() const { return law_; }
   [[nodiscard]] const std::optional<life::Spectrum>& spectrum() const { return spectrum_; }
   [[nodiscard]] bool counted_on_K() const { return counted_on_K_; }
@@ -68,11 +72,21 @@ public:
   void save(results::NamedArrays& arrays) const {
     arrays.texts["growth.warnings"] = {warnings_.begin(), warnings_.end()};
     arrays.integers["growth.counted_on_K"] = {counted_on_K_ ? 1 : 0};
+    for (const auto& [crack, shear] : shear_) {
+      arrays.texts["growth.shear"].insert(arrays.texts["growth.shear"].end(), {crack, shear.what});
+      arrays.reals["growth.shear"].push_back(shear.part);
+    }
   }
   void load(const results::NamedArrays& arrays) {
     const std::vector<std::string>& texts = arrays.texts.at("growth.warnings");
     warnings_ = {texts.begin(), texts.end()};
     counted_on_K_ = arrays.integers.at("growth.counted_on_K").at(0) != 0;
+    if (const auto names = arrays.texts.find("growth.shear"); names != arrays.texts.end()) {
+      const std::vector<double>& parts = arrays.reals.at("growth.shear");
+      for (std::size_t i = 0; i < parts.size(); ++i) {
+        shear_[names->second.at(2 * i)] = {names->second.at(2 * i + 1), parts[i]};
+      }
+    }
   }
 
 private:
@@ -93,6 +107,8 @@ private:
                 growth::TipStation& found);
   bool by_front_spectrum(const SolvedLength& at, const std::string& crack, const base::Vec3& aim,
                          growth::TipStation& found);
+  /// Warns of K2 and K3 at KMAX that the growth does not follow.
+  void look_at_shear(const std::string& crack, const base::Vec3& K);
   void warn_of_closing(const std::string& name, double a);
   /// `why` there is no error bar to correct K by; empty: there is one.
   void warn_of_no_bar(const std::string& name, const std::string& why);
@@ -133,6 +149,12 @@ private:
   bool upside_down_ = false;
   std::set<std::string> warnings_;
   bool counted_on_K_ = false;
+  /// The largest K2 or K3 that the growth of a crack does not follow, as a part of K1.
+  struct Shear {
+    std::string what; ///< "K2", "K3"
+    double part = 0.0;
+  };
+  std::map<std::string, Shear> shear_; ///< [crack]
 };
 
 } // namespace spricka::analysis

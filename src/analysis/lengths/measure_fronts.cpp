@@ -141,8 +141,9 @@ base::Vec3 smooth_K(const results::FrontResult& front, const PlaceOnFront& at, b
   return K;
 }
 
-// Smooth K1 on the path.
-base::PiecewiseLinear K1_on_path(const results::PathFront& front, const PlaceOnFront& at) {
+// Smooth K1 on the path, or K1 and K2 by parts.
+base::PiecewiseLinear K_on_path(const results::PathFront& front, const PlaceOnFront& at,
+                                const base::Vec2& part) {
   const base::PiecewiseLinear& from = front.points[at.from].smooth[0];
   const auto s_of = [&](std::size_t i) { return front.points[i].is.s; };
   // Where faces touch under a load K bends by t: no cubic.
@@ -151,10 +152,13 @@ base::PiecewiseLinear K1_on_path(const results::PathFront& front, const PlaceOnF
   std::vector<double> slope(from.segments(), 0.0);
   for (const auto& [i, weight] :
        weights_at(front.is, front.points.size(), at, std::pair(s_of, closed))) {
-    const base::PiecewiseLinear& K = front.points[i].smooth[0];
-    for (std::size_t k = 0; k < value.size(); ++k) {
-      value[k] += weight * K.at_knot(k);
-      slope[k] += weight * K.slope(k);
+    for (std::size_t mode = 0; mode < 2; ++mode) {
+      const double share = weight * part[static_cast<Eigen::Index>(mode)];
+      const base::PiecewiseLinear& K = front.points[i].smooth[mode];
+      for (std::size_t k = 0; k < value.size() && share != 0.0; ++k) {
+        value[k] += share * K.at_knot(k);
+        slope[k] += share * K.slope(k);
+      }
     }
   }
   return {from.knots(), std::move(value), std::move(slope)};
@@ -182,7 +186,8 @@ std::function<double(const base::Vector&)> K_at(const results::StepResult& step,
 std::optional<base::PiecewiseLinear> K1_nearest(const results::LoadPath& path,
                                                 const base::Vec3& x) {
   const PlaceOnFront place = place_on_path(path, "", x);
-  return place.found() ? std::optional(K1_on_path(path.fronts[place.front], place)) : std::nullopt;
+  return place.found() ? std::optional(K_on_path(path.fronts[place.front], place, {1.0, 0.0}))
+                       : std::nullopt;
 }
 
 bool GrowthMeasure::by_front(const SolvedLength& at, const growth::GrowingTip& tip,
@@ -210,16 +215,19 @@ bool GrowthMeasure::by_front(const SolvedLength& at, const growth::GrowingTip& t
   if (!front.doubt.empty() && K[0] > 0.0) {
     warnings_.insert(fmt::format("{}: K at KMAX is in doubt: {}", front.name, front.doubt));
   }
-  if (K[0] > 0.0 && std::max(std::abs(K[1]), std::abs(K[2])) > much_shear * K[0]) {
-    warnings_.insert(fmt::format("{} grows in its plane although {} is {:.2f} of K1; the law is "
-                                 "given K1 alone",
-                                 tip.name, std::abs(K[1]) > std::abs(K[2]) ? "K2" : "K3",
-                                 std::max(std::abs(K[1]), std::abs(K[2])) / K[0]));
-  }
+  look_at_shear(crack, K);
+  const base::Vec2 part = turn(K.head<2>(), false, found);
   if (at.followed && at.followed->none.empty()) {
     const FollowedLoads& loads = *at.followed;
     found.K2_max = K_at(high, place, 2)(loads.last.marks[loads.grow_at]);
-    return by_front_history(loads, tip.name, front.a, K_at(high, place, 1), found);
+    const auto K1 = K_at(high, place, 1);
+    const auto K2 = K_at(high, place, 2);
+    return by_front_history(
+        loads, tip.name, front.a,
+        [part, K1, K2](const base::Vector& all) {
+          return part[1] == 0.0 ? K1(all) : part[0] * K1(all) + part[1] * K2(all);
+        },
+        found);
   }
   if (spectrum_) {
     return by_front_spectrum(at, crack, aim, found);
@@ -229,8 +237,8 @@ bool GrowthMeasure::by_front(const SolvedLength& at, const growth::GrowingTip& t
   if (!there.found()) {
     return no_rate(fmt::format("crack {} has no front to grow from", crack));
   }
-  found.K_max = std::max(0.0, K[0]);
-  found.K_min = smooth_K(low.fronts[there.front], there, corrected)[0];
+  found.K_max = std::max(0.0, part.dot(K.head<2>()));
+  found.K_min = part.dot(smooth_K(low.fronts[there.front], there, corrected).head<2>());
   const results::FrontPlace& nearest = low.fronts[there.front].points[there.from];
   if (nearest.closed && continues_below_closing(model_)) {
     warn_of_closing(tip.name, low.fronts[there.front].a);
@@ -238,6 +246,29 @@ bool GrowthMeasure::by_front(const SolvedLength& at, const growth::GrowingTip& t
   found.rate = found.K_max > found.K_min ? law_.rate(found.K_max, found.K_min) : 0.0;
   note_order(tip.name, found.K_min > K[0] && found.K_min > 0.0);
   return true;
+}
+
+void GrowthMeasure::look_at_shear(const std::string& crack, const base::Vec3& K) {
+  const bool stays = model_.growth->direction == model::GrowthDirection::path;
+  const double K2 = stays ? std::abs(K[1]) : 0.0;
+  const double part = std::max(K2, std::abs(K[2])) / K[0];
+  if (K[0] > 0.0 && part > std::max(much_shear, shear_[crack].part)) {
+    shear_[crack] = {K2 > std::abs(K[2]) ? "K2" : "K3", part};
+  }
+}
+
+std::set<std::string> GrowthMeasure::warnings() const {
+  std::set<std::string> all = warnings_;
+  const bool stays = model_.growth->direction == model::GrowthDirection::path;
+  for (const auto& [crack, shear] : shear_) {
+    if (shear.part > 0.0) {
+      all.insert(fmt::format("{} grows {} although {} is up to {:.2f} of K1; the law is given K1 "
+                             "{}",
+                             crack, stays ? "in its plane" : "as K1 and K2 turn it", shear.what,
+                             shear.part, stays ? "alone" : "of the turned crack alone"));
+    }
+  }
+  return all;
 }
 
 bool GrowthMeasure::by_front_spectrum(const SolvedLength& at, const std::string& crack,
@@ -257,7 +288,11 @@ bool GrowthMeasure::by_front_spectrum(const SolvedLength& at, const std::string&
                     card.name, spectrum_->highest(), path.name, path.stopped));
   }
   const results::PathFront& front = path.fronts[place.front];
-  const base::PiecewiseLinear K = K1_on_path(front, place);
+  // The way on is that at the largest load; K of the whole path is that at the tip of the kink.
+  const base::PiecewiseLinear K1 = K_on_path(front, place, {1.0, 0.0});
+  const base::PiecewiseLinear K2 = K_on_path(front, place, {0.0, 1.0});
+  const double peak = place_of_largest(K1, spectrum_->lowest(), spectrum_->highest());
+  const base::PiecewiseLinear K = K_on_path(front, place, turn({K1(peak), K2(peak)}, false, found));
   if (continues_below_closing(model_) && touch_somewhere(front.points[place.from].smooth[0])) {
     warn_of_closing(front.is.name, front.is.a);
   }

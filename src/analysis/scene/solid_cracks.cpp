@@ -3,6 +3,7 @@
 
 #include "analysis/scene/tip_net_of.hpp"
 #include "mesh/front_curve.hpp"
+#include "mesh/surface/crack_relief.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -70,6 +71,10 @@ std::vector<mesh::SolidCrack> solid_cracks(const model::Model& model) {
     cut.front = ellipse ? ellipse_front(crack.plane) : drawn_front(crack);
     cut.closed = ellipse || crack.plane.closed;
     cut.name = crack.name;
+    if (!crack.wake.fronts.empty()) {
+      cut.relief = std::make_shared<const mesh::CrackRelief>(
+          mesh::CrackRelief::Fronts{crack.plane.normal, crack.wake.fronts, crack.wake.normals});
+    }
     cracks.push_back(std::move(cut));
   }
   return cracks;

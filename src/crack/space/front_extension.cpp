@@ -50,7 +50,7 @@ public:
       : cracked_(cracked), mesh_(cracked.mesh), front_(front), limits_(limits),
         elements_(cracked.mesh), line_(front_line(mesh_, elements_, front)),
         layers_(front_layers(mesh_, elements_, front, line_, most + 1)), curve_(*front.curve),
-        sides_(free_sides(mesh_, reached())), surface_(mesh_, sides_) {
+        sides_(free_sides(mesh_, reached())), surface_(mesh_, sides_, off_own_front()) {
     out_.closed = line_.closed;
     out_.middle = line_.middle;
     set_stations();
@@ -115,6 +115,17 @@ public:
   }
 
 private:
+  // The crack's own faces begin at its front: they are not in the way of that, however it bends
+  // between the corners of elements.
+  [[nodiscard]] SurfaceMotion::InTheWay off_own_front() const {
+    const mesh::CrackFaces& own = cracked_.faces[front_.crack.index()];
+    std::set<model::Face> faces(own.left_sides.begin(), own.left_sides.end());
+    faces.insert(own.right_sides.begin(), own.right_sides.end());
+    return [this, faces = std::move(faces)](NodeId n, const model::Face& face) {
+      return layers_.of_node[n.index()] != 0 || !faces.contains(face);
+    };
+  }
+
   [[nodiscard]] std::vector<ElementId> reached() const {
     std::vector<ElementId> all;
     for (const std::vector<ElementId>& layer : layers_.elements) {

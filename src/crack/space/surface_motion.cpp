@@ -23,12 +23,16 @@ constexpr double piercing = 0.3;
 
 } // namespace
 
-SurfaceMotion::SurfaceMotion(const model::Mesh& mesh, const std::vector<model::Face>& sides) {
+SurfaceMotion::SurfaceMotion(const model::Mesh& mesh, const std::vector<model::Face>& sides,
+                             const InTheWay& in_the_way) {
   fe::for_faces(mesh, sides, [&]<shape::Shape Side>(Side, const model::Face& face) {
     if constexpr (Side::dim == 2) {
       const fe::SideNodes<Side> X = fe::side_coordinates<Side>(mesh, face);
       const auto nodes = fe::nodes_of_face<Side>(mesh, face);
       for (std::size_t i = 0; i < nodes.size(); ++i) {
+        if (!in_the_way(nodes[i], face)) {
+          continue;
+        }
         const shape::Point<2> at = (1.0 - inside) * shape::node<Side>(static_cast<int>(i)) +
                                    inside * shape::centre<Side>();
         const Vec3 n = fe::area_vector<Side>(X, at).normalized();

@@ -3,6 +3,7 @@
 #include "base/vec.hpp"
 #include "model/mesh.hpp"
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <vector>
@@ -12,8 +13,10 @@ namespace spricka::crack {
 
 class SurfaceMotion {
 public:
-  /// Of the nodes of these sides.
-  SurfaceMotion(const model::Mesh& mesh, const std::vector<model::Face>& sides);
+  /// Of the nodes of these sides that are in their way.
+  using InTheWay = std::function<bool(base::NodeId, const model::Face&)>;
+  SurfaceMotion(const model::Mesh& mesh, const std::vector<model::Face>& sides,
+                const InTheWay& in_the_way);
 
   /// m, or where a surface is in its way m + c t along it; nothing where no c does it: the surface
   /// runs along the front, or two surfaces meet. Nodes off the sides take m.

@@ -40,12 +40,17 @@ struct FaceGrid {
 
 } // namespace
 
-FacetNet::FacetNet(const SurfaceGeometry& surface, std::span<const std::size_t> faces) {
+FacetNet::FacetNet(const SurfaceGeometry& surface, std::span<const std::size_t> faces, int finer)
+    : finer_(finer) {
   for (const std::size_t face : faces) {
     first_.push_back(facets_.size());
     add_face(surface, face);
   }
   first_.push_back(facets_.size());
+}
+
+int FacetNet::steps(const SurfaceFace& face) const {
+  return (face.quadratic() ? divisions : 1) * finer_;
 }
 
 int FacetNet::corner(const SurfaceFace& face, int i) {
@@ -60,7 +65,7 @@ int FacetNet::corner(const SurfaceFace& face, int i) {
 /// The vertex k steps along side i of a face.
 int FacetNet::on_side(const SurfaceGeometry& surface, std::size_t face, int i, int k) {
   const SurfaceFace& f = surface.face(face);
-  const int n = f.quadratic() ? divisions : 1;
+  const int n = steps(f);
   if (k == 0 || k == n) {
     return corner(f, (i + k / n) % f.corners());
   }
@@ -76,12 +81,10 @@ int FacetNet::on_side(const SurfaceGeometry& surface, std::size_t face, int i, i
 
 void FacetNet::add_face(const SurfaceGeometry& surface, std::size_t face) {
   const SurfaceFace& f = surface.face(face);
-  const FaceGrid grid{f.shape, f.quadratic() ? divisions : 1};
+  const FaceGrid grid{f.shape, steps(f)};
   const int n = grid.n;
-  std::array<std::array<int, divisions + 1>, divisions + 1> vertex{};
-  for (auto& row : vertex) {
-    row.fill(-1);
-  }
+  const auto points = static_cast<std::size_t>(n + 1);
+  std::vector<std::vector<int>> vertex(points, std::vector<int>(points, -1));
   const auto at = [&](int i, int j) -> int& {
     return vertex[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)];
   };

@@ -27,7 +27,8 @@ public:
     std::array<double, 2> t{0.0, 0.0}; ///< at the lower vertex, at the higher
   };
 
-  FacetNet(const SurfaceGeometry& surface, std::span<const std::size_t> faces);
+  /// With so many times more divisions.
+  FacetNet(const SurfaceGeometry& surface, std::span<const std::size_t> faces, int finer = 1);
 
   [[nodiscard]] const std::vector<base::Vec3>& x() const { return x_; } ///< [vertex]
   [[nodiscard]] const std::vector<Facet>& facets() const { return facets_; }
@@ -38,9 +39,11 @@ public:
 
 private:
   void add_face(const SurfaceGeometry& surface, std::size_t face);
+  [[nodiscard]] int steps(const SurfaceFace& face) const; ///< along an edge
   int corner(const SurfaceFace& face, int i);
   int on_side(const SurfaceGeometry& surface, std::size_t face, int i, int k);
 
+  int finer_ = 1;
   std::vector<base::Vec3> x_;
   std::vector<Facet> facets_;
   std::vector<std::size_t> first_;

@@ -17,11 +17,14 @@ using base::Vec3;
 
 namespace {
 
+/// No corner at a bend nearer to another one than this part of the size of elements.
+constexpr double least_of_size = 0.3;
+
 /// Moves r within the face until its point lies on the plane.
 Vec2 onto_plane(const SurfaceFace& face, const CrackPlane& plane, Vec2 r) {
   for (int i = 0; i < 8; ++i) {
     const SurfacePoint p = point_on(face, r);
-    const Vec2 g = p.slope.transpose() * plane.normal;
+    const Vec2 g = p.slope.transpose() * plane.rise(p.x);
     const double height = plane.height(p.x);
     if (!(g.squaredNorm() > 0.0) || std::abs(height) <= 1e-15 * plane.length) {
       break;
@@ -42,7 +45,8 @@ public:
   };
 
   PlaneLine(const SurfaceGeometry& surface, const CrackPlane& plane)
-      : surface_(surface), plane_(plane), net_(surface, faces_near(surface, plane)) {
+      : surface_(surface), plane_(plane),
+        net_(surface, faces_near(surface, plane), finer(surface, plane)) {
     for (const Vec3& x : net_.x()) {
       height_.push_back(rounded(plane.height(x) / plane.length));
     }
@@ -110,13 +114,34 @@ private:
     std::vector<std::size_t> faces;
     for (std::size_t f = 0; f < surface.faces().size(); ++f) {
       const auto [low, high] = box_of(surface.face(f));
-      const double middle = plane.height(0.5 * (low + high));
+      const double middle = plane.over_plane(0.5 * (low + high));
       const double half = 0.5 * (high - low).dot(plane.normal.cwiseAbs());
-      if (std::abs(middle) <= half + 1e-6 * plane.length) {
+      if (std::abs(middle) <= half + 1e-6 * plane.length ||
+          (plane.relief && plane.relief->may_meet(low, high))) {
         faces.push_back(f);
       }
     }
     return faces;
+  }
+
+  /// Facets smaller than the strips of a crack that has turned: such a line may come back to the
+  /// side where it has entered a larger one.
+  static int finer(const SurfaceGeometry& surface, const CrackPlane& plane) {
+    constexpr double of_strip = 0.5;
+    constexpr int most = 32;
+    double longest = 0.0;
+    for (std::size_t f = 0; f < surface.faces().size() && plane.relief; ++f) {
+      const auto [low, high] = box_of(surface.face(f));
+      if (plane.relief->may_meet(low, high)) {
+        const double own = surface.face(f).quadratic() ? FacetNet::divisions : 1;
+        longest = std::max(longest, (high - low).norm() / own);
+      }
+    }
+    if (!(longest > 0.0)) {
+      return 1;
+    }
+    const double wanted = std::ceil(longest / (of_strip * plane.relief->narrowest_strip()));
+    return static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(most)));
   }
 
   static Vec2 r_of(const FacetNet::Facet& facet, int vertex) {
@@ -328,6 +353,36 @@ SurfacePlace SurfaceTrace::at(double s) const {
   return surface_->place(stretch.face, onto_plane(surface_->face(stretch.face), plane_, r));
 }
 
+std::vector<double> SurfaceTrace::bends(double angle) const {
+  constexpr int looks = 8; // between two points
+  std::vector<double> all;
+  if (!plane_.relief) {
+    return all;
+  }
+  const CrackRelief& crack = *plane_.relief;
+  const auto strip = [&](double s) { return crack.strip(at(s).x); };
+  double before = 0.0;
+  std::size_t last = strip(before);
+  for (std::size_t i = 1; i < arc_.size(); ++i) {
+    for (int k = 1; k <= looks; ++k) {
+      const double here = arc_[i - 1] + (arc_[i] - arc_[i - 1]) * k / looks;
+      const std::size_t now = strip(here);
+      double low = before;
+      double high = here;
+      for (int step = 0; step < 40 && now != last; ++step) {
+        const double middle = 0.5 * (low + high);
+        (strip(middle) == last ? low : high) = middle;
+      }
+      if (now != last && crack.from_bend(at(high).x, angle) < crack.narrowest_strip() / looks) {
+        all.push_back(high);
+      }
+      before = here;
+      last = now;
+    }
+  }
+  return all;
+}
+
 Traced trace(const SurfaceGeometry& surface, const CrackPlane& plane, const SurfacePlace& from,
              const SurfacePlace& to, const Vec3& towards) {
   return TraceWalk(surface, plane).go(from, std::span(&to, 1), towards);
@@ -339,21 +394,33 @@ Traced trace(const SurfaceGeometry& surface, const CrackPlane& plane, const Surf
 }
 
 SurfaceLine divide(const SurfaceTrace& trace, const SizeAt& size) {
+  const auto size_of = [&](double at) { return size(trace.at(at).x); };
   SurfaceLine line;
-  std::size_t begin = 0;
+  double begin = 0.0;
   line.corners.push_back(trace.points().front());
-  for (std::size_t end = 1; end < trace.points().size(); ++end) {
-    if (trace.points()[end].edge == nowhere && end + 1 < trace.points().size()) {
-      continue;
-    }
-    const std::vector<double> s = divide_length(trace.arc()[begin], trace.arc()[end],
-                                                [&](double at) { return size(trace.at(at).x); });
+  const auto go_to = [&](double end, const LinePoint& there) {
+    const std::vector<double> s = divide_length(begin, end, size_of);
     for (std::size_t i = 0; i + 1 < s.size(); ++i) {
       line.mids.push_back(trace.at(0.5 * (s[i] + s[i + 1])));
       line.corners.push_back(i + 2 < s.size() ? LinePoint{trace.at(s[i + 1]), nowhere, 0.0}
-                                              : trace.points()[end]);
+                                              : there);
     }
     begin = end;
+  };
+  const std::vector<double> bends = trace.bends(bent);
+  std::size_t bend = 0;
+  for (std::size_t i = 1; i < trace.points().size(); ++i) {
+    if (trace.points()[i].edge == nowhere && i + 1 < trace.points().size()) {
+      continue;
+    }
+    const double end = trace.arc()[i];
+    for (; bend < bends.size() && bends[bend] < end; ++bend) {
+      const double near = least_of_size * size_of(bends[bend]);
+      if (bends[bend] > begin + near && bends[bend] < end - near) {
+        go_to(bends[bend], {trace.at(bends[bend]), nowhere, 0.0});
+      }
+    }
+    go_to(end, trace.points()[i]);
   }
   return line;
 }

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "mesh/surface/crack_relief.hpp"
 #include "mesh/surface/surface_geometry.hpp"
 
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
-/// Lines on the surface of a body: where a plane meets it.
+/// Lines on the surface of a body: where the plane of a crack meets it, or what the crack has made
+/// of that plane.
 namespace spricka::mesh {
 
 /// Why something could not be made, in words, and where. Empty words: it was made.
@@ -26,8 +29,20 @@ struct CrackPlane {
   base::Vec3 normal = base::Vec3::UnitZ();
   double length = 1.0;
   base::Vec3 axis = base::Vec3::UnitX(); ///< unit
+  /// Where the crack has turned out of it; empty: nowhere.
+  std::shared_ptr<const CrackRelief> relief = nullptr;
 
-  [[nodiscard]] double height(const base::Vec3& x) const { return (x - origin).dot(normal); }
+  [[nodiscard]] double over_plane(const base::Vec3& x) const {
+    return (x - (relief ? relief->fronts().points.front().front() : origin)).dot(normal);
+  }
+  /// Of a place over the crack.
+  [[nodiscard]] double height(const base::Vec3& x) const {
+    return relief ? -relief->above(x) : over_plane(x);
+  }
+  /// How that height changes in space.
+  [[nodiscard]] base::Vec3 rise(const base::Vec3& x) const {
+    return relief ? base::Vec3(normal - relief->slope(x)) : normal;
+  }
 };
 
 /// A point of a line on the surface.
@@ -57,6 +72,8 @@ public:
   [[nodiscard]] const std::vector<double>& arc() const { return arc_; }
   /// The place at a length s, on the plane and the true face.
   [[nodiscard]] SurfacePlace at(double s) const;
+  /// Lengths at which a crack that has turned does so by more than an angle [rad], ascending.
+  [[nodiscard]] std::vector<double> bends(double angle) const;
 
 private:
   const SurfaceGeometry* surface_;
@@ -91,8 +108,11 @@ struct SurfaceLine {
   std::vector<SurfacePlace> mids; ///< one less
 };
 
-/// Divides a trace into edges of the wanted sizes. Where it crosses feature edges there are
-/// corners.
+/// Angle [rad] from which on a crack that has turned has edges along the bend.
+inline constexpr double bent = 0.03;
+
+/// Divides a trace into edges of the wanted sizes. Where it crosses feature edges or is bent there
+/// are corners.
 SurfaceLine divide(const SurfaceTrace& trace, const SizeAt& size);
 
 } // namespace spricka::mesh

@@ -24,6 +24,7 @@ public:
   };
   [[nodiscard]] Distance distance(const base::Vec3& p) const;
   [[nodiscard]] const PlaneBasis& plane() const { return area_.plane(); }
+  [[nodiscard]] const PlanePolygons& area() const { return area_; }
   /// Whether it has a front without a tube.
   [[nodiscard]] bool free() const { return free_; }
   /// A ball that holds the crack and its tubes.

@@ -3,6 +3,7 @@
 
 #include "mesh/link/fill.hpp"
 #include "mesh/plane.hpp"
+#include "mesh/tube/crack_bends.hpp"
 
 #include <algorithm>
 
@@ -46,6 +47,24 @@ CrackSurface mesh_crack(const CrackReach& reach, const std::vector<std::vector<i
       std::reverse(loop.begin(), loop.end());
     }
     region.loops.push_back(std::move(loop));
+  }
+  for (const BendLine& bend : bend_lines(reach, finer, surface.nodes, net)) {
+    std::vector<int>& chain = region.embedded.emplace_back();
+    for (const BendPoint& point : bend.points) {
+      if (point.node >= 0) { // one of a mouth
+        const auto at = std::ranges::find(surface.nodes, point.node);
+        chain.push_back(static_cast<int>(at - surface.nodes.begin()));
+        continue;
+      }
+      const Vec2 q = reach.plane().flat(point.x);
+      chain.push_back(static_cast<int>(region.points.size()));
+      region.points.emplace_back(rounded(q.x()), rounded(q.y()));
+      surface.nodes.push_back(net.new_node_at(point.x));
+      size.add(region.points.back(), rounded(point.size));
+    }
+    if (bend.closed) {
+      chain.push_back(chain.front());
+    }
   }
   const Filling filling = fill(region, size);
   surface.trouble = filling.trouble;

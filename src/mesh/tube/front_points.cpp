@@ -45,7 +45,7 @@ std::vector<Vec3> spaced_points(const Front& front) {
 
 } // namespace
 
-std::shared_ptr<const FrontCurve> curve_of_elements(const Front& front, const Vec3& normal) {
+std::shared_ptr<const FrontCurve> curve_of_elements(const Front& front, const SolidCrack& crack) {
   std::vector<Vec3> points;
   std::ranges::transform(front.points, std::back_inserter(points), &FrontPoint::x);
   if (!is_closed(front)) {
@@ -54,7 +54,7 @@ std::shared_ptr<const FrontCurve> curve_of_elements(const Front& front, const Ve
       points = std::move(spaced);
     }
   }
-  std::vector<Vec3> normals(points.size(), normal);
+  std::vector<Vec3> normals = crack.normals_at(points);
   return std::make_shared<const FrontCurve>(std::move(points), std::move(normals),
                                             is_closed(front));
 }

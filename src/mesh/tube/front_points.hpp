@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "mesh/cut/cracked.hpp"
+#include "mesh/tube/solid_crack.hpp"
 
 /// Points of a front in space: where they are and how much of it they stand for.
 namespace spricka::mesh {
@@ -12,7 +13,7 @@ void weigh_points(bool closed, Front& front);
 /// open one through those that lie half a radius of the tube or more apart. What is shorter than
 /// that in a front as it was drawn or grown, elements round it do not follow, and the axes along it
 /// would waver from it all over the domains.
-std::shared_ptr<const FrontCurve> curve_of_elements(const Front& front, const base::Vec3& normal);
+std::shared_ptr<const FrontCurve> curve_of_elements(const Front& front, const SolidCrack& crack);
 
 /// Places, growth directions, s and weights of points whose nodes or curve have been moved.
 void place_points(const model::Mesh& mesh, Front& front);

@@ -335,7 +335,7 @@ private:
         point.radius = unit * tube.radius[k];
         point.at_surface = !tube.closed && (k == 0 || k + 1 == n);
       }
-      front.curve = curve_of_elements(front, crack.normal);
+      front.curve = curve_of_elements(front, crack);
       place_points(result_.mesh, front);
       result_.notes.push_back(note_of(request, group, {c, t}, front));
       result_.fronts.push_back(std::move(front));

@@ -42,7 +42,7 @@ public:
   std::optional<PatchSolidCrack> lay(std::span<const SolidRequest> all) {
     const Eigen::Matrix3d axes = frame_.axes.transpose() * frame_of(*request_.crack).axes;
     const PlaneBasis plane{frame_.exact(frame_of(*request_.crack).origin), axes.col(0), axes.col(1),
-                           axes.col(2)};
+                           axes.col(2), relief_in(frame_, *request_.crack)};
     std::vector<std::vector<Vec3>> outlines;
     for (const std::vector<Vec3>& outline : request_.outlines) {
       outlines.push_back(local(outline));
@@ -51,7 +51,9 @@ public:
         CrackReach(PlanePolygons(plane, outlines)), {}, request_.mesh->finer, {}, {}};
     for (const SolidFront& front : request_.fronts) {
       const FrontCurve curve(local(front.curve->points()),
-                             std::vector<Vec3>(front.curve->points().size(), plane.normal),
+                             plane.relief
+                                 ? directions(front.curve->normals())
+                                 : std::vector<Vec3>(front.curve->points().size(), plane.normal),
                              front.curve->closed());
       const FrontSurroundings round(host_, request_, front, all);
       if (!stands(front, round)) {
@@ -60,7 +62,8 @@ public:
       TubeSizes sizes = tube_sizes(curve,
                                    {[&](double s) { return round.free(s * frame_.a) / frame_.a; },
                                     [&](double s) { return round.width(s * frame_.a) / frame_.a; },
-                                    {round.lean(0), round.lean(1)}},
+                                    {round.lean(0), round.lean(1)},
+                                    straight(round)},
                                    mesh_);
       if (!mesh_.tube) {
         sizes = free_sizes(std::move(sizes), mesh_);
@@ -90,6 +93,21 @@ private:
     std::ranges::transform(points, std::back_inserter(result),
                            [&](const Vec3& x) { return frame_.exact(x); });
     return result;
+  }
+
+  [[nodiscard]] std::vector<Vec3> directions(const std::vector<Vec3>& normals) const {
+    std::vector<Vec3> result;
+    std::ranges::transform(normals, std::back_inserter(result),
+                           [&](const Vec3& b) -> Vec3 { return frame_.axes.transpose() * b; });
+    return result;
+  }
+
+  /// Nothing of it for a crack that lies in its plane.
+  [[nodiscard]] std::function<double(double)> straight(const FrontSurroundings& round) const {
+    if (!request_.crack->relief) {
+      return {};
+    }
+    return [&round, this](double s) { return round.straight(s * frame_.a) / frame_.a; };
   }
 
   /// How far a place of a tube's end is from the surface along the front.

@@ -16,7 +16,7 @@ namespace {
 
 PlaneBasis basis_of(const SolidCrack& crack) {
   const SolidFrame own = frame_of(crack);
-  return {own.origin, own.axes.col(0), own.axes.col(1), own.axes.col(2)};
+  return {own.origin, own.axes.col(0), own.axes.col(1), own.axes.col(2), crack.relief};
 }
 
 template <class F> void for_edges(const std::vector<std::vector<Vec2>>& outlines, F&& f) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "mesh/surface/triangle_tree.hpp"
 #include "mesh/tube/solid_frame.hpp"
-#include "mesh/tube/triangle_tree.hpp"
 
 #include <optional>
 #include <vector>

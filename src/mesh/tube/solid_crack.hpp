@@ -3,24 +3,32 @@
 #include "base/id.hpp"
 #include "base/vec.hpp"
 
+#include <memory>
 #include <string>
 #include <vector>
 
 /// Cracks cut into finished meshes of solids.
 namespace spricka::mesh {
 
-/// A plane crack in space of one size, before it is cut: what its front encloses of the plane,
-/// inside the body. Where the front leaves the body the crack has a mouth.
+class CrackRelief;
+
+/// A crack in space of one size, before it is cut: what its front encloses of a plane, inside the
+/// body, or of what it has made of that plane as it turned. Where the front leaves the body the
+/// crack has a mouth.
 struct SolidCrack {
   base::CrackId crack;
   base::NetId net;
-  base::Vec3 normal = base::Vec3::UnitZ(); ///< b, unit
+  base::Vec3 normal = base::Vec3::UnitZ(); ///< b, unit; of one that has turned that of its plane
   /// Dense points of the front in the order of t = m x b, m pointing out of the crack. A closed one
   /// (first point not repeated) may lie partly outside of the body: the arcs inside are fronts. An
   /// open one starts and ends outside or on the surface.
   std::vector<base::Vec3> front;
   bool closed = true;
-  std::string name; ///< for messages
+  std::string name;                               ///< for messages
+  std::shared_ptr<const CrackRelief> relief = {}; ///< of one that has turned
+
+  /// The crack's normals b at points of its front.
+  [[nodiscard]] std::vector<base::Vec3> normals_at(const std::vector<base::Vec3>& points) const;
 
   [[nodiscard]] std::string title() const;
 };

@@ -20,6 +20,15 @@ Vec3 rounded(const Vec3& p) {
   return {rounded(p.x()), rounded(p.y()), rounded(p.z())};
 }
 
+std::shared_ptr<const CrackRelief> relief_in(const SolidFrame& frame, const SolidCrack& crack) {
+  if (!crack.relief) {
+    return nullptr;
+  }
+  return std::make_shared<const CrackRelief>(
+      crack.relief->moved([&](const Vec3& x) { return frame.exact(x); },
+                          [&](const Vec3& d) -> Vec3 { return frame.axes.transpose() * d; }));
+}
+
 SolidFrame frame_of(const SolidCrack& crack) {
   const std::vector<Vec3>& x = crack.front;
   double length = 0.0;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "mesh/surface/crack_relief.hpp"
 #include "mesh/tube/solid_crack.hpp"
 
 #include <Eigen/Core>
 
+#include <memory>
 #include <vector>
 
 namespace spricka::mesh {
@@ -29,19 +31,28 @@ SolidFrame frame_of(const SolidCrack& crack);
 
 base::Vec3 rounded(const base::Vec3& p);
 
-/// A plane in space with coordinates: (u, v) of places on it.
+/// What a crack has made of its plane, in a frame; empty: it has not turned.
+std::shared_ptr<const CrackRelief> relief_in(const SolidFrame& frame, const SolidCrack& crack);
+
+/// A plane in space with coordinates, (u, v) of places on it, and what a crack has made of it.
 struct PlaneBasis {
   base::Vec3 origin = base::Vec3::Zero();
   base::Vec3 u = base::Vec3::UnitX();
   base::Vec3 v = base::Vec3::UnitY();
   base::Vec3 normal = base::Vec3::UnitZ();
+  std::shared_ptr<const CrackRelief> relief = {}; ///< of a crack that has turned out of it
 
   [[nodiscard]] base::Vec2 flat(const base::Vec3& p) const {
     return {u.dot(p - origin), v.dot(p - origin)};
   }
-  [[nodiscard]] double height(const base::Vec3& p) const { return normal.dot(p - origin); }
+  /// Along the normal, above the crack.
+  [[nodiscard]] double height(const base::Vec3& p) const {
+    return relief ? -relief->above(p) : normal.dot(p - origin);
+  }
+  /// On the crack.
   [[nodiscard]] base::Vec3 place(const base::Vec2& q) const {
-    return origin + q.x() * u + q.y() * v;
+    const base::Vec3 p = origin + q.x() * u + q.y() * v;
+    return relief ? base::Vec3(p + relief->above(p) * normal) : p;
   }
 };
 

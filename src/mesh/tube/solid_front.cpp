@@ -46,8 +46,7 @@ class Placer {
 public:
   Placer(const SolidHost& host, SolidRequest& request, base::Diagnostics& diagnostics)
       : host_(host), request_(request), crack_(*request.crack), diagnostics_(diagnostics),
-        whole_(crack_.front, std::vector<Vec3>(crack_.front.size(), crack_.normal), crack_.closed) {
-  }
+        whole_(crack_.front, crack_.normals_at(crack_.front), crack_.closed) {}
 
   bool place() {
     if (!find_seed()) {
@@ -99,7 +98,7 @@ private:
       points.push_back(whole_.at(s).x);
     }
     points.push_back(arc.place[1].x);
-    std::vector<Vec3> normals(points.size(), crack_.normal);
+    std::vector<Vec3> normals = crack_.normals_at(points);
     return {std::make_shared<const FrontCurve>(std::move(points), std::move(normals), false),
             arc.place};
   }
@@ -244,7 +243,7 @@ std::string text_of(const Vec3& x) {
 
 CrackPlane plane_of(const SolidCrack& crack) {
   const SolidFrame frame = frame_of(crack);
-  return {frame.origin, crack.normal, frame.a, frame.axes.col(0)};
+  return {frame.origin, crack.normal, frame.a, frame.axes.col(0), crack.relief};
 }
 
 bool place_in_host(const SolidHost& host, SolidRequest& request, base::Diagnostics& diagnostics) {

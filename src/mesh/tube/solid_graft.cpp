@@ -4,7 +4,7 @@
 #include "mesh/boundary.hpp"
 #include "mesh/numbering.hpp"
 #include "mesh/side_index.hpp"
-#include "mesh/tube/triangle_tree.hpp"
+#include "mesh/surface/triangle_tree.hpp"
 #include "shape/topology.hpp"
 
 #include <algorithm>

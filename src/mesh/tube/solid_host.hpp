@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "mesh/node_elements.hpp"
+#include "mesh/surface/triangle_tree.hpp"
 #include "mesh/tube/body_surface.hpp"
-#include "mesh/tube/triangle_tree.hpp"
 #include "model/mesh.hpp"
 
 #include <cstdint>

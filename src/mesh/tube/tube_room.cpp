@@ -119,4 +119,10 @@ double FrontSurroundings::width(double s) const {
   return at_mouth ? 2.0 * *along : *along;
 }
 
+double FrontSurroundings::straight(double s) const {
+  const CrackRelief* relief = request_.crack->relief.get();
+  return relief != nullptr ? relief->from_bend(front_.curve->at(s).x, bent)
+                           : std::numeric_limits<double>::max();
+}
+
 } // namespace spricka::mesh

@@ -20,6 +20,8 @@ public:
   /// Twice the distance to a mouth, where the crack ends there: a surface crack is as half of one
   /// inside.
   [[nodiscard]] double width(double s) const;
+  /// Distance to where the crack is bent.
+  [[nodiscard]] double straight(double s) const;
   /// Tangent of the angle between the front and the surface's normal at an end of an open front.
   [[nodiscard]] double lean(std::size_t end) const;
 

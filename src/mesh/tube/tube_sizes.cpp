@@ -16,6 +16,8 @@ constexpr double radius_of_curvature = 0.5;
 // Layers of tetrahedra reach as far as 2 radii: all within the centre of curvature.
 constexpr double free_of_curvature = 0.33;
 constexpr double radius_of_room = 0.4;
+/// Domains of K reach over the tetrahedra beside the tube, and faces are straight in them.
+constexpr double radius_of_straight = 0.5;
 constexpr double length_of_width = 0.15;
 constexpr double length_of_curvature = 0.25;
 constexpr double shortest = 0.5; // element over radius of the tube
@@ -123,6 +125,9 @@ TubeSizes tube_sizes(const FrontCurve& curve, const TubeRoom& room, const TubeMe
       radius = given.size > 0.0 ? given.size * given.rings : radius_of_width * width;
       const double bent = given.tube ? radius_of_curvature : free_of_curvature;
       radius = std::min({radius, bent * round, radius_of_room * sizes.room.back()});
+      if (room.straight) {
+        radius = std::min(radius, radius_of_straight * room.straight(frame.s));
+      }
       for (const std::size_t end : {0U, 1U}) {
         const double from_end = end == 0 ? frame.s : curve.length() - frame.s;
         if (given.tube && !curve.closed()) {

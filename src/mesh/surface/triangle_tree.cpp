@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/tube/triangle_tree.hpp"
+#include "mesh/surface/triangle_tree.hpp"
 
 #include <algorithm>
 
@@ -44,16 +44,25 @@ Vec3 nearest_of(const CornerPlaces& triangle, const Vec3& p) {
 }
 
 TriangleTree::TriangleTree(std::vector<CornerPlaces> triangles) : triangles_(std::move(triangles)) {
-  if (!triangles_.empty()) {
-    make(0, triangles_.size());
+  std::vector<Given> all;
+  all.reserve(triangles_.size());
+  for (std::size_t i = 0; i < triangles_.size(); ++i) {
+    all.push_back({triangles_[i], i});
+  }
+  if (!all.empty()) {
+    make(all, 0, all.size());
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    triangles_[i] = all[i].x;
+    given_.push_back(all[i].number);
   }
 }
 
-std::size_t TriangleTree::make(std::size_t begin, std::size_t end) {
+std::size_t TriangleTree::make(std::vector<Given>& all, std::size_t begin, std::size_t end) {
   constexpr std::size_t few = 8;
-  Box box{triangles_[begin][0], triangles_[begin][0], begin, end, 0, 0};
+  Box box{all[begin].x[0], all[begin].x[0], begin, end, 0, 0};
   for (std::size_t i = begin; i < end; ++i) {
-    for (const Vec3& p : triangles_[i]) {
+    for (const Vec3& p : all[i].x) {
       box.low = box.low.cwiseMin(p);
       box.high = box.high.cwiseMax(p);
     }
@@ -64,15 +73,12 @@ std::size_t TriangleTree::make(std::size_t begin, std::size_t end) {
     Eigen::Index axis = 0;
     (box.high - box.low).maxCoeff(&axis);
     const std::size_t middle = begin + (end - begin) / 2;
-    const auto at = [&](std::size_t i) {
-      return triangles_.begin() + static_cast<std::ptrdiff_t>(i);
-    };
-    std::nth_element(
-        at(begin), at(middle), at(end), [&](const CornerPlaces& s, const CornerPlaces& t) {
-          return s[0][axis] + s[1][axis] + s[2][axis] < t[0][axis] + t[1][axis] + t[2][axis];
-        });
-    const std::size_t left = make(begin, middle);
-    const std::size_t right = make(middle, end);
+    const auto at = [&](std::size_t i) { return all.begin() + static_cast<std::ptrdiff_t>(i); };
+    const auto sum = [&](const Given& t) { return t.x[0][axis] + t.x[1][axis] + t.x[2][axis]; };
+    std::nth_element(at(begin), at(middle), at(end),
+                     [&](const Given& s, const Given& t) { return sum(s) < sum(t); });
+    const std::size_t left = make(all, begin, middle);
+    const std::size_t right = make(all, middle, end);
     boxes_[own].left = left;
     boxes_[own].right = right;
   }
@@ -104,7 +110,7 @@ TriangleTree::Nearest TriangleTree::nearest(const Vec3& p) const {
     for (std::size_t i = box.begin; i < box.end; ++i) {
       const Vec3 at = nearest_of(triangles_[i], p);
       if (const double d = (at - p).norm(); d < best.distance) {
-        best = {d, at, i};
+        best = {d, at, i, given_[i]};
       }
     }
   }

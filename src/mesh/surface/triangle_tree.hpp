@@ -22,7 +22,8 @@ public:
   struct Nearest {
     double distance = std::numeric_limits<double>::max();
     base::Vec3 at = base::Vec3::Zero();
-    std::size_t triangle = 0;
+    std::size_t triangle = 0; ///< of triangles()
+    std::size_t given = 0;    ///< of those the tree was made of
   };
   [[nodiscard]] Nearest nearest(const base::Vec3& p) const;
   [[nodiscard]] const std::vector<CornerPlaces>& triangles() const { return triangles_; }
@@ -33,10 +34,15 @@ private:
     std::size_t begin = 0, end = 0;  ///< of triangles
     std::size_t left = 0, right = 0; ///< boxes; 0: none
   };
-  std::size_t make(std::size_t begin, std::size_t end);
+  struct Given {
+    CornerPlaces x;
+    std::size_t number = 0;
+  };
+  std::size_t make(std::vector<Given>& all, std::size_t begin, std::size_t end);
   [[nodiscard]] static double away(const Box& box, const base::Vec3& p);
 
   std::vector<CornerPlaces> triangles_;
+  std::vector<std::size_t> given_; ///< [triangle]
   std::vector<Box> boxes_;
 };
 

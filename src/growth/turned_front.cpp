@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "growth/turned_front.hpp"
+
+#include "mesh/polyline.hpp"
+
+#include <algorithm>
+
+#include <Eigen/Geometry>
+
+namespace spricka::growth {
+
+namespace {
+
+using base::Vec3;
+
+constexpr int pieces = 120; // of a front
+/// Parts of a front's length that an open one goes straight on by at its ends.
+constexpr double little = 0.03;
+constexpr double far = 0.3;
+/// An advance that is less than this part of the largest one has no direction of its own.
+constexpr double hardly = 0.02;
+
+// Of an open front with two points more at either end, which lie outside of the body.
+std::vector<Vec3> line_of(const mesh::FrontCurve& front) {
+  std::vector<Vec3> line;
+  const double length = front.length();
+  const auto beyond = [&](double part) {
+    if (!front.closed()) {
+      line.push_back(front.at(part * length).x);
+    }
+  };
+  beyond(-far);
+  beyond(-little);
+  for (int i = 0; i < pieces + (front.closed() ? 0 : 1); ++i) {
+    line.push_back(front.at(length * i / pieces).x);
+  }
+  beyond(1.0 + little);
+  beyond(1.0 + far);
+  if (front.closed()) {
+    line.push_back(line.front());
+  }
+  return line;
+}
+
+} // namespace
+
+std::vector<Vec3> normals_of(const model::Crack& crack, const std::vector<Vec3>& points) {
+  std::vector<Vec3> normals(points.size(), crack.plane.normal);
+  if (!crack.wake.fronts.empty()) {
+    std::ranges::transform(points, normals.begin(), [&](const Vec3& x) {
+      const mesh::OnLine on = mesh::nearest_on(crack.wake.fronts.back(), x);
+      return Vec3(on.of(crack.wake.normals).normalized());
+    });
+  }
+  return normals;
+}
+
+model::CrackWake wake_with(const model::Crack& before, const mesh::FrontCurve& front,
+                           const mesh::FrontCurve& made) {
+  model::CrackWake wake = before.wake;
+  if (wake.fronts.empty()) {
+    wake.fronts.push_back(line_of(front));
+  }
+  const std::vector<Vec3> old = wake.fronts.back();
+  const std::vector<Vec3> line = line_of(made);
+  const std::vector<Vec3> old_normals = normals_of(before, line);
+  std::vector<Vec3> ways;
+  double most = 0.0;
+  for (const Vec3& x : line) {
+    ways.emplace_back(x - mesh::nearest_on(old, x).of(old));
+    most = std::max(most, ways.back().norm());
+  }
+  std::vector<Vec3> normals;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    // b = t x m with the way as m, at right angles to the front.
+    const Vec3 b = mesh::direction_at(line, i).cross(ways[i]);
+    normals.push_back(b.norm() > hardly * most ? Vec3(b.normalized()) : old_normals[i]);
+  }
+  if (!made.closed()) { // ends beyond the surface are as those at it
+    for (const std::size_t i : {1U, 0U}) {
+      normals[i] = normals[i + 1];
+      normals[normals.size() - 1 - i] = normals[normals.size() - 2 - i];
+    }
+  }
+  wake.fronts.push_back(line);
+  wake.normals = std::move(normals);
+  return wake;
+}
+
+} // namespace spricka::growth

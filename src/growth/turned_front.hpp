@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "mesh/front_curve.hpp"
+#include "model/cracks.hpp"
+
+#include <vector>
+
+/// Fronts of cracks in space that leave their plane: what such a crack has left behind.
+namespace spricka::growth {
+
+/// The crack's normals b at points of its front.
+std::vector<base::Vec3> normals_of(const model::Crack& crack,
+                                   const std::vector<base::Vec3>& points);
+
+/// The wake of a crack whose front has gone on: `before`, with its front there, from the surface on
+/// straight on, and the front that it has made. Its normals are those of the way between the two,
+/// or as they were where the front has not moved.
+model::CrackWake wake_with(const model::Crack& before, const mesh::FrontCurve& front,
+                           const mesh::FrontCurve& made);
+
+} // namespace spricka::growth

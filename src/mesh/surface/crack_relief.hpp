@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "base/vec.hpp"
+#include "mesh/surface/triangle_tree.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace spricka::mesh {
+
+/// A crack that has turned out of its first plane, as heights over that plane: ruled strips between
+/// the fronts it has had, the plane itself behind the first one, straight on before the last.
+class CrackRelief {
+public:
+  /// The fronts it has had, the first of them in the plane, the last its present one. Closed ones
+  /// end with their first point; all run the same way round, t = m x b.
+  struct Fronts {
+    base::Vec3 normal = base::Vec3::UnitZ();       ///< of the plane, unit
+    std::vector<std::vector<base::Vec3>> points{}; ///< [front][point], two or more fronts
+    std::vector<base::Vec3> normals{};             ///< [point of the last] of the crack there, unit
+  };
+  explicit CrackRelief(Fronts fronts);
+
+  /// How far the crack lies above a place, along the normal of its plane.
+  [[nodiscard]] double above(const base::Vec3& x) const;
+  /// How that height of the crack changes in the plane, at right angles to its normal.
+  [[nodiscard]] base::Vec3 slope(const base::Vec3& x) const;
+  /// Of the crack at its present front, where that is nearest to x.
+  [[nodiscard]] base::Vec3 normal_at_front(const base::Vec3& x) const;
+  /// Of a place from the nearest front before the present one at which the crack turns by more
+  /// than an angle [rad].
+  [[nodiscard]] double from_bend(const base::Vec3& x, double angle) const;
+  /// The parts of these fronts, two points or more of each.
+  [[nodiscard]] std::vector<std::vector<base::Vec3>> bends(double angle) const;
+  /// Behind how many of the fronts a place over the plane lies not: 0 behind the first.
+  [[nodiscard]] std::size_t strip(const base::Vec3& x) const;
+
+  [[nodiscard]] const Fronts& fronts() const { return fronts_; }
+  /// The same crack elsewhere: points by `place`, directions by `direction`.
+  using Map = std::function<base::Vec3(const base::Vec3&)>;
+  [[nodiscard]] CrackRelief moved(const Map& place, const Map& direction) const;
+  /// Whether the box that holds all fronts and one of these corners have something in common.
+  [[nodiscard]] bool may_meet(const base::Vec3& low, const base::Vec3& high) const {
+    return (low.array() <= high_.array()).all() && (high.array() >= low_.array()).all();
+  }
+  /// The shortest way of the crack from one front to the next, where it is longest.
+  [[nodiscard]] double narrowest_strip() const { return narrowest_; }
+
+private:
+  struct Strip {
+    base::Vec3 x0;    ///< a corner
+    base::Vec3 slope; ///< in the plane
+    std::size_t number = 0;
+  };
+  [[nodiscard]] base::Vec3 flat(const base::Vec3& x) const {
+    return x - fronts_.normal.dot(x) * fronts_.normal;
+  }
+  [[nodiscard]] bool behind_first(const base::Vec3& q) const;
+  void add(const base::Vec3& a, const base::Vec3& b, const base::Vec3& c);
+  void rule(std::vector<base::Vec3> a, std::vector<base::Vec3> b);
+  void go_on_before();
+  void find_bends();
+
+  Fronts fronts_;
+  std::vector<Strip> strips_;               ///< [triangle]
+  std::vector<CornerPlaces> flat_;          ///< [triangle] in the plane
+  std::size_t number_ = 1;                  ///< of the strip that is made
+  TriangleTree tree_{{}};                   ///< of these
+  std::vector<std::vector<double>> turned_; ///< [front before the last][point] angle [rad]
+  base::Vec3 low_ = base::Vec3::Zero();
+  base::Vec3 high_ = base::Vec3::Zero();
+  double narrowest_ = 0.0;
+};
+
+} // namespace spricka::mesh
