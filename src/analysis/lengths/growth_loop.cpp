@@ -20,6 +20,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -198,11 +200,22 @@ private:
                         march.state().stations.size(), here.tips.front().a, here.tips.front().K_min,
                         here.tips.front().K_max, here.tips.front().rate,
                         so_far.cycles(march.state().stations.front().s, here.s)));
+    hand_on_warnings();
     keep(march, region);
     if (options_.progress) {
       options_.progress(run_.increments.size(), run_.increments.size() + 1);
     }
     return true;
+  }
+
+  // Of a state that counts, each kind once.
+  void hand_on_warnings() {
+    for (const base::Diagnostic& d : trial_.all()) {
+      if (d.severity == base::Severity::warning && warned_.insert(std::string(d.code)).second) {
+        diagnostics_.warning(
+            d.span, d.code, fmt::format("{} (station {})", d.text, run_.increments.size()), d.hint);
+      }
+    }
   }
 
   [[nodiscard]] std::string why_not_solved() const {
@@ -254,6 +267,7 @@ private:
   GrowthMeasure measure_;
   LengthSolver solver_;
   std::vector<bool> on_the_way_;
+  std::set<std::string> warned_;      ///< codes
   std::optional<IncrementMark> mark_; ///< where the search for the next station began
 };
 

@@ -29,6 +29,9 @@ std::vector<double> rings_of(const TubeMesh& given, double radius) {
   return result;
 }
 
+/// Cosine of the angle between normals of a crack that lies in one plane.
+constexpr double in_one_plane = 1.0 - 1e-12;
+
 /// Nodes stand on a lattice: station, angle and ring, the odd ones between elements' corners.
 class Builder {
 public:
@@ -48,6 +51,9 @@ public:
       const double end = station(i + 1) == 0 ? curve.length() : at[station(i + 1)];
       between_.push_back(curve.at(0.5 * (at[station(i)] + end)));
     }
+    twisted_ = std::ranges::any_of(tube_.stations, [&](const FrontFrame& frame) {
+      return frame.b.dot(tube_.stations.front().b) < in_one_plane;
+    });
   }
 
   Tube build() {
@@ -99,6 +105,10 @@ private:
     const auto [at, fresh] = known_.try_emplace(key, static_cast<int>(tube_.x.size()));
     if (fresh) {
       const bool middle = i % 2 != 0;
+      if (middle && l == 2 && twisted_) {
+        tube_.x.push_back(beside_front(i, j));
+        return at->second;
+      }
       const FrontFrame& frame =
           middle ? between_[static_cast<std::size_t>(i / 2)] : tube_.stations[station(i / 2)];
       const Vec2 yz =
@@ -108,6 +118,19 @@ private:
                            shift(frame.s, j, l) * frame.t);
     }
     return at->second;
+  }
+
+  /// Of a crack that has turned, half way along the first ring: as far from the front as at both
+  /// ends on the mean. Wedges with nodes at a quarter of it would else fold at the front, by what
+  /// axes that turn about it do to the third order.
+  Vec3 beside_front(int i, int j) {
+    Vec3 offset = Vec3::Zero();
+    for (const int end : {i - 1, i + 1}) {
+      const FrontFrame& frame = tube_.stations[station(end / 2)];
+      const Vec2 yz = across(station(end / 2), j, 2);
+      offset += 0.5 * (yz.x() * frame.m + yz.y() * frame.b + shift(frame.s, j, 2) * frame.t);
+    }
+    return between_[static_cast<std::size_t>(i / 2)].x + offset;
   }
 
   /// How far a node is moved along the front, for the ends to lie on the surface.
@@ -227,6 +250,7 @@ private:
   int segments_ = 0;
   std::vector<std::vector<double>> rings_; ///< [station]
   std::vector<FrontFrame> between_;        ///< [segment]
+  bool twisted_ = false;                   ///< the crack does not lie in one plane there
   std::map<Key, int> known_;
   std::map<Key, double> end_shift_; ///< end, angle, ring
   std::vector<std::pair<int, int>> twins_;

@@ -18,6 +18,9 @@ constexpr double free_of_curvature = 0.33;
 constexpr double radius_of_room = 0.4;
 /// Domains of K reach over the tetrahedra beside the tube, and faces are straight in them.
 constexpr double radius_of_straight = 0.5;
+/// Of a square of the length over radius and radius of curvature: wedges at the front, a third of
+/// the radius wide with nodes at a quarter of that, hold what the front bends by between corners.
+constexpr double length_of_arc = 0.2;
 constexpr double length_of_width = 0.15;
 constexpr double length_of_curvature = 0.25;
 constexpr double shortest = 0.5; // element over radius of the tube
@@ -152,6 +155,11 @@ TubeSizes tube_sizes(const FrontCurve& curve, const TubeRoom& room, const TubeMe
     for (std::size_t i = 0; i < sizes.s.size(); ++i) {
       sizes.length[i] =
           std::clamp(sizes.length[i], least * sizes.radius[i], longest * sizes.radius[i]);
+      if (room.straight) { // thin for its bends
+        const double all_bends = curve.at(sizes.s[i]).dt.norm();
+        sizes.length[i] = std::min(sizes.length[i], std::sqrt(length_of_arc * sizes.radius[i] /
+                                                              std::max(all_bends, same)));
+      }
     }
   }
   return sizes;

@@ -189,6 +189,43 @@ TEST(TurnedCracks, TubesKeepAheadOfTheBend) {
   }
 }
 
+TEST(TurnedCracks, AtAFace) {
+  const model::Mesh host = cube(ElementType::tet10, 7);
+  constexpr int pieces = 120;
+  mesh::SolidCrack crack;
+  crack.net = base::NetId(0);
+  crack.crack = base::CrackId(std::size_t{0});
+  crack.closed = false;
+  mesh::CrackRelief::Fronts fronts;
+  fronts.points.resize(2);
+  for (int i = -12; i <= pieces + 12; ++i) {
+    const double phi = pi - pi * i / pieces; // t = m x b runs clockwise
+    const double u = std::clamp(phi, 0.0, pi);
+    const Vec3 x(2.0 * std::cos(u), std::sin(u) - 4.0, 0.0);
+    const Vec3 m = Vec3(std::cos(u), 2.0 * std::sin(u), 0.0).normalized();
+    const double turn = 0.77 * std::cos(u);
+    const double by = 0.1 + 0.033 * std::pow(std::cos(u), 2);
+    const Vec3 beyond(0.0, phi < 0.0 ? phi : phi > pi ? pi - phi : 0.0, 0.0);
+    fronts.points[0].push_back(x + beyond);
+    fronts.points[1].push_back(x + beyond +
+                               by * (std::cos(turn) * m + std::sin(turn) * Vec3::UnitZ()));
+    fronts.normals.emplace_back(std::cos(turn) * Vec3::UnitZ() - std::sin(turn) * m);
+  }
+  crack.front = fronts.points[1];
+  crack.relief = std::make_shared<const mesh::CrackRelief>(std::move(fronts));
+  const auto cracked = insert(host, crack);
+  ASSERT_TRUE(cracked);
+  EXPECT_EQ(cracked->fronts.front().kind, mesh::CrackKind::surface);
+  // half of the ellipse and the strip before it
+  double area = pi;
+  for (int i = 0; i < 1000; ++i) {
+    const double u = pi * (i + 0.5) / 1000;
+    const double by = 0.1 + 0.033 * std::pow(std::cos(u), 2);
+    area += by * std::hypot(2.0 * std::sin(u), std::cos(u)) * pi / 1000;
+  }
+  expect_crack(host, crack, area, *cracked);
+}
+
 INSTANTIATE_TEST_SUITE_P(Hosts, TurnedIn,
                          testing::Values(std::pair{ElementType::hexec20, 4},
                                          std::pair{ElementType::hexe8, 9},
