@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "growing_block.hpp"
+#include "growth/free_ways.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+/// Fronts that leave their plane by angles that a formula gives.
+namespace {
+
+using namespace spricka;
+using namespace spricka::test;
+
+constexpr double kink = 0.3;
+
+Block block_with_penny() {
+  Block block({-20, -20, -20}, {20, 20, 20}, 4);
+  block.ellipse(Vec3::Zero(), 1.0, 1.0);
+  block.model.growth->direction = model::GrowthDirection::hoop;
+  block.model.growth->last_length = 1.5;
+  block.model.growth->tolerance = 0.02;
+  return block;
+}
+
+/// Turns by the kink at its first front, then straight on.
+std::vector<TipStation> found_at(const growth::CrackState& cracks, bool first) {
+  std::vector<TipStation> found(cracks.aims.size());
+  for (std::size_t tip = 0; tip < found.size(); ++tip) {
+    found[tip].K_max = 100.0;
+    found[tip].rate = paris(100.0, 0.0);
+    found[tip].turn = first ? kink : 0.0;
+  }
+  return found;
+}
+
+double off_cone(const Vec3& x) {
+  return x.z() - (std::hypot(x.x(), x.y()) - 1.0) * std::tan(kink);
+}
+
+TEST(TurningFronts, APennyBecomesACone) {
+  const Block block = block_with_penny();
+  growth::March march(block.model, paris, std::make_unique<growth::FreeWays>(block.model), {});
+  growth::CrackState last;
+  for (bool first = true; !march.end(); first = false) {
+    base::Diagnostics diagnostics;
+    const auto cracks = march.next(diagnostics);
+    ASSERT_TRUE(cracks);
+    last = *cracks;
+    march.take(found_at(*cracks, first));
+  }
+  EXPECT_EQ(march.end()->word, "AMAX");
+  for (const Vec3& x : last.aims) {
+    EXPECT_NEAR(off_cone(x), 0.0, 1e-4);
+    EXPECT_NEAR((x - x.normalized()).norm(), 0.5, 0.03); // from the first front
+  }
+  const model::CrackWake& wake = last.solids[0].wake;
+  ASSERT_EQ(wake.fronts.size(), march.state().stations.size());
+  for (const std::vector<Vec3>& front : wake.fronts) {
+    EXPECT_EQ(front.front(), front.back());
+    for (const Vec3& x : front) {
+      EXPECT_NEAR(off_cone(x), 0.0, 1e-4);
+    }
+  }
+  ASSERT_EQ(wake.normals.size(), wake.fronts.back().size());
+  for (std::size_t i = 0; i < wake.normals.size(); ++i) {
+    const Vec3 out = Vec3(wake.fronts.back()[i].x(), wake.fronts.back()[i].y(), 0.0).normalized();
+    const Vec3 b = std::cos(kink) * Vec3::UnitZ() - std::sin(kink) * out;
+    EXPECT_NEAR((wake.normals[i] - b).norm(), 0.0, 2e-3);
+  }
+}
+
+TEST(TurningFronts, GoOnAsTheyWere) {
+  const Block block = block_with_penny();
+  const auto ways = [&] { return std::make_unique<growth::FreeWays>(block.model); };
+  growth::March march(block.model, paris, ways(), {});
+  base::Diagnostics diagnostics;
+  for (int k = 0; k < 3; ++k) {
+    const auto cracks = march.next(diagnostics);
+    ASSERT_TRUE(cracks);
+    march.take(found_at(*cracks, k == 0));
+  }
+  const auto kept = growth::state_of(growth::to_arrays(march.state()));
+  ASSERT_TRUE(kept);
+  growth::March again(block.model, paris, ways(), *kept);
+  const auto one = march.next(diagnostics);
+  const auto other = again.next(diagnostics);
+  ASSERT_TRUE(one && other);
+  EXPECT_EQ(one->aims, other->aims);
+  EXPECT_EQ(one->solids[0].points, other->solids[0].points);
+  EXPECT_EQ(one->solids[0].wake.fronts, other->solids[0].wake.fronts);
+  EXPECT_EQ(one->solids[0].wake.normals, other->solids[0].wake.normals);
+}
+
+TEST(TurningFronts, EndWhereTheyStandOnTheirPlane) {
+  const Block block = block_with_penny();
+  growth::March march(block.model, paris, std::make_unique<growth::FreeWays>(block.model), {});
+  for (int k = 0; k < 40 && !march.end(); ++k) {
+    base::Diagnostics diagnostics;
+    const auto cracks = march.next(diagnostics);
+    if (cracks) {
+      march.take(found_at(*cracks, true)); // further at each front
+    }
+  }
+  ASSERT_TRUE(march.end());
+  EXPECT_EQ(march.end()->word, "CURL");
+}
+
+} // namespace
