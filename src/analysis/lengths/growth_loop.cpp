@@ -20,8 +20,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <set>
-#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -208,12 +206,11 @@ private:
     return true;
   }
 
-  // Of a state that counts, each kind once.
+  // Of a state that counts.
   void hand_on_warnings() {
     for (const base::Diagnostic& d : trial_.all()) {
-      if (d.severity == base::Severity::warning && warned_.insert(std::string(d.code)).second) {
-        diagnostics_.warning(
-            d.span, d.code, fmt::format("{} (station {})", d.text, run_.increments.size()), d.hint);
+      if (d.severity == base::Severity::warning) {
+        measure_.warn_of_mesh(d.code, d.text, run_.increments.size());
       }
     }
   }
@@ -267,7 +264,6 @@ private:
   GrowthMeasure measure_;
   LengthSolver solver_;
   std::vector<bool> on_the_way_;
-  std::set<std::string> warned_;      ///< codes
   std::optional<IncrementMark> mark_; ///< where the search for the next station began
 };
 

@@ -100,6 +100,17 @@ GrowthMeasure::GrowthMeasure(const model::Model& model)
     : model_(model), law_(law_of(*model.growth)), spectrum_(spectrum_of(model)),
       around_(model.mesh) {}
 
+void GrowthMeasure::warn_of_mesh(const std::string& code, const std::string& text,
+                                 std::size_t station) {
+  const std::string mark = fmt::format(" ({}, station ", code);
+  const bool known = std::ranges::any_of(warnings_, [&](const std::string& warning) {
+    return warning.find(mark) != std::string::npos;
+  });
+  if (!known) {
+    warnings_.insert(fmt::format("{}{}{})", text, mark, station));
+  }
+}
+
 bool GrowthMeasure::no_rate(std::string why) {
   trouble_ = base::NoAnswer{
       .kind = base::Outcome::not_solvable, .why = std::move(why), .span = model_.growth->span};

@@ -64,6 +64,8 @@ public:
   [[nodiscard]] bool upside_down() const { return upside_down_; }
   /// What a reader must not miss, each once.
   [[nodiscard]] std::set<std::string> warnings() const;
+  /// Keeps what was said of the mesh of a station, the first time of each code.
+  void warn_of_mesh(const std::string& code, const std::string& text, std::size_t station);
   [[nodiscard]] const life::GrowthLaw& law() const { return law_; }
   [[nodiscard]] const std::optional<life::Spectrum>& spectrum() const { return spectrum_; }
   [[nodiscard]] bool counted_on_K() const { return counted_on_K_; }
