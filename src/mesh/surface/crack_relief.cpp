@@ -22,7 +22,7 @@ void begin_at(const Vec3& x, std::vector<Vec3>& line) {
   line.pop_back();
   const auto nearest =
       std::ranges::min_element(line, {}, [&](const Vec3& p) { return (p - x).squaredNorm(); });
-  std::ranges::rotate(line, nearest);
+  std::rotate(line.begin(), nearest, line.end());
   line.push_back(line.front());
 }
 
