@@ -32,17 +32,15 @@ constexpr int rounds = 2;
 constexpr double largest_miss = 0.5;
 /// Cosine of what a front turns by from end to end at least if it is no straight one: 45 degrees.
 constexpr double hardly_turned = 0.7;
-/// Sine of the angle that a crack may make with its first plane: heights over that stand for it.
-constexpr double steepest = 0.966;
 
-FrontKind kind_of(const FrontArc& arc) {
+} // namespace
+
+FrontKind FreeWays::kind_of(const FrontArc& arc) {
   const double turned = arc.curve.at(0.0).m.dot(arc.curve.at(arc.curve.length()).m);
   return arc.closed()             ? FrontKind::closed
          : turned > hardly_turned ? FrontKind::straight
                                   : FrontKind::round;
 }
-
-} // namespace
 
 FreeWays::FreeWays(const model::Model& model) : FrontWays(model) {
   now_.cracks = model.cracks;
@@ -69,56 +67,6 @@ FreeWays::FreeWays(const model::Model& model) : FrontWays(model) {
   turning_.assign(tips_.size(), {});
   part_.assign(tips_.size(), 0.0);
   find_ligaments();
-}
-
-bool FreeWays::turns() const {
-  return model_.growth->direction != model::GrowthDirection::path;
-}
-
-// K2 scatters by some per cent of K1 along fronts.
-double FreeWays::turn_scatter() const {
-  constexpr double scatter = 0.04;
-  return scatter;
-}
-
-void FreeWays::find_turning(const State& state) {
-  const std::size_t count = state.stations.size();
-  for (std::size_t tip = 0; turns() && count > 0 && tip < tips_.size(); ++tip) {
-    const TipStation& here = state.stations.back().tips[tip];
-    turning_[tip] = {.heading = here.heading, .turn = here.turn, .curvature = 0.0};
-    // Over two advances, as headings scatter from mesh to mesh; the kink at the first front is no
-    // curvature, and a leap has nothing in common with what was before.
-    if (count > 3 && state.stations[count - 1].leapt == 0 && state.stations[count - 2].leapt == 0) {
-      const TipStation& last = state.stations[count - 3].tips[tip];
-      turning_[tip].curvature =
-          here.a > last.a ? (here.heading - last.heading) / (here.a - last.a) : 0.0;
-    }
-  }
-}
-
-// Chords follow the arc that goes on with the curvature so far (growth.10).
-double FreeWays::turn_on(std::size_t tip, double by) const {
-  return turning_[tip].turn + 0.5 * turning_[tip].curvature * by;
-}
-
-Vec3 FreeWays::way_on(const mesh::FrontFrame& at, std::size_t tip, double by) const {
-  if (!turns()) {
-    return at.m;
-  }
-  const double angle = turn_on(tip, by);
-  return std::cos(angle) * at.m + std::sin(angle) * at.b;
-}
-
-WayLimit FreeWays::limit(const State& state, std::size_t tip, double share, double ds) const {
-  const Place at = place_of(tip);
-  const Vec3& normal = now_.cracks[at.of.crack].plane.normal;
-  if (std::abs(way_on(at.frame(), tip, 0.0).dot(normal)) > steepest) {
-    return {.ds = ds,
-            .end = WayEnd{"CURL", fmt::format("{} has turned by more than 75 degrees out of its "
-                                              "first plane",
-                                              tips_[tip].name)}};
-  }
-  return FrontWays::limit(state, tip, share, ds);
 }
 
 FreeWays::Place FreeWays::place_of(std::size_t tip) const {
@@ -345,10 +293,7 @@ bool FreeWays::draw(const NextPoints& next, Growing& of) {
     drawn = crack_through(crack, next.points, next.closed, around_);
   }
   if (drawn && turns()) {
-    const auto from = std::ranges::find(now_.growing, of.crack, &Growing::crack);
-    drawn->wake =
-        wake_with(now_.cracks[of.crack], from->arc.curve,
-                  mesh::FrontCurve(next.points, normals_of(crack, next.points), next.closed));
+    leave_wake(of.crack, next, *drawn);
   }
   std::optional<FrontArc> arc = drawn ? arc_in_body(*drawn, around_) : std::nullopt;
   if (!arc) {
@@ -430,22 +375,6 @@ void FreeWays::place(std::vector<TipStation>& found) const {
         at.rate = smooth[i];
       }
     }
-  }
-}
-
-// Turns without the scatter from mesh to mesh, as rates are.
-void FreeWays::place_turns(const Growing& of, std::vector<TipStation>& found) const {
-  if (!turns()) {
-    return;
-  }
-  std::vector<double> turn;
-  for (const std::size_t tip : of.tips) {
-    turn.push_back(found[tip].turn);
-  }
-  const std::vector<double> smooth = smooth_turns(turn, kind_of(of.arc));
-  for (std::size_t i = 0; i < of.tips.size(); ++i) {
-    found[of.tips[i]].turn = smooth[i];
-    found[of.tips[i]].heading = part_[of.tips[i]] + found[of.tips[i]].turn;
   }
 }
 

@@ -85,6 +85,8 @@ private:
   [[nodiscard]] NextPoints next_points(const Growing& of, const Advance& advance) const;
   /// A front on trial; false: it would be none, or several.
   bool draw(const NextPoints& next, Growing& of);
+  void leave_wake(std::size_t crack, const NextPoints& next, model::Crack& drawn) const;
+  [[nodiscard]] static FrontKind kind_of(const FrontArc& arc);
   void place_turns(const Growing& of, std::vector<TipStation>& found) const;
   /// Of all that a front has made on its way to the last station.
   [[nodiscard]] FrontRates rates_of(const Growing& of, const State& state) const;
