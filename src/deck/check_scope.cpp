@@ -65,7 +65,7 @@ void solid_growth_in_reach(Context& c) {
     no("LAW=INCREMENT and DIRECTION other than PATH");
   }
   if (turns && growth.flow_stress) {
-    no("FLOW and DIRECTION other than PATH");
+    no("SFLOW and DIRECTION other than PATH");
   }
 }
 

@@ -22,7 +22,7 @@ struct Fit {
   int harmonics = 0;
 };
 constexpr Fit rates{.round = 8, .straight = 4, .harmonics = 12};
-constexpr Fit turns{.round = 5, .straight = 2, .harmonics = 7};
+constexpr Fit turns{.round = 8, .straight = 2, .harmonics = 10};
 constexpr int points_open = 17;
 constexpr int points_closed = 32;
 /// Ends of a front through a plate answer to falling behind more steeply than a wave of an endless

@@ -15,7 +15,7 @@ enum class FrontKind { closed, round, straight };
 /// that fits best.
 std::vector<double> smooth_along(const std::vector<double>& values, FrontKind kind);
 
-/// The same of angles [point] as they are, with half of the waves or a little more.
+/// The same of angles [point] as they are.
 std::vector<double> smooth_turns(const std::vector<double>& angles, FrontKind kind);
 
 /// What is known of a front that goes on.
