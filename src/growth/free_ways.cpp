@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
@@ -151,6 +152,9 @@ void FreeWays::go_on(const State& state) {
         }
         auto at = kept.begin() + 2 + static_cast<std::ptrdiff_t>(count);
         const auto take = [&](std::size_t many) {
+          if (static_cast<std::size_t>(kept.end() - at) < many) {
+            throw std::out_of_range("fronts of a wake"); // as `at` does: files may be broken
+          }
           const auto from = at;
           at += static_cast<std::ptrdiff_t>(many);
           return std::vector<Vec3>(from, at);

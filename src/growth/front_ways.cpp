@@ -89,8 +89,9 @@ bool FrontWays::may_join(const model::Crack& one, const model::Crack& other) con
                                     load.faces == other.left || load.faces == other.right);
     });
   });
-  const bool flat = one.wake.fronts.empty() && other.wake.fronts.empty();
-  return flat && coplanar && !loaded && one.net == other.net && one.mu == other.mu &&
+  // Heights over a plane are those behind one front.
+  const bool stay = model_.growth->direction == model::GrowthDirection::path;
+  return stay && coplanar && !loaded && one.net == other.net && one.mu == other.mu &&
          one.faces_in_contact == other.faces_in_contact;
 }
 
