@@ -1,6 +1,7 @@
 // The paper's lug: bore R at the origin, round head of radius e about it, shank of half width e
-// that ends at x = -L0. Values come from the deck; `fine` divides every mesh size.
-DefineConstant[ R = 36, e = 86.5, L0 = 232.5, fine = 1 ];
+// that ends at x = -L0. Values come from the deck; `fine` divides every mesh size; `line` = 1 puts
+// a line of the mesh along y = 0.
+DefineConstant[ R = 36, e = 86.5, L0 = 232.5, fine = 1, line = 0 ];
 size_bore = 4 / fine;   // round the bore
 size_lips = 1.2 / fine; // on the bore where cracks start and contact ends
 size_far = 10 / fine;
@@ -28,13 +29,26 @@ Point(6) = {-L0, -e, 0, 1.6 * size_far};
 Circle(1) = {2, 1, 3};
 Circle(2) = {3, 1, 4};
 Line(3) = {4, 5};
-Line(4) = {5, 6};
+If (line)
+  Point(7) = {-L0, 0, 0, 1.6 * size_far};
+  Line(4) = {5, 7};
+  Line(6) = {7, 6};
+  end[] = {4, 6};
+Else
+  Line(4) = {5, 6};
+  end[] = {4};
+EndIf
 Line(5) = {6, 2};
-Curve Loop(1) = {1:5};
+Curve Loop(1) = {1:3, end[], 5};
 Curve Loop(2) = {10:15};
 Plane Surface(1) = {1, 2};
+If (line)
+  Line(7) = {7, 13};
+  Line(8) = {10, 3};
+  Curve{7, 8} In Surface{1};
+EndIf
 
 Physical Surface("BODY") = {1};
 Physical Curve("BORE") = {10:15};
 Physical Curve("HEAD") = {1, 2};
-Physical Curve("END") = {4};
+Physical Curve("END") = {end[]};

@@ -1,6 +1,6 @@
 // The solid shaft of radius ri about the origin. Values come from the deck; `fine` divides every
 // mesh size.
-DefineConstant[ ri = 30, fine = 1 ];
+DefineConstant[ ri = 30, fine = 1, line = 0 ]; // line: as in lug.geo
 size_arc = 4 / fine;
 size_ends = 2 / fine;
 size_middle = 10 / fine;
@@ -19,7 +19,13 @@ For i In {0:5}
 EndFor
 Curve Loop(1) = {20:25};
 Plane Surface(1) = {1};
-Point{1} In Surface{1};
+If (line)
+  Line(1) = {23, 1};
+  Line(2) = {1, 20};
+  Curve{1, 2} In Surface{1};
+Else
+  Point{1} In Surface{1};
+EndIf
 
 Physical Surface("BODY") = {1};
 Physical Curve("OUTER") = {20:25};

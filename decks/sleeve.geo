@@ -1,6 +1,6 @@
 // The sleeve: a ring from ri to R about the origin; finer where the lug's cracks start and contact
 // ends. Values come from the deck; `fine` divides every mesh size.
-DefineConstant[ R = 36, ri = 30, fine = 1 ];
+DefineConstant[ R = 36, ri = 30, fine = 1, line = 0 ]; // line: as in lug.geo
 size_arc = 4 / fine;
 size_lips = 2 / fine;
 Mesh.ElementOrder = 2;
@@ -24,6 +24,11 @@ EndFor
 Curve Loop(1) = {10:15};
 Curve Loop(2) = {20:25};
 Plane Surface(1) = {1, 2};
+If (line)
+  Line(1) = {20, 10};
+  Line(2) = {13, 23};
+  Curve{1, 2} In Surface{1};
+EndIf
 
 Physical Surface("BODY") = {1};
 Physical Curve("OUTER") = {10:15};

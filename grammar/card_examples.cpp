@@ -110,6 +110,15 @@ constexpr std::array texts{
              "first one follows the others. TRANSITION is exact where every side of the SLAVE mesh "
              "lies on one MASTER face.",
              "$MPC TYPE=TRANSITION SLAVE=FINE.RIM MASTER=COARSE.RIM\n"},
+    CardText{"SYMMETRY",
+             "Bodies, supports, loads, contacts and cracks are drawn whole; one side of the plane "
+             "in their middle is modelled, and the nodes in it are held across it. All of it has "
+             "to be mirrored by the plane (check lists the planes that are), and no element may "
+             "lie across. Totals are given whole; forces, energies and areas of results are those "
+             "of the side. In a plane model a crack that is drawn across the plane begins in it, "
+             "and one that is drawn in it opens by half. Two cards make a quarter, three an "
+             "eighth.",
+             "$SYMMETRY NORMAL=Y KEEP=ABOVE\n"},
     CardText{
         "LOAD",
         "Several cards with one CASE add up; $STEP applies a case with a factor. FORCE: on each "

@@ -148,6 +148,14 @@ constexpr std::array mpc_when{
     When{"TYPE", "EQUATION", "", "SLAVE MASTER"},
 };
 
+constexpr std::array symmetry_keys{
+    required(word("NORMAL", "X|Y|Z", "across the plane, which lies in the middle of all bodies")),
+    preset(word("KEEP", "ABOVE|BELOW",
+                "the side that is modelled: of the larger coordinates, or "
+                "of the smaller ones"),
+           "ABOVE"),
+};
+
 constexpr std::string_view items = "id, first : last [: step], SET, -SET";
 
 constexpr std::array cards{
@@ -239,6 +247,10 @@ constexpr std::array cards{
                  "EQUATION: coefficient node dof, again and again; NET.12 for a node of a net",
              .when = mpc_when,
              .doc = "Ties between freedoms."},
+    CardSpec{.name = "SYMMETRY",
+             .group = "freedoms",
+             .keys = symmetry_keys,
+             .doc = "Models one side of a plane of symmetry of all that the deck has."},
 };
 
 } // namespace

@@ -100,6 +100,23 @@ void freedom(Context& c, const BoundCard& card) {
   c.model.freedoms.push_back(freedom);
 }
 
+void symmetry(Context& c, const BoundCard& card) {
+  model::MirrorPlane plane;
+  plane.axis = card.word("NORMAL").front() - 'X';
+  plane.above = card.is("KEEP", "ABOVE");
+  plane.span = card.span;
+  const base::Span at = card.find("NORMAL")->span;
+  if (plane.axis == 2 && c.known_plane()) {
+    c.error(at, "E313", "NORMAL: a plane model has no side across Z");
+  }
+  if (std::ranges::any_of(c.model.mirrors, [&](const model::MirrorPlane& other) {
+        return other.axis == plane.axis;
+      })) {
+    c.error(at, "E302", fmt::format("a second $SYMMETRY with NORMAL={}", card.word("NORMAL")));
+  }
+  c.model.mirrors.push_back(plane);
+}
+
 } // namespace
 
 void build_properties(Context& context) {
@@ -116,6 +133,8 @@ void build_properties(Context& context) {
       property(context, card);
     } else if (card.spec->name == "FREEDOM") {
       freedom(context, card);
+    } else if (card.spec->name == "SYMMETRY" && !card.bad) {
+      symmetry(context, card);
     }
   }
 }

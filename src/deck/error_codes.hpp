@@ -84,6 +84,7 @@ inline constexpr std::array error_codes{
     ErrorCode{"E351", "two contacts between the same faces at one time"},
     ErrorCode{"E352", "a contact between faces that an $MPC ties"},
     ErrorCode{"E353", "too many points of a sweep"},
+    ErrorCode{"E354", "a plane of symmetry that has no two mirror images beside it"},
     ErrorCode{"W351", "a load on faces that a contact presses on as well"},
     ErrorCode{"W352", "prescribed freedoms that no load case moves"},
     ErrorCode{"W353", "a check that accepts 0 as well"},

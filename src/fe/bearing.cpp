@@ -7,7 +7,10 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 namespace spricka::fe {
 
@@ -128,6 +131,30 @@ Bore fit_bore(const model::Mesh& mesh, const std::vector<model::Face>& faces) {
   return bore;
 }
 
+std::array<bool, 3> cuts_by_mirrors(const model::Model& model, const model::Mesh& mesh,
+                                    const model::Load& load) {
+  constexpr double in_plane = 1e-6; // of the faces' extent
+  std::vector<base::NodeId> nodes;
+  for_faces(mesh, mesh.set(load.faces).faces,
+            [&]<shape::Shape Side>(Side, const model::Face& face) {
+              std::ranges::copy(nodes_of_face<Side>(mesh, face), std::back_inserter(nodes));
+            });
+  std::array<bool, 3> cuts{};
+  for (const model::MirrorPlane& plane : model.mirrors) {
+    double nearest = std::numeric_limits<double>::infinity();
+    double farthest = 0.0;
+    for (const base::NodeId n : nodes) {
+      const double off = std::abs(mesh.x[n.index()][plane.axis] - plane.at.value_or(0.0));
+      nearest = std::min(nearest, off);
+      farthest = std::max(farthest, off);
+    }
+    const auto axis = static_cast<std::size_t>(plane.axis);
+    cuts.at(axis) =
+        plane.at && nearest <= in_plane * farthest && load.value[axis](Vec3::Zero()) == 0.0;
+  }
+  return cuts;
+}
+
 bool for_bearing_points(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
                         const BearingVisit& visit) {
   assert(mesh.dim == 2);
@@ -158,7 +185,9 @@ bool for_bearing_points(const model::Model& model, const model::Mesh& mesh, cons
   if (!lu.isInvertible()) {
     return false;
   }
-  const Vec2 p = lu.solve(F);
+  const std::array<bool, 3> cuts = cuts_by_mirrors(model, mesh, load);
+  const bool balanced = cuts[0] || cuts[1] || cuts[2];
+  const Vec2 p = balanced ? Vec2(F.norm() / total.col(0).dot(pin.d), 0.0) : Vec2(lu.solve(F));
   for_points([&](const model::Face& face, double t, const Vec2& main, const Vec2& across) {
     visit(face, t, p[0] * main + p[1] * across);
   });

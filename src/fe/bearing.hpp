@@ -4,6 +4,7 @@
 #include "model/forward.hpp"
 #include "model/mesh.hpp"
 
+#include <array>
 #include <functional>
 
 namespace spricka::fe {
@@ -18,13 +19,18 @@ struct Bore {
 /// Fits a circle to the nodes of edges, see circle_fit.hpp.
 Bore fit_bore(const model::Mesh& mesh, const std::vector<model::Face>& faces);
 
+/// The axes across which planes of symmetry, of which one side is modelled, cut the faces of a
+/// bearing load: there the image balances what the pressure does across the load [x y z].
+std::array<bool, 3> cuts_by_mirrors(const model::Model& model, const model::Mesh& mesh,
+                                    const model::Load& load);
+
 /// Adds the pressure of a pin on a bore, given by its resultant (Fx, Fy) [force], to the nodal
 /// vector f. With theta measured from the load on the circle fitted to the faces, the pressure is
 /// p0 cos(theta) (COSINE) or p0 (UNIFORM) for |theta| < 90 deg, radial, and scaled so that the
 /// nodal forces sum to the resultant to round-off; a term p1 sin(theta), zero but for round-off
 /// where the faces cover the half circle, takes up what an incomplete one would leave across the
-/// load. Edges are divided where |theta| = 90 deg. Returns false, with f unchanged, when the faces
-/// have no part in the loaded half.
+/// load; not so where a mirror cuts them. Edges are divided where |theta| = 90 deg. Returns false,
+/// with f unchanged, when the faces have no part in the loaded half.
 bool add_bearing(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
                  base::Vector& f);
 
@@ -38,6 +44,13 @@ bool for_bearing_points(const model::Model& model, const model::Mesh& mesh, cons
 /// normals. The pressure is even along the axis. The loaded half ends inside faces where they fall
 /// so: sums are exact, the distribution as good as the integration (degree 15). Returns false when
 /// the load has a part along the axis or meets no face.
-bool add_solid_bearing(const model::Mesh& mesh, const model::Load& load, base::Vector& f);
+bool add_solid_bearing(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
+                       base::Vector& f);
+
+/// The same pressure as forces at points: the face, the place on it (r, s, 0), the force.
+using SolidBearingVisit =
+    std::function<void(const model::Face&, const base::Vec3&, const base::Vec3&)>;
+bool for_solid_bearing_points(const model::Model& model, const model::Mesh& mesh,
+                              const model::Load& load, const SolidBearingVisit& visit);
 
 } // namespace spricka::fe

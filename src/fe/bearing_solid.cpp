@@ -41,15 +41,45 @@ Vec3 axis_of(const model::Mesh& mesh, const std::vector<model::Face>& faces) {
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(normals).eigenvectors().col(0);
 }
 
-// Two unit vectors across the axis, the first along the load.
-struct Frame {
+// A pin in a hole: two unit vectors across its axis, the first along the load, and its centre
+// there.
+struct SolidPin {
   Vec3 along = Vec3::Zero();
   Vec3 across = Vec3::Zero();
+  Vec2 centre = Vec2::Zero();
+  bool cosine = true;
 };
+
+// Calls visit(face, r, main, across) at the points of the loaded half: the forces of the two unit
+// pressures p = cos(theta) or 1, and p = sin(theta).
+template <class Visit>
+void for_pin_points(const model::Mesh& mesh, const std::vector<model::Face>& faces,
+                    const SolidPin& pin, Visit&& visit) {
+  for_faces(mesh, faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
+    const SideNodes<Side> X = side_coordinates<Side>(mesh, face);
+    for (const auto& point : shape::quadrature<Side>(solid_pressure_degree)) {
+      const Vec3 x = X * Side::N(point.r);
+      const Vec3 outward = area_vector<Side>(X, point.r);
+      const Vec2 arm = Vec2(x.dot(pin.along), x.dot(pin.across)) - pin.centre;
+      // Against the outer normal: away from the centre of a bore, towards that of a shaft.
+      const Vec3 radial = (arm.x() * pin.along + arm.y() * pin.across).normalized();
+      const Vec3 push = (outward.dot(radial) < 0.0 ? 1.0 : -1.0) * radial;
+      const double c = push.dot(pin.along);
+      if (c <= 0.0) {
+        continue;
+      }
+      // The area of the face as it is seen along the radius.
+      const Vec3 force = point.weight * std::abs(outward.dot(radial)) * push;
+      visit(face, Vec3(point.r[0], point.r[1], 0.0), Vec3((pin.cosine ? c : 1.0) * force),
+            Vec3(push.dot(pin.across) * force));
+    }
+  });
+}
 
 } // namespace
 
-bool add_solid_bearing(const model::Mesh& mesh, const model::Load& load, Vector& f) {
+bool for_solid_bearing_points(const model::Model& model, const model::Mesh& mesh,
+                              const model::Load& load, const SolidBearingVisit& visit) {
   assert(mesh.dim == 3 && load.value.size() == 3);
   const std::vector<model::Face>& faces = mesh.set(load.faces).faces;
   const Vec3 F(load.value[0](Vec3::Zero()), load.value[1](Vec3::Zero()),
@@ -61,54 +91,49 @@ bool add_solid_bearing(const model::Mesh& mesh, const model::Load& load, Vector&
   if (std::abs(axis.dot(F)) > 1e-6 * F.norm()) {
     return false; // a pin pushes across its axis
   }
-  const Frame frame{F.normalized(), axis.cross(F.normalized())};
+  SolidPin pin{F.normalized(), axis.cross(F.normalized()), Vec2::Zero(),
+               load.shape == model::BearingShape::cosine};
   std::vector<WeightedPoint> points;
   for_points(mesh, faces, [&](const Vec3& x, const Vec3& a) {
-    points.push_back({Vec2(x.dot(frame.along), x.dot(frame.across)), a.norm()});
+    points.push_back({Vec2(x.dot(pin.along), x.dot(pin.across)), a.norm()});
   });
-  const Vec2 centre = fit_circle(points).centre;
-  const bool cosine = load.shape == model::BearingShape::cosine;
-
-  Vector main = Vector::Zero(f.size());
-  Vector across = Vector::Zero(f.size());
+  pin.centre = fit_circle(points).centre;
   Eigen::Matrix2d total = Eigen::Matrix2d::Zero(); // column 0: sum of main, 1: of across
-  for_faces(mesh, faces, [&]<shape::Shape Side>(Side, const model::Face& face) {
-    const SideNodes<Side> X = side_coordinates<Side>(mesh, face);
-    const std::array<base::NodeId, Side::nodes> nodes = nodes_of_face<Side>(mesh, face);
-    for (const auto& point : shape::quadrature<Side>(solid_pressure_degree)) {
-      const Eigen::Matrix<double, Side::nodes, 1> N = Side::N(point.r);
-      const Vec3 x = X * N;
-      const Vec3 outward = area_vector<Side>(X, point.r);
-      const Vec2 arm = Vec2(x.dot(frame.along), x.dot(frame.across)) - centre;
-      // Against the outer normal: away from the centre of a bore, towards that of a shaft.
-      const Vec3 radial = (arm.x() * frame.along + arm.y() * frame.across).normalized();
-      const Vec3 push = (outward.dot(radial) < 0.0 ? 1.0 : -1.0) * radial;
-      const double c = push.dot(frame.along);
-      if (c <= 0.0) {
-        continue;
-      }
-      // The area of the face as it is seen along the radius.
-      const Vec3 force = point.weight * std::abs(outward.dot(radial)) * push;
-      const double p = cosine ? c : 1.0;
-      const double q = push.dot(frame.across);
-      const Vec2 plane(force.dot(frame.along), force.dot(frame.across));
-      total.col(0) += p * plane;
-      total.col(1) += q * plane;
-      for (std::size_t i = 0; i < nodes.size(); ++i) {
-        const Vec3 share = N[static_cast<Eigen::Index>(i)] * force;
-        const auto row = 3 * static_cast<Eigen::Index>(nodes[i].index());
-        main.segment<3>(row) += p * share;
-        across.segment<3>(row) += q * share;
-      }
-    }
-  });
+  for_pin_points(
+      mesh, faces, pin,
+      [&](const model::Face& /*face*/, const Vec3& /*r*/, const Vec3& main, const Vec3& across) {
+        total.col(0) += Vec2(main.dot(pin.along), main.dot(pin.across));
+        total.col(1) += Vec2(across.dot(pin.along), across.dot(pin.across));
+      });
   const Eigen::FullPivLU<Eigen::Matrix2d> lu(total);
   if (!lu.isInvertible()) {
     return false;
   }
-  const Vec2 p = lu.solve(Vec2(F.norm(), 0.0));
-  f += p[0] * main + p[1] * across;
+  const std::array<bool, 3> cuts = cuts_by_mirrors(model, mesh, load);
+  const bool balanced = cuts[0] || cuts[1] || cuts[2];
+  const Vec2 p = balanced ? Vec2(F.norm() / total(0, 0), 0.0) : Vec2(lu.solve(Vec2(F.norm(), 0.0)));
+  for_pin_points(mesh, faces, pin,
+                 [&](const model::Face& face, const Vec3& r, const Vec3& main, const Vec3& across) {
+                   visit(face, r, p[0] * main + p[1] * across);
+                 });
   return true;
+}
+
+bool add_solid_bearing(const model::Model& model, const model::Mesh& mesh, const model::Load& load,
+                       Vector& f) {
+  return for_solid_bearing_points(
+      model, mesh, load, [&](const model::Face& face, const Vec3& r, const Vec3& force) {
+        with_side(mesh, face, [&]<shape::Shape Side>(Side) {
+          if constexpr (Side::dim == 2) {
+            const std::array<base::NodeId, Side::nodes> nodes = nodes_of_face<Side>(mesh, face);
+            const Eigen::Matrix<double, Side::nodes, 1> N = Side::N(shape::Point<2>(r.head<2>()));
+            for (std::size_t i = 0; i < nodes.size(); ++i) {
+              f.segment<3>(3 * static_cast<Eigen::Index>(nodes[i].index())) +=
+                  N[static_cast<Eigen::Index>(i)] * force;
+            }
+          }
+        });
+      });
 }
 
 } // namespace spricka::fe

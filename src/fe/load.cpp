@@ -104,7 +104,7 @@ void add_load(const model::Model& model, const model::Mesh& mesh, const model::L
     return;
   }
   if (load.type == model::LoadType::bearing && mesh.dim == 3) {
-    add_solid_bearing(mesh, load, f);
+    add_solid_bearing(model, mesh, load, f);
     return;
   }
   if (load.type == model::LoadType::resultant && load.elements.valid()) {

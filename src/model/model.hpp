@@ -11,6 +11,7 @@
 #include "model/loads.hpp"
 #include "model/materials.hpp"
 #include "model/mesh.hpp"
+#include "model/mirror_plane.hpp"
 #include "model/requests.hpp"
 #include "model/steps.hpp"
 
@@ -40,7 +41,8 @@ struct Model {
   base::UnitSystem units;
   std::vector<std::pair<std::string, double>> parameters;
 
-  Mesh mesh; ///< the host: without cracks
+  Mesh mesh;                        ///< the host: without cracks
+  std::vector<MirrorPlane> mirrors; ///< of which one side is modelled
   std::vector<Net> nets;
   std::vector<Material> materials;
   std::vector<Property> properties;

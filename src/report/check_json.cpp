@@ -114,7 +114,10 @@ json of(const results::LengthPreview& l) {
 }
 
 json of(const results::MirrorPreview& m) {
-  return {{"across", std::string(1, "xyz"[m.axis])}, {"at", m.at}, {"against", m.against}};
+  return {{"across", std::string(1, "xyz"[m.axis])},
+          {"at", m.at},
+          {"against", m.against},
+          {"no_half", m.no_half}};
 }
 
 json of(const results::ScriptConstant& c) {

@@ -214,9 +214,10 @@ std::string mirror_line(const results::MirrorPreview& mirror) {
   const std::string plane = fmt::format("{} = {:.5g}", axis, mirror.at);
   return mirror.against.empty()
              ? fmt::format(
-                   "  {} is a plane of symmetry: half of the model, with U.{} = 0 on it and "
-                   "half of each resultant across it, has the same answer\n",
-                   plane, "XYZ"[mirror.axis])
+                   "  {} is a plane of symmetry: half of the model, $SYMMETRY NORMAL={}, has the "
+                   "same answer{}\n",
+                   plane, "XYZ"[mirror.axis],
+                   mirror.no_half.empty() ? "" : ", but " + mirror.no_half)
              : fmt::format("  {} is a plane of symmetry of the bodies, but {}\n", plane,
                            mirror.against);
 }

@@ -251,6 +251,9 @@ std::string html_report(const base::Sources& sources, const model::Model& model,
   add_tests(page, model, run);
   add_paths(page, model, run);
   page.heading("Model");
+  if (const std::string note = side_note(model); !note.empty()) {
+    page.paragraph(note);
+  }
   page.table(net_table(model));
   page.table(property_table(model));
   page.table(contact_pair_table(model));

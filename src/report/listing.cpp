@@ -52,6 +52,9 @@ std::string model_summary(const model::Model& model,
   }
   out += fmt::format("Units: length {}, force {}, stress {}, K {}\n\n", units.length_name,
                      units.force_name, units.stress_name(), units.stress_intensity_name());
+  if (const std::string note = side_note(model); !note.empty()) {
+    out += note + "\n\n";
+  }
   out += to_text(net_table(model)) + "\n" + to_text(property_table(model));
   const Table contacts = contact_pair_table(model);
   if (!contacts.rows.empty()) {

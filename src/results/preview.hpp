@@ -111,9 +111,10 @@ struct LengthPreview {
 
 /// A plane in which all bodies are their own mirror image.
 struct MirrorPreview {
-  int axis = 0;        ///< 0 x, 1 y, 2 z: across it
-  double at = 0.0;     ///< coordinate [length]
-  std::string against; ///< what is not mirrored; empty: half a model does
+  int axis = 0;             ///< 0 x, 1 y, 2 z: across it
+  double at = 0.0;          ///< coordinate [length]
+  std::string against;      ///< what is not mirrored; empty: half a model does
+  std::string no_half = {}; ///< why $SYMMETRY can't make that half all the same
 };
 
 struct Preview {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include <fmt/format.h>
@@ -79,19 +80,90 @@ bool grows(const model::Model& model, std::size_t crack) {
                               model.growth->cracks.end());
 }
 
+bool mirrored_shape(const model::Model& model, const Mirror& mirror, const model::Crack& one,
+                    const model::Crack& other) {
+  if (one.kind != other.kind || one.mu != other.mu || one.a0 != other.a0 ||
+      one.faces_in_contact != other.faces_in_contact) {
+    return false;
+  }
+  return one.kind == model::CrackKind::ellipse
+             ? mirrored_plane(mirror, one.plane, other.plane)
+             : mirrored_line(mirror, points_of(model, one), points_of(model, other));
+}
+
+// From the right face to the left one, in space from the lower to the upper; zero: not known.
+base::Vec3 normal_of(const model::Model& model, const model::Crack& crack) {
+  if (model.mesh.dim == 3) {
+    const bool drawn = crack.kind != model::CrackKind::front;
+    return drawn ? crack.plane.normal : base::Vec3(base::Vec3::Zero());
+  }
+  const std::vector<base::Vec3> points = points_of(model, crack);
+  const base::Vec3 along = points.back() - points.front();
+  return {-along.y(), along.x(), 0.0};
+}
+
+// Points of a crack's faces: along its line, or over its ellipse.
+std::vector<base::Vec3> face_samples(const model::Model& model, const model::Crack& crack) {
+  constexpr int many = 8;
+  std::vector<base::Vec3> samples;
+  if (crack.kind == model::CrackKind::ellipse) {
+    for (int i = 0; i < many; ++i) {
+      const double phi = (0.3 + i) * 2.0 * std::numbers::pi / many;
+      for (const double r : {0.35, 0.9}) {
+        samples.push_back(crack.plane.place +
+                          r * (crack.plane.c * std::cos(phi) * crack.plane.along +
+                               crack.plane.a * std::sin(phi) * crack.plane.across()));
+      }
+    }
+    return samples;
+  }
+  const std::vector<base::Vec3> points = points_of(model, crack);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    for (int k = 0; k < many; ++k) {
+      samples.push_back(points[i - 1] + (0.3 + k) / many * (points[i] - points[i - 1]));
+    }
+  }
+  return samples;
+}
+
 } // namespace
+
+const model::Crack* crack_of_faces(const model::Model& model, const model::Load& load) {
+  const auto found = std::ranges::find_if(model.cracks, [&](const model::Crack& crack) {
+    return load.faces.valid() && (load.faces == crack.left || load.faces == crack.right);
+  });
+  return found == model.cracks.end() ? nullptr : &*found;
+}
+
+bool mirrored_face_load(const model::Model& model, const Mirror& mirror, const model::Load& one,
+                        const model::Load& other) {
+  const model::Crack* const crack = crack_of_faces(model, one);
+  const model::Crack* const image = crack_of_faces(model, other);
+  if (crack == nullptr || image == nullptr || one.type != model::LoadType::pressure ||
+      other.type != model::LoadType::pressure || !mirrored_shape(model, mirror, *crack, *image)) {
+    return false;
+  }
+  base::Vec3 normal = normal_of(model, *crack);
+  normal[mirror.axis] = -normal[mirror.axis];
+  const double turned = normal.dot(normal_of(model, *image));
+  const bool same_side = (one.faces == crack->left) == (other.faces == image->left);
+  if ((turned < 0.0 && same_side) || (turned > 0.0 && !same_side)) {
+    return false;
+  }
+  double size = 0.0;
+  double off = 0.0;
+  for (const base::Vec3& x : face_samples(model, *crack)) {
+    const double here = one.value.front()(x);
+    size = std::max(size, std::abs(here));
+    off = std::max(off, std::abs(here - other.value.front()(mirror(x))));
+  }
+  return off <= same_axis * size;
+}
 
 std::string against_cracks(const model::Model& model, const Mirror& mirror) {
   const auto answers = [&](std::size_t i, std::size_t j) {
-    const model::Crack& one = model.cracks[i];
-    const model::Crack& other = model.cracks[j];
-    if (one.kind != other.kind || grows(model, i) != grows(model, j) || one.mu != other.mu ||
-        one.a0 != other.a0 || one.faces_in_contact != other.faces_in_contact) {
-      return false;
-    }
-    return one.kind == model::CrackKind::ellipse
-               ? mirrored_plane(mirror, one.plane, other.plane)
-               : mirrored_line(mirror, points_of(model, one), points_of(model, other));
+    return grows(model, i) == grows(model, j) &&
+           mirrored_shape(model, mirror, model.cracks[i], model.cracks[j]);
   };
   for (std::size_t i = 0; i < model.cracks.size(); ++i) {
     bool answered = false;

@@ -83,6 +83,10 @@ public:
                                [&](const Places& body) { return onto(mirror, body, body); });
   }
 
+  [[nodiscard]] bool own_image(const Mirror& mirror, const model::Load& load) const {
+    return answers(mirror, load, load);
+  }
+
 private:
   static bool onto(const Mirror& mirror, const Places& one, const Places& other) {
     return std::ranges::all_of(one.samples(),
@@ -153,6 +157,9 @@ private:
 
   [[nodiscard]] bool answers(const Mirror& mirror, const model::Load& one,
                              const model::Load& other) const {
+    if (crack_of_faces(model_, one) != nullptr) {
+      return mirrored_face_load(model_, mirror, one, other);
+    }
     if (one.type != other.type || one.shape != other.shape) {
       return false;
     }
@@ -299,29 +306,57 @@ private:
   std::vector<Places> held_;   ///< [direction]
 };
 
+/// The box round all nodes of elements.
+struct Extent {
+  base::Vec3 low = base::Vec3::Constant(1e300);
+  base::Vec3 high = base::Vec3::Constant(-1e300);
+};
+
+Extent extent_of(const model::Mesh& mesh) {
+  const std::vector<bool> used = model::nodes_in_use(mesh);
+  Extent box;
+  for (std::size_t n = 0; n < used.size(); ++n) {
+    if (used[n]) {
+      box.low = box.low.cwiseMin(mesh.x[n]);
+      box.high = box.high.cwiseMax(mesh.x[n]);
+    }
+  }
+  return box;
+}
+
+Mirror middle_across(const Extent& box, int axis) {
+  const double size = (box.high - box.low).norm();
+  const double at = 0.5 * (box.low[axis] + box.high[axis]);
+  return {axis, std::abs(at) < 1e-9 * size ? 0.0 : at, size};
+}
+
 } // namespace
 
 std::vector<results::MirrorPreview> find_mirrors(const model::Model& model) {
   std::vector<results::MirrorPreview> found;
-  const std::vector<bool> used = model::nodes_in_use(model.mesh);
-  base::Vec3 low = base::Vec3::Constant(1e300);
-  base::Vec3 high = -low;
-  for (std::size_t n = 0; n < used.size(); ++n) {
-    if (used[n]) {
-      low = low.cwiseMin(model.mesh.x[n]);
-      high = high.cwiseMax(model.mesh.x[n]);
-    }
-  }
+  const Extent box = extent_of(model.mesh);
   const Looks looks(model);
   for (int axis = axisymmetric(model) ? 1 : 0; axis < model.mesh.dim; ++axis) {
-    const Mirror mirror{axis, 0.5 * (low[axis] + high[axis]), (high - low).norm()};
+    const Mirror mirror = middle_across(box, axis);
     if (looks.bodies_mirrored(mirror)) {
-      const bool zero = std::abs(mirror.at) < 1e-9 * mirror.size;
-      found.push_back(
-          {.axis = axis, .at = zero ? 0.0 : mirror.at, .against = looks.against(mirror)});
+      found.push_back({.axis = axis, .at = mirror.at, .against = looks.against(mirror)});
     }
   }
   return found;
+}
+
+results::MirrorPreview mirror_across(const model::Model& model, int axis) {
+  const Mirror mirror = middle_across(extent_of(model.mesh), axis);
+  const Looks looks(model);
+  return {.axis = axis,
+          .at = mirror.at,
+          .against = looks.bodies_mirrored(mirror) ? looks.against(mirror) : "the bodies are not"};
+}
+
+bool is_own_image(const model::Model& model, const model::Load& load,
+                  const results::MirrorPreview& mirror) {
+  const Extent box = extent_of(model.mesh);
+  return Looks(model).own_image({mirror.axis, mirror.at, (box.high - box.low).norm()}, load);
 }
 
 } // namespace spricka::sense

@@ -14,4 +14,12 @@ namespace spricka::sense {
 /// against it.
 std::vector<results::MirrorPreview> find_mirrors(const model::Model& model);
 
+/// The plane across one axis through the middle of all bodies, with what stands against it as a
+/// mirror: the bodies themselves, or what find_mirrors says.
+results::MirrorPreview mirror_across(const model::Model& model, int axis);
+
+/// Whether a load is its own mirror image: the same set, and the same values there.
+bool is_own_image(const model::Model& model, const model::Load& load,
+                  const results::MirrorPreview& mirror);
+
 } // namespace spricka::sense

@@ -50,6 +50,26 @@ $STEP NAME=LOAD
 $END
 """
 
+# A whole ring, held outside, with two cracks at its bore.
+TWICE_CRACKED_RING = """$DECK VERSION=1 LENGTH=MM FORCE=N
+$MESH SHAPE=RING TYPE=QUAMC8 RI=10 RO=30 NR=8 NT=32
+$MATERIAL NAME=M E=1000 NU=0.3
+$PROPERTY ESET=BODY MATERIAL=M STATE=STRAIN THICK=1
+$FREEDOM CLASS=SUPPRESSED DOF=XY
+  OUTER
+$CRACK NAME=R
+  10 0
+  14 0
+$CRACK NAME=L
+  -10 0
+  -14 0
+$LOAD CASE=P TYPE=PRESSURE
+  INNER  10
+$STEP NAME=LOAD
+  LOAD P 1
+$END
+"""
+
 # The same ring by a script that maps it; its numbers of elements are no business of the deck. Lame: the
 # displacement of the bore is p a^2 (1+nu) ((1-2nu) a + b^2/a) / (E (b^2-a^2)), the hoop stress there 12.5.
 MAPPED_SCRIPT = """DefineConstant[ n = 6, order = 2 ];
@@ -100,8 +120,8 @@ $END
 
 
 class TableTest(ProgramTest):
-    def rows(self, name):
-        with (self.folder / "out" / name).open(encoding="utf-8") as table:
+    def rows(self, name, folder="out"):
+        with (self.folder / folder / name).open(encoding="utf-8") as table:
             return list(csv.DictReader(table))
 
 
@@ -218,6 +238,23 @@ class LadderTest(TableTest):
                                delta=0.02 * shaft / ring)
         self.assertIn("without a crack there is no body to keep", result.stdout)
         self.expect(0, "run", "out/cheapest.deck", "--out", "cheap", "--quiet")
+
+    def test_parts_by_symmetry(self):
+        """A ring with a crack on both sides, drawn in one of its planes; then without, by its energy."""
+        ring = TWICE_CRACKED_RING
+        plain = re.sub(r"\$CRACK.*\n.*\n.*\n", "", ring)
+        for text, answer, out in ((ring, "K1(R,LOAD)", "cracked"), (plain, "ENERGY(*,LOAD)", "plain")):
+            self.deck(text)
+            result = self.expect(0, "ladder", "test.deck", "--out", out, "--quiet")
+            with open(self.folder / out / "ladder.csv", encoding="utf-8") as file:
+            rows = self.rows("ladder.csv", out)
+            quarter = [row for row in rows if row["rung"] == "quarter by symmetry" and row["answer"] == answer]
+            self.assertEqual([row["verdict"] for row in quarter], ["within"], result.stdout)
+            self.assertLess(abs(float(quarter[0]["difference"])), 1e-3 if "K1" in answer else 1e-9)
+            deck = (self.folder / out / "cheapest.deck").read_text(encoding="utf-8")
+            self.assertIn("$SYMMETRY", deck)
+            self.assertNotIn("K1(L", deck)
+            self.expect(0, "run", f"{out}/cheapest.deck", "--out", "cheap", "--quiet")
 
 
 if __name__ == "__main__":

@@ -18,6 +18,7 @@
 #include "program/preview/forecast.hpp"
 #include "program/preview/preview_model.hpp"
 #include "report/check_listing.hpp"
+#include "sense/half_model.hpp"
 #include "sense/load_totals.hpp"
 #include "sense/mirrors.hpp"
 
@@ -136,6 +137,9 @@ private:
     preview.bodies = analysis::held_modes(model_, scene, bodies);
     preview.loads = sense::load_totals(model_);
     preview.mirrors = sense::find_mirrors(model_);
+    for (results::MirrorPreview& mirror : preview.mirrors) {
+      mirror.no_half = mirror.against.empty() ? sense::against_half(model_, mirror.axis) : "";
+    }
     unheld = analysis::unheld_loads(model_, scene, bodies);
   }
 

@@ -239,6 +239,10 @@ constexpr std::array advice{
     ErrorCode{"E351", "Contacts that are mounted one after the other may share faces: DISMOUNT one "
                       "in the step that says MOUNT for the other."},
     ErrorCode{"E352", "Tied surfaces cannot part: take the $CONTACT away, or the $MPC."},
+    ErrorCode{"E354",
+              "Supports, loads, contacts and cracks have to be mirrored by the plane, and the "
+              "mesh a line in it: divide bodies there. Else leave $SYMMETRY out and model the "
+              "whole."},
     ErrorCode{"E353", "Each $SWEEP multiplies the points of the others; WITH varies two parameters "
                       "together."},
     ErrorCode{"W351", "Load the pin where there is one; BEARING, PRESSURE and TRACTION stand for "

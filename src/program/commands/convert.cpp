@@ -14,6 +14,7 @@
 #include "program/peers/inp_of_deck.hpp"
 #include "report/drawing/file.hpp"
 #include "report/report.hpp"
+#include "sense/half_model.hpp"
 
 #include <algorithm>
 #include <array>
@@ -148,6 +149,9 @@ base::Outcome convert(const ConvertOptions& options) {
       model = read_mesh(options.in, diagnostics);
     } else {
       model = deck::read_deck(options.in, {options.defines}, sources, diagnostics);
+      if (model) {
+        sense::keep_sides(*model, diagnostics);
+      }
     }
     log.diagnostics(sources, diagnostics);
     if (!model || diagnostics.has_errors()) {

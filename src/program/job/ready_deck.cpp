@@ -4,6 +4,7 @@
 #include "fe/law.hpp"
 #include "model/model.hpp"
 #include "sense/contact_sense.hpp"
+#include "sense/half_model.hpp"
 #include "sense/held_places.hpp"
 #include "sense/two_ways.hpp"
 #include "sense/unjoined_bodies.hpp"
@@ -108,6 +109,7 @@ ReadyDeck read_ready(const std::filesystem::path& deck, const deck::ReadOptions&
   std::optional<model::Model> model =
       deck::read_deck(deck, options, ready.sources, ready.diagnostics, &ready.scripts);
   if (model) {
+    sense::keep_sides(*model, ready.diagnostics);
     warn_of_locking(*model, ready.diagnostics);
     sense::warn_of_contacts(*model, ready.diagnostics);
     sense::warn_of_unjoined_bodies(*model, ready.diagnostics);
@@ -140,6 +142,9 @@ ReadyDeck read_silently(const std::filesystem::path& deck, const deck::ReadOptio
   ready.options = options;
   std::optional<model::Model> model =
       deck::read_deck(deck, options, ready.sources, ready.diagnostics);
+  if (model) {
+    sense::keep_sides(*model, ready.diagnostics);
+  }
   if (!model || ready.diagnostics.has_errors()) {
     ready.refusal.error = first_error(ready.sources, ready.diagnostics);
   } else {

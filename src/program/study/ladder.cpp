@@ -39,6 +39,9 @@ Difference difference_of(const Ladder& ladder, const RungResult& rung) {
     if (!(ladder.scales[a] > 0.0) || !std::isfinite(rich.value)) {
       continue;
     }
+    if (rung.rung.parts > 1 && !std::isfinite(own.value)) {
+      continue; // of what went with the other side: its image answers
+    }
     const double part = (own.value - rich.value) / ladder.scales[a];
     const double bars =
         ((std::isfinite(own.bar) ? own.bar : 0.0) + (std::isfinite(rich.bar) ? rich.bar : 0.0)) /
@@ -52,6 +55,7 @@ Difference difference_of(const Ladder& ladder, const RungResult& rung) {
       found.bars = bars;
     }
   }
+  found.all_within = found.all_within && std::isfinite(found.value);
   return found;
 }
 
@@ -134,19 +138,21 @@ void compare(Ladder& ladder) {
   ladder.cheapest = cheapest_of(ladder.rungs);
 }
 
-deck::DeckText with_checks(const Ladder& ladder, const deck::DeckText& text) {
+deck::DeckText with_checks(const Ladder& ladder, const RungResult& rung) {
   deck::DeckCard checks;
   checks.name = "CHECK";
   const RungResult& richest = ladder.rungs[*ladder.richest];
   for (std::size_t a = 0; a < ladder.answers.size(); ++a) {
-    const double value = richest.readings[a].value;
-    if (std::isfinite(value) && ladder.scales[a] > 0.0) {
+    const int parts = ladder.answers[a].group == AnswerGroup::energy ? rung.rung.parts : 1;
+    const double value = richest.readings[a].value / parts;
+    const bool gone = rung.rung.parts > 1 && !std::isfinite(rung.readings[a].value);
+    if (std::isfinite(value) && ladder.scales[a] > 0.0 && !gone) {
       checks.data += fmt::format("  {} = {:.7g}  ABS {:.3g}  SOURCE 'the richest rung, {}'\n",
-                                 ladder.answers[a].text, value, ladder.tolerance * ladder.scales[a],
-                                 richest.rung.name);
+                                 ladder.answers[a].text, value,
+                                 ladder.tolerance * ladder.scales[a] / parts, richest.rung.name);
     }
   }
-  deck::DeckText whole = text;
+  deck::DeckText whole = *rung.rung.text;
   append(whole, std::move(checks));
   return whole;
 }

@@ -51,7 +51,8 @@ std::vector<Answer> ladder_answers(const model::Model& model, const results::Run
 /// Fills differences, verdicts and the cheapest rung.
 void compare(Ladder& ladder);
 
-/// The deck of a rung with the richest rung's answers as its checks, to the tolerance.
-deck::DeckText with_checks(const Ladder& ladder, const deck::DeckText& text);
+/// The deck of a rung with the richest rung's answers as its checks, to the tolerance; of a part by
+/// symmetry its part of energies, and no answers of what went with the other side.
+deck::DeckText with_checks(const Ladder& ladder, const RungResult& rung);
 
 } // namespace spricka::program

@@ -7,6 +7,7 @@
 #include "program/job/interrupt.hpp"
 #include "program/job/run_folder.hpp"
 #include "program/job/standard_streams.hpp"
+#include "program/study/halves.hpp"
 #include "program/study/ladder_report.hpp"
 #include "program/study/variant_runs.hpp"
 #include "report/drawing/file.hpp"
@@ -105,6 +106,7 @@ private:
     result.trouble = end.trouble;
     if (end.run) {
       result.readings = read_answers(*ready_.model, ladder_.answers, *end.run);
+      tell_of_whole(result.readings, ladder_.answers, result.rung.parts);
     }
     if (!options_.deck.quiet) {
       to_stderr(fmt::format("{}: {:.2f} s\n", result.rung.name, end.end.cpu));
@@ -121,7 +123,7 @@ private:
     if (ladder_.cheapest) {
       const RungResult& cheapest = ladder_.rungs[*ladder_.cheapest];
       folder.keep("cheapest.deck",
-                  write_deck(with_checks(ladder_, *cheapest.rung.text), place,
+                  write_deck(with_checks(ladder_, cheapest), place,
                              {fmt::format("{}: {}", cheapest.rung.name, cheapest.rung.words)}));
     }
     folder.keep("ladder.csv", ladder_csv(ladder_));

@@ -29,6 +29,10 @@ std::string unit_of(const model::Model& model, AnswerGroup group) {
   }
 }
 
+std::string number_or_none(double value) {
+  return std::isfinite(value) ? fmt::format("{:.5g}", value) : "-";
+}
+
 report::Table rungs_table(const model::Model& model, const Ladder& ladder) {
   report::Table table{"Rungs", {{"rung", "", true}}, {}};
   const std::string unit = unit_of(model, ladder.answers.front().group);
@@ -47,10 +51,9 @@ report::Table rungs_table(const model::Model& model, const Ladder& ladder) {
     if (rung.readings.empty()) {
       continue;
     }
-    std::vector<std::string> row{rung.rung.name,
-                                 fmt::format("{:.5g}", rung.readings.front().value)};
+    std::vector<std::string> row{rung.rung.name, number_or_none(rung.readings.front().value)};
     if (ladder.answers.size() > 1) {
-      row.push_back(fmt::format("{:.5g}", rung.readings.back().value));
+      row.push_back(number_or_none(rung.readings.back().value));
     }
     row.insert(row.end(),
                {rung.verdict == RungVerdict::richest

@@ -4,6 +4,7 @@
 #include "grammar/lexeme.hpp"
 #include "model/model.hpp"
 #include "program/study/deck_edits.hpp"
+#include "program/study/halves.hpp"
 #include "program/study/rigid_bodies.hpp"
 
 #include <algorithm>
@@ -100,6 +101,7 @@ public:
 
   std::vector<Rung> run() {
     add("as given", "the deck itself", {given_, {}});
+    add_part();
     add("without friction", "all surfaces are smooth", friction());
     add("all at once", "nothing is mounted later, all stands from the beginning", mounting());
     add("bonded with its fits", "contacts can neither open nor slip; interferences press", fits());
@@ -110,16 +112,24 @@ public:
     add("uniform pressure", "a uniform pressure in place of what presses", bearing("UNIFORM"));
     add("plane strain", "plane strain in place of plane stress", state("STRESS", "STRAIN"));
     add("plane stress", "plane stress in place of plane strain", state("STRAIN", "STRESS"));
-    add("half by symmetry", "half of the model",
-        no_place("a half is not made by the program: draw it, with $FREEDOM on the line"));
     return std::move(rungs_);
   }
 
 private:
   void add(const std::string& name, const std::string& words, Made made) {
-    const bool simpler = !name.starts_with("plane");
-    rungs_.push_back(
-        {name, file_name(name), words, std::move(made.text), simpler, std::move(made.reason)});
+    Rung& rung = rungs_.emplace_back();
+    rung.name = name;
+    rung.file = file_name(name);
+    rung.words = words;
+    rung.text = std::move(made.text);
+    rung.simpler = !name.starts_with("plane");
+    rung.reason = std::move(made.reason);
+  }
+
+  void add_part() {
+    PartOfModel part = part_of_model(model_, given_);
+    add(part.name, part.words, {std::move(part.text), std::move(part.reason)});
+    rungs_.back().parts = part.parts;
   }
 
   [[nodiscard]] bool any(bool JointContact::*what) const {

@@ -3,6 +3,7 @@
 
 #include "base/input_file.hpp"
 #include "grammar/lexeme.hpp"
+#include "program/study/halves.hpp"
 #include "program/study/path_steps.hpp"
 #include "report/drawing/file.hpp"
 
@@ -161,7 +162,7 @@ public:
 private:
   void add(const std::string& name, Family family, double fineness, const DeckText& text,
            const Defines& defines) {
-    Setting setting{name, family, fineness, deck_.defines, {}};
+    Setting setting{name, family, fineness, deck_.defines, {}, 1};
     for (const auto& define : defines) { // the study's own go before those of the command line
       std::erase_if(setting.defines, [&](const auto& given) {
         return grammar::to_upper(given.first) == grammar::to_upper(define.first);
@@ -269,12 +270,27 @@ private:
     }
   }
 
+  void add_parts(const std::vector<double>& sizes) {
+    for (const double f : sizes) {
+      Finer finer = bodies(f);
+      PartOfModel part = part_of_model(*deck_.ready->model, finer.text);
+      if (!part.text) {
+        plan_.notes.push_back("no part by symmetry: " + part.reason);
+        return;
+      }
+      finer.text = std::move(*part.text);
+      add_whole(f, part.name.c_str(), Family::part, finer);
+      plan_.settings.back().parts = part.parts;
+    }
+  }
+
   // Other ways at some of the sizes.
   void add_ways() {
     std::vector<double> some{1.0};
     if (!sizes_of_bodies_.empty()) {
       some = {sizes_of_bodies_.front(), 1.0, sizes_of_bodies_.back()};
     }
+    add_parts(some);
     if (cracks_) {
       add_tip_ways(some);
     }
@@ -346,6 +362,7 @@ const char* name_of(Family family) {
                              "linear elements",
                              "JOIN=TRANSITION",
                              "TUBE=NO",
+                             "part by symmetry",
                              "to a tolerance",
                              "steps in place of load paths",
                              "as asked for",

@@ -19,6 +19,7 @@ enum class Family {
   linear,     ///< all sizes, with linear elements
   transition, ///< JOIN=TRANSITION
   tube,       ///< TUBE=NO
+  part,       ///< one side of the planes of symmetry
   tolerance,  ///< TOL, from the coarsest mesh
   path,       ///< steps in place of load paths
   asked,      ///< --vary
@@ -34,6 +35,7 @@ struct Setting {
   double fineness = 1.0; ///< elements have 1/fineness of the deck's sizes, where those vary
   Defines defines;
   std::filesystem::path deck;
+  int parts = 1; ///< its model is one of so many mirror images
 };
 
 /// A parameter and the values that the command line wants of it.

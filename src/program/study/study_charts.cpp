@@ -26,8 +26,8 @@ constexpr std::array curves{
     CurveKind{Family::quarter, false},    CurveKind{Family::linear, false},
     CurveKind{Family::transition, false}, CurveKind{Family::tolerance, false},
     CurveKind{Family::tube, false},       CurveKind{Family::path, false},
-    CurveKind{Family::asked, false},      CurveKind{Family::asked, true},
-    CurveKind{Family::peer, false}};
+    CurveKind{Family::part, false},       CurveKind{Family::asked, false},
+    CurveKind{Family::asked, true},       CurveKind{Family::peer, false}};
 
 bool takes_given(Family family) {
   return family == Family::whole || family == Family::host || family == Family::tip ||

@@ -8,6 +8,7 @@
 #include "program/job/run_folder.hpp"
 #include "program/job/standard_streams.hpp"
 #include "program/peers/calculix.hpp"
+#include "program/study/halves.hpp"
 #include "program/study/judge.hpp"
 #include "program/study/peer_runs.hpp"
 #include "program/study/study_report.hpp"
@@ -153,6 +154,7 @@ private:
     Trial trial{setting, end.end, end.unknowns, {}, end.trouble};
     if (end.run) {
       trial.readings = read_answers(*ready_.model, study_.answers, *end.run);
+      tell_of_whole(trial.readings, study_.answers, setting.parts);
     }
     return trial;
   }

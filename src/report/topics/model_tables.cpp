@@ -11,6 +11,19 @@
 
 namespace spricka::report {
 
+std::string side_note(const model::Model& model) {
+  std::string sides;
+  for (const model::MirrorPlane& plane : model.mirrors) {
+    sides += fmt::format("{}{} {} {:.6g}", sides.empty() ? "" : ", ", "xyz"[plane.axis],
+                         plane.above ? ">=" : "<=", plane.at.value_or(0.0));
+  }
+  return sides.empty()
+             ? sides
+             : fmt::format("Of mirror images {} is modelled alone: forces, energies and areas are "
+                           "those of this part.",
+                           sides);
+}
+
 Table net_table(const model::Model& model) {
   Table table{
       "Nets",

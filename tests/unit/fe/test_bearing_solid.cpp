@@ -172,7 +172,7 @@ TEST_P(SolidBearing, nothing_is_pushed_along_the_axis) {
     load.value = {Expression::constant(F.x()), Expression::constant(F.y()),
                   Expression::constant(F.z())};
     Vector f = Vector::Zero(3 * static_cast<Eigen::Index>(solid.mesh.node_count()));
-    EXPECT_FALSE(add_solid_bearing(solid.mesh, load, f)) << F.transpose();
+    EXPECT_FALSE(add_solid_bearing(solid, solid.mesh, load, f)) << F.transpose();
     EXPECT_EQ(f.norm(), 0.0);
   }
 }
@@ -205,7 +205,7 @@ TEST_P(SolidBearing, meets_the_loaded_half_only) {
   });
   load.value[1] = Expression::constant(-1000.0);
   Vector g = Vector::Zero(f.size());
-  EXPECT_FALSE(add_solid_bearing(solid.mesh, load, g));
+  EXPECT_FALSE(add_solid_bearing(solid, solid.mesh, load, g));
   EXPECT_EQ(g.norm(), 0.0);
 }
 

@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sense/half_model.hpp"
+
+#include "fe/bearing.hpp"
+#include "fe/load_points.hpp"
+#include "model/model.hpp"
+#include "sense/half_cracks.hpp"
+#include "sense/mirrors.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::sense {
+
+namespace {
+
+using base::Vec3;
+
+/// How much of a set stays.
+enum class Part { all, some, none };
+
+/// Which nodes and elements stay, and how much of sets and contacts does.
+class Side {
+public:
+  Side(const model::Model& model, const SidePlane& plane) : model_(model), plane_(plane) {
+    const model::Mesh& mesh = model.mesh;
+    for (std::size_t e = 0; e < mesh.element_count(); ++e) {
+      bool below = false;
+      bool above = false;
+      for (const base::NodeId n : mesh.nodes_of(base::ElementId(e))) {
+        below = below || plane.depth(mesh.x[n.index()]) < -plane.reach;
+        above = above || plane.depth(mesh.x[n.index()]) > plane.reach;
+      }
+      stays_.push_back(above);
+      if (above && below && !across_) {
+        across_ = base::ElementId(e);
+      }
+    }
+  }
+
+  [[nodiscard]] const SidePlane& plane() const { return plane_; }
+  [[nodiscard]] std::optional<base::ElementId> element_across() const { return across_; }
+  [[nodiscard]] bool stays(base::ElementId e) const { return stays_[e.index()]; }
+  [[nodiscard]] bool stays(const model::Face& face) const { return stays(face.element); }
+  [[nodiscard]] bool stays(base::NodeId n) const {
+    return plane_.depth(model_.mesh.x[n.index()]) >= -plane_.reach;
+  }
+  [[nodiscard]] bool within(base::NodeId n) const {
+    return std::abs(plane_.depth(model_.mesh.x[n.index()])) <= plane_.reach;
+  }
+
+  [[nodiscard]] Part part(const model::Load& load) const {
+    const model::Mesh& mesh = model_.mesh;
+    return load.nodes.valid()   ? part_of(mesh.set(load.nodes).nodes)
+           : load.faces.valid() ? part_of(mesh.set(load.faces).faces)
+                                : part_of(mesh.set(load.elements).elements);
+  }
+  [[nodiscard]] Part part(base::FaceSetId set) const { return part_of(model_.mesh.set(set).faces); }
+
+private:
+  template <class T> [[nodiscard]] Part part_of(const std::vector<T>& members) const {
+    const auto stay = static_cast<std::size_t>(
+        std::ranges::count_if(members, [&](const T& member) { return stays(member); }));
+    return stay == members.size() ? Part::all : stay > 0 ? Part::some : Part::none;
+  }
+
+  const model::Model& model_;
+  SidePlane plane_;
+  std::vector<bool> stays_; ///< [element]
+  std::optional<base::ElementId> across_;
+};
+
+bool is_total(const model::Load& load) {
+  return load.type == model::LoadType::resultant || load.type == model::LoadType::bearing;
+}
+
+std::string across_text(const model::Model& model, base::ElementId e) {
+  const model::Mesh& mesh = model.mesh;
+  const std::string& net = model.nets[mesh.element_net[e.index()].index()].name;
+  return fmt::format("element {}{} lies across it, which must be a line of the mesh",
+                     mesh.element_label[e.index()], net.empty() ? "" : " of net " + net);
+}
+
+// What has no half, of a model whose sides are mirror images.
+std::string without_half(const model::Model& model, const Side& side,
+                         const results::MirrorPreview& mirror) {
+  if (const auto e = side.element_across()) {
+    return across_text(model, *e);
+  }
+  for (const model::Mpc& mpc : model.mpcs) {
+    if (const auto* rigid = std::get_if<model::RigidTie>(&mpc)) {
+      const auto& nodes = model.mesh.set(rigid->slave).nodes;
+      const auto stay = std::ranges::count_if(nodes, [&](auto n) { return side.stays(n); });
+      if (stay > 0 && stay < std::ssize(nodes)) {
+        return "an $MPC TYPE=RIGID lies across it";
+      }
+    }
+  }
+  for (const model::LoadCase& load_case : model.cases) {
+    for (const model::Load& load : load_case.loads) {
+      if (is_total(load) && side.part(load) == Part::some && !is_own_image(model, load, mirror)) {
+        return fmt::format("a total of load case {} lies across it and is not its own image",
+                           load_case.name);
+      }
+    }
+  }
+  return cracks_without_half(model, side.plane());
+}
+
+/// The plane of a mirror, or why it has no sides to choose from.
+struct Chosen {
+  SidePlane plane;
+  results::MirrorPreview mirror;
+  std::string against;
+};
+
+Chosen choose(const model::Model& model, const model::MirrorPlane& wish) {
+  Chosen chosen;
+  chosen.mirror = mirror_across(model, wish.axis);
+  chosen.plane = side_plane(model.mesh, wish, chosen.mirror.at);
+  if (model::axisymmetric(model) && wish.axis == 0) {
+    chosen.against = "x is the radius";
+  } else if (!chosen.mirror.against.empty()) {
+    chosen.against = chosen.mirror.against + " mirrored by it";
+  } else {
+    chosen.against = without_half(model, Side(model, chosen.plane), chosen.mirror);
+  }
+  return chosen;
+}
+
+/// Makes the half.
+class Keeper {
+public:
+  Keeper(model::Model& model, Side side) : model_(model), side_(std::move(side)) {}
+
+  void run() {
+    for (model::LoadCase& load_case : model_.cases) {
+      std::vector<model::Load> kept;
+      for (model::Load& load : load_case.loads) {
+        keep_load(std::move(load), kept);
+      }
+      load_case.loads = std::move(kept);
+    }
+    keep_contacts();
+    keep_cracks(model_, side_.plane());
+    drop_empty_ties();
+    keep_mesh();
+    hold_plane();
+  }
+
+private:
+  // What of a total acts on the faces and elements that stay.
+  [[nodiscard]] Vec3 own_part(const model::Load& load) const {
+    Vec3 force = Vec3::Zero();
+    if (load.type == model::LoadType::bearing && model_.mesh.dim == 3) {
+      fe::for_solid_bearing_points(model_, model_.mesh, load,
+                                   [&](const model::Face& face, const Vec3& /*r*/, const Vec3& f) {
+                                     force += side_.stays(face) ? f : Vec3::Zero();
+                                   });
+      return force;
+    }
+    const auto add = [&](const auto& where, std::span<const fe::LoadPoint> points) {
+      for (const fe::LoadPoint& point : points) {
+        force += side_.stays(where) ? point.force : Vec3::Zero();
+      }
+    };
+    fe::for_load_points(model_, model_.mesh, load, {add, add});
+    return force;
+  }
+
+  void keep_load(model::Load load, std::vector<model::Load>& kept) {
+    const Part part = load_part(load);
+    if (part == Part::none) {
+      return;
+    }
+    if (is_total(load) && part == Part::some) {
+      Vec3 force = own_part(load);
+      force[side_.plane().axis] = 0.0; // what is across is balanced by the image
+      for (std::size_t i = 0; i < load.value.size(); ++i) {
+        load.value[i] = base::Expression::constant(force[static_cast<Eigen::Index>(i)]);
+      }
+    }
+    if (load.type == model::LoadType::force) {
+      split_forces(load, kept);
+    }
+    kept.push_back(std::move(load));
+  }
+
+  // Faces of a crack are made with its mesh.
+  [[nodiscard]] Part load_part(const model::Load& load) const {
+    for (const model::Crack& crack : model_.cracks) {
+      if (load.faces.valid() && (load.faces == crack.left || load.faces == crack.right)) {
+        const bool goes = lies_beyond(model_, crack, side_.plane()) ||
+                          load.faces == missing_face(model_, crack, side_.plane());
+        return goes ? Part::none : Part::all;
+      }
+    }
+    return side_.part(load);
+  }
+
+  // The other half of a force in the plane acts on what goes.
+  void split_forces(model::Load& load, std::vector<model::Load>& kept) {
+    std::vector<model::NodeSet>& sets = model_.mesh.node_sets;
+    model::NodeSet in_plane{{}, {}, load.span};
+    model::NodeSet beside{{}, {}, load.span};
+    for (const base::NodeId n : sets[load.nodes.index()].nodes) {
+      (side_.within(n) ? in_plane : beside).nodes.push_back(n);
+    }
+    if (in_plane.nodes.empty()) {
+      return;
+    }
+    model::Load half = load;
+    for (base::Expression& value : half.value) {
+      value.code.push_back({base::Op::number, 0.5});
+      value.code.push_back({base::Op::multiply, 0.0});
+    }
+    half.nodes = base::NodeSetId(sets.size());
+    sets.push_back(std::move(in_plane));
+    load.nodes = base::NodeSetId(sets.size());
+    sets.push_back(std::move(beside));
+    kept.push_back(std::move(half));
+  }
+
+  void keep_contacts() {
+    std::vector<base::ContactId> now(model_.contacts.size());
+    std::vector<model::Contact> kept;
+    for (std::size_t i = 0; i < model_.contacts.size(); ++i) {
+      if (side_.part(model_.contacts[i].slave) != Part::none) {
+        now[i] = base::ContactId(kept.size());
+        kept.push_back(std::move(model_.contacts[i]));
+      }
+    }
+    model_.contacts = std::move(kept);
+    for (model::Step& step : model_.steps) {
+      std::erase_if(step.actions, [&](model::Action& action) {
+        return std::visit(
+            [&](auto& act) {
+              if constexpr (requires { act.contact; }) {
+                act.contact = now[act.contact.index()];
+                return !act.contact.valid();
+              } else {
+                return false;
+              }
+            },
+            action);
+      });
+    }
+  }
+
+  void drop_empty_ties() {
+    std::erase_if(model_.mpcs, [&](const model::Mpc& mpc) {
+      const auto* tie = std::get_if<model::Transition>(&mpc);
+      const auto* rigid = std::get_if<model::RigidTie>(&mpc);
+      const base::NodeSetId slave = tie != nullptr     ? tie->slave
+                                    : rigid != nullptr ? rigid->slave
+                                                       : base::NodeSetId();
+      return slave.valid() && std::ranges::none_of(model_.mesh.set(slave).nodes,
+                                                   [&](base::NodeId n) { return side_.stays(n); });
+    });
+  }
+
+  // Elements are numbered anew; nodes stay where they are, those of no element have no freedoms.
+  void keep_mesh() {
+    const model::Mesh old = std::move(model_.mesh);
+    model::Mesh& mesh = model_.mesh;
+    mesh = model::Mesh();
+    mesh.dim = old.dim;
+    mesh.x = old.x;
+    mesh.node_label = old.node_label;
+    mesh.node_net = old.node_net;
+    std::vector<base::ElementId> now(old.element_count());
+    for (std::size_t i = 0; i < old.element_count(); ++i) {
+      const base::ElementId e(i);
+      if (side_.stays(e)) {
+        now[i] = model::add_element(mesh, old.type[i], old.nodes_of(e), old.element_label[i],
+                                    old.element_net[i]);
+        mesh.property.back() = old.property[i];
+      }
+    }
+    for (const model::NodeSet& set : old.node_sets) {
+      model::NodeSet& kept = mesh.node_sets.emplace_back(set.name, set.nodes, set.span);
+      std::erase_if(kept.nodes, [&](base::NodeId n) { return !side_.stays(n); });
+    }
+    for (const model::ElementSet& set : old.element_sets) {
+      model::ElementSet& kept = mesh.element_sets.emplace_back(set.name, set.elements, set.span);
+      std::erase_if(kept.elements, [&](base::ElementId e) { return !side_.stays(e); });
+      for (base::ElementId& e : kept.elements) {
+        e = now[e.index()];
+      }
+    }
+    for (const model::FaceSet& set : old.face_sets) {
+      model::FaceSet& kept = mesh.face_sets.emplace_back(set.name, set.faces, set.span);
+      std::erase_if(kept.faces, [&](const model::Face& face) { return !side_.stays(face); });
+      for (model::Face& face : kept.faces) {
+        face.element = now[face.element.index()];
+      }
+    }
+  }
+
+  void hold_plane() {
+    model::Mesh& mesh = model_.mesh;
+    const std::vector<bool> used = model::nodes_in_use(mesh);
+    model::NodeSet held{{}, {}, side_.plane().span};
+    for (std::size_t n = 0; n < used.size(); ++n) {
+      if (used[n] && side_.within(base::NodeId(n))) {
+        held.nodes.emplace_back(n);
+      }
+    }
+    model::Freedom freedom;
+    freedom.cls = model::FreedomClass::suppressed;
+    freedom.dof[static_cast<std::size_t>(side_.plane().axis)] = true;
+    freedom.nodes = base::NodeSetId(mesh.node_sets.size());
+    freedom.span = side_.plane().span;
+    mesh.node_sets.push_back(std::move(held));
+    model_.freedoms.push_back(freedom);
+  }
+
+  model::Model& model_;
+  Side side_;
+};
+
+} // namespace
+
+std::string against_half(const model::Model& model, int axis) {
+  model::MirrorPlane plane;
+  plane.axis = axis;
+  return choose(model, plane).against;
+}
+
+void keep_sides(model::Model& model, base::Diagnostics& list) {
+  // A crack that is drawn in a plane wants a mouth there, which another plane may give it.
+  std::ranges::stable_partition(model.mirrors, [&](const model::MirrorPlane& wish) {
+    return against_half(model, wish.axis).empty();
+  });
+  for (model::MirrorPlane& wish : model.mirrors) {
+    const Chosen chosen = choose(model, wish);
+    const char axis = "xyz"[wish.axis];
+    if (!chosen.against.empty()) {
+      list.error(wish.span, "E354",
+                 fmt::format("{} = {:.6g} does not part the model in two mirror images: {}", axis,
+                             chosen.mirror.at, chosen.against),
+                 "the listing of check tells what stands against a plane of symmetry");
+      return;
+    }
+    Keeper(model, Side(model, chosen.plane)).run();
+    wish.at = chosen.mirror.at;
+  }
+}
+
+} // namespace spricka::sense
