@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -322,6 +323,57 @@ private:
   Side side_;
 };
 
+// Names of contacts, cracks and sets that there are something of.
+std::set<std::string> names_of(const model::Model& model) {
+  std::set<std::string> names;
+  for (const model::Contact& contact : model.contacts) {
+    names.insert(contact.name);
+  }
+  for (const model::Crack& crack : model.cracks) {
+    names.insert(crack.name);
+  }
+  const auto add_sets = [&](const auto& sets, auto members) {
+    for (const auto& set : sets) {
+      if (!(set.*members).empty()) {
+        names.insert(set.name);
+      }
+    }
+  };
+  add_sets(model.mesh.node_sets, &model::NodeSet::nodes);
+  add_sets(model.mesh.element_sets, &model::ElementSet::elements);
+  add_sets(model.mesh.face_sets, &model::FaceSet::faces);
+  return names;
+}
+
+// What is asked of things that went with the other side: a sum over none of them would be zero.
+void warn_of_lost_requests(model::Model& model, const std::set<std::string>& before,
+                           base::Diagnostics& list) {
+  const std::set<std::string> now = names_of(model);
+  const auto is_gone = [&](const std::string& name) {
+    return before.contains(name) && !now.contains(name);
+  };
+  const auto warn = [&](base::Span span, const std::string& name) {
+    list.warning(span, "W366", fmt::format("{} lies on the side that $SYMMETRY leaves away", name),
+                 "ask for its mirror image");
+  };
+  for (model::Output& output : model.outputs) {
+    for (const model::OutputRequest& request : output.requests) {
+      if (is_gone(request.name)) {
+        warn(request.span, request.name);
+      }
+    }
+    std::erase_if(output.requests, [&](const auto& request) { return is_gone(request.name); });
+  }
+  for (const model::Check& check : model.checks) {
+    for (const auto& argument : check.arguments) {
+      const auto* const name = std::get_if<std::string>(&argument);
+      if (name != nullptr && is_gone(*name)) {
+        warn(check.span, *name);
+      }
+    }
+  }
+}
+
 } // namespace
 
 std::string against_half(const model::Model& model, int axis) {
@@ -335,6 +387,7 @@ void keep_sides(model::Model& model, base::Diagnostics& list) {
   std::ranges::stable_partition(model.mirrors, [&](const model::MirrorPlane& wish) {
     return against_half(model, wish.axis).empty();
   });
+  const std::set<std::string> before = names_of(model);
   for (model::MirrorPlane& wish : model.mirrors) {
     const Chosen chosen = choose(model, wish);
     const char axis = "xyz"[wish.axis];
@@ -342,12 +395,13 @@ void keep_sides(model::Model& model, base::Diagnostics& list) {
       list.error(wish.span, "E354",
                  fmt::format("{} = {:.6g} does not part the model in two mirror images: {}", axis,
                              chosen.mirror.at, chosen.against),
-                 "the listing of check tells what stands against a plane of symmetry");
+                 "without the card, check lists the planes of symmetry that there are");
       return;
     }
     Keeper(model, Side(model, chosen.plane)).run();
     wish.at = chosen.mirror.at;
   }
+  warn_of_lost_requests(model, before, list);
 }
 
 } // namespace spricka::sense

@@ -255,6 +255,9 @@ constexpr std::array advice{
     ErrorCode{"W357", "Name it where it is meant, or take it away."},
     ErrorCode{"W358", "Lines of one case add up."},
     ErrorCode{"W361", "Name the parameter in an expression."},
+    ErrorCode{"W366",
+              "Results are those of the side that $SYMMETRY keeps: name the mirror image of what "
+              "is asked for, or keep the other side."},
     ErrorCode{"W364", "FIT takes a part of the fit that $CONTACT declares: 1 is all of it."},
     ErrorCode{"W337", "The moduli must be in deck units already."},
     ErrorCode{"E550", "sweep.csv has the error of each point; started again, the sweep tries them "

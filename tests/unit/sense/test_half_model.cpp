@@ -154,6 +154,21 @@ $LOAD CASE=F TYPE=RESULTANT
   EXPECT_LT(difference(*whole, *half), 1e-9);
 }
 
+// What went with the other side is told of where it is asked for.
+TEST(HalfModel, WhatIsAskedOfTheOtherSideIsToldOf) {
+  const std::string load = "$LOAD CASE=F TYPE=PRESSURE\n  INNER 5\n";
+  const std::string west = "$NSET NAME=WEST FROM=INNER WHERE=(x < -1)\n";
+  const test::Folder folder;
+  const test::Outcome outcome = test::run_text(
+      folder, ring(load + west + "$SYMMETRY NORMAL=X\n$OUTPUT FILE='u.csv' FORMAT=CSV\n  U EAST\n" +
+                   "  U WEST\n$CHECK\n  U.X.MIN(WEST,S) = 0 ABS 1 SOURCE 'none'\n"));
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.messages;
+  const std::string words = "WEST lies on the side that $SYMMETRY leaves away";
+  const std::size_t first = outcome.messages.find(words);
+  ASSERT_NE(first, std::string::npos) << outcome.messages;
+  EXPECT_NE(outcome.messages.find(words, first + 1), std::string::npos) << outcome.messages;
+}
+
 std::string block(const std::string& type, const std::string& more) {
   return fmt::format(R"($DECK VERSION=1 LENGTH=mm FORCE=N
 $MESH SHAPE=BLOCK TYPE={} X0=-2 Y0=-1 Z0=-1 LX=4 LY=2 LZ=2 NX=4 NY=2 NZ=2
