@@ -126,10 +126,13 @@ std::string without_half(const model::Model& model, const model::Crack& crack,
   return {};
 }
 
-// From its point in the plane to its end on the side that stays: both ends are tips.
-void cut_line(std::vector<Vec3>& points, const SidePlane& plane) {
+// From its point in the plane to its end on the side that stays: both ends are tips. What was drawn
+// as its left face keeps that name.
+void cut_line(model::Crack& crack, const SidePlane& plane) {
+  std::vector<Vec3>& points = crack.points;
   if (plane.depth(points.front()) > plane.depth(points.back())) {
     std::ranges::reverse(points);
+    std::swap(crack.left, crack.right);
   }
   std::size_t first = points.size() - 1;
   while (plane.depth(points[first - 1]) > plane.reach) {
@@ -208,7 +211,7 @@ void keep_cracks(model::Model& model, const SidePlane& plane) {
       crack.points.clear();
       crack.angle.reset();
     } else if (across && crack.kind == model::CrackKind::free) {
-      cut_line(crack.points, plane);
+      cut_line(crack, plane);
     } else if (across && plane.depth(crack.plane.place) < 0.0) {
       // a point within it, on the side that stays
       crack.plane.place[plane.axis] = 2.0 * plane.at - crack.plane.place[plane.axis];
