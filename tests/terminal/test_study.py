@@ -246,7 +246,6 @@ class LadderTest(TableTest):
         for text, answer, out in ((ring, "K1(R,LOAD)", "cracked"), (plain, "ENERGY(*,LOAD)", "plain")):
             self.deck(text)
             result = self.expect(0, "ladder", "test.deck", "--out", out, "--quiet")
-            with open(self.folder / out / "ladder.csv", encoding="utf-8") as file:
             rows = self.rows("ladder.csv", out)
             quarter = [row for row in rows if row["rung"] == "quarter by symmetry" and row["answer"] == answer]
             self.assertEqual([row["verdict"] for row in quarter], ["within"], result.stdout)
