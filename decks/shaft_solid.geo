@@ -1,6 +1,6 @@
 // The shaft of shaft.geo as a solid, t thick from z = 0 upwards in nz layers of wedges; with both = 1 the
 // mirror image below z = 0, too.
-DefineConstant[ ri = 30, fine = 1, t = 7, nz = 2, both = 0 ];
+DefineConstant[ ri = 30, fine = 1, t = 7, nz = 2, both = 0, line = 0 ];
 size_arc = 4 / fine;
 size_ends = 2 / fine;
 size_middle = 10 / fine;
@@ -20,7 +20,13 @@ For i In {0:5}
 EndFor
 Curve Loop(1) = {20:25};
 Plane Surface(1) = {1};
-Point{1} In Surface{1};
+If (line)
+  Line(1) = {23, 1};
+  Line(2) = {1, 20};
+  Curve{1, 2} In Surface{1};
+Else
+  Point{1} In Surface{1};
+EndIf
 
 o() = Extrude{0, 0, t}{ Surface{1}; Layers{nz}; Recombine; };
 body() = {o(1)}; top() = {o(0)}; outer() = {o(2):o(7)}; low() = {1};

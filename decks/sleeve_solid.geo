@@ -1,6 +1,6 @@
 // The sleeve of sleeve.geo as a solid, t thick from z = 0 upwards in nz layers of wedges; with both = 1 the
 // mirror image below z = 0, too.
-DefineConstant[ R = 36, ri = 30, fine = 1, t = 7, nz = 2, both = 0 ];
+DefineConstant[ R = 36, ri = 30, fine = 1, t = 7, nz = 2, both = 0, line = 0 ];
 size_arc = 4 / fine;
 size_lips = 2 / fine;
 Mesh.ElementOrder = 2;
@@ -25,6 +25,11 @@ EndFor
 Curve Loop(1) = {10:15};
 Curve Loop(2) = {20:25};
 Plane Surface(1) = {1, 2};
+If (line)
+  Line(1) = {20, 10};
+  Line(2) = {13, 23};
+  Curve{1, 2} In Surface{1};
+EndIf
 
 o() = Extrude{0, 0, t}{ Surface{1}; Layers{nz}; Recombine; };
 body() = {o(1)}; top() = {o(0)}; outer() = {o(2):o(7)}; inner() = {o(8):o(13)}; low() = {1};
