@@ -282,18 +282,18 @@ private:
       }
     }
     for (const model::NodeSet& set : old.node_sets) {
-      model::NodeSet& kept = mesh.node_sets.emplace_back(set.name, set.nodes, set.span);
+      model::NodeSet& kept = mesh.node_sets.emplace_back(set);
       std::erase_if(kept.nodes, [&](base::NodeId n) { return !side_.stays(n); });
     }
     for (const model::ElementSet& set : old.element_sets) {
-      model::ElementSet& kept = mesh.element_sets.emplace_back(set.name, set.elements, set.span);
+      model::ElementSet& kept = mesh.element_sets.emplace_back(set);
       std::erase_if(kept.elements, [&](base::ElementId e) { return !side_.stays(e); });
       for (base::ElementId& e : kept.elements) {
         e = now[e.index()];
       }
     }
     for (const model::FaceSet& set : old.face_sets) {
-      model::FaceSet& kept = mesh.face_sets.emplace_back(set.name, set.faces, set.span);
+      model::FaceSet& kept = mesh.face_sets.emplace_back(set);
       std::erase_if(kept.faces, [&](const model::Face& face) { return !side_.stays(face); });
       for (model::Face& face : kept.faces) {
         face.element = now[face.element.index()];
@@ -384,9 +384,9 @@ std::string against_half(const model::Model& model, int axis) {
 
 void keep_sides(model::Model& model, base::Diagnostics& list) {
   // A crack that is drawn in a plane wants a mouth there, which another plane may give it.
-  std::ranges::stable_partition(model.mirrors, [&](const model::MirrorPlane& wish) {
-    return against_half(model, wish.axis).empty();
-  });
+  std::stable_partition(
+      model.mirrors.begin(), model.mirrors.end(),
+      [&](const model::MirrorPlane& wish) { return against_half(model, wish.axis).empty(); });
   const std::set<std::string> before = names_of(model);
   for (model::MirrorPlane& wish : model.mirrors) {
     const Chosen chosen = choose(model, wish);
