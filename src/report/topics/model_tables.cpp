@@ -30,10 +30,11 @@ Table net_table(const model::Model& model) {
       {{"net", "", true}, {"nodes", "", false}, {"elements", "", false}, {"of type", "", true}},
       {}};
   const model::Mesh& mesh = model.mesh;
+  const std::vector<bool> used = model::nodes_in_use(mesh);
   for (std::size_t n = 0; n < model.nets.size(); ++n) {
     std::size_t nodes = 0;
-    for (const base::NetId net : mesh.node_net) {
-      nodes += net == base::NetId(n) ? 1 : 0;
+    for (std::size_t i = 0; i < used.size(); ++i) {
+      nodes += used[i] && mesh.node_net[i] == base::NetId(n) ? 1 : 0;
     }
     std::array<std::size_t, base::element_infos.size()> count{};
     std::size_t elements = 0;
