@@ -143,7 +143,8 @@ bool March::good_enough() {
     state_.step = step_after_leap;
     return true;
   }
-  double step = 0.0;
+  const double asked = state_.step;
+  double step = 0.0; // as it came: of an ellipse an axis may go farther than was asked for
   for (std::size_t tip = 0; tip < tips().size(); ++tip) {
     step = std::max(step, std::log1p(advance_[tip] / state_.stations[n - 2].tips[tip].a));
   }
@@ -177,11 +178,11 @@ bool March::good_enough() {
     good = good && step <= first_look;
     factor = std::min(factor, 0.5);
   }
-  if (step <= 1.5 * shortest_step) {
+  if (std::min(step, asked) <= 1.5 * shortest_step) {
     good = true;
   }
   const double next = std::clamp(step * std::clamp(factor, 0.3, 2.0), shortest_step, longest_step);
-  state_.step = good ? next : std::min(next, 0.7 * step);
+  state_.step = good ? next : std::max(shortest_step, std::min({next, 0.7 * step, 0.7 * asked}));
   return good;
 }
 
