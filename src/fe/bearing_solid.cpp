@@ -110,7 +110,10 @@ bool for_solid_bearing_points(const model::Model& model, const model::Mesh& mesh
     return false;
   }
   const std::array<bool, 3> cuts = cuts_by_mirrors(model, mesh, load);
-  const bool balanced = cuts[0] || cuts[1] || cuts[2];
+  bool balanced = false; // by a plane along the load and the axis; one across the axis does nothing
+  for (std::size_t i = 0; i < cuts.size(); ++i) {
+    balanced = balanced || (cuts.at(i) && std::abs(pin.across[static_cast<Eigen::Index>(i)]) > 0.5);
+  }
   const Vec2 p = balanced ? Vec2(F.norm() / total(0, 0), 0.0) : Vec2(lu.solve(Vec2(F.norm(), 0.0)));
   for_pin_points(mesh, faces, pin,
                  [&](const model::Face& face, const Vec3& r, const Vec3& main, const Vec3& across) {

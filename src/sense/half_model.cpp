@@ -5,6 +5,8 @@
 #include "fe/load_points.hpp"
 #include "model/model.hpp"
 #include "sense/half_cracks.hpp"
+#include "sense/lost_requests.hpp"
+#include "sense/mirrored_cracks.hpp"
 #include "sense/mirrors.hpp"
 
 #include <algorithm>
@@ -192,14 +194,13 @@ private:
 
   // Faces of a crack are made with its mesh.
   [[nodiscard]] Part load_part(const model::Load& load) const {
-    for (const model::Crack& crack : model_.cracks) {
-      if (load.faces.valid() && (load.faces == crack.left || load.faces == crack.right)) {
-        const bool goes = lies_beyond(model_, crack, side_.plane()) ||
-                          load.faces == missing_face(model_, crack, side_.plane());
-        return goes ? Part::none : Part::all;
-      }
+    const model::Crack* const crack = crack_of_faces(model_, load);
+    if (crack == nullptr) {
+      return side_.part(load);
     }
-    return side_.part(load);
+    const bool goes = lies_beyond(model_, *crack, side_.plane()) ||
+                      load.faces == missing_face(model_, *crack, side_.plane());
+    return goes ? Part::none : Part::all;
   }
 
   // The other half of a force in the plane acts on what goes.
@@ -323,57 +324,6 @@ private:
   Side side_;
 };
 
-// Names of contacts, cracks and sets that there are something of.
-std::set<std::string> names_of(const model::Model& model) {
-  std::set<std::string> names;
-  for (const model::Contact& contact : model.contacts) {
-    names.insert(contact.name);
-  }
-  for (const model::Crack& crack : model.cracks) {
-    names.insert(crack.name);
-  }
-  const auto add_sets = [&](const auto& sets, auto members) {
-    for (const auto& set : sets) {
-      if (!(set.*members).empty()) {
-        names.insert(set.name);
-      }
-    }
-  };
-  add_sets(model.mesh.node_sets, &model::NodeSet::nodes);
-  add_sets(model.mesh.element_sets, &model::ElementSet::elements);
-  add_sets(model.mesh.face_sets, &model::FaceSet::faces);
-  return names;
-}
-
-// What is asked of things that went with the other side: a sum over none of them would be zero.
-void warn_of_lost_requests(model::Model& model, const std::set<std::string>& before,
-                           base::Diagnostics& list) {
-  const std::set<std::string> now = names_of(model);
-  const auto is_gone = [&](const std::string& name) {
-    return before.contains(name) && !now.contains(name);
-  };
-  const auto warn = [&](base::Span span, const std::string& name) {
-    list.warning(span, "W366", fmt::format("{} lies on the side that $SYMMETRY leaves away", name),
-                 "ask for its mirror image");
-  };
-  for (model::Output& output : model.outputs) {
-    for (const model::OutputRequest& request : output.requests) {
-      if (is_gone(request.name)) {
-        warn(request.span, request.name);
-      }
-    }
-    std::erase_if(output.requests, [&](const auto& request) { return is_gone(request.name); });
-  }
-  for (const model::Check& check : model.checks) {
-    for (const auto& argument : check.arguments) {
-      const auto* const name = std::get_if<std::string>(&argument);
-      if (name != nullptr && is_gone(*name)) {
-        warn(check.span, *name);
-      }
-    }
-  }
-}
-
 } // namespace
 
 std::string against_half(const model::Model& model, int axis) {
@@ -387,7 +337,7 @@ void keep_sides(model::Model& model, base::Diagnostics& list) {
   std::stable_partition(
       model.mirrors.begin(), model.mirrors.end(),
       [&](const model::MirrorPlane& wish) { return against_half(model, wish.axis).empty(); });
-  const std::set<std::string> before = names_of(model);
+  const std::set<std::string> before = named_things(model);
   for (model::MirrorPlane& wish : model.mirrors) {
     const Chosen chosen = choose(model, wish);
     const char axis = "xyz"[wish.axis];

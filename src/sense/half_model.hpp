@@ -11,7 +11,7 @@ namespace spricka::sense {
 /// Leaves one side of every plane of `model.mirrors`: elements, sets, contacts, cracks and loads of
 /// the other side go, nodes in the plane are held across it, and loads that lie on both sides are
 /// given by what of them acts on the side that stays. A crack drawn across the plane of a plane
-/// model begins in it. Reported (E354) and left as it was: what is not its own mirror image,
+/// model begins in it. Reported (E354): what is not its own mirror image,
 /// elements that lie across the plane, and what has no half.
 void keep_sides(model::Model& model, base::Diagnostics& list);
 

@@ -9,7 +9,7 @@ namespace spricka::report {
 /// Nodes and elements of each net that has any.
 Table net_table(const model::Model& model);
 
-/// "Modelled is the side y >= 0 of a plane of symmetry ..": empty without one.
+/// "Of mirror images y >= 0 is modelled alone: ..": what results are of; empty: of the whole.
 std::string side_note(const model::Model& model);
 
 /// Material, state and thickness of each element set that has a property.
