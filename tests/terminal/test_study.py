@@ -6,7 +6,7 @@ import re
 import shutil
 import unittest
 
-from program import ProgramTest, main
+from program import TOP, ProgramTest, main
 
 # A ring under inner pressure: smooth everywhere. Numbers of elements stand on the card.
 RING = """$DECK VERSION=1 LENGTH=MM FORCE=N
@@ -254,6 +254,24 @@ class LadderTest(TableTest):
             self.assertIn("$SYMMETRY", deck)
             self.assertNotIn("K1(L", deck)
             self.expect(0, "run", f"{out}/cheapest.deck", "--out", "cheap", "--quiet")
+
+    def test_solids_by_their_sections(self):
+        """A slice between flat faces is in plane strain, a hub with free ones in plane stress, both to be round."""
+        expected = {"lug_slice_crack_solid": {"plane strain": ("within", 2e-3), "plane stress": ("not within", 0.1)},
+                    "hub_solid": {"axisymmetric": ("within", 1e-2), "plane strain": ("not within", 0.1),
+                                  "plane stress": ("within", 1e-2)},
+                    "le11_solid": {"axisymmetric": ("within", 5e-3)}}
+        for deck, rungs in expected.items():
+            result = self.expect(0, "ladder", TOP / "decks" / f"{deck}.deck", "--out", deck, "--quiet")
+            rows = self.rows("ladder.csv", deck)
+            for rung, (verdict, bound) in rungs.items():
+                own = [row for row in rows if row["rung"] == rung and row["value"]]
+                self.assertTrue(own, result.stdout)
+                self.assertEqual({row["verdict"] for row in own}, {verdict}, result.stdout)
+                self.assertLess(max(abs(float(row["difference"])) for row in own), bound, result.stdout)
+            cheapest = (self.folder / deck / "cheapest.deck").read_text(encoding="utf-8")
+            self.assertNotIn("SOLID", cheapest)
+            self.expect(0, "run", f"{deck}/cheapest.deck", "--out", "cheap", "--quiet")
 
 
 if __name__ == "__main__":

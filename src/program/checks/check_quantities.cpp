@@ -232,7 +232,9 @@ double bar_of(const model::Model& model, const model::Check& check, const result
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-std::string text_of(const model::Check& check) {
+} // namespace
+
+std::string check_text(const model::Check& check) {
   std::string text = check.quantity + "(";
   for (std::size_t i = 0; i < check.arguments.size(); ++i) {
     text += i > 0 ? "," : "";
@@ -243,8 +245,6 @@ std::string text_of(const model::Check& check) {
   return text + ")";
 }
 
-} // namespace
-
 bool is_available(std::string_view word) {
   return reader_of(word) != nullptr;
 }
@@ -254,7 +254,7 @@ std::vector<results::CheckResult> evaluate_checks(const model::Model& model,
   std::vector<results::CheckResult> all;
   for (const model::Check& check : model.checks) {
     results::CheckResult result;
-    result.text = text_of(check);
+    result.text = check_text(check);
     result.wanted = check.value;
     result.tolerance = check.tolerance;
     result.relative = check.relative;

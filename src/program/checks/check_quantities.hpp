@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "model/forward.hpp"
+#include "model/requests.hpp"
 #include "results/results.hpp"
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -12,6 +14,9 @@ namespace spricka::program {
 /// a point outside the body) fails with the reason in `trouble`.
 std::vector<results::CheckResult> evaluate_checks(const model::Model& model,
                                                   const results::Run& run);
+
+/// "K1.AT(C1,0,46.8,1.5,LOAD)".
+std::string check_text(const model::Check& check);
 
 /// Whether $CHECK finds a value of that word, as it must of all that the catalogue names.
 bool is_available(std::string_view word);

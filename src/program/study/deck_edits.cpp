@@ -19,8 +19,12 @@ bool is_separator(char c) {
   return c == ' ' || c == '\t' || c == ',' || c == '\r' || c == '\n';
 }
 
-// Without its comment; a ! in a quoted text is none.
+// Without its comment and the & of a continued one; a ! in a quoted text is none.
 std::string_view code_of(std::string_view line) {
+  const std::size_t first = line.find_first_not_of(" \t");
+  if (first != std::string_view::npos && line[first] == '&') {
+    line.remove_prefix(first + 1);
+  }
   bool quoted = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
     quoted = line[i] == '\'' ? !quoted : quoted;
@@ -29,6 +33,13 @@ std::string_view code_of(std::string_view line) {
     }
   }
   return line;
+}
+
+// The end of a line with its continuations, behind its line feed.
+std::size_t end_of_line(const std::string& data, std::size_t at) {
+  const char* const last = data.data() + data.size();
+  const char* const end = grammar::logical_line_end(data.data() + at, last);
+  return static_cast<std::size_t>(end - data.data()) + (end == last ? 0 : 1);
 }
 
 bool names_net(const std::vector<std::string>& fields, const std::set<std::string>& nets) {
@@ -58,7 +69,7 @@ void keep_items(DeckCard& card, const std::set<std::string>& nets) {
   std::string kept;
   std::size_t at = 0;
   while (at < card.data.size()) {
-    const std::size_t end = std::min(card.data.find('\n', at), card.data.size() - 1) + 1;
+    const std::size_t end = end_of_line(card.data, at);
     const std::string_view line = std::string_view(card.data).substr(at, end - at);
     const std::vector<std::string> fields = fields_of(line);
     if (!names_net(fields, nets)) {
@@ -113,7 +124,13 @@ std::string net_of_name(std::string_view name) {
 }
 
 std::vector<std::string> fields_of(std::string_view line) {
-  const std::string_view code = code_of(line);
+  std::string code;
+  for (std::size_t at = 0; at < line.size();) {
+    const std::size_t end = std::min(line.find('\n', at), line.size() - 1) + 1;
+    code += code_of(line.substr(at, end - at));
+    code += ' ';
+    at = end;
+  }
   std::vector<std::string> fields;
   std::string field;
   int depth = 0;
@@ -138,7 +155,7 @@ void keep_lines(DeckCard& card, const std::function<bool(const std::vector<std::
   std::string kept;
   std::size_t at = 0;
   while (at < card.data.size()) {
-    const std::size_t end = std::min(card.data.find('\n', at), card.data.size() - 1) + 1;
+    const std::size_t end = end_of_line(card.data, at);
     const std::vector<std::string> fields =
         fields_of(std::string_view(card.data).substr(at, end - at));
     if (fields.empty() || keep(fields)) {
@@ -228,7 +245,7 @@ void put_defines(DeckText& text, const std::vector<std::pair<std::string, std::s
     std::string lines;
     std::size_t at = 0;
     while (at < card.data.size()) {
-      const std::size_t end = std::min(card.data.find('\n', at), card.data.size() - 1) + 1;
+      const std::size_t end = end_of_line(card.data, at);
       const std::string line = card.data.substr(at, end - at);
       const std::size_t equal = code_of(line).find('=');
       const std::vector<std::string> left =

@@ -2,6 +2,7 @@
 #include "program/study/ladder.hpp"
 
 #include "model/model.hpp"
+#include "program/checks/check_quantities.hpp"
 #include "report/topics/result_tables.hpp"
 
 #include <algorithm>
@@ -39,8 +40,8 @@ Difference difference_of(const Ladder& ladder, const RungResult& rung) {
     if (!(ladder.scales[a] > 0.0) || !std::isfinite(rich.value)) {
       continue;
     }
-    if (rung.rung.parts > 1 && !std::isfinite(own.value)) {
-      continue; // of what went with the other side: its image answers
+    if (lacks(rung, a)) {
+      continue;
     }
     const double part = (own.value - rich.value) / ladder.scales[a];
     const double bars =
@@ -106,6 +107,13 @@ std::vector<Answer> ladder_answers(const model::Model& model, const results::Run
   return all;
 }
 
+bool lacks(const RungResult& rung, std::size_t answer) {
+  if (!rung.asked.empty()) {
+    return !rung.asked[answer].check;
+  }
+  return rung.rung.parts > 1 && !std::isfinite(rung.readings[answer].value);
+}
+
 void compare(Ladder& ladder) {
   const auto first = std::ranges::find_if(
       ladder.rungs, [](const RungResult& rung) { return !rung.readings.empty(); });
@@ -143,13 +151,15 @@ deck::DeckText with_checks(const Ladder& ladder, const RungResult& rung) {
   checks.name = "CHECK";
   const RungResult& richest = ladder.rungs[*ladder.richest];
   for (std::size_t a = 0; a < ladder.answers.size(); ++a) {
-    const int parts = ladder.answers[a].group == AnswerGroup::energy ? rung.rung.parts : 1;
-    const double value = richest.readings[a].value / parts;
-    const bool gone = rung.rung.parts > 1 && !std::isfinite(rung.readings[a].value);
-    if (std::isfinite(value) && ladder.scales[a] > 0.0 && !gone) {
-      checks.data += fmt::format("  {} = {:.7g}  ABS {:.3g}  SOURCE 'the richest rung, {}'\n",
-                                 ladder.answers[a].text, value,
-                                 ladder.tolerance * ladder.scales[a] / parts, richest.rung.name);
+    const bool part = ladder.answers[a].group == AnswerGroup::energy;
+    const double factor =
+        rung.asked.empty() ? 1.0 / (part ? rung.rung.parts : 1) : rung.asked[a].factor;
+    const double value = richest.readings[a].value * factor;
+    if (std::isfinite(value) && ladder.scales[a] > 0.0 && !lacks(rung, a)) {
+      checks.data += fmt::format(
+          "  {} = {:.7g}  ABS {:.3g}  SOURCE 'the richest rung, {}'\n",
+          rung.asked.empty() ? ladder.answers[a].text : check_text(*rung.asked[a].check), value,
+          ladder.tolerance * ladder.scales[a] * std::abs(factor), richest.rung.name);
     }
   }
   deck::DeckText whole = *rung.rung.text;

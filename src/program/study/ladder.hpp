@@ -29,8 +29,10 @@ struct RungResult {
   std::size_t unknowns = 0;
   std::vector<Reading> readings; ///< [answer]; empty: none
   std::string trouble;           ///< why not
-  double difference = 0.0;       ///< the largest, with its sign, as a part of the answer
-  double bar = 0.0;              ///< the largest, as a part
+  /// [answer] How its deck asks for them, of a plane model of a solid; else empty.
+  std::vector<Counterpart> asked = {};
+  double difference = 0.0; ///< the largest, with its sign, as a part of the answer
+  double bar = 0.0;        ///< the largest, as a part
   RungVerdict verdict = RungVerdict::missing;
 };
 
@@ -51,8 +53,11 @@ std::vector<Answer> ladder_answers(const model::Model& model, const results::Run
 /// Fills differences, verdicts and the cheapest rung.
 void compare(Ladder& ladder);
 
+/// Whether the rung's model does not have an answer, which its image or nothing stands for.
+bool lacks(const RungResult& rung, std::size_t answer);
+
 /// The deck of a rung with the richest rung's answers as its checks, to the tolerance; of a part by
-/// symmetry its part of energies, and no answers of what went with the other side.
+/// symmetry its part of energies; no answers that the rung's model does not have.
 deck::DeckText with_checks(const Ladder& ladder, const RungResult& rung);
 
 } // namespace spricka::program

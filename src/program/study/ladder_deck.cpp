@@ -36,10 +36,10 @@ public:
     const auto text = deck::read_deck_text(options_.deck.deck, ready_.sources, ignored);
     const StudiedDeck deck{options_.deck.deck, options_.deck.defines, text.value(), &ready_};
     RunFolder folder(options_.deck.out);
-    const ScratchFolder scratch(options_.deck.out);
+    scratch_.emplace(options_.deck.out);
     const Interrupt interrupt([&](int signal) {
       children_.stop();
-      scratch.remove();
+      scratch_->remove();
       folder.abandon();
       return 128 + signal;
     });
@@ -49,7 +49,7 @@ public:
       result.rung = std::move(rung);
       ladder_.rungs.push_back(std::move(result));
     }
-    if (const base::Outcome outcome = climb(scratch.path()); outcome != base::Outcome::done) {
+    if (const base::Outcome outcome = climb(scratch_->path()); outcome != base::Outcome::done) {
       return outcome;
     }
     compare(ladder_);
@@ -105,12 +105,22 @@ private:
     result.unknowns = end.unknowns;
     result.trouble = end.trouble;
     if (end.run) {
-      result.readings = read_answers(*ready_.model, ladder_.answers, *end.run);
-      tell_of_whole(result.readings, ladder_.answers, result.rung.parts);
+      read(result, *end.run);
     }
     if (!options_.deck.quiet) {
       to_stderr(fmt::format("{}: {:.2f} s\n", result.rung.name, end.end.cpu));
     }
+  }
+
+  void read(RungResult& result, const results::Run& run) const {
+    if (!result.rung.section) {
+      result.readings = read_answers(*ready_.model, ladder_.answers, run);
+      tell_of_whole(result.readings, ladder_.answers, result.rung.parts);
+      return;
+    }
+    const ReadyDeck own = read_silently(scratch_->path() / result.rung.file, {});
+    result.asked = as_in_section(*result.rung.section, ladder_.answers);
+    result.readings = read_counterparts(own.model.value(), result.asked, run);
   }
 
   void keep(RunFolder& folder) const {
@@ -133,6 +143,7 @@ private:
   const LadderOptions& options_;
   const Log& log_;
   ReadyDeck ready_;
+  std::optional<ScratchFolder> scratch_;
   ChildRuns children_;
   Ladder ladder_;
 };

@@ -23,6 +23,7 @@ using deck::DeckText;
 struct Made {
   std::optional<DeckText> text;
   std::string reason;
+  std::optional<SectionView> section = {};
 };
 
 Made no_place(std::string reason) {
@@ -110,8 +111,14 @@ public:
     add("rigid pressing body", "what only presses is rigid", rigid());
     add("cosine pressure", "a cosine pressure in place of what presses", bearing("COSINE"));
     add("uniform pressure", "a uniform pressure in place of what presses", bearing("UNIFORM"));
-    add("plane strain", "plane strain in place of plane stress", state("STRESS", "STRAIN"));
-    add("plane stress", "plane stress in place of plane strain", state("STRAIN", "STRESS"));
+    if (model_.mesh.dim == 3) {
+      add("axisymmetric", "the section of round bodies", section("AXI"));
+      add("plane strain", "the section of the bodies in plane strain", section("STRAIN"));
+      add("plane stress", "the section of the bodies in plane stress", section("STRESS"));
+    } else {
+      add("plane strain", "plane strain in place of plane stress", state("STRESS", "STRAIN"));
+      add("plane stress", "plane stress in place of plane strain", state("STRAIN", "STRESS"));
+    }
     return std::move(rungs_);
   }
 
@@ -122,7 +129,8 @@ private:
     rung.file = file_name(name);
     rung.words = words;
     rung.text = std::move(made.text);
-    rung.simpler = !name.starts_with("plane");
+    rung.section = std::move(made.section);
+    rung.simpler = rung.section || !name.starts_with("plane");
     rung.reason = std::move(made.reason);
   }
 
@@ -257,6 +265,12 @@ private:
       loads.push_back(std::move(load));
     }
     return loads.empty() ? "what presses is not loaded" : "";
+  }
+
+  [[nodiscard]] Made section(const char* state) const {
+    SectionDeck made = section_deck(model_, given_, state);
+    return made.text ? Made{std::move(made.text), {}, std::move(made.view)}
+                     : no_place(std::move(made.reason));
   }
 
   [[nodiscard]] Made state(const std::string& from, const std::string& to) const {

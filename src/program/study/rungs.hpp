@@ -2,6 +2,7 @@
 #pragma once
 #include "program/study/joint.hpp"
 #include "program/study/mesh_knob.hpp"
+#include "program/study/section_deck.hpp"
 
 #include <optional>
 #include <string>
@@ -16,14 +17,16 @@ struct Rung {
   std::string file;  ///< "without_friction.deck"
   std::string words; ///< what is simplified, a sentence
   std::optional<deck::DeckText> text;
-  int parts = 1;       ///< its model is one of so many mirror images
+  int parts = 1;                      ///< its model is one of so many mirror images
+  std::optional<SectionView> section; ///< it is a plane model of a solid
   bool simpler = true; ///< false: another model, no simpler one; never the one that is enough
   std::string reason;  ///< why the scene has no place for it, where there is no text
 };
 
 /// All rungs, the richest (the deck itself, without its checks and requests) first: a half by
 /// symmetry, without friction, all mounted at once, fits but bonded, without interference, bonded,
-/// stiff or rigid pressing bodies, pressures in their place, the other plane state.
+/// stiff or rigid pressing bodies, pressures in their place, the other plane state; of solids their
+/// sections.
 std::vector<Rung> make_rungs(const StudiedDeck& deck, const Joint& joint);
 
 } // namespace spricka::program

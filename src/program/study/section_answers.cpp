@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/vec.hpp"
+#include "model/model.hpp"
+#include "program/study/section_deck.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+namespace spricka::program {
+
+namespace {
+
+using Arguments = std::vector<std::variant<std::string, double>>;
+
+/// A word between points: "K1", "AT" of "K1.AT".
+std::vector<std::string> parts_of(const std::string& word) {
+  std::vector<std::string> parts(1);
+  for (const char c : word) {
+    if (c == '.') {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
+std::string joined(const std::vector<std::string>& parts) {
+  std::string word;
+  for (const std::string& part : parts) {
+    word += (word.empty() ? "" : ".") + part;
+  }
+  return word;
+}
+
+class InSection {
+public:
+  explicit InSection(const SectionView& view) : view_(view) {}
+
+  [[nodiscard]] Counterpart of(const Answer& answer) const {
+    model::Check check = answer.check;
+    std::vector<std::string> parts = parts_of(check.quantity);
+    switch (answer.group) {
+    case AnswerGroup::K:
+      return of_front(std::move(check), std::move(parts));
+    case AnswerGroup::pressure:
+      return of_contact(std::move(check), parts);
+    case AnswerGroup::displacement:
+    case AnswerGroup::stress:
+      return of_field(std::move(check), std::move(parts));
+    case AnswerGroup::energy:
+      return {std::move(check),
+              view_.plane.round ? 2.0 * std::numbers::pi / view_.plane.depth() : 1.0};
+    default:
+      return {};
+    }
+  }
+
+private:
+  // All places of a front are one tip.
+  [[nodiscard]] Counterpart of_front(model::Check check, std::vector<std::string> parts) const {
+    const std::string place = parts.back();
+    const std::string mode = parts.front() == "PATH" ? parts[1] : parts.front();
+    const bool known = mode == "K1" || mode == "K2" || mode == "G";
+    if (!known || (place != "AT" && place != "MIN" && place != "MAX") || check.arguments.empty()) {
+      return {};
+    }
+    const auto* const crack = std::get_if<std::string>(check.arguments.data());
+    const auto sign = crack == nullptr ? view_.sign_of_K2.end() : view_.sign_of_K2.find(*crack);
+    if (sign == view_.sign_of_K2.end()) {
+      return {};
+    }
+    if (place == "AT") {
+      check.arguments.erase(check.arguments.begin() + 1, check.arguments.begin() + 4);
+    }
+    parts.pop_back();
+    check.quantity = joined(parts);
+    return {std::move(check), mode == "K2" ? sign->second : 1.0};
+  }
+
+  [[nodiscard]] Counterpart of_contact(model::Check check,
+                                       const std::vector<std::string>& parts) const {
+    const std::string& place = parts.back();
+    if (place == "MIN" || place == "MAX" || place == "MEAN") {
+      return {std::move(check), 1.0};
+    }
+    if (place != "NEAR") {
+      return {};
+    }
+    put_place(check.arguments, 1);
+    return {std::move(check), 1.0};
+  }
+
+  [[nodiscard]] Counterpart of_field(model::Check check, std::vector<std::string> parts) const {
+    if (parts.size() != 3) {
+      return {};
+    }
+    const bool at = parts[2] == "AT";
+    for (char& c : parts[1]) {
+      const std::optional<char> own = component(c, at ? &check.arguments : nullptr);
+      if (!own) {
+        return {};
+      }
+      c = *own;
+    }
+    if (at) {
+      put_place(check.arguments, 0);
+    }
+    check.quantity = joined(parts);
+    return {std::move(check), 1.0};
+  }
+
+  // About an axis, radial ones are those of places in a plane of coordinates.
+  [[nodiscard]] std::optional<char> component(char c, const Arguments* place) const {
+    const sense::SectionPlane& plane = view_.plane;
+    if (c != 'X' && c != 'Y' && c != 'Z') {
+      return std::nullopt;
+    }
+    const int axis = c - 'X';
+    if (axis == plane.direction(1)) {
+      return 'Y';
+    }
+    if (!plane.round) {
+      return axis == plane.direction(0) ? std::optional('X') : std::nullopt;
+    }
+    const base::Vec3 x = place == nullptr ? base::Vec3::Zero() : place_of(*place, 0);
+    const double radius = plane.place(x).x();
+    constexpr double askew = 1e-6;
+    const bool radial = axis != plane.axis && radius > 0.0 && x[axis] > (1.0 - askew) * radius;
+    return radial ? std::optional('X') : std::nullopt;
+  }
+
+  static base::Vec3 place_of(const Arguments& arguments, std::size_t first) {
+    base::Vec3 x = base::Vec3::Zero();
+    for (std::size_t d = 0; d < 3 && first + d < arguments.size(); ++d) {
+      const auto* const value = std::get_if<double>(&arguments[first + d]);
+      x[static_cast<Eigen::Index>(d)] = value == nullptr ? 0.0 : *value;
+    }
+    return x;
+  }
+
+  // x, y, z from `first` on become the two of the section.
+  void put_place(Arguments& arguments, std::size_t first) const {
+    const base::Vec3 x = view_.plane.place(place_of(arguments, first));
+    arguments[first] = x.x();
+    arguments[first + 1] = x.y();
+    arguments.erase(arguments.begin() + static_cast<std::ptrdiff_t>(first) + 2);
+  }
+
+  const SectionView& view_;
+};
+
+} // namespace
+
+std::vector<Counterpart> as_in_section(const SectionView& view,
+                                       const std::vector<Answer>& answers) {
+  const InSection section(view);
+  std::vector<Counterpart> found;
+  for (const Answer& answer : answers) {
+    found.push_back(section.of(answer));
+  }
+  return found;
+}
+
+std::vector<Reading> read_counterparts(const model::Model& model,
+                                       const std::vector<Counterpart>& asked,
+                                       const results::Run& run) {
+  std::vector<Answer> own;
+  for (const Counterpart& counterpart : asked) {
+    own.emplace_back().check = counterpart.check.value_or(model::Check{});
+  }
+  std::vector<Reading> readings = read_answers(model, own, run);
+  for (std::size_t a = 0; a < readings.size(); ++a) {
+    readings[a].value /= asked[a].factor;
+    readings[a].bar /= std::abs(asked[a].factor);
+    readings[a].best /= asked[a].factor;
+  }
+  return readings;
+}
+
+} // namespace spricka::program

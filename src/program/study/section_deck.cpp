@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/study/section_deck.hpp"
+
+#include "grammar/lexeme.hpp"
+#include "model/model.hpp"
+#include "program/study/deck_edits.hpp"
+#include "program/study/section_loads.hpp"
+#include "program/study/section_mesh.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+namespace {
+
+using base::Vec3;
+using deck::DeckCard;
+using deck::DeckText;
+
+constexpr double near = 1e-6; // of a thickness, a length or 1
+
+std::string number(double value) {
+  return fmt::format("{:.12g}", value);
+}
+
+// Cards whose work the written mesh does, or that are about patches in space.
+bool is_replaced(std::string_view card) {
+  constexpr std::array names{"NET",  "ENDNET", "IMPORT", "MESH",    "COOR",   "ELEMENT",
+                             "NSET", "ESET",   "FSET",   "FREEDOM", "TIPNET", "VCE"};
+  return std::ranges::find(names, card) != names.end();
+}
+
+class SectionMaker {
+public:
+  SectionMaker(const model::Model& model, const DeckText& given, sense::Section section,
+               const std::string& state)
+      : model_(model), given_(given), section_(std::move(section)), state_(state),
+        mesh_(model, section_.mesh) {
+    made_.view.plane = section_.plane;
+  }
+
+  SectionDeck run() {
+    made_.reason = loads_against_section(model_, section_);
+    refuse_ties();
+    refuse_parts();
+    DeckText after;
+    for (const DeckCard& card : given_) {
+      take(card, after);
+    }
+    hold(after);
+    if (model_.growth) {
+      refuse("fronts grow, farther in the middle than at the faces");
+    }
+    if (!made_.reason.empty()) {
+      return std::move(made_);
+    }
+    put_together(after);
+    return std::move(made_);
+  }
+
+private:
+  [[nodiscard]] const sense::SectionPlane& plane() const { return section_.plane; }
+
+  void refuse(const std::string& reason) {
+    if (made_.reason.empty()) {
+      made_.reason = reason;
+    }
+  }
+
+  void refuse_ties() {
+    if (!model_.mpcs.empty()) {
+      refuse("$MPC ties freedoms of space");
+    }
+    if (!model_.mirrors.empty()) {
+      refuse("$SYMMETRY: the whole deck is needed");
+    }
+  }
+
+  void refuse_parts() {
+    for (const model::Contact& contact : model_.contacts) {
+      for (const base::FaceSetId id : {contact.slave, contact.master}) {
+        if (id.valid() && !section_.whole[id.index()]) {
+          refuse(fmt::format("contact {}: a surface of it takes a part of the thickness, or a flat "
+                             "face",
+                             contact.name));
+        }
+      }
+    }
+  }
+
+  void take(const DeckCard& card, DeckText& after) {
+    if (card.name == "PROPERTY") {
+      DeckCard plane_card = card;
+      plane_card.set("STATE", state_);
+      if (!plane().round) {
+        plane_card.set("THICK", number(plane().depth()));
+      }
+      keep(plane_card, after);
+    } else if (card.name == "LOAD") {
+      keep(load_in_section(card, plane(), made_.reason), after);
+    } else if (card.name == "RIGID") {
+      keep(rigid(card), after);
+    } else if (card.name == "CRACK") {
+      keep(crack(card), after);
+    } else if (card.name == "CONTACT") {
+      DeckCard contact = card;
+      contact.erase("MULTIPLIER");
+      keep(contact, after);
+    } else if (!is_replaced(card.name)) {
+      keep(card, after);
+    }
+  }
+
+  void keep(const DeckCard& card, DeckText& after) {
+    if (card.net.empty()) {
+      after.push_back(card);
+    } else {
+      mesh_.add(card);
+    }
+  }
+
+  // A plane along the axis is a line, a cylinder along it a circle; about it, they are lines.
+  DeckCard rigid(const DeckCard& card) {
+    const auto own = std::ranges::find_if(model_.rigids, [&](const model::Rigid& rigid) {
+      return grammar::to_upper(rigid.name) == card.word("NAME");
+    });
+    const std::string reason =
+        fmt::format("the rigid target {} does not run along the axis", card.word("NAME"));
+    DeckCard flat;
+    flat.name = "RIGID";
+    flat.set("NAME", card.word("NAME"));
+    if (own == model_.rigids.end() || plane().round) {
+      refuse(reason);
+      return flat;
+    }
+    const Vec3 along = (own->second - own->first).normalized();
+    const double turned = std::abs(along[plane().axis]);
+    const Vec3 first = plane().place(own->first);
+    flat.set("X0", number(first.x()));
+    flat.set("Y0", number(first.y()));
+    if (own->shape == model::RigidShape::cylinder && turned > 1.0 - near) {
+      flat.set("SHAPE", "ARC");
+      flat.set("R", number(own->radius));
+    } else if (own->shape == model::RigidShape::plane && turned < near) {
+      put_line(flat, first, plane().place(along) - plane().place(Vec3::Zero()));
+    } else {
+      refuse(reason);
+    }
+    return flat;
+  }
+
+  // The body, where the normal points to, is on the left; far beyond all bodies at both ends.
+  void put_line(DeckCard& card, const Vec3& at, const Vec3& normal) const {
+    double size = 0.0;
+    for (const Vec3& x : section_.mesh.x) {
+      size = std::max(size, (x - at).norm());
+    }
+    const Vec3 way = 2.0 * size * Vec3(normal.y(), -normal.x(), 0.0);
+    card.set("SHAPE", "LINE");
+    card.set("X0", number(at.x() - way.x()));
+    card.set("Y0", number(at.y() - way.y()));
+    card.set("X1", number(at.x() + way.x()));
+    card.set("Y1", number(at.y() + way.y()));
+  }
+
+  // A straight front through the thickness is a tip, where the crack leaves the body its mouth.
+  DeckCard crack(const DeckCard& card) {
+    const auto own = std::ranges::find_if(model_.cracks, [&](const model::Crack& crack) {
+      return grammar::to_upper(crack.name) == card.word("NAME");
+    });
+    DeckCard flat = card;
+    if (own == model_.cracks.end() || plane().round || !runs_through(*own)) {
+      refuse(
+          fmt::format("crack {} has no straight front through the thickness", card.word("NAME")));
+      return flat;
+    }
+    constexpr std::array of_space{"FRONT", "A",  "C",  "X0", "Y0", "Z0",     "NORMAL", "X1",
+                                  "Y1",    "Z1", "X2", "Y2", "Z2", "CLOSED", "LINE",   "STATE"};
+    for (const char* key : of_space) {
+      flat.erase(key);
+    }
+    const Vec3 tip = plane().place(own->points.front());
+    const Vec3 within = plane().place(own->plane.place);
+    const std::optional<Vec3> mouth = (within - tip).norm() > 0.0
+                                          ? sense::way_out(section_.mesh, own->net, tip, within)
+                                          : std::nullopt;
+    if (!mouth) {
+      refuse(fmt::format("crack {} reaches no surface", card.word("NAME")));
+      return flat;
+    }
+    flat.data = fmt::format("  {}  {}\n  {}  {}\n", number(mouth->x()), number(mouth->y()),
+                            number(tip.x()), number(tip.y()));
+    const Vec3 normal = plane().place(own->plane.normal) - plane().place(Vec3::Zero());
+    const Vec3 way = tip - *mouth;
+    const double left = way.x() * normal.y() - way.y() * normal.x();
+    made_.view.sign_of_K2[card.word("NAME")] = left > 0.0 ? 1.0 : -1.0;
+    return flat;
+  }
+
+  [[nodiscard]] bool runs_through(const model::Crack& crack) const {
+    if (crack.kind != model::CrackKind::drawn || crack.plane.closed || crack.points.empty()) {
+      return false;
+    }
+    const double room = near * plane().depth();
+    double first = plane().last;
+    double last = plane().first;
+    for (const Vec3& x : crack.points) {
+      first = std::min(first, plane().along(x));
+      last = std::max(last, plane().along(x));
+      if ((plane().place(x) - plane().place(crack.points.front())).norm() > room) {
+        return false;
+      }
+    }
+    return first <= plane().first + room && last >= plane().last - room;
+  }
+
+  void hold(DeckText& after) {
+    for (const model::Freedom& freedom : model_.freedoms) {
+      const std::vector<base::NodeId>& nodes = model_.mesh.set(freedom.nodes).nodes;
+      std::array<bool, 2> held{freedom.dof.at(static_cast<std::size_t>(plane().direction(0))),
+                               freedom.dof.at(static_cast<std::size_t>(plane().direction(1)))};
+      if (plane().round) {
+        held[0] = holds_radius(model_, section_, freedom);
+      }
+      if (!held[0] && !held[1]) {
+        continue;
+      }
+      const std::vector<base::NodeId> own = nodes_before(section_, model_.mesh, nodes);
+      if (own.empty()) {
+        refuse("a support lies away from the section");
+        continue;
+      }
+      DeckCard card;
+      card.name = "FREEDOM";
+      constexpr std::array classes{"LOCAL", "EXTERNAL", "SUPPRESSED", "PRESCRIBED", "LOCAL"};
+      card.set("CLASS", classes.at(static_cast<std::size_t>(freedom.cls)));
+      card.set("DOF", std::string(held[0] ? "X" : "") + (held[1] ? "Y" : ""));
+      for (const std::string& name : mesh_.node_set(fmt::format("HELD_{}", ++supports_), own)) {
+        card.data += "  " + name + "\n";
+      }
+      append(after, std::move(card));
+    }
+    if (plane().round && !ends_are_held(model_, section_)) {
+      refuse("the ends of the sector are not held across");
+    }
+  }
+
+  // Units and parameters first, then the mesh.
+  void put_together(DeckText& after) {
+    DeckText text;
+    const auto leads = [](const DeckCard& card) {
+      return card.name == "DECK" || card.name == "PARAMETER";
+    };
+    std::ranges::copy_if(after, std::back_inserter(text), leads);
+    for (DeckCard& card : mesh_.text()) {
+      text.push_back(std::move(card));
+    }
+    std::ranges::copy_if(after, std::back_inserter(text),
+                         [&](const DeckCard& card) { return !leads(card); });
+    made_.text = std::move(text);
+  }
+
+  const model::Model& model_;
+  const DeckText& given_;
+  sense::Section section_;
+  std::string state_;
+  MeshCards mesh_;
+  SectionDeck made_;
+  int supports_ = 0;
+};
+
+} // namespace
+
+SectionDeck section_deck(const model::Model& model, const DeckText& text,
+                         const std::string& state) {
+  SectionDeck none;
+  if (model.mesh.dim != 3) {
+    none.reason = "the bodies are plane";
+    return none;
+  }
+  const bool round = state == "AXI";
+  std::vector<sense::Section> sections =
+      round ? sense::round_sections(model.mesh) : sense::extruded_sections(model.mesh);
+  // Where flat faces are held it is plane strain; the thinner a body, the plainer its stress.
+  std::ranges::stable_sort(sections, [&](const sense::Section& a, const sense::Section& b) {
+    const bool fits_a = ends_are_held(model, a) == (state != "STRESS");
+    const bool fits_b = ends_are_held(model, b) == (state != "STRESS");
+    return fits_a != fits_b ? fits_a : a.plane.depth() < b.plane.depth();
+  });
+  for (sense::Section& section : sections) {
+    SectionDeck made = SectionMaker(model, text, std::move(section), state).run();
+    if (made.text) {
+      return made;
+    }
+    none.reason = none.reason.empty() ? made.reason : none.reason;
+  }
+  if (sections.empty()) {
+    none.reason = round ? "the bodies are no sectors of one angle about an axis"
+                        : "the bodies are not the same all along an axis";
+  }
+  return none;
+}
+
+} // namespace spricka::program

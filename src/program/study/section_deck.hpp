@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "deck/deck_text.hpp"
+#include "model/forward.hpp"
+#include "program/study/deck_answers.hpp"
+#include "sense/section.hpp"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// A solid's deck as one of the plane: bodies that are the same along an axis, or round it, by
+/// their section.
+namespace spricka::program {
+
+/// How answers of the solid are asked of its section.
+struct SectionView {
+  sense::SectionPlane plane;
+  /// [crack, upper case] K2 of the section has the sign of K2 in space, or the other one.
+  std::map<std::string, double> sign_of_K2;
+};
+
+/// A plane deck, or why there is none.
+struct SectionDeck {
+  std::optional<deck::DeckText> text;
+  SectionView view;
+  std::string reason;
+};
+
+/// The section of bodies along an axis in plane stress or strain ("STRESS", "STRAIN"), or of round
+/// ones ("AXI"): their meshes and sets written out, other cards as of `text`, the deck of the
+/// model. Refused is what differs along the axis, or round it.
+SectionDeck section_deck(const model::Model& model, const deck::DeckText& text,
+                         const std::string& state);
+
+/// How the deck of a simpler model asks for an answer.
+struct Counterpart {
+  std::optional<model::Check> check; ///< empty: that model does not have it
+  double factor = 1.0;               ///< its value over that of the solid
+};
+
+/// [answer]
+std::vector<Counterpart> as_in_section(const SectionView& view, const std::vector<Answer>& answers);
+
+/// What a run of the section's `model` says of them, as the solid's. [answer]
+std::vector<Reading> read_counterparts(const model::Model& model,
+                                       const std::vector<Counterpart>& asked,
+                                       const results::Run& run);
+
+} // namespace spricka::program

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/study/section_loads.hpp"
+
+#include "grammar/lexeme.hpp"
+#include "model/model.hpp"
+#include "program/study/deck_edits.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace spricka::program {
+
+namespace {
+
+using base::Vec3;
+
+bool has_direction(model::LoadType type) {
+  return type != model::LoadType::pressure && type != model::LoadType::temperature;
+}
+
+// The values of a load at a place, those with a direction by their parts in the section's frame: x,
+// y and across it.
+Vec3 in_frame(const model::Load& load, const sense::SectionPlane& plane, const Vec3& at,
+              double along) {
+  const Vec3 x = plane.in_space(at, along);
+  Vec3 value = Vec3::Zero();
+  for (std::size_t d = 0; d < load.value.size(); ++d) {
+    value[static_cast<Eigen::Index>(d)] = load.value[d](x);
+  }
+  if (!has_direction(load.type)) {
+    return {value[0], 0.0, 0.0};
+  }
+  const double u = value[plane.direction(0)];
+  const double v = plane.round ? value[(plane.axis + 2) % 3] : value[plane.direction(1)];
+  if (!plane.round) {
+    return {u, v, value[plane.axis]};
+  }
+  return {u * std::cos(along) + v * std::sin(along), value[plane.axis],
+          v * std::cos(along) - u * std::sin(along)};
+}
+
+// Whether it is the same all along the axis, or round it as well at angle 0, and acts in the
+// section alone.
+bool is_uniform(const model::Load& load, const sense::Section& section) {
+  const sense::SectionPlane& plane = section.plane;
+  constexpr std::array shares{0.0, 0.37, 1.0}; // of the depth
+  constexpr double same = 1e-9;
+  double largest = 0.0;
+  double uneven = 0.0;
+  for (const Vec3& x : section.mesh.x) {
+    const Vec3 here = in_frame(load, plane, x, plane.round ? 0.0 : plane.first);
+    largest = std::max(largest, here.norm());
+    uneven = std::max(uneven, std::abs(here.z()));
+    for (const double share : shares) {
+      const Vec3 there = in_frame(load, plane, x, plane.first + share * plane.depth());
+      uneven = std::max(uneven, (there - here).norm());
+    }
+  }
+  return uneven <= same * largest;
+}
+
+std::string against(const model::Load& load, const sense::Section& section) {
+  if (load.type == model::LoadType::force) {
+    return "forces on single nodes";
+  }
+  if (!is_uniform(load, section)) {
+    return section.plane.round ? "a load that is not the same all round"
+                               : "a load that changes, or acts, along the thickness";
+  }
+  const model::Mesh& mesh = section.mesh;
+  if (load.faces.valid() && !section.whole[load.faces.index()]) {
+    return "a load on a flat face, or on a part of the thickness";
+  }
+  const bool gone = (load.nodes.valid() && mesh.set(load.nodes).nodes.empty()) ||
+                    (load.elements.valid() && mesh.set(load.elements).elements.empty());
+  return gone ? "a load away from the section" : "";
+}
+
+/// Names of coordinates in a field, as the section has them; empty: it has not.
+class Renamed {
+public:
+  explicit Renamed(const sense::SectionPlane& plane) : plane_(plane) {}
+
+  [[nodiscard]] std::optional<std::string> field(const std::string& text) const {
+    std::string made;
+    int unit = 0;
+    for (std::size_t i = 0; i < text.size();) {
+      unit += text[i] == '[' ? 1 : text[i] == ']' ? -1 : 0;
+      const bool inside = i > 0 && grammar::is_name_char(text[i - 1]);
+      if (unit > 0 || inside || !grammar::is_letter(text[i])) {
+        made += text[i++];
+        continue;
+      }
+      std::size_t end = i;
+      while (end < text.size() && grammar::is_name_char(text[end])) {
+        ++end;
+      }
+      const std::optional<std::string> name = of(text.substr(i, end - i));
+      if (!name) {
+        return std::nullopt;
+      }
+      made += *name;
+      i = end;
+    }
+    return made;
+  }
+
+private:
+  [[nodiscard]] std::optional<std::string> of(const std::string& word) const {
+    const std::string name = grammar::to_upper(word);
+    if (name == "RHO" || name == "THETA") {
+      const bool upright = plane_.axis == 2; // these are about z
+      const std::string round = name == "RHO" ? "x" : "0";
+      return upright ? std::optional(plane_.round ? round : word) : std::nullopt;
+    }
+    if (name != "X" && name != "Y" && name != "Z") {
+      return word;
+    }
+    // What does not change along the axis, or round it, can be taken at 0.
+    const int axis = name[0] - 'X';
+    return axis == plane_.direction(0) ? "x" : axis == plane_.direction(1) ? "y" : "0";
+  }
+
+  const sense::SectionPlane& plane_;
+};
+
+// Names of sets: all but values.
+bool is_crack_face(const std::string& set) {
+  const std::string name = grammar::to_upper(set);
+  return name.ends_with(".LEFT") || name.ends_with(".RIGHT");
+}
+
+} // namespace
+
+std::string loads_against_section(const model::Model& model, const sense::Section& section) {
+  for (const model::LoadCase& load_case : model.cases) {
+    for (const model::Load& load : load_case.loads) {
+      if (const std::string reason = against(load, section); !reason.empty()) {
+        return fmt::format("load case {}: {}", load_case.name, reason);
+      }
+    }
+  }
+  return {};
+}
+
+deck::DeckCard load_in_section(const deck::DeckCard& card, const sense::SectionPlane& plane,
+                               std::string& reason) {
+  const std::string type = card.word("TYPE");
+  const bool directed = type != "PRESSURE" && type != "TEMPERATURE" && type != "FACES";
+  const bool whole_turn = plane.round && (type == "RESULTANT" || type == "BEARING");
+  const Renamed renamed(plane);
+  deck::DeckCard flat = card;
+  std::string lines;
+  keep_lines(flat, [&](const std::vector<std::string>& fields) {
+    const auto value = [&](std::size_t k) {
+      const std::optional<std::string> made = renamed.field(k < fields.size() ? fields[k] : "0");
+      if (!made && reason.empty()) {
+        reason = fmt::format("load case {} depends on coordinates that the section does not have",
+                             card.word("CASE"));
+      }
+      return made.value_or("0");
+    };
+    if (reason.empty() && type != "FACES" && is_crack_face(fields.front())) {
+      reason = fmt::format("load case {} acts on one face of a crack", card.word("CASE"));
+    }
+    lines += "  " + fields.front();
+    if (!directed) {
+      lines += "  " + value(1) + "\n";
+      return false;
+    }
+    for (const int d : {0, 1}) {
+      const std::string own = value(1 + static_cast<std::size_t>(plane.direction(d)));
+      lines += whole_turn
+                   ? fmt::format("  ({:.15g}*{})", 2.0 * std::numbers::pi / plane.depth(), own)
+                   : "  " + own;
+    }
+    lines += "\n";
+    return false;
+  });
+  flat.data = lines;
+  return flat;
+}
+
+bool holds_radius(const model::Model& model, const sense::Section& section,
+                  const model::Freedom& freedom) {
+  const sense::SectionPlane& plane = section.plane;
+  const auto one = static_cast<std::size_t>((plane.axis + 1) % 3);
+  const auto other = static_cast<std::size_t>((plane.axis + 2) % 3);
+  if (freedom.dof.at(one) && freedom.dof.at(other)) {
+    return true;
+  }
+  if (!freedom.dof.at(one) && !freedom.dof.at(other)) {
+    return false;
+  }
+  const auto held = static_cast<Eigen::Index>(freedom.dof.at(one) ? one : other);
+  return std::ranges::any_of(model.mesh.set(freedom.nodes).nodes, [&](base::NodeId n) {
+    const Vec3& x = model.mesh.x[n.index()];
+    constexpr double across = 1e-6;
+    const bool on_axis = plane.normal(x).squaredNorm() == 0.0;
+    return !on_axis && std::abs(plane.normal(x)[held]) < 1.0 - across;
+  });
+}
+
+bool ends_are_held(const model::Model& model, const sense::Section& section) {
+  const sense::SectionPlane& plane = section.plane;
+  std::vector<std::array<bool, 3>> held(model.mesh.node_count(), {false, false, false});
+  for (const model::Freedom& freedom : model.freedoms) {
+    for (const base::NodeId n : model.mesh.set(freedom.nodes).nodes) {
+      for (std::size_t d = 0; d < 3; ++d) {
+        held[n.index()].at(d) = held[n.index()].at(d) || freedom.dof.at(d);
+      }
+    }
+  }
+  const std::vector<bool> used = model::nodes_in_use(model.mesh);
+  for (std::size_t n = 0; n < model.mesh.node_count(); ++n) {
+    const Vec3& x = model.mesh.x[n];
+    const double along = plane.along(x);
+    constexpr double reach = 1e-6; // of the thickness, or rad
+    const auto lies_at = [&](double at) {
+      return plane.round ? std::abs(std::remainder(along - at, 2.0 * std::numbers::pi)) <= reach
+                         : std::abs(along - at) <= reach * plane.depth();
+    };
+    const Vec3 across = plane.normal(x);
+    if (!used[n] || across.squaredNorm() == 0.0 ||
+        (!lies_at(plane.first) && !lies_at(plane.last))) {
+      continue;
+    }
+    for (Eigen::Index d = 0; d < 3; ++d) {
+      if (std::abs(across[d]) > reach && !held[n].at(static_cast<std::size_t>(d))) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+} // namespace spricka::program

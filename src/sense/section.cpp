@@ -1,0 +1,408 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sense/section.hpp"
+
+#include "fe/face.hpp"
+#include "mesh/boundary.hpp"
+#include "mesh/cut/mouth.hpp"
+#include "mesh/plane.hpp"
+#include "mesh/side_index.hpp"
+#include "shape/quadrature.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <utility>
+
+namespace spricka::sense {
+
+namespace {
+
+using base::Vec3;
+
+constexpr double flatness =
+    1e-6;                       // of the thickness or a radian: what is nearer lies in a flat face
+constexpr double slant = 0.05;  // of a unit normal along the axis: curved sides of tetrahedra wave
+constexpr double uneven = 1e-2; // of volumes and areas: flat sides of round bodies
+
+enum class Flat { first, last, none };
+
+// Sums f(point, area vector of a weight) over a side.
+template <class F> void over_side(const model::Mesh& mesh, const model::Face& face, F&& f) {
+  fe::with_side(mesh, face, [&]<shape::Shape Side>(Side) {
+    constexpr int degree = 4;
+    const fe::SideNodes<Side> X = fe::side_coordinates<Side>(mesh, face);
+    for (const auto& point : shape::quadrature<Side>(degree)) {
+      const Vec3 x = X * Side::N(point.r);
+      f(x, Vec3(point.weight * fe::area_vector<Side>(X, point.r)));
+    }
+  });
+}
+
+std::vector<base::NodeId> nodes_of(const model::Mesh& mesh, const model::Face& face) {
+  std::vector<base::NodeId> nodes;
+  for (const int local : shape::side_nodes(mesh.type[face.element.index()], face.side)) {
+    nodes.push_back(mesh.nodes_of(face.element)[static_cast<std::size_t>(local)]);
+  }
+  return nodes;
+}
+
+/// Cuts one solid mesh across one axis.
+class Cut {
+public:
+  Cut(const model::Mesh& mesh, const SectionPlane& plane) : mesh_(mesh), plane_(plane) {}
+
+  std::optional<Section> run() {
+    if (!sort_faces() || !fills()) {
+      return std::nullopt;
+    }
+    make_mesh();
+    take_sets();
+    Section section{plane_, std::move(made_), {}};
+    section.whole = std::move(whole_);
+    return section;
+  }
+
+private:
+  [[nodiscard]] bool lies_at(const Vec3& x, double at) const {
+    const double unit = plane_.round ? 1.0 : plane_.depth();
+    double away = std::abs(plane_.along(x) - at);
+    if (plane_.round) {
+      away = std::min(away, std::abs(away - 2.0 * std::numbers::pi));
+    }
+    return away <= flatness * unit;
+  }
+
+  [[nodiscard]] Flat flat(const model::Face& face) const {
+    bool first = true;
+    bool last = true;
+    for (const base::NodeId n : nodes_of(mesh_, face)) {
+      const std::size_t i = n.index();
+      first = first && first_[i];
+      last = last && last_[i];
+    }
+    return first ? Flat::first : last ? Flat::last : Flat::none;
+  }
+
+  // Faces of the first end; false where a side runs neither along the axis nor across it.
+  bool sort_faces() {
+    for (const Vec3& x : mesh_.x) {
+      const bool axis = plane_.round && plane_.place(x).x() <= plane_.reach;
+      first_.push_back(axis || lies_at(x, plane_.first));
+      last_.push_back(axis || lies_at(x, plane_.last));
+    }
+    for (const model::Face& face : mesh::boundary_faces(mesh_)) {
+      const Flat side = flat(face);
+      if (side == Flat::first) {
+        faces_.push_back(face);
+      }
+      bool runs_along = true;
+      over_side(mesh_, face, [&](const Vec3& x, const Vec3& area) {
+        runs_along = runs_along && std::abs(plane_.normal(x).dot(area)) <= slant * area.norm();
+      });
+      if (side == Flat::none && !runs_along) {
+        return false;
+      }
+    }
+    return !faces_.empty();
+  }
+
+  // Whether volumes are those of the section along its whole depth, for each property and net.
+  [[nodiscard]] bool fills() const {
+    std::map<std::pair<std::int32_t, std::int32_t>, std::array<double, 2>> volumes;
+    const auto part = [&](base::ElementId e) -> std::array<double, 2>& {
+      return volumes[{mesh_.property[e.index()].value, mesh_.element_net[e.index()].value}];
+    };
+    for (std::size_t e = 0; e < mesh_.element_count(); ++e) {
+      for (int s = 0; s < base::info(mesh_.type[e]).sides; ++s) {
+        over_side(mesh_, {base::ElementId(e), s}, [&](const Vec3& x, const Vec3& area) {
+          part(base::ElementId(e))[0] += x.dot(area) / 3.0;
+        });
+      }
+    }
+    for (const model::Face& face : faces_) {
+      over_side(mesh_, face, [&](const Vec3& x, const Vec3& area) {
+        const double radius = plane_.round ? plane_.place(x).x() : 1.0;
+        part(face.element)[1] += plane_.depth() * radius * area.norm();
+      });
+    }
+    return std::ranges::all_of(volumes, [](const auto& entry) {
+      const auto& [whole, section] = entry.second;
+      return std::abs(whole - section) <= uneven * whole;
+    });
+  }
+
+  void make_mesh() {
+    made_.dim = 2;
+    made_.first.assign(1, 0);
+    new_node_.assign(mesh_.node_count(), base::NodeId());
+    std::vector<bool> used(mesh_.node_count(), false);
+    for (const model::Face& face : faces_) {
+      for (const base::NodeId n : nodes_of(mesh_, face)) {
+        used[n.index()] = true;
+      }
+    }
+    for (std::size_t n = 0; n < mesh_.node_count(); ++n) {
+      if (used[n]) {
+        new_node_[n] = model::add_node(made_, plane_.place(mesh_.x[n]), mesh_.node_label[n],
+                                       mesh_.node_net[n]);
+      }
+    }
+    for (const model::Face& face : faces_) {
+      const std::size_t e = face.element.index();
+      std::vector<base::NodeId> nodes;
+      for (const base::NodeId n : nodes_of(mesh_, face)) {
+        nodes.push_back(new_node_[n.index()]);
+      }
+      turn_left(nodes, shape::side_corners(mesh_.type[e], face.side));
+      new_element_[face.element] =
+          model::add_element(made_, shape::solid_side(mesh_.type[e], face.side), nodes,
+                             mesh_.element_label[e], mesh_.element_net[e]);
+      made_.property.back() = mesh_.property[e];
+    }
+  }
+
+  // Corners run counter-clockwise in the section; mid nodes s lie between corners s and s + 1.
+  void turn_left(std::vector<base::NodeId>& nodes, std::size_t corners) const {
+    const auto at = [&](std::size_t k) -> base::Vec2 {
+      return made_.x[nodes[k].index()].head<2>();
+    };
+    double area = 0.0;
+    for (std::size_t k = 1; k + 1 < corners; ++k) {
+      area += mesh::cross(at(k) - at(0), at(k + 1) - at(0));
+    }
+    if (area > 0.0) {
+      return;
+    }
+    const auto begin = nodes.begin();
+    const auto n = static_cast<std::ptrdiff_t>(corners);
+    std::reverse(begin + 1, begin + n);
+    if (nodes.size() >= 2 * corners) {
+      std::reverse(begin + n, begin + 2 * n);
+    }
+  }
+
+  void take_sets() {
+    for (const model::ElementSet& set : mesh_.element_sets) {
+      model::ElementSet& taken = made_.element_sets.emplace_back(set.name);
+      for (const base::ElementId e : set.elements) {
+        if (const auto found = new_element_.find(e); found != new_element_.end()) {
+          taken.elements.push_back(found->second);
+        }
+      }
+    }
+    const mesh::SideIndex sides(made_);
+    for (const model::FaceSet& set : mesh_.face_sets) {
+      take_faces(set, sides);
+    }
+    for (const model::NodeSet& set : mesh_.node_sets) {
+      model::NodeSet& taken = made_.node_sets.emplace_back(set.name);
+      for (const base::NodeId n : set.nodes) {
+        if (new_node_[n.index()].valid()) {
+          taken.nodes.push_back(new_node_[n.index()]);
+        }
+      }
+    }
+  }
+
+  void take_faces(const model::FaceSet& set, const mesh::SideIndex& sides) {
+    model::FaceSet taken{set.name, {}, {}};
+    double area = 0.0;
+    bool flat_faces = false;
+    for (const model::Face& face : set.faces) {
+      flat_faces = flat_faces || flat(face) != Flat::none;
+      over_side(mesh_, face, [&](const Vec3& /*x*/, const Vec3& part) { area += part.norm(); });
+      const std::vector<base::NodeId> nodes = nodes_of(mesh_, face);
+      const std::size_t corners = shape::side_corners(mesh_.type[face.element.index()], face.side);
+      for (std::size_t c = 0; c < corners; ++c) {
+        const base::NodeId a = new_node_[nodes[c].index()];
+        const base::NodeId b = new_node_[nodes[(c + 1) % corners].index()];
+        const auto found =
+            a.valid() && b.valid() ? sides.find(std::array{a, b}) : std::span<const model::Face>();
+        if (found.size() == 1) {
+          taken.faces.push_back(found.front());
+        }
+      }
+    }
+    std::ranges::sort(taken.faces);
+    taken.faces.erase(std::ranges::unique(taken.faces).begin(), taken.faces.end());
+    double swept = 0.0;
+    for (const model::Face& face : taken.faces) {
+      over_side(made_, face, [&](const Vec3& x, const Vec3& part) {
+        swept += plane_.depth() * (plane_.round ? x.x() : 1.0) * part.norm();
+      });
+    }
+    whole_.push_back(!flat_faces && std::abs(swept - area) <= uneven * area);
+    made_.face_sets.push_back(std::move(taken));
+  }
+
+  const model::Mesh& mesh_;
+  SectionPlane plane_;
+  std::vector<bool> first_, last_; ///< [node] lies in that end
+  std::vector<model::Face> faces_; ///< of the first end
+  std::vector<base::NodeId> new_node_;
+  std::map<base::ElementId, base::ElementId> new_element_;
+  model::Mesh made_;
+  std::vector<bool> whole_;
+};
+
+} // namespace
+
+int SectionPlane::direction(int d) const {
+  return round && d == 1 ? axis : (axis + 1 + d) % 3;
+}
+
+Vec3 SectionPlane::place(const Vec3& x) const {
+  const double u = x[(axis + 1) % 3];
+  const double v = x[(axis + 2) % 3];
+  return round ? Vec3(std::hypot(u, v), x[axis], 0.0) : Vec3(u, v, 0.0);
+}
+
+Vec3 SectionPlane::in_space(const Vec3& place, double along) const {
+  Vec3 x = Vec3::Zero();
+  x[axis] = round ? place.y() : along;
+  x[(axis + 1) % 3] = place.x() * (round ? std::cos(along) : 1.0);
+  x[(axis + 2) % 3] = round ? place.x() * std::sin(along) : place.y();
+  return x;
+}
+
+double SectionPlane::along(const Vec3& x) const {
+  return round ? std::atan2(x[(axis + 2) % 3], x[(axis + 1) % 3]) : x[axis];
+}
+
+Vec3 SectionPlane::normal(const Vec3& x) const {
+  Vec3 n = Vec3::Zero();
+  if (!round) {
+    n[axis] = 1.0;
+    return n;
+  }
+  const double radius = place(x).x();
+  if (radius > reach) {
+    n[(axis + 1) % 3] = -x[(axis + 2) % 3] / radius;
+    n[(axis + 2) % 3] = x[(axis + 1) % 3] / radius;
+  }
+  return n;
+}
+
+std::vector<Section> extruded_sections(const model::Mesh& mesh) {
+  const std::vector<bool> used = model::nodes_in_use(mesh);
+  std::vector<Section> found;
+  for (const int axis : {2, 1, 0}) {
+    SectionPlane plane{false, axis};
+    plane.first = std::numeric_limits<double>::max();
+    plane.last = std::numeric_limits<double>::lowest();
+    for (std::size_t n = 0; n < mesh.node_count(); ++n) {
+      if (used[n]) {
+        plane.first = std::min(plane.first, mesh.x[n][axis]);
+        plane.last = std::max(plane.last, mesh.x[n][axis]);
+      }
+    }
+    if (std::optional<Section> section = Cut(mesh, plane).run()) {
+      found.push_back(std::move(*section));
+    }
+  }
+  return found;
+}
+
+std::vector<Section> round_sections(const model::Mesh& mesh) {
+  const std::vector<bool> used = model::nodes_in_use(mesh);
+  std::vector<Section> found;
+  for (const int axis : {2, 1, 0}) {
+    SectionPlane plane{true, axis};
+    double size = 0.0;
+    for (const Vec3& x : mesh.x) {
+      size = std::max(size, plane.place(x).x());
+    }
+    plane.reach = flatness * size;
+    std::vector<double> angles;
+    for (std::size_t n = 0; n < mesh.node_count(); ++n) {
+      if (used[n] && plane.place(mesh.x[n]).x() > plane.reach) {
+        angles.push_back(plane.along(mesh.x[n]));
+      }
+    }
+    std::ranges::sort(angles);
+    // The bodies leave out the largest gap.
+    constexpr double turn = 2.0 * std::numbers::pi;
+    double widest = 0.0;
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+      const bool ends = i + 1 == angles.size();
+      const double next = ends ? angles.front() + turn : angles[i + 1];
+      if (next - angles[i] > widest) {
+        widest = next - angles[i];
+        plane.first = ends ? angles.front() : angles[i + 1];
+      }
+    }
+    plane.last = plane.first + turn - widest;
+    if (!(widest > 0.25 * turn)) {
+      continue; // a whole turn, or nearly
+    }
+    if (std::optional<Section> section = Cut(mesh, plane).run()) {
+      found.push_back(std::move(*section));
+    }
+  }
+  return found;
+}
+
+std::vector<base::NodeId> nodes_before(const Section& section, const model::Mesh& space,
+                                       const std::vector<base::NodeId>& nodes) {
+  const std::vector<Vec3>& x = section.mesh.x;
+  std::vector<std::size_t> order(x.size());
+  double size = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    order[i] = i;
+    size = std::max(size, x[i].lpNorm<Eigen::Infinity>());
+  }
+  std::ranges::sort(order, {}, [&](std::size_t i) { return x[i].x(); });
+  std::vector<base::NodeId> found;
+  for (const base::NodeId n : nodes) {
+    const Vec3 at = section.plane.place(space.x[n.index()]);
+    auto it = std::ranges::lower_bound(order, at.x() - flatness * size, {},
+                                       [&](std::size_t i) { return x[i].x(); });
+    for (; it != order.end() && x[*it].x() <= at.x() + flatness * size; ++it) {
+      const bool same_net = section.mesh.node_net[*it] == space.node_net[n.index()];
+      if (same_net && std::abs(x[*it].y() - at.y()) <= flatness * size) {
+        found.emplace_back(*it);
+      }
+    }
+  }
+  std::ranges::sort(found);
+  found.erase(std::ranges::unique(found).begin(), found.end());
+  return found;
+}
+
+std::optional<Vec3> way_out(const model::Mesh& section, base::NetId net, const Vec3& from,
+                            const Vec3& through) {
+  const mesh::Host host(section);
+  const base::Vec2 way = (through - from).head<2>();
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const model::Face& face : host.boundary()) {
+    if (!mesh::in_net(section, face, net)) {
+      continue;
+    }
+    const mesh::Edge edge = mesh::edge_of(section, face);
+    constexpr int pieces = 8; // of a curved edge
+    for (int k = 0; k < pieces; ++k) {
+      const auto at = [&](int i) -> base::Vec2 {
+        return mesh::point_on(section, edge, 2.0 * i / pieces - 1.0).head<2>();
+      };
+      const base::Vec2 a = at(k) - from.head<2>();
+      const base::Vec2 chord = at(k + 1) - at(k);
+      const double turn = mesh::cross(way, chord);
+      const double t = mesh::cross(a, chord) / turn; // on the way
+      const double u = mesh::cross(a, way) / turn;   // on the chord
+      constexpr double room = 1e-9;
+      if (std::isfinite(t) && t > room && u >= -room && u <= 1.0 + room) {
+        nearest = std::min(nearest, t);
+      }
+    }
+  }
+  if (!std::isfinite(nearest)) {
+    return std::nullopt;
+  }
+  const Vec3 out = from + nearest * Vec3(way.x(), way.y(), 0.0);
+  return mesh::nearest_boundary(host, out, net).x;
+}
+
+} // namespace spricka::sense
