@@ -186,7 +186,8 @@ private:
 
   void take_sets() {
     for (const model::ElementSet& set : mesh_.element_sets) {
-      model::ElementSet& taken = made_.element_sets.emplace_back(set.name);
+      model::ElementSet& taken = made_.element_sets.emplace_back();
+      taken.name = set.name;
       for (const base::ElementId e : set.elements) {
         if (const auto found = new_element_.find(e); found != new_element_.end()) {
           taken.elements.push_back(found->second);
@@ -198,7 +199,8 @@ private:
       take_faces(set, sides);
     }
     for (const model::NodeSet& set : mesh_.node_sets) {
-      model::NodeSet& taken = made_.node_sets.emplace_back(set.name);
+      model::NodeSet& taken = made_.node_sets.emplace_back();
+      taken.name = set.name;
       for (const base::NodeId n : set.nodes) {
         if (new_node_[n.index()].valid()) {
           taken.nodes.push_back(new_node_[n.index()]);
@@ -227,7 +229,7 @@ private:
       }
     }
     std::ranges::sort(taken.faces);
-    taken.faces.erase(std::ranges::unique(taken.faces).begin(), taken.faces.end());
+    taken.faces.erase(std::unique(taken.faces.begin(), taken.faces.end()), taken.faces.end());
     double swept = 0.0;
     for (const model::Face& face : taken.faces) {
       over_side(made_, face, [&](const Vec3& x, const Vec3& part) {
@@ -368,7 +370,7 @@ std::vector<base::NodeId> nodes_before(const Section& section, const model::Mesh
     }
   }
   std::ranges::sort(found);
-  found.erase(std::ranges::unique(found).begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
 }
 
