@@ -255,6 +255,17 @@ class LadderTest(TableTest):
             self.assertNotIn("K1(L", deck)
             self.expect(0, "run", f"{out}/cheapest.deck", "--out", "cheap", "--quiet")
 
+    def test_extremes_of_a_half_that_change_their_sign(self):
+        """Of the smallest shear of a quarter the ring has the opposite, too; of direct stresses it has the same."""
+        checks = "".join(f"  {word} = 1 REL 1\n" for word in
+                         ("U.X.MAX(BODY,LOAD)", "S.XY.MIN(BODY,LOAD)", "S.XX.MAX(BODY,LOAD)"))
+        plain = re.sub(r"\$CRACK.*\n.*\n.*\n", "", TWICE_CRACKED_RING)
+        self.deck(plain.replace("$END\n", f"$CHECK\n{checks}$END\n").replace("  INNER  10", "  INNER  (10*(1+(x/10)^4))"))
+        self.expect(0, "ladder", "test.deck", "--out", "out", "--quiet")
+        rows = [row for row in self.rows("ladder.csv") if row["rung"] == "quarter by symmetry"]
+        self.assertEqual({row["verdict"] for row in rows}, {"within"})
+        self.assertEqual([row["answer"] for row in rows if row["value"] not in ("", "nan")], ["S.XX.MAX(BODY,LOAD)"])
+
     def test_solids_by_their_sections(self):
         """A slice between flat faces is in plane strain, a hub with free ones in plane stress, both to be round."""
         expected = {"lug_slice_crack_solid": {"plane strain": ("within", 2e-3), "plane stress": ("not within", 0.1)},

@@ -12,6 +12,25 @@
 
 namespace spricka::program {
 
+namespace {
+
+// The largest "U.Y" of a whole that y mirrors is that of a part, or minus its smallest.
+bool is_odd_extreme(const Answer& answer, const std::string& mirrored) {
+  const std::string& word = answer.check.quantity;
+  const bool directed =
+      answer.group == AnswerGroup::displacement || answer.group == AnswerGroup::stress;
+  const std::size_t from = word.find('.');
+  const std::size_t to = word.rfind('.');
+  if (!directed || from == to || (!word.ends_with(".MIN") && !word.ends_with(".MAX"))) {
+    return false;
+  }
+  const std::string component = word.substr(from, to - from);
+  return std::ranges::any_of(
+      mirrored, [&](char axis) { return std::ranges::count(component, axis) % 2 == 1; });
+}
+
+} // namespace
+
 PartOfModel part_of_model(const model::Model& model, const deck::DeckText& text) {
   PartOfModel part;
   deck::DeckText changed = text;
@@ -33,28 +52,28 @@ PartOfModel part_of_model(const model::Model& model, const deck::DeckText& text)
     card.name = "SYMMETRY";
     card.set("NORMAL", std::string(1, "XYZ"[mirror.axis]));
     append(changed, std::move(card));
-    part.parts *= 2;
+    part.mirrored += "XYZ"[mirror.axis];
     part.words += fmt::format("{}{} >= {:.4g}", part.words.empty() ? "" : ", ", axis, mirror.at);
   }
-  if (part.parts == 1) {
+  if (part.mirrored.empty()) {
     part.reason = part.reason.empty() ? "the bodies have no plane of symmetry" : part.reason;
     part.name = "half by symmetry";
     return part;
   }
   constexpr std::array names{"half", "quarter", "eighth"};
-  const std::size_t planes = part.parts == 2 ? 0 : part.parts == 4 ? 1 : 2;
-  part.name = fmt::format("{} by symmetry", names.at(planes));
+  part.name = fmt::format("{} by symmetry", names.at(part.mirrored.size() - 1));
   part.words += " alone";
   part.text = std::move(changed);
   part.reason.clear();
   return part;
 }
 
-void tell_of_whole(std::vector<Reading>& readings, const std::vector<Answer>& answers, int parts) {
-  for (std::size_t i = 0; i < readings.size() && parts > 1; ++i) {
+void tell_of_whole(std::vector<Reading>& readings, const std::vector<Answer>& answers,
+                   const std::string& mirrored) {
+  for (std::size_t i = 0; i < readings.size() && !mirrored.empty(); ++i) {
     if (answers[i].group == AnswerGroup::energy) {
-      readings[i].value *= parts;
-    } else if (answers[i].group == AnswerGroup::arc) {
+      readings[i].value *= parts_of(mirrored);
+    } else if (answers[i].group == AnswerGroup::arc || is_odd_extreme(answers[i], mirrored)) {
       readings[i] = Reading();
     }
   }

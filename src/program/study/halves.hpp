@@ -13,7 +13,7 @@ namespace spricka::program {
 
 struct PartOfModel {
   std::optional<deck::DeckText> text; ///< empty: the model has no plane of symmetry
-  int parts = 1;                      ///< of how many it is one
+  std::string mirrored;               ///< across which axes, "XY"
   std::string name;                   ///< "half by symmetry"
   std::string words;                  ///< "y >= 0 alone"
   std::string reason;                 ///< why there is no text
@@ -22,8 +22,14 @@ struct PartOfModel {
 /// Puts a $SYMMETRY card for each plane that all of the model respects.
 PartOfModel part_of_model(const model::Model& model, const deck::DeckText& text);
 
+/// Of how many mirror images a model is one that is `mirrored` across these axes.
+inline int parts_of(const std::string& mirrored) {
+  return 1 << mirrored.size();
+}
+
 /// Answers of the whole from those of a part: energies are as many times as large; of contact arcs,
-/// which may lie across, nothing is told.
-void tell_of_whole(std::vector<Reading>& readings, const std::vector<Answer>& answers, int parts);
+/// which may lie across, and of extremes that change their sign across a plane, nothing is told.
+void tell_of_whole(std::vector<Reading>& readings, const std::vector<Answer>& answers,
+                   const std::string& mirrored);
 
 } // namespace spricka::program

@@ -3,6 +3,7 @@
 
 #include "model/model.hpp"
 #include "program/checks/check_quantities.hpp"
+#include "program/study/halves.hpp"
 #include "report/topics/result_tables.hpp"
 
 #include <algorithm>
@@ -111,7 +112,7 @@ bool lacks(const RungResult& rung, std::size_t answer) {
   if (!rung.asked.empty()) {
     return !rung.asked[answer].check;
   }
-  return rung.rung.parts > 1 && !std::isfinite(rung.readings[answer].value);
+  return !rung.rung.mirrored.empty() && !std::isfinite(rung.readings[answer].value);
 }
 
 void compare(Ladder& ladder) {
@@ -153,7 +154,7 @@ deck::DeckText with_checks(const Ladder& ladder, const RungResult& rung) {
   for (std::size_t a = 0; a < ladder.answers.size(); ++a) {
     const bool part = ladder.answers[a].group == AnswerGroup::energy;
     const double factor =
-        rung.asked.empty() ? 1.0 / (part ? rung.rung.parts : 1) : rung.asked[a].factor;
+        rung.asked.empty() ? 1.0 / (part ? parts_of(rung.rung.mirrored) : 1) : rung.asked[a].factor;
     const double value = richest.readings[a].value * factor;
     if (std::isfinite(value) && ladder.scales[a] > 0.0 && !lacks(rung, a)) {
       checks.data += fmt::format(

@@ -115,7 +115,7 @@ private:
   void read(RungResult& result, const results::Run& run) const {
     if (!result.rung.section) {
       result.readings = read_answers(*ready_.model, ladder_.answers, run);
-      tell_of_whole(result.readings, ladder_.answers, result.rung.parts);
+      tell_of_whole(result.readings, ladder_.answers, result.rung.mirrored);
       return;
     }
     const ReadyDeck own = read_silently(scratch_->path() / result.rung.file, {});

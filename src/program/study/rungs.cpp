@@ -137,7 +137,7 @@ private:
   void add_part() {
     PartOfModel part = part_of_model(model_, given_);
     add(part.name, part.words, {std::move(part.text), std::move(part.reason)});
-    rungs_.back().parts = part.parts;
+    rungs_.back().mirrored = part.mirrored;
   }
 
   [[nodiscard]] bool any(bool JointContact::*what) const {

@@ -17,7 +17,7 @@ struct Rung {
   std::string file;  ///< "without_friction.deck"
   std::string words; ///< what is simplified, a sentence
   std::optional<deck::DeckText> text;
-  int parts = 1;                      ///< its model is one of so many mirror images
+  std::string mirrored;               ///< across which axes its model is a part, "XY"
   std::optional<SectionView> section; ///< it is a plane model of a solid
   bool simpler = true; ///< false: another model, no simpler one; never the one that is enough
   std::string reason;  ///< why the scene has no place for it, where there is no text

@@ -162,7 +162,7 @@ public:
 private:
   void add(const std::string& name, Family family, double fineness, const DeckText& text,
            const Defines& defines) {
-    Setting setting{name, family, fineness, deck_.defines, {}, 1};
+    Setting setting{name, family, fineness, deck_.defines, {}, {}};
     for (const auto& define : defines) { // the study's own go before those of the command line
       std::erase_if(setting.defines, [&](const auto& given) {
         return grammar::to_upper(given.first) == grammar::to_upper(define.first);
@@ -280,7 +280,7 @@ private:
       }
       finer.text = std::move(*part.text);
       add_whole(f, part.name.c_str(), Family::part, finer);
-      plan_.settings.back().parts = part.parts;
+      plan_.settings.back().mirrored = part.mirrored;
     }
   }
 

@@ -35,7 +35,7 @@ struct Setting {
   double fineness = 1.0; ///< elements have 1/fineness of the deck's sizes, where those vary
   Defines defines;
   std::filesystem::path deck;
-  int parts = 1; ///< its model is one of so many mirror images
+  std::string mirrored = {}; ///< across which axes its model is a part, "XY"
 };
 
 /// A parameter and the values that the command line wants of it.

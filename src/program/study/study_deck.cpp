@@ -154,7 +154,7 @@ private:
     Trial trial{setting, end.end, end.unknowns, {}, end.trouble};
     if (end.run) {
       trial.readings = read_answers(*ready_.model, study_.answers, *end.run);
-      tell_of_whole(trial.readings, study_.answers, setting.parts);
+      tell_of_whole(trial.readings, study_.answers, setting.mirrored);
     }
     return trial;
   }
